@@ -232,6 +232,10 @@ def run(path: Path | None, ascii: bool = False, lang: str | None = None) -> int:
     plain = ascii or not encoding.startswith("utf")
     app = ContralberoApp(session, ascii=plain, key_map=memory.keys(), settings=settings, memory=memory, missing=missing)
     result = app.run()
+    if app._exception is not None:  # textual would show its trace with the values of all variables, and end as a failed check does
+        from .fault import told
+
+        return told(app._exception)
     return app.return_code or result or 0
 
 

@@ -52,6 +52,10 @@ class BaseApp(App[int]):
     def get_line_filters(self) -> Sequence[LineFilter]:
         return [*super().get_line_filters(), LEGIBLE]
 
+    def _fatal_error(self) -> None:
+        """A fault of the program ends the session without textual's trace over the screen: `app.run` says it in one line."""
+        self._close_messages_no_wait()
+
     @property
     def session(self) -> Session:
         """The design that is open."""

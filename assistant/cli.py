@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """The command line.  Nothing but argparse is imported here; each command imports what it needs when it runs.
 
-Exit codes: 0 done · 1 a limit check fails, or a replay or a report differs · 2 bad input or usage · 3 no solution found.
+Exit codes: 0 done · 1 a limit check fails, or a replay or a report differs · 2 bad input or usage · 3 no solution found ·
+70 a fault of the program itself · 130 ended by Ctrl-C · 141 nobody reads the output any more.
 """
 
 import argparse
@@ -27,7 +28,7 @@ COMMANDS = {
     "choose": "search for the user: a ranked table, of which one row can be taken",
     "design": "the whole drive: the front of all combinations that pass, traded over power, mass, seat, price and margin",
     "compare": "two designs side by side: what got better and worse, the inputs that differ",
-    "sweep": "many designs at once, a row of a CSV table for each",
+    "sweep": "many designs at once, a row of a table for each; one that was ended goes on where it stood",
     "export": "results as JSON or CSV, the shaft or the gears as a DXF drawing",
     "serve": "the guided session in a browser, on this machine only",
     "scenarios": "a train under several conditions side by side: the friction thesis' three, or a design's own",
@@ -40,6 +41,7 @@ COMMANDS = {
 }
 KEY_VALUE = "KEY=VALUE"
 THREADS = ("OPENBLAS_NUM_THREADS", "1")  # of numpy's algebra: starting a second takes a fifth of a check, and small matrices need none
+CLOSED = 141  # as the system itself would end it: no verdict
 SELDOM = (200_000, 20, 100)  # new objects between two looks for garbage, of which a solve leaves next to none: a twelfth of a check
 
 
@@ -143,14 +145,26 @@ def parser() -> argparse.ArgumentParser:
 
     add["sweep"].add_argument("file")
     add["sweep"].add_argument(
-        "--vary", action="extend", nargs="+", required=True, metavar="KEY=LO:HI:N", help="inputs to vary; also KEY=VALUE,VALUE,…"
-    )
+        "--vary", action="extend", nargs="+", default=[], metavar="KEY=LO:HI:N",
+        help="inputs to vary over a grid; also KEY=VALUE,VALUE,…; drawn at random: KEY=LO:HI",
+    )  # fmt: skip
+    add["sweep"].add_argument(
+        "--tolerance", action="extend", nargs="+", default=[], metavar="KEY=T",
+        help="inputs that scatter by ±T, three standard deviations, about what the design has; also KEY=LOWER:UPPER (with --monte-carlo)",
+    )  # fmt: skip
+    ways = add["sweep"].add_mutually_exclusive_group()
+    ways.add_argument("--hypercube", type=int, metavar="N", help="N designs at random that fill every range evenly (Latin hypercube)")
+    ways.add_argument("--monte-carlo", type=int, metavar="N", help="N designs at random, each by itself")
+    ways.add_argument("--list", metavar="FILE.csv", help="the designs of a table: keys in the first line, a design in each other one")
+    add["sweep"].add_argument("--seed", type=int, default=1, metavar="N", help="of what is drawn at random (default: %(default)s)")
     add["sweep"].add_argument(
         "--set", action="extend", nargs="+", default=[], metavar=KEY_VALUE, dest="changes", help="change inputs first"
     )
     add["sweep"].add_argument("--step", help="this step only; imbalance alone computes thousands of designs in a second")
     add["sweep"].add_argument("--values", action="extend", nargs="+", default=[], metavar="VALUE_ID", help="these columns only")
-    add["sweep"].add_argument("-o", "--output", metavar="OUT.csv", help="default: to the terminal")
+    add["sweep"].add_argument("-o", "--output", metavar="OUT", help="a .csv or .parquet file (default: CSV to the terminal)")
+    add["sweep"].add_argument("--processes", type=int, metavar="N", help="default: one for each core")
+    add["sweep"].add_argument("--scheduler", metavar="ADDRESS", help="of dask.distributed, whose workers compute instead: tcp://HOST:8786")
 
     add["export"].add_argument("file")
     kinds = add["export"].add_mutually_exclusive_group()
@@ -215,7 +229,29 @@ def _meant(word: str | None) -> str | None:
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    given = list(sys.argv[1:] if arguments is None else arguments)
+    """Run a command; gives the exit code.  Without arguments it is that of this process, which ends with it."""
+    from .outlet import Unwritable, outlets
+
+    with outlets():
+        try:
+            code = command(list(sys.argv[1:] if arguments is None else arguments), own=arguments is None)
+            sys.stdout.flush()
+            return code
+        except Unwritable as full:
+            if full.closed:
+                return CLOSED
+            print(f"contralbero: the output cannot be written: {full}", file=sys.stderr)
+            return 2
+        except Exception as error:
+            if arguments is not None:
+                raise
+            from .fault import told
+
+            return told(error)
+
+
+def command(given: list[str], own: bool) -> int:
+    """The command that the words ask for.  `own`: the process is for it alone."""
     first = next((a for a in given if not a.startswith("-")), None)
     if not {"-h", "--help", "--version"} & set(given[:1]) and first not in (*COMMANDS, "session"):
         if (meant := _meant(first)) is not None:
@@ -226,16 +262,13 @@ def main(arguments: Sequence[str] | None = None) -> int:
         asked, unknown = parser().parse_known_args(given)
         if unknown:
             asked.error(f"unrecognized arguments: {' '.join(unknown)}")  # with the usage of the command
-        if arguments is None:
+        if own:
             os.environ.setdefault(*THREADS)
             if asked.command not in ("session", "serve"):
                 gc.set_threshold(*SELDOM)
         return int(import_module(f"assistant.commands.{asked.command}").run(asked))
     except SystemExit as usage:
         return int(usage.code or 0)
-    except BrokenPipeError:
-        sys.stderr.close()
-        return 0
     except KeyboardInterrupt:
         return 130
     except Exception as error:
@@ -246,9 +279,5 @@ def main(arguments: Sequence[str] | None = None) -> int:
             return 2
         raise
     finally:
-        if arguments is None:
+        if own:
             gc.freeze()  # the process ends: looking through all that it holds for garbage takes a tenth of a report
-
-
-if __name__ == "__main__":
-    sys.exit(main())

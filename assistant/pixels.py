@@ -13,6 +13,8 @@ from calc.languages import Language
 from calc.sheet.step import Curve
 from calc.sheet.text import Text
 
+from .outlet import bare
+
 if TYPE_CHECKING:
     from numpy import uint8
     from numpy.typing import NDArray
@@ -83,6 +85,7 @@ def show(curve: Curve, how: str, say: Language) -> None:
         pieces = sixel(pixels(curve, *SIZE, say))
     else:
         pieces = (kitty if how == KITTY else iterm2)(png(curve, *SIZE, say))
-    sys.stdout.write("\n" + "".join(pieces) + "\n" + say(Text("Enter goes back")) + " ")
-    sys.stdout.flush()
+    out = bare()
+    out.write("\n" + "".join(pieces) + "\n" + say(Text("Enter goes back")) + " ")
+    out.flush()
     sys.stdin.readline()

@@ -22,6 +22,7 @@ from .sheet.text import Text
 from .sheet.value import linked
 
 T = TypeVar("T")
+SMALLEST, LARGEST = 1e-30, 1e30  # sizes of numbers: beyond them products and squares of them are no numbers any more
 LARGEST_FILE = 1_000_000  # bytes; a design has a few thousand
 
 
@@ -229,8 +230,11 @@ class _Reader:
         if isinstance(value, bool) or not isinstance(value, (int, float)) or (whole and isinstance(value, float)):
             point = Text("; write {value}", value=value.replace(",", ".")) if isinstance(value, str) and COMMA.fullmatch(value) else ""
             return self.error(key, value, Text("must be {allowed}{point}", allowed=about.allowed(), point=point), "number")
-        if abs(value) > 1e300 or not math.isfinite(value):
-            return self.error(key, value, Text("must be {allowed}, and finite", allowed=about.allowed()), "number")
+        if value and not SMALLEST <= abs(value) <= LARGEST:
+            allowed = about.allowed()
+            if abs(value) > 1e300 or value != value:
+                return self.error(key, value, Text("must be {allowed}, and finite", allowed=allowed), "number")
+            return self.error(key, value, Text("must be {allowed}, and 0 or of a size from 1e-30 to 1e30", allowed=allowed), "number")
         low, high, above = about.low, about.high, about.above
         if (low is not None and value < low) or (high is not None and value > high) or (above is not None and value <= above):
             why = Text("; {negative}", negative=about.negative) if about.negative and value < 0 else ""
@@ -311,6 +315,13 @@ def design(document: Document) -> Design:
     if reader.errors:
         raise BadInput(document.place, reader.errors)
     return made
+
+
+def number_mistakes(document: Document, about: Quantity, key: str, value: object) -> list[InputError]:
+    """What is wrong with one number by itself, where it is to stand at a key."""
+    reader = _Reader(document)
+    reader.number(about, value, key)
+    return reader.errors
 
 
 def load(path: Path | str) -> tuple[Document, Design]:

@@ -23,6 +23,9 @@ CONFIDENCES = ("given", "high", "medium", "low")  # from sure to unsure; "given"
 GIVEN = Text("given")
 NO_VALUES = ("name", "source", "printed", "viscosities")
 BEYOND_ROWS = Text("rule of this program: beyond its rows the viscosity is that of the outermost line carried on")
+VISCOSITIES = (2e-6, 0.1)  # m²/s: between them the lines of ASTM D341 and Walther hold
+LAW_RANGE = Text("rule of this program: range of the viscosity law")
+OTHER_OIL = Text("Another oil grade or temperature.")
 MORE_ROWS = Text("Give rows of viscosity that reach so far, or another temperature.")
 SPECIFIC_HEAT = Quantity("number", Text("Specific heat; the program takes one law for all oils"), "J/(kg·K)", "c_p")
 

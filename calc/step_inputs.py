@@ -150,8 +150,8 @@ def irregularity(design: Design, engine: Outcome[EngineResult], shaft: Outcome[C
         swing = _swing(engine, crank, speed)
         if swing is None:
             return None
-    elif order is None and crank is not None:
-        order = firing_order(crank.cylinders, crank.strokes) * crank.rated_speed / speed
+    elif order is None:  # without a crank δ_s is 0, which has no order
+        order = firing_order(crank.cylinders, crank.strokes) * crank.rated_speed / speed if crank is not None else 1.0
     outline = shaft.result.outline if shaft.result is not None else None
     J_S = shaft.result.moment_of_inertia if shaft.result is not None else None
     with_wheel = outline is not None and (not outline.derived or any(piece.what == "gear" for piece in outline.pieces))

@@ -19,6 +19,7 @@ from calc.sheet.check import Check
 from calc.sheet.errors import BadInput, InputError
 from calc.sheet.step import Table
 from calc.sheet.text import Text
+from calc.sheet.visible import visible
 from calc.solve import Results, solve
 from calc.version import VERSION
 
@@ -76,7 +77,7 @@ def text(sides: Sides, found: Comparison, everything: bool) -> Iterator[str]:
     names = column_names(*(Path(document.place).stem for document, _ in sides))
     wide = max(map(len, names))
     for name, (document, results) in zip(names, sides):
-        yield f"{name:<{wide}}  {results.design.name}   {document.place}".rstrip()
+        yield visible(f"{name:<{wide}}  {results.design.name}   {document.place}".rstrip())
     yield ""
     if found.equal:
         yield EQUAL

@@ -1,34 +1,127 @@
 # SPDX-License-Identifier: Apache-2.0
-"""`contralbero sweep`: many designs at once, a row of a CSV table for each."""
+"""`contralbero sweep`: many designs at once, a row of a table for each; a run that is ended goes on where it stood."""
 
+import os
+import shutil
 import sys
+import time
 from argparse import Namespace
 from collections import Counter
 from pathlib import Path
+from tempfile import TemporaryDirectory
 
 from assistant.commands.check import changed, known_step
 from assistant.plain import sign
-from assistant.saving import write_asked
-from calc.design_file import read
+from assistant.saving import spare
+from calc.design_file import Document, read
 from calc.sheet.check import ORDER
-from calc.sweep import sweep, varied
+from calc.sheet.errors import BadInput, InputError, NoSolution
+from calc.sheet.text import Text
+from calc.sweep import Plan, Sweep, grid, listed, sampled, swept, toleranced, varied
+from calc.sweep.kept import InFolder, key_of
+from calc.sweep.table import NO_DESIGN, columns, parquet, write_csv, write_parquet
+
+OFTEN = 2.0  # seconds between two lines of progress
 
 
 def run(asked: Namespace) -> int:
     known_step(asked.step)
     document, _ = changed(read(asked.file), asked.changes)
-    swept = sweep(document, varied(document, asked.vary), asked.step, asked.values)
-    counts = Counter(swept.verdicts)
-    summary = f"{len(swept.rows)} designs: " + ", ".join(f"{counts[v]} {sign(v)}" for v in ORDER if counts[v])
-    if asked.output is None:
-        swept.write(sys.stdout)
-        print(summary, file=sys.stderr)
-        return 0
-    from io import StringIO
-
-    path = Path(asked.output)
-    text = StringIO()
-    swept.write(text)
-    write_asked(path, text.getvalue())
-    print(f"{summary}\n{path}: {len(swept.header)} columns")
+    task = Sweep(document, plan(document, asked), asked.step, tuple(asked.values))
+    processes = asked.processes if asked.processes is not None else os.cpu_count() or 1
+    try:
+        if asked.output is not None:
+            return _to_file(task, Path(asked.output), asked.file, processes, asked.scheduler or "")
+        with TemporaryDirectory(prefix="contralbero-") as folder:
+            store = _store(task, Path(folder))
+            swept(task, store, Progress(task.plan.count), processes, asked.scheduler or "")
+            counts = write_csv(sys.stdout, document, task.plan.inputs, store)
+        print(_summary(counts), file=sys.stderr)
+    except NoSolution as none:
+        print(f"{asked.file}: {none}", file=sys.stderr)
+        return 3
     return 0
+
+
+def plan(document: Document, asked: Namespace) -> Plan:
+    """The designs that the options ask for."""
+
+    def refuse(option: str, reason: Text) -> BadInput:
+        return BadInput("contralbero sweep", [InputError(0, option, "", reason)])
+
+    if asked.list is not None:
+        if asked.vary or asked.tolerance:
+            raise refuse("--list", Text("has all that is varied; leave out --vary and --tolerance"))
+        inputs, rows = listed(document, asked.list)
+        return Plan("list", tuple(inputs), len(rows), combinations=tuple(rows))
+    drawn = asked.hypercube if asked.hypercube is not None else asked.monte_carlo
+    if asked.tolerance and drawn is None:
+        raise refuse("--tolerance", Text("needs a number of designs: --monte-carlo N"))
+    inputs = [*varied(document, asked.vary, drawn=drawn is not None), *toleranced(document, asked.tolerance)]
+    if not inputs:
+        raise refuse("--vary", Text("needs something to vary: --vary, --tolerance or --list"))
+    if len({one.key for one in inputs}) < len(inputs):
+        raise refuse("--tolerance", Text("names an input that --vary has already"))
+    return grid(inputs) if drawn is None else sampled(inputs, drawn, asked.seed, hypercube=asked.hypercube is not None)
+
+
+class Progress:
+    """How many designs are done and how long the rest will take, on stderr, where it takes longer than a moment."""
+
+    def __init__(self, count: int) -> None:
+        self.count, self.first, self.begun = count, -1, time.monotonic()
+        self.last = self.begun
+
+    def __call__(self, done: int) -> None:
+        now = time.monotonic()
+        if self.first < 0:
+            self.first = done
+            if 0 < done < self.count:
+                print(Text("{done} of {count} designs are known from the run before", done=done, count=self.count), file=sys.stderr)
+            return
+        if now - self.last < OFTEN or done <= self.first:
+            return
+        self.last = now
+        left = f"{(self.count - done) * (now - self.begun) / (done - self.first):.0f}"
+        print(Text("{done} of {count} designs, {left} s left", done=done, count=self.count, left=left), file=sys.stderr, flush=True)
+
+
+def _store(task: Sweep, folder: Path) -> InFolder:
+    return InFolder(folder, key_of(task.document, task.plan, task.step, task.wanted))
+
+
+def _to_file(task: Sweep, path: Path, file: str, processes: int, scheduler: str) -> int:
+    """The chunks are kept beside the file until it is whole."""
+    spare(path, file)
+    as_parquet = path.suffix.lower() == ".parquet"
+    if as_parquet:
+        parquet()
+    store = _store(task, path.with_name(f"{path.name}.parts"))
+    draft = store.folder / f"{store.key}-table.new"
+    try:
+        swept(task, store, Progress(task.plan.count), processes, scheduler)
+        if as_parquet:
+            counts = write_parquet(draft, task.document, task.plan.inputs, store)
+        else:
+            with open(draft, "w", encoding="utf-8", newline="") as table:
+                counts = write_csv(table, task.document, task.plan.inputs, store)
+                table.flush()
+                os.fsync(table.fileno())
+        if path.exists():
+            shutil.copyfile(path, path.with_name(f"{path.name}.bak"))
+        draft.replace(path)
+    except KeyboardInterrupt:
+        print(Text("what is done is kept in {folder}: the same command goes on from there", folder=str(store.folder)), file=sys.stderr)
+        raise
+    except OSError as error:
+        reason = Text("cannot be written: {reason}", reason=error.strerror or str(error))
+        raise BadInput(str(path), [InputError(0, "", "", reason)]) from None
+    width = len(columns(task.document, task.plan.inputs, store).header)
+    store.clear()
+    print(f"{_summary(counts)}\n{path}: {width} columns")
+    return 0
+
+
+def _summary(counts: Counter[str]) -> str:
+    words = [f"{counts[v]} {sign(v)}" for v in ORDER if counts[v]] + ([f"{counts[NO_DESIGN]} no design"] if counts[NO_DESIGN] else [])
+    return f"{counts.total()} designs: " + ", ".join(words)

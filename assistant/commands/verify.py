@@ -7,6 +7,7 @@ from pathlib import Path
 
 from calc.sheet.errors import BadInput, InputError
 from calc.sheet.text import Text
+from calc.sheet.visible import visible
 from calc.version import VERSION
 from reports.pdf_file import MOST_BYTES
 from reports.verify import Verdict, verify
@@ -29,7 +30,7 @@ def run(asked: Namespace) -> int:
 
     def say(text: str) -> None:
         """What stands in the file may hold anything; a terminal must not obey it."""
-        print("".join(c if c.isprintable() else f"\\x{ord(c):02x}" for c in text))
+        print(visible(text))
 
     say(f"{path}: {found.design}")
     if found.version != VERSION:

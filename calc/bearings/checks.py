@@ -23,7 +23,7 @@ from ..journal_rules import (
     USUAL_LENGTH_RATIO,
     USUAL_SPECIFIC_LOAD,
 )  # fmt: skip
-from ..oils import BEYOND_ROWS, MORE_ROWS
+from ..oils import BEYOND_ROWS, LAW_RANGE, MORE_ROWS, OTHER_OIL, VISCOSITIES
 from ..sheet.check import Check, check
 from ..sheet.remedy import Remedy, by_key, down, up
 from ..sheet.text import EMPTY, SEMICOLON, Amount, Name, Text
@@ -121,8 +121,8 @@ def checks(place: str, r: BearingResult, slope: float) -> Iterator[Check]:
     yield on("friction_regime", Text("Coefficient of friction"), r.friction_coefficient, "in", FULL_FILM_FRICTION, "",
         Text("Finotti 2013, 5.4.1: full film"), Text("Outside the usual range of a full film: look at film and clearance."))  # fmt: skip
     if not r.seat.lubricant.constant:
-        yield on("viscosity_range", Text("Oil viscosity"), r.hot.oil.nu, "in", (2e-6, 0.1), "mm²/s",
-            Text("rule of this program: range of the viscosity law"), Text("Another oil grade or temperature."))  # fmt: skip
+        yield on("viscosity_range", Text("Oil viscosity"), r.hot.oil.nu, "in", VISCOSITIES, "mm²/s",
+            LAW_RANGE, OTHER_OIL)  # fmt: skip
     if (reach := r.seat.lubricant.reach) is not None:
         yield on("oil_rows", Text("Film temperature within the rows of the oil"), r.hot.mean_temperature, "in", reach, "°C",
             BEYOND_ROWS, MORE_ROWS)  # fmt: skip

@@ -36,7 +36,7 @@ def outcome(d: Drive, result: FrictionResult, lines: list[Line]) -> Outcome[Fric
     """A closed balance with its checks, curves, errata and notes."""
     friction = d.friction
     return Outcome(
-        "friction", result=result, lines=tuple(lines), checks=(*checks(friction, result), *_oil_rows(d.oil)),
+        "friction", result=result, lines=tuple(lines), checks=(*checks(friction, result), *_oil_range(d.oil)),
         curves=Later(partial(curves.curves, result, d)), errata=errata(friction, result, d.oil),
         notes=Later(partial(notes.notes, friction, result, d.oil)), tables=Later(partial(curves.tables, result, d)),
     )  # fmt: skip
@@ -82,8 +82,12 @@ def _models(result: FrictionResult) -> Check:
     )
 
 
-def _oil_rows(oil: Oil) -> Iterator[Check]:
-    """Whether the oil's own table of viscosities, where it has one, reaches to its temperature."""
+def _oil_range(oil: Oil) -> Iterator[Check]:
+    """Whether the oil's own table of viscosities, where it has one, reaches to its temperature, and whether its law does."""
+    nu = oil.lubricant.nu(oil.T_m)
+    if not (oil.lubricant.constant or oils.VISCOSITIES[0] <= nu <= oils.VISCOSITIES[1]):
+        yield check("friction.train.viscosity_range", Text("Oil viscosity"), nu, "in", oils.VISCOSITIES, "mm²/s",
+            oils.LAW_RANGE, oils.OTHER_OIL)  # fmt: skip
     if (reach := oil.lubricant.reach) is not None:
         yield check("friction.train.oil_rows", Text("Oil temperature within the rows of the oil"), oil.T_m, "in", reach, "°C",
             oils.BEYOND_ROWS, oils.MORE_ROWS)  # fmt: skip

@@ -156,14 +156,15 @@ def proposals(result: ImbalanceResult, lam: Number, kappa: Number, shaft: bool) 
             )
         said.append(text)
     plus, minus = _what(F_p, C_p, *second), _what(F_m, C_m, *second)
-    if plus or minus:
+    shafts = result.remedy.get("second_order_shafts")
+    if (plus or minus) and shafts is not None:  # of a crank that is all but nought, little of λ counts, and no shaft is made for it
         both = _what(F_p + F_m, C_p + C_m, *second)
         left = plural(
             "{both} of second order is left at the peak; neither the crank nor a shaft at crank speed changes it.",
             "{both} of second order are left at the peak; neither the crank nor a shaft at crank speed changes it.",
             n=_count(both), both=both,
         )  # fmt: skip
-        speed = _one_speed(result.remedy["second_order_shafts"].shafts)
+        speed = _one_speed(shafts.shafts)
         said.append(
             Text("Two shafts at ±2 times crank speed, where the comfort is worth it, because {left}", left=left)
             if speed is None

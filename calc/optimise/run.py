@@ -7,14 +7,7 @@ that was ended goes on where it stood.  Whatever the order in which classes come
 
 import hashlib
 import json
-import signal
-import sys
 from collections.abc import Callable, Iterator
-from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
-from concurrent.futures.process import BrokenProcessPool
-from contextlib import redirect_stderr
-from importlib import import_module
-from multiprocessing import get_context, resource_tracker
 from pathlib import Path
 from typing import Any
 
@@ -27,6 +20,7 @@ from ..sheet.errors import NoSolution
 from ..sheet.record import record
 from ..sheet.text import EMPTY, Text
 from ..solve import Results, solve
+from ..spread import spread
 from ..step_inputs import shaft_gear
 from ..version import VERSION
 from .classes import ClassFront, NotClosed, class_of, sized
@@ -37,7 +31,6 @@ from .problem import problem as problem_of
 from .whole import Sized, Whole, whole
 
 NEIGHBOURS = 3  # of a row that fails when it is solved whole, are tried in its place
-LOSSES = 2  # of the workers that a class may cost
 HOPELESS = 6  # rows that fail whole by one and the same check: nothing that is varied moves it
 Told = Callable[[int, "Table", str], None]  # classes that are done, what they have given together, and the last one's name
 
@@ -107,67 +100,9 @@ def classes(
             yield n, known
         else:
             waiting.append(n)
-    if scheduler:
-        done = _farmed(problem, waiting, scheduler)
-    else:
-        done = _serial(problem, waiting) if processes <= 1 or len(waiting) <= 1 else _parallel(problem, waiting, processes)
-    for n, one in done:
+    for n, one in spread(one_class, problem, waiting, processes, scheduler):
         _keep(problem, n, one, parts)
         yield n, one
-
-
-def _serial(problem: Problem, waiting: list[int]) -> Iterator[tuple[int, ClassFront]]:
-    return ((n, one_class(problem, n)) for n in waiting)
-
-
-def _parallel(problem: Problem, waiting: list[int], processes: int) -> Iterator[tuple[int, ClassFront]]:
-    """Over processes; what a lost worker had is done again by another."""
-    _track()
-    lost = dict.fromkeys(waiting, 0)
-    left = set(waiting)
-    while left:
-        pool = ProcessPoolExecutor(min(processes, len(left)), get_context("spawn"), signal.signal, (signal.SIGINT, signal.SIG_IGN))
-        running: dict[Future[ClassFront], int] = {}
-        try:
-            running = {pool.submit(one_class, problem, n): n for n in sorted(left)}
-            pending = set(running)
-            while pending:
-                finished, pending = wait(pending, return_when=FIRST_COMPLETED)
-                for future in finished:
-                    result = future.result()
-                    left.discard(running[future])
-                    yield running[future], result
-        except BrokenProcessPool:
-            for n in left:
-                lost[n] += 1
-            if max(lost[n] for n in left) > LOSSES:
-                raise
-        finally:
-            pool.shutdown(wait=False, cancel_futures=True)
-
-
-def _track() -> None:
-    """Start the tracker of multiprocessing with a true stderr: a screen's own has no file behind it, and none can then be started."""
-    if sys.__stderr__ is None:
-        return
-    with redirect_stderr(sys.__stderr__):
-        resource_tracker.ensure_running()
-
-
-def _farmed(problem: Problem, waiting: list[int], address: str) -> Iterator[tuple[int, ClassFront]]:
-    """Over the workers of a dask scheduler, which does again what a lost one had.  Results come back; no file need be shared."""
-    try:
-        dask: Any = import_module("distributed")
-    except ImportError:
-        raise NoSolution(Text("a scheduler needs dask.distributed, which the extra `contralbero[farm]` installs")) from None
-    try:
-        client = dask.Client(address, timeout=10)
-    except (OSError, ValueError) as error:
-        raise NoSolution(Text("no scheduler answers at {address}", address=address), Text("{why}", why=str(error))) from None
-    with client:
-        futures = {client.submit(one_class, problem, n, retries=LOSSES, pure=False): n for n in waiting}
-        for future in dask.as_completed(list(futures)):
-            yield futures[future], future.result()
 
 
 # --- what is kept ---------------------------------------------------------------------------------------------------------------

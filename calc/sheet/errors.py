@@ -3,6 +3,7 @@
 
 from .record import record
 from .text import EMPTY, SEMICOLON, Name, Text
+from .visible import visible
 
 
 @record
@@ -16,7 +17,8 @@ class InputError:
 
     def text(self, place: str) -> Text:
         where = f"{place}:{self.line}" if self.line else place
-        return Text("{where}: {reason}", where=": ".join(filter(None, (where, self.key, self.value))), reason=self.reason)
+        found = ": ".join(visible(part) for part in (where, self.key, self.value) if part)
+        return Text("{where}: {reason}", where=found, reason=self.reason)
 
 
 class BadInput(Exception):

@@ -89,3 +89,18 @@ def test_a_file_that_is_no_design_gives_code_2(tmp_path: Path, monkeypatch: pyte
     (tmp_path / "a.toml").write_text("schema = 1\nname = 3\n")
     assert run(tmp_path / "a.toml") == 2
     assert "name" in capsys.readouterr().err
+
+
+def test_a_fault_of_the_program_ends_the_session_in_one_line(design: Path, tmp_path: Path) -> None:
+    code = (
+        "import sys\nfrom assistant.screens.workbench import Workbench\n"
+        "def boom(self): raise KeyError('this is the fault')\n"
+        "Workbench.on_mount = boom\nfrom assistant.__main__ import main\n"
+        f"sys.argv = ['contralbero', {str(design)!r}]\nsys.exit(main())"
+    )
+    pid, file = started(tmp_path, ["-c", code])
+    seen = until(file, b".txt")
+    assert os.waitstatus_to_exitcode(os.waitpid(pid, 0)[1]) == 70
+    assert b"a fault of the program itself" in seen and b"Traceback" not in seen
+    (trace,) = (tmp_path / "state" / "contralbero" / "faults").iterdir()
+    assert "this is the fault" in trace.read_text(encoding="utf-8")

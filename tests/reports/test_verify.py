@@ -373,7 +373,7 @@ def test_a_name_that_a_terminal_would_obey_is_written_out(made: bytes, tmp_path:
     path.write_bytes(written(writer))
     assert main(["verify", str(path)]) == 1
     out = capsys.readouterr().out
-    assert "\x1b" not in out and "\\x1b[2K" in out and out.endswith("differs\n")
+    assert "\x1b" not in out and "\\u001b[2K" in out and out.endswith("differs\n")
 
 
 def test_more_than_results_in_the_results_is_found(made: bytes) -> None:

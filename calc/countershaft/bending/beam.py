@@ -24,6 +24,7 @@ from ...sheet.value import Link
 Numbers = float | Sequence[float] | Array  # one for all pieces, or one for each
 Loads = complex | Sequence[complex] | ComplexArray
 
+MOST = 300  # elements, of which a shaft of some metres has as many as it needs: their work grows with the third power
 ELEMENT = 10e-3  # m: the longest element; a frequency of a stout shaft is then right to some 10⁻⁵, statics are with any
 SAME = 1e-6  # m: places that lie closer become one node
 POINTS = 10  # moments are given at the tenths of each element
@@ -101,6 +102,7 @@ def _nodes(ends: Array, places: Array, longest: Metre) -> Array:
     """Every end of a piece and every place with a pin, a force or a mass, and what is needed between to keep elements short."""
     marks = np.sort(np.concatenate([ends, places]))
     marks = marks[np.concatenate([[True], np.diff(marks) > SAME])]
+    longest = max(longest, (marks[-1] - marks[0]) / MOST)
     apart = np.diff(marks)
     parts = np.ceil(apart / longest - 1e-9).astype(int)
     number = np.arange(parts.sum()) - np.repeat(np.cumsum(parts) - parts, parts)  # of each node within its stretch

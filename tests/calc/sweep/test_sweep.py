@@ -9,9 +9,11 @@ import pytest
 from calc.design_file import design, read
 from calc.sheet.errors import BadInput
 from calc.solve import solve
-from calc.sweep import _each, _together, _vectorised, sweep, varied
+from calc.sweep import grid, sweep, varied
+from calc.sweep.run import one_by_one
+from calc.sweep.together import together, vectorised
 
-GAMMA = read(Path(__file__).parents[2] / "designs" / "r753ie4_gamma.toml")
+GAMMA = read(Path(__file__).parents[3] / "designs" / "r753ie4_gamma.toml")
 
 
 def test_the_grid_runs_over_every_combination_the_last_input_fastest():
@@ -28,13 +30,11 @@ def test_together_and_one_by_one_give_the_same(texts):
     """The call on arrays, and a solution for every design: same columns, same numbers, same verdicts."""
     inputs = varied(GAMMA, texts)
     base = design(GAMMA)
-    assert _vectorised(base, inputs, "imbalance")
-    import itertools
-
-    grid = list(itertools.product(*(v.values for v in inputs)))
-    together = list(_together(GAMMA, base, inputs, grid))
-    alone = list(_each(GAMMA, inputs, grid, "imbalance"))
-    for (values, verdicts), (expected, judged) in zip(together, alone, strict=True):
+    assert vectorised(base, inputs, "imbalance")
+    at = grid(inputs).rows(0, 100)
+    alone = list(one_by_one(GAMMA, inputs, at, "imbalance"))
+    for one, other in zip(together(GAMMA, base, inputs, at), alone, strict=True):
+        values, verdicts, expected, judged = one.values, one.verdicts, other.values, other.verdicts
         assert verdicts == judged
         largest = max(abs(number) for number, _ in expected.values())
         for id, (number, unit) in expected.items():
@@ -83,11 +83,21 @@ def test_all_that_is_wrong_is_named_at_once():
 
 
 @pytest.mark.parametrize("step", ["imbalance", "countershaft"])
-def test_a_combination_that_is_no_engine_is_named_before_anything_is_solved(step):
-    with pytest.raises(BadInput, match="the crank could not turn"):
-        sweep(GAMMA, varied(GAMMA, ["engine.crank_radius_mm=60,140", "engine.rod_length_mm=100:180:3"]), step)
-    with pytest.raises(BadInput, match="must be a number from 1 to 30000"):
-        sweep(GAMMA, varied(GAMMA, ["engine.rated_speed_rpm=1000,99999"]), step)
+def test_a_combination_that_is_no_design_is_a_row_with_its_reason(step):
+    swept = sweep(GAMMA, varied(GAMMA, ["engine.crank_radius_mm=53.5,140", "engine.rod_length_mm=100:180:3"]), step)
+    assert swept.header[-1] == "reason" and len(swept.rows) == 6
+    for row, verdict in zip(swept.rows, swept.verdicts):
+        broken = row[0] >= row[1]
+        assert (verdict == "bad_input") == broken == ("the crank could not turn" in (row[-1] or ""))
+        assert not broken or all(cell is None for cell in row[2:-1])
+    swept = sweep(GAMMA, varied(GAMMA, ["engine.rated_speed_rpm=1000,99999"]), step)
+    assert swept.rows[0][-1] is None
+    assert swept.rows[1][-1].startswith("engine.rated_speed_rpm: 99999.0: must be a number from 1 to 30000")
+
+
+def test_what_has_no_solution_is_a_row_with_its_reason():
+    swept = sweep(GAMMA, varied(GAMMA, ["gears.wheels.shaft.profile_shift=0,-3"]))
+    assert swept.verdicts[1] == "no_solution" and swept.rows[1][-1].startswith("gears: ")
 
 
 def test_an_unknown_value_is_named():
@@ -96,7 +106,7 @@ def test_an_unknown_value_is_named():
 
 
 def test_a_step_that_is_not_asked_is_named():
-    pair = read(Path(__file__).parents[2] / "designs" / "timing_pair.toml")
+    pair = read(Path(__file__).parents[3] / "designs" / "timing_pair.toml")
     with pytest.raises(BadInput, match="not asked"):
         sweep(pair, varied(pair, ["gears.speed_rpm=1000,2000"]), "bearings")
 

@@ -1,0 +1,90 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Where the text of the command line leaves: nothing in it is obeyed by a terminal, and none is too much for an encoding.
+
+A pipe that nobody reads any more, and a device that is full, end the program without a word too many.
+"""
+
+import codecs
+import contextlib
+import os
+import sys
+from collections.abc import Callable, Iterable, Iterator
+from io import TextIOWrapper
+from typing import Any, TextIO
+
+from calc.sheet.visible import visible
+
+REPLACED = "contralbero.replaced"  # how an encoding treats a sign that it does not have
+SIGNS = {"−": "-", "–": "-", "—": "-", "…": "...", "·": "*", "×": "x", "≥": ">=", "≤": "<=", "µ": "u", "μ": "u", "→": "->", "─": "-"}
+
+
+def _replaced(error: UnicodeError) -> tuple[str, int]:
+    """A number keeps its sign and a unit its prefix; for anything else stands a question mark."""
+    if not isinstance(error, UnicodeEncodeError):
+        raise error
+    try:
+        return "".join(SIGNS.get(sign, "?") for sign in error.object[error.start : error.end]), error.end
+    except UnicodeEncodeError:
+        return "?", error.end
+
+
+class Unwritable(Exception):
+    """What stdout leads to takes no more: a full device, or a pipe that nobody reads."""
+
+    def __init__(self, error: OSError) -> None:
+        self.closed = isinstance(error, BrokenPipeError)
+        super().__init__(error.strerror or str(error))
+
+
+class Outlet:
+    """A stream whose text is visible as it is written; all else is the stream's own.  `quiet`: it need not be written."""
+
+    def __init__(self, stream: TextIO, *, quiet: bool = False) -> None:
+        self.stream, self.quiet = stream, quiet
+
+    def write(self, text: str) -> int:
+        self._try(lambda: self.stream.write(visible(text, lines=True)))
+        return len(text)
+
+    def writelines(self, lines: Iterable[str]) -> None:
+        for line in lines:
+            self.write(line)
+
+    def flush(self) -> None:
+        self._try(self.stream.flush)
+
+    def _try(self, way: Callable[[], object]) -> None:
+        try:
+            way()
+        except OSError as error:
+            _to_nowhere(self.stream)
+            if not self.quiet:
+                raise Unwritable(error) from None
+
+    def __getattr__(self, name: str) -> Any:
+        return getattr(self.stream, name)
+
+
+@contextlib.contextmanager
+def outlets() -> Iterator[None]:
+    """stdout and stderr as outlets."""
+    codecs.register_error(REPLACED, _replaced)
+    out, err = (stream or open(os.devnull, "w", encoding="utf-8") for stream in (sys.stdout, sys.stderr))  # one may be closed
+    for stream in (out, err):
+        if isinstance(stream, TextIOWrapper):
+            stream.reconfigure(errors=REPLACED)
+    with contextlib.redirect_stdout(Outlet(out)), contextlib.redirect_stderr(Outlet(err, quiet=True)):
+        yield
+
+
+def bare() -> TextIO:
+    """stdout itself, for what a terminal shall obey."""
+    return getattr(sys.stdout, "stream", sys.stdout)
+
+
+def _to_nowhere(stream: TextIO) -> None:
+    """What it holds back would be written once more as the program ends, and fail once more."""
+    with contextlib.suppress(OSError, ValueError):
+        nowhere = os.open(os.devnull, os.O_WRONLY)
+        os.dup2(nowhere, stream.fileno())
+        os.close(nowhere)

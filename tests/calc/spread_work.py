@@ -1,0 +1,18 @@
+"""Work for the tests of what is spread over processes, which find it by its name."""
+
+import os
+import time
+
+
+def slow(seconds: float, n: int) -> tuple[int, int]:
+    time.sleep(seconds)
+    return n * n, os.getpid()
+
+
+def once(folder: str, n: int) -> int:
+    """The first worker that has it is lost."""
+    mark = os.path.join(folder, str(n))
+    if n == 3 and not os.path.exists(mark):
+        open(mark, "w").close()
+        os._exit(1)
+    return n

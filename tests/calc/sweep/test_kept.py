@@ -1,0 +1,93 @@
+"""Chunks that are kept: a run goes on where it stood, whoever computes them gives the same table, and damage is seen."""
+
+import io
+import random
+from importlib.util import find_spec
+
+import pytest
+
+from calc.design_file import read
+from calc.sweep import Sweep, grid, swept, varied
+from calc.sweep.kept import InFolder, InMemory, key_of
+from calc.sweep.table import write_csv, write_parquet
+
+from ...conftest import GAMMA as FILE
+
+GAMMA = read(FILE)
+INPUTS = varied(GAMMA, ["engine.rated_speed_rpm=1000,2000,99999", "friction.oil_temperature_C=70:110:11"])
+TASK = Sweep(GAMMA, grid(INPUTS), "friction", ("friction.total_loss",))
+
+
+def text_of(store):
+    file = io.StringIO()
+    write_csv(file, GAMMA, INPUTS, store)
+    return file.getvalue()
+
+
+@pytest.fixture(scope="module")
+def expected():
+    store = InMemory()
+    swept(TASK, store)
+    return text_of(store)
+
+
+@pytest.fixture
+def kept(tmp_path):
+    return InFolder(tmp_path / "parts", key_of(GAMMA, TASK.plan, TASK.step, TASK.wanted))
+
+
+def test_a_run_goes_on_where_it_stood(expected, kept):
+    def interrupted(done):
+        if done > 20:
+            raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        swept(TASK, kept, interrupted)
+    known = len(kept)
+    assert 5 < known < -(-TASK.plan.count // TASK.size)
+    done = []
+    swept(TASK, kept, done.append)
+    assert done[0] == known * TASK.size and done[-1] == TASK.plan.count
+    assert text_of(kept) == expected
+
+
+def test_damage_to_a_kept_chunk_is_seen(expected, kept):
+    swept(TASK, kept)
+    rng = random.Random(5)
+    files = sorted(kept.folder.iterdir())
+    for file in files:
+        file.write_bytes(file.read_bytes()[: rng.randrange(file.stat().st_size)])
+    assert not any(kept.has(n) for n in range(len(files)))
+    swept(TASK, kept)
+    assert text_of(kept) == expected
+    kept.clear()
+    assert not kept.folder.exists()
+
+
+def test_kept_chunks_are_of_one_sweep_alone():
+    key = key_of(GAMMA, TASK.plan, "friction", ("friction.total_loss",))
+    others = [
+        key_of(GAMMA.with_value("engine.bore_mm", 93.0), TASK.plan, "friction", ("friction.total_loss",)),
+        key_of(GAMMA, grid(INPUTS[:1]), "friction", ("friction.total_loss",)), key_of(GAMMA, TASK.plan, None, ("friction.total_loss",)),
+        key_of(GAMMA, TASK.plan, "friction", ()),
+    ]  # fmt: skip
+    assert len({key, *others}) == 5
+
+
+@pytest.mark.skipif(find_spec("pyarrow") is None, reason="an extra")
+def test_parquet_holds_the_same_table(expected, kept, tmp_path):
+    import csv
+
+    import pyarrow.parquet
+
+    swept(TASK, kept)
+    counts = write_parquet(tmp_path / "a.parquet", GAMMA, INPUTS, kept)
+    assert counts.total() == TASK.plan.count and counts["bad_input"] == 11
+    table = pyarrow.parquet.read_table(tmp_path / "a.parquet")
+    header, *rows = csv.reader(expected.splitlines())
+    assert table.column_names == header
+    for given, row in zip(table.to_pylist(), rows, strict=True):
+        assert ["" if value is None else str(value) for value in given.values()] == row
+    first = (tmp_path / "a.parquet").read_bytes()
+    write_parquet(tmp_path / "a.parquet", GAMMA, INPUTS, kept)
+    assert (tmp_path / "a.parquet").read_bytes() == first

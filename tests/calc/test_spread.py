@@ -1,0 +1,53 @@
+"""Pieces of work over processes: each once, whoever is lost; no worker outlives the program."""
+
+import os
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+
+from calc.sheet.errors import NoSolution
+from calc.spread import spread
+
+from ..conftest import ROOT
+from .spread_work import once, slow
+
+PROGRAM = """
+from calc.spread import spread
+from tests.calc.spread_work import slow
+if __name__ == "__main__":
+    for n, (_, process) in spread(slow, 0.1, range(1000), 2):
+        print(process, flush=True)
+"""
+
+
+def test_over_processes_or_not_the_pieces_are_the_same() -> None:
+    alone, shared = (dict(spread(slow, 0.0, range(20), processes)) for processes in (1, 2))
+    assert {n: one for n, (one, _) in alone.items()} == {n: one for n, (one, _) in shared.items()} == {n: n * n for n in range(20)}
+    assert {process for _, process in alone.values()} == {os.getpid()} and os.getpid() not in {process for _, process in shared.values()}
+
+
+def test_what_a_lost_worker_had_is_done_again(tmp_path: Path) -> None:
+    assert dict(spread(once, str(tmp_path), range(8), 2)) == {n: n for n in range(8)}
+
+
+@pytest.mark.skipif(os.name != "posix", reason="kill")
+def test_no_worker_outlives_a_program_that_is_killed(tmp_path: Path) -> None:
+    file = tmp_path / "program.py"
+    file.write_text(PROGRAM, encoding="utf-8")
+    one = subprocess.Popen([sys.executable, str(file)], stdout=subprocess.PIPE, env={**os.environ, "PYTHONPATH": str(ROOT)}, cwd=ROOT)
+    assert one.stdout is not None
+    workers = {int(one.stdout.readline()) for _ in range(8)}
+    one.kill()
+    one.wait()
+    end = time.monotonic() + 10
+    while time.monotonic() < end and any(Path(f"/proc/{process}").exists() for process in workers):
+        time.sleep(0.05)
+    assert not [process for process in workers if Path(f"/proc/{process}").exists()]
+
+
+def test_a_scheduler_that_is_not_there_is_told() -> None:
+    with pytest.raises(NoSolution, match=r"no scheduler answers|needs dask"):
+        list(spread(slow, 0.0, range(2), scheduler="tcp://127.0.0.1:1"))
