@@ -3,7 +3,6 @@
 
 import re
 from importlib import import_module
-from pathlib import Path
 
 from calc.languages import language
 from calc.sheet.formula import FORMULAS
