@@ -36,7 +36,7 @@ COMMANDS = {
     "errata": "what is wrong in the documents behind this program, with the right values",
     "oils": "the oils a design may name, or one with the source and confidence of every value",
     "schema": "the JSON Schema of a design file, by which editors complete and check it",
-    "completion": "the script by which bash or zsh completes commands and options",
+    "completion": "the script by which a shell completes commands and options",
     "sources": "the publications behind the program: title, edition, status, and how we know what each says",
 }
 KEY_VALUE = "KEY=VALUE"
@@ -206,7 +206,7 @@ def parser() -> argparse.ArgumentParser:
     add["sources"].add_argument("--json", action="store_true", help="print one JSON object")
 
     add["schema"].add_argument("-o", "--output", metavar="OUT.json", help="default: to the terminal")
-    add["completion"].add_argument("shell", choices=("bash", "zsh", "tcsh"))
+    add["completion"].add_argument("shell", choices=("bash", "zsh", "fish", "tcsh", "powershell"))
 
     session = commands.add_parser(
         "session", help="the guided session (the same as no command)", description="The guided session.", formatter_class=Help
@@ -252,6 +252,10 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 def command(given: list[str], own: bool) -> int:
     """The command that the words ask for.  `own`: the process is for it alone."""
+    if own and "_ARGCOMPLETE" in os.environ:  # a shell asks what could come next
+        from argcomplete import autocomplete
+
+        autocomplete(parser())
     first = next((a for a in given if not a.startswith("-")), None)
     if not {"-h", "--help", "--version"} & set(given[:1]) and first not in (*COMMANDS, "session"):
         if (meant := _meant(first)) is not None:

@@ -2,6 +2,9 @@
 """The JSON Schema of a design: every shipped design keeps it, it refuses what the program refuses of one key, and docs has it as it is."""
 
 import json
+import os
+import subprocess
+import sys
 import tomllib
 
 import pytest
@@ -55,8 +58,26 @@ def test_every_key_says_what_it_means(judge):
     assert bore["type"] == "number" and bore["exclusiveMinimum"] == 0 and bore["description"].startswith("Bore, mm")
 
 
-@pytest.mark.parametrize("shell", ["bash", "zsh"])
-def test_the_script_of_a_shell_knows_every_command(shell):
-    pytest.importorskip("shtab")
+@pytest.mark.parametrize("shell", ["bash", "zsh", "fish"])
+def test_a_shell_gets_its_script(shell):
+    pytest.importorskip("argcomplete")
     done = run("completion", shell)
-    assert done.returncode == 0 and all(word in done.stdout for word in ("design", "--scheduler", "verify"))
+    assert done.returncode == 0 and "contralbero" in done.stdout and "_ARGCOMPLETE" in done.stdout
+
+
+@pytest.mark.parametrize(
+    ("line", "wanted"),
+    [
+        ("contralbero ver", {"verify"}),
+        ("contralbero report x.toml --dep", {"--depth"}),
+        ("contralbero report x.toml --depth ", {"summary", "engineer", "audit"}),
+    ],
+)
+def test_a_shell_is_told_what_may_come_next(line, wanted, tmp_path):
+    """By the protocol of argcomplete, as its scripts speak it."""
+    pytest.importorskip("argcomplete")
+    told = tmp_path / "told"
+    environment = {**os.environ, "_ARGCOMPLETE": "1", "COMP_LINE": line, "COMP_POINT": str(len(line)), "COMP_TYPE": "9",
+                   "_ARGCOMPLETE_STDOUT_FILENAME": str(told), "_ARGCOMPLETE_IFS": "\n"}  # fmt: skip
+    subprocess.run([sys.executable, "-m", "assistant"], env=environment, cwd=ROOT, capture_output=True, timeout=60)
+    assert {word.strip() for word in told.read_text(encoding="utf-8").split("\n")} >= wanted

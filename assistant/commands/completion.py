@@ -1,18 +1,17 @@
 # SPDX-License-Identifier: Apache-2.0
-"""`contralbero completion SHELL`: the script by which a shell completes commands, options and files."""
+"""`contralbero completion SHELL`: the script by which a shell completes commands, options and files; it asks the program at each Tab."""
 
 import sys
 from argparse import Namespace
 
-from assistant.cli import parser
 from calc.sheet.text import Text
 
 
 def run(asked: Namespace) -> int:
     try:
-        import shtab
+        from argcomplete.shell_integration import shellcode
     except ImportError:
-        print(Text("the script is written by shtab, which the extra `contralbero[completion]` installs"), file=sys.stderr)
+        print(Text("the script is that of argcomplete, which the extra `contralbero[completion]` installs"), file=sys.stderr)
         return 2
-    print(shtab.complete(parser(), asked.shell))
+    print(shellcode(["contralbero"], shell=asked.shell))
     return 0
