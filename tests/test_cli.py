@@ -378,7 +378,7 @@ def test_explain_says_what_is_not_there_and_what_has_no_solution():
 
 
 @pytest.mark.parametrize("check, said", [
-    ("bearings.rear.slope_given", "taken from the inputs: bearings.slope_mrad"), ("countershaft.holes.range", "moved by the inputs: countershaft.overdesign"),
+    ("bearings.rear.slope_given", "taken from the inputs: bearings.slope_mrad"), ("countershaft.support.wall", "taken from the inputs: countershaft.support.wall_mm"),
 ])  # fmt: skip
 def test_a_check_on_no_published_value_is_explained_by_what_it_judges(check, said):
     done = run("explain", GAMMA, check)

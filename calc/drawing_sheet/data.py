@@ -48,7 +48,7 @@ def _teeth(train: TrainResult, wheel: WheelResult, gears: GearsInputs) -> Iterat
         Text("Tool: addendum, tip radius"),
         Text("{h} / {rho} modules", h=number(s.h_aP0, SIZE), rho=number(s.rho_aP0, SIZE)),
     )
-    yield Text("Profile shift coefficient"), alone(number(wheel.profile_shift, 4))
+    yield Text("Profile shift"), alone(number(wheel.profile_shift, 4))
     yield Text("Accuracy grade, ISO 1328-1"), Text("{grade}", grade=gears.accuracy_grade)
 
 

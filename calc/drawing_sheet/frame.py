@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from ..document import DocumentControl
 from ..sheet.layers import EDGE, FRAME, TABLE, VISIBLE
-from ..sheet.lettering import width
+from ..sheet.lettering import shortened, width
 from ..sheet.text import Text
 from .leaf import LETTER, TITLE, Leaf
 from .saying import Say
@@ -72,8 +72,8 @@ def title_block(leaf: Leaf, control: DocumentControl, title: str, kind: str, fac
         x = BLOCK_LEFT
         for wide, label, value in cells:
             size = next((h for h in (HEAD, TITLE) if h <= high - LETTER - 3 * PAD and width(value, h) <= wide - 2 * PAD), LETTER)
-            leaf.words_within(wide - 2 * PAD, label, x + PAD, y - PAD - LETTER, LETTER, TABLE)
-            leaf.words_within(wide - 2 * PAD, value, x + PAD, y - high + PAD, size)
+            leaf.words(shortened(label, LETTER, wide - 2 * PAD), x + PAD, y - PAD - LETTER, layer=TABLE)
+            leaf.words(shortened(value, size, wide - 2 * PAD), x + PAD, y - high + PAD, height=size)
             if x > BLOCK_LEFT:
                 leaf.line(TABLE, (x, y), (x, y - high))
             x += wide

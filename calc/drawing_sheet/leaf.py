@@ -8,11 +8,10 @@ from dataclasses import replace
 from ..sheet.dimension import arrow, strokes
 from ..sheet.drawing import Arc, Box, Dimension, Hatch, Ink, Point, Polyline, Side, Words, moved, reach
 from ..sheet.layers import DIMENSION, HATCH, TABLE, TEXT
-from ..sheet.lettering import room, shortened, width
+from ..sheet.lettering import room, shortened
 from ..sheet.text import Name
 
 LETTER, TITLE = 2.5, 3.5  # heights of capitals, ISO 3098
-SMALLEST = 0.75  # of a height, where words have to fit
 SPACING = 2.0  # of a hatch
 _MM = 1e-3
 
@@ -36,11 +35,6 @@ class Leaf:
         if text:
             self.marks.append(Words(layer, (x * _MM, y * _MM), text, height * _MM, side=side))
 
-    def words_within(self, room: float, text: str, x: float, y: float, height: float = LETTER, layer: str = TEXT) -> None:
-        """Words that are set smaller where they would be too long, and cut where that is not enough."""
-        size = max(SMALLEST * height, min(height, 0.999 * height * room / max(width(text, height), 1e-9)))
-        self.words(shortened(text, size, room), x, y, height=size, layer=layer)
-
     def arrow(self, tip: Point, angle: float, layer: str = DIMENSION, height: float = LETTER) -> None:
         """An arrow that points in the direction of an angle."""
         self.marks.append(replace(arrow(_metres(tip), (math.cos(angle), math.sin(angle)), height * _MM), layer=layer))
@@ -61,7 +55,7 @@ class Leaf:
         for n, cells in enumerate(lines):
             x = 0.0
             for cell, wide in zip(cells, columns if len(cells) > 1 else (right,)):
-                self.words_within(wide - 3.0, cell, x + 1.5, -row * (n + 1) + 1.5)
+                self.words(shortened(cell, LETTER, wide - 3.0), x + 1.5, -row * (n + 1) + 1.5)
                 x += wide
             if n:
                 self.line(TABLE, (0.0, -row * n), (right, -row * n))

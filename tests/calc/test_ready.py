@@ -103,7 +103,7 @@ def test_the_value_that_decides_is_said_with_its_limit(gamma: tuple[Document, Re
     told = {key: headline(results, key) for key in results.outcomes}
     film = results.values()["bearings.front.film_edge"].shown
     assert {key: str(one.text) for key, one in told.items() if one is not None and key != "gears"} == {
-        "engine": "3 cyl, 2.23 L", "imbalance": "573 → 0 N·m", "countershaft": "slope 0.188 of 0.25 mrad",
+        "engine": "3 cyl, 2.23 L", "imbalance": "shaft 573 → 0 N·m", "countershaft": "slope 0.188 of 0.25 mrad",
         "bearings": "film 7.41 of 9 µm", "friction": "229 W",
     }  # fmt: skip
     bearings = told["bearings"]
@@ -116,6 +116,6 @@ def test_a_number_of_the_drive_is_told_where_there_is_one(name: str) -> None:
     told = dict(main_numbers(results))
     assert all(told.values()) and len(told) == len(main_numbers(results))
     assert (f"{results.values()['friction.total_loss'].shown:.3g} W" in told["loss"]) if "friction.total_loss" in results.values() else True
-    assert ("force" in told) == (name in ("twin_force_shaft", "twin_mounting")) and ("films at the edge" in told) == (
+    assert ("force for the shaft" in told) == (name in ("twin_force_shaft", "twin_mounting")) and ("films at the edge" in told) == (
         "bearings.front.film" in results.values()
     )

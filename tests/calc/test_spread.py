@@ -23,6 +23,12 @@ if __name__ == "__main__":
 """
 
 
+@pytest.fixture(autouse=True)
+def _found(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The work of the tests has to be found by the processes too."""
+    monkeypatch.syspath_prepend(str(ROOT))
+
+
 def test_over_processes_or_not_the_pieces_are_the_same() -> None:
     alone, shared = (dict(spread(slow, 0.0, range(20), processes)) for processes in (1, 2))
     assert {n: one for n, (one, _) in alone.items()} == {n: one for n, (one, _) in shared.items()} == {n: n * n for n in range(20)}
