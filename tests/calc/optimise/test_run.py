@@ -155,6 +155,16 @@ def test_a_search_without_proof_shows_only_what_passes(sized):
         ({"vary": {"bearings.oil": ["SAE 1000"]}}, "bearings.oil"),
         ({"vary": {"bearings.fits": [["IT6"]]}}, "bearings.fits"),
         ({"vary": {"bearings.fits": [["IT6", "IT99"]]}}, "bearings.fits"),
+        ({"vary": {"bearings.fits": [["f7", "H7"]]}}, "bearings.fits"),
+        ({"vary": {"bearings.journal_fit": ["IT5", "IT6"]}}, "bearings.journal_fit"),
+        ({"vary": {"bearings.seat_fit": ["IT6"], "bearings.fits": "fixed"}}, "bearings.seat_fit"),
+        ({"vary": {"bearings.slope_mrad": [0.1]}}, "bearings.slope_mrad"),
+        ({"vary": {"bearings.rear.clearance_factor": [0.7]}}, "bearings.rear.clearance_factor"),
+        (
+            {"vary": {"bearings.front.journal_roughness_um": [0.4], "bearings.surfaces": [[0.4, 0.4]]}},
+            "bearings.front.journal_roughness_um",
+        ),
+        ({"price": [{"what": "fit", "value": ["f7", "H7"], "piece_EUR": 2.0}]}, "bearings.fits"),
         ({"vary": {"bearings.surfaces": [[0.4]]}}, "bearings.surfaces"),
         ({"vary": {"countershaft.core_radius_mm": {"from": 20, "to": 10, "step": 1}}}, "countershaft.core_radius_mm"),
         ({"vary": {"countershaft.core_radius_mm": {"from": 1, "to": 20, "step": 1e-9}}}, "countershaft.core_radius_mm"),
@@ -166,7 +176,7 @@ def test_a_search_without_proof_shows_only_what_passes(sized):
 )
 def test_what_can_not_be_varied_is_said_with_its_key(sized, said, key):
     with pytest.raises(BadInput) as bad:
-        asked(sized, said)
+        asked(sized.with_value("optimise", {"price": said["price"]}) if "price" in said else sized, said if "price" not in said else {})
     assert any(key in error.key for error in bad.value.errors)
 
 
@@ -177,3 +187,21 @@ def test_the_film_that_surfaces_ask_for(few):
 
     task = own_tasks(bearings_case(few.base))["front"]
     assert asked_film(task, (0.4e-6, 0.4e-6)) < asked_film(task, (0.4e-6, 0.6e-6)) < asked_film(task, (0.6e-6, 0.6e-6))
+
+
+@pytest.mark.parametrize(
+    "said, keys",
+    [
+        ({"objectives": ["price"]}, {"optimise.objectives"}),
+        ({"most": {"price_EUR": 100.0}}, {"optimise.most.price_EUR"}),
+        ({"objectives": ["price"], "most": {"price_EUR": 100.0}}, {"optimise.objectives", "optimise.most.price_EUR"}),
+    ],
+)
+def test_a_price_that_is_not_known_can_be_neither_wanted_alone_nor_bounded(sized, said, keys):
+    """Else nothing would be wanted, or the bound would be kept by every drive."""
+    unpriced = sized.with_value("countershaft.cost", None)
+    with pytest.raises(BadInput, match="price of every material") as bad:
+        asked(unpriced, said)
+    assert {error.key for error in bad.value.errors} == keys
+    problem, _ = asked(unpriced, {"objectives": ["power", "price"]})
+    assert problem.objectives == ("power",) and any("price is left out" in str(one) for one in problem.said)

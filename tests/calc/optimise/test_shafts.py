@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """Shafts on arrays against the same shafts solved by the step."""
 
-from dataclasses import replace
-
 import numpy as np
 import pytest
 from hypothesis import given, settings
@@ -47,7 +45,7 @@ def test_slopes_and_mass_are_those_of_the_step(x):
     solved = results.result(CountershaftResult)
     if solved is None or solved.slope_front is None:  # the envelope is too small, or the pieces cross
         return
-    drive = replace(drive_of(made, results), close_gap=False)
+    drive = drive_of(made, results, close_gap=False)
     l_f, l_r = np.array([x["l_f"] * 1e-3]), np.array([x["l_r"] * 1e-3])
     found = shafts(drive, np.array([x["core"] * 1e-3]), l_f, l_r, max(d_f, d_r), d_r)
     own = journal_slopes(drive, True, d_f, l_f)
