@@ -190,7 +190,7 @@ def problem(document: Document, tip: float | None, said: Mapping[str, object] = 
 
 
 def _without_price(document: Document, objectives: tuple[str, ...], most: Mapping[str, float]) -> tuple[str, ...]:
-    """The objectives where the price of some material is not known.  Raises BadInput where nothing else is wanted, or the price is bounded."""
+    """Where the price of some material is not known.  Raises BadInput where nothing else is wanted, or the price is bounded."""
     left = tuple(one for one in objectives if one != "price")
     wrong = [key for key, needed in (("objectives", not left), ("most.price_EUR", "price" in most)) if needed]
     if wrong:

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """A row put into the design and solved whole: only these are shown, and their numbers are those of the whole solution."""
 
+import math
 from collections.abc import Mapping
 from typing import Any
 
@@ -14,6 +15,9 @@ from ..sheet.record import record
 from ..sheet.units import Watt
 from ..solve import Results, solve
 from .problem import CORE, FITS, Problem
+
+LARGE = 1e3  # a step without solution, and a hard end that is passed over, are lacks as large as this
+LEAST_LACK = 0.01  # of whatever is broken: by the less the fewer it is
 
 
 @record
@@ -31,7 +35,7 @@ class Sized:
 @record
 class Whole:
     """A drive as the program solves it.  `objectives` by name, in their units; `broken`: what it does not keep, empty for one that passes;
-    `open`: how many other findings stay open."""
+    `open`: how many other findings stay open; `lacks`: by how much of 1 its limits are passed over, all of them together."""
 
     sized: Sized
     changes: Changes
@@ -39,6 +43,7 @@ class Whole:
     objectives: dict[str, float]
     broken: tuple[str, ...]
     open: int
+    lacks: float = 0.0
 
 
 def chosen(choices: Mapping[str, Any]) -> Changes:
@@ -81,14 +86,20 @@ def whole(problem: Problem, sized: Sized, before: Results | None = None) -> tupl
     try:
         results = solve(design(document), before)
     except BadInput as bad:
-        return Whole(sized, made, document, {}, tuple(e.key for e in bad.errors), 0), None
+        return Whole(sized, made, document, {}, tuple(e.key for e in bad.errors), 0, LARGE), None
     stopped = tuple(key for key, outcome in results.outcomes.items() if outcome.state in ("no_solution", "blocked"))
     checks = list(results.checks())
-    broken = tuple(c.id for c in problem.broken(checks))
+    fail = problem.broken(checks)
+    broken = tuple(c.id for c in fail)
     objectives = {} if stopped else measured(problem, document, results, checks, sized)
     over = tuple(f"optimise.most.{key}" for key, bound in problem.most.items() if objectives and _beyond(key, objectives.get(key), bound))
     count = sum(c.verdict == "warn" for c in checks)
-    return Whole(sized, made, document, objectives, (*stopped, *broken, *over), count), results
+    lacks = sum(map(_lack, fail)) + LARGE * len({*stopped, *over} - set(broken))
+    return Whole(sized, made, document, objectives, (*stopped, *broken, *over), count, lacks), results
+
+
+def _lack(broken: Check) -> float:
+    return LARGE if math.isnan(broken.margin) else min(max(-broken.margin, 0.0), LARGE) + LEAST_LACK
 
 
 def _beyond(key: str, value: float | None, bound: float) -> bool:

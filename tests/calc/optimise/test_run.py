@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The front of a small search: every row holds whole, nothing in its ranges beats it, and it does not matter how it was come by."""
 
+import json
 from dataclasses import replace
 
 import numpy as np
@@ -10,7 +11,7 @@ from calc.optimise.classes import NotClosed, class_of
 from calc.optimise.classes import sized as row_of
 from calc.optimise.films import asked_film
 from calc.optimise.relax import refusal
-from calc.optimise.run import asked, search
+from calc.optimise.run import _instead, asked, search
 from calc.optimise.telling import csv_text, json_text, table
 from calc.optimise.whole import Sized, whole
 from calc.sheet.errors import BadInput
@@ -88,6 +89,25 @@ def test_it_does_not_matter_how_the_front_was_come_by(sized, tmp_path):
     assert len(json_text(search(problem, 1, parts, stop=lambda: True))) > 1000  # one class is enough to show something
 
 
+def test_a_search_that_is_stopped_shows_what_passes_and_claims_no_proof(sized):
+    """The class of the closest fits comes first; its first drive that passes is told at once, and then the time is up."""
+    price = [{"what": "fit", "value": ["IT5", "IT6"], "piece_EUR": 2.0}]
+    problem, _ = asked(sized.with_value("optimise", {"price": price}), {"vary": FEW, "rows": 8})
+    told = []
+    found = search(problem, stop=lambda: True, first=told.append, enough=lambda: True)
+    assert len(told) == len(found.drives) == 1 and not told[0].broken and found.drives[0].sized.choices["bearings.fits"] == ["IT5", "IT6"]
+    assert not found.whole and "stopped at 1 of 2 classes" in csv_text(found)
+    assert "Not exhaustive" in csv_text(found) and json.loads(json_text(found))["proved"] is False
+
+
+def test_a_row_that_fails_gives_its_place_to_one_that_should_not(few):
+    """Rows on a line, of which one has failed: not the nearest beside another that fails, but the one beside a drive that passes."""
+    line = np.array([[x] for x in (0.0, 0.9, 1.0, 2.1, 3.0)])
+    assert _instead(line, 2, {0, 2, 4}, {2: 0.3}) == 1
+    assert _instead(line, 2, {0, 2, 4}, {2: 0.3, 0: 0.5, 4: 0.0}) == 3
+    assert _instead(line, 2, {0, 1, 2, 3, 4}, {2: 0.3}) is None
+
+
 def test_closer_making_costs_and_is_chosen_where_it_pays(sized):
     """Without prices the fits stay; with them the front has drives of each."""
     price = [{"what": "fit", "value": ["IT6", "IT6"], "piece_EUR": 2.0}]
@@ -145,6 +165,7 @@ def test_a_search_without_proof_shows_only_what_passes(sized):
     found = evolved(problem, 120)
     assert not found.proved and all(one.broken == () for one in found.drives)
     assert [one.changes for one in evolved(problem, 120).drives] == [one.changes for one in found.drives]
+    assert evolved(problem, 120, enough=lambda: True).table.combinations == 1
 
 
 @pytest.mark.parametrize(
