@@ -121,15 +121,15 @@ class NotClosed(NoSolution):
     """The closed form does not hold: `text` says why."""
 
 
-def drive_of(made: Design, results: Results, close_gap: bool = True) -> Drive:
-    """`close_gap`: whether a gap between two shoulders must be none, or hold its fillets."""
+def drive_of(made: Design, results: Results, filleted: bool = True) -> Drive:
+    """`filleted`: whether a gap between two shoulders must be none, or hold its fillets."""
     shaft, solved = made.countershaft, results.result(CountershaftResult)
     assert shaft is not None and solved is not None
     gear = shaft_gear(made, results.result(TrainResult))
     z_1, z_2 = shaft.bearing_positions
     clearance = max(made.bearings.front.diameter, made.bearings.rear.diameter) / 2 - (shaft.outer_radius or 0.0)  # type: ignore[union-attr]
     drive = Drive(made.materials[shaft.material], float(solved.couple), abs(float(solved.omega)), (z_1, z_2), clearance,
-        shaft.fillet_radius or 0.0, shaft.sector_effectiveness, (gear.diameter, gear.face_width) if gear else None, close_gap,
+        shaft.fillet_radius or 0.0, shaft.sector_effectiveness, (gear.diameter, gear.face_width) if gear else None, filleted,
         gear_z=shaft.gear_z, holes=shaft.holes)  # fmt: skip
     own = made.bearings
     if own is None or solved.slope_front is None or solved.slope_rear is None:
