@@ -93,7 +93,7 @@ def one_class(problem: Problem, n: int) -> ClassFront:
     except NotClosed:
         raise
     except NoSolution as none:
-        return ClassFront(joined([_none()]), 0, (0.0, 1.0), none.text)
+        return ClassFront(joined([_none()]), 0, (0.0, 1.0), why=none.text)
 
 
 def _none() -> Rows:
@@ -196,8 +196,8 @@ def _kept(problem: Problem, n: int, parts: Path | None) -> ClassFront | None:
             rows = Rows(**{name: file[name] for name in Rows.__dataclass_fields__})
             if len({len(column) for column in vars(rows).values()}) != 1:
                 return None
-            count, c, a = (float(x) for x in file["about"])
-            return ClassFront(rows, int(count), (c, a), Text("{why}", why=str(file["why"])) if str(file["why"]) else EMPTY)
+            count, c, a, wheels = (float(x) for x in file["about"])
+            return ClassFront(rows, int(count), (c, a), wheels, Text("{why}", why=str(file["why"])) if str(file["why"]) else EMPTY)
     except Exception:  # a file that was cut off or written over, in any of the ways in which zipfile, zlib and numpy say so
         return None
 
@@ -209,7 +209,7 @@ def _keep(problem: Problem, n: int, one: ClassFront, parts: Path | None) -> None
     path = parts / f"{key(problem)}-{n}.npz"
     draft = path.with_suffix(".new")
     with open(draft, "wb") as file:
-        np.savez(file, about=np.array([one.combinations, *one.crank]), why=np.array(str(one.why)), **vars(one.rows))
+        np.savez(file, about=np.array([one.combinations, *one.crank, one.wheels]), why=np.array(str(one.why)), **vars(one.rows))
     draft.replace(path)
 
 
@@ -234,7 +234,7 @@ def _objectives(problem: Problem, n: int, one: ClassFront) -> Array:
     rows, (c, a), choices = one.rows, one.crank, problem.classes[n]
     prices = np.array([problem.price(choices, surface) or 0.0 for surface in problem.surfaces])
     known = {
-        "power": c + a * rows.power, "mass": rows.mass, "seat": rows.seat * 1e3, "price": prices[rows.surface.astype(int)],
+        "power": c + a * rows.power, "mass": rows.mass + one.wheels, "seat": rows.seat * 1e3, "price": prices[rows.surface.astype(int)],
         "margin": -rows.margin * 100,
     }  # fmt: skip
     beyond = np.zeros(len(rows), dtype=bool)

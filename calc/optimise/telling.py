@@ -15,7 +15,7 @@ from .run import Found, key
 from .whole import Whole
 
 LABELS = {
-    "power": Text("power at the crank"), "mass": Text("shaft"), "seat": Text("largest seat"), "price": Text("price of a piece"),
+    "power": Text("power at the crank"), "mass": Text("shaft and wheels"), "seat": Text("largest seat"), "price": Text("price of a piece"),
     "margin": Text("least margin"),
 }  # fmt: skip
 UNIT = {"power": "W", "mass": "kg", "seat": "mm", "price": "€", "margin": "%"}

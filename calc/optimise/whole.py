@@ -8,11 +8,12 @@ from typing import Any
 from ..bearings.result import BearingsResult
 from ..countershaft.result import CountershaftResult
 from ..design_file import Document, design
+from ..gears.result import TrainResult
 from ..sheet.changes import Changes, digits
 from ..sheet.check import Check
 from ..sheet.errors import BadInput
 from ..sheet.record import record
-from ..sheet.units import Watt
+from ..sheet.units import Kilogram, Watt
 from ..solve import Results, solve
 from .problem import CORE, FITS, Problem
 
@@ -110,10 +111,8 @@ def _beyond(key: str, value: float | None, bound: float) -> bool:
 
 def measured(problem: Problem, document: Document, results: Results, checks: list[Check], sized: Sized) -> dict[str, float]:
     """The objectives that are known, in their units."""
-    shaft = results.result(CountershaftResult)
-    assert shaft is not None and shaft.mass is not None
     watts = mean_power(problem, document, results) if problem.cycle else power(results)
-    found = {"power": watts, "mass": float(shaft.mass), "seat": max(sized.diameter.values()), "margin": problem.margin(checks)}
+    found = {"power": watts, "mass": mass(results), "seat": max(sized.diameter.values()), "margin": problem.margin(checks)}
     cost = problem.price(sized.choices, sized.surface)
     return found if cost is None else found | {"price": cost}
 
@@ -127,6 +126,21 @@ def mean_power(problem: Problem, document: Document, results: Results) -> Watt:
         solved = all(before.outcomes[key].state in ("solved", "not_asked") for key in ("bearings", "friction"))
         mean += share * power(before) if solved else float("inf")
     return mean
+
+
+def mass(results: Results) -> Kilogram:
+    """Of the shaft with its gear, and of all other wheels."""
+    shaft = results.result(CountershaftResult)
+    assert shaft is not None and shaft.mass is not None
+    return float(shaft.mass) + other_wheels(results)
+
+
+def other_wheels(results: Results) -> Kilogram:
+    """Of the train, but for the last, which the shaft is weighed with."""
+    train = results.result(TrainResult)
+    wheels = list(train.wheels.values()) if train is not None else []
+    last = list(train.meshes.values())[-1].driven if train is not None else ""
+    return float(sum(wheel.mass or 0.0 for wheel in wheels if wheel.name != last))
 
 
 def power(results: Results) -> Watt:
