@@ -125,6 +125,9 @@ def parser() -> argparse.ArgumentParser:
     one.add_argument("--objectives", metavar="NAME,…", help="some of power, mass, seat, price, margin (default: all that are known)")
     one.add_argument("--rows", type=int, metavar="N", help="drives that are solved whole and saved (default: 60)")
     one.add_argument("--processes", type=int, metavar="N", help="default: one for each core")
+    one.add_argument(
+        "--time", "--seconds", type=float, metavar="SECONDS", help="end the search after so long, with the drives known by then"
+    )
     one.add_argument("--scheduler", metavar="ADDRESS", help="of dask.distributed, whose workers search instead: tcp://HOST:8786")
     one.add_argument("--evaluations", type=int, metavar="N", help="whole solutions of the search without proof (default: 1600)")
     one.add_argument("--seed", type=int, metavar="N", help="of the search without proof (default: 1)")

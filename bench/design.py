@@ -11,7 +11,7 @@ from pathlib import Path
 import numpy as np
 
 from calc.design_file import design, load, read
-from calc.optimise.classes import _put
+from calc.optimise.classes import tables_of
 from calc.optimise.combine import class_front, combinations
 from calc.optimise.run import asked, search
 from calc.optimise.shafts import shafts
@@ -37,7 +37,7 @@ def main() -> None:
     one, _ = timed(lambda: solve(moved, before), 9)
     print(f"one whole solution, of which what is alike is taken over: {one * 1e3:.0f} ms")
     problem, _ = asked(read(DESIGNS / "r753ie4_drive.toml"), {})
-    seconds, (drive, sizes) = timed(lambda: _put(problem, problem.classes[0]))
+    seconds, (drive, sizes) = timed(lambda: tables_of(problem, problem.classes[0]))
     films = sum(f.power.size for some in sizes.films.values() for f in some)
     print(
         f"tables of one class: {films:,} sizes of journals in {seconds:.2f} s, {films * 6 / seconds:,.0f} films/s ({seconds / one:.0f} x)"

@@ -25,6 +25,7 @@ from .engine.result import EngineResult
 from .friction import solve as friction
 from .friction.result import FrictionResult
 from .gears import solve as gears
+from .gears.body import with_masses
 from .gears.inputs import GearsInputs
 from .gears.result import TrainResult
 from .imbalance import solve as imbalance
@@ -224,7 +225,8 @@ def _gear_curves(train: TrainResult) -> tuple[Curve, ...]:
 def _placed(
     part: Parts, g: Outcome[TrainResult], own: GearsInputs, design: Design, c: Outcome[CountershaftResult]
 ) -> Outcome[TrainResult]:  # fmt: skip
-    """A train whose geometry is known: its backlash and its place.  What finds no solution fails, the rest stays."""
+    """A train whose geometry is known: its masses, its backlash and its place.  What finds no solution fails, the rest stays."""
+    g = part("gears", with_masses, g, own, design.materials)
     played = part("gears", gears.with_play, g, own, design.materials, h.housing(design))
     g = played if played.state == "solved" else gears.without(g, gears.BACKLASH, played.reason)
     placed = part("gears", gears.with_layout, g, own, h.shaft_in_train(design, c))

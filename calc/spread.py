@@ -27,7 +27,7 @@ LOSSES = 2  # of the workers that a piece may cost
 def spread(
     work: Callable[[A, int], R], what: A, waiting: Sequence[int], processes: int = 1, scheduler: str = ""
 ) -> Iterator[tuple[int, R]]:  # fmt: skip
-    """`work(what, n)` for every number that is waiting, each as it is done.  `scheduler`: the address of a dask one."""
+    """`work(what, n)` for every number that waits, begun in that order, each as it is done.  `scheduler`: the address of a dask one."""
     if scheduler:
         return _farmed(work, what, waiting, scheduler)
     if processes <= 1 or len(waiting) <= 1:
@@ -44,7 +44,7 @@ def _parallel(work: Callable[[A, int], R], what: A, waiting: Sequence[int], proc
         running: dict[Future[R], int] = {}
         try:
             with _undisturbed():
-                running = {pool.submit(work, what, n): n for n in sorted(left)}
+                running = {pool.submit(work, what, n): n for n in waiting if n in left}
             pending = set(running)
             while pending:
                 finished, pending = wait(pending, return_when=FIRST_COMPLETED)

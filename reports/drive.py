@@ -23,7 +23,7 @@ BINDING = 6  # limits with the least margins
 def drive_blocks(context: Context, one: Picked, plots: Plots) -> list[Block]:
     """Everything of the chapter below its title."""
     say = context.say
-    proof = proof_of(one.proved, one.combinations)
+    proof = proof_of(one.proved, one.combinations, one.done, one.classes)
     intro = Text("Drive {n} of {count} that were solved whole; {combinations} combinations were searched. {proof}",
         n=one.number, count=len(one.rows), combinations=power_of_ten(one.combinations), proof=proof)  # fmt: skip
     made = paragraph(say(intro), BODY)

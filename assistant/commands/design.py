@@ -6,7 +6,9 @@ import json
 import os
 import re
 import sys
+import time
 from argparse import Namespace
+from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any
 
@@ -18,12 +20,14 @@ from calc.optimise.classes import NotClosed
 from calc.optimise.problem import Problem
 from calc.optimise.run import Found, Table, asked, named, search
 from calc.optimise.telling import csv_text, json_text, power_of_ten, said, stood, table
+from calc.optimise.whole import Whole
 from calc.sheet.errors import BadInput, InputError, NoSolution
 from calc.sheet.text import Text
 from calc.solve import solve
 
 DRIVE = r"\d{3,4}\.toml"  # names of drives
 SECONDS = 2.0  # a class, about
+SEARCHING = 0.7  # of the time that is given is for the classes, the rest for solving drives whole
 
 
 def run(given: Namespace) -> int:
@@ -61,6 +65,8 @@ def own_keys(given: Namespace) -> dict[str, object]:
         found["vary"] = dict(_vary(one, errors) for one in given.vary)
     if given.rows is not None and not 1 <= given.rows <= 2000:
         errors.append(InputError(0, "--rows", str(given.rows), Text("must be a whole number from 1 to 2000")))
+    if given.time is not None and not 0 < given.time < float("inf"):
+        errors.append(InputError(0, "--time", f"{given.time:g}", Text("must be a number of seconds above 0")))
     if errors:
         raise BadInput("contralbero design", errors)
     return found
@@ -131,10 +137,21 @@ def _search(given: Namespace, problem: Problem) -> int:
             flush=True,
         )
 
+    def first(one: Whole) -> None:
+        if not quiet:
+            print(Text("  first drive that passes: {drive}, after {seconds} s", drive=_numbers(problem, one.objectives),
+                seconds=f"{time.monotonic() - began:.0f}"), flush=True)  # fmt: skip
+
+    began, most = time.monotonic(), given.time or float("inf")
+    stop, enough = (lambda share=share: time.monotonic() - began > share * most for share in (SEARCHING, 1.0))
     try:
-        found = search(problem, processes, folder / "parts", told, scheduler=given.scheduler or "")
+        found = search(problem, processes, folder / "parts", told, None, given.scheduler or "", stop, first, enough)
     except NotClosed as why:
-        found = _without_proof(given, problem, why)
+        found = _without_proof(given, problem, why, enough)
+    if not found.drives and not found.whole:
+        print(Text("no drive that passes is known yet: stopped at {done} of {classes} classes; the same command goes on", done=found.done,
+            classes=len(problem.classes)), file=sys.stderr)  # fmt: skip
+        return 3
     if not found.drives:
         return nothing(given, found)
     write(folder, found)
@@ -150,7 +167,7 @@ def _search(given: Namespace, problem: Problem) -> int:
     return 0
 
 
-def _without_proof(given: Namespace, problem: Problem, why: NotClosed) -> Found:
+def _without_proof(given: Namespace, problem: Problem, why: NotClosed, enough: Callable[[], bool]) -> Found:
     """Where the closed form does not hold: said at once, with what it means."""
     from calc.optimise.evolve import EVALUATIONS, evolved
 
@@ -164,7 +181,7 @@ def _without_proof(given: Namespace, problem: Problem, why: NotClosed) -> Found:
         if not given.json:
             print(Text("  {done} of {most} solved, {passing} pass", done=done, most=most, passing=passing), flush=True)
 
-    return evolved(problem, evaluations, problem.seed, told)
+    return evolved(problem, evaluations, problem.seed, told, enough)
 
 
 def _best(problem: Problem, known: Table) -> str:
@@ -173,9 +190,13 @@ def _best(problem: Problem, known: Table) -> str:
     finite = known.objectives[np.isfinite(known.objectives).all(1)]
     if not len(finite):
         return ""
+    return f"; {_numbers(problem, dict(zip(problem.objectives, finite.min(0))))}"
+
+
+def _numbers(problem: Problem, objectives: Mapping[str, float]) -> str:
+    """Power, mass and seat, as far as they are wanted."""
     units = {"power": "W", "mass": "kg", "seat": "mm"}
-    least = finite.min(0)
-    return "; " + " · ".join(f"{least[n]:.4g} {units[name]}" for n, name in enumerate(problem.objectives) if name in units)
+    return " · ".join(f"{objectives[name]:.4g} {units[name]}" for name in problem.objectives if name in units)
 
 
 def _drives(folder: Path) -> list[Path]:

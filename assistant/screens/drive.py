@@ -182,7 +182,7 @@ class Driving(Choosing):
     def _now(self, names: list[str]) -> tuple[tuple[float, float] | None, bool]:
         """The design as it is, and whether a limit of it fails."""
         from calc.countershaft.result import CountershaftResult
-        from calc.optimise.whole import power
+        from calc.optimise.whole import mass, power
 
         results, bearings, front = self.session.results, self.session.design.bearings, self.front
         shaft = results.result(CountershaftResult) if results is not None else None
@@ -192,7 +192,7 @@ class Driving(Choosing):
             return None, False
         checks = list(results.checks())
         known = {
-            "power": power(results), "mass": float(shaft.mass), "margin": front.problem.margin(checks),
+            "power": power(results), "mass": mass(results), "margin": front.problem.margin(checks),
             "seat": max(bearings.front.diameter, bearings.rear.diameter) * 1e3, "price": front.problem.price({}, None),
         }  # fmt: skip
         x, y = known[names[0]], known[names[1]]

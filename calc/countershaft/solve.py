@@ -103,7 +103,7 @@ def _sized(shaft: CountershaftInputs, todo: Task, omega: RadPerSecond, steel: Ma
     envelope = shaft.outer_radius, shaft.core_radius, shaft.half_length
     to.curves += Later(lambda: filter(None, [front_curve(U, P, omega, *envelope, densities, shaft.extras)]))
     try:
-        sized = size(U, P, omega, steel.density, *envelope, shaft.extras)
+        sized = size(U, P, omega, steel.density, *envelope, shaft.extras, shaft.fillet_radius or 0.0)
     except TooSmall as small:
         raise NoSolution(small.what, small.tried, small.advice + _room(shaft, journals)) from small
     to.notes += size_notes(shaft)

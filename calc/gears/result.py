@@ -6,7 +6,7 @@ from functools import cached_property
 
 from ..sheet.quantity import Stated, group, result, value
 from ..sheet.record import record
-from ..sheet.units import Metre, NewtonMetre, Number, Radian, RevPerSecond
+from ..sheet.units import Kilogram, Metre, NewtonMetre, Number, Radian, RevPerSecond
 from .backlash.result import PlayResult, TrainPlay
 from .layout.result import ForcesResult, LayoutResult
 from .measures.result import MeasuresResult, Seat
@@ -76,6 +76,7 @@ class WheelResult:
     chordal_thickness: Metre = value("Chordal thickness, normal", "mm", "s_c")
     chordal_height: Metre = value("Height above the chord", "mm", "h_c")
     measures: MeasuresResult | None = group(spread=True, default=None)
+    mass: Kilogram | None = value("Mass", "kg", "m_W", default=None)
     name: str
     teeth: int
     face_width: Metre

@@ -22,6 +22,7 @@ from ..sheet.errors import BadInput, NoSolution
 from ..sheet.record import record
 from ..sheet.text import EMPTY, Text
 from ..sheet.trace import untraced
+from ..sheet.units import Kilogram
 from ..solve import Results, solve
 from ..step_inputs import shaft_gear
 from .combine import Rows, Sizes, class_front, combinations
@@ -29,7 +30,7 @@ from .films import Films, films, least_length, lengths
 from .other_films import Beside, Stands
 from .problem import CORE, Problem
 from .shafts import Drive, with_turning
-from .whole import Sized, journals_power, whole, written
+from .whole import Sized, journals_power, other_wheels, whole, written
 
 PURE = 1e-6  # of the couple over the span: a force below it is none
 ADVICE = ("length_ratio_usual", "supply_range")  # findings on a bearing that the tables know by name
@@ -40,11 +41,13 @@ PROBED = 1.5  # ‰ of the diameter: a clearance that most journals have a film 
 
 @record
 class ClassFront:
-    """What one class gives.  `combinations` that were looked at; `crank`: crank power over that of both journals, intercept and slope."""
+    """What one class gives.  `combinations` that were looked at; `crank`: crank power over that of both journals, intercept and slope;
+    `wheels`: mass of those that are not on the shaft."""
 
     rows: Rows
     combinations: int
     crank: tuple[float, float]
+    wheels: Kilogram = 0.0
     why: Text = EMPTY  # where it has no rows
 
 
@@ -86,21 +89,26 @@ def not_closed(made: Design, results: Results) -> Text:
 def class_of(problem: Problem, choices: dict[str, Any]) -> ClassFront:
     """The front of one class on arrays.  Raises NoSolution where its loads can not be known, or the closed form does not hold."""
     with untraced():
-        drive, sizes = _put(problem, choices)
-        rows, count = class_front(drive, sizes), combinations(sizes)
+        made, results = _solved(problem, choices)
+        drive, sizes = _put(problem, made, results)
+        rows, count, wheels = class_front(drive, sizes), combinations(sizes), other_wheels(results)
         if not len(rows):
-            return ClassFront(rows, count, (0.0, 1.0), Text("no combination bears its slopes with its films"))
-        return ClassFront(rows, count, _line(problem, choices, rows))
+            return ClassFront(rows, count, (0.0, 1.0), wheels, Text("no combination bears its slopes with its films"))
+        return ClassFront(rows, count, _line(problem, choices, rows), wheels)
 
 
 def class_with(problem: Problem, choices: dict[str, Any]) -> Rows:
     """Its rows alone."""
-    return class_front(*_put(problem, choices))
+    return class_front(*tables_of(problem, choices))
 
 
-def _put(problem: Problem, choices: dict[str, Any]) -> tuple[Drive, Sizes]:
-    made, results = _solved(problem, choices)
-    drive = drive_of(made, results)
+def tables_of(problem: Problem, choices: dict[str, Any]) -> tuple[Drive, Sizes]:
+    """What is combined in a class."""
+    return _put(problem, *_solved(problem, choices))
+
+
+def _put(problem: Problem, made: Design, results: Results) -> tuple[Drive, Sizes]:
+    drive = drive_of(made, results, problem.binds("countershaft.fillet_room"))
     return drive, sizes_of(problem, made, results, drive)
 
 
@@ -121,14 +129,15 @@ class NotClosed(NoSolution):
     """The closed form does not hold: `text` says why."""
 
 
-def drive_of(made: Design, results: Results) -> Drive:
+def drive_of(made: Design, results: Results, filleted: bool = True) -> Drive:
+    """`filleted`: whether a gap between two shoulders must be none, or hold its fillets."""
     shaft, solved = made.countershaft, results.result(CountershaftResult)
     assert shaft is not None and solved is not None
     gear = shaft_gear(made, results.result(TrainResult))
     z_1, z_2 = shaft.bearing_positions
     clearance = max(made.bearings.front.diameter, made.bearings.rear.diameter) / 2 - (shaft.outer_radius or 0.0)  # type: ignore[union-attr]
     drive = Drive(made.materials[shaft.material], float(solved.couple), abs(float(solved.omega)), (z_1, z_2), clearance,
-        shaft.fillet_radius or 0.0, shaft.sector_effectiveness, (gear.diameter, gear.face_width) if gear else None, True,
+        shaft.fillet_radius or 0.0, shaft.sector_effectiveness, (gear.diameter, gear.face_width) if gear else None, filleted,
         gear_z=shaft.gear_z, holes=shaft.holes)  # fmt: skip
     own = made.bearings
     if own is None or solved.slope_front is None or solved.slope_rear is None:

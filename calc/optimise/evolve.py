@@ -14,7 +14,6 @@ import numpy as np
 from ..bearings.selection.grid import WIDEST
 from ..journal_rules import USUAL_LENGTH_RATIO
 from ..sheet.arrays import Array
-from ..sheet.check import Check
 from ..sheet.errors import NoSolution
 from ..sheet.text import Text
 from ..solve import Results
@@ -28,7 +27,6 @@ POPULATION = 40
 EVALUATIONS = 1600  # whole solutions; the command line has its own
 LENGTH_STEP, CLEARANCE_STEP = 0.5, 5.0  # mm, µm
 NARROWEST = 0.5e-3  # of the diameter
-LARGE = 1e3  # a step without solution breaks its limits by as much
 NEEDS = Text("pymoo, which the extra `contralbero[search]` installs")
 
 
@@ -43,9 +41,11 @@ def may(problem: Problem) -> Text | None:
 
 
 def evolved(
-    problem: Problem, evaluations: int = EVALUATIONS, seed: int = 1, told: Callable[[int, int, int], None] | None = None
+    problem: Problem, evaluations: int = EVALUATIONS, seed: int = 1, told: Callable[[int, int, int], None] | None = None,
+    enough: Callable[[], bool] = bool,
 ) -> Found:  # fmt: skip
     """The best of some whole solutions, and where none passes what they break.  `told`: how many are done, of how many, how many pass.
+    `enough`, asked after each of them, ends it.
 
     Raises NoSolution where pymoo is not installed, or the shaft is none that is sized.
     """
@@ -69,7 +69,11 @@ def evolved(
             super().__init__(n_var=space.variables, n_obj=len(problem.objectives), n_ieq_constr=1, xl=0.0, xu=1.0)
 
         def _evaluate(self, x: Array, out: dict[str, Array], *args: object, **more: object) -> None:
-            scored = [space.scored(row) for row in x]
+            scored = []
+            for row in x:
+                if space.known and enough():
+                    raise _Enough
+                scored.append(space.scored(row))
             out["F"], out["G"] = np.array([one[0] for one in scored]), np.array([[one[1]] for one in scored])
             if told is not None:
                 told(len(space.known), evaluations, len(space.passing))
@@ -77,10 +81,16 @@ def evolved(
     algorithm = NSGA2(pop_size=POPULATION, crossover=SBX(prob=0.9, eta=10), mutation=PM(eta=15), eliminate_duplicates=True)
     try:
         minimize(_Drives(), algorithm, ("n_eval", evaluations), seed=seed)
+    except _Enough:
+        pass
     except KeyboardInterrupt:
         if not space.known:
             raise
     return space.found()
+
+
+class _Enough(Exception):
+    """The time is up."""
 
 
 class _Space:
@@ -132,18 +142,9 @@ class _Space:
         if key not in self.known:
             one, results = whole(self.problem, sized, self.before)
             self.before = results or self.before
-            self.known[key] = one, _row(self.problem, one), self._broken(one, results)
+            self.known[key] = one, _row(self.problem, one), one.lacks
         _, row, broken = self.known[key]
         return row, broken
-
-    def _broken(self, one: Whole, results: Results | None) -> float:
-        if results is None:
-            return LARGE
-        checks: list[Check] = self.problem.broken(results.checks())
-        ours = {c.id for c in checks}
-        return sum(min(max(-c.margin, 0.0), LARGE) + 0.01 if c.margin == c.margin else LARGE for c in checks) + LARGE * sum(
-            id not in ours for id in one.broken
-        )
 
     def found(self) -> Found:
         problem, every = self.problem, list(self.known.values())

@@ -35,8 +35,8 @@ class Broken(ValueError):
 class Picked:
     """`number` of the drive, from 1; `rows`: the objectives of every drive, a column for each of `names`, in their units.
 
-    `limits`, `waived`: patterns of findings that were limits; `sizes` and `choices`: what was varied; `proved`, `combinations`: what the
-    front is the front of.
+    `limits`, `waived`: patterns of findings that were limits; `sizes` and `choices`: what was varied; `proved`, `combinations`, `done` of
+    the `classes`: what the front is the front of.
     """
 
     number: int
@@ -48,6 +48,8 @@ class Picked:
     choices: dict[str, tuple[str, ...]]
     proved: bool
     combinations: int
+    done: int
+    classes: int
 
     @property
     def mine(self) -> Array:
@@ -107,13 +109,14 @@ def picked(raw: bytes, data: Data) -> Picked | None:
             _word(key): None if values is None else tuple(map(float, values))[:MOST_DRIVES] for key, values in about["sizes_mm"].items()
         }
         choices = {_word(key): tuple(map(_word, values))[:MOST_WORDS] for key, values in about["choices"].items()}
-        proved, combinations = bool(about["proved"]), int(about["combinations"])
+        proved = bool(about["proved"])
+        combinations, done, classes = (int(about[key]) for key in ("combinations", "classes_done", "classes"))
         patterns = [tuple(map(_word, about.get(key, ())))[:MOST_WORDS] for key in ("limits", "waived")]
     except (ValueError, KeyError, TypeError, AttributeError, RecursionError, OverflowError) as error:
         raise error if isinstance(error, Broken) else Broken(f"is no front: {type(error).__name__}") from None
     if number is None:
         return None
-    return Picked(number, names, rows, patterns[0], patterns[1], sizes, choices, proved, combinations)
+    return Picked(number, names, rows, patterns[0], patterns[1], sizes, choices, proved, combinations, done, classes)
 
 
 def _is(data: Data, changes: Mapping[str, Any]) -> bool:

@@ -14,7 +14,7 @@ from itertools import product
 from typing import Any
 
 from ..addresses import quantity_of, value_at
-from ..bearings.selection.variants import SUPPLIES
+from ..bearings.selection.variants import SUPPLIES, placed
 from ..countershaft.inputs import THREADED, CountershaftInputs
 from ..design import Design
 from ..design_file import Document, design
@@ -25,7 +25,7 @@ from ..sheet.check import Check
 from ..sheet.errors import BadInput, InputError
 from ..sheet.record import record
 from ..sheet.search import multiples
-from ..sheet.text import Text
+from ..sheet.text import Name, Text
 from .inputs import OBJECTIVES, OptimiseInputs
 
 LIMITS = (
@@ -56,6 +56,12 @@ TIED = {
     "bearings.front.clearance_um": Text("is chosen in steps of 5 µm between what is left cold and the usual factor"),
     "bearings.rear.clearance_um": Text("is chosen in steps of 5 µm between what is left cold and the usual factor"),
 }
+WITHIN = {  # keys that a drive is given with another one
+    "bearings.journal_fit": FITS, "bearings.seat_fit": FITS,
+    **{f"bearings.{place}.{part}_roughness_um": SURFACES for place in ("front", "rear") for part in ("journal", "housing")},
+    **{f"bearings.{place}.clearance_factor": f"bearings.{place}.clearance_um" for place in ("front", "rear")},
+}  # fmt: skip
+WIDTHS = Text('must be pairs of widths, journal and seat: ["IT6", "IT7"]; the clearance is searched for, and a fit with a place makes it')
 
 
 @record
@@ -168,10 +174,10 @@ def problem(document: Document, tip: float | None, said: Mapping[str, object] = 
         raise BadInput(document.place, reader.errors)
     objectives = tuple(one for one in OBJECTIVES if own.objectives is None or one in own.objectives)
     known = [dict(zip(choices, values)) for values in product(*choices.values())]
-    if "price" in objectives and any(price(made, one, None) is None for one in known):
-        objectives = tuple(one for one in objectives if one != "price")
-        reader.said.append(Text("The price is left out: [countershaft.cost] does not have it of every material."))
     most = {key.rpartition("_")[0]: float(bound) for key, bound in (own.most or {}).items()}
+    if "price" in (*objectives, *most) and any(price(made, one, None) is None for one in known):
+        objectives = _without_price(document, objectives, most)
+        reader.said.append(Text("The price is left out: [countershaft.cost] does not have it of every material."))
     least = (own.least or {}).get("margin_percent", 0.0) / 100
     margins = tuple(dict.fromkeys([least, *(m for m in MARGINS if m > least)])) if "margin" in objectives else (least,)
     limits, waived = (*LIMITS, *(own.limits or ())), tuple(own.waive or ())
@@ -181,6 +187,16 @@ def problem(document: Document, tip: float | None, said: Mapping[str, object] = 
         units={key: UNITS[key][1] for key in objectives}, cycle=_cycle(made, own), bounded=reader.bounded(),
         rows=own.rows, seed=own.seed, said=(*words, *reader.said),
     )  # fmt: skip
+
+
+def _without_price(document: Document, objectives: tuple[str, ...], most: Mapping[str, float]) -> tuple[str, ...]:
+    """Where the price of some material is not known.  Raises BadInput where nothing else is wanted, or the price is bounded."""
+    left = tuple(one for one in objectives if one != "price")
+    wrong = [key for key, needed in (("objectives", not left), ("most.price_EUR", "price" in most)) if needed]
+    if wrong:
+        why = Text("needs the price of every material: give each a row in countershaft.cost.alternatives")
+        raise BadInput(document.place, [InputError(document.lines.get(f"optimise.{key}", 0), f"optimise.{key}", "", why) for key in wrong])
+    return left
 
 
 def _cycle(made: Design, own: OptimiseInputs) -> tuple[tuple[float, float], ...]:
@@ -213,8 +229,12 @@ def _sized(made: Design) -> tuple[Changes, list[Text]]:
     if bearings.slope is not None:
         start["bearings.slope_mrad"] = None
         said.append(Text("The slopes that are given are left out: those of each shaft's own bending are taken."))
-    for key in ("journal_fit", "seat_fit"):
-        start[f"bearings.{key}"] = str(getattr(bearings, key))
+    own = (str(bearings.journal_fit), str(bearings.seat_fit))
+    widths = placed(bearings)
+    start |= dict(zip(("bearings.journal_fit", "bearings.seat_fit"), widths or own))
+    if widths:
+        said.append(Text("The fits {own} make the clearance; here it is searched for, with their widths, {widths}.",
+            own=Name("/".join(own)), widths=Name("/".join(widths))))  # fmt: skip
     support = shaft.support
     if support is not None and support.wall is not None and support.wall_at_seat is None:
         seat = max(bearings.front.diameter, bearings.rear.diameter) * 1e3
@@ -236,6 +256,10 @@ class _Reader:
         for key in self.vary:
             if key in TIED:
                 self.wrong(key, Text("can not be varied: it {why}", why=TIED[key]))
+            elif key == "bearings.slope_mrad":
+                self.wrong(key, Text("can not be varied: it is that of each shaft's own bending"))
+            elif (within := WITHIN.get(key)) is not None and (within != SURFACES or self._surfaces_vary()):
+                self.wrong(key, Text("can not be varied: it is set with {key}", key=Name(within)))
 
     def wrong(self, key: str, why: Text, value: object = "") -> None:
         name = f"optimise.vary.{key}"
@@ -332,7 +356,7 @@ class _Reader:
                     continue
             else:
                 found[key] = tuple(said if isinstance(said, list) else _range(said))
-            for value in found[key] if said is not None else ():
+            for value in found[key] if said is not None or key == FITS else ():
                 self._one(key, value)
         found = {key: values for key, values in found.items() if values}
         count = math.prod(map(len, found.values()))
@@ -345,9 +369,11 @@ class _Reader:
     def _one(self, key: str, value: object) -> None:
         if key == FITS:
             if not (isinstance(value, list) and len(value) == 2 and all(isinstance(x, str) for x in value)):
-                self.wrong(key, Text('must be pairs of fits, journal and seat: ["IT6", "IT7"]'), value)
+                self.wrong(key, WIDTHS, value)
             elif (why := fit_problem(value[0], "shaft") or fit_problem(value[1], "hole")) is not None:
                 self.wrong(key, why, value)
+            elif placed(replace(self.bearings, journal_fit=value[0], seat_fit=value[1])) is not None:
+                self.wrong(key, WIDTHS, value)
             return
         try:
             quantity_of(self.start.data, key)
@@ -355,6 +381,10 @@ class _Reader:
             self.wrong(key, bad.errors[0].reason)
             return
         self._allowed(key, value)
+
+    def _surfaces_vary(self) -> bool:
+        said = self.vary.get(SURFACES)
+        return said != "fixed" and (said is not None or any(p.what == "surface" for p in self.own.price))
 
     def surfaces(self) -> tuple[tuple[float, float] | None, ...]:
         said = self.vary.get(SURFACES)

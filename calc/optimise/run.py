@@ -7,15 +7,16 @@ that was ended goes on where it stood.  Whatever the order in which classes come
 
 import hashlib
 import json
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from ..design_file import Document, design
+from ..fits import parse
 from ..gears.result import TrainResult
-from ..sheet.arrays import Array, IndexArray
+from ..sheet.arrays import Array
 from ..sheet.errors import NoSolution
 from ..sheet.record import record
 from ..sheet.text import EMPTY, Text
@@ -26,11 +27,13 @@ from ..version import VERSION
 from .classes import ClassFront, NotClosed, class_of, sized
 from .combine import Rows, joined
 from .front import front, representatives
-from .problem import Problem
+from .problem import FITS, Problem
 from .problem import problem as problem_of
 from .whole import Sized, Whole, whole
 
 NEIGHBOURS = 3  # of a row that fails when it is solved whole, are tried in its place
+NEAR = 16  # rows among which the neighbours of one are looked for
+FIRST = 4  # rows that are solved whole to find a first drive that passes
 HOPELESS = 6  # rows that fail whole by one and the same check: nothing that is varied moves it
 Told = Callable[[int, "Table", str], None]  # classes that are done, what they have given together, and the last one's name
 
@@ -83,7 +86,7 @@ def one_class(problem: Problem, n: int) -> ClassFront:
     except NotClosed:
         raise
     except NoSolution as none:
-        return ClassFront(joined([_none()]), 0, (0.0, 1.0), none.text)
+        return ClassFront(joined([_none()]), 0, (0.0, 1.0), why=none.text)
 
 
 def _none() -> Rows:
@@ -95,7 +98,7 @@ def classes(
 ) -> Iterator[tuple[int, ClassFront]]:  # fmt: skip
     """Every class as it is done.  `parts`: a folder in which results are kept and looked for; `scheduler`: address of a dask one."""
     waiting = []
-    for n in range(len(problem.classes)):
+    for n in promising(problem):
         if (known := _kept(problem, n, parts)) is not None:
             yield n, known
         else:
@@ -103,6 +106,12 @@ def classes(
     for n, one in spread(one_class, problem, waiting, processes, scheduler):
         _keep(problem, n, one, parts)
         yield n, one
+
+
+def promising(problem: Problem) -> list[int]:
+    """The numbers of the classes, those of the closest fits first: if any of them passes, these do."""
+    grades = [sum(parse(fit).grade for fit in one[FITS]) for one in problem.classes]
+    return sorted(range(len(grades)), key=lambda n: grades[n])
 
 
 # --- what is kept ---------------------------------------------------------------------------------------------------------------
@@ -122,8 +131,8 @@ def _kept(problem: Problem, n: int, parts: Path | None) -> ClassFront | None:
             rows = Rows(**{name: file[name] for name in Rows.__dataclass_fields__})
             if len({len(column) for column in vars(rows).values()}) != 1:
                 return None
-            count, c, a = (float(x) for x in file["about"])
-            return ClassFront(rows, int(count), (c, a), Text("{why}", why=str(file["why"])) if str(file["why"]) else EMPTY)
+            count, c, a, wheels = (float(x) for x in file["about"])
+            return ClassFront(rows, int(count), (c, a), wheels, Text("{why}", why=str(file["why"])) if str(file["why"]) else EMPTY)
     except Exception:  # a file that was cut off or written over, in any of the ways in which zipfile, zlib and numpy say so
         return None
 
@@ -135,7 +144,7 @@ def _keep(problem: Problem, n: int, one: ClassFront, parts: Path | None) -> None
     path = parts / f"{key(problem)}-{n}.npz"
     draft = path.with_suffix(".new")
     with open(draft, "wb") as file:
-        np.savez(file, about=np.array([one.combinations, *one.crank]), why=np.array(str(one.why)), **vars(one.rows))
+        np.savez(file, about=np.array([one.combinations, *one.crank, one.wheels]), why=np.array(str(one.why)), **vars(one.rows))
     draft.replace(path)
 
 
@@ -160,7 +169,7 @@ def _objectives(problem: Problem, n: int, one: ClassFront) -> Array:
     rows, (c, a), choices = one.rows, one.crank, problem.classes[n]
     prices = np.array([problem.price(choices, surface) or 0.0 for surface in problem.surfaces])
     known = {
-        "power": c + a * rows.power, "mass": rows.mass, "seat": rows.seat * 1e3, "price": prices[rows.surface.astype(int)],
+        "power": c + a * rows.power, "mass": rows.mass + one.wheels, "seat": rows.seat * 1e3, "price": prices[rows.surface.astype(int)],
         "margin": -rows.margin * 100,
     }  # fmt: skip
     beyond = np.zeros(len(rows), dtype=bool)
@@ -175,16 +184,16 @@ def _sized(problem: Problem, known: Table, place: int) -> Sized:
     return sized(problem, problem.classes[int(known.of[place])], known.rows, place)
 
 
-def solved(problem: Problem, known: Table, told: Callable[[int, int], None] | None = None) -> tuple[list[Whole], list[Whole]]:
-    """Rows that stand for all, solved whole, and those that were dropped.  A row that fails gives its place to its nearest neighbours.
+def solved(problem: Problem, known: Table, told: Callable[[int, int], None] | None = None,
+    enough: Callable[[], bool] = bool) -> tuple[list[Whole], list[Whole]]:  # fmt: skip
+    """Rows that stand for all, solved whole, and those that were dropped.  A row that fails gives its place to its neighbours.
 
-    A KeyboardInterrupt ends it with the drives that there are by then."""
-    units = np.array([problem.units[name] for name in problem.objectives])
-    finite = np.flatnonzero(np.isfinite(known.objectives).all(1))
-    wanted = [int(finite[n]) for n in representatives(known.objectives[finite], units, problem.rows)]
+    A KeyboardInterrupt, or `enough` once there is a drive, ends it with those that there are by then."""
+    wanted = _wanted(problem, known, problem.rows)
+    scaled = known.objectives / _units(problem)
     drives: dict[int, Whole] = {}
     dropped: list[Whole] = []
-    tried: set[int] = set()
+    lacks: dict[int, float] = {}  # of every row that was solved
     before: Results | None = None
     try:
         for count, first in enumerate(wanted):
@@ -192,27 +201,55 @@ def solved(problem: Problem, known: Table, told: Callable[[int, int], None] | No
                 told(count, len(wanted))
             if not drives and len(dropped) >= HOPELESS and set.intersection(*(set(one.broken) for one in dropped)):
                 break
-            for place in _instead(known.objectives / units, finite, first, set(wanted)):
-                if place in tried:
-                    continue
-                tried.add(place)
+            if drives and enough():
+                break
+            place: int | None = first
+            for _ in range(NEIGHBOURS + 1):
+                if place is None:
+                    break
                 one, results = whole(problem, _sized(problem, known, place), before)
-                before = results or before
+                before, lacks[place] = results or before, one.lacks
                 if not one.broken:
                     drives[place] = one
                     break
                 dropped.append(one)
+                place = _instead(scaled, first, set(wanted), lacks)
     except KeyboardInterrupt:
         if not drives:
             raise
     return _exact_front(problem, list(drives.values())), dropped
 
 
-def _instead(scaled: Array, finite: IndexArray, first: int, wanted: set[int]) -> list[int]:
-    """A row, then those nearest to it that are not wanted themselves."""
-    far = np.abs(scaled[finite] - scaled[first]).max(1)
-    nearest = [int(n) for n in finite[np.argsort(far, kind="stable")[: 4 * (NEIGHBOURS + 1)]]]
-    return [first, *(n for n in nearest if n not in wanted)][: NEIGHBOURS + 1]
+def _units(problem: Problem) -> Array:
+    return np.array([problem.units[name] for name in problem.objectives])
+
+
+def _wanted(problem: Problem, known: Table, count: int) -> list[int]:
+    """The places of rows that stand for all."""
+    finite = np.flatnonzero(np.isfinite(known.objectives).all(1))
+    return [int(finite[n]) for n in representatives(known.objectives[finite], _units(problem), count)]
+
+
+def _instead(scaled: Array, first: int, wanted: set[int], lacks: Mapping[int, float]) -> int | None:
+    """In the place of a row that fails: of its neighbours that are neither wanted nor solved the one that should lack least, by the row
+    nearest to it that was solved, and of these the nearest; None: there is none."""
+    far = np.abs(scaled - scaled[first]).max(1)
+    near = [int(n) for n in np.argsort(far, kind="stable")[:NEAR] if np.isfinite(far[n]) and n not in wanted and n not in lacks]
+    done = list(lacks)
+
+    def should_lack(place: int) -> float:
+        return lacks[done[int(np.abs(scaled[done] - scaled[place]).max(1).argmin())]]
+
+    return min(near, key=lambda n: (should_lack(n), far[n]), default=None)
+
+
+def first_passing(problem: Problem, known: Table) -> Whole | None:
+    """A drive that passes, of a few rows that stand for all; None: not one of these."""
+    for place in _wanted(problem, known, FIRST):
+        one, _ = whole(problem, _sized(problem, known, place))
+        if not one.broken:
+            return one
+    return None
 
 
 def _exact_front(problem: Problem, drives: list[Whole]) -> list[Whole]:
@@ -225,22 +262,27 @@ def _exact_front(problem: Problem, drives: list[Whole]) -> list[Whole]:
 
 
 def search(problem: Problem, processes: int = 1, parts: Path | None = None, told: Told | None = None,
-    solving: Callable[[int, int], None] | None = None, scheduler: str = "", stop: Callable[[], bool] = bool) -> Found:  # fmt: skip
+    solving: Callable[[int, int], None] | None = None, scheduler: str = "", stop: Callable[[], bool] = bool,
+    first: Callable[[Whole], None] | None = None, enough: Callable[[], bool] = bool) -> Found:  # fmt: skip
     """The front of whole drives.  `stop`, asked after each class, or a KeyboardInterrupt ends the classes; what is known by then is solved
-    whole and given."""
+    whole and given, until `enough`, asked after each drive.  `first` is told the first drive that is known to pass."""
     done: dict[int, ClassFront] = {}
+    passing: Whole | None = None
     try:
         for n, one in classes(problem, processes, parts, scheduler):
             done[n] = one
+            known = table(problem, done)
             if told is not None:
-                told(len(done), table(problem, done), named(problem.classes[n]))
+                told(len(done), known, named(problem.classes[n]))
+            if first is not None and passing is None and (passing := first_passing(problem, known)) is not None:
+                first(passing)
             if stop():
                 break
     except KeyboardInterrupt:
         if not done:
             raise
     known = table(problem, done)
-    drives, dropped = solved(problem, known, solving)
+    drives, dropped = solved(problem, known, solving, enough)
     return Found(problem, known, tuple(drives), tuple(dropped), len(done))
 
 

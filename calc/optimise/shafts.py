@@ -20,13 +20,13 @@ from ..countershaft.bending import formulas as b
 from ..countershaft.inputs import Holes
 from ..countershaft.outline import TOUCH
 from ..countershaft.sizing import formulas as z
+from ..countershaft.sizing.sectors import NEAR, too_narrow
 from ..sheet.arrays import Array, BoolArray, each, many
 from ..sheet.record import record
 from ..sheet.units import Kilogram, Metre, NewtonMetre, Number, Radian, RadPerSecond
 
 TURNING = 0.05  # of m·ω²·L²·θ/C: the share that the mass of a bent shaft adds to a slope as it turns; by trying, bearings about the middle
 SAFE = 1.25  # on that of the softest shaft of a class, where it is more; rule of this program
-NEAR = 1e-9  # m: what sums of lengths are off
 GAUSS = (0.5 - 0.5 / math.sqrt(3), 0.5 + 0.5 / math.sqrt(3))
 
 
@@ -47,7 +47,7 @@ class Drive:
     fillet: Metre
     effectiveness: Number
     gear: tuple[Metre, Metre] | None
-    close_gap: bool  # whether a gap between the sectors must hold two fillets
+    filleted: bool  # whether the core between wheel and journal must hold two fillets
     added: tuple[Number, Number] = (TURNING, TURNING)
     gear_z: Metre | None = None
     holes: Holes | None = None  # that are to end within the sectors
@@ -99,7 +99,7 @@ class Shafts:
     """Over core (first axis), length of the front (second) and of the rear journal (third); not a number where nothing fits.
 
     `slopes`: of front and rear journal, without what the front journal's own bending adds; `mass` without the front journal; `fits`: the
-    envelope holds the couple, and the gap between the sectors its fillets.
+    envelope holds the couple, and the core beside a wheel its fillets.
     """
 
     face: Array
@@ -159,6 +159,9 @@ def shafts(drive: Drive, core: Array, l_f: Array, l_r: Array, seat: Metre, rear:
         fits = (f > 0) & (many(z.pair_utilisation(K=each(K), z_max=each(f))) <= 1) & (r < R)
         gamma = z.pair_half_angle(K=each(np.where(fits, K, np.nan)), z_max=each(f))
         length = many(z.pair_length(z_max=each(f), q=z.pair_ratio(gamma=gamma)))
+        closed = too_narrow(2 * (f - length), drive.fillet)
+        gamma = each(np.where(closed, many(z.closed_half_angle(K=each(K), z_max=each(f))), many(gamma)))
+        length = np.where(closed, f, length)
         A, S = s.sector_area(gamma=gamma, R=R, r_0=each(r)), s.sector_moment(gamma=gamma, R=R, r_0=each(r))
         area = s.whole_area(A=A, r_0=each(r))
         I = s.sector_inertia(R=R, r_0=each(r), gamma=gamma, A_tot=area, y=s.whole_centre(S=S, A_tot=area))
@@ -166,8 +169,6 @@ def shafts(drive: Drive, core: Array, l_f: Array, l_r: Array, seat: Metre, rear:
         gap = 2 * (f - length)
         if drive.holes is not None:
             fits &= _drilled(drive.holes, R, r, length, many(gamma))
-        if drive.close_gap and drive.fillet:
-            fits &= _filleted(drive, gap)
         I_0 = math.pi / 4 * r**4
         EI = material.E * many(b.shared_inertia(I_0=each(I_0), eta=drive.effectiveness, I=I))
         EI_0, GA, GA_0 = material.E * I_0, drive.shear * whole, drive.shear * math.pi * r**2
@@ -207,7 +208,7 @@ def shafts(drive: Drive, core: Array, l_f: Array, l_r: Array, seat: Metre, rear:
         beside = (-F - z_1 - front / 2) + (drive.positions[1] - back / 2 - F)
         stub = drive.stub(front, back)
         beside = beside + np.where(stub > TOUCH, stub, 0.0)
-        free = (stub >= -TOUCH) & (_filleted(drive, stub) if drive.close_gap and drive.fillet else True)
+        free = (stub >= -TOUCH) & ~(drive.filleted & too_narrow(stub, drive.fillet))
         weight = mass[:, place] + material.density * (math.pi * r_0**2 * beside + math.pi / 4 * rear**2 * back) + drive.gear_mass()
     return Shafts(np.broadcast_to(F, slopes[0].shape), (slopes[0], slopes[1]), weight, fits[:, place] & free)
 
@@ -218,12 +219,6 @@ def _drilled(holes: Holes, R: Metre, r: Array, length: Array, gamma: Array) -> B
     chord = 2 * max(R - holes.depth, 0.0) * np.sin(np.minimum(gamma, math.pi / 2))
     inside: BoolArray = (holes.depth <= R - r + NEAR) & (row <= length) & (holes.diameter <= chord)
     return inside
-
-
-def _filleted(drive: Drive, gap: Array) -> BoolArray:
-    """Whether a stretch of the core between two shoulders is none, or holds two fillets."""
-    enough: BoolArray = (gap < TOUCH) | (gap >= 2 * drive.fillet - NEAR)
-    return enough
 
 
 def journal_mass(drive: Drive, d: Metre | Array, l: Array) -> Array:

@@ -15,7 +15,7 @@ from .run import Found, key
 from .whole import Whole
 
 LABELS = {
-    "power": Text("power at the crank"), "mass": Text("shaft"), "seat": Text("largest seat"), "price": Text("price of a piece"),
+    "power": Text("power at the crank"), "mass": Text("shaft and wheels"), "seat": Text("largest seat"), "price": Text("price of a piece"),
     "margin": Text("least margin"),
 }  # fmt: skip
 UNIT = {"power": "W", "mass": "kg", "seat": "mm", "price": "€", "margin": "%"}
@@ -27,10 +27,13 @@ END = "⊣"  # a size at the end of its range: beyond it may be better
 
 def proof(found: Found) -> Text:
     """What the front is the front of."""
-    return proof_of(found.proved, found.table.combinations)
+    return proof_of(found.proved, found.table.combinations, found.done, len(found.problem.classes))
 
 
-def proof_of(proved: bool, count: int) -> Text:
+def proof_of(proved: bool, count: int, done: int, classes: int) -> Text:
+    if done < classes:
+        return Text("Not exhaustive: the search was stopped at {done} of {classes} classes, and better drives may exist.", done=done,
+            classes=classes)  # fmt: skip
     if not proved:
         return Text("A search without proof (NSGA-II over {n} whole solutions): better drives may exist.", n=count)
     return Text("Exhaustive over the stated ranges and steps; nothing is said of what lies beyond or between them.")
@@ -128,7 +131,7 @@ def json_text(found: Found) -> str:
     problem = found.problem
     about = {
         "schema": 1, "program": VERSION, "key": key(problem), "design": problem.start.sha256,
-        "proof": str(proof(found)), "proved": found.proved,
+        "proof": str(proof(found)), "proved": found.proved and found.whole,
         "classes": len(problem.classes), "classes_done": found.done, "combinations": found.table.combinations,
         "front_rows": len(found.table), "objectives": {name: UNIT[name] for name in problem.objectives},
         "sizes_mm": {name: list(values) if values is not None else None for name, values in problem.sizes.items()},

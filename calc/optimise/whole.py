@@ -1,19 +1,24 @@
 # SPDX-License-Identifier: Apache-2.0
 """A row put into the design and solved whole: only these are shown, and their numbers are those of the whole solution."""
 
+import math
 from collections.abc import Mapping
 from typing import Any
 
 from ..bearings.result import BearingsResult
 from ..countershaft.result import CountershaftResult
 from ..design_file import Document, design
+from ..gears.result import TrainResult
 from ..sheet.changes import Changes, digits
 from ..sheet.check import Check
 from ..sheet.errors import BadInput
 from ..sheet.record import record
-from ..sheet.units import Watt
+from ..sheet.units import Kilogram, Watt
 from ..solve import Results, solve
 from .problem import CORE, FITS, Problem
+
+LARGE = 1e3  # a step without solution, and a hard end that is passed over, are lacks as large as this
+LEAST_LACK = 0.01  # of whatever is broken: by the less the fewer it is
 
 
 @record
@@ -31,7 +36,7 @@ class Sized:
 @record
 class Whole:
     """A drive as the program solves it.  `objectives` by name, in their units; `broken`: what it does not keep, empty for one that passes;
-    `open`: how many other findings stay open."""
+    `open`: how many other findings stay open; `lacks`: by how much of 1 its limits are passed over, all of them together."""
 
     sized: Sized
     changes: Changes
@@ -39,6 +44,7 @@ class Whole:
     objectives: dict[str, float]
     broken: tuple[str, ...]
     open: int
+    lacks: float = 0.0
 
 
 def chosen(choices: Mapping[str, Any]) -> Changes:
@@ -81,14 +87,20 @@ def whole(problem: Problem, sized: Sized, before: Results | None = None) -> tupl
     try:
         results = solve(design(document), before)
     except BadInput as bad:
-        return Whole(sized, made, document, {}, tuple(e.key for e in bad.errors), 0), None
+        return Whole(sized, made, document, {}, tuple(e.key for e in bad.errors), 0, LARGE), None
     stopped = tuple(key for key, outcome in results.outcomes.items() if outcome.state in ("no_solution", "blocked"))
     checks = list(results.checks())
-    broken = tuple(c.id for c in problem.broken(checks))
+    fail = problem.broken(checks)
+    broken = tuple(c.id for c in fail)
     objectives = {} if stopped else measured(problem, document, results, checks, sized)
     over = tuple(f"optimise.most.{key}" for key, bound in problem.most.items() if objectives and _beyond(key, objectives.get(key), bound))
     count = sum(c.verdict == "warn" for c in checks)
-    return Whole(sized, made, document, objectives, (*stopped, *broken, *over), count), results
+    lacks = sum(map(_lack, fail)) + LARGE * len({*stopped, *over} - set(broken))
+    return Whole(sized, made, document, objectives, (*stopped, *broken, *over), count, lacks), results
+
+
+def _lack(broken: Check) -> float:
+    return LARGE if math.isnan(broken.margin) else min(max(-broken.margin, 0.0), LARGE) + LEAST_LACK
 
 
 def _beyond(key: str, value: float | None, bound: float) -> bool:
@@ -99,10 +111,8 @@ def _beyond(key: str, value: float | None, bound: float) -> bool:
 
 def measured(problem: Problem, document: Document, results: Results, checks: list[Check], sized: Sized) -> dict[str, float]:
     """The objectives that are known, in their units."""
-    shaft = results.result(CountershaftResult)
-    assert shaft is not None and shaft.mass is not None
     watts = mean_power(problem, document, results) if problem.cycle else power(results)
-    found = {"power": watts, "mass": float(shaft.mass), "seat": max(sized.diameter.values()), "margin": problem.margin(checks)}
+    found = {"power": watts, "mass": mass(results), "seat": max(sized.diameter.values()), "margin": problem.margin(checks)}
     cost = problem.price(sized.choices, sized.surface)
     return found if cost is None else found | {"price": cost}
 
@@ -116,6 +126,21 @@ def mean_power(problem: Problem, document: Document, results: Results) -> Watt:
         solved = all(before.outcomes[key].state in ("solved", "not_asked") for key in ("bearings", "friction"))
         mean += share * power(before) if solved else float("inf")
     return mean
+
+
+def mass(results: Results) -> Kilogram:
+    """Of the shaft with its gear, and of all other wheels."""
+    shaft = results.result(CountershaftResult)
+    assert shaft is not None and shaft.mass is not None
+    return float(shaft.mass) + other_wheels(results)
+
+
+def other_wheels(results: Results) -> Kilogram:
+    """Of the train, but for the last, which the shaft is weighed with."""
+    train = results.result(TrainResult)
+    wheels = list(train.wheels.values()) if train is not None else []
+    last = list(train.meshes.values())[-1].driven if train is not None else ""
+    return float(sum(wheel.mass or 0.0 for wheel in wheels if wheel.name != last))
 
 
 def power(results: Results) -> Watt:

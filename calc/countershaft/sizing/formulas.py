@@ -104,6 +104,19 @@ def pair_length(z_max: Metre, q: Number) -> Metre:
     return z_max * 2 * q / (1 + q)
 
 
+CLOSED = Text("rule of this program: a gap between the sectors that does not hold two fillets is closed")
+
+
+@formula("b", CLOSED, unit="mm")
+def closed_length(z_max: Metre) -> Metre:
+    return z_max
+
+
+@formula("γ", Text("{closed}; half-angle of the couple at that length", closed=CLOSED))
+def closed_half_angle(K: SquareMetre, z_max: Metre) -> Radian:
+    return asin(smallest(1.0, 2 * K / z_max**2))
+
+
 @formula("z_c", Text("{faces}: its middle", faces=FACES), unit="mm")
 def pair_arm(z_max: Metre, b: Metre) -> Metre:
     return z_max - b / 2

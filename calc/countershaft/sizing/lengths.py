@@ -74,6 +74,12 @@ def lengths(alpha: complex, product: complex) -> tuple[Array, Array, Array]:
     return front, rear, worst.min(-1)
 
 
+def serves_whole(alpha: complex, product: complex) -> bool:
+    """Whether two sectors of full length, which meet at mid-shaft, serve."""
+    whole = np.ones((1, 1))
+    return bool(np.maximum(*shares(task(alpha, product), whole, whole)).max() <= 1)
+
+
 @lru_cache(maxsize=64)
 def one(alpha: complex, product: complex) -> tuple[float, float, float]:
     """The same for one task, remembered: three formulas ask for it."""

@@ -12,7 +12,7 @@ import math
 import numpy as np
 
 from ...root import root
-from ...sheet.arrays import Array, each
+from ...sheet.arrays import Array, BoolArray, each
 from ...sheet.errors import NoSolution
 from ...sheet.linked_array import column
 from ...sheet.quantity import group, result, value
@@ -33,11 +33,12 @@ from ...sheet.units import (
 )  # fmt: skip
 from .. import sector as s
 from ..inputs import EccentricMass, Extra
-from ..outline import Piece, around
+from ..outline import TOUCH, Piece, around
 from . import formulas as f
 from . import lengths
 
 Asked = tuple[PhasorKilogramMetre, PhasorKilogramMetre2]  # unbalance U, and unbalance times position P
+NEAR = 1e-9  # m: what sums of lengths are off
 DUST = 1e-12  # of what the envelope can do: a force or an unbalance below it is none
 
 
@@ -95,8 +96,9 @@ class Pair:
     couple: NewtonMetre  # of the pair, from its dimensions
 
 
-def pair(C: NewtonMetre, omega: RadPerSecond, rho: KilogramPerMetre3, R: Metre, r_0: Metre, z_max: Metre) -> Pair:
-    """Two equal sectors opposite each other that give the couple C with the least mass.  Raises TooSmall."""
+def pair(C: NewtonMetre, omega: RadPerSecond, rho: KilogramPerMetre3, R: Metre, r_0: Metre, z_max: Metre, fillet: Metre = 0.0) -> Pair:
+    """Two equal sectors opposite each other that give the couple C with the least mass.  A gap between them that does not hold two fillets
+    is closed.  Raises TooSmall."""
     K = f.couple_number(C=C, rho=rho, omega=omega, R=R, r_0=r_0)
     u = f.pair_utilisation(K=K, z_max=z_max)
     if u > 1:
@@ -104,11 +106,19 @@ def pair(C: NewtonMetre, omega: RadPerSecond, rho: KilogramPerMetre3, R: Metre, 
     gamma = f.pair_half_angle(K=K, z_max=z_max)
     q = f.pair_ratio(gamma=gamma)
     b = f.pair_length(z_max=z_max, q=q)
+    if too_narrow(2 * (z_max - b), fillet):
+        gamma, b = f.closed_half_angle(K=K, z_max=z_max), f.closed_length(z_max=z_max)
     z_c = f.pair_arm(z_max=z_max, b=b)
     A, S = s.sector_area(gamma=gamma, R=R, r_0=r_0), s.sector_moment(gamma=gamma, R=R, r_0=r_0)
     return Pair(utilisation=u, half_angle=gamma, length=b, arm=z_c, radius=s.centre_of_gravity(S=S, A=A),
         mass=s.sector_mass(rho=rho, A=A, b=b),
         couple=f.pair_couple(U=s.sector_unbalance(rho=rho, S=S, b=b), z_c=z_c, omega=omega))  # fmt: skip
+
+
+def too_narrow(gap: Metre | Array, fillet: Metre) -> BoolArray:
+    """Whether a stretch of the core between two shoulders is there and does not hold two fillets."""
+    narrow: BoolArray = (np.asarray(gap) >= TOUCH) & (np.asarray(gap) < 2 * fillet - NEAR)
+    return narrow
 
 
 def pair_masses(C: NewtonMetre, omega: RadPerSecond, rho: KilogramPerMetre3, R: Metre, r_0: Metre, z_max: Metre) -> Array:
@@ -139,8 +149,9 @@ def masses(U: PhasorKilogramMetre, P: PhasorKilogramMetre2, rho: KilogramPerMetr
 
 
 def size(U: PhasorKilogramMetre, P: PhasorKilogramMetre2, omega: RadPerSecond, rho: KilogramPerMetre3, R: Metre, r_0: Metre, z_max: Metre,
-    extras: tuple[Extra, ...] = ()) -> Sized:  # fmt: skip
-    """The lightest two sectors that, with the extras, have the unbalance U and the product of unbalance and position P.
+    extras: tuple[Extra, ...] = (), fillet: Metre = 0.0) -> Sized:  # fmt: skip
+    """The lightest two sectors that, with the extras, have the unbalance U and the product of unbalance and position P; a gap between them
+    that does not hold two fillets is closed where the sectors serve at their full length.
 
     U = F/ω² and P = C/ω² of the whole shaft.  Raises TooSmall where the envelope can not hold them, NoSolution where nothing is asked.
     """
@@ -152,8 +163,8 @@ def size(U: PhasorKilogramMetre, P: PhasorKilogramMetre2, omega: RadPerSecond, r
             Text("force and couple asked of the shaft, less its further elements"),
             Text("leave the counter-shaft out, or the further elements that do all its work"))  # fmt: skip
     if abs(U) * z_max <= DUST * abs(P):
-        return _of_pair(P, omega, rho, R, r_0, z_max)
-    return _of_search(U, P, omega, rho, R, r_0, z_max)
+        return _of_pair(P, omega, rho, R, r_0, z_max, fillet)
+    return _of_search(U, P, omega, rho, R, r_0, z_max, fillet)
 
 
 def remainder(U: PhasorKilogramMetre, P: PhasorKilogramMetre2, extras: tuple[Extra, ...]) -> Asked:
@@ -166,9 +177,10 @@ def remainder(U: PhasorKilogramMetre, P: PhasorKilogramMetre2, extras: tuple[Ext
     return f.unbalance_left(U=U, U_x=U_x), f.product_left(P=P, P_x=P_x)
 
 
-def _of_pair(P: PhasorKilogramMetre2, omega: RadPerSecond, rho: KilogramPerMetre3, R: Metre, r_0: Metre, z_max: Metre) -> Sized:
+def _of_pair(P: PhasorKilogramMetre2, omega: RadPerSecond, rho: KilogramPerMetre3, R: Metre, r_0: Metre, z_max: Metre,
+    fillet: Metre) -> Sized:  # fmt: skip
     with about(Text("sectors")):
-        half = pair(f.couple_asked(P=P, omega=omega), omega, rho, R, r_0, z_max)
+        half = pair(f.couple_asked(P=P, omega=omega), omega, rho, R, r_0, z_max, fillet)
         rear = f.couple_direction(P=P)
         common = dict(length=half.length, half_angle=half.half_angle, mass=half.mass, radius=half.radius)
         return Sized(mass=f.both_masses(m_f=half.mass, m_r=half.mass), utilisation=half.utilisation, sector_length=half.length,
@@ -178,7 +190,7 @@ def _of_pair(P: PhasorKilogramMetre2, omega: RadPerSecond, rho: KilogramPerMetre
 
 
 def _of_search(U: PhasorKilogramMetre, P: PhasorKilogramMetre2, omega: RadPerSecond, rho: KilogramPerMetre3, R: Metre, r_0: Metre,
-    z_max: Metre) -> Sized:  # fmt: skip
+    z_max: Metre, fillet: Metre) -> Sized:  # fmt: skip
     with about(Text("sectors")):
         k = f.unbalance_per_length(rho=rho, R=R, r_0=r_0)
         alpha, product = f.force_number(U=U, k=k, z_max=z_max), f.product_number(P=P, k=k, z_max=z_max)
@@ -186,6 +198,8 @@ def _of_search(U: PhasorKilogramMetre, P: PhasorKilogramMetre2, omega: RadPerSec
         if u > 1:
             raise _too_small(alpha, product, u, omega, k, R, r_0, z_max)
         b_f, b_r = f.front_length(alpha=alpha, product=product, z_max=z_max), f.rear_length(alpha=alpha, product=product, z_max=z_max)
+        if too_narrow(2 * z_max - b_f - b_r, fillet) and lengths.serves_whole(alpha, product):
+            b_f = b_r = f.closed_length(z_max=z_max)
         z_f, z_r = f.front_place(b=b_f, z_max=z_max), f.rear_place(b=b_r, z_max=z_max)
         U_r = f.rear_unbalance(P=P, z_f=z_f, U=U, z_r=z_r)
         U_f = f.front_unbalance(U=U, U_r=U_r)

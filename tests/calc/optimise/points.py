@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from calc.countershaft.result import CountershaftResult
-from calc.optimise.classes import _put
+from calc.optimise.classes import tables_of
 from calc.optimise.run import asked
 from calc.optimise.shafts import journal_mass, journal_slopes, shafts
 from calc.optimise.whole import Sized, journals_power, whole
@@ -49,7 +49,7 @@ class Class:
         self.problem, _ = asked(document, said)
         self.choices = self.problem.classes[n]
         with untraced():
-            self.drive, self.sizes = _put(self.problem, self.choices)
+            self.drive, self.sizes = tables_of(self.problem, self.choices)
         self.before = None
 
     def said(self, point, margin=0.0):
@@ -114,7 +114,7 @@ def compared(of, count, seed=0):
         if one.objectives:
             shaft = results.result(CountershaftResult)
             power = max(power, abs(journals_power(results) - said.power))
-            mass = max(mass, abs(one.objectives["mass"] / said.mass - 1))
+            mass = max(mass, abs(shaft.mass / said.mass - 1))
             over += [a / b - 1 for a, b in zip(said.slopes, (shaft.slope_front, shaft.slope_rear))]
         if said.passes == (not one.broken):
             both[said.passes] += 1

@@ -16,6 +16,7 @@ CASES = {
     "through the shaft, IT5": {"bearings.supply": "shaft", "bearings.journal_fit": "IT5", "bearings.seat_fit": "IT6"},
     "cool": {"bearings.supply_temperature_C": 90.0},
     "no bench": {"engine.bench": None},
+    "fits with a place": {"bearings.journal_fit": "f7", "bearings.seat_fit": "H7"},
     "grooves": {"bearings.supply": "groove", "bearings.groove_width_mm": 3.0},
 }  # fmt: skip
 

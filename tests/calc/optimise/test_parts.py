@@ -21,14 +21,14 @@ def rows(count):
 
 @pytest.fixture
 def kept(few, tmp_path):
-    running._keep(few, 0, ClassFront(rows(40), 10**12, (3.0, 1.05), EMPTY), tmp_path)
+    running._keep(few, 0, ClassFront(rows(40), 10**12, (3.0, 1.05), 1.5, EMPTY), tmp_path)
     (path,) = tmp_path.glob("*.npz")
     return path
 
 
 def test_a_part_comes_back_as_it_was(few, kept):
     one = running._kept(few, 0, kept.parent)
-    assert one is not None and one.combinations == 10**12 and one.crank == (3.0, 1.05) and not one.why
+    assert one is not None and one.combinations == 10**12 and one.crank == (3.0, 1.05) and one.wheels == 1.5 and not one.why
     assert all(np.array_equal(column, vars(rows(40))[name]) for name, column in vars(one.rows).items())
 
 

@@ -19,7 +19,8 @@ def front(rows, mine=1, **changed):
         for n, row in enumerate(rows)
     ]  # fmt: skip
     about = {"objectives": {"power": "W", "mass": "kg", "margin": "%"}, "drives": drives, "sizes_mm": {"bearings.front.length_mm": None},
-        "choices": {"bearings.fits": [["IT6", "IT7"]]}, "proved": True, "combinations": 10**11, "limits": ["bearings.*"], "waived": []}  # fmt: skip
+        "choices": {"bearings.fits": [["IT6", "IT7"]]}, "proved": True, "combinations": 10**11, "classes": 2,
+        "classes_done": 2, "limits": ["bearings.*"], "waived": []}  # fmt: skip
     return json.dumps(about | changed).encode()
 
 

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The front of a small search: every row holds whole, nothing in its ranges beats it, and it does not matter how it was come by."""
 
+import json
 from dataclasses import replace
 
 import numpy as np
@@ -10,7 +11,7 @@ from calc.optimise.classes import NotClosed, class_of
 from calc.optimise.classes import sized as row_of
 from calc.optimise.films import asked_film
 from calc.optimise.relax import refusal
-from calc.optimise.run import asked, search
+from calc.optimise.run import _instead, asked, search
 from calc.optimise.telling import csv_text, json_text, table
 from calc.optimise.whole import Sized, whole
 from calc.sheet.errors import BadInput
@@ -36,7 +37,7 @@ def test_tables_say_what_the_whole_solution_says(sized, positions):
         drive, before = whole(few, row_of(few, choices, one.rows, n), before)
         assert drive.broken == ()
         assert drive.objectives["power"] == pytest.approx(line_c + line_a * one.rows.power[n], abs=0.4)
-        assert drive.objectives["mass"] == pytest.approx(one.rows.mass[n], abs=1e-5)
+        assert drive.objectives["mass"] == pytest.approx(one.rows.mass[n] + one.wheels, abs=1e-5)
         assert one.rows.margin[n] * 100 - 0.1 <= drive.objectives["margin"]
 
 
@@ -86,6 +87,25 @@ def test_it_does_not_matter_how_the_front_was_come_by(sized, tmp_path):
     (parts / "0000000000000000-2.npz").write_bytes(kept[2].read_bytes())
     assert csv_text(search(problem, 1, parts)) == first
     assert len(json_text(search(problem, 1, parts, stop=lambda: True))) > 1000  # one class is enough to show something
+
+
+def test_a_search_that_is_stopped_shows_what_passes_and_claims_no_proof(sized):
+    """The class of the closest fits comes first; its first drive that passes is told at once, and then the time is up."""
+    price = [{"what": "fit", "value": ["IT5", "IT6"], "piece_EUR": 2.0}]
+    problem, _ = asked(sized.with_value("optimise", {"price": price}), {"vary": FEW, "rows": 8})
+    told = []
+    found = search(problem, stop=lambda: True, first=told.append, enough=lambda: True)
+    assert len(told) == len(found.drives) == 1 and not told[0].broken and found.drives[0].sized.choices["bearings.fits"] == ["IT5", "IT6"]
+    assert not found.whole and "stopped at 1 of 2 classes" in csv_text(found)
+    assert "Not exhaustive" in csv_text(found) and json.loads(json_text(found))["proved"] is False
+
+
+def test_a_row_that_fails_gives_its_place_to_one_that_should_not(few):
+    """Rows on a line, of which one has failed: not the nearest beside another that fails, but the one beside a drive that passes."""
+    line = np.array([[x] for x in (0.0, 0.9, 1.0, 2.1, 3.0)])
+    assert _instead(line, 2, {0, 2, 4}, {2: 0.3}) == 1
+    assert _instead(line, 2, {0, 2, 4}, {2: 0.3, 0: 0.5, 4: 0.0}) == 3
+    assert _instead(line, 2, {0, 1, 2, 3, 4}, {2: 0.3}) is None
 
 
 def test_closer_making_costs_and_is_chosen_where_it_pays(sized):
@@ -145,6 +165,7 @@ def test_a_search_without_proof_shows_only_what_passes(sized):
     found = evolved(problem, 120)
     assert not found.proved and all(one.broken == () for one in found.drives)
     assert [one.changes for one in evolved(problem, 120).drives] == [one.changes for one in found.drives]
+    assert evolved(problem, 120, enough=lambda: True).table.combinations == 1
 
 
 @pytest.mark.parametrize(
@@ -155,6 +176,16 @@ def test_a_search_without_proof_shows_only_what_passes(sized):
         ({"vary": {"bearings.oil": ["SAE 1000"]}}, "bearings.oil"),
         ({"vary": {"bearings.fits": [["IT6"]]}}, "bearings.fits"),
         ({"vary": {"bearings.fits": [["IT6", "IT99"]]}}, "bearings.fits"),
+        ({"vary": {"bearings.fits": [["f7", "H7"]]}}, "bearings.fits"),
+        ({"vary": {"bearings.journal_fit": ["IT5", "IT6"]}}, "bearings.journal_fit"),
+        ({"vary": {"bearings.seat_fit": ["IT6"], "bearings.fits": "fixed"}}, "bearings.seat_fit"),
+        ({"vary": {"bearings.slope_mrad": [0.1]}}, "bearings.slope_mrad"),
+        ({"vary": {"bearings.rear.clearance_factor": [0.7]}}, "bearings.rear.clearance_factor"),
+        (
+            {"vary": {"bearings.front.journal_roughness_um": [0.4], "bearings.surfaces": [[0.4, 0.4]]}},
+            "bearings.front.journal_roughness_um",
+        ),
+        ({"price": [{"what": "fit", "value": ["f7", "H7"], "piece_EUR": 2.0}]}, "bearings.fits"),
         ({"vary": {"bearings.surfaces": [[0.4]]}}, "bearings.surfaces"),
         ({"vary": {"countershaft.core_radius_mm": {"from": 20, "to": 10, "step": 1}}}, "countershaft.core_radius_mm"),
         ({"vary": {"countershaft.core_radius_mm": {"from": 1, "to": 20, "step": 1e-9}}}, "countershaft.core_radius_mm"),
@@ -166,7 +197,7 @@ def test_a_search_without_proof_shows_only_what_passes(sized):
 )
 def test_what_can_not_be_varied_is_said_with_its_key(sized, said, key):
     with pytest.raises(BadInput) as bad:
-        asked(sized, said)
+        asked(sized.with_value("optimise", {"price": said["price"]}) if "price" in said else sized, said if "price" not in said else {})
     assert any(key in error.key for error in bad.value.errors)
 
 
@@ -177,3 +208,21 @@ def test_the_film_that_surfaces_ask_for(few):
 
     task = own_tasks(bearings_case(few.base))["front"]
     assert asked_film(task, (0.4e-6, 0.4e-6)) < asked_film(task, (0.4e-6, 0.6e-6)) < asked_film(task, (0.6e-6, 0.6e-6))
+
+
+@pytest.mark.parametrize(
+    "said, keys",
+    [
+        ({"objectives": ["price"]}, {"optimise.objectives"}),
+        ({"most": {"price_EUR": 100.0}}, {"optimise.most.price_EUR"}),
+        ({"objectives": ["price"], "most": {"price_EUR": 100.0}}, {"optimise.objectives", "optimise.most.price_EUR"}),
+    ],
+)
+def test_a_price_that_is_not_known_can_be_neither_wanted_alone_nor_bounded(sized, said, keys):
+    """Else nothing would be wanted, or the bound would be kept by every drive."""
+    unpriced = sized.with_value("countershaft.cost", None)
+    with pytest.raises(BadInput, match="price of every material") as bad:
+        asked(unpriced, said)
+    assert {error.key for error in bad.value.errors} == keys
+    problem, _ = asked(unpriced, {"objectives": ["power", "price"]})
+    assert problem.objectives == ("power",) and any("price is left out" in str(one) for one in problem.said)

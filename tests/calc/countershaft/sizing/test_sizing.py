@@ -107,6 +107,28 @@ def test_the_half_angle_solves_its_equation(u):
     assert 0 < gamma <= math.pi / 2 and 0 < found.length <= z_max
 
 
+def test_a_gap_that_holds_no_two_fillets_is_closed():
+    """Of an envelope that is nearly full: the same couple from sectors that meet, hardly heavier; a wider gap stays."""
+    R, r_0, z_max, fillet = 0.043, 0.015, 0.15, 1.5e-3
+    C = 0.9999 * pair(1.0, OMEGA, RHO, R, r_0, z_max).utilisation ** -1
+    open_, closed = (pair(C, OMEGA, RHO, R, r_0, z_max, r) for r in (0.0, fillet))
+    assert 0 < 2 * (z_max - open_.length) < 2 * fillet and closed.length == z_max
+    assert closed.couple == pytest.approx(C, rel=1e-12) and open_.mass < closed.mass < open_.mass * 1.005
+    assert vars(pair(0.99 * C, OMEGA, RHO, R, r_0, z_max, fillet)) == vars(pair(0.99 * C, OMEGA, RHO, R, r_0, z_max))
+
+
+def test_the_gap_of_two_unlike_sectors_is_closed_too():
+    """A little force beside nearly the whole couple: both sectors are of full length, and give what is asked."""
+    k = RHO * 2 / 3 * (0.043**3 - 0.015**3)
+    U, P_ = 1e-5 * k * 0.15, 0.9999 * k * 0.15**2
+    open_, closed = (size(U, P_, OMEGA, RHO, 0.043, 0.015, 0.15, fillet=r) for r in (0.0, 1.5e-3))
+    assert 0 < 0.3 - open_.front.length - open_.rear.length < 3e-3
+    assert closed.front.length == closed.rear.length == 0.15 and closed.mass >= open_.mass
+    parts = [(m.mass * m.radius * cmath.rect(1, m.angle), m.z) for m in eccentric_masses(closed)]
+    assert sum(u for u, _ in parts) == pytest.approx(U, abs=1e-9 * k * 0.15)
+    assert sum(u * z for u, z in parts) == pytest.approx(P_, rel=1e-9)
+
+
 # --- a force as well -----------------------------------------------------------------------------------------------------------
 @settings(max_examples=40, deadline=None)
 @given(st.floats(0, 0.4), st.floats(0.05, 0.8), st.floats(-math.pi, math.pi), st.floats(-math.pi, math.pi))
