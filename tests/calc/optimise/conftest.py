@@ -19,7 +19,7 @@ FEW = {
 
 @pytest.fixture(scope="package")
 def sized():
-    return read(DESIGNS / "r753ie4_sized.toml")
+    return read(DESIGNS / "r753ie4_sized.toml").with_value("countershaft.fillet_radius_mm", 1.5)  # fillets that take room
 
 
 @pytest.fixture(scope="package")
