@@ -15,6 +15,8 @@ from typing import TYPE_CHECKING, Any
 
 from calc.addresses import Table
 from calc.design_file import design, parse, read
+from calc.files import read_file
+from calc.limits import DESIGN_BYTES
 from calc.sheet.errors import BadInput, InputError
 from calc.sheet.quantity import Published
 from calc.sheet.text import EMPTY, Text
@@ -24,7 +26,7 @@ from .draft import Draft
 from .editing import Editing
 from .history import State
 from .recovery import Edits, Memory, is_file, not_accepted
-from .saving import ChangedOnDisk, SaveError, free_name, fresh_text, write_atomic
+from .saving import SaveError, free_name, fresh_text, write_atomic
 from .solving import Answer, Job, run
 
 if TYPE_CHECKING:
@@ -86,8 +88,7 @@ class Session(Editing):
 
     @classmethod
     def _read(cls, path: Path, memory: Memory, now: Callable[[], datetime]) -> "Session":
-        read(path)  # the size and the kind of the file are judged there
-        return cls(path.read_bytes(), path, memory=memory, now=now)
+        return cls(read(path).raw, path, memory=memory, now=now)
 
     @classmethod
     def begin(cls, data: Table, path: Path, *, memory: Memory | None = None, now: Callable[[], datetime] = datetime.now) -> "Session":
@@ -227,27 +228,9 @@ class Session(Editing):
 
         `force` overwrites a file that another program has changed since it was read.
         """
-        if self.path is not None and not force:
-            try:
-                there = self.path.read_bytes()
-            except FileNotFoundError:
-                there = self._raw
-            except OSError as error:
-                raise SaveError(
-                    Text(
-                        "{path} can not be read: {reason}; save under another name",
-                        path=str(self.path),
-                        reason=error.strerror or str(error),
-                    )
-                ) from None
-            if there != self._raw:
-                raise ChangedOnDisk(
-                    Text(
-                        "{name} was changed by another program; save once more to overwrite it (the other version is kept as .bak)",
-                        name=self.path.name,
-                    )
-                )
-        return self._write(self.path or free_name(Path.cwd() / self.origin.name))
+        if self.path is None:
+            return self._write(free_name(Path.cwd() / self.origin.name), new=True)
+        return self._write(self.path, force=force)
 
     def save_as(self, path: Path) -> Path:
         """Save under another name; the session goes on with that file.  A file that is there is overwritten, and kept as .bak."""
@@ -260,16 +243,20 @@ class Session(Editing):
             raise SaveError(Text("{path} is a folder; give the name of a file in it", path=str(path)))
         return self._write(path.absolute())
 
-    def _write(self, path: Path) -> Path:
+    def _write(self, path: Path, *, force: bool = True, new: bool = False) -> Path:
         if not self.valid:
             where, reason = next(iter(self.reasons().items()))
             raise SaveError(Text("not saved: {key} {reason}", key=".".join(map(str, where)) or Text("the design"), reason=reason))
         raw = self.bytes()
-        write_atomic(path, raw)
+        try:
+            document = parse(raw, str(path))
+        except BadInput as bad:  # nothing is written that can not be read
+            raise SaveError(Text("not saved: {key} {reason}", key=path.name, reason=bad.errors[0].reason)) from None
+        write_atomic(path, raw, expected=None if force else self._raw, new=new)
         with self._keeping:
             self._drop()
             self.path, self._raw, self._stamp, self._unwritten = path, raw, None, False
-            self.document = parse(raw, str(path))
+            self.document = document
             self.saved = self._valid = self.document.data
             self.history.state = State(self.document.data, {})
             self.autosaved, self.autosave_failure = None, EMPTY
@@ -287,7 +274,7 @@ class Session(Editing):
             if stamp == self._stamp:
                 return False
             self._stamp = stamp
-            return self.path.read_bytes() != self._raw
+            return read_file(self.path, DESIGN_BYTES) != self._raw
         except OSError:  # it is gone, or just being replaced; a save says what is wrong
             return False
 

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from assistant.commands.check import changed, known_step
 from assistant.plain import sign
-from assistant.saving import write_asked
+from assistant.saving import spare, write_asked
 from calc.design_file import read
 from calc.sheet.check import ORDER
 from calc.sweep import sweep, varied
@@ -16,6 +16,8 @@ from calc.sweep import sweep, varied
 
 def run(asked: Namespace) -> int:
     known_step(asked.step)
+    if asked.output is not None:
+        spare(Path(asked.output), asked.file)
     document, _ = changed(read(asked.file), asked.changes)
     swept = sweep(document, varied(document, asked.vary), asked.step, asked.values)
     counts = Counter(swept.verdicts)
@@ -29,6 +31,6 @@ def run(asked: Namespace) -> int:
     path = Path(asked.output)
     text = StringIO()
     swept.write(text)
-    write_asked(path, text.getvalue())
+    write_asked(path, text.getvalue(), inputs=[asked.file])
     print(f"{summary}\n{path}: {len(swept.header)} columns")
     return 0

@@ -14,6 +14,7 @@ from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wai
 from concurrent.futures.process import BrokenProcessPool
 from contextlib import redirect_stderr
 from importlib import import_module
+from io import BytesIO
 from multiprocessing import get_context, resource_tracker
 from pathlib import Path
 from typing import Any
@@ -21,6 +22,7 @@ from typing import Any
 import numpy as np
 
 from ..design_file import Document, design
+from ..files import write_file
 from ..gears.result import TrainResult
 from ..sheet.arrays import Array, IndexArray
 from ..sheet.errors import NoSolution
@@ -198,10 +200,9 @@ def _keep(problem: Problem, n: int, one: ClassFront, parts: Path | None) -> None
         return
     parts.mkdir(parents=True, exist_ok=True)
     path = parts / f"{key(problem)}-{n}.npz"
-    draft = path.with_suffix(".new")
-    with open(draft, "wb") as file:
-        np.savez(file, about=np.array([one.combinations, *one.crank]), why=np.array(str(one.why)), **vars(one.rows))
-    draft.replace(path)
+    made = BytesIO()
+    np.savez(made, about=np.array([one.combinations, *one.crank]), why=np.array(str(one.why)), **vars(one.rows))
+    write_file(path, made.getvalue())
 
 
 # --- the front ----------------------------------------------------------------------------------------------------------------
