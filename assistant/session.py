@@ -25,6 +25,7 @@ from calc.shipped import DESIGNS, EXAMPLE
 from .draft import Draft
 from .editing import Editing
 from .history import State
+from .presence import Presence
 from .recovery import Edits, Memory, is_file, not_accepted
 from .saving import SaveError, free_name, fresh_text, write_atomic
 from .solving import Answer, Job, run
@@ -55,6 +56,8 @@ class Session(Editing):
         self.id = token_hex(4)  # of what it keeps aside
         self._kept: Edits | None = None
         self._taken: Edits | None = None  # edits of an earlier session that were put back, until they are kept as this one's
+        self._presence: Presence | None = None
+        self._company: set[str] = set()  # other sessions on this file, as far as it was looked
         self._unwritten = False  # there is no file yet
         self._stamp: tuple[int, int] | None = None  # when the file was changed and how long it is, as far as it was looked at
 
@@ -101,7 +104,7 @@ class Session(Editing):
     @classmethod
     def _begun(cls, path: Path, memory: Memory, now: Callable[[], datetime]) -> "Session | None":
         """A design that was kept, and never saved."""
-        for kept in memory.kept(path):
+        for kept in memory.left(path):
             try:
                 session = cls.begin(kept.data, path, memory=memory, now=now)
             except BadInput:
@@ -117,8 +120,8 @@ class Session(Editing):
         return kept.time.strftime("%H:%M" if kept.time.date() == self.now().date() else "%d.%m. %H:%M")
 
     def put_aside(self) -> list[Edits]:
-        """Unsaved edits of other sessions on this file, the last first."""
-        return [kept for kept in self.memory.kept(self.home) if kept.session != self.id and (kept.data != self.saved or kept.typed)]
+        """Unsaved edits of sessions on this file that have ended, the last first."""
+        return [kept for kept in self.memory.left(self.home) if kept.session != self.id and (kept.data != self.saved or kept.typed)]
 
     def _put_back(self) -> None:
         """Edits that were kept when the program ended before they were saved."""
@@ -146,6 +149,25 @@ class Session(Editing):
         self._taken = kept
         self._step(state, None)
         return True
+
+    # --- beside others
+    def attend(self) -> None:
+        """Be seen at this file by other sessions."""
+        self.leave()
+        self._presence = self.memory.attend(self.home, self.id)
+
+    def leave(self) -> None:
+        if self._presence is not None:
+            self._presence.leave()
+        self._presence = None
+        self._company = set()
+
+    def joined(self) -> bool:
+        """Whether another session is at this file; True once for each."""
+        if self._presence is None:
+            return False
+        before, self._company = self._company, self.memory.present(self.home) - {self.id}
+        return bool(self._company - before)
 
     # --- what is shown
     @property
@@ -247,7 +269,7 @@ class Session(Editing):
         if not self.valid:
             where, reason = next(iter(self.reasons().items()))
             raise SaveError(Text("not saved: {key} {reason}", key=".".join(map(str, where)) or Text("the design"), reason=reason))
-        raw = self.bytes()
+        raw, before = self.bytes(), self.home
         try:
             document = parse(raw, str(path))
         except BadInput as bad:  # nothing is written that can not be read
@@ -262,6 +284,8 @@ class Session(Editing):
             self.autosaved, self.autosave_failure = None, EMPTY
         self.seal()
         self.memory.remember(path)
+        if self._presence is not None and path != before:
+            self.attend()
         return path
 
     def look(self) -> bool:
@@ -308,7 +332,7 @@ class Session(Editing):
                     self.autosaved = None
                 return
             edits = Edits(data, self.now(), self.document.sha256, typed, self.id)
-            if self._kept is not None and (data, typed) == (self._kept.data, self._kept.typed) and self.memory.keeps(self.home, self.id):
+            if self._kept is not None and (data, typed) == (self._kept.data, self._kept.typed) and self.memory.keeps(self.home, self._kept):
                 return
             try:
                 self.memory.keep(self.home, edits)
@@ -334,7 +358,7 @@ class Session(Editing):
     @property
     def safe(self) -> bool:
         """Nothing is lost if the program ends now."""
-        kept = self._kept is not None and self._kept.state() == self._state and self.memory.keeps(self.home, self.id)
+        kept = self._kept is not None and self._kept.state() == self._state and self.memory.keeps(self.home, self._kept)
         return not self.dirty or (kept and not self.autosave_failure)
 
 
