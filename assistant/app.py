@@ -74,6 +74,9 @@ class ContralberoApp(BaseApp):
         self.signs = Signs(self.ascii, self.current_theme.dark, not self.no_color, self.say)
         self.theme_changed_signal.subscribe(self, self._theme_changed)
         self.set_interval(LOOK, self.look)
+        if self._session is not None:
+            self.session.attend()
+            self.look()
 
     def get_default_screen(self) -> Screen[None]:
         """The first screen from the start: there is no other one below it that would be styled and painted for nothing."""
@@ -104,7 +107,13 @@ class ContralberoApp(BaseApp):
         self.look()
 
     def look(self) -> None:
-        """Say, once, that another program has changed the file."""
+        """Say, once, that another program has changed the file, or that another session is at it."""
+        if self._session is not None and self.session.joined():
+            text = Text(
+                "{name} is open in another session too: each keeps its own edits, and none overwrites the other's unasked.",
+                name=self.session.name,
+            )
+            self.tell(text)
         if self._session is not None and self.session.look():
             text = Text(
                 "{name} was changed by another program: {key} takes it over, and undo would return.",
@@ -131,6 +140,7 @@ class ContralberoApp(BaseApp):
         before, self._session = self._session, session
         if before is not None:
             before.autosave()
+            before.leave()
             if before.recording is not None:
                 self.tell(Text("The recording is given up: it was one of the design before."), "warning")
         while len(self.screen_stack) > 1:
@@ -140,6 +150,8 @@ class ContralberoApp(BaseApp):
         else:
             self.add_mode("work", lambda: Workbench(session))  # a first screen can not be exchanged
             await self.switch_mode("work")
+        session.attend()
+        self.look()
 
     def action_command_palette(self) -> None:
         from .screens.palette import Palette
@@ -183,6 +195,7 @@ class ContralberoApp(BaseApp):
         """However the program ends, a closed page of a browser too: edits are kept aside."""
         if self._session is not None:
             self._session.autosave()
+            self._session.leave()
 
     async def action_quit(self) -> None:
         """Edits are kept aside; only where that fails, or something would be lost, is there something to ask."""

@@ -113,7 +113,7 @@ def _solved(path: Path, memory: Memory) -> "Results":
     from calc.design_file import Document, design, read
     from calc.solve import solve
 
-    for kept in memory.kept(path)[:1]:
+    for kept in memory.left(path)[:1]:
         with suppress(BadInput):
             return solve(design(Document(kept.data)))
     return solve(design(read(path)))

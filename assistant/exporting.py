@@ -33,7 +33,7 @@ def write_draft(path: Path, draft: Draft, gears: bool = False, progress: Progres
 
         write(document, results, document.raw, path, depth="engineer", lang=lang, progress=progress)
     else:
-        write_asked(path, exported(path.suffix.lower().removeprefix("."), document, results, gears))
+        write_asked(path, exported(path.suffix.lower().removeprefix("."), document, results, gears), inputs=[document.place])
 
 
 def exported(kind: str, document: Document, results: Results, gears: bool = False) -> str:

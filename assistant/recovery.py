@@ -2,7 +2,6 @@
 """What the program remembers between two runs: the last designs, edits that were not saved, and the user's settings."""
 
 import contextlib
-import hashlib
 import os
 import tomllib
 from dataclasses import dataclass, field
@@ -16,6 +15,7 @@ from calc.sheet.text import Text
 from . import numbers
 from .history import State
 from .places import Place, described
+from .presence import Presence, design_key, present
 from .saving import SaveError, differences, edited_text, fresh_text, write_atomic
 
 FOLDER = "contralbero"
@@ -125,7 +125,7 @@ class Memory:
 
     # --- unsaved edits
     def _file(self, path: Path, session: str) -> Path:
-        name = hashlib.sha256(str(path.absolute()).encode("utf-8", "surrogateescape")).hexdigest()[:16]
+        name = design_key(path)
         return self.folder / "unsaved" / (f"{name}-{session}.toml" if session else f"{name}.toml")
 
     def _files(self, path: Path) -> list[Path]:
@@ -144,7 +144,8 @@ class Memory:
         }  # fmt: skip
         typed = [{"place": list(where), "text": text} for where, text in edits.typed.items()]
         self._write(self._file(path, edits.session), fresh_text({"unsaved": head, "typed": typed, "design": edits.data}))
-        for old in self._files(path)[KEPT:]:
+        held = {self._file(path, session) for session in self.present(path)}
+        for old in [file for file in self._files(path) if file not in held][KEPT:]:
             with contextlib.suppress(OSError):
                 old.unlink()
 
@@ -152,13 +153,28 @@ class Memory:
         """The edits that were put aside for a design, the last first; a file that is damaged counts as none."""
         return [edits for file in self._files(path) if (edits := _read(file)) is not None]
 
-    def keeps(self, path: Path, session: str) -> bool:
-        """Whether the edits of a session are there."""
-        return is_file(self._file(path, session))
+    def left(self, path: Path) -> list[Edits]:
+        """Those whose sessions have ended: the edits of one that lives are its own."""
+        living = self.present(path)
+        return [edits for edits in self.kept(path) if edits.session not in living]
+
+    def keeps(self, path: Path, edits: Edits) -> bool:
+        """Whether these edits stand on the disk."""
+        found = _read(self._file(path, edits.session))
+        return found is not None and (found.data, found.typed, found.sha256) == (edits.data, edits.typed, edits.sha256)
 
     def drop(self, path: Path, session: str) -> None:
         with contextlib.suppress(OSError):
             self._file(path, session).unlink(missing_ok=True)
+
+    # --- sessions
+    def attend(self, path: Path, session: str) -> Presence:
+        """A session is at a design from here on."""
+        return Presence(self.folder, path, session)
+
+    def present(self, path: Path) -> set[str]:
+        """The sessions that are at a design."""
+        return present(self.folder, path)
 
     # --- settings
     def keys(self) -> dict[str, str]:

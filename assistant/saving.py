@@ -4,11 +4,12 @@
 import contextlib
 import os
 import tomllib
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
 from calc.addresses import Table
+from calc.files import Changed, same_file, write_file
 from calc.sheet.errors import BadInput, InputError
 from calc.sheet.text import Text
 
@@ -163,31 +164,43 @@ def _tables(value: Any) -> bool:
 
 
 # --- bytes --------------------------------------------------------------------------------------------------------------
-def spare(target: Path, *designs: str) -> None:
-    """Raises BadInput where a command was asked to write over a design that it reads."""
-    for design in designs:
-        with contextlib.suppress(OSError):
-            if target.samefile(design):
-                raise BadInput(str(target), [InputError(0, "", "", Text("is the design itself; give another name with -o"))])
+def spare(target: Path, *inputs: str | Path) -> None:
+    """Raises BadInput where a command was asked to write over what it reads, before it does any work."""
+    if any(same_file(target, one) for one in inputs):
+        raise BadInput(str(target), [InputError(0, "", "", Text("is an input of this very command; give another name with -o"))])
 
 
-def write_asked(path: Path, text: str, backup: bool = True) -> None:
+def write_asked(
+    path: Path, text: str, backup: bool = True, inputs: Iterable[str | Path] = (), expected: bytes | None = None, new: bool = False
+) -> None:  # fmt: skip
     """Write a file that a command was asked for.  Raises BadInput with the reason where it can not be written."""
+    with asked_for(path):
+        write_file(path, text.encode("utf-8"), backup=backup, inputs=inputs, expected=expected, new=new)
+
+
+@contextlib.contextmanager
+def asked_for(path: Path) -> Iterator[None]:
+    """What stops the writing of a file that a command was asked for, as bad input."""
     try:
-        _replace(path, text.encode("utf-8"), backup)
+        yield
     except OSError as error:
-        raise BadInput(
-            str(path), [InputError(0, "", "", Text("cannot be written: {reason}", reason=error.strerror or str(error)))]
-        ) from None
+        reason = Text("cannot be written: {reason}", reason=error.strerror or str(error))
+        raise BadInput(str(path), [InputError(0, "", "", reason)]) from None
 
 
-def write_atomic(path: Path, data: bytes, backup: bool = True) -> None:
-    """Write a file so that a crash at any moment leaves the old or the new one whole: a new file beside it, then a rename.
-
-    With `backup` the old file is kept as `NAME.bak`.  A link is followed; the rights of the old file are kept.
-    """
+def write_atomic(
+    path: Path, data: bytes, backup: bool = True, inputs: Iterable[Path] = (), expected: bytes | None = None, new: bool = False
+) -> None:  # fmt: skip
+    """Write a file of the session.  Raises SaveError with what to do, ChangedOnDisk where it has not the `expected` bytes any more."""
     try:
-        _replace(path, data, backup)
+        write_file(path, data, backup=backup, inputs=inputs, expected=expected, new=new)
+    except Changed:
+        raise ChangedOnDisk(
+            Text(
+                "{name} was changed by another program; save once more to overwrite it (the other version is kept as .bak)",
+                name=path.name,
+            )
+        ) from None
     except OSError as error:
         place = os.path.realpath(path)
         raise SaveError(
@@ -199,51 +212,6 @@ def write_atomic(path: Path, data: bytes, backup: bool = True) -> None:
         ) from None
 
 
-def _replace(path: Path, data: bytes, backup: bool) -> None:
-    path = Path(os.path.realpath(path))
-    draft = path.with_name(f".{path.name}.{os.getpid()}.new")
-    with contextlib.suppress(OSError):
-        draft.unlink(missing_ok=True)  # of a program that was killed at it and had the same number
-    try:
-        with open(draft, "xb") as file:
-            file.write(data)
-            file.flush()
-            os.fsync(file.fileno())
-        if path.exists():
-            with contextlib.suppress(OSError):
-                os.chmod(draft, path.stat().st_mode & 0o7777)
-            if backup:
-                _keep(path)
-        os.replace(draft, path)
-    finally:
-        with contextlib.suppress(OSError):
-            draft.unlink(missing_ok=True)
-    _sync_folder(path.parent)
-
-
-def _keep(path: Path) -> None:
-    """The file as it is, as `NAME.bak`, by a rename as well."""
-    copy = path.with_name(f".{path.name}.{os.getpid()}.bak")
-    try:
-        copy.write_bytes(path.read_bytes())
-        os.replace(copy, path.with_name(path.name + ".bak"))
-    finally:
-        with contextlib.suppress(OSError):
-            copy.unlink(missing_ok=True)
-
-
-def _sync_folder(folder: Path) -> None:
-    """Make the rename itself durable, where the system can."""
-    if os.name != "posix":
-        return
-    with contextlib.suppress(OSError):
-        handle = os.open(folder, os.O_RDONLY)
-        try:
-            os.fsync(handle)
-        finally:
-            os.close(handle)
-
-
 def free_name(path: Path) -> Path:
     """The path, or the first with a number behind its name that does not exist yet."""
     found, n = path, 1
@@ -251,12 +219,3 @@ def free_name(path: Path) -> Path:
         n += 1
         found = path.with_name(f"{path.stem}-{n}{path.suffix}")
     return found
-
-
-def save_document(path: Path, changes: Mapping[str, Any], original_text: str | None = None) -> bytes:
-    """Edit a design file in place, with its `.bak`; gives the bytes that were written.  `original_text`: what the file held when read."""
-    if original_text is None:
-        original_text = path.read_bytes().decode("utf-8")
-    data = edited_text(original_text, changes).encode("utf-8")
-    write_atomic(path, data)
-    return data

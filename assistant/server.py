@@ -21,11 +21,9 @@ from aiohttp import WSMsgType, web
 from textual_serve.app_service import AppService
 from textual_serve.server import Server
 
+from calc.limits import COLUMNS, MESSAGE_BYTES, PASTED, ROWS, SESSIONS
+
 HOST = "127.0.0.1"
-MOST_SESSIONS = 8  # at a time
-WIDEST, HIGHEST = 1000, 500  # cells of a terminal
-MOST_PASTED = 100_000  # letters of one message
-MOST_RECEIVED = 2**20  # bytes of one message; a longer one ends its socket
 ENDING = 10.0  # seconds that a session has to put its edits aside
 LAST = 1.0  # and its process after that
 OUTSIDE = re.compile(r'<link\b[^>]*href="https://[^>]*>')  # the page would ask a font host for what lies beside it
@@ -105,7 +103,7 @@ class Session(AppService):
     async def take(self, message: list[Any]) -> None:
         """One message of the page; one that says nothing that is known is dropped."""
         match message:
-            case ["stdin", str(text)] if len(text) <= MOST_PASTED:
+            case ["stdin", str(text)] if len(text) <= PASTED:
                 await self.send_bytes(text.encode("utf-8", "ignore"))
             case ["resize", {"width": int(width), "height": int(height)}]:
                 await self.set_terminal_size(*_size(width, height))
@@ -172,8 +170,8 @@ class Local(Server):
         return cast(web.Response, page)
 
     def _demand_room(self) -> None:
-        if len(self.tabs) >= MOST_SESSIONS:
-            raise web.HTTPServiceUnavailable(text=f"{MOST_SESSIONS} sessions are open, and no more are allowed; close the tab of one.")
+        if len(self.tabs) >= SESSIONS:
+            raise web.HTTPServiceUnavailable(text=f"{SESSIONS} sessions are open, and no more are allowed; close the tab of one.")
 
     async def handle_websocket(self, request: web.Request) -> web.WebSocketResponse:
         """A session for as long as its socket is open."""
@@ -181,7 +179,7 @@ class Local(Server):
         task = asyncio.current_task()
         assert task is not None
         self.tabs.add(task)
-        socket = web.WebSocketResponse(heartbeat=15, max_msg_size=MOST_RECEIVED)
+        socket = web.WebSocketResponse(heartbeat=15, max_msg_size=MESSAGE_BYTES)
         session = Session(self.words, socket, self)
         try:
             await socket.prepare(request)
@@ -234,4 +232,4 @@ def _number(digits: str) -> int:
 
 def _size(width: int, height: int) -> tuple[int, int]:
     """A terminal that a session can be laid out in; of one without a size the usual."""
-    return min(width, WIDEST) if width > 0 else 80, min(height, HIGHEST) if height > 0 else 24
+    return min(width, COLUMNS) if width > 0 else 80, min(height, ROWS) if height > 0 else 24

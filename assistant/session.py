@@ -15,6 +15,8 @@ from typing import TYPE_CHECKING, Any
 
 from calc.addresses import Table
 from calc.design_file import design, parse, read
+from calc.files import read_file
+from calc.limits import DESIGN_BYTES
 from calc.sheet.errors import BadInput, InputError
 from calc.sheet.quantity import Published
 from calc.sheet.text import EMPTY, Text
@@ -23,8 +25,9 @@ from calc.shipped import DESIGNS, EXAMPLE
 from .draft import Draft
 from .editing import Editing
 from .history import State
+from .presence import Presence
 from .recovery import Edits, Memory, is_file, not_accepted
-from .saving import ChangedOnDisk, SaveError, free_name, fresh_text, write_atomic
+from .saving import SaveError, free_name, fresh_text, write_atomic
 from .solving import Answer, Job, run
 
 if TYPE_CHECKING:
@@ -53,6 +56,8 @@ class Session(Editing):
         self.id = token_hex(4)  # of what it keeps aside
         self._kept: Edits | None = None
         self._taken: Edits | None = None  # edits of an earlier session that were put back, until they are kept as this one's
+        self._presence: Presence | None = None
+        self._company: set[str] = set()  # other sessions on this file, as far as it was looked
         self._unwritten = False  # there is no file yet
         self._stamp: tuple[int, int] | None = None  # when the file was changed and how long it is, as far as it was looked at
 
@@ -86,8 +91,7 @@ class Session(Editing):
 
     @classmethod
     def _read(cls, path: Path, memory: Memory, now: Callable[[], datetime]) -> "Session":
-        read(path)  # the size and the kind of the file are judged there
-        return cls(path.read_bytes(), path, memory=memory, now=now)
+        return cls(read(path).raw, path, memory=memory, now=now)
 
     @classmethod
     def begin(cls, data: Table, path: Path, *, memory: Memory | None = None, now: Callable[[], datetime] = datetime.now) -> "Session":
@@ -100,7 +104,7 @@ class Session(Editing):
     @classmethod
     def _begun(cls, path: Path, memory: Memory, now: Callable[[], datetime]) -> "Session | None":
         """A design that was kept, and never saved."""
-        for kept in memory.kept(path):
+        for kept in memory.left(path):
             try:
                 session = cls.begin(kept.data, path, memory=memory, now=now)
             except BadInput:
@@ -116,8 +120,8 @@ class Session(Editing):
         return kept.time.strftime("%H:%M" if kept.time.date() == self.now().date() else "%d.%m. %H:%M")
 
     def put_aside(self) -> list[Edits]:
-        """Unsaved edits of other sessions on this file, the last first."""
-        return [kept for kept in self.memory.kept(self.home) if kept.session != self.id and (kept.data != self.saved or kept.typed)]
+        """Unsaved edits of sessions on this file that have ended, the last first."""
+        return [kept for kept in self.memory.left(self.home) if kept.session != self.id and (kept.data != self.saved or kept.typed)]
 
     def _put_back(self) -> None:
         """Edits that were kept when the program ended before they were saved."""
@@ -145,6 +149,25 @@ class Session(Editing):
         self._taken = kept
         self._step(state, None)
         return True
+
+    # --- beside others
+    def attend(self) -> None:
+        """Be seen at this file by other sessions."""
+        self.leave()
+        self._presence = self.memory.attend(self.home, self.id)
+
+    def leave(self) -> None:
+        if self._presence is not None:
+            self._presence.leave()
+        self._presence = None
+        self._company = set()
+
+    def joined(self) -> bool:
+        """Whether another session is at this file; True once for each."""
+        if self._presence is None:
+            return False
+        before, self._company = self._company, self.memory.present(self.home) - {self.id}
+        return bool(self._company - before)
 
     # --- what is shown
     @property
@@ -227,27 +250,9 @@ class Session(Editing):
 
         `force` overwrites a file that another program has changed since it was read.
         """
-        if self.path is not None and not force:
-            try:
-                there = self.path.read_bytes()
-            except FileNotFoundError:
-                there = self._raw
-            except OSError as error:
-                raise SaveError(
-                    Text(
-                        "{path} can not be read: {reason}; save under another name",
-                        path=str(self.path),
-                        reason=error.strerror or str(error),
-                    )
-                ) from None
-            if there != self._raw:
-                raise ChangedOnDisk(
-                    Text(
-                        "{name} was changed by another program; save once more to overwrite it (the other version is kept as .bak)",
-                        name=self.path.name,
-                    )
-                )
-        return self._write(self.path or free_name(Path.cwd() / self.origin.name))
+        if self.path is None:
+            return self._write(free_name(Path.cwd() / self.origin.name), new=True)
+        return self._write(self.path, force=force)
 
     def save_as(self, path: Path) -> Path:
         """Save under another name; the session goes on with that file.  A file that is there is overwritten, and kept as .bak."""
@@ -260,21 +265,27 @@ class Session(Editing):
             raise SaveError(Text("{path} is a folder; give the name of a file in it", path=str(path)))
         return self._write(path.absolute())
 
-    def _write(self, path: Path) -> Path:
+    def _write(self, path: Path, *, force: bool = True, new: bool = False) -> Path:
         if not self.valid:
             where, reason = next(iter(self.reasons().items()))
             raise SaveError(Text("not saved: {key} {reason}", key=".".join(map(str, where)) or Text("the design"), reason=reason))
-        raw = self.bytes()
-        write_atomic(path, raw)
+        raw, before = self.bytes(), self.home
+        try:
+            document = parse(raw, str(path))
+        except BadInput as bad:  # nothing is written that can not be read
+            raise SaveError(Text("not saved: {key} {reason}", key=path.name, reason=bad.errors[0].reason)) from None
+        write_atomic(path, raw, expected=None if force else self._raw, new=new)
         with self._keeping:
             self._drop()
             self.path, self._raw, self._stamp, self._unwritten = path, raw, None, False
-            self.document = parse(raw, str(path))
+            self.document = document
             self.saved = self._valid = self.document.data
             self.history.state = State(self.document.data, {})
             self.autosaved, self.autosave_failure = None, EMPTY
         self.seal()
         self.memory.remember(path)
+        if self._presence is not None and path != before:
+            self.attend()
         return path
 
     def look(self) -> bool:
@@ -287,7 +298,7 @@ class Session(Editing):
             if stamp == self._stamp:
                 return False
             self._stamp = stamp
-            return self.path.read_bytes() != self._raw
+            return read_file(self.path, DESIGN_BYTES) != self._raw
         except OSError:  # it is gone, or just being replaced; a save says what is wrong
             return False
 
@@ -321,7 +332,7 @@ class Session(Editing):
                     self.autosaved = None
                 return
             edits = Edits(data, self.now(), self.document.sha256, typed, self.id)
-            if self._kept is not None and (data, typed) == (self._kept.data, self._kept.typed) and self.memory.keeps(self.home, self.id):
+            if self._kept is not None and (data, typed) == (self._kept.data, self._kept.typed) and self.memory.keeps(self.home, self._kept):
                 return
             try:
                 self.memory.keep(self.home, edits)
@@ -347,7 +358,7 @@ class Session(Editing):
     @property
     def safe(self) -> bool:
         """Nothing is lost if the program ends now."""
-        kept = self._kept is not None and self._kept.state() == self._state and self.memory.keeps(self.home, self.id)
+        kept = self._kept is not None and self._kept.state() == self._state and self.memory.keeps(self.home, self._kept)
         return not self.dirty or (kept and not self.autosave_failure)
 
 

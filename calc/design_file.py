@@ -15,15 +15,17 @@ from typing import TypeVar
 
 from .addresses import NAME, Table, address, as_list, changed, join, unknown, written
 from .design import Design
-from .sheet.errors import BadInput, InputError
+from .files import read_file
+from .limits import DESIGN_BYTES
+from .sheet.errors import SHOWN_ERRORS, BadInput, InputError
 from .sheet.quantity import Quantity, keys
 from .sheet.record import record
 from .sheet.text import Text
 from .sheet.value import linked
+from .toml_scan import Beyond, key_lines
 
 T = TypeVar("T")
 SMALLEST, LARGEST = 1e-30, 1e30  # sizes of numbers: beyond them products and squares of them are no numbers any more
-LARGEST_FILE = 1_000_000  # bytes; a design has a few thousand
 
 
 @record
@@ -55,19 +57,11 @@ class Document:
 def read(path: Path | str) -> Document:
     """Read a design file.  Raises BadInput where it is no TOML text; what it says is not yet checked."""
     place = str(path)
-
-    def refuse(reason: Text, line: int = 1) -> BadInput:
-        return BadInput(place, [InputError(line, "", "", reason)])
-
     try:
-        raw = Path(path).read_bytes()
+        raw = read_file(path, DESIGN_BYTES)
     except OSError as error:
-        raise BadInput(
-            place,
-            [InputError(0, "", "", Text("cannot be read: {strerror}; give the path of a design file", strerror=error.strerror or error))],
-        ) from None
-    if len(raw) > LARGEST_FILE:
-        raise refuse(Text("is {count} bytes long; a design file has at most {largest_file}", count=len(raw), largest_file=LARGEST_FILE))
+        reason = Text("cannot be read: {strerror}; give the path of a design file", strerror=error.strerror or error)
+        raise BadInput(place, [InputError(0, "", "", reason)]) from None
     return parse(raw, place)
 
 
@@ -77,6 +71,8 @@ def parse(raw: bytes, place: str) -> Document:
     def refuse(reason: Text, line: int = 1) -> BadInput:
         return BadInput(place, [InputError(line, "", "", reason)])
 
+    if len(raw) > DESIGN_BYTES:
+        raise refuse(Text("is {count} bytes long; a design file has at most {most}", count=len(raw), most=f"{DESIGN_BYTES:,}"))
     try:
         text = raw.decode("utf-8-sig")
     except UnicodeDecodeError as error:
@@ -84,56 +80,23 @@ def parse(raw: bytes, place: str) -> Document:
     if not text.strip():
         raise refuse(Text("is empty; `contralbero new FILE` writes a complete design"))
     try:
+        lines = key_lines(text)
         data = tomllib.loads(text)
+    except Beyond as beyond:
+        raise refuse(Text("is not a design: ") + beyond.text, beyond.line) from None
     except tomllib.TOMLDecodeError as error:
         at = re.search(r"at line (\d+)", str(error))
         line = int(at[1]) if at else text.count("\n") + 1
         comma = COMMA.search(text.splitlines()[line - 1]) if line <= len(text.splitlines()) else None
         hint = Text("; decimals are written with a point: {comma}", comma=comma[0].replace(",", ".")) if comma else ""
         raise refuse(Text("is not TOML: {sub}{hint}", sub=re.sub(" *[(]at .*[)]", "", str(error)), hint=hint), line) from None
-    except (RecursionError, ValueError) as error:
-        raise refuse(Text("is not a design: ") + (Text("nested too deeply") if isinstance(error, RecursionError) else str(error))) from None
-    return Document(data, place, key_lines(text), raw)
+    except ValueError as error:  # a number of 5000 digits
+        raise refuse(Text("is not a design: ") + str(error)) from None
+    return Document(data, place, lines, raw)
 
 
 DAY = re.compile(r"[0-9]{4}-[0-9]{2}-[0-9]{2}")
 COMMA = re.compile(r"-?\d+,\d+")  # a decimal comma, which TOML does not know
-HEADER = re.compile(r"\s*(\[\[?)([^\[\]]+)\]\]?\s*(?:#.*)?\Z")
-ASSIGNMENT = re.compile(r"""\s*((?:[A-Za-z0-9_-]+|"[^"]*"|'[^']*')(?:\s*\.\s*(?:[A-Za-z0-9_-]+|"[^"]*"|'[^']*'))*)\s*=""")
-
-
-def key_lines(text: str) -> dict[str, int]:
-    """The line of every key and table of a TOML text; elements of arrays of tables by index (`gears.wheels.0.teeth`)."""
-    lines: dict[str, int] = {}
-    counts: dict[str, int] = {}
-    prefix, depth, quote = "", 0, ""
-    for number, line in enumerate(text.splitlines(), 1):
-        if quote:
-            quote = "" if quote in line else quote
-            continue
-        if depth == 0 and (header := HEADER.match(line)):
-            parts = [p.strip().strip("\"'") for p in header[2].split(".")]
-            prefix = ""
-            for i, part in enumerate(parts):
-                prefix = f"{prefix}.{part}" if prefix else part
-                if i == len(parts) - 1 and header[1] == "[[":
-                    lines.setdefault(prefix, number)
-                    counts[prefix] = counts.get(prefix, -1) + 1
-                if prefix in counts:
-                    prefix = f"{prefix}.{counts[prefix]}"
-                lines.setdefault(prefix, number)
-            continue
-        if depth == 0 and (assignment := ASSIGNMENT.match(line)):
-            key = ".".join(p.strip().strip("\"'") for p in assignment[1].split("."))
-            lines.setdefault(f"{prefix}.{key}" if prefix else key, number)
-            line = line[assignment.end() :]
-        for mark in ('"""', "'''"):
-            if line.count(mark) % 2:
-                quote = mark
-        bare = re.sub(r'"(?:\\.|[^"\\])*"|\'[^\']*\'|#.*', "", line)
-        depth = max(0, depth + bare.count("[") + bare.count("{") - bare.count("]") - bare.count("}"))
-    return lines
-
 
 # What stands for a wrong or missing value while the rest of the document is checked: no comparison with it holds.
 PLACEHOLDER: Table = {
@@ -149,9 +112,11 @@ class _Reader:
     def __init__(self, document: Document) -> None:
         self.document = document
         self.errors: list[InputError] = []
+        self.wrong: set[str] = set()  # their keys
 
     def error(self, key: str, value: object, reason: Text, kind: str = "text") -> object:
         """Note an error; gives what stands for the wrong value while the rest is checked."""
+        self.wrong.add(key)
         self.errors.append(InputError(self.line(key), key, "" if value is None else written(value), reason))
         return PLACEHOLDER[kind]
 
@@ -170,7 +135,9 @@ class _Reader:
         known, values = keys(kind), Table()
         for key in data:
             if key not in known:
-                self.error(join(prefix, key), None, getattr(cls, "REFUSED", {}).get(key) or unknown(key, known))
+                counted = len(self.errors) >= SHOWN_ERRORS  # nobody would read the nearest name
+                reason = Text("is not known") if counted else unknown(key, known)
+                self.error(join(prefix, key), None, getattr(cls, "REFUSED", {}).get(key) or reason)
         for key, about in known.items():
             if key in data:
                 values[about.attribute] = self.value(about.about, data[key], join(prefix, key), join(address, key))
@@ -180,13 +147,12 @@ class _Reader:
                 self.error(join(prefix, key), None, Text("is missing; needs {allowed}", allowed=about.about.allowed()))
                 values[about.attribute] = PLACEHOLDER[about.about.kind]
         made = cls(**values)
-        wrong = {error.key for error in self.errors}
         try:
-            for key, reason in getattr(made, "problems", lambda: ())():
-                if join(prefix, key) not in wrong:
-                    self.error(join(prefix, key), _plain(data, key), reason)
+            found = getattr(made, "problems", lambda: ())()
+            for key, reason in [(key, reason) for key, reason in found if join(prefix, key) not in self.wrong]:
+                self.error(join(prefix, key), _plain(data, key), reason)
         except (TypeError, ValueError, AttributeError, LookupError):
-            if not wrong:
+            if not self.wrong:
                 raise  # a placeholder may stop a cross-check, nothing else may
         return made
 
@@ -268,12 +234,14 @@ class _Reader:
             for i, (item, name) in enumerate(zip(value, names))
         )
         addressed = not key.startswith(("oil", "material")) and "name" in keys(about.table)
+        seen: set[str] = set()
         for i, name in enumerate(names):
             if isinstance(name, str):
                 if addressed and not NAME.match(name):
                     self.error(f"{key}.{i}.name", name, Text("must be made of letters, digits and -, since the element is addressed by it"))
-                if name in names[:i]:
+                if name in seen:
                     self.error(f"{key}.{i}.name", name, Text("stands twice; every element needs a name of its own"))
+                seen.add(name)
         return made
 
     def reasons(self, value: object, key: str) -> tuple[tuple[str, str], ...]:

@@ -21,12 +21,11 @@ by = "…"
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
 
+from .files import bare_name
 from .sheet.quantity import day, inputs, table, tables, text
 from .sheet.text import Text
 
-LONGEST_NAME = 100  # of the file of a logo
 SIGNED = ("prepared", "checked", "approved")
-NOT_BARE = set('/\\:*?"<>|')
 
 
 @inputs
@@ -65,8 +64,7 @@ class DocumentControl:
     def problems(self) -> Iterable[tuple[str, Text]]:
         if not self.logo:
             return
-        bare = not NOT_BARE & set(self.logo) and self.logo.isprintable() and not self.logo.startswith(".")
-        if not bare or len(self.logo) > LONGEST_NAME:
+        if not bare_name(self.logo):
             yield "logo", Text("must be the bare name of a file beside the design, like logo.png")
         elif not self.logo.lower().endswith(".png"):
             yield "logo", Text("must be a PNG file (.png); other pictures, SVG among them, are not drawn: export it as PNG")

@@ -5,10 +5,11 @@ import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TypedDict, TypeGuard
+from typing import Protocol, TypedDict, TypeGuard
 
-from .addresses import Table, value_at
+from .addresses import Table, value_at, written
 from .design_file import Document, design, read
+from .files import bare_name
 from .sheet.check import ORDER
 from .sheet.errors import BadInput, InputError
 from .sheet.number import short
@@ -21,6 +22,12 @@ STEP = Text(
 )
 KINDS = ("reference", "recorded")
 Report = Callable[[Document, Results, Path], None]
+
+
+class Complain(Protocol):
+    """Notes what is wrong at a key of the replay, and the value that stands there."""
+
+    def __call__(self, key: str, reason: Text, value: object = None) -> None: ...
 
 
 class Step(TypedDict, total=False):
@@ -74,11 +81,11 @@ def load(path: Path | str) -> Script:
     raw = read(path)  # the same care with files that are no TOML
     data, errors = raw.data, []
 
-    def error(key: str, reason: Text) -> None:
+    def error(key: str, reason: Text, value: object = None) -> None:
         where = key
         while where and where not in raw.lines:
             where = where.rpartition(".")[0]
-        errors.append(InputError(raw.lines.get(where, 1), key, "", reason))
+        errors.append(InputError(raw.lines.get(where, 1), key, "" if value is None else written(value), reason))
 
     for key in data:
         if key not in {"schema", "design", "step", "expect", "name", "note"}:
@@ -97,8 +104,10 @@ def load(path: Path | str) -> Script:
         _check_expect(f"expect.{i}", row, len(steps), error)
     start: Document | None = None
     given = data.get("design")
-    if isinstance(given, str):
-        start = read(path.parent / given.replace("\0", "?"))
+    if isinstance(given, str) and not (given and given.isprintable()):
+        error("design", Text("must be the path of a design file, in signs that can be printed"), given)
+    elif isinstance(given, str):
+        start = read(path.parent / given)
     elif isinstance(given, dict):
         start = Document(given, raw.place, {k.removeprefix("design."): n for k, n in raw.lines.items() if k.startswith("design.")}, raw.raw)
     else:
@@ -111,7 +120,7 @@ def load(path: Path | str) -> Script:
     return Script(raw.place, start, tuple(steps), tuple(expects), raw.lines)
 
 
-def _check_step(key: str, row: Table, error: Callable[[str, Text], None]) -> None:
+def _check_step(key: str, row: Table, error: Complain) -> None:
     for unknown in set(row) - Step.__annotations__.keys():
         error(f"{key}.{unknown}", Text("is not known; a step has set and to, or unset, or undo, or report"))
     one, many = isinstance(row.get("set"), str), isinstance(row.get("set"), dict) and bool(row["set"])
@@ -121,11 +130,14 @@ def _check_step(key: str, row: Table, error: Callable[[str, Text], None]) -> Non
     wrong = kinds != 1 or one != ("to" in row) or ("set" in row and not one and not many)
     if "unset" in row:
         wrong |= one or not (isinstance(gone, str) or several)
-    if wrong or not isinstance(row.get("report", ""), str) or row.get("undo", True) is not True:
+    name = row.get("report", "out.pdf")
+    if wrong or not isinstance(name, str) or row.get("undo", True) is not True:
         error(key, STEP)
+    elif not bare_name(name) or not name.lower().endswith(".pdf"):
+        error(f"{key}.report", Text("must be the bare name of a PDF file, which is written beside the replay, like out.pdf"), name)
 
 
-def _check_expect(key: str, row: Table, steps: int, error: Callable[[str, Text], None]) -> None:
+def _check_expect(key: str, row: Table, steps: int, error: Complain) -> None:
     for unknown in set(row) - Expect.__annotations__.keys():
         error(f"{key}.{unknown}", Text("is not known; an expectation has ") + ", ".join(sorted(Expect.__annotations__)))
     named = [row[name] for name in ("value", "check", "step") if name in row]
@@ -164,13 +176,17 @@ def run(script: Script, report: Report | None = None) -> list[Compared]:
                 history.append(_edited(script, number, history[-1], step))
             elif "undo" in step and len(history) > 1:
                 history.pop()
-            if "report" in step:
-                if report is not None:
-                    report(history[-1], results, Path(script.place).parent / step["report"])
-                continue
-            results = solve(design(history[-1]), results)
+            if "report" not in step:
+                results = solve(design(history[-1]), results)
+            elif report is not None:
+                report(history[-1], results, target(script, step))
         compared += [compare(results, row) for row in script.expects if row.get("after", len(script.steps)) == number]
     return compared
+
+
+def target(script: Script, step: Step) -> Path:
+    """The file that a step writes its report to."""
+    return Path(script.place).with_name(step["report"])
 
 
 def changes(step: Step) -> list[tuple[str, object]]:

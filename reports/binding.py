@@ -1,11 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Pages made into a document: what it says about itself, the files inside it, its running heads; and the file put in its place."""
+"""Pages made into a document: what it says about itself, the files inside it, its running heads."""
 
 import io
-import os
-import tempfile
 from functools import partial
-from pathlib import Path
 
 from reportlab import rl_config
 from reportlab.pdfgen.canvas import Canvas
@@ -47,17 +44,3 @@ def bind(
     finally:
         rl_config.useA85 = dense
     return out.getvalue()
-
-
-def put(made: bytes, path: Path) -> Path:
-    """Write a file whole or not at all."""
-    handle, name = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name[:40]}-", suffix=".part")
-    try:
-        with os.fdopen(handle, "wb") as file:
-            file.write(made)
-        os.chmod(name, 0o644)
-        os.replace(name, path)
-    except BaseException:
-        os.unlink(name)
-        raise
-    return path

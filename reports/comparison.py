@@ -12,6 +12,7 @@ from calc.compare_conclusion import moved_table, result_table, sentences
 from calc.compare_tables import Names, Sign, check_table, input_table, value_table, verdict_table
 from calc.design import STEPS
 from calc.design_file import Document
+from calc.files import write_file
 from calc.languages import language
 from calc.languages.outcome import in_language
 from calc.prediction import compared_table
@@ -21,7 +22,7 @@ from calc.sheet.text import EMPTY, Name
 from calc.solve import Results
 
 from . import attach
-from .binding import bind, put
+from .binding import bind
 from .boxes import GREY
 from .boxes import text as text_box
 from .context import Context
@@ -41,7 +42,8 @@ Side = tuple[Document, Results]
 
 def write(a: Side, b: Side, found: Comparison, names: Names, path: Path, *, lang: str = "en", everything: bool = False) -> Path:
     """Write the report of a comparison to `path`; both design files are attached to it.  `names`: the two designs in the columns."""
-    return put(render(a, b, found, names, lang=lang, everything=everything), path)
+    made = render(a, b, found, names, lang=lang, everything=everything)
+    return write_file(path, made, inputs=[document.place for document, _ in (a, b)])
 
 
 def render(a: Side, b: Side, found: Comparison, names: Names, *, lang: str = "en", everything: bool = False) -> bytes:

@@ -19,10 +19,10 @@ from docx.oxml import OxmlElement, parse_xml
 from docx.shared import Pt, RGBColor
 
 from calc.design_file import Document
+from calc.files import write_file
 from calc.solve import Results
 
 from . import omml
-from .binding import put
 from .content import Formula, Heading, Picture, Words
 from .context import Context
 from .docx_styles import BODY_TEXT, BULLET, CAPTION, CELLS, SOURCE, SUBTITLE, TABLE_TEXT, prepare
@@ -32,7 +32,7 @@ from .fonts import BOLD
 from .paper import WIDTH
 from .picture import pictures
 from .prose import BODY, CELL, HEADER, INLINE, NOTE, Style
-from .report import blocks, context_of
+from .report import blocks, context_of, inputs_of
 from .tables import Cell, Column, Group, Row, Rows
 from .title_block import PROGRAM
 from .typeset import symbol_parts
@@ -45,7 +45,7 @@ DEPTHS = ("summary", "engineer")  # the audit is a record, and no text to go on 
 
 def write(document: Document, results: Results, raw: bytes, path: Path, *, depth: str = "engineer", lang: str = "en") -> Path:
     """Write the report of a solved design as a Word document.  Raises ValueError for a depth or a language that there is not."""
-    return put(render(document, results, raw, depth=depth, lang=lang), Path(path))
+    return write_file(path, render(document, results, raw, depth=depth, lang=lang), inputs=inputs_of(document, results))
 
 
 def render(document: Document, results: Results, raw: bytes, *, depth: str = "engineer", lang: str = "en") -> bytes:

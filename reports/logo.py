@@ -13,12 +13,11 @@ from pathlib import Path
 from reportlab.lib.utils import ImageReader
 
 from calc.design_file import Document
+from calc.limits import LOGO_BYTES, LOGO_SIDE
 from calc.sheet.errors import BadInput, InputError
 from calc.sheet.text import Text
 
 KEY = "document.logo"
-BYTES = 300_000  # at most
-SIDE = 2000  # pixels at most
 HEAD = b"\x89PNG\r\n\x1a\n\x00\x00\x00\rIHDR"
 BROKEN = (
     OSError,
@@ -59,13 +58,15 @@ def logo(document: Document, name: str, given: bytes | None = None) -> Logo | No
         raise refused(Text("cannot be read beside the design: {reason}; put the file there, or leave the logo out", reason=why)) from None
     except ValueError:
         raise refused(Text("is no plain file; put the picture itself beside the design")) from None
-    if len(raw) > BYTES:
-        raise refused(Text("is larger than {most} kB; make it smaller", most=BYTES // 1000))
+    if len(raw) > LOGO_BYTES:
+        raise refused(Text("is larger than {most} kB; make it smaller", most=LOGO_BYTES // 1000))
     if not raw.startswith(HEAD) or len(raw) < len(HEAD) + 8:
         raise refused(Text("is no PNG picture"))
     width, height = struct.unpack(">II", raw[len(HEAD) : len(HEAD) + 8])
-    if not 0 < width <= SIDE or not 0 < height <= SIDE:
-        raise refused(Text("has {width} × {height} pixels; at most {side} either way are drawn", width=width, height=height, side=SIDE))
+    if not 0 < width <= LOGO_SIDE or not 0 < height <= LOGO_SIDE:
+        raise refused(
+            Text("has {width} × {height} pixels; at most {side} either way are drawn", width=width, height=height, side=LOGO_SIDE)
+        )
     try:
         image = ImageReader(io.BytesIO(raw))
         image.getRGBData()
@@ -79,4 +80,4 @@ def _read(path: Path) -> bytes:
     if not stat.S_ISREG(path.lstat().st_mode):
         raise ValueError(path)
     with path.open("rb") as file:
-        return file.read(BYTES + 1)
+        return file.read(LOGO_BYTES + 1)

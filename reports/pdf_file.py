@@ -13,10 +13,7 @@ import zlib
 from dataclasses import dataclass, field
 from typing import Any
 
-MOST_BYTES = 32 * 2**20  # of a file
-MOST_UNPACKED = 256 * 2**20  # bytes of all its streams together
-MOST_VALUES = 3_000_000  # numbers, names, texts, lists
-DEEPEST = 50  # lists in lists
+from calc.limits import PDF_BYTES, PDF_DEPTH, PDF_UNPACKED, PDF_VALUES
 
 APART = rb"(?![^\0\t\n\f\r ()<>\[\]{}/%])"  # after a number or a word
 BLANK = re.compile(rb"[\0\t\n\f\r ]*+")
@@ -89,8 +86,8 @@ class Pdf:
     """
 
     def __init__(self, raw: bytes, start: int = 0) -> None:
-        if len(raw) > MOST_BYTES:
-            raise Malformed(f"it has {len(raw):,} bytes; at most {MOST_BYTES:,} are read")
+        if len(raw) > PDF_BYTES:
+            raise Malformed(f"it has {len(raw):,} bytes; at most {PDF_BYTES:,} are read")
         self.raw = raw
         self.objects: dict[int, Any] = {}
         self.sections: list[Section] = []
@@ -240,13 +237,13 @@ class Pdf:
     # --- values
     def _count(self, more: int = 1) -> None:
         self._values += more
-        if self._values > MOST_VALUES:
-            raise Malformed(f"it holds more than {MOST_VALUES:,} values")
+        if self._values > PDF_VALUES:
+            raise Malformed(f"it holds more than {PDF_VALUES:,} values")
 
     def _value(self, data: bytes, at: int, depth: int = 0) -> tuple[Any, int]:
         """The value that begins there, and where it ends."""
         found = TOKEN.match(data, at)
-        if found is None or found["close"] or depth > DEEPEST:
+        if found is None or found["close"] or depth > PDF_DEPTH:
             raise Malformed(f"what stands at byte {at} is no value")
         self._count()
         end = found.end()
@@ -296,16 +293,16 @@ class Pdf:
         elif filters == ["FlateDecode"]:
             work = zlib.decompressobj()
             try:
-                found = work.decompress(stream.packed, MOST_UNPACKED - self._unpacked + 1)
+                found = work.decompress(stream.packed, PDF_UNPACKED - self._unpacked + 1)
             except zlib.error as error:
                 raise Malformed(f"a stream can not be unpacked ({error})") from None
-            if not work.eof and len(found) + self._unpacked <= MOST_UNPACKED:
+            if not work.eof and len(found) + self._unpacked <= PDF_UNPACKED:
                 raise Malformed("a stream has no end")
         else:
             raise Malformed("a stream is packed in a way that no report has")
         self._unpacked += len(found)
-        if self._unpacked > MOST_UNPACKED:
-            raise Malformed(f"its streams hold more than {MOST_UNPACKED:,} bytes")
+        if self._unpacked > PDF_UNPACKED:
+            raise Malformed(f"its streams hold more than {PDF_UNPACKED:,} bytes")
         how = stream.entries.get("DecodeParms")
         return _rows(found, how) if isinstance(how, dict) and how.get("Predictor", 1) != 1 else found
 

@@ -6,7 +6,9 @@ from __future__ import annotations
 
 from xml.etree import ElementTree
 
-from .pdf_file import DEEPEST, Malformed
+from calc.limits import PDF_DEPTH
+
+from .pdf_file import Malformed
 
 RDF = "{http://www.w3.org/1999/02/22-rdf-syntax-ns#}"
 XMP = "{http://ns.adobe.com/xap/1.0/}"
@@ -41,7 +43,7 @@ def _statements(raw: bytes) -> dict[str, object]:
 
 
 def _shape(of: ElementTree.Element, depth: int = 0) -> object:
-    if depth > DEEPEST:
+    if depth > PDF_DEPTH:
         raise Malformed("the metadata are nested too deeply")
     text = (of.text or "").strip()
     return (of.tag, sorted(of.attrib.items()), text, [_shape(one, depth + 1) for one in of]) if len(of) or of.attrib else text

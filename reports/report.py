@@ -11,6 +11,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from calc.design_file import Document
+from calc.files import write_file
 from calc.languages import LANGUAGES, language
 from calc.languages.outcome import said
 from calc.optimise.picked import picked
@@ -19,7 +20,7 @@ from calc.sheet.step import Outcome, Step
 from calc.solve import Results
 
 from . import attach
-from .binding import bind, put
+from .binding import bind
 from .chapter import Parts, chapter_parts
 from .checks import check_blocks, errata_blocks
 from .content import Heading
@@ -64,9 +65,15 @@ def write(
     or a language that there is not.  `progress` is told every section and every page; what it raises ends the writing, and no file is left.
     """
     made = render(document, results, raw, depth=depth, lang=lang, front=front, progress=progress)
-    path = put(made, Path(path))
+    path = write_file(path, made, inputs=inputs_of(document, results))
     tell(progress, 1.0, path.name)
     return path
+
+
+def inputs_of(document: Document, results: Results) -> list[Path]:
+    """The files that a report is made of: the design, and what lies beside it."""
+    design = Path(document.place)
+    return [design, *(design.with_name(str(name)) for name in (results.design.control.logo, attach.FRONT) if name)]
 
 
 def render(

@@ -94,6 +94,15 @@ def verify(raw: bytes, place: str) -> Verification:
     return Verification(made.name, version, verdict, tuple(made.changed), tuple(differences))
 
 
+def is_report(raw: bytes) -> bool:
+    """Whether a file is a document of this program as it writes them, to which nothing was appended, no signature either."""
+    try:
+        pdf, *_ = _read(raw, "")
+    except BadInput:
+        return False
+    return len(pdf.sections) == 1
+
+
 def _signed(made: _Again, fresh: Pdf, raw: bytes, version: str) -> Verification:
     """A report to which fields of signatures were appended.  Raises Malformed for anything else."""
     sheets = page_references(fresh)

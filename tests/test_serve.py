@@ -26,7 +26,8 @@ from aiohttp.test_utils import TestClient, TestServer
 from assistant import server as serving
 from assistant.cli import main
 from assistant.commands.serve import command
-from assistant.server import HIGHEST, MOST_PASTED, WIDEST, Local
+from assistant.server import Local
+from calc.limits import COLUMNS, MESSAGE_BYTES, PASTED, ROWS
 
 from .browser import CHROMIUM, browser, kill_group
 from .conftest import GAMMA, ROOT
@@ -186,7 +187,7 @@ async def test_a_message_reaches_the_session_and_malformed_ones_do_not(echo: tup
     malformed = [
         "", "{", "null", "1", '"stdin"', "{}", "[]", '["stdin"]', '["stdin", 1]', '["stdin", null]', '["stdin", "a", "b"]', '["resize"]',
         '["resize", 1]', '["resize", {"width": "1", "height": 2}]', '["resize", {"width": 1}]', '["resize", {"width": 1.5, "height": NaN}]',
-        '["ping"]', '["ping", {}]', '["quit"]', '[["stdin"]]', "[" * 100_000, '["stdin", "' + "a" * (MOST_PASTED + 1) + '"]', "1" * 5000,
+        '["ping"]', '["ping", {}]', '["quit"]', '[["stdin"]]', "[" * 100_000, '["stdin", "' + "a" * (PASTED + 1) + '"]', "1" * 5000,
     ]  # fmt: skip
     async with socket_of(echo) as socket:
         for message in malformed:
@@ -199,7 +200,7 @@ async def test_a_message_reaches_the_session_and_malformed_ones_do_not(echo: tup
 
 
 @pytest.mark.parametrize(
-    ("asked_for", "got"), [((100, 40), (100, 40)), ((10**9, 10**9), (WIDEST, HIGHEST)), ((-1, 0), (80, 24)), ((10**400, 1), (WIDEST, 1))]
+    ("asked_for", "got"), [((100, 40), (100, 40)), ((10**9, 10**9), (COLUMNS, ROWS)), ((-1, 0), (80, 24)), ((10**400, 1), (COLUMNS, 1))]
 )
 async def test_a_terminal_has_a_size_that_can_be_laid_out(
     echo: tuple[TestClient[Any, Any], Local], asked_for: tuple[int, int], got: tuple[int, int]
@@ -212,7 +213,7 @@ async def test_a_terminal_has_a_size_that_can_be_laid_out(
 
 async def test_there_are_so_many_sessions_and_no_more(echo: tuple[TestClient[Any, Any], Local], monkeypatch: pytest.MonkeyPatch) -> None:
     client, server = echo
-    monkeypatch.setattr(serving, "MOST_SESSIONS", 2)
+    monkeypatch.setattr(serving, "SESSIONS", 2)
     first, second = await socket_of(echo), await socket_of(echo)
     with pytest.raises(WSServerHandshakeError) as refused:
         await socket_of(echo)
@@ -264,7 +265,7 @@ async def test_a_socket_ends_with_its_session(echo: tuple[TestClient[Any, Any], 
 
 async def test_a_message_too_long_ends_its_socket(echo: tuple[TestClient[Any, Any], Local]) -> None:
     async with socket_of(echo) as socket:
-        await socket.send_str("a" * (serving.MOST_RECEIVED + 1))
+        await socket.send_str("a" * (MESSAGE_BYTES + 1))
         assert (await socket.receive()).type in (WSMsgType.CLOSE, WSMsgType.CLOSED)
     await ended(echo[1])
 

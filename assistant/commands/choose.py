@@ -79,7 +79,7 @@ def _write(path: Path, document: Document, changes: list[str], step: str, said: 
     before = document.raw.decode("utf-8")
     _, made = changed(document, changes)
     text = edited_text(before, dict(parse_assignment(change) for change in changes))
-    write_asked(path, text)
+    write_asked(path, text, expected=document.raw)
     print(f"{path} {said}; as it was before: {path}.bak")
     if shut := locked_text(document, changes):
         print(Text("This {changes}", changes=shut))

@@ -258,7 +258,7 @@ def _pick(given: Namespace, document: Document, problem: Problem) -> int:
     target = Path(given.output) if given.output else source
     if given.output:
         spare(target, given.file)
-    write_asked(target, text)
+    write_asked(target, text, expected=None if given.output else document.raw)
     print(Text("{target} is now drive {n} of {folder}", target=str(target), n=given.pick, folder=str(folder)), end="")
     print("" if given.output else Text("; as it was before: {file}.bak", file=str(target)))
     print_summary(solve(changed(read(target), [])[1]))

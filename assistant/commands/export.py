@@ -19,6 +19,7 @@ def run(asked: Namespace) -> int:
     target = Path(asked.output)
     kind = asked.kind or target.suffix.lower().removeprefix(".")
     document = read(asked.file)
+    spare(target, asked.file)
     wrong = _target_errors(kind, target) + _drawing_errors(asked, kind)
     try:
         made = design(document)
@@ -31,8 +32,7 @@ def run(asked: Namespace) -> int:
         text = transfer_text(document, results)
     else:
         text = _drawing(asked, document, results) if kind == "dxf" else exported(kind, document, results)
-    spare(target, asked.file)
-    write_asked(target, text)
+    write_asked(target, text, inputs=[asked.file])
     print_summary(results)
     print(f"\n{target}")
     return 0

@@ -28,6 +28,6 @@ def run(asked: Namespace) -> int:
     path = Path(asked.file)
     if path.exists():
         raise BadInput(str(path), [InputError(0, "", "", Text("exists already and is left alone; choose another name"))])
-    write_asked(path, engine_design(asked.engine))
+    write_asked(path, engine_design(asked.engine), new=True)
     print(path)
     return 0

@@ -10,6 +10,8 @@ from pathlib import Path
 from assistant.plain import print_summary
 from assistant.saving import spare
 from calc.design_file import Document, design, read
+from calc.files import read_file
+from calc.limits import FRONT_BYTES
 from calc.sheet.errors import BadInput, InputError
 from calc.sheet.text import Text
 from calc.solve import solve
@@ -48,15 +50,13 @@ def run(asked: Namespace) -> int:
 
 def _front(source: Path, document: Document) -> bytes | None:
     """The front beside a design that is one of its drives.  One that can not be read is said, and the report is written without it."""
-    from calc.optimise.picked import LARGEST, NAME, Broken, picked
+    from calc.optimise.picked import NAME, Broken, picked
 
     beside = source.with_name(NAME)
     if not beside.is_file():
         return None
     try:
-        if beside.stat().st_size > LARGEST:
-            raise Broken(f"has more than {LARGEST} bytes")
-        raw = beside.read_bytes()
+        raw = read_file(beside, FRONT_BYTES)
         if picked(raw, document.data) is None:
             print(
                 Text("{file}: has no drive with the values of this design; the report says nothing of it", file=str(beside)),
@@ -64,7 +64,10 @@ def _front(source: Path, document: Document) -> bytes | None:
             )
             return None
     except (OSError, Broken) as error:
-        print(Text("{file}: {why}; the report says nothing of it", file=str(beside), why=str(error)), file=sys.stderr)
+        print(
+            Text("{file}: {why}; the report says nothing of it", file=str(beside), why=getattr(error, "strerror", None) or str(error)),
+            file=sys.stderr,
+        )
         return None
     return raw
 

@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import Any
 
 from assistant.plain import table_json, table_lines
-from assistant.saving import write_asked
+from assistant.saving import asked_for, spare, write_asked
 from calc.design_file import Document, design, read
 from calc.friction.result import FrictionResult
 from calc.friction.studies.scenarios import ALONG, MODELS, tables
@@ -76,11 +76,17 @@ def _write(folder: Path, found: list[tuple[Path, Document, Results, FrictionResu
         raise BadInput(
             str(folder), [InputError(0, "-o", "", Text("is no folder to write to: {reason}", reason=error.strerror or str(error)))]
         ) from None
-    written = []
+    written: list[Path] = []
+    inputs = [path for path, *_ in found]
     for path, document, results, friction in found:
         curves, report = folder / f"{path.stem}_curves.csv", folder / f"{path.stem}.pdf"
-        write_asked(curves, curves_text(friction.scenarios or {}))
-        write(document, results, path.read_bytes(), report)
+        for one in (curves, report):
+            if one in written:
+                raise BadInput(str(one), [InputError(0, "-o", "", Text("would be written for two designs; give them different names"))])
+            spare(one, *inputs)
+        write_asked(curves, curves_text(friction.scenarios or {}), inputs=inputs)
+        with asked_for(report):
+            write(document, results, document.raw, report)
         written += [curves, report]
     return written
 

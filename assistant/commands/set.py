@@ -7,21 +7,32 @@ from pathlib import Path
 
 from assistant.commands.check import changed
 from assistant.plain import print_summary
-from assistant.saving import edited_text, write_asked
+from assistant.saving import asked_for, edited_text
 from calc.addresses import parse_assignment
-from calc.design_file import Document, read
+from calc.design import Design
+from calc.design_file import parse, read
+from calc.files import edit_file
+from calc.limits import DESIGN_BYTES
 from calc.solve import solve
 
 
 def run(asked: Namespace) -> int:
     path = Path(asked.file)
-    edit(path, read(path), asked.changes)
+    read(path)  # what is wrong with it is said as of any design
+    edit(path, asked.changes)
     print(f"\n{path} is written; as it was before: {path}.bak")
     return 0
 
 
-def edit(path: Path, document: Document, changes: Sequence[str]) -> None:
-    """Put KEY=VALUE changes into the file of a document, and print the verdicts of the design that it is then."""
-    _, made = changed(document, changes)
-    write_asked(path, edited_text(document.raw.decode("utf-8"), dict(parse_assignment(change) for change in changes)))
+def edit(path: Path, changes: Sequence[str]) -> None:
+    """Put KEY=VALUE changes into a design as its file has it when nobody else writes, and print the verdicts that it has then."""
+    made: Design
+
+    def edited(raw: bytes) -> bytes:
+        nonlocal made
+        _, made = changed(parse(raw, str(path)), changes)
+        return edited_text(raw.decode("utf-8"), dict(parse_assignment(change) for change in changes)).encode("utf-8")
+
+    with asked_for(path):
+        edit_file(path, DESIGN_BYTES, edited)
     print_summary(solve(made))

@@ -2,7 +2,6 @@
 """`contralbero sweep`: many designs at once, a row of a table for each; a run that is ended goes on where it stood."""
 
 import os
-import shutil
 import sys
 import time
 from argparse import Namespace
@@ -14,6 +13,7 @@ from assistant.commands.check import changed, known_step
 from assistant.plain import sign
 from assistant.saving import spare
 from calc.design_file import Document, read
+from calc.files import write_file
 from calc.sheet.check import ORDER
 from calc.sheet.errors import BadInput, InputError, NoSolution
 from calc.sheet.text import Text
@@ -26,6 +26,8 @@ OFTEN = 2.0  # seconds between two lines of progress
 
 def run(asked: Namespace) -> int:
     known_step(asked.step)
+    if asked.output is not None:
+        spare(Path(asked.output), asked.file, *([asked.list] if asked.list is not None else []))
     document, _ = changed(read(asked.file), asked.changes)
     task = Sweep(document, plan(document, asked), asked.step, tuple(asked.values))
     processes = asked.processes if asked.processes is not None else os.cpu_count() or 1
@@ -92,7 +94,6 @@ def _store(task: Sweep, folder: Path) -> InFolder:
 
 def _to_file(task: Sweep, path: Path, file: str, processes: int, scheduler: str) -> int:
     """The chunks are kept beside the file until it is whole."""
-    spare(path, file)
     as_parquet = path.suffix.lower() == ".parquet"
     if as_parquet:
         parquet()
@@ -105,11 +106,7 @@ def _to_file(task: Sweep, path: Path, file: str, processes: int, scheduler: str)
         else:
             with open(draft, "w", encoding="utf-8", newline="") as table:
                 counts = write_csv(table, task.document, task.plan.inputs, store)
-                table.flush()
-                os.fsync(table.fileno())
-        if path.exists():
-            shutil.copyfile(path, path.with_name(f"{path.name}.bak"))
-        draft.replace(path)
+        write_file(path, draft, backup=True, inputs=[file])
     except KeyboardInterrupt:
         print(Text("what is done is kept in {folder}: the same command goes on from there", folder=str(store.folder)), file=sys.stderr)
         raise

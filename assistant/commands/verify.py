@@ -1,15 +1,15 @@
 # SPDX-License-Identifier: Apache-2.0
 """`contralbero verify`: solves the design inside a report again and says identical, signed, or what else the file is."""
 
-import stat
 from argparse import Namespace
 from pathlib import Path
 
+from calc.files import read_file
+from calc.limits import PDF_BYTES
 from calc.sheet.errors import BadInput, InputError
 from calc.sheet.text import Text
 from calc.sheet.visible import visible
 from calc.version import VERSION
-from reports.pdf_file import MOST_BYTES
 from reports.verify import Verdict, verify
 
 MOST = 20  # differences that are listed
@@ -50,17 +50,7 @@ def run(asked: Namespace) -> int:
 def _bytes(path: Path) -> bytes:
     """What stands in the file.  Raises BadInput for one that is none, or too large: a pipe would never end."""
     try:
-        about = path.stat()
-        if not stat.S_ISREG(about.st_mode):
-            raise _refused(path, Text("is no regular file; give a report that `contralbero report` wrote"))
-        if about.st_size > MOST_BYTES:
-            raise _refused(path, Text("has {size} bytes; a report has at most {most}", size=about.st_size, most=MOST_BYTES))
-        with path.open("rb") as file:
-            return file.read(MOST_BYTES + 1)
-    except (OSError, ValueError) as error:
-        reason = getattr(error, "strerror", None) or str(error)
-        raise _refused(path, Text("cannot be read: {reason}; give a report that `contralbero report` wrote", reason=reason)) from None
-
-
-def _refused(path: Path, reason: Text) -> BadInput:
-    return BadInput(str(path), [InputError(0, "", "", reason)])
+        return read_file(path, PDF_BYTES)
+    except OSError as error:
+        reason = Text("cannot be read: {reason}; give a report that `contralbero report` wrote", reason=error.strerror or str(error))
+        raise BadInput(str(path), [InputError(0, "", "", reason)]) from None

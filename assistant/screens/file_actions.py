@@ -242,7 +242,7 @@ class FileActions:
         host = self._host
         try:
             _, results = draft.solved()
-            write_atomic(path, recording.text(results).encode("utf-8"))
+            write_atomic(path, recording.text(results).encode("utf-8"), inputs=[draft.home])
         except Exception as error:  # the recording is not lost by it
             host.call_later(
                 self._wrote, Text("{name} can not be written, the recording goes on: {error}", name=path.name, error=str(error)), "error"

@@ -178,7 +178,7 @@ class Remedies(Searching[Way | None, Way]):
         home = self.session.path or Path.cwd() / self.session.name
         path = free_name(home.with_name(f"{home.stem}-remedies.csv"))
         try:
-            write_atomic(path, table(self.ways, self.app.say).encode("utf-8"))
+            write_atomic(path, table(self.ways, self.app.say).encode("utf-8"), new=True)
         except SaveError as error:
             self.app.tell(error.text, "error")
             return

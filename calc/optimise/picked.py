@@ -12,6 +12,7 @@ import numpy as np
 
 from ..addresses import Table as Data
 from ..addresses import value_at
+from ..limits import FRONT_BYTES
 from ..sheet.arrays import Array
 from ..sheet.errors import BadInput
 from ..sheet.record import record
@@ -19,7 +20,6 @@ from .front import lower_left
 from .inputs import OBJECTIVES
 
 NAME = "front.json"
-LARGEST = 4_000_000  # bytes; a front of 2000 drives has a third of it
 MOST_DRIVES = 2000
 LONGEST = 120  # letters of a word of it
 MOST_WORDS = 100
@@ -93,8 +93,8 @@ class Picked:
 
 def picked(raw: bytes, data: Data) -> Picked | None:
     """The drive that a design is of the front in a file; None: it is none of its drives.  Raises Broken where the file is no front."""
-    if len(raw) > LARGEST:
-        raise Broken(f"has {len(raw)} bytes; a front has at most {LARGEST}")
+    if len(raw) > FRONT_BYTES:
+        raise Broken(f"has {len(raw)} bytes; a front has at most {FRONT_BYTES}")
     try:
         about = json.loads(raw)
         names = tuple(about["objectives"])

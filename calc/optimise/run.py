@@ -8,12 +8,14 @@ that was ended goes on where it stood.  Whatever the order in which classes come
 import hashlib
 import json
 from collections.abc import Callable, Iterator, Mapping
+from io import BytesIO
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from ..design_file import Document, design
+from ..files import write_file
 from ..fits import parse
 from ..gears.result import TrainResult
 from ..sheet.arrays import Array
@@ -142,10 +144,9 @@ def _keep(problem: Problem, n: int, one: ClassFront, parts: Path | None) -> None
         return
     parts.mkdir(parents=True, exist_ok=True)
     path = parts / f"{key(problem)}-{n}.npz"
-    draft = path.with_suffix(".new")
-    with open(draft, "wb") as file:
-        np.savez(file, about=np.array([one.combinations, *one.crank, one.wheels]), why=np.array(str(one.why)), **vars(one.rows))
-    draft.replace(path)
+    made = BytesIO()
+    np.savez(made, about=np.array([one.combinations, *one.crank, one.wheels]), why=np.array(str(one.why)), **vars(one.rows))
+    write_file(path, made.getvalue())
 
 
 # --- the front ----------------------------------------------------------------------------------------------------------------

@@ -2,8 +2,10 @@
 """What can go wrong, and how it is said: what was wrong, what is allowed, what to do."""
 
 from .record import record
-from .text import EMPTY, SEMICOLON, Name, Text
+from .text import EMPTY, SEMICOLON, Name, Text, plural
 from .visible import visible
+
+SHOWN_ERRORS = 50  # of one reading
 
 
 @record
@@ -22,12 +24,14 @@ class InputError:
 
 
 class BadInput(Exception):
-    """All mistakes of one reading, in the order of their lines."""
+    """All mistakes of one reading, in the order of their lines; its words are those of the first, and how many more there are."""
 
     def __init__(self, place: str, errors: list[InputError]) -> None:
         self.place = place
         self.errors = sorted(errors, key=lambda e: e.line)
-        super().__init__("\n".join(e.text(place) for e in self.errors))
+        rest = len(errors) - SHOWN_ERRORS
+        more = [plural("{place}: {n} more mistake", "{place}: {n} more mistakes", rest, place=place)] if rest > 0 else []
+        super().__init__("\n".join([*(e.text(place) for e in self.errors[:SHOWN_ERRORS]), *more]))
 
 
 class NoSolution(Exception):

@@ -125,7 +125,7 @@ async def test_a_replay_that_can_not_be_written_leaves_the_recording(
     from assistant.saving import SaveError
     from assistant.screens import file_actions
 
-    def full(path: Path, data: bytes) -> None:
+    def full(path: Path, data: bytes, inputs: object) -> None:
         raise SaveError("No space left on device")
 
     monkeypatch.setattr(file_actions, "write_atomic", full)

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """Editing a design file in place, and putting it on disk whole."""
 
-import os
 import tomllib
 from pathlib import Path
 
@@ -9,9 +8,9 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from assistant import saving
-from assistant.saving import SaveError, differences, edited_text, fresh_text, save_document, write_atomic
+from assistant.saving import ChangedOnDisk, SaveError, differences, edited_text, fresh_text, spare, write_asked, write_atomic
 from assistant.session import EXAMPLE
+from calc.sheet.errors import BadInput
 
 TEXT = EXAMPLE.read_text(encoding="utf-8")
 
@@ -113,60 +112,23 @@ def test_any_tables_can_be_led_to_any_others(old: dict[str, object], new: dict[s
 
 
 # --- the disk -------------------------------------------------------------------------------------------------------------
-def test_the_old_file_is_kept(tmp_path: Path) -> None:
-    path = tmp_path / "a.toml"
-    write_atomic(path, b"one")
-    assert not (tmp_path / "a.toml.bak").exists()
-    write_atomic(path, b"two")
-    write_atomic(path, b"three")
-    assert path.read_bytes() == b"three"
-    assert (tmp_path / "a.toml.bak").read_bytes() == b"two"
-    assert sorted(p.name for p in tmp_path.iterdir()) == ["a.toml", "a.toml.bak"]
-
-
-def test_a_crash_at_the_rename_leaves_the_old_file(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    path = tmp_path / "a.toml"
-    path.write_bytes(b"old")
-    replace = os.replace
-
-    def broken(a: object, b: object) -> None:
-        if str(b) == str(path):
-            raise OSError(28, "No space left on device")
-        replace(a, b)  # type: ignore[arg-type]
-
-    monkeypatch.setattr(saving.os, "replace", broken)
-    with pytest.raises(SaveError, match="No space left on device"):
-        write_atomic(path, b"new")
-    assert path.read_bytes() == b"old"
-    assert not [p for p in tmp_path.iterdir() if p.name.endswith(".new")]
-
-
-def test_a_draft_that_a_killed_program_left_is_no_obstacle(tmp_path: Path) -> None:
-    path = tmp_path / "a.toml"
-    path.write_text("old")
-    path.with_name(f".a.toml.{os.getpid()}.new").write_text("half")
-    write_atomic(path, b"new")
-    assert path.read_text() == "new" and sorted(p.name for p in tmp_path.iterdir()) == ["a.toml", "a.toml.bak"]
-
-
-def test_rights_and_links_are_kept(tmp_path: Path) -> None:
-    path, link = tmp_path / "a.toml", tmp_path / "link.toml"
-    path.write_bytes(b"old")
-    path.chmod(0o640)
-    link.symlink_to(path)
-    write_atomic(link, b"new")
-    assert link.is_symlink() and path.read_bytes() == b"new"
-    assert path.stat().st_mode & 0o777 == 0o640
-
-
 def test_a_folder_that_is_not_there_is_said(tmp_path: Path) -> None:
     with pytest.raises(SaveError, match="can not be written"):
         write_atomic(tmp_path / "no" / "a.toml", b"x")
 
 
-def test_save_document_edits_in_place(tmp_path: Path) -> None:
+def test_a_file_that_was_changed_since_it_was_read_is_left_alone(tmp_path: Path) -> None:
     path = tmp_path / "a.toml"
-    path.write_text(TEXT, encoding="utf-8")
-    raw = save_document(path, {"engine.bore_mm": 95.0})
-    assert path.read_bytes() == raw
-    assert (tmp_path / "a.toml.bak").read_text(encoding="utf-8") == TEXT
+    path.write_bytes(b"of another")
+    with pytest.raises(ChangedOnDisk, match=r"a\.toml was changed by another program"):
+        write_atomic(path, b"mine", expected=b"as it was")
+    assert path.read_bytes() == b"of another" and list(tmp_path.iterdir()) == [path]
+
+
+def test_what_a_command_reads_it_does_not_write(tmp_path: Path) -> None:
+    path = tmp_path / "a.toml"
+    path.write_bytes(b"design")
+    for refused in (lambda: spare(path, path), lambda: write_asked(path, "x", inputs=[path]), lambda: write_asked(path, "x", new=True)):
+        with pytest.raises(BadInput, match=r"an input of this very command|File exists"):
+            refused()
+    assert path.read_bytes() == b"design" and list(tmp_path.iterdir()) == [path]

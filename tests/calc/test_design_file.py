@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 
 from calc.addresses import address, parse_assignment, quantities, quantity_of, value_at
 from calc.design import Design
-from calc.design_file import Document, design, key_lines, load, parse, read
+from calc.design_file import Document, design, load, parse, read
 from calc.sheet.errors import BadInput
 from calc.sheet.units import UNITS
 
@@ -190,13 +190,6 @@ def test_any_broken_line_gives_a_design_or_a_named_error(line, text):
         design(parse(broken.encode("utf-8", "surrogatepass"), "d.toml"))
     except BadInput as bad:
         assert bad.errors
-
-
-def test_lines_of_keys():
-    lines = key_lines('a = 1\n# b\n[t]\nx = [\n 1,\n 2]\ny = """\nz = 1\n"""\n[[t.w]]\nn = 1\n[[t.w]]\nn = 2\n[t.w.s]\nq.r = 1\n')
-    assert lines["a"] == 1 and lines["t"] == 3 and lines["t.x"] == 4 and lines["t.y"] == 7
-    assert "t.z" not in lines
-    assert lines["t.w.0.n"] == 11 and lines["t.w.1.n"] == 13 and lines["t.w.1.s.q.r"] == 15
 
 
 def test_values_are_addressed_by_name_or_index(gamma):

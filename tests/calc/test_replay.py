@@ -45,6 +45,30 @@ def test_an_edit_that_can_not_be_made_is_named_in_the_replay(tmp_path):
         replay.run(replay.load(path))
 
 
+@pytest.mark.parametrize("name", [
+    "", ".pdf", "out", "out.txt", "../out.pdf", "/tmp/out.pdf", "a/out.pdf", "a\\\\out.pdf", "C:out.pdf", ".out.pdf", "a\\u0000.pdf", "a\\n.pdf", "\\u001b[2J.pdf", "a" * 100 + ".pdf",
+])  # fmt: skip
+def test_a_report_has_a_bare_name(tmp_path, name):
+    with pytest.raises(BadInput, match=r"(?s)r\.toml:4: step\.0\.report: .*must be the bare name of a PDF file"):
+        replay.load(written(tmp_path, HEAD + f'[[step]]\nreport = "{name}"\n' + EXPECT))
+
+
+@pytest.mark.parametrize("name", ["", "a\\u0000.toml", "a\\n.toml", "\\u001b[2J"])
+def test_a_design_has_a_name_that_can_be_printed(tmp_path, name):
+    with pytest.raises(BadInput, match=r"(?s)r\.toml:2: design: .*must be the path of a design file"):
+        replay.load(written(tmp_path, f'schema = 1\ndesign = "{name}"\n' + EXPECT))
+
+
+def test_expectations_after_every_kind_of_step_are_compared(tmp_path):
+    steps = '[[step]]\nreport = "a.pdf"\n[[step]]\nset = "engine.rod_length_mm"\nto = 200.0\n[[step]]\nreport = "b.pdf"\n[[step]]\nundo = true\n[[step]]\nreport = "c.pdf"\n'
+    found = ["0.3282", "0.3282", "0.2675", "0.2675", "0.3282", "0.3282"]
+    expects = "".join(EXPECT.replace("0.3282", value) + f"after = {n}\n" for n, value in enumerate(found))
+    made = []
+    compared = replay.run(replay.load(written(tmp_path, HEAD + steps + expects)), lambda document, results, path: made.append(path))
+    assert [c.agrees for c in compared] == [True] * 6
+    assert made == [tmp_path / name for name in ("a.pdf", "b.pdf", "c.pdf")]
+
+
 def test_tables_are_set_and_taken_out_whole(tmp_path):
     gone = '[[step]]\nunset = "countershaft.holes"\n[[step]]\nunset = ["countershaft.support", "friction"]\n'
     row = gone + '[[step]]\nset = "gears.wheels"\nto = []\n'  # refused below: there must be wheels

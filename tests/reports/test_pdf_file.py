@@ -56,7 +56,7 @@ def test_a_report_is_read_as_another_reader_reads_it(made: bytes) -> None:
 
 @pytest.mark.parametrize(
     ("limit", "most", "reason"),
-    [("MOST_BYTES", 100, "at most 100 are read"), ("MOST_VALUES", 10, "more than 10 values"), ("MOST_UNPACKED", 50, "more than 50 bytes")],
+    [("PDF_BYTES", 100, "at most 100 are read"), ("PDF_VALUES", 10, "more than 10 values"), ("PDF_UNPACKED", 50, "more than 50 bytes")],
 )
 def test_every_limit_is_kept(monkeypatch: pytest.MonkeyPatch, limit: str, most: int, reason: str) -> None:
     packed = zlib.compress(b"0" * 60)

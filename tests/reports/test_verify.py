@@ -28,6 +28,7 @@ from pypdf.generic import (
 
 from assistant.cli import main
 from calc.design_file import Document
+from calc.limits import PDF_BYTES
 from calc.sheet.errors import BadInput
 from calc.solve import Results
 from reports import binding, title_block
@@ -35,7 +36,7 @@ from reports import verify as verifying
 from reports.attach import NAME, RESULTS
 from reports.paper import LEFT, WIDTH
 from reports.pdf_diff import page_references
-from reports.pdf_file import MOST_BYTES, Pdf
+from reports.pdf_file import Pdf
 from reports.printed import covered, printed
 from reports.report import render
 from reports.verify import Verdict, verify
@@ -440,13 +441,13 @@ def test_what_is_no_file_of_a_report_is_refused(tmp_path: Path, capsys: pytest.C
     """A pipe would be waited for, and a device read for ever."""
     large = tmp_path / "large.pdf"
     with large.open("wb") as file:
-        file.truncate(MOST_BYTES + 1)
+        file.truncate(PDF_BYTES + 1)
     paths = [tmp_path, large, tmp_path / "missing.pdf", Path("a\0b.pdf")]
     if os.name == "posix":
         os.mkfifo(tmp_path / "pipe.pdf")
         paths += [tmp_path / "pipe.pdf", Path(os.devnull)]
     for path, reason in zip(
-        paths, ("is no regular file", f"at most {MOST_BYTES}", "cannot be read", "cannot be read", *("is no regular file",) * 2)
+        paths, ("Is a directory", f"at most {PDF_BYTES:,}", "cannot be read", "cannot be read", *("is no regular file",) * 2)
     ):
         assert main(["verify", str(path)]) == 2
         assert reason in capsys.readouterr().err

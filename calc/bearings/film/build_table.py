@@ -6,10 +6,12 @@ Needed only after a change of `reynolds` or of the nodes below.  The same code w
 
 import math
 import sys
+from io import BytesIO
 from pathlib import Path
 
 import numpy as np
 
+from ...files import write_file
 from ...sheet.arrays import Array
 from .nodes import QUANTITIES, TABLE, short_bearing_damping, short_bearing_load
 from .reynolds import ECCENTRICITY_RANGE, LENGTH_RATIO_RANGE, radial_damping, solve_film
@@ -65,8 +67,9 @@ def build() -> Array:
 
 
 def main(path: Path = TABLE) -> None:
-    with path.open("wb") as file:
-        np.save(file, build(), allow_pickle=False)
+    made = BytesIO()
+    np.save(made, build(), allow_pickle=False)
+    write_file(path, made.getvalue())
 
 
 if __name__ == "__main__":
