@@ -54,6 +54,6 @@ TABLES: dict[str, dict[str, int]] = {
     },
     "time, in seconds": {
         "to wait for another writer in the same folder": LOCK_SECONDS,
-        "to search for what would make a design pass": SEARCH_SECONDS,
+        "of computing, to search for what would make a design pass (`check`)": SEARCH_SECONDS,
     },
 }

@@ -89,3 +89,9 @@ def test_where_there_is_none_the_last_line_says_what_still_fails(capsys: pytest.
     )
     assert code == 1 or code == 3
     assert lines[-1].startswith("no passing design found: gears") and " still fails: " in lines[-1]
+
+
+def test_a_search_that_takes_too_long_is_ended_and_said(capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("assistant.commands.check.SEARCH_SECONDS", 0)
+    code, lines = check(capsys, str(GAMMA))
+    assert code == 1 and lines[-1] == "no passing design found in 0 s; --step STEP looks for one step alone"

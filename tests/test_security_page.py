@@ -7,7 +7,7 @@ import pytest
 
 from assistant import server
 from assistant.commands.verify import LAST
-from reports import pdf_file
+from calc.limits import TABLES
 
 from .conftest import ROOT
 from .import_scan import imported, modules
@@ -17,18 +17,14 @@ OUTWARD = {"urllib.request", "http.client", "http.server", "ftplib", "smtplib", 
 SERVING = {"assistant.server", "assistant.commands.serve"}
 
 
-@pytest.mark.parametrize(
-    ("row", "limit"),
-    [
-        ("bytes, of a regular file", pdf_file.MOST_BYTES), ("bytes of all its streams, unpacked", pdf_file.MOST_UNPACKED),
-        ("values in it", pdf_file.MOST_VALUES), ("lists in lists", pdf_file.DEEPEST), ("sessions at a time", server.MOST_SESSIONS),
-        ("columns of a terminal", server.WIDEST), ("rows of a terminal", server.HIGHEST), ("letters pasted at once", server.MOST_PASTED),
-        ("bytes of a message", server.MOST_RECEIVED),
-    ],
-)  # fmt: skip
-def test_the_limits_are_those_of_the_code(row: str, limit: int) -> None:
-    assert f"| {row} | {limit:,} |" in PAGE
-    assert f"after {server.ENDING:.0f} seconds" in PAGE
+@pytest.mark.parametrize("of", TABLES)
+def test_the_limits_are_those_of_the_code(of: str) -> None:
+    rows = "".join(f"| {what} | {most:,} |\n" for what, most in TABLES[of].items())
+    assert f"| limit of {of} | at most |\n|---|---|\n{rows}\n" in PAGE
+
+
+def test_there_are_no_other_tables_of_limits() -> None:
+    assert PAGE.count("| at most |") == len(TABLES) and f"after {server.ENDING:.0f} seconds" in PAGE
 
 
 def test_every_verdict_is_explained_in_its_own_words() -> None:

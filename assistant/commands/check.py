@@ -10,7 +10,9 @@ from assistant.plain import print_results, results_json
 from calc.addresses import parse_assignment
 from calc.design import STEPS, Design
 from calc.design_file import Document, design, read
-from calc.sheet.errors import BadInput, InputError
+from calc.limits import SEARCH_SECONDS
+from calc.sheet.errors import BadInput, Cancelled, InputError
+from calc.sheet.progress import at_most
 from calc.sheet.step import Outcome
 from calc.sheet.text import Text
 from calc.solve import Results, solve
@@ -56,7 +58,10 @@ def nearest_passing(
     from calc.locks import standing
     from calc.repair.remedy import nearest
 
-    found = nearest(document, results, only=step, tries=TRIES)
+    try:
+        found = nearest(document, results, progress=at_most(SEARCH_SECONDS), only=step, tries=TRIES)
+    except Cancelled:
+        return [Text("no passing design found in {seconds} s; --step STEP looks for one step alone", seconds=SEARCH_SECONDS)]
     kept = {change.partition("=")[0] for change in found.changes}
     all_changes = [*(change for change in changes if change.partition("=")[0].strip() not in kept), *found.changes]
     kept_as = [f"kept as locked: {key} ({reason})" for key, reason in standing(document.data).items()]

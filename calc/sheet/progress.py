@@ -1,7 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """How a long search says how far it is.  Who listens may raise `Cancelled` from the call, which ends the search there and then."""
 
+import time
 from collections.abc import Callable
+
+from .errors import Cancelled
 
 Progress = Callable[[float, str], None]  # share done, from 0 to 1, and what is being looked at
 
@@ -16,6 +19,17 @@ def part(progress: Progress | None, start: float, end: float) -> Progress | None
     if progress is None:
         return None
     return lambda share, what: progress(start + (end - start) * share, what)
+
+
+def at_most(seconds: float) -> Progress:
+    """A progress that ends the search after so many seconds of computing, however busy the machine is with other things."""
+    ends = time.process_time() + seconds
+
+    def told(share: float, what: str) -> None:
+        if time.process_time() > ends:
+            raise Cancelled
+
+    return told
 
 
 def rising(progress: Progress | None) -> Progress | None:
