@@ -106,6 +106,15 @@ def edit_file(path: Path | str, most: int, change: Callable[[bytes], bytes]) -> 
     return data
 
 
+def demand_writable(path: Path | str) -> None:
+    """Raise now what a writing that comes much later would raise, as far as it can be known."""
+    target = Path(os.path.realpath(path))
+    _standing(target)
+    if not os.access(target.parent, os.W_OK):
+        code = errno.EACCES if target.parent.is_dir() else errno.ENOENT
+        raise OSError(code, os.strerror(code))
+
+
 @contextmanager
 def _writing(path: Path | str) -> Iterator[Path]:
     """Where a name leads, in a folder that is locked and has no drafts of killed runs."""

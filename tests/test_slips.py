@@ -12,7 +12,7 @@ def test_no_command_writes_over_the_design_that_it_reads(command, tmp_path):
     raw = (ROOT / "designs" / "r753ie4_gamma.toml").read_bytes()
     path.write_bytes(raw)
     made = run(*(part.format(path) for part in command), "-o", path)
-    assert made.returncode == 2 and "is the design itself; give another name with -o" in made.stderr
+    assert made.returncode == 2 and "is an input of this very command; give another name with -o" in made.stderr
     assert path.read_bytes() == raw
 
 

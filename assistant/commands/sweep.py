@@ -13,7 +13,7 @@ from assistant.commands.check import changed, known_step
 from assistant.plain import sign
 from assistant.saving import spare
 from calc.design_file import Document, read
-from calc.files import write_file
+from calc.files import demand_writable, write_file
 from calc.sheet.check import ORDER
 from calc.sheet.errors import BadInput, InputError, NoSolution
 from calc.sheet.text import Text
@@ -100,6 +100,7 @@ def _to_file(task: Sweep, path: Path, file: str, processes: int, scheduler: str)
     store = _store(task, path.with_name(f"{path.name}.parts"))
     draft = store.folder / f"{store.key}-table.new"
     try:
+        demand_writable(path)
         swept(task, store, Progress(task.plan.count), processes, scheduler)
         if as_parquet:
             counts = write_parquet(draft, task.document, task.plan.inputs, store)

@@ -72,6 +72,7 @@ def test_reports_know_no_single_step() -> None:
         "calc.design_file",
         "calc.drawings",
         "calc.explain",
+        "calc.files",
         "calc.id_words",
         "calc.key_values",
         "calc.languages",

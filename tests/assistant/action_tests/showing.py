@@ -81,6 +81,7 @@ async def quit_(pilot: Pilot[int], do: Do) -> None:
     session.recording = None
     await do()
     await until(pilot, lambda: pilot.app.return_code == 0)
+    session.leave()  # as the end of the program does
     again = Session.open(session.home, memory=session.memory)
     assert again.value(SHARE) == 0.4 and "are back" in again.message
 
