@@ -246,6 +246,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
             print(f"contralbero: the output cannot be written: {full}", file=sys.stderr)
             return 2
         except Exception as error:
+            if isinstance(error.__cause__, KeyboardInterrupt):  # it came while a class was being made
+                raise error.__cause__ from None
             if arguments is not None:
                 raise
             from .fault import told

@@ -10,6 +10,8 @@ from pathlib import Path
 
 import pytest
 
+from assistant import cli
+
 from .conftest import DESIGNS, ROOT
 
 PAIR = str(DESIGNS / "timing_pair.toml")
@@ -65,6 +67,21 @@ def test_ctrl_c_is_quiet_at_any_moment() -> None:
         one.send_signal(signal.SIGINT)
         _, errors = one.communicate(timeout=60)
         assert one.returncode in (130, -signal.SIGINT, 0, 1) and not errors, errors.decode()
+
+
+def test_ctrl_c_that_python_wraps_is_still_ctrl_c(monkeypatch: pytest.MonkeyPatch) -> None:
+    """One that comes while a class is made is told as an error of that class."""
+
+    class Pressed:
+        def __set_name__(self, owner: type, name: str) -> None:
+            raise KeyboardInterrupt
+
+    def command(*_: object, **__: object) -> int:
+        return type("Made", (), {"field": Pressed()}) and 0
+
+    monkeypatch.setattr(cli, "command", command)
+    with pytest.raises(KeyboardInterrupt):
+        cli.main([])
 
 
 READY = f"""

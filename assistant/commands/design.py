@@ -16,17 +16,19 @@ from assistant.commands.check import changed
 from assistant.plain import print_summary, table_json, table_lines
 from assistant.saving import differences, edited_text, spare, write_asked
 from calc.design_file import Document, read
-from calc.optimise.classes import NotClosed
+from calc.optimise.classes import NotClosed, without_proof
+from calc.optimise.evolve import EVALUATIONS, evolved
 from calc.optimise.problem import Problem
 from calc.optimise.run import Found, Table, asked, named, search
 from calc.optimise.telling import csv_text, json_text, power_of_ten, said, stood, table
 from calc.optimise.whole import Whole
 from calc.sheet.errors import BadInput, InputError, NoSolution
-from calc.sheet.text import Text
+from calc.sheet.text import Text, plural
 from calc.solve import solve
 
 DRIVE = r"\d{3,4}\.toml"  # names of drives
 SECONDS = 2.0  # a class, about
+SOLVING = 0.1  # s: a drive, whole, about
 SEARCHING = 0.7  # of the time that is given is for the classes, the rest for solving drives whole
 
 
@@ -39,7 +41,7 @@ def run(given: Namespace) -> int:
         if given.pick is not None:
             return _pick(given, document, problem)
         if given.dry:
-            return _dry(problem)
+            return _dry(given, problem)
         return _search(given, problem)
     except NoSolution as none:
         print(f"{given.file}: {none}", file=sys.stderr)
@@ -109,12 +111,22 @@ def _value(text: str) -> Any:
         return text
 
 
-def _dry(problem: Problem) -> int:
+def _dry(given: Namespace, problem: Problem) -> int:
     for line in said(problem):
         print(line)
-    classes = len(problem.classes)
-    print(Text("{classes} classes, about {seconds} s for one process", classes=classes, seconds=f"{SECONDS * classes + 5:.0f}"))
+    if (why := without_proof(problem)) is not None:
+        evaluations = given.evaluations or EVALUATIONS
+        print(_no_proof(why, evaluations), end="; ")
+        print(Text("about {seconds} s", seconds=f"{SOLVING * evaluations:.0f}"))
+        return 0
+    classes, seconds = len(problem.classes), SECONDS * len(problem.classes) + 5
+    print(plural("{n} class, about {seconds} s for one process", "{n} classes, about {seconds} s for one process", n=classes,
+        seconds=f"{seconds:.0f}"))  # fmt: skip
     return 0
+
+
+def _no_proof(why: Text, evaluations: int) -> Text:
+    return Text("{why}: its front can not be proved; a search over {n} whole solutions instead", why=why, n=evaluations)
 
 
 def _search(given: Namespace, problem: Problem) -> int:
@@ -125,7 +137,8 @@ def _search(given: Namespace, problem: Problem) -> int:
     quiet = given.json
     processes = given.processes if given.processes is not None else min(os.cpu_count() or 1, max(1, len(problem.classes)))
     if not quiet:
-        print(Text("{n} classes, {processes} processes", n=len(problem.classes), processes=processes), end="; ")
+        print(plural("{n} class", "{n} classes", n=len(problem.classes)), end=", ")
+        print(plural("{n} process", "{n} processes", n=processes), end="; ")
         print(Text("Ctrl-C keeps what there is by then"), flush=True)
 
     def told(done: int, known: Table, name: str) -> None:
@@ -169,13 +182,9 @@ def _search(given: Namespace, problem: Problem) -> int:
 
 def _without_proof(given: Namespace, problem: Problem, why: NotClosed, enough: Callable[[], bool]) -> Found:
     """Where the closed form does not hold: said at once, with what it means."""
-    from calc.optimise.evolve import EVALUATIONS, evolved
-
     evaluations = given.evaluations or EVALUATIONS
     if not given.json:
-        print(
-            Text("{why}: its front can not be proved; a search over {n} whole solutions instead", why=why.text, n=evaluations), flush=True
-        )
+        print(_no_proof(why.text, evaluations), flush=True)
 
     def told(done: int, most: int, passing: int) -> None:
         if not given.json:

@@ -12,7 +12,7 @@ import numpy as np
 
 from ..sheet.arrays import Array, each
 from ..sheet.formula import formula
-from ..sheet.functions import acos, asin, atan, cos, inv, largest, pi, sin, sqrt, tan
+from ..sheet.functions import acos, asin, atan, cos, inv, joined, largest, pi, sin, sqrt, tan
 from ..sheet.text import Text
 from ..sheet.units import Metre, Number, Radian, RevPerSecond
 
@@ -218,7 +218,7 @@ def working_module(a_w: Metre, z_1: Number, z_2: Number) -> Metre:
 
 @formula("y", Text("{iso}: centre distance modification, in normal modules", iso=ISO))
 def centre_modification(a_w: Metre, d_1: Metre, d_2: Metre, m_n: Metre) -> Number:
-    return (a_w - (d_1 + d_2) / 2) / m_n
+    return joined(a_w, -(d_1 + d_2) / 2) / m_n
 
 
 @formula("Σx", Text("{iso}: sum of the shifts of both wheels", iso=ISO))
@@ -309,7 +309,7 @@ def centre_distance(z_1: Number, z_2: Number, m_t: Metre, alpha_t: Radian, alpha
 
 @formula("k*·m_n", Text("{iso}: tip shortening that would keep the standard clearance", iso=ISO), unit="mm")
 def standard_tip_shortening(x_1: Number, x_2: Number, m_n: Metre, a_w: Metre, d_1: Metre, d_2: Metre) -> Metre:
-    return (x_1 + x_2) * m_n - (a_w - (d_1 + d_2) / 2)
+    return (x_1 + x_2) * m_n - joined(a_w, -(d_1 + d_2) / 2)
 
 
 # --- a pair: contact -------------------------------------------------------------------------------------------------------

@@ -224,6 +224,6 @@ def force_per_degree(F_S: Newton) -> Newton:
     return 2 * F_S * sin(pi / 360)
 
 
-@formula("ΔF/tooth", "mathematics, exact difference of two vectors one tooth of the shaft's wheel apart")
+@formula("ΔF/tooth", "mathematics, exact difference of two vectors one tooth of the shaft's wheel apart", names={"z": "z_w"})
 def force_per_tooth(F_S: Newton, z: Number) -> Newton:
     return 2 * F_S * sin(pi / z)

@@ -125,6 +125,17 @@ def _solved(problem: Problem, choices: dict[str, Any]) -> tuple[Design, Results]
     return made, results
 
 
+def without_proof(problem: Problem) -> Text | None:
+    """Why no front of this drive can be proved; None where it can, as far as its first class says."""
+    try:
+        _solved(problem, problem.classes[0])
+    except NotClosed as why:
+        return why.text
+    except NoSolution:
+        pass
+    return None
+
+
 class NotClosed(NoSolution):
     """The closed form does not hold: `text` says why."""
 

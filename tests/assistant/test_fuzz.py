@@ -131,6 +131,7 @@ async def fuzz(path: Path, memory: Memory, seed: int, count: int) -> None:
             session = app.session
             data, texts = session.data, {place: session.text(place) for place in session.reasons()}
             session.autosave()
+            session.leave()  # as the end of the program does
             if session.safe:
                 again = Session.open(session.home, memory=memory)
                 assert again.data == data and {place: again.text(place) for place in again.reasons()} == texts

@@ -115,7 +115,8 @@ def test_a_number_of_the_drive_is_told_where_there_is_one(name: str) -> None:
     results = solve(design(read(DESIGNS / f"{name}.toml")))
     told = dict(main_numbers(results))
     assert all(told.values()) and len(told) == len(main_numbers(results))
-    assert (f"{results.values()['friction.total_loss'].shown:.3g} W" in told["loss"]) if "friction.total_loss" in results.values() else True
-    assert ("force for the shaft" in told) == (name in ("twin_force_shaft", "twin_mounting")) and ("films at the edge" in told) == (
-        "bearings.front.film" in results.values()
-    )
+    if (loss := results.values().get("friction.total_loss")) is not None:
+        assert float(told["loss"].split(" W")[0]) == pytest.approx(loss.shown, rel=5e-3)
+    assert ("force for the shaft" in told) == (name in ("twin_drive", "twin_force_shaft", "twin_mounting")) and (
+        "films at the edge" in told
+    ) == ("bearings.front.film" in results.values())

@@ -76,6 +76,7 @@ def test_reports_know_no_single_step() -> None:
         "calc.id_words",
         "calc.key_values",
         "calc.languages",
+        "calc.limits",
         "calc.optimise.picked",  # a front of drives, which is no step
         "calc.optimise.telling",
         "calc.prediction",

@@ -107,7 +107,7 @@ def line_mass(rho: KilogramPerMetre3, A: SquareMetre) -> KilogramPerMetre:
     return rho * A
 
 
-@formula("j", "dynamics: rotary inertia per length of a section that tilts as it bends (Rayleigh; Timoshenko's beam)")
+@formula("J_l", "dynamics: rotary inertia per length of a section that tilts as it bends (Rayleigh; Timoshenko's beam)")
 def rotary_inertia(rho: KilogramPerMetre3, I: Metre4) -> KilogramMetre:
     return rho * I
 

@@ -45,12 +45,12 @@ SHARES = ("share_within", "share_drilled_within", "share_too_light", "share_beyo
 SHOWN = 201  # points of the curve
 
 
-@formula("σ_C,m", Text("{propagation}: mass", propagation=PROPAGATION), names={"s": "σ_m"})
+@formula("σ_C,m", Text("{propagation}: mass", propagation=PROPAGATION), names={"s": "s_m"})
 def couple_error_by_mass(omega: RadPerSecond, e: Metre, z: Metre, s: Kilogram) -> NewtonMetre:
     return omega**2 * rss(e * z) * s
 
 
-@formula("σ_C,e", Text("{propagation}: radius", propagation=PROPAGATION), names={"s": "σ_e"})
+@formula("σ_C,e", Text("{propagation}: radius", propagation=PROPAGATION), names={"s": "s_e"})
 def couple_error_by_radius(omega: RadPerSecond, m: Kilogram, z: Metre, s: Metre) -> NewtonMetre:
     return omega**2 * rss(m * z) * s
 
