@@ -9,7 +9,7 @@ import signal
 import sys
 import threading
 from collections.abc import Callable, Iterator, Sequence
-from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
+from concurrent.futures import FIRST_COMPLETED, CancelledError, Future, ProcessPoolExecutor, wait
 from concurrent.futures.process import BrokenProcessPool
 from contextlib import contextmanager, redirect_stderr
 from importlib import import_module
@@ -22,6 +22,7 @@ from .sheet.text import Text
 A = TypeVar("A")
 R = TypeVar("R")
 LOSSES = 2  # of the workers that a piece may cost
+ANSWER = 10  # s, until which a scheduler must be there
 
 
 def spread(
@@ -102,10 +103,17 @@ def _farmed(work: Callable[[A, int], R], what: A, waiting: Sequence[int], addres
     except ImportError:
         raise NoSolution(Text("a scheduler needs dask.distributed, which the extra `contralbero[farm]` installs")) from None
     try:
-        client = dask.Client(address, timeout=10)
+        client = dask.Client(address, timeout=ANSWER)
     except (OSError, ValueError) as error:
         raise NoSolution(Text("no scheduler answers at {address}", address=address), Text("{why}", why=str(error))) from None
     with client:
         futures = {client.submit(work, what, n, retries=LOSSES, pure=False): n for n in waiting}
         for future in dask.as_completed(list(futures)):
-            yield futures.pop(future), future.result()
+            try:
+                result = future.result()
+            except (CancelledError, dask.KilledWorker) as error:
+                lost = Text("the scheduler at {address}, or too many of its workers, went away", address=address)
+                raise NoSolution(
+                    lost, Text("{why}", why=str(error).split("\n")[0]), Text("the same command goes on from what is done")
+                ) from None
+            yield futures.pop(future), result

@@ -1,10 +1,13 @@
 """Pieces of work over processes: each once, whoever is lost; no worker outlives the program."""
 
 import os
+import signal
 import subprocess
 import sys
 import time
+from importlib.util import find_spec
 from pathlib import Path
+from threading import Thread
 
 import pytest
 
@@ -54,6 +57,34 @@ def test_no_worker_outlives_a_program_that_is_killed(tmp_path: Path) -> None:
     assert not [process for process in workers if Path(f"/proc/{process}").exists()]
 
 
-def test_a_scheduler_that_is_not_there_is_told() -> None:
+def test_a_scheduler_that_is_not_there_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("calc.spread.ANSWER", 0.5)
     with pytest.raises(NoSolution, match=r"no scheduler answers|needs dask"):
         list(spread(slow, 0.0, range(2), scheduler="tcp://127.0.0.1:1"))
+
+
+@pytest.mark.skipif(find_spec("distributed") is None, reason="an extra")
+def test_a_worker_of_a_scheduler_that_is_lost_costs_nothing_but_time(monkeypatch: pytest.MonkeyPatch) -> None:
+    from distributed import LocalCluster
+
+    monkeypatch.setenv("PYTHONPATH", str(ROOT))
+    done: dict[int, int] = {}
+    with LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None) as cluster:
+        for n, (result, process) in spread(slow, 0.2, range(12), scheduler=cluster.scheduler_address):
+            if not done:
+                os.kill(process, signal.SIGKILL)
+            done[n] = result
+    assert done == {n: n * n for n in range(12)}
+
+
+@pytest.mark.skipif(find_spec("distributed") is None, reason="an extra")
+def test_a_scheduler_that_goes_away_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
+    from distributed import LocalCluster
+
+    monkeypatch.setenv("PYTHONPATH", str(ROOT))
+    cluster = LocalCluster(n_workers=1, threads_per_worker=1, dashboard_address=None)
+    pieces = spread(slow, 0.2, range(50), scheduler=cluster.scheduler_address)
+    next(pieces)
+    Thread(target=cluster.close).start()
+    with pytest.raises(NoSolution, match="the same command goes on"):
+        list(pieces)
