@@ -35,6 +35,7 @@ class ChangedOnDisk(SaveError):
 def edited_text(text: str, changes: Mapping[str, Any] | Iterable[tuple[Place, Any]]) -> str:
     """The TOML text with some keys changed: comments, order and spacing stay.  None takes a key out; a new key ends its table.
 
+    A comment that says how a value was assumed says of another what it was: `# assumed: usual` → `# was 80.0, assumed: usual`.
     A key is dotted, elements of arrays by name, else by index (`gears.wheels.shaft.teeth`), or a tuple of names and indices.
     """
     import tomlkit
@@ -110,9 +111,20 @@ def _set(here: Any, place: Place, value: Any, kept: bool = False) -> None:
         here.append(value)
     elif kept:
         old = here[last] if isinstance(here, list) or last in here else None
+        said = _was_assumed(old)
         here[last] = _in_the_style_of(old, value)
+        if said:
+            here[last].trivia.comment = f"# {said}"
     else:
         here[last] = value
+
+
+def _was_assumed(old: Any) -> str:
+    """What the comment of a value becomes that said how the value was assumed, and does not hold of another."""
+    said = getattr(getattr(old, "trivia", None), "comment", "").lstrip("# \t")
+    if not said.startswith("assumed") or "\n" in (was := old.as_string()):
+        return ""
+    return f"was {was}, {said}"
 
 
 def _new_table(kept: bool) -> Any:

@@ -67,7 +67,16 @@ def test_a_new_table_and_a_new_element_are_made() -> None:
 def test_whole_numbers_stay_whole() -> None:
     made = edited_text(TEXT, {"gears.meshes.1.tolerance_um": 60.0, "gears.wheels.0.span_allowance_um": [-25.0, -35.0]})
     assert "tolerance_um = 60\n" in made
-    assert "span_allowance_um = [-25, -35]  # assumed" in made
+    assert "span_allowance_um = [-25, -35]  # was [-20, -30], assumed" in made
+
+
+def test_how_a_value_was_assumed_is_not_said_of_another() -> None:
+    key, text = "bearings.front.diameter_mm", "[bearings.front]\ndiameter_mm = 80.0  # assumed: usual\nlength_mm = 56.0  # measured\n"
+    once = edited_text(text, {key: 78.5, "bearings.front.length_mm": 50.0})
+    assert once == "[bearings.front]\ndiameter_mm = 78.5  # was 80.0, assumed: usual\nlength_mm = 50.0  # measured\n"
+    assert edited_text(once, {key: 77.0}) == once.replace("= 78.5", "= 77.0")
+    several = "[a]\nb = [\n  1,\n  2,\n]  # assumed: usual\n"
+    assert edited_text(several, {"a.b": [3, 4]}).endswith("# assumed: usual\n")
 
 
 def test_text_is_quoted() -> None:
