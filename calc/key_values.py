@@ -4,8 +4,10 @@
 Values, curves, tables: patterns of ids, where `*` stands for anything.  Checks: the ids of their rows in `calc/tables/checks.md`.
 """
 
+import re
 from collections.abc import Iterable, Mapping
-from fnmatch import fnmatchcase
+from fnmatch import translate
+from functools import cache
 
 from .sheet.check import Check
 from .sheet.quantity import Published
@@ -102,12 +104,12 @@ VALIDITY: dict[str, tuple[str, ...]] = {
 
 def like(id: str, patterns: tuple[str, ...]) -> bool:
     """Whether an id is of one of these patterns; a `*` stands for no more than one part of it."""
-    parts = id.split(".")
-    return any(_matches(parts, pattern.split(".")) for pattern in patterns)
+    return _any_of(patterns).fullmatch(id) is not None
 
 
-def _matches(parts: list[str], pattern: list[str]) -> bool:
-    return len(parts) == len(pattern) and all(map(fnmatchcase, parts, pattern))
+@cache
+def _any_of(patterns: tuple[str, ...]) -> re.Pattern[str]:
+    return re.compile("|".join(translate(pattern).replace(".*", "[^.]*") for pattern in patterns) or "(?!)")  # of none: nothing
 
 
 def key_results(values: Mapping[str, Published]) -> dict[str, Published]:

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import hashlib
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 
 from calc.design_file import Document
@@ -15,6 +16,7 @@ from calc.files import write_file
 from calc.languages import LANGUAGES, language
 from calc.languages.outcome import said
 from calc.optimise.picked import picked
+from calc.sheet.aside import aside
 from calc.sheet.progress import Progress, part, tell
 from calc.sheet.step import Outcome, Step
 from calc.solve import Results
@@ -40,7 +42,7 @@ from .plots import Plots
 from .prose import BODY, HEADING, SECTION, lines
 from .sketches import sketch_figure
 from .sources import source_blocks
-from .summary import step_anchor, summary_blocks
+from .summary import closing_blocks, mended, step_anchor, summary_blocks
 from .title_block import NOTE_LINES
 from .values import table_blocks, value_blocks
 from .words import verdict
@@ -121,9 +123,10 @@ def context_of(document: Document, results: Results, raw: bytes, *, depth: str, 
 
 def blocks(context: Context, progress: Progress | None = None) -> list[Block]:
     """Everything that the report holds, in its order."""
-    summary = summary_blocks(context)
     if context.depth == "summary":
-        return summary
+        return closing_blocks(context, mended(context), summary_blocks(context))
+    nearest = aside(partial(mended, context))
+    summary = summary_blocks(context)
     entries: list[Entry] = []
     body: list[Block] = []
     plots = Plots()
@@ -169,6 +172,7 @@ def blocks(context: Context, progress: Progress | None = None) -> list[Block]:
     if context.audit and (index := index_blocks(body)):
         body += _section(f"{number}  {w['index']}", "index", entries, need=0.9 * PAGE[1])
         body += index
+    summary = closing_blocks(context, nearest(), summary)
     return summary + contents_blocks(context, entries, [w[key] for key in (LISTED if context.audit else CHAPTERS)]) + body
 
 

@@ -3,12 +3,13 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 from calc.described import described
 from calc.id_words import knows
 from calc.key_values import key_results
 from calc.sheet.check import SIGNS
+from calc.sheet.text import Text
 
 from .checks import attention_blocks, counted, name_of, shown_value, sign_cell
 from .content import Words
@@ -34,7 +35,7 @@ def step_anchor(key: str) -> str:
 
 
 def summary_blocks(context: Context) -> list[Block]:
-    """The first pages of every report; of the summary the whole."""
+    """The head of every report: what is calculated and how it came out."""
     w, results = context.words, context.results
     made = title_blocks(context)
     made += _verdict(context)
@@ -48,8 +49,13 @@ def summary_blocks(context: Context) -> list[Block]:
     if attention := attention_blocks(context, results.checks()):
         made += heading(w["attention"], SECTION, gap=9.0, after=0.0)
         made += attention
-    made += _nearest(context)
-    made += change_blocks(context)
+    return made
+
+
+def closing_blocks(context: Context, mended: Mended | None, above: list[Block]) -> list[Block]:
+    """What stands below that: the nearest design that passes, the record of changes, and where no chapters follow what they would say."""
+    results = context.results
+    made = above + (_nearest(context, mended) if mended is not None else []) + change_blocks(context)
     if context.depth != "summary":  # the proposals stand with their steps
         return made
     if errata := sum(len(outcome.errata) for outcome in results.outcomes.values()):
@@ -74,19 +80,32 @@ def _key_results(context: Context) -> list[tuple[str | Cell, ...]]:
     return rows
 
 
-def _nearest(context: Context) -> list[Block]:
-    """The nearest design that passes, with all that it changes."""
+class Mended(NamedTuple):
+    """The nearest design in which no limit fails: what it changes, whether it passes, and what is left, with the reason."""
+
+    changes: Text
+    passes: bool
+    left: tuple[tuple[Text, Text], ...]
+
+
+def mended(context: Context) -> Mended | None:
+    """Of a design that fails only.  Solves some twenty designs."""
     results = context.original or context.results
     if results.verdict != "fail":
-        return []
-    from calc.repair.remedy import nearest  # of a design that fails only
+        return None
+    from calc.repair.remedy import nearest
 
     found = nearest(context.document, results, tries=0)
+    return Mended(found.words, found.passes, tuple((one.name, one.why) for one in found.left[:3]))
+
+
+def _nearest(context: Context, found: Mended) -> list[Block]:
+    """The nearest design that passes, with all that it changes."""
     made = heading(context.words["nearest_title"], SECTION, gap=9.0, after=0.0)
     if found.changes:
-        made += paragraph(context.text("nearest_passes" if found.passes else "nearest_part", changes=found.words), CELL, gap=1.0)
-    for one in found.left[:3]:
-        made += paragraph(context.text("nearest_left", name=one.name, why=one.why), CELL, gap=1.0)
+        made += paragraph(context.text("nearest_passes" if found.passes else "nearest_part", changes=found.changes), CELL, gap=1.0)
+    for name, why in found.left:
+        made += paragraph(context.text("nearest_left", name=name, why=why), CELL, gap=1.0)
     return made if found.changes or found.left else []
 
 

@@ -35,5 +35,5 @@ def longer_journals(state: State, failing: tuple[Check, ...], progress: Progress
         way = Trials(state, "bearings", group, here, named(state.document, key)).best(Plan((key,), tuple(levers(state, [key]))))
         if way is None or way.quality > AS_GIVEN:
             raise NoSolution(Text("no longer journal is enough, {place}", place=PLACES[place]))
-        state = state.with_changes(dict(way.made))
+        state = state.with_changes(dict(way.made), way.results)
     return state

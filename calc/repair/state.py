@@ -51,7 +51,7 @@ class State:
     ) -> "State":  # fmt: skip
         """The same with keys changed, solved whole.  Raises BadInput where they are not allowed, or locked.
 
-        `known`: results of a design that is nearer to it.  `enough` ends the solution early, as in `solve`.
+        `known`: results of a design that is nearer to it, or of itself, whole or not.  `enough` ends the solution early, as in `solve`.
         """
         document, made = self.document, dict(self.changes)
         for key, value in changes.items():
@@ -63,7 +63,8 @@ class State:
             made.pop(key, None)
             made[key] = value
         wanted = design(document)
-        results = known if known is not None and known.design == wanted else solve(wanted, known or self.results, enough=enough)
+        there = known is not None and known.design == wanted and known.outcomes.keys() >= self.results.outcomes.keys()
+        results = known if known is not None and there else solve(wanted, known or self.results, enough=enough)
         return State(document, results, made)
 
 

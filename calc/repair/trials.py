@@ -70,8 +70,9 @@ class Trials:
         if (name, whole) not in self.known:
             tell(self.progress, 1 - 0.9 ** len(self.known), self.name)
             self.ended = False
+            begun = self.known.get((name, False))
             try:
-                after = self.state.with_changes(changes, enough=None if whole else self._known)
+                after = self.state.with_changes(changes, begun.results if begun else None, None if whole else self._known)
             except (BadInput, NoSolution):
                 after = None
             self.known[name, False] = after
