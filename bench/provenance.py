@@ -70,7 +70,7 @@ def compared(name: str, every: int = 1) -> tuple[Results, dict[str, set[str]], d
     """Of one design: value → inputs that move it; value → inputs in its chain; those that can not be moved.  `every`: of so many one."""
     document = read(DESIGNS / f"{name}.toml")
     start = design(document)
-    results = solve(start)
+    results = solve(start, traced=True)
     chains, values = Chains(results), results.values()
     moves: dict[str, set[str]] = defaultdict(set)
     stuck = []

@@ -22,11 +22,12 @@ class Course:
     variants: tuple[str, ...]
     total: Array
     by_order: dict[str, Array]
+    source: object  # what the levels come of
 
     def part(self, which: slice) -> "Course":
         """The same at some of its speeds."""
         by_order = {name: levels[which] for name, levels in self.by_order.items()}
-        return Course(self.speeds[which], self.orders, self.variants, self.total[:, which], by_order)
+        return Course(self.speeds[which], self.orders, self.variants, self.total[:, which], by_order, self.source)
 
 
 def course(s: System, drive: Drive, point: Point, speeds: Array, torque: ComplexArray) -> Course:
@@ -41,7 +42,9 @@ def course(s: System, drive: Drive, point: Point, speeds: Array, torque: Complex
     squares[:, :, driven] = common[:, None, :, 0] ** 2
     squares[:, :, list(drive.apart)] = np.swapaxes(own, 1, 2) ** 2
     by_order = {name: np.sqrt(squares[:, i]) for i, name in enumerate(drive.variants) if name in ("half", "shaft")}
-    return Course(np.asarray(speeds), drive.orders, drive.variants, np.sqrt(squares.sum(-1)).T, by_order)
+    return Course(
+        np.asarray(speeds), drive.orders, drive.variants, np.sqrt(squares.sum(-1)).T, by_order, (s.source, wrench, point.position)
+    )
 
 
 def _weighted(s: System, point: Point, f: Array, wrenches: tuple[ComplexArray, ...], orders: tuple[slice | list[int], ...]) -> list[Array]:

@@ -81,7 +81,7 @@ class Drive:
         """Order by order on the crank (speeds, orders): gas and inertia."""
         of_masses = self.torque_of_masses * self._squares(speeds)[:, None]
         one = np.zeros_like(of_masses) if self.nodes is None else harmonics(self.engine, self.e, self.nodes, speeds)
-        of_masses = based_on(of_masses, self.torque_of_masses, self.e.angular_speed)
+        of_masses = based_on(of_masses, self.torque_of_masses, self.e.angular_speed, speeds)
         return phasors(
             x.all_cylinders(
                 t_one=each(one), t_inertia=each(of_masses), spread=each(self.spread), fires=each(self.fires), n=each(self.orders)
@@ -111,12 +111,12 @@ class Drive:
         squares = self._squares(speeds)
         found = np.swapaxes(self.inertia, 0, 1)[None] * squares[:, None, None, None]
         found[..., 5] -= (np.asarray(torque) - self.torque_of_masses * squares[:, None])[:, :, None]
-        return based_on(found, self.inertia, torque, self.r_G)
+        return based_on(found, self.inertia, torque, self.r_G, speeds)
 
     def frequencies(self, speeds: Array) -> Array:
         """Ω of every speed and order, in one row."""
         found: Array = (2 * math.pi * np.asarray(speeds)[:, None] * self.orders).ravel()
-        return found
+        return based_on(found, speeds)
 
     def _squares(self, speeds: Array) -> Array:
         return (np.asarray(speeds, dtype=float) / float(self.engine.rated_speed)) ** 2

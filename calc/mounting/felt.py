@@ -58,8 +58,8 @@ def course_values(over_speed: dict[str, Course]) -> Tree | None:
     for seat, c in over_speed.items():
         for v, variant in enumerate(c.variants):
             n, a = top(c.speeds, c.total[v])
-            put(tree, (variant, seat, "weighted"), about, a)
-            put(tree, (variant, seat, "speed"), speed, n)
+            put(tree, (variant, seat, "weighted"), about, based_on(a, c.source))
+            put(tree, (variant, seat, "speed"), speed, based_on(n, c.source))
     return tree or None
 
 
@@ -99,7 +99,7 @@ def critical(rows: Sequence[Crossing], at: Course | None) -> Tree:
         put(tree, (dof, order, "speed"), about, n)
         for v, variant in enumerate(at.variants if at is not None else ()):
             if at is not None and variant in ("half", "shaft"):
-                put(tree, (dof, order, "seat", variant), level, based_on(float(at.total[v, k]), n))
+                put(tree, (dof, order, "seat", variant), level, based_on(float(at.total[v, k]), n, at.source))
     return tree
 
 

@@ -153,7 +153,8 @@ class Levels:
     force: ComplexArray
     deflection: ComplexArray
     passed_on: tuple[ComplexArray, ComplexArray]  # force and moment (speeds, variants, orders, 3)
-    source: ComplexArray  # q̂, from which all of it comes
+    source: ComplexArray  # q̂, from which all of it comes, with the place of a point
+    places: dict[str, object]
 
     @property
     def band(self) -> Array:
@@ -186,6 +187,7 @@ def levels(s: System, drive: Drive, speeds: Array, torque: ComplexArray) -> Leve
         _ordered(np.moveaxis(r.deflection, 0, 2), S),
         (F_t, M_t),
         r.q,
+        {point.name: point.position for point in points},
     )
 
 

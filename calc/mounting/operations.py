@@ -35,7 +35,7 @@ def operations(
     points, mounts = s.mounting.points, s.mounting.mounts
     _torque(tree, driven, rows, torque, there)
     for p, point in enumerate(points):
-        found = _points(driven, lines, p, _felt(driven, lines, point.name, there) if point.role != "machine" else None)
+        found = _points(driven, lines, p, point.name, _felt(driven, lines, point.name, there) if point.role != "machine" else None)
         for (name, _, _), of_operation in zip(rows, found):
             for variant, level in zip(driven.variants, of_operation):
                 tree[name].setdefault(variant, {})[point.name] = level
@@ -60,14 +60,14 @@ def _torque(tree: Tree, driven: Drive, rows: Sequence[tuple[str, float, float]],
                 put(tree[name], ("torque", f"order_{order_word(driven.orders[i])}"), about, x.amplitude(t_n=based_on(t[i], torque)))
 
 
-def _points(driven: Drive, lines: Levels, point: int, felt: "Felt | None") -> list[list[PointLevel]]:
+def _points(driven: Drive, lines: Levels, point: int, name: str, felt: "Felt | None") -> list[list[PointLevel]]:
     """The levels at a point (operations, variants)."""
-    numbers = []
+    numbers, source = [], (lines.source, lines.places[name])
     banded = np.sqrt((np.abs(np.where(lines.band, lines.motion, 0.0)[:, :, point]) ** 2).sum(-1) / 2)
     for k, (of_axis, of_all) in enumerate(l.KINDS):
-        level = mapped(of_axis, lines.motion[:, :, point, k], source=lines.source)
+        level = mapped(of_axis, lines.motion[:, :, point, k], source=source)
         numbers += [joined(of_all, level), *along_last(level)]
-    numbers.append(mapped(severity.grade, *np.moveaxis(banded, 2, 0), source=lines.source))
+    numbers.append(mapped(severity.grade, *np.moveaxis(banded, 2, 0), source=source))
     if felt is not None:
         numbers += [felt.whole, *along_last(felt.axes)]
     return [
@@ -96,14 +96,14 @@ class Felt:
 
 
 def _felt(driven: Drive, lines: Levels, name: str, existing: list[int]) -> Felt:
-    a = np.abs(lines.acceleration[name])
+    a, source = np.abs(lines.acceleration[name]), (lines.source, lines.places[name])
     W = np.broadcast_to(lines.weight[name], a.shape)
-    along = mapped(weighting.weighted, W, a, source=lines.source)
+    along = mapped(weighting.weighted, W, a, source=source)
     shown = _shown(driven)
     sizes = np.linalg.norm(W * a, axis=-2).max((0, 1))
     existing = [n for n in existing if not sizes[n] < FELT * sizes.max()]
     apart = [np.moveaxis(x[:, shown][..., existing], -1, 2)[..., None] for x in (W, a)]  # (operations, variants, orders, axes, 1)
-    by_order = joined(weighting.total_value, mapped(weighting.weighted, *apart, source=lines.source))
+    by_order = joined(weighting.total_value, mapped(weighting.weighted, *apart, source=source))
     return Felt(joined(weighting.total_value, along), along, by_order, shown, _words(driven, existing))
 
 

@@ -4,14 +4,13 @@
 from dataclasses import replace
 from functools import partial
 
-import numpy as np
-
 from ..engine.inputs import EngineInputs
 from ..engine.result import EngineResult
 from ..imbalance.result import ImbalanceResult
 from ..sheet.arrays import many
 from ..sheet.check import Check
 from ..sheet.later import Later
+from ..sheet.linked_array import gathered
 from ..sheet.quantity import Stated
 from ..sheet.step import Curve, Outcome, Table
 from ..sheet.text import Text
@@ -58,7 +57,7 @@ def values(mounting: MountingInputs, driven: Drive, J: float) -> MountingResult:
     one = modal.of_modes(m)
     rest = statics.at_rest(mounting, free)
     rows = operating(mounting, driven.engine)
-    speeds = np.array([speed for _, speed, _ in rows])
+    speeds = gathered(speed for _, speed, _ in rows)
     torque = driven.torque(speeds)
     whole = free if mounting.chassis is None else system(mounting, many(J))
     lines = levels(whole, driven, speeds, torque)

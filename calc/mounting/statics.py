@@ -51,13 +51,14 @@ def roll(q_s: Metre) -> Radian:
 def at_rest(mounting: MountingInputs, s: System) -> Rest:
     """`s`: on rigid ground."""
     k = based_on(np.stack([static(mount) for mount in mounting.mounts]), mounting.mounts)
+    between = each(based_on(s.between, mounting.centre_of_gravity))
     up = np.asarray(mounting.up, dtype=float) / np.linalg.norm(mounting.up)
-    K_s = stiffness_matrix(k=each(k), B=each(s.between), R=each(s.axes))
+    K_s = stiffness_matrix(k=each(k), B=between, R=each(s.axes))
     weight = np.concatenate([-float(mounting.mass) * GRAVITY * up, np.zeros(3)])
     q = rest(K_s=K_s, f=each(based_on(weight, mounting.mass)))
     q_T = rest(K_s=K_s, f=each(np.array([0, 0, 0, 0, 0, 1.0])))
-    delta = own_deflection(q_s=q, B=each(s.between), R=each(s.axes))
-    by_torque = own_deflection(q_s=q_T, B=each(s.between), R=each(s.axes))
+    delta = own_deflection(q_s=q, B=between, R=each(s.axes))
+    by_torque = own_deflection(q_s=q_T, B=between, R=each(s.axes))
     carried = load(k=each(k), delta_s=delta, R=each(s.axes), up=each(up))
     return Rest(np.asanyarray(delta), np.asanyarray(by_torque), np.asanyarray(carried), np.asanyarray(q), np.asanyarray(q_T))
 

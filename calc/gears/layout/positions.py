@@ -14,12 +14,13 @@ from ...sheet.record import record
 from ...sheet.text import Amount, Name, Text, listed
 from ...sheet.trace import about, untraced
 from ...sheet.units import Metre
+from ...sheet.value import based_on
 from ..inputs import GearsInputs
 from ..result import MeshResult, TrainResult
 from ..words import mm
 from . import formulas as f
 from .checks import axis_check, distance_check, reach_check
-from .room import Room, most_room
+from .room import Room, at, most_room
 
 SAME = 1e-9  # m: two points that are no further apart are one
 TIED = 1e-9  # m: so little more room does not tell two places apart
@@ -97,7 +98,7 @@ def _anchors(gears: GearsInputs, train: TrainResult, placing: Placing, shaft_axi
     first, last = gears.meshes[0].driver, gears.meshes[-1].driven
     for wheel in gears.wheels:
         if wheel.position is not None:
-            placing.put(wheel.name, complex(*wheel.position), Text("given"))
+            placing.put(wheel.name, at(wheel.position), Text("given"))
     if shaft_axis is not None:
         if last in placing.p:
             placing.checks.append(axis_check(last, abs(placing.p[last] - shaft_axis), 1e-3 * train.system.m_n))
@@ -110,10 +111,10 @@ def _anchors(gears: GearsInputs, train: TrainResult, placing: Placing, shaft_axi
 def axes_apart(gears: GearsInputs, shaft_axis: complex | None) -> dict[int, Metre]:
     """The distance of the axes of each mesh, by its number, whose wheels both have a given place."""
     first, last = gears.meshes[0].driver, gears.meshes[-1].driven
-    at = {} if shaft_axis is None else {last: shaft_axis}
-    at |= {wheel.name: complex(*wheel.position) for wheel in gears.wheels if wheel.position is not None}
-    at = {first: 0j} | at if at else at
-    return {i: abs(at[m.driven] - at[m.driver]) for i, m in enumerate(gears.meshes) if m.driver in at and m.driven in at}
+    placed = {} if shaft_axis is None else {last: shaft_axis}
+    placed |= {wheel.name: at(wheel.position) for wheel in gears.wheels if wheel.position is not None}
+    placed = {first: 0j} | placed if placed else placed
+    return {i: abs(placed[m.driven] - placed[m.driver]) for i, m in enumerate(gears.meshes) if m.driver in placed and m.driven in placed}
 
 
 def _neighbours(name: str, meshes: tuple[MeshResult, ...]) -> dict[str, MeshResult]:
@@ -234,13 +235,14 @@ def _swing(one: str, two: str, beside: Mapping[str, Mates], placing: Placing, ro
     if chosen is None:
         return False
     phi, s, clearance = chosen
+    phi = based_on(phi, placing.p[first], placing.p[last], a_1, a_2, a_3)
     with about(Text("wheel {one}, place", one=one)):
         placing.put(one, f.on_circle(p_1=placing.p[first], a_12=a_1, phi=phi), Text("chosen"))
     with about(Text("wheel {two}, place", two=two)):
         between = Between(two, one, last, a_2, a_3, allowed(train, m_2) + allowed(train, m_3), [])
         placing.put(two, _solve(between, placing, s), Text("chosen"))
-    at = ((name, placing.p[name]) for name in (one, two))
-    places = listed(Text("{n} [{real}, {imag}] mm", n=name, real=mm(p.real, ".4f"), imag=mm(p.imag, ".4f")) for name, p in at)
+    found = ((name, placing.p[name]) for name in (one, two))
+    places = listed(Text("{n} [{real}, {imag}] mm", n=name, real=mm(p.real, ".4f"), imag=mm(p.imag, ".4f")) for name, p in found)
     placing.notes.append(Text(
         "{one} and {two} between {first} and {last}: one angle is free; chosen: {places}, where the tighter of them has the most room, "
         "{clearance} mm. Walls and neighbours that are not given are not heeded: give gears.wheels.{one}.position_mm.",

@@ -2,6 +2,7 @@
 """What stands around the wheels, how much room each has at a point, and the free angle of two wheels in a row with the most room."""
 
 import math
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -61,6 +62,11 @@ class Room:
         return least
 
 
+def at(place: Sequence[Metre]) -> complex:
+    """A place that is given: up from the crank, and to the side."""
+    return based_on(complex(*place), place)
+
+
 def room(gears: GearsInputs, train: TrainResult) -> Room:
     mates: dict[str, set[str]] = {w.name: set() for w in gears.wheels}
     tolerances: dict[str, list[Metre]] = {w.name: [] for w in gears.wheels}
@@ -74,8 +80,8 @@ def room(gears: GearsInputs, train: TrainResult) -> Room:
         largest = based_on(max(tolerances[w.name]), *tolerances[w.name])
         with about(Text("wheel {name}, room", name=w.name)):
             swept[w.name] = f.swept_radius(d_a=train.wheels[w.name].tip_diameter, E_da=upper, F_r=w.runout or 0.0, T_a=largest)
-    walls = tuple((wall.name, complex(*wall.from_), complex(*wall.to)) for wall in gears.walls)
-    return Room(walls, tuple((n.name, complex(*n.position), n.radius) for n in gears.neighbours), swept, mates)
+    walls = tuple((wall.name, at(wall.from_), at(wall.to)) for wall in gears.walls)
+    return Room(walls, tuple((n.name, at(n.position), n.radius) for n in gears.neighbours), swept, mates)
 
 
 def clearances(wheel: str, places: dict[str, complex], room: Room) -> dict[str, Clearance]:
