@@ -1,7 +1,6 @@
 """The chain of formulas behind a value goes back to the inputs, and to the right ones."""
 
 from pathlib import Path
-from time import perf_counter
 
 import pytest
 
@@ -159,17 +158,3 @@ def test_an_array_put_together_from_masses_and_further_elements():
     results = solve(design(Document({**document.data, "countershaft": shaft})))
     found = {key for link in chain(results, "countershaft.support.2.reaction") for key in link.inputs}
     assert MASSES | {f"countershaft.extras.stub.{key}" for key in KEYS} <= found
-
-
-def test_a_chain_costs_less_than_a_solve():
-    """The guided session asks for one at a key."""
-
-    def best(function, *arguments):
-        times = []
-        for _ in range(3):
-            start = perf_counter()
-            function(*arguments)
-            times.append(perf_counter() - start)
-        return min(times)
-
-    assert best(chain, RESULTS[SIZED], "countershaft.reaction_front_peak") < best(solve, RESULTS[SIZED].design)
