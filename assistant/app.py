@@ -4,6 +4,7 @@
 import os
 import sys
 import time
+from contextlib import suppress
 from dataclasses import replace
 from pathlib import Path
 from typing import Any, ClassVar, Protocol, runtime_checkable
@@ -11,6 +12,7 @@ from typing import Any, ClassVar, Protocol, runtime_checkable
 os.environ.setdefault("TEXTUAL_ANIMATIONS", "none")  # read when textual is imported
 
 from textual import events
+from textual.app import ScreenStackError
 from textual.await_complete import AwaitComplete
 from textual.binding import Binding, BindingType
 from textual.screen import ModalScreen, Screen
@@ -160,6 +162,10 @@ class ContralberoApp(BaseApp):
             self.push_screen(Palette())
 
     async def on_event(self, event: events.Event) -> None:
+        with suppress(ScreenStackError):  # the program has ended while it was on its way
+            await self._take(event)
+
+    async def _take(self, event: events.Event) -> None:
         """Keys that follow the one that opens the palette or the start page are for it, and those that follow the palette's Enter or
         Escape for where that leads."""
         if not isinstance(event, events.Key) or event.is_forwarded:
