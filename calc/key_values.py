@@ -56,21 +56,15 @@ VALUES: dict[str, tuple[str, ...]] = {
     "mounting": ("mounting.frequency.*", "mounting.roll_axis.*", "mounting.*.felt_*", "mounting.felt_order_1.*", "mounting.window.*",
                  "mounting.range.*", "mounting.exposure.*", "mounting.static.*.deflection"),
 }  # fmt: skip
-# Of each pattern the first curve is drawn, beside the sketch of its step; the tables stand as they are
-CURVES = (
-    "couples",
-    "forces",
-    "loads",
-    "shear_force",
-    "moment",
-    "deflection",
-    "film_front",
-    "backlash_temperature_*",
-    "open_constants",
-    "seat_*",
-    "orders_*",
-    "mount_forces",
-)
+# Of each pattern the first curve of its step is drawn, beside the sketch; the tables stand as they are
+CURVES: dict[str, tuple[str, ...]] = {
+    "imbalance": ("couples", "forces", "orders_*"),
+    "countershaft": ("loads", "shear_force", "moment", "deflection"),
+    "bearings": ("film_front",),
+    "gears": ("backlash_temperature_*",),
+    "friction": ("open_constants",),
+    "mounting": ("seat_*", "orders_*", "mount_forces"),
+}
 TABLES = ("measured", "felt", "modes")
 
 # Checks that are proven whatever their margin, each with the symbols that its proof must show however far back they stand

@@ -98,11 +98,7 @@ class Context:
 
     def number(self, outcome: Outcome[object]) -> list[tuple[int, Curve]]:
         """The curves of a step with the numbers of their figures, one for a whole stack: all of them for an audit, else the main ones."""
-        curves = tuple(outcome.curves)
-        if not self.audit:
-            curves += tuple(outcome.key_curves)
-            firsts = [next((c for c in curves if like(c.id, (pattern,))), None) for pattern in CURVES]
-            curves = tuple(curve for curve in firsts if curve is not None)
+        curves = outcome.curves if self.audit else _main_curves(outcome)
         numbered: list[tuple[int, Curve]] = []
         for curve in curves:
             if not (curve.stack and numbered and numbered[-1][1].stack == curve.stack):
@@ -117,6 +113,15 @@ class Context:
     def state(self, check: Check) -> str:
         """The verdict of a check; one that holds by a formula outside its validity is not called a pass."""
         return "outside" if check.verdict == "pass" and self.outside(check) else check.verdict
+
+
+def _main_curves(outcome: Outcome[object]) -> list[Curve]:
+    """The curves of a step that a short report has.  All of them are made only where one of these is not a key curve: some take long."""
+    found: list[Curve] = []
+    for pattern in CURVES.get(outcome.key, ()):
+        first = next((curve for curves in (outcome.key_curves, outcome.curves) for curve in curves if like(curve.id, (pattern,))), None)
+        found += [first] if first is not None else []
+    return found
 
 
 def near(check: Check) -> bool:
