@@ -114,7 +114,7 @@ def entry_blocks(entry: Entry, source: str, sign: float, *, labelled: bool, cont
             continue
         more = _others(others, own, said, context)
         groups.append((_with_others(own, more, sign), [*said, more], numbers, more))
-    if more := _others(rest, [], [], context):
+    if more := _others(rest, [], [], context, written=entry.lines[0][0].variant):
         own, said, numbers, before = groups.pop()
         groups.append((_with_others(own, more, sign), [*said, more], numbers, " ".join(filter(None, (before, more)))))
     (own, said, numbers, more), *later = groups
@@ -167,8 +167,11 @@ def _parts(labelled: list[Labelled]) -> dict[str, list[Labelled]]:
     return parts
 
 
-def _others(rest: list[Labelled], own: list[tuple[str, Box]], said: list[str], context: Context) -> str:
-    """The further calculations of a part by their values; what says the same as the one in full is left out."""
+def _others(rest: list[Labelled], own: list[tuple[str, Box]], said: list[str], context: Context, written: str = "") -> str:
+    """The further calculations of a part by their values; what says the same as the one in full is left out.
+
+    Those of other parts are of the kind that is `written` out above, "twice the load", unless they say another.
+    """
     known = {s.rpartition("= ")[2] for s in said}
     found: dict[str, dict[str, None]] = {}
     told: set[tuple[str, str]] = set()  # a part's values: what a variant has in common with the part is not repeated
@@ -180,7 +183,8 @@ def _others(rest: list[Labelled], own: list[tuple[str, Box]], said: list[str], c
             if label.variant and (label.part, value) in told:
                 continue
             told.add((label.part, value))
-            found.setdefault("" if own else label.part, {})[f"{label.variant} {value}".strip()] = None
+            variant = "" if label.variant == written else label.variant
+            found.setdefault("" if own else label.part, {})[f"{variant} {value}".strip()] = None
             unit = of
     if not found:
         return ""
@@ -268,12 +272,15 @@ def _block(
     beside = text_lines(source, SOURCE, SOURCE_WIDTH) if source else []
     labels = [text_lines(label, NOTE, sign - 6.0, 3) if label else [] for label, _ in rows]
     bases: list[float] = []
-    y = 0.0
+    y = labelled = 0.0  # where the next row begins, and where the label above it ends: beside rows that have none
     for i, (_, line) in enumerate(rows):
         up, down = max(line.up, 0.76 * SIZE, head.up if head is not None and i == 0 else 0.0), max(line.down, 0.24 * SIZE)
-        y += up
+        y = (max(y, labelled + LEAD) if labels[i] and labelled else y) + up
         bases.append(y)
-        y += max(down, (len(labels[i]) - 1) * NOTE.leading + 0.24 * SIZE) + (LEAD if i < len(rows) - 1 else 0.0)
+        if labels[i]:
+            labelled = y + (len(labels[i]) - 1) * NOTE.leading + 0.24 * SIZE
+        y += down + (LEAD if i < len(rows) - 1 else 0.0)
+    y = max(y, labelled)
     lift = bases[0] - SOURCE.size * 0.76
     height = max(y, (lift if lift > 0 else 0.0) + len(beside) * SOURCE.leading)
     start = ("begin", 0.0, 0.0, clean(said))
