@@ -3,8 +3,6 @@
 import gc
 import os
 import sys
-import time
-from datetime import date
 from pathlib import Path
 
 import pytest
@@ -27,25 +25,7 @@ gc.set_threshold(*SELDOM)  # as the command line does: looking for garbage took 
 
 ROOT = Path(__file__).parent.parent
 DESIGNS = ROOT / "designs"
-BEGUN = time.monotonic()
 GAMMA = DESIGNS / "r753ie4_gamma.toml"
-
-
-def pytest_addoption(parser: pytest.Parser) -> None:
-    parser.addoption(
-        "--within", type=float, metavar="SECONDS", help="begin no test after so many seconds; every day others are the first ones"
-    )
-
-
-def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
-    if config.getoption("--within") is not None and items:
-        first = date.today().toordinal() * 37 % len(items)
-        items[:] = items[first:] + items[:first]
-
-
-def pytest_runtest_setup(item: pytest.Item) -> None:
-    if time.monotonic() - BEGUN > (item.config.getoption("--within") or float("inf")):
-        pytest.skip("no time is left")
 
 
 def pytest_collection_finish() -> None:
