@@ -2,6 +2,7 @@
 """The guided session: one screen over one `Session`.  Only what the first picture needs is imported here."""
 
 import os
+import signal
 import sys
 import time
 from contextlib import suppress
@@ -250,6 +251,8 @@ def run(path: Path | None, ascii: bool = False, lang: str | None = None) -> int:
         settings = replace(settings, language=lang)
     plain = ascii or not encoding.startswith("utf")
     app = ContralberoApp(session, ascii=plain, key_map=memory.keys(), settings=settings, memory=memory, missing=missing)
+    if hasattr(signal, "SIGHUP"):  # of which nohup makes nothing: without its terminal a session would only keep a core busy
+        signal.signal(signal.SIGHUP, signal.SIG_DFL)
     result = app.run()
     if app._exception is not None:  # textual would show its trace with the values of all variables, and end as a failed check does
         from .fault import told

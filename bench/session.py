@@ -26,7 +26,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parent.parent
 DESIGN = ROOT / "designs" / "r753ie4_gamma.toml"
 STARTED = re.compile(rb"Open a file")  # a row of the start page
-PAINTED = re.compile(rb"Crank radius")  # a label of the first form
+PAINTED = re.compile(rb"Rod length")  # a label of the first form
 SOLVED = re.compile(rb"solved in")
 NEXT, BEFORE, FIX, LEAVE = b"\x1bOR", b"\x1bOQ", b"\x1b[15~", b"\x1b"  # F3, F2, F5, Esc
 STEPS = ("imbalance", "countershaft", "bearings", "gears", "friction")  # behind the one that is there at first

@@ -32,7 +32,7 @@ if TYPE_CHECKING:
 SLOW = 0.3  # a solve that takes longer dims what stands there; sooner it would only flicker
 PAUSE = 0.08  # seconds after a key until results are painted: the next key of who types on comes sooner, and need not wait for that
 FRAMES = 0.04  # seconds in which the verdicts are painted, before anything else is done
-REST = 0.5  # seconds after a key in which whatever goes on behind the screen rests: what the key does needs the processor
+REST = 0.9  # seconds after a key in which whatever goes on behind the screen rests: what the key does needs the processor
 HIDDEN = 0.2  # seconds until a calculation that is not on the screen is written out
 SEEK = 1.0  # seconds from then until a remedy is looked for: a step of that can not be stopped half-way
 AHEAD = 0.4  # seconds after the last results until the calculations of the other steps are written out

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The one screen: steps, inputs, checks, calculation and curve, always live.  Nobody presses "calculate"."""
 
+import time
 from collections.abc import Callable
 from typing import ClassVar
 
@@ -10,7 +11,8 @@ from textual.binding import Binding, BindingType
 from textual.containers import Container, Horizontal, Vertical
 from textual.reactive import Reactive
 from textual.screen import Screen
-from textual.widget import Widget
+from textual.timer import Timer
+from textual.widget import AwaitMount, Widget
 
 from calc.design import STEPS
 from calc.sheet.step import Step
@@ -55,6 +57,7 @@ from .results_view import ResultsView
 from .slopes import Slopes
 
 HUGE = 170  # cells of a screen that has room for the findings beside the picture
+AHEAD = 0.2  # seconds without a key until the form of a further step is made: it takes a tenth of one
 
 
 class Workbench(Screen[None]):
@@ -83,6 +86,8 @@ class Workbench(Screen[None]):
         self._actions = methods(self.moves, self.edits, self.files, self.curves, self.readings, AcceptActions(self), self.closing)
         self.feedback = EditFeedback(self)
         self._composing = False
+        self._ahead: Timer | None = None
+        self._mounting: AwaitMount | None = None
         self._begin(session)
 
     def _begin(self, session: Session) -> None:
@@ -311,6 +316,28 @@ class Workbench(Screen[None]):
         steps.go_to(self.step.key)
         self.show_remedy()
         self.background.seek_remedy()
+        self._make_ahead()
+
+    def _make_ahead(self) -> None:
+        """Soon, if no key comes: the form of a further step, hidden, so that the step opens at once."""
+        if self._ahead is not None:
+            self._ahead.stop()
+        self._ahead = self.set_timer(AHEAD, self._form_ahead)
+
+    async def _form_ahead(self) -> None:
+        if not self.stands:
+            return
+        at = STEPS.index(self.step)
+        without = (step for step in (*STEPS[at:], *STEPS[:at]) if not step.optional and not self.query(f"#form-{step.key}"))
+        if (step := next(without, None)) is None:
+            return
+        if self.is_current and time.monotonic() > self.app.struck + AHEAD:
+            form = Form(step, self.session)
+            form.display = False
+            self._mounting = self.query_one("#forms").mount(form)
+            await self._mounting
+            self._mounting = None
+        self._make_ahead()
 
     async def open_step(self, step: Step, focus: Place | None = None, *, stay: bool = False) -> None:
         """Show another step, with the focus on a field if one had it before; `stay` leaves the focus where it is."""
@@ -324,11 +351,13 @@ class Workbench(Screen[None]):
                 self.form.display = False
                 self.step = step
                 if self.query(f"#form-{step.key}"):
+                    if self._mounting is not None:  # that of this step, maybe
+                        await self._mounting
                     self.form.display = True
                 else:
                     await self.query_one("#forms").mount(Form(step, self.session))
-                    if not self.stands:  # the end came before the form
-                        return
+                if not self.stands:  # the end came before the form
+                    return
             if inside and idle:
                 self.set_focus(self.form, scroll_visible=False)
             elif inside:

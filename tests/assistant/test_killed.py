@@ -203,3 +203,20 @@ def test_a_save_that_is_cut_off_at_any_of_its_steps(light: Session, state: Path,
     old = light.text("name")
     found = [whole(tmp_path / "steps" / str(step) / light.home.name, light, old, "new name") for step in range(1, len(told) + 1)]
     assert found == sorted(found, key=lambda name: name == "new name") and set(found) == {old, "new name"}
+
+
+def test_under_nohup_a_session_ends_with_its_terminal(tmp_path: Path, state: Path) -> None:
+    """Of the signal that its terminal has gone a program under nohup hears nothing, and would keep a core busy for ever."""
+    path = tmp_path / "design.toml"
+    shutil.copy(EXAMPLE, path)
+    before = signal.signal(signal.SIGHUP, signal.SIG_IGN)
+    try:
+        with Terminal(path, state) as terminal:
+            os.close(terminal.file)
+            end = time.monotonic() + 20
+            while not (ended := os.waitpid(terminal.pid, os.WNOHANG))[0] and time.monotonic() < end:
+                time.sleep(0.05)
+            assert ended[0] and os.WIFSIGNALED(ended[1]) and os.WTERMSIG(ended[1]) == signal.SIGHUP
+            terminal.pid = 0
+    finally:
+        signal.signal(signal.SIGHUP, before)
