@@ -16,7 +16,7 @@ from textual.widget import AwaitMount, Widget
 
 from calc.design import STEPS
 from calc.sheet.step import Step
-from calc.sheet.text import EMPTY, Text
+from calc.sheet.text import EMPTY, Name, Text
 
 from ..actions import ACTIONS, methods
 from ..base_app import BaseApp
@@ -318,6 +318,18 @@ class Workbench(Screen[None]):
         self.background.seek_remedy()
         self._make_ahead()
 
+    def _spare(self) -> None:
+        """A step is gone to past a lone digit, with no Enter after it: the number stays as it was."""
+        if (field := self.form.field) is not None and field.stray:
+            stays = Text(
+                "{label} stays {was}: {digit} was not accepted (Enter or Tab accept it)",
+                label=field.about.label,
+                was=Name(field.was),
+                digit=Name(field.box.value),
+            )
+            field.restore()
+            self.app.tell(stays)
+
     def _make_ahead(self) -> None:
         """Soon, if no key comes: the form of a further step, hidden, so that the step opens at once."""
         if self._ahead is not None:
@@ -341,6 +353,8 @@ class Workbench(Screen[None]):
 
     async def open_step(self, step: Step, focus: Place | None = None, *, stay: bool = False) -> None:
         """Show another step, with the focus on a field if one had it before; `stay` leaves the focus where it is."""
+        if step is not self.step:
+            self._spare()
         idle = focus is None and isinstance(self.focused, Form)
         inside = not stay and (self.pane_layout.pane == "inputs" or focus is not None)
         before = self.step

@@ -149,6 +149,12 @@ class Field(Widget):
         self.enter(self.was)
         self.redraw()
 
+    @property
+    def stray(self) -> bool:
+        """Whether a lone digit stands in place of a longer number: who struck it may have meant a step."""
+        typed = self.box.value if isinstance(self.box, Entry) else ""
+        return self.editing and len(typed) == 1 and typed.isdigit() and len(self.was) > 1
+
     def nudge(self, by: int) -> str:
         """One step up or down; gives the new text, or the same where there is no step to make."""
         if isinstance(box := self.box, Choice):

@@ -315,3 +315,17 @@ async def test_words_show_how_they_begin_and_a_mistake_is_told_without_its_key(s
         await strike(pilot, "tab")
         await until(pilot, lambda: "greater than" in rows(pilot) or "must be" in rows(pilot))
         assert "rod_length_mm" not in rows(pilot) and "rod length: must be" in message(pilot)
+
+
+async def test_a_lone_digit_that_was_meant_for_a_step_changes_no_number(screen: Screen, light: Session) -> None:
+    """F3 after it: the number stays, and it is said; Enter after it, or a second digit, means it."""
+    async with screen() as pilot:
+        for keys, bore in (("3",), 94.0), (("3", "enter"), 3.0), (("8", "3"), 83.0):
+            await go_to(pilot, "engine.bore_mm")
+            await strike(pilot, *keys, "f3")
+            await until(pilot, lambda: work(pilot).number == 2)
+            assert light.value("engine.bore_mm") == bore
+            if bore == 94.0:
+                assert "Bore stays 94: 3 was not accepted" in told(pilot)
+            await strike(pilot, "f2")
+            await until(pilot, lambda: work(pilot).number == 1)
