@@ -105,11 +105,12 @@ class Results:
 
 def solve(
     design: Design, before: Results | None = None, stop: Callable[[], bool] = bool, enough: Callable[[Outcome[object]], bool] | None = None,
-    *, traced: bool = False,
+    *, traced: bool = False, compared: bool = True,
 ) -> Results:  # fmt: skip
     """All steps of a design.  `before`: the results of an earlier version, of which unchanged parts are taken over.
 
     `traced`: with the lines of the calculation.  Else they are made when somebody looks at an outcome's `lines`, or asks for `traced()`.
+    `compared`: with what other methods give beside those that judge; every verdict is the same without.
 
     `stop` is asked between the parts whether nobody waits for the results any more; then Cancelled is raised.
     `enough` is asked after each part: where what it gave decides all that is asked, the outcomes so far are returned.
@@ -119,7 +120,7 @@ def solve(
     told = [] if before is None or traced else [before] if before.recorded else list(before._told)  # of what is recorded: no chain
     with seldom_collected(), recorded(traced):
         try:
-            outcomes = _solve(part, design)
+            outcomes = _solve(part, design, compared)
         except Enough:
             outcomes = part.last
     results = Results(design, outcomes, part.kept, traced, told)
@@ -134,7 +135,7 @@ def _lines(results: Results, key: str) -> Many[Line]:
     return results.traced().outcomes[key].lines
 
 
-def _solve(part: Parts, design: Design) -> dict[str, Outcome[object]]:
+def _solve(part: Parts, design: Design, compared: bool) -> dict[str, Outcome[object]]:
     materials, oils, first_speed = design.materials, design.oils, h.first_speed(design)
 
     if design.engine is not None:
@@ -168,7 +169,10 @@ def _solve(part: Parts, design: Design) -> dict[str, Outcome[object]]:
 
     late = h.unsolved((e, i, c))
     if design.bearings is not None and not late:
-        b = part("bearings", bearings.solve, design.bearings, c.result, design.engine, h.bearing_materials(design, design.bearings))
+        b = part(
+            "bearings", bearings.solve, design.bearings, c.result, design.engine, h.bearing_materials(design, design.bearings),
+            compared=compared,
+        )  # fmt: skip
     else:
         b = part.absent("bearings", design.bearings, late)
 

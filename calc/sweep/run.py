@@ -7,6 +7,7 @@ A chunk that is kept is taken over by the next run of the same sweep, so that on
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 
+from ..bearings.routes.side_by_side import COMPARED
 from ..design import Design
 from ..design_file import Document, design
 from ..sheet.errors import BadInput, InputError
@@ -90,6 +91,7 @@ def one_by_one(
     """Design by design; what one has like the one before it is taken over.  `wanted`: only these values; none: all."""
     before: Results | None = None
     sound = document, design(document)
+    compared = not wanted or any(not COMPARED.isdisjoint(id.split(".")) for id in wanted)
     for row in at:
         changed = document
         for one, value in zip(inputs, row):
@@ -100,7 +102,7 @@ def one_by_one(
         except BadInput as bad:
             yield Solved({}, {}, reason_of(bad.errors))
             continue
-        before = solve(_needed(made, step), before)
+        before = solve(_needed(made, step), before, compared=compared)
         yield _solved(before, step, wanted)
 
 
