@@ -152,10 +152,10 @@ def _solve(part: Parts, design: Design, compared: bool) -> dict[str, Outcome[obj
         i = part.absent("imbalance", design.imbalance, (e,))
 
     if design.gears is not None and first_speed is not None:
-        g = part("gears", gears.geometry, design.gears, first_speed)
+        g = part("gears", gears.at_rest, design.gears)
     else:
         g = part.absent("gears", design.gears, (e,))
-    train, gear = g.result, h.shaft_gear(design, g.result)
+    gear = h.shaft_gear(design, g.result)
 
     if design.countershaft is not None and e.result is not None and i.result is not None:
         c = part(
@@ -176,8 +176,8 @@ def _solve(part: Parts, design: Design, compared: bool) -> dict[str, Outcome[obj
     else:
         b = part.absent("bearings", design.bearings, late)
 
-    if design.gears is not None and g.result is not None:
-        g = _placed(part, g, design.gears, design, c)
+    if design.gears is not None and g.result is not None and first_speed is not None:
+        g = part("gears", gears.turning, _placed(part, g, design.gears, design, c), design.gears, first_speed)
 
     oil, late = h.mesh_oil(design), h.unsolved((b,))
     if design.friction is not None and design.gears is not None and g.result is not None and first_speed and oil is not None and not late:
@@ -190,7 +190,7 @@ def _solve(part: Parts, design: Design, compared: bool) -> dict[str, Outcome[obj
     f = friction.with_rated_power(f, h.rated_power(design))
 
     if c.result is not None and design.countershaft is not None:
-        c = with_standing(c, design.countershaft, gear, h.shaft_drive(design, train, f))
+        c = with_standing(c, design.countershaft, gear, h.shaft_drive(design, g.result, f))
         b = bearings_with_standing(b, c.solution.standing)
         if design.countershaft.oil_drain is not None or design.countershaft.further_drains:
             from .countershaft.making.drainage import with_oil  # which most designs do not need
