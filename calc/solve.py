@@ -83,11 +83,7 @@ class Results:
 
     def traced(self, stop: Callable[[], bool] = bool) -> "Results":
         """The same with its lines, and with its numbers linked to them: solved once more, when somebody looks for the first time."""
-        if self.recorded:
-            return self
-        if not self._told or self._told[0].design is not self.design:
-            self._told[:] = [solve(self.design, self._told[0] if self._told else None, stop, traced=True)]
-        return self._told[0]
+        return self if self.recorded else _traced(self.design, self._told, stop)
 
     @property
     def predicted(self) -> Predicted:
@@ -125,14 +121,23 @@ def solve(
             outcomes = part.last
     results = Results(design, outcomes, part.kept, traced, told)
     if not traced:
-        outcomes |= {key: replace(outcome, lines=Later(partial(_lines, results, key))) for key, outcome in outcomes.items()}
+        outcomes |= {key: replace(outcome, lines=Later(partial(_lines, design, told, key))) for key, outcome in outcomes.items()}
     if design.measured:
-        outcomes |= with_measured(design, outcomes, cache(lambda: results.predicted))
+        bare = replace(results, outcomes=dict(outcomes))  # does not lead back to the outcomes that ask it
+        outcomes |= with_measured(design, outcomes, cache(lambda: bare.predicted))
     return results
 
 
-def _lines(results: Results, key: str) -> Many[Line]:
-    return results.traced().outcomes[key].lines
+def _traced(design: Design, told: list[Results], stop: Callable[[], bool] = bool) -> Results:
+    """The design with its lines.  `told`: the same from before, or an earlier version of it, which this takes the place of."""
+    if not told or told[0].design is not design:
+        told[:] = [solve(design, told[0] if told else None, stop, traced=True)]
+    return told[0]
+
+
+def _lines(design: Design, told: list[Results], key: str) -> Many[Line]:
+    """Of a step, for its outcome: which does not know the results, so that these go as soon as nobody needs them."""
+    return _traced(design, told).outcomes[key].lines
 
 
 def _solve(part: Parts, design: Design, compared: bool) -> dict[str, Outcome[object]]:
