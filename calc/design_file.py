@@ -53,6 +53,9 @@ class Document:
         return replace(self, data=changed(self.data, address(self.data, key, whole), value), lines={**self.lines, key: 0})
 
 
+Sound = tuple[Document, Design]  # a document without errors, and the design that it is
+
+
 # --- reading --------------------------------------------------------------------------------------------------------------
 def read(path: Path | str) -> Document:
     """Read a design file.  Raises BadInput where it is no TOML text; what it says is not yet checked."""
@@ -107,10 +110,11 @@ PLACEHOLDER: Table = {
 
 # --- checking ---------------------------------------------------------------------------------------------------------------
 class _Reader:
-    """Walks a document along the Inputs classes and collects every error."""
+    """Walks a document along the Inputs classes and collects every error.  `sound`: a document without any, and what was read of it."""
 
-    def __init__(self, document: Document) -> None:
+    def __init__(self, document: Document, sound: Sound | None = None) -> None:
         self.document = document
+        self.known = {} if sound is None else _read_before(document, *sound)
         self.errors: list[InputError] = []
         self.wrong: set[str] = set()  # their keys
 
@@ -139,7 +143,9 @@ class _Reader:
                 reason = Text("is not known") if counted else unknown(key, known)
                 self.error(join(prefix, key), None, getattr(cls, "REFUSED", {}).get(key) or reason)
         for key, about in known.items():
-            if key in data:
+            if not prefix and key in self.known:
+                values[about.attribute] = self.known[key]
+            elif key in data:
                 values[about.attribute] = self.value(about.about, data[key], join(prefix, key), join(address, key))
             elif about.field.default is not MISSING:
                 values[about.attribute] = _keyed(about.about, about.field.default, join(address, key))
@@ -276,9 +282,18 @@ def _plain(data: object, key: str) -> object:
     return data if isinstance(data, (int, float, str)) else None
 
 
-def design(document: Document) -> Design:
-    """The checked design in SI.  Raises BadInput with every error of the document, in the order of its lines."""
-    reader = _Reader(document)
+def _read_before(document: Document, like: Document, made: Design) -> dict[str, object]:
+    """What stands in tables that the other document has too: the same ones, which nobody changes in place."""
+    same = {key for key, table in document.data.items() if like.data.get(key) is table}
+    return {key: getattr(made, about.attribute) for key, about in keys(Design).items() if key in same}
+
+
+def design(document: Document, sound: Sound | None = None) -> Design:
+    """The checked design in SI.  Raises BadInput with every error of the document, in the order of its lines.
+
+    `sound`: a document of which this one was made, with its design: what is unchanged is taken over and not read again.
+    """
+    reader = _Reader(document, sound)
     made = reader.inputs(Design, document.data, "")
     if reader.errors:
         raise BadInput(document.place, reader.errors)

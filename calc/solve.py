@@ -83,11 +83,7 @@ class Results:
 
     def traced(self, stop: Callable[[], bool] = bool) -> "Results":
         """The same with its lines, and with its numbers linked to them: solved once more, when somebody looks for the first time."""
-        if self.recorded:
-            return self
-        if not self._told or self._told[0].design is not self.design:
-            self._told[:] = [solve(self.design, self._told[0] if self._told else None, stop, traced=True)]
-        return self._told[0]
+        return self if self.recorded else _traced(self.design, self._told, stop)
 
     @property
     def predicted(self) -> Predicted:
@@ -105,11 +101,12 @@ class Results:
 
 def solve(
     design: Design, before: Results | None = None, stop: Callable[[], bool] = bool, enough: Callable[[Outcome[object]], bool] | None = None,
-    *, traced: bool = False,
+    *, traced: bool = False, compared: bool = True,
 ) -> Results:  # fmt: skip
     """All steps of a design.  `before`: the results of an earlier version, of which unchanged parts are taken over.
 
     `traced`: with the lines of the calculation.  Else they are made when somebody looks at an outcome's `lines`, or asks for `traced()`.
+    `compared`: with what other methods give beside those that judge; every verdict is the same without.
 
     `stop` is asked between the parts whether nobody waits for the results any more; then Cancelled is raised.
     `enough` is asked after each part: where what it gave decides all that is asked, the outcomes so far are returned.
@@ -119,22 +116,31 @@ def solve(
     told = [] if before is None or traced else [before] if before.recorded else list(before._told)  # of what is recorded: no chain
     with seldom_collected(), recorded(traced):
         try:
-            outcomes = _solve(part, design)
+            outcomes = _solve(part, design, compared)
         except Enough:
             outcomes = part.last
     results = Results(design, outcomes, part.kept, traced, told)
     if not traced:
-        outcomes |= {key: replace(outcome, lines=Later(partial(_lines, results, key))) for key, outcome in outcomes.items()}
+        outcomes |= {key: replace(outcome, lines=Later(partial(_lines, design, told, key))) for key, outcome in outcomes.items()}
     if design.measured:
-        outcomes |= with_measured(design, outcomes, cache(lambda: results.predicted))
+        bare = replace(results, outcomes=dict(outcomes))  # does not lead back to the outcomes that ask it
+        outcomes |= with_measured(design, outcomes, cache(lambda: bare.predicted))
     return results
 
 
-def _lines(results: Results, key: str) -> Many[Line]:
-    return results.traced().outcomes[key].lines
+def _traced(design: Design, told: list[Results], stop: Callable[[], bool] = bool) -> Results:
+    """The design with its lines.  `told`: the same from before, or an earlier version of it, which this takes the place of."""
+    if not told or told[0].design is not design:
+        told[:] = [solve(design, told[0] if told else None, stop, traced=True)]
+    return told[0]
 
 
-def _solve(part: Parts, design: Design) -> dict[str, Outcome[object]]:
+def _lines(design: Design, told: list[Results], key: str) -> Many[Line]:
+    """Of a step, for its outcome: which does not know the results, so that these go as soon as nobody needs them."""
+    return _traced(design, told).outcomes[key].lines
+
+
+def _solve(part: Parts, design: Design, compared: bool) -> dict[str, Outcome[object]]:
     materials, oils, first_speed = design.materials, design.oils, h.first_speed(design)
 
     if design.engine is not None:
@@ -151,10 +157,10 @@ def _solve(part: Parts, design: Design) -> dict[str, Outcome[object]]:
         i = part.absent("imbalance", design.imbalance, (e,))
 
     if design.gears is not None and first_speed is not None:
-        g = part("gears", gears.geometry, design.gears, first_speed)
+        g = part("gears", gears.at_rest, design.gears)
     else:
         g = part.absent("gears", design.gears, (e,))
-    train, gear = g.result, h.shaft_gear(design, g.result)
+    gear = h.shaft_gear(design, g.result)
 
     if design.countershaft is not None and e.result is not None and i.result is not None:
         c = part(
@@ -168,12 +174,15 @@ def _solve(part: Parts, design: Design) -> dict[str, Outcome[object]]:
 
     late = h.unsolved((e, i, c))
     if design.bearings is not None and not late:
-        b = part("bearings", bearings.solve, design.bearings, c.result, design.engine, h.bearing_materials(design, design.bearings))
+        b = part(
+            "bearings", bearings.solve, design.bearings, c.result, design.engine, h.bearing_materials(design, design.bearings),
+            compared=compared,
+        )  # fmt: skip
     else:
         b = part.absent("bearings", design.bearings, late)
 
-    if design.gears is not None and g.result is not None:
-        g = _placed(part, g, design.gears, design, c)
+    if design.gears is not None and g.result is not None and first_speed is not None:
+        g = part("gears", gears.turning, _placed(part, g, design.gears, design, c), design.gears, first_speed)
 
     oil, late = h.mesh_oil(design), h.unsolved((b,))
     if design.friction is not None and design.gears is not None and g.result is not None and first_speed and oil is not None and not late:
@@ -186,7 +195,7 @@ def _solve(part: Parts, design: Design) -> dict[str, Outcome[object]]:
     f = friction.with_rated_power(f, h.rated_power(design))
 
     if c.result is not None and design.countershaft is not None:
-        c = with_standing(c, design.countershaft, gear, h.shaft_drive(design, train, f))
+        c = with_standing(c, design.countershaft, gear, h.shaft_drive(design, g.result, f))
         b = bearings_with_standing(b, c.solution.standing)
         if design.countershaft.oil_drain is not None or design.countershaft.further_drains:
             from .countershaft.making.drainage import with_oil  # which most designs do not need

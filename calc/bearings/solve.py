@@ -41,7 +41,7 @@ from .rotating_load import loads_beside
 from .routes import supply
 from .routes.balance import balanced, closed, settled_together
 from .routes.routes import own_warm
-from .routes.side_by_side import ROUTES, routes_table, side_by_side
+from .routes.side_by_side import ROUTES, judged_alone, routes_table, side_by_side
 from .routes.states import BearingCase, Film, OperatingPoint
 from .sweep import TURNING, Sweep, sweep, sweep_points
 
@@ -55,9 +55,13 @@ class BearingMaterials(NamedTuple):
 
 
 def solve(
-    bearings: BearingsInputs, shaft: CountershaftResult | None, engine: EngineInputs | None, solids: BearingMaterials
-) -> Outcome[BearingsResult]:
-    """Front and rear bearing under the loads given, or the shaft's reactions, which turn with it and grow with its speed squared."""
+    bearings: BearingsInputs, shaft: CountershaftResult | None, engine: EngineInputs | None, solids: BearingMaterials, *,
+    compared: bool = True,
+) -> Outcome[BearingsResult]:  # fmt: skip
+    """Front and rear bearing under the loads given, or the shaft's reactions, which turn with it and grow with its speed squared.
+
+    `compared`: with the other routes to the film beside the one that judges.
+    """
     speed = bearings.speed if bearings.speed is not None else engine.rated_speed if engine is not None else 0.0
     bench = engine.bench if engine is not None else ()
     results: dict[str, BearingResult] = {}
@@ -71,7 +75,7 @@ def solve(
                 clearance = clearance_of(bearings, bearing, speed)
                 seat = BearingCase(bearing, bearings, lubricant, clearance, solids.journal.expansion, solids.housing.expansion)
                 load, slope = _load(place, bearing, shaft), _slope(place, bearings, shaft)
-                results[place] = _bearing(place, seat, load, slope, speed, bench)
+                results[place] = _bearing(place, seat, load, slope, speed, bench, compared=compared)
                 every += [*checks(place, results[place], slope), *_pairing(place, results[place])]
     every += _slopes_given(bearings, shaft)
     every += oil_checks(bearings, solids.oil)
@@ -161,7 +165,9 @@ def operating_point(inputs: BearingsInputs, load: float, speed: RevPerSecond) ->
     return OperatingPoint(load, speed, n_h, slides, inputs.supply_temperature, inputs.supply_pressure)
 
 
-def _bearing(place: str, seat: BearingCase, load: float, slope: float, speed: RevPerSecond, bench: tuple[BenchPoint, ...]) -> BearingResult:
+def _bearing(
+    place: str, seat: BearingCase, load: float, slope: float, speed: RevPerSecond, bench: tuple[BenchPoint, ...], *, compared: bool
+) -> BearingResult:  # fmt: skip
     inputs, bearing = seat.inputs, seat.bearing
     d, l = bearing.diameter, bearing.length
     i_B = inputs.bush_speed_ratio
@@ -193,7 +199,7 @@ def _bearing(place: str, seat: BearingCase, load: float, slope: float, speed: Re
         band = optimum.place_in_band(eps=hot.eccentricity, share_f=least_friction, share_F=most)
     with about(Text("{place} bearing, oil supply", place=IN_WORDS[place])):
         blocked = _blocked_arc(inputs, duty, hot, ratio)
-    side = side_by_side(place, seat, duty, ratio)
+    side = side_by_side(place, seat, duty, ratio) if compared else judged_alone(seat, ratio)
     with about(Text("{place} bearing, dynamics", place=IN_WORDS[place])):
         moving = dynamics(hot, duty, seat, ratio)
     twice = replace(duty, load=based_on(2 * load, load))

@@ -60,17 +60,19 @@ NOT_RATED = Text(
 
 
 def geometry(gears: GearsInputs, first_speed: RevPerSecond) -> Outcome[TrainResult]:
-    """Shifts, circles, measures, contact and backlash of the whole train.  `first_speed` is that of the first driver.
+    """Shifts, circles, measures, contact and backlash of the whole train, turning.  `first_speed` is that of the first driver.
 
     Raises NoSolution where wheels of these numbers can not be made, or can not mesh.
     """
+    return turning(at_rest(gears), gears, first_speed)
+
+
+def at_rest(gears: GearsInputs) -> Outcome[TrainResult]:
+    """All of `geometry` but the speeds, of which none of it depends."""
     with trace() as lines:
         system = tooth_system(gears)
         train = settle(gears, system)
-        n = speeds(gears, first_speed)
-        wheels = {
-            w.name: solve_wheel(gears, system, w, train.shifts[w.name], train.d[w.name], train.d_b[w.name], n[w.name]) for w in gears.wheels
-        }
+        wheels = {w.name: solve_wheel(gears, system, w, train.shifts[w.name], train.d[w.name], train.d_b[w.name]) for w in gears.wheels}
         meshes = {
             mesh.key: solve_mesh(system, mesh, f"gears.meshes.{i}", train.distances[mesh.key], wheels[mesh.driver], wheels[mesh.driven])
             for i, mesh in enumerate(gears.meshes)
@@ -78,7 +80,6 @@ def geometry(gears: GearsInputs, first_speed: RevPerSecond) -> Outcome[TrainResu
         last = gears.meshes[-1].driven
         with about(Text("train, to {last}", last=last)):
             free = backlash_at_shaft(wheels, meshes, last)
-            ratio = speed_ratio_of(n_last=n[last], n_1=n[gears.meshes[0].driver])
         spans: list[Callable[[], Table]] = []
         measured: list[Check] = []
         for given in gears.wheels:
@@ -87,14 +88,28 @@ def geometry(gears: GearsInputs, first_speed: RevPerSecond) -> Outcome[TrainResu
             wheels[given.name] = replace(wheels[given.name], measures=sizes)
             spans.append(table)
             measured += judged
-        result = TrainResult(system=system, wheels=wheels, meshes=meshes, speed_ratio=ratio, phase_error=free)
+        result = TrainResult(system=system, wheels=wheels, meshes=meshes, speed_ratio=0.0, phase_error=free)
         depths = penetrations(result)
     result = replace(result, meshes={key: replace(mesh, penetration=depths[key]) for key, mesh in meshes.items()})
     finite(result, "gears", EXTREME)
     return Outcome("gears", result=result, checks=(*checks(gears, result), *measured, *profile_checks(result, depths)),
         lines=tuple(lines), tables=Later(lambda: (table() for table in spans)),
-        errata=errata(result) if gears.source_sheet == "finotti" else (),
         notes=Later(lambda: (*notes(gears, train, result), *profile_notes(result))))  # fmt: skip
+
+
+def turning(outcome: Outcome[TrainResult], gears: GearsInputs, first_speed: RevPerSecond) -> Outcome[TrainResult]:
+    """A train with its speeds."""
+    with trace() as lines:
+        n = speeds(gears, first_speed)
+        last = gears.meshes[-1].driven
+        with about(Text("train, to {last}", last=last)):
+            ratio = speed_ratio_of(n_last=n[last], n_1=n[gears.meshes[0].driver])
+    still = outcome.solution
+    result = replace(
+        still, wheels={name: replace(wheel, speed=n[name]) for name, wheel in still.wheels.items()}, speed_ratio=ratio
+    )  # fmt: skip
+    wrong = errata(result) if gears.source_sheet == "finotti" else ()
+    return replace(outcome, result=result, lines=(*outcome.lines, *lines), errata=(*outcome.errata, *wrong))
 
 
 def with_play(

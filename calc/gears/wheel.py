@@ -8,7 +8,7 @@ from ..sheet.quantity import Described, Stated
 from ..sheet.record import record
 from ..sheet.text import Amount, Text
 from ..sheet.trace import about, untraced
-from ..sheet.units import Metre, Number, Radian, RevPerSecond
+from ..sheet.units import Metre, Number, Radian
 from ..sheet.value import based_on
 from . import formulas as f
 from .inputs import GearsInputs, Wheel
@@ -31,8 +31,8 @@ class _Bare:
     d_b: Metre
 
 
-def solve_wheel(gears: GearsInputs, system: ToothSystem, wheel: Wheel, x: Number, d: Metre, d_b: Metre, speed: RevPerSecond) -> WheelResult:
-    """All values of one wheel.  A tooth that can not be is no solution; one that is only poor is for the checks to judge."""
+def solve_wheel(gears: GearsInputs, system: ToothSystem, wheel: Wheel, x: Number, d: Metre, d_b: Metre) -> WheelResult:
+    """All values of one wheel, at rest.  A tooth that can not be is no solution; one that is only poor is for the checks to judge."""
     bare = _Bare(system, wheel, x, d, d_b)
     alpha_t, alpha_n = system.transverse_pressure_angle, system.alpha_n
     with about(Text("wheel {name}", name=wheel.name)):
@@ -64,7 +64,7 @@ def solve_wheel(gears: GearsInputs, system: ToothSystem, wheel: Wheel, x: Number
         return WheelResult(
             tooth_depth=h, pointed_diameter=pointed, profile_shift=x, undercut_limit=x_min, reference_diameter=d,
             base_diameter=d_b, tip_diameter=d_a, root_diameter=d_f, form_diameter=d_Ff, tip_thickness=s_at, tip_thickness_normal=s_an,
-            form_thickness=s_f, speed=speed, span_teeth=K, span=_span(wheel, round(K), W_K), ideal_ball=ideal,
+            form_thickness=s_f, speed=0.0, span_teeth=K, span=_span(wheel, round(K), W_K), ideal_ball=ideal,
             preferred_ball=preferred, ball_diameter=ball,
             ball_given=gears.ball_diameter is not None, over_balls=M, chordal_thickness=s_c, chordal_height=h_c,
             name=wheel.name, teeth=wheel.teeth, face_width=wheel.face_width or gears.face_width, material=wheel.material,

@@ -289,14 +289,20 @@ def _gather(result: object, found: list[float]) -> None:
                 found.append(content) if about is not None else _gather(content, found)
 
 
-def published(result: object, prefix: str, formerly: str = "") -> Iterator[Published]:
-    """All values of a result with their addresses, in the order in which they are declared.  `formerly`: the prefix that they had."""
+def published(result: object, prefix: str, formerly: str = "", wanted: frozenset[str] = frozenset()) -> Iterator[Published]:
+    """All values of a result with their addresses, in the order in which they are declared.
+
+    `formerly`: the prefix that they had.  `wanted`: only the values at these addresses; none: all.
+    """
     if isinstance(result, dict):
         for name, part in result.items():
-            yield from published(part, f"{prefix}.{name}", formerly and f"{formerly}.{name}")
+            yield from published(part, f"{prefix}.{name}", formerly and f"{formerly}.{name}", wanted)
         return
     if isinstance(result, Stated):
-        yield _published(prefix, result.about, result.number, formerly)
+        if not wanted or prefix in wanted:
+            yield _published(prefix, result.about, result.number, formerly)
+        return
+    if wanted and not any(id.startswith(prefix) for id in wanted):
         return
     kind: type = type(result)
     for name, about, spread, formerly_named in _shown(kind):
@@ -305,13 +311,14 @@ def published(result: object, prefix: str, formerly: str = "") -> Iterator[Publi
             continue
         before = formerly or prefix
         if about is not None:
-            former = f"{before}.{about.former or name.rstrip('_')}" if formerly or about.former else ""
-            yield _published(f"{prefix}.{name.rstrip('_')}", about, content, former)
+            id = f"{prefix}.{name.rstrip('_')}"
+            if not wanted or id in wanted:
+                yield _published(id, about, content, f"{before}.{about.former or name.rstrip('_')}" if formerly or about.former else "")
         elif spread:
-            yield from published(content, prefix, formerly)
+            yield from published(content, prefix, formerly, wanted)
         else:
             had = f"{before}.{formerly_named or name}" if formerly or formerly_named else ""
-            yield from published(content, f"{prefix}.{name}", had)
+            yield from published(content, f"{prefix}.{name}", had, wanted)
 
 
 def _published(id: str, about: Described, inside: float, former: str = "") -> Published:

@@ -211,9 +211,10 @@ class Outcome(Generic[R]):
     def verdict(self) -> str:
         return step_verdict(self.checks) if self.state == "solved" else self.state
 
-    def values(self) -> Iterator[Published]:
+    def values(self, wanted: frozenset[str] = frozenset()) -> Iterator[Published]:
+        """All values of the step, or those whose ids are `wanted`."""
         if self.result is not None:
-            yield from published(self.result, self.key)
+            yield from published(self.result, self.key, wanted=wanted)
 
 
 class Designed(Protocol):

@@ -7,9 +7,11 @@ A chunk that is kept is taken over by the next run of the same sweep, so that on
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 
+from ..bearings.routes.side_by_side import COMPARED
 from ..design import Design
 from ..design_file import Document, design
 from ..sheet.errors import BadInput, InputError
+from ..sheet.garbage import seldom_collected
 from ..sheet.record import record
 from ..sheet.text import Text
 from ..solve import Results, solve
@@ -79,34 +81,34 @@ def chunk(asked: Sweep, n: int) -> Chunk:
     at = asked.plan.rows(n * size, (n + 1) * size)
     if asked.on_arrays:
         return chunk_of(at, together(asked.document, design(asked.document), asked.plan.inputs, at), asked.wanted)
-    steps = frozenset(id.partition(".")[0] for id in asked.wanted)
-    return chunk_of(at, one_by_one(asked.document, asked.plan.inputs, at, asked.step, steps), asked.wanted)
+    with seldom_collected():  # once for all designs of the chunk, not once for each
+        return chunk_of(at, one_by_one(asked.document, asked.plan.inputs, at, asked.step, frozenset(asked.wanted)), asked.wanted)
 
 
 def one_by_one(
-    document: Document, inputs: Sequence[Varied], at: Sequence[Combination], step: str | None, steps: frozenset[str] = frozenset()
+    document: Document, inputs: Sequence[Varied], at: Sequence[Combination], step: str | None, wanted: frozenset[str] = frozenset()
 ) -> Iterator[Solved]:  # fmt: skip
-    """Design by design; what one has like the one before it is taken over.  `steps`: only their values; none: those of all."""
+    """Design by design; what one has like the one before it is taken over.  `wanted`: only these values; none: all."""
     before: Results | None = None
+    sound = document, design(document)
+    compared = not wanted or any(not COMPARED.isdisjoint(id.split(".")) for id in wanted)
     for row in at:
         changed = document
         for one, value in zip(inputs, row):
             if value is not None:
                 changed = changed.with_value(one.key, value)
         try:
-            made = design(changed)
+            made = design(changed, sound)
         except BadInput as bad:
             yield Solved({}, {}, reason_of(bad.errors))
             continue
-        before = solve(_needed(made, step), before)
-        yield _solved(before, step, steps)
+        before = solve(_needed(made, step), before, compared=compared)
+        yield _solved(before, step, wanted)
 
 
-def _solved(results: Results, step: str | None, steps: frozenset[str] = frozenset()) -> Solved:
+def _solved(results: Results, step: str | None, wanted: frozenset[str] = frozenset()) -> Solved:
     outcomes = [o for key, o in results.outcomes.items() if step in (None, key) and o.state != "not_asked"]
-    values: dict[str, tuple[float | None, str]] = {
-        v.id: (v.shown, v.unit) for o in outcomes if not steps or o.key in steps for v in o.values()
-    }
+    values: dict[str, tuple[float | None, str]] = {v.id: (v.shown, v.unit) for o in outcomes for v in o.values(wanted)}
     return Solved(values, {o.key: o.verdict for o in outcomes}, "; ".join(f"{o.key}: {o.reason}" for o in outcomes if o.reason))
 
 

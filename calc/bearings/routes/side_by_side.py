@@ -58,6 +58,18 @@ class Side:
         return {name: self.alike[name] for name in SOLVE_THE_FILM if name in self.alike and _compared(name, self.films[name], self.ratio)}
 
 
+COMPARED = frozenset({"routes_spread", *ROUTES})  # the values of a bearing that the routes give, of which none judges it
+
+
+def judged_alone(seat: BearingCase, ratio: float) -> Side:
+    """No routes beside the one that judges."""
+    return Side({}, {}, {}, None, {}, ratio, _whole(seat))
+
+
+def _whole(seat: BearingCase) -> float:
+    return seat.bearing.length / seat.bearing.diameter
+
+
 def side_by_side(place: str, seat: BearingCase, duty: OperatingPoint, ratio: float) -> Side:
     """`ratio`: l/d of the film."""
     films: dict[str, Film] = {}
@@ -69,7 +81,7 @@ def side_by_side(place: str, seat: BearingCase, duty: OperatingPoint, ratio: flo
                 films[name] = balanced(route, seat, duty)
             except (NoSolution, OutsideCharts) as outside:
                 silent[name] = text_of(outside)
-    whole = seat.bearing.length / seat.bearing.diameter
+    whole = _whole(seat)
     own = films.get("reynolds")
     if own is None:
         return Side(films, {}, {}, None, silent, ratio, whole)

@@ -119,3 +119,13 @@ def test_cells_of_values_that_a_design_does_not_have_are_empty():
     swept = sweep(GAMMA, varied(GAMMA, ["imbalance.crank_balance_fraction=0.25,0.5"]), "imbalance")
     axis = [row[swept.header.index("imbalance.order_1.couple_axis [°]")] for row in swept.rows]
     assert axis[0] is not None and axis[1] is None
+
+
+def test_other_methods_are_solved_only_where_their_values_are_asked_for():
+    """They judge nothing: values and verdicts of everything else are the same without."""
+    inputs = varied(GAMMA, ["engine.rated_speed_rpm=1200:2600:3", "bearings.front.clearance_factor=0.4:0.8:2"])
+    alone = sweep(GAMMA, inputs, wanted=["bearings.front.film", "friction.total_loss"])
+    beside = sweep(GAMMA, inputs, wanted=["bearings.front.film", "friction.total_loss", "bearings.rear.falz.film"])
+    assert [[*row[:4], *row[5:]] for row in beside.rows] == alone.rows
+    assert alone.verdicts == beside.verdicts
+    assert all(row[4] > 0 for row in beside.rows)
