@@ -96,9 +96,24 @@ def quick(problem: Problem) -> Problem:
     return replace(problem, sizes=sizes, margins=problem.margins[:1])
 
 
+def of_closest_fits(classes: list[dict[str, Any]]) -> list[dict[str, Any]]:
+    """Those of the closest fits: where their worst corners do not hold, those of wider fits, which enclose them, do not either."""
+
+    def within(one: dict[str, Any], other: dict[str, Any]) -> bool:
+        pairs = [(parse(a), parse(b)) for a, b in zip(one[FITS], other[FITS])]
+        alike = one | {FITS: None} == other | {FITS: None} and all(a.letter == b.letter for a, b in pairs)
+        return alike and all(a.grade <= b.grade for a, b in pairs) and any(a.grade < b.grade for a, b in pairs)
+
+    return [one for one in classes if not any(within(other, one) for other in classes)]
+
+
 def passing(problem: Problem) -> tuple[dict[str, Any], Rows] | None:
     """The rows of the first class that has any; None: nothing passes."""
-    for choices in problem.classes:
+    return next(_passing(problem, of_closest_fits(problem.classes)), None)
+
+
+def _passing(problem: Problem, classes: list[dict[str, Any]]) -> Iterator[tuple[dict[str, Any], Rows]]:
+    for choices in classes:
         try:
             rows = class_with(problem, choices)
         except NotClosed:
@@ -106,17 +121,23 @@ def passing(problem: Problem) -> tuple[dict[str, Any], Rows] | None:
         except NoSolution:
             continue
         if len(rows):
-            return choices, rows
-    return None
+            yield choices, rows
 
 
 def _confirmed(problem: Problem) -> Whole | None:
-    """A drive of a changed problem, solved whole: that of least power that breaks least; None: there is none."""
-    found = passing(problem)
-    if found is None:
-        return None
-    choices, rows = found
-    tried = [whole(problem, sized(problem, choices, rows, int(n)))[0] for n in np.argsort(rows.power, kind="stable")[:3]]
+    """A drive of a changed problem, solved whole: of little power, the first that breaks nothing, else that which breaks least; None: there
+    is none."""
+    first, tried = of_closest_fits(problem.classes), list[Whole]()
+    for classes in (first, [one for one in problem.classes if one not in first]):
+        for choices, rows in _passing(problem, classes):
+            for n in np.argsort(rows.power, kind="stable")[:3]:
+                tried.append(whole(problem, sized(problem, choices, rows, int(n)))[0])
+                if not tried[-1].broken:
+                    return tried[-1]
+            if classes is not first:
+                break  # one more class is enough
+        if not tried:
+            return None
     return min(tried, key=lambda one: len(one.broken))
 
 
