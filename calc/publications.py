@@ -23,7 +23,7 @@ KNOWN = {
     "read": Text("read in the source"),
     "reprint": Text("read in a public reprint"),
     "code": Text("compared with public code, not with the original"),
-    "other": Text("read as another source of this register gives it"),
+    "other": Text("as another source quotes it"),
     "memory": Text("from memory"),
     "computed": Text("computed here"),
 }

@@ -41,10 +41,10 @@ def chapter_parts(context: Context, number: int, step: Step, outcome: Outcome[ob
         ("proofs", lambda: proof_blocks(context, number, step, outcome)),
         ("kept_checks", lambda: kept_blocks(context, [check for check in outcome.checks if check.holds and check.id not in proven])),
         ("key_values", lambda: value_blocks(context, outcome, values)),
+        ("figures", lambda: figure_blocks(context.number(outcome), w["figure"], plots, wide=True)),
         ("tables", lambda: table_blocks(context, [t for t in outcome.tables if t.id in TABLES])),
         ("inputs", lambda: input_blocks(context, step)),
         ("notes", lambda: [block for note in outcome.notes for block in bullet(note, NOTE, gap=0.7)]),
-        ("figures", lambda: figure_blocks(context.number(outcome), w["figure"], plots, wide=True)),
     )
     if not outcome.reason:
         return parts
@@ -78,7 +78,7 @@ def kept_blocks(context: Context, checks: list[Check]) -> list[Block]:
         least = min(group, key=lambda check: check.margin)
         name = name_of(context, least)
         if len(group) > 1:
-            name = context.text("alike", name=name, count=len(group) - 1)
+            name += f" ({context.text('more_twins', count=len(group) - 1)})"
         rows.append(_row(context, least, name, _range(context, group)))
     made = table(_columns(context, hard), rows) if rows else []
     if made and len(hard) < len(checks):

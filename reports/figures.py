@@ -64,7 +64,8 @@ Sample = Callable[["Pen", float, float], None]  # draws it at a place: from the 
 
 
 def figure_blocks(numbered: list[tuple[int, Curve]], word: str, plots: Plots, *, wide: bool = False) -> list[Block]:
-    """Figures two beside each other, each with its number and title below; `wide`: each over the whole width, if its scale allows it."""
+    """Figures two beside each other, each with its number and title below; `wide`: each over the whole width, if its scale allows it,
+    in the text's flow."""
     blocks = []
     stacks = {number: [c for n, c in numbered if n == number] for number, curve in numbered if curve.stack}
     curves = [part for number, curve in numbered if not curve.stack or curve is stacks[number][0] for part in _apart(number, curve)]
@@ -89,7 +90,7 @@ def figure_blocks(numbered: list[tuple[int, Curve]], word: str, plots: Plots, *,
                     figure.draw(pen, i * (PART + GUTTER), y)
 
         below = min(height - figure.height + figure.under for figure in pair)
-        blocks.append(Block(height, draw, gap=8.0, content=Picture(tuple(figure.title for figure in pair), below)))
+        blocks.append(Block(height, draw, gap=8.0, floats=wide, content=Picture(tuple(figure.title for figure in pair), below)))
     return blocks
 
 

@@ -19,7 +19,8 @@ if TYPE_CHECKING:
 
 
 LEAST = 0.2  # of the last page: less on it looks lost
-CLOSER = (0.85, 0.7, 0.5)  # of every gap
+AFTER = 8.0  # from what stands first on a page because it did not fit on the one before to the text that goes on under it
+CLOSER = (0.85, 0.7, 0.5)  # of every gap; the first is hardly seen, and worth any page that it saves
 
 
 @dataclass(frozen=True, slots=True)
@@ -27,7 +28,8 @@ class Block:
     """Something that is not torn apart.  `draw(pen, y)` gets the height of its upper edge; x = 0 is the left margin.
 
     `gap`: space above, left out at the top of a page.  `keep`: stays with the next block.  `repeat`: is drawn first where this
-    block begins a page.  `need`: begins a page unless so much of the page is left.  `anchor`: links and the outline lead here.
+    block begins a page.  `need`: begins a page unless so much of the page is left.  `floats`: where it does not fit, what follows up to the
+    next chapter (`need`) fills the page, and it stands first on the next one.  `anchor`: links and the outline lead here.
     `tag`: what it is; left out, a paragraph.
     """
 
@@ -43,6 +45,7 @@ class Block:
     content: Content | None = None
     tag: Tag | None = None
     page: tuple[float, float] | None = None  # the size of a page that it fills by itself, without running head and foot
+    floats: bool = False
 
 
 @dataclass(slots=True)
@@ -55,25 +58,44 @@ class Page:
         """Of a page that a block fills by itself; None for one of running text."""
         return self.blocks[0][1].page if self.blocks else None
 
+    def put(self, chain: list[Block]) -> None:
+        for block in chain:
+            self.filled += block.gap if self.blocks else 0.0
+            self.blocks.append((self.filled, block))
+            self.filled += block.height
+
 
 def paginate(blocks: Iterable[Block], height: float = HEIGHT) -> list[Page]:
     """Blocks on pages.  A chain of blocks that stay together moves to the next page whole, unless no page can hold it."""
     pages = [Page()]
-    for chain in _chains(list(blocks), height):
-        page = pages[-1]
-        whole = sum(b.height + b.gap for b in chain)
+    waiting: list[list[Block]] = []
+
+    def fits(chain: list[Block]) -> bool:
+        page, first = pages[-1], chain[0]
         left = height - page.filled
-        alone = page.size is not None or chain[0].page is not None
-        if page.blocks and (alone or whole > left + 1e-6 or (chain[0].need and chain[0].need > left)):
-            page = Page()
-            pages.append(page)
-            if (again := chain[0].repeat) is not None:
-                page.blocks.append((0.0, again))
-                page.filled = again.height
-        for block in chain:
-            page.filled += block.gap if page.blocks else 0.0
-            page.blocks.append((page.filled, block))
-            page.filled += block.height
+        alone = page.size is not None or first.page is not None
+        return not page.blocks or not (alone or sum(b.height + b.gap for b in chain) > left + 1e-6 or first.need > left)
+
+    def turn() -> None:
+        """A new page, and on it first what waits for one."""
+        pages.append(Page())
+        while waiting and fits(waiting[0]):
+            pages[-1].put(waiting.pop(0))
+            pages[-1].filled += AFTER
+
+    for chain in _chains(list(blocks), height):
+        while waiting and chain[0].need:
+            turn()
+        if chain[0].floats and (waiting or not fits(chain)):
+            waiting.append(chain)
+            continue
+        if not fits(chain):
+            chain = [*filter(None, [chain[0].repeat]), *chain]
+            while not fits(chain):
+                turn()
+        pages[-1].put(chain)
+    while waiting:
+        turn()
     return pages
 
 
@@ -82,9 +104,7 @@ def composed(blocks: Iterable[Block]) -> list[Page]:
     made = list(blocks)
     pages = paginate(made)
     last = next((page for page in reversed(pages) if page.size is None), None)
-    if last is None or last.filled > LEAST * HEIGHT:
-        return pages
-    for share in CLOSER:
+    for share in CLOSER if last is not None and last.filled <= LEAST * HEIGHT else CLOSER[:1]:
         closer = paginate([replace(block, gap=share * block.gap) for block in made])
         if len(closer) < len(pages):
             return closer

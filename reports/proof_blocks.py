@@ -129,7 +129,7 @@ def _line(context: Context, key: str, **parts: str) -> list[Block]:
 
 def _title(context: Context, rows: list[Row], colour: Colour) -> Block:
     """The heading of a proof: a grey stripe with a bar in the colour of its verdict."""
-    columns = (Column(), Column(align="r"), Column(align="r", width=58.0), Column(align="r", width=54.0), Column(width=84.0))
+    columns = (Column(), *[Column(align="r")] * 4)
     parts = table(columns, rows, header=False)
     tall = sum(part.height for part in parts)
 

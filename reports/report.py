@@ -49,7 +49,7 @@ from .words import verdict
 
 # What the contents name of a step; their row holds no more, and the errata stand in the summary as well.
 LISTED = ("inputs", "notes", "formulas", "results", "tables", "checks", "figures")
-CHAPTERS = ("verdicts_of", "proofs", "kept_checks", "key_values", "inputs", "figures")
+CHAPTERS = ("verdicts_of", "proofs", "kept_checks", "key_values", "figures", "inputs")
 NEED = 0.15 * PAGE[1]  # a step begins on a new page unless so much is left
 
 
@@ -209,8 +209,11 @@ def _step(
         tell(progress, n / len(parts), f"{title}: {w[key]}")
         if section := make():
             anchor = f"{step.key}-{key}"
-            made += heading(w[key], SECTION, gap=8.5, after=1.0, anchor=anchor, outline=1)
-            made += section
+            if section[0].floats:  # a figure says what it is, and need not stand where it is spoken of
+                made += [replace(section[0], anchor=anchor, outline=(1, w[key])), *section[1:]]
+            else:
+                made += heading(w[key], SECTION, gap=8.5, after=1.0, anchor=anchor, outline=1)
+                made += section
             if key in (LISTED if context.audit else CHAPTERS):
                 entries[-1].parts[w[key]] = anchor
     return made

@@ -32,7 +32,7 @@ WORDS: dict[str, Text] = {
     ),
     "limit_is": Text("Limit {limit}: {source}."), "also_judged": Text("Also judged: {checks}."),
     "no_formula": Text("The number comes from a solution, or from inputs, and from no one formula."),
-    "more_twins": Text("{count} more"), "alike": Text("{name}, and {count} alike"), "used": Text("used {share}"),
+    "more_twins": Text("{count} more"), "used": Text("used {share}"),
     "soft_hold": plural(
         "{n} check of good practice or of the method holds as well; it stands in the audit report.",
         "{n} checks of good practice or of the method hold as well; they stand in the audit report.",

@@ -157,9 +157,10 @@ def test_every_input_and_value_stands_in_the_audit(example: Solved, audit: bytes
     assert "118.6" in read and "18.676" in read, "numbers as the file gives them"
 
 
-def test_depths(example: Solved, summary: bytes, engineer: bytes, audit: bytes) -> None:
+def test_depths(example: Solved, summary: bytes, engineer: bytes, relazione: bytes, audit: bytes) -> None:
     count = [len(PdfReader(io.BytesIO(pdf)).pages) for pdf in (summary, engineer, audit)]
     assert count[0] <= 2 < count[1] <= 30 < count[2] and len(engineer) < 700_000
+    assert len(PdfReader(io.BytesIO(relazione)).pages) <= 30
     with pytest.raises(ValueError, match="depth"):
         example.report("deep")
 
