@@ -94,7 +94,7 @@ def _of_base(oil: Oil) -> Iterator[JudgedValue]:
     for key, about in keys(BaseStock).items():
         if key in claims and replaced.get(key) is None:
             claim = claims[key]
-            source = Text("base stock {name}: {source}", name=base.name, source=claim.source)
+            source = Text("base stock {name}: {source}", name=Text(base.name), source=claim.source)
             yield _judged(key, about.about, getattr(base, about.attribute), replace(claim, source=source))
 
 

@@ -14,7 +14,6 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from calc.sheet.number import short
 from calc.sheet.step import Curve
 from calc.sheet.text import COMMA, EMPTY
 
@@ -38,7 +37,7 @@ from .plots import (
     hatching,
     in_words,
     limit_style,
-    limits,
+    limit_words,
     numbers,
     plot,
     series_label,
@@ -134,17 +133,17 @@ class _Figure:
     def __init__(self, number: str, curve: Curve, word: str, plots: Plots, width: float) -> None:
         self.curve, self.plots, self.width = curve, plots, width
         self.title = f"{word} {number}. {curve.title}"
-        self.tag = Tag(FIGURE, alt=f"{self.title}. {in_words(curve)}")
+        self.tag = Tag(FIGURE, alt=f"{self.title}. {in_words(curve, plots)}")
         self.caption = lines(self.title, STRONG, width - LEFT_AXIS, 3)
         named = width == WIDTH and not (curve.equal or curve.bars or curve.variants) and len(curve.series) <= NAMED
-        self.look = Look(at_the_ends, margin(curve)) if named else ALONE
-        self.legend = [] if self.look.named else _legend(curve, width - LEFT_AXIS)
+        self.look = Look(at_the_ends, margin(curve, plots)) if named else ALONE
+        self.legend = [] if self.look.named else _legend(curve, width - LEFT_AXIS, plots)
         self.rows = len(self.legend)
         self.axes = SQUARE if curve.equal else TALL if width < WIDTH else LOW_AXES
         self.wide = LEFT_AXIS + SQUARE + RIGHT_AXIS if curve.equal else width
         if _flat(curve):
             self.axes, self.wide = ROOM * (width - LEFT_AXIS - RIGHT_AXIS) / _ratio(curve), width
-        self.lying = Lying(curve, width) if lies(curve) else None
+        self.lying = Lying(curve, width, plots) if lies(curve) else None
         if self.lying is not None:
             self.axes = self.lying.height
 
@@ -180,15 +179,14 @@ class _Figure:
             pen.put(line, x + LEFT_AXIS, low - (i + 0.78) * STRONG.leading)
 
 
-def _legend(curve: Curve, space: float) -> list[list[tuple[Sample, Box]]]:
+def _legend(curve: Curve, space: float, plots: Plots) -> list[list[tuple[Sample, Box]]]:
     """The legend's rows: sample and label."""
-    unit = curve.y_label.rpartition(", ")[2] if ", " in curve.y_label else ""
     named: list[tuple[Sample, Box]] = []
     for i, series in enumerate(curve.series):
         if label := series_label(curve, series):
             named.append((_bar_sample(i) if curve.bars else _line_sample(*series_style(curve, i)), _label(label, space)))
-    for i, (label, value) in enumerate(limits(curve)):
-        named.append((_line_sample(*limit_style(i)), _label(f"{label} {short(value)} {unit}".strip(), space)))
+    for i, label in enumerate(limit_words(curve, plots)):
+        named.append((_line_sample(*limit_style(i)), _label(label, space)))
     for arrow in {a.number: a for a in arrows(curve)}.values():
         named.append((lambda pen, x, y: sample_arrow(pen, x, y, SAMPLE), _label(f"{arrow.number}  {arrow.name}", space)))
     rows: list[list[tuple[Sample, Box]]] = [[]]

@@ -10,13 +10,12 @@ from typing import Any
 
 import numpy as np
 
-from calc.sheet.number import short
 from calc.sheet.step import Curve
 
 from .boxes import GREY, Box
 from .fonts import BOLD
 from .labels import Extent, crossed, meet
-from .plots import LETTER, RIGHT_AXIS, limits, numbers, series_label
+from .plots import LETTER, RIGHT_AXIS, Plots, limit_words, limits, numbers, series_label, y_unit
 from .prose import Style, lines
 
 OVER, UNDER = 0.76 * LETTER.size, 0.2 * LETTER.size  # what letters take over and under their base line
@@ -31,24 +30,24 @@ STEEP, COVERED, CROSSED, CLOSE, AWAY = 0.4, 20.0, 10.0, 3.0, 0.5  # costs; the f
 Placed = tuple[Box, float, float]
 
 
-def margin(curve: Curve) -> float:
+def margin(curve: Curve, plots: Plots) -> float:
     """What the names need on the right of a figure."""
-    widths = [box.width for box in _boxes(curve)]
+    widths = [box.width for box in _boxes(curve, plots)]
     return ASIDE + max(widths) + 2.0 if widths else RIGHT_AXIS
 
 
-def at_the_ends(axes: Any, curve: Curve) -> list[Placed]:
+def at_the_ends(axes: Any, curve: Curve, plots: Plots) -> list[Placed]:
     """The names right of the axes, each led to the end of its line, with their places from the figure's corner."""
     paths = _paths(axes, curve)
-    made, _ = _value(axes, curve, paths)
-    return made + _at_the_right(axes, _boxes(curve), paths)
+    made, _ = _value(axes, curve, plots, paths)
+    return made + _at_the_right(axes, _boxes(curve, plots), paths)
 
 
-def inside(axes: Any, curve: Curve) -> list[Placed]:
+def inside(axes: Any, curve: Curve, plots: Plots) -> list[Placed]:
     """The names beside their lines, within the axes."""
     paths = _paths(axes, curve)
-    made, taken = _value(axes, curve, paths)
-    for i, box in enumerate(_boxes(curve)):
+    made, taken = _value(axes, curve, plots, paths)
+    for i, box in enumerate(_boxes(curve, plots)):
         _put(made, taken, box, _best(box, list(_beside(paths[i], box.width, axes.bbox)), taken, axes.bbox, paths, i))
     return made
 
@@ -61,13 +60,13 @@ def _paths(axes: Any, curve: Curve) -> list[Any]:
     return [axes.transData.transform(np.column_stack(pair)) for pair in named]
 
 
-def _value(axes: Any, curve: Curve, paths: list[Any]) -> tuple[list[Placed], list[Extent]]:
+def _value(axes: Any, curve: Curve, plots: Plots, paths: list[Any]) -> tuple[list[Placed], list[Extent]]:
     """What the curve is where the design stands, beside the mark of it, and what room both take."""
     made: list[Placed] = []
     taken: list[Extent] = []
     if curve.point is not None and all(map(isfinite, curve.point)):
         x, y = axes.transData.transform(curve.point).tolist()
-        box = lines(f"{short(curve.point[1])} {_unit(curve)}".strip(), VALUE, axes.bbox.width / 2, 1)[0]
+        box = lines(f"{plots.short(curve.point[1])} {y_unit(curve)}".strip(), VALUE, axes.bbox.width / 2, 1)[0]
         taken.append((x - 4, y - 4, x + 4, y + 4))
         spots = [(x + dx - (box.width if dx < 0 else 0), y + dy) for dx in (-7.0, 7.0) for dy in (5.0, -0.36 * LETTER.size, -10.0)]
         spots += [(x - box.width / 2, y + dy) for dy in (8.0, -14.0)]
@@ -96,15 +95,10 @@ def _at_the_right(axes: Any, boxes: list[Box], paths: list[Any]) -> list[Placed]
     return [(box, right + ASIDE, height - 0.36 * LETTER.size) for (_, _, box), height in zip(ends, heights)]
 
 
-def _boxes(curve: Curve) -> list[Box]:
+def _boxes(curve: Curve, plots: Plots) -> list[Box]:
     """The names of lines, then those of limits with their values."""
-    names = [label for label, _ in _names(curve)]
-    names += [f"{label} {short(value)} {_unit(curve)}".strip() for label, value in limits(curve)]
+    names = [label for label, _ in _names(curve)] + limit_words(curve, plots)
     return [lines(name, LETTER, WIDEST, 1)[0] for name in names]
-
-
-def _unit(curve: Curve) -> str:
-    return curve.y_label.rpartition(", ")[2] if ", " in curve.y_label else ""
 
 
 def _names(curve: Curve) -> Iterator[tuple[str, Any]]:

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from calc.languages import Language
 from calc.sheet.number import short
 from calc.sheet.step import Curve, Series
 
@@ -90,16 +91,25 @@ def series_label(curve: Curve, series: Series) -> str:
     return series.label if alone and series.label else ", ".join(x for x in (series.label, series.variant) if x)
 
 
-def in_words(curve: Curve) -> str:
+def in_words(curve: Curve, plots: Plots) -> str:
     """What a figure shows, for whoever can not see it: its axes, every line with the least and the greatest of its values, the limits."""
     said = [f"{curve.x_label}; {curve.y_label}"]
-    said += [f"{load.label} {short(load.size)} {curve.load_unit}" for load in curve.loads]
+    said += [f"{load.label} {plots.short(load.size)} {curve.load_unit}" for load in curve.loads]
     for series in curve.series:
         seen = numbers(series.y)
         seen = seen[np.isfinite(seen)]
-        reach = f"{short(float(seen.min()))} … {short(float(seen.max()))}" if seen.size else "–"
+        reach = f"{plots.short(float(seen.min()))} … {plots.short(float(seen.max()))}" if seen.size else "–"
         said.append(": ".join(filter(None, (series_label(curve, series), reach))))
-    return "; ".join([*said, *(f"{label} {short(value)}" for label, value in limits(curve))])
+    return "; ".join([*said, *(f"{label} {plots.short(value)}" for label, value in limits(curve))])
+
+
+def limit_words(curve: Curve, plots: Plots) -> list[str]:
+    """The limits with their values."""
+    return [f"{label} {plots.short(value)} {y_unit(curve)}".strip() for label, value in limits(curve)]
+
+
+def y_unit(curve: Curve) -> str:
+    return curve.y_label.rpartition(", ")[2] if ", " in curve.y_label else ""
 
 
 def tick_words(values: list[float]) -> list[str]:
@@ -119,10 +129,15 @@ def fitted(words: str, width: float) -> Box:
 
 
 class Plots:
-    """The axes that the figures of one report are drawn with: making them costs more than drawing, so like ones are used again."""
+    """What the figures of one report are drawn with: axes, which are used again, since making them costs more than drawing, and how
+    its language writes a number."""
 
-    def __init__(self) -> None:
+    def __init__(self, say: Language) -> None:
         self.made: dict[tuple[float, float, float, bool, bool], Any] = {}
+        self.number = say.number
+
+    def short(self, value: float) -> str:
+        return self.number(short(value))
 
     def axes(self, width: float, height: float, curve: Curve, right: float = RIGHT_AXIS) -> Any:
         """Empty axes for a figure of this size and kind."""
@@ -176,7 +191,7 @@ class Look:
     """What of a figure is not the curve's own: what finds places for the names of its lines, inside or in a margin `right` of it, and, as
     one of a stack, from where to where it goes along x and whether it is the lowest, which has the numbers."""
 
-    named: Callable[[Any, Curve], list[tuple[Box, float, float]]] | None = None
+    named: Callable[[Any, Curve, Plots], list[tuple[Box, float, float]]] | None = None
     right: float = RIGHT_AXIS
     ends: tuple[float, float] | None = None
     lowest: bool = True
@@ -197,13 +212,13 @@ def plot(plots: Plots, pen: Pen, curve: Curve, x: float, y: float, width: float,
         low, high = axes.get_ylim()
         more = (high - low) * AROUND / axes.bbox.height
         axes.set_ylim(low - more, high + more)
-    named = look.named(axes, curve) if look.named is not None else []
+    named = look.named(axes, curve, plots) if look.named is not None else []
     if drawn:
         draw_arrows(pen, axes, drawn, _variant_colours(curve), x, y)
     renderer = PageRenderer(pen.canvas, x, y, width, height)
     axes.figure.draw(renderer)
     renderer.finish()
-    _letter(pen, axes, curve, x - LEFT, y, look)
+    _letter(plots, pen, axes, curve, x - LEFT, y, look)
     for box, a, b in named:
         pen.put(box, x - LEFT + a, y + b)
 
@@ -308,13 +323,13 @@ def hatching(i: int, x: float, y: float, width: float, height: float) -> list[li
     return made
 
 
-def _letter(pen: Pen, axes: Any, curve: Curve, x: float, y: float, look: Look) -> None:
+def _letter(plots: Plots, pen: Pen, axes: Any, curve: Curve, x: float, y: float, look: Look) -> None:
     """The numbers and names of the axes; of one in a stack the name of y lies over it."""
     frame = axes.bbox
     (low_x, high_x), (low_y, high_y) = sorted(axes.get_xlim()), sorted(axes.get_ylim())
     ticks = _seen(axes.yaxis.get_majorticklocs(), low_y, high_y)
     for value, words in zip(ticks, tick_words(ticks)):
-        box = run(words, NUMBER)
+        box = run(plots.number(words), NUMBER)
         at = axes.transData.transform((low_x, value))[1]
         pen.put(box, x + frame.x0 - TICK - 2.0 - box.width, y + at - 0.36 * NUMBER.size)
     if look.ends is not None:
@@ -329,7 +344,7 @@ def _letter(pen: Pen, axes: Any, curve: Curve, x: float, y: float, look: Look) -
     down, end = y + frame.y0 - TICK - 0.85 * NUMBER.size, -1.0
     ticks = _seen(axes.xaxis.get_majorticklocs(), low_x, high_x)
     for value, words in zip(ticks, tick_words(ticks)):
-        box = run(words, NUMBER)
+        box = run(plots.number(words), NUMBER)
         at = axes.transData.transform((value, low_y))[0] - box.width / 2
         if at > end:
             pen.put(box, x + min(at, axes.figure.bbox.width - box.width), down)

@@ -48,7 +48,7 @@ def _made(curve: Curve, width: float, height: float, say: Language) -> Any:
     from matplotlib.patches import Patch
     from matplotlib.ticker import FuncFormatter
 
-    axes = Plots().axes(width, height, curve)
+    axes = Plots(say).axes(width, height, curve)
     axes.figure.set_facecolor("white")
     axes.tick_params(labelleft=True, labelbottom=True, labelsize=LEGEND)
     for arrow in filled(axes, curve):

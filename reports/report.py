@@ -129,7 +129,7 @@ def blocks(context: Context, progress: Progress | None = None) -> list[Block]:
     summary = summary_blocks(context)
     entries: list[Entry] = []
     body: list[Block] = []
-    plots = Plots()
+    plots = Plots(context.say)
     steps = [one for one in context.steps() if context.audit or one[2].state != "not_asked"]
     for n, (number, step, outcome) in enumerate(steps):
         done = part(progress, n / len(steps), (n + 1) / len(steps))

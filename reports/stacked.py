@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from calc.sheet.number import short
 from calc.sheet.step import Curve
 
 from .arrows import ARROW, head
@@ -39,7 +38,7 @@ class Stack:
         self.legend: list[Any] = []  # of a figure beside it, of which there is none
         self.rows = 0
         self.title = f"{word} {number}. {curves[0].title}"
-        self.tag = Tag(FIGURE, alt=f"{self.title}. {'; '.join(map(in_words, curves))}")
+        self.tag = Tag(FIGURE, alt=f"{self.title}. {'; '.join(in_words(curve, plots) for curve in curves)}")
         self.caption = lines(self.title, STRONG, WIDTH - LEFT_AXIS, 3)
         xs = np.concatenate([numbers(series.x) for curve in curves for series in curve.series])
         xs = xs[np.isfinite(xs)]
@@ -88,7 +87,7 @@ class Stack:
             pen.line([tail, neck], 1.1, ARROW)
             pen.area(corners, ARROW)
             strokes.append((tail, tip))
-            labels.append(Label(run(f"{load.label} {short(abs(load.size))} {curve.load_unit}", LETTER), far, "right"))
+            labels.append(Label(run(f"{load.label} {self.plots.short(abs(load.size))} {curve.load_unit}", LETTER), far, "right"))
         pieces = np.array([(*a, *b) for a, b in strokes])
         frame = LEFT + x + LEFT_AXIS, middle - SKETCH / 2, LEFT + x + WIDTH, middle + SKETCH / 2
         for box, (a, b), _ in placed(labels, pieces, frame):

@@ -23,6 +23,7 @@ from .plots import (
     NUMBER,
     RIGHT_AXIS,
     TICK,
+    Plots,
     bar_colour,
     fitted,
     hatching,
@@ -52,8 +53,8 @@ def lies(curve: Curve) -> bool:
 class Lying:
     """A curve laid out for a width: the lines of its names, and how tall each row is."""
 
-    def __init__(self, curve: Curve, width: float) -> None:
-        self.curve, self.width = curve, width
+    def __init__(self, curve: Curve, width: float, plots: Plots) -> None:
+        self.curve, self.width, self.number = curve, width, plots.number
         names = [lines(name, LETTER, MOST * width - ASIDE) for name in curve.names]
         bars = max(1, len(curve.series)) * THICK / FILLED
         tall = [max(bars, len(name) * LETTER.leading + 0.6) for name in names]
@@ -112,7 +113,7 @@ class Lying:
             top -= tall
         down = low - TICK - 0.85 * NUMBER.size
         for place, word in ticks:
-            box = run(word, NUMBER)
+            box = run(self.number(word), NUMBER)
             pen.put(box, min(place - box.width / 2, x + self.width - box.width), down)
         wide = self.width - RIGHT_AXIS - self.left
         label = fitted(self.curve.y_label, wide)

@@ -163,3 +163,10 @@ def test_loci_that_run_over_each_other_are_both_seen() -> None:
     drawn = b"".join(page.get_contents().get_data() for page in PdfReader(io.BytesIO(report(curve))).pages)
     for i, wanted in enumerate(thick):
         assert f"{rgb(line_style(i)[0])} RG {wanted:.2f} w".encode() in drawn
+
+
+def test_figures_write_numbers_as_their_language_does(relazione: bytes) -> None:
+    """Ticks, the value where the design stands, limits; and no sentence of the report has a decimal point before a unit."""
+    read = text_of(relazione)
+    assert "7,411 µm" in read and "86,28 N·m" in read and "17,5" in read
+    assert re.findall(r"\d\.\d+ (?:µm|mm|N·m|N|W|kg|MPa|K|°C|%)(?!\w)", read) == []

@@ -8,9 +8,10 @@ import numpy as np
 import pytest
 from pypdf import PdfReader
 
+from calc.languages import language
 from calc.sheet.step import Curve, Series
 from reports.paper import LEFT, PAGE, RIGHT
-from reports.plots import bar_colour, tick_words
+from reports.plots import Plots, bar_colour, tick_words
 from reports.tornado import Lying, lies
 
 from .reading import V12, rgb, shapes, solved, spans, squeezed, text_of, with_outcome
@@ -91,7 +92,7 @@ def test_long_names_wrap_and_many_rows_become_smaller() -> None:
     pdf = report(many)
     inside(pdf)
     assert all(squeezed(name) in squeezed(text_of(pdf)) for name in names) and len(bars(pdf, 0)) == 90
-    assert Lying(many, PAGE[0] - LEFT - RIGHT).height == pytest.approx(520.0)
+    assert Lying(many, PAGE[0] - LEFT - RIGHT, Plots(language("en"))).height == pytest.approx(520.0)
 
 
 def test_limits_are_named_and_bars_without_names_do_not_lie() -> None:
