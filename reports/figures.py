@@ -8,7 +8,6 @@ of many lines stand beside each other.
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
@@ -17,15 +16,13 @@ import numpy as np
 from calc.sheet.step import Curve
 from calc.sheet.text import COMMA, EMPTY
 
-from .arrows import arrows, sample_arrow
-from .boxes import BLACK, Box, Colour
 from .content import Picture
 from .flow import Block
+from .legend import draw_legend, legend
 from .line_labels import at_the_ends, margin
 from .paper import LEFT, WIDTH
 from .plots import (
     ALONE,
-    EDGE,
     HIGH,
     LEFT_AXIS,
     LETTER,
@@ -33,20 +30,14 @@ from .plots import (
     RIGHT_AXIS,
     Look,
     Plots,
-    bar_colour,
-    hatching,
     in_words,
-    limit_style,
-    limit_words,
     numbers,
     plot,
-    series_label,
-    series_style,
 )
 from .prose import STRONG, lines
 from .stacked import Stack
 from .tags import FIGURE, Tag
-from .tornado import Lying, dashed, lies
+from .tornado import Lying, lies
 
 if TYPE_CHECKING:
     from .pen import Pen
@@ -57,9 +48,6 @@ TALL, LOW_AXES, SQUARE = 128.0, 92.0, 160.0  # height of the axes: beside anothe
 FLAT, ROOM = 2.0, 1.2  # width over height from which a drawing is flat, and the room it gets around it
 NAMED = 5  # lines: so many bear their names
 CROWDED = 4  # lines; two variants of more are drawn apart
-SAMPLE = 20.0  # width of a legend's sample
-
-Sample = Callable[["Pen", float, float], None]  # draws it at a place: from the left margin, height of its middle
 
 
 def figure_blocks(numbered: list[tuple[int, Curve]], word: str, plots: Plots, *, wide: bool = False) -> list[Block]:
@@ -137,7 +125,7 @@ class _Figure:
         self.caption = lines(self.title, STRONG, width - LEFT_AXIS, 3)
         named = width == WIDTH and not (curve.equal or curve.bars or curve.variants) and len(curve.series) <= NAMED
         self.look = Look(at_the_ends, margin(curve, plots)) if named else ALONE
-        self.legend = [] if self.look.named else _legend(curve, width - LEFT_AXIS, plots)
+        self.legend = [] if self.look.named else legend(curve, width - LEFT_AXIS, plots)
         self.rows = len(self.legend)
         self.axes = SQUARE if curve.equal else TALL if width < WIDTH else LOW_AXES
         self.wide = LEFT_AXIS + SQUARE + RIGHT_AXIS if curve.equal else width
@@ -162,13 +150,7 @@ class _Figure:
 
     def draw(self, pen: Pen, x: float, y: float) -> None:
         top = y - LETTER.leading * (self.rows - len(self.legend) + 0.78)
-        for i, entries in enumerate(self.legend):
-            at = x + LEFT_AXIS
-            for sample, box in entries:
-                base = top - i * LETTER.leading
-                sample(pen, at, base + 2.2)
-                pen.put(box, at + SAMPLE + 4.0, base)
-                at += SAMPLE + 4.0 + box.width + 12.0
+        draw_legend(pen, self.legend, x + LEFT_AXIS, top)
         low = y - self.legend_height - HIGH - self.axes - LOW
         if self.lying is not None:
             self.lying.draw(pen, x, low)
@@ -177,52 +159,3 @@ class _Figure:
             pen.figure(lambda: plot(self.plots, pen, self.curve, LEFT + x, low, self.wide, height, self.look))
         for i, line in enumerate(self.caption):
             pen.put(line, x + LEFT_AXIS, low - (i + 0.78) * STRONG.leading)
-
-
-def _legend(curve: Curve, space: float, plots: Plots) -> list[list[tuple[Sample, Box]]]:
-    """The legend's rows: sample and label."""
-    named: list[tuple[Sample, Box]] = []
-    for i, series in enumerate(curve.series):
-        if label := series_label(curve, series):
-            named.append((_bar_sample(i) if curve.bars else _line_sample(*series_style(curve, i)), _label(label, space)))
-    for i, label in enumerate(limit_words(curve, plots)):
-        named.append((_line_sample(*limit_style(i)), _label(label, space)))
-    for arrow in {a.number: a for a in arrows(curve)}.values():
-        named.append((lambda pen, x, y: sample_arrow(pen, x, y, SAMPLE), _label(f"{arrow.number}  {arrow.name}", space)))
-    rows: list[list[tuple[Sample, Box]]] = [[]]
-    filled = 0.0
-    for sample, box in named:
-        wide = SAMPLE + 4.0 + box.width + 12.0
-        if rows[-1] and filled + wide - 12.0 > space:
-            rows.append([])
-            filled = 0.0
-        rows[-1].append((sample, box))
-        filled += wide
-    return rows if rows[0] else []
-
-
-def _label(words: str, space: float) -> Box:
-    return lines(words, LETTER, space - SAMPLE - 6.0, 1)[0]
-
-
-def _line_sample(colour: Colour, dashes: tuple[float, ...], thick: float) -> Sample:
-    """A piece of line as long as a legend needs, in dashes."""
-
-    def draw(pen: Pen, x: float, y: float) -> None:
-        dashed(pen, (LEFT + x, y), (LEFT + x + SAMPLE, y), (colour, dashes, thick))
-
-    return draw
-
-
-def _bar_sample(i: int) -> Sample:
-    """A box filled like the bars of the i-th series."""
-    high = 6.0
-
-    def draw(pen: Pen, x: float, y: float) -> None:
-        left, low = LEFT + x, y - high / 2
-        pen.panel(x, low, SAMPLE, high, bar_colour(i))
-        edge = [(left, low), (left + SAMPLE, low), (left + SAMPLE, low + high), (left, low + high), (left, low)]
-        for line in [*hatching(i, left, low, SAMPLE, high), edge]:
-            pen.line(line, EDGE, BLACK)
-
-    return draw

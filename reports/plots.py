@@ -49,7 +49,7 @@ INK: Colour = (0.25, 0.25, 0.25)
 LETTER = Style(7.5, 9.2)
 NUMBER = Style(7.5, 9.0, colour=INK)
 TICK = 2.5
-AROUND = 10.0  # over and under lines that bear their names
+AROUND = 12.0  # over and under lines that bear their names: the value under the lowest point has room
 LEFT_AXIS, RIGHT_AXIS, LOW, HIGH = 46.0, 8.0, 24.0, 4.0  # around the axes
 
 

@@ -13,7 +13,8 @@ from calc.sheet.step import Curve
 from .arrows import ARROW, head
 from .boxes import GREY
 from .labels import Label, placed
-from .line_labels import inside
+from .legend import draw_legend, legend
+from .line_labels import at_the_point
 from .paper import LEFT, WIDTH
 from .plots import HIGH, LEFT_AXIS, LETTER, LOW, RIGHT_AXIS, Look, Plots, in_words, numbers, plot
 from .prose import STRONG, lines, run
@@ -48,12 +49,15 @@ class Stack:
 
     def draw(self, pen: Pen, x: float, y: float) -> None:
         for n, curve in enumerate(self.curves):
+            named = x + LEFT_AXIS + run(curve.y_label, LETTER).width + 14.0
+            if sum(bool(series.label) for series in curve.series) > 1 and not curve.loads:
+                draw_legend(pen, legend(curve, x + WIDTH - named, self.plots), named, y - NAME - HIGH + 2.5)
             y -= _height(curve)
             lowest = n == len(self.curves) - 1
             if curve.loads:
                 self._sketch(pen, curve, x, y + SKETCH / 2)
             else:
-                look = Look(inside, ends=self.ends, lowest=lowest)
+                look = Look(at_the_point, ends=self.ends, lowest=lowest)
 
                 def draw(curve: Curve = curve, low: float = y - LOW, look: Look = look) -> None:
                     plot(self.plots, pen, curve, LEFT + x, low, WIDTH, LOW + PANEL + HIGH, look)

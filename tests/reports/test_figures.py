@@ -14,7 +14,7 @@ from calc.sheet.step import Curve, Series, Turning
 from reports.arrows import ARROW, LEAST, arrows
 from reports.plots import BARS, bar_colour, line_style, series_label, series_style
 
-from .reading import V12, Shape, rgb, shapes, solved, squeezed, text_of, with_outcome
+from .reading import V12, Shape, rgb, shapes, solved, spans, squeezed, text_of, with_outcome
 
 ORDERS = np.arange(1, 9)
 THETA = np.radians(np.arange(0, 361, 3.0))
@@ -170,3 +170,11 @@ def test_figures_write_numbers_as_their_language_does(relazione: bytes) -> None:
     read = text_of(relazione)
     assert "7,411 µm" in read and "86,28 N·m" in read and "17,5" in read
     assert re.findall(r"\d\.\d+ (?:µm|mm|N·m|N|W|kg|MPa|K|°C|%)(?!\w)", read) == []
+
+
+def test_lines_of_a_stack_are_named_by_a_sample_of_each(relazione: bytes) -> None:
+    """Three lines in 44 points leave no place at which a name could belong to but one of them: the legend stands over the axes."""
+    name, *labels = ([s for s in spans(relazione) if s.text == words] for words in (
+        "freccia, µm", "con la quota di rigidezza dei settori", "a rigidezza piena", "cuscinetti",
+    ))  # fmt: skip
+    assert len(name) == 1 and all(any(s.page == name[0].page and abs(s.y - name[0].y) < 0.1 for s in found) for found in labels)
