@@ -6,12 +6,15 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
+import numpy as np
+
 from calc.addresses import value_at
 from calc.explain import shortened
 from calc.sheet.check import Check
 from calc.sheet.errors import BadInput
 from calc.sheet.step import Outcome, Step
 from calc.sheet.text import Amount, Text
+from calc.sheet.units import UNITS
 
 from .boxes import Colour
 from .checks import name_of, shown_value, sign_style
@@ -75,8 +78,9 @@ def _proof(context: Context, number: str, step: Step, proof: Proof, walk: Walk, 
         context.cite(check.source, step)
         made += _line(context, "limit_is", limit=context.say(check.limit_text()), source=check.source)
     made += _walked(context, step, held, quoting=False)
-    if not walk.entries:
+    if not _reached(proof.governing, walk):
         made += _line(context, "no_formula")
+    if not walk.entries:
         moved = [key for key in proof.governing.moved_by if key not in walk.inputs]
         walk = Walk([], [], [*walk.inputs, *moved])
     made += _walked(context, step, walk)
@@ -84,6 +88,13 @@ def _proof(context: Context, number: str, step: Step, proof: Proof, walk: Walk, 
     last = made[-1]
     made[-1] = replace(last, keep=False)
     return made
+
+
+def _reached(check: Check, walk: Walk) -> bool:
+    """Whether a line of the walk gives the number that is judged; a solution over many of them may have none of its own."""
+    judged = UNITS[check.unit].inside(check.value)
+    values = [line.value for entry in walk.entries for _, line in entry.lines if isinstance(line.value, (int, float, np.ndarray))]
+    return any(np.isclose(value, judged, rtol=1e-6, atol=0.0).any() for value in values)
 
 
 def _after(context: Context, proof: Proof) -> list[Block]:

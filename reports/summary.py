@@ -139,7 +139,7 @@ def _verdict(context: Context) -> list[Block]:
         at = context.text(
             "governing", name=name_of(context, worst), value=shown_value(context, worst), limit=context.say(worst.limit_text())
         )
-        words = ". ".join([words, " ".join(filter(None, (at, used(context, worst).words)))])
+        words = ". ".join([words, ", ".join(filter(None, (at, used(context, worst).words)))])
     big = Style(15.0, 18.0, BOLD, STATE_COLOURS[state])
     sign = one_line(f"{SIGNS[state]}  {w[state].upper()}", big, 0.4 * WIDTH)
     beside = lines(words, BODY, WIDTH - sign.width - 40.0)

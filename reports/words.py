@@ -12,7 +12,7 @@ WORDS: dict[str, Text] = {
     "number": Text("Number"), "revision": Text("Revision"), "project": Text("Project"), "customer": Text("Customer"),
     "company": Text("Company"), "name": Text("Name"), "date": Text("Date"), "signature": Text("Signature"), "prepared": Text("Prepared"),
     "checked": Text("Checked"), "approved": Text("Approved"), "changes": Text("Change record"), "what": Text("What changed"),
-    "by": Text("By"), "logo": Text("Logo"), "file": Text("Design file, SHA-256"),
+    "by": Text("Author"), "logo": Text("Logo"), "file": Text("Design file, SHA-256"),
     "solved": Text("Values and verdicts of the report"), "program": Text("Program"),
     "attached": Text("The design file is attached to this document as design.toml."), "pass": Text("pass"), "warn": Text("warn"),
     "fail": Text("fail"), "note": Text("note"), "not_verified": Text("not verified"), "accepted": Text("accepted"),

@@ -332,3 +332,10 @@ def test_a_name_keeps_its_comma_where_part_and_variant_are_told_apart() -> None:
     assert language("en").halves(Text("{bearing}, thinnest corner", bearing=bearing)) == ("front, left bearing", "thinnest corner")
     assert language("en").halves(bearing) == ("front, left bearing", "")
     assert language("it").halves(Text("mesh {pair}, forces", pair="a, b–c")) == ("ingranamento a, b–c", "forze")
+
+
+def test_a_proof_whose_formulas_do_not_give_the_number_says_so() -> None:
+    """The stress of a crankpin is the largest over a cycle: what is shown of it leads there, and nothing of that is the stress."""
+    read = text_of(solved((DESIGNS / "twin_force_shaft.toml").read_bytes()).report())
+    proof = read[read.index("Von Mises stress of the pin, nominal, throw 68") :]
+    assert squeezed("from no one formula") in squeezed(proof[: proof.index("1.2 ")])
