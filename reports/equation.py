@@ -247,9 +247,11 @@ def _whole(line: Shown, sign: float) -> list[Box]:
     width = COLUMN - sign
     if line.formula is None or line.numbers is None:
         return [*_formula_lines(line, sign), *_number_lines(line, sign)]
-    head = _equals(formula(line.formula, SIZE, width - 1.2 * SIZE))
+    # the length of a vector is written as its symbol, |C|, which need not be said twice
+    same = text(line.formula) == plain(line.symbol)
+    head = [] if same else _equals(formula(line.formula, SIZE, width - 1.2 * SIZE))
     tail = [*_equals(formula(line.numbers, SIZE, width - 1.2 * SIZE)), *_value(line)]
-    both = [*head, Piece(space(0.34 * SIZE)), *tail]
+    both = [*head, *([] if same else [Piece(space(0.34 * SIZE))]), *tail]
     if sum(p.box.width for p in both) <= width:
         return [row([p.box for p in both])]
     return [*_hung(lines(head, width)), *_hung(lines(tail, width))]

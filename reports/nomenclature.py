@@ -6,11 +6,13 @@ Symbols are noted as they are set, in formulas, tables of values and inputs; not
 
 from __future__ import annotations
 
+from math import isclose
 from typing import TYPE_CHECKING
 
-from calc.addresses import quantities, quantity_of
+from calc.addresses import quantities, quantity_of, value_at
 from calc.sheet.errors import BadInput
 from calc.sheet.expression import result, symbol, symbol_of
+from calc.sheet.quantity import Quantity
 from calc.sheet.trace import Line
 from calc.sheet.value import leaves, link_of
 
@@ -89,7 +91,18 @@ def _origin(context: Context, name: str, value: object) -> tuple[str, str] | Non
         about = quantity_of(context.document.data, found[0])
     except BadInput:
         return None
-    return _labels(context).get((context.chapter, name)) or context.say(about.label), about.unit
+    own = found[0].startswith(f"{context.chapter}.") and about.symbol and symbol(about.symbol) == name
+    if not own and not _same(value, value_at(context.document.data, found[0]), about):
+        return None  # what is made of an input is something else: the tolerance of a diameter
+    return (not own and _labels(context).get((context.chapter, name))) or context.say(about.label), about.unit
+
+
+def _same(value: object, given: object, about: Quantity) -> bool:
+    """Whether an argument is an input as it is given, or one of its numbers; what is left out is not compared."""
+    if given is None or isinstance(given, str) or not isinstance(value, (int, float)):
+        return True
+    numbers = [one for one in (given if isinstance(given, list) else [given]) if isinstance(one, (int, float))]
+    return any(isclose(value, about.units.inside(one), rel_tol=1e-9) for one in numbers)
 
 
 def _labels(context: Context) -> dict[tuple[str, str], str]:

@@ -300,7 +300,7 @@ def viscosity_at_corner(mu: PascalSecond, k: Number) -> PascalSecond:
     return k * mu
 
 
-@formula("F", "dynamics: load of eccentric masses, which grows with the square of the speed", names={"n_0": "n_rated"})
+@formula("F", "dynamics: load of eccentric masses, which grows with the square of the speed", names={"F": "F_rated", "n_0": "n_rated"})
 def load_at_speed(F: Newton, n: RevPerSecond, n_0: RevPerSecond) -> Newton:
     return F * (n / n_0) ** 2
 

@@ -29,18 +29,18 @@ from ..sheet.units import (
 TABLE_4_1 = Text("Finotti 2013, 4.1 (with ω², not ω as printed there)")
 
 
-@formula("F_S", TABLE_4_1, names={"gamma": "φ"})
+@formula("F_S", TABLE_4_1, names={"gamma": "φ", "omega": "ω_S"})
 def shaft_force(omega: RadPerSecond, m: Kilogram, e: Metre, gamma: Radian) -> PhasorNewton:
     """The rotating force that the shaft puts on its supports: what its masses do not balance statically."""
     return omega**2 * resultant(m * e * cis(gamma))
 
 
-@formula("F_i", "dynamics: centrifugal force of each eccentric mass; below zero for what is removed", names={"gamma": "φ"})
+@formula("F_i", "dynamics: centrifugal force of each eccentric mass; below zero for what is removed", names={"gamma": "φ", "omega": "ω_S"})
 def mass_force(omega: RadPerSecond, m: Kilogram, e: Metre, gamma: Radian) -> PhasorNewton:
     return omega**2 * m * e * cis(gamma)
 
 
-@formula("n_S", "definition of angular speed", unit="rpm")
+@formula("n_S", "definition of angular speed", unit="rpm", names={"omega": "ω_S"})
 def revolutions(omega: RadPerSecond) -> RevPerSecond:
     return omega / (2 * pi)
 
@@ -50,12 +50,12 @@ def widest(d: Metre, c_R: Metre) -> Metre:
     return d / 2 - c_R
 
 
-@formula("C_S", TABLE_4_1, names={"gamma": "φ"})
+@formula("C_S", TABLE_4_1, names={"gamma": "φ", "omega": "ω_S"})
 def shaft_couple(omega: RadPerSecond, m: Kilogram, e: Metre, z: Metre, gamma: Radian) -> PhasorNewtonMetre:
     return omega**2 * resultant(m * e * z * cis(gamma))
 
 
-@formula("M_i", TABLE_4_1)
+@formula("M_i", TABLE_4_1, names={"omega": "ω_S"})
 def mass_moment(omega: RadPerSecond, m: Kilogram, e: Metre, z: Metre) -> NewtonMetre:
     """The moment of one mass about mid-shaft.
 
@@ -88,7 +88,7 @@ def whole_couple(C_m: PhasorNewtonMetre, C_x: PhasorNewtonMetre) -> PhasorNewton
     return joined(C_m, C_x)
 
 
-@formula("ΣU", "dynamics, static unbalance: rotating force over ω²", unit="g·mm")
+@formula("ΣU", "dynamics, static unbalance: rotating force over ω²", unit="g·mm", names={"omega": "ω_S"})
 def static_unbalance(F_S: Newton, omega: RadPerSecond) -> KilogramMetre:
     """>>> static_unbalance(F_S=6.806, omega=272.3)
     9.179027...e-05
@@ -182,13 +182,13 @@ def couple_beyond(C_S: PhasorNewtonMetre, C_req: PhasorNewtonMetre) -> NewtonMet
 
 # --- what is asked of a shaft to be sized ----------------------------------------------------------------------------------
 @formula("U_req", "dynamics: opposite to the engine's force that turns like the shaft, which over-design exceeds", unit="kg·mm",
-    names={"F_like": "F"})  # fmt: skip
+    names={"F_like": "F", "omega": "ω_S"})  # fmt: skip
 def asked_unbalance(x_o: Number, F_like: PhasorNewton, omega: RadPerSecond) -> PhasorKilogramMetre:
     return -(1 + x_o) * F_like / omega**2
 
 
 @formula("P_req", "dynamics: opposite to the engine's couple that turns like the shaft, which over-design exceeds", unit="kg·mm²",
-    names={"C_like": "C"})  # fmt: skip
+    names={"C_like": "C", "omega": "ω_S"})  # fmt: skip
 def asked_product(x_o: Number, C_like: PhasorNewtonMetre, omega: RadPerSecond) -> PhasorKilogramMetre2:
     return -(1 + x_o) * C_like / omega**2
 

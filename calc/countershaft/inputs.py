@@ -113,7 +113,7 @@ class CountershaftInputs:
         help="−1: crank speed, opposite sense. 1, 2 and −2 for shafts without [bearings] and [gears].")  # fmt: skip
     pair: str = choice("Twin shaft", "no", "yes", default="no",
         help="yes: a mirrored second shaft turns at the opposite speed and carries as much.")  # fmt: skip
-    bearing_positions: tuple[float, ...] = series("Bearing positions", "mm", count=(2, 9), low=-5000, high=5000, symbol="z",
+    bearing_positions: tuple[float, ...] = series("Bearing positions", "mm", count=(2, 9), low=-5000, high=5000, symbol="z_B",
         help="Middle of the journals from mid-shaft, front to rear; more than two: a beam on many supports.")  # fmt: skip
     axis: tuple[float, ...] | None = series(
         "Axis from the crank's", "mm", default=None, count=(2, 2), low=-5000, high=5000, symbol="p_S",

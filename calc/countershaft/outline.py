@@ -355,12 +355,14 @@ def turning_inertia(shape: Outline, rho: KilogramPerMetre3, extras: tuple[Eccent
     return shaft_inertia(rho=rho, I_p=I_p, l=l, m=m, e=e) if extras else pieces_inertia(rho=rho, I_p=I_p, l=l)
 
 
-@formula("F_O", "dynamics: force of the pieces of the outline and the further elements")
+@formula("F_O", "dynamics: force of the pieces of the outline and the further elements", names={"omega": "ω_S"})
 def outline_force(omega: RadPerSecond, rho: KilogramPerMetre3, S: PhasorCubicMetre, l: Metre, F_x: PhasorNewton) -> PhasorNewton:
     return omega**2 * rho * resultant(S * l) + F_x
 
 
-@formula("C_O", "dynamics: couple of the pieces of the outline and the further elements, their unbalance times position")
+@formula(
+    "C_O", "dynamics: couple of the pieces of the outline and the further elements, their unbalance times position", names={"omega": "ω_S"}
+)
 def outline_couple(omega: RadPerSecond, rho: KilogramPerMetre3, S: PhasorCubicMetre, l: Metre, z: Metre,
     C_x: PhasorNewtonMetre) -> PhasorNewtonMetre:  # fmt: skip
     return omega**2 * rho * resultant(S * l * z) + C_x

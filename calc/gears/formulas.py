@@ -152,7 +152,7 @@ def pointed_diameter(d_b: Metre, alpha_p: Radian) -> Metre:
     return d_b / cos(alpha_p)
 
 
-@formula("d", "geometry: a diameter with its tolerance", unit="mm", names={"T": "E_d"})
+@formula("d", "geometry: a diameter with its tolerance", unit="mm", names={"d": "d_nom", "T": "E_d"})
 def with_tolerance(d: Metre, T: Metre) -> Metre:
     return d + T
 

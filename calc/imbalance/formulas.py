@@ -27,40 +27,52 @@ from ..sheet.units import (
 VECTORS = Text("Finotti 2013, 2.2.3 and 2.3.3")  # there of the first two orders; here of any order, throws and banks
 
 
-@formula("F_n⁺", Text("{vectors}: force of an order that turns forward", vectors=VECTORS))
+@formula("F_n⁺", Text("{vectors}: force of an order that turns forward", vectors=VECTORS),
+    names={"m": "M_alt"})  # fmt: skip
 def force_forward(
     omega: RadPerSecond, m: Kilogram, r: Metre, c_n: PhasorNumber, n: Number, theta_0: Radian, psi: Radian, phi: Radian
 ) -> PhasorNewton:
     return 0.5 * omega**2 * m * r * c_n * cis(n * theta_0) * resultant(cis(psi) * cis(n * (phi - psi)))
 
 
-@formula("F_n⁻", Text("{vectors}: force of an order that turns backward", vectors=VECTORS))
+@formula("F_n⁻", Text("{vectors}: force of an order that turns backward", vectors=VECTORS),
+    names={"m": "M_alt"})  # fmt: skip
 def force_backward(
     omega: RadPerSecond, m: Kilogram, r: Metre, c_n: PhasorNumber, n: Number, theta_0: Radian, psi: Radian, phi: Radian
 ) -> PhasorNewton:
     return 0.5 * omega**2 * m * r * conj(c_n) * cis(-n * theta_0) * resultant(cis(psi) * cis(-n * (phi - psi)))
 
 
-@formula("C_n⁺", Text("{vectors}: couple of an order that turns forward", vectors=VECTORS))
+@formula("C_n⁺", Text("{vectors}: couple of an order that turns forward", vectors=VECTORS),
+    names={"m": "M_alt"})  # fmt: skip
 def couple_forward(
     omega: RadPerSecond, m: Kilogram, r: Metre, c_n: PhasorNumber, n: Number, theta_0: Radian, z: Metre, psi: Radian, phi: Radian
 ) -> PhasorNewtonMetre:
     return 0.5 * omega**2 * m * r * c_n * cis(n * theta_0) * resultant(z * cis(psi) * cis(n * (phi - psi)))
 
 
-@formula("C_n⁻", Text("{vectors}: couple of an order that turns backward", vectors=VECTORS))
+@formula("C_n⁻", Text("{vectors}: couple of an order that turns backward", vectors=VECTORS),
+    names={"m": "M_alt"})  # fmt: skip
 def couple_backward(
     omega: RadPerSecond, m: Kilogram, r: Metre, c_n: PhasorNumber, n: Number, theta_0: Radian, z: Metre, psi: Radian, phi: Radian
 ) -> PhasorNewtonMetre:
     return 0.5 * omega**2 * m * r * conj(c_n) * cis(-n * theta_0) * resultant(z * cis(psi) * cis(-n * (phi - psi)))
 
 
-@formula("F_κ", "Finotti 2013, 2.3.2: couple of the counterweights that carry the share κ of the reciprocating masses, opposite the pins")
+@formula(
+    "F_κ",
+    "Finotti 2013, 2.3.2: couple of the counterweights that carry the share κ of the reciprocating masses, opposite the pins",
+    names={"m": "M_alt"},
+)
 def counterweight_force(kappa: Number, omega: RadPerSecond, m: Kilogram, r: Metre, theta_0: Radian, phi: Radian) -> PhasorNewton:
     return -kappa * omega**2 * m * r * cis(theta_0) * resultant(cis(phi))
 
 
-@formula("C_κ", "Finotti 2013, 2.3.2: couple of the counterweights that carry the share κ of the reciprocating masses, opposite the pins")
+@formula(
+    "C_κ",
+    "Finotti 2013, 2.3.2: couple of the counterweights that carry the share κ of the reciprocating masses, opposite the pins",
+    names={"m": "M_alt"},
+)
 def counterweight_couple(
     kappa: Number, omega: RadPerSecond, m: Kilogram, r: Metre, theta_0: Radian, z: Metre, phi: Radian
 ) -> PhasorNewtonMetre:

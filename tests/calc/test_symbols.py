@@ -44,3 +44,15 @@ def test_a_symbol_of_one_order_carries_its_number(lines: dict[str, list[Line]]) 
     assert forward and all(symbol_of(line) == f"C_{line.arguments['n']:g}⁺" for line in forward)
     speeds = [line for line in lines["bearings"] if line.arguments.get("n") and "_n" in line.formula.symbol]
     assert all(symbol_of(line) == line.formula.symbol for line in speeds)
+
+
+def test_no_formula_gives_a_symbol_that_it_takes(lines: dict[str, list[Line]]) -> None:
+    """F = F·(n/n_rated)² would be an equation for the ratio; the length |C| of C is another symbol."""
+    wrong = {
+        line.formula.__name__
+        for step in lines.values()
+        for line in step
+        if not line.formula.shows
+        and line.formula.symbol in {line.formula.names.get(name) or symbol(name) for name in line.formula.parameters}
+    }
+    assert wrong == set()

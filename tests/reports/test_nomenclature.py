@@ -69,3 +69,11 @@ def test_every_formula_says_what_it_gives() -> None:
             import_module(".".join(path.relative_to(ROOT).with_suffix("").parts))
     silent = {one.__name__ for name, one in FORMULAS.items() if name.startswith("calc.") and ": " not in str(one.source)}
     assert silent == set(BY_NAME)
+
+
+def test_an_input_is_called_by_its_own_name_and_what_is_made_of_it_is_not(engineer: bytes) -> None:
+    """M_A is not the torque at the gear, z no place of a bearing; the tolerance of a diameter is no diameter."""
+    read = text_of(engineer)
+    own = read[read.rindex("Nomenclature") :]
+    assert "MA Tightening torque" in own and "z Position" in own and "ω Angular speed" in own
+    assert not re.search(r"T[JS] Journal diameter", own)

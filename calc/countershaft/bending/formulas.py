@@ -36,7 +36,7 @@ from . import beam as b
 from .beam import Beam, Bent
 
 FINITE = Text("elasticity, stepped beam of Timoshenko elements, exact in statics; journals on pins at their middles")
-TURNING = Text("(K − ω²·M)·u = f, f from q and F, w = 0 at the journals")
+TURNING = Text("(stiffness − ω_S²·masses)·u = f, f from q and F, w = 0 at the journals")
 
 
 # --- the section --------------------------------------------------------------------------------------------------------------
@@ -112,12 +112,12 @@ def rotary_inertia(rho: KilogramPerMetre3, I: Metre4) -> KilogramMetre:
     return rho * I
 
 
-@formula("q", "dynamics: centrifugal load per length of what is eccentric")
+@formula("q", "dynamics: centrifugal load per length of what is eccentric", names={"omega": "ω_S"})
 def line_load(omega: RadPerSecond, rho: KilogramPerMetre3, S: PhasorCubicMetre) -> PhasorNewtonPerMetre:
     return omega**2 * rho * S
 
 
-@formula("θ", FINITE, shows=Text("|θ| at each journal from {turning}", turning=TURNING), unit="mrad", names={"mu": "ρ_l"})
+@formula("θ", FINITE, shows=Text("|θ| at each journal from {turning}", turning=TURNING), unit="mrad", names={"mu": "ρ_l", "omega": "ω_S"})
 def slopes(EI: NewtonMetre2, S_s: Newton, mu: KilogramPerMetre, q: PhasorNewtonPerMetre, F: PhasorNewton, m: Kilogram, omega: RadPerSecond,
     z: Metre, z_B: Metre, u: Bent) -> Radian:  # fmt: skip
     """`u` is the solution for the other arguments, from which the moments are taken too."""
@@ -142,7 +142,12 @@ def natural_frequency_without_rotary(
     return b.natural_frequency(model) / (2 * pi)
 
 
-@formula("M_max", FINITE, shows=Text("largest |M| along the shaft, M = −E·I·θ' from {turning}", turning=TURNING), names={"mu": "ρ_l"})
+@formula(
+    "M_max",
+    FINITE,
+    shows=Text("largest |M| along the shaft, M = −E·I·θ' from {turning}", turning=TURNING),
+    names={"mu": "ρ_l", "omega": "ω_S"},
+)
 def largest_moment(EI: NewtonMetre2, S_s: Newton, mu: KilogramPerMetre, q: PhasorNewtonPerMetre, F: PhasorNewton, m: Kilogram,
     omega: RadPerSecond, z: Metre, z_B: Metre, u: Bent) -> NewtonMetre:  # fmt: skip
     return float(np.abs(u.moment).max())
@@ -177,7 +182,7 @@ def bending_stress(M: NewtonMetre, c: Metre, I: Metre4) -> Pascal:
     "η_lim",
     "mathematics: where the largest slope of a journal reaches its limit",
     shows="the root of max θ(η) = θ_lim, secant of 1/θ",
-    names={"mu": "ρ_l"},
+    names={"mu": "ρ_l", "omega": "ω_S"},
 )
 def limiting_share(theta_lim: Radian, E: Pascal, I_0: Metre4, I: Metre4, S_s: Newton, mu: KilogramPerMetre, q: PhasorNewtonPerMetre,
     F: PhasorNewton, m: Kilogram, omega: RadPerSecond, z: Metre, z_B: Metre, eta: Number) -> Number:  # fmt: skip

@@ -57,7 +57,7 @@ def friction_radius(d_w: Metre, d_h: Metre) -> Metre:
 
 @formula("F_V",
     "statics: torque of a screw with friction in thread and under head, solved for the force (VDI 2230-1; Finotti 2013, Table 6.1)",
-    names={"rho": "ρ′"})  # fmt: skip
+    names={"T": "M_A", "rho": "ρ′"})  # fmt: skip
 def preload(T: NewtonMetre, d_2: Metre, alpha_h: Radian, rho: Radian, mu: Number, r_h: Metre) -> Newton:
     """`rho` is the angle of friction on the flanks.
 
@@ -67,7 +67,7 @@ def preload(T: NewtonMetre, d_2: Metre, alpha_h: Radian, rho: Radian, mu: Number
     return T / (d_2 / 2 * tan(alpha_h + rho) + mu * r_h)
 
 
-@formula("F_V", Text("{vdi}: short form, for small angles", vdi=VDI), names={"p": "P_h"})
+@formula("F_V", Text("{vdi}: short form, for small angles", vdi=VDI), names={"T": "M_A", "p": "P_h"})
 def preload_short(T: NewtonMetre, p: Metre, mu: Number, d_2: Metre, D_Km: Metre) -> Newton:
     return T / (0.159 * p + 0.578 * mu * d_2 + mu * D_Km / 2)
 

@@ -59,7 +59,7 @@ def mean_arm(z: Metre, n: Number) -> Metre:
     return total(modulus(z)) / n
 
 
-@formula("ΔC", "dynamics: couple of a hole's unbalance at the mean arm of the masses", names={"U": "ΔU"})
+@formula("ΔC", "dynamics: couple of a hole's unbalance at the mean arm of the masses", names={"U": "ΔU", "omega": "ω_S"})
 def hole_couple(U: KilogramMetre, z_m: Metre, omega: RadPerSecond) -> NewtonMetre:
     return U * z_m * omega**2
 

@@ -16,7 +16,7 @@ class Bolts:
     """The bolts that hold the support to the block."""
 
     thread: str = text("Thread", help="Metric, like M10x1.5; the coarse pitch may be left out: M10.")
-    torque: float = quantity("Tightening torque", "N·m", above=0, high=5000, symbol="T", step=1, source="VDI 2230-1",
+    torque: float = quantity("Tightening torque", "N·m", above=0, high=5000, symbol="M_A", step=1, source="VDI 2230-1",
         help="Torque with which each bolt is tightened; thread and head rub most of it away.")  # fmt: skip
     friction: float = quantity("Coefficient of friction, thread and head", low=0.02, high=0.5, symbol="mu", step=0.01, usual=(0.08, 0.16),
         source="VDI 2230-1, class B", help="Give the smallest expected.")  # fmt: skip

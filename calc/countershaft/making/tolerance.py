@@ -49,7 +49,11 @@ def plane_unbalance(U: KilogramMetre, q: Number, q_max: Number) -> KilogramMetre
     return U * smallest(largest(q, LEAST), q_max)
 
 
-@formula("C_per", "mathematics: both planes at their limit and opposed, about mid-shaft", names={"U_f": "U_per,f", "U_r": "U_per,r"})
+@formula(
+    "C_per",
+    "mathematics: both planes at their limit and opposed, about mid-shaft",
+    names={"U_f": "U_per,f", "U_r": "U_per,r", "omega": "ω_S"},
+)
 def couple_error(U_f: KilogramMetre, z_f: Metre, U_r: KilogramMetre, z_r: Metre, omega: RadPerSecond) -> NewtonMetre:
     """The largest couple of two unbalances of free direction; for bearings at equal distances U_per/2 times the span."""
     return omega**2 * (U_f * modulus(z_f) + U_r * modulus(z_r))

@@ -54,12 +54,12 @@ def product_left(P: PhasorKilogramMetre2, P_x: PhasorKilogramMetre2) -> PhasorKi
 
 
 # --- two equal sectors: a pure couple ------------------------------------------------------------------------------------------
-@formula("C", "dynamics: couple of an unbalance times distance", names={"P": "P_s"})
+@formula("C", "dynamics: couple of an unbalance times distance", names={"P": "P_s", "omega": "ω_S"})
 def couple_asked(P: PhasorKilogramMetre2, omega: RadPerSecond) -> NewtonMetre:
     return modulus(P) * omega**2
 
 
-@formula("K", Text("{least}: b·(z_max − b/2)·sin γ that the couple asks for", least=LEAST), unit="mm²")
+@formula("K", Text("{least}: b·(z_max − b/2)·sin γ that the couple asks for", least=LEAST), unit="mm²", names={"omega": "ω_S"})
 def couple_number(C: NewtonMetre, rho: KilogramPerMetre3, omega: RadPerSecond, R: Metre, r_0: Metre) -> SquareMetre:
     return C / (4 / 3 * rho * omega**2 * (R**3 - r_0**3))
 
@@ -122,7 +122,7 @@ def pair_arm(z_max: Metre, b: Metre) -> Metre:
     return z_max - b / 2
 
 
-@formula("C", "dynamics: couple of two equal unbalances opposite each other")
+@formula("C", "dynamics: couple of two equal unbalances opposite each other", names={"omega": "ω_S"})
 def pair_couple(U: KilogramMetre, z_c: Metre, omega: RadPerSecond) -> NewtonMetre:
     return 2 * U * z_c * omega**2
 
@@ -224,6 +224,6 @@ def half_length_needed(z_max: Metre, u: Number) -> Metre:
     return z_max * sqrt(u)
 
 
-@formula("ΔP", "mathematics: what the couple of the sectors leaves to further elements", unit="kg·mm²")
+@formula("ΔP", "mathematics: what the couple of the sectors leaves to further elements", unit="kg·mm²", names={"omega": "ω_S"})
 def product_missing(C: NewtonMetre, C_max: NewtonMetre, omega: RadPerSecond) -> KilogramMetre2:
     return (C - C_max) / omega**2

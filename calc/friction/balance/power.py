@@ -47,7 +47,11 @@ def passed_on(P_out: Watt, P: Watt) -> Watt:
     return P_out - P
 
 
-@formula("P_out", "conservation of energy: what the last mesh passes on, less what the last wheel needs itself", names={"P": "P_Σ"})
+@formula(
+    "P_out",
+    "conservation of energy: what the last mesh passes on, less what the last wheel needs itself",
+    names={"P_out": "P_mesh", "P": "P_Σ"},
+)
 def delivered(P_out: Watt, P: Watt) -> Watt:
     return P_out - P
 
