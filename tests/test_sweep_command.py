@@ -48,6 +48,13 @@ def test_sweep_names_all_that_is_wrong():
     assert "did you mean" in done.stderr and "whole numbers" in done.stderr and "Traceback" not in done.stderr
 
 
+@pytest.mark.parametrize("out", ["", ".", ".."])
+def test_a_folder_is_no_table(tmp_path, out):
+    done = run("sweep", GAMMA, "--vary", "engine.bore_mm=93,94", "--step", "imbalance", "-o", out, cwd=tmp_path)
+    assert done.returncode == 2 and "cannot be written: " in done.stderr and done.stdout == ""
+    assert not list(tmp_path.iterdir())
+
+
 def test_a_list_of_designs(tmp_path):
     table = tmp_path / "designs.csv"
     table.write_text("engine.rated_speed_rpm,bearings.oil\n2000,SAE 30\n,SAE 50\n99999,\n", encoding="utf-8")

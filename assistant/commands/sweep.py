@@ -11,7 +11,7 @@ from tempfile import TemporaryDirectory
 
 from assistant.commands.check import changed, known_step
 from assistant.plain import sign
-from assistant.saving import spare
+from assistant.saving import asked_for, spare
 from calc.design_file import Document, read
 from calc.files import demand_writable, write_file
 from calc.sheet.check import ORDER
@@ -97,10 +97,11 @@ def _to_file(task: Sweep, path: Path, file: str, processes: int, scheduler: str)
     as_parquet = path.suffix.lower() == ".parquet"
     if as_parquet:
         parquet()
+    with asked_for(path):
+        demand_writable(path)  # before anything is put beside it: a folder, or no name at all, has no such place
     store = _store(task, path.with_name(f"{path.name}.parts"))
     draft = store.folder / f"{store.key}-table.new"
     try:
-        demand_writable(path)
         swept(task, store, Progress(task.plan.count), processes, scheduler)
         if as_parquet:
             counts = write_parquet(draft, task.document, task.plan.inputs, store)

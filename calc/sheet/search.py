@@ -65,6 +65,9 @@ def beside(number: float, step: float) -> tuple[float, float]:
 
 
 # --- many candidates at once -----------------------------------------------------------------------------------------------
+FAR = 8  # grids of one step that follow their best point before it is taken to be far
+
+
 @record
 class Judged:
     """One limit on any number of candidates: value, limit and margin, arrays of one shape (or numbers).  `margin` is that of a check, −∞
@@ -125,9 +128,11 @@ def narrowed(
 ) -> tuple[Array, float, float]:  # fmt: skip
     """The best point of a lattice of whole numbers between `low` and `high` (each of shape (axes,)), its margin and what is wanted.
 
-    A grid of `side` points an axis (odd) follows its best point until it stays, then halves its step, down to 1.  `evaluate` gives margins
-    and what is wanted least of points of shape (n, axes); where no point keeps the limits the largest margin is sought.
+    A grid of `side` points an axis (odd) follows its best point until it stays, then halves its step, down to 1; where that point is far it
+    doubles its step.  `evaluate` gives margins and what is wanted least of points of shape (n, axes); where no point keeps the limits the
+    largest margin is sought.
     """
+    followed = 0
     offsets = np.stack(np.meshgrid(*[np.arange(side) - side // 2] * len(low), indexing="ij"), -1).reshape(-1, len(low))
     while True:
         points = np.clip(centre + offsets * step, low, high)
@@ -135,10 +140,13 @@ def narrowed(
         middle, i = len(points) // 2, least_wanted(wanted, margin)
         if wanted[i] < wanted[middle] if margin[middle] >= 0 else margin[i] > margin[middle]:
             centre = points[i]
+            followed += 1
+            if followed == FAR:  # with the step of a look nearby a far end would take thousands of grids
+                followed, step = 0, step * 2
         elif (step == 1).all():
             return centre, float(margin[middle]), float(wanted[middle])
         else:
-            step = np.maximum(step // 2, 1)
+            followed, step = 0, np.maximum(step // 2, 1)
 
 
 def least_wanted(wanted: Array, margin: Array) -> int:

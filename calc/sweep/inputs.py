@@ -2,6 +2,7 @@
 """The inputs that are varied, read from their texts."""
 
 import csv
+import math
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 from pathlib import Path
@@ -156,15 +157,17 @@ def _values(said: str, whole: bool, words: bool) -> tuple[Value, ...]:
     except ValueError:
         raise ValueError(FORM.partition(", like")[0]) from None
     if ":" in said:
-        if len(numbers) != 3 or numbers[2] != int(numbers[2]) or numbers[2] < 1:
+        if len(numbers) != 3 or not numbers[2].is_integer() or numbers[2] < 1:
             raise ValueError("must be LOW:HIGH:NUMBER with a whole NUMBER of values, 1 or more")
         if numbers[2] > MOST_ROWS:
             raise ValueError(f"asks for {parts[2]} values; at most {MOST_ROWS} designs at once")
+        if not math.isfinite(numbers[1] - numbers[0]):
+            raise ValueError("must go from LOW to HIGH by a finite way; give two finite numbers")
         if numbers[2] == 1 and numbers[0] != numbers[1]:
             raise ValueError("one value can not reach from LOW to HIGH; ask for 2 or more, or give the value alone")
         numbers = np.linspace(numbers[0], numbers[1], int(numbers[2])).tolist()
     if whole:
-        if any(n != round(n) for n in numbers):
+        if not all(n.is_integer() for n in numbers):
             raise ValueError(f"must be whole numbers here; these are {', '.join(f'{n:g}' for n in numbers[:6])}")
         return tuple(int(n) for n in numbers)
     return tuple(numbers)

@@ -26,6 +26,7 @@ ROUND = 10_000  # points of the lattice per unit of the shift
 HIGHEST = keys(Wheel)["profile_shift"].about.high or 3.0  # shift coefficient: the end of its input
 OTHERS = 1e-3  # weight of all meshes beside the largest sliding: it decides only what the largest leaves open
 GRID = {1: 41, 2: 33, 3: 15, 4: 9, 5: 7}  # points a side (odd), by the number of free shifts; there is no search for more
+KEPT = 40  # grids that are kept for another bar: each of four free shifts takes about 2 MB
 
 
 @record
@@ -118,7 +119,9 @@ def best(
 
     def evaluate(points: Array) -> tuple[Array, Array]:
         if (there := grids.get(key := points.tobytes())) is None:
-            there = grids[key] = evaluated(case, freedom, dict(zip(freedom.free, points.T / ROUND)), cuts)
+            there = evaluated(case, freedom, dict(zip(freedom.free, points.T / ROUND)), cuts)
+            if len(grids) < KEPT:
+                grids[key] = there
         return keeps(there, case.system, bar), objective(there)
 
     side = GRID[len(freedom.free)]

@@ -103,6 +103,21 @@ def test_a_narrowing_grid_finds_the_best_point_of_the_lattice():
     assert margin >= 0 and wanted == values[i] and (point == every[i]).all()
 
 
+def test_a_narrowing_grid_reaches_a_far_end_in_few_steps():
+    """A start with step 1, as beside a point that is known, may have most of the lattice before it."""
+    grids = 0
+
+    def evaluate(points):
+        nonlocal grids
+        grids += 1
+        return np.zeros(len(points)), np.abs(points - [28_765, -4_321]).sum(axis=1)
+
+    low, high = np.array([-10_000, -10_000]), np.array([30_000, 30_000])
+    point, _, wanted = narrowed(evaluate, low, high, np.array([0, 0]), np.array([1, 1]), 9)
+    assert point.tolist() == [28_765, -4_321] and wanted == 0
+    assert grids < 200  # at step 1 alone it takes 7000
+
+
 # --- one after the other ---------------------------------------------------------------------------------------------------
 def test_a_budget_is_spent_once():
     budget = Budget(2)

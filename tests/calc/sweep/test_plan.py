@@ -82,6 +82,23 @@ def test_what_is_no_tolerance_is_named(text):
         toleranced(GAMMA, [text])
 
 
+@pytest.mark.parametrize(
+    ("text", "reason"),
+    [
+        ("engine.bore_mm=80:90:inf", "whole NUMBER"),
+        ("engine.bore_mm=80:90:nan", "whole NUMBER"),
+        ("engine.bore_mm=80:inf:3", "two finite numbers"),
+        ("engine.bore_mm=nan:90:3", "two finite numbers"),
+        ("engine.bore_mm=-1e308:1e308:3", "two finite numbers"),
+        ("engine.cylinders=3,inf", "must be whole numbers here"),
+        ("engine.cylinders=nan", "must be whole numbers here"),
+    ],
+)
+def test_what_is_no_grid_is_named(text, reason):
+    with pytest.raises(BadInput, match=f"--vary.*{reason}"):
+        varied(GAMMA, [text])
+
+
 def test_no_more_designs_than_a_machine_can_do():
     inputs = varied(GAMMA, ["engine.bore_mm=80:90:2000", "engine.rod_length_mm=150:170:2000"])
     with pytest.raises(BadInput, match="at most 1000000"):

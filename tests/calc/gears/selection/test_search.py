@@ -302,6 +302,17 @@ def test_a_way_with_more_freedom_starts_from_those_within_it(monkeypatch):
     assert found.optima[0].freedom.key == "free" and found.optima[0].largest < found.optima[1].largest
 
 
+def test_no_more_grids_are_kept_than_memory_has_room_for(monkeypatch):
+    monkeypatch.setattr(optimum, "KEPT", 2)
+    case = case_of(r753())
+    way = max(freedoms(case.gears, case.system), key=lambda one: len(one.free))
+    known = {}
+    few = best(case, way, {}, case.bars[0], known=known)
+    monkeypatch.undo()
+    every = best(case, way, {}, case.bars[0])
+    assert len(known) == 2 and (few.free, few.margin) == (every.free, every.margin)
+
+
 def test_a_way_that_has_nothing_better_is_said_and_not_offered(monkeypatch):
     def poor(case, way, cuts, bar, near=(), known=None):
         if way.key != "free":
