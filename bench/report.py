@@ -23,13 +23,14 @@ import numpy, matplotlib.figure, matplotlib.backend_bases, reportlab.pdfgen.canv
 import calc.design_file, calc.solve, calc.explain, reports.report
 from reports.fonts import FACES, widths
 from reports.pen import Pen
+from calc.languages import language
 from reports.plots import Plots, plot
 for face in FACES:
     widths(face)
 curves = pickle.load(open(sys.argv[1], "rb"))
 canvas = reportlab.pdfgen.canvas.Canvas(io.BytesIO())
 for curve in curves:
-    plot(Plots(), Pen(canvas, {}, {}), curve, 50.0, 50.0, 240.0, 170.0)
+    plot(Plots(language("en")), Pen(canvas, {}, {}), curve, 50.0, 50.0, 240.0, 170.0)
     canvas.showPage()
 canvas.save()
 """
