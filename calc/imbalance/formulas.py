@@ -27,32 +27,28 @@ from ..sheet.units import (
 VECTORS = Text("Finotti 2013, 2.2.3 and 2.3.3")  # there of the first two orders; here of any order, throws and banks
 
 
-@formula("F_n⁺", Text("{vectors}: force of an order that turns forward", vectors=VECTORS),
-    names={"m": "M_alt"})  # fmt: skip
+@formula("F_n⁺", Text("{vectors}: force of an order that turns forward", vectors=VECTORS), names={"m": "M_alt"})
 def force_forward(
     omega: RadPerSecond, m: Kilogram, r: Metre, c_n: PhasorNumber, n: Number, theta_0: Radian, psi: Radian, phi: Radian
 ) -> PhasorNewton:
     return 0.5 * omega**2 * m * r * c_n * cis(n * theta_0) * resultant(cis(psi) * cis(n * (phi - psi)))
 
 
-@formula("F_n⁻", Text("{vectors}: force of an order that turns backward", vectors=VECTORS),
-    names={"m": "M_alt"})  # fmt: skip
+@formula("F_n⁻", Text("{vectors}: force of an order that turns backward", vectors=VECTORS), names={"m": "M_alt"})
 def force_backward(
     omega: RadPerSecond, m: Kilogram, r: Metre, c_n: PhasorNumber, n: Number, theta_0: Radian, psi: Radian, phi: Radian
 ) -> PhasorNewton:
     return 0.5 * omega**2 * m * r * conj(c_n) * cis(-n * theta_0) * resultant(cis(psi) * cis(-n * (phi - psi)))
 
 
-@formula("C_n⁺", Text("{vectors}: couple of an order that turns forward", vectors=VECTORS),
-    names={"m": "M_alt"})  # fmt: skip
+@formula("C_n⁺", Text("{vectors}: couple of an order that turns forward", vectors=VECTORS), names={"m": "M_alt"})
 def couple_forward(
     omega: RadPerSecond, m: Kilogram, r: Metre, c_n: PhasorNumber, n: Number, theta_0: Radian, z: Metre, psi: Radian, phi: Radian
 ) -> PhasorNewtonMetre:
     return 0.5 * omega**2 * m * r * c_n * cis(n * theta_0) * resultant(z * cis(psi) * cis(n * (phi - psi)))
 
 
-@formula("C_n⁻", Text("{vectors}: couple of an order that turns backward", vectors=VECTORS),
-    names={"m": "M_alt"})  # fmt: skip
+@formula("C_n⁻", Text("{vectors}: couple of an order that turns backward", vectors=VECTORS), names={"m": "M_alt"})
 def couple_backward(
     omega: RadPerSecond, m: Kilogram, r: Metre, c_n: PhasorNumber, n: Number, theta_0: Radian, z: Metre, psi: Radian, phi: Radian
 ) -> PhasorNewtonMetre:
