@@ -9,7 +9,7 @@ from collections.abc import Callable
 from typing import Any, Protocol, TypeVar
 
 from textual.timer import Timer
-from textual.widget import Widget
+from textual.widget import AwaitMount, Widget
 
 from calc.sheet.step import Step
 
@@ -69,6 +69,9 @@ class Host(Protocol):
     def pane_named(self, name: str) -> Pane: ...
     def forms(self) -> list[Form]:
         """Of all steps that have been opened."""
+
+    def add_form(self, form: Form) -> AwaitMount:
+        """Beside those that there are."""
 
     # --- what it does
     def close_route(self) -> None:

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """The one screen: steps, inputs, checks, calculation and curve, always live.  Nobody presses "calculate"."""
 
-import time
 from collections.abc import Callable
 from typing import ClassVar
 
@@ -11,12 +10,11 @@ from textual.binding import Binding, BindingType
 from textual.containers import Container, Horizontal, Vertical
 from textual.reactive import Reactive
 from textual.screen import Screen
-from textual.timer import Timer
 from textual.widget import AwaitMount, Widget
 
 from calc.design import STEPS
 from calc.sheet.step import Step
-from calc.sheet.text import EMPTY, Name, Text
+from calc.sheet.text import EMPTY, Text
 
 from ..actions import ACTIONS, methods
 from ..base_app import BaseApp
@@ -55,9 +53,9 @@ from .reading_actions import ReadingActions
 from .ready import ReadyActions
 from .results_view import ResultsView
 from .slopes import Slopes
+from .step_forms import StepForms
 
 HUGE = 170  # cells of a screen that has room for the findings beside the picture
-AHEAD = 0.2  # seconds without a key until the form of a further step is made: it takes a tenth of one
 
 
 class Workbench(Screen[None]):
@@ -75,6 +73,7 @@ class Workbench(Screen[None]):
         self.pane_layout = PaneLayout(self)
         self.background = BackgroundSolve(self)
         self.moves = Moves(self, self.background)
+        self.step_forms = StepForms(self)
         self.edits = EditActions(self, self.moves, self.background)
         self.files = FileActions(self)
         self.curves = CurveActions(self, self.moves)
@@ -86,8 +85,6 @@ class Workbench(Screen[None]):
         self._actions = methods(self.moves, self.edits, self.files, self.curves, self.readings, AcceptActions(self), self.closing)
         self.feedback = EditFeedback(self)
         self._composing = False
-        self._ahead: Timer | None = None
-        self._mounting: AwaitMount | None = None
         self._begin(session)
 
     def _begin(self, session: Session) -> None:
@@ -185,6 +182,9 @@ class Workbench(Screen[None]):
 
     def forms(self) -> list[Form]:
         return list(self.query(Form))
+
+    def add_form(self, form: Form) -> AwaitMount:
+        return self.query_one("#forms").mount(form)
 
     def refresh_top_line(self) -> None:
         for line in self.query(TopLine):  # none while another design is being entered
@@ -316,45 +316,12 @@ class Workbench(Screen[None]):
         steps.go_to(self.step.key)
         self.show_remedy()
         self.background.seek_remedy()
-        self._make_ahead()
-
-    def _spare(self) -> None:
-        """A step is gone to past a lone digit, with no Enter after it: the number stays as it was."""
-        if (field := self.form.field) is not None and field.stray:
-            stays = Text(
-                "{label} stays {was}: {digit} was not accepted (Enter or Tab accept it)",
-                label=field.about.label,
-                was=Name(field.was),
-                digit=Name(field.box.value),
-            )
-            field.restore()
-            self.app.tell(stays)
-
-    def _make_ahead(self) -> None:
-        """Soon, if no key comes: the form of a further step, hidden, so that the step opens at once."""
-        if self._ahead is not None:
-            self._ahead.stop()
-        self._ahead = self.set_timer(AHEAD, self._form_ahead)
-
-    async def _form_ahead(self) -> None:
-        if not self.stands:
-            return
-        at = STEPS.index(self.step)
-        without = (step for step in (*STEPS[at:], *STEPS[:at]) if not step.optional and not self.query(f"#form-{step.key}"))
-        if (step := next(without, None)) is None:
-            return
-        if self.is_current and time.monotonic() > self.app.struck + AHEAD:
-            form = Form(step, self.session)
-            form.display = False
-            self._mounting = self.query_one("#forms").mount(form)
-            await self._mounting
-            self._mounting = None
-        self._make_ahead()
+        self.step_forms.make_ahead()
 
     async def open_step(self, step: Step, focus: Place | None = None, *, stay: bool = False) -> None:
         """Show another step, with the focus on a field if one had it before; `stay` leaves the focus where it is."""
         if step is not self.step:
-            self._spare()
+            self.step_forms.spare()
         idle = focus is None and isinstance(self.focused, Form)
         inside = not stay and (self.pane_layout.pane == "inputs" or focus is not None)
         before = self.step
@@ -364,12 +331,7 @@ class Workbench(Screen[None]):
                     self.set_focus(None, scroll_visible=False)
                 self.form.display = False
                 self.step = step
-                if self.query(f"#form-{step.key}"):
-                    if self._mounting is not None:  # that of this step, maybe
-                        await self._mounting
-                    self.form.display = True
-                else:
-                    await self.query_one("#forms").mount(Form(step, self.session))
+                await self.step_forms.show(step)
                 if not self.stands:  # the end came before the form
                     return
             if inside and idle:
