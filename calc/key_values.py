@@ -16,7 +16,8 @@ from .sheet.rules import pattern_of
 # The results on the first page: patterns of ids; of several values the one that is worst stands for all
 RESULTS: tuple[tuple[str, str], ...] = (
     ("imbalance.required_couple", "max"), ("imbalance.required_force", "max"), ("countershaft.residual_order_1_couple", "max"),
-    ("countershaft.residual_order_1_force", "max"), ("countershaft.mass", "max"), ("countershaft.slope_*", "max"),
+    ("countershaft.residual_order_1_force", "max"), ("countershaft.residual_order_2_couple", "max"),
+    ("countershaft.residual_order_2_force", "max"), ("countershaft.mass", "max"), ("countershaft.slope_*", "max"),
     ("bearings.front.film_edge", "min"), ("bearings.rear.film_edge", "min"), ("bearings.*.outlet_temperature", "max"),
     ("gears.*.safety_contact", "min"), ("gears.*.safety_bending_*", "min"), ("gears.*.backlash_min", "min"),
     ("gears.*.transverse_contact_ratio", "min"), ("gears.phase_error", "max"), ("gears.residual_couple", "max"),
