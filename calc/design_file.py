@@ -7,11 +7,12 @@ Every edit, from the command line, a replay or the form, makes a new Document an
 import math
 import re
 import tomllib
+from collections.abc import Sequence
 from contextlib import suppress
 from dataclasses import MISSING, field, replace
 from datetime import date
 from pathlib import Path
-from typing import TypeVar
+from typing import Any, TypeVar
 
 from .addresses import NAME, Table, address, as_list, changed, join, unknown, written
 from .design import Design
@@ -54,6 +55,7 @@ class Document:
 
 
 Sound = tuple[Document, Design]  # a document without errors, and the design that it is
+Like = tuple[Any, Any]  # a table, or an array of tables, without errors, and what was read of it
 
 
 # --- reading --------------------------------------------------------------------------------------------------------------
@@ -110,11 +112,10 @@ PLACEHOLDER: Table = {
 
 # --- checking ---------------------------------------------------------------------------------------------------------------
 class _Reader:
-    """Walks a document along the Inputs classes and collects every error.  `sound`: a document without any, and what was read of it."""
+    """Walks a document along the Inputs classes and collects every error."""
 
-    def __init__(self, document: Document, sound: Sound | None = None) -> None:
+    def __init__(self, document: Document) -> None:
         self.document = document
-        self.known = {} if sound is None else _read_before(document, *sound)
         self.errors: list[InputError] = []
         self.wrong: set[str] = set()  # their keys
 
@@ -130,10 +131,11 @@ class _Reader:
             key = key.rpartition(".")[0]
         return self.document.lines.get(key, 1) if key else 1
 
-    def inputs(self, cls: type[T], data: Table, prefix: str, address: str = "") -> T:
+    def inputs(self, cls: type[T], data: Table, prefix: str, address: str = "", like: Like | None = None) -> T:
         """One Inputs object.  Where something in it is wrong, a placeholder stands there, so that the rest is still checked.
 
         `prefix` is its key with elements of arrays by index, `address` that with their names: by it explain says where a number stands.
+        `like`: a table without errors in the same place, and what was read of it: what both have, the very same, is taken over.
         """
         kind: type = cls
         known, values = keys(kind), Table()
@@ -143,10 +145,11 @@ class _Reader:
                 reason = Text("is not known") if counted else unknown(key, known)
                 self.error(join(prefix, key), None, getattr(cls, "REFUSED", {}).get(key) or reason)
         for key, about in known.items():
-            if not prefix and key in self.known:
-                values[about.attribute] = self.known[key]
+            if like is not None and data.get(key) is like[0].get(key):
+                values[about.attribute] = getattr(like[1], about.attribute)
             elif key in data:
-                values[about.attribute] = self.value(about.about, data[key], join(prefix, key), join(address, key))
+                there = None if like is None else (like[0].get(key), getattr(like[1], about.attribute))
+                values[about.attribute] = self.value(about.about, data[key], join(prefix, key), join(address, key), there)
             elif about.field.default is not MISSING:
                 values[about.attribute] = _keyed(about.about, about.field.default, join(address, key))
             elif not about.about.optional:
@@ -162,14 +165,15 @@ class _Reader:
                 raise  # a placeholder may stop a cross-check, nothing else may
         return made
 
-    def value(self, about: Quantity, value: object, key: str, address: str) -> object:
+    def value(self, about: Quantity, value: object, key: str, address: str, like: Like | None = None) -> object:
         match about.kind:
             case "table":
                 if not isinstance(value, dict):
                     return self.error(key, value, Text("must be a table"), "table")
-                return self.inputs(about.table, value, key, address)  # type: ignore[arg-type]
+                known = like if like is not None and isinstance(like[0], dict) else None
+                return self.inputs(about.table, value, key, address, known)  # type: ignore[arg-type]
             case "tables":
-                return self.tables(about, value, key, address)
+                return self.tables(about, value, key, address, like[0] if like else None, like[1] if like else ())
             case "series" | "integers":
                 return _keyed(about, self.series(about, value, key), address)
             case "reasons":
@@ -231,13 +235,14 @@ class _Reader:
             return self.error(key, value, Text("is empty; needs {allowed}", allowed=about.allowed()), "series")
         return tuple(self.number(about, item, key) for item in items)
 
-    def tables(self, about: Quantity, value: object, key: str, address: str) -> object:
+    def tables(self, about: Quantity, value: object, key: str, address: str, like: object = None, read: Sequence[object] = ()) -> object:
         if not isinstance(value, list) or not all(isinstance(item, dict) for item in value):
             return self.error(key, value, Text("must be an array of tables: [[") + key + "]]", "tables")
         names = [item.get("name") for item in value]
+        before = list(zip(like, read)) if isinstance(like, list) and [item.get("name") for item in like] == names else [None] * len(value)
         made: tuple[object, ...] = tuple(
-            self.inputs(about.table, item, f"{key}.{i}", f"{address}.{i if name is None else name}")  # type: ignore[arg-type]
-            for i, (item, name) in enumerate(zip(value, names))
+            self.inputs(about.table, item, f"{key}.{i}", f"{address}.{i if name is None else name}", known)  # type: ignore[arg-type]
+            for i, (item, name, known) in enumerate(zip(value, names, before))
         )
         addressed = not key.startswith(("oil", "material")) and "name" in keys(about.table)
         seen: set[str] = set()
@@ -282,19 +287,13 @@ def _plain(data: object, key: str) -> object:
     return data if isinstance(data, (int, float, str)) else None
 
 
-def _read_before(document: Document, like: Document, made: Design) -> dict[str, object]:
-    """What stands in tables that the other document has too: the same ones, which nobody changes in place."""
-    same = {key for key, table in document.data.items() if like.data.get(key) is table}
-    return {key: getattr(made, about.attribute) for key, about in keys(Design).items() if key in same}
-
-
 def design(document: Document, sound: Sound | None = None) -> Design:
     """The checked design in SI.  Raises BadInput with every error of the document, in the order of its lines.
 
     `sound`: a document of which this one was made, with its design: what is unchanged is taken over and not read again.
     """
-    reader = _Reader(document, sound)
-    made = reader.inputs(Design, document.data, "")
+    reader = _Reader(document)
+    made = reader.inputs(Design, document.data, "", like=(sound[0].data, sound[1]) if sound is not None else None)
     if reader.errors:
         raise BadInput(document.place, reader.errors)
     return made
