@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The types of arrays, for the type checker only: importing numpy.typing costs a start-up 30 ms."""
 
-from typing import TYPE_CHECKING, TypeVar, cast, overload
+from typing import TYPE_CHECKING, Any, TypeVar, cast, overload
 
 if TYPE_CHECKING:
     import numpy as np
@@ -33,6 +33,32 @@ def many(x: float) -> Array:
 def phasors(x: complex) -> ComplexArray:
     """As `many`, of phasors."""
     return cast(ComplexArray, x)
+
+
+def one(x: Any) -> Any:
+    """A number that stands alone: out of an array its only element, of many designs (`lanes.py`) one each."""
+    return x.item() if hasattr(x, "item") else x
+
+
+def element(x: "Array | tuple[float, ...]", at: Any) -> float:
+    """The number at a place of an array; of many designs each has its own place."""
+    return cast(float, at.of(x) if hasattr(at, "lanes") else x[at])
+
+
+def most(x: Any) -> float:
+    """The largest of all numbers, those of many designs too: what says whether an iteration is at its end everywhere."""
+    return float(_all(x).max()) if hasattr(x, "ndim") else cast(float, x)
+
+
+def anywhere(x: Any) -> bool:
+    """Whether it is so at some place, of some design: then all take the way that is right for both."""
+    return bool(_all(x).any())
+
+
+def _all(x: object) -> Any:
+    import numpy as np
+
+    return np.asarray(getattr(x, "data", x) if hasattr(x, "lanes") else x)
 
 
 def distinct(x: "NDArray[S]") -> "tuple[NDArray[S], IndexArray, IndexArray]":

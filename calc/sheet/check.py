@@ -156,14 +156,15 @@ def check(
     rule = rule_of(id, index)
     shown = UNITS[unit].shown
     bound = (shown(limit[0]), shown(limit[1])) if isinstance(limit, tuple) else linked(shown(limit), link_of(limit))
-    number = shown(value) if math.isfinite(value) else value
+    several = hasattr(value, "lanes") or hasattr(limit, "lanes")  # of many designs, which are judged one by one: nobody reads remedies
+    number = shown(value) if several or math.isfinite(value) else value
     made = Check(
         id, name, linked(number, link_of(value)), bound, sense, unit, source, advice,
         kind if kind in rule.kinds else rule.kinds[0], rule.cause,
         rule.value if value_id is None else value_id, rule.limit, rule.moved_by if moved_by is None else moved_by, (), missing,
         rule.demand, rule.exact,
     )  # fmt: skip
-    ways = () if remedies is None or made.holds else remedies()
+    ways = () if remedies is None or several or made.holds else remedies()
     return replace(made, remedies=ways, advice=Text(" ").join([sentence(ways), advice] if advice else [sentence(ways)])) if ways else made
 
 

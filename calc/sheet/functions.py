@@ -11,11 +11,16 @@ from typing import TypeVar, cast
 import numpy as np
 
 from . import linked_array as linked_array  # makes the links of arrays known
-from .arrays import ComplexArray
+from .arrays import ComplexArray, one, phasors
 from .value import LinkedFloat
 
 pi = math.pi
 N = TypeVar("N", float, complex)
+
+
+def _several(x: object) -> bool:
+    """Whether this is an array, or the numbers of many designs (`lanes.py`)."""
+    return hasattr(x, "ndim") and not isinstance(x, (float, complex))
 
 
 def _both(scalar: Callable[[float], float], vector: Callable[[float], float]) -> Callable[[float], float]:
@@ -36,6 +41,7 @@ tan = _both(math.tan, np.tan)
 asin = _both(math.asin, np.arcsin)
 acos = _both(math.acos, np.arccos)
 atan = _both(math.atan, np.arctan)
+degrees = _both(math.degrees, np.degrees)
 asinh = _both(math.asinh, np.arcsinh)
 
 
@@ -47,7 +53,7 @@ def inv(angle: float) -> float:
 def cis(angle: float) -> complex:
     """The unit phasor e^{iα}."""
     plain = type(angle) in (float, LinkedFloat)
-    return complex(math.cos(angle), math.sin(angle)) if plain else cast(complex, np.exp(1j * np.asarray(angle)))
+    return complex(math.cos(angle), math.sin(angle)) if plain else cast(complex, np.exp(1j * angle))
 
 
 def conj(z: complex) -> complex:
@@ -69,7 +75,7 @@ def argument(z: complex) -> float:
     Parts below 1e-12 of the length are dust of the last digits: 180° and not −180°, 0° and not 4e-15°.
     """
     dust = 1e-12 * abs(z)
-    if isinstance(z, np.ndarray):
+    if _several(z):
         return cast(float, np.arctan2(np.where(abs(z.imag) > dust, z.imag, 0.0), np.where(abs(z.real) > dust, z.real, 0.0)))
     return math.atan2(z.imag if abs(z.imag) > dust else 0.0, z.real if abs(z.real) > dust else 0.0)
 
@@ -98,11 +104,16 @@ def resultant(x: N) -> N:
 
     Vectors that cancel in a direction give 0 there, not the dust of the last digits.
     """
-    return cast(N, _resultant(np.asarray(x)))
+    return cast(N, _resultant(phasors(x) if _several(x) else np.asarray(x)))
 
 
 def _resultant(x: ComplexArray) -> object:
     dust = 1e-12 * np.sum(np.abs(x), -1)
+    if hasattr(dust, "lanes"):
+        found = np.sum(x, -1)
+        if not np.iscomplexobj(found):
+            return np.where(np.abs(found) > dust, found, 0.0)
+        return np.where(np.abs(found.real) > dust, found.real, 0.0) + 1j * np.where(np.abs(found.imag) > dust, found.imag, 0.0)
     if x.ndim > 1:
         found = np.sum(x, -1)
         if not np.iscomplexobj(found):
@@ -120,20 +131,20 @@ def joined(a: N, b: N) -> N:
     """Sum of two numbers or vectors; where they cancel, 0 and not the dust of the last digits."""
     added = a + b
     dust = 1e-12 * (abs(a) + abs(b))
-    if isinstance(added, np.ndarray):
+    if _several(added):
         return cast(N, np.where(abs(added) > dust, added, 0.0))
     kept: object = added if abs(added) > dust else 0j if isinstance(added, complex) else 0.0
     return cast(N, kept)
 
 
 def largest(a: float, b: float) -> float:
-    return np.maximum(a, b) if isinstance(a, np.ndarray) or isinstance(b, np.ndarray) else max(a, b)
+    return np.maximum(a, b) if _several(a) or _several(b) else max(a, b)
 
 
 def smallest(a: float, b: float) -> float:
-    return np.minimum(a, b) if isinstance(a, np.ndarray) or isinstance(b, np.ndarray) else min(a, b)
+    return np.minimum(a, b) if _several(a) or _several(b) else min(a, b)
 
 
 def rss(x: float) -> float:
     """Root of the sum of squares."""
-    return math.sqrt(float(np.sum(np.square(x))))
+    return sqrt(one(np.sum(np.square(x))))

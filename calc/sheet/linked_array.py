@@ -2,7 +2,7 @@
 """Arrays that know where they came from: see `value.py`."""
 
 from collections.abc import Iterable
-from typing import TYPE_CHECKING, Any, TypeVar, overload
+from typing import TYPE_CHECKING, Any, TypeVar, cast, overload
 
 import numpy as np
 
@@ -91,6 +91,10 @@ def gathered(numbers: Iterable[object]) -> "Array":
     """An array of single numbers that keeps the link of each."""
     numbers = tuple(numbers)
     if not recording.get():
+        if any([hasattr(number, "lanes") for number in numbers]):  # of many designs
+            from .lanes import stacked
+
+            return stacked(numbers)  # type: ignore[no-any-return]
         return np.array(numbers, dtype=float)
     parts = tuple(map(link_of, numbers))
     return linked_array(np.array(numbers, dtype=float), joined_links(parts), parts)
@@ -107,6 +111,10 @@ def where(there: "BoolArray", one: "float | Array", other: "Array") -> "Array": 
 def where(there: "BoolArray", one: "complex | ComplexArray", other: "ComplexArray") -> "ComplexArray": ...
 def where(there: "BoolArray", one: "complex | Array | ComplexArray", other: "Array | ComplexArray") -> "Array | ComplexArray":
     """An array of the elements of `one` where `there` is true, and those of `other` elsewhere: both only as long as they are needed."""
+    if hasattr(one, "lanes") or hasattr(other, "lanes"):  # of many designs
+        from .lanes import scattered
+
+        return cast("Array", scattered(there, one, other))
     array = np.empty(there.size, dtype=np.result_type(one, other))
     array[there], array[~there] = one, other
     parts = np.empty(there.size, dtype=object)
@@ -127,5 +135,7 @@ def elements(x: "Array") -> tuple[float, ...]: ...
 def elements(x: "ComplexArray") -> tuple[complex, ...]: ...
 def elements(x: "Array | ComplexArray") -> tuple[complex, ...]:
     """The elements of an array of one dimension as Python numbers, each with its link."""
+    if hasattr(x, "lanes"):
+        return tuple(x)
     links = getattr(x, "parts", ()) or (link_of(x),) * len(x)
     return tuple(map(linked, x.tolist(), links))

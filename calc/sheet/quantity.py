@@ -323,5 +323,6 @@ def published(result: object, prefix: str, formerly: str = "", wanted: frozenset
 
 def _published(id: str, about: Described, inside: float, former: str = "") -> Published:
     unit = UNITS[about.unit]
-    shown = unit.all_shown(inside) if getattr(inside, "ndim", 0) else unit.shown(float(inside))  # an array: many designs at once
+    several = hasattr(inside, "lanes") or bool(getattr(inside, "ndim", 0))  # many designs at once
+    shown = unit.all_shown(inside) if several else unit.shown(float(inside))
     return Published(id, shown, about.unit, about.label, about.symbol, inside, former)

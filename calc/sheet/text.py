@@ -30,7 +30,9 @@ class Amount:
         self.number, self.unit, self.digits, self.form = number, unit, digits, form
 
     def written(self) -> str:
-        """The number in English, without its unit."""
+        """The number in English, without its unit; of many designs nobody reads it."""
+        if hasattr(self.number, "lanes"):
+            return "…"
         if not self.form:
             return short(self.number, self.digits)
         written = format(self.number, self.form)

@@ -74,7 +74,7 @@ class Unit:
 
     def shown(self, inside: float) -> float:
         """The number as the user sees it, without the last digits that the conversion itself makes."""
-        return float(f"{inside / self.factor:.14g}")
+        return self.all_shown(inside) if hasattr(inside, "lanes") else float(f"{inside / self.factor:.14g}")
 
     def all_shown(self, inside: A) -> A:
         """The same for an array, with all its digits."""

@@ -1,0 +1,442 @@
+# SPDX-License-Identifier: Apache-2.0
+"""One number of many designs at once: `Lanes` stands where a formula, or a whole step, has a float.
+
+A lane is a design.  Arithmetic and numpy's functions work lane by lane; an array that a design has (the points of a path, the corners of
+its tolerances) is an array in every lane, and a plain array is the same in all.  So a step that is written for one design solves many,
+in one pass through its code, and a lane never sees another.
+
+What decides about the way through the code has to be one thing in all lanes: where a condition, or a number that counts, differs,
+`Diverged` is raised with the lanes that go one way, and who called solves the two parts each for itself (`together.py`).  What lanes can
+not do (become one float, a key of a dict, a plain array) is an error, never a mixture of designs.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator, Sequence
+from typing import Any, cast
+
+import numpy as np
+
+from .arrays import Array, BoolArray
+from .errors import NoSolution
+from .text import EMPTY, Text
+
+HANDLED: dict[object, Callable[..., Any]] = {}  # by the function of numpy, or its name where importing it would cost a start-up time
+
+
+class Diverged(Exception):
+    """The lanes do not go one way.  `some`: those that go the first of them, neither none nor all."""
+
+    def __init__(self, some: BoolArray) -> None:
+        super().__init__("the designs do not go one way")
+        self.some = some
+
+
+class Lanes:
+    """`data`: an array whose first axis runs over the lanes; `shape`, `ndim` and `size` are those of what one lane has."""
+
+    __slots__ = ("data",)
+    __hash__ = None  # type: ignore[assignment]  # no key of a cache: it is equal to nothing once and for all
+
+    def __init__(self, data: Any) -> None:
+        self.data = data
+
+    # --- what one lane has ---------------------------------------------------------------------------------------------------
+    @property
+    def shape(self) -> tuple[int, ...]:
+        return cast("tuple[int, ...]", self.data.shape[1:])
+
+    @property
+    def ndim(self) -> int:
+        return int(self.data.ndim) - 1
+
+    @property
+    def size(self) -> int:
+        return math.prod(self.shape)
+
+    @property
+    def lanes(self) -> int:
+        return len(self.data)
+
+    @property
+    def dtype(self) -> Any:
+        return self.data.dtype
+
+    @property
+    def real(self) -> Lanes:
+        return Lanes(self.data.real)
+
+    @property
+    def imag(self) -> Lanes:
+        return Lanes(self.data.imag)
+
+    def conjugate(self) -> Lanes:
+        return Lanes(self.data.conjugate())
+
+    def item(self) -> Lanes:
+        return Lanes(self.data.reshape(len(self.data)))
+
+    def __len__(self) -> int:
+        if not self.ndim:
+            raise TypeError("a number has no length")
+        return int(self.data.shape[1])
+
+    def __iter__(self) -> Iterator[Lanes]:
+        return (self[n] for n in range(len(self)))
+
+    def __getitem__(self, at: Any) -> Lanes:
+        if isinstance(at, Lanes):
+            return at.of(self)
+        return Lanes(self.data[(slice(None), *(at if isinstance(at, tuple) else (at,)))])
+
+    def of(self, x: Any) -> Lanes:
+        """The elements of an array at these places, one in each lane."""
+        data = x.data if type(x) is Lanes else np.broadcast_to(x, (self.lanes, len(x)))
+        return Lanes(data[np.arange(self.lanes), self.data])
+
+    def ravel(self) -> Lanes:
+        return Lanes(self.data.reshape(len(self.data), -1))
+
+    def reshape(self, *shape: Any) -> Lanes:
+        return Lanes(self.data.reshape(len(self.data), *(shape[0] if len(shape) == 1 and isinstance(shape[0], tuple) else shape)))
+
+    def any(self, axis: Any = None) -> Lanes:
+        return cast(Lanes, np.any(self, axis))
+
+    def all(self, axis: Any = None) -> Lanes:
+        return cast(Lanes, np.all(self, axis))
+
+    def sum(self, axis: Any = None) -> Lanes:
+        return cast(Lanes, np.sum(self, axis))
+
+    def min(self, axis: Any = None) -> Lanes:
+        return cast(Lanes, np.min(self, axis))
+
+    def max(self, axis: Any = None) -> Lanes:
+        return cast(Lanes, np.max(self, axis))
+
+    def argmin(self) -> Lanes:
+        return cast(Lanes, np.argmin(self))
+
+    def argmax(self) -> Lanes:
+        return cast(Lanes, np.argmax(self))
+
+    def tolist(self) -> Any:
+        """The elements of what each lane has."""
+        return [one.tolist() for one in self] if self.ndim else self
+
+    # --- one way for all -----------------------------------------------------------------------------------------------------
+    def __bool__(self) -> bool:
+        return bool(self._alike(self.data != 0))
+
+    def __index__(self) -> int:
+        return int(self._alike(self.data))
+
+    def __int__(self) -> int:
+        return int(self._alike(self.data.astype(int)))
+
+    def __float__(self) -> float:
+        first = self.data.reshape(-1)[0]
+        if not (self.data == first).all():
+            raise TypeError("the numbers of many designs are not one number")
+        return float(first)
+
+    def _alike(self, found: Any) -> Any:
+        if found.ndim != 1:
+            raise TypeError("an array has no one truth")
+        same = found == found[0]
+        if not same.all():
+            raise Diverged(same)
+        return found[0]
+
+    def __array__(self, *args: Any, **kwargs: Any) -> Array:
+        raise TypeError("the numbers of many designs are no plain array")
+
+    def __format__(self, form: str) -> str:
+        return "…"
+
+    __str__ = __repr__ = lambda self: "…"
+
+    # --- arithmetic ----------------------------------------------------------------------------------------------------------
+    def __array_ufunc__(self, ufunc: Any, method: str, *inputs: Any, **kwargs: Any) -> Any:
+        if method == "reduce":
+            return _reduced(ufunc.reduce, *inputs, **kwargs)
+        if method != "__call__" or kwargs.get("out") is not None:
+            return NotImplemented
+        return wrapped(ufunc(*level(inputs), **kwargs))
+
+    def __array_function__(self, function: Any, types: Any, args: Any, kwargs: Any) -> Any:
+        handler = HANDLED.get(function) or HANDLED.get(function.__name__)
+        return NotImplemented if handler is None else handler(*args, **kwargs)
+
+    def __neg__(self) -> Lanes:
+        return Lanes(-self.data)
+
+    def __pos__(self) -> Lanes:
+        return self
+
+    def __abs__(self) -> Lanes:
+        return Lanes(abs(self.data))
+
+    def __round__(self, digits: int = 0) -> Lanes:
+        return Lanes(np.round(self.data, digits))
+
+    def __ceil__(self) -> Lanes:
+        return Lanes(np.ceil(self.data))
+
+    def __floor__(self) -> Lanes:
+        return Lanes(np.floor(self.data))
+
+    def __invert__(self) -> Lanes:
+        return Lanes(~self.data)
+
+
+def _operator(name: str) -> None:
+    """An operator of arrays as one of lanes, from the left and from the right."""
+    of_arrays = getattr(np.ndarray, f"__{name}__")
+    of_arrays_right = getattr(np.ndarray, f"__r{name}__", None)
+
+    def left(self: Lanes, other: Any) -> Any:
+        kind = type(other)
+        if kind is float or kind is int:
+            return Lanes(of_arrays(self.data, other))
+        one, two = level((self, other))
+        return wrapped(of_arrays(one, np.asarray(two)))
+
+    setattr(Lanes, f"__{name}__", left)
+    if of_arrays_right is not None:
+
+        def right(self: Lanes, other: Any) -> Any:
+            one, two = level((self, other))
+            return wrapped(of_arrays(np.asarray(two), one))
+
+        setattr(Lanes, f"__r{name}__", right)
+
+
+for _name in ("add", "sub", "mul", "truediv", "floordiv", "mod", "pow", "and", "or", "xor", "lt", "le", "gt", "ge", "eq", "ne"):
+    _operator(_name)
+
+
+def wrapped(found: Any) -> Any:
+    return tuple(map(Lanes, found)) if isinstance(found, tuple) else Lanes(found)
+
+
+def level(inputs: Sequence[Any]) -> list[Any]:
+    """The data of lanes and plain arrays side by side, so that numpy lets lane meet lane and point meet point."""
+    deepest = max([x.data.ndim - 1 if type(x) is Lanes else getattr(x, "ndim", 0) for x in inputs])
+    return [_deep(x.data, deepest) if type(x) is Lanes else x for x in inputs]
+
+
+def _deep(data: Any, points: int) -> Any:
+    """With so many axes of points, those that a lane does not have of length one."""
+    missing = points + 1 - data.ndim
+    return data.reshape(data.shape[0], *(1,) * missing, *data.shape[1:]) if missing else data
+
+
+def scattered(there: BoolArray, one: Any, other: Any) -> Lanes:
+    """An array of the elements of `one` where `there` is true, and those of `other` elsewhere."""
+    count = count_of((one, other)) or 1
+    parts = [rows(x, count, (size,)).reshape(count, size) for x, size in ((one, int(there.sum())), (other, int((~there).sum())))]
+    found = np.empty((count, there.size), dtype=np.result_type(*parts))
+    found[:, there], found[:, ~there] = parts
+    return Lanes(found)
+
+
+def rows(x: Any, count: int, shape: tuple[int, ...]) -> Array:
+    """What a number or an array is in every lane and at every point of a shape, one lane after the other as one flat array."""
+    data = _deep(x.data if type(x) is Lanes else np.asarray(x)[None], len(shape))
+    return np.broadcast_to(data, (count, *shape)).ravel()
+
+
+def count_of(things: Any) -> int | None:
+    """How many lanes numbers have; None where none of them has lanes."""
+    return next((len(x.data) for x in things if type(x) is Lanes), None)
+
+
+# --- functions of numpy ------------------------------------------------------------------------------------------------------
+def _handles(function: Any) -> Callable[[Callable[..., Any]], Callable[..., Any]]:
+    def put(handler: Callable[..., Any]) -> Callable[..., Any]:
+        HANDLED[function] = handler
+        return handler
+
+    return put
+
+
+def _axis(x: Lanes, axis: Any) -> Any:
+    """An axis of the points as one of the data."""
+    if axis is None:
+        return tuple(range(1, x.data.ndim))
+    return tuple(_axis(x, a) for a in axis) if isinstance(axis, tuple) else axis if axis < 0 else axis + 1
+
+
+def _reduced(reduce: Any, x: Any, axis: Any = None, **kwargs: Any) -> Any:
+    kwargs = {name: value for name, value in kwargs.items() if value is not None and value is not np._NoValue}
+    if type(x) is not Lanes:
+        x = stacked(x)
+    return Lanes(reduce(x.data, axis=_axis(x, axis), **kwargs))
+
+
+for _function in (np.sum, np.max, np.min, np.any, np.all, np.mean, np.prod, np.nanmin, np.nanmax, np.argmin, np.argmax, np.nanargmin,
+                  np.nanargmax, np.ptp):  # fmt: skip
+
+    def _reducing(x: Any, axis: Any = None, _function: Any = _function, **kwargs: Any) -> Any:
+        if _function in (np.argmin, np.argmax, np.nanargmin, np.nanargmax) and axis is None:
+            axis = -1
+        return _reduced(_function, x, axis, **kwargs)
+
+    HANDLED[_function] = _reducing
+
+
+for _cumulative in (np.cumsum, np.diff):
+
+    def _along(x: Lanes, axis: int = -1, _function: Any = _cumulative) -> Lanes:
+        return Lanes(_function(x.data, axis=_axis(x, axis)))
+
+    HANDLED[_cumulative] = _along
+
+
+@_handles(np.where)
+def _where(condition: Any, x: Any, y: Any) -> Any:
+    return wrapped(np.where(*level((condition, x, y))))
+
+
+@_handles(np.clip)
+def _clip(x: Any, low: Any, high: Any) -> Any:
+    return wrapped(np.clip(*level([stacked(part) if isinstance(part, (list, tuple)) else part for part in (x, low, high)])))
+
+
+@_handles(np.stack)
+def _stack(parts: Sequence[Any], axis: int = 0) -> Lanes:
+    return Lanes(np.stack(_data(parts), axis=axis if axis < 0 else axis + 1))
+
+
+@_handles(np.sort)
+def _sort(x: Any) -> Lanes:
+    return Lanes(np.sort(x.data, -1))
+
+
+@_handles(np.select)
+def _select(conditions: Sequence[Any], choices: Sequence[Any], default: Any) -> Any:
+    found = default
+    for condition, choice in zip(reversed(conditions), reversed(choices)):
+        found = np.where(condition, choice, found)
+    return found
+
+
+@_handles(np.interp)
+def _interp(x: Any, places: Any, numbers: Any) -> Lanes:
+    """Places that are the same in all lanes."""
+    return Lanes(np.stack([np.interp(x, places, one) for one in numbers.data]))
+
+
+@_handles("rfft")
+def _rfft(x: Any, n: int | None = None, axis: int = -1) -> Lanes:
+    return Lanes(np.fft.rfft(x.data, n, axis=_axis(x, axis)))
+
+
+@_handles("irfft")
+def _irfft(x: Any, n: int | None = None, axis: int = -1) -> Lanes:
+    return Lanes(np.fft.irfft(x.data, n, axis=_axis(x, axis)))
+
+
+@_handles(np.append)
+def _append(x: Any, more: Any) -> Any:
+    return _concatenate([x, np.reshape(more, -1) if type(more) is not Lanes else more.ravel()])
+
+
+@_handles(np.tile)
+def _tile(x: Any, times: int) -> Any:
+    return _concatenate([x] * times)
+
+
+@_handles(np.linspace)
+def _linspace(low: Any, high: Any, count: int) -> Any:
+    return low + (high - low) * (np.arange(count) / (count - 1))
+
+
+@_handles(np.zeros_like)
+def _zeros_like(x: Any) -> Any:
+    return Lanes(np.zeros_like(x.data))
+
+
+@_handles(np.ones_like)
+def _ones_like(x: Any) -> Any:
+    return Lanes(np.ones_like(x.data))
+
+
+@_handles(np.real)
+def _real(x: Any) -> Any:
+    return x.real
+
+
+@_handles(np.imag)
+def _imag(x: Any) -> Any:
+    return x.imag
+
+
+@_handles(np.ravel)
+def _ravel(x: Any) -> Any:
+    return x.ravel()
+
+
+@_handles(np.shape)
+def _shape(x: Lanes) -> tuple[int, ...]:
+    return x.shape
+
+
+@_handles(np.ndim)
+def _ndim(x: Lanes) -> int:
+    return x.ndim
+
+
+@_handles(np.size)
+def _size(x: Lanes) -> int:
+    return x.size
+
+
+@_handles(np.iscomplexobj)
+def _iscomplexobj(x: Lanes) -> bool:
+    return np.iscomplexobj(x.data)
+
+
+@_handles(np.concatenate)
+def _concatenate(parts: Sequence[Any], axis: int = 0) -> Lanes:
+    return Lanes(np.concatenate(_data(parts), axis=axis if axis < 0 else axis + 1))
+
+
+@_handles(np.broadcast_to)
+def _broadcast_to(x: Lanes, shape: Any) -> Lanes:
+    shape = shape if isinstance(shape, tuple) else (shape,)
+    return Lanes(np.broadcast_to(_deep(x.data, len(shape)), (len(x.data), *shape)))
+
+
+@_handles(np.array_equal)
+def _array_equal(a: Any, b: Any) -> bool:
+    return bool(np.array_equal(*level((a, b))))
+
+
+@_handles(np.isclose)
+def _isclose(a: Any, b: Any, **kwargs: Any) -> Any:
+    return wrapped(np.isclose(*level((a, b)), **kwargs))
+
+
+def stacked(parts: Any) -> Any:
+    """Numbers, some of them of many designs, as one array along a new first axis: what `np.array` makes of floats."""
+    return np.array(parts) if count_of(parts) is None else Lanes(np.stack(_data(parts), axis=1))
+
+
+def _data(parts: Sequence[Any]) -> list[Any]:
+    """Arrays and numbers, some of them of many designs, each with all lanes."""
+    count = count_of(parts) or 1
+    return [part.data if type(part) is Lanes else np.broadcast_to(part, (count, *np.shape(part))) for part in parts]
+
+
+def parted(x: Any) -> Any:
+    """The same numbers, where all of them are there; designs without one (nan) go apart.  Raises NoSolution where none is."""
+    missing = np.isnan(x.data).reshape(len(x.data), -1).any(1)
+    if missing.all():
+        raise NoSolution(Text("none of the designs has a solution here"), EMPTY, EMPTY)
+    if missing.any():
+        raise Diverged(~missing)
+    return x
