@@ -27,7 +27,9 @@ SPEED_FACTOR: tuple[Number, Number] = (3.0, 10.0)  # least speed over that of tr
 
 def speed_factor(u: MetrePerSecond) -> Number:
     """The least speed of a journal over its speed of transition; Finotti 2013, 5.5.3."""
-    return SPEED_FACTOR[0] if u < SPEED_FACTOR[0] else min(u, SPEED_FACTOR[1])
+    from .sheet.functions import largest, smallest  # with numpy, without which the rules are read
+
+    return largest(SPEED_FACTOR[0], smallest(u, SPEED_FACTOR[1]))
 
 
 class Lubrication(NamedTuple):

@@ -116,7 +116,7 @@ def solve(
     told = [] if before is None or traced else [before] if before.recorded else list(before._told)  # of what is recorded: no chain
     with seldom_collected(), recorded(traced):
         try:
-            outcomes = _solve(part, design, compared)
+            outcomes = steps(part, design, compared)
         except Enough:
             outcomes = part.last
     results = Results(design, outcomes, part.kept, traced, told)
@@ -140,7 +140,7 @@ def _lines(design: Design, told: list[Results], key: str) -> Many[Line]:
     return _traced(design, told).outcomes[key].lines
 
 
-def _solve(part: Parts, design: Design, compared: bool) -> dict[str, Outcome[object]]:
+def steps(part: Parts, design: Design, compared: bool) -> dict[str, Outcome[object]]:
     materials, oils, first_speed = design.materials, design.oils, h.first_speed(design)
 
     if design.engine is not None:
@@ -188,7 +188,7 @@ def _solve(part: Parts, design: Design, compared: bool) -> dict[str, Outcome[obj
     if design.friction is not None and design.gears is not None and g.result is not None and first_speed and oil is not None and not late:
         f = part(
             "friction", friction.solve, design.friction, design.gears, g.result, h.on_shaft(design, c, b, gear), first_speed, oil,
-            materials, oils,
+            materials, oils, compared=compared,
         )  # fmt: skip
     else:
         f = part.absent("friction", design.friction, (g, *late))

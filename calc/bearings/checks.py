@@ -24,6 +24,7 @@ from ..journal_rules import (
     USUAL_SPECIFIC_LOAD,
 )  # fmt: skip
 from ..oils import BEYOND_ROWS, LAW_RANGE, MORE_ROWS, OTHER_OIL, VISCOSITIES
+from ..sheet.arrays import element
 from ..sheet.check import Check, check
 from ..sheet.remedy import Remedy, by_key, down, up
 from ..sheet.text import EMPTY, SEMICOLON, Amount, Name, Text
@@ -43,7 +44,7 @@ SHEAR_THINNING = 1e5  # 1/s
 def least_film(d: float, u: float) -> float | None:
     """h_lim of a journal from 24 to 160 mm; None outside."""
     column = sum(u > limit for limit in SPEEDS)
-    return next((row[column] for up_to, row in LEAST_FILM if d <= up_to), None) if d >= 0.024 else None
+    return next((element(row, column) for up_to, row in LEAST_FILM if d <= up_to), None) if d >= 0.024 else None
 
 
 def oil_checks(inputs: BearingsInputs, oil: Oil) -> Iterator[Check]:
@@ -157,15 +158,24 @@ def _on(
 def _longer(place: str, bearing: BearingInputs, times: float) -> Callable[[], tuple[Remedy, ...]]:
     """A bearing so many times as long."""
     key = f"bearings.{place}.length_mm"
-    return by_key(BearingInputs, key, up(bearing.length * times) if math.isfinite(times) else None, place=IN_WORDS[place], bound=">=")
+
+    def ways() -> tuple[Remedy, ...]:
+        length = up(bearing.length * times) if math.isfinite(times) else None
+        return by_key(BearingInputs, key, length, place=IN_WORDS[place], bound=">=")()
+
+    return ways
 
 
 def within(place: str, bearing: BearingInputs, ratios: tuple[float, float]) -> Callable[[], tuple[Remedy, ...]]:
     """The nearest length with a ratio l/d between the two."""
-    low, high = (ratio * bearing.diameter for ratio in ratios)
-    short_ = bearing.length < low
-    key, length = f"bearings.{place}.length_mm", up(low) if short_ else down(high)
-    return by_key(BearingInputs, key, length, place=IN_WORDS[place], bound=">=" if short_ else "<=")
+
+    def ways() -> tuple[Remedy, ...]:
+        low, high = (ratio * bearing.diameter for ratio in ratios)
+        short_ = bearing.length < low
+        key, length = f"bearings.{place}.length_mm", up(low) if short_ else down(high)
+        return by_key(BearingInputs, key, length, place=IN_WORDS[place], bound=">=" if short_ else "<=")()
+
+    return ways
 
 
 def _when_cold(inputs: BearingsInputs) -> Text:

@@ -7,8 +7,8 @@ from itertools import product
 import numpy as np
 
 from ..fits import deviations, parse, tolerance
-from ..sheet.arrays import Array, each, many
-from ..sheet.linked_array import item
+from ..sheet.arrays import Array, each, many, one
+from ..sheet.linked_array import gathered, item
 from ..sheet.quantity import result, value
 from ..sheet.step import Table
 from ..sheet.text import Amount, Text
@@ -82,7 +82,7 @@ def corner_values(seat: BearingCase) -> tuple[Array, Array]:
     """Clearance at the reference temperature and viscosity factor of each corner, shape (8,)."""
     journal, hole = limits(seat.inputs, seat.bearing.diameter, seat.clearance)
     g = [hole[s > 0] - journal[j > 0] for (_, j), (_, s), _ in CORNERS]
-    numbers = based_on(np.array(g), seat.clearance, seat.bearing.diameter, seat.inputs.seat_fit, seat.inputs.journal_fit)
+    numbers = based_on(gathered(g), seat.clearance, seat.bearing.diameter, seat.inputs.seat_fit, seat.inputs.journal_fit)
     return numbers, np.array([1 + o * seat.inputs.viscosity_tolerance for *_, (_, o) in CORNERS])
 
 
@@ -103,7 +103,7 @@ def corners(seat: BearingCase, duty: OperatingPoint, slope: Radian, film: Film, 
     rise, h_0 = many(film.temperature_rise), many(film.film)
     columns = {
         "clearance": g,
-        "clearance_cold": np.asarray(replace(seat, clearance=each(g)).clearance_at(inputs.lowest_temperature)),
+        "clearance_cold": many(replace(seat, clearance=each(g)).clearance_at(inputs.lowest_temperature)),
         "clearance_hot": np.where(np.isfinite(h_0[once]), many(film.clearance)[once], np.nan),
         "film": h_0[once], "film_edge": h_0[once] - slope * l / 2, "film_double_load": h_0[twice],
         "outlet_temperature": duty.supply_temperature + rise[once], "friction_power": many(film.friction_power)[once],
@@ -117,7 +117,7 @@ def corners(seat: BearingCase, duty: OperatingPoint, slope: Radian, film: Film, 
         (_, j), (_, s), (_, o) = CORNERS[worst]
         clearance = least if j > s else most if s > j else item(g[worst])
         factor = f.viscosity_factor(t_nu=inputs.viscosity_tolerance, o=float(o))
-        return closed(own_warm, replace(seat, clearance=clearance, viscosity_factor=factor), at, float(rise[points][worst]))
+        return closed(own_warm, replace(seat, clearance=clearance, viscosity_factor=factor), at, one(rise[points][worst]))
 
     with about(Text("{bearing}, thinnest corner", bearing=bearing)):
         thinnest = solved("film_edge", duty, once)

@@ -9,7 +9,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from ..sheet.arrays import each, many
+from ..sheet.arrays import each, many, one
 from ..sheet.formula import formula
 from ..sheet.record import record
 from ..sheet.units import MetrePerSecond, Newton, Watt
@@ -56,15 +56,16 @@ class Response:
 
 def loads_beside(seat: BearingCase, duty: OperatingPoint) -> tuple[BearingCase, OperatingPoint]:
     """A little less load, the load itself and a little more, along a last axis of their own; the duty's numbers may be arrays."""
-    loads = np.asarray(duty.load)[..., None] * np.array((1 - APART, 1.0, 1 + APART))
-    others = {name: each(np.asarray(x)[..., None]) if np.ndim(x) else x for name, x in vars(duty).items() if name != "load"}
+    about = np.array((1 - APART, 1.0, 1 + APART))
+    loads = (many(duty.load)[..., None] if np.ndim(duty.load) else duty.load) * about
+    others = {name: each(many(x)[..., None]) if np.ndim(x) else x for name, x in vars(duty).items() if name != "load"}
     return seat, replace(duty, load=each(loads), **others)
 
 
 def answered(film: Film, duty: OperatingPoint, friction_power: Watt | None = None) -> Response:
     """The answer at a duty, from the films at `loads_beside`.  `friction_power`: at that duty, where it is known; nan: no film is found."""
     power = many(film.friction_power)
-    below, at, above = (each(power[..., i]) if power.ndim > 1 else float(power[i]) for i in range(3))
+    below, at, above = (each(power[..., i]) if power.ndim > 1 else one(power[i]) for i in range(3))
     P_f = at if friction_power is None else friction_power
     below, at, above = (based_on(P, friction_power, duty.load) for P in (below, at, above))  # found alike, of the same numbers
     return Response(load=duty.load, friction_power=P_f, slope=slope(P_below=below, P_above=above, F=duty.load),

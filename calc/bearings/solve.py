@@ -3,8 +3,9 @@
 
 from collections.abc import Iterator
 from dataclasses import replace
-from math import isfinite
 from typing import NamedTuple
+
+import numpy as np
 
 from ..catalogue import Material, Oil
 from ..countershaft.result import CountershaftResult
@@ -12,10 +13,11 @@ from ..engine.inputs import BenchPoint, EngineInputs
 from ..fits import deviations, parse
 from ..journal_rules import speed_factor
 from ..lubricant import Lubricant
-from ..sheet.arrays import many
+from ..sheet.arrays import element, many, one
 from ..sheet.check import Check, check
 from ..sheet.errors import NoSolution
 from ..sheet.later import Later
+from ..sheet.linked_array import gathered, item
 from ..sheet.remedy import by_key
 from ..sheet.step import Curve, Further, Outcome, Table
 from ..sheet.text import EMPTY, Text
@@ -82,7 +84,7 @@ def solve(
     return Outcome("bearings", result=BearingsResult(bearings=results), checks=tuple(every), lines=tuple(lines),
         curves=Later(lambda: (c for place, r in results.items() for c in curves(place, r))),
         tables=Later(lambda: _tables(bearings, results, speed)),
-        errata=tuple(e for place, r in results.items() for e in errata(place, r)),
+        errata=Later(lambda: (e for place, r in results.items() for e in errata(place, r))),
         notes=Later(lambda: notes(bearings, shaft, results)), further=lambda: Further(curves=Later(lambda: _charts(results))))  # fmt: skip
 
 
@@ -236,19 +238,20 @@ def _thinnest(seat: BearingCase, duty: OperatingPoint, swept: Sweep) -> Film | N
     """The film at the speed where it is thinnest, by lines of the calculation, at the rise that is known."""
     if swept.thinnest is None:
         return None
-    at = swept.thinnest
-    n = swept.speeds[at]
+    n, T_in, p_s, rise = (
+        item(element(gathered(row), swept.thinnest)) for row in (swept.speeds, swept.temperatures, swept.pressures, swept.rises)
+    )
     load = f.load_at_speed(F=duty.load, n=n, n_0=duty.speed) if seat.inputs.load_speed_ratio == TURNING else duty.load
     slower = replace(
         duty, load=load, speed=n, effective_speed=based_on(duty.effective_speed * (n / duty.speed), duty.effective_speed, n, duty.speed),
-        supply_temperature=swept.temperatures[at], supply_pressure=swept.pressures[at])  # fmt: skip
-    return closed(own_warm, seat, slower, swept.rises[at])
+        supply_temperature=T_in, supply_pressure=p_s)  # fmt: skip
+    return closed(own_warm, seat, slower, rise)
 
 
 def _at_known_rise(seat: BearingCase, duty: OperatingPoint, known: Film) -> Film | None:
     """The one film that is known, by lines of the calculation; None where no film carries the load: the check on it fails."""
-    rise = float(many(known.temperature_rise)[0])
-    return closed(own_warm, seat, duty, rise) if isfinite(rise) else None
+    rise = one(many(known.temperature_rise)[0])
+    return closed(own_warm, seat, duty, rise) if np.isfinite(rise) else None
 
 
 def _blocked_arc(inputs: BearingsInputs, duty: OperatingPoint, hot: Film, ratio: Number) -> Radian | None:

@@ -30,7 +30,7 @@ def with_standing(outcome: Outcome[BearingsResult], stands: Standing | None) -> 
     """The same outcome with the standing part of each bearing's load."""
     if stands is None or outcome.result is None or stands.stationary_front is None or stands.stationary_rear is None:
         return outcome
-    bearings, checks, notes = {}, list(outcome.checks), list(outcome.notes)
+    bearings, checks, notes = {}, list(outcome.checks), list[Text]()
     with trace() as lines:
         for place, load in (("front", stands.stationary_front), ("rear", stands.stationary_rear)):
             one = outcome.result.bearings[place]
@@ -39,7 +39,11 @@ def with_standing(outcome: Outcome[BearingsResult], stands: Standing | None) -> 
             bearings[place] = replace(one, standing=part)
             checks += _checks(place, one, part)
     return replace(
-        outcome, result=replace(outcome.result, bearings=bearings), checks=tuple(checks), lines=(*outcome.lines, *lines), notes=tuple(notes)
+        outcome,
+        result=replace(outcome.result, bearings=bearings),
+        checks=tuple(checks),
+        lines=(*outcome.lines, *lines),
+        notes=outcome.notes + tuple(notes),
     )
 
 

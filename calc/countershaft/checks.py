@@ -1,14 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
 """The checks of the counter-shaft: what it leaves, how it bends, whether it fits.  Those of its making stand with their subjects."""
 
-import math
 from collections.abc import Iterator
 
 from .. import fatigue, notch
 from ..catalogue import Material
 from ..journal_rules import HEAT_INDEX, SLOPE, SPECIFIC_LOAD
 from ..sheet.check import Check, check
-from ..sheet.functions import argument
+from ..sheet.functions import argument, degrees
 from ..sheet.remedy import by_key, down
 from ..sheet.text import Amount, Text
 from ..sheet.units import Metre
@@ -57,7 +56,7 @@ def _residuals(shaft: CountershaftInputs, todo: Task, shaft_result: Countershaft
 
 def _opposite(engine: complex) -> Amount:
     """The direction opposite to the engine's vector, in degrees."""
-    return Amount(math.degrees(argument(-engine)), "°", form=".1f")
+    return Amount(degrees(argument(-engine)), "°", form=".1f")
 
 
 def _slopes(shaft_result: CountershaftResult) -> Iterator[Check]:

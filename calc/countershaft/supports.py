@@ -10,6 +10,7 @@ from typing import cast
 
 import numpy as np
 
+from ..sheet.abreast import design_by_design
 from ..sheet.arrays import Array, BoolArray, ComplexArray, IndexArray, each, phasors
 from ..sheet.errors import NoSolution
 from ..sheet.formula import formula
@@ -65,6 +66,7 @@ def support_reactions(F: PhasorNewton, z: Metre, z_s: Metre, M: PhasorNewtonMetr
     return cast(PhasorNewton, -carried)
 
 
+@design_by_design
 def reactions(F: PhasorNewton, z: Metre, positions: tuple[Metre, ...]) -> ComplexArray:
     """Forces of the supports on the shaft, front to rear.  `positions` rise; loads may lie between or beyond them.
 

@@ -11,6 +11,7 @@ import math
 
 import numpy as np
 
+from ..sheet.abreast import design_by_design
 from ..sheet.arrays import Array, each, many
 from ..sheet.formula import formula
 from ..sheet.functions import asin, cos, joined, pi, power
@@ -191,6 +192,7 @@ def highest(x: Array, y: Array) -> tuple[float, float]:
     return float(x[i] + way), float(max(np.max(y), y[i] + way * (slope + bend * way)))
 
 
+@design_by_design
 def first_highest(x: Array, y: Array) -> float:
     """The place of the largest value; of peaks of equal height the first."""
     top = np.max(y)

@@ -7,10 +7,10 @@ from dataclasses import replace
 import numpy as np
 
 from ..catalogue import Material
-from ..sheet.arrays import Array, ComplexArray, each, many, phasors
+from ..sheet.arrays import Array, ComplexArray, each, many, one, phasors
 from ..sheet.check import Check
 from ..sheet.formula import formula
-from ..sheet.functions import modulus, pi
+from ..sheet.functions import largest, modulus, pi, smallest
 from ..sheet.later import Later
 from ..sheet.linked_array import elements, gathered
 from ..sheet.quantity import Described, Stated
@@ -39,15 +39,14 @@ def harmonics(a: Number) -> PhasorNumber:
     """a/(ω² r) = Re Σ c_n e^{inα}: the complex amplitudes of orders 1 to 8, from equally spaced points over one turn (last axis)."""
     points = many(a)
     spectrum: ComplexArray = np.fft.rfft(points)[..., 1 : len(ORDERS) + 1] * 2 / points.shape[-1]
-    spectrum.real[np.abs(spectrum.real) < 1e-12] = 0.0
-    spectrum.imag[np.abs(spectrum.imag) < 1e-12] = 0.0
-    return each(spectrum)
+    real, imag = (np.where(np.abs(part) < 1e-12, 0.0, part) for part in (spectrum.real, spectrum.imag))
+    return each(real + 1j * imag)
 
 
 def points(lam: Number, delta: Number) -> int:
     """How many crank angles carry the whole acceleration: its harmonics fall like e^(−nη) with cosh η = (1 − |δ|)/λ."""
     eta = np.arccosh(np.min((1 - np.abs(delta)) / lam))
-    return int(2 ** np.ceil(np.log2(min(65536.0, 8 + 80 / max(eta, 1e-6)))))
+    return int(2 ** np.ceil(np.log2(smallest(65536.0, 8 + 80 / largest(eta, 1e-6)))))
 
 
 @formula("Δ", "Finotti 2013, 2.4: firing interval 180°·strokes/N")
@@ -82,7 +81,7 @@ def _peak(y: Array) -> tuple[Number, Radian]:
         slope, bend = np.sum(-n * term.imag, -1), np.sum(-(n**2) * term.real, -1)
         at = at - np.clip(slope / np.where(bend < 0, bend, -np.inf), -2 / size, 2 / size)
     highest = np.sum((c * np.exp(1j * n * at[..., None])).real, -1)
-    return (each(highest), each(at % (2 * np.pi))) if y.ndim > 1 else (float(highest), float(at) % (2 * np.pi))
+    return (each(highest), each(at % (2 * np.pi))) if y.ndim > 1 else (one(highest), one(at) % (2 * np.pi))
 
 
 @formula("max", "mathematics: largest value over the turn", shows="the largest of the points, refined on their Fourier series")
@@ -94,7 +93,7 @@ def _fastest(y: Array) -> tuple[Number, Radian]:
     """The largest magnitude over a turn and its angle; of two alike the first.  An offset makes one of the two strokes the quicker."""
     (down, at_down), (up, at_up) = _peak(y), _peak(-y)
     first = down >= up * (1 - 1e-12)
-    if y.ndim == 1:
+    if isinstance(down, float):
         return (down, at_down) if first else (up, at_up)
     return each(np.where(first, down, up)), each(np.where(first, at_down, at_up))
 

@@ -93,8 +93,7 @@ def _turned_harmonics(T_k: NewtonMetre, fires: Radian) -> PhasorNewtonMetre:
     turned = cis(each(-np.arange(1, ORDERS + 1)[:, None] * many(fires)))
     one = each((np.fft.rfft(many(T_k), axis=0) * (2 / len(many(T_k))))[1 : ORDERS + 1])
     found = phasors(one * resultant(turned) if np.ndim(one) == 1 else resultant(one * turned))
-    found[np.abs(found) < 1e-12 * np.max(np.abs(T_k), initial=0.0)] = 0.0
-    return each(found)
+    return each(np.where(np.abs(found) < 1e-12 * np.max(np.abs(T_k), initial=0.0), 0.0, found))
 
 
 @formula(

@@ -37,7 +37,7 @@ def outcome(d: Drive, result: FrictionResult, lines: list[Line]) -> Outcome[Fric
     friction = d.friction
     return Outcome(
         "friction", result=result, lines=tuple(lines), checks=(*checks(friction, result), *_oil_range(d.oil)),
-        curves=Later(partial(curves.curves, result, d)), errata=errata(friction, result, d.oil),
+        curves=Later(partial(curves.curves, result, d)), errata=Later(lambda: errata(friction, result, d.oil)),
         notes=Later(partial(notes.notes, friction, result, d.oil)), tables=Later(partial(curves.tables, result, d)),
     )  # fmt: skip
 
@@ -231,6 +231,8 @@ def errata(friction: FrictionInputs, result: FrictionResult, oil: Oil) -> tuple[
 
 def _of_source(id: str, friction: FrictionInputs, mesh: MeshResult) -> Iterator[Erratum]:
     c, P = mesh.case, mesh.judged.load
+    if mesh.source is None:
+        return
     if by_regime(mesh).lead_at_pitch < 1 and friction.film == "judged":
         yield Erratum(
             f"{id}.film_min",

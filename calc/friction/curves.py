@@ -29,6 +29,7 @@ def tables(result: FrictionResult, d: Drive) -> tuple[Table, ...]:
     models = (
         compared.table(name, mesh.case.mesh.title, by_regime(mesh), mesh.source, mesh.ohlendorf_loss_factor, mesh.published_models)
         for name, mesh in result.meshes.items()
+        if mesh.source is not None
     )
     printed = oils.printed_table(d.lubricant)
     return (_where(result), *models, oils.values_table(d.lubricant.oil), *(() if printed is None else (printed,)))
@@ -95,7 +96,8 @@ def _curves(name: str, mesh: MeshResult) -> Iterator[Curve]:
     models = ((Text("by regime"), mesh.by_regime or mesh.judged), (Text("source: EHL everywhere"), mesh.source))
 
     def lines(quantity: str, factor: float = 1.0) -> tuple[Series, ...]:
-        return tuple(Series(label, np.asarray(m.local.x) * 1e3, m.local.drawn(quantity) * factor) for label, m in models)
+        there = [(label, model.local) for label, model in models if model is not None]
+        return tuple(Series(label, np.asarray(local.x) * 1e3, local.drawn(quantity) * factor) for label, local in there)
 
     roughness = ((Text("combined roughness"), mesh.case.surfaces.sigma * 1e6),)
     yield Curve(

@@ -46,7 +46,7 @@ class MeshResult:
     power_out: Watt = value("Power that the mesh passes on", "W", "P_out")
     ohlendorf_loss_factor: Number = value("Loss factor by Ohlendorf", "", "H_v")
     bulk_rise: Kelvin = value("Estimated warming of the teeth above the oil", "K", "ΔT_b")
-    source: MeshLoss = group()
+    source: MeshLoss | None = group()  # None: nothing was to be compared
     by_regime: MeshLoss | None = group()
     schlenk: Regression = group()
     niemann: Regression = group()
@@ -78,7 +78,7 @@ class ScenarioMesh:
     """One mesh under the conditions of a scenario: judged, and by the source's model."""
 
     judged: MeshLoss = group(spread=True)
-    source: MeshLoss = group()
+    source: MeshLoss | None = group()
 
 
 @result

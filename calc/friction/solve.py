@@ -69,15 +69,21 @@ class MeshOil(NamedTuple):
 
 def solve(
     friction: FrictionInputs, gears: GearsInputs, train: TrainResult, on: OnShaft | None, first_speed: RevPerSecond, oil: MeshOil,
-    materials: Mapping[str, Material], oils: Mapping[str, Oil],
+    materials: Mapping[str, Material], oils: Mapping[str, Oil], *, compared: bool = True,
 ) -> Outcome[FrictionResult]:  # fmt: skip
-    """Losses of all meshes and the closed power balance.  `on` None: a train alone, whose first driver's power is given."""
+    """Losses of all meshes and the closed power balance.  `on` None: a train alone, whose first driver's power is given.
+
+    `compared`: with the source's model beside the one that judges.
+    """
     meshes = meshes_of(train, materials)
     with QUIET(), trace() as lines:
         with about(Text("oil")):
             lubricant = Lubricant(oil.oil, oil.viscosity_law)
         journals = journals_of(on) if on is not None else None
-        d = drive(friction, meshes, lubricant, oil.temperature, first_speed, journals, forces_of(gears, train), gears.lubrication)
+        d = drive(
+            friction, meshes, lubricant, oil.temperature, first_speed, journals, forces_of(gears, train), gears.lubrication,
+            compared=compared,
+        )  # fmt: skip
     power = gears.power if on is None else None
     outcome = closed(d, power)
     result = outcome.solution

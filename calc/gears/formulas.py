@@ -10,7 +10,8 @@ import math
 
 import numpy as np
 
-from ..sheet.arrays import Array, each
+from ..sheet.abreast import point_by_point
+from ..sheet.arrays import Array, each, many
 from ..sheet.formula import formula
 from ..sheet.functions import acos, asin, atan, cos, inv, joined, largest, pi, sin, sqrt, tan
 from ..sheet.text import Text
@@ -271,8 +272,8 @@ def angle_of_involute(involute: Number) -> Radian:
 
     0 where inv α is not above 0; in an array no number there.
     """
-    if isinstance(involute, np.ndarray):
-        return each(_angles_of_involutes(involute))
+    if np.ndim(involute) or hasattr(involute, "lanes"):
+        return each(_angles_of_involutes(many(involute)))
     if involute <= 0:
         return 0.0
     t = involute + pi / 2
@@ -286,6 +287,7 @@ def angle_of_involute(involute: Number) -> Radian:
     return math.atan(t)
 
 
+@point_by_point
 def _angles_of_involutes(involute: Array) -> Array:
     """The same for an array, by the same steps."""
     wanted = np.where(involute > 0, involute, np.nan)

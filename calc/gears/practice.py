@@ -6,7 +6,7 @@ Lengths are in normal modules.  Where there are two, the first is hard and the o
 
 import numpy as np
 
-from ..sheet.arrays import each
+from ..sheet.arrays import each, one
 from ..sheet.formula import formula
 from ..sheet.text import Text
 from ..sheet.units import Metre
@@ -29,4 +29,4 @@ def above_fillet(d_b: Metre, T: Metre, rho_a: Metre, d_Ff: Metre) -> Metre:
     """
     rho = T - rho_a
     reach = np.where(rho > 0, np.hypot(d_b / 2, rho), d_b / 2 + rho) - d_Ff / 2
-    return each(reach) if isinstance(rho, np.ndarray) else float(reach)
+    return each(reach) if np.ndim(rho) else one(reach)

@@ -108,8 +108,8 @@ def turning(outcome: Outcome[TrainResult], gears: GearsInputs, first_speed: RevP
     result = replace(
         still, wheels={name: replace(wheel, speed=n[name]) for name, wheel in still.wheels.items()}, speed_ratio=ratio
     )  # fmt: skip
-    wrong = errata(result) if gears.source_sheet == "finotti" else ()
-    return replace(outcome, result=result, lines=(*outcome.lines, *lines), errata=(*outcome.errata, *wrong))
+    wrong = Later(lambda: errata(result) if gears.source_sheet == "finotti" else ())
+    return replace(outcome, result=result, lines=(*outcome.lines, *lines), errata=outcome.errata + wrong)
 
 
 def with_play(

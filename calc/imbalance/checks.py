@@ -4,7 +4,7 @@
 import math
 
 from ..sheet.check import Check, check
-from ..sheet.functions import argument
+from ..sheet.functions import argument, degrees
 from ..sheet.text import EMPTY, Amount, Text, listed, plural
 from ..sheet.units import Number
 from .remedies import BalanceShaft
@@ -24,9 +24,9 @@ def checks(result: ImbalanceResult, lam: Number, kappa: Number, shaft: bool) -> 
     if (turned := _turned(result)) > TURNED and abs(kappa - 0.5) < 1e-9:
         forward = Text(
             "The offset turns it away from the pins: counterweights turned by {degrees}° from opposite them take it.",
-            degrees=Amount(math.degrees(turned)),
+            degrees=Amount(degrees(turned)),
         )
-    phase = Amount(round(math.degrees(result.required_couple_phase), 3), "°")
+    phase = Amount(round(degrees(result.required_couple_phase), 3), "°")
     counter = Text(
         "One shaft at −ω takes it: {required_couple} N·m at {phase}", required_couple=Amount(result.required_couple), phase=phase
     ) + (Text("; add [countershaft].") if not shaft else ".")
@@ -173,7 +173,7 @@ def proposals(result: ImbalanceResult, lam: Number, kappa: Number, shaft: bool) 
     if result.webs is not None and result.webs.missing_forward_couple is not None and result.webs.unbalances_couple is None:
         missing = _what(result.webs.missing_forward_force or 0.0, result.webs.missing_forward_couple, *first)
         if missing:
-            direction = Amount(round(math.degrees(result.webs.missing_forward_couple_phase or 0.0), 3), "°")
+            direction = Amount(round(degrees(result.webs.missing_forward_couple_phase or 0.0), 3), "°")
             said.append(
                 Text(
                     "Unbalances on pulley and flywheel that supply {missing} (the couple at {direction}), because the "
@@ -193,7 +193,7 @@ def _taken(result: ImbalanceResult, least: tuple[float, float]) -> Text:
     rest = _what(*(abs(x) for x in left), *(limit / 50 for limit in least))
     if not rest:
         return Text("take all")
-    turned = Amount(math.degrees(_turned(result)), "°")
+    turned = Amount(degrees(_turned(result)), "°")
     return Text(
         "take all but {rest} (the offset turns it by {turned} from the pins; counterweights turned as far take that too)",
         rest=rest,

@@ -164,7 +164,7 @@ def solve(
                 *cranks(),
             )
         ),
-        errata=errata(imbalance, found) if shaft else (),
+        errata=Later(lambda: errata(imbalance, found) if shaft else ()),
         proposals=proposals(found, lam, imbalance.crank_balance_fraction, shaft),
         notes=Later(lambda: notes(imbalance, engine, found, bobs()[1])),
     )

@@ -15,6 +15,7 @@ from ..balance_quality import grade_number, permitted_unbalance
 from ..engine.crank import pin_of_cylinder
 from ..engine.inputs import EngineInputs
 from ..engine.result import EngineResult
+from ..sheet.abreast import together_or_singly
 from ..sheet.arrays import Array, ComplexArray, distinct, each, many, phasors
 from ..sheet.formula import formula
 from ..sheet.functions import argument, cis, imag, modulus, resultant, total
@@ -208,6 +209,7 @@ class WebsResult:
     unbalances_couple_left: NewtonMetre | None = value("Wanted couple that the unbalances leave", "N·m", "C_left", default=None)
 
 
+@together_or_singly
 def webs(imbalance: ImbalanceInputs, engine: EngineInputs, e: EngineResult) -> WebsResult | None:
     """The balance of the crank's own bodies; None where the design says nothing of them.  Speed and masses may be arrays."""
     if not imbalance.crank_bodies and imbalance.bob_mass is None and not imbalance.unbalances:

@@ -10,7 +10,7 @@ from typing import Any, Generic, Literal, Protocol, TypeVar
 from .arrays import Array
 from .check import Check, grouped, step_verdict
 from .errors import NoSolution, text_of
-from .later import Many
+from .later import Later, Many
 from .printed import aligned, brief
 from .quantity import Published, published
 from .record import record
@@ -169,7 +169,7 @@ class Outcome(Generic[R]):
     lines: Many[Line] = ()
     curves: Many[Curve] = ()
     tables: Many[Table] = ()
-    errata: tuple[Erratum, ...] = ()
+    errata: Many[Erratum] = ()
     proposals: tuple[Text, ...] = ()  # what could be done about what was found, and why
     notes: Many[Text] = ()  # assumptions, and what the program chose
     reason: Text = EMPTY
@@ -259,8 +259,13 @@ def accepted(outcomes: Iterable[Outcome[object]], reasons: tuple[tuple[str, str]
 
 def _accepted(outcome: Outcome[R], reasons: dict[str, str]) -> Outcome[R]:
     checks = tuple([replace(c, accepted=reasons[c.id]) if c.id in reasons else c for c in outcome.checks])
+    return replace(outcome, checks=checks, notes=outcome.notes + Later(lambda: _of_accepted(checks, reasons)))
+
+
+def _of_accepted(checks: tuple[Check, ...], reasons: dict[str, str]) -> list[Text]:
+    """What there is to say of what is accepted."""
     verdicts = {c.id: c.verdict for c in checks}
     notes = [Text("Accepted, but this design has no such check: {id}.", id=id) for id in reasons if id not in verdicts]
     notes += [Text("Accepted without need, since it holds: {id}.", id=id) for id in reasons if verdicts.get(id) == "pass"]
     notes += [Text("A limit, which nobody can accept: {id}.", id=c.id) for c in checks if c.id in reasons and c.kind == "limit"]
-    return replace(outcome, checks=checks, notes=outcome.notes + tuple(notes))
+    return notes

@@ -16,6 +16,7 @@ from ..sheet.record import record
 from ..sheet.text import Text
 from ..solve import Results, solve
 from ..spread import spread
+from . import abreast
 from .inputs import Varied
 from .kept import InMemory, Store
 from .plan import Combination, Plan, grid
@@ -23,8 +24,9 @@ from .row import Chunk, Solved, chunk_of, reason_of
 from .table import Swept, in_memory
 from .together import together, vectorised
 
-ALONE, TOGETHER = 50, 2000  # designs of a chunk at most: one by one, and on arrays
-CHUNKS = 16  # at least, where there are so many designs: for processes to share
+ABREAST, TOGETHER = 256, 2000  # designs of a chunk at most: as lanes through all steps, and the imbalance on arrays
+CHUNKS = 4  # at least, where there are so many designs: for processes to share
+BESIDE = COMPARED | {"source", "model_spread"}  # of an id: a value that judges nothing
 WORTH = 200  # designs from which a second process gains more than its start costs
 Told = Callable[[int], None]  # designs that are done, those that were kept with them
 
@@ -45,7 +47,7 @@ class Sweep:
     @property
     def size(self) -> int:
         """Designs of a chunk, which hang on the sweep alone and not on the machine."""
-        return max(1, min(TOGETHER if self.on_arrays else ALONE, -(-self.plan.count // CHUNKS)))
+        return max(1, min(TOGETHER if self.on_arrays else ABREAST, -(-self.plan.count // CHUNKS)))
 
 
 def swept(
@@ -82,28 +84,52 @@ def chunk(asked: Sweep, n: int) -> Chunk:
     if asked.on_arrays:
         return chunk_of(at, together(asked.document, design(asked.document), asked.plan.inputs, at), asked.wanted)
     with seldom_collected():  # once for all designs of the chunk, not once for each
-        return chunk_of(at, one_by_one(asked.document, asked.plan.inputs, at, asked.step, frozenset(asked.wanted)), asked.wanted)
+        return chunk_of(at, side_by_side(asked.document, asked.plan.inputs, at, asked.step, frozenset(asked.wanted)), asked.wanted)
+
+
+def side_by_side(
+    document: Document, inputs: Sequence[Varied], at: Sequence[Combination], step: str | None, wanted: frozenset[str] = frozenset()
+) -> list[Solved]:  # fmt: skip
+    """All at once, as far as they go one way; else design by design.  `wanted`: only these values; none: all."""
+    compared = not wanted or any(not BESIDE.isdisjoint(id.split(".")) for id in wanted)
+    made = list(designs(document, inputs, at))
+    sound = [_needed(one, step) for one in made if isinstance(one, Design)]
+    alone = _one_after_the_other(step, wanted, compared)
+    rows = iter(abreast.solved(sound, step, wanted, lambda n: alone(sound[n]), compared=compared))
+    return [next(rows) if isinstance(one, Design) else one for one in made]
 
 
 def one_by_one(
     document: Document, inputs: Sequence[Varied], at: Sequence[Combination], step: str | None, wanted: frozenset[str] = frozenset()
 ) -> Iterator[Solved]:  # fmt: skip
-    """Design by design; what one has like the one before it is taken over.  `wanted`: only these values; none: all."""
-    before: Results | None = None
+    """Design by design."""
+    alone = _one_after_the_other(step, wanted, compared=True)
+    return (alone(_needed(one, step)) if isinstance(one, Design) else one for one in designs(document, inputs, at))
+
+
+def _one_after_the_other(step: str | None, wanted: frozenset[str], compared: bool) -> Callable[[Design], Solved]:
+    """Solves a design; what it has like the one before it is taken over."""
+    before: list[Results] = []
+
+    def solved(one: Design) -> Solved:
+        before[:] = [solve(one, before[0] if before else None, compared=compared)]
+        return _solved(before[0], step, wanted)
+
+    return solved
+
+
+def designs(document: Document, inputs: Sequence[Varied], at: Sequence[Combination]) -> Iterator[Design | Solved]:
+    """The designs of some combinations; of what is none a row that says why."""
     sound = document, design(document)
-    compared = not wanted or any(not COMPARED.isdisjoint(id.split(".")) for id in wanted)
     for row in at:
         changed = document
         for one, value in zip(inputs, row):
             if value is not None:
                 changed = changed.with_value(one.key, value)
         try:
-            made = design(changed, sound)
+            yield design(changed, sound)
         except BadInput as bad:
             yield Solved({}, {}, reason_of(bad.errors))
-            continue
-        before = solve(_needed(made, step), before, compared=compared)
-        yield _solved(before, step, wanted)
 
 
 def _solved(results: Results, step: str | None, wanted: frozenset[str] = frozenset()) -> Solved:

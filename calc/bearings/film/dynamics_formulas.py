@@ -7,6 +7,7 @@ displacement or velocity along j.  g is the diametral clearance, ω the effectiv
 
 import numpy as np
 
+from ...sheet.abreast import design_by_design
 from ...sheet.formula import formula
 from ...sheet.functions import cos, modulus, pi, sin, sqrt
 from ...sheet.text import Text
@@ -173,6 +174,14 @@ def critical_mass_turning(
     At Ω = 0 this is Lund's.  J turns by 90° from X to Y.  One bearing at a time.
     """
     f = -Omega / omega  # the load's own speed
+    return _least_mass(f, k_xx, k_xy, k_yx, k_yy, c_xx, c_xy, c_yy) * F / (g / 2 * omega**2)
+
+
+@design_by_design
+def _least_mass(
+    f: Number, k_xx: Number, k_xy: Number, k_yx: Number, k_yy: Number, c_xx: Number, c_xy: Number, c_yy: Number
+) -> Number:  # fmt: skip
+    """The smallest mass, over F/(c·ω²), at which a root reaches the imaginary axis."""
     det = k_xx * k_yy - k_xy * k_yx
     # coefficients of s³ to s⁰, those of s³ and s⁴ without their factors m and m²; polynomials of m over F/(c·ω²), highest power first
     a3 = c_xx + c_yy
@@ -182,7 +191,7 @@ def critical_mass_turning(
     hurwitz = a3 * np.convolve(a1, a2) - np.append(np.convolve(a1, a1) + a3**2 * a0, 0.0)
     roots = np.concatenate([np.roots(hurwitz), np.roots(a0)])
     real = roots.real[(np.abs(roots.imag) < 1e-9 * np.abs(roots)) & (roots.real > 0)]
-    return float(real.min(initial=np.inf)) * F / (g / 2 * omega**2)
+    return float(real.min(initial=np.inf))
 
 
 @formula("n_c", "dynamics, rigid shaft at the present eccentricity: threshold speed over speed is √(m_c/m)", unit="rpm")

@@ -6,7 +6,7 @@ With the smallest film h₀ held, c = h₀/(1 − ε): the load goes with (1 −
 
 import numpy as np
 
-from ...sheet.arrays import Array
+from ...sheet.arrays import Array, element, one
 from ...sheet.formula import formula
 from ...sheet.text import Text
 from ...sheet.units import Number
@@ -31,7 +31,7 @@ def share_of_largest_load(b: Number) -> Number:
     >>> share_of_largest_load(b=1.0)
     0.53...
     """
-    film = film_at(ECCENTRICITIES, float(b))
+    film = film_at(ECCENTRICITIES, one(b))
     return _summit((1 - ECCENTRICITIES) ** 2 / film.sommerfeld)
 
 
@@ -42,15 +42,16 @@ def share_of_least_friction(b: Number) -> Number:
     >>> share_of_least_friction(b=1.0)
     0.33...
     """
-    film = film_at(ECCENTRICITIES, float(b))
+    film = film_at(ECCENTRICITIES, one(b))
     return _summit(-film.friction / (1 - ECCENTRICITIES))
 
 
 def _summit(y: Array) -> float:
     """h₀/c where y is largest, by the parabola through its three highest points; at an end of the range that end."""
-    at = int(np.argmax(y))
-    if at in (0, len(y) - 1):
-        return float(1 - ECCENTRICITIES[at])
-    near = slice(at - 1, at + 2)
-    a, b, _ = np.polyfit(1 - ECCENTRICITIES[near], y[near], 2)
-    return float(-b / (2 * a))
+    at = np.argmax(y)
+    if at == 0 or at == len(y) - 1:
+        return element(1 - ECCENTRICITIES, at)
+    below, middle, above = (element(y, at + n) for n in (-1, 0, 1))
+    step = ECCENTRICITIES[1] - ECCENTRICITIES[0]
+    summit: float = one(element(1 - ECCENTRICITIES, at) - step / 2 * (below - above) / (below - 2 * middle + above))
+    return summit

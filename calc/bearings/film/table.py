@@ -16,10 +16,11 @@ and J. Boyd, ASLE Transactions 1 (1958) 159-209; the short bearing: F. W. Ocvirk
 import math
 from bisect import bisect_right
 from collections.abc import Callable, Iterable
-from typing import overload
+from typing import Any, overload
 
 import numpy as np
 
+from ...sheet.abreast import point_by_point
 from ...sheet.arrays import Array, IndexArray
 from ...sheet.text import Amount, Text
 from .nodes import (
@@ -61,6 +62,8 @@ def film_at(
 
     Outside the table: `FilmRangeError`, or with outside="nan" a nan at the points concerned.
     """
+    if hasattr(eccentricity, "lanes") or hasattr(length_ratio, "lanes"):
+        return _of_many_designs(_film_array, eccentricity, length_ratio, outside)  # type: ignore[no-any-return]
     if _scalar(eccentricity) and _scalar(length_ratio):
         return _film_scalar(float(eccentricity), float(length_ratio), outside)
     return _film_array(*_many(eccentricity, length_ratio), outside)
@@ -76,6 +79,8 @@ def film_slopes(
     eccentricity: float | Array, length_ratio: float | Array, *, outside: Outside = "raise"
 ) -> tuple[float | Array, float | Array]:  # fmt: skip
     """d ln So/dε and dφ/dε of the table at constant l/d, rad: how load and its direction answer to a displaced journal."""
+    if hasattr(eccentricity, "lanes") or hasattr(length_ratio, "lanes"):
+        return _of_many_designs(_slopes_array, eccentricity, length_ratio, outside)  # type: ignore[no-any-return]
     load, attitude = _slopes_array(*_many(eccentricity, length_ratio), outside)
     return (float(load), float(attitude)) if load.ndim == 0 else (load, attitude)
 
@@ -92,6 +97,8 @@ def eccentricity_from(sommerfeld: float | Array, length_ratio: float | Array, *,
     Newton's method within one cell of the table, never leaving the bracket.  Arrays are broadcast; two scalars give a float.
     Outside the table: `FilmRangeError`, or with outside="nan" a nan at the points concerned.
     """
+    if hasattr(sommerfeld, "lanes") or hasattr(length_ratio, "lanes"):
+        return _of_many_designs(_eccentricity_array, sommerfeld, length_ratio, outside)  # type: ignore[no-any-return]
     if _scalar(sommerfeld) and _scalar(length_ratio):
         return _eccentricity_scalar(float(sommerfeld), float(length_ratio), outside)
     return _eccentricity_array(*_many(sommerfeld, length_ratio), outside)
@@ -105,6 +112,16 @@ def sommerfeld_range(length_ratio: float | Array) -> tuple[float | Array, float 
     """The lowest and highest S of the table at l/d: those of ε = 0.98 and ε = 0.02."""
     low, high = film_nodes().eccentricities[[0, -1]]
     return film_at(high, length_ratio).sommerfeld, film_at(low, length_ratio).sommerfeld
+
+
+def _of_many_designs(function: Callable[..., Any], first: Any, second: Any, outside: Outside) -> Any:
+    """Designs whose point lies outside the table go apart, unless that may be."""
+    from ...sheet.lanes import parted
+
+    found: Any = point_by_point(lambda *numbers: function(*_many(*numbers), "nan"))(first, second)
+    if outside == "raise":
+        parted(found if hasattr(found, "lanes") else found[0] if isinstance(found, tuple) else found.eccentricity)
+    return found
 
 
 # One point ------------------------------------------------------------------------------------------------------------------

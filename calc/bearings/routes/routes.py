@@ -9,7 +9,7 @@ from collections.abc import Callable
 import numpy as np
 
 from ...lubricant import State
-from ...sheet.arrays import each
+from ...sheet.arrays import each, many
 from ...sheet.errors import NoSolution
 from ...sheet.text import EMPTY, Amount, Text
 from ...sheet.value import based_on
@@ -70,7 +70,7 @@ def _reynolds(seat: BearingCase, duty: OperatingPoint, rise: float, *, warm: boo
         phi, Q_rel, share = attitude_angle(eps=eps, b=ratio), relative_flow(eps=eps, b=ratio), side_flow_share(eps=eps, b=ratio)
         p_rel = pressure_ratio(eps=eps, b=ratio)
     else:
-        eps = each(eccentricity_from(np.where(np.asarray(g) > 0, S, np.nan), ratio, outside="nan"))
+        eps = each(eccentricity_from(np.where(many(g) > 0, S, np.nan), ratio, outside="nan"))
         state = film_at(eps, ratio, outside="nan")
         phi, Q_rel, share, p_rel = state.attitude, state.flow, state.side_flow_ratio, state.pressure_ratio
     f_v = _friction_variable(duty, So, eps, phi)

@@ -6,6 +6,7 @@ with like the film of each is taken at the oil's temperature of Reynolds' soluti
 spread of the routes is of the second kind and of those that claim to solve it here.
 """
 
+from ...sheet.abreast import design_by_design
 from ...sheet.errors import NoSolution, text_of
 from ...sheet.record import record
 from ...sheet.step import Table
@@ -100,6 +101,7 @@ def side_by_side(place: str, seat: BearingCase, duty: OperatingPoint, ratio: flo
     return Side(films, deviations, alike, spread, silent, ratio, whole)
 
 
+@design_by_design
 def _at_the_same_oil(place: str, name: str, seat: BearingCase, duty: OperatingPoint, own: Film, *, shown: bool) -> Film | None:
     """The route's film with the oil as warm as in the own solution; `shown`: by lines of the calculation."""
     title, route = ROUTES[name]

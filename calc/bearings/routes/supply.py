@@ -34,7 +34,7 @@ def lands(inputs: BearingsInputs) -> int:
 
 def bare_length(inputs: BearingsInputs, l: Array) -> Array:
     """The lengths that carry, of any shape: without the groove where it parts the film into two lands."""
-    return l if lands(inputs) == 1 else l - (inputs.groove_width or 0.0)
+    return l if lands(inputs) == 1 else l - _given(inputs.groove_width)
 
 
 def supply_flow(seat: BearingCase, duty: OperatingPoint, psi: float, eps: float, oil: State, *, opposite: bool = False) -> float:
@@ -48,7 +48,7 @@ def supply_flow(seat: BearingCase, duty: OperatingPoint, psi: float, eps: float,
     if inputs.supply == "groove":
         q_2 = _groove_factor(inputs, eps, d, l)
     elif inputs.supply == "axial_groove":
-        long: float = inputs.axial_groove_length or 0.0
+        long: float = _given(inputs.axial_groove_length)
         q = flow.pocket_factor(x=flow.share_of_length(b=long, l=l))
         q_2 = flow.supply_factor(E=_at_grooves(inputs, eps), l=l, b=long, q=q)
     else:
@@ -59,10 +59,10 @@ def supply_flow(seat: BearingCase, duty: OperatingPoint, psi: float, eps: float,
         else:
             E = flow.swept(eps=eps)
         if inputs.supply == "pocket":
-            width: float = inputs.pocket_width or 0.0
+            width: float = _given(inputs.pocket_width)
             q = flow.pocket_factor(x=flow.share_of_length(b=width, l=l))
         else:
-            width = inputs.hole_diameter or 0.0
+            width = _given(inputs.hole_diameter)
             q = flow.hole_factor(x=flow.share_of_length(b=width, l=l))
         q_2 = flow.supply_factor(E=E, l=l, b=width, q=q)
         if inputs.supply == "shaft" and not opposite:
@@ -80,13 +80,17 @@ def _at_grooves(inputs: BearingsInputs, eps: float) -> float:
 
 
 def _groove_factor(inputs: BearingsInputs, eps: float, d: float, l: float) -> float:
-    width = inputs.groove_width or 0.0
+    width = _given(inputs.groove_width)
     if inputs.groove_arc is None:
         return flow.groove_factor(eps=eps, d=d, l=l, b_G=width)
     start, end = inputs.groove_arc
     if keeps_its_angle(inputs):
         return flow.part_groove_factor(eps=eps, phi_A=flow.from_widest(delta=start), phi_E=flow.from_widest(delta=end), d=d, l=l, b_G=width)
     return flow.swept_part_groove_factor(eps=eps, delta_A=start, delta_E=end, d=d, l=l, b_G=width)
+
+
+def _given(x: float | None) -> float:
+    return 0.0 if x is None else x
 
 
 def _through_shaft(duty: OperatingPoint, oil: State, d: float) -> float:

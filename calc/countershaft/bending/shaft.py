@@ -17,6 +17,7 @@ import numpy as np
 from ... import fatigue
 from ...catalogue import Material
 from ...journal_rules import SLOPE
+from ...sheet.abreast import design_by_design
 from ...sheet.arrays import Array, BoolArray, ComplexArray, each, many
 from ...sheet.errors import NoSolution
 from ...sheet.linked_array import column, gathered
@@ -129,6 +130,7 @@ class _Shaft:
         return beam(self.ends, EI, x["S_s"], x["mu"], x["q"], self.positions, (places, x["F"]), (places, x["m"]), rotary, longest)
 
 
+@design_by_design
 def bending(outline: Outline, material: Material, omega: RadPerSecond, positions: tuple[Metre, ...], extras: tuple[EccentricMass, ...] = (),
     effectiveness: Number = 1.0, fillet_radius: Metre | None = None) -> Bending:  # fmt: skip
     """The bending of a shaft that turns at `omega` on journals whose middles lie at `positions`.

@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, cast
 
 import numpy as np
 
+from ...sheet.abreast import design_by_design
 from ...sheet.arrays import Array, ComplexArray, each, many, phasors
 from ...sheet.check import Check, check
 from ...sheet.formula import formula
@@ -202,6 +203,7 @@ def drill(deviation: ComplexArray, influence: ComplexArray, least: float, most: 
     return best
 
 
+@design_by_design
 def scattered(scatter: Scatter, masses: tuple[EccentricMass, ...], extras: tuple[Extra, ...], target: Target,
     holes: HolesResult | None) -> ScatterResult:  # fmt: skip
     """Many shafts by chance, what they leave over and how many drilling mends."""

@@ -12,6 +12,7 @@ import math
 import numpy as np
 
 from ...root import root
+from ...sheet.abreast import design_by_design
 from ...sheet.arrays import Array, BoolArray, each
 from ...sheet.errors import NoSolution
 from ...sheet.linked_array import column
@@ -148,6 +149,7 @@ def masses(U: PhasorKilogramMetre, P: PhasorKilogramMetre2, rho: KilogramPerMetr
     return rho * (R**2 - r_0**2) * z_max * np.where(np.isnan(front), np.nan, amount)
 
 
+@design_by_design
 def size(U: PhasorKilogramMetre, P: PhasorKilogramMetre2, omega: RadPerSecond, rho: KilogramPerMetre3, R: Metre, r_0: Metre, z_max: Metre,
     extras: tuple[Extra, ...] = (), fillet: Metre = 0.0) -> Sized:  # fmt: skip
     """The lightest two sectors that, with the extras, have the unbalance U and the product of unbalance and position P; a gap between them

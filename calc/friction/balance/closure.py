@@ -16,6 +16,7 @@ import numpy as np
 
 from ...contact.teeth import LUBRICATION_FACTOR, ohlendorf_loss_factor, ohlendorf_loss_factor_high
 from ...lubricant import Lubricant
+from ...sheet.arrays import many
 from ...sheet.errors import NoSolution
 from ...sheet.formula import formula
 from ...sheet.record import record
@@ -68,6 +69,7 @@ class Drive:
     forces: Forces
     lubrication: str
     rolling: bool = True  # whether the balance counts what the rigid film rolls
+    compared: bool = True  # whether the source's model stands beside the one that judges
 
     @property
     def first(self) -> str:
@@ -91,7 +93,7 @@ class Drive:
 def drive(
     friction: FrictionInputs, meshes: Meshes, lubricant: Lubricant, T_oil: Celsius, first_speed: RevPerSecond, shaft: Shaft | None,
     forces: Forces | None = None, lubrication: str = "spray", Lambda: Number | None = None, thickening: Number | None = None,
-    **fineness: int,
+    compared: bool = True, **fineness: int,
 ) -> Drive:  # fmt: skip
     """A train at its speed.  `forces` of the teeth on each wheel, from powers of the meshes and speeds; left out, the largest they can be.
 
@@ -110,12 +112,12 @@ def drive(
             cases[name] = case(friction, mesh, oil, wheels[mesh.driver.name].speed, warming, **fineness)
     return Drive(
         friction=friction, meshes=meshes, cases=cases, wheels=wheels, lubricant=lubricant, T_oil=T_oil, oil=oil, shaft=shaft,
-        forces=forces or partial(most_force, meshes), lubrication=lubrication,
+        forces=forces or partial(most_force, meshes), lubrication=lubrication, compared=compared,
     )  # fmt: skip
 
 
 def require_temperature(T: Celsius) -> Celsius:
-    good = (np.asarray(T) > -60) & (np.asarray(T) < 400)  # NaN is not
+    good = (many(T) > -60) & (many(T) < 400)  # NaN is not
     if not np.all(good):
         wrong = float(np.ravel(T)[int(np.argmin(np.ravel(good)))])
         raise NoSolution(
@@ -294,7 +296,7 @@ def _down(d: Drive, needed: Mapping[str, Watt], loads: Mapping[str, Watt]) -> tu
 
 
 def _mesh(d: Drive, name: str, P: Watt, P_out: Watt | None) -> MeshResult:
-    """One mesh at the power that loads it, with everything that is shown beside; P_out where it is known, else it follows."""
+    """One mesh at the power that loads it, with what is shown beside; P_out where it is known, else it follows."""
     regimes, c = d.friction.film == "judged", d.cases[name]
     mesh = c.mesh
     judged = solve_mesh(c, P, regimes)
@@ -310,12 +312,14 @@ def _mesh(d: Drive, name: str, P: Watt, P_out: Watt | None) -> MeshResult:
         )  # fmt: skip
     else:
         H_V = ohlendorf_loss_factor_high(eps_alpha=way.epsilon_alpha, z_1=z_1, z_2=z_2, beta_b=mesh.base_helix_angle)
-    with about(Text("mesh {title}, {text}", title=mesh.title, text=Text("source model") if regimes else Text("by regime"))):
-        beside = solve_mesh(c, P, not regimes)
+    beside = None
+    if d.compared or not regimes:
+        with about(Text("mesh {title}, {text}", title=mesh.title, text=Text("source model") if regimes else Text("by regime"))):
+            beside = solve_mesh(c, P, not regimes)
     with about(Text("mesh {title}, regressions", title=mesh.title)):
         schlenk, niemann, xu_kahraman, benedict_kelley = published = regressions.beside(c, P, H_V)
-        losses = [judged.loss, beside.loss, *(one.loss for one in published if one is not None)]
-        apart = spread_of(losses)
+        losses = [judged.loss, *(one.loss for one in (beside, *published) if one is not None)]
+        apart = spread_of(losses) if d.compared else None
     return MeshResult(
         judged=judged, model_spread=apart, power_in=P_in, power_out=P_out, ohlendorf_loss_factor=H_V, bulk_rise=rise,
         source=beside if regimes else judged, by_regime=None if regimes else beside, case=c, schlenk=schlenk, niemann=niemann,

@@ -12,7 +12,7 @@ from collections.abc import Callable, Mapping
 
 import numpy as np
 
-from ...sheet.arrays import each
+from ...sheet.arrays import each, most, one
 from ...sheet.errors import NoSolution
 from ...sheet.formula import formula
 from ...sheet.text import Amount, Text
@@ -113,8 +113,8 @@ def upstream(meshes: Mapping[str, MeshGeometry], loss: Loss, needs: Needs) -> di
                 P_out = require(mesh.power, carried[mesh.driven.name])
                 P = require(mesh.power, guesses[name].at(P_out))
                 lost = loss(name, P)
-                off[name] = float(np.max(np.abs(P_out + lost - P) / P))
-                moved = max(moved, float(np.max(np.abs(P - loads.get(name, np.inf)) / P)))
+                off[name] = most(np.abs(P_out + lost - P) / P)
+                moved = max(moved, most(np.abs(P - loads.get(name, np.inf)) / P))
                 guesses[name].learn(P, lost)
                 loads[name] = P
                 carried[mesh.driver.name] += P_out + lost
@@ -161,4 +161,4 @@ def _down(meshes: Mapping[str, MeshGeometry], loss: Loss, needed: Mapping[str, W
 
 
 def _number(x: Watt) -> Watt:
-    return x if np.ndim(x) else float(x)
+    return x if np.ndim(x) else one(x)

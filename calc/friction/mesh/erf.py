@@ -5,6 +5,7 @@ import math
 
 import numpy as np
 
+from ...sheet.abreast import point_by_point
 from ...sheet.value import LinkedFloat
 
 STEPS = 1024  # per unit
@@ -15,6 +16,7 @@ _VALUE = np.array([math.erf(x) for x in _GRID])
 _SLOPE = 2 / math.sqrt(math.pi) * np.exp(-(_GRID**2)) / STEPS  # per step
 
 
+@point_by_point
 def erf(x: float) -> float:
     """erf x; a float by `math`, an array by interpolation.  NaN stays NaN."""
     if type(x) in (float, LinkedFloat):

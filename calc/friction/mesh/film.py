@@ -15,6 +15,7 @@ All are for fully flooded, smooth line contact, with the oil at the temperature 
 import numpy as np
 
 from ...lubricant import Lubricant
+from ...sheet.arrays import many
 from ...sheet.formula import formula
 from ...sheet.functions import largest, sqrt
 from ...sheet.record import record
@@ -187,7 +188,7 @@ def film(by_regime: bool, oil: Oil, motion: Motion, w: NewtonPerMetre, p_H: Pasc
         h_0 = rigid_film(H_IR=H_IR, R=motion.R)
         regimes = H_IR, H_VR, H_IE, H_VE
         lead = largest(largest(H_VR, H_IE), H_VE) / H_IR
-        rigid = based_on(array(cells.below_zero(np.log(np.asarray(lead)))), *regimes)
+        rigid = based_on(array(cells.below_zero(np.log(many(lead)))), *regimes)
         lead = based_on(lead, *regimes)
     L = thermal_loading(eta_0=oil.eta_0, beta=oil.beta, u_e=motion.u_e, k_f=oil.k_f)
     Phi_T = thermal_reduction(p_H=p_H, E_r=motion.E_r, L=L, S=motion.S)

@@ -10,10 +10,10 @@ them against the positions of the path, which stand along the last axis.
 import math
 from dataclasses import fields
 from functools import cached_property
-from typing import cast
 
 import numpy as np
 
+from ...sheet.arrays import each, many
 from ...sheet.errors import NoSolution
 from ...sheet.number import short
 from ...sheet.record import record
@@ -95,11 +95,9 @@ def require(what: Text, number: float, *, zero: bool = False) -> float:
 
 def column(x: float) -> float:
     """One number as it is; an array of N operating points as a column, against which the positions of a path stand in a row."""
-    points = np.asarray(x)
-    return x if points.ndim == 0 else cast(float, points[:, None])
+    return x if np.ndim(x) == 0 else each(many(x)[:, None])
 
 
 def flat(x: float) -> float:
     """The inverse of `column`."""
-    points = np.asarray(x)
-    return x if points.ndim == 0 else cast(float, points[:, 0])
+    return x if np.ndim(x) == 0 else each(many(x)[:, 0])

@@ -21,7 +21,8 @@ from typing import cast
 import numpy as np
 
 from ...contact.line import approach_contact_ratio, pitch_point, recess_contact_ratio, sole_contact_begins, sole_contact_ends
-from ...sheet.arrays import Array
+from ...sheet.abreast import design_by_design
+from ...sheet.arrays import Array, IndexArray, each, many, one
 from ...sheet.errors import NoSolution
 from ...sheet.formula import formula
 from ...sheet.functions import acos, cos, largest, pi, sin, sqrt, tan
@@ -42,7 +43,7 @@ AGMA = Text("AGMA 925-A03")
 
 def array(x: Array | float) -> float:
     """The one door by which arrays enter the formulas, which are typed float → float."""
-    return cast(float, np.asanyarray(x, dtype=np.float64))
+    return cast(float, x if hasattr(x, "lanes") else np.asanyarray(x, dtype=np.float64))
 
 
 # --- the line of action ----------------------------------------------------------------------------------------------------
@@ -156,6 +157,7 @@ class Path:
     weight: Metre
     carried: float
     per_strip: int
+    middle: IndexArray  # of the strip in the middle, by rising x
     cells: Cells
 
     @property
@@ -164,14 +166,12 @@ class Path:
 
     def in_the_middle(self, x: float) -> Array:
         """What an array has along the strip in the middle of the face, by rising x."""
-        middle = np.size(self.x) // self.per_strip // 2 * self.per_strip
-        strip = slice(middle, middle + self.per_strip)
-        return np.asarray(x)[..., strip][..., np.argsort(np.asarray(self.x)[strip], kind="stable")]
+        return many(x)[..., self.middle]
 
     def at_pitch_point(self, x: float) -> float:
         """The value that an array has at C: a float, or one for each of many operating points."""
-        found = np.asarray(x)[..., self.per_strip - 3]
-        return based_on(cast(float, found if found.ndim else float(found)), x)
+        found = many(x)[..., self.per_strip - 3]
+        return based_on(each(found) if found.ndim else one(each(found)), x)
 
 
 @cache
@@ -194,6 +194,7 @@ def _gauss(breaks: Array, points: int) -> tuple[Array, Array]:
     return (middle[..., None] + half[..., None] * at).reshape(rows), (half[..., None] * weight).reshape(rows)
 
 
+@design_by_design
 def path(mesh: MeshGeometry, load_sharing: str = "linear", *, points: int = 0, strips: int = STRIPS) -> Path:
     """The path of contact of a mesh.  NoSolution where the teeth do not mesh, or a spur pair can not share its load as assumed."""
     sound(mesh)
@@ -259,13 +260,14 @@ def path(mesh: MeshGeometry, load_sharing: str = "linear", *, points: int = 0, s
             s=based_on(array(s.ravel()), *places), g_alpha=g_alpha, g_beta=g_beta, p_bt=p_bt, beta_b=mesh.base_helix_angle
         )
     parts = cells(x, width, points, marks.size)
+    middle = len(x) // 2 * x.shape[-1] + np.argsort(x[len(x) // 2], kind="stable")
     weight = np.hstack((weight, np.zeros((len(x), marks.size))))
     of_weight = (*places, p_bt, mesh.face_width, mesh.base_helix_angle)
     return Path(
         C_A=C_A, C_B=C_B, C_C=C_C, C_D=C_D, C_E=C_E, C_F=C_F, p_bt=p_bt, epsilon_1=epsilon_1, epsilon_2=epsilon_2,
         epsilon_alpha=epsilon_alpha, epsilon_beta=epsilon_beta, x=based_on(array(x.ravel()), *places),
         weight=based_on(array(weight.ravel()), *of_weight), carried=carried,
-        per_strip=x.shape[-1], cells=parts,
+        per_strip=x.shape[-1], middle=middle, cells=parts,
     )  # fmt: skip
 
 

@@ -18,7 +18,7 @@ from collections.abc import Callable
 
 import numpy as np
 
-from ...sheet.arrays import Array
+from ...sheet.arrays import Array, anywhere, many, most
 from ...sheet.errors import NoSolution
 from ...sheet.formula import formula
 from ...sheet.functions import asinh, exp, ln, power, smallest, sqrt
@@ -178,12 +178,12 @@ def settled(warmed: Callable[[Celsius], Celsius], T_m: Celsius, highest: Celsius
     a slope flatter than −1 can not be and is taken as −1.  NoSolution names the worst position.
     """
     before: Array = np.broadcast_to(T_m, np.shape(highest))
-    gap_before = np.asarray(warmed(array(before))) - before
-    low, high = before, np.minimum(np.asarray(highest) + SLACK, HOTTEST)
+    gap_before = many(warmed(array(before))) - before
+    low, high = before, np.minimum(many(highest) + SLACK, HOTTEST)
     T: Array = np.minimum(before + gap_before, HOTTEST)
     for _ in range(PASSES):
-        gap = np.asarray(warmed(array(T))) - T
-        if float(np.max(np.abs(gap))) <= TOLERANCE:  # NaN never is
+        gap = many(warmed(array(T))) - T
+        if most(np.abs(gap)) <= TOLERANCE:  # NaN never is
             return array(T)
         if np.any((gap > 0) & (T >= HOTTEST)):
             raise _beyond(x, np.where(T >= HOTTEST, gap, -np.inf), subject)
@@ -269,11 +269,11 @@ def traction(
     lam = film_ratio(h=film.h, sigma=s.sigma)
     xi = s.mixing.solid(lam, s.sigma, s.Ra)
     at = Contact(oil, motion, film, w, w_f, p_m, b_H, s, xi)
-    rigid = np.asarray(film.rigid)
-    if not (rigid > 0).any():
+    rigid = many(film.rigid)
+    if not anywhere(rigid > 0):
         return Traction(lam=lam, xi=xi, **vars(_elastic(at, array(np.ones_like(rigid)), x, subject)))
     thin = _rigid(at)
-    if not (rigid < 1).any():
+    if not anywhere(rigid < 1):
         return Traction(lam=lam, xi=xi, **vars(thin))
     thick = _elastic(at, array(np.where(rigid < 1, 1.0, 0.0)), x, subject)
     both = {

@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """The loss of a mesh by all models side by side, each with its range; how far they spread."""
 
+from functools import reduce
+
 from ...sheet.formula import formula
-from ...sheet.functions import largest
+from ...sheet.functions import largest, smallest
 from ...sheet.record import record
 from ...sheet.step import Table
 from ...sheet.text import Amount, Text
@@ -52,7 +54,8 @@ def factor_apart(P_1: Watt, P_2: Watt) -> Number:
 
 def spread_of(losses: list[Watt]) -> Number | None:
     """None where a model gives no loss at all."""
-    return spread(P_max=max(losses), P_min=min(losses)) if min(losses) > 0 else None
+    most, least = reduce(largest, losses), reduce(smallest, losses)
+    return spread(P_max=most, P_min=least) if least > 0 else None
 
 
 def table(

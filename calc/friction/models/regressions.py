@@ -14,7 +14,7 @@ import numpy as np
 
 from ...contact.hertz import hertz_pressure
 from ...contact.teeth import LUBRICANT_FACTOR, mean_friction, roughness_factor, sum_of_speeds
-from ...sheet.arrays import each
+from ...sheet.arrays import many, one
 from ...sheet.formula import formula
 from ...sheet.functions import along, exp, largest, log10, smallest
 from ...sheet.quantity import result, value
@@ -24,7 +24,7 @@ from ...sheet.value import based_on
 from ..mesh.geometry import column, flat
 from ..mesh.loss import Case, loss_factor, sliding_loss
 from ..mesh.loss import mean_friction as mean_friction_of
-from ..mesh.path import line_load, transverse_force
+from ..mesh.path import array, line_load, transverse_force
 
 MILLIPASCAL_SECOND: PascalSecond = 1e-3
 MICROMETRE: Metre = 1e-6
@@ -153,11 +153,11 @@ def _outside_tests(c: Case, w_bt: NewtonPerMetre, u_C: MetrePerSecond) -> Text:
     found = []
     v_t = u_C * c.mesh.centre_distance / c.path.C_F  # C rolls with the part of the pitch line's speed along the line of action
     if np.any(w_bt < LOWEST_LINE_LOAD):
-        found.append(Text("line load {min} N/mm, tests from 150", min=Amount(float(np.min(w_bt)) / 1000.0)))
+        found.append(Text("line load {min} N/mm, tests from 150", min=Amount(one(np.min(w_bt)) / 1000.0)))
     if np.any(2 * u_C < 1.0):
-        found.append(Text("sum of speeds {min} m/s, tests from 1", min=Amount(2 * float(np.min(u_C)))))
+        found.append(Text("sum of speeds {min} m/s, tests from 1", min=Amount(2 * one(np.min(u_C)))))
     if np.any(v_t > FASTEST):
-        found.append(Text("pitch line {max} m/s, tests up to {fastest}", max=Amount(float(np.max(v_t))), fastest=Amount(FASTEST, form="g")))
+        found.append(Text("pitch line {max} m/s, tests up to {fastest}", max=Amount(one(np.max(v_t))), fastest=Amount(FASTEST, form="g")))
     return SEMICOLON.join(found) if found else EMPTY
 
 
@@ -172,7 +172,7 @@ def of_xu_kahraman(c: Case, P: Watt) -> Regression | None:
     eta_0 = _eta(c)
     f = xu_kahraman_exponent(S=c.motion.S, p_H=p_H, eta_0=eta_0, sigma=sigma)
     mu = xu_kahraman(f=f, p_H=p_H, S=c.motion.S, u_e=c.motion.u_e, eta_0=eta_0, R=c.motion.R)
-    highest, outside = float(np.max(p_H)), []
+    highest, outside = one(np.max(p_H)), []
     if not RUNS[0] <= highest <= RUNS[1]:
         outside.append(
             Text(
@@ -186,7 +186,7 @@ def of_xu_kahraman(c: Case, P: Watt) -> Regression | None:
         outside.append(
             Text(
                 "roughness {max} µm, runs up to {smooth}",
-                max=Amount(float(np.max(sigma)) * 1000000.0),
+                max=Amount(one(np.max(sigma)) * 1000000.0),
                 smooth=Amount(SMOOTH * 1000000.0, form="g"),
             )
         )
@@ -197,8 +197,8 @@ def of_xu_kahraman(c: Case, P: Watt) -> Regression | None:
 def of_benedict_kelley(c: Case, P: Watt) -> Regression:
     w, w_f = _load(c, P)
     mu = benedict_kelley(w=w_f, eta_0=_eta(c), V_s=c.motion.V_s, V_T=based_on(2 * c.motion.u_e, c.motion.u_e))
-    bounded = (np.asarray(mu) <= 0.01) | (np.asarray(mu) >= 0.2)
-    share = float(np.mean(along(each(np.asarray(c.path.weight * bounded, dtype=np.float64))) / along(c.path.weight)))
+    bounded = (many(mu) <= 0.01) | (many(mu) >= 0.2)
+    share = one(np.mean(along(array(np.where(bounded, c.path.weight, 0.0))) / along(c.path.weight)))
     held = Text("held at its bounds on {share} % of the path", share=Amount(share * 100, form=".0f"))
     return _summed(c, P, w, mu, held if share > HELD else EMPTY)
 

@@ -12,6 +12,7 @@ from math import ceil
 
 import numpy as np
 
+from ...sheet.abreast import design_by_design
 from ...sheet.arrays import Array, each, many
 from ...sheet.formula import formula
 from ...sheet.record import record
@@ -76,6 +77,7 @@ def deviate(kind: str, k: int) -> Array:
     return cosine * np.sqrt(_even(k + 1)) if kind == "position" else cosine
 
 
+@design_by_design
 def by_chance(cases: Sequence[BacklashCase], wheels: Mapping[str, WheelResult], way: Sequence[str], last: str) -> Chance | None:
     """`way`: keys of the meshes to the `last` wheel.  None where nothing deviates."""
     used = 0

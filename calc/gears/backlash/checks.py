@@ -6,6 +6,7 @@ from collections.abc import Callable, Sequence
 from functools import partial
 
 from ...sheet.check import Check, check
+from ...sheet.functions import cos, sin
 from ...sheet.remedy import Change, Remedy, change, remedy
 from ...sheet.text import EMPTY, Amount, Text
 from ...sheet.units import Metre, Number
@@ -80,7 +81,7 @@ def _over_temperature(gears: GearsInputs, m: BacklashCase, smallest: Sequence[At
 
 def _slope(m: BacklashCase, at: AtState) -> Number:
     """Backlash per centre distance at 20 °C; it rises with the distance, so that what it asks for at the closest one is enough."""
-    return 2 * math.sin(at.pressure_angle) * math.cos(m.system.base_helix_angle) * at.centre_growth
+    return 2 * sin(at.pressure_angle) * cos(m.system.base_helix_angle) * at.centre_growth
 
 
 def freed(

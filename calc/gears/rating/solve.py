@@ -76,7 +76,7 @@ def rating(
 
     return Outcome(
         "gears", result=result, checks=tuple(checks), lines=tuple(lines), curves=Later(lambda: curves.curves(rated)), tables=Later(tables),
-        errata=source_sheet.errata(train, rated), notes=Later(lambda: notes(context, rated, load)),
+        errata=Later(lambda: source_sheet.errata(train, rated)), notes=Later(lambda: notes(context, rated, load)),
     )  # fmt: skip
 
 

@@ -7,6 +7,7 @@ outer point of single contact; all lengths of the virtual spur wheel (index n) a
 
 import math
 
+from ...sheet.arrays import most
 from ...sheet.formula import formula
 from ...sheet.functions import acos, cos, inv, pi, power, sin, smallest, sqrt, tan
 from ...sheet.text import Text
@@ -87,12 +88,12 @@ def tool_corner_angle(z_n: Number, E: Metre, m_n: Metre) -> Number:
 
 @formula("θ", ROOT, shows="θ = 2G/z_n·tan θ − H, by Newton's method from π/6")
 def tangent_angle(G: Number, z_n: Number, H: Number) -> Radian:
-    theta = math.pi / 6
+    theta = pi / 6
     for _ in range(50):
-        t = math.tan(theta)
+        t = tan(theta)
         step = (theta - 2 * G / z_n * t + H) / (1 - 2 * G / z_n * (1 + t * t))
-        theta -= step
-        if abs(step) < 1e-14:
+        theta = theta - step
+        if most(abs(step)) < 1e-14:
             break
     return theta
 

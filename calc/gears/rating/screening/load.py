@@ -9,7 +9,7 @@ from ....contact.hertz import reduced_modulus
 from ....contact.teeth import LUBRICANT_FACTOR, LUBRICATION_FACTOR, mean_roughness
 from ....lubricant import Lubricant
 from ....sheet.formula import formula
-from ....sheet.functions import cos, modulus, pi
+from ....sheet.functions import cos, modulus, pi, sqrt
 from ....sheet.record import record
 from ....sheet.text import Text
 from ....sheet.trace import about
@@ -54,7 +54,7 @@ def load_in_plane_of_action(w_Bt: NewtonPerMetre, alpha_t: Radian) -> NewtonPerM
 @formula("K_Bγ", "ISO/TR 13989-2:2000 (5) and ISO/TR 15144-1:2014 (88) to (90): more friction by more lines of contact",
     shows="1 up to ε_γ = 2; 1 + 0.2·√((ε_γ − 2)(5 − ε_γ)); 1.3 from ε_γ = 3.5 on")  # fmt: skip
 def helical_load_factor(eps_gamma: Number) -> Number:
-    return 1.0 if eps_gamma <= 2 else 1.3 if eps_gamma >= 3.5 else 1 + 0.2 * float((eps_gamma - 2) * (5 - eps_gamma)) ** 0.5
+    return 1.0 if eps_gamma <= 2 else 1.3 if eps_gamma >= 3.5 else 1 + 0.2 * sqrt((eps_gamma - 2) * (5 - eps_gamma))
 
 
 @formula("b_M", "ISO/TR 15144-1:2014 (82), (83): square of the thermal contact coefficient", names={"lam": "λ_M", "c": "c_M", "rho": "ρ_M"})

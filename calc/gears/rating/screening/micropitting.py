@@ -9,9 +9,10 @@ ISO/TS 6336-22:2018).
 import numpy as np
 
 from ....contact import teeth
-from ....sheet.arrays import Array, many
+from ....sheet.arrays import Array, element, many
 from ....sheet.formula import formula
 from ....sheet.functions import cos, modulus, pi, power, sqrt
+from ....sheet.linked_array import gathered
 from ....sheet.record import record
 from ....sheet.text import Text
 from ....sheet.trace import untraced
@@ -125,8 +126,13 @@ def film(path: Path, load: Load, oil: OilBath, a: Metre, b: Metre, d: Metre, z: 
     if thickness is None:
         return Film(mu_m=warm.mu_m, T_M=warm.T_M, place="", h=None, p_dyn=None, lam=None, along=None)
     along = many(thickness)
-    place = list(marks)[int(np.argmin(along[: len(marks)]))]
-    h, p_dyn = _local(path, load, warm, path.at(marks[place]))
+    least = np.argmin(along[: len(marks)])
+    if hasattr(least, "lanes"):  # of many designs, each with its own place
+        place, rho = "", element(gathered(marks.values()), least)
+    else:
+        place = list(marks)[least]
+        rho = marks[place]
+    h, p_dyn = _local(path, load, warm, path.at(rho))
     assert h is not None
     lam = specific_film(h_Y=h, Ra=load.Ra)
     return Film(mu_m=warm.mu_m, T_M=warm.T_M, place=place, h=h, p_dyn=p_dyn, lam=lam, along=along[len(marks) :] / load.Ra)

@@ -11,6 +11,7 @@ from itertools import pairwise
 import numpy as np
 
 from ....contact import line
+from ....sheet.abreast import design_by_design
 from ....sheet.arrays import Array, each
 from ....sheet.formula import formula
 from ....sheet.functions import largest, sin, smallest
@@ -120,6 +121,7 @@ class Path:
         places = {"A": A, "AB": based_on((A + B) / 2, A, B), "B": B, "C": self.C, "D": D, "DE": based_on((D + E) / 2, D, E), "E": E}
         return {name: rho for name, rho in places.items() if A <= rho <= E}
 
+    @design_by_design
     def samples(self) -> Array:
         """Places from A to E, close beside B and D on both sides, where the load jumps."""
         inner = sorted((min(max(self.B, self.A), self.E), min(max(self.D, self.A), self.E)))

@@ -9,7 +9,7 @@ DIN 3990-4 and in part 2, on the safe side.
 import numpy as np
 
 from ....contact.hertz import half_width
-from ....sheet.arrays import Array, each, many
+from ....sheet.arrays import Array, each, element, many, one
 from ....sheet.formula import formula
 from ....sheet.functions import cos, largest, modulus, power, sin, smallest, sqrt
 from ....sheet.record import record
@@ -87,9 +87,10 @@ def flash_temperature(
 @formula("Θ_flm", Text("{iso} (24): mean flash temperature", iso=ISO),
     shows="mean of Θ_fl along the path of contact, from A to E")  # fmt: skip
 def mean_flash_temperature(T_fl: Kelvin, rho_1: Metre) -> Kelvin:
-    flash, place = np.asarray(T_fl), np.asarray(rho_1)
-    area = np.dot(flash[1:] + flash[:-1], np.diff(place)) / 2
-    return float(area / (place[-1] - place[0]))
+    flash, place = many(T_fl), many(rho_1)
+    area = np.sum((flash[1:] + flash[:-1]) * np.diff(place), -1) / 2
+    mean: float = one(area / (place[-1] - place[0]))
+    return mean
 
 
 @formula("X_mp", Text("{iso} (23): a wheel with more than one mate is heated by each", iso=ISO), names={"n_p": "n_p"})
@@ -153,7 +154,7 @@ def flash(
     points = len(path.marks())
     along = based_on(temperatures[points:], mu_m, C_eff, load, path.depends_on)
     rho_1 = many(places.rho_1)[points:]
-    hottest = based_on(float(rho_1[int(np.argmax(along))]), path.A, path.B, path.D, path.E)
+    hottest = based_on(one(element(rho_1, np.argmax(along))), path.A, path.B, path.D, path.E)
     T_fl = _local(path, load, mu_m, C_eff, path.at(hottest))
     T_flm = mean_flash_temperature(T_fl=each(along), rho_1=each(based_on(rho_1, path.A, path.E)))
     T_M = bulk_temperature(T_oil=oil.T_oil, X_S=oil.X_S, X_mp=multiple_path_factor(n_p=n_p), T_flm=T_flm)
