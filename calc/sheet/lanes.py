@@ -88,12 +88,16 @@ class Lanes:
     def __getitem__(self, at: Any) -> Lanes:
         if isinstance(at, Lanes):
             return at.of(self)
+        if isinstance(at, tuple) and len(at) == 2 and at[0] is Ellipsis and isinstance(at[1], Lanes):
+            return at[1].of(self)
         return Lanes(self.data[(slice(None), *(at if isinstance(at, tuple) else (at,)))])
 
     def of(self, x: Any) -> Lanes:
-        """The elements of an array at these places, one in each lane."""
-        data = x.data if type(x) is Lanes else np.broadcast_to(x, (self.lanes, len(x)))
-        return Lanes(data[np.arange(self.lanes), self.data])
+        """The elements of an array, along its last axis, at these places: of each lane those of its own."""
+        data = x.data if type(x) is Lanes else np.broadcast_to(x, (self.lanes, *np.shape(x)))
+        places = self.data if self.ndim else self.data[:, None]
+        found = np.take_along_axis(data, places.reshape(self.lanes, *(1,) * (data.ndim - 2), -1), -1)
+        return Lanes(found if self.ndim else found[..., 0])
 
     def ravel(self) -> Lanes:
         return Lanes(self.data.reshape(len(self.data), -1))
@@ -138,7 +142,7 @@ class Lanes:
 
     def __float__(self) -> float:
         first = self.data.reshape(-1)[0]
-        if not (self.data == first).all():
+        if not (self.data == first).all() or np.iscomplexobj(self.data):
             raise TypeError("the numbers of many designs are not one number")
         return float(first)
 
@@ -402,6 +406,7 @@ def _iscomplexobj(x: Lanes) -> bool:
 
 @_handles(np.concatenate)
 def _concatenate(parts: Sequence[Any], axis: int = 0) -> Lanes:
+    parts = [stacked(part) if isinstance(part, (list, tuple)) else part for part in parts]
     return Lanes(np.concatenate(_data(parts), axis=axis if axis < 0 else axis + 1))
 
 

@@ -15,6 +15,7 @@ from ..design import Design
 from ..sheet.abreast import Singly, abreast, designs_abreast, some_lanes, together_or_singly
 from ..sheet.arrays import Array, BoolArray
 from ..sheet.check import THIN_MARGIN, Check, step_verdict, worst
+from ..sheet.errors import NoSolution
 from ..sheet.lanes import Diverged, Lanes
 from ..sheet.parts import Parts
 from ..sheet.step import Outcome
@@ -65,7 +66,7 @@ def passes(designs: Sequence[Design], *, compared: bool) -> Iterator[tuple[list[
                 given = {name: some_lanes(outcome, which) for name, outcome in done.items()}
                 waiting.append((places, given, part.singly.some(which)))
             continue
-        except (ArithmeticError, ValueError, TypeError, AttributeError):  # NoSolution is a ValueError
+        except (NoSolution, ArithmeticError, ValueError, TypeError, AttributeError):
             yield some, None
             continue
         yield some, outcomes
@@ -77,7 +78,7 @@ def solved(
     """The rows of designs; `alone` solves the one at a place, `compared` as `calc.solve.solve` has it."""
     rows: dict[int, Solved] = {}
     for some, outcomes in passes(designs, compared=compared):
-        if outcomes is not None:
+        if outcomes is not None and not any(outcome.reason for outcome in outcomes.values() if outcome.state != "not_asked"):
             rows |= zip(some, _rows(outcomes, len(some), step, wanted))
         for n in some:
             if n not in rows or rows[n].reason:

@@ -13,7 +13,7 @@ from math import ceil
 import numpy as np
 
 from ...sheet.abreast import design_by_design
-from ...sheet.arrays import Array, each, many
+from ...sheet.arrays import Array, each, many, one
 from ...sheet.formula import formula
 from ...sheet.record import record
 from ...sheet.text import Text
@@ -33,20 +33,23 @@ BY_CHANCE = Text("mathematics, {trains} trains by chance", trains=TRAINS)
 def kept(j: Metre, p: Number) -> Metre:
     """`j` (trains,) in rising order."""
     size = many(j).size
-    return float(many(j)[size - ceil(p * size)])
+    least: float = one(many(j)[size - ceil(p * size)])
+    return least
 
 
 @formula("Δφ_p", Text("{by_chance}: free turn that a share of the trains keeps", by_chance=BY_CHANCE),
     shows="the smallest free turn that the share p of the trains does not exceed")  # fmt: skip
 def not_exceeded(phi: Radian, p: Number) -> Radian:
     """`phi` (trains,) in rising order."""
-    return float(many(phi)[ceil(p * many(phi).size) - 1])
+    most: float = one(many(phi)[ceil(p * many(phi).size) - 1])
+    return most
 
 
 @formula("p_jam", BY_CHANCE, unit="%", shows="trains with a backlash below 0, over all trains")
 def share_below_zero(j: Metre) -> Number:
     """`j` (trains,) in rising order."""
-    return int(np.searchsorted(many(j), -DUST)) / many(j).size
+    share: float = one(np.sum(many(j) < -DUST)) / many(j).size
+    return share
 
 
 @record

@@ -20,10 +20,11 @@ SWEEPS = {
     "r753ie4_gamma": ["engine.rated_speed_rpm=1500:2600", "engine.rod_length_mm=155:170", "bearings.front.length_mm=26:36",
                       "friction.oil_temperature_C=70:110"],
     "r753ie4_beta": ["bearings.rear.clearance_um=35:60", "bearings.hole_diameter_mm=3:5", "countershaft.masses.front.radius_mm=20:22"],
-    "r753ie4_sized": ["countershaft.overdesign_percent=0:5", "bearings.front.diameter_mm=54:58", "engine.bench.3.oil_temperature_C=80:90"],
+    "r753ie4_sized": ["countershaft.overdesign_percent=0:10", "bearings.front.diameter_mm=54:58", "engine.bench.3.oil_temperature_C=80:90"],
     "r754ie4_balance_shafts": ["engine.piston_mass_g=700:800", "countershaft.masses.0.radius_mm=20:30"],
     "thesis_temperatures": ["gears.wheels.0.profile_shift=0.1:0.2", "friction.oil_temperature_C=40:90"],
     "timing_pair": ["gears.speed_rpm=1000:3000", "gears.wheels.0.face_width_mm=18:22"],
+    "twin_mounting": ["engine.rated_speed_rpm=2000:3000", "engine.cylinder_pitch_mm=90:100"],
     "twin_force_shaft": ["engine.bore_mm=80:90", "engine.gas.compression_ratio=16:18"],
 }  # fmt: skip
 
