@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Every ratio in one run: `python -m bench [--write] [NAME …]`; 10 to 20 minutes on two cores that nothing else takes.
 
+With names only these are measured, and written in place of what docs/speed.md has of them.
+
 One measurement after the other, each in a process of its own; what it prints is what stands in docs/speed.md (`--write`), below the
 machine that it was taken on.  Against ROSS and GEARpie, which are no dependencies of this program, a measurement is started by hand: how
 stands in its file.
@@ -77,11 +79,19 @@ def main(*arguments: str) -> int:
         print(f"no measurement {', '.join(unknown)}; there are {', '.join(MEASURED)}", file=sys.stderr)
         return 2
     print(machine())
-    parts = [f"\n## {name}\n\n{about(name)}\n\n```text\n{measured(name)}\n```\n" for name in names]
+    known = written() if names != list(MEASURED) else {}
+    known |= {name: f"{about(name)}\n\n```text\n{measured(name)}\n```" for name in names}
     if "--write" in arguments:
-        by_hand = " and ".join(f"`bench/{name}.py`" for name in BY_HAND)
-        TABLE.write_text(HEAD.format(machine=machine(), by_hand=by_hand) + "".join(parts), encoding="utf-8")
+        head = HEAD.format(machine=machine(), by_hand=" and ".join(f"`bench/{name}.py`" for name in BY_HAND))
+        parts = [f"\n## {name}\n\n{known[name]}\n" for name in MEASURED if name in known]
+        TABLE.write_text(head + "".join(parts), encoding="utf-8")
     return 0
+
+
+def written() -> dict[str, str]:
+    """What the page has of each measurement."""
+    _, *parts = TABLE.read_text(encoding="utf-8").split("\n## ") if TABLE.exists() else [""]
+    return {name: text.strip() for name, _, text in (part.partition("\n") for part in parts)}
 
 
 if __name__ == "__main__":
