@@ -2,7 +2,8 @@
 """Records of many designs as one record whose numbers are lanes, and back.
 
 What is the same in all designs stays as it is.  Numbers that differ become lanes; anything else that differs (a count, a choice, a part
-that only some have) makes the designs go apart: `Diverged`.  Words may differ, since nobody reads them: those of the first stand.
+that only some have) makes the designs go apart: `Diverged`.  Words may differ, since nobody reads them: those of the first stand.  What
+is made when it is asked for can not be asked.
 """
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -10,7 +11,7 @@ from contextlib import contextmanager
 from contextvars import ContextVar
 from dataclasses import is_dataclass
 from functools import wraps
-from typing import Any, ParamSpec, TypeVar
+from typing import Any, NoReturn, ParamSpec, TypeVar
 
 import numpy as np
 
@@ -44,8 +45,12 @@ def _merged(xs: list[Any]) -> Any:
         if all(isinstance(x, (complex, *REAL)) for x in xs):
             phasors = np.array(xs, dtype=complex)
             return first if (phasors == phasors[0]).all() else Lanes(phasors)
-    if kind is Later or isinstance(first, Text) or (callable(first) and not is_dataclass(first)):
+    if isinstance(first, Text):
         return first
+    if kind is Later:
+        return Later(_of_one_alone)
+    if callable(first) and not is_dataclass(first):
+        return _of_one_alone
     _apart([type(x) is kind or (isinstance(x, str) and isinstance(first, str)) for x in xs])
     if kind is Lanes:
         raise TypeError("lanes of lanes")
@@ -69,6 +74,11 @@ def _merged(xs: list[Any]) -> Any:
         return first
     names = _fields(first)
     return _made(kind, {name: _merged([x.__dict__[name] for x in xs]) for name in names})
+
+
+def _of_one_alone(*_: object, **__: object) -> NoReturn:
+    """In place of what a design makes of its own numbers when it is asked, a figure or a sentence: many are not asked."""
+    raise TypeError("the designs have one each")
 
 
 def lane(x: T, k: int) -> T:
@@ -139,7 +149,7 @@ def together_or_singly(function: Callable[P, R]) -> Callable[P, R]:
             return function(*args, **kwargs)
         except NoSolution:
             raise
-        except (TypeError, AttributeError, ArithmeticError, ValueError):
+        except (TypeError, AttributeError, LookupError, ArithmeticError, ValueError):
             return design_by_design(function)(*args, **kwargs)
 
     return called

@@ -13,6 +13,7 @@ from calc.sheet.arrays import anywhere, element, most, one
 from calc.sheet.errors import NoSolution
 from calc.sheet.functions import argument, largest, resultant, smallest, sqrt
 from calc.sheet.lanes import Diverged, Lanes, parted, stacked
+from calc.sheet.later import Later
 from calc.sheet.record import record
 from calc.sheet.text import Amount, Text
 
@@ -136,6 +137,15 @@ def test_records_that_differ_in_more_than_numbers_go_apart(other):
 
 def test_words_may_differ_since_nobody_reads_them():
     assert abreast([Text("{n} mm", n=1), Text("{n} mm", n=2)]) == "1 mm"
+
+
+def test_what_a_design_makes_of_its_own_numbers_can_not_be_asked_of_many():
+    whole = abreast([Part(size=n, points=lambda n=n: n) for n in (1.0, 2.0)])
+    with pytest.raises(TypeError):
+        whole.points()
+    with pytest.raises(TypeError):
+        list(abreast([Later(lambda: (1,)), Later(lambda: (2,))]))
+    assert abreast([max, max]) is max
 
 
 def test_a_search_is_made_for_each_design_and_known_when_they_go_apart():
