@@ -20,7 +20,7 @@ HERE = Path(__file__).parent
 TABLE = HERE.parent / "docs" / "speed.md"
 MEASURED: dict[str, tuple[str, ...]] = {
     "startup": (), "report": (), "session": ("3",), "balance": (), "sizing": (), "scatter": (), "film": (), "bearings": (), "selection": (),
-    "gears": (), "friction": (), "mounting": (), "links": (), "sweep": (), "design": (),
+    "gears": (), "friction": (), "mounting": (), "links": (), "sweep": ("10000",), "design": (),
 }  # fmt: skip
 BY_HAND = ("beam_against_ross", "film_against_ross")
 HEAD = """# Speed
