@@ -29,7 +29,7 @@ def speed_factor(u: MetrePerSecond) -> Number:
     """The least speed of a journal over its speed of transition; Finotti 2013, 5.5.3."""
     from .sheet.functions import largest, smallest  # with numpy, without which the rules are read
 
-    return largest(SPEED_FACTOR[0], smallest(u, SPEED_FACTOR[1]))
+    return largest(smallest(u, SPEED_FACTOR[1]), SPEED_FACTOR[0])
 
 
 class Lubrication(NamedTuple):

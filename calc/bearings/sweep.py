@@ -6,7 +6,7 @@ from dataclasses import replace
 import numpy as np
 
 from ..engine.inputs import BenchPoint
-from ..sheet.arrays import Array, each, element, many, one
+from ..sheet.arrays import Array, each, element, has_lanes, many, one
 from ..sheet.linked_array import elements, gathered, item, linked_array
 from ..sheet.record import record
 from ..sheet.text import EMPTY, Amount, Text
@@ -114,7 +114,7 @@ def _rows(rated: float, bench: tuple[BenchPoint, ...], duty: OperatingPoint, inp
         place = np.linspace(0, len(rows) - 1, (len(rows) - 1) * (BETWEEN + 1) + 1)
         loaded = place <= under_load.sum() - 1  # between a loaded and an unloaded row nothing is known
         there = loaded | (place == np.round(place))
-        if hasattr(there, "lanes"):  # of many designs: where one has no row, its numbers are none
+        if has_lanes(there):  # of many designs: where one has no row, its numbers are none
             speeds, temperatures, pressures = (np.where(there, _between(place, column), np.nan) for column in of_rows)
         else:
             speeds, temperatures, pressures = (_between(place[there], column) for column in of_rows)
@@ -129,7 +129,7 @@ def _rows(rated: float, bench: tuple[BenchPoint, ...], duty: OperatingPoint, inp
 
 def _between(place: Array, numbers: Array) -> Array:
     """Numbers of a row at whole and broken places, linear between, each with the links of those on either side of it."""
-    if hasattr(numbers, "lanes"):
+    if has_lanes(numbers):
         return np.interp(place, np.arange(len(numbers)), numbers)
     parts = getattr(numbers, "parts", ())
     low, high = np.floor(place).astype(int), np.ceil(place).astype(int)

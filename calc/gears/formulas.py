@@ -11,7 +11,7 @@ import math
 import numpy as np
 
 from ..sheet.abreast import point_by_point
-from ..sheet.arrays import Array, each, many
+from ..sheet.arrays import Array, each, has_lanes, many
 from ..sheet.formula import formula
 from ..sheet.functions import acos, asin, atan, cos, inv, joined, largest, pi, sin, sqrt, tan
 from ..sheet.text import Text
@@ -272,7 +272,7 @@ def angle_of_involute(involute: Number) -> Radian:
 
     0 where inv α is not above 0; in an array no number there.
     """
-    if np.ndim(involute) or hasattr(involute, "lanes"):
+    if np.ndim(involute) or has_lanes(involute):
         return each(_angles_of_involutes(many(involute)))
     if involute <= 0:
         return 0.0

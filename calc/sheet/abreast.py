@@ -18,12 +18,15 @@ import numpy as np
 from .errors import NoSolution
 from .lanes import Diverged, Lanes, level
 from .later import Later
+from .parts import alike
 from .text import Text
 
 T = TypeVar("T")
 R = TypeVar("R")
 P = ParamSpec("P")
 REAL = (float, int)
+WORDS = ("advice", "remedies")  # of a check, which nobody reads
+Found = list[tuple[tuple[Any, ...], Any]]  # arguments, and what came of them
 
 
 def abreast(designs: Sequence[T]) -> T:
@@ -46,12 +49,14 @@ def _merged(xs: list[Any]) -> Any:
             phasors = np.array(xs, dtype=complex)
             return first if (phasors == phasors[0]).all() else Lanes(phasors)
     if isinstance(first, Text):
+        _apart([isinstance(x, Text) and bool(x) == bool(first) for x in xs])
         return first
-    if kind is Later:
-        return Later(_of_one_alone)
     if callable(first) and not is_dataclass(first):
+        _apart([callable(x) for x in xs])
         return _of_one_alone
     _apart([type(x) is kind or (isinstance(x, str) and isinstance(first, str)) for x in xs])
+    if kind is Later:
+        return Later(_of_one_alone)
     if kind is Lanes:
         raise TypeError("lanes of lanes")
     if isinstance(first, np.ndarray):
@@ -73,7 +78,7 @@ def _merged(xs: list[Any]) -> Any:
         _apart([x == first for x in xs])
         return first
     names = _fields(first)
-    return _made(kind, {name: _merged([x.__dict__[name] for x in xs]) for name in names})
+    return _made(kind, {name: first.__dict__[name] if name in WORDS else _merged([x.__dict__[name] for x in xs]) for name in names})
 
 
 def _of_one_alone(*_: object, **__: object) -> NoReturn:
@@ -88,29 +93,39 @@ def lane(x: T, k: int) -> T:
 
 
 class Singly:
-    """What was found design by design in a pass: the calls of each function in their order, each with its results lane by lane."""
+    """What was found design by design in a pass: of every lane the calls of each function, with what they were given and what they gave."""
 
-    def __init__(self, found: Mapping[tuple[str, int], list[Any]] | None = None) -> None:
-        self.found = dict(found or {})
-        self.calls: dict[str, int] = {}
+    def __init__(self, found: Sequence[Mapping[str, Found]]) -> None:
+        self.found = [dict(of_lane) for of_lane in found]
 
-    def call(self, function: str) -> tuple[str, int]:
-        """The next call of a function."""
-        self.calls[function] = self.calls.get(function, -1) + 1
-        return function, self.calls[function]
+    def result(self, k: int, function: Callable[..., Any], given: tuple[Any, ...]) -> Any:
+        """What a function gives one of the designs, or the exception that says why it gives nothing; known where it was asked before."""
+        calls = self.found[k].setdefault(function.__qualname__, [])
+        for before, result in calls:
+            if alike(before, given):
+                return result
+        token = running.set(None)
+        try:
+            result = function(*given[0], **given[1])
+        except (NoSolution, ArithmeticError, ValueError) as none:
+            result = none
+        finally:
+            running.reset(token)
+        calls.append((given, result))
+        return result
 
     def some(self, which: Any) -> "Singly":
         """The same of some of the designs, which go the same way once more."""
-        return Singly({call: [one for one, there in zip(found, which) if there] for call, found in self.found.items()})
+        return Singly([of_lane for of_lane, there in zip(self.found, which) if there])
 
 
 running: ContextVar[Singly | None] = ContextVar("running", default=None)  # while designs are solved abreast
 
 
 @contextmanager
-def designs_abreast(singly: Singly | None = None) -> Iterator[None]:
+def designs_abreast(singly: Singly) -> Iterator[None]:
     """Inside, functions that are called with lanes may be called for each design; `singly`: what they gave before."""
-    token = running.set(singly or Singly())
+    token = running.set(singly)
     try:
         yield
     finally:
@@ -124,14 +139,11 @@ def design_by_design(function: Callable[P, R]) -> Callable[P, R]:
     def called(*args: P.args, **kwargs: P.kwargs) -> R:
         if (singly := running.get()) is None or not (count := _lanes_of((args, kwargs))):
             return function(*args, **kwargs)
-        call = singly.call(function.__qualname__)
-        if call not in singly.found:
-            singly.found[call] = [_or_none(function, lane(args, k), lane(kwargs, k)) for k in range(count)]
-        found = singly.found[call]
-        failed = [isinstance(one, NoSolution) for one in found]
-        if all(failed):
+        found = [singly.result(k, function, lane((args, kwargs), k)) for k in range(count)]
+        kinds = [type(one) if isinstance(one, Exception) else None for one in found]
+        _apart([kind is kinds[0] for kind in kinds])
+        if isinstance(found[0], Exception):
             raise found[0]
-        _apart([not one for one in failed])
         merged: R = abreast(found)
         return merged
 
@@ -155,15 +167,8 @@ def together_or_singly(function: Callable[P, R]) -> Callable[P, R]:
     return called
 
 
-def _or_none(function: Callable[..., R], args: Any, kwargs: Any) -> R | NoSolution:
-    try:
-        return function(*args, **kwargs)
-    except NoSolution as none:
-        return none
-
-
 def point_by_point(function: Callable[P, R]) -> Callable[P, R]:
-    """A function whose arguments may be arrays of points that have nothing to do with each other: lanes are more of them."""
+    """A function whose arguments, by their places, may be arrays of points that have nothing to do with each other: lanes are more."""
 
     @wraps(function)
     def called(*args: P.args, **kwargs: P.kwargs) -> R:

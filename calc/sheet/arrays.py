@@ -35,6 +35,11 @@ def phasors(x: complex) -> ComplexArray:
     return cast(ComplexArray, x)
 
 
+def has_lanes(*numbers: object) -> bool:
+    """Whether one of them is that of many designs (`lanes.py`)."""
+    return any([hasattr(x, "lanes") for x in numbers])
+
+
 def one(x: Any) -> Any:
     """A number that stands alone: out of an array its only element, of many designs (`lanes.py`) one each."""
     return x.item() if hasattr(x, "item") else x
@@ -42,7 +47,7 @@ def one(x: Any) -> Any:
 
 def element(x: "Array | tuple[float, ...]", at: Any) -> float:
     """The number at a place of an array; of many designs each has its own place."""
-    return cast(float, at.of(x) if hasattr(at, "lanes") else x[at])
+    return cast(float, at.of(x) if has_lanes(at) else x[at])
 
 
 def most(x: Any) -> float:
@@ -58,7 +63,7 @@ def anywhere(x: Any) -> bool:
 def _all(x: object) -> Any:
     import numpy as np
 
-    return np.asarray(getattr(x, "data", x) if hasattr(x, "lanes") else x)
+    return np.asarray(getattr(x, "data", x) if has_lanes(x) else x)
 
 
 def distinct(x: "NDArray[S]") -> "tuple[NDArray[S], IndexArray, IndexArray]":

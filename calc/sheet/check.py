@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
 from functools import cached_property
 
+from .arrays import has_lanes
 from .record import record
 from .remedy import Remedy, sentence
 from .rules import KINDS, rule_of
@@ -156,7 +157,7 @@ def check(
     rule = rule_of(id, index)
     shown = UNITS[unit].shown
     bound = (shown(limit[0]), shown(limit[1])) if isinstance(limit, tuple) else linked(shown(limit), link_of(limit))
-    several = hasattr(value, "lanes") or hasattr(limit, "lanes")  # of many designs, which are judged one by one: nobody reads remedies
+    several = has_lanes(value, limit)  # of many designs, which are judged one by one: nobody reads remedies
     number = shown(value) if several or math.isfinite(value) else value
     made = Check(
         id, name, linked(number, link_of(value)), bound, sense, unit, source, advice,

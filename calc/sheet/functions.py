@@ -11,7 +11,7 @@ from typing import TypeVar, cast
 import numpy as np
 
 from . import linked_array as linked_array  # makes the links of arrays known
-from .arrays import ComplexArray, one, phasors
+from .arrays import ComplexArray, has_lanes, one, phasors
 from .value import LinkedFloat
 
 pi = math.pi
@@ -109,11 +109,12 @@ def resultant(x: N) -> N:
 
 def _resultant(x: ComplexArray) -> object:
     dust = 1e-12 * np.sum(np.abs(x), -1)
-    if hasattr(dust, "lanes"):
+    if has_lanes(dust):
         found = np.sum(x, -1)
         if not np.iscomplexobj(found):
-            return np.where(np.abs(found) > dust, found, 0.0)
-        return np.where(np.abs(found.real) > dust, found.real, 0.0) + 1j * np.where(np.abs(found.imag) > dust, found.imag, 0.0)
+            return np.where(np.abs(found) <= dust, 0.0, found)
+        real, imag = (np.where(np.abs(part) <= dust, 0.0, part) for part in (found.real, found.imag))
+        return real + 1j * imag
     if x.ndim > 1:
         found = np.sum(x, -1)
         if not np.iscomplexobj(found):

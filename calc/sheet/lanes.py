@@ -6,8 +6,8 @@ its tolerances) is an array in every lane, and a plain array is the same in all.
 in one pass through its code, and a lane never sees another.
 
 What decides about the way through the code has to be one thing in all lanes: where a condition, or a number that counts, differs,
-`Diverged` is raised with the lanes that go one way, and who called solves the two parts each for itself (`together.py`).  What lanes can
-not do (become one float, a key of a dict, a plain array) is an error, never a mixture of designs.
+`Diverged` is raised with the lanes that go one way, and who called solves the two parts each for itself (`calc/sweep/abreast.py`).  What
+lanes can not do (become one float where they differ, a key of a dict, a plain array) is an error, never a mixture of designs.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ import numpy as np
 
 from .arrays import Array, BoolArray
 from .errors import NoSolution
-from .text import EMPTY, Text
+from .text import EMPTY
 
 HANDLED: dict[object, Callable[..., Any]] = {}  # by the function of numpy, or its name where importing it would cost a start-up time
 
@@ -135,6 +135,8 @@ class Lanes:
         return bool(self._alike(self.data != 0))
 
     def __index__(self) -> int:
+        if self.data.dtype.kind not in "iub":
+            raise TypeError("what is no whole number counts nothing")
         return int(self._alike(self.data))
 
     def __int__(self) -> int:
@@ -165,8 +167,8 @@ class Lanes:
     # --- arithmetic ----------------------------------------------------------------------------------------------------------
     def __array_ufunc__(self, ufunc: Any, method: str, *inputs: Any, **kwargs: Any) -> Any:
         if method == "reduce":
-            return _reduced(ufunc.reduce, *inputs, **kwargs)
-        if method != "__call__" or kwargs.get("out") is not None:
+            return _reduced(ufunc.reduce, *inputs, **{"axis": 0, **kwargs})
+        if method != "__call__" or ufunc.signature is not None or kwargs.get("out") is not None:
             return NotImplemented
         return wrapped(ufunc(*level(inputs), **kwargs))
 
@@ -228,6 +230,7 @@ def wrapped(found: Any) -> Any:
 
 def level(inputs: Sequence[Any]) -> list[Any]:
     """The data of lanes and plain arrays side by side, so that numpy lets lane meet lane and point meet point."""
+    inputs = [stacked(x) if isinstance(x, (list, tuple)) else x for x in inputs]
     deepest = max([x.data.ndim - 1 if type(x) is Lanes else getattr(x, "ndim", 0) for x in inputs])
     return [_deep(x.data, deepest) if type(x) is Lanes else x for x in inputs]
 
@@ -271,7 +274,18 @@ def _axis(x: Lanes, axis: Any) -> Any:
     """An axis of the points as one of the data."""
     if axis is None:
         return tuple(range(1, x.data.ndim))
-    return tuple(_axis(x, a) for a in axis) if isinstance(axis, tuple) else axis if axis < 0 else axis + 1
+    if isinstance(axis, tuple):
+        return tuple(_axis(x, a) for a in axis)
+    if not -x.ndim <= axis < x.ndim:
+        raise TypeError(f"there is no axis {axis} of points")
+    return axis if axis < 0 else axis + 1
+
+
+def _alone(x: Lanes) -> Lanes:
+    """An array of one axis, for what numpy does with several is another thing."""
+    if x.ndim != 1:
+        raise TypeError("needs points along one axis")
+    return x
 
 
 def _reduced(reduce: Any, x: Any, axis: Any = None, **kwargs: Any) -> Any:
@@ -281,23 +295,19 @@ def _reduced(reduce: Any, x: Any, axis: Any = None, **kwargs: Any) -> Any:
     return Lanes(reduce(x.data, axis=_axis(x, axis), **kwargs))
 
 
-for _function in (np.sum, np.max, np.min, np.any, np.all, np.mean, np.prod, np.nanmin, np.nanmax, np.argmin, np.argmax, np.nanargmin,
-                  np.nanargmax, np.ptp):  # fmt: skip
+for _function in (np.sum, np.max, np.min, np.any, np.all, np.mean, np.argmin, np.argmax, np.nanargmin):
 
     def _reducing(x: Any, axis: Any = None, _function: Any = _function, **kwargs: Any) -> Any:
-        if _function in (np.argmin, np.argmax, np.nanargmin, np.nanargmax) and axis is None:
-            axis = -1
+        if _function in (np.argmin, np.argmax, np.nanargmin) and axis is None:
+            x, axis = _alone(x), -1
         return _reduced(_function, x, axis, **kwargs)
 
     HANDLED[_function] = _reducing
 
 
-for _cumulative in (np.cumsum, np.diff):
-
-    def _along(x: Lanes, axis: int = -1, _function: Any = _cumulative) -> Lanes:
-        return Lanes(_function(x.data, axis=_axis(x, axis)))
-
-    HANDLED[_cumulative] = _along
+@_handles(np.diff)
+def _diff(x: Lanes) -> Lanes:
+    return Lanes(np.diff(_alone(x).data))
 
 
 @_handles(np.where)
@@ -307,25 +317,12 @@ def _where(condition: Any, x: Any, y: Any) -> Any:
 
 @_handles(np.clip)
 def _clip(x: Any, low: Any, high: Any) -> Any:
-    return wrapped(np.clip(*level([stacked(part) if isinstance(part, (list, tuple)) else part for part in (x, low, high)])))
+    return wrapped(np.clip(*level((x, low, high))))
 
 
 @_handles(np.stack)
 def _stack(parts: Sequence[Any], axis: int = 0) -> Lanes:
     return Lanes(np.stack(_data(parts), axis=axis if axis < 0 else axis + 1))
-
-
-@_handles(np.sort)
-def _sort(x: Any) -> Lanes:
-    return Lanes(np.sort(x.data, -1))
-
-
-@_handles(np.select)
-def _select(conditions: Sequence[Any], choices: Sequence[Any], default: Any) -> Any:
-    found = default
-    for condition, choice in zip(reversed(conditions), reversed(choices)):
-        found = np.where(condition, choice, found)
-    return found
 
 
 @_handles(np.interp)
@@ -351,7 +348,7 @@ def _append(x: Any, more: Any) -> Any:
 
 @_handles(np.tile)
 def _tile(x: Any, times: int) -> Any:
-    return _concatenate([x] * times)
+    return _concatenate([_alone(x)] * times)
 
 
 @_handles(np.linspace)
@@ -367,21 +364,6 @@ def _zeros_like(x: Any) -> Any:
 @_handles(np.ones_like)
 def _ones_like(x: Any) -> Any:
     return Lanes(np.ones_like(x.data))
-
-
-@_handles(np.real)
-def _real(x: Any) -> Any:
-    return x.real
-
-
-@_handles(np.imag)
-def _imag(x: Any) -> Any:
-    return x.imag
-
-
-@_handles(np.ravel)
-def _ravel(x: Any) -> Any:
-    return x.ravel()
 
 
 @_handles(np.shape)
@@ -421,11 +403,6 @@ def _array_equal(a: Any, b: Any) -> bool:
     return bool(np.array_equal(*level((a, b))))
 
 
-@_handles(np.isclose)
-def _isclose(a: Any, b: Any, **kwargs: Any) -> Any:
-    return wrapped(np.isclose(*level((a, b)), **kwargs))
-
-
 def stacked(parts: Any) -> Any:
     """Numbers, some of them of many designs, as one array along a new first axis: what `np.array` makes of floats."""
     return np.array(parts) if count_of(parts) is None else Lanes(np.stack(_data(parts), axis=1))
@@ -441,7 +418,7 @@ def parted(x: Any) -> Any:
     """The same numbers, where all of them are there; designs without one (nan) go apart.  Raises NoSolution where none is."""
     missing = np.isnan(x.data).reshape(len(x.data), -1).any(1)
     if missing.all():
-        raise NoSolution(Text("none of the designs has a solution here"), EMPTY, EMPTY)
+        raise NoSolution(EMPTY, EMPTY, EMPTY)  # each alone says why
     if missing.any():
         raise Diverged(~missing)
     return x

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any, TypeVar, cast, overload
 
 import numpy as np
 
+from .arrays import has_lanes
 from .trace import recording
 from .value import KINDS, PLAIN, Link, joined_links, link_of, linked
 
@@ -91,7 +92,7 @@ def gathered(numbers: Iterable[object]) -> "Array":
     """An array of single numbers that keeps the link of each."""
     numbers = tuple(numbers)
     if not recording.get():
-        if any([hasattr(number, "lanes") for number in numbers]):  # of many designs
+        if any([has_lanes(number) for number in numbers]):  # of many designs
             from .lanes import stacked
 
             return stacked(numbers)  # type: ignore[no-any-return]
@@ -111,7 +112,7 @@ def where(there: "BoolArray", one: "float | Array", other: "Array") -> "Array": 
 def where(there: "BoolArray", one: "complex | ComplexArray", other: "ComplexArray") -> "ComplexArray": ...
 def where(there: "BoolArray", one: "complex | Array | ComplexArray", other: "Array | ComplexArray") -> "Array | ComplexArray":
     """An array of the elements of `one` where `there` is true, and those of `other` elsewhere: both only as long as they are needed."""
-    if hasattr(one, "lanes") or hasattr(other, "lanes"):  # of many designs
+    if has_lanes(one, other):  # of many designs
         from .lanes import scattered
 
         return cast("Array", scattered(there, one, other))
@@ -135,7 +136,7 @@ def elements(x: "Array") -> tuple[float, ...]: ...
 def elements(x: "ComplexArray") -> tuple[complex, ...]: ...
 def elements(x: "Array | ComplexArray") -> tuple[complex, ...]:
     """The elements of an array of one dimension as Python numbers, each with its link."""
-    if hasattr(x, "lanes"):
+    if has_lanes(x):
         return tuple(x)
     links = getattr(x, "parts", ()) or (link_of(x),) * len(x)
     return tuple(map(linked, x.tolist(), links))

@@ -4,6 +4,8 @@
 from collections.abc import Callable, Mapping
 from typing import Never, ParamSpec, TypeVar, cast
 
+import numpy as np
+
 from .errors import Cancelled, NoSolution
 from .step import Outcome
 from .text import Text
@@ -70,21 +72,23 @@ class Parts:
 def _same(known: tuple[object, ...], arguments: tuple[object, ...]) -> bool:
     """Inputs are compared by value, results by identity (they hold arrays), records that are put together for a call part by part."""
     try:
-        return len(known) == len(arguments) and all(a is b or bool(a == b) or _alike(a, b) for a, b in zip(known, arguments))
+        return len(known) == len(arguments) and all(a is b or bool(a == b) or alike(a, b) for a, b in zip(known, arguments))
     except ValueError:
         return False
 
 
-def _alike(a: object, b: object) -> bool:
+def alike(a: object, b: object) -> bool:
     """Two records of the same parts.  A number is the same where its line is: nothing that is kept leads back to lines of before."""
     if a is b:
         return True
-    if type(a) is not type(b) or getattr(a, "link", None) != getattr(b, "link", None):
+    if type(a) is not type(b) or callable(a) or getattr(a, "link", None) != getattr(b, "link", None):
         return False
+    if isinstance(a, np.ndarray) and isinstance(b, np.ndarray):
+        return np.array_equal(a, b)
     if isinstance(a, dict) and isinstance(b, dict):
-        return a.keys() == b.keys() and all(_alike(part, b[key]) for key, part in a.items())
+        return a.keys() == b.keys() and all(alike(part, b[key]) for key, part in a.items())
     if isinstance(a, tuple) and isinstance(b, tuple):
-        return len(a) == len(b) and all(_alike(one, other) for one, other in zip(a, b))
+        return len(a) == len(b) and all(alike(one, other) for one, other in zip(a, b))
     if type(a).__eq__ is object.__eq__:
-        return hasattr(a, "__dict__") and _alike(vars(a), vars(b))
+        return hasattr(a, "__dict__") and alike(vars(a), vars(b))
     return bool(a == b)

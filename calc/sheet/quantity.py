@@ -11,6 +11,7 @@ from dataclasses import MISSING, Field, dataclass, field, fields
 from functools import cache
 from typing import Any, TypedDict, TypeVar, Unpack, dataclass_transform
 
+from .arrays import has_lanes
 from .record import record
 from .text import EMPTY, SPACE, Amount, Text
 from .units import UNITS, Unit
@@ -323,6 +324,6 @@ def published(result: object, prefix: str, formerly: str = "", wanted: frozenset
 
 def _published(id: str, about: Described, inside: float, former: str = "") -> Published:
     unit = UNITS[about.unit]
-    several = hasattr(inside, "lanes") or bool(getattr(inside, "ndim", 0))  # many designs at once
+    several = has_lanes(inside) or bool(getattr(inside, "ndim", 0))  # many designs at once
     shown = unit.all_shown(inside) if several else unit.shown(float(inside))
     return Published(id, shown, about.unit, about.label, about.symbol, inside, former)

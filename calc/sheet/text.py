@@ -15,6 +15,7 @@ language finds again; the fields that hold sentences are annotated `Text`, so th
 from collections.abc import Iterable, Mapping
 from typing import TypeVar
 
+from .arrays import has_lanes
 from .number import DIGITS, short
 
 T = TypeVar("T", bound="Text")
@@ -31,7 +32,7 @@ class Amount:
 
     def written(self) -> str:
         """The number in English, without its unit; of many designs nobody reads it."""
-        if hasattr(self.number, "lanes"):
+        if has_lanes(self.number):
             return "…"
         if not self.form:
             return short(self.number, self.digits)

@@ -6,6 +6,7 @@ digits is solved design by design.
 """
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import replace
 from typing import Any, ParamSpec, TypeVar
 
@@ -26,49 +27,44 @@ P = ParamSpec("P")
 R = TypeVar("R")
 FEW = 8  # designs, which are as quick one by one
 LAST_DIGITS = 1e-7  # of a limit: so near to it a verdict hangs on digits in which one design and many may differ
+FAILS: tuple[type[Exception], ...] = (Exception,)  # what many at once may fail at: each alone has its result, or says what is wrong
 Pass = tuple[list[int], dict[str, Outcome[Any]], Singly]  # the places of the designs, and what is done of them
 
 
 class _Parts(Parts):
-    """Calls the parts of a pass; `done`: what they gave before some of the designs went another way, in the midst of the next part with
-    `singly`."""
+    """Calls the parts of a pass; `done`: what they gave before some of the designs went another way."""
 
-    def __init__(self, done: dict[str, Outcome[Any]], singly: Singly) -> None:
+    def __init__(self, done: dict[str, Outcome[Any]]) -> None:
         super().__init__(TITLES, {}, stop=bool, enough=None)
-        self.done, self.next, self.singly = done, singly, Singly()
+        self.done = done
 
     def __call__(self, key: str, function: Callable[P, Outcome[R]], /, *args: P.args, **kwargs: P.kwargs) -> Outcome[R]:
         name = f"{key}.{function.__name__}"
         if name not in self.done:
-            self.singly, self.next = self.next, Singly()
-            with designs_abreast(self.singly):
-                self.done[name] = together_or_singly(function)(*args, **kwargs)
-            self.singly = Singly()
+            self.done[name] = together_or_singly(function)(*args, **kwargs)
         return self.done[name]
 
 
 def passes(designs: Sequence[Design], *, compared: bool) -> Iterator[tuple[list[int], dict[str, Outcome[Any]] | None]]:
     """The places of designs that went one way, with what the steps gave them as lanes; None: they are to be solved one by one."""
-    waiting: list[Pass] = [(list(range(len(designs))), {}, Singly())]
+    waiting: list[Pass] = [(list(range(len(designs))), {}, Singly([{}] * len(designs)))]
     while waiting:
         some, done, singly = waiting.pop()
-        part = _Parts(done, singly)
         if len(some) <= FEW:
             yield some, None
             continue
         try:
-            with designs_abreast(), recorded(False), np.errstate(divide="raise", over="raise", invalid="raise"):
-                outcomes = steps(part, abreast([designs[n] for n in some]), compared)
+            with designs_abreast(singly), recorded(False), np.errstate(divide="raise", over="raise", invalid="raise"):
+                outcomes = steps(_Parts(done), abreast([designs[n] for n in some]), compared)
         except Diverged as apart:
             for which in (apart.some, ~apart.some):
                 places = [n for n, one in zip(some, which) if one]
                 given = {name: some_lanes(outcome, which) for name, outcome in done.items()}
-                waiting.append((places, given, part.singly.some(which)))
-            continue
-        except Exception:  # whatever many at once fail at: each alone has its result, or says what is wrong
+                waiting.append((places, given, singly.some(which)))
+        except FAILS:
             yield some, None
-            continue
-        yield some, outcomes
+        else:
+            yield some, outcomes
 
 
 def solved(
@@ -77,25 +73,24 @@ def solved(
     """The rows of designs; `alone` solves the one at a place, `compared` as `calc.solve.solve` has it."""
     rows: dict[int, Solved] = {}
     for some, outcomes in passes(designs, compared=compared):
-        if outcomes is not None and not any(outcome.reason for outcome in outcomes.values() if outcome.state != "not_asked"):
-            rows |= zip(some, _rows(outcomes, len(some), step, wanted))
-        for n in some:
-            if n not in rows or rows[n].reason:
-                rows[n] = alone(n)
+        if outcomes is not None:
+            with suppress(*FAILS):
+                rows |= {n: row for n, row in zip(some, _rows(outcomes, len(some), step, wanted)) if row is not None}
+        rows |= {n: alone(n) for n in some if n not in rows}
     return [rows[n] for n in range(len(designs))]
 
 
-def _rows(outcomes: Mapping[str, Outcome[Any]], count: int, step: str | None, wanted: frozenset[str]) -> Iterator[Solved]:
-    """One for each lane, with a reason where it has to be solved alone."""
+def _rows(outcomes: Mapping[str, Outcome[Any]], count: int, step: str | None, wanted: frozenset[str]) -> Iterator[Solved | None]:
+    """One for each lane; None where it has to be solved alone, to say what stands in words or on which side of a limit it is."""
     asked = [outcome for key, outcome in outcomes.items() if step in (None, key) and outcome.state != "not_asked"]
     values = [(v.id, _cells(v.shown), v.unit) for outcome in asked for v in outcome.values(wanted)]
-    near, verdicts = np.zeros(count, dtype=bool), {}
+    near, verdicts = np.full(count, any(outcome.reason for outcome in asked)), {}
     for outcome in asked:
         verdicts[outcome.key], close = _verdicts(outcome, count)
         near |= close
     for k in range(count):
         cells = {id: (numbers[k] if type(numbers) is list else numbers, unit) for id, numbers, unit in values}
-        yield Solved(cells, {key: of[k] for key, of in verdicts.items()}, "near a limit" if near[k] else "")
+        yield None if near[k] else Solved(cells, {key: of[k] for key, of in verdicts.items()})
 
 
 def _cells(shown: Any) -> Any:
@@ -116,7 +111,8 @@ def _verdicts(outcome: Outcome[Any], count: int) -> tuple[Sequence[str], BoolArr
             continue
         margins = _margins(check)
         near |= (np.abs(margins) < LAST_DIGITS) | (np.abs(margins - THIN_MARGIN) < LAST_DIGITS)
-        kinds = np.searchsorted((0.0, THIN_MARGIN), margins)  # passed over, kept narrowly, kept: a verdict each
+        # passed over, kept narrowly, kept, each at a limit of 0 or another: a verdict each
+        kinds = 2 * np.searchsorted((0.0, THIN_MARGIN), margins) + (_data(_limits(check)[-1]) == 0)
         if (kinds == kinds[0]).all():
             same.append(_one(check, 0))
         else:
@@ -131,9 +127,13 @@ def _limits(check: Check) -> tuple[Any, ...]:
     return limits
 
 
+def _data(x: Any) -> Any:
+    return np.asarray(x.data if type(x) is Lanes else x)
+
+
 def _margins(check: Check) -> Array:
     """`Check.margin` of each design; a value that is no number is passed over."""
-    value, *limits = (np.asarray(x.data if type(x) is Lanes else x) for x in (check.value, *_limits(check)))
+    value, *limits = map(_data, (check.value, *_limits(check)))
     signs = (1.0, -1.0) if len(limits) == 2 else (1.0,) if check.sense in (">=", ">") else (-1.0,)
     gaps = [(sign * (value - limit), np.where(limit == 0, 1.0, np.abs(limit))) for sign, limit in zip(signs, limits)]
     gap, size = gaps[0]

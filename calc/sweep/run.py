@@ -25,7 +25,7 @@ from .table import Swept, in_memory
 from .together import together, vectorised
 
 ABREAST, TOGETHER = 256, 2000  # designs of a chunk at most: as lanes through all steps, and the imbalance on arrays
-CHUNKS = 4  # at least, where there are so many designs: for processes to share
+CHUNKS, LEAST = 8, 48  # chunks at least, for processes to share, where each has so many designs
 BESIDE = COMPARED | {"source", "model_spread"}  # of an id: a value that judges nothing
 WORTH = 200  # designs from which a second process gains more than its start costs
 Told = Callable[[int], None]  # designs that are done, those that were kept with them
@@ -47,7 +47,7 @@ class Sweep:
     @property
     def size(self) -> int:
         """Designs of a chunk, which hang on the sweep alone and not on the machine."""
-        return max(1, min(TOGETHER if self.on_arrays else ABREAST, -(-self.plan.count // CHUNKS)))
+        return min(TOGETHER if self.on_arrays else ABREAST, max(LEAST, -(-self.plan.count // CHUNKS)))
 
 
 def swept(

@@ -21,7 +21,7 @@ from typing import Any, overload
 import numpy as np
 
 from ...sheet.abreast import point_by_point
-from ...sheet.arrays import Array, IndexArray
+from ...sheet.arrays import Array, IndexArray, has_lanes
 from ...sheet.text import Amount, Text
 from .nodes import (
     SLACK,
@@ -62,7 +62,7 @@ def film_at(
 
     Outside the table: `FilmRangeError`, or with outside="nan" a nan at the points concerned.
     """
-    if hasattr(eccentricity, "lanes") or hasattr(length_ratio, "lanes"):
+    if has_lanes(eccentricity, length_ratio):
         return _of_many_designs(_film_array, eccentricity, length_ratio, outside)  # type: ignore[no-any-return]
     if _scalar(eccentricity) and _scalar(length_ratio):
         return _film_scalar(float(eccentricity), float(length_ratio), outside)
@@ -79,7 +79,7 @@ def film_slopes(
     eccentricity: float | Array, length_ratio: float | Array, *, outside: Outside = "raise"
 ) -> tuple[float | Array, float | Array]:  # fmt: skip
     """d ln So/dε and dφ/dε of the table at constant l/d, rad: how load and its direction answer to a displaced journal."""
-    if hasattr(eccentricity, "lanes") or hasattr(length_ratio, "lanes"):
+    if has_lanes(eccentricity, length_ratio):
         return _of_many_designs(_slopes_array, eccentricity, length_ratio, outside)  # type: ignore[no-any-return]
     load, attitude = _slopes_array(*_many(eccentricity, length_ratio), outside)
     return (float(load), float(attitude)) if load.ndim == 0 else (load, attitude)
@@ -97,7 +97,7 @@ def eccentricity_from(sommerfeld: float | Array, length_ratio: float | Array, *,
     Newton's method within one cell of the table, never leaving the bracket.  Arrays are broadcast; two scalars give a float.
     Outside the table: `FilmRangeError`, or with outside="nan" a nan at the points concerned.
     """
-    if hasattr(sommerfeld, "lanes") or hasattr(length_ratio, "lanes"):
+    if has_lanes(sommerfeld, length_ratio):
         return _of_many_designs(_eccentricity_array, sommerfeld, length_ratio, outside)  # type: ignore[no-any-return]
     if _scalar(sommerfeld) and _scalar(length_ratio):
         return _eccentricity_scalar(float(sommerfeld), float(length_ratio), outside)
@@ -120,7 +120,7 @@ def _of_many_designs(function: Callable[..., Any], first: Any, second: Any, outs
 
     found: Any = point_by_point(lambda *numbers: function(*_many(*numbers), "nan"))(first, second)
     if outside == "raise":
-        parted(found if hasattr(found, "lanes") else found[0] if isinstance(found, tuple) else found.eccentricity)
+        parted(found if has_lanes(found) else found[0] if isinstance(found, tuple) else found.eccentricity)
     return found
 
 

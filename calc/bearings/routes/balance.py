@@ -16,7 +16,7 @@ import numpy as np
 from ...lubricant import State
 from ...root import root
 from ...sheet.abreast import design_by_design, mapped, mapped_arrays
-from ...sheet.arrays import Array, IndexArray, each, many
+from ...sheet.arrays import Array, IndexArray, each, has_lanes, many
 from ...sheet.errors import NoSolution, text_of
 from ...sheet.text import Amount, Text
 from ...sheet.trace import untraced
@@ -199,7 +199,7 @@ def settled(seat: BearingCase, duty: OperatingPoint, *, warm: bool = True, hotte
 def _designs(seat: BearingCase, duty: OperatingPoint) -> int | None:
     """Of how many designs the numbers are (`calc.sheet.lanes`); None: of one."""
     parts = (*_numbers(seat, duty), *vars(duty).values(), *_further(seat))
-    return next((part.lanes for part in parts if hasattr(part, "lanes")), None)
+    return next((part.lanes for part in parts if has_lanes(part)), None)
 
 
 def _settled_of_many(seat: BearingCase, duty: OperatingPoint, count: int, *, warm: bool, hottest: float, tolerance: float) -> Film:

@@ -162,7 +162,7 @@ class Case:
     source_surfaces: Surfaces
     warming: Warming
     estimated: bool  # whether the temperature of the teeth is `warming`'s
-    last: list["tuple[tuple[object, ...], Lost]"] = field(default_factory=list, repr=False)  # of what was asked last, untraced: the answer
+    last: list["tuple[tuple[bool, Number], Watt, Lost]"] = field(default_factory=list, init=False, repr=False)  # asked untraced
 
     def rubbing(self, by_regime: bool) -> Surfaces:
         return self.surfaces if by_regime else self.source_surfaces
@@ -329,10 +329,12 @@ def _lost(c: Case, P: Watt, by_regime: bool, exponent: Number) -> Lost:
     """Sliding and rolling with teeth of the oil's temperature T_m; where no lines are wanted, what was asked last is known."""
     if recorder.get() is not None:
         return _found(c, P, by_regime, exponent)
-    asked = c.oil, by_regime, exponent, P
-    if not c.last or not (c.last[0][0][:3] == asked[:3] and np.array_equal(c.last[0][0][3], P)):  # type: ignore[arg-type]
-        c.last[:] = [(asked, _found(c, P, by_regime, exponent))]
-    return c.last[0][1]
+    for how, power, found in c.last:
+        if how == (by_regime, exponent) and np.array_equal(power, P):
+            return found
+    found = _found(c, P, by_regime, exponent)
+    c.last[:] = [((by_regime, exponent), P, found)]
+    return found
 
 
 def _found(c: Case, P: Watt, by_regime: bool, exponent: Number) -> Lost:

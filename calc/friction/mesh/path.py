@@ -22,7 +22,7 @@ import numpy as np
 
 from ...contact.line import approach_contact_ratio, pitch_point, recess_contact_ratio, sole_contact_begins, sole_contact_ends
 from ...sheet.abreast import design_by_design
-from ...sheet.arrays import Array, IndexArray, each, many, one
+from ...sheet.arrays import Array, IndexArray, each, has_lanes, many, one
 from ...sheet.errors import NoSolution
 from ...sheet.formula import formula
 from ...sheet.functions import acos, cos, largest, pi, sin, sqrt, tan
@@ -43,7 +43,7 @@ AGMA = Text("AGMA 925-A03")
 
 def array(x: Array | float) -> float:
     """The one door by which arrays enter the formulas, which are typed float → float."""
-    return cast(float, x if hasattr(x, "lanes") else np.asanyarray(x, dtype=np.float64))
+    return cast(float, x if has_lanes(x) else np.asanyarray(x, dtype=np.float64))
 
 
 # --- the line of action ----------------------------------------------------------------------------------------------------

@@ -51,12 +51,13 @@ def test_an_operator_works_lane_by_lane_whichever_side_has_lanes(name, rows):
 
 
 @pytest.mark.parametrize("function", [
-    np.sqrt, np.exp, np.abs, np.max, np.sum, np.argmax, np.cumsum, np.diff, np.sort, np.ravel, np.isfinite,
+    np.sqrt, np.exp, np.abs, np.max, np.sum, np.argmax, np.diff, np.isfinite, np.add.reduce,
     lambda x: np.where(x > 0, x, THREE), lambda x: np.clip(x, -1.0, 2.0), lambda x: np.concatenate([x, THREE]), lambda x: np.stack([x, THREE], 1),
     lambda x: np.append(x, x[0]), lambda x: np.any(x > 1), lambda x: np.interp([0.5, 1.5], [0.0, 1.0, 2.0], x), lambda x: np.fft.rfft(x),
     lambda x: x[1], lambda x: x[::-1], lambda x: x[..., None] * THREE, lambda x: largest(x, 0.5), lambda x: smallest(x, THREE),
     lambda x: argument(x + 1j * THREE), lambda x: resultant(x + 1j * THREE), lambda x: element(x, np.argmin(x)), lambda x: element(THREE, np.argmax(x)),
-    lambda x: one(np.max(x)), lambda x: sqrt(np.sum(x * x)), lambda x: np.select([x > 1, x < 0], [x, THREE], 7.0), lambda x: abs(x), lambda x: -x,
+    lambda x: one(np.max(x)), lambda x: sqrt(np.sum(x * x)), lambda x: abs(x), lambda x: -x, lambda x: np.add.reduce(x[:, None] * THREE),
+    lambda x: np.tile(x, 2),
 ])  # fmt: skip
 @given(rows=ROWS)
 def test_a_function_of_points_works_lane_by_lane(function, rows):
@@ -65,7 +66,18 @@ def test_a_function_of_points_works_lane_by_lane(function, rows):
 
 
 def test_points_and_lanes_are_told_apart_also_where_there_are_as_many():
-    same(Lanes(np.array([10.0, 20.0, 30.0])) + THREE, [10.0 + THREE, 20.0 + THREE, 30.0 + THREE])
+    three = Lanes(np.array([10.0, 20.0, 30.0]))
+    alone = [10.0 + THREE, 20.0 + THREE, 30.0 + THREE]
+    same(three + THREE, alone)
+    same(three + tuple(THREE), alone)
+    same(tuple(THREE) + three, alone)
+    same(np.add(three, list(THREE)), alone)
+    same(np.where(three > 0, three, list(THREE)), [np.where(True, x, THREE) for x in (10.0, 20.0, 30.0)])
+
+
+def test_steps_between_two_numbers():
+    found = np.linspace(Lanes(np.array([1.0, 2.0])), 5.0, 3)
+    assert found.data == pytest.approx(np.array([[1.0, 3.0, 5.0], [2.0, 3.5, 5.0]]), rel=1e-15)
 
 
 def test_a_condition_is_one_thing_in_all_lanes_or_the_designs_go_apart():
@@ -81,7 +93,9 @@ def test_a_condition_is_one_thing_in_all_lanes_or_the_designs_go_apart():
 
 @pytest.mark.parametrize("spoil", [
     float, complex, np.asarray, hash, lambda x: np.array([x, 1.0]), lambda x: {x: 1}, lambda x: np.linalg.norm(x), lambda x: len(x), list,
-    lambda x: bool(x * THREE > 0), lambda x: np.exp(x, out=np.empty(2)),
+    lambda x: bool(x * THREE > 0), lambda x: np.exp(x, out=np.empty(2)), lambda x: np.sum(x, -1), lambda x: np.max(x, 0), range,
+    lambda x: np.argmin(x[..., None] * THREE[None, :]), lambda x: np.diff(x[..., None] * THREE[None, :]),
+    lambda x: (x * THREE[:2, None] * THREE[:2]) @ (x * THREE[:2, None] * THREE[:2]), lambda x: np.cumsum(x * THREE),
 ])  # fmt: skip
 def test_what_lanes_can_not_be_is_an_error(spoil):
     with pytest.raises(TypeError):
@@ -128,7 +142,16 @@ def test_what_is_the_same_stays_what_it_is():
     assert abreast([Part(size=3.0), Part(size=3.0)]).size == 3.0
 
 
-@pytest.mark.parametrize("other", [Part(size=1.0, name="b"), Part(size=1.0, points=2.0), Part(size=1.0, points=(1.0,)), Part(size=None)])
+@pytest.mark.parametrize(
+    "other",
+    [
+        Part(size=1.0, name="b"),
+        Part(size=1.0, points=2.0),
+        Part(size=1.0, points=(1.0,)),
+        Part(size=None),
+        Part(size=1.0, points=Text("x")),
+    ],
+)
 def test_records_that_differ_in_more_than_numbers_go_apart(other):
     with pytest.raises(Diverged) as apart:
         abreast([Part(size=1.0), other, Part(size=2.0)])
@@ -146,6 +169,9 @@ def test_what_a_design_makes_of_its_own_numbers_can_not_be_asked_of_many():
     with pytest.raises(TypeError):
         list(abreast([Later(lambda: (1,)), Later(lambda: (2,))]))
     assert abreast([max, max]) is max
+    for pair in ([max, None], [None, max], [Text("x"), None], [None, Text("x")], [Text(""), Text("x")]):
+        with pytest.raises(Diverged):
+            abreast(pair)
 
 
 def test_a_search_is_made_for_each_design_and_known_when_they_go_apart():
@@ -156,13 +182,15 @@ def test_a_search_is_made_for_each_design_and_known_when_they_go_apart():
         calls.append(part.size)
         return None if part.size > 2 else part.size + start
 
-    parts, singly = abreast([Part(size=1.0), Part(size=2.0), Part(size=3.0)]), Singly()
+    parts, singly = abreast([Part(size=1.0), Part(size=2.0), Part(size=3.0)]), Singly([{}] * 3)
     with designs_abreast(singly), pytest.raises(Diverged) as apart:
         searched(parts, 0.5)
     assert calls == [1.0, 2.0, 3.0]
     with designs_abreast(singly.some(apart.value.some)):
         same(searched(some_lanes(parts, apart.value.some), 0.5), [1.5, 2.5])
-    assert len(calls) == 3 and searched(Part(size=1.0), 0.5) == 1.5
+        assert len(calls) == 3
+        same(searched(some_lanes(parts, apart.value.some), 1.5), [2.5, 3.5])  # another question is another answer
+    assert len(calls) == 5 and searched(Part(size=1.0), 0.5) == 1.5
 
 
 def test_a_design_of_many_without_a_solution_goes_apart():
@@ -170,11 +198,12 @@ def test_a_design_of_many_without_a_solution_goes_apart():
     def solved(x: float) -> float:
         if x > 1:
             raise NoSolution(Text("too large"), Text(""), Text(""))
-        return x
+        return 1 / x
 
-    with designs_abreast():
-        with pytest.raises(Diverged):
-            solved(Lanes(np.array([1.0, 2.0])))
+    with designs_abreast(Singly([{}] * 2)):
+        for numbers in ([1.0, 2.0], [1.0, 0.0], [0.0, 2.0]):
+            with pytest.raises(Diverged):
+                solved(Lanes(np.array(numbers)))
         with pytest.raises(NoSolution, match="too large"):
             solved(Lanes(np.array([3.0, 2.0])))
 
@@ -184,7 +213,7 @@ def test_what_fails_with_lanes_is_called_for_each_design():
     def rounded(x: float) -> float:
         return float(x)
 
-    with designs_abreast():
+    with designs_abreast(Singly([{}] * 2)):
         same(rounded(Lanes(np.array([1.0, 2.0]))), [1.0, 2.0])
     with pytest.raises(TypeError):
         rounded(Lanes(np.array([1.0, 2.0])))
@@ -198,7 +227,7 @@ def test_points_of_many_designs_are_more_points():
         seen.append(np.shape(x))
         return 2 * np.asarray(x)
 
-    with designs_abreast():
+    with designs_abreast(Singly([{}] * 2)):
         same(doubled(Lanes(np.array([[1.0, 2.0], [3.0, 4.0]]))), [[2.0, 4.0], [6.0, 8.0]])
     assert seen == [(2, 2)] and doubled(THREE).tolist() == (2 * THREE).tolist()
 

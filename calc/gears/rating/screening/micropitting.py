@@ -9,7 +9,7 @@ ISO/TS 6336-22:2018).
 import numpy as np
 
 from ....contact import teeth
-from ....sheet.arrays import Array, element, many
+from ....sheet.arrays import Array, element, has_lanes, many
 from ....sheet.formula import formula
 from ....sheet.functions import cos, modulus, pi, power, sqrt
 from ....sheet.linked_array import gathered
@@ -127,7 +127,7 @@ def film(path: Path, load: Load, oil: OilBath, a: Metre, b: Metre, d: Metre, z: 
         return Film(mu_m=warm.mu_m, T_M=warm.T_M, place="", h=None, p_dyn=None, lam=None, along=None)
     along = many(thickness)
     least = np.argmin(along[: len(marks)])
-    if hasattr(least, "lanes"):  # of many designs, each with its own place
+    if has_lanes(least):  # of many designs, each with its own place
         place, rho = "", element(gathered(marks.values()), least)
     else:
         place = list(marks)[least]

@@ -9,7 +9,7 @@ DIN 3990-4 and in part 2, on the safe side.
 import numpy as np
 
 from ....contact.hertz import half_width
-from ....sheet.arrays import Array, each, element, many, one
+from ....sheet.arrays import Array, each, element, has_lanes, many, one
 from ....sheet.formula import formula
 from ....sheet.functions import cos, largest, modulus, power, sin, smallest, sqrt
 from ....sheet.record import record
@@ -87,7 +87,7 @@ def flash_temperature(
 @formula("Θ_flm", Text("{iso} (24): mean flash temperature", iso=ISO),
     shows="mean of Θ_fl along the path of contact, from A to E")  # fmt: skip
 def mean_flash_temperature(T_fl: Kelvin, rho_1: Metre) -> Kelvin:
-    flash, place = (many(x) if hasattr(x, "lanes") else np.asarray(x) for x in (T_fl, rho_1))
+    flash, place = (many(x) if has_lanes(x) else np.asarray(x) for x in (T_fl, rho_1))
     area = np.sum((flash[1:] + flash[:-1]) * np.diff(place), -1) / 2
     mean: float = one(area / (place[-1] - place[0]))
     return mean
