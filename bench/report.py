@@ -30,7 +30,7 @@ for face in FACES:
 curves = pickle.load(open(sys.argv[1], "rb"))
 canvas = reportlab.pdfgen.canvas.Canvas(io.BytesIO())
 for curve in curves:
-    plot(Plots(language("en")), Pen(canvas, {}, {}), curve, 50.0, 50.0, 240.0, 170.0)
+    plot(Plots(language("en")), curve, 240.0, 170.0).place(Pen(canvas, {}, {}), 0.0, 50.0)
     canvas.showPage()
 canvas.save()
 """
