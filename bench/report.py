@@ -5,7 +5,7 @@ python bench/report.py [DESIGN] [ROUNDS]
 
 The script is timed as anybody would write it, and once more without collection of garbage, which the report does without too.  The
 runs take turns, so that a slower moment of the machine hits all of them; a ratio is the median of those of the single turns.
-We aim at: engineer under 2.5 s, and at most 1.6 × the script; under 1 MB; a formula under 2 ms.
+We aim at: engineer under 2.0 s, and at most 1.4 × the script; under 1 MB; a formula under 2 ms.
 """
 
 import subprocess
