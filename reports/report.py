@@ -123,9 +123,10 @@ def context_of(document: Document, results: Results, raw: bytes, *, depth: str, 
 
 def blocks(context: Context, progress: Progress | None = None) -> list[Block]:
     """Everything that the report holds, in its order."""
-    if context.depth == "summary":
-        return closing_blocks(context, mended(context), summary_blocks(context))
     nearest = aside(partial(mended, context))
+    if context.depth == "summary":
+        summary = summary_blocks(context)
+        return closing_blocks(context, nearest(), summary)
     entries: list[Entry] = []
     body: list[Block] = []
     plots = Plots(context.say)
