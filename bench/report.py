@@ -5,7 +5,7 @@ python bench/report.py [DESIGN] [ROUNDS]
 
 The script is timed as anybody would write it, and once more without collection of garbage, which the report does without too.  The
 runs take turns, so that a slower moment of the machine hits all of them; a ratio is the median of those of the single turns.
-We aim at: engineer under 2.5 s, and at most 1.6 × the script; under 1 MB; a formula under 2 ms.
+We aim at: engineer under 2.0 s, and at most 1.4 × the script; under 1 MB; a formula under 2 ms.
 """
 
 import subprocess
@@ -30,7 +30,7 @@ for face in FACES:
 curves = pickle.load(open(sys.argv[1], "rb"))
 canvas = reportlab.pdfgen.canvas.Canvas(io.BytesIO())
 for curve in curves:
-    plot(Plots(language("en")), Pen(canvas, {}, {}), curve, 50.0, 50.0, 240.0, 170.0)
+    plot(Plots(language("en")), curve, 240.0, 170.0).place(Pen(canvas, {}, {}), 0.0, 50.0)
     canvas.showPage()
 canvas.save()
 """

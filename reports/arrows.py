@@ -15,6 +15,7 @@ from .prose import Style, run
 
 if TYPE_CHECKING:
     from .pen import Pen
+    from .recording import Recorder
 
 ARROW: Colour = (0.15, 0.15, 0.15)
 THICK = 0.9
@@ -66,8 +67,8 @@ def head(tail: Point, tip: Point) -> tuple[Point, list[Point]]:
     return (x, y), [tip, (x - wide * uy, y + wide * ux), (x + wide * uy, y - wide * ux)]
 
 
-def draw_arrows(pen: Pen, axes: Any, drawn: list[Arrow], colours: dict[str, Colour], x: float, y: float) -> None:
-    """Add the arrows to axes whose limits are settled, and put their numbers on the page; (x, y): the figure's corner there."""
+def draw_arrows(frame: Recorder, axes: Any, drawn: list[Arrow], colours: dict[str, Colour]) -> None:
+    """Add the arrows to axes whose limits are settled, and put their numbers beside them."""
     from matplotlib.patches import Polygon
     from matplotlib.transforms import IdentityTransform
 
@@ -83,7 +84,7 @@ def draw_arrows(pen: Pen, axes: Any, drawn: list[Arrow], colours: dict[str, Colo
         box = run(str(arrow.number), NUMBER)
         a, b = _free(tail, tip, ends, taken, axes.bbox)
         taken.append((a, b))
-        pen.put(box, x + a - box.width / 2 - LEFT, y + b - 0.36 * NUMBER.size)
+        frame.put(box, a - box.width / 2, b - 0.36 * NUMBER.size)
 
 
 def _place(axes: Any, vector: complex) -> Point:

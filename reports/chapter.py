@@ -13,10 +13,8 @@ from calc.sheet.text import Amount, Text
 
 from .checks import counted, name_of, shown_value, sign_cell
 from .context import Context
-from .figures import figure_blocks
 from .flow import Block, bullet, paragraph
 from .inputs import input_blocks
-from .plots import Plots
 from .proof import proofs
 from .proof_blocks import proof_blocks
 from .prose import BODY, NOTE
@@ -31,9 +29,8 @@ LONG = ("not_verified", "accepted", "outside")
 Parts = tuple[tuple[str, Callable[[], list[Block]]], ...]
 
 
-def chapter_parts(context: Context, number: int, step: Step, outcome: Outcome[object], plots: Plots) -> Parts:
+def chapter_parts(context: Context, number: int, step: Step, outcome: Outcome[object], figures: list[Block]) -> Parts:
     """The parts of a chapter in their order, each by the word that heads it."""
-    w = context.words
     proven = {check.id for proof in proofs(context, outcome.checks) for check in proof.checks}
     values = [value for value in outcome.values() if is_key_value(value.id)]
     parts: Parts = (
@@ -41,7 +38,7 @@ def chapter_parts(context: Context, number: int, step: Step, outcome: Outcome[ob
         ("proofs", lambda: proof_blocks(context, number, step, outcome)),
         ("kept_checks", lambda: kept_blocks(context, [check for check in outcome.checks if check.holds and check.id not in proven])),
         ("key_values", lambda: value_blocks(context, outcome, values)),
-        ("figures", lambda: figure_blocks(context.number(outcome), w["figure"], plots, wide=True)),
+        ("figures", lambda: figures),
         ("tables", lambda: table_blocks(context, [t for t in outcome.tables if t.id in TABLES])),
         ("inputs", lambda: input_blocks(context, step)),
         ("notes", lambda: [block for note in outcome.notes for block in bullet(note, NOTE, gap=0.7)]),

@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 from typing import Any
-from xml.sax.saxutils import escape
 
 from reportlab.pdfbase.pdfdoc import PDFArray, PDFDictionary, PDFName, PDFStream, PDFString, PDFZCompress
 
@@ -23,6 +22,7 @@ XMP = """<?xpacket begin="\ufeff" id="W5M0MpCehiHzreSzNTczkc9d"?>
 ONE = '<dc:{0}><rdf:Alt><rdf:li xml:lang="x-default">{1}</rdf:li></rdf:Alt></dc:{0}>'
 LISTED = "<dc:{0}><rdf:{2}><rdf:li>{1}</rdf:li></rdf:{2}></dc:{0}>"
 PLAIN = "<{0}>{1}</{0}>"
+ESCAPED = str.maketrans({"&": "&amp;", "<": "&lt;", ">": "&gt;"})  # xml.sax.saxutils would load the whole of urllib for it
 
 
 def archive(document: Any, tree: Tree, lang: str) -> None:
@@ -45,7 +45,7 @@ def xmp(info: Any, lang: str) -> bytes:
         (ONE, "title", info.title), (LISTED, "creator", info.author), (ONE, "description", info.subject), (LISTED, "language", lang),
         (PLAIN, "pdf:Keywords", info.keywords), (PLAIN, "pdf:Producer", info.producer), (PLAIN, "xmp:CreatorTool", info.creator),
     ]  # fmt: skip
-    made = [form.format(name, escape(words), "Seq" if name == "creator" else "Bag") for form, name, words in said if words]
+    made = [form.format(name, words.translate(ESCAPED), "Seq" if name == "creator" else "Bag") for form, name, words in said if words]
     return XMP.format(part=PART, level=LEVEL, said="\n".join(made)).encode()
 
 

@@ -38,6 +38,7 @@ class Context:
     drive: Picked | None = None  # of the front that the design is one drive of
     figures: int = 0
     chapter: str = ""  # key of the step whose chapter is being made
+    ranges: set[str] = field(default_factory=set)  # chapters that say how a long list of numbers is written
     symbols: dict[tuple[str, str], Symbol] = field(default_factory=dict)  # of each chapter, as they are set
     labels: dict[tuple[str, str], str] = field(default_factory=dict)  # chapter and symbol → what the value or input is called
     sources: dict[str, list[str]] = field(default_factory=dict)  # source, as the formula or check has it → titles of the steps that use it

@@ -18,7 +18,7 @@ def derivation(context: Context, step: Step, traced: list[Line]) -> list[Block]:
     """The blocks of the formulas of a step."""
     if not traced:
         return []
-    made = paragraph(context.words["substitution"], NOTE, gap=1.0, keep=True)
+    made = paragraph(f"{context.words['substitution']} {context.words['ranges']}", NOTE, gap=1.0, keep=True)
     labels = {about: Label(*context.say.halves(about)) for about in dict.fromkeys(line.about for line in traced)}
     for about, entries in _runs([(labels[line.about], line) for line in traced]):
         if about:

@@ -20,7 +20,15 @@ from .values import table_blocks
 BINDING = 6  # limits with the least margins
 
 
-def drive_blocks(context: Context, one: Picked, plots: Plots) -> list[Block]:
+def front_figure(context: Context, one: Picked, plots: Plots) -> list[Block]:
+    """Where the drive stands on its front, if that is one of power and mass."""
+    if "power" not in one.names or "mass" not in one.names or len(one.line("mass", "power")) <= 1:
+        return []
+    context.figures += 1
+    return figure_blocks([(context.figures, _curve(one))], context.words["figure"], plots)
+
+
+def drive_blocks(context: Context, one: Picked, figure: list[Block]) -> list[Block]:
     """Everything of the chapter below its title."""
     say = context.say
     proof = proof_of(one.proved, one.combinations, one.done, one.classes)
@@ -29,9 +37,7 @@ def drive_blocks(context: Context, one: Picked, plots: Plots) -> list[Block]:
     made = paragraph(say(intro), BODY)
     made += heading(say(Text("What was varied")), SECTION, gap=8.5, after=1.0)
     made += [block for line in ranges(one.sizes, one.choices) for block in bullet(say(line))]
-    if "power" in one.names and "mass" in one.names and len(one.line("mass", "power")) > 1:
-        context.figures += 1
-        made += figure_blocks([(context.figures, _curve(one))], context.words["figure"], plots)
+    made += figure
     made += table_blocks(context, _said(context, [_neighbours(one), *_costs(one)]))
     binding = _binding(context, one)
     if binding:

@@ -9,6 +9,7 @@ of many lines stand beside each other.
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import partial
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -20,7 +21,7 @@ from .content import Picture
 from .flow import Block
 from .legend import draw_legend, legend
 from .line_labels import at_the_ends, margin
-from .paper import LEFT, WIDTH
+from .paper import WIDTH
 from .plots import (
     ALONE,
     HIGH,
@@ -119,7 +120,6 @@ class _Figure:
     """One figure with its legend and caption, laid out before anything is drawn."""
 
     def __init__(self, number: str, curve: Curve, word: str, plots: Plots, width: float) -> None:
-        self.curve, self.plots, self.width = curve, plots, width
         self.title = f"{word} {number}. {curve.title}"
         self.tag = Tag(FIGURE, alt=f"{self.title}. {in_words(curve, plots)}")
         self.caption = lines(self.title, STRONG, width - LEFT_AXIS, 3)
@@ -134,6 +134,8 @@ class _Figure:
         self.lying = Lying(curve, width, plots) if lies(curve) else None
         if self.lying is not None:
             self.axes = self.lying.height
+        else:
+            self.recording = plots.ahead.ask(partial(plot, plots, curve, self.wide, self.axes + LOW + HIGH, self.look))
 
     @property
     def legend_height(self) -> float:
@@ -155,7 +157,6 @@ class _Figure:
         if self.lying is not None:
             self.lying.draw(pen, x, low)
         else:
-            height = self.axes + LOW + HIGH
-            pen.figure(lambda: plot(self.plots, pen, self.curve, LEFT + x, low, self.wide, height, self.look))
+            self.recording().place(pen, x, low)
         for i, line in enumerate(self.caption):
             pen.put(line, x + LEFT_AXIS, low - (i + 0.78) * STRONG.leading)

@@ -18,12 +18,13 @@ from .labels import crossed, meet
 from .plots import LETTER, RIGHT_AXIS, Plots, limit_words, limits, numbers, series_label, y_unit
 from .prose import Style, lines
 
-OVER, UNDER = 0.76 * LETTER.size, 0.2 * LETTER.size  # what letters take over and under their base line
+OVER, UNDER = 0.72 * LETTER.size, 0.24 * LETTER.size  # what letters take over and under their base line
 WIDEST = 150.0  # of a name
 ASIDE = 14.0  # from the axes to the names on their right
 NEAR = 6.0  # a value so near to a line could be taken for a name of it
 VALUE = Style(LETTER.size, LETTER.leading, BOLD)
-COVERED, CROSSED, CLOSE = 20.0, 10.0, 3.0  # costs
+COVERED, CROSSED, CLOSE, FAR = 20.0, 10.0, 3.0, 0.5  # costs: over the mark, for each line across, near one, for each point further off
+BESIDE, REACH = 12.0, 30.0  # from the mark to a value beside it, and to the farthest place for one
 
 Placed = tuple[Box, float, float]
 
@@ -41,26 +42,37 @@ def at_the_ends(axes: Any, curve: Curve, plots: Plots) -> list[Placed]:
 
 
 def at_the_point(axes: Any, curve: Curve, plots: Plots) -> list[Placed]:
-    """What the curve is where the design stands, beside the mark of it: not outside, not over the mark, not across a line if it can."""
+    """What the curve is where the design stands, beside the mark of it: not outside, not over the mark, not across a line if it can.
+
+    Where it lies across a line at every place beside the mark, it goes further off, to where it crosses fewest.
+    """
     if curve.point is None or not all(map(isfinite, curve.point)):
         return []
-    x, y = axes.transData.transform(curve.point).tolist()
+    x, y = map(float, axes.transData.transform(curve.point))
     frame = axes.bbox
     box = lines(f"{plots.short(curve.point[1])} {y_unit(curve)}".strip(), VALUE, frame.width / 2, 1)[0]
-    spots = [(x + dx - (box.width if dx < 0 else 0), y + dy) for dx in (-7.0, 7.0) for dy in (5.0, -0.36 * LETTER.size, -10.0)]
-    spots += [(x - box.width / 2, y + dy) for dy in (8.0, -14.0)]
-    spots = [(a, b) for a, b in spots if frame.x0 <= a <= frame.x1 + 8.0 - box.width and frame.y0 + UNDER <= b <= frame.y1 + 1.0 - OVER]
-    pieces = np.concatenate([np.column_stack([path[:-1], path[1:]]) for path in _paths(axes, curve, curve.series)])
-    pieces = pieces[np.isfinite(pieces).all(axis=1)]
+    paths = [np.column_stack([path[:-1], path[1:]]) for path in _paths(axes, curve, curve.series)]
+    pieces = [path[np.isfinite(path).all(axis=1)] for path in paths]
 
     def cost(spot: tuple[float, float]) -> float:
         a, b = spot
         words = a, b - UNDER, a + box.width, b + OVER
         around = a, b - UNDER - NEAR, a + box.width, b + OVER + NEAR
         over = COVERED * meet(words, (x - 4, y - 4, x + 4, y + 4))
-        return over + (CROSSED if crossed(words, pieces) else CLOSE * crossed(around, pieces))
+        across = sum(crossed(words, some) for some in pieces)
+        near = CROSSED * across or CLOSE * any(crossed(around, some) for some in pieces)
+        return over + near + FAR * max(abs(b + 0.36 * LETTER.size - y) - BESIDE, 0.0)
 
-    return [(box, *min(spots, key=cost))] if spots else []
+    def best(spots: Iterable[tuple[float, float]]) -> tuple[float, float] | None:
+        right, top = frame.x1 + 8.0 - box.width, frame.y1 + 1.0 - OVER
+        return min(((a, b) for a, b in spots if frame.x0 <= a <= right and frame.y0 + UNDER <= b <= top), key=cost, default=None)
+
+    sides, middle = (x - 7.0 - box.width, x + 7.0), x - box.width / 2
+    beside = [(a, y + dy) for a in sides for dy in (5.0, -0.36 * LETTER.size, -10.0)] + [(middle, y + dy) for dy in (8.0, -14.0)]
+    spot = best(beside)
+    if spot is not None and cost(spot) >= CROSSED:
+        spot = best([spot, *((a, y + dy) for a in (*sides, middle) for dy in np.arange(-REACH, REACH).tolist())])
+    return [(box, *spot)] if spot is not None else []
 
 
 def _paths(axes: Any, curve: Curve, some: Iterable[Series]) -> list[Any]:

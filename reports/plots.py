@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from math import isfinite
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
@@ -17,11 +17,8 @@ from calc.sheet.step import Curve, Series
 from .arrows import Arrow, arrows, draw_arrows
 from .boxes import BLACK, Box, Colour
 from .fonts import clean
-from .paper import LEFT
 from .prose import Style, broken, lines, run
-
-if TYPE_CHECKING:
-    from .pen import Pen
+from .recording import Ahead, Recorder, Recording
 
 # Okabe and Ito's palette, in an order whose greys differ, each with its own pattern (lengths in points).
 LINES: tuple[tuple[Colour, tuple[float, ...], float], ...] = (
@@ -135,6 +132,7 @@ class Plots:
     def __init__(self, say: Language) -> None:
         self.made: dict[tuple[float, float, float, bool, bool], Any] = {}
         self.number = say.number
+        self.ahead = Ahead()
 
     def short(self, value: float) -> str:
         return self.number(short(value))
@@ -200,11 +198,11 @@ class Look:
 ALONE = Look()
 
 
-def plot(plots: Plots, pen: Pen, curve: Curve, x: float, y: float, width: float, height: float, look: Look = ALONE) -> None:
-    """Draw a curve into a rectangle of the page."""
-    from .renderer import PageRenderer
+def plot(plots: Plots, curve: Curve, width: float, height: float, look: Look = ALONE) -> Recording:
+    """Draw a curve into a frame of this size."""
+    from .renderer import LineRenderer
 
-    axes = plots.axes(width, height, curve, look.right)
+    axes, frame = plots.axes(width, height, curve, look.right), Recorder()
     drawn = filled(axes, curve)
     if look.ends is not None:
         axes.set_xlim(look.ends)
@@ -214,13 +212,12 @@ def plot(plots: Plots, pen: Pen, curve: Curve, x: float, y: float, width: float,
         axes.set_ylim(low - more, high + more)
     named = look.named(axes, curve, plots) if look.named is not None else []
     if drawn:
-        draw_arrows(pen, axes, drawn, _variant_colours(curve), x, y)
-    renderer = PageRenderer(pen.canvas, x, y, width, height)
-    axes.figure.draw(renderer)
-    renderer.finish()
-    _letter(plots, pen, axes, curve, x - LEFT, y, look)
+        draw_arrows(frame, axes, drawn, _variant_colours(curve))
+    axes.figure.draw(LineRenderer(frame.code, width, height))
+    _letter(plots, frame, axes, curve, look)
     for box, a, b in named:
-        pen.put(box, x - LEFT + a, y + b)
+        frame.put(box, a, b)
+    return frame.recording
 
 
 def filled(axes: Any, curve: Curve) -> list[Arrow]:
@@ -323,36 +320,36 @@ def hatching(i: int, x: float, y: float, width: float, height: float) -> list[li
     return made
 
 
-def _letter(plots: Plots, pen: Pen, axes: Any, curve: Curve, x: float, y: float, look: Look) -> None:
+def _letter(plots: Plots, frame: Recorder, axes: Any, curve: Curve, look: Look) -> None:
     """The numbers and names of the axes; of one in a stack the name of y lies over it."""
-    frame = axes.bbox
+    inside = axes.bbox
     (low_x, high_x), (low_y, high_y) = sorted(axes.get_xlim()), sorted(axes.get_ylim())
     ticks = _seen(axes.yaxis.get_majorticklocs(), low_y, high_y)
     for value, words in zip(ticks, tick_words(ticks)):
         box = run(plots.number(words), NUMBER)
         at = axes.transData.transform((low_x, value))[1]
-        pen.put(box, x + frame.x0 - TICK - 2.0 - box.width, y + at - 0.36 * NUMBER.size)
+        frame.put(box, inside.x0 - TICK - 2.0 - box.width, at - 0.36 * NUMBER.size)
     if look.ends is not None:
-        pen.put(fitted(curve.y_label, frame.width), x + frame.x0, y + frame.y1 + 2.5)
+        frame.put(fitted(curve.y_label, inside.width), inside.x0, inside.y1 + 2.5)
     else:
-        room = frame.height + frame.y0
+        room = inside.height + inside.y0
         for n, name in enumerate(lines(curve.y_label, LETTER, room, 2)):
-            at = frame.y0 + (frame.height - name.width) / 2
-            pen.turn(name, x + 7.0 + n * 0.95 * LETTER.size, y + min(max(at, 0.0), room - name.width))
+            at = inside.y0 + (inside.height - name.width) / 2
+            frame.turn(name, 7.0 + n * 0.95 * LETTER.size, min(max(at, 0.0), room - name.width))
     if not look.lowest:
         return
-    down, end = y + frame.y0 - TICK - 0.85 * NUMBER.size, -1.0
+    down, end = inside.y0 - TICK - 0.85 * NUMBER.size, -1.0
     ticks = _seen(axes.xaxis.get_majorticklocs(), low_x, high_x)
     for value, words in zip(ticks, tick_words(ticks)):
         box = run(plots.number(words), NUMBER)
         at = axes.transData.transform((value, low_y))[0] - box.width / 2
         if at > end:
-            pen.put(box, x + min(at, axes.figure.bbox.width - box.width), down)
+            frame.put(box, min(at, axes.figure.bbox.width - box.width), down)
             end = at + box.width + 3.0
     whole = axes.figure.bbox.width
     name = fitted(curve.x_label, whole)
-    at = min(frame.x0 + (frame.width - name.width) / 2, whole - name.width)
-    pen.put(name, x + max(at, 0.0), down - 1.3 * LETTER.size)
+    at = min(inside.x0 + (inside.width - name.width) / 2, whole - name.width)
+    frame.put(name, max(at, 0.0), down - 1.3 * LETTER.size)
 
 
 def _seen(ticks: Any, low: float, high: float) -> list[float]:

@@ -24,7 +24,8 @@ MOST = 60  # letters that are quoted of what is covered
 NUMBER = rb"-?[\d.]{1,30}"
 TOKEN = re.compile(
     rb"(?P<matrix>(?:" + NUMBER + rb" ){6})Tm|/(?P<font>\S{1,60}) (?P<size>[\d.]{1,30}) Tf|<(?P<codes>[0-9a-fA-F]*)> Tj"
-    rb"|/(?P<role>\w{1,60}) (?:<<(?:[^<>]|<[^<>]*>)*>> BDC|BMC)|(?P<end>EMC)|(?P<image>(?:" + NUMBER + rb" ){6})cm"
+    rb"|/(?P<role>\w{1,60}) (?:<<(?:[^<>]|<[^<>]*>)*>> BDC|BMC)|(?P<end>EMC)"
+    rb"|1 0 0 1 (?P<frame>(?:" + NUMBER + rb" ){2})cm|(?P<image>(?:" + NUMBER + rb" ){6})cm"
     rb"|(?P<area>(?:" + NUMBER + rb" ){4})re\b|(?P<points>(?:" + NUMBER + rb" ){2,6})[mlc]\b",
     re.S,
 )  # fmt: skip
@@ -51,6 +52,7 @@ def printed(pdf: Pdf, page: Any) -> Iterator[tuple[Rectangle, str]]:
     matrix, x, size, font = (1.0, 0.0, 0.0, 1.0, 0.0, 0.0), 0.0, 0.0, ""
     roles: list[str] = []
     drawn: list[tuple[float, float]] = []
+    origin: tuple[float, ...] = (0.0, 0.0)  # of what is drawn in a frame of its own
     for token in TOKEN.finditer(contents(pdf, page)):
         if token["matrix"]:
             matrix, x = _six(token["matrix"]), 0.0
@@ -72,8 +74,11 @@ def printed(pdf: Pdf, page: Any) -> Iterator[tuple[Rectangle, str]]:
                 xs, ys = zip(*drawn)
                 yield (min(xs), min(ys), max(xs), max(ys)), WHOLE[role]
                 drawn = []
+            origin = 0.0, 0.0
+        elif token["frame"]:
+            origin = tuple(map(float, token["frame"].split()))
         elif FIGURE in roles:
-            drawn += _corners(token)
+            drawn += [(a + origin[0], b + origin[1]) for a, b in _corners(token)]
 
 
 def contents(pdf: Pdf, page: Any) -> bytes:

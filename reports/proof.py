@@ -11,6 +11,8 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from math import prod
 
+import numpy as np
+
 from calc.explain import needs
 from calc.key_values import PROVEN, PROVEN_WHERE
 from calc.sheet.check import Check, severity
@@ -18,6 +20,7 @@ from calc.sheet.expression import governing, result, symbol_of
 from calc.sheet.rules import pattern_of
 from calc.sheet.text import Text, with_unit
 from calc.sheet.trace import Line
+from calc.sheet.value import link_of
 
 from .context import Context, near
 from .equation import Entry, Label, Place
@@ -185,13 +188,26 @@ def _inputs(roots: Sequence[tuple[Line | str, ...]], shown: list[Line]) -> list[
 
 
 def _place(context: Context, shown: list[Line]) -> Place | None:
-    """The element of arrays that is followed: the one that governs the number which is judged, named by where it lies."""
-    index = governing(shown[0])
-    shape: tuple[int, ...] = getattr(shown[0].value, "shape", ())
+    """The element of arrays that is followed: the one that governs the number which is judged, or that it is made from; named by where it
+    lies."""
+    line, index = shown[0], governing(shown[0])
+    if index is None:
+        line, index = _taken(line) or (line, None)
+    shape: tuple[int, ...] = getattr(line.value, "shape", ())
     if index is None or prod(shape) < 2:
         return None
-    for line in _followed(shown[:1]):
-        if line.formula.symbol in COORDINATES and getattr(line.value, "shape", ()) == shape:
-            number, unit = result(line, index)
-            return Place(index, f"({line.formula.symbol} = {with_unit(context.say.number(number), unit)})")
+    for one in _followed([line]):
+        if one.formula.symbol in COORDINATES and getattr(one.value, "shape", ()) == shape:
+            number, unit = result(one, index)
+            return Place(index, f"({one.formula.symbol} = {with_unit(context.say.number(number), unit)})")
     return Place(index, context.say(Text("(place {number} of {size})", number=index[-1] + 1, size=shape[-1])))
+
+
+def _taken(line: Line) -> tuple[Line, tuple[int, ...]] | None:
+    """The array of which a line takes one number, and which of its elements that is: the frequency of one mode among the squares of all."""
+    for value in line.arguments.values():
+        source = link_of(value)
+        if isinstance(source, Line) and isinstance(value, float) and isinstance(source.value, np.ndarray):
+            for index in np.argwhere(source.value == value).tolist():
+                return source, tuple(index)
+    return None

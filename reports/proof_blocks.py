@@ -12,14 +12,16 @@ from calc.addresses import value_at
 from calc.explain import shortened
 from calc.sheet.check import Check
 from calc.sheet.errors import BadInput
+from calc.sheet.number import RANGE
 from calc.sheet.step import Outcome, Step
 from calc.sheet.text import Amount, Text
 from calc.sheet.units import UNITS
 
 from .boxes import Colour
 from .checks import name_of, shown_value, sign_style
+from .content import Formula
 from .context import Context
-from .equation import SIGN, column_of_signs, entry_blocks
+from .equation import SIGN, column_of_signs, entry_blocks, spoken_numbers
 from .flow import Block, paragraph
 from .inputs import exact
 from .paper import WIDTH
@@ -164,11 +166,19 @@ def _walked(context: Context, step: Step, walk: Walk, *, quoting: bool = True) -
         made += entry_blocks(entry, source, sign if entry in several else SIGN, labelled=entry in several, context=context, gap=CLOSE)
     if made and quoting and (walk.quoted or walk.inputs):
         made[-1] = replace(made[-1], keep=True)
+    if context.chapter not in context.ranges and any(map(_ranges, made)):
+        context.ranges.add(context.chapter)
+        made += _line(context, "ranges")
     if quoting and walk.quoted:
         made += _listed(context, "with_values", walk.quoted)
     if quoting and walk.inputs:
         made += _listed(context, "from_inputs", [_given(context, key) for key in _together(shortened(walk.inputs, context.design))])
     return made
+
+
+def _ranges(block: Block) -> bool:
+    """Whether long lists stand in a formula's numbers, by their ends."""
+    return isinstance(block.content, Formula) and any(RANGE in spoken_numbers(line) for _, line in block.content.lines)
 
 
 def _listed(context: Context, key: str, words: list[str]) -> list[Block]:

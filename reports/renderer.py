@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""matplotlib drawn straight on a page.
+"""matplotlib drawn straight as the operators of PDF.
 
-A `RendererBase` of matplotlib that writes the operators of PDF for what our figures consist of: lines and areas.  No conversion by
-way of another file, the same bytes every time.
+A `RendererBase` of matplotlib for what our figures consist of: lines and areas.  No conversion by way of another file, the same bytes every
+time.
 """
 
 from typing import Any
@@ -10,22 +10,17 @@ from typing import Any
 import numpy as np
 from matplotlib.backend_bases import GraphicsContextBase, RendererBase
 from matplotlib.path import Path
-from matplotlib.transforms import Affine2D
-from reportlab.pdfgen.canvas import Canvas
 
 CAPS = {"butt": 0, "round": 1, "projecting": 2}
 JOINS = {"miter": 0, "round": 1, "bevel": 2}
 
 
-class PageRenderer(RendererBase):
-    """Draws one figure of this size with its lower left corner at (x, y) of the page; one pixel is one point."""
+class LineRenderer(RendererBase):
+    """Draws one figure of this size into `code`, from its lower left corner; one pixel is one point."""
 
-    def __init__(self, canvas: Canvas, x: float, y: float, width: float, height: float) -> None:
+    def __init__(self, code: list[str], width: float, height: float) -> None:
         super().__init__()
-        self.canvas, self.width, self.height = canvas, width, height
-        self.at = Affine2D().translate(x, y)
-        self.x, self.y = x, y
-        self.code: list[str] = []
+        self.code, self.width, self.height = code, width, height
 
     def get_canvas_width_height(self) -> tuple[float, float]:
         return self.width, self.height
@@ -47,7 +42,7 @@ class PageRenderer(RendererBase):
         self.code.append("q")
         if (clip := gc.get_clip_rectangle()) is not None:
             x, y, w, h = clip.bounds
-            self.code.append(f"{self.x + x:.2f} {self.y + y:.2f} {w:.2f} {h:.2f} re W n")
+            self.code.append(f"{x:.2f} {y:.2f} {w:.2f} {h:.2f} re W n")
         if stroke:
             offset, dashes = gc.get_dashes()
             pattern = " ".join(f"{d:.2f}" for d in np.atleast_1d(dashes).tolist()) if dashes is not None else ""
@@ -58,7 +53,7 @@ class PageRenderer(RendererBase):
         self.code += [drawn, {(True, True): "B", (True, False): "S", (False, True): "f"}[stroke, fill], "Q"]
 
     def _path(self, path: Path, transform: Any, *, simplify: bool) -> str:
-        clean = path.cleaned(transform=transform + self.at, remove_nans=True, simplify=simplify)
+        clean = path.cleaned(transform=transform, remove_nans=True, simplify=simplify)
         points, codes = np.asarray(clean.vertices).tolist(), np.asarray(clean.codes).tolist()
         made: list[str] = []
         i = 0
@@ -87,10 +82,6 @@ class PageRenderer(RendererBase):
 
     def draw_text(self, gc: GraphicsContextBase, x: float, y: float, s: str, *args: Any, **kwargs: Any) -> None:
         raise NotImplementedError("the page sets the text of a figure, in the report's own letters")
-
-    def finish(self) -> None:
-        """Put what was drawn on the page."""
-        self.canvas._code.append("\n".join(["q", *self.code, "Q"]))
 
 
 def _rgb(colour: Any) -> str:

@@ -51,7 +51,7 @@ from .words import verdict
 LISTED = ("inputs", "notes", "formulas", "results", "tables", "checks", "figures")
 CHAPTERS = ("verdicts_of", "proofs", "kept_checks", "key_values", "figures", "inputs")
 NEED = 0.15 * PAGE[1]  # a step begins on a new page unless so much is left
-
+Pictures = tuple[list[Block], list[Block]]  # of a step: its sketch, and its figures
 
 # How far the report is when its steps are solved whole, and when all that it holds is there and only the pages are to be written
 WHOLE, MADE, WRITTEN = 0.06, 0.55, 0.98
@@ -123,24 +123,29 @@ def context_of(document: Document, results: Results, raw: bytes, *, depth: str, 
 
 def blocks(context: Context, progress: Progress | None = None) -> list[Block]:
     """Everything that the report holds, in its order."""
-    if context.depth == "summary":
-        return closing_blocks(context, mended(context), summary_blocks(context))
     nearest = aside(partial(mended, context))
-    summary = summary_blocks(context)
+    if context.depth == "summary":
+        summary = summary_blocks(context)
+        return closing_blocks(context, nearest(), summary)
     entries: list[Entry] = []
     body: list[Block] = []
     plots = Plots(context.say)
     steps = [one for one in context.steps() if context.audit or one[2].state != "not_asked"]
+    pictures = [_pictures(context, step, outcome, plots) for _, step, outcome in steps]
+    if context.drive is not None:
+        from .drive import drive_blocks, front_figure  # of one design in a hundred
+
+        front = front_figure(context, context.drive, plots)
+    plots.ahead.begin()
+    summary = summary_blocks(context)
     for n, (number, step, outcome) in enumerate(steps):
         done = part(progress, n / len(steps), (n + 1) / len(steps))
-        body += _step(context, number, step, outcome, entries, plots, done)
+        body += _step(context, number, step, outcome, entries, pictures[n], done)
     w = context.words
     number = 1 + max((number for number, _, _ in steps), default=0)
     if context.drive is not None:
-        from .drive import drive_blocks  # of one design in a hundred
-
         body += _section(f"{number}  {w['drive']}", "drive", entries, need=120.0)
-        body += drive_blocks(context, context.drive, plots)
+        body += drive_blocks(context, context.drive, front)
         number += 1
     if materials := material_blocks(context) + wheel_blocks(context):
         body += _section(f"{number}  {w['materials']}", "materials", entries, need=120.0)
@@ -181,9 +186,16 @@ def _section(title: str, anchor: str, entries: list[Entry], *, need: float) -> l
     return heading(title, HEADING, gap=18.0, after=3.0, anchor=anchor, outline=0, need=need, ruled=True)
 
 
+def _pictures(context: Context, step: Step, outcome: Outcome[object], plots: Plots) -> Pictures:
+    """The sketch of a step, and its figures: made before all else, so that they are drawn meanwhile."""
+    sketch = sketch_figure(context, step, outcome)
+    return sketch, figure_blocks(context.number(outcome), context.words["figure"], plots, wide=not context.audit)
+
+
 def _step(
-    context: Context, number: int, step: Step, outcome: Outcome[object], entries: list[Entry], plots: Plots, progress: Progress | None
-) -> list[Block]:
+    context: Context, number: int, step: Step, outcome: Outcome[object], entries: list[Entry], pictures: Pictures,
+    progress: Progress | None,
+) -> list[Block]:  # fmt: skip
     """One step with its parts; or why there is nothing to show."""
     w = context.words
     asked = outcome.state != "not_asked"
@@ -202,9 +214,12 @@ def _step(
         context.cite(source, step)
     for erratum in original.errata:
         context.cite(erratum.source, step)
-    if not context.audit:
-        made += sketch_figure(context, step, outcome)
-    parts = _everything(context, step, outcome, plots) if context.audit else chapter_parts(context, number, step, outcome, plots)
+    sketch, figures = pictures
+    if context.audit:
+        parts = _everything(context, step, outcome, sketch + figures)
+    else:
+        made += sketch
+        parts = chapter_parts(context, number, step, outcome, figures)
     for n, (key, make) in enumerate(parts):
         tell(progress, n / len(parts), f"{title}: {w[key]}")
         if section := make():
@@ -219,7 +234,7 @@ def _step(
     return made
 
 
-def _everything(context: Context, step: Step, outcome: Outcome[object], plots: Plots) -> Parts:
+def _everything(context: Context, step: Step, outcome: Outcome[object], figures: list[Block]) -> Parts:
     """The parts of a step's chapter in the audit report."""
     return (
         ("inputs", lambda: input_blocks(context, step)),
@@ -229,9 +244,6 @@ def _everything(context: Context, step: Step, outcome: Outcome[object], plots: P
         ("proposals", lambda: [block for proposal in outcome.proposals for block in bullet(proposal)]),
         ("tables", lambda: table_blocks(context, outcome.tables)),
         ("checks", lambda: check_blocks(context, outcome.checks)),
-        (
-            "figures",
-            lambda: sketch_figure(context, step, outcome) + figure_blocks(context.number(outcome), context.words["figure"], plots),
-        ),
+        ("figures", lambda: figures),
         ("errata", lambda: errata_blocks(context, outcome.errata)),
     )

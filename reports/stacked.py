@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
@@ -46,23 +47,22 @@ class Stack:
         self.ends = (float(xs.min()), float(xs.max())) if xs.size else (0.0, 1.0)
         self.under = len(self.caption) * STRONG.leading
         self.height = sum(map(_height, curves)) + LOW + self.under
+        looks = [Look(at_the_point, ends=self.ends, lowest=curve is curves[-1]) for curve in curves]
+        self.panels = [
+            None if curve.loads else plots.ahead.ask(partial(plot, plots, curve, WIDTH, LOW + PANEL + HIGH, look))
+            for curve, look in zip(curves, looks)
+        ]
 
     def draw(self, pen: Pen, x: float, y: float) -> None:
-        for n, curve in enumerate(self.curves):
+        for curve, panel in zip(self.curves, self.panels):
             named = x + LEFT_AXIS + run(curve.y_label, LETTER).width + 14.0
             if sum(bool(series.label) for series in curve.series) > 1 and not curve.loads:
                 draw_legend(pen, legend(curve, x + WIDTH - named, self.plots), named, y - NAME - HIGH + 2.5)
             y -= _height(curve)
-            lowest = n == len(self.curves) - 1
-            if curve.loads:
+            if panel is None:
                 self._sketch(pen, curve, x, y + SKETCH / 2)
             else:
-                look = Look(at_the_point, ends=self.ends, lowest=lowest)
-
-                def draw(curve: Curve = curve, low: float = y - LOW, look: Look = look) -> None:
-                    plot(self.plots, pen, curve, LEFT + x, low, WIDTH, LOW + PANEL + HIGH, look)
-
-                pen.figure(draw)
+                panel().place(pen, x, y - LOW)
         for i, line in enumerate(self.caption):
             pen.put(line, x + LEFT_AXIS, y - LOW - (i + 0.78) * STRONG.leading)
 

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from math import isfinite
+from math import ceil, floor, isfinite, log10
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -41,6 +41,7 @@ THICK = 3.9  # of a bar, in points
 ASIDE = 5.0  # between the names and the axes
 MOST = 0.36  # share of the width that the names take; what is longer wraps
 TALLEST = 520.0  # of all rows: more of them are drawn smaller
+STEPS = 8  # from number to number along the axis, at most
 SEEN = 0.05  # points: a bar that is less is none
 GRID: Colour = (0.87, 0.87, 0.87)
 
@@ -130,10 +131,11 @@ def _range(curve: Curve) -> tuple[float, float]:
 
 
 def _ticks(least: float, most: float) -> list[float]:
-    from matplotlib.ticker import MaxNLocator
-
-    found = MaxNLocator(8, steps=[1, 2, 2.5, 5, 10]).tick_values(least, most)
-    return [float(v) for v in found if least - 1e-9 <= v <= most + 1e-9]
+    """Round numbers along an axis, at most as many steps as it has room for."""
+    wanted = (most - least) / STEPS
+    power = 10.0 ** floor(log10(wanted))
+    step = next(step for step in (power, 2 * power, 2.5 * power, 5 * power, 10 * power) if step >= wanted * (1 - 1e-9))
+    return [n * step for n in range(ceil(least / step - 1e-9), floor(most / step + 1e-9) + 1)]
 
 
 def _bar(pen: Pen, i: int, corners: tuple[float, float, float, float]) -> None:

@@ -30,6 +30,7 @@ WORDS: dict[str, Text] = {
         "Numbers are substituted in SI units (m, kg, s, N, Pa, W; angles in rad, temperatures in °C); a vector in the plane is "
         "written length∠angle. The result stands in the unit given."
     ),
+    "ranges": Text("(a … b: n) stands for n values, a the first and b the last of them."),
     "limit_is": Text("Limit {limit}: {source}."), "also_judged": Text("Also judged: {checks}."),
     "no_formula": Text("The number comes from a solution, or from inputs, and from no one formula."),
     "more_twins": Text("{count} more"), "used": Text("used {share}"),

@@ -27,15 +27,16 @@ from ..sheet.units import (
 )  # fmt: skip
 
 TABLE_4_1 = Text("Finotti 2013, 4.1 (with ω², not ω as printed there)")
+MASSES = {"m": "m_i", "e": "e_i", "z": "z_i", "gamma": "φ_i"}  # of the shaft; z and φ alone are those of the crank's throws
 
 
-@formula("F_S", TABLE_4_1, names={"gamma": "φ", "omega": "ω_S"})
+@formula("F_S", TABLE_4_1, names=MASSES | {"omega": "ω_S"})
 def shaft_force(omega: RadPerSecond, m: Kilogram, e: Metre, gamma: Radian) -> PhasorNewton:
     """The rotating force that the shaft puts on its supports: what its masses do not balance statically."""
     return omega**2 * resultant(m * e * cis(gamma))
 
 
-@formula("F_i", "dynamics: centrifugal force of each eccentric mass; below zero for what is removed", names={"gamma": "φ", "omega": "ω_S"})
+@formula("F_i", "dynamics: centrifugal force of each eccentric mass; below zero for what is removed", names=MASSES | {"omega": "ω_S"})
 def mass_force(omega: RadPerSecond, m: Kilogram, e: Metre, gamma: Radian) -> PhasorNewton:
     return omega**2 * m * e * cis(gamma)
 
@@ -50,12 +51,12 @@ def widest(d: Metre, c_R: Metre) -> Metre:
     return d / 2 - c_R
 
 
-@formula("C_S", TABLE_4_1, names={"gamma": "φ", "omega": "ω_S"})
+@formula("C_S", TABLE_4_1, names=MASSES | {"omega": "ω_S"})
 def shaft_couple(omega: RadPerSecond, m: Kilogram, e: Metre, z: Metre, gamma: Radian) -> PhasorNewtonMetre:
     return omega**2 * resultant(m * e * z * cis(gamma))
 
 
-@formula("M_i", TABLE_4_1, names={"omega": "ω_S"})
+@formula("M_i", TABLE_4_1, names=MASSES | {"omega": "ω_S"})
 def mass_moment(omega: RadPerSecond, m: Kilogram, e: Metre, z: Metre) -> NewtonMetre:
     """The moment of one mass about mid-shaft.
 
@@ -96,7 +97,7 @@ def static_unbalance(F_S: Newton, omega: RadPerSecond) -> KilogramMetre:
     return F_S / omega**2
 
 
-@formula("Σm", "mathematics: sum of the eccentric masses")
+@formula("Σm", "mathematics: sum of the eccentric masses", names=MASSES)
 def eccentric_mass(m: Kilogram) -> Kilogram:
     return total(m)
 

@@ -21,18 +21,18 @@ class EccentricMass:
     """One eccentric mass of the shaft."""
 
     name: str = text("Name")
-    mass: float = quantity("Mass", "kg", low=0, high=1000, symbol="m", help="Mass of this eccentric part of the shaft.")
-    radius: float = quantity("Radius of its centre of gravity", "mm", low=0, high=1000, symbol="e",
+    mass: float = quantity("Mass", "kg", low=0, high=1000, symbol="m_i", help="Mass of this eccentric part of the shaft.")
+    radius: float = quantity("Radius of its centre of gravity", "mm", low=0, high=1000, symbol="e_i",
         help="Distance of its centre of gravity from the shaft's axis.")  # fmt: skip
-    angle: float = quantity("Angle", "°", low=-720, high=720, symbol="phi", step=1, help=ANGLE)
-    z: float = quantity("Position", "mm", low=-5000, high=5000, symbol="z", help=FROM_MID_SHAFT)
+    angle: float = quantity("Angle", "°", low=-720, high=720, symbol="phi_i", step=1, help=ANGLE)
+    z: float = quantity("Position", "mm", low=-5000, high=5000, symbol="z_i", help=FROM_MID_SHAFT)
 
 
 @inputs
 class Extra(EccentricMass):
     """An element beside the main masses: a hole in a journal (mass below zero), material ahead of the gear."""
 
-    mass: float = quantity("Mass", "kg", low=-1000, high=1000, symbol="m",
+    mass: float = quantity("Mass", "kg", low=-1000, high=1000, symbol="m_i",
         help="Mass of the element; below zero it is removed, as by a hole.")  # fmt: skip
 
 

@@ -103,12 +103,12 @@ def pieces_centre(rho: KilogramPerMetre3, A: SquareMetre, l: Metre, z: Metre, m_
     return rho * resultant(A * l * z) / m_S
 
 
-@formula("m_S", "mathematics: sum over the pieces of the shaft and its further elements", unit="kg")
+@formula("m_S", "mathematics: sum over the pieces of the shaft and its further elements", unit="kg", names={"m": "m_i"})
 def shaft_mass(rho: KilogramPerMetre3, A: SquareMetre, l: Metre, m: Kilogram) -> Kilogram:
     return rho * resultant(A * l) + resultant(m)
 
 
-@formula("z_S", "geometry: centre of gravity of the pieces and the further elements", unit="mm")
+@formula("z_S", "geometry: centre of gravity of the pieces and the further elements", unit="mm", names={"m": "m_i", "z_m": "z_i"})
 def centre(rho: KilogramPerMetre3, A: SquareMetre, l: Metre, z: Metre, m: Kilogram, z_m: Metre, m_S: Kilogram) -> Metre:
     return (rho * resultant(A * l * z) + resultant(m * z_m)) / m_S
 
@@ -118,7 +118,8 @@ def pieces_inertia(rho: KilogramPerMetre3, I_p: Metre4, l: Metre) -> KilogramMet
     return rho * resultant(I_p * l)
 
 
-@formula("J_S", "geometry, moment of inertia about the axis: the pieces, and the further elements as points", unit="kg·mm²")
+@formula("J_S", "geometry, moment of inertia about the axis: the pieces, and the further elements as points", unit="kg·mm²",
+    names={"m": "m_i", "e": "e_i"})  # fmt: skip
 def shaft_inertia(rho: KilogramPerMetre3, I_p: Metre4, l: Metre, m: Kilogram, e: Metre) -> KilogramMetre2:
     return rho * resultant(I_p * l) + resultant(m * e**2)
 

@@ -2,9 +2,10 @@
 """What is assumed and chosen for the geometry of the train, and where its source is wrong."""
 
 import math
+from collections.abc import Iterator
 
 from ..sheet.step import Erratum
-from ..sheet.text import Amount, Text
+from ..sheet.text import COMMA, Amount, Text, plural
 from .inputs import GearsInputs
 from .result import TrainResult
 from .train import Train
@@ -13,14 +14,7 @@ from .train import Train
 def notes(gears: GearsInputs, train: Train, result: TrainResult) -> tuple[Text, ...]:
     """What `settle` chose, what is not given of the backlash, and what holds for all wheels."""
     notes = list(train.notes)
-    for mesh in result.meshes.values():
-        name, thinned = mesh.title, any(result.wheels[w].allowance for w in (mesh.driver, mesh.driven))
-        if not mesh.centre_tolerance and not thinned:
-            notes.append(Text("Mesh {name}: neither tolerance nor allowance is given: its backlash is 0.", name=name))
-        elif not mesh.centre_tolerance:
-            notes.append(Text("Mesh {name}: no tolerance of the centre distance is given: it is taken as exact.", name=name))
-        elif not thinned:
-            notes.append(Text("Mesh {name}: no allowance of the span is given: the teeth are taken without thinning.", name=name))
+    notes += _not_given(result)
     notes.append(Text("backlash_min and backlash_max hold at 20 °C without runout; cold, warm and with runout have values of their own."))
     if gears.ball_diameter is None:
         notes.append(
@@ -28,6 +22,31 @@ def notes(gears: GearsInputs, train: Train, result: TrainResult) -> tuple[Text, 
         )
     notes.append(Text("The standard tip shortening k*·m_n is shown, not applied: only the tip cut that is given shortens a wheel."))
     return tuple(notes)
+
+
+def _not_given(result: TrainResult) -> Iterator[Text]:
+    """What the backlash is without where tolerances or allowances are left out, for all meshes of a kind together."""
+    kinds: dict[tuple[bool, bool], list[str]] = {}
+    for mesh in result.meshes.values():
+        thinned = any(result.wheels[w].allowance for w in (mesh.driver, mesh.driven))
+        kinds.setdefault((bool(mesh.centre_tolerance), thinned), []).append(mesh.title)
+    for (toleranced, thinned), titles in kinds.items():
+        n, pairs = len(titles), COMMA.join(titles)
+        if not toleranced and not thinned:
+            yield plural(
+                "Mesh {pairs}: neither tolerance nor allowance is given: its backlash is 0.",
+                "Meshes {pairs}: neither tolerance nor allowance is given: their backlash is 0.", n=n, pairs=pairs,
+            )  # fmt: skip
+        elif not toleranced:
+            yield plural(
+                "Mesh {pairs}: no tolerance of the centre distance is given: it is taken as exact.",
+                "Meshes {pairs}: no tolerance of the centre distance is given: it is taken as exact.", n=n, pairs=pairs,
+            )  # fmt: skip
+        elif not thinned:
+            yield plural(
+                "Mesh {pairs}: no allowance of the span is given: the teeth are taken without thinning.",
+                "Meshes {pairs}: no allowance of the span is given: the teeth are taken without thinning.", n=n, pairs=pairs,
+            )  # fmt: skip
 
 
 def errata(result: TrainResult) -> tuple[Erratum, ...]:

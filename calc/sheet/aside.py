@@ -27,10 +27,11 @@ def aside(work: Callable[[], T]) -> Callable[[], T]:
         finally:
             os._exit(0)  # nothing of what this process does at its end is the copy's to do
     os.close(writing)
+    answer = open(reading, "rb")  # closed when it is read, or with what is returned: then the copy ends too
 
     def result() -> T:
-        with open(reading, "rb") as file:
-            data = file.read()
+        with answer:
+            data = answer.read()
         os.waitpid(copy, 0)
         try:
             found: T = pickle.loads(data)

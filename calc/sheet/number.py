@@ -65,6 +65,7 @@ def all_rounded(x: object, digits: int) -> object:
 
 
 LISTED = 4  # elements of a list that is written whole
+RANGE = " … "  # between the ends of a longer one
 
 
 def several(values: Iterable[complex], digits: int = DIGITS) -> str:
@@ -73,4 +74,4 @@ def several(values: Iterable[complex], digits: int = DIGITS) -> str:
     dust = DUST * max((abs(v) for v in flat), default=0.0)
     ends = flat if len(flat) <= LISTED else (flat[0], flat[-1])
     written = [scalar(v if abs(v) > dust else 0.0, digits) for v in ends]
-    return f"({'; '.join(written)})" if len(flat) <= LISTED else f"({' … '.join(written)}: {len(flat)})"
+    return f"({'; '.join(written)})" if len(flat) <= LISTED else f"({RANGE.join(written)}: {len(flat)})"

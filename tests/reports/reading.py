@@ -148,7 +148,10 @@ class Shape:
     stroke: str
 
 
-SHAPE = re.compile(rb"(?P<colour>(?:[\d.]+ ){3})(?P<kind>rg|RG)|(?P<x>-?[\d.]+) (?P<y>-?[\d.]+) (?P<to>[ml])\b|\b(?P<paint>[BSf])(?=\s)")
+SHAPE = re.compile(
+    rb"(?P<colour>(?:[\d.]+ ){3})(?P<kind>rg|RG)|(?P<x>-?[\d.]+) (?P<y>-?[\d.]+) (?P<to>[ml])\b|\b(?P<paint>[BSf])(?=\s)"
+    rb"|1 0 0 1 (?P<frame>-?[\d.]+ -?[\d.]+) cm|(?P<end>EMC)"
+)
 
 
 def shapes(pdf: bytes) -> list[Shape]:
@@ -158,13 +161,16 @@ def shapes(pdf: bytes) -> list[Shape]:
         drawn, _, _ = page.get_contents().get_data().partition(b"BT")
         colours = {"rg": "", "RG": ""}
         parts: list[list[tuple[float, float]]] = []
+        left, low = 0.0, 0.0  # of the frame in which it is drawn
         for token in SHAPE.finditer(drawn):
             if token["kind"]:
                 colours[token["kind"].decode()] = token["colour"].decode().strip()
             elif token["to"]:
                 if token["to"] == b"m":
                     parts.append([])
-                parts[-1].append((float(token["x"]), float(token["y"])))
+                parts[-1].append((left + float(token["x"]), low + float(token["y"])))
+            elif token["frame"] or token["end"]:
+                left, low = map(float, (token["frame"] or b"0 0").split())
             else:
                 fill, stroke = (colours[k] if token["paint"] in paints else "" for k, paints in (("rg", b"Bf"), ("RG", b"BS")))
                 if parts:

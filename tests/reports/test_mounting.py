@@ -2,6 +2,7 @@
 """The chapter of the mounts: what the shaft does for the driver, and what the standards do not say, before anything else."""
 
 import io
+import re
 from pathlib import Path
 
 from pypdf import PdfReader
@@ -10,7 +11,10 @@ from assistant.cli import main
 from calc.design_file import load
 from calc.solve import solve
 
-DESIGN = Path(__file__).parents[2] / "designs" / "generating_set_mounting.toml"
+from .reading import solved, spoken
+
+DESIGNS = Path(__file__).parents[2] / "designs"
+DESIGN = DESIGNS / "generating_set_mounting.toml"
 
 
 def test_the_chapter_begins_with_what_is_felt_and_what_the_standards_cover(tmp_path: Path) -> None:
@@ -22,3 +26,10 @@ def test_the_chapter_begins_with_what_is_felt_and_what_the_standards_cover(tmp_p
     places = [chapter.index(str(said).replace(" ", "")) for said in (outcome.reason, *outcome.notes[:3])]
     places += [chapter.index(word) for word in ("Whatisfelt", "Modesoftheengine", "Proofs", "Forcesofthemounts")]
     assert places == sorted(places)
+
+
+def test_the_proof_of_a_frequency_shows_the_square_that_it_is_made_from() -> None:
+    said = spoken(solved((DESIGNS / "twin_mounting.toml").read_bytes()).report())
+    (taken,) = re.findall(r"√([\d.]+)/\(2·π\)", said)
+    (shown,) = re.findall(r"eigenvalues of .* = (\S+) 1/s²", said)
+    assert taken == shown

@@ -121,6 +121,11 @@ def test_every_formula_stands_in_the_audit_and_can_be_copied(example: Solved, au
         assert squeezed(cited(source) or source) in whole
 
 
+def test_a_chapter_says_once_how_a_long_list_is_written(engineer: bytes) -> None:
+    assert len(re.findall(r"\(\S+ … \S+: 17\)", spoken(engineer))) > 1, "the fields of the parts between two centres"
+    assert squeezed(text_of(engineer)).count(squeezed(WORDS["ranges"])) == 1
+
+
 @pytest.mark.parametrize("path", sorted(DESIGNS.glob("*.toml")), ids=lambda path: path.stem)
 def test_what_fails_or_comes_near_its_limit_is_proven(path: Path) -> None:
     """Each such check of each shipped design has its block: its own number, limit, source, the formula behind it, and a remedy."""

@@ -46,22 +46,22 @@ SHARES = ("share_within", "share_drilled_within", "share_too_light", "share_beyo
 SHOWN = 201  # points of the curve
 
 
-@formula("σ_C,m", Text("{propagation}: mass", propagation=PROPAGATION), names={"s": "s_m", "omega": "ω_S"})
+@formula("σ_C,m", Text("{propagation}: mass", propagation=PROPAGATION), names=f.MASSES | {"s": "s_m", "omega": "ω_S"})
 def couple_error_by_mass(omega: RadPerSecond, e: Metre, z: Metre, s: Kilogram) -> NewtonMetre:
     return omega**2 * rss(e * z) * s
 
 
-@formula("σ_C,e", Text("{propagation}: radius", propagation=PROPAGATION), names={"s": "s_e", "omega": "ω_S"})
+@formula("σ_C,e", Text("{propagation}: radius", propagation=PROPAGATION), names=f.MASSES | {"s": "s_e", "omega": "ω_S"})
 def couple_error_by_radius(omega: RadPerSecond, m: Kilogram, z: Metre, s: Metre) -> NewtonMetre:
     return omega**2 * rss(m * z) * s
 
 
-@formula("σ_C,γ", Text("{propagation}: angle", propagation=PROPAGATION), names={"s": "s_γ", "omega": "ω_S"})
+@formula("σ_C,γ", Text("{propagation}: angle", propagation=PROPAGATION), names=f.MASSES | {"s": "s_γ", "omega": "ω_S"})
 def couple_error_by_angle(omega: RadPerSecond, m: Kilogram, e: Metre, z: Metre, s: Radian) -> NewtonMetre:
     return omega**2 * rss(m * e * z) * s
 
 
-@formula("σ_C,z", Text("{propagation}: position", propagation=PROPAGATION), names={"s": "s_z", "omega": "ω_S"})
+@formula("σ_C,z", Text("{propagation}: position", propagation=PROPAGATION), names=f.MASSES | {"s": "s_z", "omega": "ω_S"})
 def couple_error_by_position(omega: RadPerSecond, m: Kilogram, e: Metre, s: Metre) -> NewtonMetre:
     return omega**2 * rss(m * e) * s
 

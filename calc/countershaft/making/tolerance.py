@@ -7,14 +7,14 @@ the outer bearings.
 
 from collections.abc import Iterator
 
-from ...balance_quality import ISO, grade_number, permitted_unbalance
+from ...balance_quality import ISO, grade_number
 from ...sheet.formula import formula
 from ...sheet.functions import largest, modulus, smallest
 from ...sheet.quantity import result, value
 from ...sheet.step import Table
 from ...sheet.text import Text
 from ...sheet.trace import about, untraced
-from ...sheet.units import UNITS, Kilogram, KilogramMetre, Metre, NewtonMetre, Number, RadPerSecond
+from ...sheet.units import UNITS, Kilogram, KilogramMetre, Metre, MetrePerSecond, NewtonMetre, Number, RadPerSecond
 
 PLANES = Text("{iso}, allocation to the tolerance planes", iso=ISO)
 TABLED = ("G2.5", "G6.3", "G16", "G40")
@@ -31,6 +31,11 @@ class ToleranceResult:
     residual_unbalance_permitted_rear: KilogramMetre = value("in the plane of the rear bearing", "g·mm", "U_per,r")
     permitted_couple_error: NewtonMetre = value("Couple of both planes' permitted unbalance, opposed", "N·m", "C_per")
     permitted_couple_error_share: Number | None = value("its share of the required couple", "%", "q_per", default=None)
+
+
+@formula("U_per", Text("{iso}: permissible residual unbalance, from G = e_per·ω", iso=ISO), unit="g·mm", names={"G": "G_Q", "omega": "ω_S"})
+def shaft_unbalance(G: MetrePerSecond, m_S: Kilogram, omega: RadPerSecond) -> KilogramMetre:
+    return G * m_S / omega
 
 
 @formula("q_f", Text("{planes}: share of the front plane, that of the static load of its bearing", planes=PLANES))
@@ -72,7 +77,7 @@ def permitted(grade: str, mass: Kilogram, omega: RadPerSecond, z_S: Metre, z_f: 
     """
     most = MOST_INBOARD if z_f <= z_S <= z_r else MOST_OUTBOARD
     with about(Text("balance quality {grade}", grade=grade)):
-        U = permitted_unbalance(G=grade_number(grade=grade), m_S=mass, omega=omega)
+        U = shaft_unbalance(G=grade_number(grade=grade), m_S=mass, omega=omega)
     with about(Text("balance quality {grade}, front bearing", grade=grade)):
         front = plane_unbalance(U=U, q=lever_front(z_r=z_r, z_S=z_S, z_f=z_f), q_max=most)
     with about(Text("balance quality {grade}, rear bearing", grade=grade)):

@@ -24,6 +24,7 @@ from ...sheet.units import (
     RadPerSecond,
     SquareMetre,
 )  # fmt: skip
+from ..formulas import MASSES
 from .lengths import one
 
 LEAST = Text("mathematics, least mass of two equal opposed sectors, by Lagrange's multiplier on γ·b")
@@ -33,12 +34,12 @@ FACES = Text("geometry, sector with its outer face at the end of the envelope")
 
 
 # --- what is asked of the sectors --------------------------------------------------------------------------------------------
-@formula("ΣU_x", "mathematics: unbalance of the further elements", unit="kg·mm", names={"gamma": "φ"})
+@formula("ΣU_x", "mathematics: unbalance of the further elements", unit="kg·mm", names=MASSES)
 def extra_unbalance(m: Kilogram, e: Metre, gamma: Radian) -> PhasorKilogramMetre:
     return resultant(m * e * cis(gamma))
 
 
-@formula("P_x", "mathematics: unbalance times position of the further elements", unit="kg·mm²", names={"gamma": "φ"})
+@formula("P_x", "mathematics: unbalance times position of the further elements", unit="kg·mm²", names=MASSES)
 def extra_product(m: Kilogram, e: Metre, z: Metre, gamma: Radian) -> PhasorKilogramMetre2:
     return resultant(m * e * z * cis(gamma))
 

@@ -25,6 +25,7 @@ DEFAULT = "case-hardened"
 TABLE_1 = Text("ISO 6336-5:2016, Table 1")
 SURFACE_HARDENED = ("Eh", "IF", "NT(nitr.)", "NV(nitr.)", "NV(nitrocar.)")
 THROUGH_HARDENED = ("St", "V")
+HARDNESS = {"x": "x_H"}  # x in the standard; here that is the profile shift
 MEGAPASCAL = UNITS["MPa"].factor
 
 
@@ -34,12 +35,12 @@ def brinell_hardness(HV: Number) -> Number:
     return 0.95 * HV
 
 
-@formula("σ_Hlim", Text("{table_1}: allowable stress number, contact; x: hardness", table_1=TABLE_1), unit="MPa")
+@formula("σ_Hlim", Text("{table_1}: allowable stress number, contact; x_H: hardness", table_1=TABLE_1), unit="MPa", names=HARDNESS)
 def contact_number(A: Pascal, x: Number, B: Pascal) -> Pascal:
     return A * x + B
 
 
-@formula("σ_Flim", Text("{table_1}: allowable stress number, bending; x: hardness", table_1=TABLE_1), unit="MPa")
+@formula("σ_Flim", Text("{table_1}: allowable stress number, bending; x_H: hardness", table_1=TABLE_1), unit="MPa", names=HARDNESS)
 def bending_number(A: Pascal, x: Number, B: Pascal) -> Pascal:
     return A * x + B
 

@@ -4,9 +4,9 @@
 from collections.abc import Iterable, Iterator, Mapping
 
 from ...sheet.number import short
-from ...sheet.text import Amount, Text
+from ...sheet.text import COMMA, Amount, Text, plural
 from ...sheet.units import NewtonPerMetre, Number
-from ..result import MeshResult, ToothSystem
+from ..result import ToothSystem
 from .classes import classes_of
 from .context import RatingContext
 from .life import LONGEST, endurance, flank_knees, root_knees
@@ -32,12 +32,13 @@ def notes(context: RatingContext, rated: Mapping[str, MeshRating], load: Mapping
                     "factors and no safety. Give gears.wheels.{name}.gear_material{choices}.",
                     name=w.name, material=w.material, choices=Text(" ({usual})", usual=Text(" or ").join(usual)) if usual else "")
             )  # fmt: skip
-    for key, rating in rated.items():
-        mesh = train.meshes[key]
-        if rating.influence is not None:
-            notes += influence_notes(mesh, rating.influence, gears.accuracy_grade)
-        elif not rating.tangential_force:
-            notes.append(Text("Mesh {pair}: no load, so no load factors and no safety.", pair=mesh.title))
+    title = {key: train.meshes[key].title for key in rated}
+    notes += influence_notes({title[key]: one.influence for key, one in rated.items() if one.influence is not None}, gears.accuracy_grade)
+    if idle := [title[key] for key, one in rated.items() if one.influence is None and not one.tangential_force]:
+        notes.append(
+            plural("Mesh {pairs}: no load, so no load factors and no safety.", "Meshes {pairs}: no load, so no load factors and no safety.",
+                n=len(idle), pairs=COMMA.join(idle))
+        )  # fmt: skip
     notes += strength_notes({key: rating.strength for key, rating in rated.items() if rating.strength is not None}, gears.iso_6336_edition)
     screened = [rating.screening for rating in rated.values() if rating.screening is not None]
     if context.oil is not None:
@@ -69,32 +70,45 @@ def _load_notes(context: RatingContext, load: Load) -> Iterator[Text]:
         yield Text("No oil is known: the lubricant factor is that of 100 mm²/s at 40 °C, and film and flash temperature have no value.")
 
 
-def influence_notes(mesh: MeshResult, factors: Influence, grade: Number) -> Iterator[Text]:
-    """What was assumed, and what is outside its range."""
-    pair = mesh.title
-    if not factors.misalignment_given:
+def influence_notes(factors: Mapping[str, Influence], grade: Number) -> Iterator[Text]:
+    """What was assumed, and what is outside its range; `factors` by the titles of their meshes."""
+    misaligned = [
+        Text("{pair} {size}", pair=pair, size=Amount(one.manufacturing_misalignment * 1e6, "µm", form=".3g"))
+        for pair, one in factors.items() if not one.misalignment_given
+    ]  # fmt: skip
+    if misaligned:
         yield Text(
-            "Mesh {pair}: misalignment by manufacture not given; chosen: {manufacturing_misalignment} µm from the "
-            "helix slopes that grade {grade} of ISO 1328-1 permits both wheels; no crowning.", pair=pair, grade=Amount(grade, form="g"),
-            manufacturing_misalignment=Amount(factors.manufacturing_misalignment * 1e6, form=".3g"),
+            "Misalignment by manufacture not given; chosen: {meshes} from the helix slopes that grade {grade} of ISO 1328-1 permits "
+            "both wheels of a mesh; no crowning.", meshes=COMMA.join(misaligned), grade=Amount(grade, form="g"),
         )  # fmt: skip
-    if factors.face_load_factor_at_100 is not None:
-        yield Text(
-            "Mesh {pair}: K_Hβ is that of the load as it is, {face_load_factor_flank}; held at 100 N/mm, as DIN "
-            "3990-11 does, it would be {face_load_factor_at_100}.", pair=pair,
-            face_load_factor_flank=Amount(factors.face_load_factor_flank, form=".3g"),
-            face_load_factor_at_100=Amount(factors.face_load_factor_at_100, form=".3g"),
+    lighter = [
+        Text("{pair} {now} ({held})", pair=pair, now=Amount(one.face_load_factor_flank, form=".3g"), held=Amount(held, form=".3g"))
+        for pair, one in factors.items() if (held := one.face_load_factor_at_100) is not None
+    ]  # fmt: skip
+    if lighter:
+        yield Text("K_Hβ is that of the load as it is; in brackets what it would be held at 100 N/mm, as DIN 3990-11 does: {meshes}.",
+            meshes=COMMA.join(lighter))  # fmt: skip
+    beyond: dict[Text, list[str]] = {}
+    for pair, one in factors.items():
+        if one.out_of_range:
+            beyond.setdefault(COMMA.join(one.out_of_range), []).append(pair)
+    for sizes, pairs in beyond.items():
+        yield plural(
+            "Mesh {pairs}: ISO 1328-1 has no tolerances for {out_of_range}: they are extrapolated.",
+            "Meshes {pairs}: ISO 1328-1 has no tolerances for {out_of_range}: they are extrapolated.",
+            n=len(pairs), pairs=COMMA.join(pairs), out_of_range=sizes,
         )  # fmt: skip
-    if factors.out_of_range:
-        sizes = Text(", ").join(factors.out_of_range)
-        yield Text("Mesh {pair}: ISO 1328-1 has no tolerances for {out_of_range}: they are extrapolated.", pair=pair, out_of_range=sizes)
 
 
 def strength_notes(meshes: Mapping[str, MeshStrength], edition: int) -> Iterator[Text]:
     """What was assumed: classes, life, and what an edition or a range leaves open."""
     sides = [side for mesh in meshes.values() for side in mesh.sides]
+    noted: dict[Text, dict[str, None]] = {}  # the wheels of each note, each once
     for side in sides:
-        yield from (Text("Wheel {name}: {note}.", name=side.name, note=note) for note in side.strength.notes)
+        for note in side.strength.notes:
+            noted.setdefault(note, {})[side.name] = None
+    for note, names in noted.items():
+        yield plural("Wheel {names}: {note}.", "Wheels {names}: {note}.", n=len(names), names=COMMA.join(names), note=note)
     if any(side.cycles is None for side in sides):
         knees = sorted({endurance(flank_knees(side.strength.kind)) for side in sides})
         yield Text(
@@ -148,14 +162,18 @@ def screening_notes(system: ToothSystem, screened: list[Screening], base: str) -
         )
     if base not in ("mineral", "PAO", "PAG"):
         yield Text("The lubricant factor of {base} oil is not in the methods: it counts as mineral oil.", base=base)
-    for s in screened:
-        if not s.method_applies:
-            yield Text(
-                "Mesh {title}: with ε_α of 2 or more the methods give no load sharing; one pair is taken to carry all, on the safe side.",
-                title=s.title,
-            )
-        if s.specific_film_min is None:
-            yield Text("Mesh {title}: a contact hotter than 500 °C is beyond the law of the oil: no film is given.", title=s.title)
+    if alone := [s.title for s in screened if not s.method_applies]:
+        yield plural(
+            "Mesh {pairs}: with ε_α of 2 or more the methods give no load sharing; one pair is taken to carry all, on the safe side.",
+            "Meshes {pairs}: with ε_α of 2 or more the methods give no load sharing; one pair is taken to carry all, on the safe side.",
+            n=len(alone), pairs=COMMA.join(alone),
+        )  # fmt: skip
+    if hot := [s.title for s in screened if s.specific_film_min is None]:
+        yield plural(
+            "Mesh {pairs}: a contact hotter than 500 °C is beyond the law of the oil: no film is given.",
+            "Meshes {pairs}: contacts hotter than 500 °C are beyond the law of the oil: no film is given.",
+            n=len(hot), pairs=COMMA.join(hot),
+        )  # fmt: skip
 
 
 def _span(numbers: Iterable[float]) -> Text:

@@ -286,9 +286,15 @@ def test_without_load_there_are_no_factors(F_t, K_A):
 def test_sizes_beyond_the_tolerance_standard_are_named():
     t = solved(train([wheel("a", 25, 0.1), wheel("b", 39, 0.0)], [mesh("a", "b")], m_n=0.4, b=3.0, ball=None))
     found = of(t, "a_b", F_t=10.0)
-    notes = " ".join(influence_notes(t.meshes["a_b"], found, 7))
+    notes = " ".join(influence_notes({t.meshes["a_b"].title: found}, 7))
     assert "m_n = 0.4 mm" in notes and "b = 3 mm" in notes
     assert not of(TRAIN, "central_idler").out_of_range
+
+
+def test_what_is_assumed_of_several_meshes_is_said_once():
+    found = {TRAIN.meshes[key].title: of(TRAIN, key) for key in ("crank_central", "central_idler")}
+    notes = [*influence_notes(found, 7)]
+    assert len(notes) == 2 and all("crank–central" in note and "central–idler" in note for note in notes)
 
 
 def test_lines_are_linked_to_the_values():
