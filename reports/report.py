@@ -160,7 +160,7 @@ def blocks(context: Context, progress: Progress | None = None) -> list[Block]:
         body += paragraph(context.design.note, BODY)
         number += 1
     if sources := source_blocks(context):
-        body += _section(f"{number}  {w['sources']}", "sources", entries, need=80.0)
+        body += _section(f"{number}  {w['sources']}", "sources", entries, need=120.0)
         body += sources
         number += 1
     context.chapter = ""
