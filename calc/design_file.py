@@ -299,13 +299,6 @@ def design(document: Document, sound: Sound | None = None) -> Design:
     return made
 
 
-def number_mistakes(document: Document, about: Quantity, key: str, value: object) -> list[InputError]:
-    """What is wrong with one number by itself, where it is to stand at a key."""
-    reader = _Reader(document)
-    reader.number(about, value, key)
-    return reader.errors
-
-
 def load(path: Path | str) -> tuple[Document, Design]:
     document = read(path)
     return document, design(document)

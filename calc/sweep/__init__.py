@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Many designs at once: inputs over lists, grids, a Latin hypercube or their tolerances; every value and verdict of a design is a row.
 
-The imbalance step computes all its rows on arrays; the others are solved design by design, what did not change taken over.
+The designs of a chunk go through the steps at once, as far as they go one way (`abreast.py`).
 """
 
 from .inputs import Varied, listed, toleranced, varied

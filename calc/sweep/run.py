@@ -22,9 +22,8 @@ from .kept import InMemory, Store
 from .plan import Combination, Plan, grid
 from .row import Chunk, Solved, chunk_of, reason_of
 from .table import Swept, in_memory
-from .together import together, vectorised
 
-ABREAST, TOGETHER = 256, 2000  # designs of a chunk at most: as lanes through all steps, and the imbalance on arrays
+MOST = 256  # designs of a chunk, which go through all steps at once
 CHUNKS, LEAST = 8, 48  # chunks at least, for processes to share, where each has so many designs
 BESIDE = COMPARED | {"source", "model_spread"}  # of an id: a value that judges nothing
 WORTH = 200  # designs from which a second process gains more than its start costs
@@ -41,13 +40,9 @@ class Sweep:
     wanted: tuple[str, ...] = ()
 
     @property
-    def on_arrays(self) -> bool:
-        return self.plan.way != "list" and vectorised(design(self.document), self.plan.inputs, self.step)
-
-    @property
     def size(self) -> int:
         """Designs of a chunk, which hang on the sweep alone and not on the machine."""
-        return min(TOGETHER if self.on_arrays else ABREAST, max(LEAST, -(-self.plan.count // CHUNKS)))
+        return min(MOST, max(LEAST, -(-self.plan.count // CHUNKS)))
 
 
 def swept(
@@ -61,7 +56,7 @@ def swept(
     done = asked.plan.count - sum(min(size, asked.plan.count - n * size) for n in waiting)
     if told is not None:
         told(done)
-    if asked.plan.count < WORTH or asked.on_arrays:
+    if asked.plan.count < WORTH:
         processes = 1
     for n, one in spread(chunk, asked, waiting, processes, scheduler):
         store.keep(n, one)
@@ -81,8 +76,6 @@ def chunk(asked: Sweep, n: int) -> Chunk:
     """The designs of one chunk."""
     size = asked.size
     at = asked.plan.rows(n * size, (n + 1) * size)
-    if asked.on_arrays:
-        return chunk_of(at, together(asked.document, design(asked.document), asked.plan.inputs, at), asked.wanted)
     with seldom_collected():  # once for all designs of the chunk, not once for each
         return chunk_of(at, side_by_side(asked.document, asked.plan.inputs, at, asked.step, frozenset(asked.wanted)), asked.wanted)
 

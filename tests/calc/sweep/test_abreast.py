@@ -80,6 +80,24 @@ def test_a_grid_in_which_designs_go_apart_and_share_numbers(over, together):
     assert max(together) > 1
 
 
+@pytest.mark.parametrize("texts", [
+    ["engine.rated_speed_rpm=800:2600:3", "engine.rod_length_mm=140,170"], ["engine.cylinder_offset_mm=-5:5:3", "engine.piston_mass_g=900,1300"],
+    ["imbalance.crank_balance_fraction=0:1:3"], ["engine.crank_radius_mm=40,60", "engine.rod_cg_to_big_end_mm=40:60:3"],
+])  # fmt: skip
+def test_engines_of_which_the_imbalance_alone_is_asked(texts, together):
+    document = read(DESIGNS / "r753ie4_gamma.toml")
+    inputs = varied(document, texts)
+    rows = grid(inputs).rows(0, 100)
+    many, each = side_by_side(document, inputs, rows, "imbalance"), list(one_by_one(document, inputs, rows, "imbalance"))
+    for one, other in zip(many, each, strict=True):
+        assert one.verdicts == other.verdicts and one.values.keys() == other.values.keys()
+        largest = max(abs(number) for number, _ in other.values.values())
+        for id, (number, _) in other.values.items():
+            if not id.endswith(("_phase", "_axis")):  # of a vector of next to no length the direction is anything
+                assert one.values[id][0] == pytest.approx(number, rel=DIGITS, abs=1e-12 * largest), id
+    assert max(together) > 1
+
+
 def test_a_whole_design_goes_through_all_steps_in_few_passes(monkeypatch):
     """No part of gamma falls back to one design after the other, and most designs go one way."""
     document, inputs, rows = drawn("r753ie4_gamma", 48)

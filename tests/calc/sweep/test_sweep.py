@@ -9,9 +9,7 @@ import pytest
 from calc.design_file import design, read
 from calc.sheet.errors import BadInput
 from calc.solve import solve
-from calc.sweep import grid, sweep, varied
-from calc.sweep.run import one_by_one
-from calc.sweep.together import together, vectorised
+from calc.sweep import sweep, varied
 
 GAMMA = read(Path(__file__).parents[3] / "designs" / "r753ie4_gamma.toml")
 
@@ -20,28 +18,6 @@ def test_the_grid_runs_over_every_combination_the_last_input_fastest():
     swept = sweep(GAMMA, varied(GAMMA, ["engine.rated_speed_rpm=1000:2000:3", "imbalance.crank_balance_fraction=0,0.5"]), "imbalance")
     assert swept.header[:2] == ("engine.rated_speed_rpm", "imbalance.crank_balance_fraction")
     assert [tuple(row[:2]) for row in swept.rows] == [(n, k) for n in (1000.0, 1500.0, 2000.0) for k in (0.0, 0.5)]
-
-
-@pytest.mark.parametrize("texts", [
-    ["engine.rated_speed_rpm=800:2600:3", "engine.rod_length_mm=140,170"], ["engine.cylinder_offset_mm=-5:5:3", "engine.piston_mass_g=900,1300"],
-    ["imbalance.crank_balance_fraction=0:1:3"], ["engine.crank_radius_mm=40,60", "engine.rod_cg_to_big_end_mm=40:60:3"],
-])  # fmt: skip
-def test_together_and_one_by_one_give_the_same(texts):
-    """The call on arrays, and a solution for every design: same columns, same numbers, same verdicts."""
-    inputs = varied(GAMMA, texts)
-    base = design(GAMMA)
-    assert vectorised(base, inputs, "imbalance")
-    at = grid(inputs).rows(0, 100)
-    alone = list(one_by_one(GAMMA, inputs, at, "imbalance"))
-    for one, other in zip(together(GAMMA, base, inputs, at), alone, strict=True):
-        values, verdicts, expected, judged = one.values, one.verdicts, other.values, other.verdicts
-        assert verdicts == judged
-        largest = max(abs(number) for number, _ in expected.values())
-        for id, (number, unit) in expected.items():
-            if id.endswith("_phase") or id.endswith("_axis"):
-                continue  # of a vector of next to no length the direction is anything
-            assert values[id][1] == unit
-            assert values[id][0] == pytest.approx(number, rel=1e-9, abs=1e-12 * largest), id
 
 
 def test_a_row_is_what_the_design_gives():
