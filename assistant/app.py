@@ -28,6 +28,8 @@ from .base_app import BaseApp
 from .recovery import Memory, Settings
 from .screens.workbench import Workbench
 from .session import Session
+from .widgets.choice import Choice
+from .widgets.entry import AT_ONCE, EDITS, Entry
 from .widgets.item_list import ItemList
 from .widgets.signs import Signs
 
@@ -167,8 +169,8 @@ class ContralberoApp(BaseApp):
             await self._take(event)
 
     async def _take(self, event: events.Event) -> None:
-        """Keys that follow the one that opens the palette or the start page are for it, and those that follow the palette's Enter or
-        Escape for where that leads."""
+        """Keys that follow one that leads away are for where it leads: to the palette or the start page, out of the palette by Enter or
+        Escape, out of a field by a key of an action."""
         if not isinstance(event, events.Key) or event.is_forwarded:
             await super().on_event(event)
             return
@@ -177,10 +179,17 @@ class ContralberoApp(BaseApp):
             self._held.append(event)
             return
         opens = isinstance(self.screen, Workbench) and event.key in (*self._keys("palette"), *self._keys("new"))
-        if opens or (event.key in ("enter", "escape") and getattr(self.screen, "HOLDS", False)):
+        if opens or self._leaves_a_field(event) or (event.key in ("enter", "escape") and getattr(self.screen, "HOLDS", False)):
             self._held = []
             self._hold = self.set_timer(HELD, self.release)
         await super().on_event(event)
+
+    def _leaves_a_field(self, key: events.Key) -> bool:
+        """Whether an action may lead out of the field that has the focus: what is not typed, and moves not in the text."""
+        inside = isinstance(self.screen, Workbench) and isinstance(self.focused, (Entry, Choice))
+        if not inside or key.is_printable or key.key in EDITS:
+            return False
+        return any(key.key in self._keys(id) for id in BY_ID if id not in AT_ONCE)
 
     def _keys(self, id: str) -> list[str]:
         """Of an action: those that are no letters, which a field takes as text."""

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import asyncio
 import json
+import logging
 import re
 import secrets
 from asyncio.subprocess import PIPE, Process
@@ -18,6 +19,8 @@ from typing import Any, cast
 import aiohttp_jinja2
 import jinja2
 from aiohttp import WSMsgType, web
+from aiohttp.http_exceptions import HttpProcessingError
+from aiohttp.log import server_logger
 from textual_serve.app_service import AppService
 from textual_serve.server import Server
 
@@ -133,6 +136,7 @@ class Local(Server):
         def told(_: str) -> None:
             print(f"The guided session is at {self.address} (Ctrl+C ends it)", flush=True)
 
+        server_logger.addFilter(_own)
         web.run_app(self._make_app(), host=HOST, port=self.port, access_log=None, print=told)
 
     async def _make_app(self) -> web.Application:
@@ -207,6 +211,12 @@ class Local(Server):
             task.cancel()
         if self.tabs:
             await asyncio.wait(self.tabs, timeout=ENDING + 2 * LAST)
+
+
+def _own(record: logging.LogRecord) -> bool:
+    """Whether it is a fault of this program, to be told: a request that is no HTTP is answered, and any user of the machine can send a
+    thousand."""
+    return record.exc_info is None or not isinstance(record.exc_info[1], HttpProcessingError)
 
 
 async def _guarded(request: web.Request, response: web.StreamResponse) -> None:

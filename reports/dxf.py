@@ -31,6 +31,7 @@ STYLE = "CONTRALBERO"  # of the dimensions
 LETTERS = "ISO 3098"  # style of a sheet's letters
 FONT = "isocpeur.ttf"  # what CAD programs have for ISO 3098; its letters are narrower than those that a sheet makes room for
 DIAGONAL = math.sqrt(0.5)
+STRAIGHT = (0.0, 0.0, 0.0)  # widths at both ends and bulge of a side of a polyline
 mm = UNITS["mm"].shown
 
 
@@ -118,7 +119,8 @@ def _draw(document: "Drawing", space: "BaseLayout", mark: Ink) -> None:
     on = {"layer": mark.layer}
     match mark:
         case Polyline():
-            space.add_lwpolyline([_at(point) for point in mark.points], close=mark.closed, dxfattribs=on)
+            line = space.add_lwpolyline((), close=mark.closed, dxfattribs=on)
+            line.lwpoints.extend([(*_at(point), *STRAIGHT) for point in mark.points])  # one by one, each would copy all before it
         case Arc() if mark.end - mark.start >= 2 * math.pi:
             space.add_circle(_at(mark.centre), mm(mark.radius), dxfattribs=on)
         case Arc():

@@ -227,11 +227,12 @@ class Pdf:
         found: dict[int, int | None] = {}
         numbers = (first + n for first, count in zip(index[::2], index[1::2]) for n in range(count))
         for number, at in zip(numbers, range(0, len(data), wide)):
-            row = data[at : at + wide]
+            row, place = data[at : at + wide], widths[0] + widths[1]
             sort = int.from_bytes(row[: widths[0]]) if widths[0] else 1
             if number in found:
                 raise Malformed(f"the table of objects has number {number} twice")
-            found[number] = int.from_bytes(row[widths[0] : widths[0] + widths[1]]) if sort == 1 else None
+            here = sort == 1 and not any(row[place:])  # no object is of another generation than 0
+            found[number] = int.from_bytes(row[widths[0] : place]) if here else None
         return found
 
     # --- values

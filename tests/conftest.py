@@ -3,6 +3,7 @@
 import gc
 import os
 import sys
+import time
 from pathlib import Path
 
 import pytest
@@ -23,9 +24,20 @@ os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
 sys.dont_write_bytecode = False
 gc.set_threshold(*SELDOM)  # as the command line does: looking for garbage took a tenth of all tests, of those of the reports a quarter
 
+BEGUN = time.monotonic()
 ROOT = Path(__file__).parent.parent
 DESIGNS = ROOT / "designs"
 GAMMA = DESIGNS / "r753ie4_gamma.toml"
+
+
+def pytest_addoption(parser: pytest.Parser) -> None:
+    parser.addoption("--within", type=float, default=float("inf"), metavar="SECONDS", help="begin no test after so many seconds")
+
+
+@pytest.hookimpl(tryfirst=True)
+def pytest_runtest_setup(item: pytest.Item) -> None:
+    if time.monotonic() - BEGUN > item.config.getoption("--within"):
+        pytest.skip("no time is left")
 
 
 def pytest_collection_finish() -> None:

@@ -129,6 +129,15 @@ def test_the_server_answers_its_own_page_only_and_ends_by_an_interrupt(served: t
     assert asked(address, Origin="https://example.org") == 403
     assert asked(address, Origin=own) == 200
     assert asked(f"{own}/static/") in (403, 404)
+    port = int(own.rpartition(":")[2])
+    for no_http in (
+        b"\0\xff" * 50 + b"\r\n\r\n",
+        b"GET / HTTP/1.1\r\nHost: a\r\nHost: b\r\n\r\n",
+        b"GET " + b"/" * 100_000,
+    ):  # answered, and not told
+        with socket.create_connection(("127.0.0.1", port), timeout=30) as line:
+            line.sendall(no_http)
+            assert b" 400 " in line.recv(100)
     process.send_signal(signal.SIGINT)
     assert process.wait(timeout=30) == 0
     told = (tmp_path / "told").read_text(encoding="utf-8")

@@ -83,7 +83,7 @@ class Moves:
             step, check = next((f for f in faults if f[0] is host.step and f[1].verdict == faults[0][1].verdict), faults[0])
         host.at_pane("checks")
         await host.open_step(step, stay=True)
-        checks.focus()
+        host.set_focus(checks)
         host.call_after_refresh(checks.go_to, check.id)
 
     def line(self) -> None:
@@ -106,7 +106,7 @@ class Moves:
             host.app.tell(Text("No single line of the calculation gives this value."))
             return
         host.at_pane("calculation")
-        calculation.focus()
+        host.set_focus(calculation)
         host.call_after_refresh(calculation.go_to, calculation.sheet.entries[index].number, top=True)
 
     async def to_value(self, id: str) -> None:
@@ -126,7 +126,7 @@ class Moves:
         step = next((s for s in STEPS if s.key == step_of(place)), host.step)
         host.at_pane("inputs")
         await host.open_step(step, place)
-        host.form.focus_place(place)
+        host.form.focus_place(place, at_once=True)
         host.set_timer(LAID_OUT, host.form.bring_into_view)
 
     # --- between panes, and in them
@@ -165,9 +165,9 @@ class Moves:
         host = self._host
         host.at_pane(name)
         if name == "inputs":
-            host.form.focus_place(None)
+            host.form.focus_place(None, at_once=True)
         else:
-            host.pane_named(name).target.focus()
+            host.set_focus(host.pane_named(name).target)
 
     def leave(self) -> None:
         """Out of the field; the cursor off the curve; out of a large pane; back to the form."""

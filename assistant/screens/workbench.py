@@ -131,10 +131,11 @@ class Workbench(Screen[None]):
         return not self._composing and any(isinstance(child, FooterLine) for child in self.children)
 
     async def action_act(self, id: str) -> None:
-        """Run an action of the table."""
+        """Run an action of the table.  Keys that wait for it go where it has led."""
         result = self._actions[id]()
         if result is not None:
             await result
+        self.app.screen.call_after_refresh(self.app.release)
 
     def action_to_view(self, name: str) -> None:
         """The names of the views on a narrow screen are links to this."""
@@ -156,6 +157,8 @@ class Workbench(Screen[None]):
         self.background.solve()
 
     def on_mount(self) -> None:
+        if not (self.stands and self.query(Checks)):  # the end of the program came before its parts
+            return
         self.set_out()
         self.form.focus_place(None)
         self.show_step()

@@ -22,6 +22,7 @@ LEAVING: tuple[Binding, ...] = (
     Binding("down", f"screen.{BY_ID['down'].does}", "Next field", show=False, priority=True),
     Binding("up", f"screen.{BY_ID['up'].does}", "Previous field", show=False, priority=True),
 )
+AT_ONCE = ("down", "up", "go_on", "quit")  # actions that have such a binding, here or in the app
 LOCK = "k"
 EDITS = {binding.key: binding.action for binding in Binding.make_bindings(Input.BINDINGS)}
 

@@ -250,7 +250,10 @@ class Form(VerticalScroll, can_focus=True, inherit_bindings=False):
         return focused.parent if isinstance(focused, (Entry, Choice)) and isinstance(focused.parent, Field) else None
 
     def focus_place(self, place: Place | None, *, at_once: bool = False) -> None:
-        """Focus the field at a place; without one, or where it is gone, the one edited last, or the first."""
+        """Focus the field at a place; without one, or where it is gone, the one edited last, or the first.
+
+        `at_once`: before the next key.
+        """
         if self._remaking:
             self.rebuild(place or self._wanted or self.last or ())
             return

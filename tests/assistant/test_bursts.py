@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Keys that come faster than the screen, as over a slow line: what blind striking has found."""
 
+import asyncio
 import os
 
 import pytest
@@ -9,6 +10,7 @@ from textual.pilot import Pilot
 from textual.widgets import Input, Static
 
 from assistant.actions import BY_ID
+from assistant.app import ContralberoApp
 from assistant.screens.choose import Choose
 from assistant.screens.open_dialog import OpenDialog
 from assistant.screens.palette import Palette
@@ -119,3 +121,40 @@ async def test_the_palette_is_paged_before_its_list_has_a_place(screen: Screen) 
         burst(pilot, "f", "i", "pagedown", "backspace", "pagedown", "pageup", "end")
         await pilot.pause()
         assert pilot.app.is_running and pilot.app._exception is None
+
+
+async def test_escape_right_after_undo_leaves_the_field(screen: Screen) -> None:
+    """The focus that the undo brings to its field must not come after the key that takes it away."""
+    async with screen() as pilot:
+        await go_to(pilot, "engine.bore_mm")
+        await strike(pilot, *"95", "enter")
+        await settled(pilot)
+        burst(pilot, "ctrl+z", "escape")
+        await until(pilot, lambda: work(pilot).session.value("engine.bore_mm") == 94.0)
+        await settled(pilot)
+        assert pilot.app.focused is work(pilot).form
+
+
+@pytest.mark.parametrize(
+    "key", ["f3", "f12", *(pytest.param(key, marks=pytest.mark.slow) for key in ("alt+2", "f7", "f4", "f6", "f1", "escape"))]
+)
+async def test_what_follows_a_key_that_leads_away_is_not_for_the_field_that_was_left(screen: Screen, light: Session, key: str) -> None:
+    async with screen() as pilot:
+        await go_to(pilot, "engine.bore_mm")
+        field = pilot.app.focused
+        burst(pilot, key, "7", "7")
+        await until(pilot, lambda: pilot.app.focused is not field)
+        await pilot.pause(0.2)  # the last keys come to their turn
+        assert light.value("engine.bore_mm") == 94.0 and not list(light.history.past())
+
+
+@pytest.mark.parametrize("turns", [1, 5])
+async def test_the_end_may_come_before_the_first_picture(light: Session, turns: int) -> None:
+    """As where a tab of the browser is closed at once: that is no fault of the program."""
+    app = ContralberoApp(light)
+    running = asyncio.create_task(app.run_async(headless=True))
+    for _ in range(turns):
+        await asyncio.sleep(0)
+    app.exit(0)
+    await running
+    assert app._exception is None

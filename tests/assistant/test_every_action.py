@@ -60,7 +60,7 @@ ALONE = {"quit"}  # on a screen that nobody else uses
 
 
 async def play(stage: Stage, id: str, do: Do) -> None:
-    async with asyncio.timeout(30):
+    async with asyncio.timeout(120):  # for what hangs: a slow machine takes its time
         await stage.put_in_order()
         stage.played = False
         await DEEDS[id](stage.pilot, do)

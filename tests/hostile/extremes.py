@@ -1,14 +1,19 @@
-"""Extreme but allowed values for the numeric fields of a design, and the outcomes that are clean."""
+"""Extreme but allowed values for the numeric fields of a design, and the outcomes that are clean.
+
+Every field of the shipped designs at each of its extremes, where the tests take a share: `python -m tests.hostile.extremes [DESIGN …]`.
+"""
 
 import math
 import signal
+import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
 
 from calc.addresses import quantities, value_at
-from calc.design_file import Document, design
+from calc.design_file import Document, design, read
 from calc.sheet.errors import BadInput, NoSolution
 from calc.sheet.quantity import Quantity
+from calc.shipped import DESIGNS
 from calc.solve import solve
 
 SECONDS = 30  # that one design may take; a solve takes a twentieth of one
@@ -37,6 +42,11 @@ def extremes(about: Quantity) -> tuple[float, ...]:
     near = (math.nextafter(low, math.inf), math.nextafter(high, -math.inf)) if math.isfinite(low) and math.isfinite(high) else ()
     candidates = {low, high, 0.0, *near, *TINY, *HUGE, *(-x for x in TINY + HUGE)}
     return tuple(sorted(x for x in candidates if math.isfinite(x) and low <= x <= high and not (x == about.above)))
+
+
+def single(document: Document) -> list[tuple[str, float]]:
+    """Every field at each of its extremes, one field at a time."""
+    return [(key, value) for key, about in fields(document) for value in extremes(about)]
 
 
 @contextmanager
@@ -69,7 +79,7 @@ def faults(document: Document, changes: dict[str, float]) -> list[str]:
         import traceback
 
         last = traceback.extract_tb(crash.__traceback__)[-1]
-        return [f"{type(crash).__name__} in {last.filename.rpartition('hc/')[2]}:{last.lineno}: {crash}"]
+        return [f"{type(crash).__name__} in {last.filename}:{last.lineno}: {crash}"]
 
 
 def _faults(document: Document) -> list[str]:
@@ -92,3 +102,11 @@ def _faults(document: Document) -> list[str]:
             cells = (cell for row in table.rows for cell in row if isinstance(cell, float))
             found += [f"table {whole.key}.{table.id}" for cell in cells if not math.isfinite(cell)][:1]
     return found
+
+
+if __name__ == "__main__":
+    designs = {path.stem: read(path) for path in sorted(DESIGNS.glob("*.toml"))}
+    for name in sys.argv[1:] or designs:
+        cases = single(designs[name])
+        found = [f"{name} {key}={value}: {bad}" for key, value in cases if (bad := faults(designs[name], {key: value}))]
+        print(f"{name}: {len(cases)} cases, {len(found)} faults", *found, sep="\n", flush=True)

@@ -1,5 +1,7 @@
 """Extreme but allowed values in every numeric field of the shipped designs: a finite result, a verdict, bad input or no solution."""
 
+import random
+
 import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
@@ -9,11 +11,12 @@ from calc.sheet.errors import BadInput
 from calc.solve import solve
 
 from ..conftest import DESIGNS
-from .extremes import extremes, faults, fields
+from .extremes import extremes, faults, fields, single
 
 ALL = {path.stem: read(path) for path in sorted(DESIGNS.glob("*.toml"))}
 FIELDS = {name: fields(document) for name, document in ALL.items()}
 TIP_RELIEF = ALL["thesis_tip_relief"]
+SHARE = 60  # of the cases of a design, of which there are from 400 to 4,700
 
 
 @st.composite
@@ -33,7 +36,7 @@ def test_extreme_fields_end_cleanly(case: tuple[str, dict[str, float]]) -> None:
 
 @pytest.mark.slow
 @given(placed(6))
-@settings(max_examples=4000, suppress_health_check=[HealthCheck.too_slow])
+@settings(max_examples=400, suppress_health_check=[HealthCheck.too_slow])
 def test_many_extreme_fields_end_cleanly(case: tuple[str, dict[str, float]]) -> None:
     name, changes = case
     assert faults(ALL[name], changes) == []
@@ -41,9 +44,11 @@ def test_many_extreme_fields_end_cleanly(case: tuple[str, dict[str, float]]) -> 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("name", ALL)
-def test_every_field_at_every_extreme_ends_cleanly(name: str) -> None:
-    found = {(key, value): bad for key, about in FIELDS[name] for value in extremes(about) if (bad := faults(ALL[name], {key: value}))}
-    assert found == {}
+def test_a_field_at_an_extreme_ends_cleanly(name: str) -> None:
+    """A share of them, drawn anew in each run; all of them, nearly two hours: `python -m tests.hostile.extremes`."""
+    cases = single(ALL[name])
+    drawn = random.sample(cases, min(len(cases), SHARE))
+    assert [(one, bad) for one in drawn if (bad := faults(ALL[name], dict([one])))] == []
 
 
 @pytest.mark.parametrize(

@@ -48,6 +48,7 @@ NAMES = re.compile(
     r"[\w\-]*[._=/\[`][\w\-./=\[\]]*\w|\w+…|…\w*|\w+/|[\w\-]*\b(central|idler|crank|shaft|front|rear|Raimondi|Boyd|Contralbero|SAE|sense)\b"
 )
 ASIDE = re.compile(r"\(([\w ]+)\)")  # behind a label: by what of its id it is told from others
+TITLES = tuple(f"{name}: " for name in register())  # of publications, which are in their own language
 PARTS = re.compile(r"[│┃║╭╮╰╯▏▕▎]|\s{3,}")
 
 
@@ -188,7 +189,7 @@ async def test_every_step_of_a_whole_design(name: str, memory: Memory, tmp_path:
             await until(pilot, lambda: bool(work(pilot).query_one(Checks).has_focus and work(pilot).query_one(Checks).key))
             await strike(pilot, "x")
             await over(pilot)
-            reader.read_list("explain", until=tuple(f"{name}: " for name in register()))  # titles of publications are in their own language
+            reader.read_list("explain", until=TITLES)
             await back(pilot)
 
 
@@ -220,7 +221,7 @@ async def test_the_first_steps_on_the_screen(light: Session) -> None:
         await back(pilot)
         await strike(pilot, "escape", "3", "f7", "x")
         await over(pilot)
-        reader.read("explain")
+        reader.read_list("explain", until=TITLES)
         await back(pilot)
 
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 import io
 import re
 import zlib
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -162,6 +162,20 @@ class Update:
             self.next, self.root, self.info, self.start if prev is None else prev, trailer,
         )  # fmt: skip
         return out + b"startxref\n%d\n%%%%EOF\n" % start
+
+    def written_with_stream(self, generations: Mapping[int, int] | None = None) -> bytes:
+        """The same, its table a stream.  `generations`: of objects that are not of the first."""
+        out, places = self.pdf, {}
+        for number, body in [*sorted(self.objects.items()), (self.next, b"")]:
+            places[number] = len(out)
+            out += b"%d 0 obj\n%s\nendobj\n" % (number, body) if body else b""
+        rows = b"".join(b"\1" + places[n].to_bytes(4) + (generations or {}).get(n, 0).to_bytes(1) for n in sorted(places))
+        index = b" ".join(b"%d 1" % n for n in sorted(places))
+        entries = b"/Type /XRef /W [1 4 1] /Index [%s] /Size %d /Root %d 0 R /Info %d 0 R /Prev %d" % (
+            index, self.next + 1, self.root, self.info, self.start,
+        )  # fmt: skip
+        start = places[self.next]
+        return out + b"%d 0 obj\n%s\nendobj\nstartxref\n%d\n%%%%EOF\n" % (self.next, streamed(rows, entries), start)
 
 
 def streamed(data: bytes, entries: bytes = b"") -> bytes:
@@ -573,6 +587,21 @@ def _(pdf: bytes) -> bytes:
     update = Update(pdf)
     update.sign()
     return update.written().replace(b"\n%d 0 obj" % update.page(), b"\n%d 1 obj" % update.page())
+
+
+@kind("table: another generation in a stream")
+def _(pdf: bytes) -> bytes:
+    """What looks for the page by its whole name finds none."""
+    update = Update(pdf)
+    update.sign()
+    return update.written_with_stream({update.page(): 1})
+
+
+@kind("table: another generation of the catalogue in a stream")
+def _(pdf: bytes) -> bytes:
+    update = Update(pdf)
+    update.sign()
+    return update.written_with_stream({update.root: 1})
 
 
 @kind("table: an object within an object")

@@ -9,12 +9,13 @@ from io import StringIO
 import ezdxf
 import pytest
 from ezdxf import bbox
+from ezdxf.entities.lwpolyline import LWPolylinePoints
 
 from calc.drawings import sheets
 from calc.sheet.dimension import written as number
-from calc.sheet.drawing import Dimension
+from calc.sheet.drawing import Dimension, Polyline
 from calc.sheet.layers import LAYERS
-from reports.dxf import STYLE, sheet_dxf
+from reports.dxf import STYLE, dxf, sheet_dxf
 
 from ..conftest import GAMMA, ROOT
 
@@ -119,6 +120,15 @@ def test_programs_open_it_on_the_whole_drawing(written):
     assert low[0] <= box.extmin.x and low[1] <= box.extmin.y and high[0] >= box.extmax.x and high[1] >= box.extmax.y
     assert view.height >= high[1] - low[1]
     assert tuple(view.center)[:2] == pytest.approx(((low[0] + high[0]) / 2, (low[1] + high[1]) / 2))
+
+
+def test_an_outline_of_many_points_is_put_in_at_once(monkeypatch):
+    """Point by point the library would copy all that are there for each: minutes for the teeth of a fine chord error."""
+    calls, extend = [], LWPolylinePoints.extend
+    monkeypatch.setattr(LWPolylinePoints, "extend", lambda self, points: calls.append(1) or extend(self, points))
+    points = tuple((n * 1e-3, n % 7 * 1e-3) for n in range(1000))
+    (line,) = read(dxf([Polyline("PROFILE", points, True)])).modelspace()
+    assert calls == [1] and line.closed and list(line.vertices()) == [(pytest.approx(x * 1e3), pytest.approx(y * 1e3)) for x, y in points]
 
 
 def test_the_library_keeps_its_own_options(written):

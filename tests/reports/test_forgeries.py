@@ -80,6 +80,7 @@ def test_without_what_is_forged_it_is_accepted(made: bytes) -> None:
     assert verdict(made) is Verdict.IDENTICAL
     update.sign()
     assert verdict(update.written()) is Verdict.SIGNED
+    assert verdict(update.written_with_stream()) is Verdict.SIGNED
 
 
 def saved_by(program: str, raw: bytes) -> bytes:

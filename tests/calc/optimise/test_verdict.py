@@ -66,7 +66,8 @@ def test_cases_that_no_file_has(sized, name):
 
 
 @pytest.mark.slow
-def test_four_hundred_drives_of_all_the_ranges(sized):
-    both, misses, power, mass, (least, most) = compared(Class(sized, {"vary": PLAIN}), 400, 1)
-    assert [one for one in misses if one[0]] == [] and len(misses) <= 4 and min(both.values()) >= 100, misses
+@pytest.mark.parametrize("seed", [1, 2, 3, 4])
+def test_a_hundred_drives_of_all_the_ranges(sized, seed):
+    both, misses, power, mass, (least, most) = compared(Class(sized, {"vary": PLAIN}), 100, seed)
+    assert [one for one in misses if one[0]] == [] and len(misses) <= 1 and min(both.values()) >= 25, misses
     assert power <= 0.05 and mass <= 1e-6 and -1e-9 <= least and most <= 0.003
