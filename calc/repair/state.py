@@ -49,7 +49,7 @@ class State:
     def with_changes(
         self, changes: Mapping[str, object], known: Results | None = None, enough: Callable[[Outcome[object]], bool] | None = None
     ) -> "State":  # fmt: skip
-        """The same with keys changed, solved whole.  Raises BadInput where they are not allowed, or locked.
+        """The same with keys changed, solved whole but for what nothing is judged by.  Raises BadInput where they are not allowed, or locked.
 
         `known`: results of a design that is nearer to it, or of itself, whole or not.  `enough` ends the solution early, as in `solve`.
         """
@@ -62,9 +62,9 @@ class State:
             document = document.with_value(key, value)
             made.pop(key, None)
             made[key] = value
-        wanted = design(document)
+        wanted = design(document, (self.document, self.design))
         there = known is not None and known.design == wanted and known.outcomes.keys() >= self.results.outcomes.keys()
-        results = known if known is not None and there else solve(wanted, known or self.results, enough=enough)
+        results = known if known is not None and there else solve(wanted, known or self.results, enough=enough, compared=False)
         return State(document, results, made)
 
 
