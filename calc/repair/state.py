@@ -49,7 +49,7 @@ class State:
     def with_changes(
         self, changes: Mapping[str, object], known: Results | None = None, enough: Callable[[Outcome[object]], bool] | None = None
     ) -> "State":  # fmt: skip
-        """The same with keys changed, solved whole but for what nothing is judged by.  Raises BadInput where they are not allowed, or locked.
+        """The same with keys changed, solved whole but for what judges nothing.  Raises BadInput where they are not allowed, or locked.
 
         `known`: results of a design that is nearer to it, or of itself, whole or not.  `enough` ends the solution early, as in `solve`.
         """

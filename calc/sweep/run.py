@@ -23,7 +23,7 @@ from .plan import Combination, Plan, grid
 from .row import Chunk, Solved, chunk_of, reason_of
 from .table import Swept, in_memory
 
-MOST = 160  # designs of a chunk, which go through all steps at once
+MOST = 224  # designs of a chunk, which go through all steps at once: more would take more memory than they save time
 CHUNKS, LEAST = 8, 48  # chunks at least, for processes to share, where each has so many designs
 BESIDE = COMPARED | {"source", "model_spread"}  # of an id: a value that judges nothing
 WORTH = 200  # designs from which a second process gains more than its start costs

@@ -361,6 +361,7 @@ def _found(c: Case, P: Watt, by_regime: bool, exponent: Number) -> Lost:
 def _solved(c: Case, P: Watt, by_regime: bool, exponent: Number) -> MeshLoss:
     """The loss with teeth of the oil's temperature T_m, and all that is shown beside it."""
     lost = _lost(c, P, by_regime, exponent)
+    c.last.clear()  # what a whole path has at every position is large, and nobody asks again
     s, m = c.path.weight, c.motion
     P_s, P_R, w, p_H, oil, f, t = lost.P_s, lost.P_R, lost.w, lost.p_H, lost.oil, lost.f, lost.t
     estimate = None
