@@ -167,7 +167,7 @@ class Lanes:
     # --- arithmetic ----------------------------------------------------------------------------------------------------------
     def __array_ufunc__(self, ufunc: Any, method: str, *inputs: Any, **kwargs: Any) -> Any:
         if method == "reduce":
-            return _reduced(ufunc.reduce, *inputs, **{"axis": 0, **kwargs})
+            return reduced(ufunc.reduce, *inputs, **{"axis": 0, **kwargs})
         if method != "__call__" or ufunc.signature is not None or kwargs.get("out") is not None:
             return NotImplemented
         return wrapped(ufunc(*level(inputs), **kwargs))
@@ -232,10 +232,10 @@ def level(inputs: Sequence[Any]) -> list[Any]:
     """The data of lanes and plain arrays side by side, so that numpy lets lane meet lane and point meet point."""
     inputs = [stacked(x) if isinstance(x, (list, tuple)) else x for x in inputs]
     deepest = max([x.data.ndim - 1 if type(x) is Lanes else getattr(x, "ndim", 0) for x in inputs])
-    return [_deep(x.data, deepest) if type(x) is Lanes else x for x in inputs]
+    return [deep(x.data, deepest) if type(x) is Lanes else x for x in inputs]
 
 
-def _deep(data: Any, points: int) -> Any:
+def deep(data: Any, points: int) -> Any:
     """With so many axes of points, those that a lane does not have of length one."""
     missing = points + 1 - data.ndim
     return data.reshape(data.shape[0], *(1,) * missing, *data.shape[1:]) if missing else data
@@ -252,7 +252,7 @@ def scattered(there: BoolArray, one: Any, other: Any) -> Lanes:
 
 def rows(x: Any, count: int, shape: tuple[int, ...]) -> Array:
     """What a number or an array is in every lane and at every point of a shape, one lane after the other as one flat array."""
-    data = _deep(x.data if type(x) is Lanes else np.asarray(x)[None], len(shape))
+    data = deep(x.data if type(x) is Lanes else np.asarray(x)[None], len(shape))
     return np.broadcast_to(data, (count, *shape)).ravel()
 
 
@@ -261,154 +261,12 @@ def count_of(things: Any) -> int | None:
     return next((len(x.data) for x in things if type(x) is Lanes), None)
 
 
-# --- functions of numpy ------------------------------------------------------------------------------------------------------
-def _handles(function: Any) -> Callable[[Callable[..., Any]], Callable[..., Any]]:
-    def put(handler: Callable[..., Any]) -> Callable[..., Any]:
-        HANDLED[function] = handler
-        return handler
-
-    return put
-
-
-def _axis(x: Lanes, axis: Any) -> Any:
-    """An axis of the points as one of the data."""
-    if axis is None:
-        return tuple(range(1, x.data.ndim))
-    if isinstance(axis, tuple):
-        return tuple(_axis(x, a) for a in axis)
-    if not -x.ndim <= axis < x.ndim:
-        raise TypeError(f"there is no axis {axis} of points")
-    return axis if axis < 0 else axis + 1
-
-
-def _alone(x: Lanes) -> Lanes:
-    """An array of one axis, for what numpy does with several is another thing."""
-    if x.ndim != 1:
-        raise TypeError("needs points along one axis")
-    return x
-
-
-def _reduced(reduce: Any, x: Any, axis: Any = None, **kwargs: Any) -> Any:
-    kwargs = {name: value for name, value in kwargs.items() if value is not None and value is not np._NoValue}
-    if type(x) is not Lanes:
-        x = stacked(x)
-    return Lanes(reduce(x.data, axis=_axis(x, axis), **kwargs))
-
-
-for _function in (np.sum, np.max, np.min, np.any, np.all, np.mean, np.argmin, np.argmax, np.nanargmin):
-
-    def _reducing(x: Any, axis: Any = None, _function: Any = _function, **kwargs: Any) -> Any:
-        if _function in (np.argmin, np.argmax, np.nanargmin) and axis is None:
-            x, axis = _alone(x), -1
-        return _reduced(_function, x, axis, **kwargs)
-
-    HANDLED[_function] = _reducing
-
-
-@_handles(np.diff)
-def _diff(x: Lanes) -> Lanes:
-    return Lanes(np.diff(_alone(x).data))
-
-
-@_handles(np.where)
-def _where(condition: Any, x: Any, y: Any) -> Any:
-    return wrapped(np.where(*level((condition, x, y))))
-
-
-@_handles(np.clip)
-def _clip(x: Any, low: Any, high: Any) -> Any:
-    return wrapped(np.clip(*level((x, low, high))))
-
-
-@_handles(np.stack)
-def _stack(parts: Sequence[Any], axis: int = 0) -> Lanes:
-    return Lanes(np.stack(_data(parts), axis=axis if axis < 0 else axis + 1))
-
-
-@_handles(np.interp)
-def _interp(x: Any, places: Any, numbers: Any) -> Lanes:
-    """Places that are the same in all lanes."""
-    return Lanes(np.stack([np.interp(x, places, one) for one in numbers.data]))
-
-
-@_handles("rfft")
-def _rfft(x: Any, n: int | None = None, axis: int = -1) -> Lanes:
-    return Lanes(np.fft.rfft(x.data, n, axis=_axis(x, axis)))
-
-
-@_handles("irfft")
-def _irfft(x: Any, n: int | None = None, axis: int = -1) -> Lanes:
-    return Lanes(np.fft.irfft(x.data, n, axis=_axis(x, axis)))
-
-
-@_handles(np.append)
-def _append(x: Any, more: Any) -> Any:
-    return _concatenate([x, np.reshape(more, -1) if type(more) is not Lanes else more.ravel()])
-
-
-@_handles(np.tile)
-def _tile(x: Any, times: int) -> Any:
-    return _concatenate([_alone(x)] * times)
-
-
-@_handles(np.linspace)
-def _linspace(low: Any, high: Any, count: int) -> Any:
-    return low + (high - low) * (np.arange(count) / (count - 1))
-
-
-@_handles(np.zeros_like)
-def _zeros_like(x: Any) -> Any:
-    return Lanes(np.zeros_like(x.data))
-
-
-@_handles(np.ones_like)
-def _ones_like(x: Any) -> Any:
-    return Lanes(np.ones_like(x.data))
-
-
-@_handles(np.shape)
-def _shape(x: Lanes) -> tuple[int, ...]:
-    return x.shape
-
-
-@_handles(np.ndim)
-def _ndim(x: Lanes) -> int:
-    return x.ndim
-
-
-@_handles(np.size)
-def _size(x: Lanes) -> int:
-    return x.size
-
-
-@_handles(np.iscomplexobj)
-def _iscomplexobj(x: Lanes) -> bool:
-    return np.iscomplexobj(x.data)
-
-
-@_handles(np.concatenate)
-def _concatenate(parts: Sequence[Any], axis: int = 0) -> Lanes:
-    parts = [stacked(part) if isinstance(part, (list, tuple)) else part for part in parts]
-    return Lanes(np.concatenate(_data(parts), axis=axis if axis < 0 else axis + 1))
-
-
-@_handles(np.broadcast_to)
-def _broadcast_to(x: Lanes, shape: Any) -> Lanes:
-    shape = shape if isinstance(shape, tuple) else (shape,)
-    return Lanes(np.broadcast_to(_deep(x.data, len(shape)), (len(x.data), *shape)))
-
-
-@_handles(np.array_equal)
-def _array_equal(a: Any, b: Any) -> bool:
-    return bool(np.array_equal(*level((a, b))))
-
-
 def stacked(parts: Any) -> Any:
     """Numbers, some of them of many designs, as one array along a new first axis: what `np.array` makes of floats."""
-    return np.array(parts) if count_of(parts) is None else Lanes(np.stack(_data(parts), axis=1))
+    return np.array(parts) if count_of(parts) is None else Lanes(np.stack(with_all_lanes(parts), axis=1))
 
 
-def _data(parts: Sequence[Any]) -> list[Any]:
+def with_all_lanes(parts: Sequence[Any]) -> list[Any]:
     """Arrays and numbers, some of them of many designs, each with all lanes."""
     count = count_of(parts) or 1
     return [part.data if type(part) is Lanes else np.broadcast_to(part, (count, *np.shape(part))) for part in parts]
@@ -422,3 +280,21 @@ def parted(x: Any) -> Any:
     if missing.any():
         raise Diverged(~missing)
     return x
+
+
+def axis_of(x: Lanes, axis: Any) -> Any:
+    """An axis of the points as one of the data."""
+    if axis is None:
+        return tuple(range(1, x.data.ndim))
+    if isinstance(axis, tuple):
+        return tuple(axis_of(x, a) for a in axis)
+    if not -x.ndim <= axis < x.ndim:
+        raise TypeError(f"there is no axis {axis} of points")
+    return axis if axis < 0 else axis + 1
+
+
+def reduced(reduce: Any, x: Any, axis: Any = None, **kwargs: Any) -> Any:
+    kwargs = {name: value for name, value in kwargs.items() if value is not None and value is not np._NoValue}
+    if type(x) is not Lanes:
+        x = stacked(x)
+    return Lanes(reduce(x.data, axis=axis_of(x, axis), **kwargs))
