@@ -110,8 +110,9 @@ def _any_of(patterns: tuple[str, ...]) -> re.Pattern[str]:
 def key_results(values: Mapping[str, Published]) -> dict[str, Published]:
     """The results of the first page by their patterns, each of the part where it is worst."""
     found = {}
+    of_any = {id: v for id, v in values.items() if like(id, tuple(pattern for pattern, _ in RESULTS)) and v.shown == v.shown}
     for pattern, worst in RESULTS:
-        numbers = [v for id, v in values.items() if like(id, (pattern,)) and v.shown == v.shown]
+        numbers = [v for id, v in of_any.items() if like(id, (pattern,))]
         if numbers:
             found[pattern] = (min if worst == "min" else max)(numbers, key=lambda v: v.shown)
     return found

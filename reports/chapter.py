@@ -32,7 +32,7 @@ Parts = tuple[tuple[str, Callable[[], list[Block]]], ...]
 def chapter_parts(context: Context, number: int, step: Step, outcome: Outcome[object], figures: list[Block]) -> Parts:
     """The parts of a chapter in their order, each by the word that heads it."""
     proven = {check.id for proof in proofs(context, outcome.checks) for check in proof.checks}
-    values = [value for value in outcome.values() if is_key_value(value.id)]
+    values = [value for id, value in context.values.items() if id == value.id and id.startswith(f"{step.key}.") and is_key_value(id)]
     parts: Parts = (
         ("verdicts_of", lambda: finding_blocks(context, outcome)),
         ("proofs", lambda: proof_blocks(context, number, step, outcome)),

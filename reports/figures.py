@@ -9,7 +9,6 @@ of many lines stand beside each other.
 from __future__ import annotations
 
 from dataclasses import replace
-from functools import partial
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -33,7 +32,6 @@ from .plots import (
     Plots,
     in_words,
     numbers,
-    plot,
 )
 from .prose import STRONG, lines
 from .stacked import Stack
@@ -135,7 +133,7 @@ class _Figure:
         if self.lying is not None:
             self.axes = self.lying.height
         else:
-            self.recording = plots.ahead.ask(partial(plot, plots, curve, self.wide, self.axes + LOW + HIGH, self.look))
+            self.recording = plots.ask(curve, self.wide, self.axes + LOW + HIGH, self.look)
 
     @property
     def legend_height(self) -> float:

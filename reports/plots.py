@@ -5,8 +5,9 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import cache
 from math import isfinite
-from typing import Any
+from typing import Any, TypeAlias
 
 import numpy as np
 
@@ -18,7 +19,7 @@ from .arrows import Arrow, arrows, draw_arrows
 from .boxes import BLACK, Box, Colour
 from .fonts import clean
 from .prose import Style, broken, lines, run
-from .recording import Ahead, Recorder, Recording
+from .recording import Recorder, Recording
 
 # Okabe and Ito's palette, in an order whose greys differ, each with its own pattern (lengths in points).
 LINES: tuple[tuple[Colour, tuple[float, ...], float], ...] = (
@@ -127,12 +128,23 @@ def fitted(words: str, width: float) -> Box:
 
 class Plots:
     """What the figures of one report are drawn with: axes, which are used again, since making them costs more than drawing, and how
-    its language writes a number."""
+    its language writes a number.  All can be asked for before any is placed, and are then drawn together, by whoever is told to."""
 
     def __init__(self, say: Language) -> None:
         self.made: dict[tuple[float, float, float, bool, bool], Any] = {}
-        self.number = say.number
-        self.ahead = Ahead()
+        self.number, self.lang = say.number, say.code
+        self.asked: list[Job] = []
+        self.drawn: Callable[[], list[Recording]]
+
+    def ask(self, curve: Curve, width: float, height: float, look: Look) -> Callable[[], Recording]:
+        """Have a curve drawn into a frame of this size; what is returned gives it once all are begun, and may have to wait for it."""
+        n = len(self.asked)
+        self.asked.append((curve, width, height, look))
+        return lambda: self.drawn()[n]
+
+    def begin(self, draws: Draughtsman) -> None:
+        """All are asked for."""
+        self.drawn = cache(draws((self.lang, self.asked)))
 
     def short(self, value: float) -> str:
         return self.number(short(value))
@@ -196,6 +208,8 @@ class Look:
 
 
 ALONE = Look()
+Job: TypeAlias = tuple[Curve, float, float, Look]
+Draughtsman: TypeAlias = Callable[[tuple[str, list[Job]]], Callable[[], list[Recording]]]  # given a language and what to draw, begins
 
 
 def plot(plots: Plots, curve: Curve, width: float, height: float, look: Look = ALONE) -> Recording:

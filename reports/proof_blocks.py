@@ -52,12 +52,12 @@ def proof_blocks(context: Context, number: int, step: Step, outcome: Outcome[obj
         held = limit(context, proof, known)
         made += _proof(context, f"{number}.{n}", step, proof, walk, held)
         known = walk.derived(f"{number}.{n}") | dict.fromkeys(held.lines, f"{number}.{n}") | known
-    return made + _headline(context, step, outcome, {check.value_id for proof in found for check in proof.checks}, known)
+    return made + _headline(context, step, {check.value_id for proof in found for check in proof.checks}, known)
 
 
-def _headline(context: Context, step: Step, outcome: Outcome[object], proven: set[str], known: Known) -> list[Block]:
+def _headline(context: Context, step: Step, proven: set[str], known: Known) -> list[Block]:
     """How the value comes about that stands for a step, where no proof shows it."""
-    own = {value.id: value for value in outcome.values()}
+    own = context.values
     id = step.headline(own)
     if id is None or id in proven or not own[id].shown or not (walk := value(context, id, known)).entries:
         return []

@@ -1,18 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
 """What is drawn in a frame of its own and placed on a page afterwards.
 
-A figure is the same wherever it stands.  So all of them can be drawn before there are pages, and by a copy of this process while it makes
-the rest: the copy sends its recordings back, and what draws them, which takes longest to load, is not loaded here.
+A figure is the same wherever it stands, so it can be drawn before there are pages.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass
-from functools import cache
 from typing import TYPE_CHECKING
-
-from calc.sheet.aside import aside
 
 from .boxes import Box
 from .paper import LEFT
@@ -54,24 +49,3 @@ class Recorder:
     @property
     def recording(self) -> Recording:
         return Recording("\n".join(self.code), tuple(self.words))
-
-
-class Ahead:
-    """Figures that are drawn together, ahead of the pages that they are placed on."""
-
-    def __init__(self) -> None:
-        self._asked: list[Callable[[], Recording]] = []
-        self._drawn: Callable[[], list[Recording]] = cache(self._draw)
-
-    def ask(self, draw: Callable[[], Recording]) -> Callable[[], Recording]:
-        """Have a figure drawn; what is returned gives it once all are asked for, and may have to wait for it."""
-        n = len(self._asked)
-        self._asked.append(draw)
-        return lambda: self._drawn()[n]
-
-    def begin(self) -> None:
-        """All are asked for: they are drawn meanwhile, where that can be, else when the first is placed."""
-        self._drawn = cache(aside(self._draw))
-
-    def _draw(self) -> list[Recording]:
-        return [draw() for draw in self._asked]

@@ -29,6 +29,7 @@ from .content import Heading
 from .contents import Entry, contents_blocks
 from .context import DEPTHS, Context, stands
 from .derivation import derivation
+from .draughtsman import draughtsman
 from .drawing import drawing_blocks, wheel_blocks
 from .figures import figure_blocks
 from .flow import Block, bullet, composed, heading, paragraph
@@ -38,7 +39,7 @@ from .inputs import input_blocks, material_blocks
 from .logo import logo
 from .nomenclature import nomenclature_blocks
 from .paper import PAGE, WIDTH
-from .plots import Plots
+from .plots import Draughtsman, Plots
 from .prose import BODY, HEADING, SECTION, lines
 from .sketches import sketch_figure
 from .sources import source_blocks
@@ -59,14 +60,15 @@ WHOLE, MADE, WRITTEN = 0.06, 0.55, 0.98
 
 def write(
     document: Document, results: Results, raw: bytes, path: Path, *, depth: str = "engineer", lang: str = "en",
-    front: bytes | None = None, progress: Progress | None = None,
+    front: bytes | None = None, progress: Progress | None = None, draws: Draughtsman | None = None,
 ) -> Path:  # fmt: skip
     """Write the report of a solved design to `path`; `raw`, the bytes of its file, is attached to it.
 
     `depth`: "summary" is the first page, "engineer" the calculation, "audit" every traced line.  Raises ValueError for a depth
     or a language that there is not.  `progress` is told every section and every page; what it raises ends the writing, and no file is left.
+    `draws`: who draws its figures, and may have begun to get ready before the design was solved.
     """
-    made = render(document, results, raw, depth=depth, lang=lang, front=front, progress=progress)
+    made = render(document, results, raw, depth=depth, lang=lang, front=front, progress=progress, draws=draws)
     path = write_file(path, made, inputs=inputs_of(document, results))
     tell(progress, 1.0, path.name)
     return path
@@ -80,7 +82,7 @@ def inputs_of(document: Document, results: Results) -> list[Path]:
 
 def render(
     document: Document, results: Results, raw: bytes, *, depth: str = "engineer", lang: str = "en", logo_file: bytes | None = None,
-    front: bytes | None = None, progress: Progress | None = None,
+    front: bytes | None = None, progress: Progress | None = None, draws: Draughtsman | None = None,
 ) -> bytes:  # fmt: skip
     """The report as the bytes of a PDF.  `logo_file`: of the design's logo; without it, it is read beside the design.
 
@@ -90,7 +92,7 @@ def render(
     context.drive = picked(front, document.data) if front is not None else None
     control, picture = context.design.control, context.logo
     tell(progress, WHOLE, context.design.name)
-    pages = composed(blocks(context, part(progress, WHOLE, MADE)))
+    pages = composed(blocks(context, part(progress, WHOLE, MADE), draws))
     solved = attach.results_bytes(results)
     said_of = dict(depth=depth, lang=lang, sha256=context.sha256, results=hashlib.sha256(solved).hexdigest())
     files = {attach.NAME: (raw, context.words["file"]), attach.RESULTS: (solved, context.words["solved"])}
@@ -121,7 +123,7 @@ def context_of(document: Document, results: Results, raw: bytes, *, depth: str, 
     return Context(document, spoken, hashlib.sha256(raw).hexdigest(), depth, say, whole, picture)
 
 
-def blocks(context: Context, progress: Progress | None = None) -> list[Block]:
+def blocks(context: Context, progress: Progress | None = None, draws: Draughtsman | None = None) -> list[Block]:
     """Everything that the report holds, in its order."""
     nearest = aside(partial(mended, context))
     if context.depth == "summary":
@@ -129,14 +131,14 @@ def blocks(context: Context, progress: Progress | None = None) -> list[Block]:
         return closing_blocks(context, nearest(), summary)
     entries: list[Entry] = []
     body: list[Block] = []
-    plots = Plots(context.say)
+    draws, plots = draws or draughtsman(), Plots(context.say)
     steps = [one for one in context.steps() if context.audit or one[2].state != "not_asked"]
     pictures = [_pictures(context, step, outcome, plots) for _, step, outcome in steps]
     if context.drive is not None:
         from .drive import drive_blocks, front_figure  # of one design in a hundred
 
         front = front_figure(context, context.drive, plots)
-    plots.ahead.begin()
+    plots.begin(draws)
     summary = summary_blocks(context)
     for n, (number, step, outcome) in enumerate(steps):
         done = part(progress, n / len(steps), (n + 1) / len(steps))

@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-from functools import partial
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
@@ -17,7 +16,7 @@ from .labels import Label, placed
 from .legend import draw_legend, legend
 from .line_labels import at_the_point
 from .paper import LEFT, WIDTH
-from .plots import HIGH, LEFT_AXIS, LETTER, LOW, RIGHT_AXIS, Look, Plots, in_words, numbers, plot
+from .plots import HIGH, LEFT_AXIS, LETTER, LOW, RIGHT_AXIS, Look, Plots, in_words, numbers
 from .prose import STRONG, lines, run
 from .tags import FIGURE, Tag
 
@@ -48,10 +47,7 @@ class Stack:
         self.under = len(self.caption) * STRONG.leading
         self.height = sum(map(_height, curves)) + LOW + self.under
         looks = [Look(at_the_point, ends=self.ends, lowest=curve is curves[-1]) for curve in curves]
-        self.panels = [
-            None if curve.loads else plots.ahead.ask(partial(plot, plots, curve, WIDTH, LOW + PANEL + HIGH, look))
-            for curve, look in zip(curves, looks)
-        ]
+        self.panels = [None if curve.loads else plots.ask(curve, WIDTH, LOW + PANEL + HIGH, look) for curve, look in zip(curves, looks)]
 
     def draw(self, pen: Pen, x: float, y: float) -> None:
         for curve, panel in zip(self.curves, self.panels):

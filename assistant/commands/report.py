@@ -7,14 +7,13 @@ from argparse import Namespace
 from importlib.util import find_spec
 from pathlib import Path
 
-from assistant.plain import print_summary
 from assistant.saving import spare
 from calc.design_file import Document, design, read
 from calc.files import read_file
 from calc.limits import FRONT_BYTES
 from calc.sheet.errors import BadInput, InputError
 from calc.sheet.text import Text
-from calc.solve import solve
+from reports.draughtsman import draughtsman
 
 ENDINGS = ("pdf", "docx")
 PACKAGES = {"python-docx": "docx", "pypdfium2": "pypdfium2"}  # of the extra `docx`, by what they are imported as
@@ -25,6 +24,10 @@ def run(asked: Namespace) -> int:
     document = read(source)
     kind, target = _target(asked, source)
     spare(target, asked.file)
+    draws = draughtsman() if kind == "pdf" and asked.depth != "summary" else None  # before what takes long to load
+    from assistant.plain import print_summary
+    from calc.solve import solve
+
     gc.disable()  # looking for garbage takes a tenth of a report, and hardly any is made
     try:
         results = solve(design(document), traced=True)
@@ -35,7 +38,8 @@ def run(asked: Namespace) -> int:
         else:
             from reports.report import write
 
-            write(document, results, document.raw, target, depth=asked.depth, lang=asked.lang, front=_front(source, document))
+            front = _front(source, document)
+            write(document, results, document.raw, target, depth=asked.depth, lang=asked.lang, front=front, draws=draws)
     except OSError as error:
         raise BadInput(
             str(target),

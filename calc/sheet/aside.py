@@ -1,13 +1,16 @@
 # SPDX-License-Identifier: Apache-2.0
 """Work that a copy of this process does meanwhile, where there is a core for it."""
 
+import gc
 import os
 import pickle
 import sys
 import threading
 from collections.abc import Callable
-from typing import TypeVar
+from functools import partial
+from typing import Any, TypeVar
 
+G = TypeVar("G")
 T = TypeVar("T")
 
 
@@ -17,26 +20,59 @@ def aside(work: Callable[[], T]) -> Callable[[], T]:
     It gives what `work` gives, only sooner: where this process can not be copied (it has other threads, there is one core) or the copy
     comes to nothing, it is the work itself, done when it is asked for.
     """
+
+    def ready() -> Callable[[None], T]:
+        return lambda nothing: work()
+
+    return prepared(ready)(None)
+
+
+def prepared(ready: Callable[[], Callable[[G], T]]) -> Callable[[G], Callable[[], T]]:
+    """A copy of this process that makes itself `ready` for work before it is known what the work is about.
+
+    What is returned is to be called once.  It begins the work on what it is given, data that pickle knows too, and returns what waits for
+    the result as `aside` does.  A copy that is never given anything ends with this process.
+    """
     if sys.platform != "linux" or threading.active_count() > 1 or len(os.sched_getaffinity(0)) < 2:
-        return work
-    reading, writing = os.pipe()
+        return lambda given: lambda: ready()(given)
+    (orders, ordering), (reading, writing) = os.pipe(), os.pipe()
     if not (copy := os.fork()):
         try:
-            with open(writing, "wb") as file:
-                pickle.dump(work(), file)
+            _serve(ready, orders, ordering, writing)
         finally:
             os._exit(0)  # nothing of what this process does at its end is the copy's to do
+    os.close(orders)
     os.close(writing)
-    answer = open(reading, "rb")  # closed when it is read, or with what is returned: then the copy ends too
+    order, answer = open(ordering, "wb"), open(reading, "rb")  # closed with what is returned: then the copy ends too
 
-    def result() -> T:
+    def begin(given: G) -> Callable[[], T]:
+        try:
+            with order:
+                order.write(pickle.dumps(given))
+        except BrokenPipeError:
+            pass  # the copy is lost, which its answer tells
+        return partial(result, given)
+
+    def result(given: G) -> T:
         with answer:
             data = answer.read()
         os.waitpid(copy, 0)
         try:
             found: T = pickle.loads(data)
         except (EOFError, pickle.UnpicklingError):
-            return work()
+            return ready()(given)
         return found
 
-    return result
+    return begin
+
+
+def _serve(ready: Callable[[], Callable[[Any], Any]], orders: int, ordering: int, writing: int) -> None:
+    """What the copy does.  It shows nothing and keeps no outlet open that others wait for."""
+    nowhere = os.open(os.devnull, os.O_RDWR)
+    for stream in {0, 1, 2} - {orders, ordering, writing}:
+        os.dup2(nowhere, stream)
+    os.close(ordering)
+    gc.disable()  # it ends soon
+    work = ready()
+    with open(orders, "rb") as told, open(writing, "wb") as file:
+        pickle.dump(work(pickle.load(told)), file)

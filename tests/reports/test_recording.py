@@ -15,7 +15,7 @@ from reports.fonts import UPRIGHT
 from reports.paper import LEFT
 from reports.pen import Codes, Pen
 from reports.plots import Plots, plot
-from reports.recording import Ahead, Recording
+from reports.recording import Recording
 
 from .reading import V12, shapes, solved, spans
 
@@ -69,19 +69,6 @@ def test_neighbours_do_not_move_each_other() -> None:
 def test_what_a_copy_of_the_process_sends_is_what_it_has_drawn(curve: Curve) -> None:
     recording = drawn(curve)
     assert pickle.loads(pickle.dumps(recording)) == recording == drawn(curve)
-
-
-def test_all_that_were_asked_for_are_drawn_together() -> None:
-    done: list[int] = []
-
-    def draw(n: int) -> Recording:
-        done.append(n)
-        return Recording(str(n), ())
-
-    ahead = Ahead()
-    asked = [ahead.ask(lambda n=n: draw(n)) for n in range(3)]  # type: ignore[misc]
-    assert not done
-    assert [one().code for one in asked] == ["0", "1", "2"] and done == [0, 1, 2]
 
 
 def test_the_pages_are_the_same_with_copies_of_the_process_and_without(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -1,13 +1,18 @@
 """Work done by a copy of the process gives what it gives here, also where no copy can be made or the copy is lost."""
 
 import os
+import subprocess
 import sys
 import threading
+import time
+from collections.abc import Callable
+from pathlib import Path
 
 import pytest
 
-from calc.sheet.aside import aside
+from calc.sheet.aside import aside, prepared
 
+ROOT = Path(__file__).parents[3]
 CAN = sys.platform == "linux" and len(os.sched_getaffinity(0)) > 1
 
 
@@ -42,3 +47,51 @@ def test_what_fails_there_fails_here(capfd: pytest.CaptureFixture[str]) -> None:
 def test_what_a_copy_can_not_send_is_made_here() -> None:
     made = aside(lambda: lambda: 3)()
     assert made() == 3
+
+
+@pytest.mark.skipif(not CAN, reason="one core, or no fork")
+def test_it_is_ready_before_it_is_told() -> None:
+    begin = prepared(lambda: lambda given: (given, os.getpid()))
+    given, other = begin({"x": [1.5, "two"]})()
+    assert given == {"x": [1.5, "two"]} and other != os.getpid()
+
+
+@pytest.mark.skipif(not CAN, reason="one core, or no fork")
+def test_more_than_a_pipe_holds_goes_through_it() -> None:
+    much = bytes(range(256)) * 4000
+    assert prepared(lambda: bytes.upper)(much)() == much.upper()
+
+
+@pytest.mark.skipif(not CAN, reason="one core, or no fork")
+def test_a_copy_that_is_lost_before_it_is_told_is_not_missed() -> None:
+    here = os.getpid()
+
+    def ready() -> Callable[[int], int]:
+        if os.getpid() != here:
+            os._exit(1)
+        return lambda given: given + 1
+
+    begin = prepared(ready)
+    time.sleep(0.1)
+    assert begin(4)() == 5
+
+
+@pytest.mark.skipif(not CAN, reason="one core, or no fork")
+def test_a_copy_that_nobody_tells_anything_ends() -> None:
+    begin = prepared(lambda: lambda given: given)
+    del begin
+    ended, status = os.waitpid(-1, 0)
+    assert ended and os.waitstatus_to_exitcode(status) == 0
+
+
+@pytest.mark.skipif(not CAN, reason="one core, or no fork")
+def test_a_copy_shows_nothing(capfd: pytest.CaptureFixture[str]) -> None:
+    assert aside(lambda: os.write(1, b"there") + os.write(2, b"there"))() == 10
+    assert capfd.readouterr() == ("", "")
+
+
+@pytest.mark.skipif(not CAN, reason="one core, or no fork")
+def test_who_waits_for_the_end_of_the_output_does_not_wait_for_a_copy() -> None:
+    code = "import time; from calc.sheet.aside import aside; kept = aside(lambda: time.sleep(100)); print('end')"
+    ended = subprocess.run([sys.executable, "-c", code], cwd=ROOT, capture_output=True, text=True, timeout=20)
+    assert (ended.returncode, ended.stdout, ended.stderr) == (0, "end\n", "")
