@@ -9,17 +9,15 @@ from itertools import groupby
 from operator import itemgetter
 
 from reportlab.pdfbase import pdfmetrics
-from reportlab.pdfbase.pdfdoc import PDFArray, PDFDictionary, PDFName, PDFString
 from reportlab.pdfgen.canvas import Canvas
 
 from .boxes import BLACK, Box, Colour, Mark
 from .fonts import face_of
 from .paper import LEFT
-from .tags import FIGURE, Element, Tag, Tree, hexed
+from .tags import FIGURE, Element, Link, Tag, Tree, hexed
 
 Encoded = tuple[str, str]  # a part of an embedded font by its name on the page, and codes in it
 Codes = tuple[dict[str, list[Encoded]], dict[str, Encoded]]  # texts and single letters, as a font encodes them
-PRINTED = 4  # the flag of what lies over a page: it is printed
 
 
 class Pen:
@@ -94,11 +92,7 @@ class Pen:
     def link(self, x: float, y: float, width: float, height: float, anchor: str, words: str) -> None:
         """Over the text that was put there last: it becomes the content of the link."""
         left, canvas, owner = LEFT + x, self.canvas, self.element
-        over: dict[str, object] = {
-            "Type": PDFName("Annot"), "Subtype": PDFName("Link"), "Border": PDFArray([0, 0, 0]), "F": PRINTED, "Contents": PDFString(words),
-            "Rect": PDFArray([round(left, 2), round(y, 2), round(left + width, 2), round(y + height, 2)]),
-            "Dest": canvas._bookmarkReference(anchor),
-        }  # fmt: skip
+        parent = None
         if owner is not None:
             link = Element("Link", owner)
             for n in range(len(self.text) - 1, -1, -1):  # back to where its owner begins
@@ -107,8 +101,8 @@ class Pen:
                     break
                 if left - 0.5 <= at < left + width and y <= base < y + height:
                     self.text[n] = at, base, mark, link
-            over["StructParent"] = self.tree.link(link, f"NUMBER{canvas._annotationCount + 1}")
-        canvas._addAnnotation(PDFDictionary(over))
+            parent = self.tree.link(link, f"NUMBER{canvas._annotationCount + 1}")
+        canvas._addAnnotation(Link((left, y, left + width, y + height), words, canvas._bookmarkReference(anchor), parent))
 
     def figure(self, draw: Callable[[], None]) -> None:
         self.figures.append((draw, self.element))

@@ -7,7 +7,7 @@ a paragraph, the rows of a table, are one element of the tree (ISO 32000-1, 14.7
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -16,6 +16,7 @@ from reportlab.pdfbase.pdfdoc import PDFObject, PDFObjectReference
 GATHERED = {"LI": "L", "TOCI": "TOC"}  # neighbours of a kind stand in a common element
 HEADING, FIGURE = "H", "Figure"
 CELLS = ("TD", "TH")
+PRINTED = 4  # the flag of what lies over a page: it is printed
 LEVELS = 6  # of headings, at most
 COLUMN, ROW = "/O /Table /Scope /Column", "/O /Table /Scope /Row"  # what a cell heads
 
@@ -61,7 +62,7 @@ class Element(PDFObject):  # type: ignore[misc]
     def __init__(self, role: str, parent: Element | None, alt: str = "", attributes: str = "") -> None:
         self.role, self.parent, self.alt, self.attributes = role, parent, alt, attributes
         self.kids: list[Element | Piece | Annotation] = []
-        self.reference = b""  # as soon as it is an object of the document
+        self.reference = self.written = b""  # as soon as it is an object of the document
         if parent is not None:
             parent.kids.append(self)
 
@@ -74,19 +75,32 @@ class Element(PDFObject):  # type: ignore[misc]
         kid = next((kid for kid in self.kids if not isinstance(kid, Annotation)), None)
         return kid.place() if isinstance(kid, Element) else (kid.page, kid.number) if kid is not None else (-1, -1)
 
-    def format(self, document: Any) -> bytes:
-        made = [b"<< /S /%s /P %s" % (self.role.encode(), _up(document, self.parent))]
+    def write(self, pages: list[bytes], annotations: Callable[[str], bytes], root: bytes) -> None:
+        """What it is as an object, once every element has its reference; `pages`: references to all pages."""
+        made = [b"<< /S /%s /P %s" % (self.role.encode(), self.parent.reference if self.parent is not None else root)]
         page = next((kid.page for kid in self.kids if isinstance(kid, Piece)), None)
         if page is not None:
-            made.append(b"/Pg " + page_reference(document, page))
-        kids = [_kid(document, kid, page) for kid in self.kids]
+            made.append(b"/Pg " + pages[page])
+        kids = []
+        for kid in self.kids:
+            if isinstance(kid, Element):
+                kids.append(kid.reference)
+            elif isinstance(kid, Annotation):
+                kids.append(b"<< /Type /OBJR /Pg %s /Obj %s >>" % (pages[kid.page], annotations(kid.name)))
+            elif kid.page != page:
+                kids.append(b"<< /Type /MCR /Pg %s /MCID %d >>" % (pages[kid.page], kid.number))
+            else:
+                kids.append(b"%d" % kid.number)
         if kids:
             made.append(b"/K " + (kids[0] if len(kids) == 1 else b"[%s]" % b" ".join(kids)))
         if self.alt:
             made.append(f"/Alt <{hexed(self.alt)}>".encode())
         if self.attributes:
             made.append(f"/A << {self.attributes} >>".encode())
-        return b" ".join([*made, b">>"])
+        self.written = b" ".join([*made, b">>"])
+
+    def format(self, document: Any) -> bytes:
+        return self.written
 
 
 class Root(PDFObject):  # type: ignore[misc]
@@ -154,9 +168,13 @@ class Tree:
     def finish(self, document: Any) -> Root:
         """Leave out what has no content, and make the elements objects of a document, in the order of reading."""
         _prune(self.top)
-        for element in _all(self.top):
+        root, elements = Root(self), list(_all(self.top))
+        for element in elements:
             element.reference = document.Reference(element).format(document)
-        return Root(self)
+        pages = [PDFObjectReference(f"Page{n}").format(document) for n in range(1, len(self.pages) + 1)]
+        for element in elements:
+            element.write(pages, lambda name: document.refAnnotation(name).format(document), document.Reference(root).format(document))
+        return root
 
 
 def _prune(element: Element) -> None:
@@ -175,28 +193,19 @@ def _all(element: Element) -> Iterator[Element]:
             yield from _all(kid)
 
 
-def _up(document: Any, parent: Element | None) -> bytes:
-    """What an element stands in: another, or the root."""
-    made: bytes = document.Reference(document.Catalog.StructTreeRoot).format(document) if parent is None else parent.reference
-    return made
+class Link(PDFObject):  # type: ignore[misc]
+    """What lies over a page and leads to a destination.  `parent`: the number by which it finds its element."""
 
+    __RefOnly__ = 1
 
-def page_reference(document: Any, page: int) -> bytes:
-    made: bytes = PDFObjectReference(f"Page{page + 1}").format(document)
-    return made
+    def __init__(self, corners: tuple[float, float, float, float], words: str, to: Any, parent: int | None) -> None:
+        self.corners, self.words, self.to, self.parent = corners, words, to, parent
 
-
-def _kid(document: Any, kid: Element | Piece | Annotation, page: int | None) -> bytes:
-    match kid:
-        case Element():
-            return kid.reference
-        case Annotation():
-            at = page_reference(document, kid.page), document.refAnnotation(kid.name).format(document)
-            return b"<< /Type /OBJR /Pg %s /Obj %s >>" % at
-        case Piece(page=on, number=number) if on != page:
-            return b"<< /Type /MCR /Pg %s /MCID %d >>" % (page_reference(document, on), number)
-        case _:
-            return b"%d" % kid.number
+    def format(self, document: Any) -> bytes:
+        box = " ".join(f"{x:.2f}" for x in self.corners)
+        made = f"/Type /Annot /Subtype /Link /Border [0 0 0] /F {PRINTED} /Contents <{hexed(self.words)}> /Rect [{box}]".encode()
+        parent = b"" if self.parent is None else b" /StructParent %d" % self.parent
+        return b"<< %s%s /Dest %s >>" % (made, parent, self.to.format(document))
 
 
 def hexed(words: str) -> str:
