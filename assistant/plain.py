@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from calc.effects import Effect
 
 DIGITS = 6
-HEADLINES = {step.key: step.headlines for step in STEPS}
+HEADS = {step.key: step for step in STEPS}
 WIDE = 32  # characters of a cell of words in a table; a longer one goes on in the next line
 LINE = 112  # of a table's note
 NARROW = 12  # characters that a column's label may have on one line in any case
@@ -132,8 +132,8 @@ def print_summary(results: Results, step: str | None = None, everything: bool = 
     for key, outcome in shown.items():
         if key in OPTIONAL and outcome.state == "not_asked":
             continue
-        values = {value.id: value for value in outcome.values()}
-        heads = [values[id] for id in HEADLINES[key] if id in values][:2]
+        values = {value.id: value for value in outcome.values(frozenset(HEADS[key].headlines))}
+        heads = HEADS[key].heads(values)[:2]
         said = str(outcome.reason) or " · ".join(f"{head.id} {short(head.shown)} {head.unit}".rstrip() for head in heads)
         first, *rest = _wrapped(said, LINE - 30) or [""]
         print(f"{TITLES[key]:<14} {sign(outcome.verdict):<14} {first}".rstrip(), *(" " * 30 + line for line in rest), sep="\n")

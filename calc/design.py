@@ -25,8 +25,13 @@ SCHEMA = 1
 FILMS = tuple(f"bearings.{bearing}.{film}" for film in ("film_edge", "film") for bearing in ("front", "rear"))
 STEPS = (
     Step("engine", Text("Engine"), EngineInputs, ("engine.stroke", "engine.lambda")),
-    Step("imbalance", Text("Imbalance"), ImbalanceInputs, ("imbalance.required_couple", "imbalance.required_force")),
-    Step("countershaft", Text("Counter-shaft"), CountershaftInputs, ("countershaft.couple", "countershaft.mass")),
+    Step(
+        "imbalance",
+        Text("Imbalance"),
+        ImbalanceInputs,
+        ("imbalance.required_couple", "imbalance.required_force", "imbalance.order_2.force_peak"),
+    ),
+    Step("countershaft", Text("Counter-shaft"), CountershaftInputs, ("countershaft.couple", "countershaft.mass", "countershaft.force")),
     Step("bearings", Text("Bearings"), BearingsInputs, FILMS),
     Step("gears", Text("Gears"), GearsInputs, ("gears.phase_error", "gears.residual_couple")),
     Step("friction", Text("Friction"), FrictionInputs, ("friction.total_loss", "friction.crank_torque")),

@@ -62,7 +62,7 @@ class Results:
         values, rows = self.values(), []
         for step in (step for step in STEPS if step.key in self.outcomes):
             outcome = self.outcomes[step.key]
-            head = values.get(step.headline(values) or "")
+            head = next(iter(step.heads(values)), None)
             words = f"{head.label}: {short(head.shown)} {head.unit}" if head else outcome.reason
             rows.append((f"  {step.title}", outcome.verdict, words))
         fails = [f"  {check}" for check in self.checks() if check.verdict == "fail"]

@@ -57,11 +57,10 @@ def proof_blocks(context: Context, number: int, step: Step, outcome: Outcome[obj
 
 def _headline(context: Context, step: Step, proven: set[str], known: Known) -> list[Block]:
     """How the value comes about that stands for a step, where no proof shows it."""
-    own = context.values
-    id = step.headline(own)
-    if id is None or id in proven or not own[id].shown or not (walk := value(context, id, known)).entries:
+    head = next(iter(step.heads(context.values)), None)
+    if head is None or head.id in proven or not head.shown or not (walk := value(context, head.id, known)).entries:
         return []
-    title = f"{context.say(own[id].label)}: {context.written(own[id].shown, own[id].unit)}"
+    title = f"{context.say(head.label)}: {context.written(head.shown, head.unit)}"
     made = [_title(context, [(Cell(title, STRONG), "", "", "", "")], (0.35, 0.35, 0.35)), *_walked(context, step, walk)]
     return [*made[:-1], replace(made[-1], keep=False)]
 

@@ -2,7 +2,7 @@
 """A step of the design, what solving it gives, and the curves and tables that screen and paper draw."""
 
 import cmath
-from collections.abc import Callable, Container, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import replace
 from functools import cached_property
 from typing import Any, Generic, Literal, Protocol, TypeVar
@@ -24,7 +24,8 @@ R = TypeVar("R", covariant=True)  # a step's class of results
 @record
 class Step:
     """One of the steps: its key in the file, its title, the class of its inputs.  Of `headlines`, ids of values, the first that a design
-    has stands for the step, the first two where there is a line for them.  `optional`: nothing is missing in a design without it."""
+    has and that is not 0 stands for the step, the first two where there is a line for them.  `optional`: nothing is missing in a design
+    without it."""
 
     key: str
     title: Text
@@ -32,9 +33,10 @@ class Step:
     headlines: tuple[str, ...] = ()
     optional: bool = False
 
-    def headline(self, values: Container[str]) -> str | None:
-        """The value that stands for the step, of those that there are."""
-        return next((id for id in self.headlines if id in values), None)
+    def heads(self, values: Mapping[str, Published]) -> list[Published]:
+        """The values that stand for the step, of those that there are; what is 0 stands for nothing where another is not."""
+        found = [values[id] for id in self.headlines if id in values]
+        return [value for value in found if value.shown] or found
 
 
 def axis_label(label: str, unit: str) -> Text:
