@@ -6,9 +6,11 @@ A part of the program is a Text, which a language can say; one that the user nam
 
 import re
 
+from .mounting.drive import TITLES
+from .mounting.modes import WORDS as MODES
 from .sheet.text import COMMA, Name, Text
 
-NUMBERED = re.compile(r"order_(\d+)")
+NUMBERED = re.compile(r"(order|mode)_(\d+)(?:_(\d+))?")  # order_1_5 is the order 1.5
 WORDS: dict[str, Text] = {  # by the way to them; * stands for a name of the user
     "engine.crank": Text("crank"), "engine.cylinder": Text("cylinder"), "engine.firing": Text("firing"),
     "engine.gas": Text("gas"), "engine.harmonic": Text("harmonic"),
@@ -20,6 +22,8 @@ WORDS: dict[str, Text] = {  # by the way to them; * stands for a name of the use
     "imbalance.remedy.crank": Text("crank"), "imbalance.remedy.crank_and_shafts": Text("crank and shafts"),
     "imbalance.remedy.first_order_pair": Text("first order pair"), "imbalance.remedy.four_shafts": Text("four shafts"),
     "imbalance.remedy.second_order_shafts": Text("second order shafts"), "imbalance.unbalances": Text("unbalances"),
+    "imbalance.throw": Text("throw"), "imbalance.counterweight.front": Text("front"), "imbalance.counterweight.rear": Text("rear"),
+    "countershaft.mass_moment": Text("mass moment"),
     "countershaft.alternative": Text("alternative"), "countershaft.bolts": Text("bolts"), "countershaft.drain": Text("drain"),
     "countershaft.further_drains": Text("further drains"),
     "countershaft.holes": Text("holes"), "countershaft.scatter": Text("scatter"), "countershaft.sector": Text("sector"),
@@ -30,6 +34,11 @@ WORDS: dict[str, Text] = {  # by the way to them; * stands for a name of the use
     "friction.scenarios": Text("scenarios"), "friction.scenarios.*.*.source": Text("source"), "friction.train": Text("train"),
     "friction.*.source": Text("source"), "friction.*.schlenk": Name("Schlenk"), "friction.*.niemann": Name("Niemann"),
     "friction.*.xu_kahraman": Name("Xu, Kahraman"), "friction.*.benedict_kelley": Name("Benedict, Kelley"),
+    "mounting.critical": Text("critical speed"), "mounting.decoupling": Text("decoupling"), "mounting.energy": Text("energy"),
+    "mounting.exposure": Text("exposure"), "mounting.felt_order_1": Text("first order felt"), "mounting.focal": Text("leaning pair"),
+    "mounting.frequency": Text("frequency"), "mounting.lifted": Text("weight"), "mounting.range": Text("idle to rated"),
+    "mounting.road": Text("road frequency"), "mounting.roll_axis": Text("torque roll axis"), "mounting.separation": Text("separation"),
+    "mounting.static": Text("at rest"), "mounting.window": Text("stiffness"), "mounting.with_chassis": Text("engine and frame"),
 }  # fmt: skip
 INSIDE: dict[str, Text] = {  # wherever they stand below a part of these steps
     "imbalance.backward": Text("backward"), "imbalance.backward_2": Text("backward 2"), "imbalance.forward": Text("forward"),
@@ -38,7 +47,9 @@ INSIDE: dict[str, Text] = {  # wherever they stand below a part of these steps
     "bearings.corners": Text("corners"), "bearings.dynamics": Text("dynamics"), "bearings.falz": Name("Falz"),
     "bearings.iso7902": Name("ISO 7902"),
     "bearings.raimondi_boyd": Name("Raimondi & Boyd"), "bearings.raimondi_boyd_own_flow": Text("Raimondi & Boyd, own flow"),
-    "bearings.reynolds": Name("Reynolds"), "bearings.short_bearing": Text("short bearing"),
+    "bearings.reynolds": Name("Reynolds"), "bearings.short_bearing": Text("short bearing"), "bearings.din31652": Name("DIN 31652"),
+    "mounting.direction": Text("direction"), "mounting.share": Text("energy"), "mounting.torque": Text("torque"),
+    **{f"mounting.{key}": title for key, title in (TITLES | MODES).items()},
 }  # fmt: skip
 
 
@@ -54,8 +65,10 @@ def belongs(id: str) -> list[Text]:
     way, words = step, []
     for part in parts:
         known = WORDS.get(f"{way}.{part}") or INSIDE.get(f"{step}.{part}")
-        if known is None and step == "imbalance" and (numbered := NUMBERED.fullmatch(part)):
-            known = Text("order {n}", n=int(numbered[1]))
+        if known is None and step in ("imbalance", "mounting") and (numbered := NUMBERED.fullmatch(part)):
+            kind, whole, more = numbered.groups()
+            n = float(f"{whole}.{more}") if more else int(whole)
+            known = Text("order {n}", n=n) if kind == "order" else Text("mode {n}", n=n)
         words.append(known or Name(part.replace("_", "–")))
         way = f"{way}.{part if known else '*'}"
     return words

@@ -15,7 +15,8 @@ from .sheet.rules import pattern_of
 
 # The results on the first page: patterns of ids; of several values the one that is worst stands for all
 RESULTS: tuple[tuple[str, str], ...] = (
-    ("imbalance.required_couple", "max"), ("imbalance.required_force", "max"), ("countershaft.residual_order_1_couple", "max"),
+    ("imbalance.required_couple", "max"), ("imbalance.required_force", "max"), ("imbalance.order_2.couple_peak", "max"),
+    ("imbalance.order_2.force_peak", "max"), ("countershaft.residual_order_1_couple", "max"),
     ("countershaft.residual_order_1_force", "max"), ("countershaft.residual_order_2_couple", "max"),
     ("countershaft.residual_order_2_force", "max"), ("countershaft.mass", "max"), ("countershaft.slope_*", "max"),
     ("bearings.front.film_edge", "min"), ("bearings.rear.film_edge", "min"), ("bearings.*.outlet_temperature", "max"),
@@ -108,14 +109,14 @@ def _any_of(patterns: tuple[str, ...]) -> re.Pattern[str]:
 
 
 def key_results(values: Mapping[str, Published]) -> dict[str, Published]:
-    """The results of the first page by their patterns, each of the part where it is worst."""
+    """The results of the first page by their patterns, each of the part where it is worst; no imbalance that the engine does not have."""
     found = {}
     of_any = {id: v for id, v in values.items() if like(id, tuple(pattern for pattern, _ in RESULTS)) and v.shown == v.shown}
     for pattern, worst in RESULTS:
         numbers = [v for id, v in of_any.items() if like(id, (pattern,))]
         if numbers:
             found[pattern] = (min if worst == "min" else max)(numbers, key=lambda v: v.shown)
-    return found
+    return {pattern: v for pattern, v in found.items() if v.shown or not pattern.startswith("imbalance.")}
 
 
 def is_least(pattern: str) -> bool:

@@ -10,3 +10,12 @@ def test_a_pair_of_shafts_shows_what_it_leaves_of_the_second_order() -> None:
     shown = key_results(solve(load(DESIGNS / "r754ie4_balance_shafts.toml")[1]).values())
     assert shown["countershaft.residual_order_2_couple"].shown == 0
     assert 2000 < shown["countershaft.residual_order_2_force"].shown < 2200
+
+
+def test_an_engine_shows_the_imbalance_that_it_has() -> None:
+    four, three = (key_results(solve(load(DESIGNS / f"{name}.toml")[1]).values()) for name in ("generating_set_mounting", "r753ie4_gamma"))
+    assert {pattern for pattern in four if pattern.startswith("imbalance.")} == {"imbalance.order_2.force_peak"}
+    assert {pattern for pattern in three if pattern.startswith("imbalance.")} == {
+        "imbalance.required_couple",
+        "imbalance.order_2.couple_peak",
+    }
