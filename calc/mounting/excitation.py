@@ -78,7 +78,7 @@ def shaft_roll(x_S: Metre, Y: PhasorNewton, y_S: Metre, X: PhasorNewton) -> Phas
 
 
 @formula(
-    "felt_1",
+    "q_S,1",
     "mathematics: a couple against what is left of it by a shaft whose couple is too large by s and late by δ",
     names={"s": "s_C", "delta": "δ_S"},
 )
@@ -86,7 +86,7 @@ def first_order_ratio(s: Number, delta: Radian) -> Number:
     return 1 / modulus(1 - (1 + s) * cis(delta))
 
 
-@formula("felt_1", "mathematics: a couple against what the shaft as designed leaves of it")
+@formula("q_S,1", "mathematics: a couple against what the shaft as designed leaves of it")
 def couple_ratio(C: PhasorNewtonMetre, C_left: PhasorNewtonMetre) -> Number:
     return modulus(C) / modulus(C_left)
 

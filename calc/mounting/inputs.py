@@ -71,10 +71,10 @@ class MountingInputs:
     )
     idle_speed: float = quantity("Idle speed", "rpm", above=0, high=30000, symbol="n_idle", help="At which isolation is judged.")
     up: tuple[float, ...] = series(
-        "Up", default=(1.0, 0.0, 0.0), count=(3, 3), low=-1, high=1, help="In engine axes; weight acts against it."
+        "Direction upward", default=(1.0, 0.0, 0.0), count=(3, 3), low=-1, high=1, help="In engine axes; weight acts against it."
     )
     forward: tuple[float, ...] = series(
-        "Forward", default=(0.0, 0.0, 1.0), count=(3, 3), low=-1, high=1, help="In engine axes, of the seat."
+        "Direction forward", default=(0.0, 0.0, 1.0), count=(3, 3), low=-1, high=1, help="In engine axes, of the seat."
     )
     rotation_seen_from_front: str = choice(
         "Rotation seen from the front",

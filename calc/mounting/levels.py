@@ -102,7 +102,7 @@ def force_transmissibility(F_t: Newton, F: Newton) -> Number:
     return F_t / F
 
 
-@formula("felt", "definition: level with half on the crank over that with the shaft")
+@formula("q_S", "definition: level with half on the crank over that with the shaft")
 def felt_ratio(half: Number, shaft: Number) -> Number:
     return half / shaft
 

@@ -166,14 +166,14 @@ def _ratios(tree: Tree, driven: Drive, rows: Sequence[tuple[str, float, float]],
     engine = next((point.name for point in points if point.on == "engine"), None)
     asked: list[tuple[str, str, str, Described]] = []
     if seat is not None:
-        asked.append(("felt_seat", seat, "weighted", described(Text("Felt at the seat, half over shaft"), "", "felt")))
+        asked.append(("felt_seat", seat, "weighted", described(Text("Felt at the seat, half over shaft"), "", "q_S")))
     if engine is not None:
-        asked.append(("felt_engine", engine, "velocity", described(Text("Felt at the engine, half over shaft"), "", "felt")))
+        asked.append(("felt_engine", engine, "velocity", described(Text("Felt at the engine, half over shaft"), "", "q_S")))
     for name, _, _ in rows:
         half, shaft = tree[name]["half"], tree[name]["shaft"]
         for id, place, kind, about in asked:
             put(tree[name], (id,), about, _ratio(getattr(half[place], kind), getattr(shaft[place], kind)))
-        about = described(Text("Felt in the mounts, half over shaft"), "", "felt")
+        about = described(Text("Felt in the mounts, half over shaft"), "", "q_S")
         if "force_sum" in half and "force_sum" in shaft:
             put(tree[name], ("felt_force",), about, _ratio(half["force_sum"].number, shaft["force_sum"].number))
 
@@ -187,5 +187,5 @@ def felt_order_1(driven: Drive) -> Tree | None:
     tree: Tree = {}
     for name in ("shaft", "scatter", "tooth"):
         if name in driven.variants and (ratio := driven.first_order.get(name)) is not None:
-            put(tree, (name,), described(Text("First order felt, half over {variant}", variant=TITLES[name]), "", "felt_1"), ratio)
+            put(tree, (name,), described(Text("First order felt, half over {variant}", variant=TITLES[name]), "", "q_S,1"), ratio)
     return tree or None
