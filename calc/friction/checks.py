@@ -19,7 +19,8 @@ from . import curves, notes
 from .balance.closure import Drive
 from .inputs import FrictionInputs
 from .mesh.film import ELLIPTICAL, LEAST_FACTOR, Oil
-from .mesh.loss import loss_factor, solve_mesh
+from .mesh.loss import solve_mesh
+from .mesh.loss_formulas import loss_factor
 from .mesh.mixed import THESIS
 from .mesh.path import array, line_load
 from .models.compared import MODELS, factor_apart

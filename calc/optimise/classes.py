@@ -28,8 +28,9 @@ from ..step_inputs import shaft_gear
 from .combine import Rows, Sizes, class_front, combinations
 from .films import Films, films, least_length, lengths
 from .other_films import Beside, Stands
-from .problem import CORE, Problem
+from .problem import Problem
 from .shafts import Drive, with_turning
+from .variables import CORE
 from .whole import Sized, journals_power, other_wheels, whole, written
 
 PURE = 1e-6  # of the couple over the span: a force below it is none

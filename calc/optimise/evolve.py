@@ -19,8 +19,9 @@ from ..sheet.text import Text
 from ..solve import Results
 from .combine import Rows, joined
 from .front import front, representatives
-from .problem import CORE, Problem
+from .problem import Problem
 from .run import Found, Table
+from .variables import CORE
 from .whole import Sized, Whole, whole
 
 POPULATION = 40

@@ -26,8 +26,9 @@ from ..sheet.text import EMPTY, Name, Text
 from ..sheet.trace import untraced
 from .classes import NotClosed, class_with, sized
 from .combine import Rows
-from .problem import FITS, SEAT_REACH, Problem
+from .problem import Problem
 from .run import Found
+from .variables import FITS, SEAT_REACH
 from .whole import Whole, whole
 
 FEW = 12  # diameters of the smaller journal that are looked at for a question alone

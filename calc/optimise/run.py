@@ -29,8 +29,9 @@ from ..version import VERSION
 from .classes import ClassFront, NotClosed, class_of, sized
 from .combine import Rows, joined
 from .front import front, representatives
-from .problem import FITS, Problem
+from .problem import Problem
 from .problem import problem as problem_of
+from .variables import FITS
 from .whole import Sized, Whole, whole
 
 NEIGHBOURS = 3  # of a row that fails when it is solved whole, are tried in its place

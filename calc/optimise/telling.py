@@ -10,8 +10,9 @@ from typing import Any
 from ..sheet.step import Table
 from ..sheet.text import COMMA, Amount, Name, Text
 from ..version import VERSION
-from .problem import CORE, FITS, LIMITS, TIED, Problem
+from .problem import LIMITS, Problem
 from .run import Found, key
+from .variables import CORE, FITS, TIED
 from .whole import Whole
 
 LABELS = {

@@ -15,7 +15,8 @@ from ..sheet.errors import BadInput
 from ..sheet.record import record
 from ..sheet.units import Kilogram, Watt
 from ..solve import Results, solve
-from .problem import CORE, FITS, Problem
+from .problem import Problem
+from .variables import CORE, FITS
 
 LARGE = 1e3  # a step without solution, and a hard end that is passed over, are lacks as large as this
 LEAST_LACK = 0.01  # of whatever is broken: by the less the fewer it is

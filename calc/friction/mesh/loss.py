@@ -16,7 +16,6 @@ from ...contact.teeth import LUBRICATION_FACTOR, bulk_rise, bulk_temperature
 from ...sheet.arrays import Array, anywhere, each, many, most, one
 from ...sheet.errors import NoSolution
 from ...sheet.formula import formula
-from ...sheet.functions import along
 from ...sheet.quantity import result, value
 from ...sheet.record import record
 from ...sheet.text import EMPTY, Amount, Text
@@ -26,7 +25,24 @@ from ...sheet.value import converged, unlinked
 from ..inputs import FrictionInputs
 from .film import EXPONENT, Film, Oil, film
 from .geometry import MeshGeometry, column, flat, require
-from .mixed import THESIS
+from .loss_formulas import (
+    efficiency,
+    extreme,
+    hottest_film,
+    largest_deborah,
+    largest_pressure,
+    least_film_ratio,
+    loss_factor,
+    mean_friction,
+    mesh_loss,
+    no_rolling_loss,
+    pressure_at_pitch_point,
+    rigid_share,
+    rolling_estimate,
+    rolling_loss,
+    sliding_loss,
+    thinnest_film,
+)
 from .motion import Motion, motion
 from .path import Path, array, line_load, path, transverse_force
 from .rolling import ehl_rolling_power, rigid_rolling_power
@@ -38,103 +54,6 @@ SKIN = 1e-8  # K: to which the temperature of the skins, where the bodies resist
 PASSES = 100
 HOTTER_TEETH = Text("give friction.bulk_temperature_C, less power or speed, or a wider face")
 LOADED = 0.05  # of the full load, from which film and friction of a place are drawn
-
-
-@formula(
-    "P_s",
-    Text("{thesis}, eq. 3: mean over a mesh cycle of the friction power of all lines in contact", thesis=THESIS),
-    names={"s": "Δs", "mu": "μ_z"},
-)
-def sliding_loss(s: Metre, mu: Number, w: NewtonPerMetre, V_s: MetrePerSecond) -> Watt:
-    """s is the length of line for which a position stands; w is the load without its floor."""
-    return along(s * mu * w * V_s)
-
-
-@formula("P_R", "mathematics, mean over a mesh cycle of the rolling power; [IR]: share of Δs where the rigid isoviscous film governs",
-    names={"s": "Δs", "r": "[IR]"})  # fmt: skip
-def rolling_loss(s: Metre, q_R: WattPerMetre, r: Number) -> Watt:
-    return along(s * q_R * r)
-
-
-@formula(
-    "P_RE",
-    "mathematics: mean over a mesh cycle of the estimated rolling power of an EHL film; shown, not added",
-    names={"s": "Δs", "r": "[IR]"},
-)
-def rolling_estimate(s: Metre, q_E: WattPerMetre, r: Number) -> Watt:
-    return along(s * q_E * (1 - r))
-
-
-@formula("P_VZ", "mathematics: sum of sliding and rolling")
-def mesh_loss(P_s: Watt, P_R: Watt) -> Watt:
-    return P_s + P_R
-
-
-@formula("H_VL", Text("{thesis}, eq. 6: loss factor, the load shared along the path", thesis=THESIS), names={"s": "Δs"})
-def loss_factor(s: Metre, w: NewtonPerMetre, V_s: MetrePerSecond, P: Watt) -> Number:
-    return along(s * w * V_s) / P
-
-
-@formula("μ_m", "definition of the mean coefficient of friction")
-def mean_friction(P_s: Watt, P: Watt, H_VL: Number) -> Number:
-    return P_s / (P * H_VL)
-
-
-@formula("η_Z", Text("definition of the efficiency ({thesis}, eq. 1, prints the loss ratio under this name)", thesis=THESIS))
-def efficiency(P_VZ: Watt, P: Watt) -> Number:
-    """>>> efficiency(P_VZ=4.55, P=224.8)
-    0.9797597...
-    """
-    return 1 - P_VZ / P
-
-
-# --- single numbers of a whole path ------------------------------------------------------------------------------------------
-@formula(
-    "P_R", "rule of this program: without a rigid isoviscous film no rolling is counted", shows="no position has a rigid isoviscous film"
-)
-def no_rolling_loss() -> Watt:
-    return 0.0
-
-
-@formula("h_min", "definition: smallest along the path", unit="µm", shows="smallest h along the path")
-def thinnest_film(h: Metre) -> Metre:
-    return _extreme(np.min, h)
-
-
-@formula("λ_min", "definition: smallest along the path", shows="smallest λ along the path")
-def least_film_ratio(lam: Number) -> Number:
-    return _extreme(np.min, lam)
-
-
-@formula("p_H,max", "definition: largest along the path", unit="MPa", shows="largest p_H along the path")
-def largest_pressure(p_H: Pascal) -> Pascal:
-    return _extreme(np.max, p_H)
-
-
-@formula("p_C", "definition: the pressure of a spur pair where it rolls without sliding", unit="MPa", shows="p_H at the pitch point C")
-def pressure_at_pitch_point(p_H: Pascal) -> Pascal:
-    return p_H
-
-
-@formula("T_f,max", "definition: largest along the path", shows="largest T_f along the path")
-def hottest_film(T_f: Celsius) -> Celsius:
-    return _extreme(np.max, T_f)
-
-
-@formula("De_max", "definition: largest along the path", shows="largest De along the path")
-def largest_deborah(De: Number) -> Number:
-    return _extreme(np.max, De)
-
-
-@formula("s_IR", "definition: share of the length of line whose film is rigid and isoviscous", unit="%", names={"s": "Δs", "r": "[IR]"})
-def rigid_share(s: Metre, r: Number) -> Number:
-    return along(s * r) / along(s)
-
-
-def _extreme(which: Callable[..., Array], x: float) -> float:
-    """The smallest or largest along the path."""
-    found = which(x, axis=-1)
-    return each(found) if found.ndim else one(each(found))
 
 
 @record
@@ -380,7 +299,7 @@ def _solved(c: Case, P: Watt, by_regime: bool, exponent: Number) -> MeshLoss:
         temperature_max=hottest_film(T_f=t.T_f), deborah_max=largest_deborah(De=t.De),
         rigid_share=rigid_share(s=s, r=f.rigid),
         load=P, local=Local(*(array(c.path.in_the_middle(x)) for x in along_path)),
-        lead_at_pitch=c.path.at_pitch_point(f.lead), thermal_reduction_min=_extreme(np.min, f.Phi),
+        lead_at_pitch=c.path.at_pitch_point(f.lead), thermal_reduction_min=extreme(np.min, f.Phi),
     )  # fmt: skip
 
 

@@ -22,8 +22,9 @@ from ...sheet.text import EMPTY, SEMICOLON, Amount, Text
 from ...sheet.units import Metre, MetrePerSecond, Newton, NewtonPerMetre, Number, Pascal, PascalSecond, Watt
 from ...sheet.value import based_on
 from ..mesh.geometry import column, flat
-from ..mesh.loss import Case, loss_factor, sliding_loss
-from ..mesh.loss import mean_friction as mean_friction_of
+from ..mesh.loss import Case
+from ..mesh.loss_formulas import loss_factor, sliding_loss
+from ..mesh.loss_formulas import mean_friction as mean_friction_of
 from ..mesh.path import array, line_load, transverse_force
 
 MILLIPASCAL_SECOND: PascalSecond = 1e-3

@@ -9,7 +9,8 @@ import pytest
 
 from calc.contact.hertz import hertz_pressure
 from calc.contact.teeth import ohlendorf_loss_factor
-from calc.friction.mesh.loss import case, loss_factor, solve_mesh
+from calc.friction.mesh.loss import case, solve_mesh
+from calc.friction.mesh.loss_formulas import loss_factor
 from calc.friction.mesh.motion import motion
 from calc.friction.mesh.path import _legendre, line_load, linear_load_sharing, path, smooth_load_sharing, transverse_force
 from calc.sheet.errors import NoSolution
