@@ -6,8 +6,7 @@ A part of the program is a Text, which a language can say; one that the user nam
 
 import re
 
-from .mounting.drive import TITLES
-from .mounting.modes import WORDS as MODES
+from .mounting.words import DOF_WORDS, VARIANT_WORDS
 from .sheet.text import COMMA, Name, Text
 
 NUMBERED = re.compile(r"(order|mode)_(\d+)(?:_(\d+))?")  # order_1_5 is the order 1.5
@@ -49,7 +48,7 @@ INSIDE: dict[str, Text] = {  # wherever they stand below a part of these steps
     "bearings.raimondi_boyd": Name("Raimondi & Boyd"), "bearings.raimondi_boyd_own_flow": Text("Raimondi & Boyd, own flow"),
     "bearings.reynolds": Name("Reynolds"), "bearings.short_bearing": Text("short bearing"), "bearings.din31652": Name("DIN 31652"),
     "mounting.direction": Text("direction"), "mounting.share": Text("energy"), "mounting.torque": Text("torque"),
-    **{f"mounting.{key}": title for key, title in (TITLES | MODES).items()},
+    **{f"mounting.{key}": title for key, title in (VARIANT_WORDS | DOF_WORDS).items()},
 }  # fmt: skip
 
 

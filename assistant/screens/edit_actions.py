@@ -11,7 +11,7 @@ from calc.sheet.text import COMMA, Text
 
 from ..changes import told
 from ..offers.offer import CHOICES
-from ..places import Place
+from ..places import Place, first_key
 from ..widgets.entry import Entry
 from ..widgets.field import Field
 from ..widgets.form import Form
@@ -34,6 +34,24 @@ def rebuilt(host: Host) -> None:
 class EditActions:
     def __init__(self, host: Host, moves: Moves, background: BackgroundSolve) -> None:
         self._host, self._moves, self._background = host, moves, background
+
+    def add_element(self, place: Place) -> None:
+        """One more element of an array, and into its first field."""
+        form = self._host.form
+        index = form.chosen[place] = self._host.session.add(place)
+        self._host.edited()
+        form.rebuild((*place, index, first_key(place)))
+
+    def remove_element(self, place: Place, index: int) -> None:
+        self._host.session.remove(place, index)
+        self._host.edited()
+
+    def put_table(self, place: Place, there: bool) -> None:
+        """Add a table, and go into its first field; or leave it out."""
+        self._host.session.put_table(place, there)
+        self._host.edited()
+        if there:
+            self._host.form.rebuild((*place, first_key(place)))
 
     def nudge(self, by: int) -> None:
         """Raise or lower the number of a field by an increment."""

@@ -18,7 +18,7 @@ from calc.sheet.text import EMPTY, Text
 
 from ..actions import ACTIONS, methods
 from ..base_app import BaseApp
-from ..places import Place, first_key
+from ..places import Place
 from ..session import Session
 from ..widgets.array_heading import ArrayHeading
 from ..widgets.calculation import Calculation
@@ -33,13 +33,11 @@ from ..widgets.item_list import ItemList
 from ..widgets.message_line import MessageLine
 from ..widgets.pane import Pane
 from ..widgets.picture import Picture
-from ..widgets.radio import Radio
 from ..widgets.step_bar import StepBar
-from ..widgets.steps import READY, Steps
+from ..widgets.steps import Steps
 from ..widgets.table_heading import TableHeading
 from ..widgets.table_list import TableList
 from ..widgets.top_line import TopLine
-from ..widgets.upstream_values import Taken
 from .accept import AcceptActions
 from .background_solve import BackgroundSolve
 from .building import Building
@@ -47,6 +45,7 @@ from .curve_actions import CurveActions
 from .edit_actions import EditActions
 from .edit_feedback import EditFeedback
 from .file_actions import FileActions
+from .lists import Lists
 from .moves import Moves
 from .pane_layout import PANES, PaneLayout
 from .reading_actions import ReadingActions
@@ -82,6 +81,7 @@ class Workbench(Screen[None]):
         self.closing = ReadyActions(self, self.files, self.edits)
         self.building = Building(self, self.moves)
         self.results_view = ResultsView(self, self.background, self.slopes)
+        self.lists = Lists(self, self.moves, self.readings, self.results_view)
         self._actions = methods(self.moves, self.edits, self.files, self.curves, self.readings, AcceptActions(self), self.closing)
         self.feedback = EditFeedback(self)
         self._composing = False
@@ -226,28 +226,19 @@ class Workbench(Screen[None]):
 
     def on_array_heading_added(self, event: ArrayHeading.Added) -> None:
         event.stop()
-        place = event.heading.row.place
-        index = self.session.add(place)
-        self.form.chosen[place] = index
-        self.edited()
-        self.form.rebuild((*place, index, first_key(place)))
+        self.edits.add_element(event.heading.row.place)
 
     def on_array_heading_removed(self, event: ArrayHeading.Removed) -> None:
         event.stop()
-        self.session.remove(event.heading.row.place, event.index)
-        self.edited()
+        self.edits.remove_element(event.heading.row.place, event.index)
 
     def on_table_heading_added(self, event: TableHeading.Added) -> None:
         event.stop()
-        place = event.heading.row.place
-        self.session.put_table(place, True)
-        self.edited()
-        self.form.rebuild((*place, first_key(place)))
+        self.edits.put_table(event.heading.row.place, True)
 
     def on_table_heading_removed(self, event: TableHeading.Removed) -> None:
         event.stop()
-        self.session.put_table(event.heading.row.place, False)
-        self.edited()
+        self.edits.put_table(event.heading.row.place, False)
 
     def on_form_asked(self, event: Form.Asked) -> None:
         event.stop()
@@ -378,31 +369,12 @@ class Workbench(Screen[None]):
         self.slopes.want(event.check)
 
     def on_item_list_moved(self, event: ItemList.Moved) -> None:
-        if isinstance(event.source, Checks) and self.stands:
-            self.results_view.show_finding()
-        if isinstance(event.source, Radio):
-            self.results_view.show_help()
-        if isinstance(event.source, Calculation) and self.stands:
-            self.query_one("#calculation", Pane).set_title(right=event.source.position())
+        self.lists.moved(event.source)
 
     async def on_item_list_chosen(self, event: ItemList.Chosen) -> None:
-        """A step is opened; a check and a line are explained, and a click on a check goes to its line; a value that was taken over leads to
-        its owner."""
         event.stop()
-        source = event.source
-        if not self.stands:
-            return
-        if event.key == READY:
-            self.closing.ready()
-        elif isinstance(source, Steps):
-            self.at_pane("inputs")
-            await self.open_step(next(s for s in STEPS if s.key == event.key))
-        elif isinstance(source, Checks) and event.clicked:
-            self.moves.to_line(event.key)
-        elif isinstance(source, Checks) or (isinstance(source, (Calculation, TableList)) and not event.clicked):
-            self.readings.explain()
-        elif isinstance(source, Taken):
-            await self.moves.to_value(event.key)
+        if self.stands:
+            await self.lists.chosen(event)
 
     def on_resize(self, event: events.Resize) -> None:
         if not self.stands:

@@ -346,9 +346,7 @@ class Form(VerticalScroll, can_focus=True, inherit_bindings=False):
             return
         fields = [stop.parent for stop in self.stops() if isinstance(stop.parent, Field)]
         fields = fields[fields.index(owner) :]
-        values = event.values
-        if owner.about.kind in ("series", "integers"):
-            values = ["; ".join(values)]
+        values = ["; ".join(event.values)] if owner.about.kind in ("series", "integers") else event.values
         self.session.seal()
         for field, text in zip(fields, values):
             field.box.show(text)
@@ -377,10 +375,9 @@ class Form(VerticalScroll, can_focus=True, inherit_bindings=False):
 
     def on_item_list_chosen(self, event: ItemList.Chosen) -> None:
         """What a step offers first is taken."""
-        if not isinstance(event.source, Radio):
+        if not isinstance(source := event.source, Radio):
             return
         event.stop()
-        source = event.source
         if isinstance(source, Balance) and event.key != source.made():
             self.post_message(self.Asked("countershaft", event.key))
         elif isinstance(source, Balance):

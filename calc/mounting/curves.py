@@ -5,9 +5,9 @@ import numpy as np
 
 from ..sheet.step import Curve, Series, axis_label
 from ..sheet.text import Amount, Name, Text
-from .drive import TITLES
 from .result import MountingResult
 from .tables import table
+from .words import VARIANT_WORDS
 
 
 def curves(result: MountingResult) -> tuple[Curve, ...]:
@@ -23,7 +23,7 @@ def seat_over_speed(result: MountingResult) -> tuple[Curve, ...]:
     )
     found = []
     for seat, c in result.courses.items():
-        series = tuple(Series(TITLES[variant], c.speeds * 60, c.total[v]) for v, variant in enumerate(c.variants))
+        series = tuple(Series(VARIANT_WORDS[variant], c.speeds * 60, c.total[v]) for v, variant in enumerate(c.variants))
         found.append(
             Curve(
                 f"seat_{seat}",
@@ -48,7 +48,7 @@ def orders_at(result: MountingResult) -> tuple[Curve, ...]:
         place = np.arange(1, shown.size + 1, dtype=float)
         for i, (operation, (speed, _)) in enumerate(result.speeds.items()):
             series = tuple(
-                Series(TITLES[variant], place, sizes[i, result.drive.variants.index(variant), shown])
+                Series(VARIANT_WORDS[variant], place, sizes[i, result.drive.variants.index(variant), shown])
                 for variant in ("half", "shaft")
                 if variant in result.drive.variants
             )
@@ -71,7 +71,7 @@ def forces(result: MountingResult) -> Curve:
     F = np.sqrt((np.abs(result.levels.force) ** 2).sum((-1, -2)) / 2)  # (operations, variants, mounts)
     series = tuple(
         Series(
-            Text("{operation}, {variant}", operation=Name(operation), variant=TITLES[variant]),
+            Text("{operation}, {variant}", operation=Name(operation), variant=VARIANT_WORDS[variant]),
             place,
             F[i, result.drive.variants.index(variant)],
         )

@@ -19,15 +19,9 @@ from . import excitation as x
 from .gas_torque import Nodes, harmonics, nodes
 from .inputs import MountingInputs
 from .vectors import Moving, index, integer, moving, turning_wrench
+from .words import VARIANT_WORDS
 
 VARIANTS = ("bare", "half", "shaft", "scatter", "tooth")
-TITLES = {
-    "bare": Text("nothing balanced"),
-    "half": Text("half on the crank"),
-    "shaft": Text("with the shaft"),
-    "scatter": Text("with the shaft as it scatters"),
-    "tooth": Text("with the shaft one tooth late"),
-}
 PURE = 1e-6  # of a couple: smaller forces beside it are dust
 
 
@@ -138,7 +132,7 @@ def drive(
     inertia.append(turning_wrench(half, reaction))
     for name, (s, delta) in (shaft.deviations() if shaft is not None else {}).items():
         assert shaft is not None
-        with about(TITLES[name]):
+        with about(VARIANT_WORDS[name]):
             inertia.append(turning_wrench(*_with_shaft(n, half, reaction, shaft, s, delta)))
         variants.append(name)
     whole = based_on(np.stack(inertia), *inertia)

@@ -19,6 +19,7 @@ from .modes import Modes
 from .numbers import described
 from .result import Ceiling, Focal, Mode, RollAxis, Tree, Window
 from .system import System
+from .words import DOF_WORDS
 
 
 @record
@@ -56,9 +57,9 @@ def of_modes(m: Matrices) -> dict[str, Mode]:
     return {f"mode_{i + 1}": Mode(frequency=modes.frequency(omega2=squares[i]), loss_factor=losses[i], share=shares[i]) for i in range(6)}
 
 
-SHARE = {dof: Text("Energy of the mode in {dof}", dof=words) for dof, words in modes.WORDS.items()}
-NAMED = {dof: Text("Frequency of the mode named {dof}", dof=words) for dof, words in modes.WORDS.items()}
-PURE = {dof: Text("Energy of the mode named {dof} in it", dof=words) for dof, words in modes.WORDS.items()}
+SHARE = {dof: Text("Energy of the mode in {dof}", dof=words) for dof, words in DOF_WORDS.items()}
+NAMED = {dof: Text("Frequency of the mode named {dof}", dof=words) for dof, words in DOF_WORDS.items()}
+PURE = {dof: Text("Energy of the mode named {dof} in it", dof=words) for dof, words in DOF_WORDS.items()}
 
 
 def _of(x: float, *place: int) -> float:

@@ -11,8 +11,8 @@ from ..sheet.value import based_on
 from .body import DOFS
 from .drive import operating
 from .inputs import MountingInputs
-from .modes import WORDS
 from .result import MountingResult
+from .words import DOF_WORDS
 
 RULE = Text("rule of this program: mounts of a multi-cylinder engine in practice")
 ISOLATION = Text("dynamics of vibration isolation: it begins √2 above a mode")
@@ -28,7 +28,7 @@ def mode_checks(mounting: MountingInputs, result: MountingResult) -> Iterator[Ch
             limit = based_on(ceiling.lowest_order * float(mounting.idle_speed) / math.sqrt(2.0), ceiling.lowest_order, mounting.idle_speed)
             yield check(
                 f"mounting.separation.{dof}",
-                Text("Mode {dof} below what drives it at idle", dof=WORDS[dof]),
+                Text("Mode {dof} below what drives it at idle", dof=DOF_WORDS[dof]),
                 f,
                 "<=",
                 limit,
@@ -39,7 +39,7 @@ def mode_checks(mounting: MountingInputs, result: MountingResult) -> Iterator[Ch
             )
         yield check(
             f"mounting.road.{dof}",
-            Text("Mode {dof} above the road's", dof=WORDS[dof]),
+            Text("Mode {dof} above the road's", dof=DOF_WORDS[dof]),
             f,
             ">=",
             mounting.road_frequency,
@@ -50,7 +50,7 @@ def mode_checks(mounting: MountingInputs, result: MountingResult) -> Iterator[Ch
     for dof in ("roll", "bounce"):
         yield check(
             f"mounting.decoupling.{dof}",
-            Text("Energy of the mode {dof} in it", dof=WORDS[dof]),
+            Text("Energy of the mode {dof} in it", dof=DOF_WORDS[dof]),
             result.energy[dof].number,
             ">=",
             KEPT,
@@ -111,7 +111,7 @@ def critical_checks(mounting: MountingInputs, engine: EngineInputs, result: Moun
         n, dof, order = min(rows, key=lambda row: abs(row[0] / float(speed) - 1))
         yield check(
             f"mounting.critical.{name}",
-            Text("Nearest critical speed at {name}: {dof}, order {order}", name=Name(name), dof=WORDS[dof], order=Amount(order)),
+            Text("Nearest critical speed at {name}: {dof}, order {order}", name=Name(name), dof=DOF_WORDS[dof], order=Amount(order)),
             based_on(abs(n / float(speed) - 1), result.frequency[dof].number, speed),
             ">=",
             APART,

@@ -15,6 +15,7 @@ from ..sheet.record import record
 from ..sheet.text import Amount, Text
 from ..sheet.units import Hertz, Kilogram, NewtonPerMetre, Number, PerSecond2
 from .body import DOFS
+from .words import DOF_WORDS
 
 FREE = 1e-9  # of the largest eigenvalue: a mode so slow has no spring
 DUST = 1e-11  # of the largest of its coordinate: a part of a shape so small is none
@@ -116,20 +117,10 @@ class Modes:
         """The name of a mode, or what it is mixed of."""
         name, E = self.name(mode), self.energy[:, mode]
         if E[DOFS.index(name)] >= MIXED:
-            return WORDS[name]
+            return DOF_WORDS[name]
         first, second = (DOFS[i] for i in np.argsort(-E)[:2])
         a, b = (Amount(100 * float(E[DOFS.index(dof)]), form=".0f") for dof in (first, second))
-        return Text("mixed, {first} {a} / {second} {b}", first=WORDS[first], a=a, second=WORDS[second], b=b)
-
-
-WORDS = {
-    "bounce": Text("bounce"),
-    "lateral": Text("lateral"),
-    "fore_aft": Text("fore and aft"),
-    "yaw": Text("yaw"),
-    "pitch": Text("pitch"),
-    "roll": Text("roll"),
-}
+        return Text("mixed, {first} {a} / {second} {b}", first=DOF_WORDS[first], a=a, second=DOF_WORDS[second], b=b)
 
 
 def modes(K: Array, M: Array) -> Modes:

@@ -14,13 +14,14 @@ from ..sheet.value import based_on
 from . import excitation as x
 from . import levels as l
 from . import severity, weighting
-from .drive import TITLES, Drive
+from .drive import Drive
 from .excitation import order_word
 from .levels import Levels
 from .numbers import Nested, along_last, described, joined, mapped, put, there
 from .result import MountLevel, OrderForce, OrderLevel, PointLevel, Tree
 from .system import System
 from .use_inputs import Point
+from .words import VARIANT_WORDS
 
 SHOWN = tuple(name for name in PointLevel.__dataclass_fields__ if name != "orders")
 FELT = 1e-6  # of all orders together: one that is weaker is not worth a line
@@ -187,5 +188,5 @@ def felt_order_1(driven: Drive) -> Tree | None:
     tree: Tree = {}
     for name in ("shaft", "scatter", "tooth"):
         if name in driven.variants and (ratio := driven.first_order.get(name)) is not None:
-            put(tree, (name,), described(Text("First order felt, half over {variant}", variant=TITLES[name]), "", "q_S,1"), ratio)
+            put(tree, (name,), described(Text("First order felt, half over {variant}", variant=VARIANT_WORDS[name]), "", "q_S,1"), ratio)
     return tree or None

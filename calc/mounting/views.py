@@ -8,10 +8,9 @@ from ..sheet.record import record
 from ..sheet.step import Table
 from ..sheet.text import Name, Text
 from .body import DOFS
-from .drive import TITLES
 from .inputs import MountingInputs
-from .modes import WORDS
 from .result import MountingResult
+from .words import DOF_WORDS, VARIANT_WORDS
 
 
 def tables(mounting: MountingInputs, result: MountingResult) -> tuple[Table, ...]:
@@ -26,7 +25,7 @@ def felt_table(mounting: MountingInputs, result: MountingResult) -> Table:
     rows = [
         (
             Name(name),
-            TITLES[variant],
+            VARIANT_WORDS[variant],
             _shown(result.leaf(f"{name}.{variant}.{seat}.weighted"), 1.0),
             _shown(result.leaf(f"{name}.{variant}.{engine}.velocity"), 1e3),
             _shown(result.leaf(f"{name}.{variant}.force_sum"), 1.0),
@@ -66,7 +65,7 @@ def mode_table(result: MountingResult) -> Table:
         )
         for i in range(6)
     )
-    columns = ((Text("mode"), ""), (Text("frequency"), "Hz"), (Text("loss"), ""), *((WORDS[dof], "%") for dof in DOFS))
+    columns = ((Text("mode"), ""), (Text("frequency"), "Hz"), (Text("loss"), ""), *((DOF_WORDS[dof], "%") for dof in DOFS))
     return Table(
         "modes",
         Text("Modes of the engine on rigid ground and their energies"),
