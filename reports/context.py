@@ -16,6 +16,7 @@ from calc.sheet.step import Curve, Outcome, Step
 from calc.sheet.text import Amount, Part, Text, plural
 from calc.solve import Results
 
+from .elements import Origins
 from .logo import Logo
 from .symbols import Symbol
 from .words import WORDS
@@ -43,6 +44,7 @@ class Context:
     labels: dict[tuple[str, str], str] = field(default_factory=dict)  # chapter and symbol → what the value or input is called
     sources: dict[str, list[str]] = field(default_factory=dict)  # source, as the formula or check has it → titles of the steps that use it
     cited: set[str] = field(default_factory=set)  # those of what stands in the report
+    origins: Origins = field(default_factory=Origins)
     words: dict[str, str] = field(init=False)  # the report's own, in its language
     _chains: Chains | None = None
     _values: dict[str, Published] = field(default_factory=dict)

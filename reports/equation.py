@@ -7,7 +7,8 @@ under it.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING
 
 from calc.languages import Language
@@ -72,7 +73,7 @@ class Entry:
 
     formula: Equation
     lines: list[Labelled]
-    place: Place | None = None
+    places: Mapping[Line, Place] = field(default_factory=dict)  # of its lines whose values are arrays
     parts: int = PARTS  # of them with their numbers, the others with their values
     full: bool = False  # whether all parts have their numbers
 
@@ -89,7 +90,7 @@ def entry_blocks(entry: Entry, source: str, sign: float, *, labelled: bool, cont
     Of each part ("front bearing") the first calculation stands with its numbers; its others ("front bearing, twice the load") with
     their values only.  Of more than two parts only the first is written out, unless the numbers fit on a line.
     """
-    first = shown(entry.lines[0][1], context.say, entry.place)
+    first = shown(entry.lines[0][1], context.say, entry.places.get(entry.lines[0][1]))
     alike = len({symbol_of(line) for _, line in entry.lines}) == 1
     indexed = BETWEEN.join(dict.fromkeys(noted_line(context, line) for _, line in (entry.lines if alike else entry.lines[:1])))
     head = symbol(first.symbol if alike else entry.formula.symbol, SIZE)
@@ -108,7 +109,7 @@ def entry_blocks(entry: Entry, source: str, sign: float, *, labelled: bool, cont
         if n >= entry.parts and not entry.full:
             rest += calculations
             continue
-        own, said, others, numbers = _calculated(calculations, sign, context.say, entry.place, labelled=labelled)
+        own, said, others, numbers = _calculated(calculations, sign, context.say, entry.places, labelled=labelled)
         if n and len(parts) > 2 and not entry.full and (len(own) > 1 or own[0][1].height > TALL):
             rest += calculations
             continue
@@ -130,7 +131,7 @@ def entry_blocks(entry: Entry, source: str, sign: float, *, labelled: bool, cont
 
 
 def _calculated(
-    calculations: list[Labelled], sign: float, say: Language, place: Place | None, *, labelled: bool
+    calculations: list[Labelled], sign: float, say: Language, places: Mapping[Line, Place], *, labelled: bool
 ) -> tuple[list[tuple[str, Box]], list[str], list[Labelled], list[tuple[str, Shown]]]:
     """The first calculation of a part with its numbers: its rows, the same as words, the part's other calculations, and its lines."""
     full = calculations[0][0]
@@ -141,7 +142,7 @@ def _calculated(
     for label, line in calculations:
         if label != full or len(said) >= MOST:
             others.append((label, line))
-        elif (again := spoken_numbers(made := shown(line, say, place))) not in said:
+        elif (again := spoken_numbers(made := shown(line, say, places.get(line)))) not in said:
             name = label.text() if labelled and not said else ""
             said.append(again)
             lines.append((name, made))

@@ -7,11 +7,9 @@ limit with their numbers, the others by name.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from math import prod
-
-import numpy as np
 
 from calc.explain import needs
 from calc.key_values import PROVEN, PROVEN_WHERE
@@ -20,13 +18,14 @@ from calc.sheet.expression import governing, result, symbol_of
 from calc.sheet.rules import pattern_of
 from calc.sheet.text import Text, with_unit
 from calc.sheet.trace import Line
-from calc.sheet.value import link_of
 
 from .context import Context, near
+from .elements import Element, Index
 from .equation import Entry, Label, Place
 
 MOST = {"limit": 9, "caution": 4}  # formulas of a demand
 ALIKE = 3  # values of one symbol that are quoted
+FEW = 3  # elements of an array that are quoted one by one
 HELD = 4  # of one that holds, and of a value
 LIMIT = 2  # formulas of a limit
 COORDINATES = ("z", "φ", "ξ")  # what a place along an array is named by
@@ -106,49 +105,41 @@ def value(context: Context, id: str, known: Known) -> Walk:
 
 def _walk(context: Context, roots: Sequence[tuple[Line | str, ...]], most: int, also: tuple[str, ...], known: Known) -> Walk:
     """The lines nearest to the first of several numbers, `most` formulas and the symbols in `also`, and the same of the others."""
-    shown = _nearest(_lines(roots[0]), most, also, known)
+    starts = [[(line, governing(line)) for line in _lines(root)] for root in roots]
+    shown = _nearest(context, starts[0], most, also, known)
     if not shown:
         return Walk([], [], [leaf for leaf in roots[0] if isinstance(leaf, str)])
     count = {name: sum(_name(line) == name for line in shown) for name in map(_name, shown)}
-    for root in roots[1:]:
+    for start in starts[1:]:
         left = dict(count)
-        for line in _followed(_lines(root)):
+        for line, index in context.origins.followed(start):
             if left.get(_name(line), 0) > 0 and line not in shown:
                 left[_name(line)] -= 1
-                shown.append(line)
-    place, first = _place(context, shown), _lines(roots[0])
+                shown[line] = index
+    places, first = _places(context, shown, [*context.origins.followed(element for start in starts for element in start)]), _lines(roots[0])
     entries: dict[str, Entry] = {}
     for line in shown:
-        entry = Entry(line.formula, [], place, parts=1, full=line in first)
+        entry = Entry(line.formula, [], places, parts=1, full=line in first)
         entries.setdefault(_name(line), entry).lines.append((Label(*context.say.halves(line.about)), line))
-    return Walk(list(entries.values()), _quoted(context, shown, place, known), _inputs(roots, shown))
+    return Walk(list(entries.values()), _quoted(context, shown, known), _inputs(context, roots, shown))
 
 
 def _lines(leaves: Iterable[Line | str]) -> list[Line]:
     return [leaf for leaf in leaves if isinstance(leaf, Line)]
 
 
-def _followed(roots: list[Line]) -> Iterator[Line]:
-    """These lines and all that they need, the nearest first."""
-    known, waiting = set(roots), list(roots)
-    for line in waiting:  # grows on the way
-        yield line
-        for needed in needs(line)[0]:
-            if needed not in known:
-                known.add(needed)
-                waiting.append(needed)
-
-
-def _nearest(roots: list[Line], most: int, also: tuple[str, ...], known: Known) -> list[Line]:
+def _nearest(context: Context, start: list[Element], most: int, also: tuple[str, ...], known: Known) -> dict[Line, Index | None]:
+    """The lines to be shown, each with the element of it that is followed."""
     names: dict[str, None] = {}
-    shown, wanted = [], set(also)
-    for line in _followed(roots):
+    shown: dict[Line, Index | None] = {}
+    roots, wanted = [line for line, _ in start], set(also)
+    for line, index in context.origins.followed(start):
         if line.formula.symbol in wanted:
             wanted.discard(line.formula.symbol)
         elif line not in roots and (_constant(line) or _name(line) in known or (_name(line) not in names and len(names) >= most)):
             continue
         names[_name(line)] = None
-        shown.append(line)
+        shown[line] = index
     return shown
 
 
@@ -162,17 +153,23 @@ def _name(line: Line) -> str:
     return f"{line.formula.function.__module__}.{line.formula.__name__}"
 
 
-def _quoted(context: Context, shown: list[Line], place: Place | None, known: Known) -> list[str]:
+def _quoted(context: Context, shown: Mapping[Line, Index | None], known: Known) -> list[str]:
     """The values that the shown lines take from lines that are not shown."""
-    given = set(shown)
     values: dict[tuple[str, str], dict[str, str]] = {}  # symbol and where it is derived → numbers, each with its unit
-    for line in shown:
-        for needed in needs(line)[0]:
-            if needed not in given:
-                number, unit = result(needed, place.index if place else None)
-                key = symbol_of(needed), known.get(_name(needed), "")
-                values.setdefault(key, {})[context.say.number(number)] = unit
+    for element in shown.items():
+        for needed, index in context.origins.of(element)[0]:
+            if needed not in shown:
+                where = known.get(needed) or (context.text("as_in", number=known[_name(needed)]) if _name(needed) in known else "")
+                for at in [index] if index else _all(needed):
+                    number, unit = result(needed, at)
+                    values.setdefault((symbol_of(needed), where), {})[context.say.number(number)] = unit
     return [_told(symbol, where, numbers) for (symbol, where), numbers in values.items()]
+
+
+def _all(line: Line) -> list[Index | None]:
+    """Every element of an array of few along one axis; else the one that governs."""
+    shape: Index = getattr(line.value, "shape", ())
+    return [(i,) for i in range(shape[0])] if len(shape) == 1 and 1 < shape[0] <= FEW else [None]
 
 
 def _told(symbol: str, where: str, numbers: dict[str, str]) -> str:
@@ -182,32 +179,24 @@ def _told(symbol: str, where: str, numbers: dict[str, str]) -> str:
     return f"{symbol} = {with_unit(listed, numbers[some[-1]])}{f' [{where}]' if where else ''}"
 
 
-def _inputs(roots: Sequence[tuple[Line | str, ...]], shown: list[Line]) -> list[str]:
+def _inputs(context: Context, roots: Sequence[tuple[Line | str, ...]], shown: Mapping[Line, Index | None]) -> list[str]:
     keys = [leaf for root in roots for leaf in root if isinstance(leaf, str)]
-    return list(dict.fromkeys([*keys, *(key for line in shown for key in needs(line)[1])]))
+    return list(dict.fromkeys([*keys, *(key for element in shown.items() for key in context.origins.of(element)[1])]))
 
 
-def _place(context: Context, shown: list[Line]) -> Place | None:
-    """The element of arrays that is followed: the one that governs the number which is judged, or that it is made from; named by where it
-    lies."""
-    line, index = shown[0], governing(shown[0])
-    if index is None:
-        line, index = _taken(line) or (line, None)
-    shape: tuple[int, ...] = getattr(line.value, "shape", ())
-    if index is None or prod(shape) < 2:
-        return None
-    for one in _followed([line]):
-        if one.formula.symbol in COORDINATES and getattr(one.value, "shape", ()) == shape:
+def _places(context: Context, shown: Mapping[Line, Index | None], reached: list[Element]) -> dict[Line, Place]:
+    """The elements of arrays that are followed, each named by where it lies; `reached`: all that the numbers come from."""
+    coordinates = [(one, at) for one, at in reached if at and one.formula.symbol in COORDINATES]
+    places = {}
+    for line, index in shown.items():
+        shape: Index = getattr(line.value, "shape", ())
+        if index is None or prod(shape) < 2:
+            continue
+        lies = (one for one, at in coordinates if at == index and getattr(one.value, "shape", ()) == shape)
+        if (one := next(lies, None)) is not None:
             number, unit = result(one, index)
-            return Place(index, f"({one.formula.symbol} = {with_unit(context.say.number(number), unit)})")
-    return Place(index, context.say(Text("(place {number} of {size})", number=index[-1] + 1, size=shape[-1])))
-
-
-def _taken(line: Line) -> tuple[Line, tuple[int, ...]] | None:
-    """The array of which a line takes one number, and which of its elements that is: the frequency of one mode among the squares of all."""
-    for value in line.arguments.values():
-        source = link_of(value)
-        if isinstance(source, Line) and isinstance(value, float) and isinstance(source.value, np.ndarray):
-            for index in np.argwhere(source.value == value).tolist():
-                return source, tuple(index)
-    return None
+            words = f"({one.formula.symbol} = {with_unit(context.say.number(number), unit)})"
+        else:
+            words = context.say(Text("(place {number} of {size})", number=index[-1] + 1, size=shape[-1]))
+        places[line] = Place(index, words)
+    return places

@@ -42,6 +42,7 @@ WORDS: dict[str, Text] = {
     "outside_of": Text("Not called a pass: the formula is used outside what it is made for ({name}: {value}, should be {limit})."),
     "counted_outside": plural("{n} holds outside the validity of its formula", "{n} hold outside the validity of their formulas", n=0),
     "not_known": Text("Not known: {keys}."), "accepted_because": Text("Accepted: {reason}"), "with_values": Text("With {values}."),
+    "as_in": Text("as in {number}"),
     "from_inputs": Text("Inputs: {values}."), "outside": Text("kept, outside validity"), "proofs": Text("Proofs"),
     "kept_checks": Text("What holds"), "verdicts_of": Text("Findings"), "key_values": Text("Key values"),
     "governing": Text("Governing: {name}, {value}, needs {limit}"), "key_results": Text("Key results"),

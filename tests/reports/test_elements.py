@@ -1,0 +1,46 @@
+# SPDX-License-Identifier: Apache-2.0
+"""A proof follows the element that its number is made from, through arrays that are put together from several."""
+
+import numpy as np
+
+from calc.sheet.expression import governing
+from calc.sheet.trace import Line
+from reports.elements import Origins
+
+from .reading import Solved, text_of
+
+
+def line_of(example: Solved, step: str, symbol: str) -> Line:
+    return next(line for line in example.results.traced().outcomes[step].lines if line.formula.symbol == symbol)
+
+
+def test_of_an_array_put_together_only_what_gave_the_element_is_followed(example: Solved) -> None:
+    stress, origins = line_of(example, "countershaft", "σ"), Origins()
+    index = governing(stress)
+    assert index is not None and np.shape(stress.value) == (8,)
+    lines, inputs = origins.of((stress, index))
+    found = {line.formula.symbol: (line, at) for line, at in lines}
+    assert set(found) == {"M", "I"} and found["M"][1] == index, "the core's own fibre is an input: no sector's, no journal's"
+    assert inputs == ["countershaft.core_radius_mm"]
+    moment, at = found["I"]
+    assert at is not None and np.shape(moment.value) == (6,)
+    assert moment.value[at] == stress.arguments["I"][index]  # type: ignore[index]
+
+
+def test_what_follows_gives_the_numbers_above_it(example: Solved) -> None:
+    origins, seen = Origins(), 0
+    for step, outcome in example.results.traced().outcomes.items():
+        for line in outcome.lines:
+            if (index := governing(line)) is None or np.size(line.value) < 2:
+                continue
+            entering = [x[index] for x in line.arguments.values() if getattr(x, "shape", ()) == np.shape(line.value)]  # type: ignore[index]
+            for source, at in origins.of((line, index))[0]:
+                if at is not None:
+                    seen += 1
+                    assert any(source.value[at] == number for number in entering) or np.ndim(source.value) == 0, (step, line.formula.symbol)  # type: ignore[index]
+    assert seen > 20
+
+
+def test_numbers_of_a_formula_that_is_derived_with_others_say_so(engineer: bytes) -> None:
+    text = " ".join(text_of(engineer).split())
+    assert "9.559 µm [as in 4.1]" in text and "[3.2]" in text
