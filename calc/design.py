@@ -29,7 +29,7 @@ STEPS = (
         "imbalance",
         Text("Imbalance"),
         ImbalanceInputs,
-        ("imbalance.required_couple", "imbalance.required_force", "imbalance.order_2.force_peak"),
+        ("imbalance.required_couple", "imbalance.required_force", "imbalance.order_2.force_peak", "imbalance.order_2.couple_peak"),
     ),
     Step("countershaft", Text("Counter-shaft"), CountershaftInputs, ("countershaft.couple", "countershaft.mass", "countershaft.force")),
     Step("bearings", Text("Bearings"), BearingsInputs, FILMS),

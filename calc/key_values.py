@@ -16,13 +16,15 @@ from .sheet.rules import pattern_of
 # The results on the first page: patterns of ids; of several values the one that is worst stands for all
 RESULTS: tuple[tuple[str, str], ...] = (
     ("imbalance.required_couple", "max"), ("imbalance.required_force", "max"), ("imbalance.order_2.couple_peak", "max"),
-    ("imbalance.order_2.force_peak", "max"), ("countershaft.residual_order_1_couple", "max"),
+    ("imbalance.order_2.force_peak", "max"), ("imbalance.missing_forward_couple", "max"),
+    ("imbalance.missing_forward_force", "max"), ("countershaft.residual_order_1_couple", "max"),
     ("countershaft.residual_order_1_force", "max"), ("countershaft.residual_order_2_couple", "max"),
     ("countershaft.residual_order_2_force", "max"), ("countershaft.mass", "max"), ("countershaft.slope_*", "max"),
     ("bearings.front.film_edge", "min"), ("bearings.rear.film_edge", "min"), ("bearings.*.outlet_temperature", "max"),
-    ("gears.*.safety_contact", "min"), ("gears.*.safety_bending_*", "min"), ("gears.*.backlash_min", "min"),
-    ("gears.*.transverse_contact_ratio", "min"), ("gears.phase_error", "max"), ("gears.residual_couple", "max"),
-    ("friction.total_loss", "max"), ("friction.crank_torque", "max"), ("mounting.*.felt_seat", "min"), ("mounting.*.felt_force", "min"),
+    ("gears.*.safety_contact", "min"), ("gears.*.safety_bending_*", "min"), ("gears.*.backlash_cold", "min"),
+    ("gears.*.backlash_warmer", "min"), ("gears.*.transverse_contact_ratio", "min"), ("gears.phase_error", "max"),
+    ("gears.residual_couple", "max"), ("friction.total_loss", "max"), ("friction.crank_torque", "max"),
+    ("mounting.*.felt_seat", "min"), ("mounting.*.felt_force", "min"),
 )  # fmt: skip
 
 # The values that stand in the chapter of their step

@@ -42,7 +42,7 @@ def title_blocks(context: Context) -> list[Block]:
     facts = [(label, value) for label, value in facts if value]
     facts += [(w["file"], f"{context.sha256[:SHORT_HASH]}…"), (w["program"], PROGRAM)]
     made += [_facts(facts), _signatures(context)]
-    made += on_paper_only(paragraph(w["attached"], NOTE, gap=2.0))
+    made += on_paper_only(paragraph(w["attached"] if context.depth == "summary" else f"{w['attached']} {w['in_si']}", NOTE, gap=2.0))
     said = (design.name, design.note, *control.words())
     if not all(map(writable, said)) and not any(MISSING in s for s in said):
         made += on_paper_only(paragraph(w["missing_glyphs"], NOTE, gap=0.0))

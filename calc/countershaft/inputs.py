@@ -41,7 +41,7 @@ class Section:
     """A stretch of the shaft: a full cylinder, or with a half-angle an eccentric sector on its core."""
 
     from_: float = quantity("From", "mm", low=-5000, high=5000, help=FROM_MID_SHAFT)
-    to: float = quantity("To", "mm", low=-5000, high=5000, help=FROM_MID_SHAFT)
+    to: float = quantity("Up to", "mm", low=-5000, high=5000, help=FROM_MID_SHAFT)
     outer_radius: float = quantity("Outer radius", "mm", above=0, high=1000, symbol="R",
         help="Radius of the cylinder, or outer radius of the sector.")  # fmt: skip
     core_radius: float | None = quantity("Core radius", "mm", default=None, low=0, high=1000, symbol="r_0",

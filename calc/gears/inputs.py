@@ -30,7 +30,7 @@ class Wall:
 
     name: str = text("Name")
     from_: tuple[float, ...] = series("From", "mm", count=(2, 2), low=-5000, high=5000, help="[up, side] from the crank's axis.")
-    to: tuple[float, ...] = series("To", "mm", count=(2, 2), low=-5000, high=5000, help="[up, side] from the crank's axis.")
+    to: tuple[float, ...] = series("Up to", "mm", count=(2, 2), low=-5000, high=5000, help="[up, side] from the crank's axis.")
 
     def problems(self) -> Iterable[tuple[str, Text]]:
         if self.from_ == self.to:
