@@ -5,7 +5,8 @@ from collections.abc import Iterator
 
 from .bearings.inputs import BearingInputs
 from .design import STEPS, Design
-from .sheet.text import COMMA, Amount, Name, Text
+from .engine.formulas import stroke
+from .sheet.text import COMMA, Amount, Name, Text, plural
 
 TITLES = {step.key: step.title for step in STEPS}
 LAYOUTS = {"inline": Text("inline"), "vee": Text("vee"), "boxer": Text("boxer")}
@@ -16,10 +17,11 @@ def described(design: Design) -> Iterator[tuple[Text, Text]]:
     """A title and a line of words for each step that the design has, and for the load case."""
     if (engine := design.engine) is not None:
         yield TITLES["engine"], Text(
-            "{name}: {layout}, {cylinders} cylinders, four-stroke, bore {bore}, stroke {stroke}" if engine.strokes == 4
-            else "{name}: {layout}, {cylinders} cylinders, two-stroke, bore {bore}, stroke {stroke}",
-            name=Name(engine.name), layout=LAYOUTS.get(engine.layout, Name(engine.layout)), cylinders=engine.cylinders,
-            bore=_mm(engine.bore), stroke=_mm(2 * engine.crank_radius),
+            "{name}: {layout}, {cylinders}, four-stroke, bore {bore}, stroke {stroke}" if engine.strokes == 4
+            else "{name}: {layout}, {cylinders}, two-stroke, bore {bore}, stroke {stroke}",
+            name=Name(engine.name), layout=LAYOUTS.get(engine.layout, Name(engine.layout)),
+            cylinders=plural("{n} cylinder", "{n} cylinders", n=engine.cylinders), bore=_mm(engine.bore),
+            stroke=_mm(stroke(L=engine.rod_length, r=engine.crank_radius, d=engine.cylinder_offset)),
         )  # fmt: skip
     if (shaft := design.countershaft) is not None:
         front, rear = shaft.bearing_positions[0], shaft.bearing_positions[-1]

@@ -21,7 +21,7 @@ from .limits import DESIGN_BYTES
 from .sheet.errors import SHOWN_ERRORS, BadInput, InputError
 from .sheet.quantity import Quantity, keys
 from .sheet.record import record
-from .sheet.text import Text
+from .sheet.text import EMPTY, Text
 from .sheet.value import linked
 from .toml_scan import Beyond, key_lines
 
@@ -93,7 +93,9 @@ def parse(raw: bytes, place: str) -> Document:
         at = re.search(r"at line (\d+)", str(error))
         line = int(at[1]) if at else text.count("\n") + 1
         comma = COMMA.search(text.splitlines()[line - 1]) if line <= len(text.splitlines()) else None
-        hint = Text("; decimals are written with a point: {comma}", comma=comma[0].replace(",", ".")) if comma else ""
+        hint = Text("; decimals are written with a point: {comma}", comma=comma[0].replace(",", ".")) if comma else EMPTY
+        if str(error).startswith(("Cannot overwrite", "Cannot declare")):
+            hint += Text("; what stands on this line stands above already: leave only one of the two")
         raise refuse(Text("is not TOML: {sub}{hint}", sub=re.sub(" *[(]at .*[)]", "", str(error)), hint=hint), line) from None
     except ValueError as error:  # a number of 5000 digits
         raise refuse(Text("is not a design: ") + str(error)) from None

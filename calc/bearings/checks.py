@@ -32,6 +32,7 @@ from . import formulas as f
 from .film.optimum import RAIMONDI_BOYD
 from .inputs import IN_WORDS, BearingInputs, BearingsInputs
 from .result import BearingResult
+from .routes import supply
 from .routes.side_by_side import ROUTES, SPREAD, film_reason
 
 # Least film by journal diameter and surface speed, in the manner of ISO 7902-3 (from memory), in m.
@@ -60,6 +61,8 @@ def checks(place: str, r: BearingResult, slope: float) -> Iterator[Check]:
     """`slope`: of the journal in its seat, rad."""
     bearing, inputs = r.seat.bearing, r.seat.inputs
     on, longer = partial(_on, place), partial(_longer, place, bearing)
+    lands = supply.lands(inputs)
+    groove = (inputs.groove_width or 0.0) if lands > 1 else 0.0
     kreisle, oiled = Text("Kreisle, after Finotti 2013, 5.5.3: Rt of both surfaces, Rt = k·Ra"), LUBRICATIONS[inputs.lubrication]
     yield on("film_edge", Text("Film at the edge"), r.film_edge, ">=", r.kreisle_film, "µm", kreisle,
         Text("Lengthen the bearing, lower the clearance or the roughness, stiffen the shaft (slope), or take a thicker oil."))  # fmt: skip
@@ -86,7 +89,7 @@ def checks(place: str, r: BearingResult, slope: float) -> Iterator[Check]:
         ("specific_load", Text("Specific load"), SPECIFIC_LOAD), ("specific_load_usual", Text("Specific load, usual"), USUAL_SPECIFIC_LOAD),
     ):  # fmt: skip
         yield on(key, title, r.specific_load, "<=", p_limit, "MPa", FINOTTI, Text("A larger journal helps as well."),
-            remedies=longer(r.specific_load / p_limit))  # fmt: skip
+            remedies=longer(r.specific_load / p_limit, groove))  # fmt: skip
     low, high = Amount(oiled.usual[0]), Amount(oiled.usual[1], "N·rpm/mm")
     row = Text("Finotti 2013, Table 3.1: {kind}, {low} to {high}", kind=oiled.title, low=low, high=high)
     heat = [("heat_index", Text("Heat index"), oiled.limit)]
@@ -103,7 +106,7 @@ def checks(place: str, r: BearingResult, slope: float) -> Iterator[Check]:
         ("length_ratio_usual", Text("Length ratio l/d, usual"), USUAL_LENGTH_RATIO, Text("Finotti 2013, 5.5.2")),
     ):
         yield on(key, title, r.length_ratio, "in", ratios, "", source, Text("Change length or diameter."),
-            remedies=within(place, bearing, ratios))  # fmt: skip
+            remedies=_within(place, bearing, ratios, lands, groove))  # fmt: skip
     yield on("film_band", Text("Place of the film in its band"), r.film_band, "in", (0.0, 1.0), "%", RAIMONDI_BOYD,
         Text("Below 0 less clearance carries more and rubs less at the same film; above 100 % more clearance does."))  # fmt: skip
     yield on("transition", Text("Speed above mixed friction"), r.duty.effective_speed, ">=", r.least_speed, "rpm",
@@ -155,22 +158,24 @@ def _on(
     return check(f"bearings.{place}.{key}", name, number, sense, limit, unit, source, advice, remedies=remedies)
 
 
-def _longer(place: str, bearing: BearingInputs, times: float) -> Callable[[], tuple[Remedy, ...]]:
-    """A bearing so many times as long."""
+def _longer(place: str, bearing: BearingInputs, times: float, bare: float = 0.0) -> Callable[[], tuple[Remedy, ...]]:
+    """A bearing so many times as long, but for what of its length is `bare` and stays."""
     key = f"bearings.{place}.length_mm"
 
     def ways() -> tuple[Remedy, ...]:
-        length = up(bearing.length * times) if math.isfinite(times) else None
+        length = up(bare + (bearing.length - bare) * times) if math.isfinite(times) else None
         return by_key(BearingInputs, key, length, place=IN_WORDS[place], bound=">=")()
 
     return ways
 
 
-def within(place: str, bearing: BearingInputs, ratios: tuple[float, float]) -> Callable[[], tuple[Remedy, ...]]:
-    """The nearest length with a ratio l/d between the two."""
+def _within(
+    place: str, bearing: BearingInputs, ratios: tuple[float, float], lands: int, groove: float
+) -> Callable[[], tuple[Remedy, ...]]:  # fmt: skip
+    """The nearest length with a ratio l/d between the two: of each land, where a groove parts the bearing."""
 
     def ways() -> tuple[Remedy, ...]:
-        low, high = (ratio * bearing.diameter for ratio in ratios)
+        low, high = (lands * ratio * bearing.diameter + groove for ratio in ratios)
         short_ = bearing.length < low
         key, length = f"bearings.{place}.length_mm", up(low) if short_ else down(high)
         return by_key(BearingInputs, key, length, place=IN_WORDS[place], bound=">=" if short_ else "<=")()

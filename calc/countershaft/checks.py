@@ -9,7 +9,7 @@ from ..journal_rules import HEAT_INDEX, SLOPE, SPECIFIC_LOAD
 from ..sheet.check import Check, check
 from ..sheet.functions import argument, degrees
 from ..sheet.remedy import by_key, down
-from ..sheet.text import Amount, Text
+from ..sheet.text import SPACE, Amount, Text
 from ..sheet.units import Metre
 from .bending.shaft import RIGID, Bending
 from .inputs import CountershaftInputs
@@ -40,7 +40,7 @@ def _residuals(shaft: CountershaftInputs, todo: Task, shaft_result: Countershaft
     aim_force = Text("Aim at {f} N at {direction}: the force of {each}grows with mass and radius.", f=Amount(abs(todo.F), form=".0f"),
         direction=_opposite(todo.F), each=each)  # fmt: skip
     alike = Text("Balance the masses against each other (mass times radius), so that only a couple remains.")
-    force = LEFT_OVER * todo.one_force
+    force = todo.force_may_be_left
     for key, word, limit, before, unit, source, advice in (
         ("residual", Text("couple"), todo.may_leave, abs(todo.C) + abs(todo.C_against), "N·m",
             Text("rule of this program: 5 % of the couple to be balanced, or of m·r·ω²·a where there is none"), aim_couple),
@@ -48,10 +48,22 @@ def _residuals(shaft: CountershaftInputs, todo: Task, shaft_result: Countershaft
             Text("rule of this program: 5 % of m·r·ω² of one cylinder"), aim_force if abs(todo.F) > force else alike),
     ):  # fmt: skip
         left = getattr(shaft_result, f"residual_order_{todo.order}_{word}") or 0.0
+        if shaft.pair != "yes" and str(word) in todo.out_of_reach:
+            against = abs(todo.C_against if key == "residual" else todo.F_against)
+            beyond = _beyond(shaft, Amount(against, unit, form=".4g"))
+            advice = advice + SPACE + beyond if left - against > limit else beyond
         # shafts at twice crank speed are for comfort and often take a part only; they fail where they make it worse
         kind = "limit" if todo.order == 1 or left > max(before, limit) else "advice"
         yield check(f"countershaft.{key}", Text("{words}-order {word} left over", words=WORDS[todo.order], word=word), left, "<=", limit,
             unit, source, advice, kind=kind, value_id=f"countershaft.residual_order_{todo.order}_{word}")  # fmt: skip
+
+
+def _beyond(shaft: CountershaftInputs, against: Amount) -> Text:
+    """What takes the part that turns against the shaft."""
+    if shaft.speed_ratio == -1:
+        return Text("{against} turn against the shaft, and no mass on it takes them: that is for the counterweights of the crank "
+            "(see the imbalance).", against=against)  # fmt: skip
+    return Text("{against} turn against the shaft, and no mass on it takes them: a mirrored second shaft does (pair).", against=against)
 
 
 def _opposite(engine: complex) -> Amount:

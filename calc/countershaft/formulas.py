@@ -135,7 +135,7 @@ def force(F_S: PhasorNewton) -> Newton:
 
 @formula("C_res", "mathematics: sum of the shaft's couple and the engine's that turns like it", names={"C_like": "C"})
 def residual_vector(C_like: PhasorNewtonMetre, C_S: PhasorNewtonMetre) -> PhasorNewtonMetre:
-    return C_like + C_S
+    return joined(C_like, C_S)
 
 
 @formula("C_left", "mathematics, largest couple of that order over a turn: the vectors of both senses in line",
@@ -147,7 +147,7 @@ def residual_couple(C_against: PhasorNewtonMetre, C_res: PhasorNewtonMetre) -> N
 
 @formula("F_res", "mathematics: sum of the shaft's force and the engine's that turns like it", names={"F_like": "F"})
 def residual_force_vector(F_like: PhasorNewton, F_S: PhasorNewton) -> PhasorNewton:
-    return F_like + F_S
+    return joined(F_like, F_S)
 
 
 @formula("F_left", "mathematics, largest force of that order over a turn: the vectors of both senses in line")

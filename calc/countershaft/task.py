@@ -34,6 +34,17 @@ class Task:
         return based_on(LEFT_OVER * whole, whole)
 
     @property
+    def force_may_be_left(self) -> Newton:
+        """The force that it may leave, or bring in."""
+        return based_on(LEFT_OVER * self.one_force, self.one_force)
+
+    @property
+    def out_of_reach(self) -> frozenset[str]:
+        """Of couple and force those of which more turns against the shaft than may be left: no mass of a single shaft takes it."""
+        against = (("couple", self.C_against, self.may_leave), ("force", self.F_against, self.force_may_be_left))
+        return frozenset(word for word, vector, limit in against if abs(vector) > limit)
+
+    @property
     def couple(self) -> NewtonMetre:
         """The couple that a shaft must supply to leave nothing of what turns like it."""
         return based_on(abs(self.C), self.C)

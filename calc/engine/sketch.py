@@ -156,7 +156,7 @@ def _dimensions(engine: EngineInputs, throw: Throw) -> Iterator[Mark]:
     crown = CROWN * bore
     yield Dimension(
         DIMENSIONS, (right, low + crown), (right, high + crown), (right + 0.25 * bore, y), upright=True, key=RADIUS,
-        label=_number("s", 2 * engine.crank_radius),
+        label=_number("s", high - low),
     )  # fmt: skip
     left = min(x - bore / 2, -engine.crank_radius)
     yield Dimension(

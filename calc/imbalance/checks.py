@@ -16,12 +16,20 @@ TURNED = math.radians(0.01)
 OWN = Text("rule of this program: 5 % (order 1) or 50 % of λ (order 2) of m·r·ω² of one cylinder, couples over one pitch")
 
 
-def checks(result: ImbalanceResult, lam: Number, kappa: Number, shaft: bool) -> tuple[Check, ...]:
-    """What is left, against the force of one cylinder's reciprocating mass and its couple over one pitch."""
+def checks(result: ImbalanceResult, lam: Number, kappa: Number, rho: Number, shaft: bool) -> tuple[Check, ...]:
+    """What is left, against the force of one cylinder's reciprocating mass and its couple over one pitch.
+
+    `kappa`, `rho`: shares of the reciprocating and of the rotating masses that the crank's counterweights carry.
+    """
     force, couple = result.one_force, result.one_couple
     first, second = result.orders["order_1"], result.orders["order_2"]
     forward = Text("A backward shaft can not take it: balance half of the reciprocating mass on the crank (fraction 0.5).")
-    if (turned := _turned(result)) > TURNED and abs(kappa - 0.5) < 1e-9:
+    if abs(rho - 1) > 1e-9:
+        forward = Text(
+            "A backward shaft can not take it: balance the rotating masses whole and half of the reciprocating mass on the crank "
+            "(rotating_balance_fraction 1, crank_balance_fraction 0.5)."
+        )
+    elif (turned := _turned(result)) > TURNED and abs(kappa - 0.5) < 1e-9:
         forward = Text(
             "The offset turns it away from the pins: counterweights turned by {degrees}° from opposite them take it.",
             degrees=Amount(degrees(turned)),
@@ -120,7 +128,7 @@ def _crank_checks(result: ImbalanceResult) -> tuple[Check, ...]:
     return tuple(made)
 
 
-def proposals(result: ImbalanceResult, lam: Number, kappa: Number, shaft: bool) -> tuple[Text, ...]:
+def proposals(result: ImbalanceResult, lam: Number, kappa: Number, rho: Number, shaft: bool) -> tuple[Text, ...]:
     """The remedies that the residuals of this engine call for, and why: from the engine without any share on the crank."""
     F_f, F_b, C_f, C_b = (abs(v) for v in result.orders["order_1"].unbalanced)
     F_p, F_m, C_p, C_m = (abs(v) for v in result.orders["order_2"].vectors)
@@ -135,7 +143,7 @@ def proposals(result: ImbalanceResult, lam: Number, kappa: Number, shaft: bool) 
                 "Counterweights on the crank for half of the reciprocating mass (crank_balance_fraction 0.5; {done}), "
                 "because they {taken} of first order that turns forward: {turns_forward}.",
                 done=done,
-                taken=_taken(result, first),
+                taken=_taken(result, rho, first),
                 turns_forward=turns_forward,
             )
             + (EMPTY if turns_backward else Text(" Nothing of first order turns backward: no shaft is needed for it."))
@@ -187,12 +195,15 @@ def proposals(result: ImbalanceResult, lam: Number, kappa: Number, shaft: bool) 
     return tuple(said) or (Text("No remedy is called for: neither order 1 nor order 2 leaves a force or couple that counts."),)
 
 
-def _taken(result: ImbalanceResult, least: tuple[float, float]) -> Text:
+def _taken(result: ImbalanceResult, rho: Number, least: tuple[float, float]) -> Text:
     """What the half on the crank takes: all, or what an offset cylinder leaves, whose force does not stand opposite the pin."""
     left = (a + b / 2 for a, b in zip(result.orders["order_1"].unbalanced[0::2], result.whole))
     rest = _what(*(abs(x) for x in left), *(limit / 50 for limit in least))
     if not rest:
         return Text("take all")
+    if abs(rho - 1) > 1e-9:
+        share = Amount(rho, form="g")
+        return Text("take all but {rest} (the rotating masses are balanced to a share of {share} only)", rest=rest, share=share)
     turned = Amount(degrees(_turned(result)), "°")
     return Text(
         "take all but {rest} (the offset turns it by {turned} from the pins; counterweights turned as far take that too)",

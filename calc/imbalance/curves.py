@@ -133,8 +133,8 @@ def _mistiming(kind: str, axis: Text, whole: float) -> Curve:
     )
 
 
-def remedy_table(result: ImbalanceResult, kappa: float, shaft: Shaft | None = None) -> Table:
-    """What is left of orders 1 and 2 before and after each remedy."""
+def remedy_table(result: ImbalanceResult, kappa: float, rho: float = 1.0, shaft: Shaft | None = None) -> Table:
+    """What is left of orders 1 and 2 before and after each remedy; `rho`: the share of the rotating masses that is balanced."""
     first, second = result.orders["order_1"], result.orders["order_2"]
     F_2, C_2 = second.force_peak, second.couple_peak
 
@@ -145,7 +145,12 @@ def remedy_table(result: ImbalanceResult, kappa: float, shaft: Shaft | None = No
 
     half = abs(kappa - 0.5) < 1e-12
     rows = [
-        row(Text("rotating masses balanced, nothing else"), first.unbalanced),
+        row(
+            Text("rotating masses balanced, nothing else")
+            if abs(rho - 1) < 1e-9
+            else Text("rotating masses as designed (share {rho}), nothing else", rho=Amount(rho, form="g")),
+            first.unbalanced,
+        ),
         row(Text("crank as designed (share {kappa})", kappa=Amount(kappa, form="g")), first.vectors),
     ]
     if shaft is not None:

@@ -24,7 +24,13 @@ def notes(imbalance: ImbalanceInputs, engine: EngineInputs, found: ImbalanceResu
     """`bobs`: what is told of the bobs of the balancing machine."""
     undrilled = imbalance.drill_radius is not None and (found.webs is None or found.webs.drilled_mass is None)
     drilling = (UNDRILLED,) if undrilled else ()
-    return verdict(found.throw, engine), *bobs, *drilling, MIDDLE, *roll_notes(imbalance, found.shaft_pair)
+    return (
+        verdict(found.throw, engine, imbalance.rotating_balance_fraction),
+        *bobs,
+        *drilling,
+        MIDDLE,
+        *roll_notes(imbalance, found.shaft_pair),
+    )
 
 
 def errata(imbalance: ImbalanceInputs, result: ImbalanceResult) -> tuple[Erratum, ...]:

@@ -139,6 +139,7 @@ def solve(
     """
     with trace() as lines:
         found, lam = values(imbalance, engine, e, shaft_teeth, axis), u.measures(engine, e)[1]
+    shares = imbalance.crank_balance_fraction, imbalance.rotating_balance_fraction
     bobs = cache(lambda: bob_table(imbalance, engine, e))  # with notes
 
     def cranks() -> Iterator[Table]:
@@ -152,12 +153,12 @@ def solve(
     return Outcome(
         "imbalance",
         result=found,
-        checks=checks(found, lam, imbalance.crank_balance_fraction, shaft),
+        checks=checks(found, lam, *shares, shaft),
         lines=tuple(lines),
         curves=Later(lambda: (*pictures(found), *polygons(engine, e, found.throw))),
         tables=Later(
             lambda: (
-                remedy_table(found, imbalance.crank_balance_fraction),
+                remedy_table(found, *shares),
                 systems_table(found.throw, found.orders, found.one_force, found.one_couple, engine, e),
                 *places(),
                 *bobs()[0],
@@ -165,7 +166,7 @@ def solve(
             )
         ),
         errata=Later(lambda: errata(imbalance, found) if shaft else ()),
-        proposals=proposals(found, lam, imbalance.crank_balance_fraction, shaft),
+        proposals=proposals(found, lam, *shares, shaft),
         notes=Later(lambda: notes(imbalance, engine, found, bobs()[1])),
     )
 
@@ -173,6 +174,8 @@ def solve(
 def with_shaft(outcome: Outcome[ImbalanceResult], shaft: Shaft, imbalance: ImbalanceInputs) -> Outcome[ImbalanceResult]:
     """The same outcome, its figures and its table of remedies with the design's own counter-shaft: force and couple, cylinder 1 at TDC."""
     found = outcome.solution
-    tables = Later(lambda: (remedy_table(found, imbalance.crank_balance_fraction, shaft), *outcome.tables[1:]))
+    tables = Later(
+        lambda: (remedy_table(found, imbalance.crank_balance_fraction, imbalance.rotating_balance_fraction, shaft), *outcome.tables[1:])
+    )
     others = Later(lambda: (curve for curve in outcome.curves if curve.id.startswith("polygon")))
     return replace(outcome, curves=Later(lambda: (*pictures(found, shaft), *others)), tables=tables)

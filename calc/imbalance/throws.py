@@ -17,7 +17,7 @@ from ..sheet.formula import formula
 from ..sheet.functions import cis, modulus, resultant
 from ..sheet.quantity import result, value
 from ..sheet.step import Curve, Series, Table
-from ..sheet.text import Amount, Text
+from ..sheet.text import EMPTY, Amount, Text
 from ..sheet.units import Kilogram, Metre, Newton, NewtonMetre, Number, Radian, RadPerSecond
 from .orders import DUST, Order
 from .remedies import equivalent_mass
@@ -124,27 +124,31 @@ def _polygon(id: str, title: Text, unit: str, kinds: list[tuple[Text, ComplexArr
     )
 
 
-def verdict(found: Throws, engine: EngineInputs) -> Text:
-    """Static and dynamic balance of the throws by themselves: whether the crank needs counterweights for its rotating masses."""
+def verdict(found: Throws, engine: EngineInputs, rho: Number) -> Text:
+    """Static and dynamic balance of the throws by themselves: whether the crank needs counterweights for its rotating masses.
+
+    `rho`: the share of these masses that the counterweights are taken to carry.
+    """
     force, couple = Amount(found.force_together), Amount(found.couple_together)
     static = found.force_together <= SMALL * found.force
     dynamic = found.couple_together <= SMALL * found.force * engine.cylinder_pitch
     if static and dynamic:
         return Text("The bare throws are balanced statically and dynamically: their rotating masses need no counterweights.")
+    only = Text(" To a share of {rho} only (rotating_balance_fraction).", rho=Amount(rho, form="g")) if abs(rho - 1) > 1e-9 else EMPTY
     if static:
         return Text(
             "The bare throws are balanced statically, not dynamically: counterweights must take a couple of {couple} N·m of the rotating "
             "masses, and are taken to do so.", couple=couple,
-        )  # fmt: skip
+        ) + only  # fmt: skip
     if dynamic:
         return Text(
             "The bare throws are not balanced statically: counterweights must take a force of {force} N of the rotating masses, and are "
             "taken to do so.", force=force,
-        )  # fmt: skip
+        ) + only  # fmt: skip
     return Text(
         "The bare throws are balanced neither statically nor dynamically: counterweights must take a force of {force} N and a couple of "
         "{couple} N·m of the rotating masses, and are taken to do so.", force=force, couple=couple,
-    )  # fmt: skip
+    ) + only  # fmt: skip
 
 
 def systems_table(

@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from ..countershaft.inputs import CountershaftInputs, EccentricMass
 from ..countershaft.sizing.choices import asked, candidates, changes, choices, envelope
 from ..countershaft.sizing.sectors import TooSmall, remainder
+from ..countershaft.task import Task, task
 from ..engine.result import EngineResult
 from ..imbalance.result import ImbalanceResult
 from ..sheet.changes import Changes
@@ -31,9 +32,17 @@ def balance(state: State, failing: tuple[Check, ...], progress: Progress | None 
     """Of the masses as few as will do, each by its mass, its angle or its radius alone where that is enough.  Raises NoSolution."""
     shaft = state.design.countershaft
     assert shaft is not None
+    imbalance = state.results.result(ImbalanceResult)
+    if imbalance is not None and shaft.pair != "yes" and _out_of_reach(failing, task(shaft, imbalance)):
+        raise NoSolution(Text("what turns against the shaft is more than may be left, and no mass on it takes that"))
     if shaft.mode != "given":
         raise NoSolution(Text("the sized pair gives what is asked of it; look at overdesign_percent and the further elements"))
     return first_repaired(state, "countershaft", [c.id for c in failing], balanced(state, shaft), progress, whole=True)
+
+
+def _out_of_reach(failing: tuple[Check, ...], todo: Task) -> bool:
+    words = {"countershaft.residual": "couple", "countershaft.residual_force": "force"}
+    return any(words.get(c.id) in todo.out_of_reach for c in failing)
 
 
 def balanced(state: State, shaft: CountershaftInputs) -> Iterator[Changes]:

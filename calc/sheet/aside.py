@@ -38,6 +38,7 @@ def prepared(ready: Callable[[], Callable[[G], T]]) -> Callable[[G], Callable[[]
     (orders, ordering), (reading, writing) = os.pipe(), os.pipe()
     if not (copy := os.fork()):
         try:
+            os.close(reading)  # else its own end stays open, and with nobody left to read it would wait for ever
             _serve(ready, orders, ordering, writing)
         finally:
             os._exit(0)  # nothing of what this process does at its end is the copy's to do

@@ -66,6 +66,8 @@ class Quantity:
                 return Text("a table of reasons by the ids of checks")
             case "open":
                 return Text("a list, or a table of keys")
+        if self.kind == "integer" and self.low is not None and self.low == self.high:
+            return Text("{low}", low=Amount(self.low, form="g"))
         noun = NOUNS[self.kind]
         if self.kind in ("series", "integers") and self.count is not None and self.count[0] == 1:
             noun = Text("a number, or {noun},", noun=noun)

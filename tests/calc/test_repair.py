@@ -101,6 +101,13 @@ def test_what_is_wanted_of_the_masses_leaves_nothing(said, U, P):
     assert all(u / old == pytest.approx(turned[0] / now[0]) for u, old in zip(turned, now))
 
 
+def test_what_turns_against_the_shaft_is_not_searched_for_in_its_masses(gamma: Document) -> None:
+    """The masses give what they are asked for; what is left is the crank's."""
+    (left,) = [one for one in nearest(with_changes(gamma, ("imbalance.crank_balance_fraction=0.3",)), only="countershaft").left
+        if one.id == "countershaft.residual"]  # fmt: skip
+    assert left.why == "what turns against the shaft is more than may be left, and no mass on it takes that"
+
+
 @given(said=masses, which=st.integers(0, 3), share=st.floats(0.3, 3), turn=angles)
 def test_a_single_mass_that_is_wrong_is_found(said, which, share, turn):
     """What all of them gave before one was changed, by that one alone."""

@@ -236,7 +236,7 @@ def bearing_force_most(F_bt1: Newton, F_bt2: Newton) -> Newton:
 
 @formula("F_B,min", Text("{statics}: the meshes pull against each other", statics=STATICS))
 def bearing_force_least(F_bt1: Newton, F_bt2: Newton) -> Newton:
-    return modulus(F_bt1 - F_bt2)
+    return modulus(joined(F_bt1, -F_bt2))
 
 
 @formula("F_x2",

@@ -146,3 +146,29 @@ def test_lands_that_are_too_short_ask_for_a_narrower_groove():
 def test_speeds_without_a_film_are_told():
     found = solve(design(alone(speed_range_rpm=[5.0, 3000.0]))).outcomes["bearings"]
     assert any("no film of the front bearing is found" in note and "5 rpm" in note for note in found.notes)
+
+
+GROOVE = {"hole_diameter_mm": None, "supply": "groove", "groove_width_mm": 4.0}
+
+
+@pytest.mark.parametrize(
+    ("feed", "key", "load", "length"),
+    [
+        ({}, "specific_load", 12000.0, 30.0), (GROOVE, "specific_load", 12000.0, 30.0),
+        ({}, "heat_index", 11000.0, 30.0), (GROOVE, "heat_index", 11000.0, 30.0),
+        ({}, "length_ratio_usual", 3000.0, 14.5), (GROOVE, "length_ratio_usual", 3000.0, 24.0),
+        ({}, "length_ratio_usual", 3000.0, 50.0), (GROOVE, "length_ratio_usual", 3000.0, 99.0),
+    ],
+)  # fmt: skip
+def test_the_length_that_a_check_names_is_just_enough(feed, key, load, length):
+    """Of a bearing that a groove parts, too: its lands carry the load, and each of them has the ratio l/d."""
+
+    def judged(length):
+        results = solve(design(alone(speed_rpm=3000.0, front__load_N=load, front__length_mm=length, **feed)))
+        (found,) = (one for one in results.checks() if one.id == f"bearings.front.{key}")
+        return found
+
+    (((name, enough),),) = (one.changes for one in judged(length).remedies)
+    assert name == "bearings.front.length_mm" and judged(length).margin < 0
+    assert judged(enough).margin >= 0
+    assert judged(enough - (0.05 if enough > length else -0.05)).margin < 0

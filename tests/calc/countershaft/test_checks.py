@@ -29,6 +29,27 @@ def test_five_percent_of_the_couple_may_be_left(share, verdict):
     assert check.limit == pytest.approx(0.05 * 572.932, abs=1e-3)
 
 
+@pytest.mark.parametrize("fraction, aims", [(0.0, False), (0.44, False), (1.0, False), (0.48, True)])
+def test_what_turns_against_the_shaft_is_not_asked_of_its_masses(fraction, aims):
+    """A shaft as it should be: aiming at what it gives already would mend nothing where the crank's counterweights are wrong."""
+    made = outcome(None, {"crank_balance_fraction": fraction}, **SIZE, overdesign_percent=-10.0 if aims else 0.0, journals=JOURNALS)
+    check = found(made, "residual")
+    assert check.verdict == "fail" and ("Aim at" in check.advice) is aims
+    assert ("turn against the shaft" in check.advice) is not aims
+
+
+def test_both_faults_of_a_shaft_are_told():
+    masses = [{**m, "mass_kg": m["mass_kg"] * 0.9} for m in (FRONT, REAR)]
+    advice = found(outcome(None, {"crank_balance_fraction": 0.4}, masses=masses), "residual").advice
+    assert "Aim at 572.9 N·m" in advice and "114.6 N·m turn against the shaft" in advice and "counterweights of the crank" in advice
+
+
+def test_of_a_shaft_at_twice_crank_speed_a_second_one_takes_the_rest():
+    check = found(outcome("r754ie4_balance_shafts", pair="no"), "residual_force")
+    assert "turn against the shaft" in check.advice and "pair" in check.advice
+    assert "turn against" not in found(outcome("r754ie4_balance_shafts"), "residual_force").advice
+
+
 def test_a_shaft_where_nothing_is_to_be_balanced_is_judged_by_one_cylinder():
     """Forward vector zero with one half on the crank: 5 % of m·r·ω²·a = 1489.35 g · 53.5 mm · ω² · 112 mm."""
     check = found(outcome(speed_ratio=1, masses=[{**FRONT, "mass_kg": 0.0}]), "residual")

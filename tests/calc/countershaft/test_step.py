@@ -48,6 +48,11 @@ def test_overdesign_is_a_share_of_the_required_couple(overdesign):
     assert sized.residual_order_1_couple == pytest.approx(572.93196 * abs(overdesign) / 100, abs=1e-5)
 
 
+@pytest.mark.parametrize("outer_radius", [43.0, 44.0, 45.0, 46.0, 48.0])
+def test_a_sized_shaft_leaves_nothing_and_not_the_last_digits(outer_radius):
+    assert result(**{**SIZE, "outer_radius_mm": outer_radius}).residual_order_1_couple == 0
+
+
 def test_an_envelope_too_small_is_said_with_what_it_holds():
     """R 40.2, core 15, half-length 152 mm hold 552.8 N·m (closed form at 90°, worked out apart from this program)."""
     made = outcome(**{**SIZE, "outer_radius_mm": 40.2, "half_length_mm": 152.0})

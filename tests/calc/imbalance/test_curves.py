@@ -38,7 +38,7 @@ def test_the_design_s_own_shaft_leaves_what_it_leaves():
     assert abs(drawn["locus"].turning[1].at(1.0)[-1]) == pytest.approx(0.1 * found.required_couple)
     bars = {(s.label, s.variant): s.y for s in drawn["orders_couple"].series}
     assert bars["backward", "with the counter-shaft"][0] == pytest.approx(0.1 * bars["backward", WITHOUT][0])
-    row = remedy_table(found, 0.5, (0j, 0.9 * found.required)).rows[2]
+    row = remedy_table(found, 0.5, 1.0, (0j, 0.9 * found.required)).rows[2]
     assert row[3] == pytest.approx(0.1 * found.required_couple)
 
 

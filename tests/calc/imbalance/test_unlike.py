@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from calc.design_file import design, parse
+from calc.design_file import Document, design, parse
 from calc.engine import solve as engine
 from calc.engine.crank import pin_of_cylinder
 from calc.imbalance.inputs import ImbalanceInputs
@@ -192,6 +192,30 @@ def test_rotating_masses_that_the_crank_leaves():
     more = none.orders["order_1"].force_forward - all_.orders["order_1"].force_forward
     assert more == pytest.approx(e.rotating_mass * inputs.crank_radius * e.angular_speed**2)
     assert none.orders["order_1"].force_backward == all_.orders["order_1"].force_backward
+
+
+def test_rotating_masses_that_are_left_are_not_laid_on_the_share_of_the_reciprocating_ones():
+    """With a tenth of the rotating masses left, half of the reciprocating ones leaves more than 0.6 of them does; no offset is in it."""
+    single = {
+        "schema": 1, "name": "d", "imbalance": {"crank_balance_fraction": 0.5, "rotating_balance_fraction": 0.9},
+        "engine": {
+            "name": "one", "layout": "inline", "cylinders": 1, "strokes": 4, "bore_mm": 85.0, "crank_radius_mm": 36.0,
+            "rod_length_mm": 112.0, "cylinder_pitch_mm": 100.0, "reciprocating_masses_kg": [0.4], "rotating_masses_kg": [0.5],
+            "cylinder_offset_mm": 2.0, "rated_speed_rpm": 6000.0,
+        },
+    }  # fmt: skip
+    for shares, verdict in (((0.5, 0.9), "warn"), ((0.5, 1.0), "pass")):
+        single["imbalance"] = dict(zip(("crank_balance_fraction", "rotating_balance_fraction"), shares))
+        found = solve(design(Document(single))).outcomes["imbalance"]
+        (check,) = [c for c in found.checks if c.id == "imbalance.order_1.forward_force"]
+        assert check.verdict == verdict
+        told = " ".join((check.advice, *found.proposals, *found.notes, *(row[0] for row in found.tables[0].rows)))
+        whole = shares[1] == 1
+        assert ("rotating_balance_fraction 1, crank_balance_fraction 0.5" in told) is not whole
+        assert ("the rotating masses are balanced to a share of 0.9 only" in told) is not whole
+        assert ("To a share of 0.9 only (rotating_balance_fraction)" in told) is not whole
+        assert ("rotating masses as designed (share 0.9), nothing else" in told) is not whole
+        assert ("The offset turns it" in told or "the offset turns it" in told) is whole
 
 
 def test_an_input_that_moves_a_value_stands_in_its_chain():

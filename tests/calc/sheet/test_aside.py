@@ -85,6 +85,19 @@ def test_a_copy_that_nobody_tells_anything_ends() -> None:
 
 
 @pytest.mark.skipif(not CAN, reason="one core, or no fork")
+def test_a_copy_whose_answer_nobody_takes_ends() -> None:
+    """One that is larger than what a pipe holds, too: who asked was killed, or met a fault."""
+    wait = prepared(lambda: bytes.upper)(bytes(1_000_000))
+    del wait
+    for _ in range(200):
+        ended, _status = os.waitpid(-1, os.WNOHANG)
+        if ended:
+            return
+        time.sleep(0.05)
+    pytest.fail("the copy still waits")
+
+
+@pytest.mark.skipif(not CAN, reason="one core, or no fork")
 def test_a_copy_shows_nothing(capfd: pytest.CaptureFixture[str]) -> None:
     assert aside(lambda: os.write(1, b"there") + os.write(2, b"there"))() == 10
     assert capfd.readouterr() == ("", "")

@@ -1,0 +1,37 @@
+"""What a design is about, in a line for each of its steps: the same lengths as its values, in words that fit the number."""
+
+import pytest
+
+from calc.described import described
+from calc.design_file import Document, design
+from calc.engine.sketch import sketch
+from calc.languages import language
+from calc.sheet.drawing import Dimension
+from calc.solve import solve
+
+ENGINE = {
+    "name": "one", "layout": "inline", "cylinders": 1, "strokes": 4, "bore_mm": 85.0, "crank_radius_mm": 36.0, "rod_length_mm": 112.0,
+    "cylinder_pitch_mm": 100.0, "reciprocating_masses_kg": [0.42], "rotating_masses_kg": [0.3], "rated_speed_rpm": 8000.0,
+}  # fmt: skip
+
+
+def document(**engine: object) -> Document:
+    return Document({"schema": 1, "name": "d", "engine": {**ENGINE, **engine}})
+
+
+@pytest.mark.parametrize("offset", [0.0, -30.0, 70.0])
+def test_the_stroke_of_an_offset_cylinder_is_not_twice_the_crank_radius(offset: float) -> None:
+    asked = design(document(cylinder_offset_mm=offset))
+    found = f"{solve(asked).values()['engine.stroke'].shown:.4g}"
+    (line,) = (str(words) for _, words in described(asked) if "stroke" in words)
+    assert line.endswith(f"stroke {found} mm")
+    assert f"s {found}" in [str(mark.label) for mark in sketch(asked).primitives if isinstance(mark, Dimension)]
+    assert (found == "72") == (offset == 0)
+
+
+@pytest.mark.parametrize("told", [("en", "1 cylinder, ", "3 cylinders, "), ("it", "1 cilindro, ", "3 cilindri, ")])
+def test_one_cylinder_is_not_several(told: tuple[str, str, str]) -> None:
+    code, one, three = told
+    say = language(code)
+    assert one in say(next(iter(described(design(document()))))[1])
+    assert three in say(next(iter(described(design(document(cylinders=3)))))[1])
