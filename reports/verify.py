@@ -28,6 +28,7 @@ from .context import DEPTHS
 from .pdf_diff import Difference, about, attachments, page_references, pages
 from .pdf_file import Malformed, Pdf, words
 from .pdf_signature import fields
+from .pdf_tables import demand_tables
 from .printed import covered, printed
 from .report import render
 
@@ -188,6 +189,7 @@ def _read(raw: bytes, place: str) -> tuple[Pdf, dict[str, str], dict[str, list[b
     """The document, what it says about itself, and the files inside it."""
     try:
         pdf = Pdf(raw)
+        demand_tables(pdf)
         if any("Encrypt" in section.trailer for section in pdf.sections):
             raise _refused(place, Text("is encrypted; give the report as it was written"))
         keywords = words(pdf.info.get("Keywords"))
