@@ -47,8 +47,26 @@ def attachments(pdf: Pdf) -> dict[str, list[bytes]]:
 
 
 def page_references(pdf: Pdf) -> list[Reference]:
-    """The pages of a document, each once."""
-    return [Reference(number) for number in _numbered(pdf, pdf.root.get("Pages"), "Contents")]
+    """The pages of a document, as every reader counts them.  Raises Malformed where readers would not agree."""
+    nodes: list[tuple[Reference, int, list[Any] | None]] = []  # each after the one that it stands in, with what it counts
+    waiting, met = [pdf.root.get("Pages")], set()
+    while waiting:
+        one = waiting.pop()
+        if not isinstance(one, Reference) or one.number in met:
+            raise Malformed("a page stands there twice, or is none")
+        met.add(one.number)
+        entries = pdf.entries(one)
+        kids = pdf.items(entries["Kids"]) if "Kids" in entries else None
+        if entries.get("Type") != ("Page" if kids is None else "Pages"):
+            raise Malformed("a page does not say that it is one")
+        nodes.append((one, entries.get("Count", 0), kids))
+        waiting += reversed(kids or [])
+    within: dict[int, int] = {}
+    for one, count, kids in reversed(nodes):
+        within[one.number] = 1 if kids is None else sum(within[kid.number] for kid in kids)
+        if kids is not None and count != within[one.number]:
+            raise Malformed("it does not have as many pages as it says")
+    return [one for one, _, kids in nodes if kids is None]
 
 
 def _leaves(pdf: Pdf, top: Any, key: str) -> list[dict[str, Any]]:
@@ -156,7 +174,8 @@ class _Compared:
                 met.add(pair)
             a, b = self.old.value(a), self.new.value(b)
             if isinstance(a, Stream) and isinstance(b, Stream):
-                if (a.packed, a.entries.get("Filter")) != (b.packed, b.entries.get("Filter")) and self.old.data(a) != self.new.data(b):
+                packed = all(a.entries.get(key) == b.entries.get(key) for key in ("Filter", "DecodeParms")) and a.packed == b.packed
+                if not packed and self.old.data(a) != self.new.data(b):
                     return False
                 a, b = a.entries, b.entries
             if isinstance(a, dict) and isinstance(b, dict):
@@ -168,7 +187,7 @@ class _Compared:
                 if len(a) != len(b):
                     return False
                 waiting += zip(a, b)
-            elif a != b:
+            elif a != b or isinstance(a, bool) != isinstance(b, bool):
                 return False
         return True
 

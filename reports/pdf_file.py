@@ -37,6 +37,10 @@ ESCAPE = re.compile(rb"\\(?:([0-7]{1,3})|(\r\n|[\n\r])|(.))|\r\n?", re.S)
 LETTERS = {b"n": b"\n", b"r": b"\r", b"t": b"\t", b"b": b"\b", b"f": b"\f"}
 
 
+Place = int | tuple[int, int]  # of an object: its first byte, or the number of the stream that it is in and which of its objects it is
+Table = dict[int, Place | None]
+
+
 class Malformed(Exception):
     """What is not as the standard has it, in words."""
 
@@ -66,11 +70,11 @@ class Stream:
 class Section:
     """What was written in one go: the report, or what a later program appended.
 
-    `places`: of its objects.  `table`: where its table says that they are; None for one that is free, or in a stream.
+    `places`: of its objects.  `table`: where its table says that they are; None for one that is free.
     """
 
     places: dict[int, int] = field(default_factory=dict)
-    table: dict[int, int | None] = field(default_factory=dict)
+    table: Table = field(default_factory=dict)
     trailer: dict[str, Any] = field(default_factory=dict)
     at: int = -1  # of its table, the last if there are more
     tables: int = 0
@@ -90,6 +94,8 @@ class Pdf:
             raise Malformed(f"it has {len(raw):,} bytes; at most {PDF_BYTES:,} are read")
         self.raw = raw
         self.objects: dict[int, Any] = {}
+        self.places: dict[int, Place] = {}  # of those objects
+        self.tables: dict[int, tuple[Table, dict[str, Any]]] = {}  # every table with its trailer, by its place
         self.sections: list[Section] = []
         self._values = 0
         self._unpacked = 0
@@ -113,7 +119,7 @@ class Pdf:
         """What a reference leads to; anything else is itself."""
         if not isinstance(of, Reference):
             return of
-        found = self.objects.get(of.number)
+        found = self.objects.get(of.number) if of.generation == 0 else None  # no object is of another
         if isinstance(found, tuple):  # one of a stream of objects that nobody has asked for yet
             data, at = found
             found, _ = self._value(data, at)
@@ -160,12 +166,11 @@ class Pdf:
                 at = found.end()
             elif found := TABLE.match(raw, at):
                 section.at = at
-                section.tables += 1
-                section.table |= _entries(found[1])
+                table = _entries(found[1])
                 trailer, at = self._value(raw, found.end())
                 if not isinstance(trailer, dict):
                     raise Malformed(f"the trailer at byte {at} is no dictionary")
-                section.trailer |= trailer
+                self._listed(section, table, trailer)
             elif found := START.match(raw, at):
                 section.start, section.end = int(found[1]), found.end()
                 self.sections.append(section)
@@ -189,20 +194,24 @@ class Pdf:
             if ends is None:
                 raise Malformed(f"object {number} is not as long as it says")
             made, at = Stream(made, self.raw[data.end() : data.end() + length]), ends.end()
-        self.objects[number] = made
+        self.objects[number], self.places[number] = made, found.start()
         if isinstance(made, Stream) and made.entries.get("Type") == "ObjStm":
-            self._unfold(made)
+            self._unfold(number, made)
         if isinstance(made, Stream) and made.entries.get("Type") == "XRef":
             section.at = found.start()
-            section.tables += 1
-            section.table |= self._table(made)
-            section.trailer |= made.entries
+            self._listed(section, self._table(made), made.entries)
         ends = OBJECT_END.match(self.raw, at)
         if ends is None:
             raise Malformed(f"object {number} has no end")
         return ends.end()
 
-    def _unfold(self, stream: Stream) -> None:
+    def _listed(self, section: Section, table: Table, trailer: dict[str, Any]) -> None:
+        section.tables += 1
+        section.table |= table
+        section.trailer |= trailer
+        self.tables[section.at] = table, trailer
+
+    def _unfold(self, home: int, stream: Stream) -> None:
         """The objects of a stream; each is read when it is asked for."""
         count: Any = stream.entries.get("N")
         first: Any = stream.entries.get("First")
@@ -211,10 +220,10 @@ class Pdf:
         if not isinstance(count, int) or len(heads) != 2 * count or not all(one.isdigit() and len(one) <= 10 for one in heads):
             raise Malformed("a stream of objects does not say where they are")
         self._count(count)
-        for number, at in zip(heads[::2], heads[1::2]):
-            self.objects[int(number)] = data, int(first) + int(at)
+        for n, (number, at) in enumerate(zip(heads[::2], heads[1::2])):
+            self.objects[int(number)], self.places[int(number)] = (data, int(first) + int(at)), (home, n)
 
-    def _table(self, stream: Stream) -> dict[int, int | None]:
+    def _table(self, stream: Stream) -> Table:
         """Where a stream says that objects are."""
         widths: Any = stream.entries.get("W")
         index: Any = stream.entries.get("Index", [0, stream.entries.get("Size")])
@@ -224,15 +233,16 @@ class Pdf:
         if len(data) != wide * sum(index[1::2]):
             raise Malformed("the table of objects is not as long as it says")
         self._count(len(data) // wide)
-        found: dict[int, int | None] = {}
+        found: Table = {}
         numbers = (first + n for first, count in zip(index[::2], index[1::2]) for n in range(count))
         for number, at in zip(numbers, range(0, len(data), wide)):
             row, place = data[at : at + wide], widths[0] + widths[1]
             sort = int.from_bytes(row[: widths[0]]) if widths[0] else 1
             if number in found:
                 raise Malformed(f"the table of objects has number {number} twice")
-            here = sort == 1 and not any(row[place:])  # no object is of another generation than 0
-            found[number] = int.from_bytes(row[widths[0] : place]) if here else None
+            one, other = int.from_bytes(row[widths[0] : place]), int.from_bytes(row[place:])
+            here = sort == 1 and not other  # no object is of another generation than 0
+            found[number] = one if here else (one, other) if sort == 2 else None
         return found
 
     # --- values
@@ -305,7 +315,11 @@ class Pdf:
         if self._unpacked > PDF_UNPACKED:
             raise Malformed(f"its streams hold more than {PDF_UNPACKED:,} bytes")
         how = stream.entries.get("DecodeParms")
-        return _rows(found, how) if isinstance(how, dict) and how.get("Predictor", 1) != 1 else found
+        if isinstance(how, list) and len(how) == 1:
+            how = how[0]
+        if not isinstance(how, dict | None):
+            raise Malformed("a stream is packed in a way that no report has")
+        return _rows(found, how) if how and how.get("Predictor", 1) != 1 else found
 
 
 def words(of: Any) -> str:
@@ -350,7 +364,8 @@ def _plain(found: re.Match[bytes]) -> bytes:
 def _rows(data: bytes, how: dict[str, Any]) -> bytes:
     """Rows of which each is what it differs by from the one above, as tables of objects are written."""
     wide = how.get("Columns")
-    if how.get("Predictor") not in (10, 11, 12) or not isinstance(wide, int) or wide < 1 or len(data) % (wide + 1):
+    bytewise = how.get("Colors", 1) == 1 and how.get("BitsPerComponent", 8) == 8
+    if how.get("Predictor") not in (10, 11, 12) or not bytewise or not isinstance(wide, int) or wide < 1 or len(data) % (wide + 1):
         raise Malformed("a stream is packed in a way that no report has")
     made, above = [], bytes(wide)
     for at in range(0, len(data), wide + 1):
@@ -362,9 +377,9 @@ def _rows(data: bytes, how: dict[str, Any]) -> bytes:
     return b"".join(made)
 
 
-def _entries(raw: bytes) -> dict[int, int | None]:
+def _entries(raw: bytes) -> Table:
     """Where a table of lines says that objects are."""
-    found: dict[int, int | None] = {}
+    found: Table = {}
     lines = raw.split(b"\n") if b"\n" in raw else raw.split(b"\r")
     number = 0
     for line in map(bytes.split, lines):

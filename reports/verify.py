@@ -28,6 +28,7 @@ from .context import DEPTHS
 from .pdf_diff import Difference, about, attachments, page_references, pages
 from .pdf_file import Malformed, Pdf, words
 from .pdf_signature import fields
+from .pdf_tables import demand_tables
 from .printed import covered, printed
 from .report import render
 
@@ -51,7 +52,8 @@ class Verdict(Enum):
 class Verification:
     """`changed`: the attachments that are not those which the report was written with.  `version`: of the program that wrote it.
 
-    `signed`: the pages that carry the field of a signature; what that shows is not the report's.
+    `signed`: the pages that carry the field of a signature; what that shows is not the report's.  `front`: it says what a front
+    says that is attached to it, and nobody has searched again for that.
     """
 
     design: str
@@ -60,6 +62,7 @@ class Verification:
     changed: tuple[str, ...] = ()
     differences: tuple[Difference, ...] = ()
     signed: tuple[int, ...] = ()
+    front: bool = False
 
     @property
     def identical(self) -> bool:
@@ -73,6 +76,10 @@ def verify(raw: bytes, place: str) -> Verification:
     does not accept.
     """
     pdf, said, attached = _read(raw, place)
+    return replace(_verified(raw, place, pdf, said, attached), front="front" in said)
+
+
+def _verified(raw: bytes, place: str, pdf: Pdf, said: dict[str, str], attached: dict[str, list[bytes]]) -> Verification:
     made = (_comparison if "other" in said else _report)(place, said, attached)
     version = said["version"]
     if raw == made.raw:
@@ -188,6 +195,7 @@ def _read(raw: bytes, place: str) -> tuple[Pdf, dict[str, str], dict[str, list[b
     """The document, what it says about itself, and the files inside it."""
     try:
         pdf = Pdf(raw)
+        demand_tables(pdf)
         if any("Encrypt" in section.trailer for section in pdf.sections):
             raise _refused(place, Text("is encrypted; give the report as it was written"))
         keywords = words(pdf.info.get("Keywords"))

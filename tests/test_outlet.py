@@ -109,6 +109,9 @@ def test_a_full_device_and_a_closed_pipe() -> None:
     )
     assert shell("contralbero check designs/nothing.toml 2> /dev/full; echo $?").stdout == b"2\n"
     assert shell("contralbero check designs/timing_pair.toml >&-; echo $?").stdout == b"0\n"
+    for closed in ("<&-", ">&-", "<&- >&-"):
+        done = shell(f"(contralbero designs/timing_pair.toml {closed}); echo $?")
+        assert done.stdout == b"2\n" and b"the guided session needs a terminal" in done.stderr
     sweep = "contralbero sweep designs/r753ie4_gamma.toml --vary engine.rated_speed_rpm=1000:3000:4000 --step imbalance"
     done = shell(f"{sweep} | head -1 > /dev/null; echo ${{PIPESTATUS[0]}}")
     assert done.stdout == b"141\n" and all(line.endswith(b"left") for line in done.stderr.splitlines())

@@ -43,6 +43,8 @@ def run(asked: Namespace) -> int:
         print(f"and {len(found.differences) - MOST} more; --all lists them")
     for number in found.signed:
         print(f"page {number} carries the field of a signature; what that shows is not the report's")
+    if found.front:
+        print("what it says of the search for the whole drive is what the attachment front.json says; that is not searched again")
     print(LAST[found.verdict])
     return 0 if found.verdict in TRUSTED else 1
 

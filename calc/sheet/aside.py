@@ -4,14 +4,17 @@
 import gc
 import os
 import pickle
+import signal
 import sys
 import threading
 from collections.abc import Callable
+from contextlib import suppress
 from functools import partial
 from typing import Any, TypeVar
 
 G = TypeVar("G")
 T = TypeVar("T")
+DEATH_SIGNAL = 1  # PR_SET_PDEATHSIG of prctl(2)
 
 
 def aside(work: Callable[[], T]) -> Callable[[], T]:
@@ -31,15 +34,18 @@ def prepared(ready: Callable[[], Callable[[G], T]]) -> Callable[[G], Callable[[]
     """A copy of this process that makes itself `ready` for work before it is known what the work is about.
 
     What is returned is to be called once.  It begins the work on what it is given, data that pickle knows too, and returns what waits for
-    the result as `aside` does.  A copy that is never given anything ends with this process.
+    the result as `aside` does.  Whatever a copy is at, it ends with this process.
     """
     if sys.platform != "linux" or threading.active_count() > 1 or len(os.sched_getaffinity(0)) < 2:
         return lambda given: lambda: ready()(given)
     (orders, ordering), (reading, writing) = os.pipe(), os.pipe()
+    here = os.getpid()
     if not (copy := os.fork()):
         try:
-            os.close(reading)  # else its own end stays open, and with nobody left to read it would wait for ever
-            _serve(ready, orders, ordering, writing)
+            os.close(ordering)  # what this process keeps: a copy that held it would wait for itself
+            os.close(reading)
+            if _ends_with(here):
+                _serve(ready, orders, writing)
         finally:
             os._exit(0)  # nothing of what this process does at its end is the copy's to do
     os.close(orders)
@@ -67,12 +73,20 @@ def prepared(ready: Callable[[], Callable[[G], T]]) -> Callable[[G], Callable[[]
     return begin
 
 
-def _serve(ready: Callable[[], Callable[[Any], Any]], orders: int, ordering: int, writing: int) -> None:
+def _ends_with(process: int) -> bool:
+    """Have the system end this process with the one that it is a copy of, however that ends; gives whether that is there still."""
+    with suppress(ImportError, OSError, AttributeError):  # then it ends when its work is done
+        import ctypes
+
+        ctypes.CDLL(None).prctl(DEATH_SIGNAL, int(signal.SIGKILL))
+    return os.getppid() == process
+
+
+def _serve(ready: Callable[[], Callable[[Any], Any]], orders: int, writing: int) -> None:
     """What the copy does.  It shows nothing and keeps no outlet open that others wait for."""
     nowhere = os.open(os.devnull, os.O_RDWR)
-    for stream in {0, 1, 2} - {orders, ordering, writing}:
+    for stream in {0, 1, 2} - {orders, writing}:
         os.dup2(nowhere, stream)
-    os.close(ordering)
     gc.disable()  # it ends soon
     work = ready()
     with open(orders, "rb") as told, open(writing, "wb") as file:

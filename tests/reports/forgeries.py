@@ -15,7 +15,7 @@ from typing import Any
 
 from pypdf import PdfReader, PdfWriter
 from pypdf.annotations import FreeText
-from pypdf.generic import DecodedStreamObject, DictionaryObject, NameObject, StreamObject
+from pypdf.generic import ArrayObject, DecodedStreamObject, DictionaryObject, NameObject, NumberObject, StreamObject
 
 Forgery = Callable[[bytes], bytes]
 KINDS: dict[str, Forgery] = {}
@@ -651,6 +651,34 @@ def _(pdf: bytes) -> bytes:
     return update.written().replace(b"startxref", b"%startxref\n1\nstartxref")
 
 
+def first_forged(pdf: bytes) -> Update:
+    """Other contents of the first page in the place of its contents, which are appended as they were."""
+    update = Update(pdf)
+    number = update.at("/Pages", "/Kids", 0, "/Contents")
+    update.put(number, update.body(number))
+    found = re.search(rb"\n%d 0 obj.*?endobj\n" % number, pdf, re.S)
+    assert found is not None
+    update.pdf = pdf.replace(found[0], (b"\n%d 0 obj\n%s\nendobj\n" % (number, streamed(PAINT))).ljust(len(found[0]), b"\n"))
+    return update
+
+
+@kind("table: the right contents, but in no table")
+def _(pdf: bytes) -> bytes:
+    """Who follows the tables sees the forged ones, who looks for the last of each number does not."""
+    return first_forged(pdf).written(table=lambda places: {})
+
+
+@kind("table: the right contents, but the end leads to the table before")
+def _(pdf: bytes) -> bytes:
+    update = first_forged(pdf)
+    return re.sub(rb"\d+(?=\n%%EOF\n$)", b"%d" % update.start, update.written())
+
+
+@kind("table: no end leads to it")
+def _(pdf: bytes) -> bytes:
+    return re.sub(rb"\d+(?=\n%%EOF\n$)", b"9", pdf)
+
+
 @kind("bytes: after the end")
 def _(pdf: bytes) -> bytes:
     return pdf + b"PASS"
@@ -741,6 +769,52 @@ anew("a file more")(lambda writer: writer.add_attachment("other.toml", b"x = 1")
 anew("another title")(lambda writer: writer.add_metadata({"/Title": "all checks pass"}))
 anew("encrypted with no password")(lambda writer: writer.encrypt("", algorithm="RC4-128"))
 anew("a page less")(lambda writer: writer.root_object["/Pages"]["/Kids"].pop())  # type: ignore[index]
+
+
+@kind("anew: a reference to another generation")
+def _(pdf: bytes) -> bytes:
+    return re.sub(rb"(/Contents \d+) 0 R", rb"\1 1 R", KINDS["anew: as it was"](pdf), count=1)
+
+
+@anew("a number for a truth value")
+def _(writer: PdfWriter) -> None:
+    writer.root_object["/MarkInfo"][NameObject("/Marked")] = NumberObject(1)  # type: ignore[index]
+
+
+@anew("a page more, whose only text is laid over it")
+def _(writer: PdfWriter) -> None:
+    writer.add_blank_page()
+    writer.add_annotation(len(writer.pages) - 1, FreeText(text="PASS", rect=(100, 600, 300, 700)))
+
+
+@anew("a page twice")
+def _(writer: PdfWriter) -> None:
+    tree: Any = writer.root_object["/Pages"]
+    tree["/Kids"].append(tree["/Kids"][0])
+    tree[NameObject("/Count")] = NumberObject(len(tree["/Kids"]))
+
+
+@anew("fewer pages than there are")
+def _(writer: PdfWriter) -> None:
+    writer.add_blank_page()
+    tree: Any = writer.root_object["/Pages"]
+    tree[NameObject("/Count")] = NumberObject(len(tree["/Kids"]) - 1)
+
+
+def unpacked_otherwise(how: Any) -> Callable[[PdfWriter], None]:
+    """The same bytes of what letters mean, and another way to unpack them."""
+
+    def changed(writer: PdfWriter) -> None:
+        for font in writer.pages[0]["/Resources"]["/Font"].values():  # type: ignore[index]
+            font.get_object()["/ToUnicode"].get_object()[NameObject("/DecodeParms")] = how(writer)
+
+    return changed
+
+
+ROWS = DictionaryObject({NameObject("/Predictor"): NumberObject(12), NameObject("/Columns"): NumberObject(8)})
+anew("letters unpacked otherwise")(unpacked_otherwise(lambda writer: ROWS))
+anew("letters unpacked otherwise, in a list")(unpacked_otherwise(lambda writer: ArrayObject([ROWS])))
+anew("letters unpacked otherwise, by a reference")(unpacked_otherwise(lambda writer: writer._add_object(ROWS)))
 
 
 @anew("another page")

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The chapter of a drive that was picked from a front: in the report, verified with it, and left out where the file beside says nothing."""
 
+import json
 import re
 
 import pypdf
@@ -34,6 +35,18 @@ def test_the_report_of_a_drive_has_its_chapter_and_is_verified(folder, tmp_path,
     text = "\n".join(page.extract_text() for page in read.pages)
     assert all(word in text for word in words) and set(read.attachments) == {"design.toml", "results.json", "front.json"}
     assert run("verify", report).returncode == 0
+
+
+def test_who_verifies_is_told_that_the_search_is_not_repeated(folder, tmp_path):
+    """The front beside a design may be anybody's: the report of a forged one has the bytes that the program writes from it."""
+    front = json.loads((folder / "front.json").read_text(encoding="utf-8"))
+    (tmp_path / "front.json").write_text(json.dumps({**front, "combinations": 10**14}), encoding="utf-8")
+    (tmp_path / "001.toml").write_bytes((folder / "001.toml").read_bytes())
+    report = tmp_path / "x.pdf"
+    assert run("report", tmp_path / "001.toml", "-o", report).returncode == 0
+    done = run("verify", report)
+    assert done.returncode == 0 and "front.json says; that is not searched again" in done.stdout
+    assert done.stdout.splitlines()[-1] == "identical, byte for byte"
 
 
 def test_a_front_that_says_nothing_of_the_design_is_told_and_left_out(folder, tmp_path):

@@ -1,6 +1,7 @@
 """Work done by a copy of the process gives what it gives here, also where no copy can be made or the copy is lost."""
 
 import os
+import select
 import subprocess
 import sys
 import threading
@@ -108,3 +109,24 @@ def test_who_waits_for_the_end_of_the_output_does_not_wait_for_a_copy() -> None:
     code = "import time; from calc.sheet.aside import aside; kept = aside(lambda: time.sleep(100)); print('end')"
     ended = subprocess.run([sys.executable, "-c", code], cwd=ROOT, capture_output=True, text=True, timeout=20)
     assert (ended.returncode, ended.stdout, ended.stderr) == (0, "end\n", "")
+
+
+@pytest.mark.skipif(not CAN, reason="one core, or no fork")
+@pytest.mark.parametrize("way", ["os.kill(os.getpid(), 9)", "os.kill(os.getpid(), 15)", "raise SystemExit(3)"])
+@pytest.mark.parametrize(
+    "work",
+    [
+        "prepared(lambda: work)",  # is told nothing
+        "aside(lambda: work(0))",  # is at work
+        "(aside(lambda: bytes(10**6)), time.sleep(0.2))",  # has more to say than a pipe holds, and nobody listens
+        "(aside(lambda: bytes(10**6)), aside(lambda: work(0)), time.sleep(0.2))",  # one knows the pipes of the other
+    ],
+)
+def test_no_copy_is_left_however_this_process_ends(work: str, way: str) -> None:
+    head = "import os, time\nfrom calc.sheet.aside import aside, prepared\ndef work(given): time.sleep(100)\n"
+    inner, outer = os.pipe()  # every copy has it, and a last one closes it
+    ended = subprocess.Popen([sys.executable, "-c", f"{head}kept = {work}\n{way}"], cwd=ROOT, pass_fds=[outer])
+    os.close(outer)
+    ended.wait(20)
+    with open(inner, "rb") as pipe:
+        assert select.select([pipe], [], [], 5)[0], "somebody has the pipe open"
