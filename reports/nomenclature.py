@@ -6,6 +6,8 @@ Symbols are noted as they are set, in formulas, tables of values and inputs; not
 
 from __future__ import annotations
 
+import re
+from itertools import takewhile
 from math import isclose
 from typing import TYPE_CHECKING
 
@@ -33,6 +35,7 @@ EACH = (WIDTH - (COLUMNS - 1) * GUTTER) / COLUMNS
 SYMBOL, UNIT, PAGE = 30.0, 26.0, 11.0  # width of what stands beside a meaning
 MEANING = EACH - SYMBOL - UNIT - PAGE - 4.0
 CUTS = (", ", " (", ": ")  # where a meaning may end
+PREPOSITION = 3  # letters at most
 
 
 def noted(context: Context, name: str, label: str, unit: str) -> str:
@@ -112,8 +115,20 @@ def _labels(context: Context) -> dict[tuple[str, str], str]:
         named += [(key, symbol(about.symbol) if about.symbol else "", about.label) for key, about in quantities(context.document.data)]
         for id, name, label in named:
             if name and not label[:1].islower():
-                context.labels.setdefault((id.partition(".")[0], name), context.say(label))
+                of, told = (id.partition(".")[0], name), context.say(label)
+                context.labels[of] = _in_common(context.labels.get(of, told), told, id)
     return context.labels
+
+
+def _in_common(one: str, other: str, id: str) -> str:
+    """What a symbol is called without the part that it is of, the form factor of each wheel; `id`: of the value that is called `other`."""
+    own, words = one.split(), other.split()
+    same = [a for a, b in takewhile(lambda pair: pair[0].strip(",") == pair[1].strip(","), zip(own, words))]
+    if one == other or len(same) == len(words) or words[len(same)].strip(",") not in re.split(r"[._]", id):
+        return one
+    while same and len(same[-1]) <= PREPOSITION:
+        del same[-1]
+    return " ".join(same).rstrip(",") if len(same) > 1 else one
 
 
 def nomenclature_blocks(context: Context) -> list[Block]:

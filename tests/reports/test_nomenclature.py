@@ -8,7 +8,7 @@ from calc.languages import language
 from calc.sheet.formula import FORMULAS
 from reports.context import Context
 from reports.formula_words import BY_NAME
-from reports.nomenclature import _short, noted
+from reports.nomenclature import _in_common, _short, noted
 from reports.prose import NOTE, run
 from reports.report import blocks
 from reports.symbols import SIGN
@@ -28,7 +28,7 @@ def context_of(example: Solved, depth: str) -> Context:
 
 
 def test_symbols_stand_with_meaning_unit_and_page(engineer: bytes) -> None:
-    for meaning, unit in (("Specific load", "MPa"), ("Outlet temperature", "°C"), ("Safety against tooth breakage of crank", "")):
+    for meaning, unit in (("Specific load", "MPa"), ("Outlet temperature", "°C"), ("Safety against tooth breakage", "")):
         assert re.search(rf"{meaning}\s+{unit}\s*\d+", part(engineer)), meaning
 
 
@@ -77,3 +77,12 @@ def test_an_input_is_called_by_its_own_name_and_what_is_made_of_it_is_not(engine
     own = read[read.rindex("Nomenclature") :]
     assert "MA Tightening torque" in own and "z Position" in own and "ω Angular speed" in own
     assert not re.search(r"T[JS] Journal diameter", own)
+
+
+def test_what_is_of_each_wheel_is_not_called_that_of_the_first() -> None:
+    """Unless the names differ in more than the part."""
+    wheel = "gears.crank_central.form_factor_central"
+    assert _in_common("Form factor of crank", "Form factor of central", wheel) == "Form factor"
+    assert _in_common("Nominal root stress of crank, K = 1", "Nominal root stress of central, K = 1", wheel) == "Nominal root stress"
+    for one, other in (("Safety against pitting, on stress", "Safety against breakage"), ("Its limit, one pair carries all",) * 2):
+        assert _in_common(one, other, wheel) == one
