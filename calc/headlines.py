@@ -20,7 +20,8 @@ WORDS = {
     "transition": Text("speed"), "length_ratio": Text("length ratio"), "slope_front": Text("slope"), "slope_rear": Text("slope"),
     "bending_stress": Text("stress"), "residual": Text("couple left"), "residual_force": Text("force left"), "envelope": Text("radius"),
     "envelope_length": Text("length"), "first_critical_speed": Text("critical speed"), "backlash": Text("backlash"),
-    "backlash_cold": Text("cold backlash"), "backlash_warm": Text("warm backlash"), "backlash_runout": Text("backlash"),
+    "backlash_cold": Text("cold backlash"), "backlash_warm": Text("warm backlash"),
+    "backlash_warming": Text("backlash, warming up"), "backlash_runout": Text("backlash"),
     "contact_ratio": Text("contact"), "safety_contact": Text("S_H"), "safety_bending": Text("S_F"), "clearance": Text("wall"),
     "tip_clearance_least": Text("tip gap"), "stress_pin": Text("pin"), "stress_journal": Text("journal"), "rated_power": Text("power"),
 }  # fmt: skip

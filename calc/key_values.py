@@ -49,7 +49,8 @@ VALUES: dict[str, tuple[str, ...]] = {
     "gears": ("gears.transverse_module", "gears.transverse_pressure_angle", "gears.base_helix_angle", "gears.speed_ratio",
               "gears.phase_error", "gears.residual_couple", *(f"gears.*.{name}" for name in (
         "tip_thickness_normal", "speed", "centre_distance", "working_pressure_angle", "transverse_contact_ratio", "overlap_ratio",
-        "backlash_min", "backlash_max", "backlash_cold", "backlash_running", "backlash_warmer", "tangential_force", "contact_stress",
+        "backlash_min", "backlash_max", "backlash_cold", "backlash_running", "backlash_warmer", "backlash_warming",
+        "tangential_force", "contact_stress",
         "dynamic_factor", "face_load_factor_flank", "transverse_load_factor_flank", "safety_contact", "safety_bending_*",
         "specific_film_min",
     ))),

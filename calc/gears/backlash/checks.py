@@ -22,7 +22,7 @@ from .temperature import AtState
 
 
 def checks(gears: GearsInputs, m: BacklashCase, play: PlayResult, smallest: Sequence[AtState]) -> list[Check]:
-    """`smallest`: the states cold, warm and wheels warmer at the smallest backlash."""
+    """`smallest`: the states cold, warm, wheels warmer and warming up at the smallest backlash."""
     id, free = f"gears.{m.key}", _freed(m)
     checks = _over_temperature(gears, m, smallest)
     if play.backlash_min_runout is not None:
@@ -58,7 +58,7 @@ def checks(gears: GearsInputs, m: BacklashCase, play: PlayResult, smallest: Sequ
 def _over_temperature(gears: GearsInputs, m: BacklashCase, smallest: Sequence[AtState]) -> list[Check]:
     """Not verified where the design does not say itself what is between the centres."""
     missing = () if gears.housing_material is not None or m.inputs.support_share else ("gears.housing_material",)
-    (cold, warm, warmer), free = smallest, _freed(m)
+    (cold, warm, warmer, warming), free = smallest, _freed(m)
     T_min, T_H, more = (Amount(T, form="g") for T in (gears.lowest_temperature, gears.running_temperature, gears.wheels_warmer))
     tight, where = warm, Text("all at {t_h} °C", t_h=T_H)
     if warm.backlash > warmer.backlash:
@@ -68,6 +68,12 @@ def _over_temperature(gears: GearsInputs, m: BacklashCase, smallest: Sequence[At
     rows = (
         ("cold", Text("Smallest backlash {name}, cold", name=m.name), cold, Text("cold start, all at {t_min} °C", t_min=T_min)),
         ("warm", Text("Smallest backlash {name}, warm", name=m.name), tight, where),
+        (
+            "warming",
+            Text("Smallest backlash {name}, warming up", name=m.name),
+            warming,
+            Text("housing still at {t_min} °C, wheels {wheels_warmer} K warmer", t_min=T_min, wheels_warmer=more),
+        ),
     )
     return [
         check(

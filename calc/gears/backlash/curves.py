@@ -44,7 +44,8 @@ def curves(gears: GearsInputs, known: Known) -> tuple[Curve, ...]:
             lines += [(LIMITS[limit], T, limit) for limit in ("smallest", "largest")]  # the band
             series = tuple(Series(label, T, many(_at(m, alpha, each(T), each(wheels), limit)) * UM) for label, wheels, limit in lines)
             _, warmest, smallest, _ = (line.y for line in series)
-            states = (low, float(smallest[0])), (high, float(smallest[-1])), (high, float(warmest[-1]))  # those that are judged
+            ends = ((low, smallest[0]), (high, smallest[-1]), (high, warmest[-1]), (low, warmest[0]))  # what is judged
+            states = tuple((at, float(j_bn)) for at, j_bn in ends)
             least = min(states, key=lambda state: state[1])
             drawn.append(Curve(
                 f"backlash_temperature_{m.key}", Text("Normal backlash over temperature, {name}", name=m.name),

@@ -136,7 +136,7 @@ def _warm(m: BacklashCase, alpha: t.Expansions, states: tuple[t.State, ...]) -> 
     """The smallest backlash of every state, and the largest free turn when all is warm."""
     values: dict[str, float] = {}
     smallest = []
-    for state, word in zip(states, ("cold", "running", "warmer")):
+    for state, word in zip(states, ("cold", "running", "warmer", "warming")):
         with about(Text("mesh {name}, smallest backlash, {name2}", name=m.name, name2=state.name)):
             grown = t.grown(m, alpha, state.housing, state.wheels)
             values[f"centre_change_{word}"] = t.change(m, grown)

@@ -55,11 +55,12 @@ class AtState:
     wheel_growth: Number  # the smaller one
 
 
-def states(gears: GearsInputs) -> tuple[State, State, State]:
-    """Cold start; all warm; the wheels warmer than the housing."""
+def states(gears: GearsInputs) -> tuple[State, State, State, State]:
+    """Cold start; all warm; the wheels warmer than the housing; and so in a housing that is still cold."""
     cold, warm = gears.lowest_temperature, gears.running_temperature
-    return (State(Text("cold"), cold, cold), State(Text("running"), warm, warm),
-        State(Text("wheels warmer"), warm, b.wheel_temperature(T_H=warm, Delta_T=gears.wheels_warmer)))  # fmt: skip
+    first, then = (b.wheel_temperature(T_H=T, Delta_T=gears.wheels_warmer) for T in (cold, warm))
+    return (State(Text("cold"), cold, cold), State(Text("running"), warm, warm), State(Text("wheels warmer"), warm, then),
+        State(Text("warming up"), cold, first))  # fmt: skip
 
 
 def expansions(m: BacklashCase, gears: GearsInputs, materials: Mapping[str, Material], housing: str | None) -> Expansions:

@@ -150,6 +150,17 @@ def test_wheels_warmer_than_an_iron_block_are_its_critical_state():
     assert mesh_.backlash_warmer < mesh_.backlash_running < mesh_.backlash_cold
 
 
+def test_wheels_that_warm_up_first_are_the_critical_state_of_a_cold_aluminium_housing():
+    """It shrinks more than steel in the cold, and the wheels then grow before it does.  Nobody says by how much: advice, and no verdict."""
+    play, mesh_ = alone(housing="aluminium", housing_material="aluminium")
+    assert mesh_.backlash_warming < mesh_.backlash_cold < mesh_.backlash_warmer
+    taken = mesh_.backlash_cold - mesh_.backlash_warming
+    a, alpha_wt = pair_1().meshes[0].centre_distance or 0.0, math.radians(20)
+    assert taken == pytest.approx(20 * 11.5e-6 * 2 * a * math.sin(alpha_wt), rel=0.25), "both wheels grow towards each other"
+    advice = next(c for c in play.checks if c.id.endswith("backlash_warming"))
+    assert (advice.kind, advice.verdict) == ("advice", "note") and advice.value == pytest.approx(mesh_.backlash_warming * 1e6)
+
+
 def test_a_given_material_makes_it_a_limit():
     kinds = {c.id.rpartition(".")[2]: c.kind for c in alone(housing="aluminium", housing_material="aluminium")[0].checks}
     assert kinds["backlash_cold"] == kinds["backlash_warm"] == "limit"
@@ -183,7 +194,8 @@ def test_the_curve_meets_the_table():
     assert (smallest.y[-1], nominal.y[-1], largest.y[-1]) == pytest.approx(at["running"][1:])
     assert warmer.y[-1] == pytest.approx(at["wheels warmer"][1])
     assert curve.limits == (("jam", 0.0),) and curve.id == "backlash_temperature_central_idler"
-    judged = at["cold"][1], at["running"][1], at["wheels warmer"][1]
+    assert warmer.y[0] == pytest.approx(at["warming up"][1])
+    judged = at["cold"][1], at["running"][1], at["wheels warmer"][1], at["warming up"][1]
     assert curve.band and curve.point is not None and curve.point[1] == pytest.approx(min(judged))
 
 
