@@ -1,9 +1,17 @@
 # SPDX-License-Identifier: Apache-2.0
 """Reports of the shipped example, made once."""
 
+from collections.abc import Iterator
+
 import pytest
 
-from .reading import EXAMPLE, Solved, solved
+from calc.design_file import Document
+from calc.solve import Results
+from reports import binding
+from reports import verify as verifying
+from reports.report import render
+
+from .reading import EXAMPLE, V12, Solved, solved
 
 
 @pytest.fixture(scope="session")
@@ -30,3 +38,26 @@ def relazione(example: Solved) -> bytes:
 @pytest.fixture(scope="session")
 def summary(example: Solved) -> bytes:
     return example.report("summary")
+
+
+@pytest.fixture(scope="module")
+def made() -> bytes:
+    return solved(V12).report()
+
+
+@pytest.fixture(scope="module")
+def written_once() -> Iterator[None]:
+    """The same design at the same depth gives the same report, byte for byte (test_same_bytes): it is written for comparison once."""
+    known: dict[tuple[object, ...], bytes] = {}
+
+    def again(
+        document: Document, results: Results, raw: bytes, *, depth: str, lang: str, logo_file: bytes | None, front: bytes | None
+    ) -> bytes:
+        asked = (raw, depth, lang, binding.PROGRAM, front)
+        if asked not in known:
+            known[asked] = render(document, results, raw, depth=depth, lang=lang, logo_file=logo_file, front=front)
+        return known[asked]
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(verifying, "render", again)
+        yield
