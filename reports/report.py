@@ -17,6 +17,7 @@ from calc.languages import LANGUAGES, language
 from calc.languages.outcome import said
 from calc.optimise.picked import picked
 from calc.sheet.aside import aside
+from calc.sheet.later import Later
 from calc.sheet.progress import Progress, part, tell
 from calc.sheet.step import Outcome, Step
 from calc.solve import Results
@@ -125,6 +126,11 @@ def context_of(document: Document, results: Results, raw: bytes, *, depth: str, 
 
 def blocks(context: Context, progress: Progress | None = None, draws: Draughtsman | None = None) -> list[Block]:
     """Everything that the report holds, in its order."""
+    if context.depth == "engineer" and context.original is not None:
+        for key, original in context.original.outcomes.items():
+            told = context.results.outcomes[key].key_curves
+            if isinstance(original.key_curves, Later) and isinstance(told, Later):
+                told.meanwhile()
     nearest = aside(partial(mended, context))
     if context.depth == "summary":
         summary = summary_blocks(context)

@@ -5,6 +5,7 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from functools import cached_property
 from typing import TypeVar, overload
 
+from .aside import aside
 from .errors import NoSolution
 from .trace import untraced
 
@@ -26,6 +27,12 @@ class Later(Sequence[T]):
                 return tuple(self._make())
         except (NoSolution, ArithmeticError, ValueError):
             return ()
+
+    def meanwhile(self) -> None:
+        """Begin to make it in a copy of this process, where it is not made yet; whoever looks at it may have to wait."""
+        if "made" not in vars(self):
+            make = self._make
+            self._make = aside(lambda: Later(make).made)
 
     def __iter__(self) -> Iterator[T]:
         return iter(self.made)
