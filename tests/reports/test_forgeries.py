@@ -2,22 +2,17 @@
 """No forged report is called identical, and what is accepted looks to other readers as it should."""
 
 import io
-from collections.abc import Iterator
 from random import Random
 
 import pypdfium2
 import pytest
 from pypdf import PdfReader, PdfWriter
 
-from calc.design_file import Document
 from calc.sheet.errors import BadInput
-from calc.solve import Results
-from reports import verify as verifying
 from reports.pdf_diff import page_references
 from reports.pdf_file import Pdf
 from reports.pdf_signature import fields
 from reports.printed import printed
-from reports.report import render
 from reports.verify import Verdict, verify
 
 from .forgeries import EMPTY, KINDS, Update
@@ -29,27 +24,12 @@ SAME_AS_BEFORE = {  # which change bytes and nothing that is read; another word 
 }  # fmt: skip
 
 
+pytestmark = pytest.mark.usefixtures("written_once")
+
+
 @pytest.fixture(scope="module")
 def made() -> bytes:
     return solved(V12).report("summary")
-
-
-@pytest.fixture(autouse=True, scope="module")
-def set_once() -> Iterator[None]:
-    """The same design gives the same report, byte for byte (test_same_bytes): it is set for comparison once."""
-    known: dict[tuple[object, ...], bytes] = {}
-
-    def again(
-        document: Document, results: Results, raw: bytes, *, depth: str, lang: str, logo_file: bytes | None, front: bytes | None
-    ) -> bytes:
-        asked = (raw, depth, lang, front)
-        if asked not in known:
-            known[asked] = render(document, results, raw, depth=depth, lang=lang, logo_file=logo_file, front=front)
-        return known[asked]
-
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(verifying, "render", again)
-        yield
 
 
 def verdict(raw: bytes) -> Verdict | None:
