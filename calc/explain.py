@@ -32,10 +32,8 @@ def origin(results: Results, value_id: str) -> str | None:
 
 def needs(line: Line) -> tuple[list[Line], list[str]]:
     """The lines and the inputs that the arguments of a line come from."""
-    if not hasattr(line, "needed"):
-        found = dict.fromkeys(leaf for argument in line.arguments.values() for leaf in leaves(link_of(argument)))
-        line.needed = [leaf for leaf in found if isinstance(leaf, Line)], [leaf for leaf in found if isinstance(leaf, str)]
-    return line.needed
+    found = dict.fromkeys(leaf for argument in line.arguments.values() for leaf in leaves(link_of(argument)))
+    return [leaf for leaf in found if isinstance(leaf, Line)], [leaf for leaf in found if isinstance(leaf, str)]
 
 
 class Chains:

@@ -11,7 +11,6 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from math import prod
 
-from calc.explain import needs
 from calc.key_values import PROVEN, PROVEN_WHERE
 from calc.sheet.check import Check, severity
 from calc.sheet.expression import governing, result, symbol_of
@@ -136,17 +135,18 @@ def _nearest(context: Context, start: list[Element], most: int, also: tuple[str,
     for line, index in context.origins.followed(start):
         if line.formula.symbol in wanted:
             wanted.discard(line.formula.symbol)
-        elif line not in roots and (_constant(line) or _name(line) in known or (_name(line) not in names and len(names) >= most)):
+        elif line not in roots and (
+            _constant(context, (line, index)) or _name(line) in known or (_name(line) not in names and len(names) >= most)
+        ):
             continue
         names[_name(line)] = None
         shown[line] = index
     return shown
 
 
-def _constant(line: Line) -> bool:
+def _constant(context: Context, element: Element) -> bool:
     """Whether a line says no more than its value."""
-    lines, inputs = needs(line)
-    return bool(line.formula.shows) and not lines and not inputs
+    return bool(element[0].formula.shows) and not any(context.origins.of(element))
 
 
 def _name(line: Line) -> str:

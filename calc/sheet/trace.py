@@ -35,8 +35,7 @@ class Line:
     `about`: whose calculation this is ("front bearing", "mesh 36–39").  A line is equal to no other, whatever that one gave.
     """
 
-    __slots__ = ("about", "arguments", "formula", "needed", "value")
-    needed: "tuple[list[Line], list[str]]"  # what it comes from, once somebody has asked
+    __slots__ = ("about", "arguments", "formula", "value")
 
     def __init__(self, formula: Equation, arguments: Mapping[str, object], value: object, about: Text = EMPTY) -> None:
         self.formula, self.arguments, self.value, self.about = formula, arguments, value, about
