@@ -142,6 +142,11 @@ def outside(check: Check, checks: Iterable[Check]) -> list[Check]:
     return [one for one in checks if one.kind == "method" and not one.holds and concerns(one.id, check.id)]
 
 
+def judged(check: Check, checks: Iterable[Check]) -> str:
+    """The verdict of a check; one that holds by a formula outside its validity is not called a pass.  `checks`: of its step."""
+    return "outside" if check.verdict == "pass" and outside(check, checks) else check.verdict
+
+
 def _same_part(method: list[str], check: list[str]) -> bool:
     """Whether both are of one bearing, mesh or wheel, or one is of all of them; a wheel is part of its meshes."""
     return not method or not check or "train" in method or method[0] == check[0] or check[0] in method[0].split("_")

@@ -7,6 +7,7 @@ import json
 from reportlab.pdfbase.pdfdoc import PDFArray, PDFDictionary, PDFInfo, PDFName, PDFStream, PDFString, PDFZCompress
 from reportlab.pdfgen.canvas import Canvas
 
+from calc.key_values import judged
 from calc.solve import Results
 
 NAME = "design.toml"
@@ -30,7 +31,7 @@ def _solved(results: Results) -> dict[str, object]:
     outcomes = results.outcomes.values()
     return {
         "values": {v.id: float(v.shown) if abs(v.shown) < float("inf") else None for o in outcomes for v in o.values()},
-        "checks": {check.id: check.verdict for check in results.checks()},
+        "checks": {check.id: judged(check, o.checks) for o in outcomes for check in o.checks},
         "steps": {o.key: o.verdict for o in outcomes},
     }
 

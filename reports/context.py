@@ -7,7 +7,7 @@ from calc.design import STEPS, Design
 from calc.design_file import Document
 from calc.explain import Chains
 from calc.id_words import belongs
-from calc.key_values import CURVES, like, outside
+from calc.key_values import CURVES, judged, like, outside
 from calc.languages import Language
 from calc.optimise.picked import Picked
 from calc.sheet.check import URGENT, Check, severity
@@ -114,8 +114,8 @@ class Context:
         return outside(check, self.results.outcomes[check.id.partition(".")[0]].checks)
 
     def state(self, check: Check) -> str:
-        """The verdict of a check; one that holds by a formula outside its validity is not called a pass."""
-        return "outside" if check.verdict == "pass" and self.outside(check) else check.verdict
+        """The verdict of a check, or that it holds outside the validity of its formula."""
+        return judged(check, self.results.outcomes[check.id.partition(".")[0]].checks)
 
 
 def _main_curves(outcome: Outcome[object]) -> list[Curve]:

@@ -1,7 +1,7 @@
 """What of a design stands on the first page."""
 
 from calc.design_file import load
-from calc.key_values import key_results
+from calc.key_values import judged, key_results
 from calc.solve import solve
 from tests.conftest import DESIGNS
 
@@ -24,3 +24,9 @@ def test_the_backlash_of_the_first_page_is_that_of_the_states_that_are_judged() 
     shown = key_results(solve(load(DESIGNS / "r753ie4_gamma.toml")[1]).values())
     assert shown["gears.*.backlash_warmer"].id == "gears.central_idler.backlash_warmer"
     assert shown["gears.*.backlash_cold"].shown < 0 and "gears.*.backlash_min" not in shown
+
+
+def test_what_holds_outside_the_validity_of_its_formula_is_not_called_a_pass() -> None:
+    checks = solve(load(DESIGNS / "r753ie4_gamma.toml")[1]).outcomes["gears"].checks
+    safety = next(check for check in checks if check.id == "gears.crank_central.safety_contact")
+    assert (safety.verdict, judged(safety, checks), judged(safety, [safety])) == ("pass", "outside", "pass")
