@@ -19,7 +19,7 @@ def main() -> int:
 
 
 def _end(code: int) -> None:
-    """End the process here, unless threads are to be waited for: Python would first take apart all that it holds, a twentieth of a check."""
+    """End the process here, unless threads are to be waited for: Python would first take apart all it holds, a twentieth of a check."""
     import atexit
     import os
     import threading

@@ -7,14 +7,12 @@ What is in the way is an OSError whose `strerror` says it, a Text where the word
 import errno
 import os
 import re
-import shutil
 import stat
 import sys
 import time
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
-from secrets import token_hex
 
 from .limits import LOCK_SECONDS
 from .sheet.text import Text
@@ -153,7 +151,7 @@ def _differs(target: Path, expected: bytes) -> bool:
 
 
 def _replace(target: Path, data: bytes | Path, old: os.stat_result | None, backup: bool) -> None:
-    drafts = [target.with_name(f".contralbero-{token_hex(8)}.new") for _ in range(2)]
+    drafts = [target.with_name(f".contralbero-{os.urandom(8).hex()}.new") for _ in range(2)]
     try:
         _put(drafts[0], data, old)
         if backup and old is not None:
@@ -175,8 +173,10 @@ def _put(draft: Path, data: bytes | Path, old: os.stat_result | None) -> None:
             with suppress(OSError):
                 os.chmod(draft, stat.S_IMODE(old.st_mode))
         if isinstance(data, Path):
+            from shutil import copyfileobj  # which a check does not need
+
             with data.open("rb") as made:
-                shutil.copyfileobj(made, file)
+                copyfileobj(made, file)
         else:
             file.write(data)
         file.flush()

@@ -20,8 +20,8 @@ from ..sheet.later import Later
 from ..sheet.linked_array import gathered, item
 from ..sheet.remedy import by_key
 from ..sheet.step import Curve, Further, Outcome, Table
-from ..sheet.text import EMPTY, Text
-from ..sheet.trace import about, trace
+from ..sheet.text import EMPTY, Amount, Text
+from ..sheet.trace import about, trace, untraced
 from ..sheet.units import Metre, Number, Radian, RevPerSecond
 from ..sheet.value import based_on
 from . import formulas as f
@@ -79,7 +79,7 @@ def solve(
                 load, slope = _load(place, bearing, shaft), _slope(place, bearings, shaft)
                 results[place] = _bearing(place, seat, load, slope, speed, bench, compared=compared)
                 every += [*checks(place, results[place], slope), *_pairing(place, results[place])]
-    every += _slopes_given(bearings, shaft)
+    every += _slopes_given(bearings, shaft, results)
     every += oil_checks(bearings, solids.oil)
     return Outcome("bearings", result=BearingsResult(bearings=results), checks=tuple(every), lines=tuple(lines),
         curves=Later(lambda: (c for place, r in results.items() for c in curves(place, r))),
@@ -146,15 +146,20 @@ def _slope(place: str, inputs: BearingsInputs, shaft: CountershaftResult | None)
     return 0.0 if slope is None else slope
 
 
-def _slopes_given(inputs: BearingsInputs, shaft: CountershaftResult | None) -> Iterator[Check]:
-    """Slopes that are given, held against those of the shaft as this design bends it."""
+def _slopes_given(inputs: BearingsInputs, shaft: CountershaftResult | None, results: dict[str, BearingResult]) -> Iterator[Check]:
+    """Slopes that are given, held against those of the shaft as this design bends it: what stands on them stands on the given ones."""
     if inputs.slope is None or shaft is None or shaft.bending is None or shaft.slope_front is None or shaft.slope_rear is None:
         return  # where nothing bends, the shaft has its slopes from here
     for place, at, bent in (("front", 0, shaft.slope_front), ("rear", -1, shaft.slope_rear)):
+        r = results[place]
+        with untraced():
+            edge = f.film_at_edge(h_0=r.film, theta=bent, l=r.seat.bearing.length)
         yield check(
             f"bearings.{place}.slope_given", Text("Slope as given, {place}, against that of the shaft's bending", place=IN_WORDS[place]),
             inputs.slope[at], ">=",
             bent, "mrad", Text("elasticity: bending of the stepped shaft, with the stiffness share of its sectors"),
+            Text("With the slope of the bending the film at the edge is {edge}, where {least} are needed.",
+                edge=Amount(edge * 1e6, "µm"), least=Amount(r.kreisle_film * 1e6, "µm")),
             remedies=by_key(BearingsInputs, "bearings.slope_mrad", None, effect=Text("the slope is then that of the bending")))  # fmt: skip
 
 

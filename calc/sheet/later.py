@@ -5,7 +5,6 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from functools import cached_property
 from typing import TypeVar, overload
 
-from .aside import aside
 from .errors import NoSolution
 from .trace import untraced
 
@@ -31,6 +30,8 @@ class Later(Sequence[T]):
     def meanwhile(self) -> None:
         """Begin to make it in a copy of this process, where it is not made yet; whoever looks at it may have to wait."""
         if "made" not in vars(self):
+            from .aside import aside  # which a check does not need
+
             make = self._make
             self._make = aside(lambda: Later(make).made)
 

@@ -118,15 +118,24 @@ def _names(pattern: list[str], parts: list[str]) -> dict[str, str] | None:
 
 def _filled(rule: Rule, names: dict[str, str], index: int | None) -> Rule:
     names = names if index is None else names | {"#": str(index)}
-    keys = tuple(filled for key in rule.moved_by if "#" not in (filled := _put(key, names)))
-    id, cause, value, limit = (_put(id, names) for id in (rule.id, rule.cause, rule.value, rule.limit))
-    return Rule(id, rule.kinds, rule.demand, rule.exact, cause, value, limit, keys, rule.why)
+    if not names and not any("#" in key for key in rule.moved_by):
+        return rule
+    keys = tuple([filled for key in rule.moved_by if "#" not in (filled := _put(key, names))])
+    return Rule(_put(rule.id, names), rule.kinds, rule.demand, rule.exact, _put(rule.cause, names), _put(rule.value, names),
+        _put(rule.limit, names), keys, rule.why)  # fmt: skip
 
 
 def _put(id: str, names: dict[str, str]) -> str:
-    if not names:
+    parts = _parts(id)
+    if names.keys().isdisjoint(parts) and not ("W" in names and parts[-1].endswith("_W")):
         return id
-    parts = [names.get(part, part) for part in id.split(".")]
-    if "W" in names and parts[-1].endswith("_W"):
-        parts[-1] = parts[-1][:-1] + names["W"]
-    return ".".join(parts)
+    put = [names.get(part, part) for part in parts]
+    if "W" in names and put[-1].endswith("_W"):
+        put[-1] = put[-1][:-1] + names["W"]
+    return ".".join(put)
+
+
+@cache
+def _parts(id: str) -> tuple[str, ...]:
+    """Of an id with letters, which stands for many."""
+    return tuple(id.split("."))

@@ -17,6 +17,24 @@ ROOT = Path(__file__).parents[3]
 CAN = sys.platform == "linux" and len(os.sched_getaffinity(0)) > 1
 
 
+@pytest.fixture(autouse=True)
+def alone(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A test of another file may have left a thread asleep, beside which no copy would be made."""
+    others = [thread for thread in threading.enumerate() if thread is not threading.main_thread()]
+    counted = threading.active_count
+    monkeypatch.setattr(threading, "active_count", lambda: counted() - sum(thread.is_alive() for thread in others))
+
+
+def ended() -> int:
+    """The exit code of the copy; a failure where it does not end."""
+    for _ in range(200):
+        pid, status = os.waitpid(-1, os.WNOHANG)
+        if pid:
+            return os.waitstatus_to_exitcode(status)
+        time.sleep(0.05)
+    pytest.fail("the copy still waits")
+
+
 @pytest.mark.skipif(not CAN, reason="one core, or no fork")
 def test_another_process_has_done_it() -> None:
     assert aside(os.getpid)() != os.getpid()
@@ -81,8 +99,7 @@ def test_a_copy_that_is_lost_before_it_is_told_is_not_missed() -> None:
 def test_a_copy_that_nobody_tells_anything_ends() -> None:
     begin = prepared(lambda: lambda given: given)
     del begin
-    ended, status = os.waitpid(-1, 0)
-    assert ended and os.waitstatus_to_exitcode(status) == 0
+    assert ended() == 0
 
 
 @pytest.mark.skipif(not CAN, reason="one core, or no fork")
@@ -90,12 +107,7 @@ def test_a_copy_whose_answer_nobody_takes_ends() -> None:
     """One that is larger than what a pipe holds, too: who asked was killed, or met a fault."""
     wait = prepared(lambda: bytes.upper)(bytes(1_000_000))
     del wait
-    for _ in range(200):
-        ended, _status = os.waitpid(-1, os.WNOHANG)
-        if ended:
-            return
-        time.sleep(0.05)
-    pytest.fail("the copy still waits")
+    ended()
 
 
 @pytest.mark.skipif(not CAN, reason="one core, or no fork")
@@ -107,8 +119,8 @@ def test_a_copy_shows_nothing(capfd: pytest.CaptureFixture[str]) -> None:
 @pytest.mark.skipif(not CAN, reason="one core, or no fork")
 def test_who_waits_for_the_end_of_the_output_does_not_wait_for_a_copy() -> None:
     code = "import time; from calc.sheet.aside import aside; kept = aside(lambda: time.sleep(100)); print('end')"
-    ended = subprocess.run([sys.executable, "-c", code], cwd=ROOT, capture_output=True, text=True, timeout=20)
-    assert (ended.returncode, ended.stdout, ended.stderr) == (0, "end\n", "")
+    done = subprocess.run([sys.executable, "-c", code], cwd=ROOT, capture_output=True, text=True, timeout=20)
+    assert (done.returncode, done.stdout, done.stderr) == (0, "end\n", "")
 
 
 @pytest.mark.skipif(not CAN, reason="one core, or no fork")
@@ -125,8 +137,8 @@ def test_who_waits_for_the_end_of_the_output_does_not_wait_for_a_copy() -> None:
 def test_no_copy_is_left_however_this_process_ends(work: str, way: str) -> None:
     head = "import os, time\nfrom calc.sheet.aside import aside, prepared\ndef work(given): time.sleep(100)\n"
     inner, outer = os.pipe()  # every copy has it, and a last one closes it
-    ended = subprocess.Popen([sys.executable, "-c", f"{head}kept = {work}\n{way}"], cwd=ROOT, pass_fds=[outer])
+    process = subprocess.Popen([sys.executable, "-c", f"{head}kept = {work}\n{way}"], cwd=ROOT, pass_fds=[outer])
     os.close(outer)
-    ended.wait(20)
+    process.wait(20)
     with open(inner, "rb") as pipe:
         assert select.select([pipe], [], [], 5)[0], "somebody has the pipe open"
