@@ -146,6 +146,19 @@ def _undone(state: State, step: str) -> tuple[Unmended, ...]:
     return tuple(Unmended(step, c.id, c.name, Text("what repairs other steps makes it fail")) for c in state.failing(step))
 
 
+def _without_needless(start: State, state: State) -> State:
+    """The same without the changes without which nothing more fails, the last ones first: a search moves several numbers at once, and
+    what a later change repairs may need no earlier one."""
+    for key in reversed(state.changes) if len(state.changes) > 1 else ():
+        try:
+            other = start.with_changes({k: value for k, value in state.changes.items() if k != key}, state.results)
+        except BadInput:
+            continue
+        if not broken(state, other):
+            state = other
+    return state
+
+
 class _Step:
     """The repair of one step.  `why`: for each check what was tried in vain."""
 
@@ -166,6 +179,7 @@ class _Step:
             state = self._solution(state, here) if state.unsolved(self.step) else self._round(state, here)
             if state is before:
                 break
+        state = _without_needless(start, state)
         left = self._left(state)
         failing = {c.id for c in state.failing(self.step)}
         mends = [c.id for c in start.failing(self.step) if c.id not in failing]

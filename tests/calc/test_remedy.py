@@ -84,6 +84,14 @@ def test_the_remedies_follow_each_other_and_each_says_what_it_mends(gamma: Docum
     assert second.results is found.results
 
 
+@pytest.mark.parametrize("case", [("r753ie4_gamma",), ("twin_drive", "bearings.front.length_mm=12.5")], ids=" ".join)
+def test_no_change_is_named_without_which_it_would_pass(case: tuple[str, ...]) -> None:
+    document = damaged(*case)
+    found = nearest(document).changes
+    for change in found:
+        assert fails(solve(design(with_changes(document, tuple(one for one in found if one != change))))), change
+
+
 def test_one_step_alone(gamma: Document, gamma_results: Results) -> None:
     gears = remedy(gamma, "gears", gamma_results)
     assert gears.changes and not gears.left and not gears.results.outcomes["gears"].verdict == "fail"
