@@ -11,6 +11,7 @@ from assistant.cli import main
 from .conftest import DESIGNS, GAMMA
 
 PASTE = "nearest passing design: "
+WARNS = "with new warnings: "
 
 
 def check(capsys: pytest.CaptureFixture[str], *arguments: str) -> tuple[int, list[str]]:
@@ -36,7 +37,8 @@ def check(capsys: pytest.CaptureFixture[str], *arguments: str) -> tuple[int, lis
 def test_the_last_line_pasted_passes(capsys: pytest.CaptureFixture[str], arguments: list[str]) -> None:
     code, lines = check(capsys, *arguments)
     assert code in (1, 3)
-    assert lines[-2].startswith("to pass: ") and "→" in lines[-2]
+    found = lines[-3] if lines[-2].startswith(WARNS) else lines[-2]
+    assert found.startswith("to pass: ") and "→" in found
     assert lines[-1].startswith(PASTE)
     words = shlex.split(lines[-1].removeprefix(PASTE))
     assert words[:3] == ["contralbero", "check", arguments[0]]
@@ -44,6 +46,14 @@ def test_the_last_line_pasted_passes(capsys: pytest.CaptureFixture[str], argumen
     again = capsys.readouterr().out
     assert PASTE not in again and "✗" not in again
     assert ("--step" in arguments) == ("--step" in words) and ("--short" in arguments) == ("--short" in words)
+
+
+def test_what_the_nearest_design_then_warns_of_is_said(capsys: pytest.CaptureFixture[str]) -> None:
+    _, lines = check(capsys, str(DESIGNS / "r753ie4_beta.toml"))
+    assert lines[-2] == f"{WARNS}Length ratio l/d, rear (+3 %)"
+    assert not any(line.startswith("▲") and "Length ratio l/d, rear" in line for line in lines)
+    main(shlex.split(lines[-1].removeprefix(PASTE))[1:])
+    assert "▲ warn  Length ratio l/d, rear" in capsys.readouterr().out
 
 
 def test_a_name_that_a_shell_would_split_is_quoted(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:

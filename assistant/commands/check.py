@@ -57,6 +57,8 @@ def nearest_passing(
 
     from calc.locks import standing
     from calc.repair.remedy import nearest
+    from calc.repair.state import warned
+    from calc.sheet.check import named
 
     try:
         found = nearest(document, results, progress=at_most(SEARCH_SECONDS), only=step, tries=TRIES)
@@ -68,7 +70,9 @@ def nearest_passing(
     asked = ["--step", step] if step is not None else []
     command = shlex.join(["contralbero", "check", file, "--set", *all_changes, *asked, *(["--short"] if short else [])])
     if not found.left:
-        return [*kept_as, f"to pass: {found.words}", f"nearest passing design: {command}"]
+        warnings = warned(results, found.results)
+        then = [f"with new warnings: {named(warnings)}"] if warnings else []
+        return [*kept_as, f"to pass: {found.words}", *then, f"nearest passing design: {command}"]
     lines = [f"repairs a part: {found.words}", f"a part of the way: {command}"] if found.changes else []
     lines += [f"still fails: {one.id}: {one.why}" for one in found.left[1:]]
     first = found.left[0]

@@ -9,7 +9,7 @@ from ..design import STEPS, Design
 from ..design_file import Document, design
 from ..locks import locked
 from ..sheet.changes import Changes
-from ..sheet.check import Check
+from ..sheet.check import Check, severity
 from ..sheet.errors import BadInput, InputError, NoSolution
 from ..sheet.progress import Progress
 from ..sheet.search import Trial, first_good
@@ -85,6 +85,12 @@ def broken(before: State, after: State, steps: Iterable[str] = ORDER) -> list[st
         failed = {c.id for c in before.failing(step)}
         worse += [c.id for c in after.failing(step) if c.id not in failed]
     return worse
+
+
+def warned(before: Results, after: Results) -> list[Check]:
+    """Checks that held, or were not there, and are a warning now, the worst first."""
+    known = {c.id for c in before.checks() if c.open}
+    return sorted((c for c in after.checks() if c.verdict == "warn" and c.id not in known), key=severity)
 
 
 def repaired(before: State, after: State, step: str, ids: Iterable[str]) -> bool:

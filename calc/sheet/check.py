@@ -191,11 +191,14 @@ def grouped(checks: Iterable[Check]) -> list[tuple[Check, ...]]:
 
 
 def with_it(checks: Sequence[Check], most: int = 3) -> Text:
-    """What else of a group is open beside its worst, by name and margin; of more than `most` the rest as a number."""
-    named = SEMICOLON.join(Text("{name} ({margin})", name=check.name, margin=check.margin_text()) for check in checks[:most])
-    if len(checks) <= most:
-        return Text("With it: {names}", names=named)
-    return Text("With it: {names}; {more} more", names=named, more=len(checks) - most)
+    """What else of a group is open beside its worst."""
+    return Text("With it: {names}", names=named(checks, most))
+
+
+def named(checks: Sequence[Check], most: int = 3) -> Text:
+    """Checks by name and margin; of more than `most` the rest as a number."""
+    first = SEMICOLON.join(Text("{name} ({margin})", name=check.name, margin=check.margin_text()) for check in checks[:most])
+    return first if len(checks) <= most else Text("{names}; {more} more", names=first, more=len(checks) - most)
 
 
 def severity(check: Check) -> tuple[bool, int, int, float]:
