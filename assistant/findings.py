@@ -7,20 +7,22 @@ import sys
 import textwrap
 from collections.abc import Iterator, Sequence
 
-from calc.sheet.check import SIGNS, Check, grouped, with_it
+from calc.key_values import outside, stretched
+from calc.sheet.check import SIGNS, Check, grouped, named, severity, with_it
+from calc.sheet.rules import pattern_of
 from calc.sheet.text import SPACE, Amount, Name, Text, plural
 
 WORDS = {
     "pass": "pass", "warn": "warn", "fail": "FAIL", "note": "note", "not_verified": "not verified", "accepted": "accepted",
-    "blocked": "blocked", "not_asked": "not used", "no_solution": "NO SOLUTION",
+    "blocked": "blocked", "not_asked": "not used", "no_solution": "NO SOLUTION", "outside": "outside",
 }  # fmt: skip
 LINE = 132  # characters of a line, and fewer on a terminal that has not so many
 INDENT = " " * 8
 
 
 def sign(verdict: str) -> str:
-    """A sign and a word: `✗ FAIL`."""
-    return f"{SIGNS[verdict]} {WORDS[verdict]}"
+    """A sign and a word: `✗ FAIL`.  `outside`: it holds, by a formula outside its validity."""
+    return f"{SIGNS['note' if verdict == 'outside' else verdict]} {WORDS[verdict]}"
 
 
 def finding_lines(checks: Sequence[Check], everything: bool = False) -> Iterator[str]:
@@ -38,6 +40,7 @@ def finding_lines(checks: Sequence[Check], everything: bool = False) -> Iterator
     if not everything:
         yield from _counts("advice", [group for group in found if group[0].kind == "advice"])
         yield from _counts("method", [group for group in found if group[0].kind == "method"])
+        yield from _outside(checks)
     for check in checks:
         if check.verdict == "accepted":
             yield from _wrapped(Text("{what}: {reason}", what=_judged(check), reason=check.accepted), f"{sign('accepted')}  ")
@@ -68,12 +71,26 @@ def _counts(kind: str, groups: Sequence[Sequence[Check]]) -> Iterator[str]:
     if not groups:
         return
     checks = [check for group in groups for check in group]
-    worst = _judged(min(checks, key=lambda check: (check.margin == check.margin, check.margin)))
+    worst = named([min(checks, key=lambda check: (check.margin == check.margin, check.margin))])
     one, many = {
         "advice": ("{n} piece of advice: {worst}", "{n} pieces of advice; the furthest: {worst}"),
         "method": ("{n} note on the calculation: {worst}", "{n} notes on the calculation; the furthest: {worst}"),
     }[kind]
     yield from _wrapped(plural(one, many, n=len(checks), worst=worst), f"{sign('note')}  ")
+
+
+def _outside(checks: Sequence[Check]) -> Iterator[str]:
+    """How many checks hold by a formula outside its validity, and what puts them there: of each kind the furthest."""
+    methods = stretched(checks)
+    beyond = [found for check in checks if check.verdict == "pass" and (found := outside(check, methods))]
+    if beyond:
+        furthest: dict[str, Check] = {}
+        for method in sorted((one for found in beyond for one in found), key=severity):
+            furthest.setdefault(pattern_of(method.id), method)
+        one = "{n} check holds by a formula outside its validity: {methods}"
+        many = "{n} checks hold by formulas outside their validity: {methods}"
+        told = plural(one, many, n=len(beyond), methods=named([*furthest.values()]))
+        yield from _wrapped(told, f"{sign('note')}  ")
 
 
 def _wrapped(text: str, start: str = INDENT) -> list[str]:

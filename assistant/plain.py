@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from calc.design import OPTIONAL, STEPS
 from calc.design_file import Document
+from calc.key_values import judged, outside
 from calc.sheet.check import URGENT, Check
 from calc.sheet.number import short
 from calc.sheet.step import Outcome, Table
@@ -67,7 +68,7 @@ def _print_step(outcome: Outcome[object], everything: bool) -> None:
     for note in outcome.notes:
         print(f"  note: {note}")
     for check in outcome.checks:
-        print(f"  {check_line(check)}")
+        print(f"  {check_line(check, judged(check, outcome.checks))}")
     print()
 
 
@@ -114,9 +115,9 @@ def _row(cells: list[list[str]], widths: list[int], right: list[bool]) -> list[s
     return made
 
 
-def check_line(check: Check) -> str:
+def check_line(check: Check, verdict: str) -> str:
     value = f"{short(check.value):>9} {check.unit:<9} {check.limit_text():<22} {check.margin_text():>8}"
-    return f"{sign(check.verdict):<7} {check.id:<42} {value}  {check.name}"
+    return f"{sign(verdict):<9} {check.id:<42} {value}  {check.name}"
 
 
 def print_summary(results: Results, step: str | None = None, everything: bool = False) -> None:
@@ -154,7 +155,7 @@ def results_json(
         "design": {"name": results.design.name, "sha256": document.sha256, "set": list(changes)},
         "values": {id: {"value": finite(v.shown), "unit": v.unit, "label": v.label} for o in shown for v in o.values() for id in v.ids},
         "tables": {f"{o.key}.{t.id}": table_json(t) for o in shown for t in o.tables},
-        "checks": [check_json(c, moved.get(c.id)) for o in shown for c in o.checks],
+        "checks": [check_json(c, outside(c, o.checks), moved.get(c.id)) for o in shown for c in o.checks],
         "steps": {o.key: o.verdict for o in shown},
         "errata": [
             {"about": e.about, "label": e.label, "source_value": finite(e.source_value), "unit": e.unit, "source": e.source, "why": e.why}
@@ -167,8 +168,9 @@ def results_json(
     }
 
 
-def check_json(check: Check, moved: "Sequence[Effect] | None" = None) -> dict[str, Any]:
-    """A check with everything that it knows; `moved`: what the inputs do that move it, where it was measured."""
+def check_json(check: Check, beyond: Sequence[Check] = (), moved: "Sequence[Effect] | None" = None) -> dict[str, Any]:
+    """A check with everything that it knows.  `beyond`: the checks of the method that put it outside the validity of its formula; `moved`:
+    what the inputs do that move it, where it was measured."""
     from calc.effects import Effect
 
     measured = moved if moved is not None else [Effect(key, None, None, "") for key in check.moved_by]
@@ -184,6 +186,7 @@ def check_json(check: Check, moved: "Sequence[Effect] | None" = None) -> dict[st
         "margin": finite(check.margin),
         "utilisation": finite(check.utilisation),
         "verdict": check.verdict,
+        "outside": [one.id for one in beyond],
         "source": check.source,
         "advice": check.advice,
         "judges": check.value_id,

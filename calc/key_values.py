@@ -137,9 +137,14 @@ def concerns(method: str, check: str) -> bool:
     return like(pattern_of(check), VALIDITY.get(pattern_of(method), ())) and _same_part(method.split(".")[1:-1], check.split(".")[1:-1])
 
 
+def stretched(checks: Iterable[Check]) -> list[Check]:
+    """The checks of the method among these that put others outside the validity of their formulas."""
+    return [one for one in checks if one.kind == "method" and not one.holds and pattern_of(one.id) in VALIDITY]
+
+
 def outside(check: Check, checks: Iterable[Check]) -> list[Check]:
     """The checks of the method, among those of its step, that put a check outside the validity of its formula."""
-    return [one for one in checks if one.kind == "method" and not one.holds and concerns(one.id, check.id)]
+    return [one for one in stretched(checks) if concerns(one.id, check.id)]
 
 
 def judged(check: Check, checks: Iterable[Check]) -> str:

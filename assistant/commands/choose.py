@@ -91,7 +91,7 @@ def _write(path: Path, document: Document, changes: list[str], step: str, said: 
         if key != step and outcome.state != "not_asked":
             reason = f"  {outcome.reason}" if outcome.reason else ""
             print(f"{TITLES[key]:<14} {sign(outcome.verdict)}{reason}")
-            print("".join(f"  {check_line(c)}\n" for c in outcome.checks if c.verdict == "fail"), end="")
+            print("".join(f"  {check_line(c, c.verdict)}\n" for c in outcome.checks if c.verdict == "fail"), end="")
     print_summary(results, step)
 
 

@@ -11,7 +11,8 @@ from textual.content import Content
 from textual.message import Message
 
 from calc.headlines import share
-from calc.sheet.check import Check, severity
+from calc.key_values import outside
+from calc.sheet.check import Check, named, severity
 from calc.sheet.number import short
 from calc.sheet.remedy import sentence
 from calc.sheet.step import Outcome
@@ -257,10 +258,11 @@ class Checks(ItemList):
         """Sign and name, and its numbers where they have columns."""
         assert row.check is not None
         check, say, signs = row.check, self.app.say, self.app.signs
-        style = signs.style(check.verdict)
+        verdict = "note" if self._beyond(check) else check.verdict
+        style = signs.style(verdict)
         names = wrap(self._title(row), columns.name, 2 if row.inside else 0)
         loud = "bold" if check.verdict in ("fail", "not_verified") else "" if check.open else "dim"
-        parts: list[Content | tuple[str, str] | str] = [(pad(signs.mark(check.verdict), SIGN), style), (pad(names[0], columns.name), loud)]
+        parts: list[Content | tuple[str, str] | str] = [(pad(signs.mark(verdict), SIGN), style), (pad(names[0], columns.name), loud)]
         if columns.numbers:
             parts += [" " * GAP, (f"{say.number(short(check.value)):>{columns.value}}", loud)]
             parts += [" " * GAP, (f"{say(check.limit_text()):<{columns.limit}}", "dim")]
@@ -282,6 +284,8 @@ class Checks(ItemList):
         def tell(words: str, style: str = "") -> None:
             rows.extend(Content.styled(indent + row, style) for row in wrap(words, room))
 
+        if beyond := self._beyond(check):
+            tell(say(Text("It holds by a formula outside its validity: {methods}", methods=named(beyond))))
         if check.missing and check.open:
             tell(say(Text("Not known: {keys}.", keys=COMMA.join(self._label(key) for key in check.missing))))
         if advice := say(check.advice).removeprefix(say(sentence(check.remedies))).strip():
@@ -297,6 +301,10 @@ class Checks(ItemList):
         if check.source:
             tell(say(check.source), "dim")
         return rows
+
+    def _beyond(self, check: Check) -> list[Check]:
+        """What puts a check that holds outside the validity of its formula."""
+        return outside(check, self.outcome.checks) if self.outcome is not None and check.verdict == "pass" else []
 
     def _label(self, key: str) -> Text:
         return label_of(self.app.session.data, key)

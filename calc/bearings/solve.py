@@ -158,9 +158,9 @@ def _slopes_given(inputs: BearingsInputs, shaft: CountershaftResult | None, resu
             f"bearings.{place}.slope_given", Text("Slope as given, {place}, against that of the shaft's bending", place=IN_WORDS[place]),
             inputs.slope[at], ">=",
             bent, "mrad", Text("elasticity: bending of the stepped shaft, with the stiffness share of its sectors"),
-            Text("With the slope of the bending the film at the edge is {edge}, where {least} are needed.",
-                edge=Amount(edge * 1e6, "µm"), least=Amount(r.kreisle_film * 1e6, "µm")),
-            remedies=by_key(BearingsInputs, "bearings.slope_mrad", None, effect=Text("the slope is then that of the bending")))  # fmt: skip
+            remedies=by_key(BearingsInputs, "bearings.slope_mrad", None,
+                effect=Text("then that of the bending: film at the edge {edge}, needs {least}",
+                    edge=Amount(edge * 1e6, "µm"), least=Amount(r.kreisle_film * 1e6, "µm"))))  # fmt: skip
 
 
 def operating_point(inputs: BearingsInputs, load: float, speed: RevPerSecond) -> OperatingPoint:

@@ -43,6 +43,20 @@ async def test_findings_are_grouped_and_told_under_the_cursor(screen: Screen, se
         assert rows(checks)["hold"].endswith("▾") and sum("✓" in row for row in rows(checks).values()) > 50
 
 
+async def test_what_holds_outside_the_validity_of_its_formula_has_no_tick(screen: Screen, session: Session) -> None:
+    async with screen(session=session) as pilot:
+        await strike(pilot, "escape", "5", "f7")
+        await settled(pilot)
+        checks = work(pilot).query_one(Checks)
+        await strike(pilot, "end", "enter")
+        shown = rows(checks)
+        assert shown["gears.idler_shaft.safety_contact"].startswith("•") and shown["gears.idler_shaft.contact_ratio"].startswith("✓")
+        checks.cursor = [item.key for item in checks.items].index("gears.idler_shaft.safety_contact")
+        checks.rebuild()
+        told = " ".join(rows(checks)["gears.idler_shaft.safety_contact"].split())
+        assert "It holds by a formula outside its validity: Load per face width idler–shaft (" in told
+
+
 @pytest.mark.parametrize("width", [12, 30, 48, 80, 120, 200])
 async def test_columns_never_collide(screen: Screen, session: Session, width: int) -> None:
     """In rows with numbers there are two cells between all of them, and no row is wider than the list."""

@@ -5,7 +5,7 @@ from collections.abc import Callable
 
 import pytest
 
-from assistant import cli
+from assistant import usage
 from calc.languages import LANGUAGES, Language, language
 from calc.sheet.number import short
 from calc.sheet.text import Amount, Name, Text, listed, plural
@@ -80,5 +80,5 @@ def test_english_is_what_it_was() -> None:
 
 
 def test_the_command_line_offers_the_languages_that_there_are():
-    assert cli.LANGUAGES == tuple(LANGUAGES)
+    assert usage.LANGUAGES == tuple(LANGUAGES)
     assert all(code == "en" or po(code).exists() for code in LANGUAGES)
