@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, NamedTuple
 from calc.described import described
 from calc.id_words import knows
 from calc.key_values import key_results
-from calc.sheet.check import SIGNS
-from calc.sheet.text import Text
+from calc.sheet.check import SIGNS, THIN_MARGIN
+from calc.sheet.text import Amount, Text
 
 from .checks import attention_blocks, counted, name_of, shown_value, sign_cell
 from .content import Words
@@ -46,6 +46,7 @@ def summary_blocks(context: Context) -> list[Block]:
         made += paired_table(context, "", rows)
     made += heading(w["steps"], SECTION, gap=9.0, after=0.0)
     made += _steps(context)
+    made += paragraph(context.text("kinds", margin=Amount(THIN_MARGIN * 100, "%")), NOTE, gap=2.0)
     if attention := attention_blocks(context, results.checks()):
         made += heading(w["attention"], SECTION, gap=9.0, after=0.0)
         made += attention

@@ -39,6 +39,9 @@ WORDS: dict[str, Text] = {
         "{n} checks of good practice or of the method hold as well; they stand in the audit report.",
         n=0,
     ),
+    "kinds": Text(
+        "A limit not kept fails, one kept by less than {margin} warns, as does a caution not kept; advice and the method give notes."
+    ),
     "outside_of": Text("Not called a pass: the formula is used outside what it is made for ({name}: {value}, should be {limit})."),
     "counted_outside": plural("{n} holds outside the validity of its formula", "{n} hold outside the validity of their formulas", n=0),
     "not_known": Text("Not known: {keys}."), "accepted_because": Text("Accepted: {reason}"), "with_values": Text("With {values}."),
