@@ -25,6 +25,7 @@ from calc.shipped import DESIGNS, EXAMPLE
 from .draft import Draft
 from .editing import Editing
 from .history import State
+from .places import Place, content_at
 from .presence import Presence
 from .recovery import Edits, Memory, is_file, not_accepted
 from .saving import SaveError, free_name, fresh_text, write_atomic
@@ -287,6 +288,11 @@ class Session(Editing):
         if self._presence is not None and path != before:
             self.attend()
         return path
+
+    def remark(self, place: Place) -> str:
+        """What the file says beside a key; nothing once its value is another one."""
+        same = content_at(self.data, place) == content_at(self.saved, place)
+        return self.document.remarks.get(".".join(map(str, place)), "") if same else ""
 
     def look(self) -> bool:
         """Whether another program has changed the file; True once for each change."""

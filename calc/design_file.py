@@ -11,6 +11,7 @@ from collections.abc import Sequence
 from contextlib import suppress
 from dataclasses import MISSING, field, replace
 from datetime import date
+from functools import cached_property
 from pathlib import Path
 from typing import Any, TypeVar
 
@@ -23,9 +24,10 @@ from .sheet.quantity import Quantity, keys
 from .sheet.record import record
 from .sheet.text import EMPTY, Text
 from .sheet.value import linked
-from .toml_scan import Beyond, key_lines
+from .toml_scan import Beyond, key_lines, remarks
 
 T = TypeVar("T")
+REMARKS = Text("The design file says: {remarks}.")
 SMALLEST, LARGEST = 1e-30, 1e30  # sizes of numbers: beyond them products and squares of them are no numbers any more
 
 
@@ -45,6 +47,16 @@ class Document:
 
         return hashlib.sha256(self.raw).hexdigest() if self.raw else ""
 
+    @cached_property
+    def remarks(self) -> dict[str, str]:
+        """The comments beside keys in the file, by these keys, elements of arrays by index; none beside what has been changed since."""
+        text = self.raw.decode("utf-8-sig", "replace")
+        said = {key: words for key, words in remarks(text).items() if key in self.lines}
+        if 0 not in self.lines.values():
+            return said
+        file = tomllib.loads(text)
+        return {key: words for key, words in said.items() if _content(file, key) == _content(self.data, key)}
+
     def with_value(self, key: str, value: object) -> "Document":
         """The same document with one key changed (`bearings.front.length_mm`, `gears.wheels.shaft.teeth`); None takes it out.
 
@@ -52,6 +64,17 @@ class Document:
         """
         whole = value is None or isinstance(value, dict) or (isinstance(value, list) and all(isinstance(item, dict) for item in value))
         return replace(self, data=changed(self.data, address(self.data, key, whole), value), lines={**self.lines, key: 0})
+
+
+def _content(data: Table, key: str) -> object:
+    """What stands at a key whose elements of arrays are indices; None where there is nothing."""
+    here: object = data
+    for part in key.split("."):
+        if isinstance(here, list):
+            here = here[int(part)] if int(part) < len(here) else None
+        else:
+            here = here.get(part) if isinstance(here, dict) else None
+    return here
 
 
 Sound = tuple[Document, Design]  # a document without errors, and the design that it is

@@ -29,6 +29,15 @@ class Beyond(ValueError):
 
 def key_lines(text: str) -> dict[str, int]:
     """The line of every key and table of a TOML text; elements of arrays of tables by index (`gears.wheels.0.teeth`).  Raises Beyond."""
+    return _scanned(text).found
+
+
+def remarks(text: str) -> dict[str, str]:
+    """The comments that stand on the line of a key or of the head of a table, by the same keys.  Raises Beyond."""
+    return _scanned(text).remarks
+
+
+def _scanned(text: str) -> "_Lines":
     lines = _Lines()
     line, depth, entries, dots = 1, 0, 0, 0
     reads, parts, opened = KEY, list[str](), 0
@@ -64,14 +73,18 @@ def key_lines(text: str) -> dict[str, int]:
                 raise Beyond(line, Text("is nested deeper than {most} tables", most=DESIGN_DEPTH))
             if entries > DESIGN_ENTRIES:
                 raise Beyond(line, Text("has more than {most} entries", most=f"{DESIGN_ENTRIES:,}"))
-    return lines.found
+        elif kind == "comment":
+            lines.remark(token[kind], line)
+    return lines
 
 
 class _Lines:
-    """Keys with their lines, as they come."""
+    """Keys with their lines, and the comments beside them, as they come."""
 
     def __init__(self) -> None:
         self.found: dict[str, int] = {}
+        self.remarks: dict[str, str] = {}
+        self._last = ("", 0)  # the key that came last, and its line
         self._counts: dict[str, int] = {}  # of the arrays of tables, their last index
         self._prefix = ""
 
@@ -85,7 +98,14 @@ class _Lines:
             if here in self._counts:
                 here = f"{here}.{self._counts[here]}"
             self.found.setdefault(here, line)
-        self._prefix = here
+        self._prefix, self._last = here, (here, line)
 
     def key(self, parts: list[str], line: int) -> None:
-        self.found.setdefault(".".join([self._prefix, *parts] if self._prefix else parts), line)
+        here = ".".join([self._prefix, *parts] if self._prefix else parts)
+        self.found.setdefault(here, line)
+        self._last = here, line
+
+    def remark(self, comment: str, line: int) -> None:
+        key, stands = self._last
+        if stands == line and (words := comment.strip("# \t\r")):
+            self.remarks.setdefault(key, words)

@@ -14,7 +14,7 @@ from calc.sheet.text import Amount, Text
 from .checks import counted, name_of, shown_value, sign_cell
 from .context import Context
 from .flow import Block, bullet, paragraph
-from .inputs import input_blocks
+from .inputs import input_blocks, remarks
 from .proof import proofs
 from .proof_blocks import proof_blocks
 from .prose import BODY, NOTE
@@ -41,7 +41,7 @@ def chapter_parts(context: Context, number: int, step: Step, outcome: Outcome[ob
         ("figures", lambda: figures),
         ("tables", lambda: table_blocks(context, [t for t in outcome.tables if t.id in TABLES])),
         ("inputs", lambda: input_blocks(context, step)),
-        ("notes", lambda: [block for note in outcome.notes for block in bullet(note, NOTE, gap=0.7)]),
+        ("notes", lambda: remarks(context, step.key) + [b for note in outcome.notes for b in bullet(note, NOTE, gap=0.7)]),
     )
     if not outcome.reason:
         return parts

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from .pen import Pen
 
 
-LEAST = 0.2  # of the last page: less on it looks lost
+LEAST = 0.4  # of the last page: less on it is not worth the paper
 AFTER = 8.0  # from what stands first on a page because it did not fit on the one before to the text that goes on under it
 CLOSER = (0.85, 0.7, 0.5)  # of every gap; the first is hardly seen, and worth any page that it saves
 
@@ -103,11 +103,13 @@ def composed(blocks: Iterable[Block]) -> list[Page]:
     """Pages of which the last one of running text is worth its paper: else the gaps are closed, if that saves it."""
     made = list(blocks)
     pages = paginate(made)
-    last = next((page for page in reversed(pages) if page.size is None), None)
-    for share in CLOSER if last is not None and last.filled <= LEAST * HEIGHT else CLOSER[:1]:
+    for share in CLOSER:
         closer = paginate([replace(block, gap=share * block.gap) for block in made])
         if len(closer) < len(pages):
             return closer
+        last = next((page for page in reversed(closer) if page.size is None), None)
+        if last is None or last.filled > LEAST * HEIGHT:
+            break
     return pages
 
 

@@ -8,6 +8,7 @@ from collections.abc import Sequence
 from dataclasses import MISSING, dataclass, replace
 from typing import Any
 
+from calc.design import Design
 from calc.languages import Language
 from calc.sheet.choice_words import word
 from calc.sheet.expression import symbol as greek
@@ -18,7 +19,7 @@ from calc.sheet.text import Text
 from calc.sheet.units import UNITS
 
 from .context import Context
-from .flow import Block, paragraph
+from .flow import Block, bullet, paragraph
 from .nomenclature import noted
 from .prose import CELL, HEADER, KEY, NOTE
 from .tables import Cell, Column, Row, longest, named_table, noted_below, table
@@ -28,6 +29,8 @@ from .values import paired_table
 ACROSS = 5  # parts beside each other
 FLAT = 8  # a list of parts with at most so many quantities stands one part a row
 LEFT_OUT = re.compile(r"\b(?:Left out|Se omess[oaei]): ")  # how a help begins to say, in each language, what the program does then
+REMARK = 300  # characters of a comment that are printed
+ASSUMED = re.compile(r"\b(?:assum|estimat|guess|ipo[tz]|assunt|suppost|stima)", re.IGNORECASE)  # in a comment, by which a reader knows it
 LONG, ENDS = 6, 2  # of a list with more parts so many of either end are shown, unless everything is asked for
 
 
@@ -238,9 +241,37 @@ def input_blocks(context: Context, step: Step) -> list[Block]:
     w = context.words
     if made.default:
         made.blocks = noted_below(made.blocks, w["defaults"], gap=3.0)
+    if context.audit:
+        made.blocks += remarks(context, step.key)
     if made.left_out and context.audit:
         made.blocks += paragraph(context.text("left_out", names="; ".join(dict.fromkeys(made.left_out))), NOTE, gap=1.0)
     return made.blocks
+
+
+def remarks(context: Context, *tables: str) -> list[Block]:
+    """What the author of the design says in the file beside the keys of tables; without an audit only what is assumed."""
+    said = [
+        f"{_called(context, key)} “{words if len(words) <= REMARK else f'{words[:REMARK]}…'}”"
+        for key, words in context.document.remarks.items()
+        if key.partition(".")[0] in tables and (context.audit or ASSUMED.search(words))
+    ]
+    return bullet(context.text("remarks", remarks=" · ".join(said)), NOTE, gap=0.7) if said else []
+
+
+def _called(context: Context, key: str) -> str:
+    """A key by the label of its field, and by the parts that it is of: `Allowance of the span, idler`."""
+    here: Any = context.document.data
+    cls: type = Design
+    called: list[str] = []
+    for part in key.split("."):
+        if isinstance(here, list):  # an element in place of its array
+            here = here[int(part)]
+            called[-1] = _part_name(here, int(part))
+            continue
+        known, here = keys(cls).get(part), here.get(part) if isinstance(here, dict) else None
+        called.append(part if known is None else context.say(known.about.label))  # a table of free form has keys of its own
+        cls = known.about.table or cls if known is not None else cls
+    return ", ".join(reversed(called[1:] or called))
 
 
 # --- oils and materials -----------------------------------------------------------------------------------------------------
@@ -273,7 +304,7 @@ def used_materials(context: Context) -> tuple[list[Any], list[Any]]:
 
 def material_blocks(context: Context) -> list[Block]:
     oils, materials = used_materials(context)
-    return [*_catalogue(context, "oil", oils), *_catalogue(context, "material", materials)]
+    return [*_catalogue(context, "oil", oils), *_catalogue(context, "material", materials), *remarks(context, "oil", "material")]
 
 
 def _catalogue(context: Context, kind: str, entries: Sequence[Any]) -> list[Block]:

@@ -11,6 +11,7 @@ from textual.screen import ModalScreen
 from textual.widgets import Static
 
 from calc.design import STEPS
+from calc.design_file import REMARKS
 from calc.sheet.text import COMMA, Amount, Text
 
 from ..actions import ACTIONS, BY_ID, key_names
@@ -162,6 +163,8 @@ class HelpScreen(Once, ModalScreen[None]):
             lines.append(Content(say(Text("Allowed: {allowed}.", allowed=about.allowed()))))
         if about.optional:
             lines.append(Content(say(Text("May be left empty: the program then chooses and says so, or leaves out what needs it."))))
+        if remark := session.remark(place):
+            lines.append(Content(say(Text(REMARKS.template, remarks=f"“{remark}”"))))
         if reason := session.reason(place):
             lines.append(Content.styled(f"{self.app.signs.mark('invalid')} {say(reason)}", self.app.signs.style("invalid")))
         return lines

@@ -89,6 +89,19 @@ async def test_the_help_has_a_line_with_the_source(screen: Screen, session: Sess
         assert "Clearance g = K·d·u^¼ in mm, m and m/s. Usual 0.4 to 0.8. A number from 0.01 to 10." in said
 
 
+async def test_the_help_shows_the_comment_of_the_file_until_the_value_is_another(screen: Screen, session: Session) -> None:
+    place = ("countershaft", "half_length_mm")
+    said = "assumed: up to the front journal, which the masses as printed need"
+    async with screen(session=session) as pilot:
+        await go_to(pilot, "countershaft.half_length_mm")
+        await strike(pilot, "f1")
+        await until(pilot, lambda: bool(pilot.app.screen.query("#help-here")))
+        assert f"The design file says: “{said}”." in str(pilot.app.screen.query_one("#help-here", Static).content).splitlines()
+    assert session.remark(place) == said
+    session.edit(place, "150")
+    assert session.remark(place) == ""
+
+
 @pytest.mark.slow
 async def test_a_list_is_marked_where_one_of_its_numbers_is_unusual(screen: Screen, session: Session) -> None:
     async with screen(size=(120, 40), session=session) as pilot:

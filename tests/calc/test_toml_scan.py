@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from calc.design_file import design, parse
 from calc.limits import DESIGN_BYTES, DESIGN_DEPTH, DESIGN_ENTRIES, SHOWN_ERRORS
 from calc.sheet.errors import BadInput
-from calc.toml_scan import TOKEN, Beyond, key_lines
+from calc.toml_scan import TOKEN, Beyond, key_lines, remarks
 
 from ..conftest import GAMMA
 
@@ -31,6 +31,18 @@ def test_lines_of_keys():
 ])  # fmt: skip
 def test_texts_comments_and_tables_in_line_hold_no_keys_of_their_own(text, lines):
     assert key_lines(text) == lines
+
+
+def test_a_comment_is_that_of_the_key_on_its_line():
+    text = '# head\na = "#no" # yes\n# apart\nb = [ # of b\n 1, # inner\n]\nc = 1 #\n[[t]] # first\nn = 1\n[[t]]\nn = 2 ## both = 1 \r\n'
+    assert remarks(text) == {"a": "yes", "b": "of b", "t.0": "first", "t.1.n": "both = 1"}
+
+
+def test_a_comment_goes_with_the_value_that_it_is_about():
+    made = parse(b"[engine]\nbore_mm = 94 # measured\n[bearings.front]\nlength_mm = 27.5 # assumed\n", "d.toml")
+    assert made.remarks == {"engine.bore_mm": "measured", "bearings.front.length_mm": "assumed"}
+    assert made.with_value("bearings.front.length_mm", 33.0).remarks == {"engine.bore_mm": "measured"}
+    assert made.with_value("engine.crank_radius_mm", 53.5).remarks == made.remarks
 
 
 @pytest.mark.parametrize(("text", "said"), [

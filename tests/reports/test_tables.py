@@ -169,7 +169,7 @@ class Engine:
 
 def laid(data: dict[str, Any], depth: str = "engineer") -> list[str]:
     """The pieces of text that the inputs of a step consist of."""
-    document = SimpleNamespace(data={"engine": data})
+    document = SimpleNamespace(data={"engine": data}, remarks={})
     context: Any = SimpleNamespace(words=WORDS, say=language("en"), audit=depth == "audit", document=document)
     context.text = partial(Context.text, context)
     return drawn(input_blocks(context, Step("engine", "Engine", Engine)))
