@@ -28,6 +28,7 @@ from ..sheet.arrays import element
 from ..sheet.check import Check, check
 from ..sheet.remedy import Remedy, by_key, down, up
 from ..sheet.text import EMPTY, SEMICOLON, Amount, Name, Text
+from ..sheet.units import Metre
 from . import formulas as f
 from .film.optimum import RAIMONDI_BOYD
 from .inputs import IN_WORDS, BearingInputs, BearingsInputs
@@ -40,6 +41,7 @@ SPEEDS = (1.0, 3.0, 10.0, 30.0)
 LEAST_FILM = ((0.063, (3e-6, 4e-6, 5e-6, 7e-6, 10e-6)), (0.160, (4e-6, 5e-6, 7e-6, 9e-6, 12e-6)))
 
 SHEAR_THINNING = 1e5  # 1/s
+LOST_BY_SHEAR = 0.3  # of its viscosity, at the most, by a multigrade oil at 150 °C and 10⁶ 1/s; from memory
 
 
 def least_film(d: float, u: float) -> float | None:
@@ -133,8 +135,9 @@ def checks(place: str, r: BearingResult, slope: float) -> Iterator[Check]:
     if r.seat.lubricant.polymer_thickened:
         yield on("shear_rate", Text("Shear rate in the narrowest gap"), r.shear_rate, "<=", SHEAR_THINNING, "1/s",
             Text("rule of this program: onset of the thinning of polymer-thickened oils, from memory"),
-            Text("A multigrade oil loses up to 30 % of its viscosity here: take that at high shear (HTHS), or the corners with thinner "
-                "oil."))  # fmt: skip
+            Text("A multigrade oil loses up to {share} of its viscosity here, by which the film at the edge falls to {edge}: take the "
+                "viscosity at high shear (HTHS).", share=Amount(100 * LOST_BY_SHEAR, "%"),
+                edge=Amount(edge_when_thinned(r) * 1e6, "µm")))  # fmt: skip
     yield from _corner_checks(place, r)
     if (clearances := _fits(r)) is not None:
         yield on("fit", Text("Clearance made by the fits"), r.clearance, "in", clearances, "µm", Text("ISO 286"),
@@ -193,6 +196,11 @@ def _fits(r: BearingResult) -> tuple[float, float] | None:
     if journal.letter is None or seat.letter is None:
         return None
     return clearance_limits(journal, seat, r.seat.bearing.diameter)
+
+
+def edge_when_thinned(r: BearingResult) -> Metre:
+    """The film at the edge of an oil that has lost by shear what a multigrade can."""
+    return r.thinned - (r.film - r.film_edge)
 
 
 def _outside(r: BearingResult) -> Text:

@@ -6,9 +6,10 @@ from collections.abc import Iterator, Mapping
 from ..countershaft.result import CountershaftResult
 from ..oils import rising_rows
 from ..sheet.step import Erratum
-from ..sheet.text import COMMA, EMPTY, Amount, Text, listed
+from ..sheet.text import COMMA, EMPTY, SEMICOLON, Amount, Text, listed
 from ..sheet.trace import untraced
 from ..sheet.units import UNITS
+from .checks import LOST_BY_SHEAR, edge_when_thinned
 from .inputs import IN_TITLES, IN_WORDS, BearingsInputs
 from .materials.data import running_surface
 from .materials.suitability import fatigue_note
@@ -42,11 +43,17 @@ def _all_notes(inputs: BearingsInputs, shaft: CountershaftResult | None, results
     yield _feed(inputs, results)
     for r in results.values():
         yield rising_rows(r.seat.lubricant.oil) or EMPTY
-    if any(r.seat.lubricant.polymer_thickened for r in results.values()):
+    if thinned := {place: r for place, r in results.items() if r.seat.lubricant.polymer_thickened}:
+        told = [
+            Text("{place} {film}, needs {least}", place=IN_WORDS[place], film=Amount(edge_when_thinned(r) * 1e6, "µm"),
+                least=Amount(r.kreisle_film * 1e6, "µm"))
+            for place, r in thinned.items()
+        ]  # fmt: skip
         yield Text(
-            "The viscosity laws do not know the thinning of multigrade oils at high shear rate (25 to 30 % at 150 °C and 10⁶ 1/s): "
-            "see the check on the shear rate, and the corners with thinner oil."
-        )
+            "The viscosity laws do not know the thinning of multigrade oils at high shear rate (25 to 30 % at 150 °C and 10⁶ 1/s). With "
+            "{share} less the film at the edge is: {films}.",
+            share=Amount(100 * LOST_BY_SHEAR, "%"), films=SEMICOLON.join(told),
+        )  # fmt: skip
     if fast := [place for place, r in results.items() if r.surface_speed > NO_RULE]:
         yield Text(
             "The journal's surface runs faster than 10 m/s at the {fast} bearing: the rule for the speed above mixed friction ends there. "

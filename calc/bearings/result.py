@@ -121,6 +121,7 @@ class BearingResult:
     sweep: Sweep
     side: Side
     beside: Film  # at a little less and a little more load
+    thinned: Metre  # the film of an oil that has lost by shear what a multigrade can; nan: none carries the load
 
 
 @result

@@ -25,7 +25,7 @@ from ..sheet.trace import about, trace, untraced
 from ..sheet.units import Metre, Number, Radian, RevPerSecond
 from ..sheet.value import based_on
 from . import formulas as f
-from .checks import checks, oil_checks
+from .checks import LOST_BY_SHEAR, checks, oil_checks
 from .corners import corner_points, corners, corners_table
 from .curves import curves
 from .film import optimum
@@ -211,8 +211,9 @@ def _bearing(
         moving = dynamics(hot, duty, seat, ratio)
     twice = replace(duty, load=based_on(2 * load, load))
     speeds = sweep_points(seat, speed, bench, duty)
-    at_corners, over_speeds, at_twice, beside = settled_together(
-        (corner_points(seat, duty), speeds, (seat, twice), loads_beside(seat, duty))
+    thin = replace(seat, viscosity_factor=(seat.viscosity_factor or 1.0) * (1 - LOST_BY_SHEAR))
+    at_corners, over_speeds, at_twice, beside, thinned = settled_together(
+        (corner_points(seat, duty), speeds, (seat, twice), loads_beside(seat, duty), (thin, duty))
     )
     with about(Text("{place} bearing, twice the load", place=IN_WORDS[place])):
         doubled = _at_known_rise(seat, twice, at_twice)
@@ -236,7 +237,7 @@ def _bearing(
         raimondi_boyd_own_flow=routes["raimondi_boyd_own_flow"], iso7902=routes["iso7902"], falz=routes["falz"],
         short_bearing=routes["short_bearing"],
         corners=at_worst, dynamics=moving, hot=hot, seat=seat, duty=duty, sweep=swept, side=side,
-        beside=beside)  # fmt: skip
+        beside=beside, thinned=one(many(thinned.film)[0]))  # fmt: skip
 
 
 def _thinnest(seat: BearingCase, duty: OperatingPoint, swept: Sweep) -> Film | None:

@@ -7,7 +7,9 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from calc.bearings.checks import checks
+from calc.bearings.checks import checks, edge_when_thinned
+from calc.bearings.routes.balance import balanced
+from calc.bearings.routes.routes import own_warm
 from calc.design_file import design
 from calc.solve import solve
 
@@ -56,6 +58,17 @@ def test_the_source_design_fails_where_it_did_not_look(gamma_results):
     assert found["bearings.rear.film_edge"] == "pass"
     assert found["bearings.front.mckee"] == "note"
     assert all(c.advice for c in gamma_results.outcomes["bearings"].checks if c.verdict != "pass")
+
+
+def test_what_an_oil_thinned_by_shear_leaves_is_told(gamma_results):
+    """With the lower viscosity put into its balance; 30 % is of a multigrade at 150 °C and 10⁶ 1/s."""
+    found = gamma_results.outcomes["bearings"]
+    for place, r in found.result.bearings.items():
+        thin = balanced(own_warm, replace(r.seat, viscosity_factor=0.7), r.duty)
+        edge = thin.film - (r.film - r.film_edge)
+        assert edge_when_thinned(r) == pytest.approx(edge, rel=1e-6) and edge < r.kreisle_film
+        told = next(c.advice.parts for c in found.checks if c.id == f"bearings.{place}.shear_rate")
+        assert told["edge"].number == pytest.approx(edge * 1e6, rel=1e-6)
 
 
 def test_what_a_slope_given_too_small_hides_is_told(gamma):
