@@ -24,7 +24,7 @@ from ..journal_rules import (
     USUAL_SPECIFIC_LOAD,
 )  # fmt: skip
 from ..oils import BEYOND_ROWS, LAW_RANGE, MORE_ROWS, OTHER_OIL, VISCOSITIES
-from ..sheet.arrays import element
+from ..sheet.arrays import element, has_lanes
 from ..sheet.check import Check, check
 from ..sheet.remedy import Remedy, by_key, down, up
 from ..sheet.text import EMPTY, SEMICOLON, Amount, Name, Text
@@ -137,7 +137,7 @@ def checks(place: str, r: BearingResult, slope: float) -> Iterator[Check]:
             Text("rule of this program: onset of the thinning of polymer-thickened oils, from memory"),
             Text("A multigrade oil loses up to {share} of its viscosity here, by which the film at the edge falls to {edge}: take the "
                 "viscosity at high shear (HTHS).", share=Amount(100 * LOST_BY_SHEAR, "%"),
-                edge=Amount(edge_when_thinned(r) * 1e6, "µm")))  # fmt: skip
+                edge=told_when_thinned(r)))  # fmt: skip
     yield from _corner_checks(place, r)
     if (clearances := _fits(r)) is not None:
         yield on("fit", Text("Clearance made by the fits"), r.clearance, "in", clearances, "µm", Text("ISO 286"),
@@ -201,6 +201,11 @@ def _fits(r: BearingResult) -> tuple[float, float] | None:
 def edge_when_thinned(r: BearingResult) -> Metre:
     """The film at the edge of an oil that has lost by shear what a multigrade can."""
     return r.thinned - (r.film - r.film_edge)
+
+
+def told_when_thinned(r: BearingResult) -> Amount | Text:
+    edge = edge_when_thinned(r)
+    return Text("nothing") if not has_lanes(edge) and math.isnan(edge) else Amount(edge * 1e6, "µm")
 
 
 def _outside(r: BearingResult) -> Text:

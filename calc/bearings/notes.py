@@ -9,7 +9,7 @@ from ..sheet.step import Erratum
 from ..sheet.text import COMMA, EMPTY, SEMICOLON, Amount, Text, listed
 from ..sheet.trace import untraced
 from ..sheet.units import UNITS
-from .checks import LOST_BY_SHEAR, edge_when_thinned
+from .checks import LOST_BY_SHEAR, told_when_thinned
 from .inputs import IN_TITLES, IN_WORDS, BearingsInputs
 from .materials.data import running_surface
 from .materials.suitability import fatigue_note
@@ -45,7 +45,7 @@ def _all_notes(inputs: BearingsInputs, shaft: CountershaftResult | None, results
         yield rising_rows(r.seat.lubricant.oil) or EMPTY
     if thinned := {place: r for place, r in results.items() if r.seat.lubricant.polymer_thickened}:
         told = [
-            Text("{place} {film}, needs {least}", place=IN_WORDS[place], film=Amount(edge_when_thinned(r) * 1e6, "µm"),
+            Text("{place} {film}, needs {least}", place=IN_WORDS[place], film=told_when_thinned(r),
                 least=Amount(r.kreisle_film * 1e6, "µm"))
             for place, r in thinned.items()
         ]  # fmt: skip

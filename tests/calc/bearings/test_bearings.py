@@ -71,6 +71,12 @@ def test_what_an_oil_thinned_by_shear_leaves_is_told(gamma_results):
         assert told["edge"].number == pytest.approx(edge * 1e6, rel=1e-6)
 
 
+def test_an_oil_that_carries_nothing_once_thinned_says_so(gamma):
+    found = outcome(gamma, bearings__front__length_mm=7.0)
+    assert any("front nothing, needs 9 µm" in note for note in found.notes)
+    assert any("the film at the edge falls to nothing:" in c.advice for c in found.checks if c.id == "bearings.front.shear_rate")
+
+
 def test_what_a_slope_given_too_small_hides_is_told(gamma):
     """The film at the edge that its remedy tells is the one that the design has once the slope is left out."""
     told = {c.id: c.remedies[0].effect.parts["edge"].number for c in outcome(gamma).checks if c.id.endswith("slope_given")}
