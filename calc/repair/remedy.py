@@ -12,6 +12,7 @@ from ..sheet.check import Check
 from ..sheet.errors import BadInput, NoSolution
 from ..sheet.progress import Progress, part
 from ..sheet.search import Budget
+from ..sheet.step import Outcome
 from ..sheet.text import COMMA, Text
 from ..solve import Results
 from . import vary
@@ -148,13 +149,23 @@ def _undone(state: State, step: str) -> tuple[Unmended, ...]:
 
 def _without_needless(start: State, state: State) -> State:
     """The same without the changes without which nothing more fails, the last ones first: a search moves several numbers at once, and
-    what a later change repairs may need no earlier one."""
+    what a later change repairs may need no earlier one.  A design is solved no further than to the first check that says so."""
+    failing = {c.id for c in state.results.checks() if c.verdict == "fail"}
+    worse: list[str] = []
+
+    def fails(outcome: Outcome[object]) -> bool:
+        known = outcome.key != "imbalance"  # whose checks change once the shaft is known
+        worse.extend(c.id for c in outcome.checks if known and c.verdict == "fail" and c.id not in failing)
+        return bool(worse)
+
     for key in reversed(state.changes) if len(state.changes) > 1 else ():
+        worse.clear()
+        rest = {k: value for k, value in state.changes.items() if k != key}
         try:
-            other = start.with_changes({k: value for k, value in state.changes.items() if k != key}, state.results)
+            other = start.with_changes(rest, state.results, fails)
         except BadInput:
             continue
-        if not broken(state, other):
+        if not worse and not broken(state, other):
             state = other
     return state
 
