@@ -14,7 +14,7 @@ from secrets import token_hex
 from typing import TYPE_CHECKING, Any
 
 from calc.addresses import Table
-from calc.design_file import design, parse, read
+from calc.design_file import design, parse, read, same_content
 from calc.files import read_file
 from calc.limits import DESIGN_BYTES
 from calc.sheet.errors import BadInput, InputError
@@ -25,7 +25,7 @@ from calc.shipped import DESIGNS, EXAMPLE
 from .draft import Draft
 from .editing import Editing
 from .history import State
-from .places import Place, content_at
+from .places import Place
 from .presence import Presence
 from .recovery import Edits, Memory, is_file, not_accepted
 from .saving import SaveError, free_name, fresh_text, write_atomic
@@ -291,8 +291,8 @@ class Session(Editing):
 
     def remark(self, place: Place) -> str:
         """What the file says beside a key; nothing once its value is another one."""
-        same = content_at(self.data, place) == content_at(self.saved, place)
-        return self.document.remarks.get(".".join(map(str, place)), "") if same else ""
+        key = ".".join(map(str, place))
+        return self.document.remarks.get(key, "") if same_content(self.data, self.saved, key) else ""
 
     def look(self) -> bool:
         """Whether another program has changed the file; True once for each change."""

@@ -9,6 +9,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import Any
 
+from calc.key_values import judged
 from calc.languages import Language
 from calc.languages.outcome import in_language
 from calc.sheet.check import Check
@@ -27,7 +28,7 @@ class Entry:
     formula: str
     numbers: str
     source: str
-    checks: tuple[Check, ...] = ()
+    checks: tuple[tuple[Check, str], ...] = ()  # each with its verdict, or that it holds outside the validity of its formula
     errata: tuple[Erratum, ...] = ()
 
     def text(self) -> str:
@@ -69,9 +70,9 @@ def sheet(outcome: Outcome[object], step: int, say: Language, stop: Callable[[],
     for erratum in outcome.errata:
         if (index := number_of_line(values.get(erratum.about))) is not None:
             line_of.setdefault(erratum.about, index)
-    judged: dict[int, list[Check]] = defaultdict(list)
+    by_line: dict[int, list[tuple[Check, str]]] = defaultdict(list)
     for check in outcome.checks:
-        judged[line_of.get(check.id, -1)].append(check)
+        by_line[line_of.get(check.id, -1)].append((check, judged(check, outcome.checks)))
     wrong: dict[int, list[Erratum]] = defaultdict(list)
     for erratum in outcome.errata:
         wrong[line_of.get(erratum.about, -1)].append(erratum)
@@ -80,7 +81,7 @@ def sheet(outcome: Outcome[object], step: int, say: Language, stop: Callable[[],
         if stop():
             raise Cancelled
         formula, numbers, source = line_text(line, say, say.number)
-        checks, errata = tuple(judged.get(i, ())), tuple(wrong.get(i, ()))
+        checks, errata = tuple(by_line.get(i, ())), tuple(wrong.get(i, ()))
         entries.append(Entry(f"{step}.{i + 1}", say(line.about), formula, numbers, source, checks, errata))
     return Sheet(tuple(entries), tuple(wrong[-1]), outcome.proposals, tuple(outcome.notes), line_of)
 

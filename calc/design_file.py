@@ -55,7 +55,7 @@ class Document:
         if 0 not in self.lines.values():
             return said
         file = tomllib.loads(text)
-        return {key: words for key, words in said.items() if _content(file, key) == _content(self.data, key)}
+        return {key: words for key, words in said.items() if same_content(file, self.data, key)}
 
     def with_value(self, key: str, value: object) -> "Document":
         """The same document with one key changed (`bearings.front.length_mm`, `gears.wheels.shaft.teeth`); None takes it out.
@@ -66,15 +66,20 @@ class Document:
         return replace(self, data=changed(self.data, address(self.data, key, whole), value), lines={**self.lines, key: 0})
 
 
-def _content(data: Table, key: str) -> object:
-    """What stands at a key whose elements of arrays are indices; None where there is nothing."""
-    here: object = data
+def same_content(a: Table, b: Table, key: str) -> bool:
+    """Whether the same stands at a key, whose elements of arrays are indices, in elements of the same names."""
+    one: object = a
+    other: object = b
     for part in key.split("."):
-        if isinstance(here, list):
-            here = here[int(part)] if int(part) < len(here) else None
+        if isinstance(one, list) and isinstance(other, list):
+            n = int(part)
+            one, other = (rows[n] if n < len(rows) else None for rows in (one, other))
         else:
-            here = here.get(part) if isinstance(here, dict) else None
-    return here
+            one, other = (table.get(part) if isinstance(table, dict) else None for table in (one, other))
+        names = [table.get("name") if isinstance(table, dict) else None for table in (one, other)]
+        if names[0] != names[1]:
+            return False
+    return bool(one == other)
 
 
 Sound = tuple[Document, Design]  # a document without errors, and the design that it is

@@ -39,6 +39,7 @@ def remarks(text: str) -> dict[str, str]:
 
 def _scanned(text: str) -> "_Lines":
     lines = _Lines()
+    last = ""
     line, depth, entries, dots = 1, 0, 0, 0
     reads, parts, opened = KEY, list[str](), 0
     for token in TOKEN.finditer(text):
@@ -51,8 +52,9 @@ def _scanned(text: str) -> "_Lines":
             word = token[kind]
             if reads != VALUE:
                 parts.append(word.strip("\"'"))
-            if kind == "string":
+            if kind == "string" and "\n" in word:
                 line += word.count("\n")
+                lines.ends(depth, line)
         elif kind == "sign":
             word = token[kind]
             dots = dots + 1 if word == "." else 0
@@ -69,12 +71,14 @@ def _scanned(text: str) -> "_Lines":
                 depth += 1
             elif word in "]}":
                 depth = max(0, depth - 1)
+                lines.ends(depth, line)
             if depth > DESIGN_DEPTH or dots > DESIGN_DEPTH:
                 raise Beyond(line, Text("is nested deeper than {most} tables", most=DESIGN_DEPTH))
             if entries > DESIGN_ENTRIES:
                 raise Beyond(line, Text("has more than {most} entries", most=f"{DESIGN_ENTRIES:,}"))
-        elif kind == "comment":
+        elif kind == "comment" and (not depth or last in ("[", "{")):  # else that of an element
             lines.remark(token[kind], line)
+        last = token[kind] if kind == "sign" else ""
     return lines
 
 
@@ -104,6 +108,11 @@ class _Lines:
         here = ".".join([self._prefix, *parts] if self._prefix else parts)
         self.found.setdefault(here, line)
         self._last = here, line
+
+    def ends(self, depth: int, line: int) -> None:
+        """The value of the last key goes on, or ends, on this line."""
+        if not depth:
+            self._last = self._last[0], line
 
     def remark(self, comment: str, line: int) -> None:
         key, stands = self._last

@@ -30,7 +30,7 @@ ACROSS = 5  # parts beside each other
 FLAT = 8  # a list of parts with at most so many quantities stands one part a row
 LEFT_OUT = re.compile(r"\b(?:Left out|Se omess[oaei]): ")  # how a help begins to say, in each language, what the program does then
 REMARK = 300  # characters of a comment that are printed
-ASSUMED = re.compile(r"\b(?:assum|estimat|guess|ipo[tz]|assunt|suppost|stima)", re.IGNORECASE)  # in a comment, by which a reader knows it
+ASSUMED = re.compile(r"(?:assum|estimat|guess|ipo[tz]|suppost|stima)", re.IGNORECASE)  # how a comment begins, by which a reader knows it
 LONG, ENDS = 6, 2  # of a list with more parts so many of either end are shown, unless everything is asked for
 
 
@@ -250,12 +250,12 @@ def input_blocks(context: Context, step: Step) -> list[Block]:
 
 def remarks(context: Context, *tables: str) -> list[Block]:
     """What the author of the design says in the file beside the keys of tables; without an audit only what is assumed."""
-    said = [
-        f"{_called(context, key)} “{words if len(words) <= REMARK else f'{words[:REMARK]}…'}”"
-        for key, words in context.document.remarks.items()
-        if key.partition(".")[0] in tables and (context.audit or ASSUMED.search(words))
-    ]
-    return bullet(context.text("remarks", remarks=" · ".join(said)), NOTE, gap=0.7) if said else []
+    said: dict[str, list[str]] = {}  # a comment → the keys beside which it stands
+    for key, words in context.document.remarks.items():
+        if key.partition(".")[0] in tables and (context.audit or ASSUMED.match(words)):
+            said.setdefault(words if len(words) <= REMARK else f"{words[:REMARK]}…", []).append(_called(context, key))
+    told = " · ".join(f"{'; '.join(called)} “{words}”" for words, called in said.items())
+    return bullet(context.text("remarks", remarks=told), NOTE, gap=0.7) if said else []
 
 
 def _called(context: Context, key: str) -> str:

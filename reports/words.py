@@ -42,7 +42,8 @@ WORDS: dict[str, Text] = {
         n=0,
     ),
     "kinds": Text(
-        "A limit not kept fails, one kept by less than {margin} warns, as does a caution not kept; advice and the method give notes."
+        "Limits not kept fail; kept by less than {margin} they warn, unless chosen to be used up. Cautions not kept warn; advice and "
+        "method give notes."
     ),
     "outside_of": Text("Not called a pass: the formula is used outside what it is made for ({name}: {value}, should be {limit})."),
     "counted_outside": plural("{n} holds outside the validity of its formula", "{n} hold outside the validity of their formulas", n=0),

@@ -108,7 +108,7 @@ MANY = (
 def test_interrupted_it_keeps_what_is_confirmed(tmp_path):
     own, out = put(tmp_path, "own.toml"), tmp_path / "d"
     running = started(own, out, *MANY, "--processes", 2)
-    while "3/8" not in (line := running.stdout.readline()):
+    while "1/8" not in (line := running.stdout.readline()):
         assert line, running.stderr.read()
     os.killpg(running.pid, signal.SIGINT)  # as a terminal does: the workers are told too
     said, error = running.communicate(timeout=120)
@@ -116,7 +116,7 @@ def test_interrupted_it_keeps_what_is_confirmed(tmp_path):
     assert "of 8 classes" in said and "Traceback" not in error
     drives = sorted(out.glob("0*.toml"))
     assert drives and all(run_apart("check", one).returncode == 0 for one in drives)
-    assert len(list((out / "parts").glob("*.npz"))) >= 3
+    assert list((out / "parts").glob("*.npz"))
     again = run("design", own, "--out", out, *MANY, "--processes", 1)
     clean = run("design", own, "--out", tmp_path / "e", *MANY, "--processes", 1)
     assert again.returncode == clean.returncode == 0

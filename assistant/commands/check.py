@@ -70,7 +70,7 @@ def nearest_passing(
     asked = ["--step", step] if step is not None else []
     command = shlex.join(["contralbero", "check", file, "--set", *all_changes, *asked, *(["--short"] if short else [])])
     if not found.left:
-        warnings = warned(results, found.results)
+        warnings = [one for one in warned(results, found.results) if step is None or one.id.startswith(f"{step}.")]
         then = [f"with new warnings: {named(warnings)}"] if warnings else []
         return [*kept_as, f"to pass: {found.words}", *then, f"nearest passing design: {command}"]
     lines = [f"repairs a part: {found.words}", f"a part of the way: {command}"] if found.changes else []

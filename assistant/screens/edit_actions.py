@@ -107,11 +107,11 @@ class EditActions:
             return
         finding = self._finding()
         if finding is None:
-            host.app.tell(Text("Nothing is open: every check passes or is accepted."))
+            host.app.tell(Text("Nothing is open: no limit fails, and every caution is kept or accepted."))
             return
         from .remedies import Remedies
 
-        host.app.push_screen(Remedies(session, finding), partial(self._remedied, session.generation))
+        host.app.push_screen(Remedies(session, finding), partial(self._remedied, session.generation, finding))
 
     def _finding(self) -> Check | str | None:
         """A check, or the key of a step without a solution."""
@@ -128,10 +128,11 @@ class EditActions:
                 return groups[0][0]
         return None
 
-    async def _remedied(self, generation: int, way: "Way | None") -> None:
+    async def _remedied(self, generation: int, finding: Check | str, way: "Way | None") -> None:
         host = self._host
         if way is not None and way.changes:
-            result = Text("{change}: {result}. Undo takes it back.", change=way.words, result=way.effect)
+            effect = Text("{check} {result}", check=finding.name, result=way.effect) if isinstance(finding, Check) else way.effect
+            result = Text("{change}: {result}. Undo takes it back.", change=way.words, result=effect)
             self._apply(way.changes, result)
         elif host.session.generation == generation:
             self._background.seek_remedy()  # which the list has interrupted

@@ -11,6 +11,7 @@ from textual.screen import ModalScreen
 from textual.widgets import Static
 
 from calc.explain import Chains, Link, origin
+from calc.key_values import judged
 from calc.sheet.check import Check
 from calc.sheet.text import Amount, Text, plural
 from calc.sheet.trace import Line
@@ -46,6 +47,7 @@ class Explain(Once, ModalScreen[str | None]):
         self.session = session
         self.chains = Chains(session.results)
         self.check = check
+        self.verdict = judged(check, session.results.outcomes[check.id.partition(".")[0]].checks) if check is not None else ""
         self.value = value or (self.chains.behind(check) or "" if check is not None else "")
         first = self.chains.of(self.value) if self.value else self.chains.to(line) if line is not None else []
         self.way: list[list[Link]] = [first]  # the chains that were walked through; the last is shown
@@ -101,15 +103,15 @@ class Explain(Once, ModalScreen[str | None]):
             rows.append(Content.assemble((say(text), "bold"), (f"   {known.id}", "dim")))
         if (check := self.check) is not None:
             signs = self.app.signs
-            judged = Text(
+            told = Text(
                 "{check}: {value}, {limit}, margin {margin}",
                 check=check.name,
                 value=Amount(check.value, check.unit),
                 limit=check.limit_text(),
                 margin=check.margin_text(),
             )
-            row = f"{signs.mark(check.verdict)} {signs.word(check.verdict)}  {say(judged)}"
-            rows += [Content.styled(row, signs.style(check.verdict)) for row in wrap(row, self.room, 2)]
+            row = f"{signs.mark(self.verdict)} {signs.word(self.verdict)}  {say(told)}"
+            rows += [Content.styled(row, signs.style(self.verdict)) for row in wrap(row, self.room, 2)]
             rows += [Content(row) for row in wrap(say(check.advice), self.room)] if check.advice else []
             rows.append(Content.styled(say(check.source), "dim"))
         return rows

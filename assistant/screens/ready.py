@@ -12,7 +12,7 @@ from textual.widgets import Static
 
 from calc.design import STEPS
 from calc.headlines import headline, main_numbers
-from calc.key_values import outside
+from calc.key_values import judged, outside
 from calc.ready import OPEN, StepState, ready
 from calc.sheet.check import Check
 from calc.sheet.text import COMMA, Amount, Name, Text, plural
@@ -119,7 +119,8 @@ class Closing(ItemList):
         stretched = [
             (method.id, plural("{what}: {n} check holds", "{what}: {n} checks hold", n=n, what=method.name)) for method, n in beyond.items()
         ]
-        yield self._part(Text("held by a formula outside its validity ({n})", n=sum(beyond.values())), stretched, width)
+        held = sum(judged(check, outcome.checks) == "outside" for outcome in outcomes for check in outcome.checks)
+        yield self._part(Text("held by a formula outside its validity ({n})", n=held), stretched, width)
         values = session.values()
         measured = [
             (row.step, Text("{what}: {value}", what=values[row.value].label if row.value in values else self._labels((row.value,)),

@@ -3,6 +3,7 @@
 
 from typing import TYPE_CHECKING
 
+from calc.key_values import judged
 from calc.languages.outcome import said
 from calc.sheet.check import URGENT
 from calc.sheet.text import Text, plural
@@ -47,9 +48,9 @@ class ResultsView:
         outcome = said(results.outcomes[host.step.key], host.app.say) if results is not None else None
         host.checks.show(outcome)
         if outcome is not None:
-            bad = sum(c.verdict in URGENT for c in outcome.checks)
+            good = sum(judged(c, outcome.checks) == "pass" for c in outcome.checks)
             count = len(outcome.checks)
-            passing = plural("{passing} of {n} check passes", "{passing} of {n} checks pass", n=count, passing=count - bad)
+            passing = plural("{passing} of {n} check passes", "{passing} of {n} checks pass", n=count, passing=good)
             host.pane_named("checks").set_title(right=host.app.say(passing) if count else "")
         host.refresh_top_line()  # the last line of the screen follows: what lies between two lines is painted with them
 

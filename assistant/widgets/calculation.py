@@ -57,10 +57,10 @@ class Typesetter:
         numbers = before + equals + after.replace(" ", BOUND, 1)  # a number and its unit stay together
         rows += [Content(text) for text in wrap(" " * (indent + 2) + numbers, width, indent + 4)]
         signs = self.signs
-        for check in entry.checks:
+        for check, verdict in entry.checks:
             limit = signs.say(check.limit_text()).replace(" ", BOUND)
-            text = f"{signs.mark(check.verdict)} {signs.word(check.verdict)}  {check.name} {limit}"
-            rows += [Content.styled(row, signs.style(check.verdict)) for row in wrap(" " * (indent + 2) + text, width, indent + 4)]
+            text = f"{signs.mark(verdict)} {signs.word(verdict)}  {check.name} {limit}"
+            rows += [Content.styled(row, signs.style(verdict)) for row in wrap(" " * (indent + 2) + text, width, indent + 4)]
         for erratum in entry.errata:
             rows += self._erratum(erratum, indent + 2)
         rows += [Content.styled(row, "dim") for row in wrap(" " * (indent + 2) + entry.source, width, indent + 2)]

@@ -258,7 +258,7 @@ class Checks(ItemList):
         """Sign and name, and its numbers where they have columns."""
         assert row.check is not None
         check, say, signs = row.check, self.app.say, self.app.signs
-        verdict = "note" if self._beyond(check) else check.verdict
+        verdict = "outside" if self._beyond(check) else check.verdict
         style = signs.style(verdict)
         names = wrap(self._title(row), columns.name, 2 if row.inside else 0)
         loud = "bold" if check.verdict in ("fail", "not_verified") else "" if check.open else "dim"
@@ -313,7 +313,7 @@ class Checks(ItemList):
         """The whole of it, to be copied."""
         judged = Text(
             "{verdict}: {check} {value}, limit {limit}, margin {margin} [{source}]",
-            verdict=self.app.signs.word(check.verdict),
+            verdict=self.app.signs.word("outside" if self._beyond(check) else check.verdict),
             check=check.name,
             value=Amount(check.value, check.unit),
             limit=check.limit_text(),

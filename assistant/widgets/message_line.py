@@ -7,6 +7,7 @@ from textual.content import Content
 from textual.widget import Widget
 
 from calc.design import STEPS
+from calc.key_values import judged
 from calc.sheet.check import URGENT, Check
 from calc.sheet.text import EMPTY, Amount, Text
 
@@ -68,7 +69,7 @@ class MessageLine(Widget):
             return outcome.state, say(outcome.reason)
         here = next((check for check in outcome.checks if check.id == self.finding), None)
         if here is not None:
-            return here.verdict, self._check(here)
+            return judged(here, outcome.checks), self._check(here)
         states = states_of(session)
         todo = next((n for n, state in enumerate(states) if state.state == "todo"), None)
         ahead = Text("Enter goes on: {n} {step} is to do.", n=todo + 1, step=STEPS[todo].title) if todo is not None else EMPTY
@@ -92,7 +93,7 @@ class MessageLine(Widget):
                 return check.verdict, self._title(key) + self._check(check)
         if ahead:
             return "todo", say(ahead)
-        return "pass", say(Text("every check passes"))
+        return "pass", say(Text("Nothing fails, no caution is open."))
 
     def _title(self, key: str) -> str:
         return next((f"{n} {self.app.say(step.title)}: " for n, step in enumerate(STEPS, 1) if step.key == key), "")

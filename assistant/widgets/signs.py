@@ -10,15 +10,17 @@ from calc.sheet.text import Text
 WORDS = {
     "pass": Text("pass"), "warn": Text("warn"), "fail": Text("FAIL"), "note": Text("note"), "not_verified": Text("not verified"),
     "accepted": Text("accepted"), "blocked": Text("waits"), "not_asked": Text("not used"), "no_solution": Text("NO SOLUTION"),
+    "outside": Text("outside validity"),
 }  # fmt: skip
 MARKS = SIGNS | {
+    "outside": SIGNS["note"],
     "invalid": "!", "edited": "●", "read_only": "▪", "solving": "◌", "cursor": "▸", "here": "◀", "from": "←", "yes": "✓", "more": "…",
     "then": "→", "recording": "●", "editing": "✎",
     "todo": "○", "needs": "!", "waits": "◌", "ready": "✓", "folded": "▸", "unfolded": "▾",
 }  # fmt: skip
 ASCII = {
     "pass": "+", "warn": "!", "fail": "x", "note": "-", "not_verified": "?", "accepted": "+", "blocked": "o", "not_asked": ".",
-    "no_solution": "x",
+    "no_solution": "x", "outside": "-",
     "invalid": "!", "edited": "*", "read_only": "#", "solving": "o", "cursor": ">", "here": "<", "from": "<-", "yes": "+", "more": "...",
     "then": "->", "recording": "@", "editing": "*",
     "todo": "o", "needs": "!", "waits": "o", "ready": "+", "folded": "...", "unfolded": ":",

@@ -94,6 +94,8 @@ def checks(place: str, r: BearingResult, slope: float) -> Iterator[Check]:
             remedies=longer(r.specific_load / p_limit, groove))  # fmt: skip
     low, high = Amount(oiled.usual[0]), Amount(oiled.usual[1], "N·rpm/mm")
     row = Text("Finotti 2013, Table 3.1: {kind}, {low} to {high}", kind=oiled.title, low=low, high=high)
+    if oiled.most is not None:
+        row += Text(", beyond it by how much is cooled, up to {most}", most=Amount(oiled.most, "N·rpm/mm"))
     heat = [("heat_index", Text("Heat index"), oiled.limit)]
     if oiled.most is not None:
         heat.append(("heat_index_usual", Text("Heat index, usual"), oiled.usual[1] * N_RPM_MM))

@@ -149,9 +149,11 @@ async def test_a_balancing_is_taken_as_one_step(screen: Screen, light: Session) 
         await until(pilot, lambda: balance.key == "shaft")  # the one that the design has
         before = light.data
         balance.focus()
-        await strike(pilot, "up", "enter")
-        await solved(pilot)
+        await strike(pilot, "up")
+        await until(pilot, lambda: balance.key != "shaft")
+        await strike(pilot, "enter")
         await until(pilot, lambda: light.data is not before)
+        await solved(pilot)
         assert "countershaft" not in light.data and light.data["imbalance"]["crank_balance_fraction"] == 0.5
         assert light.undo() is not None and light.data == before and "locked" not in told(pilot)
 

@@ -36,6 +36,8 @@ def test_texts_comments_and_tables_in_line_hold_no_keys_of_their_own(text, lines
 def test_a_comment_is_that_of_the_key_on_its_line():
     text = '# head\na = "#no" # yes\n# apart\nb = [ # of b\n 1, # inner\n]\nc = 1 #\n[[t]] # first\nn = 1\n[[t]]\nn = 2 ## both = 1 \r\n'
     assert remarks(text) == {"a": "yes", "b": "of b", "t.0": "first", "t.1.n": "both = 1"}
+    assert remarks("a = [ 1, # of one\n 2 ] # of both\n") == {"a": "of both"}
+    assert remarks('a = [\n 1\n] # closed\nb = """\nx\n""" # ended\nc = { d = 1 } # table') == {"a": "closed", "b": "ended", "c": "table"}
 
 
 def test_a_comment_goes_with_the_value_that_it_is_about():
@@ -43,6 +45,13 @@ def test_a_comment_goes_with_the_value_that_it_is_about():
     assert made.remarks == {"engine.bore_mm": "measured", "bearings.front.length_mm": "assumed"}
     assert made.with_value("bearings.front.length_mm", 33.0).remarks == {"engine.bore_mm": "measured"}
     assert made.with_value("engine.crank_radius_mm", 53.5).remarks == made.remarks
+
+
+def test_a_comment_stays_with_its_element():
+    made = parse(b'[[gears.wheels]]\nname = "a"\nteeth = 20 # of a\n[[gears.wheels]]\nname = "b"\nteeth = 20 # of b\n', "d.toml")
+    a, b = made.data["gears"]["wheels"]
+    assert made.remarks == {"gears.wheels.0.teeth": "of a", "gears.wheels.1.teeth": "of b"}
+    assert made.with_value("gears.wheels", [b, a]).remarks == {}
 
 
 @pytest.mark.parametrize(("text", "said"), [

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Blocks on pages: a figure that does not fit leaves no gap, and stays in its chapter."""
 
-from reports.flow import AFTER, Block, Page, paginate
+from reports.flow import AFTER, Block, Page, composed, paginate
+from reports.paper import HEIGHT
 
 
 def block(name: str, height: float, **kind: object) -> Block:
@@ -40,3 +41,15 @@ def test_a_table_goes_on_under_a_figure_with_its_header() -> None:
     made = paginate([*TEXT[:3], FIGURE, header, *rows], 100.0)
     assert names(made)[1:] == [["figure", "header", "row 1"], ["header", "row 2", "row 3", "row 4"]]
     assert all(page.filled <= 100.0 for page in made)
+
+
+def of_gaps(count: int, share: float) -> list[Block]:
+    """Blocks of a hundredth of a page, every fourth part of them gap, as many as fill `count` pages and a share of one more."""
+    height, gap = 0.0075 * HEIGHT, 0.0025 * HEIGHT
+    return [Block(height, lambda pen, y: None, gap) for _ in range(round(100 * (count + share)))]
+
+
+def test_gaps_are_closed_where_that_saves_a_page_with_little_on_it() -> None:
+    kept, saved, sparse = of_gaps(5, 0.9), of_gaps(5, 0.3), of_gaps(5, 0.15)
+    assert len(composed(kept)) == len(paginate(kept)) == 6
+    assert [len(paginate(blocks)) for blocks in (saved, sparse)] == [6, 6] and len(composed(saved)) == len(composed(sparse)) == 5

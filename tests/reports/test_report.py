@@ -101,7 +101,7 @@ def test_failures_come_first_with_their_advice(example: Solved, summary: bytes) 
     verdicts = [v for _, v in sorted(places)]
     assert verdicts == sorted(verdicts), "fail before warn"
     first = squeezed(PdfReader(io.BytesIO(summary)).pages[0].extract_text())
-    assert squeezed("kept by less than 5 % warns") in first, "the first page says by which rules it judges"
+    assert squeezed("kept by less than 5 % they warn") in first, "the first page says by which rules it judges"
 
 
 def test_the_source_is_corrected_beside_its_value(example: Solved, engineer: bytes, audit: bytes) -> None:

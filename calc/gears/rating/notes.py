@@ -144,7 +144,7 @@ def screening_notes(system: ToothSystem, screened: list[Screening], base: str) -
     if not screened:
         return
     loads = [s.line_load / 1e3 for s in screened]
-    light = Text(", and the line loads of {span} N/mm are far below those of the tests.", span=_span(loads))
+    light = Text(", and the line loads of {span} N/mm, with all load factors, are far below those of the tests.", span=_span(loads))
     yield Text(
         "Film against micropitting and flash temperature against scuffing are a screening, not a rating: that of "
         "the film is made from tests with {tested} (ISO/TS 6336-22:2018); here m_n is {m_n} mm, {span} m/s",

@@ -210,7 +210,10 @@ async def fix(pilot: Pilot[int], do: Do) -> None:
     await until(pilot, lambda: not shown.searching and locked not in session.data["locked"])
     heavier = next(n for n, way in enumerate(shown.ways, 1) if way.kind == "heavier mass")
     await strike(pilot, str(heavier))
-    await until(pilot, lambda: "mass of front 2 → 2.5 kg: passes" in told(pilot) and "Undo takes it back" in told(pilot))
+    await until(
+        pilot,
+        lambda: "mass of front 2 → 2.5 kg: First-order force left over" in told(pilot) and "passes. Undo takes it back" in told(pilot),
+    )
     await still(pilot)
     assert session.value(mass) == 2.5 and "✗" not in text(pilot)
 
