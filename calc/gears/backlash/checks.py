@@ -94,7 +94,10 @@ def freed(
     wheels: tuple[WheelResult, WheelResult], mesh: Mesh, index: int, tolerance: Metre, missing: Metre, slope: Number | None,
     growth: Number = 1.0,
 ) -> tuple[Remedy, ...]:  # fmt: skip
-    """What would just pass: an allowance of the span acts micrometre for micrometre, the centre distance by `slope` (None: not offered)."""
+    """What would just pass: an allowance of the span acts micrometre for micrometre, the centre distance by `slope` (None: not offered).
+
+    Where the parts between the centres are known, no smaller tolerance is offered: it hangs on them.
+    """
     if not missing > 0:
         return ()
     less = math.ceil(missing / growth * 1e6 - 1e-6)
@@ -103,7 +106,7 @@ def freed(
     off = remedy(change(Wheel, f"gears.wheels.{thick.name}.span_allowance_um", ends, place=thick.name),
         effect=Text("{less} µm more off the span of its teeth", less=less))  # fmt: skip
     held = 0.0 if slope is None else tolerance - missing / slope
-    return (off, remedy(*_tolerance(mesh, index, math.floor(held * 1e6)))) if held > 1e-6 else (off,)
+    return (off, remedy(*_tolerance(mesh, index, math.floor(held * 1e6)))) if held > 1e-6 and not mesh.stack else (off,)
 
 
 def _freed(m: BacklashCase) -> Callable[..., tuple[Remedy, ...]]:

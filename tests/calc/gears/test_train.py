@@ -82,6 +82,13 @@ def test_the_first_pair_can_jam_and_the_check_says_what_to_do(whole):
     assert all(c.kind == "advice" for c in whole.checks if c.verdict == "warn")
 
 
+def test_a_tolerance_that_its_parts_do_not_keep_is_no_remedy(gamma_results):
+    """Of the source's last design only the pair of central and idler has its parts between the centres listed: ±54 µm."""
+    ways = {c.id: {key for one in c.remedies for key, _ in one.changes} for c in gamma_results.outcomes["gears"].checks if c.remedies}
+    assert ways["gears.central_idler.backlash_warm"] == {"gears.wheels.central.span_allowance_um"}
+    assert ways["gears.idler_shaft.backlash_cold"] == {"gears.wheels.idler.span_allowance_um", "gears.meshes.2.tolerance_um"}
+
+
 def test_one_outcome_with_every_promised_name(whole):
     v = shown(whole)
     for w in ("crank", "central", "idler", "shaft"):
