@@ -175,6 +175,8 @@ class ContralberoApp(BaseApp):
             await super().on_event(event)
             return
         self.struck = time.monotonic()
+        if event.key.startswith("alt+"):
+            event.character = None  # a terminal that sends Esc before it writes the digit too, which no field is to take
         if self._held is not None:
             self._held.append(event)
             return
@@ -241,12 +243,22 @@ class ContralberoApp(BaseApp):
             self.exit(0)
 
 
+def _read_alt_digits() -> None:
+    """Esc and a digit is Alt and the digit, as nearly every terminal sends it; for one on macOS textual makes another sign of it (`∞`)."""
+    with suppress(ImportError, AttributeError):
+        from textual._ansi_sequences import ANSI_SEQUENCES_KEYS
+
+        for digit in "123456789":
+            ANSI_SEQUENCES_KEYS.pop(f"\x1b{digit}", None)  # type: ignore[attr-defined]
+
+
 def run(path: Path | None, ascii: bool = False, lang: str | None = None) -> int:
     """Open a design, or the start page; gives the exit code."""
     import gc
 
     gc.set_threshold(50_000, 20, 50)  # a screen is many small objects that stay; they need not be looked through so often
     sys.setswitchinterval(0.0002)  # between two of the twenty turns that a key takes, the thread that solves has no more than that
+    _read_alt_digits()
     memory = Memory()
     missing = path.expanduser().absolute() if path is not None and not memory.there(path.expanduser()) else None
     try:

@@ -68,6 +68,15 @@ def test_it_starts_paints_solves_and_ends(design: Path, tmp_path: Path, argument
     assert (tmp_path / "state" / "contralbero" / "last").read_text(encoding="utf-8") == str(design)
 
 
+def test_alt_and_a_digit_goes_to_a_step_from_within_a_field(design: Path, tmp_path: Path) -> None:
+    """As a terminal sends it: Esc and the digit."""
+    pid, file = started(tmp_path, ["-m", "assistant", str(design)])
+    until(file, b"Bore")
+    os.write(file, b"\x1b5")
+    until(file, b"Helix angle")
+    assert ended(pid, file) == 0
+
+
 def test_a_file_that_is_not_there_opens_the_start_page(tmp_path: Path) -> None:
     pid, file = started(tmp_path, ["-m", "assistant", str(tmp_path / "mine")])
     until(file, b"mine.toml is not there")
