@@ -287,6 +287,13 @@ def test_explain_goes_back_to_the_inputs(name):
     assert name in done.stdout and "←" in done.stdout and " = " in done.stdout
 
 
+def test_explain_says_what_puts_a_check_outside_the_validity_of_its_formula():
+    beyond = "Its check holds by a formula outside its validity: Load per face width idler–shaft (−94 %)"
+    sized = DESIGNS / "r753ie4_sized.toml"
+    assert run("explain", sized, "gears.idler_shaft.safety_contact").stdout.splitlines()[1] == beyond
+    assert "outside its validity" not in run("explain", sized, "bearings.front.film_edge").stdout
+
+
 def test_explain_of_the_film_reaches_the_engine():
     text = run("explain", GAMMA, "bearings.front.film").stdout
     assert "← engine.rated_speed_rpm" in text and "← countershaft.masses.*.mass_kg" in text and "← bearings.supply_temperature_C" in text

@@ -10,12 +10,14 @@ from calc.design import Design
 from calc.design_file import Document, load
 from calc.design_file import design as design_of
 from calc.explain import Chains, Link, chain, origin, shortened
+from calc.key_values import outside
 from calc.publications import resolved
+from calc.sheet.check import named
 from calc.sheet.errors import BadInput, InputError
 from calc.sheet.number import short
 from calc.sheet.text import Text
 from calc.sheet.trace import Line
-from calc.solve import solve
+from calc.solve import Results, solve
 
 
 def run(asked: Namespace) -> int:
@@ -71,8 +73,16 @@ def _explain(asked: Namespace, document: Document, design: Design) -> int:
     if asked.value.startswith("friction.scenarios."):
         return _scenario(asked, document, design)
     value = values[asked.value]
-    head = f"{value.id} = {short(value.shown, 6)} {value.unit}   {value.label}"
+    head = f"{value.id} = {short(value.shown, 6)} {value.unit}   {value.label}{_beyond(results, value.id)}"
     return _print_chain(asked, design, head, chain(results, asked.value), origin(results, asked.value))
+
+
+def _beyond(results: Results, id: str) -> str:
+    """What puts the checks on a value, that hold, outside the validity of its formula; a line of its own."""
+    checks = results.outcomes[id.partition(".")[0]].checks
+    judged_by = [check for check in checks if check.value_id == id and check.verdict == "pass"]
+    found = list(dict.fromkeys(method for check in judged_by for method in outside(check, checks)))
+    return f"\nIts check holds by a formula outside its validity: {named(found)}" if found else ""
 
 
 def _print_chain(asked: Namespace, design: Design, head: str, lines: list[Link], taken: str | None, moved: str = "") -> int:
