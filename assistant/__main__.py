@@ -22,9 +22,9 @@ def _end(code: int) -> None:
     """End the process here, unless threads are to be waited for: Python would first take apart all it holds, a twentieth of a check."""
     import atexit
     import os
-    import threading
 
-    if threading.active_count() > 1:
+    threading = sys.modules.get("threading")  # where nothing needed it, there are no threads
+    if threading is not None and threading.active_count() > 1:
         return
     atexit._run_exitfuncs()
     for stream in (sys.stdout, sys.stderr):

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The nearest passing design: of one step that fails, or of the whole design, step by step in the order of solving."""
 
+import re
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from fnmatch import fnmatchcase
@@ -158,7 +159,11 @@ def _without_needless(start: State, state: State) -> State:
         worse.extend(c.id for c in outcome.checks if known and c.verdict == "fail" and c.id not in failing)
         return bool(worse)
 
+    mended = {part for c in start.results.checks() if c.verdict == "fail" and c.id not in failing for part in re.split("[._]", c.id)[1:]}
+    of = {key: key.split(".")[-2] for key in state.changes if key.count(".") > 1}  # the element of each
     for key in reversed(state.changes) if len(state.changes) > 1 else ():
+        if of.get(key) in mended and [*of.values()].count(of[key]) == 1:
+            continue  # the one change of an element whose check it mends
         worse.clear()
         rest = {k: value for k, value in state.changes.items() if k != key}
         try:
