@@ -52,6 +52,7 @@ class Block:
 class Page:
     blocks: list[tuple[float, Block]] = field(default_factory=list)  # distance from the upper margin
     filled: float = 0.0
+    share: float = 1.0  # of every gap that is kept
 
     @property
     def size(self) -> tuple[float, float] | None:
@@ -60,30 +61,33 @@ class Page:
 
     def put(self, chain: list[Block]) -> None:
         for block in chain:
-            self.filled += block.gap if self.blocks else 0.0
+            self.filled += self.share * block.gap if self.blocks else 0.0
             self.blocks.append((self.filled, block))
             self.filled += block.height
 
 
-def paginate(blocks: Iterable[Block], height: float = HEIGHT) -> list[Page]:
-    """Blocks on pages.  A chain of blocks that stay together moves to the next page whole, unless no page can hold it."""
-    pages = [Page()]
+def paginate(blocks: Iterable[Block], height: float = HEIGHT, share: float = 1.0) -> list[Page]:
+    """Blocks on pages.  A chain of blocks that stay together moves to the next page whole, unless no page can hold it.
+
+    `share`: of every gap that is kept.
+    """
+    pages = [Page(share=share)]
     waiting: list[list[Block]] = []
 
     def fits(chain: list[Block]) -> bool:
         page, first = pages[-1], chain[0]
         left = height - page.filled
         alone = page.size is not None or first.page is not None
-        return not page.blocks or not (alone or sum(b.height + b.gap for b in chain) > left + 1e-6 or first.need > left)
+        return not page.blocks or not (alone or sum([b.height + share * b.gap for b in chain]) > left + 1e-6 or first.need > left)
 
     def turn() -> None:
         """A new page, and on it first what waits for one."""
-        pages.append(Page())
+        pages.append(Page(share=share))
         while waiting and fits(waiting[0]):
             pages[-1].put(waiting.pop(0))
             pages[-1].filled += AFTER
 
-    for chain in _chains(list(blocks), height):
+    for chain in _chains(list(blocks), height, share):
         while waiting and chain[0].need:
             turn()
         if chain[0].floats and (waiting or not fits(chain)):
@@ -104,7 +108,7 @@ def composed(blocks: Iterable[Block]) -> list[Page]:
     made = list(blocks)
     pages = paginate(made)
     for share in CLOSER:
-        closer = paginate([replace(block, gap=share * block.gap) for block in made])
+        closer = paginate(made, HEIGHT, share)
         if len(closer) < len(pages):
             return closer
         last = next((page for page in reversed(closer) if page.size is None), None)
@@ -113,15 +117,15 @@ def composed(blocks: Iterable[Block]) -> list[Page]:
     return pages
 
 
-def _chains(blocks: list[Block], height: float) -> Iterable[list[Block]]:
+def _chains(blocks: list[Block], height: float, share: float) -> Iterable[list[Block]]:
     chain: list[Block] = []
     filled = 0.0
     for block in blocks:
-        if chain and filled + block.gap + block.height > 0.9 * height:  # no page would hold it together
+        if chain and filled + share * block.gap + block.height > 0.9 * height:  # no page would hold it together
             yield chain
             chain, filled = [], 0.0
         chain.append(block)
-        filled += block.gap + block.height
+        filled += share * block.gap + block.height
         if not block.keep:
             yield chain
             chain, filled = [], 0.0
