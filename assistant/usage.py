@@ -14,22 +14,23 @@ ABOUT = """From the engine's data to the imbalance, the counter-rotating balance
 friction it costs.  Without a command: the guided session."""
 LANGUAGES = ("en", "it")  # the codes of calc.languages, which --help does not load
 KEY_VALUE = "KEY=VALUE"
+Arguments = Callable[[argparse.ArgumentParser], object]
 
 
 class Command(NamedTuple):
     """What it is for, and what adds its arguments to a parser."""
 
     about: str
-    arguments: Callable[[argparse.ArgumentParser], object]
+    arguments: Arguments
 
 
 COMMANDS: dict[str, Command] = {}  # in the order of the help
 
 
-def command(about: str) -> Callable[[Callable[[argparse.ArgumentParser], object]], Callable[[argparse.ArgumentParser], object]]:
+def command(about: str) -> Callable[[Arguments], Arguments]:
     """Keeps a function that adds arguments as the command of its name."""
 
-    def keep(arguments: Callable[[argparse.ArgumentParser], object]) -> Callable[[argparse.ArgumentParser], object]:
+    def keep(arguments: Arguments) -> Arguments:
         COMMANDS[arguments.__name__.rstrip("_")] = Command(about, arguments)
         return arguments
 

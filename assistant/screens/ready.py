@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The closing page: the drive in one picture and ten numbers, what is assumed, accepted and not verified, and what is left to do."""
 
+from collections import Counter
 from collections.abc import Iterator
 from typing import ClassVar
 
@@ -12,7 +13,7 @@ from textual.widgets import Static
 
 from calc.design import STEPS
 from calc.headlines import headline, main_numbers
-from calc.key_values import judged, outside
+from calc.key_values import outside
 from calc.ready import OPEN, StepState, ready
 from calc.sheet.check import Check
 from calc.sheet.text import COMMA, Amount, Name, Text, plural
@@ -111,16 +112,12 @@ class Closing(ItemList):
             for mine in unknown.values()
         ]  # fmt: skip
         yield self._part(Text("not verified ({n})", n=sum(map(len, unknown.values()))), lacking, width)
-        beyond: dict[Check, int] = {}  # a check of the method → how many hold by a formula that it puts out of its range
-        for outcome in outcomes:
-            for check in outcome.checks:
-                for method in outside(check, outcome.checks) if check.verdict == "pass" else ():
-                    beyond[method] = beyond.get(method, 0) + 1
+        held = [outside(check, outcome.checks) for outcome in outcomes for check in outcome.checks if check.verdict == "pass"]
+        beyond = Counter(method for methods in held for method in methods)  # how many hold by a formula that it puts out of its range
         stretched = [
             (method.id, plural("{what}: {n} check holds", "{what}: {n} checks hold", n=n, what=method.name)) for method, n in beyond.items()
         ]
-        held = sum(judged(check, outcome.checks) == "outside" for outcome in outcomes for check in outcome.checks)
-        yield self._part(Text("held by a formula outside its validity ({n})", n=held), stretched, width)
+        yield self._part(Text("held by a formula outside its validity ({n})", n=sum(map(bool, held))), stretched, width)
         values = session.values()
         measured = [
             (row.step, Text("{what}: {value}", what=values[row.value].label if row.value in values else self._labels((row.value,)),
