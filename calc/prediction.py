@@ -3,7 +3,6 @@
 
 from collections.abc import Callable
 from dataclasses import is_dataclass, replace
-from difflib import get_close_matches
 from functools import partial
 
 from .bearings.inputs import BearingInputs
@@ -107,6 +106,8 @@ def _predicted(row: Measured, design: Design, values: Values) -> tuple[float | N
     found = values.get(row.value)
     given = (found.shown, found.unit) if found is not None else _input(design, row.value)
     if given is None:
+        from difflib import get_close_matches
+
         near = get_close_matches(row.value, list(values), 1)
         return None, Text("this design has no such value; did you mean {near}?", near=near[0]) if near else NO_VALUE
     if given[1] != row.unit:

@@ -21,7 +21,7 @@ from ..sheet.units import Number, PhasorNumber, Radian
 from ..sheet.value import based_on
 from . import curves as train
 from . import formulas as f
-from . import torque, torque_diagram
+from . import torque
 from .checks import checks
 from .crank import column, crank, firing, pin_of_cylinder
 from .firing import Firing
@@ -206,6 +206,8 @@ def _given_torque(
     engine: EngineInputs, e: EngineResult, turning: TorqueResult, turned: Curve, note: Text
 ) -> tuple[TorqueResult, tuple[Curve, ...], tuple[Text, ...]]:
     """What a torque diagram gives, beside the torque of the inertia forces and its figure."""
+    from . import torque_diagram
+
     cycle = based_on(engine.strokes * np.pi, engine.strokes)
     period = engine.torque_period if engine.torque_period is not None else cycle
     found, curve, repeats = torque_diagram.solve(engine.torque, period, e.angular_speed, engine.flywheel_inertia)

@@ -4,6 +4,7 @@
 It is a table to be read, `calc/tables/checks.md`; the letters in its ids stand for elements that have names of their own.
 """
 
+import re
 from functools import cache
 from pathlib import Path
 
@@ -12,6 +13,7 @@ from .record import record
 TABLE = Path(__file__).parent.parent / "tables" / "checks.md"
 KINDS = ("limit", "caution", "advice", "method")  # from what must hold to what concerns the calculation alone
 ELEMENTS = ("B", "M", "N", "W")  # a bearing, a mesh, any element, a wheel
+LETTER = re.compile(r"(?<![^.|])(?:[BMNW#]|DRIVER|DRIVEN)(?![^.|])|(?<=_)W(?![^|])")  # in ids side by side, with | between them
 
 
 @record
@@ -50,12 +52,12 @@ def _rule(id: str, kind: str, cause: str, value: str, limit: str, moved_by: str,
 
 
 @cache
-def _by_end() -> dict[tuple[str, int, str], list[Rule]]:
-    """The rows by step, number of parts and last part of their ids; of several, those with fewer letters first."""
-    found: dict[tuple[str, int, str], list[Rule]] = {}
-    for rule in sorted(rules(), key=lambda rule: sum(part in ELEMENTS for part in rule.id.split("."))):
-        parts = rule.id.split(".")
-        found.setdefault((parts[0], len(parts), parts[-1].removesuffix("W")), []).append(rule)
+def _by_end() -> dict[tuple[str, int, str], list[tuple[Rule, list[str]]]]:
+    """The rules and the parts of their ids by step, number of parts and last part; of several, those with fewer letters first."""
+    found: dict[tuple[str, int, str], list[tuple[Rule, list[str]]]] = {}
+    parted = [(rule, rule.id.split(".")) for rule in rules()]
+    for rule, parts in sorted(parted, key=lambda one: sum(part in ELEMENTS for part in one[1])):
+        found.setdefault((parts[0], len(parts), parts[-1].removesuffix("W")), []).append((rule, parts))
     return found
 
 
@@ -84,10 +86,11 @@ def _row(id: str) -> tuple[Rule, dict[str, str]]:
     """The row of a check, and the elements that its letters stand for."""
     parts = id.split(".")
     ends = (parts[-1], parts[-1].partition("_")[0] + "_", "N")  # the last: what the check is about stands at the end
-    for rule in [rule for end in ends for rule in _by_end().get((parts[0], len(parts), end), ())]:
-        names = _names(rule.id.split("."), parts)
-        if names is not None:
-            return rule, names
+    for end in ends:
+        for rule, pattern in _by_end().get((parts[0], len(parts), end), ()):
+            names = _names(pattern, parts)
+            if names is not None:
+                return rule, names
     raise KeyError(f"the check {id} has no row in {TABLE.name}")
 
 
@@ -120,22 +123,7 @@ def _filled(rule: Rule, names: dict[str, str], index: int | None) -> Rule:
     names = names if index is None else names | {"#": str(index)}
     if not names and not any("#" in key for key in rule.moved_by):
         return rule
-    keys = tuple([filled for key in rule.moved_by if "#" not in (filled := _put(key, names))])
-    return Rule(_put(rule.id, names), rule.kinds, rule.demand, rule.exact, _put(rule.cause, names), _put(rule.value, names),
-        _put(rule.limit, names), keys, rule.why)  # fmt: skip
-
-
-def _put(id: str, names: dict[str, str]) -> str:
-    parts = _parts(id)
-    if names.keys().isdisjoint(parts) and not ("W" in names and parts[-1].endswith("_W")):
-        return id
-    put = [names.get(part, part) for part in parts]
-    if "W" in names and put[-1].endswith("_W"):
-        put[-1] = put[-1][:-1] + names["W"]
-    return ".".join(put)
-
-
-@cache
-def _parts(id: str) -> tuple[str, ...]:
-    """Of an id with letters, which stands for many."""
-    return tuple(id.split("."))
+    asked = "|".join((rule.id, rule.cause, rule.value, rule.limit, *rule.moved_by))
+    id, cause, value, limit, *keys = LETTER.sub(lambda letter: names.get(letter[0], letter[0]), asked).split("|")
+    moved_by = tuple([key for key in keys if "#" not in key])
+    return Rule(id, rule.kinds, rule.demand, rule.exact, cause, value, limit, moved_by, rule.why)

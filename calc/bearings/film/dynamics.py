@@ -24,7 +24,6 @@ from .. import formulas as f
 from ..routes.states import BearingCase, Film, OperatingPoint
 from . import dynamics_formulas as d
 from . import tabulated
-from .grooved_table import film_at
 
 
 @record
@@ -115,6 +114,8 @@ def dynamics(hot: Film, duty: OperatingPoint, seat: BearingCase, ratio: Number, 
 
 def _between_grooves(hot: Film, seat: BearingCase, ratio: Number) -> Coefficients:
     """Of a film that axial grooves bound, which does not turn with the line of centres."""
+    from .grooved_table import film_at
+
     grooves = seat.grooves
     assert grooves is not None
     at = film_at(hot.eccentricity, ratio, grooves)

@@ -153,8 +153,9 @@ def pressure_ratio(S: Number, b: Number) -> Number:
     return at(S, b).pressure_ratio
 
 
+@lru_cache(maxsize=16)
 def at(S: float, b: float) -> Reading:
-    """The charts at S and l/d."""
+    """The charts at S and l/d, which six formulas ask for one after the other."""
     if b < LOWEST_RATIO:
         raise OutsideCharts(Text("l/d = {b} is below the charts ({lowest_ratio})", b=Amount(b, form=".3g"), lowest_ratio=LOWEST_RATIO))
     y = chart_readings(S)

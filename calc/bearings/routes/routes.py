@@ -14,7 +14,6 @@ from ...sheet.errors import NoSolution
 from ...sheet.text import EMPTY, Amount, Text
 from ...sheet.value import based_on
 from .. import formulas as f
-from ..film import grooved_table as grooved
 from ..film import short_bearing as short
 from ..film.feeds import Feeds
 from ..film.table import eccentricity_from, film_at
@@ -85,6 +84,8 @@ def _with_grooves(
     ratio: float, l: float,
 ) -> Film:  # fmt: skip
     """The film between axial grooves; one l/d, any number of states."""
+    from ..film import grooved_table as grooved  # which few bearings need
+
     b, inputs = seat.bearing, seat.inputs
     if isinstance(S, float):
         ratio = based_on(ratio, ratio, inputs.axial_groove_angles, inputs.axial_groove_width, inputs.axial_groove_length)

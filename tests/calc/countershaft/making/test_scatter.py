@@ -6,6 +6,7 @@ The shaft is that of Finotti 2013, Table 4.1, but with equal masses, so that by 
 import math
 from dataclasses import replace
 from itertools import pairwise, product
+from random import Random
 
 import numpy as np
 import pytest
@@ -110,6 +111,18 @@ def test_a_shaft_that_must_carry_a_force_is_measured_against_that_force():
     assert found(NONE, masses, couple=couple, force=0j).share_within == 0
 
 
+# --- chance -----------------------------------------------------------------------------------------------------------------
+def test_the_numbers_drawn_are_normally_distributed_and_do_not_hang_together():
+    """Of 200 001 a share is known to 0.1 %, and the correlation of two series to 0.3 % (one deviation)."""
+    z = sc.normal(Random(1), 200_001)
+    for bound in (-2.5, -1.0, 0.0, 0.5, 2.0, 3.0):
+        assert np.mean(z < bound) == pytest.approx((1 + math.erf(bound / math.sqrt(2))) / 2, abs=0.003)
+    for one, other in ((z[::2][:-1], z[1::2]), (z[1:], z[:-1])):
+        assert np.corrcoef(one, other)[0, 1] == pytest.approx(0, abs=0.01)
+        assert np.corrcoef(one**2, other**2)[0, 1] == pytest.approx(0, abs=0.01)
+    assert sc.normal(Random(1), 3, 5, 7).shape == (3, 5, 7)
+
+
 # --- closed forms -----------------------------------------------------------------------------------------------------------
 PARTS = {
     "mass": dict(mass=0.010), "radius": dict(radius=5e-5), "angle": dict(angle=0.1 * DEGREE), "position": dict(z=2e-4),
@@ -123,7 +136,7 @@ def test_chance_agrees_with_the_propagation_of_errors(part):
     given_ = {k: v for p in PARTS.values() for k, v in p.items()} if part == "all" else PARTS[part]
     scatter = replace(NONE, **given_)
     masses = (replace(MASSES[0], z=-0.05), replace(MASSES[1], mass=3.1))
-    _, couple, timing, _ = sc.sample(scatter, masses, (EXTRA,), OMEGA, np.random.default_rng(5), 50_000)
+    _, couple, timing, _ = sc.sample(scatter, masses, (EXTRA,), OMEGA, Random(5), 50_000)
     seen = math.sqrt(np.mean(np.abs(couple * timing - vectors(masses, (EXTRA,))[1]) ** 2))
     r = found(replace(scatter, shafts=100), masses, (EXTRA,), holes=None)
     assert seen == pytest.approx(r.couple_error if part == "all" else getattr(r, f"couple_error_by_{part}"), rel=0.015)
@@ -133,7 +146,7 @@ def test_chance_agrees_with_the_propagation_of_errors(part):
 def test_timing_alone_leaves_the_chord_of_its_angle():
     """|1 − e^{iδ}|·C = 2·sin(|δ|/2)·C; half of all |δ| stay below 0.67449 σ (normal distribution)."""
     scatter = replace(NONE, timing=0.5 * DEGREE)
-    _, couple, timing, _ = sc.sample(scatter, MASSES, (), OMEGA, np.random.default_rng(1), 1000)
+    _, couple, timing, _ = sc.sample(scatter, MASSES, (), OMEGA, Random(1), 1000)
     delta = np.angle(timing)
     assert target().residual(couple, timing) == pytest.approx(2 * np.sin(np.abs(delta) / 2) * abs(COUPLE))
     r = found(replace(scatter, shafts=100_000))
@@ -169,7 +182,7 @@ def test_drilling_never_makes_a_shaft_worse(rows, z_1, z_2, gamma):
 @pytest.mark.parametrize(("share", "z_S"), [(0.0, 0.0), (0.0145, 0.0), (0.03, 0.05)])
 def test_the_holes_are_the_best_of_a_fine_grid_of_depths(share, z_S):
     t = target(z_S=z_S)
-    force, couple, _, _ = sc.sample(replace(SOME, angle=0.3 * DEGREE), heavier(share), (), OMEGA, np.random.default_rng(3), 40)
+    force, couple, _, _ = sc.sample(replace(SOME, angle=0.3 * DEGREE), heavier(share), (), OMEGA, Random(3), 40)
     deviation, influence, most = t.deviation(force, couple), t.influence(MASSES), HOLES.hole_unbalance_of_mass
     ours = sc.worse(deviation - influence @ sc.drill(deviation, influence, 0.0, most))
     depths = np.array(list(product(np.linspace(0, most, 201), repeat=2))).T
