@@ -11,6 +11,7 @@ from calc.key_values import outside, stretched
 from calc.sheet.check import SIGNS, Check, grouped, named, severity, with_it
 from calc.sheet.rules import pattern_of
 from calc.sheet.text import SPACE, Amount, Name, Text, plural
+from calc.unusual import Unusual, listed
 
 WORDS = {
     "pass": "pass", "warn": "warn", "fail": "FAIL", "note": "note", "not_verified": "not verified", "accepted": "accepted",
@@ -91,6 +92,15 @@ def _outside(checks: Sequence[Check]) -> Iterator[str]:
         many = "{n} checks hold by formulas outside their validity: {methods}"
         told = plural(one, many, n=len(beyond), methods=named([*furthest.values()]))
         yield from _wrapped(told, f"{sign('note')}  ")
+
+
+def unusual_lines(found: list[Unusual], everything: bool = False) -> list[str]:
+    """The inputs outside what is usual; the form shows the ranges beside their fields."""
+    if not found:
+        return []
+    inputs = listed(found, len(found) if everything else 3)
+    told = plural("{n} input is not usual: {inputs}", "{n} inputs are not usual: {inputs}", n=len(found), inputs=inputs)
+    return _wrapped(told, f"{sign('note')}  ")
 
 
 def _wrapped(text: str, start: str = INDENT) -> list[str]:

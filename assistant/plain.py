@@ -12,9 +12,10 @@ from calc.sheet.check import URGENT, Check
 from calc.sheet.number import short
 from calc.sheet.step import Outcome, Table
 from calc.solve import TITLES, Results
+from calc.unusual import unusual
 from calc.version import VERSION
 
-from .findings import finding_lines
+from .findings import finding_lines, unusual_lines
 from .findings import sign as sign
 
 if TYPE_CHECKING:
@@ -126,10 +127,10 @@ def print_summary(results: Results, step: str | None = None, everything: bool = 
     `everything`: every check of a group, advice and method in full.
     """
     shown = {key: outcome for key, outcome in results.outcomes.items() if step in (None, key)}
-    for line in finding_lines([check for outcome in shown.values() for check in outcome.checks], everything):
+    found = list(finding_lines([check for outcome in shown.values() for check in outcome.checks], everything))
+    found += unusual_lines(unusual(results.design, shown), everything)
+    for line in [*found, ""] if found else []:
         print(line)
-    if any(check.open for outcome in shown.values() for check in outcome.checks):
-        print()
     for key, outcome in shown.items():
         if key in OPTIONAL and outcome.state == "not_asked":
             continue
@@ -164,6 +165,10 @@ def results_json(
         ],
         "proposals": {o.key: list(o.proposals) for o in shown if o.proposals},
         "notes": {o.key: list(o.notes) for o in shown if o.notes},
+        "unusual": [
+            {"key": one.key, "value": one.number, "usual": list(one.usual), "unit": one.about.unit}
+            for one in unusual(results.design, [o.key for o in shown])
+        ],
         "reasons": {o.key: o.reason for o in shown if o.reason},
     }
 

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 from .addresses import Table
 from .compare_inputs import InputDifference, inputs, united
 from .design import STEPS
-from .key_values import is_least, key_results
+from .key_values import is_least, judged, key_results
 from .sheet.check import ORDER, Check, worst
 from .sheet.quantity import Published
 from .sheet.text import EMPTY, Name, Text
@@ -23,6 +23,7 @@ if TYPE_CHECKING:
 EQUAL = Text("The two designs are equal: no input, verdict, check or value differs.")
 SAME = 1e-6  # results that differ by less, of the larger one, are the same: iterations end somewhere, and nobody reads further
 NOTHING = 1e-13  # what is less than this share of the largest number of its unit in its step is what is left of a sum that is zero
+RANKS = (*ORDER[: ORDER.index("note")], "outside", *ORDER[ORDER.index("note") :])  # of the verdicts, from good to bad
 NOTABLE = 1e-3  # a key result that differs by less is neither better nor worse
 
 
@@ -52,12 +53,17 @@ class StepVerdicts:
 
 @dataclass(frozen=True)
 class CheckDifference:
-    """A check whose verdict, value or limit differs, or that only one design has (None: the other)."""
+    """A check whose verdict, value or limit differs, or that only one design has (None: the other).
+
+    `before`, `after`: its verdicts in A and in B; "outside": it holds, by a formula outside its validity.
+    """
 
     id: str
     a: Check | None
     b: Check | None
     relative: float  # of value or limit, whichever differs more
+    before: str
+    after: str
 
     @property
     def step(self) -> str:
@@ -75,13 +81,24 @@ class CheckDifference:
     @property
     def moved(self) -> bool:
         """Both designs have it, and judge it differently."""
-        return self.a is not None and self.b is not None and self.a.verdict != self.b.verdict
+        return self.both and self.before != self.after
 
     @property
     def worse(self) -> bool:
         """B is judged worse than A; a check that only one design has, where it does not pass."""
-        verdicts = [check.verdict for check in (self.a, self.b) if check is not None]
-        return ORDER.index(verdicts[-1]) > ORDER.index(verdicts[0] if self.both else "pass")
+        if self.both:
+            return RANKS.index(self.after) > RANKS.index(self.before)
+        return RANKS.index(self.before or self.after) > RANKS.index("pass")
+
+    @property
+    def accepted(self) -> bool:
+        """What was found is the same; somebody accepts it, or does not any more."""
+        return self.moved and self.a is not None and self.b is not None and self.a.finding == self.b.finding and not self.beyond
+
+    @property
+    def beyond(self) -> bool:
+        """It holds by a formula outside its validity in one of the designs."""
+        return "outside" in (self.before, self.after)
 
 
 @dataclass(frozen=True)
@@ -197,18 +214,17 @@ def _judged(results: "Results", step: str) -> Judged:
 def _checks(a: "Results", b: "Results", same: float) -> list[CheckDifference]:
     found: list[CheckDifference] = []
     for step in STEPS:
-        mine, theirs = ({c.id: c for c in results.outcomes[step.key].checks} for results in (a, b))
+        checks = [results.outcomes[step.key].checks for results in (a, b)]
+        mine, theirs = ({c.id: c for c in each} for each in checks)
         either = (*mine.values(), *theirs.values())
         floors = size_of_nothing((c.unit, x) for c in either for x in (c.value, *_limits(c)))
         differ = []
         for id in united(mine, theirs):
             one, other = mine.get(id), theirs.get(id)
-            if one is None or other is None:
-                differ.append(CheckDifference(id, one, other, math.inf))
-                continue
-            relative = _between(one, other, floors[one.unit])
-            if relative > same or one.verdict != other.verdict or _kind(one) != _kind(other):
-                differ.append(CheckDifference(id, one, other, relative))
+            verdicts = ["" if c is None else judged(c, each) for c, each in zip((one, other), checks)]
+            size = math.inf if one is None or other is None else _between(one, other, floors[one.unit])
+            if size > same or verdicts[0] != verdicts[1] or (one and other and _kind(one) != _kind(other)):
+                differ.append(CheckDifference(id, one, other, size, *verdicts))
         found += sorted(differ, key=lambda d: (not d.moved, not d.both, -d.relative if d.both else not d.worse))
     return found
 

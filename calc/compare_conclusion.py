@@ -4,7 +4,7 @@
 from collections import Counter
 from collections.abc import Sequence
 
-from .compare import NOTABLE, CheckDifference, Comparison, KeyResult, StepVerdicts, ValueDifference
+from .compare import NOTABLE, RANKS, CheckDifference, Comparison, KeyResult, StepVerdicts, ValueDifference
 from .compare_tables import NOT_HERE, Names, Sign, change_text, check_columns, check_row, columns, pair
 from .id_words import belongs, in_context
 from .sheet.check import ORDER
@@ -13,7 +13,8 @@ from .sheet.text import COMMA, EMPTY, Amount, Name, Text, plural
 
 HARD = ("limit", "caution")  # kinds of checks that make a verdict of a step
 BETTER, WORSE, SAME, NEW, GONE = Text("better"), Text("worse"), Text("the same"), Text("new"), Text("gone")
-WAYS = (WORSE, NEW, BETTER, GONE)  # in the order in which they are read
+ACCEPTED, NOT_ACCEPTED = Text("accepted"), Text("no longer accepted")
+WAYS = (WORSE, NEW, NOT_ACCEPTED, BETTER, ACCEPTED, GONE)  # in the order in which they are read
 
 
 def sentences(found: Comparison, names: Names, sign: Sign) -> list[Text]:
@@ -28,10 +29,12 @@ def sentences(found: Comparison, names: Names, sign: Sign) -> list[Text]:
         made.append(Text("Steps: {moves}.", moves=COMMA.join(steps)))
     if not both:
         made.append(Text("No limit and no caution changes its verdict."))
-    if some := [d for d in both if d.worse]:
+    if some := [d for d in both if _way(d) == WORSE]:
         made.append(Text("Limits and cautions to the worse: {moves}.", moves=_moves(some, sign)))
-    if some := [d for d in both if not d.worse]:
+    if some := [d for d in both if _way(d) == BETTER]:
         made.append(Text("Limits and cautions to the better: {moves}.", moves=_moves(some, sign)))
+    if some := [d for d in both if d.accepted]:
+        made.append(Text("Found as before, but accepted by one of them only: {moves}.", moves=_moves(some, sign)))
     for name, some in zip(names, ([d for d in lone if d.b is None], [d for d in lone if d.a is None])):
         if some:
             made.append(
@@ -69,8 +72,8 @@ def _hard(d: CheckDifference) -> bool:
 
 def _moves(some: Sequence[CheckDifference], sign: Sign) -> Text:
     """`✗ FAIL → ✓ pass 2, ▲ warn → ✓ pass 4`, the worst first."""
-    counts = Counter((d.a.verdict, d.b.verdict) for d in some if d.a is not None and d.b is not None)
-    ordered = sorted(counts, key=lambda move: [-max(map(ORDER.index, move)), -ORDER.index(move[1])])
+    counts = Counter((d.before, d.after) for d in some)
+    ordered = sorted(counts, key=lambda move: [-max(map(RANKS.index, move)), -RANKS.index(move[1])])
     return COMMA.join(Text("{before} → {after} {n}", before=sign(a), after=sign(b), n=counts[a, b]) for a, b in ordered)
 
 
@@ -97,10 +100,12 @@ def moved_table(found: Comparison, names: Names, sign: Sign, most: int = 0) -> T
 
 def _urgency(d: CheckDifference) -> tuple[int, int, bool]:
     now = d.b or d.a
-    return WAYS.index(_way(d)), -ORDER.index(now.verdict) if now else 0, now is None or now.kind != "limit"
+    return WAYS.index(_way(d)), -RANKS.index(d.after or d.before), now is None or now.kind != "limit"
 
 
 def _way(d: CheckDifference) -> Text:
+    if d.accepted:
+        return NOT_ACCEPTED if d.worse else ACCEPTED
     if d.both:
         return WORSE if d.worse else BETTER
     return NEW if d.a is None else GONE

@@ -103,14 +103,15 @@ def check_columns(names: Names) -> tuple[tuple[Text, str], ...]:
 def check_row(d: CheckDifference, sign: Sign, *, ids: bool = False) -> tuple[str, Text, Text, Text]:
     """The check with the part that it judges, its verdict and value in both designs, its limit."""
     values = pair(d.a.value if d.a else None, d.b.value if d.b else None)
-    a, b = (_judged_value(check, value, sign) for check, value in zip((d.a, d.b), values))
+    sides = zip((d.a, d.b), (d.before, d.after), values)
+    a, b = (_judged_value(check, verdict, value, sign) for check, verdict, value in sides)
     return d.id if ids else in_context(d.name, d.id), a, b, limit_text(d)
 
 
-def _judged_value(check: Check | None, value: Text, sign: Sign) -> Text:
+def _judged_value(check: Check | None, verdict: str, value: Text, sign: Sign) -> Text:
     if check is None:
         return NOT_HERE
-    text = Text("{verdict} {value}", verdict=sign(check.verdict), value=value)
+    text = Text("{verdict} {value}", verdict=sign(verdict), value=value)
     return Text("{value} {unit}", value=text, unit=check.unit) if check.unit else text
 
 

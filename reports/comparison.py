@@ -33,7 +33,7 @@ from .prose import BODY, HEADING, NOTE, TITLE, lines
 from .tags import title_tag
 from .title_block import SHORT_HASH
 from .values import table_blocks
-from .words import WORDS
+from .words import WORDS, verdict
 
 MOVED = 12  # verdicts that moved, in the conclusion
 DEPTHS = ("summary", "audit")  # of a comparison: the conclusion and the inputs, or everything
@@ -104,7 +104,7 @@ def _conclusion(context: Context, found: Comparison, names: Names) -> list[Block
 
 
 def _signs(context: Context) -> Sign:
-    return lambda verdict: f"{SIGNS[verdict]} {context.words[verdict]}"
+    return lambda state: verdict(context.words, state)
 
 
 def _section(context: Context, key: str, tables: list[Table]) -> list[Block]:

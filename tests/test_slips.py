@@ -1,5 +1,7 @@
 """Slips at the command line: what was meant is named, and no design is lost."""
 
+import json
+
 import pytest
 
 from .command import run
@@ -38,3 +40,12 @@ def test_a_comma_and_a_table_of_another_name_are_found_in_their_lines(tmp_path):
     path.write_text(text.replace("[bearings.front]", "[bearing.front]"), encoding="utf-8")
     at = text[: text.index("[bearings.front]")].count("\n") + 1
     assert f'x.toml:{at}: bearing: is not known; did you mean "bearings"?' in run("check", path).stderr
+
+
+def test_a_bore_in_metres_is_told_with_what_is_usual():
+    said = run("check", "designs/r753ie4_sized.toml", "--set", "engine.bore_mm=0.094", "engine.cylinder_pitch_mm=0.105").stdout
+    assert "2 inputs are not usual: bore 0.094 mm (usual 50 to 150); cylinder pitch 0.105 mm (usual 35 to 200)" in " ".join(said.split())
+    assert "not usual" not in run("check", "designs/r753ie4_sized.toml").stdout
+    found = json.loads(run("check", "designs/r753ie4_gamma.toml", "--step", "gears", "--json").stdout)["unusual"]
+    assert found == [{"key": "gears.wheels.central.span_allowance_um", "value": -2.0, "usual": [-50, -20], "unit": "µm"}]
+    assert json.loads(run("check", "designs/r753ie4_gamma.toml", "--step", "engine", "--json").stdout)["unusual"] == []

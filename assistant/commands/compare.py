@@ -129,7 +129,8 @@ def comparison_json(sides: Sides, found: Comparison) -> dict[str, Any]:
         "inputs": [{"key": d.key, "label": d.label, "unit": d.unit, "a": d.a, "b": d.b} for d in found.inputs],
         "steps": {v.step: {"a": v.a.verdict, "b": v.b.verdict, "moved": v.moved} for v in found.verdicts},
         "checks": [
-            {"id": d.id, "name": d.name, "moved": d.moved, "in": _where(d), "a": _check(d.a), "b": _check(d.b)} for d in found.checks
+            {"id": d.id, "name": d.name, "moved": d.moved, "in": _where(d), "a": _check(d.a, d.before), "b": _check(d.b, d.after)}
+            for d in found.checks
         ],
         "values": [
             {
@@ -156,7 +157,7 @@ def _where(d: CheckDifference | ValueDifference) -> str:
     return "both" if d.both else "a" if d.b is None else "b"
 
 
-def _check(check: Check | None) -> dict[str, Any] | None:
+def _check(check: Check | None, judged: str) -> dict[str, Any] | None:
     if check is None:
         return None
     return {
@@ -167,4 +168,5 @@ def _check(check: Check | None) -> dict[str, Any] | None:
         "margin": finite(check.margin),
         "kind": check.kind,
         "verdict": check.verdict,
+        "outside": judged == "outside",
     }

@@ -17,6 +17,7 @@ from calc.key_values import outside
 from calc.ready import OPEN, StepState, ready
 from calc.sheet.check import Check
 from calc.sheet.text import COMMA, Amount, Name, Text, plural
+from calc.unusual import unusual
 
 from ..base_app import BaseApp
 from ..places import label_of
@@ -118,6 +119,8 @@ class Closing(ItemList):
             (method.id, plural("{what}: {n} check holds", "{what}: {n} checks hold", n=n, what=method.name)) for method, n in beyond.items()
         ]
         yield self._part(Text("held by a formula outside its validity ({n})", n=sum(map(bool, held))), stretched, width)
+        odd = [(one.key.partition(".")[0], one.words) for one in unusual(session.design)]
+        yield self._part(Text("not usual ({n})", n=len(odd)), odd, width)
         values = session.values()
         measured = [
             (row.step, Text("{what}: {value}", what=values[row.value].label if row.value in values else self._labels((row.value,)),

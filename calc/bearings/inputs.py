@@ -37,7 +37,7 @@ ASSUMED_FIT = Assumed("IT7")
 class BearingInputs:
     """One journal in its seat."""
 
-    diameter: float = quantity("Journal diameter", "mm", above=0, high=500, symbol="d", step=0.5,
+    diameter: float = quantity("Journal diameter", "mm", above=0, high=500, symbol="d", step=0.5, usual=(15, 120), source=THUMB,
         help="Diameter of the journal; a larger one carries more and rubs more.")  # fmt: skip
     length: float = quantity("Length", "mm", above=0, high=1000, symbol="l", step=0.5, source="Finotti 2013, 5.5.2",
         help=Text("Along the shaft; {usual}. More length: lower specific load, thicker film.", usual=USUAL_LENGTH))  # fmt: skip

@@ -61,14 +61,14 @@ class EngineInputs:
         help="Half the stroke: from the crank's axis to the pin's.",
     )  # fmt: skip
     rod_length: float = quantity(
-        "Rod length", "mm", above=0, high=4000, symbol="L", source="Finotti 2013, 2.1",
+        "Rod length", "mm", above=0, high=4000, symbol="L", usual=(80, 300), source=THUMB,
         help=Text(
             "Between centres. λ = r/L is usually {low} to {high}; a longer rod lowers the second order.",
             low=Amount(CRANK_RATIO[0]), high=Amount(CRANK_RATIO[1]),
         ),
     )  # fmt: skip
     cylinder_pitch: float = quantity(
-        "Cylinder pitch", "mm", above=0, high=2000, symbol="a", source="Finotti 2013, 2.4",
+        "Cylinder pitch", "mm", above=0, high=2000, symbol="a", usual=(35, 200), source=THUMB,
         help="Distance of neighbouring cylinders; every couple is proportional to it.",
     )  # fmt: skip
     cylinder_offset: float = quantity(
@@ -127,7 +127,14 @@ class EngineInputs:
         help="At the crank radius: one for all cylinders, or one per cylinder. Left out: the rod's share and the shells.",
     )  # fmt: skip
     rated_speed: float = quantity(
-        "Rated speed", "rpm", low=1, high=30000, symbol="n", help="The speed at which forces and bearings are judged."
+        "Rated speed",
+        "rpm",
+        low=1,
+        high=30000,
+        symbol="n",
+        usual=(1000, 13000),
+        source=THUMB,
+        help="The speed at which forces and bearings are judged.",
     )
     rated_power: float | None = quantity(
         "Rated power", "kW", default=None, above=0, high=1e5, symbol="P_e",

@@ -4,7 +4,7 @@
 from ..addresses import quantity_of, value_at
 from ..design_file import Document
 from ..sheet.changes import Changes
-from ..sheet.quantity import Published
+from ..sheet.quantity import Published, Quantity
 from ..sheet.text import COMMA, Amount, Name, Small, Text
 from ..solve import Results
 
@@ -45,7 +45,12 @@ def _change(document: Document, results: Results, key: str, new: object) -> Text
 
 def named(document: Document, key: str) -> Text:
     """A key as the user knows it: the label of its field, and where it stands."""
-    label, place = BRIEF.get(key.rpartition(".")[2], Small(quantity_of(document.data, key).label)), _place(key)
+    return called(key, quantity_of(document.data, key))
+
+
+def called(key: str, about: Quantity) -> Text:
+    """The same of a key whose quantity is known."""
+    label, place = BRIEF.get(key.rpartition(".")[2], Small(about.label)), _place(key)
     if not place:
         return label
     if key.split(".")[1] in ARRAYS:

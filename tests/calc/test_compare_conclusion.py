@@ -90,3 +90,24 @@ def test_labels_say_what_they_are_of(found: Comparison, gamma: Document) -> None
     other = gamma.with_value("gears.meshes.2.support_share", 0.25)
     (row,) = input_table(inputs(gamma.data, other.data), NAMES, ids=False).rows
     assert str(row[0]).endswith("(gears, meshes, idler–shaft)")
+
+
+def test_an_acceptance_is_neither_better_nor_worse(gamma: Document, gamma_results: Results) -> None:
+    accepting = gamma.with_value("accepted.bearings.front.slope_given", "seen on the bench")
+    there = compare(gamma.data, accepting.data, gamma_results, solve(design(accepting)))
+    assert [row[-1] for row in moved_table(there, NAMES, str).rows] == ["accepted"]
+    said = " ".join(sentences(there, NAMES, str))
+    assert "accepted by one of them only: warn → accepted 1." in said and "to the better" not in said
+    back = compare(accepting.data, gamma.data, solve(design(accepting)), gamma_results)
+    assert [row[-1] for row in moved_table(back, NAMES, str).rows] == ["no longer accepted"]
+
+
+def test_what_holds_outside_validity_is_not_called_a_pass(found: Comparison) -> None:
+    rows = {d.id: d for d in found.checks}
+    safety = rows["gears.crank_central.safety_contact"]
+    assert safety.a is not None and safety.a.verdict == "pass" and (safety.before, safety.after) == ("outside", "outside")
+    only = replace(found, checks=(replace(safety, before="pass"),))
+    assert [(str(row[1]).split()[0], str(row[2]).split()[0], row[-1]) for row in moved_table(only, NAMES, str).rows] == [
+        ("pass", "outside", "worse")
+    ]
+    assert "to the worse: pass → outside 1." in " ".join(sentences(only, NAMES, str))

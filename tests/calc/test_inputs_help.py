@@ -1,16 +1,16 @@
 # SPDX-License-Identifier: Apache-2.0
 """What is said about the inputs: every number says what it means, and what is usual stands with its source and fits what is shipped."""
 
-import tomllib
 from collections.abc import Iterator
 from pathlib import Path
-from typing import Any
 
 import pytest
 
 from calc.design import STEPS
+from calc.design_file import design, parse, read
 from calc.sheet.quantity import Quantity, keys
 from calc.shipped import DESIGNS, engine_design, engines
+from calc.unusual import listed, unusual
 
 NUMBERS = ("number", "integer", "series", "integers")
 USUAL = 73  # quantities with a usual range: none of them is to be lost
@@ -27,21 +27,8 @@ def quantities(cls: type, prefix: str) -> Iterator[tuple[str, Quantity]]:
 ALL = dict(pair for step in STEPS for pair in quantities(step.inputs, step.key))
 
 
-def unusual(cls: type, data: dict[str, Any], prefix: str) -> Iterator[tuple[str, Any]]:
-    """The numbers of a design that lie outside what is usual."""
-    for key, here in data.items():
-        about = keys(cls)[key].about
-        if about.table is not None:
-            for part in here if isinstance(here, list) else [here]:
-                yield from unusual(about.table, part, f"{prefix}.{key}")
-        elif about.usual is not None:
-            if not all(about.usual[0] <= x <= about.usual[1] for x in (here if isinstance(here, list) else [here])):
-                yield f"{prefix}.{key}", here
-
-
-def unusual_of(text: str) -> list[tuple[str, Any]]:
-    data = tomllib.loads(text)
-    return [found for step in STEPS if step.key in data for found in unusual(step.inputs, data[step.key], step.key)]
+def unusual_of(text: str) -> dict[str, float]:
+    return {one.key: one.number for one in unusual(design(parse(text.encode(), "x.toml")))}
 
 
 @pytest.mark.parametrize("key", ALL)
@@ -76,17 +63,26 @@ def test_sources_are_named_without_a_stop() -> None:
 @pytest.mark.parametrize("path", sorted(DESIGNS.glob("*.toml")), ids=lambda path: path.stem)
 def test_what_is_shipped_is_usual(path: Path) -> None:
     """But for the allowance of one wheel, which the thesis prints in two ways; as printed in the table the pair can jam."""
-    assert {(key, tuple(here)) for key, here in unusual_of(path.read_text(encoding="utf-8"))} <= {
-        ("gears.wheels.span_allowance_um", (-2, -20))
-    }
+    found = unusual_of(path.read_text(encoding="utf-8"))
+    assert found.items() <= {"gears.wheels.central.span_allowance_um": -2.0}.items()
 
 
 @pytest.mark.parametrize("name", [name for name in engines() if name != "r753ie4"])
 def test_what_a_design_is_begun_with_is_usual(name: str) -> None:
-    assert unusual_of(engine_design(name)) == []
+    assert unusual_of(engine_design(name)) == {}
 
 
 def test_what_is_unusual_is_found() -> None:
     text = (DESIGNS / "r753ie4_gamma.toml").read_text(encoding="utf-8")
-    found = unusual_of(text.replace("clearance_factor = 0.8\n", "clearance_factor = 0.9\n").replace("[0.15625, 0.11501]", "[0.15625, 0.3]"))
-    assert ("bearings.front.clearance_factor", 0.9) in found and ("bearings.slope_mrad", [0.15625, 0.3]) in found
+    changed = text.replace("clearance_factor = 0.8\n", "clearance_factor = 0.9\n").replace("[0.15625, 0.11501]", "[0.15625, 0.3]")
+    found = unusual_of(changed.replace("bore_mm = 94.0", "bore_mm = 0.094"))
+    assert found.pop("gears.wheels.central.span_allowance_um") == -2.0  # as in the file
+    assert found == {"engine.bore_mm": 0.094, "bearings.slope_mrad": 0.3, "bearings.front.clearance_factor": 0.9}
+
+
+def test_what_is_unusual_is_told_with_its_range_and_a_long_list_by_its_first() -> None:
+    changed = read(DESIGNS / "r753ie4_sized.toml").with_value("engine.bore_mm", 0.094).with_value("bearings.front.diameter_mm", 360.0)
+    found = unusual(design(changed))
+    assert listed(found) == "bore 0.094 mm (usual 50 to 150); front diameter 360 mm (usual 15 to 120)"
+    assert listed(found, 1) == "bore 0.094 mm (usual 50 to 150); 1 more"
+    assert unusual(design(changed), ["gears"]) == []
