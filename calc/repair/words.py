@@ -1,12 +1,16 @@
 # SPDX-License-Identifier: Apache-2.0
 """Changes of keys in the labels and units of their fields: `front length 27.5 → 34 mm, oil 10W-40 → SAE 50`."""
 
+from typing import TYPE_CHECKING
+
 from ..addresses import quantity_of, value_at
 from ..design_file import Document
 from ..sheet.changes import Changes
 from ..sheet.quantity import Published, Quantity
 from ..sheet.text import COMMA, Amount, Name, Small, Text
-from ..solve import Results
+
+if TYPE_CHECKING:
+    from ..solve import Results
 
 ARRAYS = ("wheels", "meshes", "masses", "extras", "sections", "unbalances", "crank_bodies", "journals")
 BRIEF = {  # where the label of the form is longer than a line can bear
@@ -18,14 +22,14 @@ PLACES = {"front": Text("front"), "rear": Text("rear")}  # tables whose names ar
 DIGITS = 6
 
 
-def words(document: Document, results: Results, changes: Changes) -> Text:
+def words(document: Document, results: "Results", changes: Changes) -> Text:
     """`document` and `results` are those before the changes.  A key that only makes room for another is not named."""
     places = {key: _place(key) for key in changes}
     kept = [key for key, new in changes.items() if new is not None or not any(o != key and places[o] == places[key] for o in changes)]
     return COMMA.join(filter(None, (_change(document, results, key, changes[key]) for key in kept)))
 
 
-def _change(document: Document, results: Results, key: str, new: object) -> Text | None:
+def _change(document: Document, results: "Results", key: str, new: object) -> Text | None:
     """None where it only writes down what the program had chosen."""
     about, old = quantity_of(document.data, key), value_at(document.data, key)
     if old is None and (there := published(results, key)) is not None and there.unit == about.unit:
@@ -58,7 +62,7 @@ def called(key: str, about: Quantity) -> Text:
     return Text("{place} {change}", place=PLACES.get(place, place), change=label)
 
 
-def published(results: Results, key: str) -> Published | None:
+def published(results: "Results", key: str) -> Published | None:
     """The result that says what the program chose for a key that is left out: `gears.central.profile_shift`, `bearings.front.clearance`."""
     id = ".".join(part for part in key.split(".") if part not in ARRAYS)
     outcome = results.outcomes.get(key.partition(".")[0])

@@ -85,6 +85,7 @@ def test_reports_know_no_single_step() -> None:
         "calc.publications",
         "calc.repair.remedy",
         "calc.solve",
+        "calc.unusual",
         "calc.version",
     )
     for path in (ROOT / "reports").glob("*.py"):
