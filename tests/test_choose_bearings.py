@@ -64,6 +64,24 @@ def test_what_fits_comes_first_and_nothing_is_wider_than_a_page(copy):
     assert numbers == list(range(1, 21)) and any("--top" in line for line in lines)
 
 
+def test_the_design_stands_in_its_row_as_the_others_are_judged(copy):
+    """Those that fit hold as given, not at the corners: so does the row of the design, whose film is that of the check."""
+    path = copy("r753ie4_gamma")
+    found = json.loads(run("choose", path, "bearings", "--json").stdout)
+    labels = [column["label"] for column in found["columns"]]
+    now = dict(zip(labels, found["rows"][0]))
+    values = json.loads(run("check", path, "--json").stdout)["values"]
+    assert now["no."] == "now"
+    assert now["h_edge"] == pytest.approx(values["bearings.front.film_edge"]["value"], rel=2e-3)
+    assert now["h_2F"] == pytest.approx(values["bearings.front.film_double_load"]["value"], rel=2e-3)
+
+
+def test_what_is_locked_is_said_before_a_row_is_applied(copy):
+    path = copy("r753ie4_gamma")
+    assert "Row 1 changes what is locked: Oil (bearings.oil): " in " ".join(run("choose", path, "bearings").stdout.split())
+    assert "locked" not in run("choose", copy("r753ie4_sized"), "bearings", "--top", "1").stdout
+
+
 def test_the_json_has_all_tables(copy):
     path = copy("r753ie4_sized")
     found = json.loads(run("choose", path, "bearings", "--json", "--top", "50").stdout)

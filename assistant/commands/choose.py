@@ -11,14 +11,14 @@ from pathlib import Path
 
 from assistant.changes import locked_text
 from assistant.commands.check import changed
-from assistant.offers.offer import CHOICES
+from assistant.offers.offer import CHOICES, Offer
 from assistant.offers.offer import offer as offer_for
 from assistant.plain import LINE, check_line, print_summary, sign, table_json, table_lines
 from assistant.saving import edited_text, write_asked
 from calc.addresses import parse_assignment
 from calc.design_file import Document, design, read
 from calc.sheet.errors import BadInput, InputError, NoSolution
-from calc.sheet.text import COMMA, Text
+from calc.sheet.text import COMMA, EMPTY, Text
 from calc.solve import TITLES, solve
 
 
@@ -70,8 +70,18 @@ def run(asked: Namespace) -> int:
         print()
     for words in offer.notes:
         print("\n".join(textwrap.wrap(words, LINE, initial_indent="- ", subsequent_indent="  ", break_long_words=False)))
+    if shut := _locked(document, offer):
+        print(Text("\nRow 1 {changes}", changes=shut))
     print(f"\n{offer.hint}")
     return 0
+
+
+def _locked(document: Document, offer: Offer) -> Text:
+    """What is locked that the first row changes."""
+    try:
+        return locked_text(document, offer.changes(1))
+    except NoSolution:  # it does not hold after all, which applying it says
+        return EMPTY
 
 
 def _write(path: Path, document: Document, changes: list[str], step: str, said: str) -> None:

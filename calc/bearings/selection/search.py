@@ -108,7 +108,9 @@ def search(case: Case, progress: Progress | None = None) -> Found:
         for v, fields in every if id(v) not in shown
     ]  # fmt: skip
     verified = min(len(rows), VERIFIED)
-    return Found(case, kind if fitting else "none", as_is(bearings, offered[0], slopes), tuple(fitting), tuple(beyond),
+    kind = kind if fitting else "none"
+    now = as_is(bearings, offered[0], slopes, corners=kind != "given")
+    return Found(case, kind, now, tuple(fitting), tuple(beyond),
         tuple(pareto(of if fitting else every, slopes)), bearings, tuple(offered), (slopes, *(one.slopes for one in rows[:verified])),
         tuple(refused), tuple(dropped), {number: one.broken for number, one in enumerate(rows, 1) if one.broken},
         tuple(crossings(case.results)), placed(case.bearings) is not None, verified)  # fmt: skip
@@ -311,11 +313,11 @@ def _rank(one: Settled) -> tuple[int, float, float]:
     return one.row.level, one.row.power, one.row.change
 
 
-def as_is(bearings: Tasks, variant: Variant, slopes: Slopes) -> Row | None:
-    """The design as it stands, judged by the same rules; None where a bearing has no film."""
+def as_is(bearings: Tasks, variant: Variant, slopes: Slopes, *, corners: bool) -> Row | None:
+    """The design as it stands, judged by the same rules as the rows, at the corners or as given; None where a bearing has no film."""
     both = []
     for place in PLACES:
-        task = bearings[place][0].with_oil(variant.lubricant, variant.supply)
+        task = replace(bearings[place][0].with_oil(variant.lubricant, variant.supply), corners=corners)
         both += picks(task, [task.length], [task.clearance], slopes[place])
     return Row("now", variant, *both) if all(one.power == one.power for one in both) else None
 
