@@ -11,7 +11,7 @@ from calc.key_values import outside, stretched
 from calc.sheet.check import SIGNS, Check, grouped, named, severity, with_it
 from calc.sheet.rules import pattern_of
 from calc.sheet.text import SPACE, Amount, Name, Text, plural
-from calc.unusual import Unusual, listed
+from calc.unusual import SHOWN, Unusual, told
 
 WORDS = {
     "pass": "pass", "warn": "warn", "fail": "FAIL", "note": "note", "not_verified": "not verified", "accepted": "accepted",
@@ -26,8 +26,8 @@ def sign(verdict: str) -> str:
     return f"{SIGNS['note' if verdict == 'outside' else verdict]} {WORDS[verdict]}"
 
 
-def finding_lines(checks: Sequence[Check], everything: bool = False) -> Iterator[str]:
-    """All that is open, and what the user accepted."""
+def finding_lines(checks: Sequence[Check], everything: bool = False, odd: Sequence[Unusual] = ()) -> Iterator[str]:
+    """All that is open, and what the user accepted; `odd`: inputs that are not usual, which stand before what are notes."""
     groups = [[check for check in group if check.open] for group in grouped(checks)]
     found = [group for group in groups if group]
     for group in found:
@@ -38,6 +38,7 @@ def finding_lines(checks: Sequence[Check], everything: bool = False) -> Iterator
             yield from _finding(group[0])
             if len(group) > 1:
                 yield from _wrapped(with_it(group[1:]))
+    yield from _unusual(odd, len(odd) if everything else SHOWN)
     if not everything:
         yield from _counts("advice", [group for group in found if group[0].kind == "advice"])
         yield from _counts("method", [group for group in found if group[0].kind == "method"])
@@ -94,13 +95,11 @@ def _outside(checks: Sequence[Check]) -> Iterator[str]:
         yield from _wrapped(told, f"{sign('note')}  ")
 
 
-def unusual_lines(found: list[Unusual], everything: bool = False) -> list[str]:
-    """The inputs outside what is usual; the form shows the ranges beside their fields."""
-    if not found:
-        return []
-    inputs = listed(found, len(found) if everything else 3)
-    told = plural("{n} input is not usual: {inputs}", "{n} inputs are not usual: {inputs}", n=len(found), inputs=inputs)
-    return _wrapped(told, f"{sign('note')}  ")
+def _unusual(odd: Sequence[Unusual], most: int) -> Iterator[str]:
+    """The inputs outside what is usual, and their keys below."""
+    if odd:
+        yield from _wrapped(told(odd, most), f"{sign('note')}  ")
+        yield from _wrapped(" · ".join(one.key for one in odd[:most]))
 
 
 def _wrapped(text: str, start: str = INDENT) -> list[str]:

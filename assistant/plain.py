@@ -15,7 +15,7 @@ from calc.solve import TITLES, Results
 from calc.unusual import unusual
 from calc.version import VERSION
 
-from .findings import finding_lines, unusual_lines
+from .findings import finding_lines
 from .findings import sign as sign
 
 if TYPE_CHECKING:
@@ -127,8 +127,8 @@ def print_summary(results: Results, step: str | None = None, everything: bool = 
     `everything`: every check of a group, advice and method in full.
     """
     shown = {key: outcome for key, outcome in results.outcomes.items() if step in (None, key)}
-    found = list(finding_lines([check for outcome in shown.values() for check in outcome.checks], everything))
-    found += unusual_lines(unusual(results.design, shown), everything)
+    checks = [check for outcome in shown.values() for check in outcome.checks]
+    found = list(finding_lines(checks, everything, unusual(results.design, shown)))
     for line in [*found, ""] if found else []:
         print(line)
     for key, outcome in shown.items():

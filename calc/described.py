@@ -38,7 +38,7 @@ def described(design: Design) -> Iterator[tuple[Text, Text]]:
     if (gears := design.gears) is not None:
         teeth = DASH.join(Text("{name} {teeth}", name=Name(wheel.name), teeth=wheel.teeth) for wheel in gears.wheels)
         yield TITLES["gears"], Text(
-            "{teeth}; module {module}, pressure angle {alpha}, helix angle {beta}, face width {width}",
+            "{teeth}; module {module}, pressure angle {alpha}, helix {beta}, face width {width}",
             teeth=teeth, module=_mm(gears.module),
             alpha=_degrees(gears.pressure_angle), beta=_degrees(gears.helix_angle), width=_mm(gears.face_width),
         )  # fmt: skip

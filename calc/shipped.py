@@ -68,12 +68,11 @@ def engine_design(name: str) -> str:
     imbalance = {"crank_balance_fraction": 0.5, "kinematics": "exact"} | row.get("imbalance", {})
     body = f"[engine]\n{_lines(engine)}\n[imbalance]\n{_lines(imbalance)}"
     from .design_file import parse
-    from .starter.balancing import what_shakes, with_imbalance
     from .starter.build import begun  # numpy, which a list of the engines does not need
 
     document = parse(_text(title, "", body).encode("utf-8"), name)
-    note = Text("{what}. Without counterweights: {shakes}. Data: {source}. What rules of this program have added is marked as assumed.",
-        what=row["what"], shakes=what_shakes(with_imbalance(document)), source=row["source"])  # fmt: skip
+    words = dict(what=row["what"], source=row["source"])  # no number of what shakes: it would stay when the engine is edited
+    note = Text("{what}. Data: {source}. What rules of this program have added is marked as assumed.", **words)
     return _text(title, note, body + begun(document))
 
 

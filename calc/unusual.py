@@ -1,26 +1,28 @@
 # SPDX-License-Identifier: Apache-2.0
 """Numbers that are given outside what is usual: a unit or a digit that slipped, more often than a bold design."""
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 
 from .addresses import join
 from .design import STEPS, Design
 from .repair.words import called
 from .sheet.quantity import Quantity, keys
 from .sheet.record import record
-from .sheet.text import SEMICOLON, Amount, Text
+from .sheet.text import EMPTY, SEMICOLON, Amount, Text, plural
 
 KEYS = tuple(step.key for step in STEPS)
+SHOWN = 4
 
 
 @record
 class Unusual:
-    """One input: its key, and the number furthest outside, in the unit of `about`, as the range is."""
+    """One input: its key, and the number furthest outside, in the unit of `about`, as the range is; `beyond`: by so many ranges."""
 
     key: str
     about: Quantity
     number: float
     usual: tuple[float, float]
+    beyond: float
 
     @property
     def words(self) -> Text:
@@ -32,8 +34,9 @@ class Unusual:
 
 
 def unusual(design: Design, steps: Iterable[str] = KEYS) -> list[Unusual]:
-    """In the order of the form.  Ranges are those that the form shows beside a field."""
-    return [one for step in steps if (inputs := getattr(design, step)) is not None for one in _of(inputs, step)]
+    """The furthest outside first.  Ranges are those that the form shows beside a field."""
+    found = [one for step in steps if (inputs := getattr(design, step)) is not None for one in _of(inputs, step)]
+    return sorted(found, key=lambda one: -one.beyond)
 
 
 def _of(inputs: object, prefix: str) -> Iterator[Unusual]:
@@ -49,12 +52,16 @@ def _of(inputs: object, prefix: str) -> Iterator[Unusual]:
                 yield from _of(element, join(here, getattr(element, "name", "") or str(n)))
         elif (usual := about.usual) is not None:
             numbers = [about.units.shown(x) for x in (content if isinstance(content, tuple) else (content,))]
-            beyond = [max(usual[0] - number, number - usual[1]) for number in numbers]
+            beyond = [max(usual[0] - number, number - usual[1]) / (usual[1] - usual[0]) for number in numbers]
             if (most := max(beyond, default=0.0)) > 0:
-                yield Unusual(here, about, numbers[beyond.index(most)], usual)
+                yield Unusual(here, about, numbers[beyond.index(most)], usual, most)
 
 
-def listed(found: list[Unusual], most: int = 3) -> Text:
-    """Of more than `most` the rest as a number."""
-    first = SEMICOLON.join(one.words for one in found[:most])
-    return first if len(found) <= most else Text("{names}; {more} more", names=first, more=len(found) - most)
+def told(found: Sequence[Unusual], most: int = SHOWN) -> Text:
+    """Of more than `most` the rest as a number; empty where there are none."""
+    if not found:
+        return EMPTY
+    inputs = SEMICOLON.join(one.words for one in found[:most])
+    if len(found) > most:
+        inputs = Text("{names}; {more} more", names=inputs, more=len(found) - most)
+    return plural("{n} input is not usual: {inputs}", "{n} inputs are not usual: {inputs}", n=len(found), inputs=inputs)

@@ -10,7 +10,6 @@ from calc.sheet.check import Check, grouped
 from calc.sheet.rules import pattern_of
 from calc.sheet.step import Outcome, Step
 from calc.sheet.text import Amount, Text
-from calc.unusual import listed, unusual
 
 from .checks import counted, name_of, shown_value, sign_cell
 from .context import Context
@@ -42,19 +41,12 @@ def chapter_parts(context: Context, number: int, step: Step, outcome: Outcome[ob
         ("figures", lambda: figures),
         ("tables", lambda: table_blocks(context, [t for t in outcome.tables if t.id in TABLES])),
         ("inputs", lambda: input_blocks(context, step)),
-        ("notes", lambda: remarks(context, step.key) + note_blocks(context, step, outcome)),
+        ("notes", lambda: remarks(context, step.key) + [b for note in outcome.notes for b in bullet(note, NOTE, gap=0.7)]),
     )
     if not outcome.reason:
         return parts
     # what is said of the step as a whole is read with what it rests on and what it comes to, before anything is proven
     return tuple(sorted(parts, key=lambda part: EARLY.index(part[0]) if part[0] in EARLY else len(EARLY)))
-
-
-def note_blocks(context: Context, step: Step, outcome: Outcome[object]) -> list[Block]:
-    """What the step stands on, the inputs that are not usual first."""
-    odd = unusual(context.design, [step.key])
-    said = [context.text("unusual", inputs=listed(odd, len(odd)))] if odd else []
-    return [block for note in (*said, *outcome.notes) for block in bullet(note, NOTE, gap=0.7)]
 
 
 def finding_blocks(context: Context, outcome: Outcome[object]) -> list[Block]:

@@ -10,6 +10,7 @@ from calc.id_words import knows
 from calc.key_values import key_results
 from calc.sheet.check import SIGNS, THIN_MARGIN
 from calc.sheet.text import Amount, Text
+from calc.unusual import told, unusual
 
 from .checks import attention_blocks, counted, name_of, shown_value, sign_cell
 from .content import Words
@@ -141,6 +142,8 @@ def _verdict(context: Context) -> list[Block]:
             "governing", name=name_of(context, worst), value=shown_value(context, worst), limit=context.say(worst.limit_text())
         )
         words = ". ".join([words, ", ".join(filter(None, (at, used(context, worst).words)))])
+    if odd := told(unusual(context.design)):
+        words = ". ".join([words, context.say(odd)])
     big = Style(15.0, 18.0, BOLD, STATE_COLOURS[state])
     sign = one_line(f"{SIGNS[state]}  {w[state].upper()}", big, 0.4 * WIDTH)
     beside = lines(words, BODY, WIDTH - sign.width - 40.0)

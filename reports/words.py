@@ -26,7 +26,7 @@ WORDS: dict[str, Text] = {
     "inputs": Text("Inputs"), "notes": Text("Assumptions"), "formulas": Text("Formulas"), "results": Text("Results"),
     "proposals": Text("Proposed remedies"), "tables": Text("Tables"), "checks": Text("Checks"), "figures": Text("Figures"),
     "figure": Text("Figure"), "summary": Text("Summary"), "defaults": Text("* default of the program, not given in the design file."),
-    "remarks": REMARKS, "unusual": Text("Not usual: {inputs}."),
+    "remarks": REMARKS,
     "left_out": Text("Left out, chosen by the program where it is needed: {names}."),
     "substitution": Text(
         "Numbers are substituted in SI units (m, kg, s, N, Pa, W; angles in rad, temperatures in °C); a vector in the plane is "

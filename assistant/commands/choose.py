@@ -71,7 +71,7 @@ def run(asked: Namespace) -> int:
     for words in offer.notes:
         print("\n".join(textwrap.wrap(words, LINE, initial_indent="- ", subsequent_indent="  ", break_long_words=False)))
     if shut := _locked(document, offer):
-        print(Text("\nRow 1 {changes}", changes=shut))
+        print("", Text("Row 1 {changes}", changes=shut), sep="\n")
     print(f"\n{offer.hint}")
     return 0
 
