@@ -10,7 +10,8 @@ from collections.abc import Iterator, Sequence
 from calc.key_values import outside, stretched
 from calc.sheet.check import SIGNS, Check, grouped, named, severity, with_it
 from calc.sheet.rules import pattern_of
-from calc.sheet.text import SPACE, Amount, Name, Text, plural
+from calc.sheet.text import EMPTY, SPACE, Amount, Name, Text, plural
+from calc.solve import Results
 from calc.unusual import SHOWN, Unusual, told
 
 WORDS = {
@@ -100,6 +101,19 @@ def _unusual(odd: Sequence[Unusual], most: int) -> Iterator[str]:
     if odd:
         yield from _wrapped(told(odd, most), f"{sign('note')}  ")
         yield from _wrapped(" · ".join(one.key for one in odd[:most]))
+
+
+def lost_acceptances(results: Results) -> Iterator[str]:
+    """What is accepted, and of no check that the design has: of a step that is not solved it may be one."""
+    known = {check.id for outcome in results.outcomes.values() for check in outcome.checks}
+    waits = {key for key, outcome in results.outcomes.items() if outcome.state != "solved"}
+    for id, _ in results.design.accepted:
+        if id not in known and id.partition(".")[0] not in waits:
+            from difflib import get_close_matches
+
+            near = get_close_matches(id, known, 1)
+            meant = Text("; did you mean {near}?", near=near[0]) if near else EMPTY
+            yield from _wrapped(Text("Accepted, but this design has no such check: {id}{meant}", id=id, meant=meant), f"{sign('note')}  ")
 
 
 def _wrapped(text: str, start: str = INDENT) -> list[str]:

@@ -15,7 +15,7 @@ from calc.solve import TITLES, Results
 from calc.unusual import unusual
 from calc.version import VERSION
 
-from .findings import finding_lines
+from .findings import finding_lines, lost_acceptances
 from .findings import sign as sign
 
 if TYPE_CHECKING:
@@ -128,7 +128,7 @@ def print_summary(results: Results, step: str | None = None, everything: bool = 
     """
     shown = {key: outcome for key, outcome in results.outcomes.items() if step in (None, key)}
     checks = [check for outcome in shown.values() for check in outcome.checks]
-    found = list(finding_lines(checks, everything, unusual(results.design, shown)))
+    found = [*finding_lines(checks, everything, unusual(results.design, shown)), *lost_acceptances(results)]
     for line in [*found, ""] if found else []:
         print(line)
     for key, outcome in shown.items():

@@ -16,6 +16,7 @@ from .key_values import is_least, judged, key_results
 from .sheet.check import ORDER, Check, worst
 from .sheet.quantity import Published
 from .sheet.text import EMPTY, Name, Text
+from .unusual import told, unusual
 
 if TYPE_CHECKING:
     from .solve import Results
@@ -88,7 +89,7 @@ class CheckDifference:
         """B is judged worse than A; a check that only one design has, where it does not pass."""
         if self.both:
             return RANKS.index(self.after) > RANKS.index(self.before)
-        return RANKS.index(self.before or self.after) > RANKS.index("pass")
+        return RANKS.index(self.before or self.after) > RANKS.index("accepted")
 
     @property
     def accepted(self) -> bool:
@@ -157,6 +158,7 @@ class Comparison:
     checks: tuple[CheckDifference, ...]  # of a step those first whose verdict has moved; of those of one design those that do not pass
     values: tuple[ValueDifference, ...]
     results: tuple[KeyResult, ...] = ()  # of either design, whether they differ or not
+    unusual: tuple[Text, Text] = (EMPTY, EMPTY)  # the inputs of A and of B that are not usual
 
     @property
     def equal(self) -> bool:
@@ -196,6 +198,7 @@ def compare(a: Table, b: Table, results_a: "Results", results_b: "Results", same
     return Comparison(
         tuple(inputs(a, b)), tuple(_verdicts(results_a, results_b)), tuple(_checks(results_a, results_b, same)),
         tuple(_values(results_a, results_b, same)), tuple(_key_results(results_a, results_b)),
+        (told(unusual(results_a.design)), told(unusual(results_b.design))),
     )  # fmt: skip
 
 

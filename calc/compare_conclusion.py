@@ -45,6 +45,10 @@ def sentences(found: Comparison, names: Names, sign: Sign) -> list[Text]:
                     name=name,
                 )
             )
+    if found.unusual[0] and found.unusual[0] == found.unusual[1]:
+        made.append(Text("In both {inputs}.", inputs=found.unusual[0]))
+    else:
+        made += [Text("In {name} {inputs}.", name=name, inputs=odd) for name, odd in zip(names, found.unusual) if odd]
     ways = Counter(result.better for result in found.results if result.a is not None and result.b is not None)
     if ways:
         counts = dict(better=ways[True], worse=ways[False], same=ways[None], share=Amount(NOTABLE * 100, "%"))

@@ -18,7 +18,7 @@ from calc.languages.outcome import in_language
 from calc.prediction import compared_table
 from calc.sheet.check import SIGNS
 from calc.sheet.step import Table
-from calc.sheet.text import EMPTY, Name
+from calc.sheet.text import EMPTY, Name, plural
 from calc.solve import Results
 
 from . import attach
@@ -100,7 +100,8 @@ def _conclusion(context: Context, found: Comparison, names: Names) -> list[Block
     said = sentences(found, names, sign)
     made = [block for n, text in enumerate(said) for block in bullet(context.say(text), gap=8.0 if n == 0 else 1.5)]
     tables = (moved_table(found, names, sign, MOVED), result_table(found, names))
-    return made + table_blocks(context, [in_language(table, context.say) for table in tables if table.rows or table.note])
+    alone = [block for table in tables if not table.rows and table.note for block in bullet(context.say(table.note), gap=1.5)]
+    return made + alone + table_blocks(context, [in_language(table, context.say) for table in tables if table.rows])
 
 
 def _signs(context: Context) -> Sign:
@@ -118,7 +119,9 @@ def _section(context: Context, key: str, tables: list[Table]) -> list[Block]:
 
 def _more(context: Context, found: Comparison) -> str:
     """What is not shown."""
-    return context.text("more_differ", checks=len(found.checks), values=len(found.values))
+    checks = plural("{n} check", "{n} checks", n=len(found.checks))
+    values = plural("{n} value", "{n} values", n=len(found.values))
+    return context.text("more_differ", checks=checks, values=values)
 
 
 def _details(context: Context, found: Comparison, names: Names) -> list[Block]:

@@ -84,7 +84,7 @@ WORDS: dict[str, Text] = {
     "attached_pair": Text(
         "Both design files are attached to this document, as a.toml and b.toml; `contralbero verify` solves them again and compares."
     ),
-    "more_differ": Text("{checks} checks and {values} values differ in all; `contralbero compare --all` lists them."),
+    "more_differ": Text("What differs in all: {checks}, {values}; `contralbero compare --all` lists them."),
     "lone_values": plural(
         "{n} check or value stands in one design only and is not shown; `contralbero compare --all` lists it.",
         "{n} checks and values stand in one design only and are not all shown; `contralbero compare --all` lists them.",

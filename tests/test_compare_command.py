@@ -48,7 +48,7 @@ def test_the_conclusion_stands_first(capsys, found) -> None:
     assert re.search(r"Sum of the losses +115\.1 +228\.7 +W +\+99 % +worse\n", out)
     assert re.search(r"bearings\.rear\.diameter_mm +40 +81\n", out)
     assert re.search(r"countershaft\.bolts +left out +6 keys\n", out)
-    assert f"{len(found['checks'])} checks and {len(found['values'])} values differ in all" in out
+    assert f"What differs in all: {len(found['checks'])} checks, {len(found['values'])} values; --all lists them." in out
     assert max(map(len, out.splitlines())) <= 140
     assert "bearings.rear.film" not in out and "Verdicts of the steps" not in out  # that is asked for
 

@@ -2,12 +2,13 @@
 """`contralbero compare`: two designs side by side: what the comparison comes to, the inputs that differ, the rest when asked for."""
 
 import sys
+import textwrap
 from argparse import Namespace
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
-from assistant.plain import finite, sign, table_lines
+from assistant.plain import LINE, finite, sign, table_lines
 from assistant.saving import spare
 from calc.compare import EQUAL, CheckDifference, Comparison, KeyResult, ValueDifference, compare
 from calc.compare_conclusion import moved_table, result_table, sentences
@@ -18,7 +19,7 @@ from calc.prediction import compared_table
 from calc.sheet.check import Check
 from calc.sheet.errors import BadInput, InputError
 from calc.sheet.step import Table
-from calc.sheet.text import Text
+from calc.sheet.text import Text, plural
 from calc.sheet.visible import visible
 from calc.solve import Results, solve
 from calc.version import VERSION
@@ -87,8 +88,10 @@ def text(sides: Sides, found: Comparison, everything: bool) -> Iterator[str]:
     measured = compared_table((a.design, a.predicted), (b.design, b.predicted), names)
     tables = [moved_table(found, names, sign, 0 if everything else MOST), result_table(found, names), measured]
     for table in [*tables, input_table(found.inputs, names, full=everything)]:
-        if table is not None and (table.rows or table.note):
+        if table is not None and table.rows:
             yield from _table(table)
+        elif table is not None and table.note:
+            yield from ("", *textwrap.wrap(table.note, LINE))
     if everything:
         yield from _table(verdict_table(found, names, sign))
         if found.checks:
@@ -98,9 +101,9 @@ def text(sides: Sides, found: Comparison, everything: bool) -> Iterator[str]:
                 yield from _table(value_table(step.key, Text("{step}: values that differ", step=step.title), of_step, names))
     else:
         yield ""
-        yield Text(
-            "{checks} checks and {values} values differ in all: --all lists them.", checks=len(found.checks), values=len(found.values)
-        )
+        checks = plural("{n} check", "{n} checks", n=len(found.checks))
+        values = plural("{n} value", "{n} values", n=len(found.values))
+        yield Text("What differs in all: {checks}, {values}; --all lists them.", checks=checks, values=values)
 
 
 def column_names(a: str, b: str) -> Names:

@@ -12,6 +12,7 @@ from tempfile import TemporaryDirectory
 from assistant.commands.check import changed, known_step
 from assistant.plain import sign
 from assistant.saving import asked_for, spare
+from calc.design import Design
 from calc.design_file import Document, read
 from calc.files import demand_writable, write_file
 from calc.sheet.check import ORDER
@@ -19,7 +20,9 @@ from calc.sheet.errors import BadInput, InputError, NoSolution
 from calc.sheet.text import Text
 from calc.sweep import Plan, Sweep, grid, listed, sampled, swept, toleranced, varied
 from calc.sweep.kept import InFolder, key_of
+from calc.sweep.run import designs
 from calc.sweep.table import NO_DESIGN, columns, parquet, write_csv, write_parquet
+from calc.unusual import told, unusual
 
 OFTEN = 2.0  # seconds between two lines of progress
 
@@ -38,7 +41,7 @@ def run(asked: Namespace) -> int:
             store = _store(task, Path(folder))
             swept(task, store, Progress(task.plan.count), processes, asked.scheduler or "")
             counts = write_csv(sys.stdout, document, task.plan.inputs, store)
-        print(_summary(counts), file=sys.stderr)
+        print(_summary(counts, task), file=sys.stderr)
     except NoSolution as none:
         print(f"{asked.file}: {none}", file=sys.stderr)
         return 3
@@ -117,10 +120,14 @@ def _to_file(task: Sweep, path: Path, file: str, processes: int, scheduler: str)
         raise BadInput(str(path), [InputError(0, "", "", reason)]) from None
     width = len(columns(task.document, task.plan.inputs, store).header)
     store.clear()
-    print(f"{_summary(counts)}\n{path}: {width} columns")
+    print(f"{_summary(counts, task)}\n{path}: {width} columns")
     return 0
 
 
-def _summary(counts: Counter[str]) -> str:
+def _summary(counts: Counter[str], task: Sweep) -> str:
+    """How many came out how, and what is not usual of the first design and the last."""
     words = [f"{counts[v]} {sign(v)}" for v in ORDER if counts[v]] + ([f"{counts[NO_DESIGN]} no design"] if counts[NO_DESIGN] else [])
-    return f"{counts.total()} designs: " + ", ".join(words)
+    ends = [*task.plan.rows(0, 1), *task.plan.rows(task.plan.count - 1, task.plan.count)]
+    odd = [one for end in designs(task.document, task.plan.inputs, ends) if isinstance(end, Design) for one in unusual(end)]
+    furthest = {one.key: one for one in sorted(odd, key=lambda one: one.beyond)}
+    return "\n".join(filter(None, (f"{counts.total()} designs: " + ", ".join(words), told([*furthest.values()]))))

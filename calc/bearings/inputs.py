@@ -216,4 +216,6 @@ class BearingsInputs:
             for name in ("hole_diameter", "groove_width", "pocket_width", "axial_groove_length"):
                 width = getattr(self, name)
                 if width is not None and width >= bearing.length:
-                    yield f"{name}_mm", Text("must be smaller than the length of the {place} bearing", place=IN_WORDS[place])
+                    length = Amount(bearing.length * 1e3, "mm")
+                    yield f"{name}_mm", Text("must be smaller than the length of the {place} bearing, {length}", place=IN_WORDS[place],
+                        length=length)  # fmt: skip

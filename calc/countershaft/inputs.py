@@ -21,7 +21,9 @@ class EccentricMass:
     """One eccentric mass of the shaft."""
 
     name: str = text("Name")
-    mass: float = quantity("Mass", "kg", low=0, high=1000, symbol="m_i", help="Mass of this eccentric part of the shaft.")
+    mass: float = quantity(
+        "Mass", "kg", low=0, high=1000, symbol="m_i", usual=(0.05, 20), source=THUMB, help="Mass of this eccentric part of the shaft."
+    )
     radius: float = quantity("Radius of its centre of gravity", "mm", low=0, high=1000, symbol="e_i",
         help="Distance of its centre of gravity from the shaft's axis.")  # fmt: skip
     angle: float = quantity("Angle", "°", low=-720, high=720, symbol="phi_i", step=1, help=ANGLE)
@@ -122,17 +124,19 @@ class CountershaftInputs:
     masses: tuple[EccentricMass, ...] = tables("Eccentric masses", EccentricMass, default=())
     extras: tuple[Extra, ...] = tables("Further elements", Extra, default=())
     outer_radius: float | None = quantity(
-        "Outer radius of the sectors", "mm", default=None, above=0, high=1000, symbol="R", step=0.5,
+        "Outer radius of the sectors", "mm", default=None, above=0, high=1000, symbol="R", step=0.5, usual=(15, 120), source=THUMB,
         help="What may still be threaded through the largest seat. Needed for mode size; else the largest journal less the clearance.",
     )  # fmt: skip
     core_radius: float | None = quantity("Core radius", "mm", default=None, low=0, high=1000, symbol="r_0", step=0.5,
+        usual=(6, 80), source=THUMB,
         help="Radius of the shaft between and inside the sectors.")  # fmt: skip
     half_length: float | None = quantity("Half-length", "mm", default=None, above=0, high=5000, symbol="z_max", step=1,
+        usual=(30, 600), source=THUMB,
         help="Outer faces of the sectors from mid-shaft. Needed for mode size.")  # fmt: skip
     overdesign: float = quantity("Couple beyond the required one", "%", default=0.0, low=-50, high=50, symbol="x_o", usual=(0, 5),
         source="rule of this program, by the holes", help="Mode size: what drilling takes away again.")  # fmt: skip
     radial_clearance: float | None = quantity(
-        "Clearance for threading in", "mm", default=None, low=0, high=50, symbol="c_R", source="Finotti 2013, 4.1",
+        "Clearance for threading in", "mm", default=None, low=0, high=50, symbol="c_R", usual=(0.2, 5), source=THUMB,
         help="Between sectors and largest seat. Left out: none asked; in mode given the shaft is not threaded through a seat.",
     )  # fmt: skip
     sections: tuple[Section, ...] = tables("Outline for bending", Section, default=())

@@ -137,11 +137,11 @@ class EngineInputs:
         help="The speed at which forces and bearings are judged.",
     )
     rated_power: float | None = quantity(
-        "Rated power", "kW", default=None, above=0, high=1e5, symbol="P_e",
+        "Rated power", "kW", default=None, above=0, high=1e5, symbol="P_e", usual=(2, 600), source=THUMB,
         help="Brake power at rated speed: gives the brake mean effective pressure, and the share of it that the train's losses take.",
     )  # fmt: skip
     flywheel_inertia: float | None = quantity(
-        "Inertia of the flywheel", "kg·m²", default=None, above=0, high=1e5, symbol="J",
+        "Inertia of the flywheel", "kg·m²", default=None, above=0, high=1e5, symbol="J", usual=(0.005, 10), source=THUMB,
         help="Moment of inertia of the flywheel; with the gas it gives the speed irregularity.",
     )  # fmt: skip
     bench: tuple[BenchPoint, ...] = tables("Bench run", BenchPoint, default=(), help="Oil in the main gallery over speed.")

@@ -49,7 +49,7 @@ class GearsInputs:
         usual=(14.5, 25), source=THUMB, help="Of the tool, normal to the teeth; 20° is common.")  # fmt: skip
     helix_angle: float = quantity("Helix angle", "°", low=0, high=35, symbol="beta", default=0.0, usual=(0, 30), source=THUMB,
         help="At the reference circle; 0: spur wheels.")  # fmt: skip
-    face_width: float = quantity("Face width", "mm", low=0.1, high=2000, symbol="b", source=THUMB,
+    face_width: float = quantity("Face width", "mm", low=0.1, high=2000, symbol="b", usual=(5, 80), source=THUMB,
         help="Of all wheels that give none of their own; often 6 to 12 modules.")  # fmt: skip
     tool_addendum: float = quantity("Tool addendum", default=1.25, low=0.5, high=3, symbol="h_aP0", step=0.05, usual=(1.2, 1.5),
         source=THUMB, help="In modules; makes the root.")  # fmt: skip

@@ -64,9 +64,12 @@ class Parts:
         """The outcome of a step that is not called: not asked where it has no inputs, else blocked by those of `after` without result."""
         if inputs is None:
             return Outcome(key, "not_asked")
-        late = {outcome.key for outcome in after if outcome.state != "solved"}
-        titles = [title for other, title in self.titles.items() if other in late]
-        return Outcome(key, "blocked", reason=Text("waits for {waiting}", waiting=Text(" and ").join(titles)))
+        late = {outcome.key: outcome.state for outcome in after if outcome.state != "solved"}
+        waiting = [
+            Text("{step} (not given: add the table [{key}])", step=title, key=other) if late[other] == "not_asked" else title
+            for other, title in self.titles.items() if other in late
+        ]  # fmt: skip
+        return Outcome(key, "blocked", reason=Text("waits for {waiting}", waiting=Text(" and ").join(waiting)))
 
 
 def _same(known: tuple[object, ...], arguments: tuple[object, ...]) -> bool:

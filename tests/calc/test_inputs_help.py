@@ -10,7 +10,7 @@ from calc.design import STEPS
 from calc.design_file import design, parse, read
 from calc.sheet.quantity import Quantity, keys
 from calc.shipped import DESIGNS, engine_design, engines
-from calc.unusual import listed, unusual
+from calc.unusual import told, unusual
 
 NUMBERS = ("number", "integer", "series", "integers")
 USUAL = 73  # quantities with a usual range: none of them is to be lost
@@ -83,6 +83,8 @@ def test_what_is_unusual_is_found() -> None:
 def test_what_is_unusual_is_told_with_its_range_and_a_long_list_by_its_first() -> None:
     changed = read(DESIGNS / "r753ie4_sized.toml").with_value("engine.bore_mm", 0.094).with_value("bearings.front.diameter_mm", 360.0)
     found = unusual(design(changed))
-    assert listed(found) == "bore 0.094 mm (usual 50 to 150); front diameter 360 mm (usual 15 to 120)"
-    assert listed(found, 1) == "bore 0.094 mm (usual 50 to 150); 1 more"
+    first, second = "front diameter 360 mm (usual 15 to 120)", "bore 0.094 mm (usual 50 to 150)"  # the furthest first, in ranges
+    assert told(found) == f"2 inputs are not usual: {first}; {second}"
+    assert told(found, 1) == f"2 inputs are not usual: {first}; 1 more"
+    assert told([]) == ""
     assert unusual(design(changed), ["gears"]) == []
