@@ -3,6 +3,7 @@
 
 import contextlib
 import os
+import re
 import tomllib
 from collections.abc import Iterable, Iterator, Mapping
 from pathlib import Path
@@ -24,6 +25,10 @@ class SaveError(OSError):
         super().__init__(text)
 
 
+ORIGIN = re.compile(  # how a comment begins that says where a value comes from
+    r"(?:assumed|estimated|guessed|typical|measured|copied|read|taken|from|as (?:printed|stated|given|drawn|measured)|finite-element)\b",
+    re.IGNORECASE,
+)
 REASONS = ("accepted", "without", "locked")  # tables of reasons by ids, which have dots of their own
 
 
@@ -35,7 +40,7 @@ class ChangedOnDisk(SaveError):
 def edited_text(text: str, changes: Mapping[str, Any] | Iterable[tuple[Place, Any]]) -> str:
     """The TOML text with some keys changed: comments, order and spacing stay.  None takes a key out; a new key ends its table.
 
-    A comment that says how a value was assumed says of another what it was: `# assumed: usual` → `# was 80.0, assumed: usual`.
+    A comment that begins with where a value comes from says of another what it was: `# assumed: usual` → `# was 80.0, assumed: usual`.
     A key is dotted, elements of arrays by name, else by index (`gears.wheels.shaft.teeth`), or a tuple of names and indices.
     """
     import tomlkit
@@ -111,20 +116,19 @@ def _set(here: Any, place: Place, value: Any, kept: bool = False) -> None:
         here.append(value)
     elif kept:
         old = here[last] if isinstance(here, list) or last in here else None
-        said = _was_assumed(old)
         here[last] = _in_the_style_of(old, value)
-        if said:
+        if said := _said_of(old, here[last]):
             here[last].trivia.comment = f"# {said}"
     else:
         here[last] = value
 
 
-def _was_assumed(old: Any) -> str:
-    """What the comment of a value becomes that said how the value was assumed, and does not hold of another."""
+def _said_of(old: Any, new: Any) -> str:
+    """What the comment of a value becomes beside another: where the old one came from does not hold of it, until it is back."""
     said = getattr(getattr(old, "trivia", None), "comment", "").lstrip("# \t")
-    if not said.startswith("assumed") or "\n" in (was := old.as_string()):
-        return ""
-    return f"was {was}, {said}"
+    if said.startswith("was "):
+        return said.removeprefix(f"was {new.as_string()}, ")
+    return f"was {was}, {said}" if ORIGIN.match(said) and "\n" not in (was := old.as_string()) else ""
 
 
 def _new_table(kept: bool) -> Any:

@@ -33,16 +33,19 @@ ROUND = 2.0  # how much higher than wide a cell of a terminal is
 ROOM = 0.04  # of the height, above and below
 DOTS = np.array([2.0, 4.0])  # of braille in a cell, across and down
 DASHES = ((1.0, 0.0), (4.0, 3.0), (1.0, 2.5), (7.0, 2.0, 1.0, 2.0))  # of each pattern, in dots: drawn, left out; the last a chain
+MOST_DECIMALS = 9  # of a tick
 TURNS = 2  # cells after which lines that run over each other take turns
 EIGHTHS = " ▁▂▃▄▅▆▇█"
 Cell = tuple[int, int]  # column and row
 
 
 class Numbers(NumericAxisFormatter):
-    """Labels with a true minus sign, as everywhere."""
+    """Labels with as many digits as the ticks have (22.5, which the library writes 22), and with a true minus sign."""
 
     def get_labels_for_ticks(self, ticks: Sequence[float]) -> list[str]:
-        return [label.replace("-", "−") for label in super().get_labels_for_ticks(ticks)]
+        small = 1e-6 * max((abs(b - a) for a, b in pairwise(ticks)), default=max(map(abs, ticks), default=0.0))
+        decimals = next((n for n in range(MOST_DECIMALS) if all(abs(round(tick, n) - tick) <= small for tick in ticks)), MOST_DECIMALS)
+        return [f"{tick + 0.0:.{decimals}f}".replace("-", "−") for tick in ticks]
 
 
 PLAIN = str.maketrans({**dict.fromkeys("┏┓┗┛┣┫┳┻╋", "+"), "━": "-", "┃": "|", "█": "*", "−": "-"})

@@ -70,11 +70,12 @@ def test_whole_numbers_stay_whole() -> None:
     assert "span_allowance_um = [-25, -35]  # was [-20, -30], assumed" in made
 
 
-def test_how_a_value_was_assumed_is_not_said_of_another() -> None:
+def test_what_is_said_of_a_value_is_not_said_of_another() -> None:
     key, text = "bearings.front.diameter_mm", "[bearings.front]\ndiameter_mm = 80.0  # assumed: usual\nlength_mm = 56.0  # measured\n"
     once = edited_text(text, {key: 78.5, "bearings.front.length_mm": 50.0})
-    assert once == "[bearings.front]\ndiameter_mm = 78.5  # was 80.0, assumed: usual\nlength_mm = 50.0  # measured\n"
+    assert once == "[bearings.front]\ndiameter_mm = 78.5  # was 80.0, assumed: usual\nlength_mm = 50.0  # was 56.0, measured\n"
     assert edited_text(once, {key: 77.0}) == once.replace("= 78.5", "= 77.0")
+    assert edited_text(once, {key: 80.0, "bearings.front.length_mm": 56.0}) == text
     several = "[a]\nb = [\n  1,\n  2,\n]  # assumed: usual\n"
     assert edited_text(several, {"a.b": [3, 4]}).endswith("# assumed: usual\n")
 
