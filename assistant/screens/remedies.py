@@ -30,7 +30,7 @@ from .searching import TITLES, Searching
 
 SECONDS = 6.0  # after which no further kind is begun
 NARROW = 100  # cells below which the list has the whole screen
-HINT = Text("Enter or 1 … 5 applies · k locks the input · w writes a table · Esc")
+HINT = Text("Enter or the number of a row applies it · k locks the input · w writes a table · Esc")
 
 
 def table(ways: tuple[Way, ...], say: Language) -> str:
