@@ -121,7 +121,7 @@ def load(path: Path | str) -> Script:
 
 
 def _check_step(key: str, row: Table, error: Complain) -> None:
-    for unknown in set(row) - Step.__annotations__.keys():
+    for unknown in [key for key in row if key not in Step.__annotations__]:
         error(f"{key}.{unknown}", Text("is not known; a step has set and to, or unset, or undo, or report"))
     one, many = isinstance(row.get("set"), str), isinstance(row.get("set"), dict) and bool(row["set"])
     gone = row.get("unset")
@@ -138,7 +138,7 @@ def _check_step(key: str, row: Table, error: Complain) -> None:
 
 
 def _check_expect(key: str, row: Table, steps: int, error: Complain) -> None:
-    for unknown in set(row) - Expect.__annotations__.keys():
+    for unknown in [key for key in row if key not in Expect.__annotations__]:
         error(f"{key}.{unknown}", Text("is not known; an expectation has ") + ", ".join(sorted(Expect.__annotations__)))
     named = [row[name] for name in ("value", "check", "step") if name in row]
     if len(named) != 1 or not isinstance(named[0], str):

@@ -153,9 +153,13 @@ def pressure_ratio(S: Number, b: Number) -> Number:
     return at(S, b).pressure_ratio
 
 
-@lru_cache(maxsize=16)
 def at(S: float, b: float) -> Reading:
     """The charts at S and l/d, which six formulas ask for one after the other."""
+    return _at(float(S), float(b))  # no line of the calculation that leads to them is kept with what is known
+
+
+@lru_cache(maxsize=16)
+def _at(S: float, b: float) -> Reading:
     if b < LOWEST_RATIO:
         raise OutsideCharts(Text("l/d = {b} is below the charts ({lowest_ratio})", b=Amount(b, form=".3g"), lowest_ratio=LOWEST_RATIO))
     y = chart_readings(S)
