@@ -6,14 +6,14 @@ Nothing is solved here.  A and B change places without changing what is found: e
 
 import math
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from .addresses import Table
 from .compare_inputs import InputDifference, inputs, united
 from .design import STEPS
 from .key_values import is_least, judged, key_results
-from .sheet.check import ORDER, Check, worst
+from .sheet.check import ORDER, Check, step_verdict, worst
 from .sheet.quantity import Published
 from .sheet.text import EMPTY, Name, Text
 from .unusual import told, unusual
@@ -30,12 +30,13 @@ NOTABLE = 1e-3  # a key result that differs by less is neither better nor worse
 
 @dataclass(frozen=True)
 class Judged:
-    """The verdict of a step, and how many of its checks stand behind it."""
+    """The verdict of a step, and how many of its checks stand behind it; `unaccepted`: its verdict if nothing were accepted."""
 
     verdict: str
     fail: int
     warn: int
     reason: Text = EMPTY
+    unaccepted: str = ""
 
 
 @dataclass(frozen=True)
@@ -93,7 +94,7 @@ class CheckDifference:
 
     @property
     def accepted(self) -> bool:
-        """What was found is the same; somebody accepts it, or does not any more."""
+        """Found of one kind in both, whatever its size; somebody accepts it, or does not any more."""
         return self.moved and self.a is not None and self.b is not None and self.a.finding == self.b.finding and not self.beyond
 
     @property
@@ -192,6 +193,12 @@ class Comparison:
         """The verdict of each design as a whole."""
         return worst(v.a.verdict for v in self.verdicts), worst(v.b.verdict for v in self.verdicts)
 
+    @property
+    def only_accepted(self) -> bool:
+        """The verdict as a whole differs by what is accepted alone."""
+        one, other = (worst(v.unaccepted for v in some) for some in zip(*((v.a, v.b) for v in self.verdicts)))
+        return self.whole[0] != self.whole[1] and one == other
+
 
 def compare(a: Table, b: Table, results_a: "Results", results_b: "Results", same: float = SAME) -> Comparison:
     """Compare two designs: the tables of their files, and what they gave."""
@@ -211,7 +218,8 @@ def _verdicts(a: "Results", b: "Results") -> Iterator[StepVerdicts]:
 def _judged(results: "Results", step: str) -> Judged:
     outcome = results.outcomes[step]
     verdicts = [check.verdict for check in outcome.checks]
-    return Judged(outcome.verdict, verdicts.count("fail"), verdicts.count("warn"), outcome.reason)
+    unaccepted = step_verdict(replace(check, accepted="") for check in outcome.checks) if outcome.state == "solved" else outcome.verdict
+    return Judged(outcome.verdict, verdicts.count("fail"), verdicts.count("warn"), outcome.reason, unaccepted)
 
 
 def _checks(a: "Results", b: "Results", same: float) -> list[CheckDifference]:

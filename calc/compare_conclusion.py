@@ -34,7 +34,7 @@ def sentences(found: Comparison, names: Names, sign: Sign) -> list[Text]:
     if some := [d for d in both if _way(d) == BETTER]:
         made.append(Text("Limits and cautions to the better: {moves}.", moves=_moves(some, sign)))
     if some := [d for d in both if d.accepted]:
-        made.append(Text("Found as before, but accepted by one of them only: {moves}.", moves=_moves(some, sign)))
+        made.append(Text("Accepted in one of them only: {moves}.", moves=_moves(some, sign)))
     for name, some in zip(names, ([d for d in lone if d.b is None], [d for d in lone if d.a is None])):
         if some:
             made.append(
@@ -61,6 +61,8 @@ def _whole(found: Comparison, names: Names, sign: Sign) -> Text:
     if before == after:
         return Text("{a} → {b}: the whole stays {verdict}.", a=names[0], b=names[1], verdict=sign(before))
     parts = dict(a=names[0], b=names[1], before=sign(before), after=sign(after))
+    if found.only_accepted:
+        return Text("{a} → {b}: the whole goes from {before} to {after}, by what is accepted.", **parts)
     if ORDER.index(after) > ORDER.index(before):
         return Text("{a} → {b}: the whole goes from {before} to {after}, to the worse.", **parts)
     return Text("{a} → {b}: the whole goes from {before} to {after}, to the better.", **parts)

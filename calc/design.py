@@ -15,7 +15,7 @@ from .imbalance.inputs import ImbalanceInputs
 from .measured import Measured
 from .mounting.inputs import MountingInputs
 from .optimise.inputs import OptimiseInputs
-from .sheet.quantity import day, inputs, integer, reasons, table, tables, text
+from .sheet.quantity import day, inputs, integer, keys, reasons, table, tables, text
 from .sheet.rules import is_limit
 from .sheet.step import Step
 from .sheet.text import Amount, Text
@@ -123,6 +123,9 @@ class Design:
         for id, _ in self.accepted:
             if is_limit(id):
                 yield f"accepted.{id}", Text("is a limit, which nobody can accept: what fails must be changed")
+        for key, _ in self.locked:
+            if (wrong := _no_key(key)) is not None:
+                yield f"locked.{key}", wrong
         for step, _ in self.without:
             if step not in {one.key for one in STEPS}:
                 yield f"without.{step}", Text("is no step; there are {steps}", steps=", ".join(one.key for one in STEPS))
@@ -304,6 +307,25 @@ class Design:
             for kind in ("seals", "rolling_bearings", "plain_bearings", "dips", "jets", "other_losses") if wheels else ():
                 for i, entry in enumerate(getattr(self.friction, kind)):
                     yield f"friction.{kind}.{i}.wheel", entry.wheel, wheels
+
+
+def _no_key(key: str) -> Text | None:
+    """Why a key is none of a design.  Elements of arrays are not looked for: one may come and go while its lock stays."""
+    from .addresses import unknown
+
+    cls: type | None = Design
+    parts = iter(key.split("."))
+    for part in parts:
+        known = keys(cls) if cls is not None else {}
+        if part not in known:
+            return unknown(part, known) if known else Text('"{key}" has no parts', key=key.rpartition(".")[0])
+        about = known[part].about
+        cls = about.table
+        if about.kind in ("tables", "series", "integers"):
+            next(parts, None)
+        elif about.kind in ("reasons", "open"):
+            break  # with keys of their own
+    return None
 
 
 def _unknown_name(name: str, known: Iterable[str]) -> Text:

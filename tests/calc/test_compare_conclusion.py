@@ -73,7 +73,10 @@ def test_sentences_count_what_the_tables_show(found: Comparison) -> None:
 
 
 def test_a_whole_that_changes_says_which_way(found: Comparison) -> None:
-    verdicts = tuple(replace(v, a=replace(v.a, verdict="warn"), b=replace(v.b, verdict="pass")) for v in found.verdicts)
+    verdicts = tuple(
+        replace(v, a=replace(v.a, verdict="warn", unaccepted="warn"), b=replace(v.b, verdict="pass", unaccepted="pass"))
+        for v in found.verdicts
+    )
     assert sentences(replace(found, verdicts=verdicts), NAMES, str)[0].endswith("goes from warn to pass, to the better.")
     verdicts = tuple(replace(v, a=v.b, b=v.a) for v in verdicts)
     assert sentences(replace(found, verdicts=verdicts), NAMES, str)[0].endswith("goes from pass to warn, to the worse.")
@@ -97,9 +100,30 @@ def test_an_acceptance_is_neither_better_nor_worse(gamma: Document, gamma_result
     there = compare(gamma.data, accepting.data, gamma_results, solve(design(accepting)))
     assert [row[-1] for row in moved_table(there, NAMES, str).rows] == ["accepted"]
     said = " ".join(sentences(there, NAMES, str))
-    assert "accepted by one of them only: warn → accepted 1." in said and "to the better" not in said
+    assert "Accepted in one of them only: warn → accepted 1." in said and "to the better" not in said
     back = compare(accepting.data, gamma.data, solve(design(accepting)), gamma_results)
     assert [row[-1] for row in moved_table(back, NAMES, str).rows] == ["no longer accepted"]
+
+
+def test_a_whole_that_passes_by_what_is_accepted_alone_is_not_better() -> None:
+    alpha = read(DESIGNS / "r753ie4_alpha.toml")
+    accepting = alpha.with_value("accepted.countershaft.bolts.pressure", "seen")
+    results, after = solve(design(alpha)), solve(design(accepting))
+    assert (results.verdict, after.verdict) == ("warn", "pass")
+    said = sentences(compare(alpha.data, accepting.data, results, after), NAMES, str)
+    assert said[0] == "beta → gamma: the whole goes from warn to pass, by what is accepted."
+    mended = accepting.with_value("countershaft.bolts.torque_Nm", 30.0)
+    assert compare(alpha.data, mended.data, results, solve(design(mended))).only_accepted == (
+        solve(design(alpha.with_value("countershaft.bolts.torque_Nm", 30.0))).verdict == "warn"
+    )
+
+
+def test_what_is_not_usual_is_said_of_each_design_or_of_both(gamma: Document, gamma_results: Results) -> None:
+    sized = read(DESIGNS / "r753ie4_sized.toml")
+    there = compare(gamma.data, sized.data, gamma_results, solve(design(sized)))
+    odd = "1 input is not usual: span allowance of central −2 µm (usual −50 to −20)"
+    assert f"In beta {odd}." in sentences(there, NAMES, str)
+    assert f"In both {odd}." in sentences(replace(there, unusual=(there.unusual[0], there.unusual[0])), NAMES, str)
 
 
 def test_what_holds_outside_validity_is_not_called_a_pass(found: Comparison) -> None:

@@ -3,8 +3,9 @@
 
 import pytest
 
-from calc.design_file import Document, read
+from calc.design_file import Document, design, read
 from calc.locks import locked, locks, standing, toggled
+from calc.sheet.errors import BadInput
 from calc.shipped import EXAMPLE
 
 
@@ -25,6 +26,18 @@ def test_a_table_locks_what_stands_in_it_and_is_unlocked_from_there(gamma: Docum
     assert locked(data, "bearings.front.length_mm") == "the casting is there" and locked(data, "bearings.oil")
     assert not locked(data, "bearings.rear.length_mm") and not locked(data, "bearings.front_load_N")
     assert not locked(toggled(data, "bearings.front.length_mm", "no matter"), "bearings.front.length_mm")
+
+
+def test_a_key_that_no_design_has_is_no_lock(gamma: Document) -> None:
+    """An element may come and go while its lock stays."""
+    for key in ("bearings.front", "gears.wheels.nobody.teeth", "bearings.slope_mrad.0", "bearings.oil"):
+        design(gamma.with_value(f"locked.{key}", "why"))
+    with pytest.raises(BadInput) as bad:
+        design(gamma.with_value("locked.bearings.front.lenght_mm", "cast").with_value("locked.engine.bore_mm.x", "cast"))
+    assert {(e.key, str(e.reason)) for e in bad.value.errors} == {
+        ("locked.bearings.front.lenght_mm", 'is not known; did you mean "length_mm"?'),
+        ("locked.engine.bore_mm.x", '"engine.bore_mm" has no parts'),
+    }
 
 
 def test_an_element_is_locked_by_its_name_and_by_its_place(gamma: Document) -> None:
