@@ -143,3 +143,32 @@ def test_over_the_workers_of_a_scheduler_the_table_is_the_same(tmp_path):
     with LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None) as cluster:
         assert run("sweep", GAMMA, *words, tmp_path / "b.csv", "--scheduler", cluster.scheduler_address).returncode == 0
     assert (tmp_path / "a.csv").read_bytes() == (tmp_path / "b.csv").read_bytes()
+
+
+@pytest.mark.parametrize("words, reason", [
+    (["--vary", "gears.wheels.crank.teeth=30,33", "gears.wheels.0.teeth=40"], "gears.wheels.0.teeth: 40: is gears.wheels.crank.teeth, which"),
+    (["--vary", "gears.wheels.crank.teeth=30,33", "gears.wheels.crank.teeth=40"], "stands twice; give all its values at once"),
+    (["--vary", "gears.wheels.crank.teeth=30,33", "--processes", "0"], "--processes: 0: must be 1 or more"),
+    (["--vary", "gears.wheels.crank.teeth=30:33", "--monte-carlo", "5", "--seed", "-1"], "--seed: -1: must be 0 or more"),
+])  # fmt: skip
+def test_one_input_is_varied_once_and_each_option_answers_for_itself(words, reason):
+    done = run("sweep", "designs/timing_pair.toml", *words)
+    assert done.returncode == 2 and reason in done.stderr and not done.stdout
+
+
+@pytest.mark.parametrize("table, reason", [
+    (b"gears.wheels.crank.teeth,gears.wheels.0.teeth\n30,40\n", ":1: gears.wheels.crank.teeth: stands in two columns; each input has one"),
+    (b"gears.wheels.crank.teeth\n30\xff\n", "is no text in UTF-8 (byte 27); save it again so"),
+])  # fmt: skip
+def test_a_list_has_one_column_for_an_input_and_is_text(tmp_path, table, reason):
+    path = tmp_path / "list.csv"
+    path.write_bytes(table)
+    done = run("sweep", "designs/timing_pair.toml", "--list", path)
+    assert done.returncode == 2 and reason in done.stderr
+
+
+def test_a_sweep_tells_inputs_that_are_not_usual():
+    done = run(
+        "sweep", "designs/timing_pair.toml", "--vary", "gears.face_width_mm=0.1:0.3:3", "--values", "gears.crank_pump.centre_distance"
+    )
+    assert "1 input is not usual: face width 0.1 mm (usual 5 to 80)" in done.stderr and "not usual" not in done.stdout

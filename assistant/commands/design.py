@@ -135,6 +135,8 @@ def _search(given: Namespace, problem: Problem) -> int:
         raise BadInput(str(folder), [InputError(0, "--out", "", Text("is a file; give the name of a folder"))])
     _spare_others(folder, Path(given.file))
     quiet = given.json
+    if given.processes is not None and given.processes < 1:
+        raise BadInput("contralbero design", [InputError(0, "--processes", str(given.processes), Text("must be 1 or more"))])
     processes = given.processes if given.processes is not None else min(os.cpu_count() or 1, max(1, len(problem.classes)))
     if not quiet:
         print(plural("{n} class", "{n} classes", n=len(problem.classes)), end=", ")

@@ -19,6 +19,7 @@ from calc.sheet.check import ORDER
 from calc.sheet.errors import BadInput, InputError, NoSolution
 from calc.sheet.text import Text
 from calc.sweep import Plan, Sweep, grid, listed, sampled, swept, toleranced, varied
+from calc.sweep.inputs import same_input
 from calc.sweep.kept import InFolder, key_of
 from calc.sweep.run import designs
 from calc.sweep.table import NO_DESIGN, columns, parquet, write_csv, write_parquet
@@ -34,6 +35,8 @@ def run(asked: Namespace) -> int:
     document, _ = changed(read(asked.file), asked.changes)
     task = Sweep(document, plan(document, asked), asked.step, tuple(asked.values))
     processes = asked.processes if asked.processes is not None else os.cpu_count() or 1
+    if processes < 1:
+        raise BadInput("contralbero sweep", [InputError(0, "--processes", str(processes), Text("must be 1 or more"))])
     try:
         if asked.output is not None:
             return _to_file(task, Path(asked.output), asked.file, processes, asked.scheduler or "")
@@ -65,8 +68,8 @@ def plan(document: Document, asked: Namespace) -> Plan:
     inputs = [*varied(document, asked.vary, drawn=drawn is not None), *toleranced(document, asked.tolerance)]
     if not inputs:
         raise refuse("--vary", Text("needs something to vary: --vary, --tolerance or --list"))
-    if len({one.key for one in inputs}) < len(inputs):
-        raise refuse("--tolerance", Text("names an input that --vary has already"))
+    if (twice := same_input(document, inputs)) is not None:
+        raise refuse("--tolerance", Text("names an input that --vary has already: {key}", key=twice))
     return grid(inputs) if drawn is None else sampled(inputs, drawn, asked.seed, hypercube=asked.hypercube is not None)
 
 

@@ -69,7 +69,7 @@ class Section:
 class Journal:
     """The size of one journal, for a shaft whose bearings are not part of the design."""
 
-    diameter: float = quantity("Diameter", "mm", above=0, high=1000, symbol="d", source="Finotti 2013, 3.2.3.1",
+    diameter: float = quantity("Diameter", "mm", above=0, high=1000, symbol="d", usual=(15, 120), source=THUMB,
         help="Diameter of the journal, for its specific load.")  # fmt: skip
     length: float = quantity("Length", "mm", above=0, high=1000, symbol="l", source="Finotti 2013, 3.2.3.1",
         help=Text("Length of the journal in its seat, {low} to {high} of its diameter.", low=Amount(LENGTH_RATIO[0]),

@@ -111,11 +111,11 @@ class EngineInputs:
         help="Mass of one rod with bush and screws, without big-end shells.",
     )  # fmt: skip
     rod_cg_to_big_end: float | None = quantity(
-        "Rod CG to big end", "mm", default=None, low=0, high=4000, symbol="X_2", source="Finotti 2013, 2.5.3.1",
+        "Rod CG to big end", "mm", default=None, low=0, high=4000, symbol="X_2", usual=(20, 120), source=THUMB,
         help="Centre of gravity of the rod from its big end. Left out: one third of the rod reciprocates, two thirds rotate.",
     )  # fmt: skip
     crankpin_bearing_mass: float = quantity(
-        "Big-end shells", "g", default=0.0, low=0, high=1e5, symbol="M_shell", source="Finotti 2013, 2.5.3.1",
+        "Big-end shells", "g", default=0.0, low=0, high=1e5, symbol="M_shell", usual=(0, 500), source=THUMB,
         help="Mass of the shells of one big end; they rotate with the pin.",
     )  # fmt: skip
     reciprocating_masses: tuple[float, ...] | None = series(

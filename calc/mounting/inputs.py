@@ -4,7 +4,7 @@
 import math
 from collections.abc import Iterable, Iterator
 
-from ..sheet.quantity import choice, inputs, integer, quantity, series, table, tables
+from ..sheet.quantity import THUMB, choice, inputs, integer, quantity, series, table, tables
 from ..sheet.text import Text
 from .mount_inputs import PLACE, Chassis, Mount
 from .use_inputs import DAY, Operation, Point
@@ -69,7 +69,9 @@ class MountingInputs:
         high=20000,
         help="[up, side, along the crank]: for an estimate of the inertia where it is not known.",
     )
-    idle_speed: float = quantity("Idle speed", "rpm", above=0, high=30000, symbol="n_idle", help="At which isolation is judged.")
+    idle_speed: float = quantity(
+        "Idle speed", "rpm", above=0, high=30000, symbol="n_idle", usual=(500, 1800), source=THUMB, help="At which isolation is judged."
+    )
     up: tuple[float, ...] = series(
         "Direction upward", default=(1.0, 0.0, 0.0), count=(3, 3), low=-1, high=1, help="In engine axes; weight acts against it."
     )

@@ -71,6 +71,8 @@ def listed(document: Document, path: str) -> tuple[list[Varied], list[tuple[Valu
     try:
         with open(Path(path), encoding="utf-8-sig", newline="") as file:
             lines = list(csv.reader(file))
+    except UnicodeDecodeError as error:
+        raise _bad(path, 0, "", Text("is no text in UTF-8 (byte {n}); save it again so", n=error.start)) from None
     except (OSError, ValueError, csv.Error) as error:
         raise _bad(path, 0, "", Text("cannot be read: {reason}", reason=getattr(error, "strerror", None) or str(error))) from None
     if len(lines) < 2 or not lines[0]:
@@ -80,6 +82,8 @@ def listed(document: Document, path: str) -> tuple[list[Varied], list[tuple[Valu
     inputs = [Varied(key.strip()) for key in lines[0]]
     errors: list[InputError] = []
     kinds = [_about(document, one.key, path, errors) for one in inputs]
+    if not errors and (twice := same_input(document, inputs)) is not None:
+        errors.append(InputError(1, twice, "", Text("stands in two columns; each input has one")))
     rows: list[tuple[Value | None, ...]] = []
     for n, line in enumerate(lines[1:], 2):
         if len(line) != len(inputs):
@@ -96,6 +100,17 @@ def listed(document: Document, path: str) -> tuple[list[Varied], list[tuple[Valu
     if errors:
         raise BadInput(path, errors)
     return inputs, rows
+
+
+def same_input(document: Document, inputs: Sequence[Varied]) -> str | None:
+    """The key of an input that another one of these is too, by whichever name of its element; None: all are different."""
+    first: dict[tuple[str | int, ...], str] = {}
+    for one in inputs:
+        where = address(document.data, one.key)
+        if where in first:
+            return first[where]
+        first[where] = one.key
+    return None
 
 
 def _about(document: Document, key: str, path: str, errors: list[InputError]) -> Quantity:
@@ -125,8 +140,8 @@ def _read(
             single = about.count is not None and about.count[0] == 1  # where one number may stand for the list
             if about.kind in ("series", "integers") and not single and not isinstance(address(document.data, key)[-1], int):
                 raise ValueError(f"is a list; vary one of its numbers by its place, like {key}.0")
-            if any(other.key == key for other in found):
-                raise ValueError("stands twice; give all its values at once")
+            if (twice := same_input(document, [*found, made])) is not None:
+                raise ValueError("stands twice; give all its values at once" if twice == key else f"is {twice}, which stands here too")
             found.append(made)
         except BadInput as bad:
             errors += [replace(e, key=f"{option} {e.key}") for e in bad.errors]

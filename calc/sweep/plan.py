@@ -55,9 +55,9 @@ def grid(inputs: Sequence[Varied], place: str = "--vary") -> Plan:
 def sampled(inputs: Sequence[Varied], count: int, seed: int = 1, *, hypercube: bool) -> Plan:
     """Designs at random; with `hypercube` so that each of `count` equal parts of every input's range has one design."""
     option = "--hypercube" if hypercube else "--monte-carlo"
-    if count < 1 or seed < 0:
-        why = Text("must be a number of designs, 1 or more, and a seed of 0 or more")
-        raise BadInput("sweep", [InputError(0, option, str(count), why)])
+    errors = [InputError(0, option, str(count), Text("must be a number of designs, 1 or more"))] if count < 1 else []
+    if errors := errors + ([InputError(0, "--seed", str(seed), Text("must be 0 or more"))] if seed < 0 else []):
+        raise BadInput("sweep", errors)
     return Plan("hypercube" if hypercube else "monte-carlo", tuple(inputs), _allowed(count, option), seed)
 
 

@@ -56,7 +56,7 @@ def test_a_list_is_a_table_of_designs(tmp_path):
 
 @pytest.mark.parametrize(("text", "reason"), [
     ("", "needs keys"), ("engine.bore_mm\n", "needs keys"), ("engine.bor_mm\n90\n", "did you mean"), ("engine.bore_mm\nwide\n", "2: engine.bore_mm: wide"),
-    ("engine.bore_mm\n90,91\n", "has 2 cells; needs 1"), ("engine.cylinders\n3.5\n", "whole numbers"), ("\x00\xff\n", "cannot be read"),
+    ("engine.bore_mm\n90,91\n", "has 2 cells; needs 1"), ("engine.cylinders\n3.5\n", "whole numbers"), ("\x00\xff\n", "is no text in UTF-8"),
 ])  # fmt: skip
 def test_what_is_wrong_in_a_list_is_named(tmp_path, text, reason):
     file = tmp_path / "designs.csv"
