@@ -63,6 +63,14 @@ def test_all_of_it(capsys, found) -> None:
     assert re.search(r"bearings\.rear\.film_edge +✗ FAIL 4\.768 µm +✓ pass 10\.36 µm +≥ 9 µm +−47 % +\+15 %\n", out)
 
 
+def test_json_says_what_holds_outside_validity(found) -> None:
+    rows = {row["id"]: row for row in found["checks"]}
+    safety = rows["gears.crank.safety_bending"]
+    assert safety["b"]["verdict"] == "pass" and safety["b"]["outside"] is True
+    film = rows["bearings.rear.film_edge"]
+    assert [film[side]["outside"] for side in "ab"] == [False, False] and (film["a"]["verdict"], film["b"]["verdict"]) == ("fail", "pass")
+
+
 def test_json_says_which_key_results_are_better(found) -> None:
     conclusion = found["conclusion"]
     assert conclusion["verdict"] == {"a": "fail", "b": "fail"}

@@ -49,3 +49,16 @@ def test_a_bore_in_metres_is_told_with_what_is_usual():
     found = json.loads(run("check", "designs/r753ie4_gamma.toml", "--step", "gears", "--json").stdout)["unusual"]
     assert found == [{"key": "gears.wheels.central.span_allowance_um", "value": -2.0, "usual": [-50, -20], "unit": "µm"}]
     assert json.loads(run("check", "designs/r753ie4_gamma.toml", "--step", "engine", "--json").stdout)["unusual"] == []
+    assert "not usual" not in run("check", "designs/r753ie4_gamma.toml", "--step", "engine").stdout
+    slips = ["engine.bore_mm=0.094", "engine.crank_radius_mm=0.0535", "gears.face_width_mm=0.15", "engine.cylinder_pitch_mm=0.105"]
+    many = ["--set", *slips, "engine.piston_mass_g=1.178", "engine.rated_speed_rpm=272.27"]
+    short, whole = (" ".join(run("check", "designs/r753ie4_sized.toml", *many, *more).stdout.split()) for more in ([], ["--all"]))
+    assert "6 inputs are not usual:" in short and "; 2 more" in short and "rated speed" not in short
+    assert "6 inputs are not usual:" in whole and "rated speed 272.3 rpm" in whole
+
+
+def test_what_is_accepted_of_no_check_is_told(tmp_path):
+    path = tmp_path / "x.toml"
+    path.write_bytes((ROOT / "designs" / "r753ie4_sized.toml").read_bytes())
+    said = " ".join(run("set", path, "accepted.bearings.front.mcke=seen").stdout.split())
+    assert "this design has no such check: bearings.front.mcke; did you mean bearings.front.mckee?" in said

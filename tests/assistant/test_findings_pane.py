@@ -3,6 +3,7 @@
 
 import pytest
 
+from assistant.screens.ready import Closing
 from assistant.screens.slopes import of_check, of_input
 from assistant.session import Session
 from assistant.widgets.bar import bar
@@ -97,6 +98,9 @@ async def test_a_step_is_left_for_the_closing_page(screen: Screen, session: Sess
         assert steps.go_to(READY)
         await strike(pilot, "enter")
         await until(pilot, lambda: type(pilot.app.screen).__name__ == "ReadyScreen")
+        await settled(pilot)
+        told = " ".join(row.plain for item in pilot.app.screen.query_one(Closing).items for row in item.rows)
+        assert "not usual (1)" in told and "span allowance of central −2 µm (usual −50 to −20)" in told
 
 
 def test_slopes_are_told_in_labels_and_units(session: Session) -> None:

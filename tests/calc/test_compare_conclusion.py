@@ -135,3 +135,15 @@ def test_what_holds_outside_validity_is_not_called_a_pass(found: Comparison) -> 
         ("pass", "outside", "worse")
     ]
     assert "to the worse: pass → outside 1." in " ".join(sentences(only, NAMES, str))
+    assert [replace(safety, before=a, after=b).worse for a, b in (("outside", "accepted"), ("outside", "note"), ("outside", "warn"))] == [
+        False, True, True,
+    ]  # fmt: skip
+    lone = replace(safety, a=None, before="")
+    assert [replace(lone, after=verdict).worse for verdict in ("pass", "accepted", "outside", "note")] == [False, False, True, True]
+
+
+def test_of_what_got_worse_the_worst_comes_first(found: Comparison) -> None:
+    one = next(d for d in found.checks_moved if d.a is not None and d.a.kind == "limit")
+    moves = [replace(one, before="pass", after=after) for after in ("warn", "fail", "outside")]
+    table = moved_table(replace(found, checks=tuple(moves)), NAMES, str)
+    assert [str(row[2]).split()[0] for row in table.rows] == ["fail", "warn", "outside"]

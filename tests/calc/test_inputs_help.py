@@ -88,3 +88,5 @@ def test_what_is_unusual_is_told_with_its_range_and_a_long_list_by_its_first() -
     assert told(found, 1) == f"2 inputs are not usual: {first}; 1 more"
     assert told([]) == ""
     assert unusual(design(changed), ["gears"]) == []
+    cold = read(DESIGNS / "r753ie4_gamma.toml").with_value("engine.bench.1.oil_temperature_C", 10.0)
+    assert "engine.bench.1.oil_temperature_C" in [one.key for one in unusual(design(cold))]

@@ -58,6 +58,7 @@ def test_the_first_page_concludes(sides: tuple[Solved, Solved]) -> None:
     first, *others = pages_of(pdf)
     heads = ["beta → gamma: the whole stays", "Limits and cautions that moved", "Key result ", "Inputs"]
     assert [first.index(head) for head in heads] == sorted(first.index(head) for head in heads)
+    assert "✗ fail 4.768 µm" in first and "In gamma" not in first and "In both 1 input is not usual: span allowance of central" in first
     assert len(others) < 3 and "Verdicts of the steps" not in text_of(pdf)
 
 

@@ -155,6 +155,11 @@ def test_a_value_outside_its_formula_is_not_called_a_pass(example: Solved, engin
         assert f"{plain(symbol)} = " in said, symbol
 
 
+def test_inputs_that_are_not_usual_stand_in_the_verdict(summary: bytes, engineer: bytes, audit: bytes) -> None:
+    for pdf in (summary, engineer, audit):
+        assert "1 input is not usual: span allowance of central −2 µm (usual −50 to −20)" in " ".join(pages_of(pdf)[0].split())
+
+
 def test_what_the_design_file_calls_assumed_is_said(engineer: bytes, audit: bytes) -> None:
     assumed = "Half-length “assumed: up to the front journal, which the masses as printed need”"
     mesh = "Share of the support, idler–shaft “assumed: half of the distance is spanned by the support of the shaft”"

@@ -10,7 +10,7 @@ import pytest
 from calc.design import Design
 from calc.design_file import design, read
 from calc.sheet.quantity import keys
-from calc.sheet.rules import ELEMENTS, KINDS, rule_of, rules
+from calc.sheet.rules import ELEMENTS, KINDS, LETTER, rule_of, rules
 from calc.shipped import DESIGNS
 from calc.solve import Results, solve
 
@@ -107,5 +107,10 @@ def test_letters_stand_for_elements():
     assert rule_of("gears.rear_front.notch_front").value == "gears.rear_front.notch_parameter_front"
     assert rule_of("gears.rear_front.backlash", 2).moved_by[2] == "gears.meshes.2.tolerance_um"
     assert not any("meshes" in key for key in rule_of("gears.rear_front.backlash").moved_by)
+    wheels = ("gears.wheels.rear.span_allowance_um", "gears.wheels.front.span_allowance_um")
+    assert rule_of("gears.rear_front.backlash").moved_by[:2] == wheels
+    names = {"B": "b", "M": "m", "N": "n", "W": "w", "#": "2", "DRIVER": "d"}
+    asked = "x.M.WW_B.root_W|N|BX.W_y.XW|a.#.b_W.c|DRIVER.DRIVERS"
+    assert LETTER.sub(lambda letter: names[letter[0]], asked) == "x.m.WW_B.root_w|n|BX.W_y.XW|a.2.b_W.c|d.DRIVERS"
     with pytest.raises(KeyError, match="has no row"):
         rule_of("gears.rear_front.no_such_check")

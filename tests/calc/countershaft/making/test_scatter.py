@@ -143,6 +143,13 @@ def test_chance_agrees_with_the_propagation_of_errors(part):
     assert r.couple_error == pytest.approx(math.sqrt(sum(getattr(r, f"couple_error_by_{p}") ** 2 for p in PARTS)))
 
 
+def test_the_timing_of_a_shaft_has_nothing_to_do_with_its_masses():
+    """The correlation of 20 000 pairs is known to 0.7 % (one deviation)."""
+    force, couple, timing, _ = sc.sample(replace(SOME, timing=0.2 * DEGREE), MASSES, (), OMEGA, Random(2), 20_000)
+    for part in (couple.real, couple.imag, force.real, force.imag, np.abs(couple)):
+        assert np.corrcoef(part, np.angle(timing))[0, 1] == pytest.approx(0, abs=0.03)
+
+
 def test_timing_alone_leaves_the_chord_of_its_angle():
     """|1 − e^{iδ}|·C = 2·sin(|δ|/2)·C; half of all |δ| stay below 0.67449 σ (normal distribution)."""
     scatter = replace(NONE, timing=0.5 * DEGREE)
