@@ -62,3 +62,8 @@ def test_what_is_accepted_of_no_check_is_told(tmp_path):
     path.write_bytes((ROOT / "designs" / "r753ie4_sized.toml").read_bytes())
     said = " ".join(run("set", path, "accepted.bearings.front.mcke=seen").stdout.split())
     assert "this design has no such check: bearings.front.mcke; did you mean bearings.front.mckee?" in said
+
+
+def test_an_element_is_called_in_the_error_as_it_was_in_the_command():
+    said = run("check", "designs/r753ie4_gamma.toml", "--set", "gears.wheels.shaft.teeth=25.5").stderr
+    assert ": gears.wheels.shaft.teeth: 25.5: must be a whole number" in said

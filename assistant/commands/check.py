@@ -4,10 +4,11 @@
 import sys
 from argparse import Namespace
 from collections.abc import Iterable, Sequence
+from contextlib import suppress
 from dataclasses import replace
 
 from assistant.plain import print_results, results_json
-from calc.addresses import parse_assignment
+from calc.addresses import address, parse_assignment
 from calc.design import STEPS, Design
 from calc.design_file import Document, design, read
 from calc.limits import SEARCH_SECONDS
@@ -89,15 +90,20 @@ def known_step(step: str | None) -> None:
 def changed(document: Document, changes: Iterable[str]) -> tuple[Document, Design]:
     """The document with every KEY=VALUE applied, and its design; all that is wrong is named at once."""
     errors: list[InputError] = []
+    asked: dict[str, str] = {}  # keys with the places of elements, and as the user names them
     for change in changes:
+        key, value = parse_assignment(change)
         try:
-            document = document.with_value(*parse_assignment(change))
+            document = document.with_value(key, value)
         except BadInput as bad:
             errors += [replace(e, key=f"--set {e.key}") for e in bad.errors]
+            continue
+        with suppress(BadInput):  # of an element that has another name now
+            asked[".".join(map(str, address(document.data, key, whole=True)))] = key
     try:
         made = design(document)
     except BadInput as bad:
-        raise BadInput(document.place, errors + bad.errors) from None
+        raise BadInput(document.place, errors + [replace(e, key=asked.get(e.key, e.key)) for e in bad.errors]) from None
     if errors:
         raise BadInput(document.place, errors)
     return document, made

@@ -115,9 +115,7 @@ class Closing(ItemList):
         yield self._part(Text("not verified ({n})", n=sum(map(len, unknown.values()))), lacking, width)
         held = [outside(check, outcome.checks) for outcome in outcomes for check in outcome.checks if check.verdict == "pass"]
         beyond = Counter(method for methods in held for method in methods)  # how many hold by a formula that it puts out of its range
-        stretched = [
-            (method.id, plural("{what}: {n} check holds", "{what}: {n} checks hold", n=n, what=method.name)) for method, n in beyond.items()
-        ]
+        stretched = [(method.id, Text("{what}: {n} of them", n=n, what=method.name)) for method, n in beyond.items()]
         yield self._part(Text("held by a formula outside its validity ({n})", n=sum(map(bool, held))), stretched, width)
         odd = [(one.key.partition(".")[0], one.words) for one in unusual(session.design)]
         yield self._part(Text("not usual ({n})", n=len(odd)), odd, width)
