@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from .design import STEPS, Design
 from .sheet.errors import BadInput, InputError
-from .sheet.quantity import Key, Quantity, keys
+from .sheet.quantity import Quantity, keys, unknown
 from .sheet.text import Text
 
 NAME = re.compile(r"[A-Za-z0-9-]+\Z")
@@ -130,13 +130,6 @@ def _no_such(key: str, reason: Text) -> BadInput:
 
 def join(prefix: str, key: str) -> str:
     return f"{prefix}.{key}" if prefix and key else prefix or key
-
-
-def unknown(key: str, known: dict[str, Key]) -> Text:
-    from difflib import get_close_matches
-
-    near = get_close_matches(key, list(known), 1, 0.5)
-    return Text("is not known") + (Text('; did you mean "{near}"?', near=near[0]) if near else Text("; known here are ") + ", ".join(known))
 
 
 def written(value: object) -> str:

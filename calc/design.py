@@ -15,7 +15,7 @@ from .imbalance.inputs import ImbalanceInputs
 from .measured import Measured
 from .mounting.inputs import MountingInputs
 from .optimise.inputs import OptimiseInputs
-from .sheet.quantity import day, inputs, integer, keys, reasons, table, tables, text
+from .sheet.quantity import day, inputs, integer, keys, reasons, table, tables, text, unknown
 from .sheet.rules import is_limit
 from .sheet.step import Step
 from .sheet.text import Amount, Text
@@ -311,8 +311,6 @@ class Design:
 
 def _no_key(key: str) -> Text | None:
     """Why a key is none of a design.  Elements of arrays are not looked for: one may come and go while its lock stays."""
-    from .addresses import unknown
-
     cls: type | None = Design
     parts = iter(key.split("."))
     for part in parts:

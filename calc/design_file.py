@@ -15,12 +15,12 @@ from functools import cached_property
 from pathlib import Path
 from typing import Any, TypeVar
 
-from .addresses import NAME, Table, address, as_list, changed, join, unknown, written
+from .addresses import NAME, Table, address, as_list, changed, join, written
 from .design import Design
 from .files import read_file
 from .limits import DESIGN_BYTES
 from .sheet.errors import SHOWN_ERRORS, BadInput, InputError
-from .sheet.quantity import Quantity, keys
+from .sheet.quantity import Quantity, keys, unknown
 from .sheet.record import record
 from .sheet.text import EMPTY, Text
 from .sheet.value import linked

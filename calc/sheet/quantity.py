@@ -195,6 +195,14 @@ def keys(inputs: type) -> dict[str, Key]:
     return found
 
 
+def unknown(key: str, known: dict[str, Key]) -> Text:
+    """What is said of a key that an Inputs class does not have, with the nearest that it has."""
+    from difflib import get_close_matches
+
+    near = get_close_matches(key, list(known), 1, 0.5)
+    return Text("is not known") + (Text('; did you mean "{near}"?', near=near[0]) if near else Text("; known here are ") + ", ".join(known))
+
+
 # --- results ------------------------------------------------------------------------------------------------------------
 @record
 class Described:

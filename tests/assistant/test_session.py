@@ -323,7 +323,7 @@ def test_comments_alone_are_taken_over_too(session: Session) -> None:
     assert session.look() and session.reload() and not session.dirty
     session.edit(BORE, "95")
     session.save()
-    assert "bore_mm = 95.0  # measured" in session.home.read_text(encoding="utf-8")
+    assert "bore_mm = 95.0  # was 94.0, measured" in session.home.read_text(encoding="utf-8")
 
 
 def test_a_file_that_is_no_design_is_not_taken(session: Session, memory: Memory) -> None:
