@@ -54,7 +54,7 @@ def balanced(route: Route, seat: BearingCase, duty: OperatingPoint, tolerance: f
     with untraced():
         try:
             low = _begins(excess)
-            high = min(low + 2 * excess(low) + 1e-6, HOTTEST)
+            high = min(low + excess(low) + 1e-6, HOTTEST)  # warmer oil makes less heat: the rise ends below what colder oil made
             rise = root(excess, low, _reachable(excess, low, high), tolerance=tolerance)
         except (FilmRangeError, Seized, OutsideBalance) as error:
             raise NoSolution(*_reason(seat, duty, error)) from None

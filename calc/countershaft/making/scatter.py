@@ -32,7 +32,7 @@ from .. import formulas as f
 from ..inputs import EccentricMass, Extra, Scatter
 from .holes import HolesResult
 
-BLOCK = 5_000  # shafts at once: what stays in the processor's cache
+BLOCK = 10_000  # shafts at once: enough that numpy's calls cost little, few enough for the processor's cache
 SWEEPS = 12  # of the search for the drilled depths with both planes weighed alike, and then with ten other weights
 PROPAGATION = Text("mathematics, first-order propagation of independent errors")
 NAMES = ("mass", "radius", "angle", "z")
