@@ -8,6 +8,7 @@ Python's own numbers, with the same search for the depths of the holes.  The rat
 import cmath
 import math
 import time
+from random import Random
 
 import numpy as np
 
@@ -71,16 +72,15 @@ def main() -> None:
     target = sc.Target(
         omega=OMEGA, couple=COUPLE, force=0j, couple_left=0.0, z_f=PLANES[0], z_r=PLANES[1], permitted_front=per[0], permitted_rear=per[1]
     )
-    sc.scattered(SCATTER, MASSES, (), target, holes)  # imports numpy.random
     times = []
     for _ in range(15):
         start = time.perf_counter()
         together = sc.scattered(SCATTER, MASSES, (), target, holes)
         times.append(time.perf_counter() - start)
-    random = np.random.default_rng(SCATTER.seed)
-    drawn = [(random.standard_normal((4, sc.BLOCK, len(MASSES))), random.standard_normal(sc.BLOCK)) for _ in range(COUNT // sc.BLOCK)]
+    random = Random(SCATTER.seed)
+    luck, delta = sc.normal(random, 4, sc.BLOCK, len(MASSES)), sc.normal(random, sc.BLOCK)  # of the first block
     start = time.perf_counter()
-    alone = [looped(drawn[0][0][:, i], drawn[0][1][i], per, holes.hole_unbalance_of_mass) for i in range(LOOPED)]
+    alone = [looped(luck[:, i], delta[i], per, holes.hole_unbalance_of_mass) for i in range(LOOPED)]
     loop = (time.perf_counter() - start) / LOOPED * COUNT
     assert together.drilled is not None
     worst = max(  # each shaft of the loop is one of the call
