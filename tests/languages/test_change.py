@@ -37,6 +37,9 @@ async def shown(pilot: Pilot[int]) -> list[str]:
     await solved(pilot)
     checks = work(pilot).query_one(Checks)
     await until(pilot, lambda: bool(checks.items) or not checks.is_on_screen)  # where there is room for them
+    await until(
+        pilot, lambda: not checks.is_on_screen or (check := checks.check) is None or not check.moved_by or check.id in checks.slopes
+    )
     await pilot.pause(0.3)
     return screen_rows(pilot)[1:-3]  # without the top line, the message and the keys
 
