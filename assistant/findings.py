@@ -10,6 +10,7 @@ from collections.abc import Iterator, Sequence
 from calc.key_values import outside, stretched
 from calc.sheet.check import SIGNS, Check, grouped, named, severity, with_it
 from calc.sheet.rules import pattern_of
+from calc.sheet.step import no_such_check
 from calc.sheet.text import EMPTY, SPACE, Amount, Name, Text, plural
 from calc.solve import Results
 from calc.unusual import SHOWN, Unusual, told
@@ -113,7 +114,7 @@ def lost_acceptances(results: Results) -> Iterator[str]:
 
             near = get_close_matches(id, known, 1)
             meant = Text("; did you mean {near}?", near=near[0]) if near else EMPTY
-            yield from _wrapped(Text("Accepted, but this design has no such check: {id}{meant}", id=id, meant=meant), f"{sign('note')}  ")
+            yield from _wrapped(no_such_check(id) + meant, f"{sign('note')}  ")
 
 
 def _wrapped(text: str, start: str = INDENT) -> list[str]:

@@ -264,10 +264,14 @@ def _accepted(outcome: Outcome[R], reasons: dict[str, str]) -> Outcome[R]:
     return replace(outcome, checks=checks, notes=outcome.notes + Later(lambda: _of_accepted(checks, reasons)))
 
 
+def no_such_check(id: str) -> Text:
+    return Text("Accepted, but this design has no such check: {id}", id=id)
+
+
 def _of_accepted(checks: tuple[Check, ...], reasons: dict[str, str]) -> list[Text]:
     """What there is to say of what is accepted."""
     verdicts = {c.id: c.verdict for c in checks}
-    notes = [Text("Accepted, but this design has no such check: {id}.", id=id) for id in reasons if id not in verdicts]
+    notes = [no_such_check(id) + "." for id in reasons if id not in verdicts]
     notes += [Text("Accepted without need, since it holds: {id}.", id=id) for id in reasons if verdicts.get(id) == "pass"]
     notes += [Text("A limit, which nobody can accept: {id}.", id=c.id) for c in checks if c.id in reasons and c.kind == "limit"]
     return notes
