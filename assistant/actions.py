@@ -11,8 +11,8 @@ from dataclasses import dataclass
 from functools import partial
 from typing import Any
 
-from calc.design import STEPS
-from calc.languages import Language
+from calc.design.model import STEPS
+from calc.locale import Language
 from calc.sheet.text import EMPTY, Text
 
 

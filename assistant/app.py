@@ -19,15 +19,15 @@ from textual.binding import Binding, BindingType
 from textual.screen import ModalScreen, Screen
 from textual.timer import Timer
 
-from calc.languages import language
+from calc.locale import language
 from calc.sheet.errors import BadInput
 from calc.sheet.text import EMPTY, Text
 
 from .actions import BY_ID
 from .base_app import BaseApp
-from .recovery import Memory, Settings
+from .session.recovery import Memory, Settings
 from .screens.workbench import Workbench
-from .session import Session
+from .session.session import Session
 from .widgets.choice import Choice
 from .widgets.entry import AT_ONCE, EDITS, Entry
 from .widgets.item_list import ItemList

@@ -8,8 +8,8 @@ from dataclasses import dataclass
 import numpy as np
 from rich.cells import cell_len
 
-from calc.languages import Language
-from calc.sheet.drawing import Dimension, Mark, Point, Sketch, Words, reach
+from calc.locale import Language
+from calc.draw.drawing import Dimension, Mark, Point, Sketch, Words, reach
 from calc.sheet.text import Amount
 
 from .raster import Floats

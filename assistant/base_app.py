@@ -11,13 +11,13 @@ from textual.app import App
 from textual.filter import LineFilter
 from textual.notifications import SeverityLevel
 
-from calc.languages import LANGUAGES, language
+from calc.locale import LANGUAGES, language
 from calc.sheet.text import EMPTY, Text
 
 from .actions import BY_ID, OLD_IDS, key_name
 from .legible import Legible
-from .recovery import Memory, Settings
-from .session import Session
+from .session.recovery import Memory, Settings
+from .session.session import Session
 from .widgets.signs import Signs
 
 LEGIBLE = Legible()

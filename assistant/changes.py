@@ -4,9 +4,9 @@
 from collections.abc import Iterable, Iterator
 from typing import Any
 
-from calc.addresses import parse_assignment, quantity_of, value_at
-from calc.design_file import Document
-from calc.locks import locked
+from calc.design.addresses import parse_assignment, quantity_of, value_at
+from calc.design.toml_file import Document
+from calc.design.locks import locked
 from calc.sheet.errors import BadInput
 from calc.sheet.quantity import Quantity
 from calc.sheet.text import EMPTY, SEMICOLON, Amount, Name, Part, Text

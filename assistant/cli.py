@@ -29,7 +29,7 @@ def _meant(word: str | None) -> str | None:
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run a command; gives the exit code.  Without arguments it is that of this process, which ends with it."""
-    from .outlet import Unwritable, outlets
+    from .output import Unwritable, outlets
 
     with outlets():
         try:

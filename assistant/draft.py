@@ -5,11 +5,11 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from calc.addresses import Table
-from calc.design_file import Document, design, parse
+from calc.design.addresses import Table
+from calc.design.toml_file import Document, design, parse
 
-from .saving import SaveError, differences, edited_text, fresh_text
-from .solving import Job, run
+from .session.saving import SaveError, differences, edited_text, fresh_text
+from .session.solving import Job, run
 
 if TYPE_CHECKING:
     from calc.solve import Results

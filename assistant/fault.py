@@ -44,7 +44,7 @@ def _kept(error: BaseException) -> Path | None:
 def _folders() -> list[Path]:
     found = []
     with suppress(Exception):  # it may be that which is at fault
-        from .recovery import state_dir
+        from .session.recovery import state_dir
 
         found.append(state_dir() / "faults")
     with suppress(OSError):

@@ -7,13 +7,13 @@ import sys
 import textwrap
 from collections.abc import Iterator, Sequence
 
-from calc.key_values import outside, stretched
+from calc.design.key_values import outside, stretched
 from calc.sheet.check import SIGNS, Check, grouped, named, severity, with_it
 from calc.sheet.rules import pattern_of
 from calc.sheet.step import no_such_check
 from calc.sheet.text import EMPTY, SPACE, Amount, Name, Text, plural
 from calc.solve import Results
-from calc.unusual import SHOWN, Unusual, told
+from calc.design.unusual import SHOWN, Unusual, told
 
 WORDS = {
     "pass": "pass", "warn": "warn", "fail": "FAIL", "note": "note", "not_verified": "not verified", "accepted": "accepted",

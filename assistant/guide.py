@@ -3,7 +3,7 @@
 
 from dataclasses import dataclass
 
-from calc.journal_rules import SLOPE, USUAL_CLEARANCE, USUAL_LENGTH
+from calc.library.journal_rules import SLOPE, USUAL_CLEARANCE, USUAL_LENGTH
 from calc.sheet.text import Amount, Text
 
 

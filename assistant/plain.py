@@ -5,21 +5,21 @@ import math
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
-from calc.design import OPTIONAL, STEPS
-from calc.design_file import Document
-from calc.key_values import judged, outside
+from calc.design.model import OPTIONAL, STEPS
+from calc.design.toml_file import Document
+from calc.design.key_values import judged, outside
 from calc.sheet.check import URGENT, Check
 from calc.sheet.number import short
 from calc.sheet.step import Outcome, Table
 from calc.solve import TITLES, Results
-from calc.unusual import unusual
+from calc.design.unusual import unusual
 from calc.version import VERSION
 
 from .findings import finding_lines, lost_acceptances
-from .findings import sign as sign
+from .findings import sign
 
 if TYPE_CHECKING:
-    from calc.effects import Effect
+    from calc.studies.effects import Effect
 
 DIGITS = 6
 HEADS = {step.key: step for step in STEPS}
@@ -42,7 +42,7 @@ def print_results(results: Results, step: str | None = None, *, everything: bool
             _print_step(outcome.whole, everything)
     print_summary(results, step, findings)
     if results.design.measured and step is None and not findings:
-        from calc.prediction import measured_table
+        from calc.design.predicted import measured_table
 
         print("", *table_lines(measured_table(list(results.design.measured), results.predicted)), sep="\n")
 
@@ -146,7 +146,7 @@ def results_json(
 ) -> dict[str, Any]:  # fmt: skip
     """The one JSON object of `check --json`; a number that is not finite is null.  `measured`: what the inputs do that move a check."""
     shown = [o.whole for key, o in results.outcomes.items() if step in (None, key)]
-    from calc.effects import effects
+    from calc.studies.effects import effects
 
     moved = effects(document, results, [c for o in shown for c in o.checks if c.verdict in URGENT]) if measured else {}
     return {
@@ -176,7 +176,7 @@ def results_json(
 def check_json(check: Check, beyond: Sequence[Check] = (), moved: "Sequence[Effect] | None" = None) -> dict[str, Any]:
     """A check with everything that it knows.  `beyond`: the checks of the method that put it outside the validity of its formula; `moved`:
     what the inputs do that move it, where it was measured."""
-    from calc.effects import Effect
+    from calc.studies.effects import Effect
 
     measured = moved if moved is not None else [Effect(key, None, None, "") for key in check.moved_by]
     return {

@@ -7,7 +7,7 @@ import os
 from pathlib import Path
 from secrets import token_hex
 
-from calc.files import lock
+from calc.design.disk import lock
 
 FOLDER = "open"
 

@@ -24,7 +24,7 @@ from aiohttp.log import server_logger
 from textual_serve.app_service import AppService
 from textual_serve.server import Server
 
-from calc.limits import COLUMNS, MESSAGE_BYTES, PASTED, ROWS, SESSIONS
+from calc.design.limits import COLUMNS, MESSAGE_BYTES, PASTED, ROWS, SESSIONS
 
 HOST = "127.0.0.1"
 ENDING = 10.0  # seconds that a session has to put its edits aside

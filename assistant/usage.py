@@ -12,7 +12,7 @@ from calc.version import VERSION
 
 ABOUT = """From the engine's data to the imbalance, the counter-rotating balance shaft, its plain bearings, its gear train and the
 friction it costs.  Without a command: the guided session."""
-LANGUAGES = ("en", "it")  # the codes of calc.languages, which --help does not load
+LANGUAGES = ("en", "it")  # the codes of calc.locale, which --help does not load
 KEY_VALUE = "KEY=VALUE"
 Arguments = Callable[[argparse.ArgumentParser], object]
 

@@ -11,12 +11,12 @@ from typing import Any
 
 import numpy as np
 
-from calc.design_file import design, read
+from calc.design.toml_file import design, read
 from calc.engine import solve as engine
 from calc.engine.inputs import EngineInputs
 from calc.imbalance import solve as imbalance
 from calc.imbalance.inputs import ImbalanceInputs
-from calc.shipped import EXAMPLE
+from calc.studies.shipped import EXAMPLE
 
 COUNT, LOOPED = 10_000, 300
 

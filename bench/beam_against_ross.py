@@ -18,7 +18,7 @@ from typing import Any
 
 import numpy as np
 
-from calc.catalogue import Material
+from calc.library.catalogue import Material
 from calc.countershaft.bending import shaft as b
 from calc.countershaft.inputs import Extra
 from calc.countershaft.outline import Outline, Piece, outline

@@ -15,7 +15,7 @@ from bench.film import best
 from calc.bearings import solve as bearings
 from calc.bearings.routes.balance import balanced, settled
 from calc.bearings.routes.routes import own_warm
-from calc.design_file import design, read
+from calc.design.toml_file import design, read
 from calc.solve import solve
 
 DESIGN = Path(__file__).parents[1] / "designs" / "r753ie4_gamma.toml"

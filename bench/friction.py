@@ -16,9 +16,9 @@ from typing import Any
 import numpy as np
 
 from bench.film import best
-from calc.catalogue import Oil, oils
-from calc.contact.teeth import ohlendorf_loss_factor
-from calc.design_file import design, read
+from calc.library.catalogue import Oil, oils
+from calc.library.contact import ohlendorf_loss_factor
+from calc.design.toml_file import design, read
 from calc.friction.balance.closure import balance
 from calc.friction.inputs import FrictionInputs
 from calc.friction.mesh.film import oil_at
@@ -28,8 +28,8 @@ from calc.friction.mesh.many import losses
 from calc.friction.models.regressions import of_schlenk
 from calc.friction.studies.maps import over_speed_and_temperature
 from calc.friction.studies.sensitivity import swings
-from calc.lubricant import Lubricant
-from calc.shipped import DESIGNS, EXAMPLE
+from calc.library.lubricant import Lubricant
+from calc.studies.shipped import DESIGNS, EXAMPLE
 from calc.solve import solve
 
 MANY, LOOPED = 10_000, 300

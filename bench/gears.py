@@ -10,10 +10,10 @@ from pathlib import Path
 
 import numpy as np
 
-from assistant.exporting import gears_text
+from assistant.session.exporting import gears_text
 from bench.film import best
-from calc.catalogue import materials
-from calc.design_file import design, read
+from calc.library.catalogue import materials
+from calc.design.toml_file import design, read
 from calc.gears import solve as gears
 from calc.gears.profile.outline import outline
 from calc.gears.selection.free_shifts import freedoms

@@ -9,7 +9,7 @@ from pathlib import Path
 from time import process_time
 
 import calc.sheet.formula as formula
-from calc.design_file import design, read
+from calc.design.toml_file import design, read
 from calc.sheet.trace import Line, recorder, subject
 from calc.sheet.value import unlinked
 from calc.solve import solve

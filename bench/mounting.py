@@ -10,13 +10,13 @@ from time import perf_counter
 import numpy as np
 
 from bench.film import best
-from calc import step_inputs
-from calc.design_file import design, read
+from calc.design import step_inputs
+from calc.design.toml_file import design, read
 from calc.mounting import solve as mounting
 from calc.mounting.felt import courses
 from calc.mounting.selection import choices
 from calc.sheet.trace import recorded
-from calc.shipped import DESIGNS
+from calc.studies.shipped import DESIGNS
 from calc.solve import solve
 
 

@@ -14,9 +14,9 @@ from dataclasses import is_dataclass
 from pathlib import Path
 from typing import Any
 
-from calc.design import Design
-from calc.design_file import Document, design, read
-from calc.explain import Chains
+from calc.design.model import Design
+from calc.design.toml_file import Document, design, read
+from calc.studies.explain import Chains
 from calc.sheet.errors import BadInput
 from calc.sheet.quantity import keys
 from calc.sheet.value import leaves, link_of

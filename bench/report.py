@@ -20,11 +20,11 @@ DEPTHS = ("summary", "engineer", "audit")
 FIGURES = """
 import io, pickle, sys
 import numpy, matplotlib.figure, matplotlib.backend_bases, reportlab.pdfgen.canvas, reportlab.pdfbase.ttfonts
-import calc.design_file, calc.solve, calc.explain, reports.report
-from reports.fonts import FACES, widths
-from reports.pen import Pen
-from calc.languages import language
-from reports.plots import Plots, plot
+import calc.design.toml_file, calc.solve, calc.studies.explain, reports.report
+from reports.setting.fonts import FACES, widths
+from reports.setting.pen import Pen
+from calc.locale import language
+from reports.figures.plots import Plots, plot
 for face in FACES:
     widths(face)
 curves = pickle.load(open(sys.argv[1], "rb"))
@@ -38,8 +38,8 @@ LEAN = f"import gc\ngc.disable()\n{FIGURES}\ngc.freeze()"
 DRAWN = """
 import pickle, sys
 from pathlib import Path
-from calc.design_file import load
-from calc.languages import language
+from calc.design.toml_file import load
+from calc.locale import language
 from calc.solve import solve
 from reports.context import Context
 document, design = load(sys.argv[1])
@@ -53,12 +53,12 @@ print(len(curves))
 FORMULAS = """
 import gc, sys, time
 gc.disable()
-from calc.design_file import load
-from calc.languages import language
+from calc.design.toml_file import load
+from calc.locale import language
 from calc.solve import solve
 from reports import derivation
 from reports.context import Context
-from reports.fonts import FACES, widths
+from reports.setting.fonts import FACES, widths
 document, design = load(sys.argv[1])
 context = Context(document, solve(design), "", "audit", language("en"))
 for face in FACES:

@@ -55,7 +55,7 @@ def commands(runs: int) -> None:
 
 def solves(runs: int) -> None:
     """In this process: the first solve, a warm one, and again after a change of an input of the last step."""
-    from calc.design_file import design, read
+    from calc.design.toml_file import design, read
     from calc.solve import Results, solve
 
     document = read(FAILS)

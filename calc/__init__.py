@@ -3,7 +3,7 @@
 
 from typing import TYPE_CHECKING
 
-from .lazy import lazy
+from .sheet.lazy import lazy
 
 __all__ = ["Design", "load_design", "solve_design"]
 

@@ -4,8 +4,8 @@
 from collections import Counter
 from collections.abc import Sequence
 
-from .compare import NOTABLE, RANKS, CheckDifference, Comparison, KeyResult, StepVerdicts, ValueDifference
-from .compare_tables import NOT_HERE, Names, Sign, change_text, check_columns, check_row, columns, pair
+from .studies.compare import NOTABLE, RANKS, CheckDifference, Comparison, KeyResult, StepVerdicts, ValueDifference
+from .studies.compare_tables import NOT_HERE, Names, Sign, change_text, check_columns, check_row, columns, pair
 from .id_words import belongs, in_context
 from .sheet.check import ORDER
 from .sheet.step import Table

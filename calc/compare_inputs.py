@@ -5,8 +5,8 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from typing import TypeVar
 
-from .addresses import Table, as_list, as_table
-from .design import Design
+from .design.addresses import Table, as_list, as_table
+from .design.model import Design
 from .sheet.quantity import Quantity, keys
 from .sheet.text import Text
 

@@ -4,7 +4,7 @@
 from collections.abc import Iterator
 
 from .bearings.inputs import BearingInputs
-from .design import STEPS, Design
+from .design.model import STEPS, Design
 from .engine.formulas import stroke
 from .sheet.text import COMMA, Amount, Name, Text, plural
 

@@ -3,8 +3,8 @@
 
 from pathlib import Path
 
-from .design import Design
-from .design_file import load
+from .design.model import Design
+from .design.toml_file import load
 from .solve import solve as solve_design
 
 __all__ = ["Design", "load_design", "solve_design"]

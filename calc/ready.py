@@ -4,8 +4,8 @@
 from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING
 
-from .addresses import Table, as_table
-from .design import STEPS
+from .design.addresses import Table, as_table
+from .design.model import STEPS
 from .sheet.check import Check
 from .sheet.record import record
 from .sheet.step import Outcome, Step

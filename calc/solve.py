@@ -13,13 +13,13 @@ from dataclasses import field, replace
 from functools import cache, partial
 from typing import TypeVar
 
-from . import step_inputs as h
+from .design import step_inputs as h
 from .bearings import solve as bearings
-from .bearings.stationary_load import with_standing as bearings_with_standing
+from .bearings.loads import with_standing as bearings_with_standing
 from .countershaft import solve as countershaft
 from .countershaft.result import CountershaftResult
 from .countershaft.stationary_load import with_standing
-from .design import STEPS, Design
+from .design.model import STEPS, Design
 from .engine import solve as engine
 from .engine.result import EngineResult
 from .friction import solve as friction
@@ -30,7 +30,7 @@ from .gears.inputs import GearsInputs
 from .gears.result import TrainResult
 from .imbalance import solve as imbalance
 from .imbalance.result import ImbalanceResult
-from .prediction import Predicted, with_measured
+from .design.predicted import Predicted, with_measured
 from .sheet.check import Check, worst
 from .sheet.garbage import seldom_collected
 from .sheet.later import Later, Many

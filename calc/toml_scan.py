@@ -6,7 +6,7 @@ Every letter is looked at once, whatever stands there; what takes a TOML text ap
 
 import re
 
-from .limits import DESIGN_DEPTH, DESIGN_ENTRIES
+from .design.limits import DESIGN_DEPTH, DESIGN_ENTRIES
 from .sheet.text import Text
 
 STRING = r'''"""(?:[^"\\]|\\(?:.|\Z)|"(?!""))*+(?:"{3,5})?|"(?:[^"\\\n]|\\[^\n])*+"?'''

@@ -12,7 +12,7 @@ HERE = Path(__file__).parent
 ROOT = HERE.parent
 sys.path.insert(0, str(ROOT))
 
-from calc.design import STEPS  # noqa: E402
+from calc.design.model import STEPS  # noqa: E402
 from calc.sheet.expression import expression, text  # noqa: E402
 from calc.sheet.formula import FORMULAS, Equation, units  # noqa: E402
 

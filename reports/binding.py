@@ -9,14 +9,14 @@ from reportlab.pdfgen.canvas import Canvas
 
 from calc.sheet.progress import Progress
 
-from . import attach
-from .conformance import archive
-from .flow import Page
-from .fonts import UPRIGHT, clean
+from .pdf import attach
+from .pdf.archive import archive
+from .setting.flow import Page
+from .setting.fonts import UPRIGHT, clean
 from .pack import packed
-from .page import paint
+from .pdf.binding import paint
 from .paper import PAGE
-from .title_block import PROGRAM, SHORT_HASH
+from .blocks.title_block import PROGRAM, SHORT_HASH
 
 
 def bind(

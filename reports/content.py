@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What a block of a report says, beside how it is drawn: for whoever sets the same report elsewhere (`reports.docx_file`).
+"""What a block of a report says, beside how it is drawn: for whoever sets the same report elsewhere (`reports.docx.docx_file`).
 
 A block without content goes on with the one before it, or only adorns the page.
 """
@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from calc.sheet.expression import Shown
 
-    from .prose import Style
+    from .setting.prose import Style
 
 
 class Content:

@@ -3,13 +3,13 @@
 
 from dataclasses import dataclass, field
 
-from calc.design import STEPS, Design
-from calc.design_file import Document
-from calc.explain import Chains
+from calc.design.model import STEPS, Design
+from calc.design.toml_file import Document
+from calc.studies.explain import Chains
 from calc.id_words import belongs
-from calc.key_values import CURVES, judged, like, outside
-from calc.languages import Language
-from calc.optimise.picked import Picked
+from calc.design.key_values import CURVES, judged, like, outside
+from calc.locale import Language
+from calc.studies.drive.front import Picked
 from calc.sheet.check import URGENT, Check, severity
 from calc.sheet.quantity import Published
 from calc.sheet.step import Curve, Outcome, Step
@@ -18,8 +18,8 @@ from calc.solve import Results
 
 from .elements import Origins
 from .logo import Logo
-from .symbols import Symbol
-from .words import WORDS
+from .setting.symbols import Symbol
+from .blocks.words import WORDS
 
 DEPTHS = ("summary", "engineer", "audit")
 NEAR = 0.1  # margin up to which a check that holds is proven

@@ -9,9 +9,9 @@ from calc.sheet.step import Step
 from calc.sheet.trace import Line
 
 from .context import Context
-from .equation import SIGN, Entry, Label, Labelled, entry_blocks
-from .flow import Block, heading, paragraph
-from .prose import GROUP, NOTE
+from .setting.equation import SIGN, Entry, Label, Labelled, entry_blocks
+from .setting.flow import Block, heading, paragraph
+from .setting.prose import GROUP, NOTE
 
 
 def derivation(context: Context, step: Step, traced: list[Line]) -> list[Block]:

@@ -3,19 +3,19 @@
 
 from fnmatch import fnmatchcase
 
-from calc.optimise.picked import UNITS, Picked
-from calc.optimise.telling import LABELS, power_of_ten, proof_of, ranges
+from calc.studies.drive.front import UNITS, Picked
+from calc.studies.drive.output import LABELS, power_of_ten, proof_of, ranges
 from calc.sheet.check import Check
 from calc.sheet.step import Curve, Series, Table
 from calc.sheet.text import Amount, Text
 
-from .checks import check_blocks
+from .blocks.checks import check_blocks
 from .context import Context
-from .figures import figure_blocks
-from .flow import Block, bullet, heading, paragraph
-from .plots import Plots
-from .prose import BODY, SECTION
-from .values import table_blocks
+from .figures.figures import figure_blocks
+from .setting.flow import Block, bullet, heading, paragraph
+from .figures.plots import Plots
+from .setting.prose import BODY, SECTION
+from .blocks.values import table_blocks
 
 BINDING = 6  # limits with the least margins
 

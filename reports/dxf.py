@@ -10,9 +10,9 @@ from contextlib import contextmanager
 from io import StringIO
 from typing import TYPE_CHECKING, Any
 
-from calc.drawings import Sheet
+from calc.studies.drawings import Sheet
 from calc.sheet.dimension import ARROW, BEYOND, OFF, strokes, written
-from calc.sheet.drawing import Arc, Area, Dimension, Hatch, Ink, Point, Polyline, Words, enlarged, reach
+from calc.draw.drawing import Arc, Area, Dimension, Hatch, Ink, Point, Polyline, Words, enlarged, reach
 from calc.sheet.layers import LAYERS
 from calc.sheet.units import UNITS
 

@@ -6,14 +6,14 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
-from .flow import Block
+from .setting.flow import Block
 from .paper import HEIGHT, WIDTH
-from .prose import NOTE, one_line
-from .symbols import BETWEEN, SIGN
-from .tags import Tag
+from .setting.prose import NOTE, one_line
+from .setting.symbols import BETWEEN, SIGN
+from .setting.tags import Tag
 
 if TYPE_CHECKING:
-    from .pen import Pen
+    from .setting.pen import Pen
 
 COLUMNS, GUTTER = 2, 16.0
 EACH = (WIDTH - (COLUMNS - 1) * GUTTER) / COLUMNS

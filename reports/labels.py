@@ -8,9 +8,9 @@ from typing import Any, Literal
 
 import numpy as np
 
-from calc.sheet.drawing import Point
+from calc.draw.drawing import Point
 
-from .boxes import Box
+from .setting.boxes import Box
 
 UP, DOWN = 0.74, 0.22  # of the size: what letters take above and below their base line
 SIZE = 7.5

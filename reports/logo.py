@@ -12,8 +12,8 @@ from pathlib import Path
 
 from reportlab.lib.utils import ImageReader
 
-from calc.design_file import Document
-from calc.limits import LOGO_BYTES, LOGO_SIDE
+from calc.design.toml_file import Document
+from calc.design.limits import LOGO_BYTES, LOGO_SIDE
 from calc.sheet.errors import BadInput, InputError
 from calc.sheet.text import Text
 

@@ -10,7 +10,7 @@ from typing import Any
 
 from reportlab.pdfbase.pdfdoc import PDFFile
 
-from .fonts import unicode_map
+from .setting.fonts import unicode_map
 
 EACH = 100  # objects of a pack: a reader unpacks all of them for one
 OPEN, PACKED = 1, 2  # kinds of entry in the table of objects

@@ -6,9 +6,9 @@ from __future__ import annotations
 
 from xml.etree import ElementTree
 
-from calc.limits import PDF_DEPTH
+from calc.design.limits import PDF_DEPTH
 
-from .pdf_file import Malformed
+from .verify.pdf_file import Malformed
 
 RDF = "{http://www.w3.org/1999/02/22-rdf-syntax-ns#}"
 XMP = "{http://ns.adobe.com/xap/1.0/}"

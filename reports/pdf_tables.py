@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from .pdf_file import Malformed, Pdf, Stream, Table
+from .verify.pdf_file import Malformed, Pdf, Stream, Table
 
 
 def demand_tables(pdf: Pdf) -> None:

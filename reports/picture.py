@@ -8,10 +8,10 @@ import pypdfium2
 from reportlab.pdfgen.canvas import Canvas
 
 from .content import Picture
-from .flow import Block
-from .fonts import UPRIGHT
+from .setting.flow import Block
+from .setting.fonts import UPRIGHT
 from .paper import LEFT, WIDTH
-from .pen import Codes, Pen
+from .setting.pen import Codes, Pen
 
 DPI = 200
 MARGIN = 4.0  # points around what is drawn

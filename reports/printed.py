@@ -11,8 +11,8 @@ import re
 from collections.abc import Iterable, Iterator
 from typing import Any
 
-from .pdf_file import Malformed, Pdf
-from .tags import FIGURE
+from .verify.pdf_file import Malformed, Pdf
+from .setting.tags import FIGURE
 
 Rectangle = tuple[float, float, float, float]  # left, lower, right, upper
 ABOVE, BELOW = 0.72, 0.20  # of the size: how far letters reach from their base line

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from calc.addresses import value_at
-from calc.explain import shortened
+from calc.design.addresses import value_at
+from calc.studies.explain import shortened
 from calc.sheet.check import Check
 from calc.sheet.errors import BadInput
 from calc.sheet.number import RANGE
@@ -17,22 +17,22 @@ from calc.sheet.step import Outcome, Step
 from calc.sheet.text import Amount, Text
 from calc.sheet.units import UNITS
 
-from .boxes import Colour
-from .checks import name_of, shown_value, sign_style
+from .setting.boxes import Colour
+from .blocks.checks import name_of, shown_value, sign_style
 from .content import Formula
 from .context import Context
-from .equation import SIGN, column_of_signs, entry_blocks, spoken_numbers
-from .flow import Block, paragraph
-from .inputs import exact
+from .setting.equation import SIGN, column_of_signs, entry_blocks, spoken_numbers
+from .setting.flow import Block, paragraph
+from .blocks.inputs import exact
 from .paper import WIDTH
-from .proof import ALIKE, Known, Proof, Walk, demand, limit, proofs, value
-from .prose import GROUP, NOTE, STRONG
-from .tables import Cell, Column, Row, table
-from .tags import title_tag
-from .words import STATE_COLOURS
+from .blocks.proof import ALIKE, Known, Proof, Walk, demand, limit, proofs, value
+from .setting.prose import GROUP, NOTE, STRONG
+from .setting.tables import Cell, Column, Row, table
+from .setting.tags import title_tag
+from .blocks.words import STATE_COLOURS
 
 if TYPE_CHECKING:
-    from .pen import Pen
+    from .setting.pen import Pen
 
 NAMED = 6  # twins
 QUOTED = 14  # values and inputs of a proof

@@ -9,11 +9,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from .boxes import Box
+from .setting.boxes import Box
 from .paper import LEFT
 
 if TYPE_CHECKING:
-    from .pen import Pen
+    from .setting.pen import Pen
 
 
 @dataclass(frozen=True, slots=True)

@@ -11,43 +11,43 @@ from dataclasses import replace
 from functools import partial
 from pathlib import Path
 
-from calc.design_file import Document
-from calc.files import write_file
-from calc.languages import LANGUAGES, language
+from calc.design.toml_file import Document
+from calc.design.disk import write_file
+from calc.locale import LANGUAGES, language
 from calc.languages.outcome import said
-from calc.optimise.picked import picked
+from calc.studies.drive.front import picked
 from calc.sheet.aside import aside
 from calc.sheet.later import Later
 from calc.sheet.progress import Progress, part, tell
 from calc.sheet.step import Outcome, Step
 from calc.solve import Results
 
-from . import attach
+from .pdf import attach
 from .binding import bind
-from .chapter import Parts, chapter_parts
-from .checks import check_blocks, errata_blocks
+from .blocks.chapter import Parts, chapter_parts
+from .blocks.checks import check_blocks, errata_blocks
 from .content import Heading
-from .contents import Entry, contents_blocks
+from .blocks.contents import Entry, contents_blocks
 from .context import DEPTHS, Context, stands
 from .derivation import derivation
-from .draughtsman import draughtsman
-from .drawing import drawing_blocks, wheel_blocks
-from .figures import figure_blocks
-from .flow import Block, bullet, composed, heading, paragraph
-from .fonts import FACES, widths
+from .figures.draughtsman import draughtsman
+from .blocks.drawing import drawing_blocks, wheel_blocks
+from .figures.figures import figure_blocks
+from .setting.flow import Block, bullet, composed, heading, paragraph
+from .setting.fonts import FACES, widths
 from .index import index_blocks
-from .inputs import input_blocks, material_blocks
+from .blocks.inputs import input_blocks, material_blocks
 from .logo import logo
-from .nomenclature import nomenclature_blocks
+from .blocks.nomenclature import nomenclature_blocks
 from .paper import PAGE, WIDTH
-from .plots import Draughtsman, Plots
-from .prose import BODY, HEADING, SECTION, lines
-from .sketches import sketch_figure
+from .figures.plots import Draughtsman, Plots
+from .setting.prose import BODY, HEADING, SECTION, lines
+from .figures.sketches import sketch_figure
 from .sources import source_blocks
-from .summary import closing_blocks, mended, step_anchor, summary_blocks
-from .title_block import NOTE_LINES
-from .values import table_blocks, value_blocks
-from .words import verdict
+from .blocks.summary import closing_blocks, mended, step_anchor, summary_blocks
+from .blocks.title_block import NOTE_LINES
+from .blocks.values import table_blocks, value_blocks
+from .blocks.words import verdict
 
 # What the contents name of a step; their row holds no more, and the errata stand in the summary as well.
 LISTED = ("inputs", "notes", "formulas", "results", "tables", "checks", "figures")

@@ -6,19 +6,19 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
-from calc.drawings import shaft, train
-from calc.sheet.drawing import Arc, Point, Polyline, Primitive, Words
+from calc.studies.drawings import shaft, train
+from calc.draw.drawing import Arc, Point, Polyline, Primitive, Words
 
-from .boxes import BLACK, GREY, Colour
+from .setting.boxes import BLACK, GREY, Colour
 from .content import Picture
 from .context import Context
-from .flow import Block
+from .setting.flow import Block
 from .paper import LEFT, WIDTH
-from .prose import NOTE, one_line
-from .tags import FIGURE, Tag
+from .setting.prose import NOTE, one_line
+from .setting.tags import FIGURE, Tag
 
 if TYPE_CHECKING:
-    from .pen import Pen
+    from .setting.pen import Pen
 
 HIGH = 84.0  # at most, of the drawing
 BETWEEN = 22.0  # of shaft and train

@@ -6,13 +6,13 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass, field, replace
 
-from calc.publications import Publication, resolved
+from calc.library.publications import Publication, resolved
 from calc.sheet.text import Text
 
 from .context import Context
-from .flow import Block, bullet, heading, paragraph
-from .prose import GROUP, NOTE, SECTION
-from .tables import Cell, Column, Group, Row, noted_below, table
+from .setting.flow import Block, bullet, heading, paragraph
+from .setting.prose import GROUP, NOTE, SECTION
+from .setting.tables import Cell, Column, Group, Row, noted_below, table
 
 STANDARD = re.compile(r"(?:ISO|DIN|AGMA|VDI|FVA|ASTM|API|BS|EN|IACS|JIS|UNI)\b")  # what the name of a standard begins with
 NAME, STATUS, KNOWN = 74.0, 78.0, 72.0  # widths beside the title

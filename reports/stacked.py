@@ -10,18 +10,18 @@ import numpy as np
 
 from calc.sheet.step import Curve
 
-from .arrows import ARROW, head
-from .boxes import GREY
+from .figures.arrows import ARROW, head
+from .setting.boxes import GREY
 from .labels import Label, placed
-from .legend import draw_legend, legend
-from .line_labels import at_the_point
+from .figures.legend import draw_legend, legend
+from .figures.labels import at_the_point
 from .paper import LEFT, WIDTH
-from .plots import HIGH, LEFT_AXIS, LETTER, LOW, RIGHT_AXIS, Look, Plots, in_words, numbers
-from .prose import STRONG, lines, run
-from .tags import FIGURE, Tag
+from .figures.plots import HIGH, LEFT_AXIS, LETTER, LOW, RIGHT_AXIS, Look, Plots, in_words, numbers
+from .setting.prose import STRONG, lines, run
+from .setting.tags import FIGURE, Tag
 
 if TYPE_CHECKING:
-    from .pen import Pen
+    from .setting.pen import Pen
 
 PANEL, NAME = 44.0, 13.0  # height of the axes of one curve, and of its name over them
 BODY, FORCE, LEAST = 14.0, 24.0, 9.0  # half the height of the sketched shaft; length of the longest and of the shortest arrow

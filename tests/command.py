@@ -10,7 +10,7 @@ from pathlib import Path
 
 from assistant.cli import main
 
-from .conftest import ROOT
+from tests.conftest import ROOT
 
 Done = subprocess.CompletedProcess[str]
 

@@ -9,11 +9,11 @@ from pathlib import Path
 import pytest
 from hypothesis import settings
 
-from calc.design_file import Document, read
-from calc.design_file import design as checked
+from calc.design.toml_file import Document, read
+from calc.design.toml_file import design as checked
 from calc.sheet.garbage import SELDOM
 from calc.solve import Results, solve
-from calc.validate import Row, Unmet, rows, unmet
+from calc.studies.validate import Row, Unmet, rows, unmet
 
 settings.register_profile("untimed", deadline=None)  # how long an example takes depends on what else the machine does
 settings.load_profile("untimed")

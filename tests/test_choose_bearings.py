@@ -5,8 +5,8 @@ import json
 
 import pytest
 
-from .command import run
-from .conftest import DESIGNS
+from tests.command import run
+from tests.conftest import DESIGNS
 
 
 @pytest.fixture

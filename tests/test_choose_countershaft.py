@@ -4,8 +4,8 @@ import json
 
 import pytest
 
-from .command import run
-from .conftest import DESIGNS, GAMMA
+from tests.command import run
+from tests.conftest import DESIGNS, GAMMA
 
 
 @pytest.fixture

@@ -9,8 +9,8 @@ import pytest
 from assistant.offers import gears as offered
 from calc.gears.selection.search import search
 
-from .command import run
-from .conftest import DESIGNS, GAMMA
+from tests.command import run
+from tests.conftest import DESIGNS, GAMMA
 
 
 @pytest.fixture
@@ -128,7 +128,7 @@ def test_what_can_not_be_chosen_is_said():
 
 
 def test_the_progress_of_the_search_moves_on_and_never_stands() -> None:
-    from calc.design_file import design, read
+    from calc.design.toml_file import design, read
 
     told: list[float] = []
     gears = design(read(GAMMA)).gears

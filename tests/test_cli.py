@@ -8,8 +8,8 @@ import pytest
 
 from assistant.commands import validate
 
-from .command import run, run_apart
-from .conftest import DESIGNS, GAMMA, ROOT
+from tests.command import run, run_apart
+from tests.conftest import DESIGNS, GAMMA, ROOT
 
 
 @pytest.fixture(scope="module")

@@ -10,9 +10,9 @@ import pytest
 from assistant.cli import main
 from assistant.commands.compare import column_names
 
-from .command import run
-from .conftest import DESIGNS, GAMMA
-from .test_imports import HEAVY, loaded
+from tests.command import run
+from tests.conftest import DESIGNS, GAMMA
+from tests.test_imports import HEAVY, loaded
 
 BETA = DESIGNS / "r753ie4_beta.toml"
 

@@ -6,8 +6,8 @@ import json
 
 import pytest
 
-from .command import run, run_apart
-from .conftest import DESIGNS
+from tests.command import run, run_apart
+from tests.conftest import DESIGNS
 
 FEW = (
     "--vary", "countershaft.core_radius_mm=13:17:1", "bearings.rear.diameter_mm=84,85,86", "bearings.front.diameter_mm=58.5,62",

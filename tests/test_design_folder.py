@@ -10,8 +10,8 @@ import time
 
 import pytest
 
-from .command import run, run_apart
-from .conftest import DESIGNS, ROOT
+from tests.command import run, run_apart
+from tests.conftest import DESIGNS, ROOT
 
 ONE = (
     "--vary", "countershaft.core_radius_mm=15", "bearings.rear.diameter_mm=85,86", "bearings.front.diameter_mm=60",

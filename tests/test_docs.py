@@ -10,8 +10,8 @@ import sys
 
 import pytest
 
-from .command import run
-from .conftest import ROOT
+from tests.command import run
+from tests.conftest import ROOT
 
 DOCS = ROOT / "docs"
 PAGES = [ROOT / "README.md", ROOT / "README.it.md", *sorted(DOCS.glob("*.md"))]

@@ -10,7 +10,7 @@ import pytest
 
 from assistant.cli import main
 
-from .conftest import DESIGNS, GAMMA
+from tests.conftest import DESIGNS, GAMMA
 
 PLAIN = """schema = 1
 name = "a shaft alone"

@@ -12,7 +12,7 @@ import pytest
 
 from assistant import cli
 
-from .conftest import DESIGNS, ROOT
+from tests.conftest import DESIGNS, ROOT
 
 PAIR = str(DESIGNS / "timing_pair.toml")
 BROKEN = """

@@ -6,10 +6,10 @@ import pytest
 
 from assistant.findings import finding_lines
 from assistant.plain import check_json, results_json
-from calc.design_file import design, read
+from calc.design.toml_file import design, read
 from calc.sheet.check import Check
 from calc.sheet.text import Text
-from calc.shipped import DESIGNS
+from calc.studies.shipped import DESIGNS
 from calc.solve import solve
 
 

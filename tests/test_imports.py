@@ -6,8 +6,8 @@ import sys
 
 import pytest
 
-from .conftest import DESIGNS, GAMMA, ROOT
-from .import_scan import circles, graph, imported, modules
+from tests.conftest import DESIGNS, GAMMA, ROOT
+from tests.import_scan import circles, graph, imported, modules
 
 HEAVY = ("scipy", "matplotlib", "reportlab", "rich", "textual", "tomlkit", "pypdf", "PIL", "ezdxf")
 
@@ -37,7 +37,7 @@ def test_help_loads_nothing_but_argparse():
 
 def test_inputs_can_be_read_without_numpy():
     """The session paints its form from the inputs before anything is solved."""
-    assert "numpy" not in loaded(f"from calc.design_file import load; load({str(GAMMA)!r})")
+    assert "numpy" not in loaded(f"from calc.design.toml_file import load; load({str(GAMMA)!r})")
 
 
 @pytest.mark.parametrize("package, forbidden", [
@@ -62,7 +62,7 @@ STEPS = ("engine", "imbalance", "gears", "countershaft", "bearings", "friction")
 def test_a_step_knows_neither_the_design_nor_a_later_step(step):
     """A step may read inputs and results that are there before it in the order of computing; it never solves another."""
     paths = modules(ROOT, f"calc.{step}")
-    later = {f"calc.{other}.solve" for other in STEPS[STEPS.index(step) + 1 :]} | {"calc.design", "calc.solve"}
+    later = {f"calc.{other}.solve" for other in STEPS[STEPS.index(step) + 1 :]} | {"calc.design.model", "calc.solve"}
     seen = {name: set(imported(name, path)) for name, path in paths.items()}
     assert any(n.startswith("calc.sheet") for names in seen.values() for n in names)
     assert {name: names & later for name, names in seen.items() if names & later} == {}
@@ -137,6 +137,6 @@ def test_a_scan_of_nothing_fails(tmp_path):
 
 
 def test_shipped_designs_are_found_beside_the_package():
-    from calc.shipped import DESIGNS as shipped
+    from calc.studies.shipped import DESIGNS as shipped
 
     assert shipped.resolve() == DESIGNS.resolve()

@@ -8,8 +8,8 @@ import pytest
 
 import calc
 
-from .conftest import ROOT
-from .test_imports import loaded
+from tests.conftest import ROOT
+from tests.test_imports import loaded
 
 SECTION = (ROOT / "docs" / "python.md").read_text(encoding="utf-8")
 BLOCKS = [

@@ -8,7 +8,7 @@ import pytest
 
 from assistant.cli import main
 
-from .conftest import DESIGNS, GAMMA
+from tests.conftest import DESIGNS, GAMMA
 
 PASTE = "nearest passing design: "
 WARNS = "with new warnings: "

@@ -4,9 +4,9 @@ import json
 
 import pytest
 
-from calc.catalogue import oils
+from calc.library.catalogue import oils
 
-from .command import run
+from tests.command import run
 
 
 def test_all_oils_a_row_each():

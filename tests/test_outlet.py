@@ -10,8 +10,8 @@ import pytest
 
 from calc.sheet.visible import UNSEEN, visible
 
-from .command import run
-from .conftest import DESIGNS, GAMMA, ROOT
+from tests.command import run
+from tests.conftest import DESIGNS, GAMMA, ROOT
 
 BAD = "\x00\x07\x1b\x7f\x85\x9b\u200b\u200e\u200f\u2028\u2029\u202a\u202e\u2066\u2069\ufeff\udc80\U000e0041"
 PAIR = DESIGNS / "timing_pair.toml"

@@ -10,9 +10,9 @@ from pathlib import Path
 
 import pytest
 
-from .command import run
-from .conftest import DESIGNS, GAMMA, ROOT
-from .reports.test_title_block import png
+from tests.command import run
+from tests.conftest import DESIGNS, GAMMA, ROOT
+from tests.reports.test_title_block import png
 
 VARY = ["--vary", "engine.rated_speed_rpm=1000:2000:2", "--step", "imbalance"]
 EDITS = {
@@ -97,7 +97,7 @@ def test_edits_of_eight_runs_at_once_are_all_there(tmp_path: Path) -> None:
 
 
 def test_a_choice_is_not_written_over_what_another_program_wrote_meanwhile(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    from assistant.commands import choose
+    from assistant.commands import edit as choose
 
     path = shutil.copy(GAMMA, tmp_path / "d.toml")
     offer_for = choose.offer_for

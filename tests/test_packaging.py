@@ -10,7 +10,7 @@ import pytest
 
 from calc.version import VERSION
 
-from .conftest import ROOT
+from tests.conftest import ROOT
 
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
 FOLDERS = ("assistant", "bench", "calc", "designs", "reports", "tests")

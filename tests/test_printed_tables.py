@@ -5,11 +5,11 @@ from dataclasses import replace
 from pathlib import Path
 
 from assistant.plain import print_results, results_json, table_lines
-from calc.design_file import design, parse
+from calc.design.toml_file import design, parse
 from calc.sheet.step import Table
 from calc.solve import Results, solve
 
-from .conftest import GAMMA
+from tests.conftest import GAMMA
 
 LONG = "counterweights on the crank that carry one half of all reciprocating masses"
 TABLE = Table(

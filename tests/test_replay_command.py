@@ -7,8 +7,8 @@ from pathlib import Path
 
 import pytest
 
-from .command import run
-from .conftest import DESIGNS
+from tests.command import run
+from tests.conftest import DESIGNS
 
 EXPECT = '[[expect]]\nstep = "gears"\nverdict = "pass"\n'
 REPORT = '[[step]]\nreport = "out.pdf"\n'

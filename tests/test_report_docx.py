@@ -10,8 +10,8 @@ import pytest
 from assistant.cli import main
 from assistant.commands import report
 
-from .conftest import DESIGNS
-from .test_imports import loaded
+from tests.conftest import DESIGNS
+from tests.test_imports import loaded
 
 PAIR = DESIGNS / "timing_pair.toml"
 

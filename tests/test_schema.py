@@ -9,8 +9,8 @@ import tomllib
 
 import pytest
 
-from .command import run
-from .conftest import DESIGNS, ROOT
+from tests.command import run
+from tests.conftest import DESIGNS, ROOT
 
 jsonschema = pytest.importorskip("jsonschema")
 

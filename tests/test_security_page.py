@@ -7,14 +7,14 @@ import pytest
 
 from assistant import server
 from assistant.commands.verify import LAST
-from calc.limits import TABLES
+from calc.design.limits import TABLES
 
-from .conftest import ROOT
-from .import_scan import imported, modules
+from tests.conftest import ROOT
+from tests.import_scan import imported, modules
 
 PAGE = (ROOT / "SECURITY.md").read_text(encoding="utf-8")
 OUTWARD = {"urllib.request", "http.client", "http.server", "ftplib", "smtplib", "socketserver", "xmlrpc", "requests", "httpx", "urllib3"}
-SERVING = {"assistant.server", "assistant.commands.serve"}
+SERVING = {"assistant.server", "assistant.commands.program"}
 
 
 @pytest.mark.parametrize("of", TABLES)

@@ -25,12 +25,12 @@ from aiohttp.test_utils import TestClient, TestServer
 
 from assistant import server as serving
 from assistant.cli import main
-from assistant.commands.serve import command
+from assistant.commands.program import command
 from assistant.server import Local
-from calc.limits import COLUMNS, MESSAGE_BYTES, PASTED, ROWS
+from calc.design.limits import COLUMNS, MESSAGE_BYTES, PASTED, ROWS
 
-from .browser import CHROMIUM, browser, kill_group
-from .conftest import GAMMA, ROOT
+from tests.browser import CHROMIUM, browser, kill_group
+from tests.conftest import GAMMA, ROOT
 
 posix = pytest.mark.skipif(os.name != "posix", reason="ends the server by a signal")
 

@@ -4,8 +4,8 @@ import json
 
 import pytest
 
-from .command import run
-from .conftest import ROOT
+from tests.command import run
+from tests.conftest import ROOT
 
 
 @pytest.mark.parametrize("command", [["report", "{}"], ["compare", "{}", "designs/r753ie4_beta.toml"], ["export", "{}", "--json"]])

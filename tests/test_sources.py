@@ -9,7 +9,7 @@ import pytest
 from pypdf import PdfReader
 
 from assistant.cli import main
-from calc.publications import KINDS, KNOWN, register
+from calc.library.publications import KINDS, KNOWN, register
 
 GAMMA = str(Path(__file__).parents[1] / "designs" / "r753ie4_gamma.toml")
 

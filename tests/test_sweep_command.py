@@ -12,8 +12,8 @@ from importlib.util import find_spec
 
 import pytest
 
-from .command import run
-from .conftest import GAMMA, ROOT
+from tests.command import run
+from tests.conftest import GAMMA, ROOT
 
 
 def test_sweep_writes_csv_and_says_the_verdicts(tmp_path):

@@ -17,7 +17,7 @@ from typing import get_args, get_type_hints
 
 import pytest
 
-from calc.design import Design
+from calc.design.model import Design
 from calc.sheet.quantity import keys
 
 ROOT = Path(__file__).parents[1]

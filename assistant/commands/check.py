@@ -8,10 +8,10 @@ from contextlib import suppress
 from dataclasses import replace
 
 from assistant.plain import print_results, results_json
-from calc.addresses import address, parse_assignment
-from calc.design import STEPS, Design
-from calc.design_file import Document, design, read
-from calc.limits import SEARCH_SECONDS
+from calc.design.addresses import address, parse_assignment
+from calc.design.model import STEPS, Design
+from calc.design.toml_file import Document, design, read
+from calc.design.limits import SEARCH_SECONDS
 from calc.sheet.errors import BadInput, Cancelled, InputError
 from calc.sheet.progress import at_most
 from calc.sheet.step import Outcome
@@ -56,9 +56,9 @@ def nearest_passing(
     """
     import shlex  # for a design that fails only
 
-    from calc.locks import standing
-    from calc.repair.remedy import nearest
-    from calc.repair.state import warned
+    from calc.design.locks import standing
+    from calc.studies.repair.nearest import nearest
+    from calc.studies.repair.state import warned
     from calc.sheet.check import named
 
     try:

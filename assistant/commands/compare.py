@@ -9,13 +9,13 @@ from pathlib import Path
 from typing import Any
 
 from assistant.plain import LINE, finite, sign, table_lines
-from assistant.saving import spare
-from calc.compare import EQUAL, CheckDifference, Comparison, KeyResult, ValueDifference, compare
+from assistant.session.saving import spare
+from calc.studies.compare import EQUAL, CheckDifference, Comparison, KeyResult, ValueDifference, compare
 from calc.compare_conclusion import moved_table, result_table, sentences
-from calc.compare_tables import Names, check_table, input_table, value_table, verdict_table
-from calc.design import STEPS
-from calc.design_file import Document, design, read
-from calc.prediction import compared_table
+from calc.studies.compare_tables import Names, check_table, input_table, value_table, verdict_table
+from calc.design.model import STEPS
+from calc.design.toml_file import Document, design, read
+from calc.design.predicted import compared_table
 from calc.sheet.check import Check
 from calc.sheet.errors import BadInput, InputError
 from calc.sheet.step import Table

@@ -14,14 +14,14 @@ from typing import Any
 
 from assistant.commands.check import changed
 from assistant.plain import print_summary, table_json, table_lines
-from assistant.saving import differences, edited_text, spare, write_asked
-from calc.design_file import Document, read
-from calc.optimise.classes import NotClosed, without_proof
-from calc.optimise.evolve import EVALUATIONS, evolved
+from assistant.session.saving import differences, edited_text, spare, write_asked
+from calc.design.toml_file import Document, read
+from calc.studies.drive.classes import NotClosed, without_proof
+from calc.studies.drive.evolve import EVALUATIONS, evolved
 from calc.optimise.problem import Problem
-from calc.optimise.run import Found, Table, asked, named, search
-from calc.optimise.telling import csv_text, json_text, power_of_ten, said, stood, table
-from calc.optimise.whole import Whole
+from calc.studies.drive.run import Found, Table, asked, named, search
+from calc.studies.drive.output import csv_text, json_text, power_of_ten, said, stood, table
+from calc.studies.drive.whole import Whole
 from calc.sheet.errors import BadInput, InputError, NoSolution
 from calc.sheet.text import Text, plural
 from calc.solve import solve
@@ -278,7 +278,7 @@ def _pick(given: Namespace, document: Document, problem: Problem) -> int:
 
 def nothing(given: Namespace, found: Found) -> int:
     """Exit 3: what stops the search, and what alone would have to give way."""
-    from calc.optimise.relax import refusal
+    from calc.studies.drive.relax import refusal
 
     print(Text("nothing passes: {n} combinations", n=power_of_ten(found.table.combinations)), file=sys.stderr, flush=True)
     for why, first in {str(why): n for n, why in reversed(found.table.refused)}.items():

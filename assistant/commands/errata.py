@@ -5,7 +5,7 @@ import textwrap
 from argparse import Namespace
 from dataclasses import fields
 
-from calc.errata import Misprint, documents, misprints
+from calc.studies.errata import Misprint, documents, misprints
 from calc.sheet.errors import BadInput, InputError
 from calc.sheet.text import Text
 from calc.version import VERSION
@@ -59,7 +59,7 @@ def markdown() -> str:
         "What is wrong in the three documents that this program grew out of: what is printed, what is right, and why. Right numbers are",
         "the program's own; the command below a row shows how each is worked out. Lines are those of the plain text of the document.",
         "",
-        "The table behind this page is `calc/tables/errata.toml`; `contralbero errata --markdown > docs/errata.md` writes the page.",
+        "The table behind this page is `calc/library/tables/errata.toml`; `contralbero errata --markdown > docs/errata.md` writes the page.",
     ]
     for name, title in documents().items():
         of_it = list(misprints(name))

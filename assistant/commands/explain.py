@@ -4,14 +4,14 @@
 from argparse import Namespace
 from typing import Any
 
-from assistant.commands.sources import reference_lines
-from calc.addresses import value_at
-from calc.design import Design
-from calc.design_file import Document, load
-from calc.design_file import design as design_of
-from calc.explain import Chains, Link, chain, origin, shortened
-from calc.key_values import outside
-from calc.publications import resolved
+from assistant.commands.published import reference_lines
+from calc.design.addresses import value_at
+from calc.design.model import Design
+from calc.design.toml_file import Document, load
+from calc.design.toml_file import design as design_of
+from calc.studies.explain import Chains, Link, chain, origin, shortened
+from calc.design.key_values import outside
+from calc.library.publications import resolved
 from calc.sheet.check import named
 from calc.sheet.errors import BadInput, InputError
 from calc.sheet.number import short

@@ -4,10 +4,10 @@
 from argparse import Namespace
 from pathlib import Path
 
-from assistant.exporting import KINDS, drawing_text, draws_gears, exported, gears_text, transfer_text
+from assistant.session.exporting import KINDS, drawing_text, draws_gears, exported, gears_text, transfer_text
 from assistant.plain import print_summary
-from assistant.saving import spare, write_asked
-from calc.design_file import Document, design, read
+from assistant.session.saving import spare, write_asked
+from calc.design.toml_file import Document, design, read
 from calc.sheet.errors import BadInput, InputError
 from calc.sheet.text import COMMA, Amount, Text
 from calc.solve import Results, solve

@@ -4,10 +4,10 @@
 from argparse import Namespace
 from pathlib import Path
 
-from assistant.saving import write_asked
+from assistant.session.saving import write_asked
 from calc.sheet.errors import BadInput, InputError
 from calc.sheet.text import Text
-from calc.shipped import engine_design, engines
+from calc.studies.shipped import engine_design, engines
 
 
 def run(asked: Namespace) -> int:

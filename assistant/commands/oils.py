@@ -5,9 +5,9 @@ from argparse import Namespace
 from typing import Any
 
 from assistant.plain import table_json, table_lines
-from calc.catalogue import Oil, oils
-from calc.lubricant import Lubricant
-from calc.oils import least_sure, printed_table, values_table
+from calc.library.catalogue import Oil, oils
+from calc.library.lubricant import Lubricant
+from calc.library.oils import least_sure, printed_table, values_table
 from calc.sheet.errors import BadInput, InputError
 from calc.sheet.step import Table
 from calc.sheet.text import Amount, Name, Text

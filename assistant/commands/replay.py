@@ -7,11 +7,11 @@ A replay may be a stranger's: the reports that it asks for are new files beside 
 from argparse import Namespace
 from pathlib import Path
 
-from assistant.saving import asked_for
-from calc import replay
-from calc.design_file import Document
-from calc.files import read_file, write_file
-from calc.limits import PDF_BYTES
+from assistant.session.saving import asked_for
+from calc.design import replay
+from calc.design.toml_file import Document
+from calc.design.disk import read_file, write_file
+from calc.design.limits import PDF_BYTES
 from calc.sheet.errors import BadInput, InputError
 from calc.sheet.text import Text
 from calc.solve import Results
@@ -53,7 +53,7 @@ def _replaced(path: Path) -> bytes | None:
         if not path.is_symlink() and not path.exists():
             return None
         raw = read_file(path, PDF_BYTES)
-    from reports.verify import is_report
+    from reports.verify.verify import is_report
 
     if path.is_symlink() or not is_report(raw):
         reason = Text("is there, and is no report as this program writes it; a replay leaves it alone: move it away, or run it elsewhere")

@@ -7,13 +7,13 @@ from argparse import Namespace
 from importlib.util import find_spec
 from pathlib import Path
 
-from assistant.saving import spare
-from calc.design_file import Document, design, read
-from calc.files import read_file
-from calc.limits import FRONT_BYTES
+from assistant.session.saving import spare
+from calc.design.toml_file import Document, design, read
+from calc.design.disk import read_file
+from calc.design.limits import FRONT_BYTES
 from calc.sheet.errors import BadInput, InputError
 from calc.sheet.text import Text
-from reports.draughtsman import draughtsman
+from reports.figures.draughtsman import draughtsman
 
 ENDINGS = ("pdf", "docx")
 PACKAGES = {"python-docx": "docx", "pypdfium2": "pypdfium2"}  # of the extra `docx`, by what they are imported as
@@ -32,7 +32,7 @@ def run(asked: Namespace) -> int:
     try:
         results = solve(design(document), traced=True)
         if kind == "docx":
-            from reports.docx_file import write as write_docx
+            from reports.docx.docx_file import write as write_docx
 
             write_docx(document, results, document.raw, target, depth=asked.depth, lang=asked.lang)
         else:
@@ -54,7 +54,7 @@ def run(asked: Namespace) -> int:
 
 def _front(source: Path, document: Document) -> bytes | None:
     """The front beside a design that is one of its drives.  One that can not be read is said, and the report is written without it."""
-    from calc.optimise.picked import NAME, Broken, picked
+    from calc.studies.drive.front import NAME, Broken, picked
 
     beside = source.with_name(NAME)
     if not beside.is_file():

@@ -12,14 +12,14 @@ from pathlib import Path
 from typing import Any
 
 from assistant.plain import table_json, table_lines
-from assistant.saving import asked_for, spare, write_asked
-from calc.design_file import Document, design, read
+from assistant.session.saving import asked_for, spare, write_asked
+from calc.design.toml_file import Document, design, read
 from calc.friction.result import FrictionResult
 from calc.friction.studies.scenarios import ALONG, MODELS, tables
 from calc.sheet.errors import BadInput, InputError
 from calc.sheet.step import Outcome, Table
 from calc.sheet.text import Text
-from calc.shipped import SCENARIOS
+from calc.studies.shipped import SCENARIOS
 from calc.solve import Results, solve
 from calc.version import VERSION
 

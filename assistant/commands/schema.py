@@ -5,8 +5,8 @@ import json
 from argparse import Namespace
 from pathlib import Path
 
-from assistant.saving import write_asked
-from calc.schema import schema
+from assistant.session.saving import write_asked
+from calc.design.schema import schema
 
 
 def run(asked: Namespace) -> int:

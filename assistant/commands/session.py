@@ -6,7 +6,7 @@ import sys
 from argparse import Namespace
 from pathlib import Path
 
-from calc.design_file import read
+from calc.design.toml_file import read
 
 
 def run(asked: Namespace) -> int:

@@ -7,12 +7,12 @@ from pathlib import Path
 
 from assistant.commands.check import changed
 from assistant.plain import print_summary
-from assistant.saving import asked_for, edited_text
-from calc.addresses import parse_assignment
-from calc.design import Design
-from calc.design_file import parse, read
-from calc.files import edit_file
-from calc.limits import DESIGN_BYTES
+from assistant.session.saving import asked_for, edited_text
+from calc.design.addresses import parse_assignment
+from calc.design.model import Design
+from calc.design.toml_file import parse, read
+from calc.design.disk import edit_file
+from calc.design.limits import DESIGN_BYTES
 from calc.solve import solve
 
 

@@ -11,19 +11,19 @@ from tempfile import TemporaryDirectory
 
 from assistant.commands.check import changed, known_step
 from assistant.plain import sign
-from assistant.saving import asked_for, spare
-from calc.design import Design
-from calc.design_file import Document, read
-from calc.files import demand_writable, write_file
+from assistant.session.saving import asked_for, spare
+from calc.design.model import Design
+from calc.design.toml_file import Document, read
+from calc.design.disk import demand_writable, write_file
 from calc.sheet.check import ORDER
 from calc.sheet.errors import BadInput, InputError, NoSolution
 from calc.sheet.text import Text
-from calc.sweep import Plan, Sweep, grid, listed, sampled, swept, toleranced, varied
-from calc.sweep.inputs import same_input
+from calc.studies.sweep import Plan, Sweep, grid, listed, sampled, swept, toleranced, varied
+from calc.studies.sweep.inputs import same_input
 from calc.sweep.kept import InFolder, key_of
-from calc.sweep.run import designs
-from calc.sweep.table import NO_DESIGN, columns, parquet, write_csv, write_parquet
-from calc.unusual import told, unusual
+from calc.studies.sweep.run import designs
+from calc.studies.sweep.table import NO_DESIGN, columns, parquet, write_csv, write_parquet
+from calc.design.unusual import told, unusual
 
 OFTEN = 2.0  # seconds between two lines of progress
 

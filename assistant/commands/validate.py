@@ -7,7 +7,7 @@ from itertools import groupby
 
 from assistant.plain import sign
 from calc.sheet.number import short
-from calc.validate import KINDS, Row, Unmet, rows, unmet
+from calc.studies.validate import KINDS, Row, Unmet, rows, unmet
 from calc.version import VERSION
 
 WIDE = 116

@@ -4,13 +4,13 @@
 from argparse import Namespace
 from pathlib import Path
 
-from calc.files import read_file
-from calc.limits import PDF_BYTES
+from calc.design.disk import read_file
+from calc.design.limits import PDF_BYTES
 from calc.sheet.errors import BadInput, InputError
 from calc.sheet.text import Text
 from calc.sheet.visible import visible
 from calc.version import VERSION
-from reports.verify import Verdict, verify
+from reports.verify.verify import Verdict, verify
 
 MOST = 20  # differences that are listed
 LAST = {

@@ -6,8 +6,8 @@ from calc.bearings.selection.notes import hidden, notes, summary
 from calc.bearings.selection.search import search
 from calc.bearings.selection.tables import beyond_table, changed, choices_table, neighbours_table, pareto_table
 from calc.bearings.selection.variants import SUPPLY
-from calc.design import Design
-from calc.selection import bearings_case
+from calc.design.model import Design
+from calc.studies.bearings_case import bearings_case
 from calc.sheet.changes import Changes
 from calc.sheet.errors import NoSolution
 from calc.sheet.progress import Progress

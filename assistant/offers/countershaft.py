@@ -2,7 +2,7 @@
 """Counter-shafts to choose from: radii and materials in the envelope of the design, the lightest first."""
 
 from calc.countershaft.sizing.choices import candidates, changes, choices, choices_table, envelope
-from calc.design import Design
+from calc.design.model import Design
 from calc.engine import solve as engine
 from calc.imbalance import solve as imbalance
 from calc.sheet.progress import Progress

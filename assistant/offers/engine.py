@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Firing orders to choose from, ranked by what they leave."""
 
-from calc.design import Design
+from calc.design.model import Design
 from calc.engine import solve as engine
 from calc.imbalance.firing_orders import as_designed, crank_words, firing_orders, orders_table
 from calc.sheet.progress import Progress

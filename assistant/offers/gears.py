@@ -1,27 +1,15 @@
 # SPDX-License-Identifier: Apache-2.0
 """Profile shifts, tip cuts and the teeth of an idler to choose from, every rule of the teeth kept."""
 
-from calc.design import Design
+from calc.design.model import Design
 from calc.gears.selection.idler import idler_table, idlers, passed, written
 from calc.gears.selection.search import search
-from calc.gears.selection.tables import (
-    around_table,
-    changed,
-    changes,
-    choices_table,
-    cuts_best_table,
-    cuts_now_table,
-    limits_table,
-    notes,
-    sliding_table,
-    summary,
-    wants_table,
-)
+from calc.gears.selection.tables import around_table, changed, changes, choices_table, cuts_best_table, cuts_now_table, limits_table, notes, sliding_table, summary, wants_table
 from calc.sheet.changes import Changes
 from calc.sheet.progress import Progress, part
 from calc.sheet.step import Table
 from calc.sheet.text import Amount, Text
-from calc.step_inputs import shaft_axis
+from calc.design.step_inputs import shaft_axis
 
 from .offer import Offer
 

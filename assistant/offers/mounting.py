@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Mounts to choose from: stiffness, shear ratio and inclination of front and rear, the purest modes first."""
 
-from calc.design import Design
+from calc.design.model import Design
 from calc.mounting.result import MountingResult
 from calc.mounting.selection import changes, choices, table
 from calc.sheet.errors import NoSolution

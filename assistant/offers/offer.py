@@ -5,7 +5,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from importlib import import_module
 
-from calc.design import Design
+from calc.design.model import Design
 from calc.sheet.changes import Changes, assignments
 from calc.sheet.errors import BadInput, InputError
 from calc.sheet.progress import Progress

@@ -3,7 +3,7 @@
 
 from collections.abc import Sequence
 
-from calc.languages import Language
+from calc.locale import Language
 from calc.sheet.changes import assignment
 from calc.sheet.check import Check
 from calc.sheet.text import EMPTY, Amount, Text, plural

@@ -11,21 +11,21 @@ from textual.css.query import NoMatches
 from textual.timer import Timer
 from textual.worker import get_current_worker
 
-from calc.design import STEPS
-from calc.languages import Language
+from calc.design.model import STEPS
+from calc.locale import Language
 from calc.languages.outcome import said
 from calc.sheet.errors import Cancelled
 from calc.sheet.step import Curve, Outcome, Step, Table
 from calc.sheet.text import Name, Text
 
-from ..session import Session
-from ..sheets import Sheet, values_table
-from ..solving import Answer, Job, run
+from ..session.session import Session
+from ..session.calculation import Sheet, values_table
+from ..session.solving import Answer, Job, run
 from .host import Host
 
 if TYPE_CHECKING:
-    from calc.design_file import Document
-    from calc.repair.remedy import Remedy
+    from calc.design.toml_file import Document
+    from calc.studies.repair.nearest import Remedy
     from calc.solve import Results
 
 
@@ -190,7 +190,7 @@ class BackgroundSolve:
 
     def write(self, results: "Results", step: Step, stop: Callable[[], bool]) -> None:
         """Write a step out and break it into rows, unless that is done; runs in any thread, until it is told to stop."""
-        from ..sheets import sheet
+        from ..session.calculation import sheet
 
         outcome, say = results.outcomes[step.key], self._host.app.say
         try:
@@ -280,7 +280,7 @@ class BackgroundSolve:
 
     def _seek(self, step: str, document: "Document", results: "Results") -> None:
         """Runs in another thread."""
-        from calc.repair.remedy import remedy
+        from calc.studies.repair.nearest import remedy
 
         worker = get_current_worker()
 

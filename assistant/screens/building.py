@@ -3,13 +3,13 @@
 
 from functools import partial
 
-from calc.addresses import as_table
-from calc.design import STEPS
+from calc.design.addresses import as_table
+from calc.design.model import STEPS
 from calc.sheet.text import Text
 
-from ..editing import Plan
-from ..session import Session
-from ..solving import mistake
+from ..session.editing import Plan
+from ..session.session import Session
+from ..session.solving import mistake
 from .host import Host
 from .moves import Moves
 from .reason import Reason

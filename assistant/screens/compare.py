@@ -16,16 +16,16 @@ from textual.widgets import Static
 from calc.sheet.text import EMPTY, Name, Text
 
 from ..base_app import BaseApp
-from ..others import Chosen
-from ..session import Session
-from ..solving import Job, run
+from ..session.versions import Chosen
+from ..session.session import Session
+from ..session.solving import Job, run
 from ..widgets.comparison import SECTIONS, ComparisonList
 from ..widgets.item_list import ItemList
-from ..widgets.wrap import fit
+from ..widgets.text import fit
 from .once import Once
 
 if TYPE_CHECKING:
-    from calc.compare import Comparison
+    from calc.studies.compare import Comparison
 
 
 NOW = Text("now")
@@ -86,7 +86,7 @@ class CompareScreen(Once, Screen[str | None]):
     # --- solving
     @work(thread=True, exclusive=True, group="compare", exit_on_error=False)
     def _compare(self) -> None:
-        from calc.compare import compare as compared
+        from calc.studies.compare import compare as compared
 
         mine = self.results
         failure = EMPTY

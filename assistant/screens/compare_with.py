@@ -14,13 +14,13 @@ from textual.widgets.option_list import Option
 
 from calc.sheet.errors import BadInput
 from calc.sheet.text import Text
-from calc.shipped import DESIGNS
+from calc.studies.shipped import DESIGNS
 
 from ..base_app import BaseApp
-from ..others import Chosen, Other, kept, of_file, of_session, past
-from ..session import Session
+from ..session.versions import Chosen, Other, kept, of_file, of_session, past
+from ..session.session import Session
 from .once import Once
-from .path_dialog import PathDialog
+from .path_dialogs import PathDialog
 
 SHOWN_ERRORS = 4
 

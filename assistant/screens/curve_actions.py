@@ -28,7 +28,7 @@ class CurveActions:
 
     def curves(self) -> None:
         """The list of all curves and tables of the step."""
-        from .curve_list import CurveList
+        from .curves import CurveList
 
         host, pane = self._host, self._host.curve_pane
         if not pane.leaves or pane.leaf is None:
@@ -48,7 +48,7 @@ class CurveActions:
 
         from textual.app import SuspendNotSupported
 
-        from ..pixels import protocol, show
+        from ..widgets.pixels import protocol, show
 
         host, curve = self._host, self._host.curve_pane.curve
         how = protocol(os.environ)

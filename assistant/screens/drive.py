@@ -18,7 +18,7 @@ from calc.sheet.step import Table
 from calc.sheet.text import SEMICOLON, Name, Text
 
 from ..offers.offer import Offer
-from ..session import Session
+from ..session.session import Session
 from ..widgets.item_list import ItemList
 from ..widgets.offer_list import OfferList
 from ..widgets.scatter import Points, Scatter
@@ -26,7 +26,7 @@ from .searching import Searching
 from .selection import Choosing
 
 if TYPE_CHECKING:
-    from calc.optimise.run import Found
+    from calc.studies.drive.run import Found
 
 SHARE = 0.85  # of the progress, until all classes are done
 PROCESSES = 2
@@ -81,10 +81,10 @@ class Driving(Choosing):
 
     # --- searching
     def search(self, progress: Progress) -> Iterator[Offer]:
-        from calc.optimise.classes import NotClosed
-        from calc.optimise.evolve import EVALUATIONS, evolved
-        from calc.optimise.run import Table as Known
-        from calc.optimise.run import asked, search
+        from calc.studies.drive.classes import NotClosed
+        from calc.studies.drive.evolve import EVALUATIONS, evolved
+        from calc.studies.drive.run import Table as Known
+        from calc.studies.drive.run import asked, search
 
         problem, _ = asked(self.session.document, {})
         count = len(problem.classes)
@@ -109,7 +109,7 @@ class Driving(Choosing):
 
     def _nothing(self, found: "Found", progress: Progress) -> Text:
         """What alone would have to give way."""
-        from calc.optimise.relax import refusal
+        from calc.studies.drive.relax import refusal
 
         why = refusal(found, progress)
         if why.always:
@@ -121,7 +121,7 @@ class Driving(Choosing):
 
     def offered(self) -> Offer:
         """The drives that are shown, in the order that is asked for."""
-        from calc.optimise.telling import table
+        from calc.studies.drive.output import table
 
         front = self.front
         assert front is not None
@@ -150,7 +150,7 @@ class Driving(Choosing):
         return {**self.front.problem.began, **self.front.drives[n - 1].changes}
 
     def _summary(self) -> tuple[Text, ...]:
-        from calc.optimise.telling import label, said, stood
+        from calc.studies.drive.output import label, said, stood
 
         front = self.front
         assert front is not None
@@ -168,7 +168,7 @@ class Driving(Choosing):
 
     # --- the points
     def _draw(self) -> None:
-        from calc.optimise.telling import UNIT, label
+        from calc.studies.drive.output import UNIT, label
 
         front = self.front
         if front is None:
@@ -182,7 +182,7 @@ class Driving(Choosing):
     def _now(self, names: list[str]) -> tuple[tuple[float, float] | None, bool]:
         """The design as it is, and whether a limit of it fails."""
         from calc.countershaft.result import CountershaftResult
-        from calc.optimise.whole import mass, power
+        from calc.studies.drive.whole import mass, power
 
         results, bearings, front = self.session.results, self.session.design.bearings, self.front
         shaft = results.result(CountershaftResult) if results is not None else None
@@ -214,9 +214,9 @@ class Driving(Choosing):
         """The drive under the cursor beside the design, in full."""
         if self.front is None or not self.number:
             return
-        from calc.design_file import design
+        from calc.design.toml_file import design
 
-        from ..others import Chosen
+        from ..session.versions import Chosen
         from .compare import CompareScreen
 
         document = self.front.drives[self.number - 1].document

@@ -5,13 +5,13 @@ from collections.abc import Callable, Iterable
 from functools import partial
 from typing import TYPE_CHECKING
 
-from calc.design import STEPS
+from calc.design.model import STEPS
 from calc.sheet.check import URGENT, Check, grouped
 from calc.sheet.text import COMMA, Text
 
 from ..changes import told
 from ..offers.offer import CHOICES
-from ..places import Place, first_key
+from ..session.places import Place, first_key
 from ..widgets.entry import Entry
 from ..widgets.field import Field
 from ..widgets.form import Form
@@ -75,7 +75,7 @@ class EditActions:
         await self._travel(self._host.session.redo, Text("Done again"), Text("Nothing to redo."))
 
     async def _travel(self, travel: Callable[[], Place | None], done: Text, nothing: Text) -> None:
-        from ..others import edit_text
+        from ..session.versions import edit_text
 
         host = self._host
         before = host.session.data

@@ -3,7 +3,7 @@
 
 from textual.timer import Timer
 
-from ..places import Place
+from ..session.places import Place
 from .host import Host
 
 KEEP = 1.5  # seconds after the first edit that is not kept aside until all of them are: typing does not put it off

@@ -10,17 +10,17 @@ from textual.content import Content
 from textual.screen import ModalScreen
 from textual.widgets import Static
 
-from calc.explain import Chains, Link, origin
-from calc.key_values import judged
+from calc.studies.explain import Chains, Link, origin
+from calc.design.key_values import judged
 from calc.sheet.check import Check
 from calc.sheet.text import Amount, Text, plural
 from calc.sheet.trace import Line
 
 from ..base_app import BaseApp
-from ..session import Session
+from ..session.session import Session
 from ..widgets.chain_list import INPUT, ChainList
 from ..widgets.item_list import ItemList
-from ..widgets.wrap import wrap
+from ..widgets.text import wrap
 from .once import Once
 
 HINT = Text("Enter walks back to what a line is made of, or to the field of an input; Backspace returns, Esc closes")

@@ -11,10 +11,10 @@ from calc.sheet.errors import BadInput, Cancelled
 from calc.sheet.text import EMPTY, Name, Text
 
 from ..draft import Draft
-from ..recording import Recording
-from ..recovery import Edits
-from ..saving import ChangedOnDisk, SaveError, write_atomic
-from ..session import Session
+from ..session.recording import Recording
+from ..session.recovery import Edits
+from ..session.saving import ChangedOnDisk, SaveError, write_atomic
+from ..session.session import Session
 from .edit_actions import rebuilt
 from .host import Host
 
@@ -180,7 +180,7 @@ class FileActions:
 
         severity: SeverityLevel = "error"
         try:
-            from ..exporting import write_draft
+            from ..session.exporting import write_draft
 
             write_draft(path, draft, gears, progress, lang)
             text, severity = Text("PDF report: {path}", path=path) if kind == "PDF" else Text("Exported: {path}", path=path), "information"

@@ -10,19 +10,19 @@ from textual.content import Content
 from textual.screen import ModalScreen
 from textual.widgets import Static
 
-from calc.design import STEPS
-from calc.design_file import REMARKS
+from calc.design.model import STEPS
+from calc.design.toml_file import REMARKS
 from calc.sheet.text import COMMA, Amount, Text
 
 from ..actions import ACTIONS, BY_ID, key_names
 from ..base_app import BaseApp
 from ..guide import GUIDES
-from ..places import Place, label_of
-from ..widgets.array_heading import ArrayHeading
+from ..session.places import Place, label_of
+from ..widgets.headings import ArrayHeading
 from ..widgets.checks import Checks
 from ..widgets.field_help import allowed, meaning
 from ..widgets.table_heading import TableHeading
-from ..widgets.wrap import wrap
+from ..widgets.text import wrap
 from .host import Host
 from .once import Once
 

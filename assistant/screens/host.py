@@ -14,8 +14,8 @@ from textual.widget import AwaitMount, Widget
 from calc.sheet.step import Step
 
 from ..base_app import BaseApp
-from ..places import Place
-from ..session import Session
+from ..session.places import Place
+from ..session.session import Session
 from ..widgets.calculation import Calculation
 from ..widgets.checks import Checks
 from ..widgets.curve_pane import CurvePane

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Where the lists of the main screen lead: a row that is moved to, and one that is chosen."""
 
-from calc.design import STEPS
+from calc.design.model import STEPS
 
 from ..widgets.calculation import Calculation
 from ..widgets.checks import Checks

@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: Apache-2.0
 """Actions that go somewhere: to a step, a pane, a field, a check or a line."""
 
-from calc.design import STEPS
+from calc.design.model import STEPS
 from calc.sheet.check import URGENT, severity
 from calc.sheet.errors import BadInput
 from calc.sheet.text import Text
 
-from ..places import Place
-from ..route import step_of
-from ..widgets.array_heading import ArrayHeading
+from ..session.places import Place
+from ..session.route import step_of
+from ..widgets.headings import ArrayHeading
 from ..widgets.curve_pane import CurvePane
 from ..widgets.form import Form
 from ..widgets.item_list import ItemList

@@ -6,8 +6,8 @@ from pathlib import Path
 from calc.sheet.text import EMPTY, Text
 
 from ..base_app import BaseApp
-from ..beginnings import engine_only, own_file
-from ..session import Session
+from ..session.beginnings import engine_only, own_file
+from ..session.session import Session
 from .save_dialog import TargetDialog
 
 

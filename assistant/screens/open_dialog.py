@@ -5,12 +5,12 @@ from pathlib import Path
 
 from calc.sheet.errors import BadInput
 from calc.sheet.text import Text
-from calc.shipped import DESIGNS
+from calc.studies.shipped import DESIGNS
 
-from ..recovery import Memory
-from ..session import Session
+from ..session.recovery import Memory
+from ..session.session import Session
 from .compare_with import errors_text
-from .path_dialog import PathDialog
+from .path_dialogs import PathDialog
 
 
 class OpenDialog(PathDialog[Session | None]):

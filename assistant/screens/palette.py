@@ -16,7 +16,7 @@ from calc.sheet.text import Text
 
 from ..base_app import BaseApp
 from ..matching import folded
-from ..widgets.wrap import fit
+from ..widgets.text import fit
 from .palette_entries import Entry, entries
 from .workbench import Workbench
 

@@ -5,19 +5,19 @@ from collections.abc import Awaitable, Callable, Iterator
 from dataclasses import dataclass
 from functools import partial
 
-from calc.addresses import quantities
-from calc.design import STEPS, Design
-from calc.languages import LANGUAGES, language
+from calc.design.addresses import quantities
+from calc.design.model import STEPS, Design
+from calc.locale import LANGUAGES, language
 from calc.sheet.check import Check
 from calc.sheet.quantity import Quantity, keys
 from calc.sheet.step import Curve
 from calc.sheet.text import Text
-from calc.shipped import engines
+from calc.studies.shipped import engines
 
 from ..actions import ACTIONS, key_name
 from ..base_app import BaseApp
 from ..matching import folded, match
-from ..route import DOCUMENT, NAME, NOTE
+from ..session.route import DOCUMENT, NAME, NOTE
 from .new_dialog import begin_with
 from .workbench import Workbench
 

@@ -10,7 +10,7 @@ from textual.content import Content
 from textual.screen import Screen
 from textual.style import Style
 
-from calc.languages import Language
+from calc.locale import Language
 from calc.sheet.text import Text
 
 from ..widgets.curve_pane import CurvePane

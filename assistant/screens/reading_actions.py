@@ -3,11 +3,11 @@
 
 from typing import Any
 
-from calc.design import STEPS
+from calc.design.model import STEPS
 from calc.sheet.text import Text
 
-from ..others import Chosen
-from ..sheets import VALUES
+from ..session.versions import Chosen
+from ..session.calculation import VALUES
 from ..widgets.calculation import Calculation
 from ..widgets.checks import Checks
 from ..widgets.item_list import ItemList

@@ -11,20 +11,20 @@ from textual.content import Content
 from textual.screen import Screen
 from textual.widgets import Static
 
-from calc.design import STEPS
-from calc.headlines import headline, main_numbers
-from calc.key_values import outside
+from calc.design.model import STEPS
+from calc.studies.ready import headline, main_numbers
+from calc.design.key_values import outside
 from calc.ready import OPEN, StepState, ready
 from calc.sheet.check import Check
 from calc.sheet.text import COMMA, Amount, Name, Text, plural
-from calc.unusual import unusual
+from calc.design.unusual import unusual
 
 from ..base_app import BaseApp
-from ..places import label_of
-from ..session import Session
+from ..session.places import label_of
+from ..session.session import Session
 from ..widgets.item_list import Item, ItemList
 from ..widgets.steps import states_of
-from ..widgets.wrap import fit, pad, wrap
+from ..widgets.text import fit, pad, wrap
 from .edit_actions import EditActions
 from .file_actions import FileActions
 from .host import Host
@@ -157,7 +157,7 @@ def picture(session: Session, columns: int, rows: int, app: BaseApp) -> Content:
     from calc.countershaft import sketch as shaft
     from calc.engine import sketch as engine
 
-    from ..canvas import draw
+    from ..widgets.canvas import draw
 
     results = session.results
     for step, make in (("countershaft", shaft.sketch), ("engine", engine.sketch)):

@@ -13,19 +13,19 @@ from textual.containers import Vertical
 from textual.content import Content
 from textual.widgets import Static
 
-from calc.design import STEPS
-from calc.languages import Language
+from calc.design.model import STEPS
+from calc.locale import Language
 from calc.repair.way import Way, ranked
-from calc.repair.words import named
+from calc.design.names import named
 from calc.sheet.check import Check
 from calc.sheet.progress import Progress
 from calc.sheet.text import EMPTY, Amount, Text
 
-from ..saving import SaveError, free_name, write_atomic
-from ..session import Session
+from ..session.saving import SaveError, free_name, write_atomic
+from ..session.session import Session
 from ..widgets.item_list import ItemList
 from ..widgets.way_list import WayList
-from ..widgets.wrap import wrap
+from ..widgets.text import wrap
 from .searching import TITLES, Searching
 
 SECONDS = 6.0  # after which no further kind is begun
@@ -98,7 +98,7 @@ class Remedies(Searching[Way | None, Way]):
         super().begin()
 
     def search(self, progress: Progress) -> Iterator[Way]:
-        from calc.repair.ways import search
+        from calc.studies.repair.ways import search
 
         yield from search(self.session.document, self.finding, self.session.results, progress, SECONDS)
 

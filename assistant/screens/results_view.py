@@ -3,20 +3,20 @@
 
 from typing import TYPE_CHECKING
 
-from calc.key_values import judged
+from calc.design.key_values import judged
 from calc.languages.outcome import said
 from calc.sheet.check import URGENT
 from calc.sheet.text import Text, plural
 
 from ..offers.offer import CHOICES
-from ..places import named_key
-from ..sheets import Sheet
-from ..widgets.array_heading import ArrayHeading
+from ..session.places import named_key
+from ..session.calculation import Sheet
+from ..widgets.headings import ArrayHeading
 from ..widgets.field import Field
 from ..widgets.field_help import FieldHelp
 from ..widgets.fold import Fold
 from ..widgets.footer_line import FooterLine
-from ..widgets.message_line import MessageLine
+from ..widgets.lines import MessageLine
 from ..widgets.picture import Picture
 from ..widgets.radio import Radio
 from ..widgets.table_heading import TableHeading
@@ -85,7 +85,7 @@ class ResultsView:
         if results is None or self._host.step.key != "imbalance" or "imbalance" in session.data or not session.current:
             return results
         if self._unchosen is None or self._unchosen[0] is not results:
-            from calc.starter.balancing import with_imbalance
+            from calc.studies.starter.balancing import with_imbalance
 
             self._unchosen = results, with_imbalance(session.document, results)
         return self._unchosen[1]

@@ -5,9 +5,9 @@ from pathlib import Path
 
 from calc.sheet.text import EMPTY, Text
 
-from ..saving import free_name
-from ..session import Session
-from .path_dialog import PathDialog
+from ..session.saving import free_name
+from ..session.session import Session
+from .path_dialogs import PathDialog
 
 
 class TargetDialog(PathDialog[Path | None]):

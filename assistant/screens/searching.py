@@ -11,13 +11,13 @@ from textual.screen import ModalScreen
 from textual.widgets import Static
 from textual.worker import get_current_worker
 
-from calc.design import OPTIONAL, STEPS
+from calc.design.model import OPTIONAL, STEPS
 from calc.sheet.errors import BadInput, Cancelled, NoSolution
 from calc.sheet.progress import Progress
 from calc.sheet.text import EMPTY, SEMICOLON, Text
 
 from ..base_app import BaseApp
-from ..solving import mistake
+from ..session.solving import mistake
 from ..widgets.item_list import ItemList
 from .once import Once
 

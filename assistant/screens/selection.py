@@ -16,19 +16,19 @@ from textual.message import Message
 from textual.timer import Timer
 from textual.widgets import Static
 
-from calc.design import STEPS
-from calc.design_file import design
+from calc.design.model import STEPS
+from calc.design.toml_file import design
 from calc.sheet.errors import BadInput, NoSolution
 from calc.sheet.progress import Progress
 from calc.sheet.text import EMPTY, Text
 
 from ..changes import applied, locked_text, told
 from ..offers.offer import Offer, offer
-from ..session import Session
-from ..solving import Answer, Job, run
+from ..session.session import Session
+from ..session.solving import Answer, Job, run
 from ..widgets.item_list import ItemList
 from ..widgets.offer_list import OfferList
-from ..widgets.wrap import wrap
+from ..widgets.text import wrap
 from .searching import TITLES, Searching, mistakes_text
 
 if TYPE_CHECKING:

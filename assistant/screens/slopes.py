@@ -8,19 +8,19 @@ from typing import TYPE_CHECKING
 
 from textual.worker import get_current_worker
 
-from calc.addresses import quantity_of, value_at
+from calc.design.addresses import quantity_of, value_at
 from calc.sheet.check import Check
 from calc.sheet.errors import BadInput, Cancelled
 from calc.sheet.text import EMPTY, SEMICOLON, Amount, Name, Small, Text
 
-from ..places import label_of
+from ..session.places import label_of
 from .background_solve import rest
 from .host import Host
 
 if TYPE_CHECKING:
-    from calc.addresses import Table
-    from calc.design_file import Document
-    from calc.effects import Effect
+    from calc.design.addresses import Table
+    from calc.design.toml_file import Document
+    from calc.studies.effects import Effect
     from calc.solve import Results
 
 MOST = 2  # inputs that are named for a check, and checks for an input
@@ -77,7 +77,7 @@ class Slopes:
 
     def _find(self, name: str, document: "Document", results: "Results") -> None:
         """Runs in another thread."""
-        from calc.effects import effects, moved_by  # which brings the solver with it
+        from calc.studies.effects import effects, moved_by  # which brings the solver with it
 
         worker = get_current_worker()
 

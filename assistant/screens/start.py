@@ -19,15 +19,15 @@ from textual.worker import get_current_worker
 
 from calc.sheet.errors import BadInput, NoSolution
 from calc.sheet.text import EMPTY, Text
-from calc.shipped import EXAMPLE
+from calc.studies.shipped import EXAMPLE
 
 from ..base_app import BaseApp
-from ..beginnings import Beginning, finding, groups
+from ..session.beginnings import Beginning, finding, groups
 from ..matching import folded, match
-from ..recovery import Memory
-from ..session import Session
+from ..session.recovery import Memory
+from ..session.session import Session
 from ..widgets.begin_detail import BeginDetail
-from ..widgets.wrap import fit, pad
+from ..widgets.text import fit, pad
 from .new_dialog import begin_with
 
 if TYPE_CHECKING:

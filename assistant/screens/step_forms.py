@@ -6,7 +6,7 @@ import time
 from textual.timer import Timer
 from textual.widget import AwaitMount
 
-from calc.design import STEPS
+from calc.design.model import STEPS
 from calc.sheet.step import Step
 from calc.sheet.text import Name, Text
 

@@ -12,15 +12,15 @@ from textual.reactive import Reactive
 from textual.screen import Screen
 from textual.widget import AwaitMount, Widget
 
-from calc.design import STEPS
+from calc.design.model import STEPS
 from calc.sheet.step import Step
 from calc.sheet.text import EMPTY, Text
 
 from ..actions import ACTIONS, methods
 from ..base_app import BaseApp
-from ..places import Place
-from ..session import Session
-from ..widgets.array_heading import ArrayHeading
+from ..session.places import Place
+from ..session.session import Session
+from ..widgets.headings import ArrayHeading
 from ..widgets.calculation import Calculation
 from ..widgets.checks import Checks
 from ..widgets.curve_pane import CurvePane
@@ -30,7 +30,7 @@ from ..widgets.field_help import FieldHelp
 from ..widgets.footer_line import FooterLine
 from ..widgets.form import Form
 from ..widgets.item_list import ItemList
-from ..widgets.message_line import MessageLine
+from ..widgets.lines import MessageLine
 from ..widgets.pane import Pane
 from ..widgets.picture import Picture
 from ..widgets.step_bar import StepBar

@@ -11,9 +11,9 @@ from calc.sheet.errors import BadInput
 from calc.sheet.text import Text
 
 from ..base_app import BaseApp
-from ..beginnings import Beginning, Finding, finding
-from ..recovery import Memory
-from .wrap import wrap
+from ..session.beginnings import Beginning, Finding, finding
+from ..session.recovery import Memory
+from .text import wrap
 
 ABOUT = {
     "open": Text("A design file, from any folder. Unsaved edits of it that were kept are put back."),
@@ -92,7 +92,7 @@ class BeginDetail(VerticalScroll, can_focus=False):
         picture = self.query_one("#begin-sketch", Static)
         picture.display = found is not None and found.sketch is not None
         if found is not None and found.sketch is not None:
-            from ..canvas import draw
+            from .canvas import draw
 
             columns, rows = TALL if self.wide else (ICON[0], max(2, min(ICON[1], self.size.height)))
             columns = min(columns, self.size.width - 3)

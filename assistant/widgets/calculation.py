@@ -9,10 +9,10 @@ from calc.sheet.errors import Cancelled
 from calc.sheet.step import Erratum
 from calc.sheet.text import Amount, Text, plural
 
-from ..sheets import Entry, Sheet
+from ..session.calculation import Entry, Sheet
 from .item_list import Item, ItemList
 from .signs import Signs
-from .wrap import wrap
+from .text import wrap
 
 BOUND = "\u00a0"  # a space at which no row is broken
 

@@ -7,13 +7,13 @@ from textual.app import ComposeResult
 from textual.content import Content
 from textual.widget import Widget
 
-from calc.languages import Language
+from calc.locale import Language
 from calc.sheet.text import EMPTY, Text
 
 from ..base_app import BaseApp
 from .field import CELL, LABEL_CELLS, LABEL_NARROW, NARROW, Field
 from .rows import Row
-from .wrap import fit, pad, wrap
+from .text import fit, pad, wrap
 
 APART = CELL + 2  # with its brackets
 UNIT = 5

@@ -3,19 +3,19 @@
 
 from textual.content import Content
 
-from calc.addresses import quantity_of
-from calc.explain import Link
-from calc.publications import references
+from calc.design.addresses import quantity_of
+from calc.studies.explain import Link
+from calc.library.publications import references
 from calc.sheet.errors import BadInput
 from calc.sheet.expression import line_text
 from calc.sheet.text import Text
 
 from ..base_app import BaseApp
-from ..session import Session
-from ..sheets import Entry
+from ..session.session import Session
+from ..session.calculation import Entry
 from .calculation import Typesetter
 from .item_list import Item, ItemList
-from .wrap import wrap
+from .text import wrap
 
 INPUT = "input "  # an item with this before its key is an input of the design; the others are numbers of links
 

@@ -10,18 +10,18 @@ from textual.binding import Binding, BindingType
 from textual.content import Content
 from textual.message import Message
 
-from calc.headlines import share
-from calc.key_values import outside
+from calc.studies.ready import share
+from calc.design.key_values import outside
 from calc.sheet.check import Check, named, severity
 from calc.sheet.number import short
 from calc.sheet.remedy import sentence
 from calc.sheet.step import Outcome
 from calc.sheet.text import COMMA, Amount, Name, Text, plural
 
-from ..places import label_of
+from ..session.places import label_of
 from .bar import bar
 from .item_list import Item, ItemList
-from .wrap import pad, wrap
+from .text import pad, wrap
 
 VALUE, LIMIT, MARGIN = Text("Value"), Text("Limit"), Text("Margin")
 GAP = 2  # cells between columns

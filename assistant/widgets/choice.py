@@ -15,7 +15,7 @@ from calc.sheet.choice_words import word
 from ..actions import BY_ID
 from ..base_app import BaseApp
 from .entry import LEAVING, LOCK
-from .wrap import fit
+from .text import fit
 
 
 class Choice(Widget, can_focus=True):
@@ -90,7 +90,7 @@ class Choice(Widget, can_focus=True):
             self.action_open(event.character)
 
     def action_open(self, typed: str = "") -> None:
-        from ..screens.choose import Choose
+        from ..screens.dialogs import Choose
 
         words = self.words if not self.value or self.value in self.words else (self.value, *self.words)
         self.app.push_screen(Choose(words, self.value, self.prompt if self.optional else "", self.region, typed, self.said), self._chosen)

@@ -6,10 +6,10 @@ from dataclasses import dataclass
 
 from textual.content import Content
 
-from calc.compare import CheckDifference, Comparison
+from calc.studies.compare import CheckDifference, Comparison
 from calc.compare_conclusion import differing, moved, moved_table, result_table, sentences
-from calc.compare_tables import Names, check_table, input_table, value_table, verdict_table
-from calc.design import STEPS
+from calc.studies.compare_tables import Names, check_table, input_table, value_table, verdict_table
+from calc.design.model import STEPS
 from calc.languages.outcome import in_language
 from calc.sheet.step import Table
 from calc.sheet.text import EMPTY, Name, Text, plural
@@ -17,7 +17,7 @@ from calc.sheet.text import EMPTY, Name, Text, plural
 from .item_list import Item, ItemList
 from .signs import WORDS
 from .table_list import Setter
-from .wrap import wrap
+from .text import wrap
 
 SECTIONS = {
     "Conclusion": Text("Conclusion"),

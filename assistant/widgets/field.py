@@ -16,16 +16,16 @@ from calc.sheet.choice_words import word
 from calc.sheet.quantity import Quantity, keys
 from calc.sheet.text import EMPTY, Amount, Name, Text
 
-from .. import numbers
+from ..session import numbers
 from ..base_app import BaseApp
-from ..places import Place, key_at, owner
-from ..route import DOCUMENT, NOTE
-from ..session import Session
+from ..session.places import Place, key_at, owner
+from ..session.route import DOCUMENT, NOTE
+from ..session.session import Session
 from .choice import Choice
 from .entry import Entry
 from .field_help import allowed, meaning
 from .rows import RADIUS, Row
-from .wrap import fit, pad, wrap
+from .text import fit, pad, wrap
 
 LABEL, LABEL_NARROW = 22, 30  # cells, as in the style sheet
 LABEL_CELLS = 19

@@ -4,12 +4,12 @@
 from textual.content import Content
 from textual.widget import Widget
 
-from calc.languages import Language
+from calc.locale import Language
 from calc.sheet.quantity import Quantity
 from calc.sheet.text import Amount, Text
 
 from ..base_app import BaseApp
-from .wrap import fit, wrap
+from .text import fit, wrap
 
 
 def meaning(about: Quantity, say: Language, *, sourced: bool = True) -> str:

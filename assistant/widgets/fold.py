@@ -13,12 +13,12 @@ from textual.widget import Widget
 from calc.sheet.text import Text
 
 from ..base_app import BaseApp
-from ..places import content_at
-from ..route import ROUTE
-from ..session import Session
+from ..session.places import content_at
+from ..session.route import ROUTE
+from ..session.session import Session
 from .entry import LEAVING
 from .rows import Row
-from .wrap import fit
+from .text import fit
 
 
 class Fold(Widget, can_focus=True):

@@ -16,9 +16,9 @@ from calc.sheet.step import Step
 from calc.sheet.text import EMPTY, Text
 
 from ..base_app import BaseApp
-from ..places import Place
-from ..session import Session
-from .array_heading import ArrayHeading
+from ..session.places import Place
+from ..session.session import Session
+from .headings import ArrayHeading
 from .cells import Cells, Columns, side
 from .choice import Choice
 from .entry import Entry

@@ -9,15 +9,15 @@ from textual.content import Content
 from textual.widget import Widget
 from textual.widgets import Static
 
-from calc.languages import Language
+from calc.locale import Language
 from calc.languages.outcome import in_language
 from calc.sheet.step import Step
 
-from ..places import Place, content_at, key_at
-from ..route import fold_at
-from ..session import Session
+from ..session.places import Place, content_at, key_at
+from ..session.route import fold_at
+from ..session.session import Session
 from ..upstream import NAMED
-from .array_heading import ArrayHeading
+from .headings import ArrayHeading
 from .cells import Cells, Columns
 from .field import Field, StrokeField
 from .fold import Fold

@@ -8,8 +8,8 @@ from calc.sheet.text import Text
 
 from ..base_app import BaseApp
 from ..guide import GUIDES
-from ..route import ROUTE
-from ..session import Session
+from ..session.route import ROUTE
+from ..session.session import Session
 
 
 class GuideText(Static):

@@ -12,7 +12,7 @@ from calc.sheet.text import COMMA, Amount, Text
 from ..base_app import BaseApp
 from .sight import Sight
 from .ticks import stand_below
-from .wrap import fit
+from .text import fit
 
 if TYPE_CHECKING:
     from .reading import Reading

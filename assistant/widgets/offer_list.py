@@ -12,7 +12,7 @@ from calc.sheet.text import Text
 from ..offers.offer import Offer
 from .item_list import Item, ItemList
 from .table_list import Setter
-from .wrap import wrap
+from .text import wrap
 
 TOP = 40  # rows of a table
 

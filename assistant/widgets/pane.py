@@ -7,7 +7,7 @@ from textual.widget import Widget
 from textual.widgets import Static
 
 from ..base_app import BaseApp
-from .wrap import fit
+from .text import fit
 
 
 class Pane(Vertical):

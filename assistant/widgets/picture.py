@@ -11,8 +11,8 @@ from textual.content import Content
 from textual.timer import Timer
 from textual.widget import Widget
 
-from calc.design import STEPS, Design
-from calc.sheet.drawing import Sketch
+from calc.design.model import STEPS, Design
+from calc.draw.drawing import Sketch
 from calc.sheet.text import EMPTY, Text
 
 from ..base_app import BaseApp
@@ -74,7 +74,7 @@ class Picture(Widget, can_focus=True):
 
     def _draw(self, columns: int, rows: int) -> tuple[Content, bool]:
         """The picture, and whether it turns with the crank."""
-        from ..canvas import draw
+        from .canvas import draw
 
         signs, say = self.app.signs, self.app.say
         try:

@@ -11,15 +11,15 @@ from textual.worker import get_current_worker
 from calc.sheet.errors import BadInput, NoSolution
 from calc.sheet.text import Amount, Text
 
-from ..route import ROUTE
-from ..session import Session
+from ..session.route import ROUTE
+from ..session.session import Session
 from .item_list import Item, ItemList
-from .wrap import pad, wrap
+from .text import pad, wrap
 
 if TYPE_CHECKING:
-    from calc.design_file import Document
+    from calc.design.toml_file import Document
     from calc.solve import Results
-    from calc.starter.balancing import Balancing
+    from calc.studies.starter.balancing import Balancing
 
 LABEL = 22  # cells
 
@@ -53,7 +53,7 @@ class Todo(Radio):
         super().__init__(session, step, "todo")
 
     def build(self, width: int) -> list[Item]:
-        from calc.starter.build import hindrance
+        from calc.studies.starter.build import hindrance
 
         say = self.app.say
         without = self.session.data.get("without", {})
@@ -101,7 +101,7 @@ class Balance(Radio):
 
     def _find(self, document: "Document", results: "Results") -> None:
         """Runs in another thread."""
-        from calc.starter.balancing import options
+        from calc.studies.starter.balancing import options
 
         worker = get_current_worker()
         try:
@@ -119,7 +119,7 @@ class Balance(Radio):
             self.go_to(wanted)
 
     def made(self) -> str:
-        from calc.starter.build import choice_made
+        from calc.studies.starter.build import choice_made
 
         return choice_made(self.session.document)
 

@@ -10,14 +10,14 @@ from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from calc.addresses import Table
-from calc.design import Design
+from calc.design.addresses import Table
+from calc.design.model import Design
 from calc.sheet.quantity import Quantity, keys
 from calc.sheet.step import Step
 from calc.sheet.text import Text
 
-from ..places import Place
-from ..route import DOCUMENT, FIRST, NAME, NOTE, ROUTE, STROKE, covers, document_fold, fold_of, idle, path_of
+from ..session.places import Place
+from ..session.route import DOCUMENT, FIRST, NAME, NOTE, ROUTE, STROKE, covers, document_fold, fold_of, idle, path_of
 
 MOST = 12  # fields that an array of tables may have before it is shown one element at a time
 RADIUS: Place = ("engine", "crank_radius_mm")

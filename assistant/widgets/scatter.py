@@ -7,7 +7,7 @@ from textual.content import Content
 from textual.widget import Widget
 
 from ..base_app import BaseApp
-from .wrap import fit, pad
+from .text import fit, pad
 
 DOT, NOW, PICKED = "·", "+", "◆"
 PLAIN = {DOT: ".", NOW: "+", PICKED: "@"}

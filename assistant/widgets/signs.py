@@ -3,7 +3,7 @@
 
 from dataclasses import dataclass
 
-from calc.languages import Language, language
+from calc.locale import Language, language
 from calc.sheet.check import SIGNS
 from calc.sheet.text import Text
 

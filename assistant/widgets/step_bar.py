@@ -5,15 +5,15 @@ from textual.content import Content
 from textual.style import Style
 from textual.widget import Widget
 
-from calc.design import STEPS
+from calc.design.model import STEPS
 from calc.ready import ready
 from calc.sheet.text import Text
 
 from ..actions import BY_ID
 from ..base_app import BaseApp
-from ..session import Session
+from ..session.session import Session
 from .steps import states_of
-from .wrap import fit
+from .text import fit
 
 BRIEF = {"countershaft": Text("Shaft"), "mounting": Text("Mounts")}  # where the row is short of room
 

@@ -5,17 +5,17 @@ from collections.abc import Sequence
 
 from textual.content import Content
 
-from calc.design import STEPS
-from calc.headlines import headline
+from calc.design.model import STEPS
+from calc.studies.ready import headline
 from calc.ready import StepState, readiness, ready
 from calc.sheet.text import Text, plural
 
-from ..places import Place
-from ..session import Session
+from ..session.places import Place
+from ..session.session import Session
 from .bar import bar
 from .item_list import Item, ItemList
 from .signs import Signs
-from .wrap import fit
+from .text import fit
 
 READY = "ready"  # the key of the row behind the steps
 INDENT = "  "

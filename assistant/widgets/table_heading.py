@@ -14,8 +14,8 @@ from textual.widget import Widget
 from calc.sheet.text import EMPTY, Text
 
 from ..base_app import BaseApp
-from ..places import content_at
-from ..session import Session
+from ..session.places import content_at
+from ..session.session import Session
 from .entry import LEAVING
 from .field_help import heading_help
 from .rows import Row

@@ -4,13 +4,13 @@
 from rich.cells import cell_len
 from textual.content import Content
 
-from calc.languages import Language
+from calc.locale import Language
 from calc.sheet.number import short
 from calc.sheet.step import Table
 from calc.sheet.text import EMPTY, Text
 
 from .item_list import Item, ItemList
-from .wrap import fit, pad, wrap
+from .text import fit, pad, wrap
 
 GAP = 2  # cells between columns
 LEAST = 12  # cells of a column of words that is wrapped

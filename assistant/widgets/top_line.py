@@ -8,9 +8,9 @@ from calc.ready import OPEN, tally
 from calc.sheet.text import Amount, Text
 
 from ..base_app import BaseApp
-from ..session import Session
+from ..session.session import Session
 from .steps import states_of
-from .wrap import fit
+from .text import fit
 
 FEWEST = 60  # columns in which everything can be seen
 

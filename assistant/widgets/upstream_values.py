@@ -4,18 +4,18 @@
 from textual import events
 from textual.content import Content
 
-from calc.addresses import quantity_of, value_at
-from calc.design import STEPS
+from calc.design.addresses import quantity_of, value_at
+from calc.design.model import STEPS
 from calc.sheet.errors import BadInput
 from calc.sheet.number import short
 from calc.sheet.text import COMMA, Text
 
-from .. import numbers
-from ..session import Session
+from ..session import numbers
+from ..session.session import Session
 from ..upstream import TAKEN
 from .field import LABEL, LABEL_NARROW, NARROW
 from .item_list import Item, ItemList
-from .wrap import fit, wrap
+from .text import fit, wrap
 
 NUMBERS = {step.key: n for n, step in enumerate(STEPS, 1)}
 

@@ -7,7 +7,7 @@ from calc.repair.way import ALL_CORNERS, AS_GIVEN, NEAR, Way
 from calc.sheet.text import Text
 
 from .item_list import Item, ItemList
-from .wrap import pad, wrap
+from .text import pad, wrap
 
 SIGN = {ALL_CORNERS: "pass", AS_GIVEN: "pass", NEAR: "warn"}  # of the verdicts; one that breaks something else is a fail
 ROOMY = 96  # cells from which the change, the result and the rest stand beside each other

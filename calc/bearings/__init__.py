@@ -3,7 +3,7 @@
 
 from typing import TYPE_CHECKING
 
-from ..lazy import lazy
+from ..sheet.lazy import lazy
 
 __all__ = ["Feed", "film_at", "relative_clearance", "solve_film", "solve_grooved", "sommerfeld", "specific_load"]
 

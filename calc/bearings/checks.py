@@ -5,25 +5,10 @@ import math
 from collections.abc import Callable, Iterator
 from functools import partial
 
-from ..catalogue import Oil
-from ..fits import clearance_limits, parse
-from ..journal_rules import (
-    DESIGN_FACTOR,
-    FINOTTI,
-    FULL_FILM_FRICTION,
-    LENGTH_RATIO,
-    LUBRICATIONS,
-    N_RPM_MM,
-    RISE,
-    SPECIFIC_LOAD,
-    STABLE_FILM,
-    SUPPLY_WIDTH,
-    TRUMPLER,
-    TRUMPLER_TEMPERATURE,
-    USUAL_LENGTH_RATIO,
-    USUAL_SPECIFIC_LOAD,
-)  # fmt: skip
-from ..oils import BEYOND_ROWS, LAW_RANGE, MORE_ROWS, OTHER_OIL, VISCOSITIES
+from ..library.catalogue import Oil
+from ..library.fits import clearance_limits, parse
+from ..library.journal_rules import DESIGN_FACTOR, FINOTTI, FULL_FILM_FRICTION, LENGTH_RATIO, LUBRICATIONS, N_RPM_MM, RISE, SPECIFIC_LOAD, STABLE_FILM, SUPPLY_WIDTH, TRUMPLER, TRUMPLER_TEMPERATURE, USUAL_LENGTH_RATIO, USUAL_SPECIFIC_LOAD  # fmt: skip
+from ..library.oils import BEYOND_ROWS, LAW_RANGE, MORE_ROWS, OTHER_OIL, VISCOSITIES
 from ..sheet.arrays import element, has_lanes
 from ..sheet.check import Check, check
 from ..sheet.remedy import Remedy, by_key, down, up

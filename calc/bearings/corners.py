@@ -6,7 +6,7 @@ from itertools import product
 
 import numpy as np
 
-from ..fits import deviations, parse, tolerance
+from ..library.fits import deviations, parse, tolerance
 from ..sheet.arrays import Array, each, many, one
 from ..sheet.linked_array import gathered, item
 from ..sheet.quantity import result, value

@@ -2,18 +2,52 @@
 """Curves of a bearing: its film over the speeds and over the clearance it could have."""
 
 from dataclasses import replace
-
 import numpy as np
-
-from ..sheet.arrays import Array, each, many
-from ..sheet.step import Curve, Series, axis_label
-from ..sheet.text import Amount, Text
+from ..sheet.arrays import Array
+from ..sheet.arrays import each
+from ..sheet.arrays import many
+from ..sheet.step import Curve
+from ..sheet.step import Series
+from ..sheet.step import axis_label
+from ..sheet.text import Amount
+from ..sheet.text import Text
 from .corners import corner_values
 from .inputs import IN_WORDS
 from .result import BearingResult
 from .routes.balance import settled
-from .routes.states import BearingCase, Film, OperatingPoint
-from .sweep import at_speeds
+from .routes.states import BearingCase
+from .routes.states import Film
+from .routes.states import OperatingPoint
+from .speeds import at_speeds
+import math
+from collections.abc import Callable
+from collections.abc import Iterable
+from collections.abc import Iterator
+from functools import cache
+from functools import partial
+from ..library.catalogue import oils
+from ..library.lubricant import Lubricant
+from ..root import root
+from ..sheet.errors import NoSolution
+from ..sheet.text import Name
+from ..sheet.trace import untraced
+from ..sheet.value import unlinked
+from .film.misaligned import MisalignedFilm
+from .film.misaligned import solve_misaligned
+from .film.optimum import ECCENTRICITIES
+from .film.optimum import share_of_largest_load
+from .film.optimum import share_of_least_friction
+from .film.reynolds import ECCENTRICITY_RANGE
+from .film.reynolds import LENGTH_RATIO_RANGE
+from .film.reynolds import FilmSolution
+from .film.reynolds import solve_film
+from .film.table import FilmRangeError
+from .film.table import eccentricity_from
+from .film.table import film_at
+from .routes.balance import balanced
+from .routes.routes import own_warm
+from .routes.supply import lands
+
 
 POINTS = 25
 SHARES = np.linspace(0.4, 2.0, POINTS)  # of the design's clearance
@@ -75,3 +109,227 @@ def _over_clearance(place: str, r: BearingResult) -> Curve:
         clearance_reference_temperature=T_ref)  # fmt: skip
     return Curve(f"film_over_clearance_{place}", title, axis_label("clearance", "µm"), axis_label("h", "µm"), series, limits=limits,
         point=(r.clearance * 1e6, r.film_edge * 1e6), fails=r.film_edge < r.kreisle_film)  # fmt: skip
+
+
+# Charts of the literature on plain bearings, each with this design's own point: made when somebody looks.
+#
+# The pressure around, what clearance and length do, the chart of Raimondi and Boyd with its band, the friction over the duty, the oils.
+
+PUBLISHED_RATIOS = (1.0, 0.5, 0.25)  # l/d of the curves of 1958, beside the infinitely long bearing
+RATIOS = np.linspace(0.2, 1.2, 11)  # of the lengths that are tried
+LOADS = np.geomspace(0.05e6, 50e6, 61)  # Pa, specific, of those that are tried
+OILS = ("0W-20", "5W-30", "10W-40", "15W-40")
+AS_DESIGNED = Text("as designed")
+LG_S = Text("lg S")
+
+
+def charts(results: dict[str, BearingResult]) -> Iterator[Curve]:
+    """Every chart that can be drawn: where a film has no solution its chart is left out, and the others stay."""
+    first = next(iter(results.values()))
+    makers: list[Callable[[], Iterable[Curve]]] = []
+    for place, r in results.items():
+        makers += [partial(_clearance, place, r), partial(_length, place, r)]
+        if r.seat.inputs.supply != "axial_groove":  # the film of a bearing without grooves
+            makers += [partial(_pressure, place, r), partial(_allowable, place, r), partial(_raimondi_boyd, place, r)]
+            makers += [partial(_duty, place, r), partial(_further_charts, place, r)]
+    makers += [partial(_oils, first), partial(_bench, first)]
+    for make in makers:
+        try:
+            with untraced():
+                yield from tuple(make())
+        except (NoSolution, ArithmeticError, ValueError):
+            continue
+
+
+def _pressure(place: str, r: BearingResult) -> Iterator[Curve]:
+    """Around the middle plane, and along where it is largest: as designed, with the journal's slope, and parted by a groove around, where
+    each half carries half of the load."""
+    inputs, length = r.seat.inputs, r.seat.bearing.length * 1e3
+    groove = (inputs.groove_width or 0.0) * 1e3 if lands(inputs) == 2 else 0.0
+    films = {AS_DESIGNED: (_film(r.eccentricity, r.length_ratio), lands(inputs), length - groove)}
+    if inputs.supply != "groove":
+        try:
+            half = _film(eccentricity_from(float(r.sommerfeld), r.length_ratio / 2), r.length_ratio / 2)
+            films[Text("parted by a groove around")] = half, 2, length
+        except FilmRangeError:
+            pass  # so short a half carries this load at no eccentricity of the table
+    scale = r.hot.oil.mu * 2 * math.pi * r.duty.effective_speed / r.relative_clearance**2 / 1e6
+    mean, where = (Text("specific load"), r.specific_load / 1e6), dict(place=IN_WORDS[place])
+    around, along = [], []
+    for label, (film, parts, bare) in films.items():
+        angle = np.degrees(film.theta - math.pi + film.attitude)  # from the load's direction, in the sense of the journal's rotation
+        around.append(Series(label, angle, film.pressure * scale))
+        z, p = np.append(-film.z[::-1], film.z[1:]), np.append(film.pressure_along[::-1], film.pressure_along[1:]) * scale
+        half_length = bare / 2 / parts
+        middles = (0.0,) if parts == 1 else (half_length - length / 2, length / 2 - half_length)
+        along.append(Series(label, np.concatenate([m + z * half_length for m in middles]), np.tile(p, parts)))
+    if lands(inputs) == 1 and (sloping := _sloping(r)) is not None:
+        slope = Amount((r.film - r.film_edge) / length * 2e6, "mrad", form=".2g")
+        along.insert(1, Series(Text("sloping, {slope}", slope=slope), sloping.z * length / 2, sloping.pressure_along * scale))
+    title = Text("Film pressure around the {place} bearing, in the plane of its largest", **where)
+    yield Curve(f"pressure_around_{place}", title, axis_label("angle from the load", "°"), axis_label("p", "MPa"), tuple(around), (mean,))
+    title = Text("Film pressure along the {place} bearing, where it is largest", **where)
+    yield Curve(f"pressure_along_{place}", title, axis_label("z", "mm"), axis_label("p", "MPa"), tuple(along), (mean,))
+
+
+def _sloping(r: BearingResult) -> MisalignedFilm | None:
+    """The film that carries the same load with the journal's slope; None: it has none, or so much that an edge leaves the range."""
+    tilt = (r.film - r.film_edge) / (r.clearance_hot / 2)
+    low, high = tilt + ECCENTRICITY_RANGE[0], min(float(r.eccentricity), ECCENTRICITY_RANGE[1] - tilt)  # at the same ε it carries more
+
+    def missing(eccentricity: float) -> float:
+        return math.log(solve_misaligned(eccentricity, tilt, r.length_ratio).sommerfeld / r.sommerfeld)
+
+    if tilt <= 0 or high <= low or missing(high) > 0 or missing(low) < 0:
+        return None
+    return solve_misaligned(root(missing, low, high, tolerance=1e-4), tilt, r.length_ratio)
+
+
+def _film(eccentricity: float, length_ratio: float) -> FilmSolution:
+    return solve_film(float(np.clip(eccentricity, *ECCENTRICITY_RANGE)), float(np.clip(length_ratio, *LENGTH_RATIO_RANGE)))
+
+
+def _clearance(place: str, r: BearingResult) -> Iterator[Curve]:
+    over = over_clearance(r)
+    first = {name: many(getattr(over, name))[:POINTS] for name in ("film", "temperature_rise", "largest_pressure")}
+    parts = (
+        Series(Text("smallest film"), r.clearance * SHARES * 1e6, first["film"] / r.film),
+        Series(Text("largest pressure"), r.clearance * SHARES * 1e6, first["largest_pressure"] / r.film_pressure_max),
+        Series(Text("temperature rise"), r.clearance * SHARES * 1e6, first["temperature_rise"] / r.temperature_rise),
+    )
+    title = Text("What the clearance of the {place} bearing does", place=IN_WORDS[place])
+    yield Curve(f"clearance_effects_{place}", title, axis_label("clearance", "µm"), Text("over that of the design"), parts)
+
+
+def _length(place: str, r: BearingResult) -> Iterator[Curve]:
+    """Longer and thinner, shorter and thicker, with the same projected area and relative clearance."""
+    bearing, found = r.seat.bearing, []
+    area, psi = bearing.diameter * bearing.length, r.clearance / bearing.diameter
+    for ratio in RATIOS:
+        d = math.sqrt(area / ratio)
+        other = replace(unlinked(bearing), diameter=d, length=ratio * d, clearance=psi * d, clearance_factor=None)
+        try:
+            film = balanced(own_warm, replace(unlinked(r.seat), bearing=other, clearance=psi * d), unlinked(r.duty), 1e-6)
+            pressure = (film.largest_pressure or 0.0) / r.film_pressure_max
+            found.append((ratio, film.film / r.film, pressure, film.temperature_rise / r.temperature_rise))
+        except (NoSolution, ArithmeticError, ValueError):
+            continue  # so short a bearing carries the load at no eccentricity of the table
+    ratios, *parts = np.array(found).T if found else np.zeros((4, 0))
+    labels = (Text("smallest film"), Text("largest pressure"), Text("temperature rise"))
+    title = Text("What the length of the {place} bearing does at the same projected area", place=IN_WORDS[place])
+    series = tuple(Series(label, ratios, part) for label, part in zip(labels, parts))
+    yield Curve(f"length_effects_{place}", title, Text("l/d"), Text("over that of the design"), series)
+
+
+def _allowable(place: str, r: BearingResult) -> Iterator[Curve]:
+    """The specific load at which the film at the edge is as thin as Kreisle lets it be, over the length of this journal, all else as
+    designed: parallel it rises with the length, a journal that slopes loses its edges."""
+    bearing, inputs = unlinked(r.seat.bearing), r.seat.inputs
+    d, count = bearing.diameter, lands(inputs)
+    groove = (inputs.groove_width or 0.0) if count == 2 else 0.0
+    supplied = max(width or 0.0 for width in (inputs.hole_diameter, inputs.groove_width, inputs.pocket_width))
+    l = RATIOS * count * d + groove
+    l = l[l > supplied]
+    at = replace(unlinked(r.seat), bearing=replace(bearing, length=each(l[None])))
+    h_0 = many(settled(at, replace(unlinked(r.duty), load=each(LOADS[:, None] * d * (l - groove)))).film)
+    slope, ratios = (r.film - r.film_edge) * 2 / bearing.length, (l - groove) / count / d
+    cases = [(Text("parallel"), 0.0)]
+    if slope > 0:
+        cases.append((Text("sloping, {slope}", slope=Amount(slope * 1e3, "mrad", form=".2g")), slope))
+    series = []
+    for label, theta in cases:
+        edge = h_0 - theta * l / 2
+        there = np.isfinite(edge)
+        p = [np.interp(-r.kreisle_film, -edge[on, j], LOADS[on], left=np.nan, right=np.nan) for j, on in enumerate(there.T) if on.any()]
+        series.append(Series(label, ratios[there.any(axis=0)], np.array(p) / 1e6))
+    series.append(Series(AS_DESIGNED, np.array([r.length_ratio]), np.array([r.specific_load / 1e6])))
+    title = Text("Specific load that the {place} bearing bears over its l/d", place=IN_WORDS[place])
+    yield Curve(f"allowable_load_{place}", title, Text("l/d"), axis_label("p", "MPa"), tuple(series))
+
+
+def _raimondi_boyd(place: str, r: BearingResult) -> Iterator[Curve]:
+    series = []
+    for ratio in dict.fromkeys((*PUBLISHED_RATIOS, round(float(r.length_ratio), 4))):
+        film = film_at(ECCENTRICITIES, ratio)
+        series.append(Series(Text("l/d = {ratio}", ratio=float(ratio)), np.log10(film.sommerfeld), 1 - ECCENTRICITIES))
+    series += _band()
+    series.append(Series(AS_DESIGNED, np.array([math.log10(r.sommerfeld)]), np.array([1 - r.eccentricity])))
+    title = Text("Chart of Raimondi and Boyd with the {place} bearing, warm", place=IN_WORDS[place])
+    yield Curve(f"raimondi_boyd_chart_{place}", title, LG_S, Text("h₀/c"), tuple(series))
+
+
+def _further_charts(place: str, r: BearingResult) -> Iterator[Curve]:
+    """The other charts of 1958: friction, flow, side flow and pressure over S, with the design's point on the line of its length."""
+    own = film_at(float(r.eccentricity), float(np.clip(r.length_ratio, *LENGTH_RATIO_RANGE)))
+    where = dict(place=IN_WORDS[place])
+    parts = (
+        ("friction", Text("lg f*, f* = (r/c)·f"), Text("Raimondi and Boyd: friction, {place} bearing", **where)),
+        ("flow", Text("Q/(r·c·n·l)"), Text("Raimondi and Boyd: flow, {place} bearing", **where)),
+        ("side_flow_ratio", Text("Q_s/Q"), Text("Raimondi and Boyd: side flow, {place} bearing", **where)),
+        ("pressure_ratio", Text("p/p_max"), Text("Raimondi and Boyd: pressure, {place} bearing", **where)),
+    )
+    films = {ratio: film_at(ECCENTRICITIES, ratio) for ratio in dict.fromkeys((*PUBLISHED_RATIOS, round(float(r.length_ratio), 4)))}
+    for name, label, title in parts:
+        scale = np.log10 if name == "friction" else np.asarray
+        lines = [
+            Series(Text("l/d = {ratio}", ratio=float(ratio)), np.log10(film.sommerfeld), scale(getattr(film, name)))
+            for ratio, film in films.items()
+        ]
+        lines.append(Series(AS_DESIGNED, np.array([math.log10(r.sommerfeld)]), scale(np.array([getattr(own, name)]))))
+        yield Curve(f"raimondi_boyd_{name}_{place}", title, LG_S, label, tuple(lines))
+
+
+@cache
+def _band() -> list[Series]:
+    """Where the load is largest, and where the friction is least, for bearings of all lengths."""
+    lengths, lines = np.linspace(PUBLISHED_RATIOS[-1], 1.5, 15), []
+    for share_of, label in ((share_of_largest_load, Text("largest load")), (share_of_least_friction, Text("least friction"))):
+        share = np.array([share_of(b=float(length)) for length in lengths])
+        S = film_at(np.clip(1 - share, *ECCENTRICITY_RANGE), lengths).sommerfeld
+        lines.append(Series(label, np.log10(S), share))
+    return lines
+
+
+def _duty(place: str, r: BearingResult) -> Iterator[Curve]:
+    """f over ZN/P: along the line of this bearing's relative clearance, down to where its film is as thin as its roughness."""
+    film = film_at(ECCENTRICITIES, float(np.clip(r.length_ratio, *LENGTH_RATIO_RANGE)))
+    thick = (1 - ECCENTRICITIES) * r.clearance_hot / 2 >= r.kreisle_film / 3
+    zn_p = r.mckee_number * film.sommerfeld / r.sommerfeld
+    shown = thick & (zn_p < 10 * r.mckee_number)
+    line = Series(Text("full film"), zn_p[shown], (r.relative_clearance * film.friction)[shown])
+    point = Series(AS_DESIGNED, np.array([r.mckee_number]), np.array([r.friction_coefficient]))
+    title = Text("Friction of the {place} bearing over its duty (McKee; Stribeck)", place=IN_WORDS[place])
+    bounds = ((Text("thick film up to"), 0.012), (Text("thick film from"), 0.002))
+    yield Curve(f"stribeck_{place}", title, Text("ZN/P, cP·rpm/psi"), Text("f"), (line, point), bounds)
+
+
+def _oils(r: BearingResult) -> Iterator[Curve]:
+    """Kinematic viscosity over temperature: the design's oil and usual ones."""
+    own, known = r.seat.lubricant, oils()
+    T = np.linspace(40.0, 150.0, 23)
+    shown = {own.oil.name: own} | {name: Lubricant(known[name]) for name in OILS if name in known}
+    series = tuple(Series(Name(name), T, np.log10([oil.at(float(t)).nu * 1e6 for t in T])) for name, oil in shown.items())
+    title = Text("Viscosity of the oil over its temperature")
+    yield Curve("viscosity_of_oils", title, axis_label("temperature", "°C"), Text("lg ν, mm²/s"), series)
+
+
+def _bench(r: BearingResult) -> Iterator[Curve]:
+    """The oil supplied over the speed, of the engine's bench run."""
+    if r.sweep.bench:
+        rpm = np.array(r.sweep.speeds) * 60
+        parts = (
+            (
+                "oil_temperature_over_speed",
+                Text("Oil supplied over the speed, by the bench run"),
+                axis_label("T_in", "°C"),
+                r.sweep.temperatures,
+            ),
+            (
+                "oil_pressure_over_speed",
+                Text("Pressure of the oil supplied, by the bench run"),
+                axis_label("p_s", "bar"),
+                np.array(r.sweep.pressures) / 1e5,
+            ),
+        )
+        for id, title, label, y in parts:
+            yield Curve(id, title, axis_label("speed", "rpm"), label, (Series(Text("bench run"), rpm, np.array(y)),))

@@ -5,9 +5,9 @@ from collections.abc import Iterable
 from dataclasses import replace
 from math import pi
 
-from .. import fits
-from ..catalogue import Oil
-from ..journal_rules import COOLED, LUBRICATIONS, SLOPE, SUPPLY_WIDTH, TRUMPLER_TEMPERATURE, USUAL_CLEARANCE, USUAL_LENGTH
+from ..library import fits
+from ..library.catalogue import Oil
+from ..library.journal_rules import COOLED, LUBRICATIONS, SLOPE, SUPPLY_WIDTH, TRUMPLER_TEMPERATURE, USUAL_CLEARANCE, USUAL_LENGTH
 from ..sheet.quantity import THUMB, choice, inputs, quantity, series, table, text
 from ..sheet.text import Amount, Text
 from .materials.data import DEFAULT_APPLICATION

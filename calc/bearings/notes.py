@@ -4,7 +4,7 @@
 from collections.abc import Iterator, Mapping
 
 from ..countershaft.result import CountershaftResult
-from ..oils import rising_rows
+from ..library.oils import rising_rows
 from ..sheet.step import Erratum
 from ..sheet.text import COMMA, EMPTY, SEMICOLON, Amount, Text, listed
 from ..sheet.trace import untraced
@@ -12,10 +12,10 @@ from ..sheet.units import UNITS
 from .checks import LOST_BY_SHEAR, told_when_thinned
 from .inputs import IN_TITLES, IN_WORDS, BearingsInputs
 from .materials.data import running_surface
-from .materials.suitability import fatigue_note
+from .suitability import fatigue_note
 from .result import BearingResult
 from .routes import supply
-from .routes.falz import film_heavily_loaded
+from .routes.din31652 import film_heavily_loaded
 from .routes.side_by_side import ROUTES
 
 TURNS = Text(

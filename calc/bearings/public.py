@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Plain bearings from Python, in SI: `from calc import bearings`."""
 
-from ..catalogue import Oil, materials, oils
-from ..lubricant import Lubricant
+from ..library.catalogue import Oil, materials, oils
+from ..library.lubricant import Lubricant
 from ..sheet.units import Celsius, Metre, Newton, Number, Pascal, RevPerSecond
 from .film.feeds import Feed
 from .film.grooved import solve_grooved

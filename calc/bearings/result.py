@@ -2,26 +2,12 @@
 """What the bearing step publishes."""
 
 from ..sheet.quantity import group, result, value
-from ..sheet.units import (
-    Celsius,
-    CubicMetrePerSecond,
-    Kelvin,
-    Metre,
-    MetrePerSecond,
-    Newton,
-    NewtonPerMetreSecond,
-    Number,
-    Pascal,
-    PascalMetrePerSecond,
-    Radian,
-    RevPerSecond,
-    Watt,
-)
+from ..sheet.units import Celsius, CubicMetrePerSecond, Kelvin, Metre, MetrePerSecond, Newton, NewtonPerMetreSecond, Number, Pascal, PascalMetrePerSecond, Radian, RevPerSecond, Watt
 from .corners import Corners
 from .film.dynamics import Dynamics
 from .routes.side_by_side import Side
 from .routes.states import BearingCase, Film, OperatingPoint
-from .sweep import Sweep
+from .speeds import Sweep
 
 
 @result

@@ -9,7 +9,7 @@ import math
 from collections.abc import Iterable, Iterator
 
 from ..sheet.check import Check
-from ..sheet.drawing import CONTEXT, OUTLINE, WORDS, Arc, Area, Mark, Point, Polyline, Sketch, Words, round_outline
+from ..draw.drawing import CONTEXT, OUTLINE, WORDS, Arc, Area, Mark, Point, Polyline, Sketch, Words, round_outline
 from ..sheet.sketching import awaited, judged, rounded
 from ..sheet.step import Designed, Solved
 from ..sheet.text import Amount, Text

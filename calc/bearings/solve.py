@@ -7,12 +7,12 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..catalogue import Material, Oil
+from ..library.catalogue import Material, Oil
 from ..countershaft.result import CountershaftResult
 from ..engine.inputs import BenchPoint, EngineInputs
-from ..fits import deviations, parse
-from ..journal_rules import speed_factor
-from ..lubricant import Lubricant
+from ..library.fits import deviations, parse
+from ..library.journal_rules import speed_factor
+from ..library.lubricant import Lubricant
 from ..sheet.arrays import element, many, one
 from ..sheet.check import Check, check
 from ..sheet.errors import NoSolution
@@ -34,9 +34,9 @@ from .film.dynamics import dynamics
 from .inputs import IN_WORDS, PLACES, BearingInputs, BearingsInputs
 from .materials.data import application, running_surface
 from .materials.formulas import film_duty, load_times_speed
-from .materials.suitability import Journal, Running, application_checks, reference_table
-from .materials.suitability import checks as pairing_checks
-from .materials.suitability import table as bushes_table
+from .suitability import Journal, Running, application_checks, reference_table
+from .suitability import checks as pairing_checks
+from .suitability import table as bushes_table
 from .notes import errata, notes
 from .result import BearingResult, BearingsResult, route_result
 from .rotating_load import loads_beside
@@ -45,7 +45,7 @@ from .routes.balance import balanced, closed, settled_together
 from .routes.routes import own_warm
 from .routes.side_by_side import ROUTES, judged_alone, routes_table, side_by_side
 from .routes.states import BearingCase, Film, OperatingPoint
-from .sweep import TURNING, Sweep, sweep, sweep_points
+from .speeds import TURNING, Sweep, sweep, sweep_points
 
 
 class BearingMaterials(NamedTuple):
@@ -99,7 +99,7 @@ def _tables(bearings: BearingsInputs, results: dict[str, BearingResult], speed: 
 
 
 def _charts(results: dict[str, BearingResult]) -> tuple[Curve, ...]:
-    from .charts import charts  # for who looks at them only
+    from .curves import charts  # for who looks at them only
 
     return tuple(charts(results))
 

@@ -3,7 +3,7 @@
 
 from typing import TYPE_CHECKING
 
-from ..lazy import lazy
+from ..sheet.lazy import lazy
 
 __all__ = ["permitted_unbalance", "sector_area", "sector_mass", "size_sectors", "specific_load"]
 

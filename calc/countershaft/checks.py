@@ -3,9 +3,10 @@
 
 from collections.abc import Iterator
 
-from .. import fatigue, notch
-from ..catalogue import Material
-from ..journal_rules import HEAT_INDEX, SLOPE, SPECIFIC_LOAD
+from ..library import fatigue
+from .. import notch
+from ..library.catalogue import Material
+from ..library.journal_rules import HEAT_INDEX, SLOPE, SPECIFIC_LOAD
 from ..sheet.check import Check, check
 from ..sheet.functions import argument, degrees
 from ..sheet.remedy import by_key, down

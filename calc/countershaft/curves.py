@@ -9,7 +9,7 @@ from ..sheet.step import Curve, Load, Series, axis_label
 from ..sheet.text import EMPTY, Name, Text
 from ..sheet.units import Metre, RadPerSecond
 from .bending.shaft import Bending
-from .drawing import outline_curve
+from ..draw.shaft_outline import outline_curve
 from .result import CountershaftResult
 from .task import LEFT_OVER, WORDS, Task
 

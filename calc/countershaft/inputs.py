@@ -5,8 +5,8 @@ import math
 from collections.abc import Iterable
 from itertools import pairwise
 
-from ..balance_quality import GRADES
-from ..journal_rules import LENGTH_RATIO
+from ..library.balance_quality import GRADES
+from ..library.journal_rules import LENGTH_RATIO
 from ..sheet.quantity import THUMB, choice, inputs, integer, quantity, series, table, tables, text
 from ..sheet.text import Amount, Text
 from .making.inputs import Bolts, Cost, FurtherDrain, OilDrain, Part, Support

@@ -3,7 +3,7 @@
 
 from collections.abc import Iterator
 
-from ..catalogue import Material
+from ..library.catalogue import Material
 from ..sheet.text import Text
 from ..sheet.units import Metre
 from .bending.shaft import Bending

@@ -16,21 +16,7 @@ from ..sheet.linked_array import column, gathered, where
 from ..sheet.record import record
 from ..sheet.text import Amount, Text
 from ..sheet.trace import about
-from ..sheet.units import (
-    CubicMetre,
-    Kilogram,
-    KilogramMetre2,
-    KilogramPerMetre3,
-    Metre,
-    Metre4,
-    Number,
-    PhasorCubicMetre,
-    PhasorNewton,
-    PhasorNewtonMetre,
-    Radian,
-    RadPerSecond,
-    SquareMetre,
-)  # fmt: skip
+from ..sheet.units import CubicMetre, Kilogram, KilogramMetre2, KilogramPerMetre3, Metre, Metre4, Number, PhasorCubicMetre, PhasorNewton, PhasorNewtonMetre, Radian, RadPerSecond, SquareMetre  # fmt: skip
 from ..sheet.value import based_on
 from . import sector as s
 from .inputs import CountershaftInputs, EccentricMass, Extra

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The counter-shaft from Python, in SI: `from calc import countershaft`."""
 
-from ..balance_quality import permitted_unbalance
+from ..library.balance_quality import permitted_unbalance
 from ..bearings.formulas import specific_load
 from .sector import sector_area, sector_mass
 from .sizing.sectors import pair as size_sectors

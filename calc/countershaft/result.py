@@ -4,22 +4,9 @@
 from typing import TYPE_CHECKING
 
 from ..sheet.quantity import Stated, group, result, value
-from ..sheet.units import (
-    Kilogram,
-    KilogramMetre,
-    KilogramMetre2,
-    Metre,
-    Newton,
-    NewtonMetre,
-    NewtonPerMetreSecond,
-    Number,
-    Pascal,
-    Radian,
-    RadPerSecond,
-    RevPerSecond,
-)  # fmt: skip
+from ..sheet.units import Kilogram, KilogramMetre, KilogramMetre2, Metre, Newton, NewtonMetre, NewtonPerMetreSecond, Number, Pascal, Radian, RadPerSecond, RevPerSecond  # fmt: skip
 from .bending.shaft import Bending
-from .making.holes import HolesResult
+from .making.balance import HolesResult
 from .making.tolerance import ToleranceResult
 from .outline import Outline
 

@@ -7,7 +7,7 @@ from functools import partial
 from typing import TYPE_CHECKING
 
 from ..bearings.formulas import heat_index, specific_load
-from ..catalogue import Material
+from ..library.catalogue import Material
 from ..imbalance.remedies import roll_torque
 from ..imbalance.result import ImbalanceResult
 from ..sheet.errors import NoSolution

@@ -5,10 +5,10 @@ from collections.abc import Iterator
 from itertools import pairwise
 
 from ..bearings.inputs import ASSUMED_FIT
-from ..countershaft.drawing import drawn
+from ..draw.shaft_outline import drawn
 from ..countershaft.outline import Piece
 from ..countershaft.result import CountershaftResult
-from ..fits import deviations, parse
+from ..library.fits import deviations, parse
 from ..gears.result import TrainResult, WheelResult
 from ..sheet.record import record
 from ..sheet.text import Text

@@ -3,14 +3,14 @@
 
 from collections.abc import Mapping
 
-from ..countershaft.drawing import upwards
+from ..draw.shaft_outline import upwards
 from ..countershaft.result import CountershaftResult
 from ..sheet.text import EMPTY, Text
 from ..solve import Results
-from .across import end_view, kinds, section
-from .data import PART_DRAWING, balance_rows, gear_rows, mass_rows, notes
+from ..draw.workshop import end_view, kinds, section
+from ..draw.sheet_data import PART_DRAWING, balance_rows, gear_rows, mass_rows, notes
 from .facts import shaft_wheel, turned
-from .leaf import Leaf
+from ..draw.annotations import Leaf
 from .saying import Say, number
 from .sheet import COLUMNS, Part, Sheet, composed, tables
 from .side_view import OVER, SideView

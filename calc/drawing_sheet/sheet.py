@@ -3,14 +3,14 @@
 
 from collections.abc import Callable, Iterable
 
-from ..document import DocumentControl
-from ..sheet.drawing import Ink
-from ..sheet.lettering import wrapped
+from ..design.other_tables import DocumentControl
+from ..draw.drawing import Ink
+from ..draw.lettering import wrapped
 from ..sheet.record import record
 from ..sheet.text import Text
-from .data import Rows
-from .frame import LEFT, LOW, PAPER, RIGHT, TOP, frame, title_block
-from .leaf import LETTER, Leaf
+from ..draw.sheet_data import Rows
+from ..draw.workshop_sheet import LEFT, LOW, PAPER, RIGHT, TOP, frame, title_block
+from ..draw.annotations import LETTER, Leaf
 from .saying import Say
 
 SCALES = ((2, 1), (1, 1), (1, 2), (1, 5), (1, 10), (1, 20))

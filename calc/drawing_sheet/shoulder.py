@@ -4,7 +4,7 @@
 import math
 from itertools import pairwise
 
-from ..countershaft.drawing import FLAT
+from ..draw.shaft_outline import FLAT
 from ..sheet.units import Metre, Radian
 from .facts import Turned
 

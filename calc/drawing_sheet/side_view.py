@@ -4,18 +4,18 @@
 import math
 from itertools import pairwise
 
-from ..countershaft.drawing import edges, reach
-from ..sheet.drawing import Box, Point
+from ..draw.shaft_outline import edges, reach
+from ..draw.drawing import Box, Point
 from ..sheet.layers import CENTRE, DIMENSION, VISIBLE
-from ..sheet.lettering import width
+from ..draw.lettering import width
 from ..sheet.text import Text
 from ..sheet.units import Metre, Radian
 from .facts import Turned
-from .leaf import LETTER, Leaf
+from ..draw.annotations import LETTER, Leaf
 from .saying import Say, alone, rounded
 from .shoulder import shoulders
 from .signs import cutting_plane, shelf, shelf_size
-from .stack import Shelf, Span, rows, shelves
+from ..draw.side_view import Shelf, Span, rows, shelves
 
 OVER = 4.0  # how far an axis goes beyond what it is the axis of
 FIRST, NEXT = 9.0, 8.0  # from the view to the first row of dimensions, and from one row to the next

@@ -3,10 +3,10 @@
 
 import math
 
-from ..sheet.drawing import Box, Point
+from ..draw.drawing import Box, Point
 from ..sheet.layers import CUT, DIMENSION
-from ..sheet.lettering import width
-from .leaf import LETTER, TITLE, Leaf
+from ..draw.lettering import width
+from ..draw.annotations import LETTER, TITLE, Leaf
 
 SLOPE = math.tan(math.pi / 3)
 SHORT_LEG, LONG_LEG = 3.5, 7.0  # heights of the two legs of the sign of a surface

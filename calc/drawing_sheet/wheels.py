@@ -8,9 +8,9 @@ from ..sheet.layers import CENTRE, EDGE, VISIBLE
 from ..sheet.text import COMMA, Text
 from ..sheet.units import Metre
 from ..solve import Results
-from .data import PART_DRAWING, chosen, gear_rows
+from ..draw.sheet_data import PART_DRAWING, chosen, gear_rows
 from .facts import tips
-from .leaf import Leaf
+from ..draw.annotations import Leaf
 from .saying import Say, millimetres, rounded
 from .sheet import COLUMNS, Part, Sheet, composed, tables
 

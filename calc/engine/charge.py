@@ -10,18 +10,7 @@ from ..sheet.linked_array import gathered
 from ..sheet.text import Amount, Text
 from ..sheet.value import based_on
 from . import formulas as f
-from .cycle import (
-    TURN,
-    WIDE,
-    Cycle,
-    MixedCycle,
-    clearance_height,
-    compression_end,
-    crank_angle,
-    dead_centre_angle,
-    piston_way,
-    widest_gap,
-)
+from .cycle import TURN, WIDE, Cycle, MixedCycle, clearance_height, compression_end, crank_angle, dead_centre_angle, piston_way, widest_gap
 from .gas import COMPRESSION, CRANKCASE, EXHAUST, EXPANSION, HELD, INTAKE, GasInputs
 from .inputs import EngineInputs
 from .result import EngineResult

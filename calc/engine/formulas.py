@@ -7,19 +7,7 @@ stands at TDC at α = φ₀.  Acceleration is positive towards the crank at TDC,
 
 from ..sheet.formula import formula
 from ..sheet.functions import asin, cos, pi, sin, sqrt, tan, total
-from ..sheet.units import (
-    CubicMetre,
-    Kilogram,
-    Metre,
-    MetrePerSecond,
-    MetrePerSecond2,
-    Number,
-    Pascal,
-    Radian,
-    RadPerSecond,
-    RevPerSecond,
-    Watt,
-)  # fmt: skip
+from ..sheet.units import CubicMetre, Kilogram, Metre, MetrePerSecond, MetrePerSecond2, Number, Pascal, Radian, RadPerSecond, RevPerSecond, Watt  # fmt: skip
 
 
 @formula("M_ra", "Finotti 2013, 2.5.3.1: reciprocating mass of the rod as two masses", unit="g")

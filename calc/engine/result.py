@@ -2,20 +2,7 @@
 """What the engine gives: masses, kinematics and harmonics, the torque about its crank, the stresses of a throw."""
 
 from ..sheet.quantity import Stated, group, result, value
-from ..sheet.units import (
-    CubicMetre,
-    Kilogram,
-    Metre,
-    MetrePerSecond,
-    MetrePerSecond2,
-    Newton,
-    NewtonMetre,
-    Number,
-    Pascal,
-    Radian,
-    RadPerSecond,
-    Watt,
-)  # fmt: skip
+from ..sheet.units import CubicMetre, Kilogram, Metre, MetrePerSecond, MetrePerSecond2, Newton, NewtonMetre, Number, Pascal, Radian, RadPerSecond, Watt  # fmt: skip
 from .crank import Crank
 from .cycle import Cycle
 from .masses import Unlike

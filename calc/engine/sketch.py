@@ -7,22 +7,7 @@ The crank turns clockwise, cylinder 1 stands at its TDC.  In the row the second 
 import math
 from collections.abc import Iterable, Iterator
 
-from ..sheet.drawing import (
-    AXIS,
-    CONTEXT,
-    DIMENSIONS,
-    OUTLINE,
-    WORDS,
-    Arc,
-    Area,
-    Dimension,
-    Mark,
-    Point,
-    Polyline,
-    Sketch,
-    Words,
-    rectangle,
-)  # fmt: skip
+from ..draw.drawing import AXIS, CONTEXT, DIMENSIONS, OUTLINE, WORDS, Arc, Area, Dimension, Mark, Point, Polyline, Sketch, Words, rectangle  # fmt: skip
 from ..sheet.record import record
 from ..sheet.step import Designed, Solved
 from ..sheet.text import Amount, Name, Text

@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from ..catalogue import Material
+from ..library.catalogue import Material
 from ..sheet.arrays import Array, ComplexArray, each, many, one, phasors
 from ..sheet.check import Check
 from ..sheet.formula import formula

@@ -11,7 +11,7 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from ..catalogue import Material
+from ..library.catalogue import Material
 from ..sheet.arrays import Array, BoolArray, each, many
 from ..sheet.check import Check, check
 from ..sheet.linked_array import item
@@ -22,7 +22,7 @@ from ..sheet.units import UNITS, Metre, Newton, NewtonMetre, Radian
 from ..sheet.value import based_on
 from . import cycle as c
 from . import formulas as f
-from . import throw_formulas as t
+from . import throw_strength as t
 from .charge import prepare
 from .crank import sharing
 from .cycle import TURN, Cycle

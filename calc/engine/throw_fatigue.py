@@ -7,8 +7,8 @@ of its own over the cycle.  The amplitudes of bending and torsion are added as i
 
 import numpy as np
 
-from .. import fatigue
-from ..catalogue import Material
+from ..library import fatigue
+from ..library.catalogue import Material
 from ..sheet.arrays import Array, each, many
 from ..sheet.check import Check, check
 from ..sheet.formula import formula
@@ -18,7 +18,7 @@ from ..sheet.text import Text
 from ..sheet.trace import about, untraced
 from ..sheet.units import Metre, Number, Pascal
 from ..sheet.value import based_on
-from . import throw_formulas as t
+from . import throw_strength as t
 from .throw_inputs import ThrowInputs
 
 Forces = tuple[Array, Array, Array]  # tangential, radial, and the torque from in front: (angles over the cycle, cylinders)

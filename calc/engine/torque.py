@@ -21,17 +21,7 @@ from ..sheet.quantity import Described, Stated
 from ..sheet.step import Curve, Series, axis_label
 from ..sheet.text import Text
 from ..sheet.trace import about, untraced
-from ..sheet.units import (
-    CubicMetre,
-    KilogramMetre2,
-    Metre,
-    Newton,
-    NewtonMetre,
-    Number,
-    Pascal,
-    PhasorNewtonMetre,
-    Radian,
-)
+from ..sheet.units import CubicMetre, KilogramMetre2, Metre, Newton, NewtonMetre, Number, Pascal, PhasorNewtonMetre, Radian
 from ..sheet.value import based_on
 from . import cycle as c
 from . import formulas as f

@@ -68,12 +68,12 @@ def solve(rows: tuple[TorquePoint, ...], period: Radian, omega: RadPerSecond, J:
     T = each(gathered(row.torque for row in rows))
     T_m = mean(angles=angles, T=T, period=period)
     Delta_E = fluctuation(angles=angles, T=T, T_m=T_m, period=period)
-    highest, lowest = t.highest(T=T), t.lowest(T=T)
+    T_highest, T_lowest = t.highest(T=T), t.lowest(T=T)
     largest = int(np.argmax(np.abs(np.asarray(T))))
     found = OfDiagram(
         torque_peak=t.amount(T=rows[largest].torque), torque_peak_angle=place(epsilon=rows[largest].angle),
         mean_torque=T_m, indicated_power=t.indicated_power(T_m=T_m, omega=omega), energy_fluctuation=Delta_E,
-        torque_highest=highest, torque_lowest=lowest,
+        torque_highest=T_highest, torque_lowest=T_lowest,
         speed_irregularity=None if J is None else t.speed_irregularity(Delta_E=Delta_E, J=J, omega=omega),
     )  # fmt: skip
     epsilon, torque = closed(angles, T, period)

@@ -6,7 +6,7 @@ from functools import partial
 
 import numpy as np
 
-from .. import oils
+from ..library import oils
 from ..sheet.check import Check, check
 from ..sheet.errors import NoSolution
 from ..sheet.later import Later

@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from .. import oils
+from ..library import oils
 from ..bearings.inputs import IN_WORDS
 from ..sheet.arrays import each
 from ..sheet.errors import NoSolution

@@ -13,12 +13,12 @@ import numpy as np
 from ..bearings.inputs import IN_TITLES, IN_WORDS
 from ..bearings.result import BearingsResult
 from ..bearings.rotating_load import SECOND_ORDER, Response, answered, response
-from ..bearings.sweep import TURNING
+from ..bearings.speeds import TURNING
 from ..countershaft.inputs import CountershaftInputs
 from ..countershaft.result import CountershaftResult, Standing
 from ..countershaft.stationary_load import Drive as GearDrive
 from ..countershaft.stationary_load import Gear, standing_of
-from ..lubricant import Lubricant
+from ..library.lubricant import Lubricant
 from ..sheet.arrays import BoolArray, each, many
 from ..sheet.formula import formula
 from ..sheet.text import Amount, Text

@@ -3,7 +3,7 @@
 
 import numpy as np
 
-from .. import oils
+from ..library import oils
 from ..sheet.text import COMMA, Amount, Name, Text
 from .inputs import Carried, FrictionInputs, carrier
 from .losses.wheels import has_bearings

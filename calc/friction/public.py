@@ -3,9 +3,9 @@
 
 import numpy as np
 
-from ..catalogue import Oil, materials, oils
+from ..library.catalogue import Oil, materials, oils
 from ..gears.result import TrainResult
-from ..lubricant import Lubricant
+from ..library.lubricant import Lubricant
 from ..sheet.units import Celsius, Metre, RevPerSecond, Watt
 from .inputs import FrictionInputs
 from .mesh.film import oil_at

@@ -5,7 +5,7 @@ import math
 from collections.abc import Iterator
 
 from ..bearings.inputs import IN_WORDS
-from ..sheet.drawing import OUTLINE, WORDS, Area, Mark, Point, Polyline, Sketch, State, Words
+from ..draw.drawing import OUTLINE, WORDS, Area, Mark, Point, Polyline, Sketch, State, Words
 from ..sheet.record import record
 from ..sheet.sketching import awaited, judged
 from ..sheet.step import Designed, Solved

@@ -8,11 +8,11 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..catalogue import Material, Oil
+from ..library.catalogue import Material, Oil
 from ..gears.inputs import GearsInputs
 from ..gears.layout.forces import axis_forces
 from ..gears.result import TrainResult
-from ..lubricant import Lubricant
+from ..library.lubricant import Lubricant
 from ..sheet.finite import finite
 from ..sheet.later import Later
 from ..sheet.step import Curve, Further, Outcome, Table

@@ -3,7 +3,7 @@
 
 from typing import TYPE_CHECKING
 
-from ..lazy import lazy
+from ..sheet.lazy import lazy
 
 __all__ = ["centre_distance", "contact_stress", "solve_pair", "span", "tip_diameter", "transverse_contact_ratio"]
 

@@ -4,7 +4,7 @@
 from collections.abc import Mapping
 from dataclasses import replace
 
-from ..catalogue import Material
+from ..library.catalogue import Material
 from ..sheet.formula import formula
 from ..sheet.functions import pi
 from ..sheet.step import Outcome

@@ -7,23 +7,7 @@ Up is up from the crank's axis, the crank turns clockwise.  Where the places of 
 from collections.abc import Iterable, Iterator, Mapping
 
 from ..sheet.check import Check
-from ..sheet.drawing import (
-    AXIS,
-    CONTEXT,
-    DIMENSIONS,
-    HIDDEN,
-    OUTLINE,
-    WORDS,
-    Arc,
-    Area,
-    Mark,
-    Point,
-    Polyline,
-    Sketch,
-    State,
-    Words,
-    round_outline,
-)  # fmt: skip
+from ..draw.drawing import AXIS, CONTEXT, DIMENSIONS, HIDDEN, OUTLINE, WORDS, Arc, Area, Mark, Point, Polyline, Sketch, State, Words, round_outline  # fmt: skip
 from ..sheet.errors import NoSolution
 from ..sheet.sketching import awaited, judged, rounded
 from ..sheet.step import Designed, Solved

@@ -8,7 +8,7 @@ import math
 from collections.abc import Callable, Mapping
 from dataclasses import replace
 
-from ..catalogue import Material
+from ..library.catalogue import Material
 from ..engine.inputs import EngineInputs
 from ..sheet.check import Check, check
 from ..sheet.finite import finite

@@ -20,7 +20,7 @@ from ..sheet.trace import untraced
 from ..sheet.units import Newton, NewtonMetre
 from .inputs import ImbalanceInputs
 from .orders import Order, order
-from .unlike import harmonics
+from .unlike_cylinders import harmonics
 
 ALL, SOME = 9, 12  # cylinders up to which every order is tried, and up to which those of the cranks that are built are
 

@@ -3,7 +3,7 @@
 
 from collections.abc import Iterable
 
-from ..balance_quality import GRADES
+from ..library.balance_quality import GRADES
 from ..sheet.quantity import THUMB, choice, inputs, integer, quantity, series, tables, text
 from ..sheet.text import Text
 

@@ -12,7 +12,7 @@ from ..sheet.quantity import group, result, value
 from ..sheet.units import Newton, NewtonMetre, Radian
 from ..sheet.value import based_on
 from . import formulas as f
-from . import unlike as u
+from . import unlike_cylinders as u
 from .inputs import ImbalanceInputs
 
 DUST = 1e-9  # of one cylinder's m·r·ω²: so little is not worth a figure

@@ -16,24 +16,9 @@ from ..sheet.functions import argument, cis, joined, modulus, resultant
 from ..sheet.quantity import group, result, value
 from ..sheet.text import Amount, Text
 from ..sheet.trace import about
-from ..sheet.units import (
-    Kilogram,
-    KilogramMetre,
-    KilogramMetre2,
-    Metre,
-    Newton,
-    NewtonMetre,
-    Number,
-    PhasorKilogramMetre,
-    PhasorKilogramMetre2,
-    PhasorMetre,
-    PhasorNewton,
-    PhasorNewtonMetre,
-    Radian,
-    RadPerSecond,
-)  # fmt: skip
+from ..sheet.units import Kilogram, KilogramMetre, KilogramMetre2, Metre, Newton, NewtonMetre, Number, PhasorKilogramMetre, PhasorKilogramMetre2, PhasorMetre, PhasorNewton, PhasorNewtonMetre, Radian, RadPerSecond  # fmt: skip
 from ..sheet.value import based_on
-from . import unlike as u
+from . import unlike_cylinders as u
 from .inputs import ImbalanceInputs
 
 SHAFTS = Text("dynamics, rotating vector of the shaft against the vector that turns like it (Finotti 2013, 2.3.3)")

@@ -8,7 +8,7 @@ import cmath
 import math
 from collections.abc import Iterator
 
-from ..sheet.drawing import CONTEXT, HIDDEN, OUTLINE, WORDS, Mark, Point, Polyline, Sketch, State, Words
+from ..draw.drawing import CONTEXT, HIDDEN, OUTLINE, WORDS, Mark, Point, Polyline, Sketch, State, Words
 from ..sheet.record import record
 from ..sheet.step import Designed, Solved
 from ..sheet.text import Amount, Text

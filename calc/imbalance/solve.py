@@ -19,7 +19,7 @@ from ..sheet.trace import about, trace, untraced
 from ..sheet.units import KilogramMetre, Newton, Radian, RadPerSecond
 from ..sheet.value import based_on
 from . import formulas as f
-from . import unlike as u
+from . import unlike_cylinders as u
 from .checks import checks, proposals
 from .curves import Shaft, pictures, remedy_table
 from .inputs import ImbalanceInputs

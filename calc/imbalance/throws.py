@@ -21,7 +21,7 @@ from ..sheet.text import EMPTY, Amount, Text
 from ..sheet.units import Kilogram, Metre, Newton, NewtonMetre, Number, Radian, RadPerSecond
 from .orders import DUST, Order
 from .remedies import equivalent_mass
-from .unlike import harmonics, masses, measures, radius
+from .unlike_cylinders import harmonics, masses, measures, radius
 
 SMALL = 0.05  # of one throw's force, and of its couple over one pitch
 POLYGON = Text("Finotti 2013, 2.3.1: polygon of the centrifugal forces, polygon of their moments")

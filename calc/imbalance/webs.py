@@ -11,7 +11,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from ..balance_quality import grade_number, permitted_unbalance
+from ..library.balance_quality import grade_number, permitted_unbalance
 from ..engine.crank import pin_of_cylinder
 from ..engine.inputs import EngineInputs
 from ..engine.result import EngineResult
@@ -24,25 +24,10 @@ from ..sheet.quantity import Described, Stated, group, result, value
 from ..sheet.step import Table
 from ..sheet.text import Text
 from ..sheet.trace import about, untraced
-from ..sheet.units import (
-    Kilogram,
-    KilogramMetre,
-    KilogramMetre2,
-    Metre,
-    Newton,
-    NewtonMetre,
-    PhasorKilogramMetre,
-    PhasorKilogramMetre2,
-    PhasorMetre,
-    PhasorNewton,
-    PhasorNewtonMetre,
-    PhasorSquareMetre,
-    Radian,
-    RadPerSecond,
-)  # fmt: skip
+from ..sheet.units import Kilogram, KilogramMetre, KilogramMetre2, Metre, Newton, NewtonMetre, PhasorKilogramMetre, PhasorKilogramMetre2, PhasorMetre, PhasorNewton, PhasorNewtonMetre, PhasorSquareMetre, Radian, RadPerSecond  # fmt: skip
 from ..sheet.value import based_on
 from . import formulas as f
-from . import unlike as u
+from . import unlike_cylinders as u
 from .drilling import WebDrilling, drilling
 from .inputs import ImbalanceInputs
 from .remedies import crank_masses

@@ -13,7 +13,7 @@ from ..sheet.later import Later
 from ..sheet.quantity import Quantity
 from ..sheet.step import Curve, Erratum, Load, Outcome, Series, Table, Turning
 from ..sheet.text import Name, Text
-from .language import Language
+from ..locale.language import Language
 
 T = TypeVar("T")
 SPOKEN = frozenset({Quantity, Curve, Erratum, Load, Series, Table, Turning})  # records that hold texts

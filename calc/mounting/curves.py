@@ -2,12 +2,22 @@
 """Figures of the mounts: the level of a seat over speed, orders beside each other with and without the shaft, forces of the mounts."""
 
 import numpy as np
-
-from ..sheet.step import Curve, Series, axis_label
-from ..sheet.text import Amount, Name, Text
+from ..sheet.step import Curve
+from ..sheet.step import Series
+from ..sheet.step import axis_label
+from ..sheet.text import Amount
+from ..sheet.text import Name
+from ..sheet.text import Text
 from .result import MountingResult
 from .tables import table
 from .words import VARIANT_WORDS
+from ..sheet.arrays import Array
+from ..sheet.arrays import ComplexArray
+from ..sheet.record import record
+from ..sheet.step import Table
+from .body import DOFS
+from .inputs import MountingInputs
+from .words import DOF_WORDS
 
 
 def curves(result: MountingResult) -> tuple[Curve, ...]:
@@ -80,3 +90,168 @@ def forces(result: MountingResult) -> Curve:
         if variant in result.drive.variants
     )
     return Curve("mount_forces", Text("Forces of the mounts"), Text("mount"), axis_label("F", "N"), series, bars=True, names=names)
+
+
+# Tables of the mounts, and the data of pictures: modes in space, and the map of speed and order.
+
+def tables(mounting: MountingInputs, result: MountingResult) -> tuple[Table, ...]:
+    """What is felt, the modes with their energies, the mounts at rest."""
+    return (felt_table(mounting, result), mode_table(result), rest_table(mounting, result))
+
+
+def felt_table(mounting: MountingInputs, result: MountingResult) -> Table:
+    """Variants by operations: the first seat, the first point of the engine, the forces of the mounts."""
+    seat = next((point.name for point in mounting.points if point.role == "seat"), None)
+    engine = next((point.name for point in mounting.points if point.on == "engine"), None)
+    rows = [
+        (
+            Name(name),
+            VARIANT_WORDS[variant],
+            _shown(result.leaf(f"{name}.{variant}.{seat}.weighted"), 1.0),
+            _shown(result.leaf(f"{name}.{variant}.{engine}.velocity"), 1e3),
+            _shown(result.leaf(f"{name}.{variant}.force_sum"), 1.0),
+        )
+        for name in result.speeds
+        for variant in result.drive.variants
+    ]
+    columns = (
+        (Text("operation"), ""),
+        (Text("variant"), ""),
+        (Text("seat, weighted"), "m/s²"),
+        (Text("engine"), "mm/s"),
+        (Text("mounts"), "N"),
+    )
+    return Table(
+        "felt",
+        Text("What is felt"),
+        columns,
+        tuple(rows),
+        Text("Root mean squares of all orders. Half over shaft gives three ratios at every operation, and never one for the engine."),
+    )
+
+
+def _shown(x: float | None, factor: float) -> float | None:
+    return None if x is None else float(x) * factor
+
+
+def mode_table(result: MountingResult) -> Table:
+    """Mode by mode its frequency, and where its energy stands."""
+    found = result.mode_data
+    rows: tuple[tuple[str | float | None, ...], ...] = tuple(
+        (
+            found.words(i),
+            float(found.frequencies[i]),
+            result.modes[f"mode_{i + 1}"].loss_factor * 1.0,
+            *(round(100 * float(E), 1) + 0.0 for E in found.energy[:, i]),
+        )
+        for i in range(6)
+    )
+    columns = ((Text("mode"), ""), (Text("frequency"), "Hz"), (Text("loss"), ""), *((DOF_WORDS[dof], "%") for dof in DOFS))
+    return Table(
+        "modes",
+        Text("Modes of the engine on rigid ground and their energies"),
+        columns,
+        rows,
+        Text("Rows and columns add up to 100 %; a single entry may be negative where the body has products of inertia."),
+    )
+
+
+def rest_table(mounting: MountingInputs, result: MountingResult) -> Table:
+    """Mount by mount what it carries and how far it gives."""
+    rows = tuple(
+        (Name(mount.name), result.static[mount.name].load * 1.0, result.static[mount.name].deflection * 1e3) for mount in mounting.mounts
+    )
+    columns = ((Text("mount"), ""), (Text("carries"), "N"), (Text("gives"), "mm"))
+    return Table("rest", Text("Mounts under the weight"), columns, rows, covers=("mounting.static.",))
+
+
+# --- pictures
+@record
+class ModePicture:
+    """A mode as it moves: places at rest and their displacements at phase 0 (places, 3), in m, the largest of them 1.
+
+    `corners`: of a box that stands for the engine, `mounts`: where they hold it, `centre`: of gravity.
+    """
+
+    words: Text
+    frequency: float
+    corners: Array
+    corner_moves: Array
+    mounts: Array
+    mount_moves: Array
+    centre: Array
+    roll_axis: Array
+
+
+def mode_pictures(mounting: MountingInputs, result: MountingResult) -> tuple[ModePicture, ...]:
+    """All six, slowest first.  The box is that of the dimensions, else what the mounts and points of the engine span."""
+    corners = box(mounting)
+    centre = np.asarray(mounting.centre_of_gravity)
+    mounts = np.array([mount.position for mount in mounting.mounts])
+    axis = np.array([stated.number for stated in result.roll_axis.direction.values()])
+    found = []
+    for i in range(6):
+        moves = [_moves(places - centre, result.mode_data.shapes[:, i]) for places in (corners, mounts)]
+        size = max(float(np.abs(part).max()) for part in moves)
+        found.append(
+            ModePicture(
+                result.mode_data.words(i),
+                float(result.mode_data.frequencies[i]),
+                corners,
+                moves[0] / size,
+                mounts,
+                moves[1] / size,
+                centre,
+                axis,
+            )
+        )
+    return tuple(found)
+
+
+def operating_shape(mounting: MountingInputs, result: MountingResult, operation: str, variant: str) -> ComplexArray:
+    """How the corners of the box move at an operation, order by order (corners, 3, orders), peaks in m."""
+    i, v = list(result.speeds).index(operation), result.drive.variants.index(variant)
+    from .body import displacement
+    from .system import respond
+
+    s, arms = result.system, box(mounting) - np.asarray(mounting.centre_of_gravity)
+    r = respond(s, 2 * np.pi * result.levels.frequency[i], np.asarray(result.levels.wrench)[i, :, v : v + 1])
+    rows = np.stack([displacement(arm) for arm in arms])
+    found: ComplexArray = np.einsum("pac,oc->pao", rows, np.asarray(r.q)[:, 0, :6])
+    return found
+
+
+def box(mounting: MountingInputs) -> Array:
+    """Eight corners about the engine."""
+    places = [mount.position for mount in mounting.mounts] + [point.position for point in mounting.points if point.on == "engine"]
+    low, high = np.min(places, axis=0), np.max(places, axis=0)
+    if mounting.dimensions is not None:
+        centre, half = np.asarray(mounting.centre_of_gravity), np.asarray(mounting.dimensions) / 2
+        low, high = centre - half, centre + half
+    return np.array([[x, y, z] for x in (low[0], high[0]) for y in (low[1], high[1]) for z in (low[2], high[2])])
+
+
+def _moves(arms: Array, shape: Array) -> Array:
+    found: Array = shape[:3] + np.cross(shape[3:], arms)
+    return found
+
+
+@record
+class SpeedMap:
+    """The weighted level of a seat over speed and order (speeds, orders), and where modes cross: speed, order, mode."""
+
+    speeds: Array  # rpm
+    orders: Array
+    levels: Array
+    crossings: tuple[tuple[float, float, str], ...]
+
+
+def speed_map(result: MountingResult, seat: str, variant: str) -> SpeedMap:
+    """`variant`: half or shaft."""
+    c = result.courses[seat]
+    crossings = tuple(
+        (one["speed"].number * 60, float(order.removeprefix("order_").replace("_", ".")), dof)
+        for dof, orders in result.critical.items()
+        for order, one in orders.items()
+    )
+    return SpeedMap(c.speeds * 60, c.orders, c.by_order[variant], crossings)

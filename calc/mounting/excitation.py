@@ -10,15 +10,7 @@ import numpy as np
 from ..sheet.arrays import Array, ComplexArray, each, many, phasors
 from ..sheet.formula import formula
 from ..sheet.functions import cis, conj, modulus
-from ..sheet.units import (
-    Metre,
-    Newton,
-    NewtonMetre,
-    Number,
-    PhasorNewton,
-    PhasorNewtonMetre,
-    Radian,
-)
+from ..sheet.units import Metre, Newton, NewtonMetre, Number, PhasorNewton, PhasorNewtonMetre, Radian
 
 HIGHEST = 8
 SAMPLES = 7200  # over a cycle

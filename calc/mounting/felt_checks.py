@@ -9,7 +9,7 @@ from ..sheet.check import Check, check
 from ..sheet.text import Name, Text
 from .inputs import MountingInputs
 from .result import MountingResult
-from .severity import scope, zone_limit
+from .standards import scope, zone_limit
 from .tables import table
 
 DIRECTIVE = Text("Directive 2002/44/EC; the engine's share only, travel over ground comes on top")

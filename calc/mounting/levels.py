@@ -13,7 +13,7 @@ from ..sheet.functions import sqrt
 from ..sheet.record import record
 from ..sheet.units import Metre, MetrePerSecond, MetrePerSecond2, Newton, NewtonMetre, Number
 from ..sheet.value import based_on
-from . import severity, weighting
+from . import standards as severity, weighting
 from .drive import Drive
 from .inputs import MountingInputs
 from .system import System, moves, respond, transmitted

@@ -14,7 +14,7 @@ from .drive import ShaftOnEngine
 from .inputs import MountingInputs
 from .levels import NONE_BELOW
 from .result import MountingResult
-from .severity import scope
+from .standards import scope
 from .statics import preload
 
 

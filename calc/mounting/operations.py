@@ -13,7 +13,7 @@ from ..sheet.text import Text
 from ..sheet.value import based_on
 from . import excitation as x
 from . import levels as l
-from . import severity, weighting
+from . import standards as severity, weighting
 from .drive import Drive
 from .excitation import order_word
 from .levels import Levels

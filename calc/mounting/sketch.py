@@ -7,14 +7,14 @@ from collections.abc import Iterator
 import numpy as np
 
 from ..sheet.arrays import Array
-from ..sheet.drawing import AXIS, CONTEXT, OUTLINE, WORDS, Arc, Mark, Point, Polyline, Sketch, State, Words
+from ..draw.drawing import AXIS, CONTEXT, OUTLINE, WORDS, Arc, Mark, Point, Polyline, Sketch, State, Words
 from ..sheet.sketching import awaited, judged
 from ..sheet.step import Designed, Solved
 from ..sheet.text import Amount, Name, Text
 from ..sheet.units import Radian
 from .inputs import MountingInputs
 from .result import MountingResult
-from .views import ModePicture, mode_pictures
+from .curves import ModePicture, mode_pictures
 
 DOT, CROSS, SWING = 0.02, 0.04, 0.16  # of the box's diagonal: a mount, the cross of the centre, the largest move
 BACK = 0.5 * np.array([math.cos(math.radians(35.0)), math.sin(math.radians(35.0))])  # where what lies to the side is drawn

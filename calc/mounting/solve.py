@@ -119,6 +119,6 @@ def _curves(result: MountingResult) -> tuple[Curve, ...]:
 
 
 def _tables(mounting: MountingInputs, result: MountingResult) -> tuple[Table, ...]:
-    from .views import tables
+    from .curves import tables
 
     return tables(mounting, result)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What standards say of vibration, from `calc/tables/vibration.toml`; each row there names its source and how sure it is."""
+"""What standards say of vibration, from `calc/library/tables/vibration.toml`; each row there names its source and how sure it is."""
 
 import tomllib
 from functools import cache
@@ -8,7 +8,7 @@ from typing import Any
 
 from ..sheet.record import record
 
-TABLE = Path(__file__).parent.parent / "tables" / "vibration.toml"
+TABLE = Path(__file__).parents[1] / "library" / "tables" / "vibration.toml"
 
 
 @cache

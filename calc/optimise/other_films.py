@@ -9,7 +9,7 @@ from dataclasses import replace
 import numpy as np
 
 from ..bearings import formulas as f
-from ..bearings.film import dynamics_formulas as d
+from ..bearings.film import dynamics as d
 from ..bearings.film.dynamics import Dynamics, coefficients, orbit
 from ..bearings.film.nodes import FilmRangeError
 from ..bearings.routes import supply
@@ -18,8 +18,8 @@ from ..bearings.routes.states import BearingCase, Film, OperatingPoint
 from ..bearings.selection.grid import field_over, over_lengths
 from ..bearings.selection.states import BALANCED, HOT, Task
 from ..bearings.selection.variants import Variant
-from ..bearings.stationary_load import SMALL
-from ..bearings.sweep import sweep_points
+from ..bearings.loads import SMALL
+from ..bearings.speeds import sweep_points
 from ..engine.inputs import BenchPoint
 from ..sheet.arrays import Array, each, many
 from ..sheet.record import record

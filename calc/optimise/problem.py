@@ -14,15 +14,15 @@ from typing import Any
 
 from ..bearings.selection.variants import placed
 from ..countershaft.inputs import THREADED, CountershaftInputs
-from ..design import Design
-from ..design_file import Document, design
+from ..design.model import Design
+from ..design.toml_file import Document, design
 from ..sheet.changes import Changes
 from ..sheet.check import Check
 from ..sheet.errors import BadInput, InputError
 from ..sheet.record import record
 from ..sheet.text import Name, Text
 from .inputs import OBJECTIVES, OptimiseInputs
-from .variables import FITS, Variables
+from ..studies.drive.problem import FITS, Variables
 
 LIMITS = (
     "bearings.*.film_edge_corner", "bearings.*.film_double_load_corner", "bearings.*.temperature_corner",

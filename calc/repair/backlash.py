@@ -3,13 +3,13 @@
 
 import math
 
-from ..locks import locked
+from ..design.locks import locked
 from ..sheet.changes import Changes, whole
 from ..sheet.check import Check
 from ..sheet.errors import NoSolution
 from ..sheet.progress import Progress, tell
 from ..sheet.text import Amount, Text
-from .state import State
+from ..studies.repair.state import State
 
 KINDS = ("backlash", "backlash_cold", "backlash_warm", "backlash_runout")
 ROUNDS = 4  # a wheel grows with temperature, so that its allowance does not act to the last micrometre

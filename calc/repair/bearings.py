@@ -5,14 +5,14 @@ from dataclasses import replace
 
 from ..bearings.selection.convergence import changes
 from ..bearings.selection.search import nearest_row
-from ..locks import locked
-from ..selection import bearings_case
+from ..design.locks import locked
+from ..studies.bearings_case import bearings_case
 from ..sheet.check import Check
 from ..sheet.errors import NoSolution
 from ..sheet.progress import Progress
 from ..sheet.text import Text
 from ..solve import Results
-from .state import State
+from ..studies.repair.state import State
 
 
 def repair(state: State, failing: tuple[Check, ...], progress: Progress | None = None) -> State:

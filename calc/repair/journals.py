@@ -6,11 +6,11 @@ from ..sheet.errors import NoSolution
 from ..sheet.progress import Progress, part
 from ..sheet.text import Text
 from . import bearings
-from .levers import Plan, levers
-from .state import State
-from .trials import Trials
+from ..studies.repair.levers import Plan, levers
+from ..studies.repair.state import State
+from ..studies.repair.trials import Trials
 from .way import AS_GIVEN
-from .words import PLACES, named
+from ..design.names import PLACES, named
 
 
 def repair(state: State, failing: tuple[Check, ...], progress: Progress | None = None) -> State:

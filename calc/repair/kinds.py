@@ -4,8 +4,8 @@
 import re
 from dataclasses import dataclass
 
-from ..addresses import quantity_of
-from ..design_file import Document
+from ..design.addresses import quantity_of
+from ..design.toml_file import Document
 from ..sheet.text import EMPTY, Small, Text
 
 

@@ -12,7 +12,7 @@ from ..sheet.errors import BadInput, NoSolution
 from ..sheet.progress import Progress, part, tell
 from ..sheet.search import least_whole
 from ..sheet.text import Text
-from .state import State, broken, first_repaired, repaired
+from ..studies.repair.state import State, broken, first_repaired, repaired
 
 STEP = 0.5  # mm
 WIDER = 1.5  # times the face width that is tried before a stronger class; rule of this program

@@ -4,14 +4,14 @@
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 
-from ..locks import USUAL
+from ..design.locks import USUAL
 from ..sheet.changes import Changes, assignments
 from ..sheet.check import Check
 from ..sheet.text import COMMA, EMPTY, SEMICOLON, Amount, Text, plural
 from ..solve import Results
-from .levers import disturbance
-from .state import ORDER, State, broken
-from .words import words
+from ..studies.repair.levers import disturbance
+from ..studies.repair.state import ORDER, State, broken
+from ..design.names import words
 
 MOST, SHUT = 5, 2  # that are offered, and of these locked ones
 ALL_CORNERS, AS_GIVEN, BREAKS, NEAR, LOCKED = range(5)  # how good a way is

@@ -15,7 +15,7 @@ from typing import Any, NoReturn, ParamSpec, TypeVar
 
 import numpy as np
 
-from . import lane_functions as lane_functions  # makes the functions of numpy known to lanes
+from . import lane_functions  # makes the functions of numpy known to lanes
 from .errors import NoSolution
 from .lanes import Diverged, Lanes, level
 from .later import Later

@@ -150,7 +150,7 @@ def check(
 ) -> Check:
     """A check from numbers in SI: value and limit are turned into the shown unit here and nowhere else.
 
-    Kind, cause, the value that is judged and what moves it are those of its row in `calc/tables/checks.md`.  `kind`: where the row has two.
+    Kind, cause, the value that is judged and what moves it are those of its row in `calc/library/tables/checks.md`.  `kind`: where the row has two.
     `advice`: what could be done beside the remedies.  `index`: of the mesh in its array, for the keys of the row.  `value_id`, `moved_by`:
     where the site knows them better than the row.  `remedies` are made only where it does not hold.
     """

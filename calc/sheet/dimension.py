@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """A dimension in strokes, as ISO 129-1 has it: two extension lines, the dimension line with its arrows, and the number above it."""
 
-from .drawing import Area, Dimension, Point, Polyline, Words
+from ..draw.drawing import Area, Dimension, Point, Polyline, Words
 from .layers import DIMENSION
-from .lettering import width
+from ..draw.lettering import width
 from .units import UNITS, Metre
 
 ARROW = 1.2  # all in heights of a letter: length of an arrow,

@@ -10,7 +10,7 @@ from typing import TypeVar, cast
 
 import numpy as np
 
-from . import linked_array as linked_array  # makes the links of arrays known
+from . import linked_array  # makes the links of arrays known
 from .arrays import ComplexArray, has_lanes, one, phasors
 from .value import LinkedFloat
 

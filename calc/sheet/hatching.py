@@ -4,7 +4,7 @@
 import math
 from itertools import pairwise
 
-from .drawing import Hatch, Point
+from ..draw.drawing import Hatch, Point
 
 HALF = math.sqrt(0.5)
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The table of all checks: of which kind each is and why, what it shares its cause with, which value it judges and what moves it.
 
-It is a table to be read, `calc/tables/checks.md`; the letters in its ids stand for elements that have names of their own.
+It is a table to be read, `calc/library/tables/checks.md`; the letters in its ids stand for elements that have names of their own.
 """
 
 import re
@@ -10,7 +10,7 @@ from pathlib import Path
 
 from .record import record
 
-TABLE = Path(__file__).parent.parent / "tables" / "checks.md"
+TABLE = Path(__file__).parents[1] / "library" / "tables" / "checks.md"
 KINDS = ("limit", "caution", "advice", "method")  # from what must hold to what concerns the calculation alone
 ELEMENTS = ("B", "M", "N", "W")  # a bearing, a mesh, any element, a wheel
 LETTER = re.compile(r"(?<![^.|])(?:[BMNW#]|DRIVER|DRIVEN)(?![^.|])|(?<=_)W(?![^|])")  # in ids side by side, with | between them

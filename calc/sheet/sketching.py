@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from typing import Protocol
 
 from .check import Check
-from .drawing import Sketch, State
+from ..draw.drawing import Sketch, State
 from .text import Text
 
 

@@ -4,7 +4,7 @@
     Text("Film at the edge, {place}", place=bearing.name)
 
 A `Text` is its own English sentence (a `str`), so that it is compared, sorted and printed like one, and it keeps what it was made
-from, so that a language can say it in its own words (`calc.languages`): the template is looked up, the parts are put in.  A part that
+from, so that a language can say it in its own words (`calc.locale`): the template is looked up, the parts are put in.  A part that
 is a `Text` is said in the language too, a number is written as the language writes numbers, and any other string is a name that the
 user or a table gave (a wheel, a bearing, a file, an oil) and is never translated.
 

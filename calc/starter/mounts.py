@@ -4,7 +4,7 @@ between the road's frequency and what shakes at idle."""
 
 import math
 
-from ..design_file import Document, design
+from ..design.toml_file import Document, design
 from ..engine.inputs import EngineInputs
 from ..engine.result import EngineResult
 from ..mounting.result import MountingResult
@@ -12,7 +12,7 @@ from ..sheet.errors import NoSolution
 from ..sheet.text import EMPTY, Text
 from ..sheet.units import Metre
 from ..solve import Results, solve
-from .writing import Section, mm, table, up
+from ..studies.starter.writing import Section, mm, table, up
 
 PER_LITRE = 110.0  # kg
 IDLE, SLOWEST, FASTEST = 0.33, 700.0, 1000.0  # share of the rated speed; rpm

@@ -12,7 +12,7 @@ from typing import Any, ParamSpec, TypeVar
 
 import numpy as np
 
-from ..design import Design
+from ..design.model import Design
 from ..sheet.abreast import Singly, abreast, designs_abreast, some_lanes, together_or_singly
 from ..sheet.arrays import Array, BoolArray
 from ..sheet.check import THIN_MARGIN, Check, step_verdict, worst

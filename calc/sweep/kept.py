@@ -7,7 +7,7 @@ from contextlib import suppress
 from pathlib import Path
 from typing import Protocol
 
-from ..design_file import Document
+from ..design.toml_file import Document
 from ..sheet.record import record
 from ..version import VERSION
 from .plan import Plan

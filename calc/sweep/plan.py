@@ -12,7 +12,7 @@ from ..sheet.arrays import Array
 from ..sheet.errors import BadInput, InputError
 from ..sheet.record import record
 from ..sheet.text import Text
-from .inputs import MOST_ROWS, Value, Varied
+from ..studies.sweep.inputs import MOST_ROWS, Value, Varied
 
 Combination = tuple[Value | None, ...]  # the values of the varied inputs; None: as the design has it
 SIGMAS = 3.0  # standard deviations from the middle of a tolerance to its ends

@@ -18,8 +18,8 @@ sys.path.insert(0, str(ROOT))
 async def session() -> str:
     """The bearings of the source's design, whose film is too thin."""
     from assistant.app import ContralberoApp
-    from assistant.recovery import Memory
-    from assistant.session import Session
+    from assistant.session.recovery import Memory
+    from assistant.session.session import Session
 
     with tempfile.TemporaryDirectory() as folder:
         opened = Session.open(ROOT / "designs" / "r753ie4_gamma.toml", memory=Memory(Path(folder)))

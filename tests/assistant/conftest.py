@@ -13,10 +13,10 @@ from textual import _wait
 from textual.pilot import Pilot
 
 from assistant.app import ContralberoApp
-from assistant.recovery import Memory
+from assistant.session.recovery import Memory
 from assistant.screens import background_solve
 from assistant.screens.workbench import Workbench
-from assistant.session import EXAMPLE, Session
+from assistant.session.session import EXAMPLE, Session
 
 pytest.register_assert_rewrite("tests.assistant.deeds")
 _wait.SLEEP_GRANULARITY, _wait.SLEEP_IDLE = 0.004, 0.0004  # it looks five times as often whether the program is idle

@@ -14,7 +14,7 @@ from textual.worker import WorkerCancelled
 from assistant.screens.workbench import Workbench
 from assistant.widgets.choice import Choice
 from assistant.widgets.entry import Entry
-from assistant.widgets.message_line import MessageLine
+from assistant.widgets.lines import MessageLine
 
 CHARACTERS = {
     "question_mark": "?",

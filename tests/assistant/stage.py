@@ -11,19 +11,19 @@ from typing import Any
 from textual.pilot import Pilot
 
 from assistant.app import ContralberoApp
-from assistant.recovery import Memory
-from assistant.session import EXAMPLE, Session
-from assistant.solving import Answer
+from assistant.session.recovery import Memory
+from assistant.session.session import EXAMPLE, Session
+from assistant.session.solving import Answer
 from assistant.widgets.calculation import Calculation
 from assistant.widgets.checks import Checks
 from assistant.widgets.curve_pane import CurvePane
 from assistant.widgets.form import Form
 from assistant.widgets.radio import Balance
-from calc.design import STEPS
+from calc.design.model import STEPS
 
-from .action_tests import still
-from .conftest import NOON
-from .driving import work
+from tests.assistant.action_tests import still
+from tests.assistant.conftest import NOON
+from tests.assistant.driving import work
 
 
 @dataclass

@@ -20,8 +20,8 @@ from assistant.widgets.curve_pane import CurvePane
 from assistant.widgets.footer_line import FooterLine
 from calc.sheet.step import Curve
 
-from .conftest import Screen
-from .driving import rows, settled, strike, until, work
+from tests.assistant.conftest import Screen
+from tests.assistant.driving import rows, settled, strike, until, work
 
 PARTS = [Moves, EditActions, FileActions, CurveActions, ReadingActions, AcceptActions, ReadyActions]
 ALLOWED_IN_A_FIELD = {"up", "down", "enter", "escape", "shift+up", "shift+down", "pageup", "pagedown"}

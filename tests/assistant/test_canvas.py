@@ -3,11 +3,11 @@
 
 import pytest
 
-from assistant.canvas import draw, noted
+from assistant.widgets.canvas import draw, noted
 from assistant.raster import BITS
 from assistant.widgets.signs import Signs
-from calc.languages import language
-from calc.sheet.drawing import Arc, Area, Dimension, Polyline, Sketch, Words, rectangle
+from calc.locale import language
+from calc.draw.drawing import Arc, Area, Dimension, Polyline, Sketch, Words, rectangle
 from calc.sheet.text import Text
 
 say = language("en")

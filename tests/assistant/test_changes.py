@@ -2,8 +2,8 @@
 """Changes told in words."""
 
 from assistant.changes import locked_text
-from calc.design_file import read
-from calc.shipped import EXAMPLE
+from calc.design.toml_file import read
+from calc.studies.shipped import EXAMPLE
 
 
 def test_what_is_locked_is_said_of_the_changes_that_touch_it() -> None:

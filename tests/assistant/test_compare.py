@@ -9,20 +9,20 @@ from textual.pilot import Pilot
 from textual.widgets import Input, OptionList
 
 from assistant.app import ContralberoApp
-from assistant.others import kept, of_session, past
+from assistant.session.versions import kept, of_session, past
 from assistant.screens.compare import CompareScreen
 from assistant.screens.compare_with import CompareFile, CompareWith
-from assistant.session import Session
+from assistant.session.session import Session
 from assistant.widgets.comparison import ComparisonList
-from calc.compare import compare
+from calc.studies.compare import compare
 from calc.compare_conclusion import differing, moved
-from calc.design_file import load
+from calc.design.toml_file import load
 from calc.sheet.number import short
-from calc.shipped import DESIGNS
+from calc.studies.shipped import DESIGNS
 from calc.solve import solve
 
-from .conftest import Screen
-from .driving import go_to, settled, strike, told, type_in, until, work
+from tests.assistant.conftest import Screen
+from tests.assistant.driving import go_to, settled, strike, told, type_in, until, work
 
 SIZES = [(80, 24), pytest.param((120, 40), marks=pytest.mark.slow)]  # the narrow one shows more faults
 

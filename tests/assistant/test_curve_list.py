@@ -7,13 +7,13 @@ import pytest
 from textual.pilot import Pilot
 from textual.widgets import Input, OptionList
 
-from assistant.screens.curve_list import CurveList, found
+from assistant.screens.curves import CurveList, found
 from assistant.widgets.curve_pane import CurvePane
 from calc.sheet.step import Curve, Series, Table
 
-from .conftest import Screen
-from .driving import strike, told, type_in, until, work
-from .test_curves import BODIES, TABLE, drawn, show
+from tests.assistant.conftest import Screen
+from tests.assistant.driving import strike, told, type_in, until, work
+from tests.assistant.test_curves import BODIES, TABLE, drawn, show
 
 
 def curve(id: str, title: str) -> Curve:

@@ -10,16 +10,16 @@ import pytest
 from textual.pilot import Pilot
 from textual.widgets import Static
 
-from assistant.session import Session
+from assistant.session.session import Session
 from assistant.widgets.curve_pane import CurvePane
 from assistant.widgets.plot import Plot, Sheet, extent
 from assistant.widgets.sight import Sight
 from assistant.widgets.table_list import Setter, TableList
-from calc.languages import language
+from calc.locale import language
 from calc.sheet.step import Curve, Series, Table, Turning
 
-from .conftest import Screen, solved
-from .driving import at_rest, rows, strike, told, until, work
+from tests.assistant.conftest import Screen, solved
+from tests.assistant.driving import at_rest, rows, strike, told, until, work
 
 ENGLISH = language("en")
 

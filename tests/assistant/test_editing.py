@@ -3,8 +3,8 @@
 
 from pathlib import Path
 
-from assistant.recovery import Memory
-from assistant.session import EXAMPLE, Session
+from assistant.session.recovery import Memory
+from assistant.session.session import EXAMPLE, Session
 
 
 def test_elements_are_added_and_removed(session: Session) -> None:

@@ -18,11 +18,11 @@ from assistant.actions import ACTIONS, BY_ID
 from assistant.app import ContralberoApp
 from assistant.screens import background_solve
 from assistant.screens.palette import Palette
-from assistant.session import Session
+from assistant.session.session import Session
 
-from .action_tests import DEEDS, Do, curves, editing, files, over, showing, still  # noqa: F401  each room puts its deeds in
-from .driving import strike, until
-from .stage import Stage, staged
+from tests.assistant.action_tests import DEEDS, Do, curves, editing, files, over, showing, still  # noqa: F401  each room puts its deeds in
+from tests.assistant.driving import strike, until
+from tests.assistant.stage import Stage, staged
 
 
 @pytest.fixture(scope="module")

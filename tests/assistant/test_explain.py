@@ -5,14 +5,14 @@ import pytest
 
 from assistant.screens.explain import Explain
 from assistant.screens.workbench import Workbench
-from assistant.session import Session
+from assistant.session.session import Session
 from assistant.widgets.calculation import Calculation
 from assistant.widgets.chain_list import INPUT, ChainList
 from assistant.widgets.checks import Checks
-from calc.explain import chain
+from calc.studies.explain import chain
 
-from .conftest import Screen
-from .driving import settled, strike, told, until, work
+from tests.assistant.conftest import Screen
+from tests.assistant.driving import settled, strike, told, until, work
 
 
 @pytest.mark.parametrize("size", [(80, 24), pytest.param((120, 40), marks=pytest.mark.slow)])

@@ -8,17 +8,17 @@ from dataclasses import replace
 import pytest
 from textual.widgets import Static
 
-from assistant.session import Session
+from assistant.session.session import Session
 from assistant.widgets.field import Field
 from assistant.widgets.field_help import FieldHelp, allowed, foot, meaning
-from calc.design import STEPS
-from calc.languages import language
+from calc.design.model import STEPS
+from calc.locale import language
 from calc.sheet.number import short
 from calc.sheet.quantity import THUMB, Quantity, keys
 from calc.sheet.text import Amount
 
-from .conftest import Screen
-from .driving import go_to, strike, until, work
+from tests.assistant.conftest import Screen
+from tests.assistant.driving import go_to, strike, until, work
 
 SAY = language("en")
 MORE = "  F1 more"

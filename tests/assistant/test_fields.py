@@ -6,17 +6,17 @@ from typing import Any
 import pytest
 from textual import events
 
-from assistant.route import idle
-from assistant.session import Session
-from assistant.widgets.array_heading import ArrayHeading
+from assistant.session.route import idle
+from assistant.session.session import Session
+from assistant.widgets.headings import ArrayHeading
 from assistant.widgets.checks import Checks
 from assistant.widgets.entry import Entry
 from assistant.widgets.field import Field
-from calc.addresses import address, quantities
-from calc.design import STEPS
+from calc.design.addresses import address, quantities
+from calc.design.model import STEPS
 
-from .conftest import Screen, solved
-from .driving import go_to, message, rows, settled, strike, told, type_in, until, work
+from tests.assistant.conftest import Screen, solved
+from tests.assistant.driving import go_to, message, rows, settled, strike, told, type_in, until, work
 
 
 def shown(pilot: Any, check: str) -> str:

@@ -14,22 +14,22 @@ from textual.widgets import Input, OptionList
 
 from assistant import app as app_module
 from assistant.app import ContralberoApp
-from assistant.exporting import write_draft
-from assistant.recovery import Memory, Settings
+from assistant.session.exporting import write_draft
+from assistant.session.recovery import Memory, Settings
 from assistant.screens.ask import Ask
 from assistant.screens.open_dialog import OpenDialog
 from assistant.screens.palette_entries import entries
-from assistant.screens.path_dialog import PathDialog
+from assistant.screens.path_dialogs import PathDialog
 from assistant.screens.workbench import Workbench
-from assistant.session import EXAMPLE, Session
+from assistant.session.session import EXAMPLE, Session
 from assistant.widgets.top_line import TopLine
-from calc import replay
+from calc.design import replay
 from calc.sheet.errors import Cancelled
 from calc.sheet.progress import Progress
-from calc.shipped import DESIGNS
+from calc.studies.shipped import DESIGNS
 
-from .conftest import Screen, solved
-from .driving import go_to, rows, settled, strike, told, type_in, until, work
+from tests.assistant.conftest import Screen, solved
+from tests.assistant.driving import go_to, rows, settled, strike, told, type_in, until, work
 
 SIZES = [(80, 24), pytest.param((120, 40), marks=pytest.mark.slow)]  # the narrow one shows more faults
 BORE, ROD = "engine.bore_mm", "engine.rod_length_mm"
@@ -122,7 +122,7 @@ async def test_a_recording_is_given_up_or_asked_about(screen: Screen, light: Ses
 async def test_a_replay_that_can_not_be_written_leaves_the_recording(
     screen: Screen, light: Session, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    from assistant.saving import SaveError
+    from assistant.session.saving import SaveError
     from assistant.screens import file_actions
 
     def full(path: Path, data: bytes, inputs: object) -> None:
@@ -242,7 +242,7 @@ async def test_ending_while_the_report_is_written_leaves_no_file(screen: Screen,
             after.append(error)
             raise
 
-    monkeypatch.setattr("assistant.exporting.write_draft", write)
+    monkeypatch.setattr("assistant.session.exporting.write_draft", write)
     async with screen(session=small) as pilot:
         await strike(pilot, "f8")
         await until(pilot, half.is_set)

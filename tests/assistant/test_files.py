@@ -8,10 +8,10 @@ import pytest
 from textual.widgets import Input
 
 from assistant.screens.workbench import Workbench
-from assistant.session import Session
+from assistant.session.session import Session
 
-from .conftest import Screen, solved
-from .driving import go_to, rows, settled, strike, told, type_in, work
+from tests.assistant.conftest import Screen, solved
+from tests.assistant.driving import go_to, rows, settled, strike, told, type_in, work
 
 
 # --- files

@@ -5,16 +5,16 @@ import pytest
 
 from assistant.screens.ready import Closing
 from assistant.screens.slopes import of_check, of_input
-from assistant.session import Session
+from assistant.session.session import Session
 from assistant.widgets.bar import bar
 from assistant.widgets.checks import Checks
-from assistant.widgets.message_line import MessageLine
+from assistant.widgets.lines import MessageLine
 from assistant.widgets.signs import Signs
 from assistant.widgets.steps import READY, Steps
-from calc.effects import effects, moved_by
+from calc.studies.effects import effects, moved_by
 
-from .conftest import Screen, solved
-from .driving import settled, strike, until, work
+from tests.assistant.conftest import Screen, solved
+from tests.assistant.driving import settled, strike, until, work
 
 EDGE, DOUBLE = "bearings.front.film_edge", "bearings.front.film_double_load"
 

@@ -9,20 +9,20 @@ import pytest
 from textual.pilot import Pilot
 
 from assistant.app import ContralberoApp
-from assistant.recovery import Memory
+from assistant.session.recovery import Memory
 from assistant.screens.ready import ReadyScreen
 from assistant.screens.workbench import Workbench
-from assistant.session import Session
+from assistant.session.session import Session
 from assistant.widgets.field import Field, StrokeField
 from assistant.widgets.steps import states_of
-from calc.design import STEPS
+from calc.design.model import STEPS
 from calc.ready import ready
-from calc.repair.ways import ways
+from calc.studies.repair.ways import ways
 from calc.sheet.check import grouped
-from calc.shipped import DESIGNS
-from calc.starter.build import choice_made
+from calc.studies.shipped import DESIGNS
+from calc.studies.starter.build import choice_made
 
-from .driving import until
+from tests.assistant.driving import until
 
 MOST = 60  # keys, beside the numbers
 SIZES = pytest.mark.parametrize("size", [(120, 40), (80, 24)], ids=lambda size: f"{size[0]}x{size[1]}")

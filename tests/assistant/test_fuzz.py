@@ -18,15 +18,15 @@ from textual.pilot import OutOfBounds, Pilot
 
 from assistant.actions import ACTIONS
 from assistant.app import ContralberoApp
-from assistant.recovery import Memory
-from assistant.saving import SaveError
+from assistant.session.recovery import Memory
+from assistant.session.saving import SaveError
 from assistant.screens import background_solve
 from assistant.screens.workbench import Workbench
-from assistant.session import Session
-from calc.design_file import load
+from assistant.session.session import Session
+from calc.design.toml_file import load
 
-from .conftest import solved
-from .driving import CHARACTERS, settled, strike, until
+from tests.assistant.conftest import solved
+from tests.assistant.driving import CHARACTERS, settled, strike, until
 
 TEXTS = [
     "3,5", "3.5", "1,234.5", "1e999", "-1e-300", "nan", "inf", "0", "00", "1;2;3", "1; 3; 2", "[bold", "[/]", "[@click=app.quit]x[/]", "\\[", "\t",

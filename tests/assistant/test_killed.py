@@ -17,10 +17,10 @@ from types import TracebackType
 
 import pytest
 
-from assistant.recovery import Memory
+from assistant.session.recovery import Memory
 from assistant.screens.edit_feedback import KEEP
-from assistant.session import EXAMPLE, Session
-from calc.design_file import design, read
+from assistant.session.session import EXAMPLE, Session
+from calc.design.toml_file import design, read
 
 pty = pytest.importorskip("pty")
 ROOT = EXAMPLE.parent.parent
@@ -145,8 +145,8 @@ def test_killed_at_a_save_the_file_is_one_of_the_two_versions_and_whole(light: S
 KILLED = """
 import os, shutil, signal, sys
 from pathlib import Path
-from assistant.recovery import Memory
-from assistant.session import Session
+from assistant.session.recovery import Memory
+from assistant.session.session import Session
 import tomlkit
 
 path, state, folder = map(Path, sys.argv[1:])

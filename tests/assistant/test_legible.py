@@ -5,10 +5,10 @@ from rich.segment import Segment
 from textual.color import Color
 
 from assistant.legible import Legible
-from assistant.session import Session
+from assistant.session.session import Session
 
-from .conftest import Screen
-from .driving import screen_rows
+from tests.assistant.conftest import Screen
+from tests.assistant.driving import screen_rows
 
 
 async def test_control_characters_of_a_name_do_not_reach_the_terminal(screen: Screen, light: Session) -> None:

@@ -7,10 +7,10 @@ from pathlib import Path
 import pytest
 
 from assistant.actions import ACTIONS
-from assistant.session import Session
+from assistant.session.session import Session
 
-from .conftest import Screen, solved
-from .driving import rows, settled, strike
+from tests.assistant.conftest import Screen, solved
+from tests.assistant.driving import rows, settled, strike
 
 
 # --- terminals

@@ -5,8 +5,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from assistant import numbers
-from assistant.numbers import NotUnderstood
+from assistant.session import numbers
+from assistant.session.numbers import NotUnderstood
 from assistant.unit_words import UNIT_WORDS
 from calc.sheet.quantity import Quantity
 from calc.sheet.units import UNITS

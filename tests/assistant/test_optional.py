@@ -9,18 +9,18 @@ import pytest
 from textual.pilot import Pilot
 from textual.widgets import Static
 
-from assistant.session import Session
-from assistant.widgets.array_heading import ArrayHeading
+from assistant.session.session import Session
+from assistant.widgets.headings import ArrayHeading
 from assistant.widgets.entry import Entry
 from assistant.widgets.field import Field
 from assistant.widgets.table_heading import TableHeading
-from calc.design import STEPS, Design
-from calc.design_file import parse
+from calc.design.model import STEPS, Design
+from calc.design.toml_file import parse
 from calc.engine.inputs import EngineInputs
 from calc.sheet.quantity import inputs, keys, quantity, series, table
 
-from .conftest import Screen, solved
-from .driving import at_rest, go_to, message, rows, settled, strike, type_in, until, work
+from tests.assistant.conftest import Screen, solved
+from tests.assistant.driving import at_rest, go_to, message, rows, settled, strike, type_in, until, work
 
 
 @inputs

@@ -6,10 +6,10 @@ from textual.pilot import Pilot
 
 from assistant.matching import folded, match
 from assistant.screens.palette import Palette
-from assistant.session import Session
+from assistant.session.session import Session
 
-from .conftest import Screen
-from .driving import strike, type_in, until, work
+from tests.assistant.conftest import Screen
+from tests.assistant.driving import strike, type_in, until, work
 
 
 def test_words_in_any_order_and_in_parts() -> None:

@@ -12,20 +12,20 @@ from textual.widgets import Input
 from assistant.actions import ACTIONS
 from assistant.screens.ready import ReadyScreen
 from assistant.screens.workbench import Workbench
-from assistant.session import Session
-from assistant.widgets.array_heading import ArrayHeading
+from assistant.session.session import Session
+from assistant.widgets.headings import ArrayHeading
 from assistant.widgets.calculation import Calculation
 from assistant.widgets.cells import Cells
 from assistant.widgets.checks import Checks
 from assistant.widgets.curve_pane import CurvePane
 from assistant.widgets.form import Form
 from assistant.widgets.pane import Pane
-from calc.design import STEPS
-from calc.repair.remedy import Remedy, remedy
+from calc.design.model import STEPS
+from calc.studies.repair.nearest import Remedy, remedy
 from calc.sheet.check import grouped
 
-from .conftest import Screen, solved
-from .driving import CHARACTERS, go_to, rows, screen_rows, settled, strike, told, type_in, until, work
+from tests.assistant.conftest import Screen, solved
+from tests.assistant.driving import CHARACTERS, go_to, rows, screen_rows, settled, strike, told, type_in, until, work
 
 
 # --- steps, panes, checks
@@ -69,7 +69,7 @@ async def test_what_helps_a_step_that_fails_is_known_before_it_is_opened(
         progress(0.0, "")
         return remedy(document, "gears", results, progress)
 
-    monkeypatch.setattr("calc.repair.remedy.remedy", known)
+    monkeypatch.setattr("calc.studies.repair.nearest.remedy", known)
     async with screen(session=session) as pilot:
         background = work(pilot).background
         await strike(pilot, "f3", "f3")

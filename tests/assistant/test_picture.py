@@ -5,19 +5,19 @@ import pytest
 from textual.app import ComposeResult
 
 from assistant.base_app import BaseApp
-from assistant.canvas import draw
-from assistant.recovery import Memory
-from assistant.session import Session
+from assistant.widgets.canvas import draw
+from assistant.session.recovery import Memory
+from assistant.session.session import Session
 from assistant.widgets import picture
 from assistant.widgets.picture import Picture
 from assistant.widgets.signs import Signs
-from calc.design_file import load
+from calc.design.toml_file import load
 from calc.engine.sketch import icon
-from calc.languages import language
-from calc.shipped import engine_inputs, engines
+from calc.locale import language
+from calc.studies.shipped import engine_inputs, engines
 from calc.solve import solve
 
-from ..conftest import GAMMA
+from tests.conftest import GAMMA
 
 
 class Stage(BaseApp):

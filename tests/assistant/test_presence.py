@@ -11,11 +11,11 @@ import pytest
 
 from assistant.app import ContralberoApp
 from assistant.presence import FOLDER
-from assistant.recovery import KEPT, Memory
-from assistant.session import EXAMPLE, Session
+from assistant.session.recovery import KEPT, Memory
+from assistant.session.session import EXAMPLE, Session
 
-from .conftest import Screen
-from .driving import until
+from tests.assistant.conftest import Screen
+from tests.assistant.driving import until
 
 BORE = "engine.bore_mm"
 ROOT = EXAMPLE.parent.parent
@@ -90,7 +90,7 @@ def test_safe_looks_at_the_disk(session: Session) -> None:
 
 
 def test_a_session_that_was_killed_is_not_there_any_more(session: Session) -> None:
-    words = "import sys; from pathlib import Path; from assistant.recovery import Memory; here = Memory(Path(sys.argv[1])).attend(Path(sys.argv[2]), 'x'); print('here', flush=True); input()"
+    words = "import sys; from pathlib import Path; from assistant.session.recovery import Memory; here = Memory(Path(sys.argv[1])).attend(Path(sys.argv[2]), 'x'); print('here', flush=True); input()"
     command = [sys.executable, "-c", words, str(session.memory.folder), str(session.home)]
     with subprocess.Popen(command, cwd=ROOT, stdin=subprocess.PIPE, stdout=subprocess.PIPE) as other:
         assert other.stdout is not None and other.stdout.readline() == b"here\n"

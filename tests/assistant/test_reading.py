@@ -18,9 +18,9 @@ from assistant.widgets.sight import Cursor, Sight
 from assistant.widgets.ticks import even_ticks, ticks
 from calc.sheet.step import Curve, Series
 
-from .conftest import Screen, solved
-from .driving import go_to, rows, strike, type_in, work
-from .test_curves import BARS, LOCUS, PLAIN, WITH, drawn, legend, picture, show
+from tests.assistant.conftest import Screen, solved
+from tests.assistant.driving import go_to, rows, strike, type_in, work
+from tests.assistant.test_curves import BARS, LOCUS, PLAIN, WITH, drawn, legend, picture, show
 
 SPEED = [900.0, 1200.0, 1700.0, 2600.0]
 MIDDLE, EDGE = [16.0, 13.0, 11.5, 10.2], [14.0, 11.0, 9.5, 7.4]

@@ -9,10 +9,10 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from assistant.commands.replay import run as replay_command
-from assistant.recording import Recording, step
-from assistant.session import Session
-from calc import replay
-from calc.design_file import Document
+from assistant.session.recording import Recording, step
+from assistant.session.session import Session
+from calc.design import replay
+from calc.design.toml_file import Document
 
 BORE, ROD = "engine.bore_mm", "engine.rod_length_mm"
 

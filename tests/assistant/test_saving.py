@@ -8,8 +8,8 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from assistant.saving import ChangedOnDisk, SaveError, differences, edited_text, fresh_text, spare, write_asked, write_atomic
-from assistant.session import EXAMPLE
+from assistant.session.saving import ChangedOnDisk, SaveError, differences, edited_text, fresh_text, spare, write_asked, write_atomic
+from assistant.session.session import EXAMPLE
 from calc.sheet.errors import BadInput
 
 TEXT = EXAMPLE.read_text(encoding="utf-8")

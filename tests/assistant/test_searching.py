@@ -13,8 +13,8 @@ from calc.sheet.errors import BadInput, InputError, NoSolution
 from calc.sheet.progress import Progress
 from calc.sheet.text import Text
 
-from .conftest import Screen
-from .driving import strike, until
+from tests.assistant.conftest import Screen
+from tests.assistant.driving import strike, until
 
 
 class Letters(Searching[str | None, str]):

@@ -11,13 +11,13 @@ from pathlib import Path
 
 import pytest
 
-from assistant.recovery import Memory
-from assistant.saving import ChangedOnDisk, SaveError
-from assistant.session import EXAMPLE, Session
-from assistant.solving import Answer, run
-from calc.design_file import load
+from assistant.session.recovery import Memory
+from assistant.session.saving import ChangedOnDisk, SaveError
+from assistant.session.session import EXAMPLE, Session
+from assistant.session.solving import Answer, run
+from calc.design.toml_file import load
 from calc.sheet.errors import BadInput
-from calc.shipped import DESIGNS
+from calc.studies.shipped import DESIGNS
 
 BORE = "engine.bore_mm"
 
@@ -246,7 +246,7 @@ def test_read_only(session: Session, monkeypatch: pytest.MonkeyPatch) -> None:
 # --- start-up
 def test_a_session_needs_neither_textual_nor_numpy() -> None:
     code = (
-        "import sys, json; from pathlib import Path; from assistant.session import Session, EXAMPLE; from assistant.recovery import Memory\n"
+        "import sys, json; from pathlib import Path; from assistant.session.session import Session, EXAMPLE; from assistant.session.recovery import Memory\n"
         "s = Session.open(EXAMPLE, memory=Memory(Path('/nowhere'))); s.edit('engine.bore_mm', '95')\n"
         "print(json.dumps([m for m in ('textual', 'rich', 'numpy', 'scipy', 'tomlkit', 'tomli_w', 'reportlab') if m in sys.modules]))"
     )

@@ -17,7 +17,7 @@ from syrupy.extensions.single_file import SingleFileSnapshotExtension, WriteMode
 from textual.pilot import Pilot
 
 from assistant.app import ContralberoApp
-from assistant.recovery import Memory, Settings
+from assistant.session.recovery import Memory, Settings
 from assistant.screens import background_solve, edit_feedback, slopes
 from assistant.screens.help import HelpScreen
 from assistant.screens.new_dialog import NewDialog
@@ -26,17 +26,17 @@ from assistant.screens.remedies import Remedies
 from assistant.screens.selection import Choosing
 from assistant.screens.start import Start
 from assistant.screens.workbench import Workbench
-from assistant.session import EXAMPLE, Session
-from assistant.solving import Answer
+from assistant.session.session import EXAMPLE, Session
+from assistant.session.solving import Answer
 from assistant.widgets.checks import Checks
 from assistant.widgets.curve_pane import CurvePane
-from calc.design import STEPS
-from calc.repair.remedy import remedy
+from calc.design.model import STEPS
+from calc.studies.repair.nearest import remedy
 from calc.solve import Results
 
-from .conftest import NOON
-from .driving import at_rest, screen_rows, strike, until, work
-from .test_curves import drawn
+from tests.assistant.conftest import NOON
+from tests.assistant.driving import at_rest, screen_rows, strike, until, work
+from tests.assistant.test_curves import drawn
 
 SECONDS = 0.64  # that a solve is said to take
 SIZED = EXAMPLE.with_name("r753ie4_sized.toml")
@@ -85,7 +85,7 @@ def opened(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Opened:
         def known(document: Any, step: str, results: Any, progress: Any, **rest: Any) -> Any:
             return remedy(document, step, results, progress, **rest) if rest else remedy_once(path, step)
 
-        monkeypatch.setattr("calc.repair.remedy.remedy", known)
+        monkeypatch.setattr("calc.studies.repair.nearest.remedy", known)
         session = Session.open(path, memory=Memory(tmp_path / "state"), now=lambda: NOON)
         assert session.accept(Answer(session.generation, solved_once(path), SECONDS))
         app = ContralberoApp(session, **options)

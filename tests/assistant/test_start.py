@@ -9,17 +9,17 @@ from textual.pilot import Pilot
 from textual.widgets import Input
 
 from assistant.app import ContralberoApp
-from assistant.beginnings import engine_only, finding, groups
+from assistant.session.beginnings import engine_only, finding, groups
 from assistant.matching import match
-from assistant.recovery import Memory
+from assistant.session.recovery import Memory
 from assistant.screens.start import Start
 from assistant.screens.workbench import Workbench
-from assistant.session import Session
-from calc.design_file import Document, design
-from calc.shipped import engines
+from assistant.session.session import Session
+from calc.design.toml_file import Document, design
+from calc.studies.shipped import engines
 
-from .conftest import Screen
-from .driving import screen_rows, strike, type_in, until, work
+from tests.assistant.conftest import Screen
+from tests.assistant.driving import screen_rows, strike, type_in, until, work
 
 
 @pytest.fixture(autouse=True)

@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 
 from assistant.app import run
-from assistant.session import EXAMPLE
+from assistant.session.session import EXAMPLE
 
 pty = pytest.importorskip("pty")
 ROOT = EXAMPLE.parent.parent

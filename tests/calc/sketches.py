@@ -4,9 +4,9 @@
 import math
 from collections.abc import Iterator
 
-from calc.addresses import address
-from calc.design_file import Document
-from calc.sheet.drawing import Mark, Sketch, Words
+from calc.design.addresses import address
+from calc.design.toml_file import Document
+from calc.draw.drawing import Mark, Sketch, Words
 
 
 def marks(sketch: Sketch) -> Iterator[Mark]:

@@ -5,18 +5,18 @@ from dataclasses import replace
 
 import pytest
 
-from calc.compare import NOTABLE, Comparison, KeyResult, compare
+from calc.studies.compare import NOTABLE, Comparison, KeyResult, compare
 from calc.compare_conclusion import moved_table, result_table, sentences
 from calc.compare_inputs import inputs
-from calc.compare_tables import input_table
-from calc.design_file import Document, design, read
+from calc.studies.compare_tables import input_table
+from calc.design.toml_file import Document, design, read
 from calc.id_words import in_context
-from calc.key_values import is_least, key_results
+from calc.design.key_values import is_least, key_results
 from calc.sheet.quantity import Published
 from calc.sheet.text import Text
 from calc.solve import Results, solve
 
-from ..conftest import DESIGNS
+from tests.conftest import DESIGNS
 
 NAMES = ("beta", "gamma")
 

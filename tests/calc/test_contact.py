@@ -8,8 +8,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from calc.catalogue import materials
-from calc.contact import hertz, line, teeth
+from calc.library.catalogue import materials
+from calc.contact import hertz, line
+from calc.library import contact as teeth
 from calc.friction.mesh.motion import motion
 from calc.friction.mesh.path import path
 from calc.friction.solve import meshes_of
@@ -17,7 +18,7 @@ from calc.gears.rating.screening import load as screening_load
 from calc.gears.rating.screening import micropitting, scuffing
 from calc.gears.rating.screening.path import Path as ScreeningPath
 
-from .gears.trains import mesh, r753, solved, train, wheel
+from tests.calc.gears.trains import mesh, r753, solved, train, wheel
 
 STEEL = 206e9
 

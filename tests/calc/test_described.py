@@ -3,10 +3,10 @@
 import pytest
 
 from calc.described import described
-from calc.design_file import Document, design
+from calc.design.toml_file import Document, design
 from calc.engine.sketch import sketch
-from calc.languages import language
-from calc.sheet.drawing import Dimension
+from calc.locale import language
+from calc.draw.drawing import Dimension
 from calc.solve import solve
 
 ENGINE = {

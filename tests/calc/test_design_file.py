@@ -6,13 +6,13 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from calc.addresses import address, parse_assignment, quantities, quantity_of, value_at
-from calc.design import Design
-from calc.design_file import Document, design, load, parse, read
+from calc.design.addresses import address, parse_assignment, quantities, quantity_of, value_at
+from calc.design.model import Design
+from calc.design.toml_file import Document, design, load, parse, read
 from calc.sheet.errors import BadInput
 from calc.sheet.units import UNITS
 
-from ..conftest import DESIGNS, GAMMA
+from tests.conftest import DESIGNS, GAMMA
 
 TEXT = GAMMA.read_text(encoding="utf-8")
 

@@ -9,7 +9,7 @@ import pytest
 
 from assistant.cli import main
 from assistant.commands.errata import markdown
-from calc.errata import documents, misprints, worked_out
+from calc.studies.errata import documents, misprints, worked_out
 
 ROOT = Path(__file__).resolve().parents[2]
 

@@ -4,8 +4,8 @@ from pathlib import Path
 
 import pytest
 
-from calc.design_file import Document, design, read
-from calc.explain import Chains, chain, needs, origin
+from calc.design.toml_file import Document, design, read
+from calc.studies.explain import Chains, chain, needs, origin
 from calc.sheet.trace import Line
 from calc.solve import solve
 

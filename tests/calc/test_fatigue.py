@@ -6,17 +6,17 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
-from calc import fatigue
-from calc.catalogue import Material, materials
+from calc.library import fatigue
+from calc.library.catalogue import Material, materials
 from calc.countershaft.bending import shaft as b
 from calc.countershaft.checks import bending_checks
 from calc.engine import throw
 from calc.engine.gas import GasInputs
 from calc.engine.throw_inputs import ThrowInputs
 
-from .countershaft.bending.test_bending import FRONT, OMEGA, REAR, STEEL, example, further
-from .engine.test_throw import SIZES
-from .engine.test_torque import engine_of, single
+from tests.calc.countershaft.bending.test_bending import FRONT, OMEGA, REAR, STEEL, example, further
+from tests.calc.engine.test_throw import SIZES
+from tests.calc.engine.test_torque import engine_of, single
 
 ROWS = materials()
 HARD = replace(STEEL, kind="steel", tensile_strength=1000e6)

@@ -15,9 +15,9 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from calc import files
-from calc.files import Changed, bare_name, edit_file, locked, read_file, same_file, write_file
-from calc.limits import DESIGN_BYTES
+from calc.design import disk as files
+from calc.design.disk import Changed, bare_name, edit_file, locked, read_file, same_file, write_file
+from calc.design.limits import DESIGN_BYTES
 
 pytestmark = pytest.mark.skipif(os.name != "posix", reason="pipes, links, rights and locks of POSIX")
 CALLS = ("open", "fsync", "chmod", "replace", "unlink", "close", "stat", "access", "scandir")

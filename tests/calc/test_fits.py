@@ -10,9 +10,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from calc.fits import ALLOWED, GRADES, HOLES, SHAFTS, Field, clearance_limits, deviations, parse, problem, tolerance
+from calc.library.fits import ALLOWED, GRADES, HOLES, SHAFTS, Field, clearance_limits, deviations, parse, problem, tolerance
 
-from ..conftest import ROOT
+from tests.conftest import ROOT
 
 # Limit deviations in µm as printed: (class, diameter mm, lower, upper).
 # "JIS": dimensional tolerances for regularly used fits, JIS B 0401:1999 (the same numbers as ISO 286-2), as reprinted by Sumitomo.
@@ -133,5 +133,5 @@ def test_coarse_grades_begin_above_1_mm():
 
 
 def test_fits_are_read_without_numpy():
-    code = "import sys; from calc.fits import *; deviations(parse('H7'), .05); print('numpy' in sys.modules)"
+    code = "import sys; from calc.library.fits import *; deviations(parse('H7'), .05); print('numpy' in sys.modules)"
     assert subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, cwd=ROOT, check=True).stdout.strip() == "False"

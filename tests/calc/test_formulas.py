@@ -13,7 +13,7 @@ from calc.sheet.expression import expression, text
 from calc.sheet.formula import FORMULAS, formula, units
 from calc.sheet.units import UNITS
 
-from .dimension import Mismatch, check
+from tests.calc.dimension import Mismatch, check
 
 for path in Path(calc.__file__).parent.rglob("*.py"):
     if "@formula" in (source := path.read_text(encoding="utf-8")) and path.parent.name != "sheet" and "__main__" not in source:

@@ -7,12 +7,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from calc.catalogue import Oil, ViscosityRow, oils
-from calc.design_file import design, parse, read
-from calc.explain import Chains
-from calc.lubricant import Lubricant
-from calc.oil_formulas import ZERO_CELSIUS
-from calc.oils import rising_rows
+from calc.library.catalogue import Oil, ViscosityRow, oils
+from calc.design.toml_file import design, parse, read
+from calc.studies.explain import Chains
+from calc.library.lubricant import Lubricant
+from calc.library.oil_formulas import ZERO_CELSIUS
+from calc.library.oils import rising_rows
 from calc.sheet.errors import BadInput
 from calc.solve import solve
 

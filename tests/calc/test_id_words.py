@@ -5,12 +5,12 @@ import re
 
 import pytest
 
-from calc.design_file import load
+from calc.design.toml_file import load
 from calc.id_words import belongs
 from calc.sheet.text import Name
 from calc.solve import solve
 
-from ..conftest import DESIGNS
+from tests.conftest import DESIGNS
 
 NUMBERS = re.compile(r"\d+")  # of an element without a name
 PROPER = ("ISO 7902", "DIN 31652", "Falz", "Reynolds", "Raimondi & Boyd", "Schlenk", "Niemann", "Xu, Kahraman", "Benedict, Kelley")

@@ -6,11 +6,11 @@ from pathlib import Path
 
 import pytest
 
-from calc.design import STEPS
-from calc.design_file import design, parse, read
+from calc.design.model import STEPS
+from calc.design.toml_file import design, parse, read
 from calc.sheet.quantity import Quantity, keys
-from calc.shipped import DESIGNS, engine_design, engines
-from calc.unusual import told, unusual
+from calc.studies.shipped import DESIGNS, engine_design, engines
+from calc.design.unusual import told, unusual
 
 NUMBERS = ("number", "integer", "series", "integers")
 USUAL = 99  # quantities with a usual range: none of them is to be lost

@@ -6,10 +6,10 @@ from pathlib import Path
 
 import pytest
 
-from calc.design_file import parse
+from calc.design.toml_file import parse
 from calc.sheet.errors import BadInput
 
-from ..conftest import DESIGNS
+from tests.conftest import DESIGNS
 
 OWN = {
     "bare key with a space": "two words = 1", "no key": "= 1", "no value": "key =", "no equals": "key", "two equals": "a = = 1",

@@ -8,10 +8,10 @@ import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from calc.catalogue import materials, oils
+from calc.library.catalogue import materials, oils
 from calc.contact import hertz, line
-from calc.fits import GRADES, SHAFTS, Field, clearance_limits, tolerance
-from calc.lubricant import Lubricant
+from calc.library.fits import GRADES, SHAFTS, Field, clearance_limits, tolerance
+from calc.library.lubricant import Lubricant
 from calc.viscosity_index import of_index_0, of_index_100, viscosity_index
 
 OILS = st.sampled_from(sorted(oils()))

@@ -3,10 +3,10 @@
 
 import pytest
 
-from calc.design_file import Document, design, read
-from calc.locks import locked, locks, standing, toggled
+from calc.design.toml_file import Document, design, read
+from calc.design.locks import locked, locks, standing, toggled
 from calc.sheet.errors import BadInput
-from calc.shipped import EXAMPLE
+from calc.studies.shipped import EXAMPLE
 
 
 @pytest.fixture(scope="module")

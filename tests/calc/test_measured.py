@@ -3,10 +3,10 @@
 
 import pytest
 
-from calc.design_file import Document, design, read
-from calc.prediction import at_speed, compared_table
+from calc.design.toml_file import Document, design, read
+from calc.design.predicted import at_speed, compared_table
 from calc.sheet.errors import BadInput
-from calc.shipped import DESIGNS
+from calc.studies.shipped import DESIGNS
 from calc.solve import solve
 
 GAMMA = read(DESIGNS / "r753ie4_gamma.toml")

@@ -5,13 +5,13 @@ import os
 import subprocess
 import sys
 
-from ..conftest import ROOT
+from tests.conftest import ROOT
 
 SOLVED = """
 import sys
 from hashlib import sha256
-from calc.design_file import load
-from calc.shipped import DESIGNS
+from calc.design.toml_file import load
+from calc.studies.shipped import DESIGNS
 from calc.solve import solve
 for path in sorted(DESIGNS.glob("*.toml")):
     results = solve(load(path)[1], traced=True)

@@ -14,9 +14,9 @@ from typing import Any
 import pytest
 
 import calc
-from calc.design import STEPS
-from calc.design_file import load
-from calc.publications import KINDS, KNOWN, PLACES, TABLE, cited, publication, register, resolved
+from calc.design.model import STEPS
+from calc.design.toml_file import load
+from calc.library.publications import KINDS, KNOWN, PLACES, TABLE, cited, publication, register, resolved
 from calc.sheet.formula import FORMULAS
 from calc.sheet.quantity import keys
 from calc.solve import solve

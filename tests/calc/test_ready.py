@@ -5,11 +5,11 @@ from dataclasses import replace
 
 import pytest
 
-from calc.addresses import Table
-from calc.design_file import Document, design, read
-from calc.headlines import headline, main_numbers
+from calc.design.addresses import Table
+from calc.design.toml_file import Document, design, read
+from calc.studies.ready import headline, main_numbers
 from calc.ready import readiness, ready, tally
-from calc.shipped import DESIGNS, EXAMPLE
+from calc.studies.shipped import DESIGNS, EXAMPLE
 from calc.solve import Results, solve
 
 

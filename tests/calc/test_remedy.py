@@ -5,16 +5,16 @@ from copy import deepcopy
 
 import pytest
 
-from calc.addresses import parse_assignment
+from calc.design.addresses import parse_assignment
 from calc.bearings.selection.convergence import changes
 from calc.bearings.selection.search import nearest_row, search
-from calc.design_file import Document, design, read
-from calc.repair.remedy import nearest, remedy
-from calc.selection import bearings_case
+from calc.design.toml_file import Document, design, read
+from calc.studies.repair.nearest import nearest, remedy
+from calc.studies.bearings_case import bearings_case
 from calc.sheet.errors import Cancelled
 from calc.solve import Results, solve
 
-from ..conftest import DESIGNS
+from tests.conftest import DESIGNS
 
 
 def damaged(name: str, *changes: str) -> Document:

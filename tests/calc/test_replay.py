@@ -2,10 +2,10 @@
 
 import pytest
 
-from calc import replay
+from calc.design import replay
 from calc.sheet.errors import BadInput
 
-from ..conftest import GAMMA, ROOT
+from tests.conftest import GAMMA, ROOT
 
 HEAD = f'schema = 1\ndesign = "{GAMMA}"\n'
 EXPECT = '[[expect]]\nvalue = "engine.lambda"\nis = 0.3282\nunit = ""\nabs = 1e-4\nkind = "recorded"\n'

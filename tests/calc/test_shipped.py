@@ -14,12 +14,12 @@ import numpy as np
 import pytest
 
 from assistant.cli import main
-from assistant.saving import edited_text, fresh_text
-from calc.design_file import design, parse, read
-from calc.shipped import DESIGNS, engine_design, engines
+from assistant.session.saving import edited_text, fresh_text
+from calc.design.toml_file import design, parse, read
+from calc.studies.shipped import DESIGNS, engine_design, engines
 from calc.solve import solve
-from calc.starter.balancing import what_shakes
-from calc.starter.build import NOTHING
+from calc.studies.starter.balancing import what_shakes
+from calc.studies.starter.build import NOTHING
 
 ENGINES = engines()
 ROWS = tomllib.loads((Path(__file__).parents[1] / "reference" / "balance.toml").read_text(encoding="utf-8"))["row"]
@@ -345,7 +345,7 @@ import sys
 from assistant.cli import main
 main(["new", "--list"])
 assert "numpy" not in sys.modules
-from calc.shipped import engine_design
+from calc.studies.shipped import engine_design
 engine_design("twin-270")
 assert not {heavy} & set(sys.modules), {heavy} & set(sys.modules)
 """

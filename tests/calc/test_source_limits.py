@@ -7,12 +7,12 @@ from typing import Any
 
 import pytest
 
-from calc.catalogue import materials, shipped_oils
+from calc.library.catalogue import materials, shipped_oils
 from calc.countershaft.making.inputs import Support
 from calc.countershaft.making.parts import _load_stress
-from calc.design import Design
-from calc.design_file import load
-from calc.publications import resolved
+from calc.design.model import Design
+from calc.design.toml_file import load
+from calc.library.publications import resolved
 from calc.sheet.check import Check
 from calc.solve import Results, solve
 

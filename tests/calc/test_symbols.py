@@ -3,13 +3,13 @@
 
 import pytest
 
-from calc.design import STEPS
+from calc.design.model import STEPS
 from calc.sheet.expression import symbol, symbol_of
 from calc.sheet.formula import units
 from calc.sheet.trace import Line
 
-from ..conftest import DESIGNS
-from ..reports.reading import solved
+from tests.conftest import DESIGNS
+from tests.reports.reading import solved
 
 Meanings = dict[str, dict[str, str]]  # symbol → dimension, as its unit in SI, → where it stands
 

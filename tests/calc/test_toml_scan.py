@@ -9,12 +9,12 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from calc.design_file import design, parse
-from calc.limits import DESIGN_BYTES, DESIGN_DEPTH, DESIGN_ENTRIES, SHOWN_ERRORS
+from calc.design.toml_file import design, parse
+from calc.design.limits import DESIGN_BYTES, DESIGN_DEPTH, DESIGN_ENTRIES, SHOWN_ERRORS
 from calc.sheet.errors import BadInput
 from calc.toml_scan import TOKEN, Beyond, key_lines, remarks
 
-from ..conftest import GAMMA
+from tests.conftest import GAMMA
 
 
 def test_lines_of_keys():

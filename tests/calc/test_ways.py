@@ -3,15 +3,15 @@
 
 import pytest
 
-from calc.design_file import Document, design
-from calc.repair.state import broken, state_of
+from calc.design.toml_file import Document, design
+from calc.studies.repair.state import broken, state_of
 from calc.repair.way import NEAR, Way
-from calc.repair.ways import search, ways
+from calc.studies.repair.ways import search, ways
 from calc.sheet.check import Check
 from calc.sheet.errors import Cancelled
 from calc.solve import Results, solve
 
-from .test_remedy import damaged, with_changes
+from tests.calc.test_remedy import damaged, with_changes
 
 
 def finding(results: Results, id: str) -> Check:

@@ -9,11 +9,11 @@ import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
 
-from calc.addresses import quantities, value_at
-from calc.design_file import Document, design, read
+from calc.design.addresses import quantities, value_at
+from calc.design.toml_file import Document, design, read
 from calc.sheet.errors import BadInput, NoSolution
 from calc.sheet.quantity import Quantity
-from calc.shipped import DESIGNS
+from calc.studies.shipped import DESIGNS
 from calc.solve import solve
 
 SECONDS = 30  # that one design may take; a solve takes a twentieth of one

@@ -7,12 +7,12 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from calc.design_file import Document, design, read
+from calc.design.toml_file import Document, design, read
 from calc.sheet.errors import BadInput
 from calc.solve import solve
 
-from ..conftest import DESIGNS
-from .extremes import extremes, faults, fields, single
+from tests.conftest import DESIGNS
+from tests.hostile.extremes import extremes, faults, fields, single
 
 ALL = {path.stem: read(path) for path in sorted(DESIGNS.glob("*.toml"))}
 FIELDS = {name: fields(document) for name, document in ALL.items()}

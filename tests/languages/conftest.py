@@ -9,10 +9,10 @@ import pytest
 from babel.messages.catalog import Catalog
 from babel.messages.mofile import write_mo
 
-from calc.languages import Language
+from calc.locale import Language
 
-from ..assistant.conftest import design, light, memory, session
-from .texts import PLURALS
+from tests.assistant.conftest import design, light, memory, session
+from tests.languages.texts import PLURALS
 
 __all__ = ["catalogue", "design", "light", "memory", "session"]
 

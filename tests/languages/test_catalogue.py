@@ -10,14 +10,14 @@ from pathlib import Path
 import pytest
 from babel.messages.mofile import read_mo
 
-from calc.design_file import design, read
-from calc.languages import FOLDER, LANGUAGES, Language, language
-from calc.languages.language import PLACE, WORD
+from calc.design.toml_file import design, read
+from calc.locale import FOLDER, LANGUAGES, Language, language
+from calc.locale.language import PLACE, WORD
 from calc.languages.outcome import said
 from calc.sheet.text import Text
 from calc.solve import solve
 
-from .texts import ROOT, compiled, entries, named, of_catalogues, of_inputs, of_results, of_tables, po, templates
+from tests.languages.texts import ROOT, compiled, entries, named, of_catalogues, of_inputs, of_results, of_tables, po, templates
 
 OTHERS = [code for code in LANGUAGES if code != "en"]
 # words by which English is known; none of them is a word of Italian, a name or a symbol

@@ -6,11 +6,11 @@ from collections.abc import Callable
 import pytest
 
 from assistant import usage
-from calc.languages import LANGUAGES, Language, language
+from calc.locale import LANGUAGES, Language, language
 from calc.sheet.number import short
 from calc.sheet.text import Amount, Name, Text, listed, plural
 
-from .texts import po
+from tests.languages.texts import po
 
 Catalogue = Callable[..., Language]
 

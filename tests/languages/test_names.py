@@ -9,11 +9,11 @@ from typing import Any
 import pytest
 import tomli_w
 
-from calc.design_file import design, parse
-from calc.languages import language
+from calc.design.toml_file import design, parse
+from calc.locale import language
 from calc.solve import Results, solve
 
-from .texts import ROOT, named, of_results
+from tests.languages.texts import ROOT, named, of_results
 
 DESIGNS = sorted((ROOT / "designs").glob("*.toml"))
 VOCABULARY = (

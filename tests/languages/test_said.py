@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from .texts import ROOT
+from tests.languages.texts import ROOT
 
 SPEAKERS = {"say", "tell", "forget"}
 FILES = [path for folder in ("assistant/screens", "assistant/widgets", "reports") for path in sorted((ROOT / folder).glob("*.py"))]

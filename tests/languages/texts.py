@@ -21,13 +21,13 @@ from babel.messages.mofile import write_mo
 from babel.messages.pofile import read_po, write_po
 
 from calc.bearings.materials.data import bearing_materials, running_bearings
-from calc.catalogue import base_stocks, materials, shipped_oils
-from calc.design import STEPS
-from calc.languages.language import FOLDER, PLACE, WORD
+from calc.library.catalogue import base_stocks, materials, shipped_oils
+from calc.design.model import STEPS
+from calc.locale.language import FOLDER, PLACE, WORD
 from calc.sheet.quantity import keys
 from calc.sheet.step import Outcome
 from calc.sheet.text import Text
-from calc.shipped import engines
+from calc.studies.shipped import engines
 from calc.solve import Results
 
 ROOT = Path(__file__).resolve().parents[2]

@@ -5,13 +5,13 @@ from collections.abc import Iterator
 
 import pytest
 
-from calc.design_file import Document
+from calc.design.toml_file import Document
 from calc.solve import Results
 from reports import binding
-from reports import verify as verifying
+from reports.verify import verify as verifying
 from reports.report import render
 
-from .reading import EXAMPLE, V12, Solved, solved
+from tests.reports.reading import EXAMPLE, V12, Solved, solved
 
 
 @pytest.fixture(scope="session")

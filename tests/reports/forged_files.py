@@ -13,17 +13,7 @@ from pypdf import PdfWriter
 from pypdf.annotations import FreeText
 from pypdf.generic import ArrayObject, DecodedStreamObject, DictionaryObject, NameObject, NumberObject
 
-from .forging import (
-    KINDS,
-    PAINT,
-    Update,
-    forged_contents,
-    kind,
-    many,
-    new_root,
-    painted,
-    streamed,
-)
+from tests.reports.forging import KINDS, PAINT, Update, forged_contents, kind, many, new_root, painted, streamed
 
 
 # --- where a reader looks for what

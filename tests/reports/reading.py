@@ -9,7 +9,7 @@ from pathlib import Path
 
 from pypdf import PdfReader
 
-from calc.design_file import Document, design, parse
+from calc.design.toml_file import Document, design, parse
 from calc.solve import Results, solve
 from reports.report import render
 

@@ -6,12 +6,12 @@ import io
 import pytest
 from pypdf import PdfReader
 
-from calc.compare import compare
+from calc.studies.compare import compare
 from reports.colour import profile
 from reports.comparison import render as compared
 
-from .archive_rules import elements, kids_of, wrong
-from .reading import V12, Solved, solved
+from tests.reports.archive_rules import elements, kids_of, wrong
+from tests.reports.reading import V12, Solved, solved
 
 
 @pytest.mark.parametrize(("depth", "lang"), [("summary", "en"), ("engineer", "it"), pytest.param("audit", "en", marks=pytest.mark.slow)])

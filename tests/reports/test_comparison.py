@@ -8,17 +8,17 @@ import pytest
 from pypdf import PdfReader, PdfWriter
 
 from assistant.cli import main
-from calc.compare import Comparison, compare
+from calc.studies.compare import Comparison, compare
 from calc.id_words import in_context
 from calc.sheet.errors import BadInput
-from reports.attach import RESULTS
+from reports.pdf.attach import RESULTS
 from reports.comparison import render
-from reports.verify import verify
+from reports.verify.verify import verify
 
-from ..conftest import DESIGNS
-from .reading import EXAMPLE, Solved, pages_of, solved, squeezed, text_of
-from .test_hostile import inside
-from .test_verify import rewritten
+from tests.conftest import DESIGNS
+from tests.reports.reading import EXAMPLE, Solved, pages_of, solved, squeezed, text_of
+from tests.reports.test_hostile import inside
+from tests.reports.test_verify import rewritten
 
 BETA = DESIGNS / "r753ie4_beta.toml"
 NAMES = ("beta", "gamma")

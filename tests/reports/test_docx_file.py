@@ -8,11 +8,11 @@ from typing import Any
 import pytest
 
 from reports.content import Formula, Heading, Picture, Words
-from reports.pen import Pen
+from reports.setting.pen import Pen
 from reports.report import blocks, context_of
-from reports.tables import Rows
+from reports.setting.tables import Rows
 
-from .reading import V12, Solved, solved, squeezed
+from tests.reports.reading import V12, Solved, solved, squeezed
 
 docx = pytest.importorskip("docx", reason="needs the extra docx")
 pytest.importorskip("pypdfium2", reason="needs the extra docx")
@@ -21,7 +21,7 @@ MATH = "{http://schemas.openxmlformats.org/officeDocument/2006/math}"
 
 
 def render(made: Solved, depth: str = "engineer", lang: str = "en") -> bytes:
-    from reports.docx_file import render as written
+    from reports.docx.docx_file import render as written
 
     return written(made.document, made.results, made.raw, depth=depth, lang=lang)
 

@@ -8,13 +8,13 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 
-from calc.languages import language
+from calc.locale import language
 from calc.sheet.step import Curve, Series
-from reports.draughtsman import draughtsman
-from reports.plots import ALONE, Job, Plots, plot
+from reports.figures.draughtsman import draughtsman
+from reports.figures.plots import ALONE, Job, Plots, plot
 from reports.recording import Recording
 
-from .reading import ROOT
+from tests.reports.reading import ROOT
 
 X = np.linspace(0.0, 5.0, 60)
 CURVES = [Curve("c", "A curve", "x, mm", "y, N", (Series("sine", X, n * np.sin(X)),)) for n in (1, 2000)]
@@ -42,5 +42,5 @@ def test_a_figure_is_the_same_whoever_draws_it(lang: str) -> None:
 
 
 def test_who_draws_is_there_before_anything_is_loaded() -> None:
-    code = "import sys, reports.draughtsman; assert not {'numpy', 'matplotlib', 'reportlab', 'calc.solve'} & set(sys.modules)"
+    code = "import sys, reports.figures.draughtsman; assert not {'numpy', 'matplotlib', 'reportlab', 'calc.solve'} & set(sys.modules)"
     subprocess.run([sys.executable, "-c", code], cwd=ROOT, check=True)

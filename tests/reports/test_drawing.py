@@ -6,16 +6,16 @@ import io
 import pytest
 from pypdf import PdfReader
 
-from calc.drawings import PAPER, sheets
-from calc.languages import language
+from calc.studies.drawings import PAPER, sheets
+from calc.locale import language
 from calc.sheet.dimension import strokes
-from calc.sheet.drawing import Dimension, Words
-from calc.sheet.lettering import width
-from reports.boxes import text
-from reports.drawing import CAPITAL, MM, PAGE, POINTS
-from reports.fonts import PLAIN, widths
+from calc.draw.drawing import Dimension, Words
+from calc.draw.lettering import width
+from reports.setting.boxes import text
+from reports.blocks.drawing import CAPITAL, MM, PAGE, POINTS
+from reports.setting.fonts import PLAIN, widths
 
-from .reading import Solved, spans
+from tests.reports.reading import Solved, spans
 
 
 def test_the_sheet_is_a_page_of_a3_lying(engineer: bytes) -> None:

@@ -7,8 +7,8 @@ import re
 import pypdf
 import pytest
 
-from ..command import run
-from ..conftest import DESIGNS
+from tests.command import run
+from tests.conftest import DESIGNS
 
 FEW = (
     "--vary", "countershaft.core_radius_mm=14,15,16", "bearings.rear.diameter_mm=84.5,86", "bearings.front.diameter_mm=58.5,62",

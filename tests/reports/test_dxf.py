@@ -11,13 +11,13 @@ import pytest
 from ezdxf import bbox
 from ezdxf.entities.lwpolyline import LWPolylinePoints
 
-from calc.drawings import sheets
+from calc.studies.drawings import sheets
 from calc.sheet.dimension import written as number
-from calc.sheet.drawing import Dimension, Polyline
+from calc.draw.drawing import Dimension, Polyline
 from calc.sheet.layers import LAYERS
 from reports.dxf import STYLE, dxf, sheet_dxf
 
-from ..conftest import GAMMA, ROOT
+from tests.conftest import GAMMA, ROOT
 
 
 def read(text):
@@ -103,7 +103,7 @@ def test_a_name_can_not_break_the_file(name, gamma_results):
 def test_the_same_shaft_gives_the_same_bytes(written, tmp_path):
     """In another process with another seed of hashes, another time zone and another home."""
     code = (
-        "import sys; from calc.design_file import design, read; from calc.solve import solve; from calc.drawings import sheets\n"
+        "import sys; from calc.design.toml_file import design, read; from calc.solve import solve; from calc.studies.drawings import sheets\n"
         f"from reports.dxf import sheet_dxf; document = read({str(GAMMA)!r})\n"
         "sys.stdout.buffer.write(sheet_dxf(sheets(solve(design(document)), data=document.data)[0]).encode())"
     )

@@ -7,7 +7,7 @@ from calc.sheet.expression import governing
 from calc.sheet.trace import Line
 from reports.elements import Origins
 
-from .reading import Solved, text_of
+from tests.reports.reading import Solved, text_of
 
 
 def line_of(example: Solved, step: str, symbol: str) -> Line:

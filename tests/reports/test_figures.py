@@ -11,10 +11,10 @@ import pytest
 from pypdf import PdfReader
 
 from calc.sheet.step import Curve, Series, Turning
-from reports.arrows import ARROW, LEAST, arrows
-from reports.plots import BARS, bar_colour, line_style, series_label, series_style
+from reports.figures.arrows import ARROW, LEAST, arrows
+from reports.figures.plots import BARS, bar_colour, line_style, series_label, series_style
 
-from .reading import V12, Shape, rgb, shapes, solved, spans, squeezed, text_of, with_outcome
+from tests.reports.reading import V12, Shape, rgb, shapes, solved, spans, squeezed, text_of, with_outcome
 
 ORDERS = np.arange(1, 9)
 THETA = np.radians(np.arange(0, 361, 3.0))

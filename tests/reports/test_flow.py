@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Blocks on pages: a figure that does not fit leaves no gap, and stays in its chapter."""
 
-from reports.flow import AFTER, Block, Page, composed, paginate
+from reports.setting.flow import AFTER, Block, Page, composed, paginate
 from reports.paper import HEIGHT
 
 

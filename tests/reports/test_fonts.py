@@ -7,19 +7,19 @@ from collections.abc import Iterator
 import pytest
 from pypdf import PdfReader
 
-from calc.design import STEPS, Design
+from calc.design.model import STEPS, Design
 from calc.sheet.check import SIGNS
 from calc.sheet.expression import GREEK
 from calc.sheet.formula import FORMULAS
 from calc.sheet.number import SUBSCRIPTS, SUPERSCRIPTS
 from calc.sheet.quantity import keys
 from calc.sheet.units import UNITS
-from reports import prose
-from reports.fonts import FACES, MISSING, UPRIGHT, clean, face_of, width, widths, writable
-from reports.prose import BODY, NOTE, Style, broken, lines, run
-from reports.words import WORDS
+from reports.setting import prose
+from reports.setting.fonts import FACES, MISSING, UPRIGHT, clean, face_of, width, widths, writable
+from reports.setting.prose import BODY, NOTE, Style, broken, lines, run
+from reports.blocks.words import WORDS
 
-from .reading import Solved, text_of
+from tests.reports.reading import Solved, text_of
 
 SIGNS_OF_THE_SHEET = "⁺⁻ᐟ∠√Σ≥≤✓✗▲○·−°‰µμψλαβγδεζηθκνξπρστφχωΔΛΦΨΩΓ½¼±×∞…–—’₀₁₂₉ₙ→"
 

@@ -9,14 +9,14 @@ import pytest
 from pypdf import PdfReader, PdfWriter
 
 from calc.sheet.errors import BadInput
-from reports.pdf_diff import page_references
-from reports.pdf_file import Pdf
-from reports.pdf_signature import fields
+from reports.verify.difference import page_references
+from reports.verify.pdf_file import Pdf
+from reports.verify.signature import fields
 from reports.printed import printed
-from reports.verify import Verdict, verify
+from reports.verify.verify import Verdict, verify
 
-from .forgeries import EMPTY, KINDS, Update
-from .reading import V12, solved
+from tests.reports.forgeries import EMPTY, KINDS, Update
+from tests.reports.reading import V12, solved
 
 UNSEEN = 0.2  # points: narrower is no letter
 SAME_AS_BEFORE = {  # which change bytes and nothing that is read; another word than identical is what they get

@@ -11,9 +11,9 @@ from calc.sheet.check import Check
 from calc.sheet.step import Curve, Erratum, Series
 from calc.solve import Results
 from reports.paper import BOTTOM, LEFT, PAGE, RIGHT, TOP
-from reports.prose import NOTE
+from reports.setting.prose import NOTE
 
-from .reading import EXAMPLE, V12, Solved, solved, spans, squeezed, text_of
+from tests.reports.reading import EXAMPLE, V12, Solved, solved, spans, squeezed, text_of
 
 # The source's design without what only makes it long here.
 SHORT = EXAMPLE.read_text(encoding="utf-8").partition("[gears]")[0]

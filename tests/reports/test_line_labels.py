@@ -4,11 +4,11 @@
 import numpy as np
 import pytest
 
-from calc.languages import language
+from calc.locale import language
 from calc.sheet.step import Curve, Series
 from reports.labels import crossed
-from reports.line_labels import OVER, UNDER, at_the_point
-from reports.plots import Plots, filled
+from reports.figures.labels import OVER, UNDER, at_the_point
+from reports.figures.plots import Plots, filled
 
 X = np.array([0.0, 5.0, 10.0])
 ENDS = (0.0, 100.0)  # lines that the others stand between, so that one of their units is about a point

@@ -8,10 +8,10 @@ from pathlib import Path
 from pypdf import PdfReader
 
 from assistant.cli import main
-from calc.design_file import load
+from calc.design.toml_file import load
 from calc.solve import solve
 
-from .reading import solved, spoken
+from tests.reports.reading import solved, spoken
 
 DESIGNS = Path(__file__).parents[2] / "designs"
 DESIGN = DESIGNS / "generating_set_mounting.toml"

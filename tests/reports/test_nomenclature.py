@@ -4,17 +4,17 @@
 import re
 from importlib import import_module
 
-from calc.languages import language
+from calc.locale import language
 from calc.sheet.formula import FORMULAS
 from reports.context import Context
 from reports.formula_words import BY_NAME
-from reports.nomenclature import _in_common, _short, noted
-from reports.prose import NOTE, run
+from reports.blocks.nomenclature import _in_common, _short, noted
+from reports.setting.prose import NOTE, run
 from reports.report import blocks
-from reports.symbols import SIGN
+from reports.setting.symbols import SIGN
 
-from ..conftest import ROOT
-from .reading import Solved, pages_of, text_of
+from tests.conftest import ROOT
+from tests.reports.reading import Solved, pages_of, text_of
 
 
 def part(pdf: bytes) -> str:

@@ -7,10 +7,10 @@ from xml.etree import ElementTree
 import pytest
 
 from calc.sheet.expression import Expr, expression, text
-from reports import omml
-from reports.typeset import symbol_parts
+from reports.docx import omml
+from reports.setting.typeset import symbol_parts
 
-from ..calc.test_formulas import OURS
+from tests.calc.test_formulas import OURS
 
 M = f"{{{omml.NAMESPACE}}}"
 X, Y, TWO = Expr("symbol", name="x"), Expr("symbol", name="y"), Expr("number", name="2")

@@ -7,11 +7,11 @@ import zlib
 import pytest
 from pypdf import PdfReader
 
-from reports import pdf_file
-from reports.pdf_diff import page_references
-from reports.pdf_file import Malformed, Pdf
+from reports.verify import pdf_file
+from reports.verify.difference import page_references
+from reports.verify.pdf_file import Malformed, Pdf
 
-from .reading import V12, solved
+from tests.reports.reading import V12, solved
 
 
 @pytest.fixture(scope="module")

@@ -5,12 +5,12 @@ from pathlib import Path
 
 import pytest
 
-from calc.design_file import load
+from calc.design.toml_file import load
 from calc.sheet.errors import Cancelled
 from calc.solve import Results, solve
 from reports.report import write
 
-from ..conftest import DESIGNS
+from tests.conftest import DESIGNS
 
 PAIR = DESIGNS / "timing_pair.toml"
 

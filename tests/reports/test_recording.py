@@ -9,15 +9,15 @@ import numpy as np
 import pytest
 from reportlab.pdfgen.canvas import Canvas
 
-from calc.languages import language
+from calc.locale import language
 from calc.sheet.step import Curve, Series, Turning
-from reports.fonts import UPRIGHT
+from reports.setting.fonts import UPRIGHT
 from reports.paper import LEFT
-from reports.pen import Codes, Pen
-from reports.plots import Plots, plot
+from reports.setting.pen import Codes, Pen
+from reports.figures.plots import Plots, plot
 from reports.recording import Recording
 
-from .reading import V12, shapes, solved, spans
+from tests.reports.reading import V12, shapes, solved, spans
 
 X = np.linspace(0.0, 5.0, 60)
 CURVES = (

@@ -11,9 +11,9 @@ from types import SimpleNamespace
 import pytest
 from pypdf import PdfReader
 
-from calc.explain import Chains
-from calc.languages import language
-from calc.publications import cited, register
+from calc.studies.explain import Chains
+from calc.locale import language
+from calc.library.publications import cited, register
 from calc.sheet.check import URGENT, Check, grouped
 from calc.sheet.expression import plain
 from calc.sheet.formula import formula
@@ -24,16 +24,16 @@ from calc.sheet.units import Newton
 from calc.solve import Results
 from calc.version import VERSION
 from reports.context import Context, near
-from reports.equation import Label, _others, shown, spoken_numbers
-from reports.equation import spoken as spoken_formula
-from reports.flow import paginate
+from reports.setting.equation import Label, _others, shown, spoken_numbers
+from reports.setting.equation import spoken as spoken_formula
+from reports.setting.flow import paginate
 from reports.paper import BOTTOM, HEIGHT, LEFT, PAGE, RIGHT, TOP
-from reports.prose import NOTE
+from reports.setting.prose import NOTE
 from reports.report import write
-from reports.words import WORDS
+from reports.blocks.words import WORDS
 
-from ..conftest import DESIGNS
-from .reading import V12, Solved, pages_of, solved, spans, spoken, squeezed, text_of, with_outcome
+from tests.conftest import DESIGNS
+from tests.reports.reading import V12, Solved, pages_of, solved, spans, spoken, squeezed, text_of, with_outcome
 
 
 def test_every_check_stands_in_the_audit_with_its_verdict(example: Solved, audit: bytes) -> None:

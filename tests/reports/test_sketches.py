@@ -6,14 +6,14 @@ from itertools import combinations
 import numpy as np
 import pytest
 
-from calc.languages import language
-from calc.sheet.drawing import OUTLINE, WORDS, Dimension, Polyline, Sketch, Words, rectangle
+from calc.locale import language
+from calc.draw.drawing import OUTLINE, WORDS, Dimension, Polyline, Sketch, Words, rectangle
 from calc.sheet.text import Text
-from reports.boxes import text
+from reports.setting.boxes import text
 from reports.labels import DOWN, SIZE, UP, Label, placed
-from reports.sketches import _labels
+from reports.figures.sketches import _labels
 
-from .reading import pages_of
+from tests.reports.reading import pages_of
 
 FRAME = (-100.0, -100.0, 200.0, 200.0)
 

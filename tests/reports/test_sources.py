@@ -3,10 +3,10 @@
 
 import pytest
 
-from calc.publications import register
+from calc.library.publications import register
 from reports.sources import STANDARD, _together
 
-from .reading import squeezed, text_of
+from tests.reports.reading import squeezed, text_of
 
 
 def chapter(pdf: bytes) -> str:

@@ -11,13 +11,13 @@ from pathlib import Path
 import pytest
 from pypdf import PdfReader, PdfWriter
 
-from calc.design_file import design, read
+from calc.design.toml_file import design, read
 from calc.sheet.errors import BadInput
 from calc.solve import solve
 from reports.report import write
-from reports.verify import verify
+from reports.verify.verify import verify
 
-from .reading import V12, Solved, pages_of, solved
+from tests.reports.reading import V12, Solved, pages_of, solved
 
 CONTROL = """
 [document]

@@ -8,14 +8,14 @@ import numpy as np
 import pytest
 from pypdf import PdfReader
 
-from calc.languages import language
+from calc.locale import language
 from calc.sheet.step import Curve, Series
 from reports.paper import LEFT, PAGE, RIGHT
-from reports.plots import Plots, bar_colour, tick_words
-from reports.tornado import Lying, lies
+from reports.figures.plots import Plots, bar_colour, tick_words
+from reports.figures.tornado import Lying, lies
 
-from .reading import V12, rgb, shapes, solved, spans, squeezed, text_of, with_outcome
-from .test_hostile import inside
+from tests.reports.reading import V12, rgb, shapes, solved, spans, squeezed, text_of, with_outcome
+from tests.reports.test_hostile import inside
 
 NAMES = ("film", "friction of the solids μ_s", "load sharing of two pairs", "viscosity under pressure", "limiting shear Λ")
 LOW, HIGH = np.array([0.0, -1.9, -2.0, 0.5, 0.0]), np.array([-4.4, 1.9, 1.2, 1.0, 0.0])

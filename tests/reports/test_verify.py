@@ -27,16 +27,17 @@ from pypdf.generic import (
 )
 
 from assistant.cli import main
-from calc.limits import PDF_BYTES
+from calc.design.limits import PDF_BYTES
 from calc.sheet.errors import BadInput
-from reports import binding, title_block
-from reports import verify as verifying
-from reports.attach import NAME, RESULTS
-from reports.verify import Verdict, verify
+from reports import binding
+from reports.blocks import title_block
+from reports.verify import verify as verifying
+from reports.pdf.attach import NAME, RESULTS
+from reports.verify.verify import Verdict, verify
 
-from ..conftest import DESIGNS, ROOT
-from .forgeries import EMPTY
-from .reading import V12, solved
+from tests.conftest import DESIGNS, ROOT
+from tests.reports.forgeries import EMPTY
+from tests.reports.reading import V12, solved
 
 pytestmark = pytest.mark.usefixtures("written_once")
 

@@ -8,15 +8,15 @@ import pytest
 from pypdf import PdfReader
 
 from assistant.cli import main
-from reports import title_block
+from reports.blocks import title_block
 from reports.paper import LEFT, WIDTH
-from reports.pdf_diff import page_references
-from reports.pdf_file import Pdf
+from reports.verify.difference import page_references
+from reports.verify.pdf_file import Pdf
 from reports.printed import covered, printed
-from reports.verify import Verdict, verify
+from reports.verify.verify import Verdict, verify
 
-from .forgeries import EMPTY, Update, streamed
-from .reading import spans
+from tests.reports.forgeries import EMPTY, Update, streamed
+from tests.reports.reading import spans
 
 pytestmark = pytest.mark.usefixtures("written_once")
 

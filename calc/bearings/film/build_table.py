@@ -11,7 +11,7 @@ from pathlib import Path
 
 import numpy as np
 
-from ...files import write_file
+from ...design.disk import write_file
 from ...sheet.arrays import Array
 from .nodes import QUANTITIES, TABLE, short_bearing_damping, short_bearing_load
 from .reynolds import ECCENTRICITY_RANGE, LENGTH_RATIO_RANGE, radial_damping, solve_film

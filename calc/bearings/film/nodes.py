@@ -21,7 +21,7 @@ from .reynolds import Value
 
 Outside: TypeAlias = Literal["raise", "nan"]
 
-TABLE = Path(__file__).parents[2] / "tables" / "film_table.npy"
+TABLE = Path(__file__).parents[2] / "library" / "tables" / "film_table.npy"
 QUANTITIES = ("ln(So/So_short)", "phi", "Q", "Qs/Q", "P/pmax", "ln(C_rr/C_rr,short)")
 
 SLACK = 1e-9  # relative: a value this far outside, from rounding, counts as the limit

@@ -23,23 +23,7 @@ import numpy as np
 from ...sheet.abreast import point_by_point
 from ...sheet.arrays import Array, IndexArray, has_lanes
 from ...sheet.text import Amount, Text
-from .nodes import (
-    SLACK,
-    FilmPoint,
-    FilmRangeError,
-    Outside,
-    cells,
-    clipped,
-    column_at,
-    cubic,
-    film_nodes,
-    hermite,
-    hermite_slope,
-    short_bearing_damping,
-    short_bearing_load,
-    short_bearing_slope,
-    within,
-)  # fmt: skip
+from .nodes import SLACK, FilmPoint, FilmRangeError, Outside, cells, clipped, column_at, cubic, film_nodes, hermite, hermite_slope, short_bearing_damping, short_bearing_load, short_bearing_slope, within  # fmt: skip
 from .reynolds import friction_variable
 
 __all__ = ["FilmPoint", "FilmRangeError", "eccentricity_from", "film_at", "film_slopes", "sommerfeld_range"]

@@ -7,8 +7,8 @@ Read without numpy: a design's words are checked against them before anything is
 from functools import cache
 from typing import cast
 
-from ...catalogue import Rows
-from ...catalogue import rows_of as rows
+from ...library.catalogue import Rows
+from ...library.catalogue import rows_of as rows
 from ...sheet.quantity import choice, inputs, quantity, text
 from ...sheet.text import Text
 from ...sheet.units import Celsius, Metre, Newton, Number, Pascal, PascalMetrePerSecond, RevPerSecond

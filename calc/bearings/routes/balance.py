@@ -13,7 +13,7 @@ from typing import cast
 
 import numpy as np
 
-from ...lubricant import State
+from ...library.lubricant import State
 from ...root import root
 from ...sheet.abreast import design_by_design, mapped, mapped_arrays
 from ...sheet.arrays import Array, IndexArray, each, has_lanes, many

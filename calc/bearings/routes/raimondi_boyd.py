@@ -16,21 +16,11 @@ from functools import cache, lru_cache
 from itertools import pairwise
 from typing import NamedTuple
 
-from ...catalogue import TABLES
+from ...library.catalogue import TABLES
 from ...sheet.formula import formula
 from ...sheet.record import record
 from ...sheet.text import Amount, Text
-from ...sheet.units import (
-    CubicMetrePerSecond,
-    JoulePerKilogramKelvin,
-    Kelvin,
-    KilogramPerMetre3,
-    Metre,
-    Number,
-    Radian,
-    RevPerSecond,
-    Watt,
-)
+from ...sheet.units import CubicMetrePerSecond, JoulePerKilogramKelvin, Kelvin, KilogramPerMetre3, Metre, Number, Radian, RevPerSecond, Watt
 from .states import OutsideCharts
 
 LOWEST_RATIO = 0.25  # the cubic is not defined below the charts' smallest l/d

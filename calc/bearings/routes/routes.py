@@ -8,7 +8,7 @@ from collections.abc import Callable
 
 import numpy as np
 
-from ...lubricant import State
+from ...library.lubricant import State
 from ...sheet.arrays import each, many
 from ...sheet.errors import NoSolution
 from ...sheet.text import EMPTY, Amount, Text
@@ -18,7 +18,7 @@ from ..film import short_bearing as short
 from ..film.feeds import Feeds
 from ..film.table import eccentricity_from, film_at
 from ..film.tabulated import attitude_angle, eccentricity, pressure_ratio, relative_flow, side_flow_share
-from . import falz as by_falz
+from . import din31652 as by_falz
 from . import flow, supply
 from . import iso7902 as iso
 from . import raimondi_boyd as rb

@@ -4,7 +4,7 @@
 Every number may be an array (many bearings, corners, speeds at once); then the film's are, with nan where there is none.
 """
 
-from ...lubricant import Lubricant, State
+from ...library.lubricant import Lubricant, State
 from ...sheet.quantity import result, value
 from ...sheet.record import record
 from ...sheet.units import Celsius, CubicMetrePerSecond, Kelvin, Metre, Number, Pascal, Radian, Watt

@@ -3,7 +3,7 @@
 
 from math import pi
 
-from ...lubricant import State
+from ...library.lubricant import State
 from ...sheet.arrays import Array, each, many
 from ...sheet.errors import NoSolution
 from ...sheet.text import Amount, Text

@@ -4,7 +4,7 @@
 from collections.abc import Iterable, Mapping
 from typing import Protocol, TypeVar
 
-from ...catalogue import Oil
+from ...library.catalogue import Oil
 from ...countershaft.inputs import CountershaftInputs
 from ...sheet.check import Check
 from ...sheet.record import record

@@ -4,7 +4,7 @@
 from collections.abc import Iterator
 from dataclasses import replace
 
-from ...journal_rules import RISE
+from ...library.journal_rules import RISE
 from ...sheet.text import COMMA, EMPTY, SEMICOLON, Amount, Text, listed, plural
 from .grid import SAME, USUAL_FACTORS, widest_usual
 from .ranking import Row, picks

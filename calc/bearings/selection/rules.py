@@ -11,7 +11,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from ...journal_rules import RISE
+from ...library.journal_rules import RISE
 from ...sheet.check import Check
 from ...sheet.record import record
 from ...sheet.search import Judged, judged

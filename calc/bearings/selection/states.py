@@ -11,8 +11,8 @@ from dataclasses import replace
 
 import numpy as np
 
-from ...journal_rules import speed_factor
-from ...lubricant import Lubricant
+from ...library.journal_rules import speed_factor
+from ...library.lubricant import Lubricant
 from ...sheet.arrays import Array, IndexArray, each, many
 from ...sheet.linked_array import column
 from ...sheet.record import record

@@ -6,9 +6,9 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 from functools import lru_cache, partial
 
-from ... import fits
+from ...library import fits
 from ...countershaft.result import CountershaftResult
-from ...lubricant import Lubricant
+from ...library.lubricant import Lubricant
 from ...sheet.check import Check
 from ...sheet.errors import NoSolution
 from ...sheet.quantity import keys

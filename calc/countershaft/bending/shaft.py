@@ -14,9 +14,9 @@ from typing import TypedDict
 
 import numpy as np
 
-from ... import fatigue
-from ...catalogue import Material
-from ...journal_rules import SLOPE
+from ...library import fatigue
+from ...library.catalogue import Material
+from ...library.journal_rules import SLOPE
 from ...sheet.abreast import design_by_design
 from ...sheet.arrays import Array, BoolArray, ComplexArray, each, many
 from ...sheet.errors import NoSolution
@@ -25,23 +25,7 @@ from ...sheet.quantity import result, value
 from ...sheet.record import record
 from ...sheet.text import COMMA, Amount, Text
 from ...sheet.trace import about
-from ...sheet.units import (
-    Kilogram,
-    KilogramMetre,
-    KilogramPerMetre,
-    Metre,
-    Metre4,
-    Newton,
-    NewtonMetre,
-    NewtonMetre2,
-    Number,
-    Pascal,
-    PhasorNewton,
-    PhasorNewtonPerMetre,
-    Radian,
-    RadPerSecond,
-    RevPerSecond,
-)  # fmt: skip
+from ...sheet.units import Kilogram, KilogramMetre, KilogramPerMetre, Metre, Metre4, Newton, NewtonMetre, NewtonMetre2, Number, Pascal, PhasorNewton, PhasorNewtonPerMetre, Radian, RadPerSecond, RevPerSecond  # fmt: skip
 from ...sheet.value import based_on, link_of
 from ..formulas import mass_force
 from ..inputs import EccentricMass

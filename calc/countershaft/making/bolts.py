@@ -20,7 +20,7 @@ from .inputs import STRENGTH
 from .thread import nominal_diameter, pitch, pitch_diameter, root_diameter, stress_area
 
 if TYPE_CHECKING:
-    from ...catalogue import Material
+    from ...library.catalogue import Material
     from .inputs import Bolts
 
 # VDI 2230-1: α_A = 1.6 to 2.0 for a torque wrench and an estimated coefficient of friction.  Nothing is known of the wrench, so the

@@ -11,7 +11,7 @@ from dataclasses import replace
 from functools import cache
 from typing import Any, cast
 
-from ...catalogue import TABLES
+from ...library.catalogue import TABLES
 from ...sheet.arrays import each, many
 from ...sheet.check import Check, check
 from ...sheet.formula import formula

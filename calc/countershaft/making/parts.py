@@ -7,7 +7,7 @@ from dataclasses import replace
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
-from ...catalogue import Material
+from ...library.catalogue import Material
 from ...sheet.check import Check, check
 from ...sheet.later import Later, Many
 from ...sheet.linked_array import column
@@ -20,8 +20,8 @@ from ..inputs import CountershaftInputs, EccentricMass
 from ..outline import TOUCH, Piece
 from ..result import CountershaftResult
 from ..task import LEFT_OVER, Task
-from . import holes, tolerance
-from .holes import HolesResult
+from . import balance as holes, tolerance
+from .balance import HolesResult
 from .inputs import Support
 from .tolerance import ToleranceResult
 

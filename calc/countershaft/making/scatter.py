@@ -30,7 +30,7 @@ from ...sheet.units import Kilogram, KilogramMetre, Metre, NewtonMetre, Number, 
 from ...sheet.value import based_on
 from .. import formulas as f
 from ..inputs import EccentricMass, Extra, Scatter
-from .holes import HolesResult
+from .balance import HolesResult
 
 BLOCK = 10_000  # shafts at once: enough that numpy's calls cost little, few enough for the processor's cache
 SWEEPS = 12  # of the search for the drilled depths with both planes weighed alike, and then with ten other weights

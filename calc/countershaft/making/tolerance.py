@@ -7,7 +7,7 @@ the outer bearings.
 
 from collections.abc import Iterator
 
-from ...balance_quality import ISO, grade_number
+from ...library.balance_quality import ISO, grade_number
 from ...sheet.formula import formula
 from ...sheet.functions import largest, modulus, smallest
 from ...sheet.quantity import result, value

@@ -5,7 +5,7 @@ import re
 from collections.abc import Mapping
 
 from ...bearings.formulas import specific_load
-from ...catalogue import Material
+from ...library.catalogue import Material
 from ...sheet.quantity import result, value
 from ...sheet.record import record
 from ...sheet.step import Table

@@ -5,7 +5,7 @@ import math
 from collections.abc import Mapping
 
 from ...bearings.inputs import BearingsInputs
-from ...catalogue import Material
+from ...library.catalogue import Material
 from ...imbalance.result import ImbalanceResult
 from ...sheet.changes import Changes, digits
 from ...sheet.errors import BadInput, InputError, NoSolution

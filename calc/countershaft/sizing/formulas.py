@@ -9,21 +9,7 @@ from ...sheet.arrays import Array
 from ...sheet.formula import formula
 from ...sheet.functions import argument, asin, cis, cos, joined, modulus, pi, power, resultant, sin, smallest, sqrt
 from ...sheet.text import Text
-from ...sheet.units import (
-    Kilogram,
-    KilogramMetre,
-    KilogramMetre2,
-    KilogramPerMetre3,
-    Metre,
-    NewtonMetre,
-    Number,
-    PhasorKilogramMetre,
-    PhasorKilogramMetre2,
-    PhasorNumber,
-    Radian,
-    RadPerSecond,
-    SquareMetre,
-)  # fmt: skip
+from ...sheet.units import Kilogram, KilogramMetre, KilogramMetre2, KilogramPerMetre3, Metre, NewtonMetre, Number, PhasorKilogramMetre, PhasorKilogramMetre2, PhasorNumber, Radian, RadPerSecond, SquareMetre  # fmt: skip
 from ..formulas import MASSES
 from .lengths import one
 

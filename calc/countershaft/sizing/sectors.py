@@ -19,19 +19,7 @@ from ...sheet.linked_array import column
 from ...sheet.quantity import group, result, value
 from ...sheet.text import Amount, Text
 from ...sheet.trace import about, untraced
-from ...sheet.units import (
-    Kilogram,
-    KilogramMetre2,
-    KilogramPerMetre3,
-    Metre,
-    NewtonMetre,
-    Number,
-    PhasorKilogramMetre,
-    PhasorKilogramMetre2,
-    PhasorNumber,
-    Radian,
-    RadPerSecond,
-)  # fmt: skip
+from ...sheet.units import Kilogram, KilogramMetre2, KilogramPerMetre3, Metre, NewtonMetre, Number, PhasorKilogramMetre, PhasorKilogramMetre2, PhasorNumber, Radian, RadPerSecond  # fmt: skip
 from .. import sector as s
 from ..inputs import EccentricMass, Extra
 from ..outline import TOUCH, Piece, around

@@ -14,8 +14,8 @@ from typing import Protocol, overload
 
 import numpy as np
 
-from ...contact.teeth import LUBRICATION_FACTOR, ohlendorf_loss_factor, ohlendorf_loss_factor_high
-from ...lubricant import Lubricant
+from ...library.contact import LUBRICATION_FACTOR, ohlendorf_loss_factor, ohlendorf_loss_factor_high
+from ...library.lubricant import Lubricant
 from ...sheet.arrays import many
 from ...sheet.errors import NoSolution
 from ...sheet.formula import formula

@@ -9,7 +9,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import TypeVar, TypeVarTuple
 
 from ...bearings.formulas import angular_speed
-from ...lubricant import Lubricant, State
+from ...library.lubricant import Lubricant, State
 from ...sheet.errors import NoSolution
 from ...sheet.formula import formula
 from ...sheet.functions import acos, atan, cos, tan
@@ -17,18 +17,7 @@ from ...sheet.quantity import result, value
 from ...sheet.record import record
 from ...sheet.text import Text
 from ...sheet.trace import about
-from ...sheet.units import (
-    Celsius,
-    KilogramPerMetre3,
-    Metre,
-    Newton,
-    Number,
-    PascalSecond,
-    Radian,
-    RevPerSecond,
-    SquareMetrePerSecond,
-    Watt,
-)  # fmt: skip
+from ...sheet.units import Celsius, KilogramPerMetre3, Metre, Newton, Number, PascalSecond, Radian, RevPerSecond, SquareMetrePerSecond, Watt  # fmt: skip
 from ..inputs import Carried, Dip, FrictionInputs, Jet, PlainBearing, RollingBearing, Seal, carrier
 from ..mesh.geometry import MeshGeometry, WheelGeometry, require
 from ..mesh.motion import wheel_speed
@@ -153,7 +142,7 @@ def _sum(
 
 
 def _churned(dip: Dip, wheel: WheelGeometry, beta_b: Radian, n: RevPerSecond, oil: Surroundings) -> Watt:
-    from . import churning  # here and below: what few trains have is loaded for these
+    from . import oil_and_air as churning  # here and below: what few trains have is loaded for these
 
     r, b = wheel.reference_radius, wheel.face_width
     h = churning.depth_of_reference_circle(h_t=dip.depth, r_a=wheel.tip_radius, r=r)
@@ -215,7 +204,7 @@ def carrying(
 def _borne(bearing: RollingBearing | PlainBearing, F: Newton, n: RevPerSecond, oil: State, base: str) -> Watt:
     F = F if bearing.load is None else bearing.load
     if isinstance(bearing, RollingBearing):
-        from . import rolling_bearings
+        from . import bearings as rolling_bearings
 
         return rolling_bearings.power(bearing, F, n, oil.nu, base)
     from . import plain_bearings

@@ -14,24 +14,13 @@ All are for fully flooded, smooth line contact, with the oil at the temperature 
 
 import numpy as np
 
-from ...lubricant import Lubricant
+from ...library.lubricant import Lubricant
 from ...sheet.arrays import many
 from ...sheet.formula import formula
 from ...sheet.functions import largest, sqrt
 from ...sheet.record import record
 from ...sheet.text import Text
-from ...sheet.units import (
-    Celsius,
-    Metre,
-    MetrePerSecond,
-    NewtonPerMetre,
-    Number,
-    Pascal,
-    PascalSecond,
-    PerKelvin,
-    PerPascal,
-    WattPerMetreKelvin,
-)  # fmt: skip
+from ...sheet.units import Celsius, Metre, MetrePerSecond, NewtonPerMetre, Number, Pascal, PascalSecond, PerKelvin, PerPascal, WattPerMetreKelvin  # fmt: skip
 from ...sheet.value import based_on
 from .cells import Cells
 from .motion import Motion

@@ -12,7 +12,7 @@ from dataclasses import field, replace
 import numpy as np
 
 from ...contact.hertz import half_width, hertz_pressure, mean_pressure
-from ...contact.teeth import LUBRICATION_FACTOR, bulk_rise, bulk_temperature
+from ...library.contact import LUBRICATION_FACTOR, bulk_rise, bulk_temperature
 from ...sheet.arrays import Array, anywhere, each, many, most, one
 from ...sheet.errors import NoSolution
 from ...sheet.formula import formula
@@ -25,24 +25,7 @@ from ...sheet.value import converged, unlinked
 from ..inputs import FrictionInputs
 from .film import EXPONENT, Film, Oil, film
 from .geometry import MeshGeometry, column, flat, require
-from .loss_formulas import (
-    efficiency,
-    extreme,
-    hottest_film,
-    largest_deborah,
-    largest_pressure,
-    least_film_ratio,
-    loss_factor,
-    mean_friction,
-    mesh_loss,
-    no_rolling_loss,
-    pressure_at_pitch_point,
-    rigid_share,
-    rolling_estimate,
-    rolling_loss,
-    sliding_loss,
-    thinnest_film,
-)
+from .loss_formulas import efficiency, extreme, hottest_film, largest_deborah, largest_pressure, least_film_ratio, loss_factor, mean_friction, mesh_loss, no_rolling_loss, pressure_at_pitch_point, rigid_share, rolling_estimate, rolling_loss, sliding_loss, thinnest_film
 from .motion import Motion, motion
 from .path import Path, array, line_load, path, transverse_force
 from .rolling import ehl_rolling_power, rigid_rolling_power

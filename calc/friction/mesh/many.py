@@ -9,7 +9,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from ...lubricant import Lubricant
+from ...library.lubricant import Lubricant
 from ...sheet.arrays import each
 from ...sheet.errors import NoSolution
 from ...sheet.text import Amount, Text

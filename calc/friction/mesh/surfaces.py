@@ -6,7 +6,7 @@ from typing import Annotated
 
 import numpy as np
 
-from ...contact.teeth import mean_roughness
+from ...library.contact import mean_roughness
 from ...sheet.errors import NoSolution
 from ...sheet.formula import formula
 from ...sheet.functions import cos

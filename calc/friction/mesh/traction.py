@@ -25,19 +25,7 @@ from ...sheet.functions import asinh, exp, ln, power, smallest, sqrt
 from ...sheet.record import record
 from ...sheet.text import Amount, Text
 from ...sheet.trace import untraced
-from ...sheet.units import (
-    Celsius,
-    Metre,
-    MetrePerSecond,
-    NewtonPerMetre,
-    Number,
-    Pascal,
-    PascalSecond,
-    PerPascal,
-    SquareMetrePerSecond,
-    WattPerMetre,
-    WattPerMetreKelvin,
-)  # fmt: skip
+from ...sheet.units import Celsius, Metre, MetrePerSecond, NewtonPerMetre, Number, Pascal, PascalSecond, PerPascal, SquareMetrePerSecond, WattPerMetre, WattPerMetreKelvin  # fmt: skip
 from ...sheet.value import based_on, converged
 from .film import Film, Oil
 from .mixed import THESIS, film_pressure, film_ratio, friction

@@ -13,7 +13,7 @@ A train that only drives a counter-shaft carries far less than any of them was f
 import numpy as np
 
 from ...contact.hertz import hertz_pressure
-from ...contact.teeth import LUBRICANT_FACTOR, mean_friction, roughness_factor, sum_of_speeds
+from ...library.contact import LUBRICANT_FACTOR, mean_friction, roughness_factor, sum_of_speeds
 from ...sheet.arrays import many, one
 from ...sheet.formula import formula
 from ...sheet.functions import along, exp, largest, log10, smallest

@@ -10,8 +10,8 @@ from dataclasses import replace
 
 import numpy as np
 
-from ...catalogue import Oil
-from ...lubricant import Lubricant
+from ...library.catalogue import Oil
+from ...library.lubricant import Lubricant
 from ...sheet.errors import NoSolution
 from ...sheet.step import Curve, Series, Table, axis_label
 from ...sheet.text import COMMA, EMPTY, Amount, Name, Text, listed

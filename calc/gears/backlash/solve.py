@@ -4,7 +4,7 @@
 from collections.abc import Mapping
 from dataclasses import replace
 
-from ...catalogue import Material
+from ...library.catalogue import Material
 from ...sheet.arrays import each
 from ...sheet.check import Check
 from ...sheet.linked_array import gathered

@@ -8,7 +8,7 @@ a space, exact, with the smaller pitch of the two.
 
 from collections.abc import Mapping
 
-from ...catalogue import Material
+from ...library.catalogue import Material
 from ...sheet.record import record
 from ...sheet.text import Text
 from ...sheet.trace import about

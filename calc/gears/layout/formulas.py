@@ -10,16 +10,7 @@ import math
 from ...sheet.formula import formula
 from ...sheet.functions import argument, cis, conj, cos, imag, joined, modulus, pi, resultant, sqrt, tan
 from ...sheet.text import Text
-from ...sheet.units import (
-    Metre,
-    Newton,
-    NewtonMetre,
-    Number,
-    PhasorMetre,
-    PhasorNewton,
-    PhasorNewtonMetre,
-    Radian,
-)
+from ...sheet.units import Metre, Newton, NewtonMetre, Number, PhasorMetre, PhasorNewton, PhasorNewtonMetre, Radian
 from ..formulas import ISO
 
 PLANE = Text("geometry in the plane")

@@ -11,7 +11,7 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from ...sheet.drawing import Arc, Point, Polyline, Primitive, Words
+from ...draw.drawing import Arc, Point, Polyline, Primitive, Words
 from ...sheet.quantity import Published, published
 from ...sheet.text import Amount, Text
 from ...sheet.units import Metre, Number, Radian

@@ -17,7 +17,7 @@ from .dynamic import CLAUSE_6, CLAUSE_9, MAIN_TO
 from .load import Load
 from .result import Influence, MeshRating, MeshStrength
 from .screening.result import Screening
-from .strength import S_F_LEAST, S_H_LEAST
+from .mesh_strength import S_F_LEAST, S_H_LEAST
 
 S_H_USUAL, S_F_USUAL = 1.2, 1.6
 MINIMUM = (

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Strength classes of gears by ISO 6336-5: the stresses that a material endures, by its heat treatment, quality and hardness.
 
-The table stands in calc/tables/gear_materials.toml; only the row asked for is read.  The hardness is in Vickers; classes that the standard
+The table stands in calc/library/tables/gear_materials.toml; only the row asked for is read.  The hardness is in Vickers; classes that the standard
 gives in Brinell take 0.95 of it.  Above the range of its class a hardness adds nothing (the line is read at its end); below the range the
 class does not hold, which a check says.
 """
@@ -11,7 +11,7 @@ from collections.abc import Iterable
 from functools import cache
 from typing import Any, cast
 
-from ...catalogue import TABLES
+from ...library.catalogue import TABLES
 from ...sheet.errors import NoSolution
 from ...sheet.formula import formula
 from ...sheet.record import record

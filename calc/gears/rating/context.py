@@ -3,8 +3,8 @@
 
 from collections.abc import Mapping
 
-from ...catalogue import Material
-from ...lubricant import Lubricant
+from ...library.catalogue import Material
+from ...library.lubricant import Lubricant
 from ...sheet.formula import formula
 from ...sheet.record import record
 from ...sheet.text import Text

@@ -9,7 +9,7 @@ from ...sheet.units import UNITS
 from .classes import MEGAPASCAL, TABLE_1, StrengthClass
 from .result import Influence, MeshRating, MeshStrength
 from .screening.result import Screening
-from .strength import BENDING, CONTACT, Row
+from .mesh_strength import BENDING, CONTACT, Row
 
 FACTORS = (
     ("line_load", "w", "N/mm"), ("dynamic_factor", "K_V", ""), ("face_load_factor_flank", "K_Hβ", ""),

@@ -8,7 +8,7 @@ times the mean; never both.
 
 from collections.abc import Mapping
 
-from ...catalogue import Material
+from ...library.catalogue import Material
 from ...sheet.formula import formula
 from ...sheet.functions import pi
 from ...sheet.record import record

@@ -3,7 +3,7 @@
 
 from collections.abc import Mapping
 
-from ...catalogue import Material
+from ...library.catalogue import Material
 from ...sheet.errors import NoSolution
 from ...sheet.record import record
 from ...sheet.text import Amount, Text

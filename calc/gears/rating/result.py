@@ -4,20 +4,9 @@
 from ...sheet.quantity import Stated, group, result, value
 from ...sheet.record import record
 from ...sheet.text import Text
-from ...sheet.units import (
-    KilogramPerMetre,
-    Metre,
-    MetrePerSecond,
-    Newton,
-    NewtonMetre,
-    NewtonPerMetre,
-    Number,
-    Pascal,
-    Radian,
-    RevPerSecond,
-)
+from ...sheet.units import KilogramPerMetre, Metre, MetrePerSecond, Newton, NewtonMetre, NewtonPerMetre, Number, Pascal, Radian, RevPerSecond
 from .classes import StrengthClass
-from .flank_strength import ContactStrength
+from .strength import ContactStrength
 from .root_strength import RootStrength
 from .screening.result import Screening
 

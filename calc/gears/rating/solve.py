@@ -5,7 +5,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from functools import cache
 
-from ...catalogue import Material
+from ...library.catalogue import Material
 from ...sheet.finite import finite
 from ...sheet.formula import formula
 from ...sheet.later import Later
@@ -28,7 +28,7 @@ from .notes import notes
 from .result import MeshRating, RatingResult, Side
 from .root_strength import loading_of, rim_of
 from .screening.solve import screening
-from .strength import MeshLoad, mesh_strength
+from .mesh_strength import MeshLoad, mesh_strength
 
 ALONE = Surroundings()
 

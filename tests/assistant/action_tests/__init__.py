@@ -11,16 +11,16 @@ from typing import Any
 from textual.pilot import Pilot
 from textual.widgets import Input
 
-from assistant.screens.path_dialog import PathDialog
+from assistant.screens.path_dialogs import PathDialog
 from assistant.screens.workbench import Workbench
-from assistant.session import Session
+from assistant.session.session import Session
 from assistant.widgets.checks import Checks
 from assistant.widgets.curve_pane import CurvePane
-from calc.design import STEPS
+from calc.design.model import STEPS
 
-from ..conftest import solved
-from ..driving import go_to, screen_rows, strike, type_in, until, work
-from ..test_curves import drawn
+from tests.assistant.conftest import solved
+from tests.assistant.driving import go_to, screen_rows, strike, type_in, until, work
+from tests.assistant.test_curves import drawn
 
 Do = Callable[[], Awaitable[None]]
 Deed = Callable[[Pilot[int], Do], Awaitable[None]]

@@ -9,12 +9,12 @@ from typing import Any
 import pytest
 from textual.pilot import Pilot
 
-from assistant.screens.curve_list import CurveList
+from assistant.screens.curves import CurveList
 from assistant.screens.workbench import Workbench
 from assistant.widgets.curve_pane import CurvePane
 
-from ..driving import at_rest, strike, told, type_in, until, work
-from . import DEEDS, Do, deed, over, still, text, to_curve
+from tests.assistant.driving import at_rest, strike, told, type_in, until, work
+from tests.assistant.action_tests import DEEDS, Do, deed, over, still, text, to_curve
 
 
 # --- curves and tables
@@ -130,7 +130,7 @@ async def pixels(pilot: Pilot[int], do: Do) -> None:
     pane = await to_curve(pilot)
     written: list[Any] = []
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr("assistant.pixels.show", lambda curve, how, say: written.append((curve, how)))
+        patch.setattr("assistant.widgets.pixels.show", lambda curve, how, say: written.append((curve, how)))
         patch.setattr(pilot.app, "suspend", nullcontext)
         patch.setenv("CONTRALBERO_PIXELS", "none")
         await do()

@@ -11,10 +11,10 @@ from assistant.screens.open_dialog import OpenDialog
 from assistant.screens.save_dialog import ExportDialog, RecordDialog, SaveDialog
 from assistant.screens.start import Start
 from assistant.screens.workbench import Workbench
-from calc.design_file import load
+from calc.design.toml_file import load
 
-from ..driving import screen_rows, strike, told, until, work
-from . import SHARE, Do, back, deed, edited, give, over, still, text, titles
+from tests.assistant.driving import screen_rows, strike, told, until, work
+from tests.assistant.action_tests import SHARE, Do, back, deed, edited, give, over, still, text, titles
 
 
 # --- files

@@ -15,16 +15,16 @@ from assistant.screens.ready import ReadyScreen
 from assistant.screens.remedies import Remedies
 from assistant.screens.selection import Choosing
 from assistant.screens.workbench import Workbench
-from assistant.session import Session
+from assistant.session.session import Session
 from assistant.widgets.checks import Checks
 from assistant.widgets.curve_pane import CurvePane
 from assistant.widgets.offer_list import OfferList
 from assistant.widgets.step_bar import BRIEF
 from assistant.widgets.steps import Steps
-from calc.design import STEPS
+from calc.design.model import STEPS
 
-from ..driving import screen_rows, strike, told, type_in, until, work
-from . import DEEDS, SECOND, SHARE, Do, back, deed, edited, over, still, text, titles, to_checks, wide
+from tests.assistant.driving import screen_rows, strike, told, type_in, until, work
+from tests.assistant.action_tests import DEEDS, SECOND, SHARE, Do, back, deed, edited, over, still, text, titles, to_checks, wide
 
 
 # --- steps

@@ -5,8 +5,8 @@ from dataclasses import replace
 import pytest
 
 from calc.bearings.selection.search import search
-from calc.design_file import design
-from calc.selection import bearings_case
+from calc.design.toml_file import design
+from calc.studies.bearings_case import bearings_case
 
 
 @pytest.fixture(scope="session")

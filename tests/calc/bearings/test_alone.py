@@ -2,7 +2,7 @@
 
 import pytest
 
-from calc.design_file import Document, design
+from calc.design.toml_file import Document, design
 from calc.sheet.errors import BadInput
 from calc.solve import solve
 

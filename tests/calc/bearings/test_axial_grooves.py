@@ -11,8 +11,8 @@ from calc.bearings.film.grooved import solve_grooved
 from calc.bearings.film.grooved_table import eccentricity_from, film_at
 from calc.bearings.film.nodes import FilmRangeError
 from calc.bearings.routes.balance import settled
-from calc.design_file import design
-from calc.explain import chain
+from calc.design.toml_file import design
+from calc.studies.explain import chain
 from calc.sheet.errors import BadInput
 from calc.solve import solve
 

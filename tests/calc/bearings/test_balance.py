@@ -63,7 +63,7 @@ def test_what_has_no_film_is_nan_and_leaves_its_neighbours_alone(front):
 
 def test_a_film_that_breaks_down_above_is_still_found(gamma):
     """A housing held back: the bracket passes temperatures at which the journal seizes."""
-    from calc.design_file import design
+    from calc.design.toml_file import design
     from calc.solve import solve
 
     document = gamma.with_value("bearings.expansion_restraint", 0.75).with_value("bearings.rear.clearance_factor", 0.8)

@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from calc.bearings.checks import checks, edge_when_thinned
 from calc.bearings.routes.balance import balanced
 from calc.bearings.routes.routes import own_warm
-from calc.design_file import design
+from calc.design.toml_file import design
 from calc.solve import solve
 
 
@@ -266,7 +266,7 @@ def test_a_load_near_half_speed_is_told_by_its_speed(gamma):
 
 
 def test_values_found_among_many_lead_back_to_the_inputs(gamma_results):
-    from calc.explain import chain
+    from calc.studies.explain import chain
 
     for value in ("corners.film_edge", "corners.film_double_load", "corners.outlet_temperature", "thinnest_film"):
         inputs = {key for link in chain(gamma_results, f"bearings.front.{value}") for key in link.inputs}

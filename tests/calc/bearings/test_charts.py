@@ -10,9 +10,9 @@ from calc.bearings.film.optimum import share_of_largest_load, share_of_least_fri
 from calc.bearings.film.table import film_at
 from calc.bearings.routes.balance import balanced
 from calc.bearings.routes.routes import own_warm
-from calc.design_file import design, read
+from calc.design.toml_file import design, read
 from calc.sheet.number import short
-from calc.shipped import DESIGNS
+from calc.studies.shipped import DESIGNS
 from calc.solve import solve
 
 

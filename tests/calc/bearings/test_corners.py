@@ -7,7 +7,7 @@ from calc.bearings.corners import CORNERS, NAMES, limits
 from calc.bearings.routes.balance import balanced
 from calc.bearings.routes.routes import own_warm
 from calc.bearings.routes.states import BearingCase
-from calc.design_file import design
+from calc.design.toml_file import design
 from calc.solve import solve
 
 

@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from scipy.sparse import csr_matrix, diags, eye, kron
 from scipy.sparse.linalg import spsolve
 
-from calc.bearings.film import dynamics_formulas as d
+from calc.bearings.film import dynamics as d
 from calc.bearings.film import short_bearing as s
 from calc.bearings.film.dynamics import Dynamics, coefficients, dynamics, orbit_of
 from calc.bearings.film.reynolds import radial_damping, solve_film

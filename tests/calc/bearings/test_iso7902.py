@@ -9,7 +9,7 @@ from calc.bearings.film.reynolds import solve_film
 from calc.bearings.routes import flow
 from calc.bearings.routes import iso7902 as iso
 from calc.bearings.routes.states import OutsideCharts
-from calc.design_file import design
+from calc.design.toml_file import design
 from calc.solve import solve
 
 STEPS = (0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 0.95)

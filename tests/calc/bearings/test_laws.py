@@ -21,8 +21,8 @@ from calc.bearings.public import solve_film
 from calc.bearings.routes import flow
 from calc.bearings.routes.routes import own_cold, own_warm
 from calc.bearings.routes.states import BearingCase, OperatingPoint
-from calc.catalogue import oils
-from calc.lubricant import Lubricant
+from calc.library.catalogue import oils
+from calc.library.lubricant import Lubricant
 from calc.sheet.errors import NoSolution
 
 OILS = sorted(oils())

@@ -3,7 +3,7 @@
 import pytest
 
 from calc.bearings.routes.side_by_side import ROUTES
-from calc.design_file import design
+from calc.design.toml_file import design
 from calc.solve import solve
 
 

@@ -20,8 +20,8 @@ from calc.bearings.selection.states import judge, smoother, solved
 from calc.bearings.selection.tables import beyond_table, changed, choices_table, neighbours, neighbours_table, outside, pareto_table
 from calc.bearings.selection.variants import closer_fits, tasks, tied, variants
 from calc.countershaft.inputs import Section
-from calc.design_file import design, read
-from calc.selection import bearings_case
+from calc.design.toml_file import design, read
+from calc.studies.bearings_case import bearings_case
 from calc.sheet.search import least
 from tests.conftest import DESIGNS
 

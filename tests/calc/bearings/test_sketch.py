@@ -7,12 +7,12 @@ from itertools import pairwise
 import pytest
 
 from calc.bearings.sketch import pressures, sketch
-from calc.design_file import load
-from calc.sheet.drawing import CONTEXT, Arc
+from calc.design.toml_file import load
+from calc.draw.drawing import CONTEXT, Arc
 from calc.solve import solve
 
-from ...conftest import DESIGNS
-from .. import sketches
+from tests.conftest import DESIGNS
+from tests.calc import sketches
 
 
 def circles(picture, place):

@@ -8,11 +8,11 @@ import pytest
 
 from calc.bearings import formulas as f
 from calc.bearings.film.table import film_at
-from calc.bearings.routes import falz, flow
+from calc.bearings.routes import din31652 as falz, flow
 from calc.bearings.routes import raimondi_boyd as rb
 from calc.bearings.routes.states import OutsideCharts
-from calc.catalogue import oils
-from calc.lubricant import Lubricant
+from calc.library.catalogue import oils
+from calc.library.lubricant import Lubricant
 
 REFERENCE = json.loads((Path(__file__).parents[2] / "reference" / "finotti_front_bearing.json").read_text(encoding="utf-8"))
 OIL = Lubricant(oils()["10W-40 Q8 T905"])

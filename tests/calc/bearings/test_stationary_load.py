@@ -7,7 +7,7 @@ import pytest
 
 from calc.bearings.routes.balance import balanced
 from calc.bearings.routes.routes import own_warm
-from calc.bearings.stationary_load import with_standing
+from calc.bearings.loads import with_standing
 from calc.countershaft.stationary_load import Standing
 
 

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from calc.bearings.routes import flow, supply
-from calc.design_file import design
+from calc.design.toml_file import design
 from calc.solve import solve
 
 

@@ -4,10 +4,10 @@ import copy
 import math
 
 from calc.countershaft.outline import Outline, Piece, outline
-from calc.design_file import Document, design, read
+from calc.design.toml_file import Document, design, read
 from calc.solve import solve
 
-from ...conftest import DESIGNS, GAMMA
+from tests.conftest import DESIGNS, GAMMA
 
 START = read(GAMMA).data
 OMEGA = 2 * math.pi * 2600 / 60

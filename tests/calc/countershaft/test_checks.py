@@ -4,10 +4,10 @@ import math
 
 import pytest
 
-from calc.design_file import design
+from calc.design.toml_file import design
 from calc.solve import solve
 
-from .shafts import ENVELOPE, FRONT, JOURNALS, REAR, outcome, verdicts
+from tests.calc.countershaft.shafts import ENVELOPE, FRONT, JOURNALS, REAR, outcome, verdicts
 
 SIZE = {"mode": "size", **ENVELOPE}
 SEATS = [{"diameter_mm": 59.5, "length_mm": 27.5}, {"diameter_mm": 86.4, "length_mm": 29.0}]

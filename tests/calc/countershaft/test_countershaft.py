@@ -4,7 +4,7 @@ import math
 
 import pytest
 
-from calc.design_file import design
+from calc.design.toml_file import design
 from calc.solve import solve
 
 

@@ -6,12 +6,12 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from calc.countershaft.drawing import axis, outline_curve, reach, shaft_drawing, silhouette, support_marks, upwards
+from calc.draw.shaft_outline import axis, outline_curve, reach, shaft_drawing, silhouette, support_marks, upwards
 from calc.countershaft.outline import Piece, outline
-from calc.sheet.drawing import Polyline
+from calc.draw.drawing import Polyline
 
-from .shafts import POSITIONS, UP, piece
-from .shafts import drawn_shaft as shaft
+from tests.calc.countershaft.shafts import POSITIONS, UP, piece
+from tests.calc.countershaft.shafts import drawn_shaft as shaft
 
 
 @settings(deadline=None)

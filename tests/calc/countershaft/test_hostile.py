@@ -7,7 +7,7 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from calc.design_file import Document, design, parse
+from calc.design.toml_file import Document, design, parse
 from calc.sheet.errors import BadInput
 from calc.solve import solve
 

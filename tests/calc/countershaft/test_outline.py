@@ -6,10 +6,10 @@ import pytest
 
 from calc.countershaft.inputs import EccentricMass
 from calc.countershaft.outline import NoOutline, Piece, half_angle, narrowness, outline, sectors_of
-from calc.design_file import design
+from calc.design.toml_file import design
 from calc.solve import solve
 
-from .shafts import FRONT, JOURNALS, REAR, outcome, result, verdicts
+from tests.calc.countershaft.shafts import FRONT, JOURNALS, REAR, outcome, result, verdicts
 
 CORE = {"core_radius_mm": 15.0, "outer_radius_mm": 40.3}
 HALVES = [{**m, "mass_kg": 2.608345, "radius_mm": 18.830668, "z_mm": z} for m, z in ((FRONT, -76.5), (REAR, 76.5))]

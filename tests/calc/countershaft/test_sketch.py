@@ -5,14 +5,14 @@ import math
 
 import pytest
 
-from calc.addresses import address, changed
+from calc.design.addresses import address, changed
 from calc.countershaft.sketch import sector_outline, sketch
-from calc.design_file import Document, design, load
-from calc.sheet.drawing import HIDDEN, Arc, Area, Polyline
+from calc.design.toml_file import Document, design, load
+from calc.draw.drawing import HIDDEN, Arc, Area, Polyline
 from calc.solve import solve
 
-from ...conftest import DESIGNS
-from .. import sketches
+from tests.conftest import DESIGNS
+from tests.calc import sketches
 
 
 def made(document, **values):

@@ -2,7 +2,7 @@
 
 import pytest
 
-from calc.catalogue import materials
+from calc.library.catalogue import materials
 
 # E in GPa, Rm and Rp0.2 in MPa; the source gives no Rp0.2 of the grey iron
 TABLE = {

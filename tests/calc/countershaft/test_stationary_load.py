@@ -5,10 +5,10 @@ import math
 import pytest
 
 from calc.countershaft.stationary_load import Drive, Gear, standing
-from calc.design_file import design
+from calc.design.toml_file import design
 from calc.solve import solve
 
-from .shafts import JOURNALS, result
+from tests.calc.countershaft.shafts import JOURNALS, result
 
 FRONT, REAR = -0.1675, 0.1675
 GEAR = Gear(diameter=0.054, tip_diameter=0.0587, face_width=0.015, normal_pressure_angle=math.radians(20), helix_angle=math.radians(21.916))

@@ -6,10 +6,10 @@ import math
 import numpy as np
 import pytest
 
-from calc.design_file import design
+from calc.design.toml_file import design
 from calc.solve import solve
 
-from .shafts import ENVELOPE, FRONT, JOURNALS, OMEGA, REAR, document, outcome, result, verdicts
+from tests.calc.countershaft.shafts import ENVELOPE, FRONT, JOURNALS, OMEGA, REAR, document, outcome, result, verdicts
 
 SIZE = {"mode": "size", **ENVELOPE, "journals": JOURNALS}
 

@@ -5,16 +5,16 @@ from itertools import combinations
 
 import pytest
 
-from calc.design_file import Document, design, read
-from calc.drawings import sheets
+from calc.design.toml_file import Document, design, read
+from calc.studies.drawings import sheets
 from calc.sheet.dimension import written
-from calc.sheet.drawing import Arc, Dimension, Hatch
+from calc.draw.drawing import Arc, Dimension, Hatch
 from calc.sheet.layers import CENTRE, EDGE, VISIBLE
-from calc.sheet.lettering import room
+from calc.draw.lettering import room
 from calc.solve import solve
 
-from ...conftest import DESIGNS
-from .test_sheet import MM, cut, letters, overlap
+from tests.conftest import DESIGNS
+from tests.calc.drawing_sheet.test_sheet import MM, cut, letters, overlap
 
 
 def drawn(bore=None):

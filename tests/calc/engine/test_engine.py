@@ -9,7 +9,7 @@ from calc.engine.crank import crank
 from calc.engine.inputs import EngineInputs
 from calc.engine.solve import solve
 
-from ..imbalance.engines import R753
+from tests.calc.imbalance.engines import R753
 
 
 def result(**changes):

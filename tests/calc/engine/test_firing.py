@@ -6,7 +6,7 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
-from calc.design import Design
+from calc.design.model import Design
 from calc.engine import solve as engine
 from calc.engine.crank import crank, firing
 from calc.engine.firing import evenest, in_order
@@ -15,7 +15,7 @@ from calc.imbalance.firing_orders import as_designed, cranks_table, firing_order
 from calc.imbalance.inputs import ImbalanceInputs
 from calc.sheet.errors import NoSolution
 
-from ..imbalance.engines import R753, solved
+from tests.calc.imbalance.engines import R753, solved
 
 
 def fired(**changes):

@@ -6,7 +6,7 @@ import tomllib
 import numpy as np
 import pytest
 
-from calc.design_file import Document, _Reader
+from calc.design.toml_file import Document, _Reader
 from calc.engine import cycle as c
 from calc.engine import formulas as f
 from calc.engine.charge import prepare
@@ -14,7 +14,7 @@ from calc.engine.gas import GasInputs, PressurePoint, cycle_problems
 from calc.engine.inputs import EngineInputs
 from calc.engine.solve import values
 
-from ..imbalance.test_engines import R753
+from tests.calc.imbalance.test_engines import R753
 
 DEGREE = math.pi / 180
 DIESEL = dict(peak_pressure=150e5, compression_ratio=17.5)

@@ -10,14 +10,14 @@ from hypothesis import strategies as st
 
 from calc.engine import cycle as c
 from calc.engine import formulas as f
-from calc.engine import throw_formulas, torque
+from calc.engine import throw_strength as throw_formulas, torque
 from calc.engine.charge import prepare
 from calc.engine.crank import firing
 from calc.engine.gas import GasInputs
 from calc.engine.inputs import EngineInputs
 from calc.engine.solve import values
 
-from ..imbalance.engines import R753
+from tests.calc.imbalance.engines import R753
 
 TURN = 2 * math.pi
 lambdas, offsets = st.floats(0.02, 0.45), st.floats(-0.3, 0.3)  # the offset over the rod's length less the crank's

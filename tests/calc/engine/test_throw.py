@@ -6,9 +6,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from calc.catalogue import materials
+from calc.library.catalogue import materials
 from calc.engine import throw, torque
-from calc.engine import throw_formulas as t
+from calc.engine import throw_strength as t
 from calc.engine.charge import prepare
 from calc.engine.gas import GasInputs
 from calc.engine.throw_inputs import ThrowInputs
@@ -16,8 +16,8 @@ from calc.sheet.quantity import published
 from calc.sheet.trace import trace
 from calc.sheet.value import leaves, link_of
 
-from .test_gas import DIESEL
-from .test_torque import V6, engine_of, single
+from tests.calc.engine.test_gas import DIESEL
+from tests.calc.engine.test_torque import V6, engine_of, single
 
 SIZES = dict(
     pin_diameter=0.055, pin_length=0.032, journal_diameter=0.062, journal_length=0.030, web_thickness=0.024, fillet_radius=0.003, material="42CrMo4",

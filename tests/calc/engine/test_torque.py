@@ -18,8 +18,8 @@ from calc.sheet.quantity import published
 from calc.sheet.trace import trace
 from calc.sheet.value import link_of
 
-from ..imbalance.test_engines import R753
-from .test_gas import DIESEL, pressure
+from tests.calc.imbalance.test_engines import R753
+from tests.calc.engine.test_gas import DIESEL, pressure
 
 DEGREE = math.pi / 180
 V6 = dict(

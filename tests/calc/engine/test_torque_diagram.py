@@ -6,8 +6,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from calc.design_file import design, parse
-from calc.explain import Chains
+from calc.design.toml_file import design, parse
+from calc.studies.explain import Chains
 from calc.sheet.errors import BadInput
 from calc.solve import solve
 

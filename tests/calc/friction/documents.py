@@ -5,7 +5,7 @@ import copy
 from dataclasses import replace
 from pathlib import Path
 
-from calc.design_file import design, read
+from calc.design.toml_file import design, read
 
 DESIGNS = Path(__file__).parents[3] / "designs"
 

@@ -7,13 +7,13 @@ import tomllib
 from dataclasses import replace
 from pathlib import Path
 
-from calc.catalogue import oils
+from calc.library.catalogue import oils
 from calc.friction.balance.closure import drive
 from calc.friction.inputs import FrictionInputs
 from calc.friction.mesh.film import oil_at
 from calc.friction.mesh.geometry import MeshGeometry, WheelGeometry
 from calc.friction.solve import closed as closed_train
-from calc.lubricant import Lubricant
+from calc.library.lubricant import Lubricant
 from calc.sheet.trace import trace
 
 REFERENCE = Path(__file__).parents[2] / "reference"

@@ -7,11 +7,11 @@ from pathlib import Path
 import pytest
 
 from assistant.cli import main
-from calc.design_file import design
+from calc.design.toml_file import design
 from calc.sheet.errors import BadInput
 from calc.solve import solve
 
-from .documents import changed, gamma, pair
+from tests.calc.friction.documents import changed, gamma, pair
 
 HELICAL = {
     "gears": {"helix_angle_deg": 20.0, "pressure_angle_deg": 20.0, "power_kW": 5.0},

@@ -6,7 +6,7 @@ import pytest
 
 from calc.friction.mesh.mixed import BOUNDARY, MIXED, regimes
 
-from .pairs import closed, r753
+from tests.calc.friction.pairs import closed, r753
 
 TRAIN = closed()
 

@@ -17,8 +17,8 @@ from calc.friction.mesh.path import line_load, transverse_force
 from calc.sheet.errors import BadInput, NoSolution
 from calc.solve import solve
 
-from .documents import changed, design, gamma, pair
-from .pairs import Fixed, closed, friction, lubricant, r753, shown, spur_pair
+from tests.calc.friction.documents import changed, design, gamma, pair
+from tests.calc.friction.pairs import Fixed, closed, friction, lubricant, r753, shown, spur_pair
 
 NAN, INF = math.nan, math.inf
 ONLY = {"pinion_gear": spur_pair()}

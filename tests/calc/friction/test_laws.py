@@ -9,9 +9,9 @@ import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from calc.contact.teeth import ohlendorf_loss_factor
+from calc.library.contact import ohlendorf_loss_factor
 from calc.friction.balance import power
-from calc.friction.losses import churning, jets, seals, windage
+from calc.friction.losses import oil_and_air as churning, jets, seals, windage
 from calc.friction.mesh import film as films
 from calc.friction.mesh import traction
 from calc.friction.mesh.film import oil_at
@@ -21,7 +21,7 @@ from calc.friction.mesh.motion import motion
 from calc.friction.mesh.path import contact_length, line_load, path
 from calc.sheet.errors import NoSolution
 
-from .pairs import friction, lubricant, r753, wheel
+from tests.calc.friction.pairs import friction, lubricant, r753, wheel
 
 OIL = lubricant()
 

@@ -3,13 +3,13 @@
 
 import pytest
 
-from calc.design_file import load
+from calc.design.toml_file import load
 from calc.friction.sketch import sketch
-from calc.sheet.drawing import Area, Polyline
+from calc.draw.drawing import Area, Polyline
 from calc.solve import solve
 
-from ...conftest import DESIGNS
-from .. import sketches
+from tests.conftest import DESIGNS
+from tests.calc import sketches
 
 
 def widths(flow):

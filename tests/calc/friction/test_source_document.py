@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from calc.design_file import design, read
+from calc.design.toml_file import design, read
 from calc.friction.mesh import film as films
 from calc.friction.mesh import traction as t
 from calc.friction.mesh.geometry import MeshGeometry
@@ -15,8 +15,8 @@ from calc.friction.mesh.loss import case, solve_mesh
 from calc.friction.mesh.path import array, line_load, transverse_force
 from calc.solve import solve
 
-from .models import test_measured_gears as measured
-from .pairs import friction, oil, spur_pair, wheel
+from tests.calc.friction.models import test_measured_gears as measured
+from tests.calc.friction.pairs import friction, oil, spur_pair, wheel
 
 DESIGNS = Path(__file__).parents[3] / "designs"
 TEXT = (DESIGNS / "friction_source.md").read_text(encoding="utf-8")

@@ -6,12 +6,12 @@ import math
 import pytest
 
 from calc.countershaft.result import CountershaftResult
-from calc.design_file import design, read
+from calc.design.toml_file import design, read
 from calc.gears.result import TrainResult
-from calc.optimise.whole import mass
+from calc.studies.drive.whole import mass
 from calc.solve import solve
 
-from ...conftest import DESIGNS
+from tests.conftest import DESIGNS
 
 SIZED = read(DESIGNS / "r753ie4_sized.toml")
 

@@ -6,12 +6,12 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from calc.catalogue import materials
+from calc.library.catalogue import materials
 from calc.gears import solve
 from calc.gears.curves import curves
 from calc.sheet.errors import NoSolution
 
-from .trains import SPEED, mesh, solved, train, wheel
+from tests.calc.gears.trains import SPEED, mesh, solved, train, wheel
 
 AB = [mesh("a", "b")]
 

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from calc.design_file import design, read
+from calc.design.toml_file import design, read
 from calc.gears.inputs import Wall
 from calc.sheet.errors import BadInput
 

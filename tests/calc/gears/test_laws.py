@@ -9,17 +9,17 @@ import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from calc.catalogue import materials
+from calc.library.catalogue import materials
 from calc.gears import formulas as f
 from calc.gears import solve
 from calc.gears.backlash import formulas as play
 from calc.gears.layout import formulas as room
 from calc.gears.layout.forces import forces
 
-from .layout.trains import AXIS, laid, triangle
-from .layout.trains import solved as placed
-from .test_properties import gears, one, pairs
-from .trains import SPEED, mesh, train, wheel
+from tests.calc.gears.layout.trains import AXIS, laid, triangle
+from tests.calc.gears.layout.trains import solved as placed
+from tests.calc.gears.test_properties import gears, one, pairs
+from tests.calc.gears.trains import SPEED, mesh, train, wheel
 
 angles, helices = st.floats(math.radians(14), math.radians(28)), st.floats(0, math.radians(35))
 teeth, shifts = st.integers(8, 200), st.floats(-0.5, 1.0)

@@ -6,14 +6,14 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from calc.catalogue import materials
+from calc.library.catalogue import materials
 from calc.gears import formulas as f
 from calc.gears import solve
 from calc.gears.measures import formulas as m
 from calc.gears.result import MeshResult
 from calc.sheet.quantity import published
 
-from .trains import SPEED, mesh, train, wheel
+from tests.calc.gears.trains import SPEED, mesh, train, wheel
 
 LENGTHS_OF_WHEEL = (
     "reference_diameter", "base_diameter", "tip_diameter", "root_diameter", "form_diameter", "tip_thickness", "tip_thickness_normal",

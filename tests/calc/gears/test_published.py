@@ -12,7 +12,7 @@ from calc.gears.rating import stress as s
 from calc.gears.rating.nominal import section, tooth_form
 from calc.gears.solve import geometry
 
-from .trains import SPEED, mesh, pair_1, reference, shown, solved, train, wheel
+from tests.calc.gears.trains import SPEED, mesh, pair_1, reference, shown, solved, train, wheel
 
 FINOTTI = reference("gears_finotti_pair_1.toml")
 EXAMPLES = reference("gears_examples.toml")["example"]

@@ -5,13 +5,13 @@ import math
 
 import pytest
 
-from calc.design_file import load
+from calc.design.toml_file import load
 from calc.gears.sketch import sketch
-from calc.sheet.drawing import Arc, Polyline
+from calc.draw.drawing import Arc, Polyline
 from calc.solve import solve
 
-from ...conftest import DESIGNS
-from .. import sketches
+from tests.conftest import DESIGNS
+from tests.calc import sketches
 
 
 def wheels(train):

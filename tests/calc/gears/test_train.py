@@ -8,8 +8,8 @@ from pathlib import Path
 
 import pytest
 
-from calc.catalogue import materials
-from calc.design_file import design, read
+from calc.library.catalogue import materials
+from calc.design.toml_file import design, read
 from calc.gears import solve
 from calc.gears.backlash.formulas import circumferential_backlash
 from calc.gears.profile.meshing import flank, penetration
@@ -19,7 +19,7 @@ from calc.sheet.step import Outcome
 from calc.sheet.value import leaves, link_of
 from calc.solve import solve as whole_solve
 
-from .trains import SPEED, mesh, r753, shown, solved, train, wheel
+from tests.calc.gears.trains import SPEED, mesh, r753, shown, solved, train, wheel
 
 OF_A_WHEEL = (
     "tip_diameter", "reference_diameter", "base_diameter", "root_diameter", "form_diameter", "profile_shift", "undercut_limit",

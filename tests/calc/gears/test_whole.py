@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from calc.design_file import design, read
+from calc.design.toml_file import design, read
 from calc.solve import solve
 
 DESIGNS = Path(__file__).parents[3] / "designs"

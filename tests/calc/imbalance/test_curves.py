@@ -6,7 +6,7 @@ import pytest
 from calc.imbalance.curves import WITHOUT, pictures, remedy_table
 from calc.imbalance.inputs import ImbalanceInputs
 
-from .engines import solved
+from tests.calc.imbalance.engines import solved
 
 
 def curves(shaft=None, **changes):

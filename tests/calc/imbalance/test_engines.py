@@ -14,8 +14,8 @@ from calc.engine.solve import solve as solve_engine
 from calc.imbalance.inputs import ImbalanceInputs
 from calc.imbalance.solve import solve as solve_imbalance
 
-from .engines import R753, solved
-from .test_properties import motion
+from tests.calc.imbalance.engines import R753, solved
+from tests.calc.imbalance.test_properties import motion
 
 ROWS = tomllib.loads((Path(__file__).parents[2] / "reference" / "balance.toml").read_text(encoding="utf-8"))["row"]
 

@@ -13,7 +13,7 @@ from calc.imbalance import formulas as f
 from calc.imbalance.inputs import ImbalanceInputs
 from calc.imbalance.remedies import counterweights, crank_product, crank_unbalance, equivalent_mass
 
-from .engines import R753, fans, solved
+from tests.calc.imbalance.engines import R753, fans, solved
 
 
 def vectors(found):

@@ -11,7 +11,7 @@ from calc.engine import solve as engine
 from calc.imbalance import solve as imbalance
 from calc.imbalance.inputs import ImbalanceInputs
 
-from .engines import fans, solved
+from tests.calc.imbalance.engines import fans, solved
 
 TWO_PI = 2 * np.pi
 

@@ -9,7 +9,7 @@ from hypothesis import given, settings
 from calc.imbalance.inputs import ImbalanceInputs
 from calc.imbalance.remedies import supplied_couple, supplied_force
 
-from .engines import fans, solved
+from tests.calc.imbalance.engines import fans, solved
 
 SINGLE = dict(cylinders=1, firing_order=None)
 TWIN = dict(cylinders=2, firing_order=(1, 2))
@@ -118,7 +118,7 @@ def test_mistiming():
     from calc.engine.inputs import EngineInputs
     from calc.imbalance import solve as imbalance
 
-    from .engines import R753
+    from tests.calc.imbalance.engines import R753
 
     inputs = EngineInputs(**R753)
     found = imbalance.values(ImbalanceInputs(), inputs, engine.values(inputs), 25)
@@ -139,7 +139,7 @@ def test_what_an_offset_leaves_on_the_crank_is_said():
     from calc.engine.inputs import EngineInputs
     from calc.imbalance.solve import solve
 
-    from .engines import R753
+    from tests.calc.imbalance.engines import R753
 
     said = {}
     for offset in (0.0, 0.008):

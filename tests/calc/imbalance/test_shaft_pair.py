@@ -14,7 +14,7 @@ from calc.imbalance import solve as imbalance
 from calc.imbalance.inputs import ImbalanceInputs
 from calc.imbalance.shaft_pair import pair_moment
 
-from .engines import R753
+from tests.calc.imbalance.engines import R753
 
 FOUR = dict(cylinders=4, firing_order=(1, 3, 4, 2))
 SINGLE = dict(cylinders=1, firing_order=None)

@@ -10,7 +10,7 @@ from calc.imbalance.inputs import ImbalanceInputs
 from calc.imbalance.solve import solve
 from calc.imbalance.throws import polygons
 
-from .engines import solved
+from tests.calc.imbalance.engines import solved
 
 FOUR = dict(cylinders=4, firing_order=(1, 3, 4, 2))
 SIX = dict(cylinders=6, firing_order=(1, 5, 3, 6, 2, 4))

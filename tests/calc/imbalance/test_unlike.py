@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from calc.design_file import Document, design, parse
+from calc.design.toml_file import Document, design, parse
 from calc.engine import solve as engine
 from calc.engine.crank import pin_of_cylinder
 from calc.imbalance.inputs import ImbalanceInputs
@@ -18,7 +18,7 @@ from calc.sheet.errors import BadInput
 from calc.sheet.quantity import published
 from calc.solve import solve
 
-from .engines import R753, solved
+from tests.calc.imbalance.engines import R753, solved
 
 PLAIN = {key: value for key, value in R753.items() if key not in ("piston_mass", "rod_mass", "rod_cg_to_big_end", "crankpin_bearing_mass")}
 ROOT = Path(__file__).parents[3]

@@ -7,12 +7,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from calc.design_file import design, read
+from calc.design.toml_file import design, read
 from calc.imbalance.inputs import CrankBody, ImbalanceInputs, Unbalance
 from calc.imbalance.solve import solve
 from calc.sheet.quantity import published
 
-from .engines import solved
+from tests.calc.imbalance.engines import solved
 
 GAMMA = design(read(Path(__file__).parents[3] / "designs" / "r753ie4_gamma.toml"))
 

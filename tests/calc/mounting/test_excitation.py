@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from calc import step_inputs
-from calc.design_file import Document, design, load
+from calc.design import step_inputs
+from calc.design.toml_file import Document, design, load
 from calc.mounting import excitation as x
 from calc.mounting.drive import drive
 from calc.solve import solve

@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from calc.design_file import design, load
+from calc.design.toml_file import design, load
 from calc.solve import solve
 from tests.conftest import DESIGNS
 

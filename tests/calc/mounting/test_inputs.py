@@ -4,7 +4,7 @@ import copy
 
 import pytest
 
-from calc.design_file import Document, design, load, parse
+from calc.design.toml_file import Document, design, load, parse
 from calc.sheet.errors import BadInput
 from calc.solve import solve
 from tests.conftest import DESIGNS

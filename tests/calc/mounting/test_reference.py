@@ -5,7 +5,7 @@ import json
 import numpy as np
 import pytest
 
-from calc.design_file import Document, design, load
+from calc.design.toml_file import Document, design, load
 from calc.mounting import aids
 from calc.mounting.weighting import weights
 from calc.solve import solve

@@ -6,7 +6,7 @@ import math
 import numpy as np
 import pytest
 
-from calc.design_file import Document, design, load
+from calc.design.toml_file import Document, design, load
 from calc.mounting.selection import changes, choices
 from calc.mounting.transfer import rows, transfer_functions
 from calc.solve import solve

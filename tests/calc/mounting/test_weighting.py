@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from calc.mounting import severity, weighting
+from calc.mounting import standards as severity, weighting
 from calc.mounting.weighting import weights
 
 NOMINAL = (0.5, 0.63, 0.8, 1, 1.25, 1.6, 2, 2.5, 3.15, 4, 5, 6.3, 8, 10, 12.5, 16, 20, 25, 31.5, 40, 50, 63, 80)

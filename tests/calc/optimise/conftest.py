@@ -3,10 +3,10 @@
 
 import pytest
 
-from calc.design_file import read
-from calc.optimise.run import asked
+from calc.design.toml_file import read
+from calc.studies.drive.run import asked
 
-from ...conftest import DESIGNS
+from tests.conftest import DESIGNS
 
 FEW = {
     "countershaft.core_radius_mm": {"from": 13.0, "to": 17.0, "step": 1.0},

@@ -6,10 +6,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from calc.countershaft.result import CountershaftResult
-from calc.optimise.classes import tables_of
-from calc.optimise.run import asked
-from calc.optimise.shafts import journal_mass, journal_slopes, shafts
-from calc.optimise.whole import Sized, journals_power, whole
+from calc.studies.drive.classes import tables_of
+from calc.studies.drive.run import asked
+from calc.studies.drive.shafts import journal_mass, journal_slopes, shafts
+from calc.studies.drive.whole import Sized, journals_power, whole
 from calc.sheet.trace import untraced
 
 PLACES = ("front", "rear")

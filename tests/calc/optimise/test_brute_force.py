@@ -7,10 +7,10 @@ from itertools import product
 import numpy as np
 import pytest
 
-from calc.optimise.films import films
-from calc.optimise.run import search
+from calc.studies.drive.films import films
+from calc.studies.drive.run import search
 
-from .points import PLACES, Class, Point
+from tests.calc.optimise.points import PLACES, Class, Point
 
 GRID = {
     "countershaft.core_radius_mm": [14.0, 16.0], "bearings.rear.diameter_mm": [85.0], "bearings.front.diameter_mm": [60.0],
@@ -66,7 +66,7 @@ def test_without_any_choice_but_the_clearance_the_front_is_that_of_all(sized):
 @pytest.mark.slow
 def test_the_front_of_a_grid_is_that_of_all_its_drives_solved_whole(sized, monkeypatch):
     """864 whole solutions; the tables have the same clearances and no others, so that neither front is better than the other."""
-    import calc.optimise.films as tables
+    import calc.studies.drive.films as tables
 
     steps = {"front": [70, 80, 85], "rear": [90, 95, 100, 105]}
     monkeypatch.setattr(tables, "clearances", lambda task, *_: np.array(steps[task.place]) * 1e-6)
@@ -77,7 +77,7 @@ def test_the_front_of_a_grid_is_that_of_all_its_drives_solved_whole(sized, monke
 
 def test_a_mutated_rule_shows(sized, monkeypatch):
     """Where the films of the tables are thicker than they should be, whole solutions refuse what these offer."""
-    import calc.optimise.classes as classes
+    import calc.studies.drive.classes as classes
 
     def forgetting(*args, **more):
         table = films(*args, **more)

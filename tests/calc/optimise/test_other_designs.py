@@ -4,14 +4,14 @@
 import numpy as np
 import pytest
 
-from calc.design_file import read
-from calc.optimise.run import asked, search
-from calc.optimise.telling import at_end
+from calc.design.toml_file import read
+from calc.studies.drive.run import asked, search
+from calc.studies.drive.output import at_end
 
-from ...command import run
-from .points import Class, compared
-from .test_brute_force import GRID
-from .test_verdict import SOME, changed
+from tests.command import run
+from tests.calc.optimise.points import Class, compared
+from tests.calc.optimise.test_brute_force import GRID
+from tests.calc.optimise.test_verdict import SOME, changed
 
 
 def written(engine, folder):

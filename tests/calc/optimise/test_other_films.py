@@ -5,11 +5,11 @@ import numpy as np
 import pytest
 
 from calc.bearings.result import BearingsResult
-from calc.optimise.run import search
+from calc.studies.drive.run import search
 
-from .conftest import FEW
-from .points import PLACES, Class, Point
-from .test_verdict import SOME, changed, compared
+from tests.calc.optimise.conftest import FEW
+from tests.calc.optimise.points import PLACES, Class, Point
+from tests.calc.optimise.test_verdict import SOME, changed, compared
 
 CASES = {
     "as shipped": {},

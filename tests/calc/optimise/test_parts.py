@@ -7,10 +7,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-import calc.optimise.run as running
-from calc.optimise.classes import ClassFront
-from calc.optimise.combine import Rows
-from calc.optimise.run import Table, classes, key, solved
+import calc.studies.drive.run as running
+from calc.studies.drive.classes import ClassFront
+from calc.studies.drive.combine import Rows
+from calc.studies.drive.run import Table, classes, key, solved
 from calc.sheet.text import EMPTY
 
 

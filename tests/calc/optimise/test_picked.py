@@ -6,7 +6,7 @@ import json
 import numpy as np
 import pytest
 
-from calc.optimise.picked import Broken, picked
+from calc.studies.drive.front import Broken, picked
 
 DATA = {"countershaft": {"core_radius_mm": 15.0}, "bearings": {"front": {"length_mm": 37.0}}}
 

@@ -7,16 +7,16 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from calc.optimise.classes import NotClosed, class_of
-from calc.optimise.classes import sized as row_of
-from calc.optimise.films import asked_film
-from calc.optimise.relax import refusal
-from calc.optimise.run import _instead, asked, search
-from calc.optimise.telling import csv_text, json_text, table
-from calc.optimise.whole import Sized, whole
+from calc.studies.drive.classes import NotClosed, class_of
+from calc.studies.drive.classes import sized as row_of
+from calc.studies.drive.films import asked_film
+from calc.studies.drive.relax import refusal
+from calc.studies.drive.run import _instead, asked, search
+from calc.studies.drive.output import csv_text, json_text, table
+from calc.studies.drive.whole import Sized, whole
 from calc.sheet.errors import BadInput
 
-from .conftest import FEW
+from tests.calc.optimise.conftest import FEW
 
 
 @pytest.fixture(scope="module")
@@ -159,7 +159,7 @@ def test_a_shaft_that_takes_a_force_has_no_proof(sized):
 
 def test_a_search_without_proof_shows_only_what_passes(sized):
     pytest.importorskip("pymoo")
-    from calc.optimise.evolve import evolved
+    from calc.studies.drive.evolve import evolved
 
     problem, _ = asked(sized, {"vary": FEW, "rows": 5, "objectives": ["power", "mass"]})
     found = evolved(problem, 120)
@@ -204,7 +204,7 @@ def test_what_can_not_be_varied_is_said_with_its_key(sized, said, key):
 def test_the_film_that_surfaces_ask_for(few):
     """Smoother surfaces ask for less film, which is why they are worth a price."""
     from calc.bearings.selection.variants import own_tasks
-    from calc.selection import bearings_case
+    from calc.studies.bearings_case import bearings_case
 
     task = own_tasks(bearings_case(few.base))["front"]
     assert asked_film(task, (0.4e-6, 0.4e-6)) < asked_film(task, (0.4e-6, 0.6e-6)) < asked_film(task, (0.6e-6, 0.6e-6))

@@ -7,12 +7,12 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from calc.countershaft.result import CountershaftResult
-from calc.design_file import design, read
-from calc.optimise.classes import drive_of
-from calc.optimise.shafts import journal_mass, journal_slopes, shafts
+from calc.design.toml_file import design, read
+from calc.studies.drive.classes import drive_of
+from calc.studies.drive.shafts import journal_mass, journal_slopes, shafts
 from calc.solve import solve
 
-from ...conftest import DESIGNS
+from tests.conftest import DESIGNS
 
 SIZED = read(DESIGNS / "r753ie4_sized.toml").with_value("countershaft.fillet_radius_mm", 1.5)  # no fixture: a failure would print it whole
 SIZES = st.fixed_dictionaries({

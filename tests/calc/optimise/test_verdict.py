@@ -3,7 +3,7 @@
 
 import pytest
 
-from .points import Class, compared
+from tests.calc.optimise.points import Class, compared
 
 PLAIN = {"countershaft.material": ["20CrNi4"], "bearings.supply": "fixed"}
 SOME = PLAIN | {

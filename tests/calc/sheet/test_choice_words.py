@@ -4,8 +4,8 @@
 import re
 from collections.abc import Iterator
 
-from calc.design import Design
-from calc.languages import language
+from calc.design.model import Design
+from calc.locale import language
 from calc.sheet.choice_words import WORDS, word
 from calc.sheet.quantity import keys
 from calc.sheet.text import Text

@@ -5,9 +5,9 @@ import math
 import pytest
 
 from calc.sheet.dimension import ARROW, strokes, written
-from calc.sheet.drawing import Area, Dimension, Hatch, Polyline, Words, enlarged, moved, rectangle
+from calc.draw.drawing import Area, Dimension, Hatch, Polyline, Words, enlarged, moved, rectangle
 from calc.sheet.hatching import hatch_lines
-from calc.sheet.lettering import room, shortened, width, wrapped
+from calc.draw.lettering import room, shortened, width, wrapped
 from calc.sheet.text import Name
 
 H = 2.5

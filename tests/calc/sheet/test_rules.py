@@ -7,11 +7,11 @@ from pathlib import Path
 
 import pytest
 
-from calc.design import Design
-from calc.design_file import design, read
+from calc.design.model import Design
+from calc.design.toml_file import design, read
 from calc.sheet.quantity import keys
 from calc.sheet.rules import ELEMENTS, KINDS, LETTER, rule_of, rules
-from calc.shipped import DESIGNS
+from calc.studies.shipped import DESIGNS
 from calc.solve import Results, solve
 
 CALC = Path(__file__).parents[3] / "calc"

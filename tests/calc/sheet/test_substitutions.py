@@ -13,9 +13,9 @@ from functools import cache
 import numpy as np
 import pytest
 
-from calc.design_file import design, read
+from calc.design.toml_file import design, read
 from calc.sheet.expression import line_text
-from calc.shipped import DESIGNS
+from calc.studies.shipped import DESIGNS
 from calc.solve import solve
 
 NUMBER = r"\d+(?:\.\d+)?(?:·10[⁰¹²³⁴⁵⁶⁷⁸⁹⁻]+)?"

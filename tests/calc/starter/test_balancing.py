@@ -3,11 +3,11 @@
 
 import pytest
 
-from calc.design_file import Document, design, parse
-from calc.shipped import engine_design
+from calc.design.toml_file import Document, design, parse
+from calc.studies.shipped import engine_design
 from calc.solve import solve
-from calc.starter.balancing import options, what_shakes, with_imbalance
-from calc.starter.build import built, choice_made
+from calc.studies.starter.balancing import options, what_shakes, with_imbalance
+from calc.studies.starter.build import built, choice_made
 
 CALLED = {
     "single": "shaft", "twin-360": "shaft", "twin-180": "shaft", "inline-3": "shaft", "inline-5": "shaft", "v6-90": "shaft",

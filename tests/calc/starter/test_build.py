@@ -7,12 +7,12 @@ from functools import reduce
 
 import pytest
 
-from calc.addresses import Table
-from calc.design_file import Document, design, read
+from calc.design.addresses import Table
+from calc.design.toml_file import Document, design, read
 from calc.sheet.errors import NoSolution
-from calc.shipped import DESIGNS, _rows
+from calc.studies.shipped import DESIGNS, _rows
 from calc.solve import Results, solve
-from calc.starter.build import APART, built, choice_made, hindrance
+from calc.studies.starter.build import APART, built, choice_made, hindrance
 
 DIESEL: Table = {
     "name": "own inline three", "layout": "inline", "cylinders": 3, "strokes": 4, "bore_mm": 95.0, "crank_radius_mm": 55.0,

@@ -5,14 +5,15 @@ from pathlib import Path
 
 import pytest
 
-from calc.design_file import read
+from calc.design.toml_file import read
 from calc.sheet.check import THIN_MARGIN, check
 from calc.sheet.lanes import Lanes
 from calc.sheet.step import Outcome
 from calc.sheet.text import Text
-from calc.sweep import abreast, grid, varied
+from calc.sweep import abreast
+from calc.studies.sweep import grid, varied
 from calc.sweep.plan import sampled
-from calc.sweep.run import _needed, _one_after_the_other, designs, one_by_one, side_by_side
+from calc.studies.sweep.run import _needed, _one_after_the_other, designs, one_by_one, side_by_side
 
 np = pytest.importorskip("numpy")
 DESIGNS = Path(__file__).parents[3] / "designs"

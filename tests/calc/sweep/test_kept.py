@@ -6,12 +6,12 @@ from importlib.util import find_spec
 
 import pytest
 
-from calc.design_file import read
-from calc.sweep import Sweep, grid, swept, varied
+from calc.design.toml_file import read
+from calc.studies.sweep import Sweep, grid, swept, varied
 from calc.sweep.kept import InFolder, InMemory, key_of
-from calc.sweep.table import write_csv, write_parquet
+from calc.studies.sweep.table import write_csv, write_parquet
 
-from ...conftest import GAMMA as FILE
+from tests.conftest import GAMMA as FILE
 
 GAMMA = read(FILE)
 INPUTS = varied(GAMMA, ["engine.rated_speed_rpm=1000,2000,99999", "friction.oil_temperature_C=70:110:60"])

@@ -3,11 +3,11 @@
 import numpy as np
 import pytest
 
-from calc.design_file import read
+from calc.design.toml_file import read
 from calc.sheet.errors import BadInput
-from calc.sweep import grid, listed, sampled, toleranced, varied
+from calc.studies.sweep import grid, listed, sampled, toleranced, varied
 
-from ...conftest import GAMMA as FILE
+from tests.conftest import GAMMA as FILE
 
 GAMMA = read(FILE)
 

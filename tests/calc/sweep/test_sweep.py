@@ -6,10 +6,10 @@ from pathlib import Path
 
 import pytest
 
-from calc.design_file import design, read
+from calc.design.toml_file import design, read
 from calc.sheet.errors import BadInput
 from calc.solve import solve
-from calc.sweep import sweep, varied
+from calc.studies.sweep import sweep, varied
 
 GAMMA = read(Path(__file__).parents[3] / "designs" / "r753ie4_gamma.toml")
 

@@ -4,31 +4,16 @@
 from collections.abc import Mapping
 from typing import Annotated
 
-from ....catalogue import Material
+from ....library.catalogue import Material
 from ....contact.hertz import reduced_modulus
-from ....contact.teeth import LUBRICANT_FACTOR, LUBRICATION_FACTOR, mean_roughness
-from ....lubricant import Lubricant
+from ....library.contact import LUBRICANT_FACTOR, LUBRICATION_FACTOR, mean_roughness
+from ....library.lubricant import Lubricant
 from ....sheet.formula import formula
 from ....sheet.functions import cos, modulus, pi, sqrt
 from ....sheet.record import record
 from ....sheet.text import Text
 from ....sheet.trace import about
-from ....sheet.units import (
-    Celsius,
-    JoulePerKilogramKelvin,
-    KilogramPerMetre3,
-    Metre,
-    Newton,
-    NewtonPerMetre,
-    Number,
-    Pascal,
-    PascalSecond,
-    PerPascal,
-    Radian,
-    RevPerSecond,
-    Watt,
-    WattPerMetreKelvin,
-)  # fmt: skip
+from ....sheet.units import Celsius, JoulePerKilogramKelvin, KilogramPerMetre3, Metre, Newton, NewtonPerMetre, Number, Pascal, PascalSecond, PerPascal, Radian, RevPerSecond, Watt, WattPerMetreKelvin  # fmt: skip
 
 ThermalProduct = Annotated[float, "W²·s/(m⁴·K²)"]
 

@@ -8,7 +8,7 @@ ISO/TS 6336-22:2018).
 
 import numpy as np
 
-from ....contact import teeth
+from ....library import contact as teeth
 from ....sheet.arrays import Array, element, has_lanes, many
 from ....sheet.formula import formula
 from ....sheet.functions import cos, modulus, pi, power, sqrt

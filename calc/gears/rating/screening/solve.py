@@ -6,7 +6,7 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from ....catalogue import Material
+from ....library.catalogue import Material
 from ....sheet.arrays import each
 from ....sheet.errors import NoSolution
 from ....sheet.text import Amount, Text

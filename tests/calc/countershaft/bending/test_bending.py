@@ -7,13 +7,13 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from calc.catalogue import Material
+from calc.library.catalogue import Material
 from calc.countershaft.bending import formulas as f
 from calc.countershaft.bending import shaft as b
 from calc.countershaft.checks import bending_checks
 from calc.countershaft.inputs import Extra
 from calc.countershaft.outline import Piece, outline, weighed
-from calc.journal_rules import SLOPE
+from calc.library.journal_rules import SLOPE
 from calc.sheet.errors import NoSolution
 from calc.sheet.trace import trace
 

@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from calc.catalogue import Material, materials
+from calc.library.catalogue import Material, materials
 from calc.countershaft.making import bolts
 from calc.countershaft.making.inputs import Bolts
 from calc.countershaft.making.thread import COARSE, pitch_diameter, root_diameter, stress_area, thread, thread_problem

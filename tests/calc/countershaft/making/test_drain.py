@@ -16,8 +16,8 @@ from calc.sheet.quantity import published
 from calc.sheet.trace import trace
 from calc.sheet.value import link_of
 
-from ..shafts import outcome
-from ..shafts import verdicts as shaft_verdicts
+from tests.calc.countershaft.shafts import outcome
+from tests.calc.countershaft.shafts import verdicts as shaft_verdicts
 
 
 def asked(low, high, name="M18x1.5", **own):

@@ -4,7 +4,7 @@ import cmath
 
 import pytest
 
-from ..shafts import outcome
+from tests.calc.countershaft.shafts import outcome
 
 SUPPORT = {"material": "EN AC-43100"}
 BOLTS = {

@@ -2,7 +2,7 @@
 
 import pytest
 
-from calc.design_file import design
+from calc.design.toml_file import design
 from calc.solve import solve
 
 

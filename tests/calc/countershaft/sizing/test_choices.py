@@ -6,7 +6,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from calc.catalogue import Material
+from calc.library.catalogue import Material
 from calc.countershaft.inputs import Journal
 from calc.countershaft.making.inputs import Alternative, Cost, Support
 from calc.countershaft.sizing import cost_formulas as f
@@ -14,7 +14,7 @@ from calc.countershaft.sizing.alternatives import Seat, compared, compared_table
 from calc.countershaft.sizing.choices import Envelope, asked, candidates, changes, choices, choices_table, envelope
 from calc.countershaft.sizing.front import front_curve
 from calc.countershaft.sizing.sectors import TooSmall, pair, size
-from calc.design_file import design
+from calc.design.toml_file import design
 from calc.engine import solve as engine
 from calc.imbalance import solve as imbalance
 from calc.sheet.changes import assignments

@@ -11,9 +11,9 @@ from calc.bearings.rotating_load import response
 from calc.friction.balance.closure import shaft_loss
 from calc.friction.journals import journals_at, journals_of
 from calc.solve import solve
-from calc.step_inputs import on_shaft, shaft_gear
+from calc.design.step_inputs import on_shaft, shaft_gear
 
-from ..documents import changed, design, gamma
+from tests.calc.friction.documents import changed, design, gamma
 
 PLACES = ("front", "rear")
 

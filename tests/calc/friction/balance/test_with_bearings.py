@@ -10,10 +10,10 @@ from hypothesis import strategies as st
 
 from calc.friction.balance.closure import drive, losses_of
 from calc.friction.inputs import OtherLoss, PlainBearing, RollingBearing
-from calc.friction.losses import plain_bearings, rolling_bearings
+from calc.friction.losses import plain_bearings, bearings as rolling_bearings
 from calc.sheet.errors import NoSolution
 
-from ..pairs import CRANK_SPEED, SHAFT_POWER, Fixed, closed, friction, lubricant, r753, shown, spur_pair
+from tests.calc.friction.pairs import CRANK_SPEED, SHAFT_POWER, Fixed, closed, friction, lubricant, r753, shown, spur_pair
 
 BUSH = PlainBearing(name="idler", diameter=0.025, length=0.02, clearance=40e-6)
 ROLLERS = RollingBearing(name="central", bore=0.02, outside_diameter=0.042, f_1=0.002)  # f_1 so large that the load counts

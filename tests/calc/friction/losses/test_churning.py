@@ -9,11 +9,11 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from calc.friction.inputs import Dip
-from calc.friction.losses import churning as c
+from calc.friction.losses import oil_and_air as c
 from calc.friction.losses.wheels import unloaded
 from calc.friction.mesh.geometry import MeshGeometry
 
-from ..pairs import closed, friction, lubricant, shown, wheel
+from tests.calc.friction.pairs import closed, friction, lubricant, shown, wheel
 
 # m 3 mm, 60 teeth, 20 mm wide, α 20°, spur; 3 L of 30 mm²/s and 870 kg/m³
 M, Z, B, R, VOLUME, NU, RHO = 3e-3, 60, 20e-3, 90e-3, 3e-3, 30e-6, 870.0

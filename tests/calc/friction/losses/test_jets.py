@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from calc.friction.inputs import Jet
 from calc.friction.losses.jets import pitch_line_speed, thrown_oil
 
-from ..pairs import closed, r753, shown
+from tests.calc.friction.pairs import closed, r753, shown
 
 
 def test_the_speed_of_the_reference_circle():

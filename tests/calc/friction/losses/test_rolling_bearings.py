@@ -9,7 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from calc.friction.inputs import RollingBearing
-from calc.friction.losses import rolling_bearings as b
+from calc.friction.losses import bearings as b
 from calc.sheet.errors import NoSolution
 
 

@@ -8,7 +8,7 @@ import pytest
 from calc.friction.inputs import Seal
 from calc.friction.losses.seals import linke, simrit
 
-from ..pairs import closed, lubricant, shown
+from tests.calc.friction.pairs import closed, lubricant, shown
 
 D, N = 60e-3, 40.0  # m, rev/s
 

@@ -9,12 +9,12 @@ import pytest
 
 from calc.friction.balance.closure import most_force
 from calc.friction.inputs import Dip, Jet, OtherLoss, PlainBearing, RollingBearing, Seal
-from calc.friction.losses import plain_bearings, rolling_bearings
+from calc.friction.losses import plain_bearings, bearings as rolling_bearings
 from calc.friction.losses.wheels import speeds_of, unloaded
 from calc.solve import solve
 
-from ..documents import changed, design, gamma
-from ..pairs import CRANK_SPEED, closed, friction, lubricant, r753, shown
+from tests.calc.friction.documents import changed, design, gamma
+from tests.calc.friction.pairs import CRANK_SPEED, closed, friction, lubricant, r753, shown
 
 PARTS = ("bearing", "mesh", "windage", "churning", "thrown_oil", "seal", "wheel_bearing", "other")
 EVERYTHING = dict(

@@ -11,7 +11,7 @@ from calc.friction.mesh.loss import case, solve_mesh
 from calc.friction.mesh.rolling import ehl_rolling_power, rigid_rolling_power
 from calc.friction.mesh.traction import rigid_fluid_friction
 
-from ..pairs import friction, lubricant, oil, r753, spur_pair
+from tests.calc.friction.pairs import friction, lubricant, oil, r753, spur_pair
 
 # 40 mPa·s, 10 m/s, 20 GPa⁻¹, 500 N/mm, 20 mm, 228 GPa
 ETA, U_E, ALPHA, W_LINE, R, E_R = 0.04, 10.0, 2e-8, 5e5, 0.02, 2.28e11

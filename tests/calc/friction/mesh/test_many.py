@@ -9,7 +9,7 @@ from calc.friction.mesh.film import oil_at
 from calc.friction.mesh.loss import case, solve_mesh
 from calc.sheet.errors import NoSolution
 
-from ..pairs import friction, lubricant, r753, spur_pair
+from tests.calc.friction.pairs import friction, lubricant, r753, spur_pair
 
 MESHES = {"spur": spur_pair(), "helical": r753()["central_idler"]}
 P, N, T = np.geomspace(5.0, 2e4, 23), np.linspace(5.0, 90.0, 23), np.linspace(120.0, 20.0, 23)

@@ -6,11 +6,11 @@ from dataclasses import replace
 
 import pytest
 
-from calc.catalogue import oils
+from calc.library.catalogue import oils
 from calc.friction.mesh import mixed, traction
-from calc.lubricant import Lubricant
+from calc.library.lubricant import Lubricant
 
-from ..pairs import reference
+from tests.calc.friction.pairs import reference
 
 PRESSURE = reference("friction_measured.toml")["pressure"]
 

@@ -8,7 +8,7 @@ from calc.friction.mesh.loss import case, solve_mesh
 from calc.friction.mesh.mixed import friction as mixed
 from calc.friction.mesh.path import line_load, transverse_force
 
-from ..pairs import friction, oil, recorded, spur_pair
+from tests.calc.friction.pairs import friction, oil, recorded, spur_pair
 
 RECORDED = recorded("friction_spur_pair.json")
 SPEED = 25.0  # rev/s

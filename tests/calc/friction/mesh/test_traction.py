@@ -15,7 +15,7 @@ from calc.friction.mesh.loss import case, solve_mesh
 from calc.friction.mesh.path import line_load, transverse_force
 from calc.sheet.errors import NoSolution
 
-from ..pairs import friction, oil, r753, spur_pair
+from tests.calc.friction.pairs import friction, oil, r753, spur_pair
 
 OILS = ("friction thesis 10W40", "friction thesis 0W30", "friction thesis MIL-L-23699E")
 

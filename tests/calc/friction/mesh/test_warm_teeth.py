@@ -8,15 +8,15 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from calc.contact.teeth import bulk_rise
+from calc.library.contact import bulk_rise
 from calc.friction.mesh import loss, surfaces, traction
 from calc.friction.mesh.film import oil_at
 from calc.friction.mesh.loss import Warming, case, solve_mesh
 from calc.sheet.errors import NoSolution
 from calc.solve import solve
 
-from ..documents import changed, design, pair
-from ..pairs import closed, friction, lubricant, r753, spur_pair
+from tests.calc.friction.documents import changed, design, pair
+from tests.calc.friction.pairs import closed, friction, lubricant, r753, spur_pair
 
 MESHES = {"spur": spur_pair(), "helical": r753()["idler_shaft"]}
 

@@ -9,8 +9,8 @@ import pytest
 
 from calc.contact.hertz import half_width, hertz_pressure
 from calc.contact.line import relative_radius
-from calc.contact.teeth import ohlendorf_loss_factor as ohlendorf
-from calc.contact.teeth import sum_of_speeds
+from calc.library.contact import ohlendorf_loss_factor as ohlendorf
+from calc.library.contact import sum_of_speeds
 from calc.friction.mesh.film import oil_at
 from calc.friction.mesh.geometry import MeshGeometry
 from calc.friction.mesh.loss import case, solve_mesh
@@ -18,9 +18,9 @@ from calc.friction.mesh.motion import motion
 from calc.friction.mesh.path import contact_length, path
 from calc.friction.models import compared
 from calc.friction.models import regressions as r
-from calc.lubricant import Lubricant
+from calc.library.lubricant import Lubricant
 
-from ..pairs import closed, friction, lubricant, oil, r753, reference, shown, spur_pair, wheel
+from tests.calc.friction.pairs import closed, friction, lubricant, oil, r753, reference, shown, spur_pair, wheel
 
 KNOWN = reference("friction_models.toml")
 C40, H501 = KNOWN["c40"], KNOWN["h501"]

@@ -10,7 +10,7 @@ from calc.friction.mesh.loss import case
 from calc.friction.mesh.path import path
 from calc.friction.models import regressions as r
 
-from ..pairs import friction, fzg, lubricant, oil, r753, reference
+from tests.calc.friction.pairs import friction, fzg, lubricant, oil, r753, reference
 
 VECTORS = reference("friction_vectors.toml")
 

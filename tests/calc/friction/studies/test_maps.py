@@ -8,8 +8,8 @@ from calc.friction.balance.closure import drive, total_losses
 from calc.friction.studies import maps
 from calc.solve import solve
 
-from ..documents import changed, design, gamma, pair
-from ..pairs import CRANK_SPEED, friction, lubricant, r753
+from tests.calc.friction.documents import changed, design, gamma, pair
+from tests.calc.friction.pairs import CRANK_SPEED, friction, lubricant, r753
 
 
 def friction_of(document):

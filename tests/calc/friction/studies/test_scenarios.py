@@ -4,12 +4,12 @@
 import numpy as np
 import pytest
 
-from calc.design_file import read
+from calc.design.toml_file import read
 from calc.sheet.errors import BadInput
 from calc.solve import solve
 
-from ..documents import DESIGNS, changed, design, gamma, pair
-from ..pairs import recorded
+from tests.calc.friction.documents import DESIGNS, changed, design, gamma, pair
+from tests.calc.friction.pairs import recorded
 
 RECORDED = recorded("friction_spur_pair.json")
 SUMMARY = {(row["oil"], row["load_sharing"]): row for row in RECORDED["at_40_C_and_100_W"]}

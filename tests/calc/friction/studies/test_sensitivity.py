@@ -7,7 +7,7 @@ from calc.friction.mesh.mixed import LOAD_SHARES
 from calc.friction.studies import sensitivity
 from calc.solve import solve
 
-from ..documents import changed, design, gamma, pair
+from tests.calc.friction.documents import changed, design, gamma, pair
 
 LOADED = changed(pair(), gears={"power_kW": 20.0})  # mixed friction: every constant counts
 OWN_OIL = {"name": "own", "nu40_mm2_s": 90.0, "nu100_mm2_s": 14.0, "rho15_kgm3": 865.0, "base": "mineral"}

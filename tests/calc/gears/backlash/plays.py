@@ -2,11 +2,11 @@
 
 from dataclasses import replace
 
-from calc.catalogue import Material, materials
+from calc.library.catalogue import Material, materials
 from calc.gears.backlash.solve import play
 from calc.gears.inputs import Contributor
 
-from ..trains import pair_1, solved
+from tests.calc.gears.trains import pair_1, solved
 
 SHAVED = ((-20, -30), (-20, -30))  # the allowances that the text of Finotti 2013 means for both wheels
 ALUMINIUM = Material(name="aluminium", E=70e9, density=2700.0, expansion=23e-6)

@@ -6,7 +6,7 @@ import pytest
 
 from calc.gears import solve
 
-from ..trains import SPEED, mesh, pair_1, r753, shown, solved, train, wheel
+from tests.calc.gears.trains import SPEED, mesh, pair_1, r753, shown, solved, train, wheel
 
 LIMITS = "backlash_min", "backlash_nominal", "backlash_max"
 

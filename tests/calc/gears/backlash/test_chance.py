@@ -12,8 +12,8 @@ from calc.gears.backlash.case import SPREAD, cases
 from calc.gears.backlash.chance import TRAINS, by_chance, deviate
 from calc.gears.backlash.solve import with_couple
 
-from ..trains import mesh, pair_1, r753, solved, train, wheel
-from .plays import CENTRAL, IDLER, SHAVED, alone, changed, parts, played
+from tests.calc.gears.trains import mesh, pair_1, r753, solved, train, wheel
+from tests.calc.gears.backlash.plays import CENTRAL, IDLER, SHAVED, alone, changed, parts, played
 
 MANY = 400_000
 

@@ -9,8 +9,8 @@ from calc.gears.backlash.case import cases, centre_tolerance
 from calc.gears.backlash.formulas import backlash_of_bases, recommended_backlash
 from calc.gears.formulas import working_pressure_angle
 
-from ..trains import pair_1, solved
-from .plays import CENTRAL, IDLER, SHAVED, alone, changed, parts, played
+from tests.calc.gears.trains import pair_1, solved
+from tests.calc.gears.backlash.plays import CENTRAL, IDLER, SHAVED, alone, changed, parts, played
 
 
 @pytest.mark.parametrize("columns, field", [((CENTRAL, IDLER), 0.1071), ((CENTRAL,), 0.0832), ((IDLER,), 0.0675)])

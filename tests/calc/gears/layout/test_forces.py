@@ -9,7 +9,7 @@ import pytest
 
 from calc.gears.layout.forces import forces
 
-from .trains import AXIS, laid, r753, solved, triangle
+from tests.calc.gears.layout.trains import AXIS, laid, r753, solved, triangle
 
 T = 4.958  # N·m at the crank
 

@@ -10,7 +10,7 @@ import pytest
 from calc.gears.layout.solve import ShaftInTrain, layout
 from calc.gears.profile.outline import outline, regions
 
-from .trains import AXIS, at, laid, mesh, r753, solved, train, triangle, verdicts
+from tests.calc.gears.layout.trains import AXIS, at, laid, mesh, r753, solved, train, triangle, verdicts
 
 R753_AXIS = 0.130 + 0.103j
 FINE = 1e-8  # m: how far the outlines may be from the true curves

@@ -12,7 +12,7 @@ from calc.sheet.quantity import published
 from calc.sheet.trace import trace
 from calc.sheet.value import leaves, link_of
 
-from ..trains import SPEED, mesh, pair_1, train, wheel
+from tests.calc.gears.trains import SPEED, mesh, pair_1, train, wheel
 
 
 def of(gears, name, **said):

@@ -10,7 +10,7 @@ from calc.gears.measures import formulas as m
 from calc.gears.measures.solve import over_pins
 from calc.gears.train import tooth_system
 
-from ..trains import mesh, train, wheel
+from tests.calc.gears.trains import mesh, train, wheel
 
 INCH = 25.4e-3
 WHEELS = [(25, 2.0, 21.916, 0.014, 3.5), (17, 3.0, 12.0, 0.3, 5.5), (39, 2.0, 33.0, -0.15, 3.5), (36, 2.0, 21.916, 0.014, 3.5)]

@@ -15,7 +15,7 @@ from calc.gears.measures.spans import spans
 from calc.gears.solve import geometry
 from calc.sheet.errors import NoSolution
 
-from ..trains import SPEED, mesh, reference, train, wheel
+from tests.calc.gears.trains import SPEED, mesh, reference, train, wheel
 
 ROUTES = ("measured_span", "measured_over_balls", "measured_over_pins", "measured_chordal_thickness")
 EXAMPLES = {e["name"].split()[0]: e for e in reference("gears_examples.toml")["example"]}

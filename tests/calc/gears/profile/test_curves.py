@@ -7,7 +7,7 @@ import pytest
 
 from calc.gears.curves import curves
 
-from ..trains import mesh, pair_1, r753, solved, train, wheel
+from tests.calc.gears.trains import mesh, pair_1, r753, solved, train, wheel
 
 
 @pytest.fixture(scope="module")

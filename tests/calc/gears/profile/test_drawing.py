@@ -15,10 +15,10 @@ from calc.gears.profile.cut import Cut
 from calc.gears.profile.drawing import LAYERS, data_table, train_drawing, wheel_drawing
 from calc.gears.profile.outline import shifts
 from calc.gears.solve import geometry, with_layout
-from calc.sheet.drawing import Arc, Polyline, Words
+from calc.draw.drawing import Arc, Polyline, Words
 from reports.dxf import dxf
 
-from ..trains import SPEED, mesh, r753, solved, train, wheel
+from tests.calc.gears.trains import SPEED, mesh, r753, solved, train, wheel
 
 MM = 1e-3
 

@@ -14,7 +14,7 @@ from calc.gears.profile.meshing import flank, penetration, penetrations
 from calc.gears.profile.outline import CHORD_ERROR, regions, shifts
 from calc.sheet.errors import NoSolution
 
-from ..trains import mesh, pair_1, r753, solved, train, wheel
+from tests.calc.gears.trains import mesh, pair_1, r753, solved, train, wheel
 
 
 def pair(z_1, x_1, z_2, x_2, tool, beta=0.0, **said):

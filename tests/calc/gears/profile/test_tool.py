@@ -13,7 +13,7 @@ from calc.gears.profile.outline import regions, tooth
 from calc.gears.train import tooth_system
 from calc.sheet.errors import NoSolution
 
-from ..trains import mesh, solved, train, wheel
+from tests.calc.gears.trains import mesh, solved, train, wheel
 
 PLAIN = [
     (36, 0.014, 21.916, (1.41, 0.2), 0.0, 0.0), (25, 0.0142, 21.916, (1.41, 0.2), 0.0, 0.0), (20, 0.0, 0.0, (1.25, 0.38), 0.0, 0.0),

@@ -17,7 +17,7 @@ from calc.sheet.quantity import published
 from calc.sheet.trace import trace
 from calc.sheet.value import link_of
 
-from ..trains import SPEED, geometry, mesh, r753, solved, train, wheel
+from tests.calc.gears.trains import SPEED, geometry, mesh, r753, solved, train, wheel
 
 STEEL = dict(E=206e9, density=7830.0)
 N_PER_MM_UM = 1e9

@@ -7,13 +7,13 @@ from pathlib import Path
 
 import pytest
 
-from calc.catalogue import materials
-from calc.design_file import design, read
+from calc.library.catalogue import materials
+from calc.design.toml_file import design, read
 from calc.gears.rating.checks import overlooked
 from calc.gears.rating.load import USUAL, Irregularity, Power, Swing, firing_order, loads, mean_torques
 from calc.solve import solve
 
-from ..trains import SPEED, r753, solved
+from tests.calc.gears.trains import SPEED, r753, solved
 
 GAMMA = Path(__file__).parents[4] / "designs" / "r753ie4_gamma.toml"
 GEARS = r753()

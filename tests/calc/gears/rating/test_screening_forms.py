@@ -5,11 +5,11 @@ import math
 import numpy as np
 import pytest
 
-from calc.catalogue import base_stocks
+from calc.library.catalogue import base_stocks
 from calc.gears.rating.screening import load, micropitting, scuffing
 
-from ..trains import SPEED, r753, solved
-from .test_screening import flash_at, path_of, spur
+from tests.calc.gears.trains import SPEED, r753, solved
+from tests.calc.gears.rating.test_screening import flash_at, path_of, spur
 
 
 # --- the published forms ------------------------------------------------------------------------------------------------------

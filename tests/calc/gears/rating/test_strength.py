@@ -5,13 +5,13 @@ from dataclasses import replace
 
 import pytest
 
-from calc.gears.rating import strength as s
+from calc.gears.rating import mesh_strength as s
 from calc.gears.rating.checks import roughness_check, strength_checks
 from calc.gears.rating.classes import strength_class
 from calc.gears.rating.curves import strength_tables
 from calc.gears.rating.notes import strength_notes
 from calc.gears.rating.result import Side
-from calc.gears.rating.strength import MeshLoad, mesh_strength
+from calc.gears.rating.mesh_strength import MeshLoad, mesh_strength
 from calc.sheet.quantity import published
 from calc.sheet.trace import trace
 from calc.sheet.value import link_of

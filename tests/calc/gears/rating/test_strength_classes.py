@@ -11,7 +11,7 @@ from calc.gears.rating.curves import classes_table
 from calc.sheet.errors import NoSolution
 from calc.sheet.trace import trace
 
-from ..trains import wheel
+from tests.calc.gears.trains import wheel
 
 # ISO 6336-5:2016, Table 1, as reprinted in the public code of Mekanika (class, quality, HV, σ_Hlim, σ_Flim in MPa)
 PUBLISHED = [

@@ -4,7 +4,7 @@ import pytest
 
 from calc.gears.selection.search import search
 
-from ..trains import r753
+from tests.calc.gears.trains import r753
 
 
 @pytest.fixture(scope="session")

@@ -5,15 +5,15 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from calc.design_file import design, read
+from calc.design.toml_file import design, read
 from calc.gears.layout.solve import ShaftInTrain, layout
 from calc.gears.selection.free_shifts import freedoms
 from calc.gears.selection.idler import idler_table, idlers, passed
 from calc.gears.solve import geometry
 from calc.gears.train import settle, tooth_system
 
-from ....conftest import DESIGNS
-from ..layout.trains import AXIS, screw, triangle, wall
+from tests.conftest import DESIGNS
+from tests.calc.gears.layout.trains import AXIS, screw, triangle, wall
 
 COVER = wall("cover", -60, 0, -60, 60)  # the idler stands 24 mm below the line of its neighbours, or above it
 

@@ -16,7 +16,7 @@ from calc.gears.train import settle, tooth_system
 from calc.sheet.errors import NoSolution
 from calc.sheet.search import least
 
-from ..trains import mesh, pair_1, r753, solved, train, wheel
+from tests.calc.gears.trains import mesh, pair_1, r753, solved, train, wheel
 
 
 @pytest.fixture(scope="module")

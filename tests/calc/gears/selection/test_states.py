@@ -13,7 +13,7 @@ from calc.gears.measures.formulas import generating_shift
 from calc.gears.selection.states import states
 from calc.gears.train import settle, tooth_system
 
-from ..trains import mesh, pair_1, r753, solved, train, wheel
+from tests.calc.gears.trains import mesh, pair_1, r753, solved, train, wheel
 
 AT = ("central_idler", "central"), ("central_idler", "idler")
 

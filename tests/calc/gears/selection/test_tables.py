@@ -7,7 +7,7 @@ import pytest
 from calc.gears.selection import tables
 from calc.gears.selection.rules import HARDENED
 
-from ..trains import solved
+from tests.calc.gears.trains import solved
 
 
 @pytest.fixture(scope="module")

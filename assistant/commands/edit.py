@@ -1,0 +1,110 @@
+# SPDX-License-Identifier: Apache-2.0
+"""`contralbero choose`: search for the user; a ranked table, and `--apply N` writes one row into the design file."""
+
+import json
+import sys
+import textwrap
+from argparse import Namespace
+from collections import Counter
+from difflib import get_close_matches
+from pathlib import Path
+
+from assistant.changes import locked_text
+from assistant.commands.check import changed
+from assistant.offers.offer import CHOICES, Offer
+from assistant.offers.offer import offer as offer_for
+from assistant.plain import LINE, check_line, print_summary, sign, table_json, table_lines
+from assistant.session.saving import edited_text, write_asked
+from calc.design.addresses import parse_assignment
+from calc.design.toml_file import Document, design, read
+from calc.sheet.errors import BadInput, InputError, NoSolution
+from calc.sheet.text import COMMA, EMPTY, Text
+from calc.solve import TITLES, solve
+
+
+def run(asked: Namespace) -> int:
+    if asked.step not in CHOICES:
+        known = COMMA.join(Text("{step} ({what})", step=step, what=what) for step, what in CHOICES.items())
+        reason = Text("there is nothing to choose here yet; there is for {steps}", steps=known)
+        if near := get_close_matches(asked.step, CHOICES, 1, 0.75):
+            reason = Text("did you mean {near}? {reason}", near=near[0], reason=reason)
+        raise BadInput("contralbero choose", [InputError(0, "STEP", asked.step, reason)])
+    document = read(asked.file)
+    made = design(document)
+    if asked.top < 1:
+        raise BadInput("--top", [InputError(0, "", str(asked.top), Text("must be a number of rows, 1 or more"))])
+    try:
+        offer = offer_for(asked.step, made, asked.file)
+    except NoSolution as none:
+        print(f"{asked.file}: {asked.step}: {none}", file=sys.stderr)
+        return 3
+    if asked.apply is not None:
+        if not 1 <= asked.apply <= offer.count:
+            raise BadInput(
+                "--apply", [InputError(0, "", str(asked.apply), Text("must be a row of the table, from 1 to {n}", n=offer.count))]
+            )
+        try:
+            changes = offer.changes(asked.apply)
+        except NoSolution as none:
+            print(f"{asked.file}: {asked.step}: {none}", file=sys.stderr)
+            return 3
+        _write(Path(asked.file), document, changes, asked.step, offer.said(asked.apply))
+        return 0
+    table = offer.table(asked.top)
+    if asked.json:
+        beside = {one.id: table_json(one) for one in offer.beside(asked.top)}
+        found = {"schema": 1, "step": asked.step, **table_json(table), **({"tables": beside} if beside else {})}
+        found |= {key: said for key, said in (("summary", offer.summary), ("notes", offer.notes)) if said}
+        print(json.dumps(found, ensure_ascii=False, indent=1))
+        return 0
+    title, *lines = table_lines(table)
+    print(title)
+    for words in offer.summary:
+        print("\n".join(textwrap.wrap(words, LINE)))
+    print("\n".join(([""] if offer.summary else []) + lines))
+    if hidden := offer.hidden(asked.top):
+        print(f"  {hidden}")
+    for one in offer.beside(asked.top):
+        print("\n" + "\n".join(table_lines(one)))
+    if offer.notes:
+        print()
+    for words in offer.notes:
+        print("\n".join(textwrap.wrap(words, LINE, initial_indent="- ", subsequent_indent="  ", break_long_words=False)))
+    if shut := _locked(document, offer):
+        print("", Text("Row 1 {changes}", changes=shut), sep="\n")
+    print(f"\n{offer.hint}")
+    return 0
+
+
+def _locked(document: Document, offer: Offer) -> Text:
+    """What is locked that the first row changes."""
+    try:
+        return locked_text(document, offer.changes(1))
+    except NoSolution:  # it does not hold after all, which applying it says
+        return EMPTY
+
+
+def _write(path: Path, document: Document, changes: list[str], step: str, said: str) -> None:
+    """Put a row into the file and say so; then the verdicts, the warnings of this step, and whatever fails."""
+    before = document.raw.decode("utf-8")
+    _, made = changed(document, changes)
+    text = edited_text(before, dict(parse_assignment(change) for change in changes))
+    write_asked(path, text, expected=document.raw)
+    print(f"{path} {said}; as it was before: {path}.bak")
+    if shut := locked_text(document, changes):
+        print(Text("This {changes}", changes=shut))
+    for comment in (Counter(_comments(before)) - Counter(_comments(text))).elements():
+        print(f"A comment went with its key: {comment}")
+    results = solve(made)
+    print()
+    for key, outcome in results.outcomes.items():
+        if key != step and outcome.state != "not_asked":
+            reason = f"  {outcome.reason}" if outcome.reason else ""
+            print(f"{TITLES[key]:<14} {sign(outcome.verdict)}{reason}")
+            print("".join(f"  {check_line(c, c.verdict)}\n" for c in outcome.checks if c.verdict == "fail"), end="")
+    print_summary(results, step)
+
+
+def _comments(text: str) -> list[str]:
+    """What stands behind a # in each line, wherever the line itself is a string."""
+    return [line[line.index("#") :].strip() for line in text.splitlines() if "#" in line]

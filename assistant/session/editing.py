@@ -1,0 +1,254 @@
+# SPDX-License-Identifier: Apache-2.0
+"""A design under edit: what was typed, what it means, and what of it is not allowed.
+
+Every edit makes a new document that is checked whole.  What can not be understood, or is not allowed, stays visible in its
+field while the last valid design stays as it was.
+"""
+
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+from typing import Any
+
+from calc.design.addresses import Table, address, changed
+from calc.design.model import Design
+from calc.design.toml_file import Document, design, parse
+from calc.design.locks import locked, toggled
+from calc.sheet.errors import BadInput, InputError, NoSolution, text_of
+from calc.sheet.quantity import Quantity
+from calc.sheet.text import EMPTY, Text
+
+from . import numbers
+from ..changes import applied
+from .history import History, State
+from .places import Place, content_at, described, error_place, named_key, optional_table, without_empty
+from .recording import Recording
+
+LOCKED_HERE = "locked in the session"
+
+
+@dataclass(frozen=True)
+class Plan:
+    """What was built for the tables of a design; `why`: it can not be built."""
+
+    of: Table = field(repr=False)
+    data: Table = field(repr=False)
+    why: Text = EMPTY
+
+
+class Editing:
+    """The fields of one design, and the way back through its edits.  Knows neither the disk nor the results."""
+
+    def __init__(self, raw: bytes, origin: Path) -> None:
+        self.document: Document = parse(raw, str(origin))
+        self.design: Design = design(self.document)
+        self.errors: tuple[InputError, ...] = ()
+        self.generation = 1
+        self.history = History(State(self.document.data, {}))
+        self._valid: Table = self.document.data  # the last tables that were a valid design
+        self.recording: Recording | None = None  # follows the edits, if it was asked for
+
+    # --- what is shown
+    @property
+    def _state(self) -> State:
+        return self.history.state
+
+    @property
+    def data(self) -> Table:
+        return self._state.data
+
+    @property
+    def valid(self) -> bool:
+        return not self.errors and not self._state.texts
+
+    def place(self, key: str | Place) -> Place:
+        """Where a dotted key stands; a place is taken as it is."""
+        return address(self._state.data, key) if isinstance(key, str) else key
+
+    def value(self, key: str | Place) -> Any:
+        """The value in the unit of its key, None where it is left out."""
+        return content_at(self._state.data, self.place(key))
+
+    def about(self, key: str | Place) -> Quantity:
+        return described(self.place(key))
+
+    def text(self, key: str | Place) -> str:
+        """What stands in the field: what was typed and not understood, else the value as it is written."""
+        where = self.place(key)
+        if where in self._state.texts:
+            return self._state.texts[where][0]
+        return numbers.written(self.value(where), described(where))
+
+    def reason(self, key: str | Place) -> Text:
+        """Why this field is not accepted; empty where it is."""
+        where = self.place(key)
+        return self.reasons().get(where, EMPTY)
+
+    def reasons(self) -> dict[Place, Text]:
+        """Every field that is not accepted, with the reason; mistakes that belong to a table stand at the place of the table."""
+        reasons: dict[Place, Text] = {}
+        for error in self.errors:
+            reasons.setdefault(error_place(self._state.data, error.key), error.reason)
+        reasons.update({where: reason for where, (_, reason) in self._state.texts.items()})
+        return reasons
+
+    # --- editing
+    def edit(self, key: str | Place, text: str) -> Text:
+        """Type a text into a field.  Gives the reason why it is not accepted, or nothing.
+
+        Edits of one field that follow each other are one step of the undo; `seal()` ends the step.
+        """
+        where = self.place(key)
+        texts = {k: v for k, v in self._state.texts.items() if k != where}
+        try:
+            gone = not text.strip() and optional_table(where) is not None  # such a table goes with its last key, so a key must go too
+            content = None if gone else numbers.value(text, described(where))
+        except numbers.NotUnderstood as no:
+            self._step(State(self._state.data, {**texts, where: (text, no.reason)}), where)
+            return no.reason
+        old = self.value(where)
+        if isinstance(content, list) and len(content) == 1 and old is not None and not isinstance(old, list):
+            content = content[0]  # a list of one may stand in the file as a number
+        data = self._state.data if content == old and type(content) is not bool else changed(self._state.data, where, content)
+        self._step(State(without_empty(data, where), texts), where)
+        return self.reason(where)
+
+    def seal(self) -> None:
+        """The next edit is a step of its own."""
+        self.history.seal()
+
+    def add(self, key: str | Place) -> int:
+        """A further element of an array of tables, like the last one but with a name of its own.  Gives its index."""
+        where = self.place(key) if not isinstance(key, str) else tuple(key.split("."))
+        there = self.value(where) or []
+        made = dict(there[-1]) if there else {}
+        names = [item.get("name") for item in there]
+        if isinstance(made.get("name"), str):
+            base = made["name"].rstrip("0123456789").rstrip("-")
+            made["name"] = next(name for n in range(2, len(there) + 3) if (name := f"{base}-{n}") not in names)
+        self.seal()
+        self._step(State(changed(self._state.data, where, [*there, made]), self._state.texts), where)
+        self.seal()
+        return len(there)
+
+    def remove(self, key: str | Place, index: int) -> None:
+        """Take an element out of an array of tables."""
+        where = self.place(key) if not isinstance(key, str) else tuple(key.split("."))
+        there = [item for n, item in enumerate(self.value(where) or []) if n != index]
+        texts = {k: v for k, v in self._state.texts.items() if k[: len(where)] != where}
+        self.seal()
+        self._step(State(changed(self._state.data, where, there or None), texts), where)
+        self.seal()
+
+    def put_table(self, where: Place, there: bool) -> None:
+        """Add a table that may be left out, with no key yet (what it needs is then reported as missing); or leave it out."""
+        texts = {k: v for k, v in self._state.texts.items() if k[: len(where)] != where}
+        self.seal()
+        self._step(State(changed(self._state.data, where, {} if there else None), texts), where)
+        self.seal()
+
+    def apply(self, changes: Iterable[str]) -> None:
+        """Make several changes, each KEY=VALUE as `--set` takes it, as one step of the undo.  Raises BadInput where a key is none.
+
+        What was typed elsewhere, and not understood, stays.
+        """
+        data, before = applied(self.document, changes).data, self._state.data
+        texts = {where: text for where, text in self._state.texts.items() if content_at(data, where) == content_at(before, where)}
+        self.seal()
+        self._step(State(data, texts), None)
+        self.seal()
+
+    def lock_reason(self, place: str | Place) -> str:
+        """Why no remedy and no search may change an input; empty where they may."""
+        return locked(self._state.data, named_key(self._state.data, self.place(place)))
+
+    def toggle_lock(self, place: str | Place, reason: str = LOCKED_HERE) -> None:
+        """Lock an input, or unlock it, as one step of the undo."""
+        data = toggled(self._state.data, named_key(self._state.data, self.place(place)), reason)
+        self.seal()
+        self._step(State(data, self._state.texts), None)
+        self.seal()
+
+    def plan(self, step: str, balancing: str = "") -> "Plan":
+        """A step that the design does not have, or (`balancing`) crank and shaft of a balancing, built by the rules behind `new`.
+
+        Changes nothing, and so may run in another thread; `take` puts it in.
+        """
+        from calc.studies.starter.build import built
+
+        document = self.document
+        try:
+            data = built(document, step, balancing).data
+        except (BadInput, NoSolution) as error:
+            return Plan(document.data, document.data, text_of(error))
+        if step == "countershaft" and data == document.data:
+            return Plan(data, data, Text("the balancing that was chosen has no shaft; the step Imbalance offers others"))
+        return Plan(document.data, data)
+
+    def take(self, plan: "Plan") -> Text:
+        """Put in what was built, as one step of the undo.  Gives the reason why not, or nothing."""
+        if plan.of is not self.document.data:
+            return Text("The design has changed meanwhile: build it once more.")
+        if not plan.why:
+            self._put(plan.data)
+        return plan.why
+
+    def ask(self, step: str, balancing: str = "") -> Text:
+        """Build a step here and now.  Gives the reason why it can not be built, or nothing."""
+        return self.take(self.plan(step, balancing))
+
+    def leave_out(self, step: str, reason: str) -> None:
+        """Say that the design does without a step that it does not have."""
+        without = self._state.data.get("without")
+        self._put(changed(self._state.data, ("without",), {**(without if isinstance(without, dict) else {}), step: reason}))
+
+    def _put(self, data: Table) -> None:
+        texts = {where: text for where, text in self._state.texts.items() if where[0] in data}
+        self.seal()
+        self._step(State(data, texts), None)
+        self.seal()
+
+    def undo(self) -> Place | None:
+        """Back by one step.  Gives the place that changed, () where it is no single one, None where there is nothing to undo."""
+        return self._travelled(self.history.undo)
+
+    def redo(self) -> Place | None:
+        return self._travelled(self.history.redo)
+
+    def _travelled(self, travel: Callable[[], Place | None]) -> Place | None:
+        before = self._state
+        where = travel()
+        self._entered(before, back=travel == self.history.undo)
+        return where
+
+    def _step(self, state: State, where: Place | None) -> None:
+        before = self._state
+        if self.history.go(state, where):
+            if self.recording is not None and not self.history.joined:
+                self.recording.close()
+            self._entered(before)
+
+    def _entered(self, before: State, back: bool = False) -> None:
+        """The design is another one than before: check it whole.  `back`: by an undo."""
+        data = self._state.data
+        if data == before.data:
+            return
+        self.document = replace(self.document, data=data)
+        self.generation += 1
+        try:
+            self.design = design(self.document)
+            self.errors = ()
+            self._valid = data
+        except BadInput as bad:
+            self.errors = tuple(bad.errors)
+            return
+        if self.recording is not None and back:
+            self.recording.undone(data)
+        elif self.recording is not None:
+            self.recording.edited(data)
+
+    # --- recording
+    def record(self) -> None:
+        """Begin to record a replay, at the last valid state."""
+        self.seal()
+        self.recording = Recording(self._valid)

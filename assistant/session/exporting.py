@@ -1,0 +1,162 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What a design gives to other programs: its results as JSON or CSV, its shaft or its gears as a DXF drawing.  And its report."""
+
+import csv
+import json
+import math
+from io import StringIO
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from assistant.draft import Draft
+from assistant.plain import results_json
+from assistant.session.saving import write_asked
+from calc.design.toml_file import Document
+from calc.sheet.errors import BadInput, InputError
+from calc.sheet.progress import Progress
+from calc.sheet.text import Text
+from calc.solve import Results
+
+if TYPE_CHECKING:
+    from calc.gears.inputs import GearsInputs
+    from calc.gears.result import TrainResult
+
+KINDS = {"dxf": Text("a drawing of the shaft or of the gears"), "csv": Text("the values"), "json": Text("all results")}
+HOW = Text("give [[countershaft.sections]], or core_radius_mm with the sizes of the journals ([bearings], or [[countershaft.journals]])")
+
+
+def write_draft(path: Path, draft: Draft, gears: bool = False, progress: Progress | None = None, lang: str = "en") -> None:
+    """Write the file that its ending says: the report as .pdf, else one of the kinds.  Raises BadInput, OSError, Cancelled."""
+    document, results = draft.solved()
+    if path.suffix.lower() == ".pdf":
+        from reports.report import write
+
+        write(document, results, document.raw, path, depth="engineer", lang=lang, progress=progress)
+    else:
+        write_asked(path, exported(path.suffix.lower().removeprefix("."), document, results, gears), inputs=[document.place])
+
+
+def exported(kind: str, document: Document, results: Results, gears: bool = False) -> str:
+    """The text of a file of this kind.  A drawing is that of the shaft; of the train where `gears` says so, or where there is no shaft.
+
+    Raises BadInput where there is nothing to draw, with what to add.
+    """
+    if kind == "json":
+        return results_text(document, results)
+    if kind == "csv":
+        return values_text(document, results)
+    return gears_text(document, results) if gears or draws_gears(results) else drawing_text(document, results)
+
+
+def draws_gears(results: Results) -> bool:
+    """The gears are all there is to draw."""
+    return results.design.countershaft is None and results.design.gears is not None
+
+
+def results_text(document: Document, results: Results) -> str:
+    """The object that `check --json` prints."""
+    return json.dumps(results_json(document, results, measured=True), ensure_ascii=False, indent=1) + "\n"
+
+
+def values_text(document: Document, results: Results) -> str:
+    """A row for each value; a number that is not finite leaves its cell empty."""
+    file = StringIO()
+    rows = csv.writer(file, lineterminator="\n")
+    rows.writerow(("id", "value", "unit", "label", "symbol"))
+    for id, value in results.values().items():
+        rows.writerow((id, value.shown if math.isfinite(value.shown) else "", value.unit, value.label, value.symbol))
+    return file.getvalue()
+
+
+def transfer_text(document: Document, results: Results) -> str:
+    """How every point of the engine's mounting moves under unit forces and moments, over frequency."""
+    from calc.mounting.result import MountingResult
+    from calc.mounting.transfer import rows as transfer_rows
+
+    found = results.result(MountingResult)
+    if found is None or not found.system.mounting.points:
+        reason = Text("needed with [[mounting.points]] for transfer functions")
+        raise BadInput(document.place, [InputError(0, "mounting", "", reason)])
+    file = StringIO()
+    writer = csv.writer(file, lineterminator="\n")
+    header, numbers = transfer_rows(found)
+    writer.writerow(header)
+    writer.writerows([f"{x:.9g}" if math.isfinite(x) else "" for x in row] for row in numbers)
+    return file.getvalue()
+
+
+def drawing_text(document: Document, results: Results) -> str:
+    """The shaft as a DXF file.  Raises BadInput where its outline is not known, with what to add."""
+    shaft, found = results.design.countershaft, results.outcomes["countershaft"]
+    if shaft is None:
+        raise BadInput(
+            document.place,
+            [InputError(0, "countershaft", "", Text("needed for a drawing: add [countershaft], and {how}; or [gears]", how=HOW))],
+        )
+    if found.state != "solved":
+        raise BadInput(
+            document.place, [InputError(0, "countershaft", "", Text("there is no shaft to draw: {reason}", reason=found.reason))]
+        )
+    from calc.countershaft.result import CountershaftResult
+
+    solved = results.result(CountershaftResult)
+    outline = solved.outline if solved is not None else None
+    if outline is None:
+        raise BadInput(
+            document.place,
+            [
+                InputError(
+                    0,
+                    "countershaft",
+                    "",
+                    Text(
+                        "the shaft's outline is not known: {how}; `contralbero check {file} --step countershaft` tells more",
+                        how=HOW,
+                        file=document.place,
+                    ),
+                )
+            ],
+        )
+    from calc.studies.drawings import sheets
+    from reports.dxf import sheet_dxf
+
+    return sheet_dxf(sheets(results, data=document.data)[0])
+
+
+def gears_text(document: Document, results: Results, wheel: str | None = None, chord_error: float | None = None) -> str:
+    """One wheel with its table of data, or the whole train, as a DXF file.  `chord_error` in µm."""
+    from calc.gears.profile.drawing import LAYERS, train_drawing, wheel_drawing
+    from calc.gears.profile.outline import CHORD_ERROR
+    from reports.dxf import dxf
+
+    train, gears, name = _train(document, results, wheel), results.design.gears, results.design.name
+    error = CHORD_ERROR if chord_error is None else chord_error * 1e-6
+    if wheel is not None:
+        return dxf(wheel_drawing(train, wheel, name, gears, error), LAYERS)
+    assert gears is not None
+    return dxf(train_drawing(train, name, _positions(train, gears), gears.tooth_angle, error), LAYERS)
+
+
+def _positions(train: "TrainResult", gears: "GearsInputs") -> dict[str, tuple[float, float]]:
+    """Where the axes stand, as far as it is known: found with the layout, or given."""
+    found = {w.name: (w.position[0], w.position[1]) for w in gears.wheels if w.position is not None}
+    placed = train.layout.wheels if train.layout is not None else {}
+    return found | {name: (w.position.real, w.position.imag) for name, w in placed.items() if w.position is not None}
+
+
+def _train(document: Document, results: Results, wheel: str | None) -> "TrainResult":
+    """The solved train.  Raises BadInput where there is none, or not the wheel."""
+    from calc.gears.result import TrainResult
+
+    train = results.result(TrainResult)
+    if results.design.gears is None:
+        raise BadInput(document.place, [InputError(0, "gears", "", Text("needed for a drawing of the gears: add [gears]"))])
+    if train is None:
+        reason = results.outcomes["gears"].reason
+        raise BadInput(document.place, [InputError(0, "gears", "", Text("there are no gears to draw: {reason}", reason=reason))])
+    if wheel is not None and wheel not in train.wheels:
+        raise BadInput(
+            "contralbero export",
+            [InputError(0, "--gear", wheel, Text("is no wheel; the wheels are {wheels}", wheels=", ".join(train.wheels)))],
+        )
+    return train

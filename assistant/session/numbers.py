@@ -1,0 +1,248 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What a person types into a field, understood: `3,5` and `3.5`, `1.2e-3`, `3.7 in`, `92.4/2`, `3/8 in`, `-167.5; 167.5`.
+
+The comma is a decimal sign, never a separator of thousands: `1,234.5` is refused with the reason, because a wrong guess would be
+a factor of a thousand.  The answer stands in the unit of the field, as the design file has it.
+"""
+
+import math
+import re
+from datetime import date
+from typing import Any
+
+from calc.design.toml_file import is_day
+from calc.sheet.quantity import Quantity
+from calc.sheet.text import Text
+
+from ..unit_words import UNIT_WORDS
+
+LONGEST = 200  # characters of one entry
+MINUS = str.maketrans({"−": "-", "–": "-", "\u00a0": " ", "\u202f": " ", "\u2009": " "})
+RAISED = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺", "0123456789-+")
+NUMBER = re.compile(
+    r"""(?P<number>[+-]?(?:\d+(?:[.,]\d*)?|[.,]\d+))                 # 3  3.5  3,5  .5
+        (?:[eE](?P<e>[+-]?\d{1,3})(?![0-9])                            # 1.2e-3
+          |\s*[·*x×]\s*10(?:\^(?P<power>[+-]?\d{1,3})|(?P<raised>[⁻⁺]?[⁰¹²³⁴⁵⁶⁷⁸⁹]{1,3})))?   # 1.2·10⁻³
+        \s*(?P<unit>[^\s\d.,+-].*)?\Z""",
+    re.VERBOSE,
+)
+GROUPED = re.compile(r"[+-]?\d+(?:[.,'’_ ]\d+){2,}|[+-]?\d+['’_ ]\d|[+-]?\d[\d.,]*,\d*\.|[+-]?\d[\d.,]*\.\d*,")
+
+SUM = re.compile(  # 92.4/2  3/8 in  2*(45+1)
+    r"(?P<sum>(?=.*[\d)]\s*[-+*/×]\s*[-+(\d.,])[-+(\d.,][-+*/×().,\deE\s]*?)\s*(?P<unit>(?![eE]\d)[^-+*/×().,\d\s^][^()]*)?\Z"
+)
+TOKEN = re.compile(r"\s*(?:(?P<number>(?:\d+(?:[.,]\d*)?|[.,]\d+)(?:[eE][+-]?\d{1,3})?)|(?P<sign>[-+*/×()]))")
+POWER_OF_TEN = re.compile(r"[·*x×]\s*10\s*(?:\^|[⁻⁺⁰¹²³⁴⁵⁶⁷⁸⁹])")
+UNFINISHED = re.compile(r"[+-]?(?:\d+[.,]?\d*[eE][+-]?)?\Z|[+-]?[.,]\Z|[\d(][-+*/×().,\de\s]*[-+*/×(]\Z")
+
+
+class NotUnderstood(ValueError):
+    """The text can not be taken as a value of this field; `reason` says why, and what is allowed."""
+
+    def __init__(self, reason: Text) -> None:
+        self.reason = reason
+        super().__init__(reason)
+
+
+def value(text: str, about: Quantity) -> Any:
+    """The value that the text stands for, as the design file has it; None where the field is left empty and may be."""
+    text = text.strip()
+    if len(text) > LONGEST:
+        raise NotUnderstood(Text("is longer than {limit} characters", limit=LONGEST))
+    if not text:
+        if about.optional:
+            return None
+        raise NotUnderstood(Text("is empty; needs {allowed}", allowed=about.allowed()))
+    match about.kind:
+        case "text" | "choice":
+            return text
+        case "date":
+            return day(text, about)
+        case "number":
+            return number(text, about)
+        case "integer":
+            return integer(text, about)
+        case "series" | "integers":
+            return series(text, about)
+    raise NotUnderstood(Text("can not be typed into one field"))
+
+
+def day(text: str, about: Quantity) -> date:
+    """A date as TOML has it."""
+    if not is_day(text.translate(MINUS)):
+        raise NotUnderstood(Text("must be {allowed}", allowed=about.allowed()))
+    return date.fromisoformat(text.translate(MINUS))
+
+
+def number(text: str, about: Quantity) -> float:
+    """A decimal number, with or without a unit; the answer stands in the unit of the field."""
+    shown, unit = _parts(text, about)
+    return _converted(shown, unit, about)
+
+
+def integer(text: str, about: Quantity) -> int:
+    shown = number(text, about)
+    if shown != int(shown):
+        raise NotUnderstood(Text("must be {allowed}", allowed=about.allowed()))
+    return int(shown)
+
+
+def series(text: str, about: Quantity) -> list[Any]:
+    """`-167.5; 167.5`.  Whole numbers, and a list in brackets as the design file has it, may have commas between them."""
+    bracketed = text.startswith("[") and text.endswith("]")
+    body = text[1:-1].strip() if bracketed else text
+    if ";" in body:
+        items = body.split(";")
+    elif bracketed or about.kind == "integers":
+        items = body.split(",") if "," in body else body.split()
+    elif ", " in body:
+        items = body.split(", ")
+    elif body.count(",") > 1 or ("," in body and "." in body):
+        raise NotUnderstood(Text("is ambiguous; put a semicolon between the numbers: 1.5; 2.5"))
+    else:
+        items = body.split() if all(NUMBER.match(part) for part in body.translate(MINUS).split()) else [body]
+    items = [item.strip() for item in items]
+    if items and not items[-1]:
+        items.pop()
+    if not items or not all(items):
+        raise NotUnderstood(Text("has an empty place; needs {allowed}", allowed=about.allowed()))
+    read = [_parts(item, about) for item in items]
+    if len({bool(unit) for _, unit in read}) > 1:
+        raise NotUnderstood(Text("has units at some numbers only; give every number its unit, or none"))
+    found = [_converted(shown, unit, about) for shown, unit in read]
+    if about.kind == "integers":
+        if any(n != int(n) for n in found):
+            raise NotUnderstood(Text("must be {allowed}", allowed=about.allowed()))
+        return [int(n) for n in found]
+    return found
+
+
+def _parts(text: str, about: Quantity) -> tuple[float, str]:
+    """The number as typed, and the unit behind it."""
+    plain = text.translate(MINUS).strip()
+    if plain[:1] in "+-" and plain[1:2] == " ":
+        plain = plain[0] + plain[1:].lstrip()
+    digits, behind = plain, ""
+    for name in UNIT_WORDS.get(about.unit, {}):
+        if name[:1].isdigit() and plain.endswith(" " + name):  # 2600 1/min
+            digits, behind = plain.removesuffix(name).rstrip(), name
+    if UNFINISHED.match(digits):
+        raise NotUnderstood(Text("is not finished"))
+    if (worked := SUM.match(digits)) is not None and not POWER_OF_TEN.search(digits):
+        return _Sum(worked["sum"], about).value(), behind or (worked["unit"] or "").strip()
+    if GROUPED.match(digits):
+        raise NotUnderstood(Text("is ambiguous: the thousands are not separated here; write {number}", number=_ungrouped(digits)))
+    found = NUMBER.match(digits)
+    if found is None:
+        if digits.lower().lstrip("+-").startswith(("nan", "inf")):
+            raise NotUnderstood(Text("must be {allowed}, and finite", allowed=about.allowed()))
+        raise NotUnderstood(Text("is no number; needs {allowed}", allowed=about.allowed()))
+    mantissa = found["number"].replace(",", ".")
+    power = found["e"] or found["power"] or (found["raised"] or "0").translate(RAISED)
+    return float(f"{mantissa}e{int(power)}"), behind or (found["unit"] or "").strip()
+
+
+class _Sum:
+    """A little arithmetic: + - * / and brackets, by recursive descent."""
+
+    def __init__(self, text: str, about: Quantity) -> None:
+        self._refused = NotUnderstood(Text("is no sum that can be worked out; needs {allowed}", allowed=about.allowed()))
+        self._tokens: list[str] = []
+        end = 0
+        while end < len(text.rstrip()):
+            if (found := TOKEN.match(text, end)) is None:
+                raise self._refused
+            self._tokens.append((found["number"] or found["sign"]).replace(",", ".").replace("×", "*"))
+            end = found.end()
+        self._tokens.reverse()
+
+    def value(self) -> float:
+        made = self._terms()
+        if self._tokens or not math.isfinite(made):
+            raise self._refused
+        return float(f"{made:.12g}")
+
+    def _next(self, *signs: str) -> str:
+        return self._tokens.pop() if self._tokens and self._tokens[-1] in signs else ""
+
+    def _terms(self) -> float:
+        made = self._factors()
+        while sign := self._next("+", "-"):
+            made += self._factors() if sign == "+" else -self._factors()
+        return made
+
+    def _factors(self) -> float:
+        made = self._single()
+        while sign := self._next("*", "/"):
+            by = self._single()
+            if sign == "/" and not by:
+                raise self._refused
+            made = made * by if sign == "*" else made / by
+        return made
+
+    def _single(self) -> float:
+        if sign := self._next("+", "-"):
+            return self._single() if sign == "+" else -self._single()
+        if self._next("("):
+            made = self._terms()
+            if not self._next(")"):
+                raise self._refused
+            return made
+        if not self._tokens or self._tokens[-1] in "+-*/()":
+            raise NotUnderstood(Text("is not finished")) if not self._tokens else self._refused
+        return float(self._tokens.pop())
+
+
+def _ungrouped(text: str) -> str:
+    """The same digits without the separators of thousands: what was probably meant."""
+    digits = re.match(r"[+-]?[\d.,'’_ ]*\d", text)
+    body = digits[0] if digits else text
+    if body.count(".") == 1 and (body.count(",") != 1 or body.rindex(".") > body.rindex(",")):
+        return re.sub(r"[,'’_ ]", "", body)
+    if body.count(",") == 1:
+        return re.sub(r"[.'’_ ]", "", body).replace(",", ".")
+    return re.sub(r"[.,'’_ ]", "", body)
+
+
+def _converted(shown: float, word: str, about: Quantity) -> float:
+    """A number with the unit that stands behind it, in the unit of the field."""
+    if abs(shown) > 1e300:
+        raise NotUnderstood(Text("must be {allowed}, and finite", allowed=about.allowed()))
+    if not word or word == about.unit:
+        return shown
+    known = UNIT_WORDS.get(about.unit, {})
+    name = _unit(word, known)
+    if name is None:
+        others = [n for n in known if n and n != about.unit][:5]
+        allowed = Text("write {units} or no unit", units=", ".join([about.unit, *others])) if about.unit else Text("it has no unit")
+        raise NotUnderstood(Text('"{word}" is no unit of this field; {allowed}', word=word, allowed=allowed))
+    if name == about.unit:
+        return shown
+    factor, zero = known[name] if isinstance(known[name], tuple) else (known[name], 0.0)
+    return float(f"{about.units.shown(shown * factor + zero):.12g}")
+
+
+def _unit(word: str, known: dict[str, Any]) -> str | None:
+    """The known unit that a word means: µ in either coding, ^2 for ², a dot, a star or a space for ·; any case where that is unique."""
+    plain = re.sub(r"\s*[·⋅*]\s*|(?<=[A-Za-z])\.(?=[A-Za-z])|(?<=[A-Za-z])[ -](?=[A-Za-z])", "·", word.replace("μ", "µ"))
+    plain = plain.replace("^2", "²").replace("^3", "³").replace("^-1", "⁻¹").replace("min-1", "min⁻¹")
+    plain = re.sub(r"(?<=m)2\b", "²", re.sub(r"(?<=m)3\b", "³", plain))
+    if plain in known:
+        return plain
+    same = [name for name in known if name.casefold() == plain.casefold()]
+    return same[0] if len(same) == 1 else None
+
+
+def written(content: Any, about: Quantity) -> str:
+    """A value of the design file as it stands in its field."""
+    if content is None:
+        return ""
+    if isinstance(content, list):
+        return "; ".join(_digits(item) for item in content)
+    return content if isinstance(content, str) else _digits(content)
+
+
+def _digits(content: Any) -> str:
+    if isinstance(content, bool) or not isinstance(content, (int, float)):
+        return str(content)
+    return repr(content + 0).removesuffix(".0")  # + 0: minus nought is nought

@@ -1,0 +1,240 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What the program remembers between two runs: the last designs, edits that were not saved, and the user's settings."""
+
+import contextlib
+import os
+import tomllib
+from dataclasses import dataclass, field
+from datetime import datetime
+from pathlib import Path
+from typing import Any
+
+from calc.design.addresses import Table, changed
+from calc.sheet.text import Text
+
+from . import numbers
+from .history import State
+from .places import Place, described
+from ..presence import Presence, design_key, present
+from .saving import SaveError, differences, edited_text, fresh_text, write_atomic
+
+FOLDER = "contralbero"
+RECENT = 10  # designs that are offered to be opened again
+KEPT = 8  # sessions on one file whose unsaved edits are kept; older ones go
+
+
+def state_dir() -> Path:
+    """The user's folder for the state of programs, and ours in it; nothing is made before something is written."""
+    if given := os.environ.get("XDG_STATE_HOME"):
+        base = Path(given)
+    elif os.name == "nt":
+        base = Path(os.environ.get("LOCALAPPDATA") or Path.home() / "AppData" / "Local")
+    else:
+        base = Path.home() / ".local" / "state"
+    return base / FOLDER
+
+
+@dataclass(frozen=True)
+class Edits:
+    """A design with edits that were never saved: its tables, when they were kept, and the hash of the file that they started from.
+
+    `typed`: entries that are not accepted, and so no part of the tables, as they stand in their fields.  `session`: who made them; two
+    sessions on one file keep what is theirs.
+    """
+
+    data: Table
+    time: datetime
+    sha256: str
+    typed: dict[Place, str] = field(default_factory=dict)
+    session: str = ""
+
+    def state(self) -> State:
+        """The state that they make; an entry that has no field any more is left out."""
+        data, texts = self.data, {}
+        for where, text in self.typed.items():
+            try:
+                about = described(where)
+                if about.table is None:
+                    data = changed(data, where, numbers.value(text, about))
+            except numbers.NotUnderstood as no:
+                texts[where] = (text, no.reason)
+            except (KeyError, TypeError, AttributeError, ValueError):
+                continue
+        return State(data, texts)
+
+
+def not_accepted(valid: Table, state: State) -> dict[Place, str]:
+    """The entries by which a state differs from the last valid design, as texts of their fields."""
+    found: dict[Place, str] = {}
+
+    def leaves(where: Place, content: Any) -> None:
+        if isinstance(content, dict):
+            for key, inner in content.items():
+                leaves((*where, key), inner)
+        elif not (isinstance(content, list) and any(isinstance(item, dict) for item in content)):
+            found[where] = numbers.written(content, described(where))
+
+    if state.data is not valid:
+        for where, content in differences(valid, state.data):
+            leaves(where, content)
+    return found | {where: text for where, (text, _) in state.texts.items()}
+
+
+@dataclass(frozen=True)
+class Settings:
+    """What the user has chosen.  `theme`: the name of one of textual's; empty: its own choice.  `guide`: the forms say what to decide."""
+
+    language: str = "en"
+    theme: str = ""
+    guide: bool = True
+
+
+class Memory:
+    """The state folder.  A folder that can not be read is an empty one; one that can not be written says so by SaveError."""
+
+    def __init__(self, folder: Path | None = None) -> None:
+        self.folder = folder or state_dir()
+
+    # --- the last designs
+    def _opened(self) -> list[Path]:
+        """What was open, the last first: a path in each line of the file `last`."""
+        try:
+            lines = (self.folder / "last").read_text(encoding="utf-8").splitlines()
+        except (OSError, ValueError):
+            return []
+        return [path for line in lines if (path := Path(line.strip())).is_absolute()]
+
+    def last(self) -> Path | None:
+        """The design that was open last, if it is still there."""
+        return next((path for path in self._opened()[:1] if self.there(path)), None)
+
+    def recent(self) -> list[Path]:
+        """The designs that were open last and are still there, the last first."""
+        return [path for path in self._opened() if self.there(path)][:RECENT]
+
+    def there(self, path: Path) -> bool:
+        """A design that was never saved has no file, but edits that are kept."""
+        return is_file(path) or bool(self._files(path))
+
+    def remember(self, path: Path) -> None:
+        """Nothing depends on this being kept."""
+        path = path.absolute()
+        paths = [path, *(other for other in self._opened() if other != path)]
+        with contextlib.suppress(SaveError, OSError, ValueError):  # a name that is no text in UTF-8 is not remembered
+            self._write(self.folder / "last", "\n".join(map(str, paths[: 3 * RECENT])))  # some may be back later: a drive
+
+    # --- unsaved edits
+    def _file(self, path: Path, session: str) -> Path:
+        name = design_key(path)
+        return self.folder / "unsaved" / (f"{name}-{session}.toml" if session else f"{name}.toml")
+
+    def _files(self, path: Path) -> list[Path]:
+        """Of all sessions on a design, the last first."""
+        one = self._file(path, "")
+        try:
+            return sorted(one.parent.glob(f"{one.stem}*.toml"), key=lambda file: file.stat().st_mtime_ns, reverse=True)
+        except OSError:  # one has just been taken away
+            return []
+
+    def keep(self, path: Path, edits: Edits) -> None:
+        """Put the edits of a session on a design aside.  Raises SaveError."""
+        head = {
+            "path": str(path.absolute()), "sha256": edits.sha256, "time": edits.time.isoformat(timespec="seconds"),
+            "session": edits.session,
+        }  # fmt: skip
+        typed = [{"place": list(where), "text": text} for where, text in edits.typed.items()]
+        self._write(self._file(path, edits.session), fresh_text({"unsaved": head, "typed": typed, "design": edits.data}))
+        held = {self._file(path, session) for session in self.present(path)}
+        for old in [file for file in self._files(path) if file not in held][KEPT:]:
+            with contextlib.suppress(OSError):
+                old.unlink()
+
+    def kept(self, path: Path) -> list[Edits]:
+        """The edits that were put aside for a design, the last first; a file that is damaged counts as none."""
+        return [edits for file in self._files(path) if (edits := _read(file)) is not None]
+
+    def left(self, path: Path) -> list[Edits]:
+        """Those whose sessions have ended: the edits of one that lives are its own."""
+        living = self.present(path)
+        return [edits for edits in self.kept(path) if edits.session not in living]
+
+    def keeps(self, path: Path, edits: Edits) -> bool:
+        """Whether these edits stand on the disk."""
+        found = _read(self._file(path, edits.session))
+        return found is not None and (found.data, found.typed, found.sha256) == (edits.data, edits.typed, edits.sha256)
+
+    def drop(self, path: Path, session: str) -> None:
+        with contextlib.suppress(OSError):
+            self._file(path, session).unlink(missing_ok=True)
+
+    # --- sessions
+    def attend(self, path: Path, session: str) -> Presence:
+        """A session is at a design from here on."""
+        return Presence(self.folder, path, session)
+
+    def present(self, path: Path) -> set[str]:
+        """The sessions that are at a design."""
+        return present(self.folder, path)
+
+    # --- settings
+    def keys(self) -> dict[str, str]:
+        """The user's own keys: `keys.toml` in this folder, the id of an action = its keys (`save = "ctrl+w,f12"`)."""
+        try:
+            found = tomllib.loads((self.folder / "keys.toml").read_text(encoding="utf-8"))
+        except (OSError, ValueError):
+            return {}
+        return {str(id): keys for id, keys in found.items() if isinstance(keys, str)}
+
+    def settings(self) -> Settings:
+        """`settings.toml` in this folder; what is not understood in it is left at its own choice."""
+        found, own = self._settings(), Settings()
+        language, theme, guide = (found.get(name) for name in ("language", "theme", "guide"))
+        return Settings(
+            language if isinstance(language, str) else own.language,
+            theme if isinstance(theme, str) else own.theme,
+            guide if isinstance(guide, bool) else own.guide,
+        )
+
+    def set_setting(self, name: str, value: str | bool) -> None:
+        """Keep a choice; comments stay.  Nothing depends on this being kept."""
+        if self._settings().get(name) == value:
+            return
+        file = self.folder / "settings.toml"
+        with contextlib.suppress(SaveError, OSError):
+            try:
+                text = edited_text(file.read_text(encoding="utf-8"), {name: value})
+            except (OSError, ValueError, SaveError):  # there is none, or it is damaged
+                text = fresh_text({**self._settings(), name: value})
+            self._write(file, text)
+
+    def _settings(self) -> Table:
+        try:
+            return tomllib.loads((self.folder / "settings.toml").read_text(encoding="utf-8"))
+        except (OSError, ValueError):
+            return {}
+
+    def _write(self, file: Path, text: str) -> None:
+        try:
+            file.parent.mkdir(parents=True, exist_ok=True, mode=0o700)
+        except OSError as error:
+            raise SaveError(
+                Text("{folder} can not be made: {reason}", folder=str(file.parent), reason=error.strerror or str(error))
+            ) from None
+        write_atomic(file, text.encode("utf-8"), backup=False)
+
+
+def _read(file: Path) -> Edits | None:
+    try:
+        found = tomllib.loads(file.read_text(encoding="utf-8"))
+        head = found["unsaved"]
+        typed = {tuple(entry["place"]): str(entry["text"]) for entry in found.get("typed", [])}
+        return Edits(found["design"], datetime.fromisoformat(head["time"]), str(head["sha256"]), typed, str(head.get("session", "")))
+    except (OSError, ValueError, KeyError, TypeError, AttributeError):
+        return None
+
+
+def is_file(path: Path) -> bool:
+    try:
+        return path.is_file()
+    except (OSError, ValueError):  # a name that the system does not know
+        return False

@@ -1,0 +1,82 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What stands still while the load turns, the shaft's weight and the force of its gear, and what it does to the film.
+
+Two answers: the film under the largest load of the turn as if it stayed, and the orbit that the journal makes about its place in the
+turning load's frame by the film's stiffness and damping, to first order.  The orbit may come closer: a force across the load
+pushes the journal along its seat, towards the narrowest film.  The thinner of the two is judged.
+"""
+
+from collections.abc import Iterator
+from dataclasses import replace
+
+from ..countershaft.result import Standing
+from ..library.journal_rules import TRUMPLER, TRUMPLER_START_LOAD
+from ..sheet.check import Check, check
+from ..sheet.errors import NoSolution
+from ..sheet.step import Outcome
+from ..sheet.text import Text
+from ..sheet.trace import about, trace
+from . import formulas as f
+from .film.dynamics import orbit
+from .inputs import IN_TITLES, IN_WORDS
+from .result import BearingResult, BearingsResult, StandingResult
+from .routes.balance import balanced
+from .routes.routes import own_warm
+
+SMALL = 0.5  # of the turning load: an orbit of first order; rule of this program
+
+
+def with_standing(outcome: Outcome[BearingsResult], stands: Standing | None) -> Outcome[BearingsResult]:
+    """The same outcome with the standing part of each bearing's load."""
+    if stands is None or outcome.result is None or stands.stationary_front is None or stands.stationary_rear is None:
+        return outcome
+    bearings, checks, notes = {}, list(outcome.checks), list[Text]()
+    with trace() as lines:
+        for place, load in (("front", stands.stationary_front), ("rear", stands.stationary_rear)):
+            one = outcome.result.bearings[place]
+            with about(Text("{place} bearing, standing part of the load", place=IN_WORDS[place])):
+                part = _standing(one, load, place, notes)
+            bearings[place] = replace(one, standing=part)
+            checks += _checks(place, one, part)
+    return replace(
+        outcome,
+        result=replace(outcome.result, bearings=bearings),
+        checks=tuple(checks),
+        lines=(*outcome.lines, *lines),
+        notes=outcome.notes + tuple(notes),
+    )
+
+
+def _standing(one: BearingResult, R_0: float, place: str, notes: list[Text]) -> StandingResult:
+    peak = f.load_peak(F=one.load, R_0=R_0)
+    at_start = f.load_at_start(R_0=R_0, d=one.seat.bearing.diameter, l=one.seat.bearing.length)
+    film_peak = film_orbit = amplitude = equal = None
+    try:
+        film_peak = balanced(own_warm, one.seat, replace(one.duty, load=peak)).film
+    except NoSolution as none:
+        words = Text("{place} bearing: no film is found for the largest load of the turn ({none}).", place=IN_TITLES[place], none=none.text)
+        notes.append(words)
+    if one.seat.inputs.load_speed_ratio == 1.0:
+        equal = f.speed_of_equal_loads(n=one.duty.speed, R_0=R_0, R=one.load)
+    if R_0 < SMALL * one.load:
+        path = orbit(one.dynamics, R_0, one.attitude_angle, one.duty, one.seat)
+        amplitude, film_orbit = path.amplitude, f.film_over_turn(h_0=one.film, a_n=path.film_loss)
+    return StandingResult(standing_load=R_0, load_peak=peak, film_load_peak=film_peak, film_orbit=film_orbit, orbit_amplitude=amplitude,
+        speed_of_equal_loads=equal, load_at_start=at_start)  # fmt: skip
+
+
+def _checks(place: str, one: BearingResult, part: StandingResult) -> Iterator[Check]:
+    yield check(
+        f"bearings.{place}.start_load", Text("Specific load at the start, {place}", place=IN_WORDS[place]), part.load_at_start, "<=",
+        TRUMPLER_START_LOAD, "MPa",
+        TRUMPLER + Text(": on the load at the start, here the standing part alone (his own 300 psi are 2.07 MPa)"),
+        Text("A larger or longer journal."),
+    )  # fmt: skip
+    thinnest = min((h for h in (part.film_load_peak, part.film_orbit) if h is not None), default=None)
+    if thinnest is not None:
+        edge = f.film_at_edge_of_another(h_x=thinnest, h_0=one.film, h_edge=one.film_edge)
+        yield check(f"bearings.{place}.film_edge_standing",
+            Text("Film at the edge over a turn, with the standing load, {place}", place=IN_WORDS[place]),
+            edge, ">=", one.kreisle_film, "µm",
+            Text("Kreisle, after Finotti 2013, 5.5.3, on the turning and the standing load together"),
+            Text("As for the film at the edge; the standing part is weight and gear force."))  # fmt: skip

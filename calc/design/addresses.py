@@ -1,0 +1,165 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Dotted keys of a design: where one stands in the tables of a file, what is known of it, and how a value is put there."""
+
+import re
+import tomllib
+from collections.abc import Iterator
+
+from .model import STEPS, Design
+from ..sheet.errors import BadInput, InputError
+from ..sheet.quantity import Quantity, keys, unknown
+from ..sheet.text import Text
+
+NAME = re.compile(r"[A-Za-z0-9-]+\Z")
+Table = dict[str, object]  # of a TOML document; what stands under a key is narrowed where it is read
+
+
+def address(data: Table, key: str, whole: bool = False) -> tuple[str | int, ...]:
+    """Where a dotted key stands in the data: elements of arrays by name, else by index.  Raises BadInput with the nearest key.
+
+    With `whole` the key may be that of a table, which else has to be one of a value in it.
+    """
+    found: list[str | int] = []
+    here: object = data
+    cls: type | None = Design
+    parts = key.split(".")
+    for i, part in enumerate(parts):
+        if isinstance(here, list):
+            index = next((n for n, item in enumerate(here) if isinstance(item, dict) and item.get("name") == part), None)
+            if index is None and part.isascii() and part.isdigit() and int(part[:9]) < len(here):
+                index = int(part)
+            if index is None:
+                names = ", ".join(str(item.get("name", n)) for n, item in enumerate(here) if isinstance(item, dict))
+                raise _no_such(key, Text('there is no element "{part}"; there are {names}', part=part, names=names or "none"))
+            found.append(index)
+            here = here[index]
+            continue
+        if isinstance(here, tuple):  # a list of numbers, by place
+            if not (part.isascii() and part.isdigit() and int(part[:9]) < len(here)) or i + 1 < len(parts):
+                raise _no_such(
+                    key, Text("has {count} numbers; name one by its place, from 0 to {count2}", count=len(here), count2=len(here) - 1)
+                )
+            found.append(int(part))
+            break
+        known = keys(cls) if cls is not None else {}
+        if part not in known:
+            raise _no_such(key, unknown(part, known) if known else Text('"{parts}" has no parts', parts=".".join(parts[:i])))
+        found.append(part)
+        about = known[part].about
+        cls = about.table
+        if about.kind in ("reasons", "open"):
+            rest = ".".join(parts[i + 1 :])  # an id, which has dots of its own
+            if not rest and not whole:
+                raise _no_such(key, Text("is a table; name one of its keys: ") + "bearings.front.mckee")
+            return (*found, rest) if rest else tuple(found)
+        here = here.get(part, [] if about.kind == "tables" else {}) if isinstance(here, dict) else {}
+        if about.kind in ("series", "integers") and isinstance(here, list):
+            here = tuple(here)
+    if cls is not None and not whole:
+        raise _no_such(key, Text("is a table; name one of its keys: ") + ", ".join(keys(cls)))
+    return tuple(found)
+
+
+def quantity_of(data: Table, key: str) -> Quantity:
+    """The description of the quantity at a dotted key."""
+    cls: type = Design
+    about: Quantity | None = None
+    for part in address(data, key):
+        if isinstance(part, str) and part in keys(cls):
+            about = keys(cls)[part].about
+            cls = about.table or cls
+    assert about is not None
+    return about
+
+
+def value_at(data: Table, key: str, whole: bool = False) -> object:
+    """The value at a dotted key as it stands in the file, None where it is left out; with `whole` a table too."""
+    here: object = data
+    for part in address(data, key, whole):
+        here = here[part] if isinstance(here, list) and isinstance(part, int) else here.get(part) if isinstance(here, dict) else None
+    return here
+
+
+def as_table(content: object) -> Table:
+    """What stands in a document as a table, an empty one where there is none."""
+    return content if isinstance(content, dict) else {}
+
+
+def as_list(content: object) -> list[object]:
+    """What stands in a document as a list: of one, where it is a number or a word alone; empty where there is nothing."""
+    return content if isinstance(content, list) else [] if content is None else [content]
+
+
+def changed(data: Table, where: tuple[str | int, ...], value: object) -> Table:
+    """The same nested tables with one place changed; nothing is changed in place.  None takes the key out."""
+    return as_table(_changed(data, where, value))
+
+
+def _changed(here: object, where: tuple[str | int, ...], value: object) -> object:
+    if not where:
+        return value
+    first, rest = where[0], where[1:]
+    if isinstance(here, list):
+        gone = not rest and value is None
+        return [_changed(item, rest, value) if n == first else item for n, item in enumerate(here) if not (gone and n == first)]
+    made = dict(as_table(here))
+    if rest or value is not None:
+        made[str(first)] = _changed(made.get(str(first), {}), rest, value)
+    else:
+        made.pop(str(first), None)  # None: left out, the program chooses
+    return made
+
+
+def parse_assignment(text: str) -> tuple[str, object]:
+    """`KEY=VALUE` of the command line; VALUE is TOML, or else plain text.  An empty value leaves the key out."""
+    key, equals, value = text.partition("=")
+    key, value = key.strip(), value.strip()
+    if not equals or not key or "\n" in text:
+        raise BadInput("--set", [InputError(0, text, "", Text("must be KEY=VALUE, like bearings.front.length_mm=34"))])
+    if not value:
+        return key, None
+    try:
+        return key, tomllib.loads(f"v = {value}")["v"]
+    except (ValueError, RecursionError):  # TOMLDecodeError is a ValueError; so is a number of 5000 digits
+        return key, value
+
+
+def _no_such(key: str, reason: Text) -> BadInput:
+    return BadInput("--set", [InputError(0, key, "", reason)])
+
+
+def join(prefix: str, key: str) -> str:
+    return f"{prefix}.{key}" if prefix and key else prefix or key
+
+
+def written(value: object) -> str:
+    text = (
+        f'"{value}"'
+        if isinstance(value, str)
+        else str(value).lower()
+        if isinstance(value, bool)
+        else Text("a table")
+        if isinstance(value, dict)
+        else str(value)
+    )
+    return text if len(text) <= 60 else text[:57] + "…"
+
+
+def quantities(data: Table) -> Iterator[tuple[str, Quantity]]:
+    """Every key that this document may hold, with its description, in the order of the form."""
+    for step in STEPS:
+        if step.key in data:
+            yield from _quantities(step.inputs, as_table(data[step.key]), step.key)
+
+
+def _quantities(cls: type, data: Table, prefix: str) -> Iterator[tuple[str, Quantity]]:
+    for key, about in keys(cls).items():
+        here = f"{prefix}.{key}"
+        inner = about.about.table
+        if inner is None:
+            yield here, about.about
+        elif about.about.kind == "table":
+            yield from _quantities(inner, as_table(data.get(key)), here)
+        else:
+            for i, item in enumerate(map(as_table, as_list(data.get(key)))):
+                yield from _quantities(inner, item, f"{here}.{item.get('name', i)}")

@@ -1,0 +1,59 @@
+# SPDX-License-Identifier: Apache-2.0
+"""How large, how deep and how long at most: what the program reads, computes and waits for.  SECURITY.md prints these tables."""
+
+from ..sheet.errors import SHOWN_ERRORS
+
+# --- a design or a replay: it has a few thousand bytes and a few hundred entries
+DESIGN_BYTES = 2**20
+DESIGN_ENTRIES = 20_000
+DESIGN_DEPTH = 16
+
+# --- what a report takes in
+PDF_BYTES = 32 * 2**20
+PDF_UNPACKED = 256 * 2**20
+PDF_VALUES = 3_000_000
+PDF_DEPTH = 50
+LOGO_BYTES = 300_000
+LOGO_SIDE = 2000
+FRONT_BYTES = 4_000_000  # a front of 2000 drives has a third of it
+
+# --- the session in a browser
+SESSIONS = 8
+COLUMNS, ROWS = 1000, 500
+PASTED = 100_000
+MESSAGE_BYTES = 2**20
+
+# --- patience, in seconds
+LOCK_SECONDS = 10
+SEARCH_SECONDS = 5
+
+TABLES: dict[str, dict[str, int]] = {
+    "a design or a replay": {
+        "bytes, of a regular file": DESIGN_BYTES,
+        "entries: values, elements of lists and headers": DESIGN_ENTRIES,
+        "tables in tables": DESIGN_DEPTH,
+        "mistakes that are printed; the rest are counted": SHOWN_ERRORS,
+    },
+    "a PDF": {
+        "bytes, of a regular file": PDF_BYTES,
+        "bytes of all its streams, unpacked": PDF_UNPACKED,
+        "values in it": PDF_VALUES,
+        "lists in lists": PDF_DEPTH,
+    },
+    "what stands beside a design": {
+        "bytes of a logo": LOGO_BYTES,
+        "pixels of a logo, either way": LOGO_SIDE,
+        "bytes of a front": FRONT_BYTES,
+    },
+    "`serve`": {
+        "sessions at a time": SESSIONS,
+        "columns of a terminal": COLUMNS,
+        "rows of a terminal": ROWS,
+        "letters pasted at once": PASTED,
+        "bytes of a message": MESSAGE_BYTES,
+    },
+    "time, in seconds": {
+        "to wait for another writer in the same folder": LOCK_SECONDS,
+        "of computing, to search for what would make a design pass (`check`)": SEARCH_SECONDS,
+    },
+}

@@ -1,0 +1,63 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Inputs that no remedy and no search may change: those of the table [locked], where there is none the oil, which is the engine's.
+
+What was measured, and what the user accepted, nothing changes but the user.
+"""
+
+from collections.abc import Mapping
+
+from .addresses import Table, address, value_at
+from ..sheet.errors import BadInput
+from ..sheet.text import Text
+
+USUAL: Mapping[str, Text] = {"bearings.oil": Text("the oil is the engine's"), "friction.oil": Text("the oil is the engine's")}
+GIVEN = {"measured": Text("it was measured"), "accepted": Text("it is the user's word")}
+
+
+def locks(data: Table) -> Mapping[str, str]:
+    """The locked keys of a design, each with its reason.  A key locks all that stands below it."""
+    given = data.get("locked")
+    return dict(given) if isinstance(given, dict) else USUAL
+
+
+def standing(data: Table) -> Mapping[str, str]:
+    """Those of the locks whose keys the design has."""
+    return {key: reason for key, reason in locks(data).items() if _given(data, key)}
+
+
+def _given(data: Table, key: str) -> bool:
+    try:
+        return value_at(data, key, whole=True) is not None
+    except BadInput:
+        return False
+
+
+def locked(data: Table, key: str) -> str:
+    """Why a key may not be changed by the program; empty where it may."""
+    if (reason := GIVEN.get(key.partition(".")[0])) is not None:
+        return reason
+    place = _place(data, key)
+    return next((reason for one, reason in locks(data).items() if _within(place, _place(data, one))), "")
+
+
+def _place(data: Table, key: str) -> tuple[str | int, ...]:
+    """An element of an array by its index, by which of its names it ever goes."""
+    try:
+        return address(data, key, whole=True)
+    except BadInput:  # of an element that is not there any more
+        return tuple(key.split("."))
+
+
+def _within(place: tuple[str | int, ...], outer: tuple[str | int, ...]) -> bool:
+    return place[: len(outer)] == outer
+
+
+def toggled(data: Table, key: str, reason: str) -> Table:
+    """The tables with a key locked, or unlocked where it was: then the locks that hold it go, that of its table too."""
+    now, place = dict(locks(data)), _place(data, key)
+    holding = [one for one in now if _within(place, _place(data, one))]
+    for one in holding:
+        del now[one]
+    if not holding:
+        now[key] = reason
+    return {**data, "locked": now}

@@ -1,0 +1,335 @@
+# SPDX-License-Identifier: Apache-2.0
+"""A design: the Inputs of its steps in order.  A further step is one new folder, two adjacent lines here and its call in solve.py."""
+
+from collections.abc import Collection, Iterable, Mapping
+
+from ..bearings.inputs import BearingsInputs
+from ..bearings.materials.data import application_problem, applications, bush_problem, bushes
+from ..library.catalogue import Material, Oil, materials, oils
+from ..countershaft.inputs import CountershaftInputs
+from .other_tables import FORMER, DocumentControl, control, said_twice
+from ..engine.inputs import EngineInputs
+from ..friction.inputs import FrictionInputs
+from ..gears.inputs import GearsInputs
+from ..imbalance.inputs import ImbalanceInputs
+from ..measured import Measured
+from ..mounting.inputs import MountingInputs
+from ..optimise.inputs import OptimiseInputs
+from ..sheet.quantity import day, inputs, integer, keys, reasons, table, tables, text, unknown
+from ..sheet.rules import is_limit
+from ..sheet.step import Step
+from ..sheet.text import Amount, Text
+
+SCHEMA = 1
+
+FILMS = tuple(f"bearings.{bearing}.{film}" for film in ("film_edge", "film") for bearing in ("front", "rear"))
+STEPS = (
+    Step("engine", Text("Engine"), EngineInputs, ("engine.stroke", "engine.lambda")),
+    Step(
+        "imbalance",
+        Text("Imbalance"),
+        ImbalanceInputs,
+        ("imbalance.required_couple", "imbalance.required_force", "imbalance.order_2.force_peak", "imbalance.order_2.couple_peak"),
+    ),
+    Step("countershaft", Text("Counter-shaft"), CountershaftInputs, ("countershaft.couple", "countershaft.mass", "countershaft.force")),
+    Step("bearings", Text("Bearings"), BearingsInputs, FILMS),
+    Step("gears", Text("Gears"), GearsInputs, ("gears.phase_error", "gears.residual_couple")),
+    Step("friction", Text("Friction"), FrictionInputs, ("friction.total_loss", "friction.crank_torque")),
+    Step("mounting", Text("Mounting"), MountingInputs, ("mounting.frequency.roll", "mounting.frequency.bounce"), optional=True),
+)
+OPTIONAL = {step.key for step in STEPS if step.optional}  # of which nothing is said in a design without them
+
+
+@inputs
+class Design:
+    """Everything that a design file says, checked and in SI."""
+
+    schema: int = integer("Schema", low=1, high=SCHEMA)
+    name: str = text("Name of the design")
+    note: str = text("Note", default="")
+    author: str = text("Author", default="")
+    checker: str = text("Checker", default="")
+    revision: str = text("Revision", default="")
+    date: str = day("Date", default="", free=True)
+    document: DocumentControl | None = table("Document", DocumentControl, default=None)
+    oil: tuple[Oil, ...] = tables("Oils of this design", Oil, default=())
+    material: tuple[Material, ...] = tables("Materials of this design", Material, default=())
+    engine: EngineInputs | None = table("Engine", EngineInputs, default=None)
+    imbalance: ImbalanceInputs | None = table("Imbalance", ImbalanceInputs, default=None)
+    countershaft: CountershaftInputs | None = table("Counter-shaft", CountershaftInputs, default=None)
+    bearings: BearingsInputs | None = table("Bearings", BearingsInputs, default=None)
+    gears: GearsInputs | None = table("Gears", GearsInputs, default=None)
+    friction: FrictionInputs | None = table("Friction", FrictionInputs, default=None)
+    mounting: MountingInputs | None = table("Mounting", MountingInputs, default=None)
+
+    accepted: tuple[tuple[str, str], ...] = reasons(
+        "Accepted findings", help="Ids of checks that are left open, each with the reason; a limit can be accepted by nobody."
+    )
+
+    without: tuple[tuple[str, str], ...] = reasons(
+        "Steps left out", help="Steps that this design does without, each with the reason: an idler shared with the pump, no shaft needed."
+    )
+    locked: tuple[tuple[str, str], ...] = reasons(
+        "Locked inputs",
+        help="Keys that no remedy and no search may change, each with the reason. Left out: the oil, which is the engine's.",
+    )
+
+    optimise: OptimiseInputs | None = table(
+        "Search for whole drives", OptimiseInputs, default=None, help="What `contralbero design` varies and wants; no step asks for it."
+    )
+
+    measured: tuple[Measured, ...] = tables(
+        "Measured", Measured, default=(), help="What was measured of this design; it stands beside what is predicted."
+    )
+
+    @property
+    def oils(self) -> Mapping[str, Oil]:
+        return oils(self.oil)
+
+    @property
+    def control(self) -> DocumentControl:
+        return control(self.document, self._former)
+
+    @property
+    def _former(self) -> Mapping[str, str]:
+        return {key: getattr(self, key) for key in FORMER}
+
+    @property
+    def materials(self) -> Mapping[str, Material]:
+        return materials(self.material)
+
+    @property
+    def bushes(self) -> tuple[str, ...]:
+        return bushes()
+
+    @property
+    def strength_classes(self) -> tuple[str, ...]:
+        from ..gears.rating.classes import class_names
+
+        return class_names()
+
+    @property
+    def applications(self) -> tuple[str, ...]:
+        return tuple(applications())
+
+    def asked(self) -> tuple[Step, ...]:
+        return tuple(s for s in STEPS if getattr(self, s.key) is not None)
+
+    def problems(self) -> Iterable[tuple[str, Text]]:
+        """What only the whole design can show: (key, reason)."""
+        if not self.asked():
+            yield "", Text("no step is asked: give at least one of the tables ") + ", ".join(f"[{s.key}]" for s in STEPS)
+        yield from said_twice(self.document, self._former)
+        for id, _ in self.accepted:
+            if is_limit(id):
+                yield f"accepted.{id}", Text("is a limit, which nobody can accept: what fails must be changed")
+        for key, _ in self.locked:
+            if (wrong := _no_key(key)) is not None:
+                yield f"locked.{key}", wrong
+        for step, _ in self.without:
+            if step not in {one.key for one in STEPS}:
+                yield f"without.{step}", Text("is no step; there are {steps}", steps=", ".join(one.key for one in STEPS))
+            elif getattr(self, step) is not None:
+                yield f"without.{step}", Text("is a step of this design: take the table out, or this line")
+        for n, row in enumerate(self.measured):
+            if row.step not in {step.key for step in STEPS}:
+                steps = ", ".join(step.key for step in STEPS)
+                yield f"measured.{n}.value", Text("must be the id of a value or the key of an input of a step: {steps}", steps=steps)
+            if row.speed is not None and self.engine is None:
+                yield f"measured.{n}.speed_rpm", Text("is that of the engine: leave it out where there is no [engine] table")
+        for key, name, known in self._names():
+            if name is not None and name not in known:
+                yield key, _unknown_name(name, known)
+        if self.engine is not None and self.engine.crank_angles is not None and self.engine.firing_order is not None:
+            from ..engine.crank import not_fired  # brings numpy with it
+
+            if reason := not_fired(self.engine):
+                yield "engine.firing_order", reason
+        if self.imbalance is not None and self.engine is not None and self.imbalance.crank_bodies:
+            yield from self._crank_bodies(self.imbalance, self.engine)
+        if self.countershaft is not None:
+            yield from self._countershaft(self.countershaft)
+        if self.bearings is not None:
+            yield from self._bearings(self.bearings)
+        yield from self._gear_materials()
+        yield from self._gear_places()
+        if self.mounting is not None:
+            yield from self._mounting(self.mounting)
+        if self.friction is not None and self.bearings is None:
+            for attribute, key in (("oil", "friction.oil"), ("oil_temperature", "friction.oil_temperature_C")):
+                if getattr(self.friction, attribute) is None:
+                    yield key, Text("needed where there is no [bearings] table to take it from")
+        if self.friction is not None and self.bearings is not None:
+            for i, scenario in enumerate(self.friction.scenarios):
+                if scenario.power is not None:
+                    yield f"friction.scenarios.{i}.power_kW", Text("leave it out: the losses of the [bearings] say what the train carries")
+        if self.gears is not None and self.engine is None and self.gears.speed is None:
+            yield "gears.speed_rpm", Text("needed where there is no [engine] table to take it from")
+        if self.gears is not None and self.engine is None and self.gears.speed_irregularity and self.gears.irregularity_order is None:
+            yield "gears.irregularity_order", Text("needed where there is no [engine] table whose firing order it is")
+        if self.friction is not None and self.gears is not None and self.bearings is None and self.gears.power is None:
+            yield "gears.power_kW", Text("needed where there is no [bearings] table whose loss the train carries")
+
+    def _mounting(self, own: MountingInputs) -> Iterable[tuple[str, Text]]:
+        """What the mounts ask of the engine."""
+        for key, there in (("engine", self.engine), ("imbalance", self.imbalance)):
+            if there is None:
+                yield "mounting", Text("needs [{key}], which says what shakes the engine", key=key)
+        if self.engine is None:
+            return
+        rated = Amount(self.engine.rated_speed * 60, "rpm")
+        if own.idle_speed >= self.engine.rated_speed:
+            yield "mounting.idle_speed_rpm", Text("must stay below the rated speed, {rated}", rated=rated)
+        if own.cylinder_spread is not None and len(own.cylinder_spread) not in (1, self.engine.cylinders):
+            count, n = len(own.cylinder_spread), self.engine.cylinders
+            yield "mounting.cylinder_spread_percent", Text("has {count} entries; needs one, or one per cylinder, {n}", count=count, n=n)
+        gas = self.engine.gas
+        for i, row in enumerate(own.operation):
+            if row.has_gas and (gas is None or gas.pressure):
+                yield f"mounting.operation.{i}", Text("its pressures need [engine.gas] with a peak pressure, of which they are changes")
+        if own.torque_path == "off_body" and own.output_torque is None and gas is None:
+            yield "mounting.output_torque_Nm", Text("needed where no [engine.gas] gives the mean torque")
+
+    def _gear_places(self) -> Iterable[tuple[str, Text]]:
+        """Positions count from the crank's axis, on which the first driver stands where the engine drives it."""
+        own = self.gears
+        if own is None or self.engine is None or (own.speed is not None and own.speed != self.engine.rated_speed) or not own.meshes:
+            return
+        for i, wheel in enumerate(own.wheels):
+            if wheel.name == own.meshes[0].driver and wheel.position is not None and any(wheel.position):
+                yield f"gears.wheels.{i}.position_mm", Text("must be [0, 0]: it stands on the crank, from whose axis positions count")
+
+    def _gear_materials(self) -> Iterable[tuple[str, Text]]:
+        wheels = self.gears.wheels if self.gears is not None else ()
+        for i, wheel in enumerate(wheels):
+            if wheel.gear_material is not None:
+                from ..gears.rating.classes import class_problem  # brings numpy with it
+
+                if (wrong := class_problem(wheel.gear_material)) is not None:
+                    yield f"gears.wheels.{i}.gear_material", wrong
+
+    def _crank_bodies(self, imbalance: ImbalanceInputs, engine: EngineInputs) -> Iterable[tuple[str, Text]]:
+        pins = sum(body.pin is not None for body in imbalance.crank_bodies)
+        there = engine.cylinders
+        if engine.layout != "inline":  # cylinders of two banks may share a pin
+            from ..engine.crank import crank, pin_of_cylinder
+
+            there = int(pin_of_cylinder(engine, crank(engine, 0.0)).max()) + 1
+        if pins and pins != there:
+            yield (
+                "imbalance.crank_bodies",
+                Text("have {pins} crankpins; the throws of this engine stand on {there}", pins=pins, there=there),
+            )
+        if imbalance.crank_bodies_throw_at_tdc > engine.cylinders:
+            yield (
+                "imbalance.crank_bodies_throw_at_tdc",
+                Text("must be a cylinder of this engine, from 1 to {cylinders}", cylinders=engine.cylinders),
+            )
+
+    def _countershaft(self, shaft: CountershaftInputs) -> Iterable[tuple[str, Text]]:
+        if self.bearings is not None:
+            if len(shaft.bearing_positions) > 2:
+                yield "countershaft.bearing_positions_mm", Text("[bearings] has a front and a rear one: give two, or the sizes as journals")
+            if shaft.journals:
+                yield "countershaft.journals", Text("are those of [bearings]; leave them out here, or [bearings]")
+        if shaft.speed_ratio != -1 and (self.bearings is not None or self.gears is not None):
+            yield "countershaft.speed_ratio", Text("must be -1 where [bearings] or [gears] carry the shaft")
+        lengths = [j.length for j in shaft.journals] or ([self.bearings.front.length, self.bearings.rear.length] if self.bearings else [])
+        places = shaft.bearing_positions
+        for i, (a, b, l_a, l_b) in enumerate(zip(places, places[1:], lengths, lengths[1:])):
+            if b - a < (l_a + l_b) / 2 - 1e-9:
+                yield (
+                    f"countershaft.bearing_positions_mm.{i + 1}",
+                    Text("its journal overlaps the one before it, {b} mm away", b=Amount((b - a) * 1000.0, form="g")),
+                )
+        if shaft.sections and len(lengths) == len(shaft.bearing_positions):
+            start, end = min(s.from_ for s in shaft.sections), max(s.to for s in shaft.sections)
+            for i, (z, l) in enumerate(zip(shaft.bearing_positions, lengths)):
+                if z - l / 2 < start - 1e-9 or z + l / 2 > end + 1e-9:
+                    reach = Text("from {start} to {end} mm", start=Amount(start * 1000.0, form="g"), end=Amount(end * 1000.0, form="g"))
+                    yield (
+                        f"countershaft.bearing_positions_mm.{i}",
+                        Text(
+                            "its journal, {l} mm long, reaches beyond the shaft's sections, {reach}",
+                            l=Amount(l * 1000.0, form="g"),
+                            reach=reach,
+                        ),
+                    )
+
+    def _bearings(self, own: BearingsInputs) -> Iterable[tuple[str, Text]]:
+        """What the tables of bearings do not have, and what bearings need that stand alone."""
+        if own.bush_material is not None and (wrong := bush_problem(own.bush_material)) is not None:
+            yield "bearings.bush_material", wrong
+        if (wrong := application_problem(own.application)) is not None:
+            yield "bearings.application", wrong
+        if self.engine is None and own.speed is None:
+            yield "bearings.speed_rpm", Text("needed where there is no [engine] table to take it from")
+        if self.countershaft is None:
+            if own.journal_material is None:
+                yield "bearings.journal_material", Text("needed where there is no [countershaft] table to take it from")
+            for place in ("front", "rear"):
+                if getattr(own, place).load is None:
+                    yield f"bearings.{place}.load_N", Text("needed where there is no [countershaft] table whose reactions it carries")
+        elif self.engine is not None and own.speed is not None and own.speed != self.engine.rated_speed:
+            for place in ("front", "rear"):
+                if getattr(own, place).load is None:
+                    at = Text("{rated_speed} rpm", rated_speed=Amount(self.engine.rated_speed * 60, form="g"))
+                    yield (
+                        "bearings.speed_rpm",
+                        Text("the shaft's reactions are those of {at}; leave it out, or give load_N of front and rear", at=at),
+                    )
+                    break
+
+    def _names(self) -> Iterable[tuple[str, str | None, Collection[str]]]:
+        known_oils, solids = self.oils, self.materials
+        if self.engine is not None and self.engine.throw is not None:
+            yield "engine.throw.material", self.engine.throw.material, solids
+        if self.countershaft is not None:
+            yield "countershaft.material", self.countershaft.material, solids
+            if self.countershaft.support is not None:
+                yield "countershaft.support.material", self.countershaft.support.material, solids
+            for i, other in enumerate(self.countershaft.cost.alternatives if self.countershaft.cost is not None else ()):
+                yield f"countershaft.cost.alternatives.{i}.material", other.material, solids
+        if self.bearings is not None:
+            yield "bearings.oil", self.bearings.oil, known_oils
+            yield "bearings.housing_material", self.bearings.housing_material, solids
+            yield "bearings.journal_material", self.bearings.journal_material, solids
+        if self.gears is not None:
+            yield "gears.housing_material", self.gears.housing_material, solids
+            yield "gears.support_material", self.gears.support_material, solids
+            for i, wheel in enumerate(self.gears.wheels):
+                yield f"gears.wheels.{i}.material", wheel.material, solids
+        if self.friction is not None:
+            yield "friction.oil", self.friction.oil, known_oils
+            for i, scenario in enumerate(self.friction.scenarios):
+                yield f"friction.scenarios.{i}.oil", scenario.oil, known_oils
+            wheels = [wheel.name for wheel in self.gears.wheels] if self.gears is not None else []
+            for kind in ("seals", "rolling_bearings", "plain_bearings", "dips", "jets", "other_losses") if wheels else ():
+                for i, entry in enumerate(getattr(self.friction, kind)):
+                    yield f"friction.{kind}.{i}.wheel", entry.wheel, wheels
+
+
+def _no_key(key: str) -> Text | None:
+    """Why a key is none of a design.  Elements of arrays are not looked for: one may come and go while its lock stays."""
+    cls: type | None = Design
+    parts = iter(key.split("."))
+    for part in parts:
+        known = keys(cls) if cls is not None else {}
+        if part not in known:
+            return unknown(part, known) if known else Text('"{key}" has no parts', key=key.rpartition(".")[0])
+        about = known[part].about
+        cls = about.table
+        if about.kind in ("tables", "series", "integers"):
+            next(parts, None)
+        elif about.kind in ("reasons", "open"):
+            break  # with keys of their own
+    return None
+
+
+def _unknown_name(name: str, known: Iterable[str]) -> Text:
+    from difflib import get_close_matches
+
+    near = get_close_matches(name, list(known), 1)
+    return Text('"{name}" is not known', name=name) + (
+        Text('; did you mean "{near}"?', near=near[0]) if near else Text("; known are ") + ", ".join(known)
+    )

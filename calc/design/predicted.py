@@ -1,0 +1,162 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What was measured, beside what is predicted at the same speed: the rows of [[measured]] as a table of each step."""
+
+from collections.abc import Callable
+from dataclasses import is_dataclass, replace
+from functools import partial
+
+from ..bearings.inputs import BearingInputs
+from .model import Design
+from ..measured import Measured
+from ..sheet.later import Later
+from ..sheet.quantity import Published, keys
+from ..sheet.step import Outcome, Table
+from ..sheet.text import EMPTY, SPACE, Amount, Name, Text
+
+Values = dict[str, Published]
+COLUMNS = (
+    (Text("Value"), ""), (Text("Speed"), "rpm"), (Text("Measured"), ""), (Text("Uncertainty"), ""), (Text("Predicted"), ""),
+    (Text("Unit"), ""), (Text("Deviation"), "%"), (Text("Verdict"), ""),
+)  # fmt: skip
+TITLE = Text("Measured beside predicted")
+NO_VALUE = Text("this design has no such value")
+NOT_THERE = Text("is not known at this speed")
+NOTE = Text(
+    "Deviation: predicted less measured, over measured. Inside: within the uncertainty of the measurement. At another speed the design is "
+    "solved again with its clearances as they are, and with the oil of the bench run at that speed where there is one."
+)
+
+
+class Predicted:
+    """What a design gives at the speeds of its measurements, each solved once.  `at` solves a design and gives its values."""
+
+    def __init__(self, design: Design, values: Values, at: Callable[[Design], Values]) -> None:
+        self._design, self._values, self._at = design, values, at
+        self._solved: dict[float, tuple[Design, Values]] = {}
+
+    def of(self, row: Measured) -> tuple[float | None, Text]:
+        """The value of a row in its unit, or None and why there is none."""
+        speed, engine = row.speed, self._design.engine
+        if speed is None or engine is None or speed == engine.rated_speed:
+            return _predicted(row, self._design, self._values)
+        if row.value not in self._values and _input(self._design, row.value) is not None and not _of_bench(row.value, self._design, speed):
+            return None, Text("is an input of no speed of its own: leave speed_rpm out")
+        if speed not in self._solved:
+            other = at_speed(self._design, speed, self._values)
+            self._solved[speed] = other, self._at(other)
+        if row.value in self._values and row.value not in self._solved[speed][1]:  # no film, or a share of the rated power
+            return None, NOT_THERE
+        return _predicted(row, *self._solved[speed])
+
+    def speed(self, row: Measured) -> float | None:
+        """In rpm."""
+        engine = self._design.engine
+        speed = row.speed if row.speed is not None else engine.rated_speed if engine is not None else None
+        return None if speed is None else speed * 60
+
+
+def with_measured(design: Design, outcomes: dict[str, Outcome[object]], predicted: Callable[[], Predicted]) -> dict[str, Outcome[object]]:
+    """The outcomes, each with a table of what was measured of it, made when it is looked at."""
+    for key in {row.step for row in design.measured} & outcomes.keys():
+        outcome, rows = outcomes[key], [row for row in design.measured if row.step == key]
+        if outcome.state == "solved":
+            outcomes[key] = replace(outcome, tables=Later(partial(_tables, outcome, rows, predicted)))
+    return outcomes
+
+
+def _tables(outcome: Outcome[object], rows: list[Measured], predicted: Callable[[], Predicted]) -> tuple[Table, ...]:
+    return measured_table(rows, predicted()), *outcome.tables
+
+
+def measured_table(rows: list[Measured], predicted: Predicted) -> Table:
+    notes = [Text("{value}: {note}.", value=row.value, note=row.note) for row in rows if row.note]
+    return Table("measured", TITLE, COLUMNS, tuple(_row(row, predicted) for row in rows), SPACE.join([NOTE, *notes]))
+
+
+def compared_table(a: tuple[Design, Predicted], b: tuple[Design, Predicted], names: tuple[str, str]) -> Table | None:
+    """What was measured of either design beside what both predict; None where nothing was."""
+    rows = {(row.value, row.speed, row.is_): row for design, _ in (a, b) for row in design.measured}
+    if not rows:
+        return None
+    columns = [(Text("Value"), ""), (Text("Speed"), "rpm"), (Text("Measured"), ""), (Text("Unit"), "")]
+    columns += [column for name in names for column in ((Name(name), ""), (Text("Deviation"), "%"))]
+    cells = []
+    for row in rows.values():
+        sides = [predicted.of(row)[0] for _, predicted in (a, b)]
+        shown = [cell for found in sides for cell in (found, _deviation(found, row.is_))]
+        speeds = {predicted.speed(row) for _, predicted in (a, b)}
+        cells.append((Name(row.value), speeds.pop() if len(speeds) == 1 else None, row.is_, Name(row.unit), *shown))
+    return Table("measured", TITLE, tuple(columns), tuple(cells))
+
+
+def _row(row: Measured, predicted: Predicted) -> tuple[str | float | None, ...]:
+    found, verdict = predicted.of(row)
+    if found is not None and row.uncertainty is not None:
+        off = abs(found - row.is_) - row.uncertainty
+        verdict = Text("inside") if off <= 0 else Text("outside, by {off}", off=Amount(off, row.unit))
+    deviation = _deviation(found, row.is_)
+    return Name(row.value), predicted.speed(row), row.is_, row.uncertainty, found, Name(row.unit), deviation, verdict
+
+
+def _deviation(predicted: float | None, measured: float) -> float | None:
+    return 100 * (predicted - measured) / abs(measured) if predicted is not None and measured else None
+
+
+def _predicted(row: Measured, design: Design, values: Values) -> tuple[float | None, Text]:
+    found = values.get(row.value)
+    given = (found.shown, found.unit) if found is not None else _input(design, row.value)
+    if given is None:
+        from difflib import get_close_matches
+
+        near = get_close_matches(row.value, list(values), 1)
+        return None, Text("this design has no such value; did you mean {near}?", near=near[0]) if near else NO_VALUE
+    if given[1] != row.unit:
+        return None, Text("is shown in {unit}: give it so", unit=given[1] or "1")
+    return given[0], EMPTY
+
+
+def _input(design: Design, address: str) -> tuple[float, str] | None:
+    """A number of the design by the key of the file, in the unit of that key."""
+    here: object = design
+    for part in address.split("."):
+        kind: type = type(here)
+        key = keys(kind).get(part) if is_dataclass(here) else None
+        if key is None:
+            return None
+        here, about = getattr(here, key.attribute), key.about
+    return (about.units.shown(here), about.unit) if isinstance(here, (int, float)) else None
+
+
+BENCH = {"bearings.supply_temperature_C": "oil_temperature", "bearings.supply_pressure_bar": "oil_pressure"}
+
+
+def _of_bench(address: str, design: Design, speed: float) -> bool:
+    """Whether the engine's bench run says what an input is at a speed."""
+    bench = design.engine.bench if design.engine is not None else ()
+    return address in BENCH and bool(bench) and min(row.speed for row in bench) <= speed <= max(row.speed for row in bench)
+
+
+def at_speed(design: Design, speed: float, values: Values) -> Design:
+    """The design at another speed of its engine: clearances as they were made, oil as the bench run had it there."""
+    assert design.engine is not None
+    engine, own = replace(design.engine, rated_speed=speed, rated_power=None), design.bearings
+    changed = replace(design, engine=engine, measured=())
+    if own is None:
+        return changed
+    front, rear = (values.get(f"bearings.{place}.clearance") for place in ("front", "rear"))
+    own = replace(own, front=_as_made(own.front, front), rear=_as_made(own.rear, rear))
+    if design.engine.bench:
+        import numpy as np
+
+        run = sorted(design.engine.bench, key=lambda row: row.speed)
+        if run[0].speed <= speed <= run[-1].speed:
+            speeds = [row.speed for row in run]
+            temperature = float(np.interp(speed, speeds, [row.oil_temperature for row in run]))
+            pressure = float(np.interp(speed, speeds, [row.oil_pressure for row in run]))
+            own = replace(own, supply_temperature=temperature, supply_pressure=pressure)
+    return replace(changed, bearings=own)
+
+
+def _as_made(side: BearingInputs, clearance: Published | None) -> BearingInputs:
+    """A bearing whose clearance does not follow the speed."""
+    return side if side.clearance_factor is None or clearance is None else replace(side, clearance=clearance.inside, clearance_factor=None)

@@ -1,0 +1,252 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What one step hands to another: numbers that stand in one table of a design, or in one result, and are needed in the next."""
+
+from math import hypot
+from typing import TYPE_CHECKING
+
+from ..bearings.inputs import BearingsInputs
+from ..bearings.result import BearingsResult
+from ..bearings.solve import BearingMaterials
+from ..countershaft.result import CountershaftResult
+from ..countershaft.stationary_load import Drive, Gear
+from .model import STEPS, Design
+from ..engine.inputs import EngineInputs
+from ..engine.result import EngineResult
+from ..friction.journals import OnShaft
+from ..friction.result import FrictionResult
+from ..friction.solve import MeshOil
+from ..gears.inputs import GearsInputs
+from ..gears.layout.solve import ShaftInTrain
+from ..gears.rating.context import Surroundings
+from ..gears.rating.load import Irregularity, Power, Swing, firing_order
+from ..gears.result import TrainResult
+from ..gears.solve import NOT_RATED
+from ..library.lubricant import Lubricant
+from ..sheet.step import Outcome
+from ..sheet.text import Text
+from ..sheet.value import based_on
+
+if TYPE_CHECKING:
+    from ..mounting.drive import ShaftOnEngine
+
+NORMAL_95 = 1.96  # standard deviations on either side of the mean, within which 95 % lie
+
+
+def unsolved(outcomes: tuple[Outcome[object], ...]) -> tuple[Outcome[object], ...]:
+    """Those that a part has to wait for: where a step is not asked, what it hands on is given otherwise."""
+    return tuple(outcome for outcome in outcomes if outcome.state not in ("solved", "not_asked"))
+
+
+def first_speed(design: Design) -> float | None:
+    """The speed of the train's first driver: given, or the crank's."""
+    if design.gears is not None and design.gears.speed is not None:
+        return design.gears.speed
+    return design.engine.rated_speed if design.engine is not None else None
+
+
+def rated_power(design: Design) -> float | None:
+    """What the losses are a share of: None where the train turns at a speed of its own, at which the engine's power is not known."""
+    own_speed = design.gears is not None and design.gears.speed is not None
+    return design.engine.rated_power if design.engine is not None and not own_speed else None
+
+
+def takes_first_order(design: Design) -> bool:
+    """Whether a shaft of the design turns at −1 times crank speed."""
+    return design.countershaft is not None and design.countershaft.speed_ratio == -1
+
+
+def shaft_teeth(design: Design) -> int | None:
+    """The teeth of the wheel on the counter-shaft: the last of the train."""
+    if design.countershaft is None or design.gears is None:
+        return None
+    teeth = {wheel.name: wheel.teeth for wheel in design.gears.wheels}
+    return teeth[design.gears.meshes[-1].driven]
+
+
+def shaft_axis(design: Design) -> complex | None:
+    """Where the counter-shaft stands beside the crank: real up, imaginary 90° further in the sense of rotation."""
+    place = design.countershaft.axis if design.countershaft is not None else None
+    return based_on(complex(*place), place) if place is not None else None
+
+
+def journals(design: Design) -> tuple[tuple[float, float], ...]:
+    """Diameter and length of the shaft's journals, front to rear: its own, or those of the bearings; empty where they are not known."""
+    if design.countershaft is not None and design.countershaft.journals:
+        return tuple((j.diameter, j.length) for j in design.countershaft.journals)
+    own = design.bearings
+    return ((own.front.diameter, own.front.length), (own.rear.diameter, own.rear.length)) if own is not None else ()
+
+
+def shaft_gear(design: Design, train: TrainResult | None) -> Gear | None:
+    """The wheel on the counter-shaft: the last of the train."""
+    if train is None or design.gears is None or design.countershaft is None:
+        return None
+    wheel = train.wheels[design.gears.meshes[-1].driven]
+    return Gear(wheel.pitch_diameter, wheel.tip_diameter, wheel.face_width, train.system.alpha_n, train.system.beta)
+
+
+def bearing_materials(design: Design, own: BearingsInputs) -> BearingMaterials:
+    """The oil of the bearings, and what journals and housing are made of; journals that are not given are those of the shaft."""
+    shaft = design.countershaft.material if design.countershaft is not None else ""
+    solids = design.materials
+    return BearingMaterials(
+        oil=own.in_bearings(design.oils[own.oil]), journal=solids[own.journal_material or shaft], housing=solids[own.housing_material]
+    )
+
+
+def mesh_oil(design: Design) -> MeshOil | None:
+    """The oil on the teeth: given, or that of the bearings; None where neither is."""
+    own, there = design.friction, design.bearings
+    name = (own.oil if own is not None else None) or (there.oil if there is not None else None)
+    temperature = own.oil_temperature if own is not None else None
+    if temperature is None and there is not None:
+        temperature = there.supply_temperature
+    if name is None or temperature is None:
+        return None
+    return MeshOil(oil=design.oils[name], viscosity_law=there.viscosity_law if there is not None else "walther", temperature=temperature)
+
+
+def power(own: GearsInputs, f: Outcome[FrictionResult]) -> Power | None:
+    """The power that loads the teeth: the given one, else that of each mesh in the closed balance; None where neither is known."""
+    if own.power is not None:
+        return Power(own.power)
+    return Power({key: mesh.power_in for key, mesh in f.result.meshes.items()}) if f.result is not None else None
+
+
+def not_rated(f: Outcome[FrictionResult]) -> Text:
+    """Why the teeth have no power to be rated with."""
+    if f.state not in ("no_solution", "blocked"):
+        return NOT_RATED
+    title = next(step.title for step in STEPS if step.key == f.key)
+    return Text("Not rated: {titles} gives no power: {reason}.", titles=title, reason=f.reason)
+
+
+def on_shaft(design: Design, shaft: Outcome[CountershaftResult], journals: Outcome[BearingsResult], gear: Gear | None) -> OnShaft | None:
+    """The counter-shaft's journals at the end of the train; None where there are none."""
+    if journals.result is None:
+        return None
+    return OnShaft(journals.result, shaft.result, design.countershaft, gear)
+
+
+def shaft_drive(design: Design, train: TrainResult | None, f: Outcome[FrictionResult]) -> Drive | None:
+    """What drives the shaft's gear: the given power, else what the last mesh passes on in the closed balance."""
+    if train is None or design.gears is None:
+        return None
+    power = design.gears.power
+    if power is None and f.result is not None:
+        power = list(f.result.meshes.values())[-1].power_out
+    speed = based_on(abs(turning := train.wheels[design.gears.meshes[-1].driven].speed), turning)
+    return Drive(power, speed) if power is not None and speed else None
+
+
+def irregularity(design: Design, engine: Outcome[EngineResult], shaft: Outcome[CountershaftResult]) -> Irregularity | None:
+    """How unevenly the first driver turns: given, else by the engine's torque on its flywheel; None where neither is known."""
+    own, crank = design.gears, design.engine
+    speed = first_speed(design)
+    if own is None or speed is None:
+        return None
+    delta_s, order, swing = own.speed_irregularity, own.irregularity_order, None
+    if delta_s is None:
+        swing = _swing(engine, crank, speed)
+        if swing is None:
+            return None
+    elif order is None:  # without a crank δ_s is 0, which has no order
+        order = firing_order(crank.cylinders, crank.strokes) * crank.rated_speed / speed if crank is not None else 1.0
+    outline = shaft.result.outline if shaft.result is not None else None
+    J_S = shaft.result.moment_of_inertia if shaft.result is not None else None
+    with_wheel = outline is not None and (not outline.derived or any(piece.what == "gear" for piece in outline.pieces))
+    return Irregularity(delta_s, order, swing, J_S, with_wheel)
+
+
+def _swing(engine: Outcome[EngineResult], crank: EngineInputs | None, speed: float) -> Swing | None:
+    """The engine's torque over its cycle, where its gas and its flywheel are known."""
+    torque = engine.result.torque if engine.result is not None else None
+    if crank is None or torque is None or crank.flywheel_inertia is None:
+        return None
+    highest, mean, lowest = torque.torque_highest, torque.mean_torque, torque.torque_lowest
+    if highest is None or mean is None or lowest is None:
+        return None
+    return Swing(highest=highest, mean=mean, lowest=lowest, inertia=crank.flywheel_inertia, ratio=speed / crank.rated_speed)
+
+
+def eccentric(design: Design) -> float | None:
+    """Direction of the shaft's first eccentric mass with cylinder 1 at TDC."""
+    masses = design.countershaft.masses if design.countershaft is not None else ()
+    return masses[0].angle if masses else None
+
+
+def gear_end(design: Design, shaft: Outcome[CountershaftResult]) -> str | None:
+    """At which journal the shaft's gear stands: where it is given, else as its outline is put together; None: not known."""
+    given = design.countershaft
+    z = given.gear_z if given is not None else None
+    if z is None and shaft.result is not None and shaft.result.outline is not None:
+        z = next((piece.start for piece in shaft.result.outline.pieces if piece.what == "gear"), None)
+    if given is None or z is None:
+        return None
+    return "rear" if z > sum(given.bearing_positions) / len(given.bearing_positions) else "front"
+
+
+def housing(design: Design) -> str | None:
+    """The material between the centres: that of the gears, else that of the bearings."""
+    own = design.gears.housing_material if design.gears is not None else None
+    return own or (design.bearings.housing_material if design.bearings is not None else None)
+
+
+def shaft_in_train(design: Design, shaft: Outcome[CountershaftResult]) -> ShaftInTrain:
+    """What the place of the train has to know of the shaft on its last wheel."""
+    sizes = journals(design)
+    return ShaftInTrain(
+        axis=shaft_axis(design), eccentric=eccentric(design), journals=(sizes[0][0], sizes[-1][0]) if sizes else None,
+        gear_end=gear_end(design, shaft), couple=shaft.result.couple if shaft.result is not None else None,
+    )  # fmt: skip
+
+
+def around_gears(design: Design, engine: Outcome[EngineResult], shaft: Outcome[CountershaftResult]) -> Surroundings:
+    """What the rating of the teeth takes from other steps."""
+    oil = mesh_oil(design)
+    lubricant = Lubricant(oil.oil, oil.viscosity_law) if oil is not None else None
+    Ra = design.friction.flank_roughness if design.friction is not None else None
+    return Surroundings(
+        uneven=irregularity(design, engine, shaft), lubricant=lubricant, oil_temperature=oil.temperature if oil is not None else None,
+        flank_ra=(Ra[0], Ra[-1]) if Ra else None,
+    )  # fmt: skip
+
+
+def shaft_on_engine(design: Design, shaft: Outcome[CountershaftResult], train: Outcome[TrainResult]) -> "ShaftOnEngine | None":
+    """The counter-shaft as the engine's mounts see it; None where there is none."""
+    from ..mounting.drive import ShaftOnEngine  # which most designs do not need
+
+    own, result = design.countershaft, shaft.result
+    if own is None or result is None:
+        return None
+    return ShaftOnEngine(
+        own.speed_ratio, result.force_vector, result.couple_vector, own.pair == "yes", own.axis, shaft_errors(design, result, train.result),
+        shaft_teeth(design),
+    )  # fmt: skip
+
+
+def shaft_errors(design: Design, shaft: CountershaftResult, train: TrainResult | None) -> tuple[float, float] | None:
+    """Error of the couple and of the angle of a shaft as it scatters: given, else what 95 % of the shafts stay below; None: not known."""
+    given, scatter = design.mounting, shaft.scatter
+    if given is None:
+        return None
+    s, delta = given.scatter_couple, given.late
+    if scatter is not None and shaft.couple:
+        of_couple = (scatter.couple_error_by_mass, scatter.couple_error_by_radius, scatter.couple_error_by_position)
+        of_angle = (scatter.couple_error_by_angle, scatter.couple_error_by_timing)
+        s = based_on(NORMAL_95 * hypot(*of_couple) / shaft.couple, of_couple, shaft.couple) if s is None else s
+        turned = based_on(NORMAL_95 * hypot(*of_angle) / shaft.couple, of_angle, shaft.couple)
+    else:
+        turned = 0.0
+    free = _free_turn(train)
+    if delta is None and (free is not None or turned):
+        delta = based_on(turned + (free or 0.0), turned, free)
+    return (s or 0.0, delta or 0.0) if s is not None or delta is not None else None
+
+
+def _free_turn(train: TrainResult | None) -> float | None:
+    """Of the shaft's wheel: what 95 % of the trains stay below, else the worst case."""
+    if train is None:
+        return None
+    by_chance = train.train_play.phase_error_95 if train.train_play is not None else None
+    return train.phase_error if by_chance is None else by_chance

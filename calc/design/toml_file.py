@@ -1,0 +1,334 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Design ⇄ TOML.  A `Document` is a design as its file has it; `design()` checks it whole and turns it into SI.
+
+Every edit, from the command line, a replay or the form, makes a new Document and is checked by this same one path.
+"""
+
+import math
+import re
+import tomllib
+from collections.abc import Sequence
+from contextlib import suppress
+from dataclasses import MISSING, field, replace
+from datetime import date
+from functools import cached_property
+from pathlib import Path
+from typing import Any, TypeVar
+
+from .addresses import NAME, Table, address, as_list, changed, join, written
+from .model import Design
+from .disk import read_file
+from .limits import DESIGN_BYTES
+from ..sheet.errors import SHOWN_ERRORS, BadInput, InputError
+from ..sheet.quantity import Quantity, keys, unknown
+from ..sheet.record import record
+from ..sheet.text import EMPTY, Text
+from ..sheet.value import linked
+from ..toml_scan import Beyond, key_lines, remarks
+
+T = TypeVar("T")
+REMARKS = Text("The design file says: {remarks}.")
+SMALLEST, LARGEST = 1e-30, 1e30  # sizes of numbers: beyond them products and squares of them are no numbers any more
+
+
+@record
+class Document:
+    """The tables of a design file in the units of their keys, where each key stands, and the bytes."""
+
+    data: Table
+    place: str = "design"
+    lines: dict[str, int] = field(default_factory=dict)
+    raw: bytes = b""  # of the file as it was read
+
+    @property
+    def sha256(self) -> str:
+        """What the bytes of the file hash to; empty for a design that was never in a file."""
+        import hashlib
+
+        return hashlib.sha256(self.raw).hexdigest() if self.raw else ""
+
+    @cached_property
+    def remarks(self) -> dict[str, str]:
+        """The comments beside keys in the file, by these keys, elements of arrays by index; none beside what has been changed since."""
+        text = self.raw.decode("utf-8-sig", "replace")
+        said = {key: words for key, words in remarks(text).items() if key in self.lines}
+        if 0 not in self.lines.values():
+            return said
+        file = tomllib.loads(text)
+        return {key: words for key, words in said.items() if same_content(file, self.data, key)}
+
+    def with_value(self, key: str, value: object) -> "Document":
+        """The same document with one key changed (`bearings.front.length_mm`, `gears.wheels.shaft.teeth`); None takes it out.
+
+        A table, or an element of an array of tables, is changed whole by a table, an array by a list of tables.
+        """
+        whole = value is None or isinstance(value, dict) or (isinstance(value, list) and all(isinstance(item, dict) for item in value))
+        return replace(self, data=changed(self.data, address(self.data, key, whole), value), lines={**self.lines, key: 0})
+
+
+def same_content(a: Table, b: Table, key: str) -> bool:
+    """Whether the same stands at a key, whose elements of arrays are indices, in elements of the same names."""
+    one: object = a
+    other: object = b
+    for part in key.split("."):
+        if isinstance(one, list) and isinstance(other, list):
+            n = int(part)
+            one, other = (rows[n] if n < len(rows) else None for rows in (one, other))
+        else:
+            one, other = (table.get(part) if isinstance(table, dict) else None for table in (one, other))
+        names = [table.get("name") if isinstance(table, dict) else None for table in (one, other)]
+        if names[0] != names[1]:
+            return False
+    return bool(one == other)
+
+
+Sound = tuple[Document, Design]  # a document without errors, and the design that it is
+Like = tuple[Any, Any]  # a table, or an array of tables, without errors, and what was read of it
+
+
+# --- reading --------------------------------------------------------------------------------------------------------------
+def read(path: Path | str) -> Document:
+    """Read a design file.  Raises BadInput where it is no TOML text; what it says is not yet checked."""
+    place = str(path)
+    try:
+        raw = read_file(path, DESIGN_BYTES)
+    except OSError as error:
+        reason = Text("cannot be read: {strerror}; give the path of a design file", strerror=error.strerror or error)
+        raise BadInput(place, [InputError(0, "", "", reason)]) from None
+    return parse(raw, place)
+
+
+def parse(raw: bytes, place: str) -> Document:
+    """The document in the bytes of a design file."""
+
+    def refuse(reason: Text, line: int = 1) -> BadInput:
+        return BadInput(place, [InputError(line, "", "", reason)])
+
+    if len(raw) > DESIGN_BYTES:
+        raise refuse(Text("is {count} bytes long; a design file has at most {most}", count=len(raw), most=f"{DESIGN_BYTES:,}"))
+    try:
+        text = raw.decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        raise refuse(Text("is not text in UTF-8; a design is a TOML text file"), raw[: error.start].count(b"\n") + 1) from None
+    if not text.strip():
+        raise refuse(Text("is empty; `contralbero new FILE` writes a complete design"))
+    try:
+        lines = key_lines(text)
+        data = tomllib.loads(text)
+    except Beyond as beyond:
+        raise refuse(Text("is not a design: ") + beyond.text, beyond.line) from None
+    except tomllib.TOMLDecodeError as error:
+        at = re.search(r"at line (\d+)", str(error))
+        line = int(at[1]) if at else text.count("\n") + 1
+        comma = COMMA.search(text.splitlines()[line - 1]) if line <= len(text.splitlines()) else None
+        hint = Text("; decimals are written with a point: {comma}", comma=comma[0].replace(",", ".")) if comma else EMPTY
+        if str(error).startswith(("Cannot overwrite", "Cannot declare")):
+            hint += Text("; what stands on this line stands above already: leave only one of the two")
+        raise refuse(Text("is not TOML: {sub}{hint}", sub=re.sub(" *[(]at .*[)]", "", str(error)), hint=hint), line) from None
+    except ValueError as error:  # a number of 5000 digits
+        raise refuse(Text("is not a design: ") + str(error)) from None
+    return Document(data, place, lines, raw)
+
+
+DAY = re.compile(r"[0-9]{4}-[0-9]{2}-[0-9]{2}")
+COMMA = re.compile(r"-?\d+,\d+")  # a decimal comma, which TOML does not know
+
+# What stands for a wrong or missing value while the rest of the document is checked: no comparison with it holds.
+PLACEHOLDER: Table = {
+    "number": math.nan, "integer": math.nan, "text": "", "date": "", "choice": "", "series": (), "integers": (), "table": None,
+    "tables": (), "reasons": (), "open": None,
+}  # fmt: skip
+
+
+# --- checking ---------------------------------------------------------------------------------------------------------------
+class _Reader:
+    """Walks a document along the Inputs classes and collects every error."""
+
+    def __init__(self, document: Document) -> None:
+        self.document = document
+        self.errors: list[InputError] = []
+        self.wrong: set[str] = set()  # their keys
+
+    def error(self, key: str, value: object, reason: Text, kind: str = "text") -> object:
+        """Note an error; gives what stands for the wrong value while the rest is checked."""
+        self.wrong.add(key)
+        self.errors.append(InputError(self.line(key), key, "" if value is None else written(value), reason))
+        return PLACEHOLDER[kind]
+
+    def line(self, key: str) -> int:
+        """The line of a key, or of the nearest table around it."""
+        while key and key not in self.document.lines:
+            key = key.rpartition(".")[0]
+        return self.document.lines.get(key, 1) if key else 1
+
+    def inputs(self, cls: type[T], data: Table, prefix: str, address: str = "", like: Like | None = None) -> T:
+        """One Inputs object.  Where something in it is wrong, a placeholder stands there, so that the rest is still checked.
+
+        `prefix` is its key with elements of arrays by index, `address` that with their names: by it explain says where a number stands.
+        `like`: a table without errors in the same place, and what was read of it: what both have, the very same, is taken over.
+        """
+        kind: type = cls
+        known, values = keys(kind), Table()
+        for key in data:
+            if key not in known:
+                counted = len(self.errors) >= SHOWN_ERRORS  # nobody would read the nearest name
+                reason = Text("is not known") if counted else unknown(key, known)
+                self.error(join(prefix, key), None, getattr(cls, "REFUSED", {}).get(key) or reason)
+        for key, about in known.items():
+            if like is not None and data.get(key) is like[0].get(key):
+                values[about.attribute] = getattr(like[1], about.attribute)
+            elif key in data:
+                there = None if like is None else (like[0].get(key), getattr(like[1], about.attribute))
+                values[about.attribute] = self.value(about.about, data[key], join(prefix, key), join(address, key), there)
+            elif about.field.default is not MISSING:
+                values[about.attribute] = _keyed(about.about, about.field.default, join(address, key))
+            elif not about.about.optional:
+                self.error(join(prefix, key), None, Text("is missing; needs {allowed}", allowed=about.about.allowed()))
+                values[about.attribute] = PLACEHOLDER[about.about.kind]
+        made = cls(**values)
+        try:
+            found = getattr(made, "problems", lambda: ())()
+            for key, reason in [(key, reason) for key, reason in found if join(prefix, key) not in self.wrong]:
+                self.error(join(prefix, key), _plain(data, key), reason)
+        except (TypeError, ValueError, AttributeError, LookupError):
+            if not self.wrong:
+                raise  # a placeholder may stop a cross-check, nothing else may
+        return made
+
+    def value(self, about: Quantity, value: object, key: str, address: str, like: Like | None = None) -> object:
+        match about.kind:
+            case "table":
+                if not isinstance(value, dict):
+                    return self.error(key, value, Text("must be a table"), "table")
+                known = like if like is not None and isinstance(like[0], dict) else None
+                return self.inputs(about.table, value, key, address, known)  # type: ignore[arg-type]
+            case "tables":
+                return self.tables(about, value, key, address, like[0] if like else None, like[1] if like else ())
+            case "series" | "integers":
+                return _keyed(about, self.series(about, value, key), address)
+            case "reasons":
+                return self.reasons(value, key)
+            case "open":
+                return (
+                    value
+                    if isinstance(value, (dict, list))
+                    else self.error(key, value, Text("must be {allowed}", allowed=about.allowed()), "open")
+                )
+            case "text" | "choice":
+                if about.kind == "choice" and not isinstance(value, (str, bool)) and str(value) in about.choices:
+                    return linked(str(value), address)  # a choice that looks like a number, like the property class 8.8
+                if not isinstance(value, str) or (about.choices and value not in about.choices):
+                    return self.error(key, value, Text("must be {allowed}", allowed=about.allowed()), about.kind)
+                return _keyed(about, value, address)
+            case "date":
+                return self.date(about, value, key)
+        return _keyed(about, self.number(about, value, key), address)
+
+    def date(self, about: Quantity, value: object, key: str) -> object:
+        """A date of TOML, or its text; one with a time of day is none."""
+        written = value.isoformat() if type(value) is date else value
+        if isinstance(written, str) and (about.free or not written or is_day(written)):
+            return written
+        return self.error(key, value, Text("must be {allowed}", allowed=about.allowed()), "date")
+
+    def number(self, about: Quantity, value: object, key: str) -> object:
+        whole = about.kind in ("integer", "integers")
+        if isinstance(value, bool) or not isinstance(value, (int, float)) or (whole and isinstance(value, float)):
+            point = Text("; write {value}", value=value.replace(",", ".")) if isinstance(value, str) and COMMA.fullmatch(value) else ""
+            return self.error(key, value, Text("must be {allowed}{point}", allowed=about.allowed(), point=point), "number")
+        if value and not SMALLEST <= abs(value) <= LARGEST:
+            allowed = about.allowed()
+            if abs(value) > 1e300 or value != value:
+                return self.error(key, value, Text("must be {allowed}, and finite", allowed=allowed), "number")
+            return self.error(key, value, Text("must be {allowed}, and 0 or of a size from 1e-30 to 1e30", allowed=allowed), "number")
+        low, high, above = about.low, about.high, about.above
+        if (low is not None and value < low) or (high is not None and value > high) or (above is not None and value <= above):
+            why = Text("; {negative}", negative=about.negative) if about.negative and value < 0 else ""
+            return self.error(key, value, Text("must be {allowed}{why}", allowed=about.allowed(), why=why), "number")
+        return value if whole else about.units.inside(float(value))
+
+    def series(self, about: Quantity, value: object, key: str) -> object:
+        items = as_list(value)
+        if about.count and not about.count[0] <= len(items) <= about.count[1]:
+            low, high = about.count
+            return self.error(
+                key,
+                value,
+                Text(
+                    "has {count} entries; needs {low}",
+                    count=len(items),
+                    low=low if low == high else Text("{low} to {high}", low=low, high=high),
+                ),
+                "series",
+            )
+        if not items:
+            return self.error(key, value, Text("is empty; needs {allowed}", allowed=about.allowed()), "series")
+        return tuple(self.number(about, item, key) for item in items)
+
+    def tables(self, about: Quantity, value: object, key: str, address: str, like: object = None, read: Sequence[object] = ()) -> object:
+        if not isinstance(value, list) or not all(isinstance(item, dict) for item in value):
+            return self.error(key, value, Text("must be an array of tables: [[") + key + "]]", "tables")
+        names = [item.get("name") for item in value]
+        before = list(zip(like, read)) if isinstance(like, list) and [item.get("name") for item in like] == names else [None] * len(value)
+        made: tuple[object, ...] = tuple(
+            self.inputs(about.table, item, f"{key}.{i}", f"{address}.{i if name is None else name}", known)  # type: ignore[arg-type]
+            for i, (item, name, known) in enumerate(zip(value, names, before))
+        )
+        addressed = not key.startswith(("oil", "material")) and "name" in keys(about.table)
+        seen: set[str] = set()
+        for i, name in enumerate(names):
+            if isinstance(name, str):
+                if addressed and not NAME.match(name):
+                    self.error(f"{key}.{i}.name", name, Text("must be made of letters, digits and -, since the element is addressed by it"))
+                if name in seen:
+                    self.error(f"{key}.{i}.name", name, Text("stands twice; every element needs a name of its own"))
+                seen.add(name)
+        return made
+
+    def reasons(self, value: object, key: str) -> tuple[tuple[str, str], ...]:
+        if not isinstance(value, dict):
+            self.error(key, value, Text("must be a table: [{key}]", key=key))
+            return ()
+        for id, reason in value.items():
+            if not isinstance(reason, str) or not reason.strip():
+                self.error(f"{key}.{id}", reason, Text('needs a reason in words, like "seen on the test bench"'))
+        return tuple((id, reason.strip()) for id, reason in value.items() if isinstance(reason, str))
+
+
+def is_day(words: str) -> bool:
+    """Whether words are a day of the calendar as ISO 8601 writes it."""
+    with suppress(ValueError):
+        return bool(DAY.fullmatch(words) and date.fromisoformat(words))
+    return False
+
+
+def _keyed(about: Quantity, value: object, address: str) -> object:
+    """A number, or a word that may choose numbers, with the key that it stands under; what only names or tells something has none."""
+    if about.kind in ("text", "choice") and (not value or address.rpartition(".")[2] in ("name", "note", "source", "label")):
+        return value
+    return linked(value, address)
+
+
+def _plain(data: object, key: str) -> object:
+    """What stands at a key below this table, if it is a number or a word; else None."""
+    for part in key.split("."):
+        here = data.get(part) if isinstance(data, dict) else data[int(part)] if isinstance(data, list) and part.isdigit() else None
+        data = here
+    return data if isinstance(data, (int, float, str)) else None
+
+
+def design(document: Document, sound: Sound | None = None) -> Design:
+    """The checked design in SI.  Raises BadInput with every error of the document, in the order of its lines.
+
+    `sound`: a document of which this one was made, with its design: what is unchanged is taken over and not read again.
+    """
+    reader = _Reader(document)
+    made = reader.inputs(Design, document.data, "", like=(sound[0].data, sound[1]) if sound is not None else None)
+    if reader.errors:
+        raise BadInput(document.place, reader.errors)
+    return made
+
+
+def load(path: Path | str) -> tuple[Document, Design]:
+    document = read(path)
+    return document, design(document)

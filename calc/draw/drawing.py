@@ -1,0 +1,189 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What a drawing is made of, whatever it shows: lines, arcs, areas, words and dimensions, each on a layer.
+
+The sheet's first axis runs to the right, its second up, both in metres.  `key`: the field of the design that a primitive shows (a key of
+a table stands for all its fields; several stand with spaces between them), which is lit while it is edited; `state`: the verdict of the
+part that it shows, "fail", "warn" or nothing.
+"""
+
+import math
+from collections.abc import Callable, Iterable
+from dataclasses import replace
+from functools import cached_property
+from typing import Literal
+
+from ..sheet.record import record
+from ..sheet.text import EMPTY, Text
+from ..sheet.units import Metre, Radian
+
+Point = tuple[Metre, Metre]
+Box = tuple[Metre, Metre, Metre, Metre]  # left, bottom, right, top
+State = Literal["", "warn", "fail"]
+Side = Literal["left", "centre", "right"]
+
+# Layers of sketches that are drawn other than plain: context is faint, axes are faint chain lines, what is hidden is faint and dashed
+OUTLINE, CONTEXT, AXIS, HIDDEN, DIMENSIONS, WORDS = "OUTLINE", "CONTEXT", "AXIS", "HIDDEN", "DIMENSIONS", "TEXT"
+
+
+@record
+class Polyline:
+    """Straight lines from point to point; closed: back to the first; `arrow`: the last point is the tip of an arrow."""
+
+    layer: str
+    points: tuple[Point, ...]
+    closed: bool = False
+    key: str = ""
+    state: State = ""
+    arrow: bool = False
+
+
+@record
+class Arc:
+    """A part of a circle, anticlockwise from `start` to `end`, angles from the right; a whole circle from 0 to 2π."""
+
+    layer: str
+    centre: Point
+    radius: Metre
+    start: Radian = 0.0
+    end: Radian = 2 * math.pi
+    key: str = ""
+    state: State = ""
+
+
+@record
+class Area:
+    """What is filled within closed outlines: what lies in two of them, as the hole of a ring, stays empty.  `shade`: how strongly."""
+
+    layer: str
+    outlines: tuple[tuple[Point, ...], ...]
+    shade: float = 0.25
+    key: str = ""
+    state: State = ""
+
+
+@record
+class Words:
+    """A line of text that begins at a place, has its middle there, or ends there (`side`: where the place is)."""
+
+    layer: str
+    at: Point
+    text: str
+    height: Metre = 0.0
+    key: str = ""
+    state: State = ""
+    side: Side = "left"
+    turned: bool = False  # a quarter to the left, to be read from the right
+
+
+@record
+class Hatch:
+    """What is cut, in parallel lines `spacing` apart, within closed outlines; what lies in two of them is not cut."""
+
+    layer: str
+    outlines: tuple[tuple[Point, ...], ...]
+    spacing: Metre
+
+
+@record
+class Dimension:
+    """The distance of two points, to the right or (`upright`) upwards, on a line through `line`; its number is put aside by `shift`.
+
+    `label`: what stands there in place of the distance in millimetres.
+    """
+
+    layer: str
+    start: Point
+    end: Point
+    line: Point
+    height: Metre = 0.0
+    upright: bool = False
+    diameter: bool = False
+    shift: Metre = 0.0
+    key: str = ""
+    state: State = ""
+    label: Text = EMPTY
+
+
+Primitive = Polyline | Arc | Words | Dimension  # of drawings to scale
+Mark = Primitive | Area  # of sketches
+Ink = Mark | Hatch  # of drawing sheets
+
+
+@record
+class Sketch:
+    """A picture of a few strokes.  `notes`: what is not to scale, in words ("gap × 400").  `turning`: it depends on the crank's angle.
+
+    `beside`: further pictures next to it, each with its own scale, the ones that are missed least last; `title` stands above each.
+    `views`: how many of them may come first, one after the other.
+    """
+
+    primitives: tuple[Mark, ...] = ()
+    notes: tuple[Text, ...] = ()
+    turning: bool = False
+    title: Text = EMPTY
+    beside: tuple["Sketch", ...] = ()
+    views: int = 1
+
+    @cached_property
+    def box(self) -> Box:
+        """What the picture spans, its words taken as points; the pictures beside it do not count."""
+        points = [point for mark in self.primitives for point in reach(mark)]
+        if not points:
+            return 0.0, 0.0, 0.0, 0.0
+        xs, ys = zip(*points)
+        return min(xs), min(ys), max(xs), max(ys)
+
+
+def reach(mark: Mark) -> Iterable[Point]:
+    """Points that span a primitive."""
+    match mark:
+        case Polyline(points=points):
+            return points
+        case Arc(centre=(x, y), radius=r, start=start, end=end):
+            quarters = range(math.ceil(start / (math.pi / 2)), math.floor(end / (math.pi / 2)) + 1)
+            angles = (start, end, *(quarter * math.pi / 2 for quarter in quarters))
+            return [(x + r * math.cos(angle), y + r * math.sin(angle)) for angle in angles]
+        case Area(outlines=outlines):
+            return [point for outline in outlines for point in outline]
+        case Words(at=at):
+            return (at,)
+        case Dimension(start=start, end=end, line=(x, y), upright=upright):
+            return [(x, start[1]), (x, end[1])] if upright else [(start[0], y), (end[0], y)]
+
+
+def moved(mark: Ink, dx: Metre, dy: Metre) -> Ink:
+    """A mark at another place."""
+    return _changed(mark, lambda point: (point[0] + dx, point[1] + dy), 1.0)
+
+
+def enlarged(mark: Ink, by: float) -> Ink:
+    """A mark so many times as large, letters and all."""
+    return _changed(mark, lambda point: (by * point[0], by * point[1]), by)
+
+
+def _changed(mark: Ink, to: Callable[[Point], Point], by: float) -> Ink:
+    match mark:
+        case Polyline():
+            return replace(mark, points=tuple(map(to, mark.points)))
+        case Arc():
+            return replace(mark, centre=to(mark.centre), radius=by * mark.radius)
+        case Area():
+            return replace(mark, outlines=tuple(tuple(map(to, outline)) for outline in mark.outlines))
+        case Hatch():
+            return replace(mark, outlines=tuple(tuple(map(to, outline)) for outline in mark.outlines), spacing=by * mark.spacing)
+        case Words():
+            return replace(mark, at=to(mark.at), height=by * mark.height)
+        case Dimension():
+            start, end, line = to(mark.start), to(mark.end), to(mark.line)
+            return replace(mark, start=start, end=end, line=line, height=by * mark.height, shift=by * mark.shift)
+
+
+def round_outline(centre: Point, radius: Metre, corners: int = 48) -> tuple[Point, ...]:
+    """The outline of a disc, for an area."""
+    turns = [2 * math.pi * n / corners for n in range(corners)]
+    return tuple((centre[0] + radius * math.cos(turn), centre[1] + radius * math.sin(turn)) for turn in turns)
+
+
+def rectangle(left: Metre, bottom: Metre, right: Metre, top: Metre) -> tuple[Point, ...]:
+    """Four corners, for a closed line or an area."""
+    return (left, bottom), (right, bottom), (right, top), (left, top)

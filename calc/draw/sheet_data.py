@@ -1,0 +1,176 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What stands beside the views: the data of the teeth (ISO 1340, symbols of ISO 21771), balancing (ISO 21940-11), masses, notes."""
+
+import math
+from collections.abc import Iterator, Mapping
+
+from ..library.balance_quality import ISO
+from ..countershaft.result import CountershaftResult
+from ..friction.inputs import FrictionInputs
+from ..gears.inputs import GearsInputs
+from ..gears.result import MeshResult, TrainResult, WheelResult, working_circles
+from ..sheet.quantity import published
+from ..sheet.text import COMMA, Amount, Name, Text
+from ..sheet.units import UNITS, KilogramMetre
+from ..solve import Results
+from ..drawing_sheet.facts import missing
+from ..drawing_sheet.saying import ALIKE, Say, alone, degrees, deviated, millimetres, number
+
+PART_DRAWING = Text("Part drawing")
+Rows = list[tuple[str, ...]]
+HANDS = {"left": Text("left"), "right": Text("right")}
+SIZE = 3  # decimals of a tooth's sizes
+
+
+def gear_rows(results: Results, wheel: WheelResult, say: Say) -> Rows:
+    """A label and what is said, in the order in which a gear is cut, measured and paired."""
+    train, gears = results.result(TrainResult), results.design.gears
+    assert train is not None and gears is not None
+    rows = [*_teeth(train, wheel, gears), *_sizes(wheel), *_mates(train, wheel)]
+    if (friction := results.design.friction) is not None and (Ra := _flanks(friction, train, wheel.name)) is not None:
+        rows.append((Text("Roughness of the flanks"), Text("Ra {ra}", ra=number(UNITS["µm"].shown(Ra), 2))))
+    own = next(one for one in gears.wheels if one.name == wheel.name)
+    if own.gear_material is not None:
+        rows.append((Text("Strength class, ISO 6336-5"), Name(own.gear_material)))
+    if own.hardness is not None:
+        rows.append((Text("Surface hardness"), Text("{hardness} HV", hardness=number(own.hardness, 0))))
+    return [(say(label), say(value)) for label, value in rows]
+
+
+def _teeth(train: TrainResult, wheel: WheelResult, gears: GearsInputs) -> Iterator[tuple[Text, Text]]:
+    s = train.system
+    yield Text("Normal module"), alone(millimetres(s.m_n, SIZE))
+    yield Text("Number of teeth"), Text("{z}", z=wheel.teeth)
+    yield Text("Normal pressure angle"), degrees(s.alpha_n, SIZE)
+    if s.beta:
+        yield Text("Helix angle, hand"), Text("{angle}, {hand}", angle=degrees(s.beta, SIZE), hand=HANDS[gears.hands()[wheel.name]])
+    yield (
+        Text("Tool: addendum, tip radius"),
+        Text("{h} / {rho} modules", h=number(s.h_aP0, SIZE), rho=number(s.rho_aP0, SIZE)),
+    )
+    yield Text("Profile shift"), alone(number(wheel.profile_shift, 4))
+    yield Text("Accuracy grade, ISO 1328-1"), Text("{grade}", grade=gears.accuracy_grade)
+
+
+def _sizes(wheel: WheelResult) -> Iterator[tuple[Text, Text]]:
+    yield Text("Reference diameter"), alone(millimetres(wheel.reference_diameter, SIZE))
+    yield Text("Base diameter"), alone(millimetres(wheel.base_diameter, SIZE))
+    yield Text("Root diameter"), _between(wheel.root_diameter, wheel.root_diameter_min, wheel.root_diameter_max)
+    known = {value.id.removeprefix("."): value for value in published(wheel, "")}
+    span = f"span_{round(wheel.span_teeth)}"
+    if span in known:
+        size = alone(number(known[span].shown, SIZE))
+        if wheel.allowance is not None:
+            size = deviated(size, min(wheel.allowance), max(wheel.allowance))
+        yield Text("Span over {k} teeth", k=round(wheel.span_teeth)), size
+    if wheel.over_balls is not None:
+        label = Text("Size over balls ⌀{ball}", ball=millimetres(wheel.ball_diameter, SIZE))
+        yield label, _between(wheel.over_balls, wheel.over_balls_min, wheel.over_balls_max)
+
+
+def _between(size: float, low: float | None, high: float | None) -> Text:
+    if low is None or high is None or abs(high - low) < ALIKE:
+        return alone(millimetres(size, SIZE))
+    return Text("{low} to {high}", low=millimetres(low, SIZE), high=millimetres(high, SIZE))
+
+
+def _mates(train: TrainResult, wheel: WheelResult) -> Iterator[tuple[Text, Text]]:
+    for mate, _, mesh in working_circles(train.meshes, wheel.name):
+        yield Text("Mating wheel, teeth"), Text("{mate}, {z}", mate=Name(mate), z=train.wheels[mate].teeth)
+        yield Text("Centre distance"), _distance(mesh)
+
+
+def _distance(mesh: MeshResult) -> Text:
+    size = alone(millimetres(mesh.centre_distance, SIZE))
+    return deviated(size, -mesh.centre_tolerance, mesh.centre_tolerance) if mesh.centre_tolerance else size
+
+
+def _flanks(friction: FrictionInputs, train: TrainResult, wheel: str) -> float | None:
+    """Ra of the flanks of one wheel: that of all, or that of its place in its first mesh."""
+    Ra = friction.flank_roughness
+    if len(Ra) == 1:
+        return Ra[0]
+    return next((Ra[0] if mesh.driver == wheel else Ra[1] for mesh in train.meshes.values() if wheel in (mesh.driver, mesh.driven)), None)
+
+
+def balance_rows(results: Results, solved: CountershaftResult, say: Say) -> Rows:
+    """The grade, the speed that it is for, and what it permits in each plane; empty where the mass of the shaft is not known."""
+    permitted, shaft = solved.tolerance, results.design.countershaft
+    if permitted is None or shaft is None:
+        return []
+    front, rear = shaft.bearing_positions[0], shaft.bearing_positions[-1]
+    rows = (
+        (Text("Quality grade, {iso}", iso=ISO), Text("{grade}", grade=shaft.balance_grade)),
+        (Text("at the service speed"), Text("{n} rpm", n=number(UNITS["rpm"].shown(abs(solved.omega) / (2 * math.pi)), 0))),
+        (Text("Permitted residual unbalance"), _unbalance(permitted.residual_unbalance_permitted)),
+        (Text("in plane I, z {z}", z=millimetres(front)), _unbalance(permitted.residual_unbalance_permitted_front)),
+        (Text("in plane II, z {z}", z=millimetres(rear)), _unbalance(permitted.residual_unbalance_permitted_rear)),
+    )
+    return [(say(label), say(value)) for label, value in rows]
+
+
+def _unbalance(U: KilogramMetre) -> Text:
+    """Rounded down to three digits: never more than is permitted."""
+    shown = UNITS["g·mm"].shown(U)
+    return Text("{u} g·mm", u=Amount(float(f"{shown:.3g}"), form=".12g"))
+
+
+def mass_rows(results: Results, solved: CountershaftResult, say: Say) -> Rows:
+    """The eccentric masses as they are meant: the shaft is out of balance on purpose."""
+    shaft = results.design.countershaft
+    masses = dict(solved.sector) if solved.sector else {mass.name: mass for mass in shaft.masses} if shaft is not None else {}
+    rows: Rows = [(say(Text("Mass")), say(Text("m, kg")), say(Text("e, mm")), say(Text("at")), say(Text("z, mm")))]
+    for name, mass in masses.items():
+        cells = number(mass.mass, 3), millimetres(mass.radius, 3), degrees(mass.angle % (2 * math.pi)), millimetres(mass.z, 2)
+        rows.append((say(Name(name)), *(say(cell if isinstance(cell, Text) else alone(cell)) for cell in cells)))
+    return rows if len(rows) > 1 else []
+
+
+def notes(results: Results, solved: CountershaftResult, up: float, data: Mapping[str, object] | None) -> Iterator[Text]:
+    """What is said in words, and at the end what a drawing needs and the design does not give."""
+    shaft = results.design.countershaft
+    assert shaft is not None
+    yield Text("Dimensions in mm. z from mid-shaft, to the right towards the flywheel.")
+    yield Text(
+        "Views along the axis look towards the flywheel; the crank turns clockwise there. Up is {angle} from up with cylinder 1 at TDC, in "
+        "the sense of crank rotation.", angle=degrees(up % (2 * math.pi)),
+    )  # fmt: skip
+    if solved.outline is not None and solved.outline.derived:
+        yield Text("Sectors follow from mass and centre of gravity of the eccentric masses; shoulders are put together from the design.")
+    if solved.tolerance is not None:
+        yield Text("The residual unbalance is measured against the masses in the table, which are out of balance on purpose.")
+    if shaft.holes is not None:
+        yield Text("{n} holes ⌀{d}, at most {h} deep, radial, evenly in the eccentric masses, drilled as the balancing asks.",
+            n=shaft.holes.count, d=millimetres(shaft.holes.diameter), h=millimetres(shaft.holes.depth))  # fmt: skip
+    if shaft.fillet_radius is not None:
+        yield Text("Fillets at the shoulders R{radius}.", radius=millimetres(shaft.fillet_radius))
+    if (own := results.design.bearings) is not None and (clearances := _clearances(results)) is not None:
+        yield Text("Diametral clearance of the journals in their bearings at {T} °C: {front} µm front, {rear} µm rear.",
+            T=number(UNITS["°C"].shown(own.clearance_reference_temperature), 1), front=clearances[0], rear=clearances[1])  # fmt: skip
+    yield from chosen(data)
+    yield Text("Not given by the design: {what}.", what=COMMA.join(missing(results)))
+
+
+def _clearances(results: Results) -> tuple[Amount, Amount] | None:
+    known = [results.values().get(f"bearings.{place}.clearance") for place in ("front", "rear")]
+    front, rear = (number(value.shown, 0) if value is not None else None for value in known)
+    return None if front is None or rear is None else (front, rear)
+
+
+DEFAULTS = {
+    "countershaft.balance_grade": Text("the grade of balancing"), "gears.accuracy_grade": Text("the accuracy grade of the teeth"),
+    "gears.ball_diameter_mm": Text("the measuring ball"),
+}  # fmt: skip
+
+
+def chosen(data: Mapping[str, object] | None, step: str = "") -> Iterator[Text]:
+    """What the program has put in where the file leaves it out; `step`: of one step only."""
+    if data is not None and (assumed := [text for key, text in DEFAULTS.items() if key.startswith(step) and not _given(data, key)]):
+        yield Text("Chosen by the program, not by the design: {what}.", what=COMMA.join(assumed))
+
+
+def _given(data: Mapping[str, object], key: str) -> bool:
+    """Whether the file has a key; one of a table that it does not have is not asked."""
+    step, _, name = key.partition(".")
+    table = data.get(step)
+    return not isinstance(table, Mapping) or name in table

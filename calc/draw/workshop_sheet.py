@@ -1,0 +1,94 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The sheet itself: an A3 page with frame, centring marks and grid references as ISO 5457 has them, and the title block of ISO 7200."""
+
+import itertools
+from collections.abc import Sequence
+
+from ..design.other_tables import DocumentControl
+from ..sheet.layers import EDGE, FRAME, TABLE, VISIBLE
+from .lettering import shortened, width
+from ..sheet.text import Text
+from .annotations import LETTER, TITLE, Leaf
+from ..drawing_sheet.saying import Say
+
+PAPER = (420.0, 297.0)  # A3, mm
+LEFT, LOW, RIGHT, TOP = 20.0, 10.0, 410.0, 287.0  # the frame: 20 mm for filing, 10 mm elsewhere
+BORDER = 5.0  # of the grid references, around the frame
+FIELD = 50.0  # of the grid, counted from the middles of the page
+CENTRING = 10.0  # how far a centring mark goes on within the frame
+BLOCK_LEFT, BLOCK_TOP = RIGHT - 180.0, LOW + 46.0  # of the title block, 180 mm wide
+PAD = 1.5
+HEAD = 5.0  # the title's letters, where they have room
+LETTERS = "ABCDEFGHJKLM"  # of the grid: I and O are left out
+
+
+def frame(leaf: Leaf) -> None:
+    """Frame, border of the grid, centring marks, and the name of the size of the paper."""
+    leaf.box(FRAME, LEFT, LOW, RIGHT, TOP)
+    left, low, right, top = LEFT - BORDER, LOW - BORDER, RIGHT + BORDER, TOP + BORDER
+    leaf.box(TABLE, left, low, right, top)
+    mid_x, mid_y = PAPER[0] / 2, PAPER[1] / 2
+    for outer, inner in ((low, LOW + CENTRING), (top, TOP - CENTRING)):
+        leaf.line(FRAME, (mid_x, outer), (mid_x, inner))
+    for outer, inner in ((left, LEFT + CENTRING), (right, RIGHT - CENTRING)):
+        leaf.line(FRAME, (outer, mid_y), (inner, mid_y))
+    for n, (a, b) in enumerate(_fields(mid_x, LEFT, RIGHT), 1):
+        for y in (low, TOP):
+            leaf.words(str(n), (a + b) / 2, y + (BORDER - LETTER) / 2, "centre", layer=TABLE)
+            if b < RIGHT:
+                leaf.line(TABLE, (b, y), (b, y + BORDER))
+    for n, (a, b) in enumerate(reversed(_fields(mid_y, LOW, TOP))):
+        for x in (left, RIGHT):
+            leaf.words(LETTERS[n], x + BORDER / 2, (a + b - LETTER) / 2, "centre", layer=TABLE)
+            if a > LOW:
+                leaf.line(TABLE, (x, a), (x + BORDER, a))
+    leaf.words("A3", right - 1.0, 1.0, "right", layer=TABLE)
+
+
+def _fields(middle: float, first: float, last: float) -> list[tuple[float, float]]:
+    """The fields of the grid on one side, those at its ends shorter or longer than the others."""
+    count = 2 * round((last - middle) / FIELD)
+    ends = [first, *(middle + FIELD * (n - count // 2) for n in range(1, count)), last]
+    return list(itertools.pairwise(ends))
+
+
+def title_block(leaf: Leaf, control: DocumentControl, title: str, kind: str, facts: dict[str, str], say: Say) -> None:
+    """Who owns, drew, checked and approved what; `facts`: scale, material, mass.  What is left empty is filled in by hand."""
+    by = dict(control.signatures())
+    dates = [by[key].date for key in ("approved", "checked", "prepared") if by[key].date]
+    rows: Sequence[tuple[float, list[tuple[float, str, str]]]] = (
+        (11.0, [(46.0, say(Text("Legal owner")), control.company), (58.0, say(Text("Project")), control.project),
+            (40.0, say(Text("Customer")), control.customer), (18.0, say(Text("Scale")), facts["scale"]), (18.0, "", "")]),
+        (13.0, [(120.0, say(Text("Title")), title), (60.0, say(Text("Number")), control.number)]),
+        (11.0, [(42.0, say(Text("Material")), facts["material"]), (40.0, say(Text("Mass, as calculated")), facts["mass"]),
+            (38.0, say(Text("Document type")), kind), (34.0, say(Text("Date of issue")), dates[0] if dates else ""),
+            (26.0, say(Text("Revision")), control.revision)]),
+        (11.0, [(54.0, say(Text("Prepared")), by["prepared"].name), (54.0, say(Text("Checked")), by["checked"].name),
+            (54.0, say(Text("Approved")), by["approved"].name), (18.0, say(Text("Sheet")), facts["sheet"])]),
+    )  # fmt: skip
+    leaf.box(VISIBLE, BLOCK_LEFT, LOW, RIGHT, BLOCK_TOP)
+    y = BLOCK_TOP
+    for high, cells in rows:
+        x = BLOCK_LEFT
+        for wide, label, value in cells:
+            size = next((h for h in (HEAD, TITLE) if h <= high - LETTER - 3 * PAD and width(value, h) <= wide - 2 * PAD), LETTER)
+            leaf.words(shortened(label, LETTER, wide - 2 * PAD), x + PAD, y - PAD - LETTER, layer=TABLE)
+            leaf.words(shortened(value, size, wide - 2 * PAD), x + PAD, y - high + PAD, height=size)
+            if x > BLOCK_LEFT:
+                leaf.line(TABLE, (x, y), (x, y - high))
+            x += wide
+        y -= high
+        if y > LOW + 0.1:
+            leaf.line(TABLE, (BLOCK_LEFT, y), (RIGHT, y))
+    first_angle(leaf, RIGHT - 8.5, BLOCK_TOP - 5.5)
+
+
+def first_angle(leaf: Leaf, x: float, y: float) -> None:
+    """The symbol of first-angle projection, ISO 5456-2: a cone from its side, and behind it as seen from its narrow end."""
+    small, large, long = 1.25, 2.5, 5.0
+    side = x - 8.0
+    leaf.line(VISIBLE, (side, y - small), (side + long, y - large), (side + long, y + large), (side, y + small), closed=True)
+    leaf.arc(VISIBLE, (x + 3.5, y), small)
+    leaf.arc(VISIBLE, (x + 3.5, y), large)
+    leaf.line(EDGE, (side - 1.0, y), (x + 7.0, y))
+    leaf.line(EDGE, (x + 3.5, y - large - 1.0), (x + 3.5, y + large + 1.0))

@@ -1,0 +1,292 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Oils and materials by name: the design's own first, then the tables that come with the program."""
+
+import re
+import tomllib
+from collections import ChainMap
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import replace
+from functools import cache, lru_cache
+from pathlib import Path
+from typing import Any, TypeVar
+
+from ..sheet.quantity import choice, inputs, keys, quantity, tables, text
+from ..sheet.record import record
+from ..sheet.text import Amount, Text
+from ..sheet.value import Link, linked
+
+T = TypeVar("T")
+TABLES = Path(__file__).parent / "tables"
+BESIDE = ("specific_heat_J_kgK", "elongation_percent", "hardness_HB")  # keys of a table's row that stand there for the reader only
+
+
+@record
+class Claim:
+    """One value of a table's row as it stands there: its key, number (or word), confidence and source."""
+
+    key: str
+    value: float | str
+    confidence: Text
+    source: Text
+
+
+@inputs
+class PrintedViscosity:
+    """A dynamic viscosity that is printed somewhere, to be held against the oil's own law."""
+
+    temperature: float = quantity("Temperature", "°C", low=-40, high=200, symbol="T")
+    viscosity: float = quantity("Printed dynamic viscosity", "mPa·s", above=0, high=1e6, symbol="mu")
+
+    def __str__(self) -> str:
+        return Text(
+            "{viscosity} mPa·s at {temperature} °C",
+            viscosity=Amount(self.viscosity * 1000.0, form=".5g"),
+            temperature=Amount(self.temperature, form="g"),
+        )
+
+
+@inputs
+class ViscosityRow:
+    """One row of an oil's own table: its dynamic viscosity at a temperature."""
+
+    temperature: float = quantity("Temperature", "°C", low=-60, high=300, symbol="T")
+    viscosity: float = quantity("Dynamic viscosity", "mPa·s", low=0.5, high=1e6, symbol="mu")
+
+
+@inputs
+class Oil:
+    """A lubricant by its viscosity and density; the values by which it acts in a gear mesh follow from its base, or are given.
+
+    The viscosity is given in one of three ways: at 40 and at 100 °C, in rows over the temperature, or as one number for all of them.
+    """
+
+    name: str = text("Name")
+    nu40: float | None = quantity(
+        "Kinematic viscosity at 40 °C", "mm²/s", default=None, low=1, high=1e5, symbol="nu_40",
+        help="With that at 100 °C. Left out: viscosities, or viscosity_mPas.",
+    )  # fmt: skip
+    nu100: float | None = quantity(
+        "Kinematic viscosity at 100 °C", "mm²/s", default=None, low=1, high=1e4, symbol="nu_100",
+        help="With that at 40 °C. Left out: viscosities, or viscosity_mPas.",
+    )  # fmt: skip
+    rho15: float = quantity("Density at 15 °C", "kg/m³", low=600, high=1300, symbol="rho_15")
+    base: str = choice("Base stock", "mineral", "PAO", "PAG", "ester", "MIL-L-7808", "MIL-L-23699")
+    conductivity: float = quantity("Thermal conductivity", "W/(m·K)", default=0.14, low=0.05, high=1.0, symbol="k_f")
+    limiting_shear: float | None = quantity(
+        "Limiting shear stress over pressure", default=None, above=0, high=0.3, symbol="Lambda", help="Left out: that of the base stock."
+    )
+    pressure_viscosity_40: float | None = quantity(
+        "Pressure-viscosity coefficient at 40 °C", "1/GPa", default=None, above=0, high=100, symbol="alpha_40",
+        help="Left out: by the base stock. Given: the base stock says only how it changes with the viscosity.",
+    )  # fmt: skip
+    viscosity: float | None = quantity(
+        "Dynamic viscosity at every temperature", "mPa·s", default=None, above=0, high=1e6, symbol="mu",
+        help="Constant, as in textbooks; instead of the viscosities at 40 and 100 °C.",
+    )  # fmt: skip
+    viscosities: tuple[ViscosityRow, ...] = tables(
+        "Dynamic viscosity over temperature", ViscosityRow, default=(),
+        help="Rows of rising temperature, instead of the viscosities at 40 and 100 °C. Walther's line joins each to the next.",
+    )  # fmt: skip
+    pumping_limit: float | None = quantity(
+        "Borderline pumping temperature", "°C", default=None, low=-80, high=50, symbol="T_BP",
+        help="Below it a pump does not get the oil to the bearings.",
+    )  # fmt: skip
+    pour_point: float | None = quantity("Pour point", "°C", default=None, low=-80, high=50, symbol="T_PP", help="Below it the oil stands.")
+    printed: tuple[PrintedViscosity, ...] = tables("Viscosities printed elsewhere", PrintedViscosity, default=())
+    source: str = text("Source", default="the user")
+    claims: tuple[Claim, ...] = ()  # of an oil of the table: where each value comes from
+
+    def problems(self) -> Iterable[tuple[str, Text]]:
+        yield from self._viscosity_problems()
+        for i, one in enumerate(self.printed):
+            if any(one.temperature == other.temperature for other in self.printed[:i]):
+                yield f"printed.{i}.temperature_C", Text("stands twice")
+
+    def _viscosity_problems(self) -> Iterable[tuple[str, Text]]:
+        """The viscosity must be given, and in one way only."""
+        ways = {
+            "nu40_mm2_s": self.nu40 is not None or self.nu100 is not None,
+            "viscosity_mPas": self.viscosity is not None,
+            "viscosities": bool(self.viscosities),
+        }
+        first, *others = [key for key, given in ways.items() if given] or [""]
+        if not first:
+            for key in ("nu40_mm2_s", "nu100_mm2_s"):
+                yield key, Text("is missing; needs the viscosities at 40 and 100 °C, or viscosity_mPas, or rows of viscosities")
+            return
+        for key in others:
+            yield key, Text("the viscosity of this oil is given by {first} already; leave one of the two out", first=first)
+        if ways["nu40_mm2_s"]:
+            if self.nu40 is None:
+                yield "nu40_mm2_s", Text("is missing; needed with the viscosity at 100 °C")
+            elif self.nu100 is None:
+                yield "nu100_mm2_s", Text("is missing; needed with the viscosity at 40 °C")
+            elif self.nu100 >= self.nu40:
+                yield "nu100_mm2_s", Text("must be below the viscosity at 40 °C")
+            elif self.nu100 < self.nu40:  # neither is a placeholder
+                from .oil_formulas import line_problem  # brings numpy with it
+
+                if (wrong := line_problem(self.nu40, self.nu100)) is not None:
+                    yield "nu100_mm2_s", wrong
+        if len(self.viscosities) == 1:
+            yield "viscosities", Text("has one row; needs two or more, or viscosity_mPas for one viscosity at every temperature")
+        for i, (row, after) in enumerate(zip(self.viscosities, self.viscosities[1:]), 1):
+            if after.temperature <= row.temperature:
+                yield f"viscosities.{i}.temperature_C", Text("must be above that of the row before")
+
+
+@inputs
+class BaseStock:
+    """What the base stock of an oil makes of its viscosity in a gear mesh: α = k·η^s, and the limiting shear stress."""
+
+    name: str = text("Base stock")
+    k: float = quantity("Constant of the pressure-viscosity coefficient", "mm²/N", above=0, symbol="k")
+    s: float = quantity("Exponent of the pressure-viscosity coefficient", above=0, symbol="s")
+    limiting_shear: float = quantity("Limiting shear stress over pressure", above=0, symbol="Lambda")
+    claims: tuple[Claim, ...] = ()
+
+
+@inputs
+class Grade:
+    """An SAE grade by its kinematic viscosity at 100 °C."""
+
+    name: str = text("Grade")
+    from_: float = quantity("From", "mm²/s")
+    below: float = quantity("Below", "mm²/s")
+
+
+@inputs
+class Material:
+    """A solid by what shaft, bearing and gear need of it."""
+
+    name: str = text("Name")
+    E: float = quantity("Young's modulus", "GPa", low=1, high=1000)
+    poisson: float = quantity("Poisson's ratio", default=0.3, low=0.0, high=0.49, symbol="nu")
+    density: float = quantity("Density", "kg/m³", low=500, high=25000, symbol="rho")
+    expansion: float = quantity("Thermal expansion", "10⁻⁶/K", low=0, high=100, symbol="alpha")
+    proof_stress: float | None = quantity("Proof stress", "MPa", default=None, above=0, high=10000, symbol="R_p", help="Rp0.2, tension.")
+    tensile_strength: float | None = quantity("Tensile strength", "MPa", default=None, above=0, high=10000, symbol="R_m")
+    kind: str = choice("Kind", "steel", "ductile iron", "grey iron", "aluminium", "other", default="other",
+        help="For its fatigue; other: it is not judged.")  # fmt: skip
+    alternating_strength: float | None = quantity("Alternating strength", "MPa", default=None, above=0, high=10000, symbol="sigma_W",
+        help="Of a smooth, polished specimen, endless life. Left out: by its kind from the tensile strength.")  # fmt: skip
+    source: str = text("Source", default="the user")
+
+
+def _row(cls: type[T], row: dict[str, object]) -> T:
+    """One row in SI.  A value may stand with its confidence and source: `{ is = 93.27, confidence = "high", source = "…" }`."""
+    kind: type = cls
+    known, claims = keys(kind), []
+    values: dict[str, object] = {}
+    for key, value in row.items():
+        if isinstance(value, dict):
+            claims.append(Claim(key, value["is"], Text(value["confidence"]), Text(value["source"])))
+            value = value["is"]
+        if key in BESIDE:
+            continue
+        about = known[key].about
+        if about.table is not None and isinstance(value, list):
+            value = tuple(_row(about.table, item) for item in value)
+        elif about.kind == "text" and key != "name":
+            value = Text(str(value))  # a word of the program, not of a user
+        values[known[key].attribute] = about.units.inside(value) if isinstance(value, float) else value
+    return cls(**(values | {"claims": tuple(claims)}) if claims else values)
+
+
+@cache
+def rows_of(file: str, cls: type, only: str = "") -> dict[str, object]:
+    """The rows of a table by their names; `only`: one of them, which spares the reading of the others."""
+    text = (TABLES / file).read_text(encoding="utf-8")
+    if only:
+        text = "".join("[[row]]" + row for row in text.split("[[row]]")[1:] if row.lstrip().startswith(f'name = "{only}"\n'))
+    return {row["name"]: _row(cls, row) for row in tomllib.loads(text)["row"]}
+
+
+class Rows(Mapping[str, T]):
+    """The rows of one kind of a table by their names, each read when it is asked for.  A row begins with its name."""
+
+    def __init__(self, file: str, kind: str, cls: type[T]) -> None:
+        _, *parts = re.split(r"^\[\[(\w+)\]\]\n", (TABLES / file).read_text(encoding="utf-8"), flags=re.MULTILINE)
+        self.texts = {text.split('"', 2)[1]: text for here, text in zip(parts[::2], parts[1::2]) if here == kind}
+        self.cls = cls
+        self.made: dict[str, T] = {}
+
+    def __getitem__(self, name: str) -> T:
+        if name not in self.made:
+            self.made.setdefault(name, _row(self.cls, tomllib.loads(self.texts[name])))  # one object, whichever thread comes first
+        return self.made[name]
+
+    def __contains__(self, name: object) -> bool:
+        return name in self.texts
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self.texts)
+
+    def __len__(self) -> int:
+        return len(self.texts)
+
+
+class ByName(Mapping[str, T]):
+    """Rows of tables by name.  Where the name is an input (`bearings.oil`), the row's numbers come from it."""
+
+    def __init__(self, rows: Mapping[str, T]) -> None:
+        self.rows = rows
+
+    def __getitem__(self, name: str) -> T:
+        row = self.rows[name]
+        key = getattr(name, "link", None)
+        return row if key is None else _named_by(key, row)
+
+    def __contains__(self, name: object) -> bool:
+        return name in self.rows
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self.rows)
+
+    def __len__(self) -> int:
+        return len(self.rows)
+
+
+@lru_cache(maxsize=256)
+def _named_by(key: Link, row: Any) -> Any:  # the cache knows no type of its own for each row
+    """A row whose numbers are linked to the key that names it; those of the design itself have keys of their own."""
+    kind: type = type(row)
+    names = [about.attribute for about in keys(kind).values() if about.about.kind in ("number", "choice")]
+    if any(hasattr(getattr(row, name), "link") for name in names):
+        return row
+    link = f"{key} ({row.name})" if isinstance(key, str) and not key.endswith(")") else key
+    return replace(row, **{name: linked(getattr(row, name), link) for name in names})
+
+
+@cache
+def shipped_oils() -> Rows[Oil]:
+    """The oils of the table."""
+    return Rows("oils.toml", "row", Oil)
+
+
+@cache
+def shipped_materials() -> Rows[Material]:
+    """The materials of the table."""
+    return Rows("materials.toml", "row", Material)
+
+
+@cache
+def base_stocks() -> Mapping[str, BaseStock]:
+    """The base stocks of the table of oils."""
+    return ByName(Rows("oils.toml", "base", BaseStock))
+
+
+@cache
+def grades() -> tuple[Grade, ...]:
+    """The SAE grades, from thin to thick."""
+    return tuple(Rows("oils.toml", "grade", Grade).values())
+
+
+def oils(own: Iterable[Oil] = ()) -> Mapping[str, Oil]:
+    """Every oil that a design may name; its own override those of the table."""
+    return ByName(ChainMap({o.name: o for o in own}, shipped_oils()))  # type: ignore[arg-type]
+
+
+def materials(own: Iterable[Material] = ()) -> Mapping[str, Material]:
+    """Every material that a design may name; its own override those of the table."""
+    return ByName(ChainMap({m.name: m for m in own}, shipped_materials()))  # type: ignore[arg-type]

@@ -1,0 +1,125 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Limits and fits by ISO 286: what H7, f7 or IT7 mean for a diameter, as far as journals and their seats use them.
+
+A field with a place ("H7", "e8") lies where its letter says; "IT7" is a width alone and lies half above and half below the given size.
+Range: up to 500 mm, IT1 to IT16, holes C to H and JS, shafts c to h and js.  The numbers are the published ones (`tables/iso_286.toml`).
+"""
+
+import re
+import tomllib
+from bisect import bisect_left
+from functools import cache
+from pathlib import Path
+
+from ..sheet.record import record
+from ..sheet.text import Text
+from ..sheet.units import UNITS, Metre
+
+SOURCE = Text("ISO 286-1:2010, tables of standard tolerances and fundamental deviations (as reprinted in public tables)")
+SHAFTS = ("c", "d", "e", "f", "g", "h", "js")
+HOLES = ("C", "D", "E", "F", "G", "H", "JS")
+GRADES = range(1, 17)
+LARGEST = 500.0  # mm
+COARSE_ABOVE = 1.0  # mm: up to here ISO 286 gives no IT14 and coarser
+ALLOWED = {
+    "": Text('a class like "H7" (holes C to H, JS), "f7" (shafts c to h, js), or a width alone like "IT7"; IT1 to IT16'),
+    "shaft": Text('a shaft\'s class like "f7" (c to h, js), or a width alone like "IT7"; IT1 to IT16'),
+    "hole": Text('a hole\'s class like "H7" (C to H, JS), or a width alone like "IT7"; IT1 to IT16'),
+}
+_WORD = re.compile(r"([A-Za-z]{1,2})([1-9]\d?)")
+_UM = 1e6
+
+
+@record
+class Field:
+    """A tolerance field.  `letter` None: a width without a place."""
+
+    letter: str | None
+    grade: int
+
+    def __str__(self) -> str:
+        return f"{self.letter or 'IT'}{self.grade}"
+
+
+def parse(text: str, of: str = "") -> Field:
+    """The field that a word means.  `of`: "shaft" or "hole" where only one of them may stand; a width alone always may.
+
+    Raises ValueError with what was given and what is allowed.
+    """
+    found = _WORD.fullmatch(text.strip())
+    letters = {"shaft": SHAFTS, "hole": HOLES}.get(of, SHAFTS + HOLES)
+    if found is None or found[1] not in ("IT", *letters) or int(found[2]) not in GRADES:
+        raise ValueError(f'"{text}" is no tolerance class that is known here; allowed: {ALLOWED[of]}')
+    return Field(None if found[1] == "IT" else found[1], int(found[2]))
+
+
+def problem(text: str, of: str = "") -> Text | None:
+    """Why a word is no tolerance field, with what is allowed; None where it is one."""
+    try:
+        parse(text, of)
+    except ValueError:
+        return Text("must be {allowed}", allowed=ALLOWED[of])
+    return None
+
+
+def tolerance(grade: int, diameter: Metre) -> Metre:
+    """The width of a grade at a diameter.  Raises ValueError outside the table."""
+    return _tolerance_um(grade, diameter) / _UM
+
+
+def deviations(field: Field, diameter: Metre) -> tuple[Metre, Metre]:
+    """Lower and upper deviation from the nominal size; of a width alone, and of js and JS, half of it below and half above."""
+    width = _tolerance_um(field.grade, diameter)
+    letter = (field.letter or "js").lower()
+    if letter == "js":
+        return -width / 2 / _UM, width / 2 / _UM
+    fine = ("fine", letter) in _lines()
+    near = _row("fine" if fine else "distance_um", letter)[_range(_row("fine" if fine else "", "up_to_mm"), diameter)]
+    if field.letter == letter:
+        return -(near + width) / _UM, (-near if near else 0.0) / _UM
+    return near / _UM, (near + width) / _UM
+
+
+def clearance_limits(journal: Field, seat: Field, diameter: Metre) -> tuple[Metre, Metre]:
+    """Least and greatest change of the clearance by both fields: least hole less largest shaft, and the other way round.
+
+    Two widths alone: the band about the nominal clearance.  Two classes with a place on the same nominal size: the clearance itself.
+    """
+    (smallest, largest), (bore, widest) = deviations(journal, diameter), deviations(seat, diameter)
+    return (round(bore * _UM, 6) - round(largest * _UM, 6)) / _UM, (round(widest * _UM, 6) - round(smallest * _UM, 6)) / _UM
+
+
+def _tolerance_um(grade: int, diameter: Metre) -> float:
+    if grade not in GRADES:
+        raise ValueError(f"IT{grade}: allowed are IT1 to IT16")
+    at = _range(_row("", "up_to_mm"), diameter)
+    if grade >= 14 and UNITS["mm"].shown(diameter) <= COARSE_ABOVE:
+        raise ValueError(f"IT{grade} at {UNITS['mm'].shown(diameter):g} mm: ISO 286 has IT14 and coarser only above 1 mm")
+    return _row("tolerance_um", f"IT{grade}")[at]
+
+
+def _range(ends: list[float], diameter: Metre) -> int:
+    """The range of a diameter, each up to and including its end."""
+    shown = UNITS["mm"].shown(diameter)
+    if not 0 < shown <= LARGEST:
+        raise ValueError(f"{shown:g} mm: allowed are diameters above 0 and up to {LARGEST:g} mm")
+    return bisect_left(ends, shown)
+
+
+@cache
+def _lines() -> dict[tuple[str, str], str]:
+    """The lines of the table by their section and their name, not yet read."""
+    lines, section = {}, ""
+    for line in (Path(__file__).parent / "tables" / "iso_286.toml").read_text(encoding="utf-8").splitlines():
+        name, equals, _ = line.partition(" = ")
+        if line.startswith("["):
+            section = line[1:].partition("]")[0]
+        elif equals and not line.startswith("#"):
+            lines[section, name] = line
+    return lines
+
+
+@cache
+def _row(section: str, name: str) -> list[float]:
+    row: list[float] = tomllib.loads(_lines()[section, name])[name]
+    return row

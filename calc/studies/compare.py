@@ -1,0 +1,325 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Two designs side by side: the inputs that differ, the verdicts of the steps, and the checks and values that differ.
+
+Nothing is solved here.  A and B change places without changing what is found: every measure of a difference is symmetric.
+"""
+
+import math
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
+
+from ..design.addresses import Table
+from ..compare_inputs import InputDifference, inputs, united
+from ..design.model import STEPS
+from ..design.key_values import is_least, judged, key_results
+from ..sheet.check import ORDER, Check, step_verdict, worst
+from ..sheet.quantity import Published
+from ..sheet.text import EMPTY, Name, Text
+from ..design.unusual import told, unusual
+
+if TYPE_CHECKING:
+    from ..solve import Results
+
+EQUAL = Text("The two designs are equal: no input, verdict, check or value differs.")
+SAME = 1e-6  # results that differ by less, of the larger one, are the same: iterations end somewhere, and nobody reads further
+NOTHING = 1e-13  # what is less than this share of the largest number of its unit in its step is what is left of a sum that is zero
+RANKS = (*ORDER[: ORDER.index("note")], "outside", *ORDER[ORDER.index("note") :])  # of the verdicts, from good to bad
+NOTABLE = 1e-3  # a key result that differs by less is neither better nor worse
+
+
+@dataclass(frozen=True)
+class Judged:
+    """The verdict of a step, and how many of its checks stand behind it; `unaccepted`: its verdict if nothing were accepted."""
+
+    verdict: str
+    fail: int
+    warn: int
+    reason: Text = EMPTY
+    unaccepted: str = ""
+
+
+@dataclass(frozen=True)
+class StepVerdicts:
+    """One step in both designs."""
+
+    step: str
+    title: Text
+    a: Judged
+    b: Judged
+
+    @property
+    def moved(self) -> bool:
+        return self.a.verdict != self.b.verdict
+
+
+@dataclass(frozen=True)
+class CheckDifference:
+    """A check whose verdict, value or limit differs, or that only one design has (None: the other).
+
+    `before`, `after`: its verdicts in A and in B; "outside": it holds, by a formula outside its validity.
+    """
+
+    id: str
+    a: Check | None
+    b: Check | None
+    relative: float  # of value or limit, whichever differs more
+    before: str
+    after: str
+
+    @property
+    def step(self) -> str:
+        return self.id.partition(".")[0]
+
+    @property
+    def name(self) -> Text:
+        either = self.b or self.a
+        return either.name if either else Name(self.id)
+
+    @property
+    def both(self) -> bool:
+        return self.a is not None and self.b is not None
+
+    @property
+    def moved(self) -> bool:
+        """Both designs have it, and judge it differently."""
+        return self.both and self.before != self.after
+
+    @property
+    def worse(self) -> bool:
+        """B is judged worse than A; a check that only one design has, where it does not pass."""
+        if self.both:
+            return RANKS.index(self.after) > RANKS.index(self.before)
+        return RANKS.index(self.before or self.after) > RANKS.index("accepted")
+
+    @property
+    def accepted(self) -> bool:
+        """Found of one kind in both, whatever its size; somebody accepts it, or does not any more."""
+        return self.moved and self.a is not None and self.b is not None and self.a.finding == self.b.finding and not self.beyond
+
+    @property
+    def beyond(self) -> bool:
+        """It holds by a formula outside its validity in one of the designs."""
+        return "outside" in (self.before, self.after)
+
+
+@dataclass(frozen=True)
+class ValueDifference:
+    """A result that differs, or that only one design has (None: the other)."""
+
+    id: str
+    label: Text
+    unit: str
+    a: float | None
+    b: float | None
+    relative: float  # to the larger of the two; of a phase, to half a turn
+
+    @property
+    def step(self) -> str:
+        return self.id.partition(".")[0]
+
+    @property
+    def both(self) -> bool:
+        return self.a is not None and self.b is not None
+
+    @property
+    def phase(self) -> bool:
+        return _is_phase(self.id, self.unit)
+
+
+@dataclass(frozen=True)
+class KeyResult:
+    """One of the results that a design is known by, of each design at the part where it is worst."""
+
+    a: Published | None  # None: the design has none
+    b: Published | None
+    least: bool  # the more of it the better
+    relative: float
+
+    @property
+    def either(self) -> Published:
+        one = self.b or self.a
+        assert one is not None
+        return one
+
+    @property
+    def better(self) -> bool | None:
+        """Whether B is better than A; None: neither, or only one has it."""
+        if self.a is None or self.b is None or not self.relative > NOTABLE:
+            return None
+        return (self.b.shown > self.a.shown) == self.least
+
+
+@dataclass(frozen=True)
+class Comparison:
+    """What differs.  Checks and values: step by step, first those of both designs by the size of the difference, then those of one."""
+
+    inputs: tuple[InputDifference, ...]
+    verdicts: tuple[StepVerdicts, ...]  # of every step
+    checks: tuple[CheckDifference, ...]  # of a step those first whose verdict has moved; of those of one design those that do not pass
+    values: tuple[ValueDifference, ...]
+    results: tuple[KeyResult, ...] = ()  # of either design, whether they differ or not
+    unusual: tuple[Text, Text] = (EMPTY, EMPTY)  # the inputs of A and of B that are not usual
+
+    @property
+    def equal(self) -> bool:
+        return not (self.inputs or self.steps_moved or self.checks or self.values)
+
+    @property
+    def steps_moved(self) -> tuple[StepVerdicts, ...]:
+        return tuple(v for v in self.verdicts if v.moved)
+
+    @property
+    def steps_shared(self) -> frozenset[str]:
+        """The steps that both designs ask for."""
+        return frozenset(v.step for v in self.verdicts if "not_asked" not in (v.a.verdict, v.b.verdict))
+
+    @property
+    def checks_moved(self) -> tuple[CheckDifference, ...]:
+        return tuple(c for c in self.checks if c.moved)
+
+    @property
+    def checks_lone(self) -> tuple[CheckDifference, ...]:
+        """Of one design only, in a step that both have, and not passed."""
+        return tuple(c for c in self.checks if not c.both and c.worse and c.step in self.steps_shared)
+
+    @property
+    def checks_kept(self) -> tuple[CheckDifference, ...]:
+        """Of both designs with the same verdict, at another value or limit."""
+        return tuple(c for c in self.checks if c.both and not c.moved)
+
+    @property
+    def whole(self) -> tuple[str, str]:
+        """The verdict of each design as a whole."""
+        return worst(v.a.verdict for v in self.verdicts), worst(v.b.verdict for v in self.verdicts)
+
+    @property
+    def only_accepted(self) -> bool:
+        """The verdict as a whole differs by what is accepted alone."""
+        one, other = (worst(v.unaccepted for v in some) for some in zip(*((v.a, v.b) for v in self.verdicts)))
+        return self.whole[0] != self.whole[1] and one == other
+
+
+def compare(a: Table, b: Table, results_a: "Results", results_b: "Results", same: float = SAME) -> Comparison:
+    """Compare two designs: the tables of their files, and what they gave."""
+    return Comparison(
+        tuple(inputs(a, b)), tuple(_verdicts(results_a, results_b)), tuple(_checks(results_a, results_b, same)),
+        tuple(_values(results_a, results_b, same)), tuple(_key_results(results_a, results_b)),
+        (told(unusual(results_a.design)), told(unusual(results_b.design))),
+    )  # fmt: skip
+
+
+# --- results ----------------------------------------------------------------------------------------------------------------
+def _verdicts(a: "Results", b: "Results") -> Iterator[StepVerdicts]:
+    for step in STEPS:
+        yield StepVerdicts(step.key, step.title, _judged(a, step.key), _judged(b, step.key))
+
+
+def _judged(results: "Results", step: str) -> Judged:
+    outcome = results.outcomes[step]
+    verdicts = [check.verdict for check in outcome.checks]
+    unaccepted = step_verdict(replace(check, accepted="") for check in outcome.checks) if outcome.state == "solved" else outcome.verdict
+    return Judged(outcome.verdict, verdicts.count("fail"), verdicts.count("warn"), outcome.reason, unaccepted)
+
+
+def _checks(a: "Results", b: "Results", same: float) -> list[CheckDifference]:
+    found: list[CheckDifference] = []
+    for step in STEPS:
+        checks = [results.outcomes[step.key].checks for results in (a, b)]
+        mine, theirs = ({c.id: c for c in each} for each in checks)
+        either = (*mine.values(), *theirs.values())
+        floors = size_of_nothing((c.unit, x) for c in either for x in (c.value, *_limits(c)))
+        differ = []
+        for id in united(mine, theirs):
+            one, other = mine.get(id), theirs.get(id)
+            verdicts = ["" if c is None else judged(c, each) for c, each in zip((one, other), checks)]
+            size = math.inf if one is None or other is None else _between(one, other, floors[one.unit])
+            if size > same or verdicts[0] != verdicts[1] or (one and other and _kind(one) != _kind(other)):
+                differ.append(CheckDifference(id, one, other, size, *verdicts))
+        found += sorted(differ, key=lambda d: (not d.moved, not d.both, -d.relative if d.both else not d.worse))
+    return found
+
+
+def _kind(check: Check) -> tuple[str, str, str]:
+    return check.kind, check.sense, check.unit
+
+
+def _limits(check: Check) -> tuple[float, ...]:
+    return check.limit if isinstance(check.limit, tuple) else (check.limit,)
+
+
+def _between(a: Check, b: Check, floor: float) -> float:
+    """How much a check differs in value or limit."""
+    limits = list(zip(_limits(a), _limits(b)))
+    return max(relative(x, y, floor) for x, y in [(a.value, b.value), *limits])
+
+
+def _values(a: "Results", b: "Results", same: float) -> list[ValueDifference]:
+    found: list[ValueDifference] = []
+    for step in STEPS:
+        mine, theirs = ({v.id: v for v in results.outcomes[step.key].values()} for results in (a, b))
+        floors = size_of_nothing((v.unit, v.shown) for v in (*mine.values(), *theirs.values()))
+        differ = []
+        for id in united(mine, theirs):
+            one, other = mine.get(id), theirs.get(id)
+            either = other or one
+            assert either is not None
+            if one is None or other is None:
+                there = (one.shown if one else None, other.shown if other else None)
+                differ.append(ValueDifference(id, either.label, either.unit, *there, math.inf))
+                continue
+            if _is_phase(id, one.unit):
+                size = _turned(one, other, mine, theirs, floors)
+            else:
+                size = relative(one.shown, other.shown, floors[one.unit])
+            if size > same or one.unit != other.unit:
+                differ.append(ValueDifference(id, other.label, other.unit, one.shown, other.shown, size))
+        found += sorted(differ, key=lambda d: (not d.both, -d.relative if d.both else 0.0))
+    return found
+
+
+def _key_results(a: "Results", b: "Results") -> Iterator[KeyResult]:
+    mine, theirs = a.values(), b.values()
+    floors = {s.key: size_of_nothing((v.unit, v.shown) for r in (a, b) for v in r.outcomes[s.key].values()) for s in STEPS}
+    ours, others = key_results(mine), key_results(theirs)
+    for pattern in ours | others:
+        one, other = ours.get(pattern), others.get(pattern)
+        floor = floors[pattern.partition(".")[0]]
+        size = relative(one.shown, other.shown, floor.get(one.unit, 0.0)) if one is not None and other is not None else math.inf
+        yield KeyResult(one, other, is_least(pattern), size)
+
+
+def _is_phase(id: str, unit: str) -> bool:
+    return unit == "°" and id.endswith("_phase")
+
+
+def _turned(a: Published, b: Published, mine: dict[str, Published], theirs: dict[str, Published], floors: dict[str, float]) -> float:
+    """Between two phases: the shorter way round, of half a turn.  Vectors of no length have none."""
+    lengths = [vectors[vector] for vectors in (mine, theirs) if (vector := a.id.removesuffix("_phase")) in vectors]
+    if lengths and all(abs(v.shown) <= floors[v.unit] for v in lengths):
+        return 0.0
+    return abs(turn(a.shown, b.shown)) / 180
+
+
+def turn(a: float, b: float) -> float:
+    """From one phase to another, in degrees, the shorter way."""
+    return (b - a + 180) % 360 - 180
+
+
+def size_of_nothing(numbers: Iterable[tuple[str, float]]) -> dict[str, float]:
+    """By unit, the size up to which a number is nothing.  Numbers without a unit have nothing in common."""
+    found: dict[str, float] = {}
+    for unit, number in numbers:
+        size = abs(number) * NOTHING if unit and math.isfinite(number) else 0.0
+        found[unit] = max(found.get(unit, 0.0), size)
+    return found
+
+
+def relative(a: float, b: float, floor: float = 0.0) -> float:
+    """How much two numbers differ, of the larger one: 0 where they are equal, or both nothing; 2 where only the sign differs."""
+    if a == b or (math.isnan(a) and math.isnan(b)):
+        return 0.0
+    if not (math.isfinite(a) and math.isfinite(b)):
+        return math.inf
+    largest = max(abs(a), abs(b))
+    return 0.0 if largest <= floor else abs(a - b) / largest

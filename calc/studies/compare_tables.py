@@ -1,0 +1,168 @@
+# SPDX-License-Identifier: Apache-2.0
+"""A comparison as tables, which terminal, screen and paper draw alike.
+
+A number is written with as many digits as it takes to tell it from the other one.
+"""
+
+from collections.abc import Callable, Sequence
+
+from .compare import CheckDifference, Comparison, Judged, ValueDifference, turn
+from ..compare_inputs import InputDifference
+from ..design.model import STEPS
+from ..id_words import addressed, in_context
+from ..sheet.check import Check
+from ..sheet.number import short
+from ..sheet.step import Table
+from ..sheet.text import COMMA, EMPTY, SEMICOLON, Amount, Name, Text, plural
+
+DIGITS, MOST_DIGITS = 4, 12
+LEFT_OUT = Text("left out")
+NOT_HERE = Name("–")
+Names = tuple[str, str]
+Sign = Callable[[str], str]  # how a verdict is written
+
+
+# --- inputs -----------------------------------------------------------------------------------------------------------------
+def input_table(found: Sequence[InputDifference], names: Names, *, ids: bool = True, full: bool = False) -> Table:
+    """`ids`: by their keys, which say the unit too, else by their labels.  `full`: tables that only one design has are written out."""
+    if ids:
+        by_key = tuple((d.key, *input_texts(d, full=full)) for d in found)
+        return Table("inputs", Text("Inputs that differ"), columns((Text("Key"), ""), names), by_key)
+    rows = tuple((named(d.key, d.label, step=True, within=d.within), *input_texts(d, full=full), d.unit) for d in found)
+    return Table("inputs", Text("Inputs that differ"), columns((Text("Input"), ""), names, (Text("Unit"), "")), rows)
+
+
+def input_texts(d: InputDifference, *, full: bool = False) -> tuple[Text, Text]:
+    """Both sides of an input in words."""
+    missing = Text("not used") if d.key in {step.key for step in STEPS} else LEFT_OUT
+    return _content(d.a, missing, full), _content(d.b, missing, full)
+
+
+def _content(content: object, missing: Text, full: bool) -> Text:
+    if content is None:
+        return missing
+    if isinstance(content, dict):
+        if full:
+            return COMMA.join(Text("{key} = {value}", key=key, value=_content(item, missing, full)) for key, item in content.items())
+        return plural("{n} key", "{n} keys", n=len(content))
+    if isinstance(content, list):
+        if content and isinstance(content[0], dict):
+            if full:
+                return SEMICOLON.join(_content(item, missing, full) for item in content)
+            return plural("{n} element", "{n} elements", n=len(content))
+        return SEMICOLON.join(_content(item, missing, full) for item in content)
+    return _number(content, MOST_DIGITS) if isinstance(content, (int, float)) else Name(str(content))
+
+
+def _number(number: float, digits: int) -> Text:
+    return Text("{number}", number=Amount(number, digits=digits))
+
+
+def named(id: str, label: Text, *, step: bool = False, within: str = "") -> Text:
+    """A label with the part of the design that it belongs to: Length (front); `step`: Length (bearings, front).
+
+    `within`: what the element is called that the id has by its index.
+    """
+    if not step:
+        return in_context(label, id)
+    parts = [Name(within) if within and part.isdigit() else part for part in addressed(id)]
+    return Text("{label} ({where})", label=label, where=COMMA.join(parts)) if parts else label
+
+
+# --- verdicts and checks ----------------------------------------------------------------------------------------------------
+def verdict_table(compared: Comparison, names: Names, sign: Sign) -> Table:
+    rows = tuple((v.title, judged_text(v.a, sign), judged_text(v.b, sign)) for v in compared.verdicts)
+    return Table("verdicts", Text("Verdicts of the steps"), columns((Text("Step"), ""), names), rows)
+
+
+def judged_text(judged: Judged, sign: Sign) -> Text:
+    verdict = Name(sign(judged.verdict))
+    if judged.reason:
+        return Text("{verdict}: {reason}", verdict=verdict, reason=judged.reason)
+    if judged.fail and judged.warn:
+        return Text("{verdict}: {fail} fail, {warn} warn", verdict=verdict, fail=judged.fail, warn=judged.warn)
+    if judged.fail:
+        return Text("{verdict}: {fail} fail", verdict=verdict, fail=judged.fail)
+    return Text("{verdict}: {warn} warn", verdict=verdict, warn=judged.warn) if judged.warn else verdict
+
+
+def check_table(found: Sequence[CheckDifference], names: Names, sign: Sign, *, ids: bool = True, margins: bool = True) -> Table:
+    """`ids`: checks by their ids, else by their names."""
+    rows = []
+    for d in found:
+        beside = [check.margin_text() if check else "" for check in (d.a, d.b)] if margins else []
+        rows.append((*check_row(d, sign, ids=ids), *beside))
+    heads = [(Text("Margin, {name}", name=name), "") for name in names] if margins else []
+    return Table("checks", Text("Checks that differ"), (*check_columns(names), *heads), tuple(rows))
+
+
+def check_columns(names: Names) -> tuple[tuple[Text, str], ...]:
+    return columns((Text("Check"), ""), names, (Text("Limit"), ""))
+
+
+def check_row(d: CheckDifference, sign: Sign, *, ids: bool = False) -> tuple[str, Text, Text, Text]:
+    """The check with the part that it judges, its verdict and value in both designs, its limit."""
+    values = pair(d.a.value if d.a else None, d.b.value if d.b else None)
+    sides = zip((d.a, d.b), (d.before, d.after), values)
+    a, b = (_judged_value(check, verdict, value, sign) for check, verdict, value in sides)
+    return d.id if ids else in_context(d.name, d.id), a, b, limit_text(d)
+
+
+def _judged_value(check: Check | None, verdict: str, value: Text, sign: Sign) -> Text:
+    if check is None:
+        return NOT_HERE
+    text = Text("{verdict} {value}", verdict=sign(verdict), value=value)
+    return Text("{value} {unit}", value=text, unit=check.unit) if check.unit else text
+
+
+def limit_text(d: CheckDifference) -> Text:
+    """The limit; where it has moved, both."""
+    there = [c for c in (d.a, d.b) if c is not None]
+    mixed = len({c.kind for c in there}) > 1
+    texts = [Text("{limit} (advice)", limit=c.limit_text()) if mixed and c.kind == "advice" else c.limit_text() for c in there]
+    return texts[0] if len(set(texts)) == 1 else Text("{before} → {after}", before=texts[0], after=texts[1])
+
+
+# --- values -----------------------------------------------------------------------------------------------------------------
+def value_table(step: str, title: Text, found: Sequence[ValueDifference], names: Names, *, ids: bool = True) -> Table:
+    """The values of one step; `ids`: by their ids with the labels last, else by their labels."""
+    rows = []
+    for d in found:
+        cells = (*pair(d.a, d.b), d.unit, change_text(d))
+        rows.append((d.id, *cells, d.label) if ids else (named(d.id, d.label), *cells))
+    head = columns((Text("Value"), ""), names, (Text("Unit"), ""), (Text("Change"), ""))
+    return Table(f"values_{step}", title, (*head, (EMPTY, "")) if ids else head, tuple(rows))
+
+
+def pair(a: float | None, b: float | None) -> tuple[Text, Text]:
+    """Two numbers with as many digits as tell them apart."""
+    if a is None or b is None:
+        return (NOT_HERE if a is None else _number(a, DIGITS), NOT_HERE if b is None else _number(b, DIGITS))
+    for digits in range(DIGITS, MOST_DIGITS + 1):
+        if short(a, digits) != short(b, digits):
+            return _number(a, digits), _number(b, digits)
+    return _number(a, DIGITS), _number(b, DIGITS)
+
+
+def change_text(d: ValueDifference) -> Text:
+    """From A to B: in degrees for a phase, in K for a temperature, else in percent of A."""
+    if d.a is None or d.b is None:
+        return EMPTY
+    if d.phase:
+        return _signed(turn(d.a, d.b), "°")
+    if d.unit == "°C":
+        return _signed(d.b - d.a, "K")
+    if d.a == 0:
+        return Text("from 0")
+    percent = (d.b - d.a) / abs(d.a) * 100
+    if abs(percent) > 99999:  # of next to nothing
+        return Name("> +99999 %" if percent > 0 else "< −99999 %")
+    return _signed(percent, "%")
+
+
+def _signed(number: float, unit: str) -> Text:
+    return Text("{change}", change=Amount(number, unit, form="+.0f" if abs(number) >= 100 else "+.2g"))
+
+
+def columns(first: tuple[Text, str], names: Names, *more: tuple[Text, str]) -> tuple[tuple[Text, str], ...]:
+    return (first, (Name(names[0]), ""), (Name(names[1]), ""), *more)

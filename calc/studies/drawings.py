@@ -1,0 +1,70 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What of a solved design is drawn: the shaft, and beside it the data of its wheels."""
+
+from collections.abc import Mapping
+from math import pi
+
+from ..countershaft.result import CountershaftResult
+from ..draw.workshop_sheet import PAPER
+from ..drawing_sheet.saying import Say
+from ..drawing_sheet.shaft import shaft_sheet
+from ..drawing_sheet.sheet import Sheet
+from ..drawing_sheet.wheels import wheel_sheets
+from ..gears.result import TrainResult
+from ..draw.drawing import Arc, Primitive, Words
+from ..sheet.step import Table
+from ..sheet.text import EMPTY, Name, Text
+from ..solve import Results
+
+__all__ = ["PAPER", "Sheet", "shaft", "sheets", "train", "wheels"]
+NONE = Text("–")
+
+
+def shaft(results: Results) -> tuple[Primitive, ...]:
+    """The side view of the counter-shaft as lines; nothing where its outline is not known."""
+    from ..draw.shaft_outline import shaft_drawing
+
+    asked, found = results.design.countershaft, results.result(CountershaftResult)
+    if asked is None or found is None or found.outline is None:
+        return ()
+    return shaft_drawing(found.outline, asked.bearing_positions)
+
+
+def sheets(results: Results, say: Say = str, data: Mapping[str, object] | None = None) -> list[Sheet]:
+    """The workshop drawings of what the design has: its shaft, or its wheels where it is of gears alone.
+
+    `data`: of the design's file, for what it leaves to the program.
+    """
+    if results.design.countershaft is None:
+        return wheel_sheets(results, say, data)
+    made = shaft_sheet(results, say, data)
+    return [] if made is None else [made]
+
+
+def wheels(results: Results) -> Table | None:
+    """The data of every wheel as they stand on its drawing, with limits where the design gives them; lengths in mm."""
+    from ..gears.profile.drawing import data_table
+
+    train, gears = results.result(TrainResult), results.design.gears
+    if train is None or gears is None:
+        return None
+    data = {name: dict(data_table(train, name, gears)) for name in train.wheels}
+    labels = dict.fromkeys(label for rows in data.values() for label in rows)
+    rows = tuple((label, *(rows.get(label, NONE) for rows in data.values())) for label in labels)
+    return Table("drawing_data", Text("Data of the wheels, lengths in mm"), ((EMPTY, ""), *((Name(name), "") for name in data)), rows)
+
+
+def train(results: Results) -> tuple[Primitive, ...]:
+    """The wheels of a simple train as circles in a row, each with its name; nothing where a wheel drives two others."""
+    found = results.result(TrainResult)
+    if found is None or len({mesh.driver for mesh in found.meshes.values()}) < len(found.meshes):
+        return ()
+    places: dict[str, float] = {}
+    for mesh in found.meshes.values():
+        places[mesh.driven] = places.setdefault(mesh.driver, 0.0) + mesh.centre_distance
+    drawn: list[Primitive] = []
+    for name, x in places.items():
+        radius = found.wheels[name].tip_diameter / 2
+        drawn += [Arc("OUTLINE", (x, 0.0), radius, 0.0, 2 * pi), Arc("AXIS", (x, 0.0), radius / 12, 0.0, 2 * pi)]
+        drawn.append(Words("TEXT", (x, -radius), Name(name), radius / 4))
+    return tuple(drawn)

@@ -1,0 +1,243 @@
+# SPDX-License-Identifier: Apache-2.0
+"""One class: its films and shafts, and the front of all their combinations.  It keeps no state: the same rows wherever it runs."""
+
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+
+from ...bearings.result import BearingsResult
+from ...bearings.selection.grid import LENGTH_STEP
+from ...bearings.selection.states import Task
+from ...bearings.selection.variants import SUPPLIES, Variant, own_tasks
+from ...countershaft.result import CountershaftResult
+from ...design.model import Design
+from ...design.toml_file import Document, design
+from ...gears.result import TrainResult
+from ...library.journal_rules import USUAL_LENGTH_RATIO
+from ...library.lubricant import Lubricant
+from ..bearings_case import bearings_case
+from ...sheet.arrays import Array
+from ...sheet.errors import BadInput, NoSolution
+from ...sheet.record import record
+from ...sheet.text import EMPTY, Text
+from ...sheet.trace import untraced
+from ...sheet.units import Kilogram
+from ...solve import Results, solve
+from ...design.step_inputs import shaft_gear
+from .combine import Rows, Sizes, class_front, combinations
+from .films import Films, films, least_length, lengths
+from ...optimise.other_films import Beside, Stands
+from ...optimise.problem import Problem
+from .shafts import Drive, with_turning
+from .problem import CORE
+from .whole import Sized, journals_power, other_wheels, whole, written
+
+PURE = 1e-6  # of the couple over the span: a force below it is none
+ADVICE = ("length_ratio_usual", "supply_range")  # findings on a bearing that the tables know by name
+UM = 1e-6
+TINY = 1e-9
+PROBED = 1.5  # ‰ of the diameter: a clearance that most journals have a film with
+
+
+@record
+class ClassFront:
+    """What one class gives.  `combinations` that were looked at; `crank`: crank power over that of both journals, intercept and slope;
+    `wheels`: mass of those that are not on the shaft."""
+
+    rows: Rows
+    combinations: int
+    crank: tuple[float, float]
+    wheels: Kilogram = 0.0
+    why: Text = EMPTY  # where it has no rows
+
+
+def based(problem: Problem, choices: dict[str, Any]) -> Document:
+    """The document of a class with sizes that solve if any do: the largest seat, the shortest journals, the smallest core."""
+    document = problem.start
+    seat = problem.sizes[f"bearings.{problem.seat}.diameter_mm"]
+    small = "front" if problem.seat == "rear" else "rear"
+    diameter = {problem.seat: max(seat or (0.0,)), small: max(problem.sizes[f"bearings.{small}.diameter_mm"] or (0.0,))}
+    own = problem.base.bearings
+    assert own is not None
+    wide = max(getattr(own, name) or 0.0 for name in (*SUPPLIES.values(), "axial_groove_length")) * 1e3
+    length = {place: round(max(USUAL_LENGTH_RATIO[0] * d, wide + 1.0), 1) for place, d in diameter.items()}
+    clearance = {place: round(PROBED * d, 1) for place, d in diameter.items()}
+    sized = Sized(choices, min(problem.sizes[CORE] or (0.0,)), diameter, length, clearance, None)
+    document, _ = written(problem, sized)
+    return document
+
+
+def not_closed(made: Design, results: Results) -> Text:
+    """Why the front can not be found on arrays and proved; empty where it can."""
+    shaft, bearings, solved = made.countershaft, made.bearings, results.result(CountershaftResult)
+    assert shaft is not None and bearings is not None
+    if len(shaft.bearing_positions) != 2:
+        return Text("the shaft has more than two supports")
+    if shaft.sections:
+        return Text("the sections of the shaft are given")
+    if shaft.extras or (shaft.gear_z is not None and shaft.bearing_positions[0] < shaft.gear_z < shaft.bearing_positions[1]):
+        return Text("further elements stand on the shaft")
+    if bearings.supply == "axial_groove":
+        return Text("films between axial grooves are not known on arrays")
+    if any(getattr(bearings, place).load is not None for place in ("front", "rear")):
+        return Text("loads of the bearings are given")
+    if solved is not None and solved.force * (shaft.bearing_positions[1] - shaft.bearing_positions[0]) > PURE * solved.couple:
+        return Text("the shaft takes a force beside the couple")
+    return EMPTY
+
+
+def class_of(problem: Problem, choices: dict[str, Any]) -> ClassFront:
+    """The front of one class on arrays.  Raises NoSolution where its loads can not be known, or the closed form does not hold."""
+    with untraced():
+        made, results = _solved(problem, choices)
+        drive, sizes = _put(problem, made, results)
+        rows, count, wheels = class_front(drive, sizes), combinations(sizes), other_wheels(results)
+        if not len(rows):
+            return ClassFront(rows, count, (0.0, 1.0), wheels, Text("no combination bears its slopes with its films"))
+        return ClassFront(rows, count, _line(problem, choices, rows), wheels)
+
+
+def class_with(problem: Problem, choices: dict[str, Any]) -> Rows:
+    """Its rows alone."""
+    return class_front(*tables_of(problem, choices))
+
+
+def tables_of(problem: Problem, choices: dict[str, Any]) -> tuple[Drive, Sizes]:
+    """What is combined in a class."""
+    return _put(problem, *_solved(problem, choices))
+
+
+def _put(problem: Problem, made: Design, results: Results) -> tuple[Drive, Sizes]:
+    drive = drive_of(made, results, problem.binds("countershaft.fillet_room"))
+    return drive, sizes_of(problem, made, results, drive)
+
+
+def _solved(problem: Problem, choices: dict[str, Any]) -> tuple[Design, Results]:
+    try:
+        made = design(based(problem, choices))
+    except BadInput as bad:
+        raise NoSolution(Text("no sizes in the ranges make a design"), Text("{why}", why=str(bad.errors[0].reason))) from None
+    results = solve(made)
+    if (shaft := results.outcomes["countershaft"]).state != "solved":
+        raise NoSolution(Text("even the largest envelope of the ranges does not hold the couple"), shaft.reason)
+    if why := not_closed(made, results):
+        raise NotClosed(why)
+    return made, results
+
+
+def without_proof(problem: Problem) -> Text | None:
+    """Why no front of this drive can be proved; None where it can, as far as its first class says."""
+    try:
+        _solved(problem, problem.classes[0])
+    except NotClosed as why:
+        return why.text
+    except NoSolution:
+        pass
+    return None
+
+
+class NotClosed(NoSolution):
+    """The closed form does not hold: `text` says why."""
+
+
+def drive_of(made: Design, results: Results, filleted: bool = True) -> Drive:
+    """`filleted`: whether a gap between two shoulders must be none, or hold its fillets."""
+    shaft, solved = made.countershaft, results.result(CountershaftResult)
+    assert shaft is not None and solved is not None
+    gear = shaft_gear(made, results.result(TrainResult))
+    z_1, z_2 = shaft.bearing_positions
+    clearance = max(made.bearings.front.diameter, made.bearings.rear.diameter) / 2 - (shaft.outer_radius or 0.0)  # type: ignore[union-attr]
+    drive = Drive(made.materials[shaft.material], float(solved.couple), abs(float(solved.omega)), (z_1, z_2), clearance,
+        shaft.fillet_radius or 0.0, shaft.sector_effectiveness, (gear.diameter, gear.face_width) if gear else None, filleted,
+        gear_z=shaft.gear_z, holes=shaft.holes)  # fmt: skip
+    own = made.bearings
+    if own is None or solved.slope_front is None or solved.slope_rear is None:
+        return drive
+    sizes = (own.front.diameter, own.rear.diameter), (own.front.length, own.rear.length)
+    return with_turning(drive, shaft.core_radius or 0.0, *sizes, (solved.slope_front, solved.slope_rear))
+
+
+def sizes_of(problem: Problem, made: Design, results: Results, drive: Drive) -> Sizes:
+    assert made.bearings is not None
+    own = made.bearings
+    tasks = own_tasks(bearings_case(made, results))
+    variant = Variant(own.oil, own.supply, Lubricant(own.in_bearings(made.oils[own.oil]), own.viscosity_law))
+    seats = np.array(problem.sizes[f"bearings.{problem.seat}.diameter_mm"] or (0.0,)) * 1e-3
+    core = np.array(problem.sizes[CORE] or (0.0,)) * 1e-3
+    R, r_0 = float(seats.max()) / 2 - drive.clearance, float(core.min())
+    longest = {place: drive.longest(n, R, r_0) for n, place in enumerate(("front", "rear"))}
+    found = {
+        place: _over_diameters(problem, place, tasks[place], variant, longest[place], _beside(problem, place, made, results))
+        for place in tasks
+    }
+    gear = shaft_gear(made, results.result(TrainResult))
+    if gear is not None and problem.binds("countershaft.gear_seat"):  # it goes through the front seat
+        found["front"] = [films for films in found["front"] if films.task.diameter > gear.tip_diameter + TINY]
+    limit = next(c.limit for c in results.checks() if c.id == "countershaft.slope_front")
+    assert isinstance(limit, float)
+    surfaces = tuple(_surface(one, made) for one in problem.surfaces)
+    return Sizes(core, surfaces, problem.margins, limit * 1e-3, problem.seat, found)
+
+
+def _beside(problem: Problem, place: str, made: Design, results: Results) -> Beside:
+    """The films that are limits beside those of the corners; what stands still is that of the class's own start."""
+    bench = made.engine.bench if made.engine is not None else ()
+    over = bench if problem.binds(f"bearings.{place}.film_edge_speeds") else None
+    bearings, shaft = results.result(BearingsResult), results.result(CountershaftResult)
+    part = bearings.bearings[place].standing if bearings is not None else None
+    if bearings is None or part is None or shaft is None or not problem.binds(f"bearings.{place}.film_edge_standing"):
+        return Beside(over)
+    weight = (getattr(shaft.standing, f"weight_{place}") if shaft.standing is not None else None) or 0.0
+    return Beside(over, Stands(weight, part.standing_load - weight, bearings.bearings[place].friction_power))
+
+
+def _surface(one: tuple[float, float] | None, made: Design) -> tuple[tuple[float, float], tuple[float, float]]:
+    """Ra of journal and seat of the front and of the rear bearing."""
+    assert made.bearings is not None
+    if one is not None:
+        return ((one[0] * UM, one[1] * UM),) * 2
+    front, rear = ((b.journal_roughness, b.housing_roughness) for b in (made.bearings.front, made.bearings.rear))
+    return front, rear
+
+
+def _over_diameters(problem: Problem, place: str, task: Task, variant: Variant, longest: float, beside: Beside) -> list[Films]:
+    advice = [name for name in ADVICE if problem.binds(f"bearings.{place}.{name}")]
+    ratios = task.rules["length_ratio_usual" if "length_ratio_usual" in advice else "length_ratio"].check.limit
+    assert isinstance(ratios, tuple)
+    given = problem.sizes[f"bearings.{place}.length_mm"]
+    found: list[Films] = []
+    for d in problem.sizes[f"bearings.{place}.diameter_mm"] or ():
+        at = replace(task.at_diameter(d * 1e-3), clearance=0.0)  # the design's own is not one of the steps
+        l = lengths(at, longest, ratios) if given is None else _within(np.array(given) * 1e-3, least_length(at) - LENGTH_STEP, longest)
+        if l.size and (one := films(at, variant, l, advice, problem.cycle, beside)) is not None and one.kept.any():
+            found.append(one)
+    return found
+
+
+def _within(length: Array, above: float, longest: float) -> Array:
+    return length[(length > above) & (length <= longest + 1e-9)]
+
+
+def sized(problem: Problem, choices: dict[str, Any], rows: Rows, n: int) -> Sized:
+    """One row in the units of the keys."""
+    mm = {name: round(float(getattr(rows, name)[n]) * 1e3, 6) for name in ("core", *_SIZES)}
+    um = {place: round(float(getattr(rows, f"{place}_clearance")[n]) * 1e6, 6) for place in ("front", "rear")}
+    return Sized(choices, mm["core"], {p: mm[f"{p}_diameter"] for p in um}, {p: mm[f"{p}_length"] for p in um}, um,
+        problem.surfaces[int(rows.surface[n])])  # fmt: skip
+
+
+_SIZES = ("front_diameter", "front_length", "rear_diameter", "rear_length")
+
+
+def _line(problem: Problem, choices: dict[str, Any], rows: Rows) -> tuple[float, float]:
+    """Crank power is a straight line over the power of both journals: through two rows that are solved whole."""
+    points = []
+    for n in dict.fromkeys([int(rows.power.argmin()), int(rows.power.argmax())]):
+        one, results = whole(problem, sized(problem, choices, rows, n))
+        if results is not None and one.objectives:
+            points.append((float(rows.power[n]) if problem.cycle else journals_power(results), one.objectives["power"]))
+    if len(points) == 2 and points[1][0] > points[0][0]:
+        slope = (points[1][1] - points[0][1]) / (points[1][0] - points[0][0])
+        return points[0][1] - slope * points[0][0], slope
+    return (points[0][1] - points[0][0], 1.0) if points else (0.0, 1.0)

@@ -1,0 +1,171 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The search without proof: NSGA-II over whole solutions, where films and shafts can not be combined on arrays.
+
+A force beside the couple, further elements, axial grooves, loads that are given: each candidate is solved whole, and its limits are the
+constraints.  What comes out passes as anything else that is shown; that nothing better exists is not known, and is not said.
+Deb, Pratap, Agarwal & Meyarivan 2002, A fast and elitist multiobjective genetic algorithm: NSGA-II; by pymoo, an extra.
+"""
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+
+from ...bearings.selection.grid import WIDEST
+from ...library.journal_rules import USUAL_LENGTH_RATIO
+from ...sheet.arrays import Array
+from ...sheet.errors import NoSolution
+from ...sheet.text import Text
+from ...solve import Results
+from .combine import Rows, joined
+from ...optimise.front import front, representatives
+from ...optimise.problem import Problem
+from .run import Found, Table
+from .problem import CORE
+from .whole import Sized, Whole, whole
+
+POPULATION = 40
+EVALUATIONS = 1600  # whole solutions; the command line has its own
+LENGTH_STEP, CLEARANCE_STEP = 0.5, 5.0  # mm, µm
+NARROWEST = 0.5e-3  # of the diameter
+NEEDS = Text("pymoo, which the extra `contralbero[search]` installs")
+
+
+def may(problem: Problem) -> Text | None:
+    """Why not even this way can search a design; None: it can."""
+    shaft = problem.shaft
+    if shaft.sections:
+        return Text("the sections of the shaft are given: leave them out, and the sectors are sized")
+    if len(shaft.bearing_positions) != 2:
+        return Text("the shaft has more than two supports: no sectors are sized for it")
+    return None
+
+
+def evolved(
+    problem: Problem, evaluations: int = EVALUATIONS, seed: int = 1, told: Callable[[int, int, int], None] | None = None,
+    enough: Callable[[], bool] = bool,
+) -> Found:  # fmt: skip
+    """The best of some whole solutions, and where none passes what they break.  `told`: how many are done, of how many, how many pass.
+    `enough`, asked after each of them, ends it.
+
+    Raises NoSolution where pymoo is not installed, or the shaft is none that is sized.
+    """
+    if (why := may(problem)) is not None:
+        raise NoSolution(Text("no drive can be searched for"), why)
+    try:
+        from pymoo.algorithms.moo.nsga2 import NSGA2
+        from pymoo.core.problem import Problem as Pymoo
+        from pymoo.operators.crossover.sbx import SBX
+        from pymoo.operators.mutation.pm import PM
+        from pymoo.optimize import minimize
+    except ImportError:
+        why = Text("the front of this drive can not be proved on arrays, and the search without proof needs {what}", what=NEEDS)
+        raise NoSolution(why) from None
+    space = _Space(problem)
+
+    class _Drives(Pymoo):  # type: ignore[misc]
+        """Numbers from 0 to 1, each a place in the values of one variable."""
+
+        def __init__(self) -> None:
+            super().__init__(n_var=space.variables, n_obj=len(problem.objectives), n_ieq_constr=1, xl=0.0, xu=1.0)
+
+        def _evaluate(self, x: Array, out: dict[str, Array], *args: object, **more: object) -> None:
+            scored = []
+            for row in x:
+                if space.known and enough():
+                    raise _Enough
+                scored.append(space.scored(row))
+            out["F"], out["G"] = np.array([one[0] for one in scored]), np.array([[one[1]] for one in scored])
+            if told is not None:
+                told(len(space.known), evaluations, len(space.passing))
+
+    algorithm = NSGA2(pop_size=POPULATION, crossover=SBX(prob=0.9, eta=10), mutation=PM(eta=15), eliminate_duplicates=True)
+    try:
+        minimize(_Drives(), algorithm, ("n_eval", evaluations), seed=seed)
+    except _Enough:
+        pass
+    except KeyboardInterrupt:
+        if not space.known:
+            raise
+    return space.found()
+
+
+class _Enough(Exception):
+    """The time is up."""
+
+
+class _Space:
+    """The variables of a problem, and every drive of them that was solved whole."""
+
+    def __init__(self, problem: Problem) -> None:
+        self.problem = problem
+        self.known: dict[tuple[Any, ...], tuple[Whole, Array, float]] = {}
+        self.before: Results | None = None
+        self.widths = self._widths()
+
+    @property
+    def variables(self) -> int:
+        return 9
+
+    @property
+    def passing(self) -> list[Whole]:
+        return [one for one, _, _ in self.known.values() if not one.broken]
+
+    def _widths(self) -> dict[str, float]:
+        """The width of the supply in mm, which a journal must be longer than."""
+        bearings = self.problem.base.bearings
+        assert bearings is not None
+        widths = (bearings.hole_diameter, bearings.groove_width, bearings.pocket_width, bearings.axial_groove_length)
+        return dict.fromkeys(("front", "rear"), max(x or 0.0 for x in widths) * 1e3)
+
+    def sized(self, x: Array) -> Sized:
+        """The drive at a point: class, surfaces, core, diameters, then of each journal l/d and clearance over diameter."""
+        problem, sizes = self.problem, self.problem.sizes
+        small = "front" if problem.seat == "rear" else "rear"
+        seat = _at(sizes[f"bearings.{problem.seat}.diameter_mm"] or (), x[3])
+        below = tuple(d for d in sizes[f"bearings.{small}.diameter_mm"] or () if d <= seat + 1e-9)
+        diameter = {problem.seat: seat, small: _at(below or (seat,), x[4])}
+        length, clearance = {}, {}
+        for place, (u, v) in {"front": (x[5], x[6]), "rear": (x[7], x[8])}.items():
+            d, given = diameter[place], sizes[f"bearings.{place}.length_mm"]
+            low, high = (ratio * d for ratio in USUAL_LENGTH_RATIO)
+            low = max(low, self.widths[place] + LENGTH_STEP)
+            length[place] = _at(given, u) if given else round((low + u * (high - low)) / LENGTH_STEP) * LENGTH_STEP
+            clearance[place] = round((NARROWEST + v * (WIDEST - NARROWEST)) * d * 1e3 / CLEARANCE_STEP) * CLEARANCE_STEP
+        return Sized(
+            _at(tuple(problem.classes), x[0]), _at(sizes[CORE] or (), x[2]), diameter, length, clearance, _at(problem.surfaces, x[1])
+        )
+
+    def scored(self, x: Array) -> tuple[Array, float]:
+        """Objectives, each to be small, and by how much the limits are broken."""
+        sized = self.sized(x)
+        key = (str(sized.choices), sized.core, *sized.diameter.values(), *sized.length.values(), *sized.clearance.values(), sized.surface)
+        if key not in self.known:
+            one, results = whole(self.problem, sized, self.before)
+            self.before = results or self.before
+            self.known[key] = one, _row(self.problem, one), one.lacks
+        _, row, broken = self.known[key]
+        return row, broken
+
+    def found(self) -> Found:
+        problem, every = self.problem, list(self.known.values())
+        good = [(one, row) for one, row, _ in every if not one.broken]
+        units = np.array([problem.units[name] for name in problem.objectives])
+        rows = np.array([row for _, row in good]).reshape(-1, len(problem.objectives))
+        kept = front(np.round(rows, 9)) if len(good) else np.zeros(0, dtype=int)
+        chosen = representatives(rows[kept], units, problem.rows)
+        drives = sorted((good[int(kept[n])][0] for n in chosen), key=lambda one: (one.objectives["power"], str(one.changes)))
+        worst = sorted((one for one in every if one[0].broken), key=lambda one: one[2])[:10]
+        nothing = Rows(*(np.zeros(0) for _ in Rows.__dataclass_fields__))
+        known = Table(joined([nothing]), np.zeros(0, dtype=int), rows[kept], len(every), ())
+        return Found(problem, known, tuple(drives), tuple(one for one, _, _ in worst), len(problem.classes), proved=False)
+
+
+def _at(values: tuple[Any, ...], share: float) -> Any:
+    return values[min(int(share * len(values)), len(values) - 1)]
+
+
+def _row(problem: Problem, one: Whole) -> Array:
+    if not one.objectives:
+        return np.full(len(problem.objectives), 1e9)
+    return np.array([(-1 if name == "margin" else 1) * one.objectives[name] for name in problem.objectives])

@@ -1,0 +1,132 @@
+# SPDX-License-Identifier: Apache-2.0
+"""One drive of a front, as front.json has it: its neighbours, and what each objective costs in the others where it stands.
+
+The file may be anybody's: what it says is taken for no result.  It names objectives and drives; the design itself is solved as always.
+"""
+
+import json
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+
+from ...design.addresses import Table as Data
+from ...design.addresses import value_at
+from ...design.limits import FRONT_BYTES
+from ...sheet.arrays import Array
+from ...sheet.errors import BadInput
+from ...sheet.record import record
+from ...optimise.front import lower_left
+from ...optimise.inputs import OBJECTIVES
+
+NAME = "front.json"
+MOST_DRIVES = 2000
+LONGEST = 120  # letters of a word of it
+MOST_WORDS = 100
+SHOWN = 12  # drives of the report's table
+UNITS = {"power": ("W", 10.0), "mass": ("kg", 0.5), "seat": ("mm", 1.0), "price": ("€", 3.0), "margin": ("%", 10.0)}
+
+
+class Broken(ValueError):
+    """Why a file is no front."""
+
+
+@record
+class Picked:
+    """`number` of the drive, from 1; `rows`: the objectives of every drive, a column for each of `names`, in their units.
+
+    `limits`, `waived`: patterns of findings that were limits; `sizes` and `choices`: what was varied; `proved`, `combinations`, `done` of
+    the `classes`: what the front is the front of.
+    """
+
+    number: int
+    names: tuple[str, ...]
+    rows: Array
+    limits: tuple[str, ...]
+    waived: tuple[str, ...]
+    sizes: dict[str, tuple[float, ...] | None]
+    choices: dict[str, tuple[str, ...]]
+    proved: bool
+    combinations: int
+    done: int
+    classes: int
+
+    @property
+    def mine(self) -> Array:
+        row: Array = self.rows[self.number - 1]
+        return row
+
+    def nearest(self, count: int = SHOWN) -> list[int]:
+        """Numbers of the drives nearest to this one, itself among them, in the order of the front."""
+        units = np.array([UNITS[name][1] for name in self.names])
+        far = np.abs((self.rows - self.mine) / units).max(1)
+        return sorted((np.argsort(far, kind="stable")[:count] + 1).tolist())
+
+    def line(self, first: str, second: str) -> Array:
+        """The drives that no other beats in two of the objectives: rows of both, in the order of the first."""
+        x, y = (self._small(name) for name in (first, second))
+        line: Array = self.rows[lower_left(x, y)][:, [self.names.index(first), self.names.index(second)]]
+        return line
+
+    def _small(self, name: str) -> Array:
+        column: Array = self.rows[:, self.names.index(name)]
+        return -column if name == "margin" else column
+
+    def costs(self) -> list[tuple[str, float, str, float]]:
+        """What more of one objective costs in another, along the front of the two: (wanted, its gain, paid, its loss), from this drive
+        to the next one that is better in the first.  Only where this drive stands on that front."""
+        found = []
+        for wanted in self.names:
+            for paid in self.names:
+                if wanted == paid:
+                    continue
+                x, y = self._small(wanted), self._small(paid)
+                order = lower_left(x, y)
+                at = np.flatnonzero(order == self.number - 1)
+                if at.size and at[0] > 0:
+                    other = int(order[at[0] - 1])
+                    gain, loss = float(x[self.number - 1] - x[other]), float(y[other] - y[self.number - 1])
+                    if gain > 0 and loss > 0:
+                        found.append((wanted, gain, paid, loss))
+        return found
+
+
+def picked(raw: bytes, data: Data) -> Picked | None:
+    """The drive that a design is of the front in a file; None: it is none of its drives.  Raises Broken where the file is no front."""
+    if len(raw) > FRONT_BYTES:
+        raise Broken(f"has {len(raw)} bytes; a front has at most {FRONT_BYTES}")
+    try:
+        about = json.loads(raw)
+        names = tuple(about["objectives"])
+        drives = about["drives"]
+        if not names or set(names) - set(OBJECTIVES) or not isinstance(drives, list) or len(drives) > MOST_DRIVES:
+            raise Broken("names objectives or drives that there are not")
+        rows = np.array([[float(one["objectives"][name]) for name in names] for one in drives], dtype=float).reshape(-1, len(names))
+        if not np.isfinite(rows).all():
+            raise Broken("has objectives that are no numbers")
+        number = next((n for n, one in enumerate(drives, 1) if _is(data, one["changes"])), None)
+        sizes = {
+            _word(key): None if values is None else tuple(map(float, values))[:MOST_DRIVES] for key, values in about["sizes_mm"].items()
+        }
+        choices = {_word(key): tuple(map(_word, values))[:MOST_WORDS] for key, values in about["choices"].items()}
+        proved = bool(about["proved"])
+        combinations, done, classes = (int(about[key]) for key in ("combinations", "classes_done", "classes"))
+        patterns = [tuple(map(_word, about.get(key, ())))[:MOST_WORDS] for key in ("limits", "waived")]
+    except (ValueError, KeyError, TypeError, AttributeError, RecursionError, OverflowError) as error:
+        raise error if isinstance(error, Broken) else Broken(f"is no front: {type(error).__name__}") from None
+    if number is None:
+        return None
+    return Picked(number, names, rows, patterns[0], patterns[1], sizes, choices, proved, combinations, done, classes)
+
+
+def _is(data: Data, changes: Mapping[str, Any]) -> bool:
+    """Whether a design has all that makes a drive."""
+    try:
+        return bool(changes) and all(value_at(data, key) == value for key, value in changes.items())
+    except BadInput:
+        return False
+
+
+def _word(one: object) -> str:
+    """A word of the file, a pair as it is written."""
+    return ("/".join(map(str, one)) if isinstance(one, list) else str(one))[:LONGEST]

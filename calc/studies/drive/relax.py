@@ -1,0 +1,292 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Where nothing passes: the nearest miss, and which one requirement would have to give way, and by how much.
+
+Only what the file calls a requirement is moved: the largest seat, the places of the bearings, the couple beyond the required one, the
+fillet, the margin, and what could be chosen otherwise (fits, surfaces, supply, oil).  Limits of checks are never relaxed; they are named.
+Each line is one change alone, sought on the tables and confirmed by a whole solution before it is said.
+"""
+
+import math
+from collections.abc import Callable, Iterator
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+
+from ...bearings.selection.states import ROUGHNESSES
+from ...bearings.selection.variants import ENGINE_OIL, FINEST, SUPPLY
+from ...design.model import Design
+from ...design.toml_file import design
+from ...library.fits import parse
+from ...library.lubricant import Lubricant
+from ...sheet.errors import BadInput, NoSolution
+from ...sheet.progress import Progress, tell
+from ...sheet.record import record
+from ...sheet.text import EMPTY, Name, Text
+from ...sheet.trace import untraced
+from .classes import NotClosed, class_with, sized
+from .combine import Rows
+from ...optimise.problem import Problem
+from .run import Found
+from .problem import FITS, SEAT_REACH
+from .whole import Whole, whole
+
+FEW = 12  # diameters of the smaller journal that are looked at for a question alone
+HALVINGS = 6
+WORST = -0.9  # margin to which a nearest miss is looked for
+WALL = "countershaft.support.wall"
+
+
+@record
+class Line:
+    """One change alone that lets something pass: its key, from and to in words, what it costs beside; `broken`: what it then breaks."""
+
+    key: str
+    change: Text
+    beside: Text
+    broken: tuple[str, ...] = ()
+
+
+@record
+class Refusal:
+    """`always`: checks that fail in every drive that was tried whole; `miss`: by how much the nearest misses, of 1; None: not known."""
+
+    always: tuple[str, ...]
+    miss: float | None
+    lines: tuple[Line, ...]
+    useless: tuple[Text, ...]
+    also: tuple[str, ...] = ()  # what every one of the lines breaks beside: it is to be repaired elsewhere
+
+
+def refusal(found: Found, progress: Progress | None = None) -> Refusal:
+    """Why a search found nothing, and what alone would help."""
+    problem = found.problem
+    if found.dropped:
+        every = [set(one.broken) for one in found.dropped]
+        return Refusal(tuple(sorted(set.intersection(*every))) or tuple(sorted(set.union(*every))), None, (), ())
+    with untraced():
+        return _relaxed(problem, progress)
+
+
+def _relaxed(problem: Problem, progress: Progress | None) -> Refusal:
+    lines: list[Line] = []
+    useless: list[Text] = []
+    tell(progress, 0.0, Text("nearest miss"))
+    miss = _nearest_miss(problem)
+    ways = list(_ways(problem))
+    for n, (what, way) in enumerate(ways):
+        tell(progress, 0.1 + 0.9 * n / len(ways), what)
+        line = way()
+        if line is None:
+            useless.append(what)
+        else:
+            lines.append(line)
+    also = set.intersection(*(set(line.broken) for line in lines)) if lines else set()
+    lines = [replace(line, broken=tuple(id for id in line.broken if id not in also)) for line in lines]
+    return Refusal((), miss, tuple(lines), tuple(useless), tuple(sorted(also)))
+
+
+# --- one question --------------------------------------------------------------------------------------------------------------
+def quick(problem: Problem) -> Problem:
+    """The same with few diameters of the smaller journal, and no margin but the least."""
+    small = f"bearings.{'front' if problem.seat == 'rear' else 'rear'}.diameter_mm"
+    seat = f"bearings.{problem.seat}.diameter_mm"
+    values, seats = problem.sizes[small] or (), problem.sizes[seat] or ()
+    few = values[:: max(1, math.ceil(len(values) / FEW))]
+    sizes = {**problem.sizes, small: few, seat: seats[-1:]}
+    return replace(problem, sizes=sizes, margins=problem.margins[:1])
+
+
+def of_closest_fits(classes: list[dict[str, Any]]) -> list[dict[str, Any]]:
+    """Those of the closest fits: where their worst corners do not hold, those of wider fits, which enclose them, do not either."""
+
+    def within(one: dict[str, Any], other: dict[str, Any]) -> bool:
+        pairs = [(parse(a), parse(b)) for a, b in zip(one[FITS], other[FITS])]
+        alike = one | {FITS: None} == other | {FITS: None} and all(a.letter == b.letter for a, b in pairs)
+        return alike and all(a.grade <= b.grade for a, b in pairs) and any(a.grade < b.grade for a, b in pairs)
+
+    return [one for one in classes if not any(within(other, one) for other in classes)]
+
+
+def passing(problem: Problem) -> tuple[dict[str, Any], Rows] | None:
+    """The rows of the first class that has any; None: nothing passes."""
+    return next(_passing(problem, of_closest_fits(problem.classes)), None)
+
+
+def _passing(problem: Problem, classes: list[dict[str, Any]]) -> Iterator[tuple[dict[str, Any], Rows]]:
+    for choices in classes:
+        try:
+            rows = class_with(problem, choices)
+        except NotClosed:
+            raise
+        except NoSolution:
+            continue
+        if len(rows):
+            yield choices, rows
+
+
+def _confirmed(problem: Problem) -> Whole | None:
+    """A drive of a changed problem, solved whole: of little power, the first that breaks nothing, else that which breaks least; None: there
+    is none."""
+    first, tried = of_closest_fits(problem.classes), list[Whole]()
+    for classes in (first, [one for one in problem.classes if one not in first]):
+        for choices, rows in _passing(problem, classes):
+            for n in np.argsort(rows.power, kind="stable")[:3]:
+                tried.append(whole(problem, sized(problem, choices, rows, int(n)))[0])
+                if not tried[-1].broken:
+                    return tried[-1]
+            if classes is not first:
+                break  # one more class is enough
+        if not tried:
+            return None
+    return min(tried, key=lambda one: len(one.broken))
+
+
+def _nearest_miss(problem: Problem) -> float | None:
+    """The margin that the best drive of the ranges lacks, found by halving."""
+    one = quick(problem)
+    least = one.margins[0]
+
+    def holds(margin: float) -> bool:
+        return passing(replace(one, margins=(margin,))) is not None
+
+    if not holds(WORST):
+        return None
+    low, high = WORST, least
+    for _ in range(HALVINGS + 1):
+        middle = (low + high) / 2
+        low, high = (middle, high) if holds(middle) else (low, middle)
+    return least - low
+
+
+# --- the ways ----------------------------------------------------------------------------------------------------------------------
+Way = tuple[Text, Callable[[], Line | None]]
+
+
+def _ways(problem: Problem) -> Iterator[Way]:
+    shaft, bearings = problem.shaft, problem.base.bearings
+    assert bearings is not None
+    seats = problem.sizes[f"bearings.{problem.seat}.diameter_mm"] or ()
+    if seats:
+        yield Text("a larger seat"), lambda: _seat(problem, max(seats))
+    z = shaft.bearing_positions
+    yield Text("bearings further apart"), lambda: _stretched(problem, "countershaft.bearing_positions_mm", 0.1,
+        lambda share: [round(x * 1e3 * (1 + share), 2) for x in z],
+        lambda value: Text("{a} → {b} mm", a=Name(_list([x * 1e3 for x in z])), b=Name(_list(value))))  # fmt: skip
+    x_o = shaft.overdesign * 100
+    yield Text("less couple beyond the required one"), lambda: _stretched(problem, "countershaft.overdesign_percent", 0.05,
+        lambda share: round(x_o - share * 100, 2), lambda value: Text("{a} → {b} %", a=Name(f"{x_o:g}"), b=Name(f"{value:g}")))  # fmt: skip
+    r = problem.fillet
+    if r:
+        yield Text("a smaller fillet"), lambda: _stretched(problem, "countershaft.fillet_radius_mm", 0.8,
+            lambda share: round(r * (1 - share), 3),
+            lambda value: Text("{a} → {b} mm", a=Name(f"{r:g}"), b=Name(f"{value:g}")))  # fmt: skip
+    yield from _chosen(problem)
+
+
+def _list(values: list[float]) -> str:
+    return "[" + ", ".join(f"{x:g}" for x in values) + "]"
+
+
+def _seat(problem: Problem, now: float) -> Line | None:
+    """The least larger seat; the wall beside it gives what it takes, and may be what is then broken."""
+    key = f"bearings.{problem.seat}.diameter_mm"
+
+    def at(seat: float) -> Problem:
+        one = quick(problem)
+        return replace(one, sizes={**one.sizes, key: (round(seat, 2),)}, most={k: v for k, v in one.most.items() if k != "seat"})
+
+    seat = _least(lambda d: passing(at(now + d)) is not None, SEAT_REACH)
+    seat = None if seat is None else math.ceil(seat * 100 - 1e-6) / 100
+    if seat is None or (one := _confirmed(at(now + seat))) is None:
+        return None
+    broken = tuple(id for id in one.broken if id not in (WALL, "optimise.most.seat"))
+    return Line(key, Text("{a} → {b} mm", a=Name(f"{now:g}"), b=Name(f"{now + seat:g}")), _wall(problem, now, now + seat), broken)
+
+
+def _wall(problem: Problem, now: float, seat: float) -> Text:
+    support = problem.shaft.support
+    if support is None or support.wall is None or support.wall_at_seat is None:
+        return EMPTY
+    left = [(support.wall - (d * 1e-3 - support.wall_at_seat) / 2) * 1e3 for d in (now, seat)]
+    return Text("wall {a} → {b} mm, least_wall_mm {least}", a=Name(f"{left[0]:.2f}"), b=Name(f"{left[1]:.2f}"),
+        least=Name(f"{support.least_wall * 1e3:g}"))  # fmt: skip
+
+
+def _stretched(problem: Problem, key: str, reach: float, value: Callable[[float], Any], words: Callable[[Any], Text]) -> Line | None:
+    """One key moved by the least share that lets something pass."""
+
+    def at(share: float) -> Problem | None:
+        return _with(quick(problem), key, value(share))
+
+    def holds(share: float) -> bool:
+        one = at(share)
+        return one is not None and passing(one) is not None
+
+    share = _least(holds, reach)
+    changed = at(share) if share is not None else None
+    if share is None or changed is None or (one := _confirmed(changed)) is None:
+        return None
+    return Line(key, words(value(share)), EMPTY, one.broken)
+
+
+def _with(problem: Problem, key: str, value: object) -> Problem | None:
+    """The problem of a changed design; None where that is none."""
+    start = problem.start.with_value(key, value)
+    try:
+        made: Design = design(start)
+    except BadInput:
+        return None
+    return replace(problem, start=start, base=made)
+
+
+def _least(holds: Callable[[float], bool], reach: float) -> float | None:
+    """The least change up to `reach` that helps; None: not even that does."""
+    if not holds(reach):
+        return None
+    low, high = 0.0, reach
+    for _ in range(HALVINGS):
+        middle = (low + high) / 2
+        low, high = (low, middle) if holds(middle) else (middle, high)
+    return math.ceil(high * 1e3 - 1e-6) / 1e3
+
+
+def _chosen(problem: Problem) -> Iterator[Way]:
+    """What could be chosen otherwise, each alone: the closest fits, the smoothest surfaces, another supply, a thicker oil."""
+    one, bearings = quick(problem), problem.base.bearings
+    assert bearings is not None
+    fits = [str(bearings.journal_fit), str(bearings.seat_fit)]
+    closest = [f"{parse(fit).letter or 'IT'}{min(FINEST, parse(fit).grade)}" for fit in fits]
+    if closest not in [list(x) for x in problem.choices.get(FITS, ())]:
+        yield Text("closer fits, {fits}", fits=Name("/".join(closest))), lambda: _choice(one, FITS, closest)
+    smooth = min(ROUGHNESSES) * 1e6
+    if all(pair is None or max(pair) > smooth + 1e-9 for pair in problem.surfaces):
+        yield Text("smoother surfaces, {Ra} µm", Ra=Name(f"{smooth:g}/{smooth:g}")), lambda: _smooth(one, (smooth, smooth))
+    for name in _thicker(problem):
+        yield Text("the oil {name}", name=Name(name)), lambda name=name: _choice(one, "bearings.oil", name)  # type: ignore[misc]
+    for supply, width in (("groove", bearings.groove_width), ("pocket", bearings.pocket_width)):
+        if width is not None and supply not in problem.choices.get("bearings.supply", ()):
+            yield SUPPLY[supply], lambda supply=supply: _choice(one, "bearings.supply", supply)  # type: ignore[misc]
+
+
+def _thicker(problem: Problem) -> list[str]:
+    """Engine oils that are thicker than the design's as they enter, the thinnest of them first."""
+    made, bearings = problem.base, problem.base.bearings
+    assert bearings is not None
+    at = bearings.supply_temperature
+    mu = {name: Lubricant(bearings.in_bearings(oil), bearings.viscosity_law).at(at).mu for name, oil in made.oils.items()
+        if ENGINE_OIL.match(name) or name == bearings.oil}  # fmt: skip
+    own = mu[bearings.oil]
+    return sorted((name for name in mu if mu[name] > own * 1.02), key=lambda name: mu[name])
+
+
+def _choice(problem: Problem, key: str, value: Any) -> Line | None:
+    one = _confirmed(replace(problem, choices={**problem.choices, key: (value,)}))
+    words = "/".join(value) if isinstance(value, list) else str(value)
+    return None if one is None else Line(key, Text("{value}", value=Name(words)), EMPTY, one.broken)
+
+
+def _smooth(problem: Problem, pair: tuple[float, float]) -> Line | None:
+    one = _confirmed(replace(problem, surfaces=(pair,)))
+    words = Name("/".join(f"{x:g}" for x in pair))
+    return None if one is None else Line("bearings.surfaces", Text("Ra {pair} µm", pair=words), EMPTY, one.broken)

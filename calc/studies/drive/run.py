@@ -1,0 +1,293 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The whole search: every class, over processes where asked, their fronts joined, and rows solved whole until enough of them stand for all.
+
+A class is the unit of work: it keeps no state, gives the same rows wherever it runs, and its result may be kept in a file, so that a run
+that was ended goes on where it stood.  Whatever the order in which classes come back, what is offered depends on the problem alone.
+"""
+
+import hashlib
+import json
+from collections.abc import Callable, Iterator, Mapping
+from io import BytesIO
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from ...design.toml_file import Document, design
+from ...design.disk import write_file
+from ...library.fits import parse
+from ...gears.result import TrainResult
+from ...sheet.arrays import Array
+from ...sheet.errors import NoSolution
+from ...sheet.record import record
+from ...sheet.text import EMPTY, Text
+from ...solve import Results, solve
+from ..spread import spread
+from ...design.step_inputs import shaft_gear
+from ...version import VERSION
+from .classes import ClassFront, NotClosed, class_of, sized
+from .combine import Rows, joined
+from ...optimise.front import front, representatives
+from ...optimise.problem import Problem
+from ...optimise.problem import problem as problem_of
+from .problem import FITS
+from .whole import Sized, Whole, whole
+
+NEIGHBOURS = 3  # of a row that fails when it is solved whole, are tried in its place
+NEAR = 16  # rows among which the neighbours of one are looked for
+FIRST = 4  # rows that are solved whole to find a first drive that passes
+HOPELESS = 6  # rows that fail whole by one and the same check: nothing that is varied moves it
+Told = Callable[[int, "Table", str], None]  # classes that are done, what they have given together, and the last one's name
+
+
+@record
+class Table:
+    """The front of all classes on arrays, from which whole solutions are chosen.  `objectives`: a column each, to be as small as can be."""
+
+    rows: Rows
+    of: Array  # the class of each row
+    objectives: Array
+    combinations: int
+    refused: tuple[tuple[int, Text], ...]  # classes without rows, and why
+
+    def __len__(self) -> int:
+        return len(self.rows)
+
+
+@record
+class Found:
+    """`drives`: those that pass, solved whole, least power first; `dropped`: rows that did not.  `done`: of the classes.
+
+    `proved`: whether the front is that of every combination; else it is what a search came to."""
+
+    problem: Problem
+    table: Table
+    drives: tuple[Whole, ...]
+    dropped: tuple[Whole, ...]
+    done: int
+    proved: bool = True
+
+    @property
+    def whole(self) -> bool:
+        return self.done == len(self.problem.classes)
+
+
+def asked(document: Document, said: dict[str, object]) -> tuple[Problem, Results]:
+    """The problem of a design, and the design solved as it is."""
+    made = design(document)
+    results = solve(made)
+    gear = shaft_gear(made, results.result(TrainResult))
+    return problem_of(document, gear.tip_diameter * 1e3 if gear is not None else None, said), results
+
+
+# --- the classes ------------------------------------------------------------------------------------------------------------
+def one_class(problem: Problem, n: int) -> ClassFront:
+    """One class; why it has no rows where its loads or its envelope have no solution."""
+    try:
+        return class_of(problem, problem.classes[n])
+    except NotClosed:
+        raise
+    except NoSolution as none:
+        return ClassFront(joined([_none()]), 0, (0.0, 1.0), why=none.text)
+
+
+def _none() -> Rows:
+    return Rows(*(np.zeros(0) for _ in Rows.__dataclass_fields__))
+
+
+def classes(
+    problem: Problem, processes: int = 1, parts: Path | None = None, scheduler: str = ""
+) -> Iterator[tuple[int, ClassFront]]:  # fmt: skip
+    """Every class as it is done.  `parts`: a folder in which results are kept and looked for; `scheduler`: address of a dask one."""
+    waiting = []
+    for n in promising(problem):
+        if (known := _kept(problem, n, parts)) is not None:
+            yield n, known
+        else:
+            waiting.append(n)
+    for n, one in spread(one_class, problem, waiting, processes, scheduler):
+        _keep(problem, n, one, parts)
+        yield n, one
+
+
+def promising(problem: Problem) -> list[int]:
+    """The numbers of the classes, those of the closest fits first: if any of them passes, these do."""
+    grades = [sum(parse(fit).grade for fit in one[FITS]) for one in problem.classes]
+    return sorted(range(len(grades)), key=lambda n: grades[n])
+
+
+# --- what is kept ---------------------------------------------------------------------------------------------------------------
+def key(problem: Problem) -> str:
+    """What a kept result holds for: the values of the design, what is varied, the program's version."""
+    what = [VERSION, problem.start.data, problem.sizes, problem.choices, problem.surfaces, problem.margins, problem.limits, problem.waived,
+        problem.cycle]  # fmt: skip
+    return hashlib.sha256(json.dumps(what, sort_keys=True, default=str).encode()).hexdigest()[:16]
+
+
+def _kept(problem: Problem, n: int, parts: Path | None) -> ClassFront | None:
+    """A result that is whole and of this problem; None: it is to be done."""
+    if parts is None:
+        return None
+    try:
+        with np.load(parts / f"{key(problem)}-{n}.npz", allow_pickle=False) as file:
+            rows = Rows(**{name: file[name] for name in Rows.__dataclass_fields__})
+            if len({len(column) for column in vars(rows).values()}) != 1:
+                return None
+            count, c, a, wheels = (float(x) for x in file["about"])
+            return ClassFront(rows, int(count), (c, a), wheels, Text("{why}", why=str(file["why"])) if str(file["why"]) else EMPTY)
+    except Exception:  # a file that was cut off or written over, in any of the ways in which zipfile, zlib and numpy say so
+        return None
+
+
+def _keep(problem: Problem, n: int, one: ClassFront, parts: Path | None) -> None:
+    if parts is None:
+        return
+    parts.mkdir(parents=True, exist_ok=True)
+    path = parts / f"{key(problem)}-{n}.npz"
+    made = BytesIO()
+    np.savez(made, about=np.array([one.combinations, *one.crank, one.wheels]), why=np.array(str(one.why)), **vars(one.rows))
+    write_file(path, made.getvalue())
+
+
+# --- the front ----------------------------------------------------------------------------------------------------------------
+def table(problem: Problem, done: dict[int, ClassFront]) -> Table:
+    """The rows of all classes that no other beats in the objectives, within their hard ends."""
+    parts, of, columns = [_none()], [np.zeros(0)], [np.zeros((0, len(problem.objectives)))]
+    for n in sorted(done):
+        one = done[n]
+        if len(one.rows):
+            parts.append(one.rows)
+            of.append(np.full(len(one.rows), n))
+            columns.append(_objectives(problem, n, one))
+    rows, which, objectives = joined(parts), np.concatenate(of).astype(int), np.concatenate(columns)
+    kept = front(objectives) if len(rows) else np.zeros(0, dtype=int)
+    refused = tuple((n, one.why) for n, one in sorted(done.items()) if not len(one.rows))
+    return Table(rows.at(kept), which[kept], objectives[kept], sum(one.combinations for one in done.values()), refused)
+
+
+def _objectives(problem: Problem, n: int, one: ClassFront) -> Array:
+    """Column by column, margin with its sign turned; what lies beyond a hard end is infinite."""
+    rows, (c, a), choices = one.rows, one.crank, problem.classes[n]
+    prices = np.array([problem.price(choices, surface) or 0.0 for surface in problem.surfaces])
+    known = {
+        "power": c + a * rows.power, "mass": rows.mass + one.wheels, "seat": rows.seat * 1e3, "price": prices[rows.surface.astype(int)],
+        "margin": -rows.margin * 100,
+    }  # fmt: skip
+    beyond = np.zeros(len(rows), dtype=bool)
+    for name, bound in problem.most.items():
+        beyond |= known[name] > (bound if name != "margin" else -bound) + 1e-6
+    columns: Array = np.stack([known[name] for name in problem.objectives], 1)
+    columns[beyond] = np.inf
+    return columns
+
+
+def _sized(problem: Problem, known: Table, place: int) -> Sized:
+    return sized(problem, problem.classes[int(known.of[place])], known.rows, place)
+
+
+def solved(problem: Problem, known: Table, told: Callable[[int, int], None] | None = None,
+    enough: Callable[[], bool] = bool) -> tuple[list[Whole], list[Whole]]:  # fmt: skip
+    """Rows that stand for all, solved whole, and those that were dropped.  A row that fails gives its place to its neighbours.
+
+    A KeyboardInterrupt, or `enough` once there is a drive, ends it with those that there are by then."""
+    wanted = _wanted(problem, known, problem.rows)
+    scaled = known.objectives / _units(problem)
+    drives: dict[int, Whole] = {}
+    dropped: list[Whole] = []
+    lacks: dict[int, float] = {}  # of every row that was solved
+    before: Results | None = None
+    try:
+        for count, first in enumerate(wanted):
+            if told is not None:
+                told(count, len(wanted))
+            if not drives and len(dropped) >= HOPELESS and set.intersection(*(set(one.broken) for one in dropped)):
+                break
+            if drives and enough():
+                break
+            place: int | None = first
+            for _ in range(NEIGHBOURS + 1):
+                if place is None:
+                    break
+                one, results = whole(problem, _sized(problem, known, place), before)
+                before, lacks[place] = results or before, one.lacks
+                if not one.broken:
+                    drives[place] = one
+                    break
+                dropped.append(one)
+                place = _instead(scaled, first, set(wanted), lacks)
+    except KeyboardInterrupt:
+        if not drives:
+            raise
+    return _exact_front(problem, list(drives.values())), dropped
+
+
+def _units(problem: Problem) -> Array:
+    return np.array([problem.units[name] for name in problem.objectives])
+
+
+def _wanted(problem: Problem, known: Table, count: int) -> list[int]:
+    """The places of rows that stand for all."""
+    finite = np.flatnonzero(np.isfinite(known.objectives).all(1))
+    return [int(finite[n]) for n in representatives(known.objectives[finite], _units(problem), count)]
+
+
+def _instead(scaled: Array, first: int, wanted: set[int], lacks: Mapping[int, float]) -> int | None:
+    """In the place of a row that fails: of its neighbours that are neither wanted nor solved the one that should lack least, by the row
+    nearest to it that was solved, and of these the nearest; None: there is none."""
+    far = np.abs(scaled - scaled[first]).max(1)
+    near = [int(n) for n in np.argsort(far, kind="stable")[:NEAR] if np.isfinite(far[n]) and n not in wanted and n not in lacks]
+    done = list(lacks)
+
+    def should_lack(place: int) -> float:
+        return lacks[done[int(np.abs(scaled[done] - scaled[place]).max(1).argmin())]]
+
+    return min(near, key=lambda n: (should_lack(n), far[n]), default=None)
+
+
+def first_passing(problem: Problem, known: Table) -> Whole | None:
+    """A drive that passes, of a few rows that stand for all; None: not one of these."""
+    for place in _wanted(problem, known, FIRST):
+        one, _ = whole(problem, _sized(problem, known, place))
+        if not one.broken:
+            return one
+    return None
+
+
+def _exact_front(problem: Problem, drives: list[Whole]) -> list[Whole]:
+    """Those that no other beats in the numbers of the whole solutions, least power first."""
+    if not drives:
+        return []
+    rows = np.array([[(-1 if name == "margin" else 1) * one.objectives[name] for name in problem.objectives] for one in drives])
+    kept = [drives[int(n)] for n in front(np.round(rows, 9))]
+    return sorted(kept, key=lambda one: (one.objectives["power"], one.objectives["mass"], str(one.changes)))
+
+
+def search(problem: Problem, processes: int = 1, parts: Path | None = None, told: Told | None = None,
+    solving: Callable[[int, int], None] | None = None, scheduler: str = "", stop: Callable[[], bool] = bool,
+    first: Callable[[Whole], None] | None = None, enough: Callable[[], bool] = bool) -> Found:  # fmt: skip
+    """The front of whole drives.  `stop`, asked after each class, or a KeyboardInterrupt ends the classes; what is known by then is solved
+    whole and given, until `enough`, asked after each drive.  `first` is told the first drive that is known to pass."""
+    done: dict[int, ClassFront] = {}
+    passing: Whole | None = None
+    try:
+        for n, one in classes(problem, processes, parts, scheduler):
+            done[n] = one
+            known = table(problem, done)
+            if told is not None:
+                told(len(done), known, named(problem.classes[n]))
+            if first is not None and passing is None and (passing := first_passing(problem, known)) is not None:
+                first(passing)
+            if stop():
+                break
+    except KeyboardInterrupt:
+        if not done:
+            raise
+    known = table(problem, done)
+    drives, dropped = solved(problem, known, solving, enough)
+    return Found(problem, known, tuple(drives), tuple(dropped), len(done))
+
+
+def named(choices: dict[str, Any]) -> str:
+    """A class in a few words: its choices."""
+    return ", ".join("/".join(map(str, value)) if isinstance(value, list) else str(value) for value in choices.values())

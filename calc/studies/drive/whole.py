@@ -1,0 +1,156 @@
+# SPDX-License-Identifier: Apache-2.0
+"""A row put into the design and solved whole: only these are shown, and their numbers are those of the whole solution."""
+
+import math
+from collections.abc import Mapping
+from typing import Any
+
+from ...bearings.result import BearingsResult
+from ...countershaft.result import CountershaftResult
+from ...design.toml_file import Document, design
+from ...gears.result import TrainResult
+from ...sheet.changes import Changes, digits
+from ...sheet.check import Check
+from ...sheet.errors import BadInput
+from ...sheet.record import record
+from ...sheet.units import Kilogram, Watt
+from ...solve import Results, solve
+from ...optimise.problem import Problem
+from .problem import CORE, FITS
+
+LARGE = 1e3  # a step without solution, and a hard end that is passed over, are lacks as large as this
+LEAST_LACK = 0.01  # of whatever is broken: by the less the fewer it is
+
+
+@record
+class Sized:
+    """The sizes of one drive in the units of their keys, with the choices of its class."""
+
+    choices: Changes
+    core: float
+    diameter: dict[str, float]
+    length: dict[str, float]
+    clearance: dict[str, float]
+    surface: tuple[float, float] | None
+
+
+@record
+class Whole:
+    """A drive as the program solves it.  `objectives` by name, in their units; `broken`: what it does not keep, empty for one that passes;
+    `open`: how many other findings stay open; `lacks`: by how much of 1 its limits are passed over, all of them together."""
+
+    sized: Sized
+    changes: Changes
+    document: Document
+    objectives: dict[str, float]
+    broken: tuple[str, ...]
+    open: int
+    lacks: float = 0.0
+
+
+def chosen(choices: Mapping[str, Any]) -> Changes:
+    """The keys of a class as they stand in a design: fits are two of them."""
+    changes = {key: value for key, value in choices.items() if key != FITS}
+    if (fits := choices.get(FITS)) is not None:
+        changes |= {"bearings.journal_fit": fits[0], "bearings.seat_fit": fits[1]}
+    return changes
+
+
+def changes(problem: Problem, sized: Sized) -> Changes:
+    """Every key that makes the design this drive; the ties are followed here."""
+    made = chosen(sized.choices)
+    made[CORE] = digits(sized.core)
+    R = max(sized.diameter.values()) / 2 - problem.threaded
+    positions = [abs(z) * 1e3 for z in problem.shaft.bearing_positions]
+    half = min(z - sized.length[place] / 2 for z, place in zip(positions, ("front", "rear"))) - 2 * problem.fillet
+    made |= {"countershaft.outer_radius_mm": digits(R), "countershaft.half_length_mm": digits(half)}
+    for place in ("front", "rear"):
+        at = f"bearings.{place}"
+        made |= {f"{at}.diameter_mm": digits(sized.diameter[place]), f"{at}.length_mm": digits(sized.length[place])}
+        made |= {f"{at}.clearance_factor": None, f"{at}.clearance_um": digits(sized.clearance[place])}
+        if sized.surface is not None:
+            made |= {f"{at}.journal_roughness_um": sized.surface[0], f"{at}.housing_roughness_um": sized.surface[1]}
+    return made
+
+
+def written(problem: Problem, sized: Sized) -> tuple[Document, Changes]:
+    """The document of a drive, and the keys in which it differs from the start."""
+    made = changes(problem, sized)
+    document = problem.start
+    for key, value in made.items():
+        document = document.with_value(key, value)
+    return document, made
+
+
+def whole(problem: Problem, sized: Sized, before: Results | None = None) -> tuple[Whole, Results | None]:
+    """Solved as any design; `before`: results of another row, of which what is alike is taken over."""
+    document, made = written(problem, sized)
+    try:
+        results = solve(design(document), before)
+    except BadInput as bad:
+        return Whole(sized, made, document, {}, tuple(e.key for e in bad.errors), 0, LARGE), None
+    stopped = tuple(key for key, outcome in results.outcomes.items() if outcome.state in ("no_solution", "blocked"))
+    checks = list(results.checks())
+    fail = problem.broken(checks)
+    broken = tuple(c.id for c in fail)
+    objectives = {} if stopped else measured(problem, document, results, checks, sized)
+    over = tuple(f"optimise.most.{key}" for key, bound in problem.most.items() if objectives and _beyond(key, objectives.get(key), bound))
+    count = sum(c.verdict == "warn" for c in checks)
+    lacks = sum(map(_lack, fail)) + LARGE * len({*stopped, *over} - set(broken))
+    return Whole(sized, made, document, objectives, (*stopped, *broken, *over), count, lacks), results
+
+
+def _lack(broken: Check) -> float:
+    return LARGE if math.isnan(broken.margin) else min(max(-broken.margin, 0.0), LARGE) + LEAST_LACK
+
+
+def _beyond(key: str, value: float | None, bound: float) -> bool:
+    if value is None:
+        return False
+    return value < bound - 1e-9 if key == "margin" else value > bound + 1e-9
+
+
+def measured(problem: Problem, document: Document, results: Results, checks: list[Check], sized: Sized) -> dict[str, float]:
+    """The objectives that are known, in their units."""
+    watts = mean_power(problem, document, results) if problem.cycle else power(results)
+    found = {"power": watts, "mass": mass(results), "seat": max(sized.diameter.values()), "margin": problem.margin(checks)}
+    cost = problem.price(sized.choices, sized.surface)
+    return found if cost is None else found | {"price": cost}
+
+
+def mean_power(problem: Problem, document: Document, results: Results) -> Watt:
+    """Over the duty cycle: the drive solved at each of its speeds, which changes no size."""
+    rated = problem.base.engine.rated_speed * 60 if problem.base.engine is not None else 0.0
+    mean, before = 0.0, results
+    for ratio, share in problem.cycle:
+        before = solve(design(document.with_value("engine.rated_speed_rpm", digits(rated * ratio))), before)
+        solved = all(before.outcomes[key].state in ("solved", "not_asked") for key in ("bearings", "friction"))
+        mean += share * power(before) if solved else float("inf")
+    return mean
+
+
+def mass(results: Results) -> Kilogram:
+    """Of the shaft with its gear, and of all other wheels."""
+    shaft = results.result(CountershaftResult)
+    assert shaft is not None and shaft.mass is not None
+    return float(shaft.mass) + other_wheels(results)
+
+
+def other_wheels(results: Results) -> Kilogram:
+    """Of the train, but for the last, which the shaft is weighed with."""
+    train = results.result(TrainResult)
+    wheels = list(train.wheels.values()) if train is not None else []
+    last = list(train.meshes.values())[-1].driven if train is not None else ""
+    return float(sum(wheel.mass or 0.0 for wheel in wheels if wheel.name != last))
+
+
+def power(results: Results) -> Watt:
+    """What the drive takes from the crank; without a train what both journals rub."""
+    published = results.values().get("friction.crank_power")
+    return float(published.inside) if published is not None else journals_power(results)
+
+
+def journals_power(results: Results) -> Watt:
+    bearings = results.result(BearingsResult)
+    assert bearings is not None
+    return float(sum(one.friction_power for one in bearings.bearings.values()))

@@ -1,0 +1,126 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The chain of recorded lines that leads to a value: its links (`sheet/value.py`) followed back to the inputs, and nothing else."""
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, is_dataclass
+
+from ..design.model import Design
+from ..sheet.check import Check
+from ..sheet.quantity import keys as keys_of
+from ..sheet.trace import Line
+from ..sheet.value import joined_links, leaves, link_of
+from ..solve import Results
+
+
+@dataclass(frozen=True)
+class Link:
+    """One line of a chain and the inputs that enter it directly, as keys of the design file."""
+
+    line: Line
+    inputs: tuple[str, ...]
+
+
+def chain(results: Results, value_id: str) -> list[Link]:
+    """The lines that lead to a value, each behind those that it needs; empty for a value taken straight from an input."""
+    return Chains(results).of(value_id)
+
+
+def origin(results: Results, value_id: str) -> str | None:
+    """The key of a value that is an input itself, or that a name brings in."""
+    return next((leaf for leaf in leaves(link_of(results.traced().values()[value_id].inside)) if isinstance(leaf, str)), None)
+
+
+def needs(line: Line) -> tuple[list[Line], list[str]]:
+    """The lines and the inputs that the arguments of a line come from."""
+    found = dict.fromkeys(leaf for argument in line.arguments.values() for leaf in leaves(link_of(argument)))
+    return [leaf for leaf in found if isinstance(leaf, Line)], [leaf for leaf in found if isinstance(leaf, str)]
+
+
+class Chains:
+    """The chains of the values of one solved design."""
+
+    def __init__(self, results: Results) -> None:
+        self.results = results = results.traced()
+        self.values = results.values()
+        self.value_of: dict[Line, str] = {}  # line → the value that it gives
+        for id, value in self.values.items():
+            for leaf in leaves(link_of(value.inside)):
+                if isinstance(leaf, Line):
+                    self.value_of.setdefault(leaf, id)
+
+    def of(self, value_id: str) -> list[Link]:
+        """The chain of one value."""
+        return self._links(self._made_by(value_id))
+
+    def to(self, line: Line) -> list[Link]:
+        """The chain of one line of the calculation."""
+        return self._links([line])
+
+    def behind(self, check: Check) -> str | None:
+        """The value that a check is on; None where it judges none that is published."""
+        if check.value_id in self.values:
+            return check.value_id
+        return next((self.value_of[leaf] for leaf in self.judged(check) if isinstance(leaf, Line) and leaf in self.value_of), None)
+
+    def of_check(self, check: Check) -> tuple[list[Link], list[str]]:
+        """The chain of the number that a check judges, published or not, and the inputs that it is taken from straight away."""
+        found = self.judged(check)
+        return self._links([leaf for leaf in found if isinstance(leaf, Line)]), [leaf for leaf in found if isinstance(leaf, str)]
+
+    def judged(self, check: Check) -> tuple[Line | str, ...]:
+        """The lines that gave the number which a check judges, and the inputs that it was taken from."""
+        known = next((one for one in self.results.checks() if one.id == check.id), check)
+        return leaves(link_of(known.value))
+
+    def asked(self, check: Check) -> tuple[Line | str, ...]:
+        """The same of the limit that it is held against; nothing where the limit stands for itself."""
+        known = next((one for one in self.results.checks() if one.id == check.id), check)
+        of_value = self.values[check.limit_id].inside if check.limit_id in self.values else None
+        ends = known.limit if isinstance(known.limit, tuple) else (known.limit,)
+        return leaves(joined_links(map(link_of, ends))) or leaves(link_of(of_value))
+
+    def _made_by(self, value_id: str) -> list[Line]:
+        """The lines that gave a value; none where it is an input."""
+        return [leaf for leaf in leaves(link_of(self.values[value_id].inside)) if isinstance(leaf, Line)]
+
+    def _links(self, lines: list[Line]) -> list[Link]:
+        return [Link(line, tuple(needs(line)[1])) for line in _ordered(lines)]
+
+
+def _ordered(lines: list[Line]) -> Iterator[Line]:
+    """These lines and all that they need, each behind those that it needs."""
+    given: set[Line] = set()
+    waiting = [(line, False) for line in lines]  # the first, which gave the number, comes last
+    while waiting:
+        line, ready = waiting.pop()
+        if ready:
+            yield line
+        elif line not in given:
+            given.add(line)
+            waiting.append((line, True))
+            waiting += [(needed, False) for needed in reversed(needs(line)[0]) if needed not in given]
+
+
+def shortened(inputs: Iterable[str], design: Design) -> list[str]:
+    """Keys to be listed: those of one number of all elements of an array of tables as one, `countershaft.masses.*.mass_kg`."""
+    keys = dict.fromkeys(inputs)
+    for columns in _columns(design):
+        if len(columns) > 1 and all(key in keys for key, _ in columns):
+            whole = columns[0][1]
+            keys = dict.fromkeys(whole if key in dict(columns) else key for key in keys)
+    return list(keys)
+
+
+def _columns(inputs: object, prefix: str = "") -> Iterator[list[tuple[str, str]]]:
+    """Of each number of each array of tables, its keys by element, each with the key of them all."""
+    for key in keys_of(_class(inputs)).values():
+        content, here = getattr(inputs, key.attribute), f"{prefix}.{key.key}" if prefix else key.key
+        if is_dataclass(content):
+            yield from _columns(content, here)
+        elif key.about.kind == "tables" and content:
+            for part in keys_of(_class(content[0])).values():
+                yield [(f"{here}.{getattr(one, 'name', i)}.{part.key}", f"{here}.*.{part.key}") for i, one in enumerate(content)]
+
+
+def _class(inputs: object) -> type:
+    return type(inputs)

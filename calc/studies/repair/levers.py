@@ -1,0 +1,244 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What may be changed for a finding, kind by kind: numbers that are moved, alone or together, and changes that are tried as they are."""
+
+import math
+import re
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import dataclass, replace
+from fnmatch import fnmatchcase
+from itertools import islice
+
+from ...design.addresses import as_list, quantities, quantity_of, value_at
+from ...library.catalogue import Material
+from ...design.locks import locked
+from ...sheet.changes import Changes, digits, whole
+from ...sheet.check import Check
+from ...sheet.errors import BadInput, NoSolution
+from ...sheet.quantity import Quantity
+from ...sheet.search import allowed
+from . import sizing as shaft
+from ...repair import strength
+from ...repair.kinds import row_of
+from .state import State
+from .vary import ASKED, FREE
+from ...design.names import published
+
+FIXED = re.compile(rf"{ASKED.pattern}|.*\.(slope_mrad|position_mm|firing_order|crank_angles_deg|speed_range_rpm)")  # not moved as numbers
+PLANS = 7  # kinds that are looked at
+SETS = 12  # changes of one kind that are tried as they are
+ALLOWANCE = 100.0  # µm off a span: what a change of it is measured against
+
+
+@dataclass(frozen=True)
+class Lever:
+    """Inputs that move together, by the number of the first: where it stands, its description, and all changes for another number."""
+
+    now: float
+    about: Quantity
+    write: Callable[[float], Changes]
+    scale: float  # what a change counts against
+
+    def at(self, number: float) -> Changes | None:
+        """None where the input does not allow the number."""
+        return self.write(number) if allowed(self.about, [number]) else None
+
+
+@dataclass(frozen=True)
+class Plan:
+    """One kind of remedy: its keys, what can be moved, what can be tried; `reason`: why its one key is locked."""
+
+    keys: tuple[str, ...]
+    levers: tuple[Lever, ...] = ()
+    sets: tuple[Changes, ...] = ()
+    reason: str = ""
+
+
+def plans(state: State, step: str, group: tuple[Check, ...]) -> list[Plan]:
+    """In the order in which a designer would think of them: what the checks themselves name, what moves them, what else is free."""
+    by_kind: dict[int | str, Plan] = {}
+    tried = [*_named(group), *_made_for(state, group)]
+    keys = [*(next(iter(one)) for one in tried), *_keys(state, step, group)]
+    for key in dict.fromkeys(keys):
+        kind = _kind(key)
+        one = by_kind.get(kind, Plan(()))
+        by_kind[kind] = replace(one, keys=(*one.keys, key))
+    data = state.document.data
+    shut = [Plan((key,), reason=reason) for one in by_kind.values() for key in one.keys if (reason := locked(data, key))]
+    return [*shut, *islice(filter(None, (_filled(state, kind, one, tried) for kind, one in by_kind.items())), PLANS)]
+
+
+def _kind(key: str) -> int | str:
+    row = row_of(key)
+    return key if row is None else row
+
+
+def _filled(state: State, kind: int | str, plan: Plan, tried: list[Changes]) -> Plan | None:
+    """With its levers and its changes of what is free; None where it has none."""
+    data = state.document.data
+    free = [key for key in plan.keys if not locked(data, key)]
+    sets = [one for one in tried if _kind(next(iter(one))) == kind and not any(locked(data, key) for key in one)]
+    sets += [one for key in free for one in _words(state, key)]
+    by_place: dict[str, list[str]] = {}
+    for key in free:
+        by_place.setdefault(key.rpartition(".")[0], []).append(key)
+    moved = [lever for some in by_place.values() for lever in levers(state, some)]
+    return replace(plan, levers=tuple(moved), sets=tuple(sets[:SETS])) if moved or sets else None
+
+
+# --- what moves a finding --------------------------------------------------------------------------------------------------
+def _keys(state: State, step: str, group: tuple[Check, ...]) -> Iterator[str]:
+    """Of a table the numbers in it; then the free numbers of the step in the same bearing, mesh or wheel."""
+    every = [key for key, about in quantities(state.document.data) if about.kind in ("number", "integer", "series")]
+    for key in dict.fromkeys(key for check in group for key in check.moved_by):
+        yield from [one for one in every if one.startswith(f"{key}.")] or [key]
+    free, near = re.compile(FREE[step]), {part for c in group for part in c.id.split(".")[1].split("_")}
+    for key in every:
+        if key.startswith(f"{step}.") and free.fullmatch(key.partition(".")[2]) and near & set(key.split(".")):
+            yield key
+
+
+def _named(group: tuple[Check, ...]) -> list[Changes]:
+    return [dict(one.changes) for check in group for one in check.remedies if one.changes]
+
+
+def _made_for(state: State, group: tuple[Check, ...]) -> list[Changes]:
+    """What is made for some checks: masses that are set to what the engine asks for, stronger teeth."""
+    made: list[Changes] = []
+    for patterns, changes in MADE_FOR:
+        some = tuple(c for c in group if any(fnmatchcase(c.id, pattern) for pattern in patterns))
+        try:
+            made += [one for one in changes(state, some) if one] if some else []
+        except NoSolution:
+            pass
+    return made
+
+
+def _balanced(state: State, group: tuple[Check, ...]) -> list[Changes]:
+    own = state.design.countershaft
+    return list(shaft.balanced(state, own)) if own is not None and own.mode == "given" else []
+
+
+def _stronger(state: State, group: tuple[Check, ...]) -> list[Changes]:
+    return list(strength.stronger(state, strength.wheels(state, group)))
+
+
+MADE_FOR: tuple[tuple[tuple[str, ...], Callable[[State, tuple[Check, ...]], list[Changes]]], ...] = (
+    (("countershaft.residual", "countershaft.residual_force", "countershaft.holes.range"), _balanced),
+    (("*.safety_contact*", "*.safety_bending*"), _stronger),
+)
+
+
+# --- words -----------------------------------------------------------------------------------------------------------------
+def _words(state: State, key: str) -> Iterator[Changes]:
+    """Other words that may stand at a key, the nearest first."""
+    about, now, last = quantity_of(state.document.data, key), value_at(state.document.data, key), key.rpartition(".")[2]
+    if about.kind == "choice":
+        yield from ({key: word} for word in about.choices if word != now)
+    elif last.endswith("material") and isinstance(now, str) and (there := state.design.materials.get(now)) is not None:
+        others = sorted((_unlike(there, one), name) for name, one in state.design.materials.items() if name != now)
+        yield from ({key: name} for _, name in others)
+    elif last == "oil" and state.design.bearings is not None:
+        yield from ({key: name} for name in _oils(state))
+    elif last.endswith("_fit") and state.design.bearings is not None:
+        from ...bearings.selection.variants import closer_fits
+
+        for journal, seat in closer_fits(state.design.bearings):
+            yield {"bearings.journal_fit": journal, "bearings.seat_fit": seat}
+
+
+def _oils(state: State) -> list[str]:
+    """Engine oils other than that of the bearings, the nearest in viscosity first."""
+    from ...bearings.selection.variants import variants
+    from ..bearings_case import bearings_case
+
+    own, *others = variants(bearings_case(state.design, state.results))
+    T = state.design.bearings.supply_temperature if state.design.bearings is not None else 0.0
+    mu = own.lubricant.at(T).mu
+    return [v.oil for v in sorted(others, key=lambda v: abs(math.log(v.lubricant.at(T).mu / mu))) if v.supply == own.supply]
+
+
+def _unlike(one: Material, other: Material) -> float:
+    """How far two materials are from each other in stiffness, weight and expansion."""
+    pairs = ((one.E, other.E), (one.density, other.density), (one.expansion, other.expansion))
+    return sum(abs(math.log(a / b)) for a, b in pairs if a > 0 and b > 0) + (one.kind != other.kind)
+
+
+# --- numbers ---------------------------------------------------------------------------------------------------------------
+def levers(state: State, keys: list[str]) -> Iterator[Lever]:
+    """Of the keys of one kind in one place: what moves all of them, and other ways to do so."""
+    key, data = keys[0], state.document.data
+    about, given, place = quantity_of(data, key), value_at(data, key), key.rpartition(".")[0]
+    if about.kind not in ("number", "integer", "series") or FIXED.fullmatch(key):
+        return
+    if key.endswith(("clearance_um", "clearance_factor")):
+        yield from _clearance(state, place)
+        return
+    numbers = {one: [float(x) for x in as_list(value_at(data, one)) if isinstance(x, (int, float))] for one in keys}
+    if given is None and (chosen := published(state.results, key)) is not None and chosen.unit == about.unit:
+        numbers[key] = [digits(chosen.shown, 6)]
+    numbers = {one: some for one, some in numbers.items() if some}
+    if key not in numbers:
+        return
+    now, alone = numbers[key][0], not isinstance(given, list)
+    if key.endswith("_allowance_um"):
+        yield Lever(now, about, lambda x: {key: [whole(round(n + x - now)) for n in numbers[key]]}, ALLOWANCE)
+    elif about.kind == "integer" and alone:
+        yield Lever(now, about, lambda x: {key: round(x)}, max(abs(now), 1.0))
+    elif now:
+        yield from _scaled(state, numbers, key, about)
+    elif alone:
+        yield Lever(now, about, lambda x: {key: digits(x)}, 10 * (about.step or 0.1))
+
+
+def _scaled(state: State, numbers: Mapping[str, list[float]], key: str, about: Quantity) -> Iterator[Lever]:
+    """All in one proportion; a journal that grows outwards, away from the masses; a core for which the slope is that of the bending."""
+    data, now = state.document.data, numbers[key][0]
+    lists = {one for one in numbers if isinstance(value_at(data, one), list)}
+
+    def write(x: float) -> Changes:
+        scaled = {one: [digits(n * x / now, 6) for n in some] for one, some in numbers.items()}
+        return {one: some if one in lists else some[0] for one, some in scaled.items()}
+
+    if key == "countershaft.core_radius_mm" and value_at(data, "bearings.slope_mrad") is not None:
+        yield Lever(now, about, lambda x: write(x) | {"bearings.slope_mrad": None}, abs(now))
+        return
+    yield Lever(now, about, write, abs(now))
+    if re.fullmatch(r"bearings\.(front|rear)\.length_mm", key) and (places := outwards(state, key, now)) is not None:
+        yield Lever(now, about, lambda x: write(x) | {POSITIONS: places(x)}, abs(now))
+
+
+POSITIONS = "countershaft.bearing_positions_mm"
+
+
+def outwards(state: State, key: str, now: float) -> Callable[[float], list[float]] | None:
+    """Where the bearings stand when the inner end of one stays and its length becomes another."""
+    places = value_at(state.document.data, POSITIONS) if state.design.countershaft is not None else None
+    if not isinstance(places, list) or len(places) != 2 or not all(isinstance(z, (int, float)) for z in places):
+        return None
+    n, side = (0, -1.0) if key.split(".")[1] == "front" else (1, 1.0)
+    return lambda x: [digits(z + side * (x - now) / 2, 6) if i == n else z for i, z in enumerate(places)]
+
+
+def _clearance(state: State, place: str) -> Iterator[Lever]:
+    """In micrometres, in place of the factor where that is given."""
+    key, data = f"{place}.clearance_um", state.document.data
+    if (there := published(state.results, key)) is None:
+        return
+    factor = f"{place}.clearance_factor"
+    gone: Changes = {} if value_at(data, factor) is None else {factor: None}
+    now = float(f"{there.shown:.4g}")
+    yield Lever(now, quantity_of(data, key), lambda x: gone | {key: digits(x)}, now)
+
+
+def disturbance(state: State, changes: Iterable[tuple[str, object]]) -> float:
+    """How much changes change: the sum of the relative changes of their numbers, and a half for a word."""
+    total = 0.0
+    for key, new in changes:
+        try:
+            olds, news = as_list(value_at(state.document.data, key)), as_list(new)
+        except BadInput:
+            olds, news = [], as_list(new)
+        pairs = [(a, b) for a, b in zip(olds, news) if isinstance(a, (int, float)) and isinstance(b, (int, float))]
+        off = [abs(b - a) / (ALLOWANCE if key.endswith("_allowance_um") else abs(a) or 1.0) for a, b in pairs]
+        total += max(off) if off else 0.5 if isinstance(new, str) else 0.05
+    return total

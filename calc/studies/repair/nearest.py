@@ -1,0 +1,288 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The nearest passing design: of one step that fails, or of the whole design, step by step in the order of solving."""
+
+import re
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from fnmatch import fnmatchcase
+from importlib import import_module
+
+from ...design.toml_file import Document
+from ...sheet.changes import assignments
+from ...sheet.check import Check
+from ...sheet.errors import BadInput, NoSolution
+from ...sheet.progress import Progress, part
+from ...sheet.search import Budget
+from ...sheet.step import Outcome
+from ...sheet.text import COMMA, Text
+from ...solve import Results
+from . import vary
+from .state import ORDER, TITLES, State, broken, first_repaired, repaired, state_of
+from ...design.names import words
+
+ROUNDS = 3  # through the steps: one may undo a little of an earlier one
+TIMES = 4  # through the checks of a step
+NAMED = 6  # remedies that checks name, tried as whole designs
+TRIES = 100  # whole designs that the search over single numbers may solve, for all checks together
+
+Way = Callable[[State, tuple[Check, ...], Progress | None], State]
+
+
+@dataclass(frozen=True)
+class Remedy:
+    """What repairs a step.  `changes`: KEY=VALUE, as `--set` takes them; `mends`: ids of checks that failed and hold with it (a step that
+    had no solution: its key).  `left`: what still fails in the step, and why; then it is a part of a remedy only.  `breaks`: ids of
+    checks of other steps that fail with it and did not before.  `document` and `results`: the design with it."""
+
+    step: str
+    changes: tuple[str, ...]
+    words: Text
+    said: Text
+    mends: tuple[str, ...]
+    left: "tuple[Unmended, ...]"
+    breaks: tuple[str, ...]
+    document: Document
+    results: Results
+
+
+@dataclass(frozen=True)
+class Unmended:
+    """A check, or a step without solution (its key), for which nothing was found, and why."""
+
+    step: str
+    id: str
+    name: Text
+    why: Text
+
+
+@dataclass(frozen=True)
+class Nearest:
+    """Remedies in the order in which they are to be made, each on the design with those before; what then still fails; the design with
+    all of them.  `changes` and `words`: all of them together."""
+
+    remedies: tuple[Remedy, ...]
+    left: tuple[Unmended, ...]
+    changes: tuple[str, ...]
+    words: Text
+    document: Document
+    results: Results
+
+    @property
+    def passes(self) -> bool:
+        """Whether no limit of the whole design fails any more."""
+        return not any(o.verdict in ("fail", "no_solution", "blocked") for o in self.results.outcomes.values())
+
+
+Ways = dict[str, tuple[tuple[tuple[str, ...], str], ...]]
+
+# For each step: patterns of its checks, and what repairs them (module.function, imported when a check fails).  What is left goes to the
+# search over single numbers, then to the last ones.
+WAYS: Ways = {
+    "countershaft": ((("countershaft.residual", "countershaft.residual_force"), "calc.studies.repair.sizing.balance"),
+                     (("countershaft.crossing",), "calc.studies.repair.sizing.shorter_journals")),
+    "bearings": ((("*",), "calc.repair.journals.repair"),),
+    "gears": (
+        (("*.contact_ratio", "*.contact_ratio_least", "*.interference", "*.interference_least", "*.tip_clearance_least", "*.undercut",
+          "*.tip_thickness"), "calc.studies.repair.teeth.repair"),
+        (("*.clearance", "*.position"), "calc.studies.repair.teeth.idler"),
+        (("*.backlash", "*.backlash_cold", "*.backlash_warm", "*.backlash_runout"), "calc.repair.backlash.repair"),
+        (("*.safety_contact", "*.safety_bending"), "calc.repair.strength.repair"),
+    ),
+}  # fmt: skip
+UNSOLVED = {"bearings": "calc.repair.bearings.repair", "countershaft": "calc.studies.repair.sizing.resize", "gears": "calc.studies.repair.teeth.repair"}
+LAST: Ways = {
+    "countershaft": ((("countershaft.envelope", "countershaft.envelope_length", "countershaft.crossing", "countershaft.mass_shape"),
+                      "calc.studies.repair.sizing.resize"),),
+    "gears": ((("*.clearance",), "calc.studies.repair.teeth.idler"),),  # once what else kept its teeth from passing is repaired
+}  # fmt: skip
+
+
+def _way(name: str) -> Way:
+    module, _, function = name.rpartition(".")
+    way: Way = getattr(import_module(module), function)
+    return way
+
+
+def remedy(
+    document: Document, step: str, results: Results | None = None, progress: Progress | None = None, tries: int = TRIES
+) -> Remedy:  # fmt: skip
+    """The nearest remedy of one step.  One without changes: nothing of it can be repaired, or nothing fails.
+
+    `results`: where the design is solved already.  `progress` may raise `Cancelled`.
+    """
+    return _Step(step, Budget(tries)).remedy(state_of(document, results), progress)
+
+
+def nearest(
+    document: Document, results: Results | None = None, progress: Progress | None = None, only: str | None = None, tries: int = TRIES
+) -> Nearest:  # fmt: skip
+    """The nearest design in which no limit fails, with what can not be repaired.  `only`: the limits of this step alone.
+
+    `tries`: how many designs may be solved in the search over single numbers, where nothing better is known for a check.
+    """
+    budget, start = Budget(tries), state_of(document, results)
+    state, remedies, left = start, list[Remedy](), dict[str, tuple[Unmended, ...]]()
+    steps = [step for step in ORDER if only in (None, step)]
+    for n in range(ROUNDS):
+        before, moved = state, set[str]()
+        for i, step in enumerate(steps):
+            if not state.sick(step) or (left.get(step) and not any(one in moved for one in ORDER[: ORDER.index(step)])):
+                continue  # it holds; or what it was tried on has not changed since
+            share = (n + i / len(steps)) / ROUNDS
+            one, after = _Step(step, budget).repair(state, part(progress, share, share + 1 / len(steps) / ROUNDS))
+            left[step] = one.left
+            if one.changes:
+                remedies.append(one)
+                moved.add(step)
+                kept = {key: value for key, value in state.changes.items() if key not in after.changes}
+                state = replace(after, changes=kept | after.changes)
+        if state is before or not any(state.sick(step) for step in steps):
+            break
+    still = [one for step in steps if state.sick(step) for one in left.get(step) or _undone(state, step)]
+    changes = words(start.document, start.results, state.changes)
+    return Nearest(tuple(remedies), tuple(still), tuple(assignments(state.changes)), changes, state.document, state.results)
+
+
+def _undone(state: State, step: str) -> tuple[Unmended, ...]:
+    """Checks that a remedy of another step made fail in the last round."""
+    return tuple(Unmended(step, c.id, c.name, Text("what repairs other steps makes it fail")) for c in state.failing(step))
+
+
+def _without_needless(start: State, state: State) -> State:
+    """The same without the changes without which nothing more fails, the last ones first: a search moves several numbers at once, and
+    what a later change repairs may need no earlier one.  A design is solved no further than to the first check that says so."""
+    failing = {c.id for c in state.results.checks() if c.verdict == "fail"}
+    worse: list[str] = []
+
+    def fails(outcome: Outcome[object]) -> bool:
+        known = outcome.key != "imbalance"  # whose checks change once the shaft is known
+        worse.extend(c.id for c in outcome.checks if known and c.verdict == "fail" and c.id not in failing)
+        return bool(worse)
+
+    mended = {part for c in start.results.checks() if c.verdict == "fail" and c.id not in failing for part in re.split("[._]", c.id)[1:]}
+    of = {key: key.split(".")[-2] for key in state.changes if key.count(".") > 1}  # the element of each
+    for key in reversed(state.changes) if len(state.changes) > 1 else ():
+        if of.get(key) in mended and [*of.values()].count(of[key]) == 1:
+            continue  # the one change of an element whose check it mends
+        worse.clear()
+        rest = {k: value for k, value in state.changes.items() if k != key}
+        try:
+            other = start.with_changes(rest, state.results, fails)
+        except BadInput:
+            continue
+        if not worse and not broken(state, other):
+            state = other
+    return state
+
+
+class _Step:
+    """The repair of one step.  `why`: for each check what was tried in vain."""
+
+    def __init__(self, step: str, budget: Budget) -> None:
+        self.step, self.budget = step, budget
+        self.why: dict[str, Text] = {}
+
+    def remedy(self, state: State, progress: Progress | None) -> Remedy:
+        return self.repair(state, progress)[0]
+
+    def repair(self, state: State, progress: Progress | None) -> tuple[Remedy, State]:
+        """The remedy, and the design with it, whose changes are those of the remedy alone."""
+        state = start = replace(state, changes={})
+        for n in range(TIMES):
+            if not state.sick(self.step):
+                break
+            before, here = state, part(progress, n / TIMES, (n + 1) / TIMES)
+            state = self._solution(state, here) if state.unsolved(self.step) else self._round(state, here)
+            if state is before:
+                break
+        state = _without_needless(start, state)
+        left = self._left(state)
+        failing = {c.id for c in state.failing(self.step)}
+        mends = [c.id for c in start.failing(self.step) if c.id not in failing]
+        if start.unsolved(self.step) and not state.unsolved(self.step):
+            mends = [self.step]
+        breaks = tuple(id for id in broken(start, state) if not id.startswith(f"{self.step}."))
+        title = TITLES[self.step]
+        if left:
+            effect = Text("still fails: {checks}", checks=COMMA.join(one.name for one in left))
+        elif breaks:
+            effect = Text("passes all checks of the {step}; then fails: {checks}", step=title, checks=", ".join(breaks))
+        else:
+            effect = Text("passes all checks of the {step}", step=title)
+        changes = words(start.document, start.results, state.changes)
+        remedy = Remedy(
+            self.step, tuple(assignments(state.changes)), changes, effect, tuple(mends), left, breaks, state.document, state.results
+        )
+        return remedy, state
+
+    def _left(self, state: State) -> tuple[Unmended, ...]:
+        step = self.step
+        if state.unsolved(step):
+            return (Unmended(step, step, TITLES[step], self.why.get(step, state.outcome(step).reason)),)
+        nothing = Text("nothing was found that repairs it")
+        return tuple(Unmended(step, c.id, c.name, self.why.get(c.id, nothing)) for c in state.failing(step))
+
+    def _solution(self, state: State, progress: Progress | None) -> State:
+        """A step that finds no solution: its own search, else one number at a time."""
+        ways: list[Way] = [_way(UNSOLVED[self.step])] if self.step in UNSOLVED else []
+        ways.append(self._one_number)
+        for n, way in enumerate(ways):
+            made = self._tried(state, (), way, part(progress, n / len(ways), (n + 1) / len(ways)))
+            if made is not None:
+                return made
+        return state
+
+    def _round(self, state: State, progress: Progress | None) -> State:
+        """Every failing check once: by what is made for it, then by its own remedies and the search over single numbers, then by a
+        new start."""
+        first, last = WAYS.get(self.step, ()), LAST.get(self.step, ())
+        for n, (patterns, way) in enumerate(first):
+            failing = tuple(c for c in self._failing(state, patterns) if c.id not in self.why)  # not those that were tried in vain
+            state = self._by(state, failing, _way(way), part(progress, 0.5 * n / len(first), 0.5 * (n + 1) / len(first)))
+        every = state.failing(self.step)
+        sets = [every] * (len(every) > 1) + [(one,) for one in every]
+        for n, checks in enumerate(sets):
+            failing = tuple(c for c in state.failing(self.step) if c.id in {one.id for one in checks})
+            state = self._by(state, failing, self._one_number, part(progress, 0.5 + 0.4 * n / len(sets), 0.5 + 0.4 * (n + 1) / len(sets)))
+        for patterns, way in last:
+            state = self._by(state, self._failing(state, patterns), _way(way), part(progress, 0.9, 1.0))
+        return state
+
+    def _failing(self, state: State, patterns: tuple[str, ...]) -> tuple[Check, ...]:
+        return tuple(c for c in state.failing(self.step) if any(fnmatchcase(c.id, pattern) for pattern in patterns))
+
+    def _one_number(self, state: State, failing: tuple[Check, ...], progress: Progress | None) -> State:
+        """By what a check itself names as a remedy, where that breaks nothing; else by the search over single numbers."""
+        named = [dict(one.changes) for c in failing for one in c.remedies]
+        try:
+            made = first_repaired(state, self.step, [c.id for c in failing], named, progress, most=NAMED)
+        except NoSolution:
+            made = state
+        if made is not state and not broken(state, made):
+            return made
+        return vary.repair(state, self.step, failing, self.budget, progress)
+
+    def _by(self, state: State, failing: tuple[Check, ...], way: Way, progress: Progress | None) -> State:
+        return (self._tried(state, failing, way, progress) if failing else None) or state
+
+    def _tried(self, state: State, failing: tuple[Check, ...], way: Way, progress: Progress | None) -> State | None:
+        """The design as a way repairs it; None where it does not, with the reason noted."""
+        ids = [c.id for c in failing]
+        try:
+            made = way(state, failing, progress)
+        except NoSolution as none:
+            reason = none.text
+        except BadInput as bad:
+            reason = Text("{key} {reason}", key=bad.errors[0].key, reason=bad.errors[0].reason)
+        else:
+            worse = [id for id in broken(state, made, ORDER[: ORDER.index(self.step) + 1]) if id not in ids]
+            if repaired(state, made, self.step, ids) and not worse:
+                return made
+            still = [c.name for c in made.failing(self.step) if not ids or c.id in ids]
+            if worse:
+                reason = Text("what repairs it makes {check} fail", check=worse[0])
+            else:
+                reason = Text("the nearest still fails: {checks}", checks=COMMA.join(still))
+        for id in ids or [self.step]:
+            self.why.setdefault(id, reason)
+        return None

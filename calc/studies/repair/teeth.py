@@ -1,0 +1,100 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Teeth that are undercut, pointed, that touch the fillet of their mate or hand over too late: another shift, or another tip cut.
+
+The rules are those of the search for shifts (`choose`).  That search looks for the least sliding; here every shift and every cut is looked
+at alone, and the nearest to the design that keeps the rules is taken.  Where there is none, the rows of that search.
+"""
+
+from collections.abc import Iterator
+from dataclasses import replace
+
+import numpy as np
+
+from ...gears.inputs import GearsInputs
+from ...gears.selection.free_shifts import freedoms, settled
+from ...gears.selection.idler import idlers, passed
+from ...gears.selection.optimum import Case, along
+from ...gears.selection.rules import USUAL, Bar, eased, judge
+from ...gears.selection.search import Row, search
+from ...gears.selection.states import States, states
+from ...gears.selection.tables import changes, freed
+from ...gears.train import tooth_system
+from ...sheet.arrays import Array
+from ...sheet.changes import Changes
+from ...sheet.check import Check
+from ...sheet.errors import NoSolution
+from ...sheet.progress import Progress, part, tell
+from ...sheet.search import first, least
+from ...sheet.text import Text
+from ...design.step_inputs import shaft_axis
+from .state import State, first_repaired
+
+TRIED = 6  # designs, solved whole
+CUT = 1e-5  # m: step of the tip cuts
+DEEPEST = 1.0  # modules off a tip
+MARGIN = 1e-6  # by which a rule is kept, so that the same number judged elsewhere keeps it too
+
+
+def repair(state: State, failing: tuple[Check, ...], progress: Progress | None = None) -> State:
+    """Raises NoSolution where neither passes."""
+    gears = state.design.gears
+    assert gears is not None
+    ids = [c.id for c in failing]
+    tell(progress, 0.0, Text("profile shifts and tip cuts"))
+    try:
+        nearest = [change for *_, change in sorted(_nearest(gears), key=lambda one: one[:2])]
+        return first_repaired(state, "gears", ids, nearest, part(progress, 0.1, 0.4), most=TRIED)
+    except NoSolution:
+        rows = search(gears, part(progress, 0.4, 0.8)).all
+    rows = tuple(sorted((row for row in rows if row.passes), key=lambda row: _change(row, gears)))
+    return first_repaired(state, "gears", ids, map(changes, rows), part(progress, 0.8, 1.0), most=TRIED)
+
+
+def idler(state: State, failing: tuple[Check, ...], progress: Progress | None = None) -> State:
+    """Other teeth of an idler that touches what stands beside it, or does not reach: the nearest number that passes."""
+    gears = state.design.gears
+    assert gears is not None
+    rows = [row for found in idlers(gears, shaft_axis(state.design), part(progress, 0.0, 0.6)) for row in passed(found)]
+    if not rows:
+        raise NoSolution(Text("no other number of teeth of an idler is clear of what stands around the train"))
+    now = {wheel.name: wheel.teeth for wheel in gears.wheels}
+    rows.sort(key=lambda row: (abs(row.teeth - now[row.wheel]), row.largest))
+    return first_repaired(state, "gears", [c.id for c in failing], [row.changes for row in rows], part(progress, 0.6, 1.0), most=TRIED)
+
+
+def _nearest(gears: GearsInputs) -> Iterator[tuple[int, float, Changes]]:
+    """Of every way to leave shifts free the nearest along each, and the nearest cut of each tip: which limits it keeps (the fewer the
+    later), how far it goes, and its keys."""
+    case = Case(tooth_system(gears), gears)
+    now = settled(gears, case.system)
+    there = None if now is None else states(case.system, gears, now.shifts)
+    hard: Bar = tuple(replace(rule, limit=rule.hard) for rule in USUAL)  # type: ignore[assignment]
+    easier = eased(there, case.system) if there is not None else None
+    bars = [USUAL, *([easier] if easier is not None else []), hard]
+    for way in freedoms(gears, case.system):
+        for leader in way.free:
+            start = way.start[leader]
+            made = along(case, way, leader)
+            for n, bar in enumerate(bars if made is not None else ()):
+                if made is not None and (x := _first(case, made[1], bar, made[0], start)) is not None:
+                    yield n, abs(x - start), freed(way, {leader: x})
+    for wheel in gears.wheels if now is not None else ():
+        cuts = np.asarray(np.arange(round(DEEPEST * case.system.m_n / CUT) + 1) * CUT, dtype=float)
+        made_cuts = states(case.system, gears, now.shifts, {wheel.name: cuts}) if now is not None else None
+        for n, bar in enumerate(bars if made_cuts is not None else ()):
+            if made_cuts is not None and (k := _first(case, made_cuts, bar, cuts, wheel.tip_shortening)) is not None:
+                change = abs(k - wheel.tip_shortening) / case.system.m_n
+                yield n, change, {f"gears.wheels.{wheel.name}.tip_shortening_mm": round(k * 1e3, 6)}
+
+
+def _first(case: Case, made: States, bar: Bar, numbers: Array, start: float) -> float | None:
+    kept = np.broadcast_to(least(judge(made, case.system, bar)) >= MARGIN, numbers.shape)
+    index = first(kept, np.abs(numbers - start))
+    return None if index is None else float(numbers[index])
+
+
+def _change(row: Row, gears: GearsInputs) -> float:
+    """From the design: the sum of the changes of all given shifts and, in modules, of all tip cuts; rule of this program."""
+    shifts = sum(abs(float(row.states.shifts[w.name][0]) - w.profile_shift) for w in gears.wheels if w.profile_shift is not None)
+    cuts = {wheel.name: wheel.tip_shortening for wheel in gears.wheels}
+    return shifts + sum(abs(k - cuts[name]) for name, k in row.cuts.items()) / gears.module

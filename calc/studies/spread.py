@@ -1,0 +1,119 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Numbered pieces of work over processes, or over the workers of a dask scheduler; what a lost worker had is done again by another.
+
+A piece keeps no state and gives the same wherever it runs; the pieces come back in any order.
+"""
+
+import os
+import signal
+import sys
+import threading
+from collections.abc import Callable, Iterator, Sequence
+from concurrent.futures import FIRST_COMPLETED, CancelledError, Future, ProcessPoolExecutor, wait
+from concurrent.futures.process import BrokenProcessPool
+from contextlib import contextmanager, redirect_stderr
+from importlib import import_module
+from multiprocessing import connection, get_context, parent_process, resource_tracker
+from typing import Any, TypeVar
+
+from ..sheet.errors import NoSolution
+from ..sheet.text import Text
+
+A = TypeVar("A")
+R = TypeVar("R")
+LOSSES = 2  # of the workers that a piece may cost
+ANSWER = 10  # s, until which a scheduler must be there
+
+
+def spread(
+    work: Callable[[A, int], R], what: A, waiting: Sequence[int], processes: int = 1, scheduler: str = ""
+) -> Iterator[tuple[int, R]]:  # fmt: skip
+    """`work(what, n)` for every number that waits, begun in that order, each as it is done.  `scheduler`: the address of a dask one."""
+    if scheduler:
+        return _farmed(work, what, waiting, scheduler)
+    if processes <= 1 or len(waiting) <= 1:
+        return ((n, work(what, n)) for n in waiting)
+    return _parallel(work, what, waiting, processes)
+
+
+def _parallel(work: Callable[[A, int], R], what: A, waiting: Sequence[int], processes: int) -> Iterator[tuple[int, R]]:
+    _track()
+    lost = dict.fromkeys(waiting, 0)
+    left = set(waiting)
+    while left:
+        pool = ProcessPoolExecutor(min(processes, len(left)), get_context("spawn"), _begin)
+        running: dict[Future[R], int] = {}
+        try:
+            with _undisturbed():
+                running = {pool.submit(work, what, n): n for n in waiting if n in left}
+            pending = set(running)
+            while pending:
+                finished, pending = wait(pending, return_when=FIRST_COMPLETED)
+                for future in finished:
+                    result = future.result()
+                    n = running.pop(future)  # its result need not be kept here
+                    left.discard(n)
+                    yield n, result
+        except BrokenProcessPool:
+            for n in left:
+                lost[n] += 1
+            if max(lost[n] for n in left) > LOSSES:
+                raise
+        finally:
+            pool.shutdown(wait=False, cancel_futures=True)
+
+
+@contextmanager
+def _undisturbed() -> Iterator[None]:
+    """Workers that are started in here are not told of Ctrl-C, from their first moment on."""
+    if not hasattr(signal, "pthread_sigmask"):
+        yield
+        return
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
+    try:
+        yield
+    finally:
+        signal.pthread_sigmask(signal.SIG_SETMASK, before)
+
+
+def _begin() -> None:
+    """In a new worker: Ctrl-C is for the program that started it, and with that, however it ends, the worker ends too."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    if (parent := parent_process()) is not None:
+        threading.Thread(target=_end_with, args=(parent.sentinel,), daemon=True).start()
+
+
+def _end_with(sentinel: int) -> None:
+    connection.wait([sentinel])
+    os._exit(1)
+
+
+def _track() -> None:
+    """Start the tracker of multiprocessing with a true stderr: a screen's own has no file behind it, and none can then be started."""
+    if sys.__stderr__ is None:
+        return
+    with redirect_stderr(sys.__stderr__):
+        resource_tracker.ensure_running()
+
+
+def _farmed(work: Callable[[A, int], R], what: A, waiting: Sequence[int], address: str) -> Iterator[tuple[int, R]]:
+    """Results come back; no file need be shared."""
+    try:
+        dask: Any = import_module("distributed")
+    except ImportError:
+        raise NoSolution(Text("a scheduler needs dask.distributed, which the extra `contralbero[farm]` installs")) from None
+    try:
+        client = dask.Client(address, timeout=ANSWER)
+    except (OSError, ValueError) as error:
+        raise NoSolution(Text("no scheduler answers at {address}", address=address), Text("{why}", why=str(error))) from None
+    with client:
+        futures = {client.submit(work, what, n, retries=LOSSES, pure=False): n for n in waiting}
+        for future in dask.as_completed(list(futures)):
+            try:
+                result = future.result()
+            except (CancelledError, dask.KilledWorker) as error:
+                lost = Text("the scheduler at {address}, or too many of its workers, went away", address=address)
+                raise NoSolution(
+                    lost, Text("{why}", why=str(error).split("\n")[0]), Text("the same command goes on from what is done")
+                ) from None
+            yield futures.pop(future), result

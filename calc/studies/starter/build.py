@@ -1,0 +1,224 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Missing steps built by rules: a design with one step more, or with all that the balancing asks for which its engine calls."""
+
+from collections.abc import Callable, Mapping
+from dataclasses import replace
+
+from ...design.addresses import as_table
+from ...design.model import Design
+from ...design.toml_file import Document, design
+from ...imbalance.result import ImbalanceResult
+from ...sheet.errors import BadInput, NoSolution
+from ...sheet.quantity import keys
+from ...sheet.text import EMPTY, Amount, Text
+from ...solve import Results, solve
+from . import balancing as which
+from . import journals, shaft, train
+from ...starter import mounts
+from .writing import Section, table, written
+
+SHAFT_STEPS = ("countershaft", "bearings", "gears", "friction")
+KEPT = {"none": 0.0, "half": 0.5, "shaft": 0.5, "pair": 0.0}  # the share of the reciprocating masses on the crank
+ROLLING = "rolling bearings carry the shaft: a plain journal of usual length would run too hot at this load and speed (heat index)"
+NO_PLAIN = "rolling bearings carry the shaft: no plain ones were found that keep every limit at every corner of their tolerances"
+APART = "not designed here for shafts that do not turn at -1 times crank speed"
+NONE = "no shaft: what shakes is left to the mounts"
+NOTHING = "nothing of order 1 turns backward, so no shaft at -1 is needed"
+LEFT = "left to the mounts by the balancing that was chosen"
+TAKEN = "the pair of shafts at crank speed takes it"
+CRANK_ALONE = "no shaft: the counterweights of the crank are all the balancing"
+
+
+def built(document: Document, step: str, balancing: str = "") -> Document:
+    """The document with the tables of a step, by the rules behind `new`.
+
+    For "imbalance" and "countershaft" `balancing` is the id of one of `options`; left out, the one that the engine calls for.  It takes
+    the place of the one before: what no longer fits the shaft goes.  Raises NoSolution with what was tried, BadInput where the design
+    that there is can not be understood.
+    """
+    builders: dict[str, Callable[[], Document]] = {
+        "imbalance": lambda: _imbalance(document, balancing),
+        "countershaft": lambda: _balanced(document, balancing),
+        "bearings": lambda: _bearings(document),
+        "gears": lambda: _with(document, train.gears(_put(document, {}, ("friction",)), _results(document))),
+        "friction": lambda: _with(document, train.friction(document, _results(document))),
+        "mounting": lambda: _with(document, mounts.mounting(document, _results(document))),
+    }
+    if step not in builders:
+        raise NoSolution(Text("the step {step} is not built by rules", step=step))
+    if why := hindrance(document, step):
+        raise NoSolution(why)
+    if step in SHAFT_STEPS[1:]:
+        document = _put(document, {}, (step,))  # one that was left out comes back
+    return builders[step]()
+
+
+def hindrance(document: Document, step: str) -> Text:
+    """Why the rules can not build a step for the shaft that the design has, or has not; empty where nothing stands against it."""
+    if step not in SHAFT_STEPS[1:]:
+        return EMPTY
+    if given := as_table(document.data.get("countershaft")):
+        ratio = given.get("speed_ratio", -1)
+        if isinstance(ratio, (int, float)) and ratio != -1:
+            return Text("for a shaft that turns at {ratio} times crank speed no rules are known here", ratio=Amount(ratio, form="g"))
+    elif step == "bearings" or "countershaft" in as_table(document.data.get("without")):
+        return Text("there is no shaft yet: the step Counter-shaft comes first")
+    if step == "friction" and "gears" not in document.data:
+        return Text("there are no wheels yet: the step Gears comes first")
+    return EMPTY
+
+
+def begun(document: Document) -> str:
+    """The text of all tables after engine and imbalance that a design to begin with has, what it does without among them."""
+    results = _results(document)
+    best = which.called_for(results)
+    if best != "shaft":
+        return written([("[without]", {step: (_none_reason(results, best), "") for step in SHAFT_STEPS})])
+    text: list[list[Section]] = [shaft.countershaft(document, results, -1)]
+    without: list[Section] = []
+    document = _with(document, text[0])
+    results = _results(document, results)
+    try:
+        text.append(journals.bearings(document, results))
+    except NoSolution as none:
+        why = ROLLING if isinstance(none, journals.TooFast) else NO_PLAIN
+        without = [("[without]", {"bearings": (why, "")})]
+        document = _without(document, {"bearings": why})
+    else:
+        document = _with(document, text[-1])
+    text.append(train.gears_and_friction(document, _results(document, results)))
+    return "".join(written(sections) for sections in (without, *text))
+
+
+def choice_made(document: Document) -> str:
+    """The id of the balancing that the design has now; "" where nothing is chosen yet."""
+    if given := as_table(document.data.get("countershaft")):
+        ratio = given.get("speed_ratio", -1)
+        return "shaft" if ratio == -1 else "pair" if ratio == 1 else "second"
+    if "countershaft" not in as_table(document.data.get("without")):
+        return ""
+    return "half" if as_table(document.data.get("imbalance")).get("crank_balance_fraction", 0.5) else "none"
+
+
+# --- one step -------------------------------------------------------------------------------------------------------------
+def _imbalance(document: Document, balancing: str) -> Document:
+    """With the share of the reciprocating masses that the balancing has on the crank."""
+    known = which.with_imbalance(document)
+    share = _share(balancing or which.called_for(known), known)
+    own = as_table(document.data.get("imbalance")) or which.IMBALANCE
+    return _put(document, {"imbalance": {**own, "crank_balance_fraction": share}})
+
+
+def _share(balancing: str, known: Results) -> float:
+    """Against order 2 the crank keeps what takes order 1: half, unless its throws cancel and it has nothing to take."""
+    if balancing in KEPT:
+        return KEPT[balancing]
+    return 0.5 if any(one.key.startswith("order_1") for one in _option(known, balancing).left) else 0.0
+
+
+def _option(known: Results, balancing: str) -> which.Balancing:
+    """Raises NoSolution where the engine has nothing that it takes."""
+    found = next((one for one in which.options(Document({}), known) if one.id == balancing), None)
+    if found is None:
+        raise NoSolution(Text('the balancing "{id}" has nothing to take in this engine', id=balancing))
+    return found
+
+
+def _balanced(document: Document, balancing: str) -> Document:
+    """Crank and shaft of one balancing, and what is then done without."""
+    known = which.with_imbalance(document)
+    balancing = _option(known, balancing or which.called_for(known)).id
+    document = _imbalance(_unaccepted(document), balancing)
+    if balancing in ("none", "half"):
+        why = NONE if balancing == "none" else _none_reason(known, balancing)
+        return _accepted(_without(document, dict.fromkeys(SHAFT_STEPS, why)), LEFT)
+    ratio, pair = _speed(balancing, known)
+    bare = _put(document, dict.fromkeys(SHAFT_STEPS), SHAFT_STEPS)
+    bare = _with(bare, shaft.countershaft(bare, which.with_imbalance(bare), ratio, pair))
+    if ratio == -1:
+        kept = _put(bare, {step: document.data[step] for step in SHAFT_STEPS[1:] if step in document.data})
+        return kept if _holds(kept) else bare
+    return _accepted(_without(bare, dict.fromkeys(SHAFT_STEPS[1:], APART)), TAKEN if balancing == "pair" else LEFT)
+
+
+def _speed(balancing: str, known: Results) -> tuple[int, bool]:
+    """Of the shaft that the design has, and whether a mirrored one turns against it."""
+    imbalance = known.result(ImbalanceResult)
+    assert imbalance is not None
+    if balancing == "shaft":
+        return -1, False
+    if balancing == "pair" and which.first_pair(imbalance):
+        return 1, True
+    speed = which.second_shafts(imbalance) if balancing == "second" else None
+    if speed is None:
+        raise NoSolution(Text("a design has one shaft, or one and its mirror image; this balancing asks for others"))
+    return speed
+
+
+def _holds(document: Document) -> bool:
+    """Whether no limit of a design fails: what was made for another shaft may not fit this one."""
+    try:
+        return all(outcome.verdict not in ("fail", "no_solution", "blocked") for outcome in _results(document).outcomes.values())
+    except BadInput:
+        return False
+
+
+def _bearings(document: Document) -> Document:
+    """Plain bearings, or the word that rolling ones carry the shaft."""
+    alone = document.with_value("friction", None)  # which asks for the oil of the bearings, as the wheels ask for their loss
+    if "gears" in document.data:
+        alone = alone.with_value("gears.power_kW", 1.0)
+    try:
+        sections = journals.bearings(alone, _results(alone))
+    except journals.TooFast:
+        return _without(document, {"bearings": ROLLING})
+    return _with(document.with_value("countershaft.journals", None), sections)
+
+
+def _none_reason(known: Results, balancing: str) -> str:
+    return NOTHING if which.called_for(known) != "shaft" else CRANK_ALONE if balancing == "half" else NONE
+
+
+def _accepted(document: Document, why: str) -> Document:
+    """With what the balancing leaves, or takes otherwise, accepted for its reason: it was chosen."""
+    left = {c.id: why for c in _results(_upstream(document)).checks() if c.open and c.id.startswith("imbalance.order_1")}
+    return _put(document, {"accepted": {**as_table(document.data.get("accepted")), **left} or None})
+
+
+def _unaccepted(document: Document) -> Document:
+    """Without what another balancing accepted."""
+    kept = {id: why for id, why in as_table(document.data.get("accepted")).items() if why not in (LEFT, TAKEN)}
+    return _put(document, {"accepted": kept or None})
+
+
+def _upstream(document: Document) -> Document:
+    return Document(shaft.before_shaft(document))
+
+
+# --- documents ------------------------------------------------------------------------------------------------------------
+def _results(document: Document, before: Results | None = None) -> Results:
+    return solve(design(document), before)
+
+
+def _with(document: Document, sections: list[Section]) -> Document:
+    """With these tables, which are then no longer left out."""
+    made = table(sections)
+    return _put(document, made, tuple(made))
+
+
+def _without(document: Document, reasons: dict[str, str]) -> Document:
+    """Without these steps, each for its reason."""
+    given = {key: value for key, value in as_table(document.data.get("without")).items() if key not in reasons}
+    return _put(document, {**dict.fromkeys(reasons), "without": {**given, **reasons}})
+
+
+def _put(document: Document, tables: Mapping[str, object], asked: tuple[str, ...] = ()) -> Document:
+    """With tables put in or taken out (None), in the order of a design file; steps that are asked for are not left out any more."""
+    data = {**document.data, **tables}
+    without = {key: why for key, why in as_table(data.get("without")).items() if key not in asked}
+    data["without"] = without or None
+    order = [field.key for field in keys(Design).values()]
+    known = {key: value for key, value in data.items() if value is not None}
+    return replace(
+        document, data={key: known[key] for key in sorted(known, key=lambda key: order.index(key) if key in order else len(order))}
+    )

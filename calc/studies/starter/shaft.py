@@ -1,0 +1,186 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The shaft: the smallest envelope that carries what is asked of it with room to spare, and a core that keeps its journals straight."""
+
+import math
+from dataclasses import replace
+
+import numpy as np
+
+from ...design.addresses import Table
+from ...countershaft import formulas as f
+from ...countershaft.inputs import Holes, Journal
+from ...countershaft.making.balance import calibration
+from ...countershaft.result import CountershaftResult
+from ...countershaft.sizing import formulas as sizes
+from ...countershaft.sizing.lengths import utilisation
+from ...countershaft.sizing.sectors import Sized, size
+from ...design.model import Design
+from ...design.toml_file import Document, design
+from ...engine.result import EngineResult
+from ...imbalance.result import ImbalanceResult
+from ...library.journal_rules import N_RPM_MM
+from ...sheet.errors import NoSolution
+from ...sheet.linked_array import gathered
+from ...sheet.record import record
+from ...sheet.text import Amount, Text
+from ...sheet.trace import untraced
+from ...sheet.units import Metre, Newton, NewtonPerMetreSecond, Radian, RadPerSecond, RevPerSecond
+from ...solve import Results, solve
+from .writing import Section, down, mm, table, up
+
+STEEL = "42CrMo4"
+UTILISATION = 0.75
+CORES = (0.65, 0.70, 0.75, 0.80, 0.85, 0.90)  # of the outer radius
+FILLET = 1.5e-3  # m
+SLOPE = 0.2e-3  # rad: of the 0.25 mrad that are accepted
+OVERDESIGN, DRILLED = 0.015, 0.03  # what the shaft is made stronger, and what the holes take: twice as much
+HEAT_INDEX: NewtonPerMetreSecond = 400e3 * N_RPM_MM  # of the 500 000 N·rpm/mm that are accepted
+BEARING = 0.35, 0.75  # length over diameter: of the rear bearing at least, of both at most
+THREADED = 0.2e-3
+AT_ONCE = 32  # radii that are looked at together
+UPSTREAM: tuple[str, ...] = ("schema", "name", "oil", "material", "engine", "imbalance")
+SHAFT, GIVE = Text("a counter-shaft to begin with"), Text("give [countershaft]")
+
+
+@record
+class Task:
+    """What one shaft supplies: force and couple that turn like it, cylinder 1 at TDC; `ratio`: its speed over the crank's."""
+
+    ratio: int
+    F: complex
+    C: complex
+    omega: RadPerSecond  # of the shaft
+    speed: RevPerSecond
+
+
+@record
+class Envelope:
+    """The envelope and the journals that go with it: radii, diameters, and the length of both."""
+
+    span: Metre
+    outer: Metre
+    core: Metre
+    half_length: Metre
+    rear: Metre
+    length: Metre
+    load: Newton
+    sized: Sized
+
+
+def task(results: Results, ratio: int) -> Task:
+    """Of the engine whose crank carries the design's share: a shaft at +1 takes all that turns forward, so its crank carries none."""
+    train, imbalance = results.result(EngineResult), results.result(ImbalanceResult)
+    if train is None or imbalance is None:
+        raise NoSolution(SHAFT, Text("the engine's imbalance is not known"), Text("give [engine] and [imbalance]"))
+    order = imbalance.orders[f"order_{abs(ratio)}"]
+    F_f, F_b, C_f, C_b = order.unbalanced if ratio == 1 else order.vectors
+    F, C = (F_f, C_f) if ratio > 0 else (F_b, C_b)
+    return Task(ratio, F, C, train.angular_speed * abs(ratio), results.design.engine.rated_speed * abs(ratio))  # type: ignore[union-attr]
+
+
+def envelope(made: Design, results: Results, todo: Task, core: float = CORES[0]) -> Envelope:
+    """The smallest outer radius at which the utilisation is comfortable, with the journals that go with it.  Raises NoSolution."""
+    engine, train = made.engine, results.result(EngineResult)
+    assert engine is not None and train is not None
+    z = train.crank.z
+    row = float(max(z) - min(z)) + engine.cylinder_pitch
+    span = up(max(row if abs(todo.ratio) == 1 or abs(todo.C) > 0.01 * row * abs(todo.F) else 0.0, 1.5 * engine.bore), 2e-3)
+    rho = made.materials[STEEL].density
+    with untraced():
+        U = f.asked_unbalance(x_o=OVERDESIGN, F_like=todo.F, omega=todo.omega)
+        P = f.asked_product(x_o=OVERDESIGN, C_like=todo.C, omega=todo.omega)
+        F_S, C_S = U * todo.omega**2, P * todo.omega**2
+        R_r = f.reaction_rear(C_S=C_S, z_f=-span / 2, F_S=F_S, z_r=span / 2)
+        load = max(abs(R_r), abs(f.reaction_front(F_S=F_S, R_r=R_r)))
+        thicker: list[tuple[Metre, Metre, Metre, Metre, Metre]] = []
+        for step in range(20, 400):
+            R = step * 0.5e-3
+            rear = up(2 * (R + THREADED), 0.5e-3)
+            length = _length(load, todo.speed, rear)
+            half_length, r_0 = down(span / 2 - length / 2 - 2 * FILLET, 0.5e-3), down(core * R, 0.5e-3)
+            if half_length <= 0:
+                break
+            thicker.append((R, rear, length, half_length, r_0))
+        for n in range(0, len(thicker), AT_ONCE):
+            some = thicker[n : n + AT_ONCE]
+            k = [sizes.unbalance_per_length(rho=rho, R=R, r_0=r_0) for R, _, _, _, r_0 in some]
+            alpha = [sizes.force_number(U=U, k=one, z_max=z) for one, (_, _, _, z, _) in zip(k, some)]
+            product = [sizes.product_number(P=P, k=one, z_max=z) for one, (_, _, _, z, _) in zip(k, some)]
+            used = utilisation(np.array(alpha), np.array(product))
+            if (found := np.flatnonzero(used <= UTILISATION)).size:
+                R, rear, length, half_length, r_0 = some[found[0]]
+                sized = size(U, P, todo.omega, rho, R, r_0, half_length)
+                return Envelope(span, R, r_0, half_length, rear, length, load, sized)
+    raise NoSolution(SHAFT, Text("outer radii up to 200 mm on a span of {span}", span=Amount(span * 1e3, "mm")), GIVE)
+
+
+def _length(load: Newton, speed: RevPerSecond, d: Metre) -> Metre:
+    """Of a journal: as long as its heat index asks, within the usual ratio to its diameter."""
+    return min(up(max(load * speed / HEAT_INDEX, BEARING[0] * d), 0.5e-3), down(BEARING[1] * d, 0.5e-3))
+
+
+def countershaft(document: Document, results: Results, ratio: int, pair: bool = False) -> list[Section]:
+    """The table with the thinnest core on which the slopes of the journals stay below 0.2 mrad.  Raises NoSolution."""
+    todo = task(results, ratio)
+    for share in CORES:
+        size_of = envelope(results.design, results, todo, share)
+        sections = _sections(size_of, share, todo, pair, _drill(results.design, todo, size_of))
+        if _slope(document, size_of, sections) <= SLOPE:
+            return sections
+    raise NoSolution(SHAFT, Text("cores up to {share} of the outer radius", share=CORES[-1]), GIVE)
+
+
+def before_shaft(document: Document) -> Table:
+    """The tables of a design up to its imbalance."""
+    return {key: document.data[key] for key in UPSTREAM if key in document.data}
+
+
+def _slope(document: Document, of: Envelope, sections: list[Section]) -> Radian:
+    """The larger slope of both journals, by the shaft alone."""
+    made = design(Document({**before_shaft(document), **table(sections)}))
+    assert made.countershaft is not None
+    journals = (Journal(diameter=of.rear, length=of.length),) * 2
+    shaft = solve(replace(made, countershaft=replace(made.countershaft, journals=journals))).result(CountershaftResult)
+    slopes = (shaft.slope_front, shaft.slope_rear) if shaft is not None else (None,)
+    return max(math.inf if slope is None else slope for slope in slopes)
+
+
+def _drill(made: Design, todo: Task, of: Envelope) -> Holes:
+    """The narrowest of four holes that together take 3 % of what the shaft supplies."""
+    depth = min(down(0.8 * (of.outer - of.core), 0.5e-3), 20e-3)
+    places = gathered([of.sized.front.z, of.sized.rear.z])
+    with untraced():
+        for diameter in range(4, 41):
+            holes = Holes(diameter=diameter * 1e-3, depth=depth, count=4)
+            takes = calibration(holes, made.materials[STEEL].density, of.outer, places, todo.omega, abs(todo.C))
+            enough = holes.count * takes.hole_unbalance * todo.omega**2 >= DRILLED * abs(todo.F)
+            if takes.hole_range >= DRILLED * abs(todo.C) and enough:
+                return holes
+    raise NoSolution(SHAFT, Text("four holes of {depth}, up to 40 mm wide", depth=Amount(depth * 1e3, "mm")), GIVE)
+
+
+def _sections(of: Envelope, share: float, todo: Task, pair: bool, holes: Holes) -> list[Section]:
+    narrowest = f"assumed: the smallest with a utilisation up to {UTILISATION:g}; here {of.sized.utilisation:.2f}"
+    more = "" if share == CORES[0] else f", not {CORES[0]:g}, to keep the journals' slopes below 0.2 mrad"
+    twin = {"pair": ("yes", "a mirrored second shaft turns the other way")} if pair else {}
+    apart = "as far apart as the row of cylinders is long, or 1.5 bores"
+    return [
+        ("[countershaft]", {
+            "mode": ("size", ""),
+            "material": (STEEL, "assumed: a usual shaft steel"),
+            "speed_ratio": (todo.ratio, ""),
+            **twin,
+            "bearing_positions_mm": ([mm(-of.span / 2), mm(of.span / 2)], f"assumed: {apart}"),
+            "outer_radius_mm": (mm(of.outer), narrowest),
+            "core_radius_mm": (mm(of.core), f"assumed: {share:g} of the outer radius{more}"),
+            "half_length_mm": (mm(of.half_length), "assumed: two fillets short of the journals"),
+            "radial_clearance_mm": (mm(THREADED), "assumed: for threading in"),
+            "fillet_radius_mm": (mm(FILLET), "assumed"),
+            "overdesign_percent": (OVERDESIGN * 100, "assumed: half of what the holes are to take"),
+        }),
+        ("[countershaft.holes]", {
+            "diameter_mm": (mm(holes.diameter), f"assumed: the narrowest that take {DRILLED * 100:g} %"),
+            "depth_mm": (mm(holes.depth), "assumed: 0.8 of the sectors' height, at most 20 mm"),
+            "count": (holes.count, "assumed: two in each sector"),
+        }),
+    ]  # fmt: skip

@@ -1,0 +1,235 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The train: three meshes, so that the shaft turns against the crank, with a wheel that goes through the shaft's seats; and its friction.
+
+Trains and flanks are tried in the order in which they are usual; the first is taken that leaves nothing to be said of teeth and losses.
+"""
+
+import math
+from collections.abc import Iterator
+from itertools import pairwise, product
+
+from ...countershaft.result import CountershaftResult
+from ...design.model import Design
+from ...design.toml_file import Document, design
+from ...friction.result import FrictionResult
+from ...gears import formulas as g
+from ...sheet.check import URGENT
+from ...sheet.errors import BadInput, NoSolution
+from ...sheet.record import record
+from ...sheet.text import SEMICOLON, Text
+from ...sheet.trace import untraced
+from ...sheet.units import Metre, Radian
+from ...solve import Results, solve
+from .writing import Section, mm, table, up
+
+HELIX: Radian = math.radians(20)
+MODULES = (2.5e-3, 2.0e-3, 1.75e-3, 1.5e-3, 1.25e-3)
+USUAL = 2.0e-3  # the largest of them where nothing asks for more
+SMALLEST = 1.25e-3
+WHEELS = (
+    (25, 36, 39),
+    (25, 31, 33),
+    (21, 31, 34),
+    (21, 26, 29),
+    (20, 23, 27),
+)  # crank and shaft, central, idler; those of the R753IE4 first
+FACES = (7.5, 6.0)  # modules
+FLANKS = (0.8, 0.4, 0.3, 0.2)  # Ra in µm: ground, finely ground, and then polished
+BORE = 0.6  # of the reference diameter
+ALLOWANCE = [-30, -40]  # µm
+TOLERANCE = 40  # µm
+HOUSING = "EN-GJL-250"  # of the block; it expands like the wheels and the shaft
+MUCH, LEFT = 10.0, 100.0  # kW that a train without plain bearings is tried with, and W that may be left of it
+OF_FLANKS = (".scuffing", ".micropitting", ".models", ".lambda")  # checks that finer flanks help
+TRAIN = Text("a train to begin with")
+
+
+@record
+class Train:
+    """One that is tried: the teeth of crank (as many on the shaft), central wheel and idler; module; face width in modules."""
+
+    teeth: tuple[int, int, int]
+    module: Metre
+    face: float
+
+
+def tip(teeth: int, module: Metre, helix: Radian = HELIX) -> Metre:
+    """The tip diameter of a wheel without profile shift."""
+    with untraced():
+        return float(g.tip_diameter(g.reference_diameter(float(teeth), g.transverse_module(module, helix)), module, 0.0, 0.0))
+
+
+def passing_seat(seat: Metre, teeth: int = WHEELS[0][0]) -> tuple[int, Metre]:
+    """The teeth and the largest usual module of a wheel that goes through a seat."""
+    fitting = (module for module in MODULES if module <= USUAL and tip(teeth, module) + 1e-3 <= seat)
+    return teeth, next(fitting, MODULES[-1])
+
+
+def gears(document: Document, results: Results) -> list[Section]:
+    """The tables of the first train that passes with some flanks.  Raises NoSolution."""
+    return _passing(document, results)[0]
+
+
+def friction(document: Document, results: Results) -> list[Section]:
+    """The table with the roughest flanks of which nothing is to be said.  Raises NoSolution where the design has no wheels."""
+    if results.design.gears is None:
+        raise NoSolution(Text("friction to begin with"), Text("the wheels are not known"), Text("give [gears] first"))
+    best = None
+    for flanks in FLANKS:
+        sections = _friction(results.design, results, flanks)
+        outcome = solve(design(Document({**document.data, **table(sections)})), results).outcomes["friction"]
+        if outcome.verdict == "pass":
+            return sections
+        best = best or sections
+    assert best is not None
+    return best
+
+
+def gears_and_friction(document: Document, results: Results) -> list[Section]:
+    """Both, found together."""
+    train, flanks = _passing(document, results)
+    return [*train, *flanks]
+
+
+def _passing(document: Document, results: Results) -> tuple[list[Section], list[Section]]:
+    why: list[Text] = []
+    power = None if "bearings" in document.data else MUCH
+    known = {c.id for c in results.outcomes["countershaft"].checks if c.verdict in URGENT}
+    for train in _trains(results.design):
+        for flanks in FLANKS:
+            losses = _friction(results.design, results, flanks)
+            try:
+                wheels, power, results = _loaded(document, results, train, losses, power)
+            except BadInput as bad:
+                why.append(bad.errors[0].reason)
+                break
+            outcomes = [results.outcomes[key] for key in ("countershaft", "gears", "friction")]
+            stopping = [c for outcome in outcomes for c in outcome.checks if c.verdict in URGENT and c.id not in known]
+            if not stopping and all(outcome.state == "solved" for outcome in outcomes if outcome.state != "not_asked"):
+                return wheels, losses
+            why += [Text("{check}", check=c.name) for c in stopping[:1]]
+            if not all(c.id.endswith(OF_FLANKS) for c in stopping):
+                break  # finer flanks do not help
+    raise NoSolution(TRAIN, SEMICOLON.join(dict.fromkeys(why)), Text("other teeth, modules or centre distances: give [gears]"))
+
+
+def _loaded(
+    document: Document, results: Results, train: Train, losses: list[Section], power: float | None
+) -> tuple[list[Section], float | None, Results]:
+    """The tables of a train, its power in kW, and the whole with it.
+
+    `power`: None where plain bearings close the balance; else what is tried first, and then changed to what is lost.
+    """
+    made = results.design
+    for _ in range(1 if power is None else 3):
+        wheels = _gears(made, train, power)
+        results = solve(design(Document({**document.data, **table(wheels), **table(losses)})), results)
+        balance = results.result(FrictionResult)
+        if power is None or balance is None or balance.delivered_power is None or 0 < balance.delivered_power < 2 * LEFT:
+            break
+        power = round(up(power - balance.delivered_power / 1e3 + LEFT / 2e3, LEFT / 1e3), 6)
+    return wheels, power, results
+
+
+def _trains(made: Design) -> Iterator[Train]:
+    """Those whose wheel on the shaft goes through its front seat, and that reach from the crank to the shaft's axis."""
+    shaft = made.countershaft
+    if made.bearings is not None:
+        seat = made.bearings.front.diameter
+    elif shaft is not None and shaft.journals:
+        seat = shaft.journals[0].diameter
+    elif shaft is not None and shaft.outer_radius is not None:
+        seat = 2 * shaft.outer_radius
+    else:
+        seat = math.inf
+    away = math.hypot(*shaft.axis) if shaft is not None and shaft.axis is not None else 0.0
+    for smaller, teeth, face in product(range(len(MODULES) - 1), WHEELS, FACES):
+        modules = [one for one in MODULES if (one <= USUAL or teeth != WHEELS[0]) and tip(teeth[0], one) < seat]
+        if smaller < len(modules) and modules[smaller] >= SMALLEST:
+            yield Train(_reaching(teeth, modules[smaller], away), modules[smaller], face)
+
+
+def _reaching(teeth: tuple[int, int, int], module: Metre, away: Metre) -> tuple[int, int, int]:
+    """With idlers large enough for the distance."""
+    crank, central, idler = teeth
+    while (crank + central + idler) * module / math.cos(HELIX) < 1.03 * away:
+        central, idler = central + 1, idler + 2
+    return crank, central, idler
+
+
+def _gears(made: Design, train: Train, power: float | None) -> list[Section]:
+    crank, central, idler = train.teeth
+    as_r753 = train.teeth == WHEELS[0]
+    driven = {} if power is None else {"power_kW": (power, "assumed: what rolling bearings, teeth and windage lose, up to the next 0.1 kW")}
+    through = "assumed: the largest up to 2 whose wheel goes through the seats"
+    wheels = {"crank": crank, "central": central, "idler": idler, "shaft": crank}
+    usual = "assumed, as in the R753IE4" if as_r753 else "assumed: fewer, below the main resonance of the teeth"
+    why = {"shaft": "as many as on the crank: ratio −1 by three meshes"}
+    bored = {"crank": "assumed: sits on the crank", "central": "assumed: turns on a pin", "idler": "assumed: turns on a pin"}
+
+    def bore(name: str) -> dict[str, tuple[object, str]]:
+        if name not in bored:
+            return {}
+        return {"bore_diameter_mm": (float(round(BORE * wheels[name] * train.module * 1e3 / math.cos(HELIX))), bored[name])}
+
+    return [
+        ("[gears]", {
+            "normal_module_mm": (mm(train.module), through if as_r753 else "assumed: below the main resonance of the teeth"),
+            "pressure_angle_deg": (20.0, ""),
+            "helix_angle_deg": (round(math.degrees(HELIX), 6), "assumed"),
+            "face_width_mm": (mm(up(train.face * train.module, 0.5e-3)), f"assumed: {train.face:g} modules"),
+            "tool_addendum": (1.41, "assumed: the tool of the R753IE4"),
+            "tool_tip_radius": (0.2, "assumed"),
+            "housing_material": (_housing(made), "assumed: the block, as of the bearings"),
+            **driven,
+        }),
+        *(("[[gears.wheels]]", {
+            "name": (name, ""),
+            "teeth": (teeth, why.get(name, usual)),
+            "span_allowance_um": (ALLOWANCE, "assumed: teeth shaved or ground, and free when the wheels are warmer"),
+            **bore(name),
+        }) for name, teeth in wheels.items()),
+        *(("[[gears.meshes]]", {
+            "driver": (driver, ""),
+            "driven": (driven, ""),
+            "tolerance_um": (TOLERANCE, "assumed: the allowances leave it a backlash"),
+        }) for driver, driven in pairwise(wheels)),
+    ]  # fmt: skip
+
+
+def _housing(made: Design) -> str:
+    return made.bearings.housing_material if made.bearings is not None else HOUSING
+
+
+def _friction(made: Design, results: Results, flanks: float) -> list[Section]:
+    oil = {} if made.bearings is not None else {
+        "oil": ("5W-40", "assumed"), "oil_temperature_C": (90.0, "assumed: gallery of a warm engine")
+    }  # fmt: skip
+    words = {0.8: "assumed: ground", 0.4: "assumed: finely ground"}.get(flanks, "assumed: ground and polished")
+    return [
+        ("[friction]", {
+            **oil,
+            "flank_roughness_um": (flanks, words),
+            "load_sharing": ("linear", ""),
+        }),
+        *([] if made.bearings is not None else _rolling(made, results)),
+    ]  # fmt: skip
+
+
+def _rolling(made: Design, results: Results) -> list[Section]:
+    """Two bearings on the shaft, as wide around it as their series is usual."""
+    shaft, own = results.result(CountershaftResult), made.countershaft
+    if shaft is None or own is None or own.core_radius is None:
+        return []
+    bore = up(2 * own.core_radius, 5e-3)
+    return [
+        ("[[friction.rolling_bearings]]", {
+            "name": ("shaft-bearings", ""),
+            "wheel": ("shaft", ""),
+            "kind": ("cylindrical-roller", "assumed: split cages, or one race off the shaft"),
+            "bore_mm": (mm(bore), "assumed: the core, up to the next 5 mm"),
+            "outside_diameter_mm": (mm(up(1.6 * bore, 5e-3)), "assumed: 1.6 bores"),
+            "load_N": (float(math.ceil(shaft.reaction_front + shaft.reaction_rear)), "of both bearings: the shaft's reactions"),
+            "count": (2, ""),
+        }),
+    ]  # fmt: skip

@@ -1,0 +1,55 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The tables of a design to begin with: keys in their order, each with its value and with the rule that it comes from."""
+
+import json
+import math
+import tomllib
+from collections.abc import Mapping
+
+from ...design.addresses import Table
+from ...sheet.units import Metre
+
+Row = tuple[object, str]  # the value in the unit of its key, and where it comes from; "" where nothing is to be said
+Section = tuple[str, dict[str, Row]]  # the header as TOML has it, and its rows
+COLUMN = 31  # of the comments
+
+
+def written(sections: list[Section]) -> str:
+    """As they stand in a file, comments from the same column on."""
+    return "".join(f"\n{header}\n" + "".join(_line(key, *row) for key, row in rows.items()) for header, rows in sections)
+
+
+def _line(key: str, value: object, why: str) -> str:
+    line = f"{key} = {json.dumps(value, ensure_ascii=False)}"
+    return f"{line:<{COLUMN}} # {why}\n" if why else f"{line}\n"
+
+
+def table(sections: list[Section]) -> Table:
+    """As they stand in a document."""
+    return tomllib.loads(written(sections))
+
+
+def changed(sections: list[Section], changes: Mapping[str, object], why: str) -> list[Section]:
+    """The same with keys of single tables changed (`bearings.front.length_mm`); None takes one out."""
+    made: list[Section] = [(header, dict(rows)) for header, rows in sections]
+    by_table = {header.strip("[]"): rows for header, rows in made}
+    for key, value in changes.items():
+        where, _, name = key.rpartition(".")
+        if value is None:
+            by_table[where].pop(name, None)
+        else:
+            by_table[where][name] = (value, why)
+    return made
+
+
+def mm(length: Metre) -> float:
+    """In millimetres, without the dust of the conversion."""
+    return round(length * 1e3, 6)
+
+
+def up(x: float, step: float) -> float:
+    return math.ceil(x / step - 1e-6) * step
+
+
+def down(x: float, step: float) -> float:
+    return math.floor(x / step + 1e-6) * step

@@ -1,0 +1,12 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Many designs at once: inputs over lists, grids, a Latin hypercube or their tolerances; every value and verdict of a design is a row.
+
+The designs of a chunk go through the steps at once, as far as they go one way (`abreast.py`).
+"""
+
+from .inputs import Varied, listed, toleranced, varied
+from ...sweep.plan import Plan, grid, sampled
+from .run import Sweep, sweep, swept
+from .table import Swept
+
+__all__ = ["Plan", "Sweep", "Swept", "Varied", "grid", "listed", "sampled", "sweep", "swept", "toleranced", "varied"]

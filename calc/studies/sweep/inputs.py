@@ -1,0 +1,188 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The inputs that are varied, read from their texts."""
+
+import csv
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+
+from ...design.addresses import address, quantity_of, value_at
+from ...design.toml_file import Document
+from ...sheet.errors import BadInput, InputError
+from ...sheet.quantity import Quantity
+from ...sheet.record import record
+from ...sheet.text import Text
+
+Value = float | str
+MOST_ROWS = 1_000_000
+MOST_LISTED = 100_000  # designs of a file
+FORM = Text("must be KEY=LOW:HIGH:NUMBER or KEY=VALUE,VALUE,…, like engine.rated_speed_rpm=1000:3000:21")
+RANGE = Text("must be KEY=LOW:HIGH or KEY=VALUE,VALUE,…, like engine.rod_length_mm=150:170")
+TOLERANCE = Text("must be KEY=DEVIATION or KEY=LOWER:UPPER, like bearings.front.clearance_um=5 for ±5 µm")
+
+
+@record
+class Varied:
+    """One input and the values that it takes, in the unit of its key; or, drawn at random, `ends`: from one number to the other.
+
+    `normal`: it is drawn as parts come out of a process whose tolerance is three standard deviations to each side.
+    """
+
+    key: str
+    values: tuple[Value, ...] = ()
+    ends: tuple[float, float] = (0.0, 0.0)
+    normal: bool = False
+    whole: bool = False
+
+
+def varied(document: Document, texts: Sequence[str], *, drawn: bool = False) -> list[Varied]:
+    """The inputs to vary.  `drawn`: at random, so that a range has no number of values.  Raises BadInput with everything that is wrong."""
+
+    def one(key: str, said: str, about: Quantity) -> Varied:
+        whole = about.kind in ("integer", "integers")
+        if drawn and said.count(":") == 1 and "," not in said:
+            low, high = _ends(said, RANGE)
+            if whole and not (low.is_integer() and high.is_integer()):
+                raise ValueError("must go from a whole number to another here")
+            return Varied(key, ends=(low, high), whole=whole)
+        return Varied(key, _values(said, whole, about.kind in ("text", "choice")))
+
+    return _read(document, "--vary", texts, RANGE if drawn else FORM, one)
+
+
+def toleranced(document: Document, texts: Sequence[str]) -> list[Varied]:
+    """Inputs that scatter about what the design has, by their tolerances."""
+
+    def one(key: str, said: str, about: Quantity) -> Varied:
+        nominal = value_at(document.data, key)
+        if about.kind not in ("number", "series") or isinstance(nominal, bool) or not isinstance(nominal, (int, float)):
+            raise ValueError("needs a number that the design gives, about which it scatters")
+        lower, upper = _ends(said if ":" in said else f"-{said}:{said}", TOLERANCE)
+        return Varied(key, ends=(nominal + lower, nominal + upper), normal=True)
+
+    return _read(document, "--tolerance", texts, TOLERANCE, one)
+
+
+def listed(document: Document, path: str) -> tuple[list[Varied], list[tuple[Value | None, ...]]]:
+    """The designs of a CSV file: keys in its first line, then a design in each.  An empty cell is left as the design has it."""
+    try:
+        with open(Path(path), encoding="utf-8-sig", newline="") as file:
+            lines = list(csv.reader(file))
+    except UnicodeDecodeError as error:
+        raise _bad(path, 0, "", Text("is no text in UTF-8 (byte {n}); save it again so", n=error.start)) from None
+    except (OSError, ValueError, csv.Error) as error:
+        raise _bad(path, 0, "", Text("cannot be read: {reason}", reason=getattr(error, "strerror", None) or str(error))) from None
+    if len(lines) < 2 or not lines[0]:
+        raise _bad(path, 1, "", Text("needs keys in its first line, and a design in each line below it"))
+    if len(lines) > MOST_LISTED:
+        raise _bad(path, 0, "", Text("has {count} designs; at most {most} at once", count=len(lines) - 1, most=MOST_LISTED))
+    inputs = [Varied(key.strip()) for key in lines[0]]
+    errors: list[InputError] = []
+    kinds = [_about(document, one.key, path, errors) for one in inputs]
+    if not errors and (twice := same_input(document, inputs)) is not None:
+        errors.append(InputError(1, twice, "", Text("stands in two columns; each input has one")))
+    rows: list[tuple[Value | None, ...]] = []
+    for n, line in enumerate(lines[1:], 2):
+        if len(line) != len(inputs):
+            errors.append(InputError(n, "", "", Text("has {count} cells; needs {low}", count=len(line), low=len(inputs))))
+            continue
+        row: list[Value | None] = []
+        for one, about, cell in zip(inputs, kinds, line):
+            try:
+                whole, words = about.kind in ("integer", "integers"), about.kind in ("text", "choice", "date")
+                row.append(_values(cell.strip(), whole, words)[0] if cell.strip() else None)
+            except ValueError as wrong:
+                errors.append(InputError(n, one.key, cell, Text("{wrong}", wrong=str(wrong))))
+        rows.append(tuple(row))
+    if errors:
+        raise BadInput(path, errors)
+    return inputs, rows
+
+
+def same_input(document: Document, inputs: Sequence[Varied]) -> str | None:
+    """The key of an input that another one of these is too, by whichever name of its element; None: all are different."""
+    first: dict[tuple[str | int, ...], str] = {}
+    for one in inputs:
+        where = address(document.data, one.key)
+        if where in first:
+            return first[where]
+        first[where] = one.key
+    return None
+
+
+def _about(document: Document, key: str, path: str, errors: list[InputError]) -> Quantity:
+    try:
+        return quantity_of(document.data, key)
+    except BadInput as bad:
+        errors += [replace(e, line=1) for e in bad.errors]
+        return Quantity("text", Text(key))
+
+
+def _bad(path: str, line: int, key: str, reason: Text) -> BadInput:
+    return BadInput(path, [InputError(line, key, "", reason)])
+
+
+def _read(
+    document: Document, option: str, texts: Sequence[str], form: Text, one: Callable[[str, str, Quantity], Varied]
+) -> list[Varied]:  # fmt: skip
+    found: list[Varied] = []
+    errors: list[InputError] = []
+    for text in texts:
+        key, equals, said = (part.strip() for part in text.partition("="))
+        try:
+            about = quantity_of(document.data, key) if equals and said else None
+            if about is None:
+                raise BadInput(option, [InputError(0, text, "", form)])
+            made = one(key, said, about)
+            single = about.count is not None and about.count[0] == 1  # where one number may stand for the list
+            if about.kind in ("series", "integers") and not single and not isinstance(address(document.data, key)[-1], int):
+                raise ValueError(f"is a list; vary one of its numbers by its place, like {key}.0")
+            if (twice := same_input(document, [*found, made])) is not None:
+                raise ValueError("stands twice; give all its values at once" if twice == key else f"is {twice}, which stands here too")
+            found.append(made)
+        except BadInput as bad:
+            errors += [replace(e, key=f"{option} {e.key}") for e in bad.errors]
+        except ValueError as wrong:
+            errors.append(InputError(0, f"{option} {key}", said, Text("{wrong}", wrong=str(wrong))))
+    if errors:
+        raise BadInput(document.place, errors)
+    return found
+
+
+def _ends(said: str, form: Text) -> tuple[float, float]:
+    try:
+        low, high = map(float, said.split(":"))
+    except ValueError:
+        raise ValueError(form.partition(", like")[0]) from None
+    if not low < high or high - low == float("inf"):
+        raise ValueError("must go from a lower number to a higher one")
+    return low, high
+
+
+def _values(said: str, whole: bool, words: bool) -> tuple[Value, ...]:
+    """`1000:3000:21` or `1000,1500,2000`."""
+    parts = [part.strip() for part in said.split("," if "," in said or words else ":")]
+    if words:
+        return tuple(parts)
+    try:
+        numbers = [float(part) for part in parts]
+    except ValueError:
+        raise ValueError(FORM.partition(", like")[0]) from None
+    if ":" in said:
+        if len(numbers) != 3 or not numbers[2].is_integer() or numbers[2] < 1:
+            raise ValueError("must be LOW:HIGH:NUMBER with a whole NUMBER of values, 1 or more")
+        if numbers[2] > MOST_ROWS:
+            raise ValueError(f"asks for {parts[2]} values; at most {MOST_ROWS} designs at once")
+        if not math.isfinite(numbers[1] - numbers[0]):
+            raise ValueError("must go from LOW to HIGH by a finite way; give two finite numbers")
+        if numbers[2] == 1 and numbers[0] != numbers[1]:
+            raise ValueError("one value can not reach from LOW to HIGH; ask for 2 or more, or give the value alone")
+        numbers = np.linspace(numbers[0], numbers[1], int(numbers[2])).tolist()
+    if whole:
+        if not all(n.is_integer() for n in numbers):
+            raise ValueError(f"must be whole numbers here; these are {', '.join(f'{n:g}' for n in numbers[:6])}")
+        return tuple(int(n) for n in numbers)
+    return tuple(numbers)

@@ -1,0 +1,164 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The run: designs by chunks, which keep no state and may be computed in any order, in any process, and once.
+
+A chunk that is kept is taken over by the next run of the same sweep, so that one that was ended goes on where it stood.
+"""
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import replace
+
+from ...bearings.routes.side_by_side import COMPARED
+from ...design.model import Design
+from ...design.toml_file import Document, design
+from ...sheet.errors import BadInput, InputError
+from ...sheet.garbage import seldom_collected
+from ...sheet.record import record
+from ...sheet.text import Text
+from ...solve import Results, solve
+from ..spread import spread
+from ...sweep import abreast
+from .inputs import Varied
+from ...sweep.kept import InMemory, Store
+from ...sweep.plan import Combination, Plan, grid
+from ...sweep.row import Chunk, Solved, chunk_of, reason_of
+from .table import Swept, in_memory
+
+MOST = 224  # designs of a chunk, which go through all steps at once: more would take more memory than they save time
+CHUNKS, LEAST = 8, 48  # chunks at least, for processes to share, where each has so many designs
+BESIDE = COMPARED | {"source", "model_spread"}  # of an id: a value that judges nothing
+WORTH = 200  # designs from which a second process gains more than its start costs
+Told = Callable[[int], None]  # designs that are done, those that were kept with them
+
+
+@record
+class Sweep:
+    """What is asked for.  `step`: only this one's values and verdict; `wanted`: only these values."""
+
+    document: Document
+    plan: Plan
+    step: str | None = None
+    wanted: tuple[str, ...] = ()
+
+    @property
+    def size(self) -> int:
+        """Designs of a chunk, which hang on the sweep alone and not on the machine."""
+        return min(MOST, max(LEAST, -(-self.plan.count // CHUNKS)))
+
+
+def swept(
+    asked: Sweep, store: Store, told: Told | None = None, processes: int = 1, scheduler: str = ""
+) -> None:  # fmt: skip
+    """Fill the store with every chunk that it does not have.  Raises BadInput where a step or a value is asked for that there is not."""
+    _known(asked)
+    size = asked.size
+    numbers = range(-(-asked.plan.count // size))
+    waiting = [n for n in numbers if not store.has(n)]
+    done = asked.plan.count - sum(min(size, asked.plan.count - n * size) for n in waiting)
+    if told is not None:
+        told(done)
+    if asked.plan.count < WORTH:
+        processes = 1
+    for n, one in spread(chunk, asked, waiting, processes, scheduler):
+        store.keep(n, one)
+        done += len(one.rows)
+        if told is not None:
+            told(done)
+
+
+def sweep(document: Document, inputs: Sequence[Varied], step: str | None = None, wanted: Sequence[str] = ()) -> Swept:
+    """Every combination of the varied inputs, the last one changing fastest.  One that is no design is a row with its reason."""
+    asked, store = Sweep(document, grid(inputs), step, tuple(wanted)), InMemory()
+    swept(asked, store)
+    return in_memory(document, asked.plan.inputs, store)
+
+
+def chunk(asked: Sweep, n: int) -> Chunk:
+    """The designs of one chunk."""
+    size = asked.size
+    at = asked.plan.rows(n * size, (n + 1) * size)
+    with seldom_collected():  # once for all designs of the chunk, not once for each
+        return chunk_of(at, side_by_side(asked.document, asked.plan.inputs, at, asked.step, frozenset(asked.wanted)), asked.wanted)
+
+
+def side_by_side(
+    document: Document, inputs: Sequence[Varied], at: Sequence[Combination], step: str | None, wanted: frozenset[str] = frozenset()
+) -> list[Solved]:  # fmt: skip
+    """All at once, as far as they go one way; else design by design.  `wanted`: only these values; none: all."""
+    compared = not wanted or any(not BESIDE.isdisjoint(id.split(".")) for id in wanted)
+    made = list(designs(document, inputs, at))
+    sound = [_needed(one, step) for one in made if isinstance(one, Design)]
+    alone = _one_after_the_other(step, wanted, compared)
+    rows = iter(abreast.solved(sound, step, wanted, lambda n: alone(sound[n]), compared=compared))
+    return [next(rows) if isinstance(one, Design) else one for one in made]
+
+
+def one_by_one(
+    document: Document, inputs: Sequence[Varied], at: Sequence[Combination], step: str | None, wanted: frozenset[str] = frozenset()
+) -> Iterator[Solved]:  # fmt: skip
+    """Design by design."""
+    alone = _one_after_the_other(step, wanted, compared=True)
+    return (alone(_needed(one, step)) if isinstance(one, Design) else one for one in designs(document, inputs, at))
+
+
+def _one_after_the_other(step: str | None, wanted: frozenset[str], compared: bool) -> Callable[[Design], Solved]:
+    """Solves a design; what it has like the one before it is taken over."""
+    before: list[Results] = []
+
+    def solved(one: Design) -> Solved:
+        before[:] = [solve(one, before[0] if before else None, compared=compared)]
+        return _solved(before[0], step, wanted)
+
+    return solved
+
+
+def designs(document: Document, inputs: Sequence[Varied], at: Sequence[Combination]) -> Iterator[Design | Solved]:
+    """The designs of some combinations; of what is none a row that says why."""
+    sound = document, design(document)
+    for row in at:
+        changed = document
+        for one, value in zip(inputs, row):
+            if value is not None:
+                changed = changed.with_value(one.key, value)
+        try:
+            yield design(changed, sound)
+        except BadInput as bad:
+            yield Solved({}, {}, reason_of(bad.errors))
+
+
+def _solved(results: Results, step: str | None, wanted: frozenset[str] = frozenset()) -> Solved:
+    outcomes = [o for key, o in results.outcomes.items() if step in (None, key) and o.state != "not_asked"]
+    values: dict[str, tuple[float | None, str]] = {v.id: (v.shown, v.unit) for o in outcomes for v in o.values(wanted)}
+    return Solved(values, {o.key: o.verdict for o in outcomes}, "; ".join(f"{o.key}: {o.reason}" for o in outcomes if o.reason))
+
+
+def _needed(one: Design, step: str | None) -> Design:
+    """Without the steps that the wanted one does not wait for."""
+    if step in ("engine", "imbalance"):
+        return replace(one, bearings=None, friction=None)
+    return replace(one, friction=None) if step == "countershaft" else one
+
+
+def _known(asked: Sweep) -> None:
+    """Values are known by the design as it is, else by the first combination."""
+    base = design(asked.document)
+    if asked.step is not None and getattr(base, asked.step) is None:
+        why = Text("is not asked in this design: it has no table [{step}]", step=asked.step)
+        raise BadInput(asked.document.place, [InputError(0, "--step", asked.step, why)])
+    if not asked.wanted:
+        return
+    known = _solved(solve(_needed(base, asked.step)), asked.step).values
+    if not known.keys() >= set(asked.wanted):
+        known |= next(one_by_one(asked.document, asked.plan.inputs, asked.plan.rows(0, 1), asked.step)).values
+    if unknown := [id for id in asked.wanted if id not in known]:
+        raise BadInput(asked.document.place, [InputError(0, "--values", id, _no_value(id, list(known))) for id in unknown])
+
+
+def _no_value(id: str, known: Sequence[str]) -> Text:
+    from difflib import get_close_matches
+
+    near = get_close_matches(id, known, 1, 0.4)
+    return (
+        Text("is no value of these designs")
+        + (f'; did you mean "{near[0]}"?' if near else "")
+        + " (`contralbero check FILE --all` prints them)"
+    )

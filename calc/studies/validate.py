@@ -1,0 +1,163 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Values of others beside ours: the cases of tables/validation.toml, and the charts of Raimondi & Boyd.
+
+Three kinds apart: printed in a source, worked out from a source's numbers (or by another program), measured by others.  What the
+sources print and this program does not give is told with its reason.
+"""
+
+import tomllib
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import TypedDict
+
+from ..design.addresses import Table
+from ..bearings.film.table import eccentricity_from, film_at
+from ..library.catalogue import TABLES, Oil
+from ..design.toml_file import Document, design, read
+from ..library.lubricant import Lubricant
+from ..sheet.units import UNITS
+from .shipped import DESIGNS
+from ..solve import Results, solve
+
+# Where the charts of 1958 are known to be off by more than the 2 % that their grid supports (ε, quantity).
+CHARTS_HOLD_UP_TO = 0.9
+
+
+KINDS = {
+    "printed": "Printed in a source",
+    "worked out": "Worked out from a source's numbers, or by another calculation",
+    "measured": "Measured by others",
+}
+
+
+Expect = TypedDict("Expect", {"value": str, "what": str, "is": float, "unit": str, "abs": float, "rel": float}, total=False)
+Case = TypedDict("Case", {  # a design, a film by S and length_ratio, or an oil, and what its source has
+    "source": str, "kind": str, "expect": list[Expect], "design": str | Table, "set": Table, "why": str, "S": float, "length_ratio": float,
+    "nu_40": float, "nu_100": float, "law": str, "temperature": float, "is": float, "abs": float, "rel": float,
+}, total=False)  # fmt: skip
+
+
+@dataclass(frozen=True)
+class Row:
+    """One value of another beside ours."""
+
+    kind: str
+    source: str
+    what: str
+    published: float
+    ours: float
+    tolerance: float  # absolute, what the source supports
+    unit: str
+
+    @property
+    def deviation(self) -> float:
+        """Relative to the published value; absolute where that is zero."""
+        return _deviation(self.published, self.ours)
+
+    @property
+    def verdict(self) -> str:
+        return "pass" if abs(self.ours - self.published) <= self.tolerance else "fail"
+
+
+@dataclass(frozen=True)
+class Unmet:
+    """A value that a source prints and that this program does not give, and why."""
+
+    source: str
+    what: str
+    printed: float
+    ours: float
+    unit: str
+    why: str
+
+    @property
+    def deviation(self) -> float:
+        return _deviation(self.printed, self.ours)
+
+
+def _deviation(theirs: float, ours: float) -> float:
+    return (ours - theirs) / abs(theirs) if theirs else ours
+
+
+def rows() -> list[Row]:
+    """Every comparison, kind by kind, case by case."""
+    designs, known = _known()
+    found = [row for case in known["case"] for row in _case(case, designs)]
+    found += [row for film in known["film"] for row in _film(film)]
+    found += [_oil(oil) for oil in known["oil"]]
+    found += _raimondi_boyd()
+    return sorted(found, key=lambda row: list(KINDS).index(row.kind))
+
+
+def unmet() -> Iterator[Unmet]:
+    """What the sources print and this program does not give."""
+    designs, known = _known()
+    for case in known["unmet"]:
+        values = _solved(_document(case, designs)).values()
+        for expect in case["expect"]:
+            found = values[expect["value"]]
+            yield Unmet(case["source"], expect["value"], float(expect["is"]), found.shown, found.unit, case["why"])
+
+
+def _known() -> tuple[dict[str, Table], dict[str, list[Case]]]:
+    """The designs that are given once for several cases, and the cases by their kind."""
+    data = tomllib.loads((TABLES / "validation.toml").read_text(encoding="utf-8"))
+    return data.pop("designs"), data
+
+
+def _document(case: Case, designs: dict[str, Table]) -> Document:
+    """`design` is a whole one, or the name of a shipped file or of one of `designs`; `set` changes keys of it."""
+    given = designs.get(case["design"], case["design"]) if isinstance(case["design"], str) else case["design"]
+    document = read(DESIGNS / given) if isinstance(given, str) else Document(given, case["source"])
+    for key, value in case.get("set", {}).items():
+        document = document.with_value(key, value)
+    return document
+
+
+def _case(case: Case, designs: dict[str, Table]) -> Iterator[Row]:
+    values = _solved(_document(case, designs)).values()
+    for expect in case["expect"]:
+        published = float(expect["is"])
+        tolerance = max(expect.get("abs", 0.0), abs(published) * expect.get("rel", 0.0))
+        found = values.get(expect["value"])
+        ours = found.shown if found is not None and found.unit == expect.get("unit", "") else float("nan")
+        yield Row(case["kind"], case["source"], expect["value"], published, ours, tolerance, expect.get("unit", ""))
+
+
+def _film(case: Case) -> Iterator[Row]:
+    """A worked example of the film: what stands at its S and l/d."""
+    S, ratio = case["S"], case["length_ratio"]
+    ours = film_at(eccentricity_from(S, ratio), ratio)
+    for expect in case["expect"]:
+        name, published = expect["what"], float(expect["is"])
+        found = getattr(ours, name) / UNITS[expect.get("unit", "")].factor
+        what, unit = f"{name} at S = {S:g}, l/d = {ratio:g}", expect.get("unit", "")
+        yield Row(case["kind"], case["source"], what, published, found, abs(published) * expect["rel"], unit)
+
+
+def _oil(case: Case) -> Row:
+    """A viscosity of an oil by the law, from those at 40 and 100 °C, mm²/s; its density does not count."""
+    oil = Oil(name="oil", nu40=case["nu_40"] * 1e-6, nu100=case["nu_100"] * 1e-6, rho15=900.0, base="mineral")
+    ours = Lubricant(oil, case["law"]).at(case["temperature"]).nu / UNITS["mm²/s"].factor
+    what = f"ν at {case['temperature']:g} °C of {case['nu_40']:g} and {case['nu_100']:g} mm²/s"
+    return Row(case["kind"], case["source"], what, case["is"], ours, max(case.get("abs", 0.0), case["is"] * case.get("rel", 0.0)), "mm²/s")
+
+
+def _solved(document: Document) -> Results:
+    return solve(design(document))
+
+
+def _raimondi_boyd() -> Iterator[Row]:
+    """S at the charts' ε within 2 %, friction within 1 %, flow within 0.5 %, for finite l/d and ε ≤ 0.9."""
+    source = "Raimondi & Boyd 1958, as tabulated in textbooks"
+    for row in tomllib.loads((TABLES / "raimondi_boyd.toml").read_text(encoding="utf-8"))["row"]:
+        eps, ratio = row["eccentricity"], row["length_ratio"]
+        if ratio > 2 or eps > CHARTS_HOLD_UP_TO:
+            continue
+        ours = film_at(eps, ratio)
+        at = f"at ε = {eps:g}, l/d = {ratio:g}"
+        yield Row("printed", source, f"S {at}", row["S"], ours.sommerfeld, 0.02 * row["S"], "")
+        yield Row("printed", source, f"(r/c)·f {at}", row["friction_variable"], ours.friction, 0.01 * row["friction_variable"], "")
+        yield Row("printed", source, f"Q/(r·c·n·l) {at}", row["flow"], ours.flow, 0.005 * row["flow"], "")
+        inverted = eccentricity_from(row["S"], ratio)
+        yield Row("printed", source, f"ε at S = {row['S']:g}, l/d = {ratio:g}", eps, inverted, 0.01, "")

@@ -1,0 +1,103 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The chapter of a step in the engineer's report: findings, their proofs, what holds, key values, and what it stands on."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+
+from calc.design.key_values import TABLES, is_key_value
+from calc.sheet.check import Check, grouped
+from calc.sheet.rules import pattern_of
+from calc.sheet.step import Outcome, Step
+from calc.sheet.text import Amount, Text
+
+from .checks import counted, name_of, shown_value, sign_cell
+from ..context import Context
+from ..setting.flow import Block, bullet, paragraph
+from .inputs import input_blocks, remarks
+from .proof import proofs
+from ..proof_blocks import proof_blocks
+from ..setting.prose import BODY, NOTE
+from ..setting.tables import Column, Row, noted_below, table
+from .values import table_blocks, value_blocks
+from .words import verdict
+
+VERDICT, LONG_VERDICT = 46.0, 66.0
+EARLY = ("verdicts_of", "notes", "tables")
+LONG = ("not_verified", "accepted", "outside")
+
+Parts = tuple[tuple[str, Callable[[], list[Block]]], ...]
+
+
+def chapter_parts(context: Context, number: int, step: Step, outcome: Outcome[object], figures: list[Block]) -> Parts:
+    """The parts of a chapter in their order, each by the word that heads it."""
+    proven = {check.id for proof in proofs(context, outcome.checks) for check in proof.checks}
+    values = [value for id, value in context.values.items() if id == value.id and id.startswith(f"{step.key}.") and is_key_value(id)]
+    parts: Parts = (
+        ("verdicts_of", lambda: finding_blocks(context, outcome)),
+        ("proofs", lambda: proof_blocks(context, number, step, outcome)),
+        ("kept_checks", lambda: kept_blocks(context, [check for check in outcome.checks if check.holds and check.id not in proven])),
+        ("key_values", lambda: value_blocks(context, outcome, values)),
+        ("figures", lambda: figures),
+        ("tables", lambda: table_blocks(context, [t for t in outcome.tables if t.id in TABLES])),
+        ("inputs", lambda: input_blocks(context, step)),
+        ("notes", lambda: remarks(context, step.key) + [b for note in outcome.notes for b in bullet(note, NOTE, gap=0.7)]),
+    )
+    if not outcome.reason:
+        return parts
+    # what is said of the step as a whole is read with what it rests on and what it comes to, before anything is proven
+    return tuple(sorted(parts, key=lambda part: EARLY.index(part[0]) if part[0] in EARLY else len(EARLY)))
+
+
+def finding_blocks(context: Context, outcome: Outcome[object]) -> list[Block]:
+    """How the step came out, and what is open or accepted, one line a cause, the worst first."""
+    said = f"{verdict(context.words, outcome.verdict)}: {counted(context, outcome.checks)}."
+    told = paragraph(context.say(outcome.reason), BODY, gap=2.0, keep=True) if outcome.reason else []
+    made = told + paragraph(said, BODY, gap=1.0, keep=True) if outcome.state == "solved" else []
+    rows: list[Row] = []
+    for group in grouped(outcome.checks):
+        found = [check for check in group if check.verdict != "pass"]
+        if found:
+            worst, more = found[0], len(found) - 1
+            name = name_of(context, worst) + (f" ({context.text('more_twins', count=more)})" if more else "")
+            rows.append(_row(context, worst, name))
+    return made + (table(_columns(context, outcome.checks), rows) if rows else [])
+
+
+def kept_blocks(context: Context, checks: list[Check]) -> list[Block]:
+    """What holds and is not proven: twins on one line, by the one that comes closest to its limit; of advice and method the number."""
+    twins: dict[str, list[Check]] = {}
+    hard = [check for check in checks if check.kind in ("limit", "caution")]
+    for check in hard:
+        twins.setdefault(pattern_of(check.id), []).append(check)
+    rows: list[Row] = []
+    for group in twins.values():
+        least = min(group, key=lambda check: check.margin)
+        name = name_of(context, least)
+        if len(group) > 1:
+            name += f" ({context.text('more_twins', count=len(group) - 1)})"
+        rows.append(_row(context, least, name, _range(context, group)))
+    made = table(_columns(context, hard), rows) if rows else []
+    if made and len(hard) < len(checks):
+        made = noted_below(made, context.text("soft_hold", n=len(checks) - len(hard)))
+    return made
+
+
+def _range(context: Context, group: list[Check]) -> str:
+    """The values of twins from the least to the greatest."""
+    low, high = (f(group, key=lambda check: check.value) for f in (min, max))
+    if shown_value(context, low) == shown_value(context, high):
+        return shown_value(context, low)
+    return context.say(Text("{low} to {high}", low=Amount(low.value), high=Amount(high.value, high.unit)))
+
+
+def _row(context: Context, check: Check, name: str, value: str = "") -> Row:
+    found = value or shown_value(context, check), context.say(check.limit_text()), context.say(check.margin_text())
+    return sign_cell(context, context.state(check)), name, *found
+
+
+def _columns(context: Context, checks: Iterable[Check]) -> tuple[Column, ...]:
+    w = context.words
+    numbers = (Column(w[key], "r") for key in ("value", "limit", "margin"))
+    wide = LONG_VERDICT if any(context.state(check) in LONG for check in checks) else VERDICT
+    return (Column(w["verdict"], width=wide), Column(w["check"]), *numbers)

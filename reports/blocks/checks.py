@@ -1,0 +1,143 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Checks and errata as tables: value, limit, margin, verdict; the worst first where they are summed up."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import replace
+
+from calc.id_words import knows
+from calc.sheet.check import URGENT, Check, grouped, with_it
+from calc.sheet.step import Erratum
+from calc.sheet.text import Amount, Text, plural
+
+from ..context import Context
+from ..setting.flow import Block
+from ..setting.fonts import BOLD
+from ..setting.prose import CELL, HEADER, NOTE, STRONG, Style
+from ..setting.tables import Cell, Column, Row, longest, table
+from .words import STATE_COLOURS, verdict
+
+VERDICT, LONG_VERDICT = 42.0, 62.0
+LONG = ("not_verified", "accepted")
+SIGN = {state: Style(CELL.size, CELL.leading, BOLD, colour) for state, colour in STATE_COLOURS.items()}
+
+
+def sign_style(context: Context, state: str) -> Cell:
+    """The verdict in the heading of a proof."""
+    return Cell(verdict(context.words, state), replace(STRONG, colour=STATE_COLOURS[state]))
+
+
+def sign_cell(context: Context, state: str) -> Cell:
+    return Cell(verdict(context.words, state), SIGN[state])
+
+
+def shown_value(context: Context, check: Check) -> str:
+    return context.written(check.value, check.unit)
+
+
+def name_of(context: Context, check: Check) -> str:
+    """The check's name with the part that it judges."""
+    whose = " ".join(context.belongs(check.id))
+    advice = f" ({context.words['advice']})" if check.kind in ("advice", "method") else ""
+    return f"{check.name}{'' if knows(check.name, whose) else f', {whose}'}{advice}"
+
+
+def counted(context: Context, checks: Sequence[Check]) -> str:
+    """How many checks came out how; what holds by a formula outside its validity is counted by itself."""
+    if not checks:
+        return context.words["no_checks"]
+    states = [context.state(check) for check in checks]
+    words = context.text(
+        "count", fail=states.count("fail"), open=states.count("not_verified"),
+        warnings=plural("{n} warning", "{n} warnings", n=states.count("warn")),
+        notes=plural("{n} note", "{n} notes", n=states.count("note")), accepted=states.count("accepted"), passed=states.count("pass"),
+        checks=plural("{n} check", "{n} checks", n=len(checks)),
+    )  # fmt: skip
+    return f"{words}; {context.text('counted_outside', n=outside)}" if (outside := states.count("outside")) else words
+
+
+def check_blocks(context: Context, checks: Sequence[Check]) -> list[Block]:
+    """The checks of a step in their order, each with its source."""
+    rows = []
+    for check in checks:
+        under = f"[{check.source}]" if check.source else ""
+        under = f"{_accepted(context, check)} {under}" if check.verdict == "accepted" else under
+        rows.append(_check_row(context, check, f"{under} {check.id}" if context.audit else under))
+    return _check_table(context, rows, 2.0, checks)
+
+
+def attention_blocks(context: Context, checks: Iterable[Check]) -> list[Block]:
+    """What fails, is not verified or warns, the worst first, each cause by its worst check; then what the user accepted.
+
+    Causes with the same advice stand together, and it under the last of them.
+    """
+    checks = list(checks)
+    together: dict[tuple[str, str], list[tuple[Check, str]]] = {}
+    for group in grouped(checks):
+        urgent = [check for check in group if check.verdict in URGENT]
+        for worst in urgent[:1]:
+            others = context.say(with_it(urgent[1:])) if urgent[1:] else ""
+            together.setdefault((worst.verdict, worst.advice), []).append((worst, others))
+    rows = []
+    for (_, advice), some in together.items():
+        for check, others in some:
+            missing = context.say(Text("Not known: {keys}.", keys=", ".join(check.missing))) if check.missing else ""
+            parts = (missing, advice if check is some[-1][0] else "", others)
+            rows.append(_check_row(context, check, " ".join(part for part in parts if part)))
+    rows += [_check_row(context, check, _accepted(context, check)) for check in checks if check.verdict == "accepted"]
+    return _check_table(context, rows, 4.0, checks)
+
+
+def _accepted(context: Context, check: Check) -> str:
+    return context.say(Text("Accepted: {reason}", reason=check.accepted))
+
+
+def _check_row(context: Context, check: Check, under: str) -> Row:
+    name = Cell(name_of(context, check), under=(under, NOTE))
+    return (
+        sign_cell(context, check.verdict),
+        name,
+        shown_value(context, check),
+        context.say(check.limit_text()),
+        context.say(check.margin_text()),
+    )
+
+
+def _check_table(context: Context, rows: list[Row], gap: float, checks: Sequence[Check]) -> list[Block]:
+    w = context.words
+    wide = LONG_VERDICT if any(c.verdict in LONG for c in checks) else VERDICT
+    columns = (
+        Column(w["verdict"], width=wide), Column(w["check"]), Column(w["value"], "r"), Column(w["limit"], "r"), Column(w["margin"], "r")
+    )  # fmt: skip
+    return table(columns, rows, gap=gap) if rows else []
+
+
+def errata_blocks(context: Context, errata: Iterable[Erratum], *, short: bool = False) -> list[Block]:
+    """Where a source is wrong: its value beside ours, and why; `short`: the reason once for all that have it, in its first sentence."""
+    w = context.words
+    together: dict[str, list[Erratum]] = {}
+    for n, erratum in enumerate(errata):
+        together.setdefault(erratum.why.partition(". ")[0].rstrip(".") if short else str(n), []).append(erratum)
+    rows: list[Row] = []
+    for why, some in together.items():
+        for e in some:
+            under = "" if short and e is not some[-1] else f"{why}. [{e.source}]" if short else f"{e.why} [{e.source}] {e.about}"
+            rows.append(_erratum_row(context, e, under))
+    last = max(50.0, longest(w["deviation"], HEADER))
+    columns = (
+        Column(w["quantity"]), Column(w["source_value"], "r"), Column(w["our_value"], "r"), Column(w["deviation"], "r", width=last)
+    )  # fmt: skip
+    return table(columns, rows) if rows else []
+
+
+def _erratum_row(context: Context, e: Erratum, under: str) -> Row:
+    ours = context.values.get(e.about)
+    mine, deviation = "–", "–"
+    if ours is not None:
+        mine = context.written(ours.shown, ours.unit)
+        if ours.unit == e.unit and ours.shown:
+            deviation = context.say.part(Amount((e.source_value / ours.shown - 1) * 100, "%", form="+.1f"))
+    whose = " ".join(context.belongs(e.about))
+    label = e.label if knows(e.label, whose) else f"{e.label}, {whose}"
+    return Cell(label, under=(under, NOTE)), context.written(e.source_value, e.unit), mine, deviation

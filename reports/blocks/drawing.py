@@ -1,0 +1,102 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The drawing sheet on a page of its own, which has the size of the drawing's paper; and the data of the wheels."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+from calc.studies.drawings import PAPER, Sheet, sheets, wheels
+from calc.languages.outcome import in_language
+from calc.sheet.dimension import strokes
+from calc.draw.drawing import Arc, Area, Dimension, Hatch, Ink, Point, Polyline, Words
+from calc.sheet.hatching import hatch_lines
+from calc.sheet.layers import LAYERS
+from calc.sheet.text import EMPTY
+
+from ..setting.boxes import BLACK, text
+from ..content import Picture
+from ..context import Context
+from ..setting.flow import Block, heading
+from ..setting.fonts import PLAIN
+from ..paper import LEFT
+from ..setting.prose import SECTION
+from ..setting.tags import FIGURE, Tag
+from .values import table_blocks
+
+if TYPE_CHECKING:
+    from ..setting.pen import Pen
+
+POINTS = 72 / 0.0254  # in a metre
+MM = POINTS / 1000
+PAGE = (PAPER[0] * MM, PAPER[1] * MM)
+CAPITAL = 0.729  # height of a capital over the size of the letters
+CHORD = 0.02 * MM  # how far the pieces of an arc may stand off it
+
+
+def drawing_blocks(context: Context) -> list[Block]:
+    """A page for each sheet of what the design draws."""
+    drawn = sheets(context.results, context.say, context.document.data)
+    return [_block(sheet) for sheet in drawn]
+
+
+def _block(sheet: Sheet) -> Block:
+    alt = "; ".join(mark.text for mark in sheet.marks if isinstance(mark, Words))
+    return Block(0.0, lambda pen, _: _draw(pen, sheet), page=PAGE, content=Picture(), tag=Tag(FIGURE, alt=alt))
+
+
+def wheel_blocks(context: Context) -> list[Block]:
+    """The data of the wheels as they stand on their drawings."""
+    data = wheels(context.results)
+    if data is None:
+        return []
+    table = replace(in_language(data, context.say), columns=data.columns)  # the names of the wheels are the user's
+    return [*heading(table.title, SECTION, gap=11.0, after=0.0), *table_blocks(context, [replace(table, title=EMPTY)])]
+
+
+def _draw(pen: Pen, sheet: Sheet) -> None:
+    for mark in sheet.marks:
+        _mark(pen, mark)
+
+
+def _mark(pen: Pen, mark: Ink) -> None:
+    layer = LAYERS[mark.layer]
+    wide, dashes = layer.width * MM, tuple(abs(dash) * MM for dash in layer.dashes)
+    match mark:
+        case Polyline(points=points, closed=closed):
+            pen.line(_placed((*points, points[0]) if closed else points), wide, BLACK, dashes)
+        case Arc():
+            pen.line(_placed(_chords(mark)), wide, BLACK, dashes)
+        case Area(outlines=outlines):
+            pen.shape([_placed(outline) for outline in outlines], BLACK)
+        case Hatch():
+            for line in hatch_lines(mark):
+                pen.line(_placed(line), wide, BLACK)
+        case Dimension():
+            for stroke in strokes(mark):
+                _mark(pen, stroke)
+        case Words():
+            _words(pen, mark)
+
+
+def _words(pen: Pen, words: Words) -> None:
+    box = text(words.text, words.height * POINTS / CAPITAL, PLAIN)
+    ((x, y),) = _placed((words.at,))
+    back = {"left": 0.0, "centre": box.width / 2, "right": box.width}[words.side]
+    if words.turned:
+        pen.turn(box, x - LEFT, y - back)
+    else:
+        pen.put(box, x - LEFT - back, y)
+
+
+def _placed(points: tuple[Point, ...]) -> list[tuple[float, float]]:
+    return [(x * POINTS, y * POINTS) for x, y in points]
+
+
+def _chords(arc: Arc) -> tuple[Point, ...]:
+    (x, y), r = arc.centre, arc.radius
+    step = 2 * math.acos(max(0.0, 1 - CHORD / (r * POINTS))) or 1.0
+    n = max(2, math.ceil((arc.end - arc.start) / step))
+    turns = [arc.start + (arc.end - arc.start) * i / n for i in range(n + 1)]
+    return tuple((x + r * math.cos(turn), y + r * math.sin(turn)) for turn in turns)

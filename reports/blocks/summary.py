@@ -1,0 +1,183 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The first page: what was calculated, by whom, how it came out, what is open, and the nearest design that passes."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, NamedTuple
+
+from calc.described import described
+from calc.id_words import knows
+from calc.design.key_values import key_results
+from calc.sheet.check import SIGNS, THIN_MARGIN
+from calc.sheet.text import Amount, Text
+from calc.design.unusual import told, unusual
+
+from .checks import attention_blocks, counted, name_of, shown_value, sign_cell
+from ..content import Words
+from ..context import Context, closeness
+from ..setting.flow import Block, bullet, heading, paginate, paragraph
+from ..setting.fonts import BOLD
+from ..paper import WIDTH
+from ..proof_blocks import used
+from ..setting.prose import BODY, CELL, NOTE, SECTION, STRONG, Style, lines, one_line
+from ..sketch import sketch_blocks
+from ..setting.tables import Cell, Column, Row, table
+from .title_block import change_blocks, title_blocks
+from ..setting.typeset import symbol
+from .values import paired_table
+from .words import STATE_COLOURS, STATE_PANELS
+
+if TYPE_CHECKING:
+    from ..setting.pen import Pen
+
+
+def step_anchor(key: str) -> str:
+    return f"step-{key}"
+
+
+def summary_blocks(context: Context) -> list[Block]:
+    """The head of every report: what is calculated and how it came out."""
+    w, results = context.words, context.results
+    made = title_blocks(context)
+    made += _verdict(context)
+    made += _object(context)
+    made += sketch_blocks(context)
+    if rows := _key_results(context):
+        made += heading(w["key_results"], SECTION, gap=9.0, after=0.0)
+        made += paired_table(context, "", rows)
+    made += heading(w["steps"], SECTION, gap=9.0, after=0.0)
+    made += _steps(context)
+    made += paragraph(context.text("kinds", margin=Amount(THIN_MARGIN * 100, "%")), NOTE, gap=2.0)
+    if attention := attention_blocks(context, results.checks()):
+        made += heading(w["attention"], SECTION, gap=9.0, after=0.0)
+        made += attention
+    return made
+
+
+def closing_blocks(context: Context, mended: Mended | None, above: list[Block]) -> list[Block]:
+    """What stands below that: the nearest design that passes, the record of changes, and where no chapters follow what they would say."""
+    results = context.results
+    made = above + (_nearest(context, mended) if mended is not None else []) + change_blocks(context)
+    if context.depth != "summary":  # the proposals stand with their steps
+        return made
+    if errata := sum(len(outcome.errata) for outcome in results.outcomes.values()):
+        made += paragraph(context.text("errata_count", n=errata), NOTE, gap=6.0)
+    return made + _proposals(context, made)
+
+
+def _object(context: Context) -> list[Block]:
+    """What is judged, and at which load."""
+    rows: list[Row] = [(context.say(title), context.say(words)) for title, words in described(context.design)]
+    return table((Column(width=78.0), Column()), rows, gap=7.0, header=False) if rows else []
+
+
+def _key_results(context: Context) -> list[tuple[str | Cell, ...]]:
+    """The results that a design is known by, each by its worst part."""
+    rows: list[tuple[str | Cell, ...]] = []
+    for value in key_results(context.values).values():
+        name = context.say(value.label)
+        whose = " ".join(context.belongs(value.id))
+        name = f"{name}, {whose}" if whose and not knows(name, whose) else name
+        rows.append((name, Cell(box=symbol(value.symbol, CELL.size)) if value.symbol else "", context.written(value.shown, ""), value.unit))
+    return rows
+
+
+class Mended(NamedTuple):
+    """The nearest design in which no limit fails: what it changes, whether it passes, and what is left, with the reason."""
+
+    changes: Text
+    passes: bool
+    left: tuple[tuple[Text, Text], ...]
+
+
+def mended(context: Context) -> Mended | None:
+    """Of a design that fails only.  Solves some twenty designs."""
+    results = context.original or context.results
+    if results.verdict != "fail":
+        return None
+    from calc.studies.repair.nearest import nearest
+
+    found = nearest(context.document, results, tries=0)
+    return Mended(found.words, found.passes, tuple((one.name, one.why) for one in found.left[:3]))
+
+
+def _nearest(context: Context, found: Mended) -> list[Block]:
+    """The nearest design that passes, with all that it changes."""
+    made = heading(context.words["nearest_title"], SECTION, gap=9.0, after=0.0)
+    if found.changes:
+        made += paragraph(context.text("nearest_passes" if found.passes else "nearest_part", changes=found.changes), CELL, gap=1.0)
+    for name, why in found.left:
+        made += paragraph(context.text("nearest_left", name=name, why=why), CELL, gap=1.0)
+    return made if found.changes or found.left else []
+
+
+def _proposals(context: Context, above: list[Block]) -> list[Block]:
+    """The proposed remedies of all steps, as many as there is room for without a further page."""
+    w = context.words
+    proposals = [proposal for _, _, outcome in context.steps() for proposal in outcome.proposals]
+    pages = len(paginate(above))
+    for count in range(len(proposals), 0, -1):
+        made = heading(w["proposals"], SECTION, gap=9.0, after=0.0)
+        made += [block for proposal in proposals[:count] for block in bullet(proposal, CELL)]
+        if count < len(proposals):
+            made += paragraph(context.text("more_proposals", count=len(proposals) - count), NOTE, gap=1.0)
+        if len(paginate(above + made)) == pages:
+            return made
+    return []
+
+
+def _verdict(context: Context) -> list[Block]:
+    """The overall verdict as a panel: sign, word, and the count of checks."""
+    w, results = context.words, context.results
+    state = results.verdict
+    checks = list(results.checks())
+    words = counted(context, checks)
+    waiting = [context.say(step.title) for _, step, o in context.steps() if o.state in ("blocked", "no_solution")]
+    if waiting:
+        words += context.text("waiting", steps=", ".join(waiting))
+    limits = [check for check in checks if check.kind == "limit"]
+    if limits:
+        worst = min(limits, key=closeness)
+        at = context.text(
+            "governing", name=name_of(context, worst), value=shown_value(context, worst), limit=context.say(worst.limit_text())
+        )
+        words = ". ".join([words, ", ".join(filter(None, (at, used(context, worst).words)))])
+    if odd := told(unusual(context.design)):
+        words = ". ".join([words, context.say(odd)])
+    big = Style(15.0, 18.0, BOLD, STATE_COLOURS[state])
+    sign = one_line(f"{SIGNS[state]}  {w[state].upper()}", big, 0.4 * WIDTH)
+    beside = lines(words, BODY, WIDTH - sign.width - 40.0)
+    height = max(30.0, len(beside) * BODY.leading + 12.0)
+
+    def draw(pen: Pen, y: float) -> None:
+        pen.panel(0.0, y - height, WIDTH, height, STATE_PANELS.get(state, (0.94, 0.94, 0.94)))
+        pen.panel(0.0, y - height, 3.0, height, STATE_COLOURS[state])
+        pen.put(sign, 12.0, y - height / 2 - 0.36 * big.size)
+        base = y - height / 2 + (len(beside) / 2 - 0.5) * BODY.leading - 0.34 * BODY.size
+        for i, line in enumerate(beside):
+            pen.put(line, sign.width + 28.0, base - i * BODY.leading)
+
+    return [Block(height, draw, gap=7.0, content=Words(f"{SIGNS[state]} {w[state].upper()}. {words}", STRONG))]
+
+
+def _steps(context: Context) -> list[Block]:
+    """One row a step: its verdict and the check that is closest to its limit, or furthest beyond."""
+    w = context.words
+    rows: list[Row] = []
+    for number, step, outcome in context.steps():
+        if step.optional and outcome.state == "not_asked":
+            continue
+        title = f"{number}  {context.say(step.title)}"
+        state = outcome.verdict
+        worst = min(outcome.checks, key=closeness, default=None) if outcome.state == "solved" else None
+        if worst is None:
+            words = {"blocked": outcome.reason, "no_solution": outcome.reason, "not_asked": "–"}.get(outcome.state, w["no_checks"])
+            rows.append((title, sign_cell(context, state), Cell(words, NOTE), "", "", ""))
+            continue
+        found = name_of(context, worst), shown_value(context, worst), context.say(worst.limit_text()), context.say(worst.margin_text())
+        rows.append((title, sign_cell(context, state), *found))
+    columns = (
+        Column(w["step"], width=84.0), Column(w["verdict"], width=60.0), Column(w["worst"]), Column(w["value"], "r"),
+        Column(w["limit"], "r"), Column(w["margin"], "r"),
+    )  # fmt: skip
+    return table(columns, rows, gap=2.0)

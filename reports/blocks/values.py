@@ -1,0 +1,222 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The results of a step as tables: parts with the same results (order 1, order 2; front, rear) beside each other.
+
+After them the tables that the step itself has put together.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import dataclass, field, replace
+
+from calc.sheet.quantity import Published
+from calc.sheet.step import Outcome, Table
+
+from ..context import Context
+from ..setting.flow import Block
+from .nomenclature import noted
+from ..paper import WIDTH
+from ..setting.prose import CELL, HEADER, KEY, run
+from ..setting.tables import GAP, Cell, Column, Row, named_table, natural, noted_below, table
+from ..setting.typeset import symbol
+
+ACROSS = 7
+NUMBERS = 56.0  # most width of values in a table of two halves
+LEAST_WORDS = 60.0  # width that a column of words needs in a table of many
+ALIKE = 0.6  # share of results in common, with their names and units, that puts two parts beside each other
+
+
+@dataclass(slots=True)
+class _Part:
+    """The results under one address."""
+
+    prefix: str
+    name: str
+    values: dict[str, Published] = field(default_factory=dict)
+
+    @property
+    def zero(self) -> bool:
+        return all(v.shown == 0 for v in self.values.values())
+
+
+def value_blocks(context: Context, outcome: Outcome[object], values: Iterable[Published]) -> list[Block]:
+    """Values of a step.  What is zero throughout is named, not tabulated, unless everything is asked for."""
+    parts: dict[str, _Part] = {}
+    for value in values:
+        prefix, _, name = value.id.removeprefix(f"{outcome.key}.").rpartition(".")
+        parts.setdefault(prefix, _Part(prefix, ", ".join(context.belongs(value.id)))).values[name] = value
+    nothing = [p for p in parts.values() if p.zero and p.prefix and not context.audit]
+    zero = [p.name for p in nothing]
+    made: list[Block] = []
+    for cluster in _clusters(p for p in parts.values() if p not in nothing):
+        if len(cluster) == 1:
+            made += _single(context, cluster[0])
+        else:
+            for start in range(0, len(cluster), ACROSS):
+                made += _beside(context, cluster[start : start + ACROSS], zero)
+    if zero:
+        made = noted_below(made, context.text("zero_values", names=" · ".join(dict.fromkeys(zero))), gap=3.0)
+    return made
+
+
+def _clusters(parts: Iterable[_Part]) -> list[list[_Part]]:
+    clusters: list[list[_Part]] = []
+    for part in parts:
+        names = {(n, v.unit, v.label) for n, v in part.values.items()}
+        for cluster in clusters:
+            first = {(n, v.unit, v.label) for n, v in cluster[0].values.items()}
+            if part.prefix and cluster[0].prefix and len(names & first) >= ALIKE * max(len(names), len(first)):
+                cluster.append(part)
+                break
+        else:
+            clusters.append([part])
+    return clusters
+
+
+def _symbol(context: Context, value: Published) -> Cell:
+    if not value.symbol:
+        return Cell()
+    return Cell(box=symbol(value.symbol, CELL.size), indexed=noted(context, value.symbol, context.say(value.label), value.unit))
+
+
+def _named(context: Context, values: Iterable[Published]) -> Iterator[tuple[Published, Cell]]:
+    """Values with their names; one that begins with a small letter ("its phase") goes on from the last that does not."""
+    head = ""
+    for value in values:
+        name = context.say(value.label)
+        goes_on = value.label[:1].islower()
+        head = head if goes_on else name
+        yield value, Cell(name, indexed=f"{head}: {name}" if goes_on else name)
+
+
+def _single(context: Context, part: _Part) -> list[Block]:
+    w = context.words
+    columns = (
+        Column(w["quantity"], width=186.0), Column(w["symbol"], width=48.0), Column(w["value"], "r", width=56.0),
+        Column(w["unit"], width=44.0), Column(w["id"]),
+    )  # fmt: skip
+    rows = [
+        (name, _symbol(context, v), context.written(v.shown), v.unit, Cell(v.id, KEY)) for v, name in _named(context, part.values.values())
+    ]
+    title = part.name[:1].upper() + part.name[1:]
+    return named_table(title, columns, rows) if context.audit else paired_table(context, title, [row[:4] for row in rows])
+
+
+def paired_table(context: Context, title: str, rows: Sequence[tuple[str | Cell, ...]]) -> list[Block]:
+    """Quantities with symbol, value and unit, two beside each other: down the left half, then down the right."""
+    if len(rows) < 2:
+        return named_table(title, _paired(context, rows), rows)
+    half = -(-len(rows) // 2)
+    both = [(*left, *right) for left, right in zip(rows[:half], [*rows[half:], ("",) * 4])]
+    return named_table(title, _paired(context, rows) * 2, both)
+
+
+def _paired(context: Context, rows: Sequence[tuple[str | Cell, ...]]) -> tuple[Column, ...]:
+    """Columns of half the width of a page: as narrow as symbol, value and unit can be, the rest for what they are called."""
+    w = context.words
+    narrow = [Column(w["symbol"]), Column(w["value"], "r"), Column(w["unit"])]
+    cells = [[cell if isinstance(cell, Cell) else Cell(cell) for cell in column] for column in list(zip(*rows))[1:]]
+    narrow = [replace(column, width=min(_words_width(column, some), NUMBERS)) for column, some in zip(narrow, cells)]
+    return Column(w["quantity"], width=WIDTH / 2 - 3.5 * GAP - sum(column.width or 0.0 for column in narrow)), *narrow
+
+
+def _beside(context: Context, parts: list[_Part], zero: list[str]) -> list[Block]:
+    """`zero`: takes the names of what is zero in all of these parts."""
+    w = context.words
+    all_values: dict[str, Published] = {}
+    for part in parts:
+        for name, value in part.values.items():
+            all_values.setdefault(name, value)
+    names = (Column(p.name, "r") for p in parts)
+    columns = (Column(w["quantity"]), Column(w["symbol"]), *names, Column(w["unit"], width=40.0))
+    rows: list[Row] = []
+    for name, (value, cell) in zip(all_values, _named(context, all_values.values())):
+        cells = [context.written(p.values[name].shown) if name in p.values else "–" for p in parts]
+        if not context.audit and all(c in ("0", "–") for c in cells):
+            zero.append(f"{cell.indexed} ({'; '.join(p.name for p in parts)})")
+            continue
+        rows.append((cell, _symbol(context, value), *cells, value.unit))
+    return table(columns, rows, gap=6.0) if rows else []
+
+
+# --- the step's own tables --------------------------------------------------------------------------------------------------
+def table_blocks(context: Context, tables: Iterable[Table]) -> list[Block]:
+    """What belongs side by side: numbers to the right, words to the left; a note in small type below."""
+    made: list[Block] = []
+    for shown in tables:
+        rows = [[_shown(cell, context) for cell in row] for row in shown.rows]
+        columns = [_headed(context, shown, i, _one_line) for i in range(len(shown.columns))]
+        if sum(c.width or _words_width(c, [row[i] for row in rows]) for i, c in enumerate(columns)) + GAP * len(columns) > WIDTH:
+            columns = [_headed(context, shown, i, _two_lines) for i in range(len(shown.columns))]
+        for n, some in enumerate(_fitting(columns)):
+            title = context.text("two", name=shown.title) if n else shown.title
+            fixed = [columns[i].width for i in some]
+            # A table of numbers alone ends with its last column.
+            width = min(WIDTH, sum(w or 0.0 for w in fixed) + GAP * (len(some) - 1) + 0.01) if all(fixed) else WIDTH
+            cells = [[row[i] for i in some] for row in rows] or [[Cell()] * len(some)]
+            made += named_table(title, [columns[i] for i in some], cells, width=width)
+        if shown.note:
+            made = noted_below(made, shown.note)
+    return made
+
+
+def _shown(cell: str | float | None, context: Context) -> Cell:
+    if cell is None:
+        return Cell()
+    return Cell(cell, align="l") if isinstance(cell, str) else Cell(context.written(cell), align="r")
+
+
+def _headed(context: Context, shown: Table, i: int, header: Callable[[str], float]) -> Column:
+    """A column of a table; one of numbers is as wide as they and its header need, so that no number is broken."""
+    label, unit = shown.columns[i]
+    words = f"{label}, {unit}" if unit else label
+    cells = [row[i] for row in shown.rows]
+    if not any(isinstance(cell, (int, float)) for cell in cells) and (not unit or any(cells)):
+        return Column(words)
+    column = Column(words, "r")
+    return replace(column, width=max([header(words), *(natural(_shown(c, context), column) for c in cells if not isinstance(c, str))]))
+
+
+def _words_width(column: Column, cells: list[Cell]) -> float:
+    """The width in which nothing of a column of words wraps."""
+    return max([_one_line(column.header), *(natural(cell, column) for cell in cells)])
+
+
+def _one_line(header: str) -> float:
+    return run(header, HEADER).width
+
+
+def _two_lines(header: str) -> float:
+    """The width in which a header stands on two lines at most."""
+    words = header.split()
+    return min(
+        (max(run(" ".join(part), HEADER).width for part in (words[:n], words[n:])) for n in range(1, len(words))),
+        default=run(header, HEADER).width,
+    )
+
+
+def _fitting(columns: list[Column]) -> list[list[int]]:
+    """The columns of each of the tables that a wide one is divided into, about as wide as each other; the first column, which names the
+    rows, stands in all."""
+    if not columns:
+        return []
+    wide = [column.width or LEAST_WORDS for column in columns]
+    found = parts = _filled(wide, WIDTH)
+    room = WIDTH
+    while len(parts) == len(found) > 1 and room > WIDTH / 2:
+        found, room = parts, room - 10.0
+        parts = _filled(wide, room)
+    return found
+
+
+def _filled(wide: list[float], room: float) -> list[list[int]]:
+    """The columns of each part when every part takes as many as there is room for."""
+    parts = [[0]]
+    filled = wide[0]
+    for i, needed in enumerate(wide[1:], 1):
+        if filled + GAP + needed > room and len(parts[-1]) > 1:
+            parts.append([0])
+            filled = wide[0]
+        parts[-1].append(i)
+        filled += GAP + needed
+    return parts

@@ -1,0 +1,205 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The report as a Word document, for those who go on writing: what stands in the PDF, with formulas that can be edited.
+
+It is made from the same blocks as the PDF, by what they say (`reports.content`).  Needs the extra `docx`.
+"""
+
+from __future__ import annotations
+
+import io
+import unicodedata
+from collections.abc import Iterable, Sequence
+from datetime import UTC, datetime
+from pathlib import Path
+from typing import Any
+
+from docx import Document as new_document
+from docx.enum.text import WD_ALIGN_PARAGRAPH
+from docx.oxml import OxmlElement, parse_xml
+from docx.shared import Pt, RGBColor
+
+from calc.design.toml_file import Document
+from calc.design.disk import write_file
+from calc.solve import Results
+
+from . import omml
+from ..content import Formula, Heading, Picture, Words
+from ..context import Context
+from ..docx_styles import BODY_TEXT, BULLET, CAPTION, CELLS, SOURCE, SUBTITLE, TABLE_TEXT, prepare
+from ..setting.equation import spoken, spoken_numbers
+from ..setting.flow import Block
+from ..setting.fonts import BOLD
+from ..paper import WIDTH
+from ..picture import pictures
+from ..setting.prose import BODY, CELL, HEADER, INLINE, NOTE, Style
+from ..report import blocks, context_of, inputs_of
+from ..setting.tables import Cell, Column, Group, Row, Rows
+from ..blocks.title_block import PROGRAM
+from ..setting.typeset import symbol_parts
+
+ONE_LINE = 70  # letters of a formula with its numbers that stand on one line
+INDENT = "\u2003"  # of what goes on from the line above: a sign at its beginning is read as an operator, which wants something before it
+PAD = 7.0  # points that a cell needs beside its words
+DEPTHS = ("summary", "engineer")  # the audit is a record, and no text to go on with
+
+
+def write(document: Document, results: Results, raw: bytes, path: Path, *, depth: str = "engineer", lang: str = "en") -> Path:
+    """Write the report of a solved design as a Word document.  Raises ValueError for a depth or a language that there is not."""
+    return write_file(path, render(document, results, raw, depth=depth, lang=lang), inputs=inputs_of(document, results))
+
+
+def render(document: Document, results: Results, raw: bytes, *, depth: str = "engineer", lang: str = "en") -> bytes:
+    if depth not in DEPTHS:
+        raise ValueError(f"depth {depth!r}: must be one of {', '.join(DEPTHS)}")
+    context = context_of(document, results, raw, depth=depth, lang=lang)
+    writer = _Writer(context)
+    writer.write(blocks(context))
+    file = io.BytesIO()
+    writer.file.save(file)
+    return file.getvalue()
+
+
+class _Writer:
+    def __init__(self, context: Context) -> None:
+        self.context = context
+        self.file: Any = new_document()
+        self.styles = prepare(self.file, context.say.code)
+        about, control = self.file.core_properties, context.design.control
+        about.title, about.author = written(context.design.name)[:255], written(control.signatures()[0][1].name)[:255]
+        about.subject, about.comments, about.language = context.words["report"], PROGRAM, context.say.code
+        about.keywords = f"design file sha256 {context.sha256}"
+        about.created = about.modified = datetime.now(UTC)
+        foot = self.file.sections[0].footer.paragraphs[0]
+        foot.text, foot._p.style = context.text("docx_note", program=PROGRAM, sum=context.sha256), self.styles[SOURCE]
+
+    def write(self, all_blocks: list[Block]) -> None:
+        drawn = iter(pictures([block for block in all_blocks if isinstance(block.content, Picture)]))
+        for block in all_blocks:
+            match block.content:
+                case Heading(words, level):
+                    self.file.add_heading(written(words), level)
+                    if level == 0:
+                        self.line(SUBTITLE).add_run(self.context.words["report"])
+                case Words(words, style, bullet):
+                    runs(self.line(BULLET if bullet else BODY_TEXT), words, style)
+                case Rows(columns, rows, widths):
+                    self.table(columns, rows, widths)
+                case Formula() as content:
+                    self.formula(content)
+                case Picture(captions):
+                    self.picture(next(drawn), captions)
+
+    def line(self, style: str, within: Any = None) -> Any:
+        """A new paragraph; its style is set by its id, which python-docx else looks up in ten times the time that all the rest takes."""
+        made = (within or self.file).add_paragraph()
+        made._p.style = self.styles[style]
+        return made
+
+    def picture(self, png: bytes, captions: tuple[str, ...]) -> None:
+        shape = self.file.add_picture(io.BytesIO(png), width=Pt(WIDTH))
+        shape._inline.docPr.set("descr", written(" ".join(captions) or self.context.design.name))  # is read out in place of the picture
+        for side in "TBLR":
+            shape._inline.set(f"dist{side}", "0")  # where it is left out LibreOffice takes 9 points
+        if captions:
+            self.file.paragraphs[-1].paragraph_format.keep_with_next = True
+            runs(self.line(CAPTION), "   ".join(captions), NOTE)
+
+    def formula(self, content: Formula) -> None:
+        """Each line is a paragraph, so that none is broken where it need not be."""
+        parts: list[str] = []
+        if (first := content.first) is not None and first.formula is not None:
+            parts.append(omml.formula(first.symbol, first.formula))
+        elif first is not None:
+            named = self.line(BODY_TEXT)
+            named._p.append(parse_xml(omml.inline(omml.symbol(first.symbol))))
+            runs(named, f": {first.shows}", BODY)
+        for label, line in content.lines:
+            if parts and line is first and len(spoken(line)) + len(spoken_numbers(line)) <= ONE_LINE:
+                parts[0] += omml.numbers(line)
+            else:
+                parts.append(omml.words(f"{written(label)}: " if label else INDENT) + omml.numbers(line))
+        for part in parts:
+            self.line(BODY_TEXT)._p.append(parse_xml(omml.paragraph(part)))
+        if below := " · ".join(filter(None, (content.more, content.source))):
+            runs(self.line(SOURCE), below, NOTE)
+
+    # --- tables
+    def table(self, columns: Sequence[Column], rows: Iterable[Row], widths: Sequence[float]) -> None:
+        """A table with a row of headers that is repeated on every page; columns in which nothing stands are left out."""
+        body = [row for row in rows if isinstance(row, Group) or any(map(_says, row))]
+        full = [row for row in body if not isinstance(row, Group)]
+        used = [n for n in range(max(map(len, full))) if any(_says(row[n]) for row in full) or (columns and columns[n].header)]
+        made = self.file.add_table(rows=0, cols=len(used), style="Table Grid")
+        if any(column.header for column in columns):
+            row = made.add_row()
+            row._tr.get_or_add_trPr().append(OxmlElement("w:tblHeader"))
+            for cell, n in zip(row.cells, used):
+                self.cell(cell, Cell(columns[n].header, HEADER), columns[n])
+        for given in body:
+            cells = made.add_row().cells
+            if isinstance(given, Group):
+                self.cell(cells[0].merge(cells[-1]), Cell(given.words, HEADER), Column())
+                continue
+            for place, n in zip(cells, used):
+                one = given[n]
+                self.cell(place, Cell(one) if isinstance(one, str) else one, columns[n] if columns else Column())
+        self.spread(made, [widths[n] + PAD for n in used] if widths else [1.0] * len(used))
+        self.line(SOURCE)  # two tables that touch would become one
+
+    def spread(self, made: Any, shares: Sequence[float]) -> None:
+        """Columns as wide as on paper, the table as wide as the text."""
+        made.autofit = False
+        made._tbl.tblPr.insert_element_before(parse_xml(CELLS), "w:tblLook")  # in the order of the schema, which Word asks for
+        for column, share in zip(made.columns, shares):
+            column.width = Pt(WIDTH * share / sum(shares))
+        for row in made.rows:
+            for place, share in zip(row._tr.tc_lst, shares):
+                if place.grid_span == 1:
+                    place.width = Pt(WIDTH * share / sum(shares))
+
+    def cell(self, place: Any, cell: Cell, column: Column) -> None:
+        line = place.paragraphs[0]
+        line._p.style = self.styles[TABLE_TEXT]
+        if (cell.align or column.align) == "r":
+            line.alignment = WD_ALIGN_PARAGRAPH.RIGHT
+        if cell.box is not None:
+            _marks(line, cell)
+        else:
+            runs(line, cell.words, cell.style or column.style)
+        if cell.under and cell.under[0]:
+            runs(self.line(TABLE_TEXT, place), *cell.under)
+
+
+def _says(cell: str | Cell) -> bool:
+    return bool(cell) if isinstance(cell, str) else bool(cell.words or cell.box or cell.under)
+
+
+def _marks(line: Any, cell: Cell) -> None:
+    """A symbol that was set: its letters, with the indices that stand lower and higher."""
+    assert cell.box is not None
+    for mark in cell.box.marks:
+        if mark[0] == "text":
+            font = line.add_run(written(mark[3])).font
+            if mark[2]:
+                setattr(font, "subscript" if mark[2] < 0 else "superscript", True)
+
+
+def runs(line: Any, words: str, style: Style) -> None:
+    """Words on a line in the look of their style; a symbol in them with its index."""
+    for n, part in enumerate([words] if style.plain else INLINE.split(words)):
+        for letters, below, above in symbol_parts(part) if n % 2 else [(part, "", "")]:
+            for text, key in ((letters, ""), (below, "subscript"), (above, "superscript")):
+                if not text:
+                    continue
+                piece = line.add_run(written(text))
+                if key:
+                    setattr(piece.font, key, True)
+                if style.face == BOLD:
+                    piece.bold = True
+                if any(style.colour) and style not in (BODY, CELL, HEADER):
+                    piece.font.color.rgb = RGBColor(*(round(255 * c) for c in style.colour))
+
+
+def written(words: str) -> str:
+    """Words without what a file of XML can not hold."""
+    return "".join(" " if unicodedata.category(c) in ("Cc", "Cs", "Cn") else c for c in words)

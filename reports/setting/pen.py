@@ -1,0 +1,205 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The pen collects what one page holds and writes it: rules and lines first, then figures, then all text in reading order."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
+from itertools import groupby
+from operator import itemgetter
+
+from reportlab.pdfbase import pdfmetrics
+from reportlab.pdfgen.canvas import Canvas
+
+from .boxes import BLACK, Box, Colour, Mark
+from .fonts import face_of
+from ..paper import LEFT
+from .tags import FIGURE, Element, Link, Tag, Tree, hexed
+
+Encoded = tuple[str, str]  # a part of an embedded font by its name on the page, and codes in it
+Codes = tuple[dict[str, list[Encoded]], dict[str, Encoded]]  # texts and single letters, as a font encodes them
+
+
+class Pen:
+    """Collects what one page holds.  x = 0 is the left margin, y is the height on the page."""
+
+    def __init__(
+        self, canvas: Canvas, numbers: Mapping[str, int], codes: dict[str, Codes],
+        places: Mapping[str, list[int]] | None = None, tree: Tree | None = None,
+    ) -> None:  # fmt: skip
+        self.canvas = canvas
+        self.tree = tree or Tree(1)
+        self.tree.pages.append([])
+        self.element: Element | None = None  # whose content is drawn; None: what repeats or adorns
+        self.places = places or {}  # name in the index → its pages
+        self.codes = codes  # by typeface
+        self.numbers = numbers  # anchor → page number
+        self.text: list[tuple[float, float, Mark, Element | None]] = []
+        self.figures: list[tuple[Callable[[], None], Element | None]] = []
+        self.code: list[tuple[str, Element | None]] = []
+        self.colour: Colour | None = None
+
+    @contextmanager
+    def tagged(self, tag: Tag | None) -> Iterator[None]:
+        """What is drawn meanwhile is the content of this tag's element; None: of none."""
+        before, self.element = self.element, self.tree.element(tag) if tag is not None else None
+        try:
+            yield
+        finally:
+            self.element = before
+
+    @contextmanager
+    def cell(self, attributes: str = "") -> Iterator[None]:
+        """What is drawn meanwhile is a further cell of the row that is drawn, a head where it has attributes."""
+        before = self.element
+        if before is not None and before.role == "TR":
+            self.element = Element("TH" if attributes else "TD", before, attributes=attributes)
+        try:
+            yield
+        finally:
+            self.element = before
+
+    def put(self, box: Box, x: float, y: float) -> None:
+        """Place a box with its base line at this height."""
+        x += LEFT
+        for mark in box.marks:
+            match mark[0]:
+                case "text":
+                    self.text.append((x + mark[1], y + mark[2], mark, self.element))
+                case "rule":
+                    self._fill(x + mark[1], y + mark[2], mark[3], mark[4], mark[5])
+                case "path":
+                    self.line([(x + px, y + py) for px, py in mark[1]], mark[2], mark[3])
+                case "link":
+                    self.link(x - LEFT + mark[1], y + mark[2], mark[3], mark[4], mark[5], mark[6])
+                case _:
+                    self.text.append((x + mark[1], y + mark[2], mark, self.element))
+
+    def turn(self, box: Box, x: float, y: float) -> None:
+        """Place the text of a box turned a quarter to the left, reading upwards from here."""
+        for mark in box.marks:
+            if mark[0] == "text":
+                self.text.append((LEFT + x - mark[2], y + mark[1], ("turned", *mark[1:]), self.element))
+
+    def rule(self, x: float, y: float, width: float, thick: float, colour: Colour = BLACK) -> None:
+        """A horizontal rule whose upper edge lies at y."""
+        self._fill(LEFT + x, y - thick, width, thick, colour)
+
+    def panel(self, x: float, y: float, width: float, height: float, colour: Colour) -> None:
+        """A filled rectangle; y is its lower edge."""
+        self._fill(LEFT + x, y, width, height, colour)
+
+    def link(self, x: float, y: float, width: float, height: float, anchor: str, words: str) -> None:
+        """Over the text that was put there last: it becomes the content of the link."""
+        left, canvas, owner = LEFT + x, self.canvas, self.element
+        parent = None
+        if owner is not None:
+            link = Element("Link", owner)
+            for n in range(len(self.text) - 1, -1, -1):  # back to where its owner begins
+                at, base, mark, whose = self.text[n]
+                if whose is None or owner not in (whose, whose.parent):
+                    break
+                if left - 0.5 <= at < left + width and y <= base < y + height:
+                    self.text[n] = at, base, mark, link
+            parent = self.tree.link(link, f"NUMBER{canvas._annotationCount + 1}")
+        canvas._addAnnotation(Link((left, y, left + width, y + height), words, canvas._bookmarkReference(anchor), parent))
+
+    def figure(self, draw: Callable[[], None]) -> None:
+        self.figures.append((draw, self.element))
+
+    def _fill(self, x: float, y: float, width: float, height: float, colour: Colour) -> None:
+        self._draw(f"{_rgb(colour)} rg {x:.2f} {y:.2f} {width:.2f} {height:.2f} re f")
+
+    def _draw(self, code: str) -> None:
+        """Lines and areas are content in a figure; elsewhere they adorn."""
+        self.code.append((code, self.element if self.element is not None and self.element.role == FIGURE else None))
+
+    def line(self, points: list[tuple[float, float]], thick: float, colour: Colour, dashes: tuple[float, ...] = ()) -> None:
+        """An open line through points of the page."""
+        drawn = f"{_rgb(colour)} RG {thick:.2f} w {_path(points)} S"
+        self._draw(f"[{' '.join(f'{d:g}' for d in dashes)}] 0 d {drawn} [] 0 d" if dashes else drawn)
+
+    def area(self, points: list[tuple[float, float]], colour: Colour) -> None:
+        """A filled polygon with its corners at points of the page."""
+        self._draw(f"{_rgb(colour)} rg {_path(points)} f")
+
+    def shape(self, outlines: list[list[tuple[float, float]]], colour: Colour) -> None:
+        """What is filled within closed outlines; what lies in two of them stays empty."""
+        self._draw(f"{_rgb(colour)} rg {' '.join(map(_path, outlines))} f*")
+
+    def write(self) -> None:
+        """Put everything on the canvas."""
+        code = self.canvas._code
+        if self.code:
+            code.append("q 1 j 1 J")
+            for element, some in groupby(self.code, itemgetter(1)):
+                code += [self._begin(element), *(one for one, _ in some), "EMC"]
+            code.append("Q")
+        for draw, element in self.figures:
+            self.element = element
+            code.append(self._begin(element))
+            draw()
+            code.append("EMC")
+        code.append("\n".join(self._text()))
+
+    def _begin(self, element: Element | None) -> str:
+        """The operator that begins marked content."""
+        return "/Artifact BMC" if element is None else f"/{element.role} <</MCID {self.tree.mark(element)}>> BDC"
+
+    def _text(self) -> list[str]:
+        """The operators of all text; one text object, so that marked passages may span lines."""
+        made = ["BT"]
+        font: tuple[str, float] | None = None
+        colour: Colour | None = None
+        hidden = False
+        marked: Element | bool | None = False  # False: before the first
+        for n, (x, y, mark, element) in enumerate(self.text):
+            if element is not marked:
+                made += ["EMC"] * (marked is not False) + [self._begin(element)]
+                marked = element
+            if mark[0] in ("begin", "end"):
+                made.append("EMC" if mark[0] == "end" else f"/Span <</ActualText <{hexed(mark[3])}>>> BDC")
+                continue
+            _, _, _, words, face, size, paint, stretch, unseen = mark
+            if paint != colour:
+                made.append(f"{_rgb(paint)} rg")
+                colour = paint
+            if unseen != hidden:
+                made.append(f"{3 if unseen else 0} Tr")
+                hidden = unseen
+            turned = "0 1 -1 0" if mark[0] == "turned" else "1 0 0 1" if stretch == 1.0 else f"1 0 0 {stretch:.3f}"
+            made.append(f"{turned} {x:.2f} {y:.2f} Tm")
+            blank = self._encoded(face, " ") if n + 1 < len(self.text) and self._breaks(x, y, element, *self.text[n + 1]) else []
+            for name, string in [*self._encoded(face, words), *blank]:
+                if (name, size) != font:
+                    made.append(f"{name} {size:.3f} Tf")
+                    font = (name, size)
+                made.append(f"<{string}> Tj")
+        return [*made, *["EMC"] * (marked is not False), "ET"]
+
+    @staticmethod
+    def _breaks(x: float, y: float, element: Element | None, then_x: float, then_y: float, mark: Mark, then: Element | None) -> bool:
+        """Whether the next piece begins another line of the same element: two words, which a blank parts for whoever reads the codes."""
+        return element is not None and then is element and mark[0] == "text" and then_x <= x and then_y < y - 1.0
+
+    def _encoded(self, face: str, words: str) -> list[Encoded]:
+        """A text in the embedded parts of its font."""
+        strings, letters = self.codes.setdefault(face, ({}, {}))
+        if (known := strings.get(words)) is None:
+            for c in words:
+                if c not in letters:
+                    font, document = pdfmetrics.getFont(face_of(c, face)), self.canvas._doc
+                    ((part, code),) = font.splitString(c, document)
+                    letters[c] = font.getSubsetInternalName(part, document), code.hex()
+            runs = groupby([letters[c] for c in words], itemgetter(0))
+            known = strings[words] = [(name, "".join([code for _, code in run])) for name, run in runs]
+        return known
+
+
+def _path(points: list[tuple[float, float]]) -> str:
+    (x, y), *rest = points
+    return f"{x:.2f} {y:.2f} m " + " ".join(f"{a:.2f} {b:.2f} l" for a, b in rest)
+
+
+def _rgb(colour: Colour) -> str:
+    return " ".join(f"{c:.3f}" for c in colour)
