@@ -25,11 +25,10 @@ from calc.sheet.text import EMPTY, Text
 
 from .actions import BY_ID
 from .base_app import BaseApp
-from .session.recovery import Memory, Settings
 from .screens.workbench import Workbench
+from .session.recovery import Memory, Settings
 from .session.session import Session
-from .widgets.choice import Choice
-from .widgets.entry import AT_ONCE, EDITS, Entry
+from .widgets.entry import AT_ONCE, EDITS, Choice, Entry
 from .widgets.item_list import ItemList
 from .widgets.signs import Signs
 
@@ -224,7 +223,7 @@ class ContralberoApp(BaseApp):
         if self.session.safe and self.session.recording is None and not self.writing:
             self.exit(0)
             return
-        from .screens.ask import Ask
+        from .screens.dialogs import Ask
 
         why = self.session.autosave_failure or Text("what was added last is not complete, and such a part is not kept")
         question = Text("The recorded replay is not written.") if self.session.recording is not None else EMPTY
@@ -276,7 +275,7 @@ def run(path: Path | None, ascii: bool = False, lang: str | None = None) -> int:
         signal.signal(signal.SIGHUP, signal.SIG_DFL)
     result = app.run()
     if app._exception is not None:  # textual would show its trace with the values of all variables, and end as a failed check does
-        from .fault import told
+        from .output import told
 
         return told(app._exception)
     return app.return_code or result or 0

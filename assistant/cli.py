@@ -46,7 +46,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
                 raise error.__cause__ from None
             if arguments is not None:
                 raise
-            from .fault import told
+            from .output import told
 
             return told(error)
 
@@ -71,7 +71,8 @@ def command(given: list[str], own: bool) -> int:
             os.environ.setdefault(*THREADS)
             if asked.command not in ("session", "serve"):
                 gc.set_threshold(*SELDOM)
-        return int(import_module(f"assistant.commands.{asked.command}").run(asked))
+        module = import_module(f"assistant.commands.{COMMANDS[asked.command].module}")
+        return int(getattr(module, f"run_{asked.command}")(asked))
     except SystemExit as usage:
         return int(usage.code or 0)
     except KeyboardInterrupt:

@@ -18,8 +18,9 @@ Arguments = Callable[[argparse.ArgumentParser], object]
 
 
 class Command(NamedTuple):
-    """What it is for, and what adds its arguments to a parser."""
+    """The module of `commands` that has its `run_NAME`, what it is for, and what adds its arguments to a parser."""
 
+    module: str
     about: str
     arguments: Arguments
 
@@ -27,24 +28,24 @@ class Command(NamedTuple):
 COMMANDS: dict[str, Command] = {}  # in the order of the help
 
 
-def command(about: str) -> Callable[[Arguments], Arguments]:
+def command(module: str, about: str) -> Callable[[Arguments], Arguments]:
     """Keeps a function that adds arguments as the command of its name."""
 
     def keep(arguments: Arguments) -> Arguments:
-        COMMANDS[arguments.__name__.rstrip("_")] = Command(about, arguments)
+        COMMANDS[arguments.__name__.rstrip("_")] = Command(module, about, arguments)
         return arguments
 
     return keep
 
 
-@command("write a design from a shipped engine")
+@command("edit", "write a design from a shipped engine")
 def new(it: argparse.ArgumentParser) -> None:
     it.add_argument("file", nargs="?", help="the design file to write; an existing one is left alone")
     it.add_argument("--engine", default="r753ie4", metavar="ID", help="which shipped engine (default: %(default)s)")
     it.add_argument("--list", action="store_true", help="list the shipped engines")
 
 
-@command("solve a design and print its verdicts, main values and findings")
+@command("check", "solve a design and print its verdicts, main values and findings")
 def check(it: argparse.ArgumentParser) -> None:
     it.add_argument("file", nargs="?")
     it.add_argument("--set", action="extend", nargs="+", default=[], metavar=KEY_VALUE, dest="changes", help="change inputs for this run")
@@ -56,14 +57,14 @@ def check(it: argparse.ArgumentParser) -> None:
     it.add_argument("--json", action="store_true", help="print one JSON object")
 
 
-@command("the chain of formulas that leads to one value")
+@command("check", "the chain of formulas that leads to one value")
 def explain(it: argparse.ArgumentParser) -> None:
     it.add_argument("file")
     it.add_argument("value", metavar="VALUE_ID", help="like bearings.front.film")
     it.add_argument("--json", action="store_true", help="print the lines as JSON")
 
 
-@command("write the calculation report as a PDF, or as a Word document to go on writing")
+@command("report", "write the calculation report as a PDF, or as a Word document to go on writing")
 def report(it: argparse.ArgumentParser) -> None:
     it.add_argument("file")
     it.add_argument("-o", "--output", metavar="OUT", help="default: the design's name with .pdf, in the current folder")
@@ -76,24 +77,24 @@ def report(it: argparse.ArgumentParser) -> None:
     it.add_argument("--lang", choices=LANGUAGES, default="en", help="English or Italian (default: %(default)s)")
 
 
-@command("solve what is inside a report or a comparison again: identical, signed, or what differs")
+@command("report", "solve what is inside a report or a comparison again: identical, signed, or what differs")
 def verify(it: argparse.ArgumentParser) -> None:
     it.add_argument("file", metavar="REPORT.pdf")
     it.add_argument("--all", action="store_true", help="list every difference")
 
 
-@command("run scripted designs and compare with what they expect")
+@command("scenarios", "run scripted designs and compare with what they expect")
 def replay(it: argparse.ArgumentParser) -> None:
     it.add_argument("files", nargs="+", metavar="FILE")
 
 
-@command("edit a design file in place, comments kept")
+@command("edit", "edit a design file in place, comments kept")
 def set_(it: argparse.ArgumentParser) -> None:
     it.add_argument("file")
     it.add_argument("changes", nargs="+", metavar=KEY_VALUE, help="an empty value takes the key out: KEY=")
 
 
-@command("search for the user: a ranked table, of which one row can be taken")
+@command("edit", "search for the user: a ranked table, of which one row can be taken")
 def choose(it: argparse.ArgumentParser) -> None:
     it.add_argument("file")
     steps = (
@@ -106,7 +107,7 @@ def choose(it: argparse.ArgumentParser) -> None:
     it.add_argument("--apply", type=int, metavar="N", help="write row N into the design file")
 
 
-@command("the whole drive: the front of all combinations that pass, traded over power, mass, seat, price and margin")
+@command("design", "the whole drive: the front of all combinations that pass, traded over power, mass, seat, price and margin")
 def design(it: argparse.ArgumentParser) -> None:
     it.add_argument("file")
     it.add_argument("--out", metavar="FOLDER", help="where the drives are put, and what is known of them; the same again goes on")
@@ -129,7 +130,7 @@ def design(it: argparse.ArgumentParser) -> None:
     it.add_argument("-o", "--output", metavar="NEW.toml", help="with --pick: into this file instead")
 
 
-@command("two designs side by side: what got better and worse, the inputs that differ")
+@command("compare", "two designs side by side: what got better and worse, the inputs that differ")
 def compare(it: argparse.ArgumentParser) -> None:
     it.add_argument("a", metavar="A", help="a design file")
     it.add_argument("b", metavar="B", help="another one, or the same")
@@ -140,7 +141,7 @@ def compare(it: argparse.ArgumentParser) -> None:
     it.add_argument("--lang", choices=LANGUAGES, default="en", help="of the PDF (default: %(default)s)")
 
 
-@command("many designs at once, a row of a table for each; one that was ended goes on where it stood")
+@command("sweep", "many designs at once, a row of a table for each; one that was ended goes on where it stood")
 def sweep(it: argparse.ArgumentParser) -> None:
     it.add_argument("file")
     it.add_argument(
@@ -164,7 +165,7 @@ def sweep(it: argparse.ArgumentParser) -> None:
     it.add_argument("--scheduler", metavar="ADDRESS", help="of dask.distributed, whose workers compute instead: tcp://HOST:8786")
 
 
-@command("results as JSON or CSV, the shaft or the gears as a DXF drawing")
+@command("report", "results as JSON or CSV, the shaft or the gears as a DXF drawing")
 def export(it: argparse.ArgumentParser) -> None:
     it.add_argument("file")
     kinds = it.add_mutually_exclusive_group()
@@ -179,25 +180,25 @@ def export(it: argparse.ArgumentParser) -> None:
     it.add_argument("-o", "--output", required=True, metavar="PATH", help="the file; without a format its ending decides")
 
 
-@command("the guided session in a browser, on this machine only")
+@command("program", "the guided session in a browser, on this machine only")
 def serve(it: argparse.ArgumentParser) -> None:
     it.add_argument("file", nargs="?")
     it.add_argument("--port", type=int, default=8000, metavar="N", help="of the address 127.0.0.1:N (default: %(default)s)")
 
 
-@command("a train under several conditions side by side: the friction thesis' three, or a design's own")
+@command("scenarios", "a train under several conditions side by side: the friction thesis' three, or a design's own")
 def scenarios(it: argparse.ArgumentParser) -> None:
     it.add_argument("files", nargs="*", metavar="FILE", help="designs with [[friction.scenarios]] (default: those of the thesis)")
     it.add_argument("-o", "--output", metavar="FOLDER", help="also write the curves as CSV and a report as PDF for each design")
     it.add_argument("--json", action="store_true", help="print one JSON object")
 
 
-@command("values printed, worked out or measured by others beside ours; what is not met, and why")
+@command("published", "values printed, worked out or measured by others beside ours; what is not met, and why")
 def validate(it: argparse.ArgumentParser) -> None:
     it.add_argument("--json", action="store_true", help="print one JSON object")
 
 
-@command("what is wrong in the documents behind this program, with the right values")
+@command("published", "what is wrong in the documents behind this program, with the right values")
 def errata(it: argparse.ArgumentParser) -> None:
     it.add_argument("source", nargs="?", metavar="SOURCE", help="one document, by a word of its name: finotti, textbook, friction")
     written = it.add_mutually_exclusive_group()
@@ -205,29 +206,29 @@ def errata(it: argparse.ArgumentParser) -> None:
     written.add_argument("--markdown", action="store_true", help="all of it as a page of tables")
 
 
-@command("the oils a design may name, or one with the source and confidence of every value")
+@command("published", "the oils a design may name, or one with the source and confidence of every value")
 def oils(it: argparse.ArgumentParser) -> None:
     it.add_argument("name", nargs="?", metavar="NAME", help="like '5W-30'; left out: all")
     it.add_argument("--json", action="store_true", help="print one JSON object")
 
 
-@command("the JSON Schema of a design file, by which editors complete and check it")
+@command("program", "the JSON Schema of a design file, by which editors complete and check it")
 def schema(it: argparse.ArgumentParser) -> None:
     it.add_argument("-o", "--output", metavar="OUT.json", help="default: to the terminal")
 
 
-@command("the script by which a shell completes commands and options")
+@command("program", "the script by which a shell completes commands and options")
 def completion(it: argparse.ArgumentParser) -> None:
     it.add_argument("shell", choices=("bash", "zsh", "fish", "tcsh", "powershell"))
 
 
-@command("the publications behind the program: title, edition, status, and how we know what each says")
+@command("published", "the publications behind the program: title, edition, status, and how we know what each says")
 def sources(it: argparse.ArgumentParser) -> None:
     it.add_argument("name", nargs="?", metavar="NAME", help="a publication, or a word of its name or title; left out: all")
     it.add_argument("--json", action="store_true", help="print one JSON object")
 
 
-@command("the guided session (the same as no command)")
+@command("program", "the guided session (the same as no command)")
 def session(it: argparse.ArgumentParser) -> None:
     it.add_argument("file", nargs="?")
     it.add_argument("--ascii", action="store_true", help="plain signs for terminals without Unicode")
@@ -254,7 +255,7 @@ def parser(*only: str) -> argparse.ArgumentParser:
     top.add_argument("--version", action="version", version=f"contralbero {VERSION}")
     commands = top.add_subparsers(dest="command", metavar="COMMAND", title="commands", prog="contralbero")  # saves formatting it
     for name in only or COMMANDS:
-        about, arguments = COMMANDS[name]
+        _, about, arguments = COMMANDS[name]
         it = commands.add_parser(name, help=about, description=about[0].upper() + about[1:] + ".", formatter_class=Help)
         arguments(it)
         it.set_defaults(error=it.error)  # says how this command is used

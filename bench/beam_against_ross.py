@@ -18,10 +18,10 @@ from typing import Any
 
 import numpy as np
 
-from calc.library.catalogue import Material
 from calc.countershaft.bending import shaft as b
 from calc.countershaft.inputs import Extra
 from calc.countershaft.outline import Outline, Piece, outline
+from calc.library.catalogue import Material
 
 MM = 1e-3
 OMEGA = 2 * math.pi * 2600 / 60

@@ -12,8 +12,8 @@ from collections.abc import Callable
 
 import numpy as np
 
-from calc.bearings.film import nodes as film_nodes
 from calc.bearings.film import short_bearing
+from calc.bearings.film import table as film_nodes
 from calc.bearings.film.dynamics import coefficients
 from calc.bearings.film.reynolds import radial_damping, solve_film
 from calc.bearings.film.table import eccentricity_from, film_at

@@ -16,21 +16,20 @@ from typing import Any
 import numpy as np
 
 from bench.film import best
-from calc.library.catalogue import Oil, oils
-from calc.library.contact import ohlendorf_loss_factor
 from calc.design.toml_file import design, read
-from calc.friction.balance.closure import balance
+from calc.friction.balance import balance
 from calc.friction.inputs import FrictionInputs
 from calc.friction.mesh.film import oil_at
 from calc.friction.mesh.geometry import MeshGeometry, WheelGeometry, column
-from calc.friction.mesh.loss import Case, case, solve_mesh
-from calc.friction.mesh.many import losses
-from calc.friction.models.regressions import of_schlenk
+from calc.friction.mesh.loss import MeshCase, case, losses, solve_mesh
+from calc.friction.models import of_schlenk
 from calc.friction.studies.maps import over_speed_and_temperature
 from calc.friction.studies.sensitivity import swings
+from calc.library.catalogue import Oil, oils
+from calc.library.contact import ohlendorf_loss_factor
 from calc.library.lubricant import Lubricant
-from calc.studies.shipped import DESIGNS, EXAMPLE
 from calc.solve import solve
+from calc.studies.shipped import DESIGNS, EXAMPLE
 
 MANY, LOOPED = 10_000, 300
 FLANKS = FrictionInputs(flank_roughness=(0.8e-6,))
@@ -53,7 +52,7 @@ def fzg_c40() -> MeshGeometry:
     return MeshGeometry(*wheels, 91.5001e-3, 0.0)
 
 
-def of(mesh: MeshGeometry, lubricant: Lubricant, T: Any, n: Any, points: int, flanks: FrictionInputs = FLANKS) -> Case:
+def of(mesh: MeshGeometry, lubricant: Lubricant, T: Any, n: Any, points: int, flanks: FrictionInputs = FLANKS) -> MeshCase:
     return case(flanks, mesh, oil_at(lubricant, column(T)), n, points=points)
 
 

@@ -12,15 +12,14 @@ import numpy as np
 
 from assistant.session.exporting import gears_text
 from bench.film import best
-from calc.library.catalogue import materials
 from calc.design.toml_file import design, read
 from calc.gears import solve as gears
 from calc.gears.profile.outline import outline
 from calc.gears.selection.free_shifts import freedoms
-from calc.gears.selection.rules import USUAL, judge
 from calc.gears.selection.search import search
-from calc.gears.selection.states import states
+from calc.gears.selection.states import USUAL, judge, states
 from calc.gears.train import settle, tooth_system
+from calc.library.catalogue import materials
 from calc.sheet.search import least
 from calc.solve import solve
 

@@ -10,8 +10,7 @@ from time import process_time
 
 import calc.sheet.formula as formula
 from calc.design.toml_file import design, read
-from calc.sheet.trace import Line, recorder, subject
-from calc.sheet.value import unlinked
+from calc.sheet.value import Line, recorder, subject, unlinked
 from calc.solve import solve
 
 ROUNDS = 40

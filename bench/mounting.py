@@ -15,9 +15,9 @@ from calc.design.toml_file import design, read
 from calc.mounting import solve as mounting
 from calc.mounting.felt import courses
 from calc.mounting.selection import choices
-from calc.sheet.trace import recorded
-from calc.studies.shipped import DESIGNS
+from calc.sheet.value import recorded
 from calc.solve import solve
+from calc.studies.shipped import DESIGNS
 
 
 def main() -> None:

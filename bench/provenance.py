@@ -16,11 +16,11 @@ from typing import Any
 
 from calc.design.model import Design
 from calc.design.toml_file import Document, design, read
-from calc.studies.explain import Chains
 from calc.sheet.errors import BadInput
 from calc.sheet.quantity import keys
 from calc.sheet.value import leaves, link_of
 from calc.solve import Results, solve
+from calc.studies.explain import Chains
 
 SHARE = 1e-3  # by which a number is moved
 DUST = 1e-9  # relative change of a value that is none

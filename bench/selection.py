@@ -22,8 +22,8 @@ from calc.bearings.selection.search import nearest_row, search
 from calc.bearings.selection.states import AT_CORNERS, solved
 from calc.bearings.selection.variants import tasks, variants
 from calc.design.toml_file import design, read
-from calc.studies.bearings_case import bearings_case
 from calc.solve import solve
+from calc.studies.bearings_case import bearings_case
 
 ROOT = Path(__file__).parent.parent
 DESIGNS = ROOT / "designs"

@@ -11,7 +11,7 @@ import numpy as np
 
 from bench.film import best
 from calc.countershaft.sizing import lengths
-from calc.countershaft.sizing.front import front_curve
+from calc.countershaft.sizing.choices import front_curve
 from calc.countershaft.sizing.sectors import TooSmall, pair, pair_masses, size
 
 OMEGA, STEEL = 2 * math.pi * 2600 / 60, 7860.0

@@ -13,34 +13,32 @@ from dataclasses import field, replace
 from functools import cache, partial
 from typing import TypeVar
 
-from .design import step_inputs as h
 from .bearings import solve as bearings
 from .bearings.loads import with_standing as bearings_with_standing
 from .countershaft import solve as countershaft
 from .countershaft.result import CountershaftResult
-from .countershaft.stationary_load import with_standing
+from .countershaft.supports import with_standing
+from .design import step_inputs as h
 from .design.model import STEPS, Design
+from .design.predicted import Predicted, with_measured
 from .engine import solve as engine
 from .engine.result import EngineResult
 from .friction import solve as friction
 from .friction.result import FrictionResult
 from .gears import solve as gears
-from .gears.body import with_masses
 from .gears.inputs import GearsInputs
 from .gears.result import TrainResult
+from .gears.wheel import with_masses
 from .imbalance import solve as imbalance
 from .imbalance.result import ImbalanceResult
-from .design.predicted import Predicted, with_measured
 from .sheet.check import Check, worst
-from .sheet.garbage import seldom_collected
 from .sheet.later import Later, Many
-from .sheet.number import short
-from .sheet.parts import Enough, Kept, Parts
-from .sheet.printed import aligned
+from .sheet.number import aligned, short
+from .sheet.parts import Enough, Kept, Parts, seldom_collected
 from .sheet.quantity import Published
 from .sheet.record import record
 from .sheet.step import Curve, Outcome, accepted
-from .sheet.trace import Line, recorded
+from .sheet.value import Line, recorded
 
 R = TypeVar("R")
 TITLES = {step.key: step.title for step in STEPS}
@@ -198,7 +196,7 @@ def steps(part: Parts, design: Design, compared: bool) -> dict[str, Outcome[obje
         c = with_standing(c, design.countershaft, gear, h.shaft_drive(design, g.result, f))
         b = bearings_with_standing(b, c.solution.standing)
         if design.countershaft.oil_drain is not None or design.countershaft.further_drains:
-            from .countershaft.making.drainage import with_oil  # which most designs do not need
+            from .countershaft.solve import with_oil  # which most designs do not need
 
             c = with_oil(c, b.result)
     if g.result is not None and design.gears is not None:

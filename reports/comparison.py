@@ -7,33 +7,41 @@ import hashlib
 from dataclasses import replace
 from pathlib import Path
 
-from calc.studies.compare import Comparison
-from calc.compare_conclusion import moved_table, result_table, sentences
-from calc.studies.compare_tables import Names, Sign, check_table, input_table, value_table, verdict_table
-from calc.design.model import STEPS
-from calc.design.toml_file import Document
 from calc.design.disk import write_file
-from calc.locale import language
-from calc.languages.outcome import in_language
+from calc.design.model import STEPS
 from calc.design.predicted import compared_table
+from calc.design.toml_file import Document
+from calc.locale import language
+from calc.locale.language import in_language
 from calc.sheet.check import SIGNS
 from calc.sheet.step import Table
 from calc.sheet.text import EMPTY, Name, plural
 from calc.solve import Results
+from calc.studies.compare import Comparison
+from calc.studies.compare_tables import (
+    Names,
+    Sign,
+    check_table,
+    input_table,
+    moved_table,
+    result_table,
+    sentences,
+    value_table,
+    verdict_table,
+)
 
-from .pdf import attach
-from .binding import bind
-from .setting.boxes import GREY
-from .setting.boxes import text as text_box
-from .context import Context
-from .setting.flow import Block, bullet, heading, lines_block, paginate, paragraph
-from .setting.fonts import FACES, widths
-from .paper import WIDTH
-from .setting.prose import BODY, HEADING, NOTE, TITLE, lines
-from .setting.tags import title_tag
 from .blocks.title_block import SHORT_HASH
 from .blocks.values import table_blocks
 from .blocks.words import WORDS, verdict
+from .context import Context
+from .pdf import attach
+from .pdf.binding import bind
+from .setting.boxes import GREY
+from .setting.boxes import text as text_box
+from .setting.flow import Block, bullet, heading, lines_block, paginate, paragraph
+from .setting.fonts import FACES, WIDTH, widths
+from .setting.prose import BODY, HEADING, NOTE, TITLE, lines
+from .setting.tags import title_tag
 
 MOVED = 12  # verdicts that moved, in the conclusion
 DEPTHS = ("summary", "audit")  # of a comparison: the conclusion and the inputs, or everything

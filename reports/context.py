@@ -1,25 +1,181 @@
 # SPDX-License-Identifier: Apache-2.0
 """What every part of a report is made from."""
 
-from dataclasses import dataclass, field
+from __future__ import annotations
 
-from calc.design.model import STEPS, Design
-from calc.design.toml_file import Document
-from calc.studies.explain import Chains
-from calc.id_words import belongs
+import io
+import stat
+import struct
+import zlib
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from reportlab.lib.utils import ImageReader
+
 from calc.design.key_values import CURVES, judged, like, outside
+from calc.design.limits import LOGO_BYTES, LOGO_SIDE
+from calc.design.model import STEPS, Design
+from calc.design.names import belongs
+from calc.design.toml_file import Document
 from calc.locale import Language
-from calc.studies.drive.front import Picked
 from calc.sheet.check import URGENT, Check, severity
+from calc.sheet.errors import BadInput, InputError
 from calc.sheet.quantity import Published
 from calc.sheet.step import Curve, Outcome, Step
 from calc.sheet.text import Amount, Part, Text, plural
+from calc.sheet.value import Line, Link, leaves, link_of
 from calc.solve import Results
+from calc.studies.drive.front import Picked
+from calc.studies.explain import Chains
 
-from .elements import Origins
-from .logo import Logo
-from .setting.symbols import Symbol
 from .blocks.words import WORDS
+from .setting.symbols import Symbol
+
+# The logo of a title block: a PNG file beside the design, in which a stranger may have put anything.
+
+KEY = "document.logo"
+HEAD = b"\x89PNG\r\n\x1a\n\x00\x00\x00\rIHDR"
+BROKEN = (
+    OSError,
+    SyntaxError,
+    ValueError,
+    EOFError,
+    TypeError,
+    IndexError,
+    KeyError,
+    struct.error,
+    zlib.error,
+)  # what a damaged PNG raises
+
+
+@dataclass(frozen=True, slots=True)
+class Logo:
+    """`raw`: the bytes of the file, which go into the report; width and height in pixels."""
+
+    name: str
+    raw: bytes
+    image: ImageReader
+    width: int
+    height: int
+
+
+def logo(document: Document, name: str, given: bytes | None = None) -> Logo | None:
+    """The logo of a design, from the bytes `given` or from its file; None where it has none.  Raises BadInput where it can not be drawn."""
+    if not name:
+        return None
+
+    def refused(reason: Text) -> BadInput:
+        return BadInput(document.place, [InputError(document.lines.get(KEY, 0), KEY, f'"{name}"', reason)])
+
+    try:
+        raw = _read(Path(document.place).parent / name) if given is None else given
+    except OSError as error:
+        why = error.strerror or str(error)
+        raise refused(Text("cannot be read beside the design: {reason}; put the file there, or leave the logo out", reason=why)) from None
+    except ValueError:
+        raise refused(Text("is no plain file; put the picture itself beside the design")) from None
+    if len(raw) > LOGO_BYTES:
+        raise refused(Text("is larger than {most} kB; make it smaller", most=LOGO_BYTES // 1000))
+    if not raw.startswith(HEAD) or len(raw) < len(HEAD) + 8:
+        raise refused(Text("is no PNG picture"))
+    width, height = struct.unpack(">II", raw[len(HEAD) : len(HEAD) + 8])
+    if not 0 < width <= LOGO_SIDE or not 0 < height <= LOGO_SIDE:
+        raise refused(
+            Text("has {width} × {height} pixels; at most {side} either way are drawn", width=width, height=height, side=LOGO_SIDE)
+        )
+    try:
+        image = ImageReader(io.BytesIO(raw))
+        image.getRGBData()
+    except BROKEN:
+        raise refused(Text("is a damaged PNG picture")) from None
+    return Logo(name, raw, image, width, height)
+
+
+def _read(path: Path) -> bytes:
+    """The first bytes of a plain file: no link out of the folder, no device that never ends."""
+    if not stat.S_ISREG(path.lstat().st_mode):
+        raise ValueError(path)
+    with path.open("rb") as file:
+        return file.read(LOGO_BYTES + 1)
+
+
+# What a number comes from, followed through arrays: of each line the one element that enters, and what that is made of.
+
+Index = tuple[int, ...]
+Element = tuple[Line, Index | None]  # a line, and which element of its value; None: all of it, or it is no array
+
+
+class Origins:
+    """The elements that others come from, each found once."""
+
+    def __init__(self) -> None:
+        self._known: dict[Element, tuple[list[Element], list[str]]] = {}
+
+    def of(self, element: Element) -> tuple[list[Element], list[str]]:
+        """The elements of lines, and the inputs, that enter a line, or one element of it."""
+        if element not in self._known:
+            self._known[element] = _came_from(*element)
+        return self._known[element]
+
+    def followed(self, start: Iterable[Element]) -> Iterator[Element]:
+        """These elements and all that they come from, the nearest first; each line once."""
+        waiting = list(start)
+        known = {line for line, _ in waiting}
+        for element in waiting:  # grows on the way
+            yield element
+            for needed in self.of(element)[0]:
+                if needed[0] not in known:
+                    known.add(needed[0])
+                    waiting.append(needed)
+
+
+def _came_from(line: Line, index: Index | None) -> tuple[list[Element], list[str]]:
+    shape = getattr(line.value, "shape", ()) if index else ()
+    found: dict[Line, Index | None] = {}
+    inputs: dict[str, None] = {}
+    for argument in line.arguments.values():
+        own: Any = argument
+        link = link_of(argument)
+        if index and getattr(argument, "shape", ()) == shape:
+            own, link = own[index], _part(own, index) or link
+        sources = leaves(link)
+        entering = [leaf for leaf in sources if isinstance(leaf, Line)]
+        if len(entering) > 1:
+            entering = [leaf for leaf in entering if _holds(leaf, own)] or entering
+        for leaf in entering:
+            if leaf not in found:
+                found[leaf] = _index(leaf, own, index)
+        inputs |= dict.fromkeys(leaf for leaf in sources if isinstance(leaf, str))
+    return list(found.items()), list(inputs)
+
+
+def _part(array: Any, index: Index) -> Link | None:
+    """The link of one element, where an array knows those of its elements."""
+    parts = getattr(array, "parts", ())
+    return parts[index[0]] if parts else None
+
+
+def _holds(line: Line, own: Any) -> bool:
+    """Whether a line gives this number, alone or among others."""
+    value = line.value
+    if getattr(own, "ndim", 0) or not isinstance(own, (int, float, complex)):
+        return False
+    return value == own if not isinstance(value, np.ndarray) else own in value
+
+
+def _index(line: Line, own: Any, index: Index | None) -> Index | None:
+    """The element of a line that is this number: the one at the same place, else the first that is equal."""
+    value = line.value
+    if not isinstance(value, np.ndarray) or value.size < 2 or np.ndim(own) or not isinstance(own, (int, float, complex)):
+        return None
+    if index and len(index) == value.ndim and all(i < n for i, n in zip(index, value.shape)) and value[index] == own:
+        return index
+    equal = np.argwhere(value == own)
+    return tuple(equal[0].tolist()) if len(equal) else None
+
 
 DEPTHS = ("summary", "engineer", "audit")
 NEAR = 0.1  # margin up to which a check that holds is proven

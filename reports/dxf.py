@@ -10,11 +10,10 @@ from contextlib import contextmanager
 from io import StringIO
 from typing import TYPE_CHECKING, Any
 
-from calc.studies.drawings import Sheet
-from calc.sheet.dimension import ARROW, BEYOND, OFF, strokes, written
-from calc.draw.drawing import Arc, Area, Dimension, Hatch, Ink, Point, Polyline, Words, enlarged, reach
-from calc.sheet.layers import LAYERS
+from calc.draw.drawing import LAYERS, Arc, Area, Dimension, Hatch, Ink, Point, Polyline, Words, enlarged, reach
+from calc.draw.lettering import ARROW, BEYOND, OFF, strokes, written
 from calc.sheet.units import UNITS
+from calc.studies.drawings import WorkshopSheet
 
 if TYPE_CHECKING:
     from ezdxf.document import Drawing
@@ -35,7 +34,7 @@ STRAIGHT = (0.0, 0.0, 0.0)  # widths at both ends and bulge of a side of a polyl
 mm = UNITS["mm"].shown
 
 
-def sheet_dxf(sheet: Sheet) -> str:
+def sheet_dxf(sheet: WorkshopSheet) -> str:
     """A drawing sheet as the text of a DXF file: its part in full size, and paper, letters and line types larger in the same measure."""
     return dxf([enlarged(mark, 1 / sheet.scale) for mark in sheet.marks], tuple(LAYERS), 1 / sheet.scale)
 

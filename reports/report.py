@@ -11,43 +11,36 @@ from dataclasses import replace
 from functools import partial
 from pathlib import Path
 
-from calc.design.toml_file import Document
 from calc.design.disk import write_file
+from calc.design.toml_file import Document
 from calc.locale import LANGUAGES, language
-from calc.languages.outcome import said
-from calc.studies.drive.front import picked
-from calc.sheet.aside import aside
-from calc.sheet.later import Later
+from calc.locale.language import said
+from calc.sheet.later import Later, aside
 from calc.sheet.progress import Progress, part, tell
 from calc.sheet.step import Outcome, Step
 from calc.solve import Results
+from calc.studies.drive.front import picked
 
-from .pdf import attach
-from .binding import bind
-from .blocks.chapter import Parts, chapter_parts
+from .blocks.chapter import Parts, chapter_parts, derivation
 from .blocks.checks import check_blocks, errata_blocks
-from .content import Heading
-from .blocks.contents import Entry, contents_blocks
-from .context import DEPTHS, Context, stands
-from .derivation import derivation
-from .figures.draughtsman import draughtsman
+from .blocks.contents import ContentsEntry, contents_blocks, index_blocks, source_blocks
 from .blocks.drawing import drawing_blocks, wheel_blocks
-from .figures.figures import figure_blocks
-from .setting.flow import Block, bullet, composed, heading, paragraph
-from .setting.fonts import FACES, widths
-from .index import index_blocks
 from .blocks.inputs import input_blocks, material_blocks
-from .logo import logo
 from .blocks.nomenclature import nomenclature_blocks
-from .paper import PAGE, WIDTH
-from .figures.plots import Draughtsman, Plots
-from .setting.prose import BODY, HEADING, SECTION, lines
-from .figures.sketches import sketch_figure
-from .sources import source_blocks
 from .blocks.summary import closing_blocks, mended, step_anchor, summary_blocks
 from .blocks.title_block import NOTE_LINES
 from .blocks.values import table_blocks, value_blocks
 from .blocks.words import verdict
+from .context import DEPTHS, Context, logo, stands
+from .figures.draughtsman import draughtsman
+from .figures.figures import figure_blocks
+from .figures.plots import Draughtsman, Plots
+from .figures.sketches import sketch_figure
+from .pdf import attach
+from .pdf.binding import bind
+from .setting.flow import Block, Heading, bullet, composed, heading, paragraph
+from .setting.fonts import FACES, PAGE, WIDTH, widths
+from .setting.prose import BODY, HEADING, SECTION, lines
 
 # What the contents name of a step; their row holds no more, and the errata stand in the summary as well.
 LISTED = ("inputs", "notes", "formulas", "results", "tables", "checks", "figures")
@@ -135,13 +128,13 @@ def blocks(context: Context, progress: Progress | None = None, draws: Draughtsma
     if context.depth == "summary":
         summary = summary_blocks(context)
         return closing_blocks(context, nearest(), summary)
-    entries: list[Entry] = []
+    entries: list[ContentsEntry] = []
     body: list[Block] = []
     draws, plots = draws or draughtsman(), Plots(context.say)
     steps = [one for one in context.steps() if context.audit or one[2].state != "not_asked"]
     pictures = [_pictures(context, step, outcome, plots) for _, step, outcome in steps]
     if context.drive is not None:
-        from .drive import drive_blocks, front_figure  # of one design in a hundred
+        from .blocks.drawing import drive_blocks, front_figure  # of one design in a hundred
 
         front = front_figure(context, context.drive, plots)
     plots.begin(draws)
@@ -178,7 +171,7 @@ def blocks(context: Context, progress: Progress | None = None, draws: Draughtsma
         number += 1
     if drawn := drawing_blocks(context):
         title = f"{number}  {w['drawing']}"
-        entries.append(Entry(title, "drawing", {}))
+        entries.append(ContentsEntry(title, "drawing", {}))
         body.append(Block(0.0, lambda pen, y: None, content=Heading(title, 1)))  # which the sheet has no room for
         body += [replace(drawn[0], anchor="drawing", outline=(0, title)), *drawn[1:]]
         number += 1
@@ -189,8 +182,8 @@ def blocks(context: Context, progress: Progress | None = None, draws: Draughtsma
     return summary + contents_blocks(context, entries, [w[key] for key in (LISTED if context.audit else CHAPTERS)]) + body
 
 
-def _section(title: str, anchor: str, entries: list[Entry], *, need: float) -> list[Block]:
-    entries.append(Entry(title, anchor, {}))
+def _section(title: str, anchor: str, entries: list[ContentsEntry], *, need: float) -> list[Block]:
+    entries.append(ContentsEntry(title, anchor, {}))
     return heading(title, HEADING, gap=18.0, after=3.0, anchor=anchor, outline=0, need=need, ruled=True)
 
 
@@ -201,7 +194,7 @@ def _pictures(context: Context, step: Step, outcome: Outcome[object], plots: Plo
 
 
 def _step(
-    context: Context, number: int, step: Step, outcome: Outcome[object], entries: list[Entry], pictures: Pictures,
+    context: Context, number: int, step: Step, outcome: Outcome[object], entries: list[ContentsEntry], pictures: Pictures,
     progress: Progress | None,
 ) -> list[Block]:  # fmt: skip
     """One step with its parts; or why there is nothing to show."""

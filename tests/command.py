@@ -9,7 +9,6 @@ from contextlib import chdir, redirect_stderr, redirect_stdout
 from pathlib import Path
 
 from assistant.cli import main
-
 from tests.conftest import ROOT
 
 Done = subprocess.CompletedProcess[str]

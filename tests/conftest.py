@@ -11,9 +11,9 @@ from hypothesis import settings
 
 from calc.design.toml_file import Document, read
 from calc.design.toml_file import design as checked
-from calc.sheet.garbage import SELDOM
+from calc.sheet.parts import SELDOM
 from calc.solve import Results, solve
-from calc.studies.validate import Row, Unmet, rows, unmet
+from calc.studies.validate import Unmet, ValidationRow, rows, unmet
 
 settings.register_profile("untimed", deadline=None)  # how long an example takes depends on what else the machine does
 settings.load_profile("untimed")
@@ -62,6 +62,6 @@ def gamma_results(gamma: Document) -> Results:
 
 
 @pytest.fixture(scope="session")
-def validation() -> tuple[list[Row], list[Unmet]]:
+def validation() -> tuple[list[ValidationRow], list[Unmet]]:
     """Every value of others beside ours: ninety designs are solved for it."""
     return rows(), list(unmet())

@@ -6,9 +6,8 @@ import re
 
 import pytest
 
-from assistant.offers import gears as offered
+from calc.gears.selection import search as offered
 from calc.gears.selection.search import search
-
 from tests.command import run
 from tests.conftest import DESIGNS, GAMMA
 

@@ -6,8 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from assistant.commands import validate
-
+from assistant.commands import published as validate
 from tests.command import run, run_apart
 from tests.conftest import DESIGNS, GAMMA, ROOT
 

@@ -9,7 +9,6 @@ import pytest
 
 from assistant.cli import main
 from assistant.commands.compare import column_names
-
 from tests.command import run
 from tests.conftest import DESIGNS, GAMMA
 from tests.test_imports import HEAVY, loaded

@@ -9,7 +9,6 @@ import ezdxf
 import pytest
 
 from assistant.cli import main
-
 from tests.conftest import DESIGNS, GAMMA
 
 PLAIN = """schema = 1

@@ -11,7 +11,6 @@ from pathlib import Path
 import pytest
 
 from assistant import cli
-
 from tests.conftest import DESIGNS, ROOT
 
 PAIR = str(DESIGNS / "timing_pair.toml")

@@ -4,13 +4,12 @@ from dataclasses import replace
 
 import pytest
 
-from assistant.findings import finding_lines
-from assistant.plain import check_json, results_json
+from assistant.plain import check_json, finding_lines, results_json
 from calc.design.toml_file import design, read
 from calc.sheet.check import Check
 from calc.sheet.text import Text
-from calc.studies.shipped import DESIGNS
 from calc.solve import solve
+from calc.studies.shipped import DESIGNS
 
 
 def made(id, kind, value, **more):

@@ -7,7 +7,6 @@ import numpy as np
 import pytest
 
 import calc
-
 from tests.conftest import ROOT
 from tests.test_imports import loaded
 

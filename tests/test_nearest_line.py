@@ -7,7 +7,6 @@ from pathlib import Path
 import pytest
 
 from assistant.cli import main
-
 from tests.conftest import DESIGNS, GAMMA
 
 PASTE = "nearest passing design: "

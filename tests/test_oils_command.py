@@ -5,7 +5,6 @@ import json
 import pytest
 
 from calc.library.catalogue import oils
-
 from tests.command import run
 
 

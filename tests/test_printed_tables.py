@@ -8,7 +8,6 @@ from assistant.plain import print_results, results_json, table_lines
 from calc.design.toml_file import design, parse
 from calc.sheet.step import Table
 from calc.solve import Results, solve
-
 from tests.conftest import GAMMA
 
 LONG = "counterweights on the crank that carry one half of all reciprocating masses"

@@ -9,7 +9,6 @@ import pytest
 
 from assistant.cli import main
 from assistant.commands import report
-
 from tests.conftest import DESIGNS
 from tests.test_imports import loaded
 

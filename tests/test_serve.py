@@ -28,7 +28,6 @@ from assistant.cli import main
 from assistant.commands.program import command
 from assistant.server import Local
 from calc.design.limits import COLUMNS, MESSAGE_BYTES, PASTED, ROWS
-
 from tests.browser import CHROMIUM, browser, kill_group
 from tests.conftest import GAMMA, ROOT
 

@@ -10,18 +10,16 @@ from typing import Any
 
 from assistant.plain import LINE, finite, sign, table_lines
 from assistant.session.saving import spare
-from calc.studies.compare import EQUAL, CheckDifference, Comparison, KeyResult, ValueDifference, compare
-from calc.compare_conclusion import moved_table, result_table, sentences
-from calc.studies.compare_tables import Names, check_table, input_table, value_table, verdict_table
 from calc.design.model import STEPS
-from calc.design.toml_file import Document, design, read
 from calc.design.predicted import compared_table
+from calc.design.toml_file import Document, design, read
 from calc.sheet.check import Check
-from calc.sheet.errors import BadInput, InputError
+from calc.sheet.errors import BadInput, InputError, visible
 from calc.sheet.step import Table
 from calc.sheet.text import Text, plural
-from calc.sheet.visible import visible
 from calc.solve import Results, solve
+from calc.studies.compare import EQUAL, CheckDifference, Comparison, KeyResult, ValueDifference, compare
+from calc.studies.compare_tables import Names, check_table, input_table, moved_table, result_table, sentences, value_table, verdict_table
 from calc.version import VERSION
 
 MOST = 8  # verdicts that moved
@@ -29,7 +27,7 @@ LONGEST = 24  # characters of a name above a column
 Sides = tuple[tuple[Document, Results], tuple[Document, Results]]
 
 
-def run(asked: Namespace) -> int:
+def run_compare(asked: Namespace) -> int:
     """What is wrong with either file is said at once."""
     solved, wrong = [], []
     for name in (asked.a, asked.b):

@@ -16,15 +16,15 @@ from assistant.commands.check import changed
 from assistant.plain import print_summary, table_json, table_lines
 from assistant.session.saving import differences, edited_text, spare, write_asked
 from calc.design.toml_file import Document, read
-from calc.studies.drive.classes import NotClosed, without_proof
-from calc.studies.drive.evolve import EVALUATIONS, evolved
-from calc.optimise.problem import Problem
-from calc.studies.drive.run import Found, Table, asked, named, search
-from calc.studies.drive.output import csv_text, json_text, power_of_ten, said, stood, table
-from calc.studies.drive.whole import Whole
 from calc.sheet.errors import BadInput, InputError, NoSolution
 from calc.sheet.text import Text, plural
 from calc.solve import solve
+from calc.studies.drive.classes import NotClosed, without_proof
+from calc.studies.drive.evolve import EVALUATIONS, evolved
+from calc.studies.drive.output import csv_text, json_text, power_of_ten, said, stood, table
+from calc.studies.drive.problem import Problem
+from calc.studies.drive.run import FrontFound, FrontTable, asked, named, search
+from calc.studies.drive.whole import Whole
 
 DRIVE = r"\d{3,4}\.toml"  # names of drives
 SECONDS = 2.0  # a class, about
@@ -32,7 +32,7 @@ SOLVING = 0.1  # s: a drive, whole, about
 SEARCHING = 0.7  # of the time that is given is for the classes, the rest for solving drives whole
 
 
-def run(given: Namespace) -> int:
+def run_design(given: Namespace) -> int:
     document, _ = changed(read(given.file), [])
     if given.out is None and not given.dry:
         raise BadInput("contralbero design", [InputError(0, "", "", Text("needs --out FOLDER, where the drives are put; or --dry"))])
@@ -143,7 +143,7 @@ def _search(given: Namespace, problem: Problem) -> int:
         print(plural("{n} process", "{n} processes", n=processes), end="; ")
         print(Text("Ctrl-C keeps what there is by then"), flush=True)
 
-    def told(done: int, known: Table, name: str) -> None:
+    def told(done: int, known: FrontTable, name: str) -> None:
         if quiet:
             return
         best = _best(problem, known)
@@ -182,7 +182,7 @@ def _search(given: Namespace, problem: Problem) -> int:
     return 0
 
 
-def _without_proof(given: Namespace, problem: Problem, why: NotClosed, enough: Callable[[], bool]) -> Found:
+def _without_proof(given: Namespace, problem: Problem, why: NotClosed, enough: Callable[[], bool]) -> FrontFound:
     """Where the closed form does not hold: said at once, with what it means."""
     evaluations = given.evaluations or EVALUATIONS
     if not given.json:
@@ -195,7 +195,7 @@ def _without_proof(given: Namespace, problem: Problem, why: NotClosed, enough: C
     return evolved(problem, evaluations, problem.seed, told, enough)
 
 
-def _best(problem: Problem, known: Table) -> str:
+def _best(problem: Problem, known: FrontTable) -> str:
     import numpy as np
 
     finite = known.objectives[np.isfinite(known.objectives).all(1)]
@@ -229,7 +229,7 @@ def _spare_others(folder: Path, source: Path) -> None:
         raise BadInput(str(folder), [InputError(0, "--out", name, why) for name in others])
 
 
-def write(folder: Path, found: Found) -> None:
+def write(folder: Path, found: FrontFound) -> None:
     """Every drive as a design of its own, then the front."""
     folder.mkdir(parents=True, exist_ok=True)
     for old in _drives(folder):
@@ -276,7 +276,7 @@ def _pick(given: Namespace, document: Document, problem: Problem) -> int:
     return 0
 
 
-def nothing(given: Namespace, found: Found) -> int:
+def nothing(given: Namespace, found: FrontFound) -> int:
     """Exit 3: what stops the search, and what alone would have to give way."""
     from calc.studies.drive.relax import refusal
 

@@ -6,23 +6,28 @@ import sys
 import textwrap
 from argparse import Namespace
 from collections import Counter
+from collections.abc import Sequence
 from difflib import get_close_matches
 from pathlib import Path
 
-from assistant.changes import locked_text
 from assistant.commands.check import changed
-from assistant.offers.offer import CHOICES, Offer
-from assistant.offers.offer import offer as offer_for
+from assistant.offers import CHOICES, Offer
+from assistant.offers import offer as offer_for
 from assistant.plain import LINE, check_line, print_summary, sign, table_json, table_lines
-from assistant.session.saving import edited_text, write_asked
+from assistant.session.editing import locked_text
+from assistant.session.saving import asked_for, edited_text, write_asked
 from calc.design.addresses import parse_assignment
-from calc.design.toml_file import Document, design, read
+from calc.design.disk import edit_file
+from calc.design.limits import DESIGN_BYTES
+from calc.design.model import Design
+from calc.design.toml_file import Document, design, parse, read
 from calc.sheet.errors import BadInput, InputError, NoSolution
 from calc.sheet.text import COMMA, EMPTY, Text
 from calc.solve import TITLES, solve
+from calc.studies.shipped import engine_design, engines
 
 
-def run(asked: Namespace) -> int:
+def run_choose(asked: Namespace) -> int:
     if asked.step not in CHOICES:
         known = COMMA.join(Text("{step} ({what})", step=step, what=what) for step, what in CHOICES.items())
         reason = Text("there is nothing to choose here yet; there is for {steps}", steps=known)
@@ -108,3 +113,52 @@ def _write(path: Path, document: Document, changes: list[str], step: str, said: 
 def _comments(text: str) -> list[str]:
     """What stands behind a # in each line, wherever the line itself is a string."""
     return [line[line.index("#") :].strip() for line in text.splitlines() if "#" in line]
+
+
+# `contralbero new`: write a design from a shipped engine.
+
+def run_new(asked: Namespace) -> int:
+    shipped = engines()
+    if asked.list:
+        rows = [(name, engine.name, engine.what, engine.source) for name, engine in shipped.items()]
+        widths = [max(map(len, column)) for column in zip(*rows)]
+        for row in rows:
+            print("  ".join(f"{cell:<{width}}" for cell, width in zip(row, widths)).rstrip())
+        return 0
+    if asked.engine not in shipped:
+        raise BadInput(
+            "--engine",
+            [InputError(0, "", asked.engine, Text("is not shipped; `contralbero new --list` lists {engines}", engines=", ".join(shipped)))],
+        )
+    if asked.file is None:
+        raise BadInput("contralbero new", [InputError(0, "", "", Text("needs the name of the file to write, like my_engine.toml"))])
+    path = Path(asked.file)
+    if path.exists():
+        raise BadInput(str(path), [InputError(0, "", "", Text("exists already and is left alone; choose another name"))])
+    write_asked(path, engine_design(asked.engine), new=True)
+    print(path)
+    return 0
+
+
+# `contralbero set`: edit a design file in place.  The file is written only if the whole design is still valid.
+
+def run_set(asked: Namespace) -> int:
+    path = Path(asked.file)
+    read(path)  # what is wrong with it is said as of any design
+    edit(path, asked.changes)
+    print(f"\n{path} is written; as it was before: {path}.bak")
+    return 0
+
+
+def edit(path: Path, changes: Sequence[str]) -> None:
+    """Put KEY=VALUE changes into a design as its file has it when nobody else writes, and print the verdicts that it has then."""
+    made: Design
+
+    def edited(raw: bytes) -> bytes:
+        nonlocal made
+        _, made = changed(parse(raw, str(path)), changes)
+        return edited_text(raw.decode("utf-8"), dict(parse_assignment(change) for change in changes)).encode("utf-8")
+
+    with asked_for(path):
+        edit_file(path, DESIGN_BYTES, edited)
+    print_summary(solve(made))

@@ -1,18 +1,21 @@
 # SPDX-License-Identifier: Apache-2.0
 """`contralbero serve`: the guided session in a browser, on this machine only; each tab is a session of its own."""
 
+import json
 import os
 import socket
 import sys
 from argparse import Namespace
 from pathlib import Path
 
+from assistant.session.saving import write_asked
+from calc.design.schema import schema
 from calc.design.toml_file import design, read
 from calc.sheet.errors import BadInput, InputError
 from calc.sheet.text import Text
 
 
-def run(asked: Namespace) -> int:
+def run_serve(asked: Namespace) -> int:
     from ..server import Local
 
     path = None
@@ -52,3 +55,56 @@ def probe(port: int) -> None:
 
 def _port(port: int, reason: Text) -> BadInput:
     return BadInput("serve", [InputError(0, "--port", str(port), reason)])
+
+
+# `contralbero [FILE]`: the guided session; without a file, and for one that is not there, its start page.
+
+def run_session(asked: Namespace) -> int:
+    path = _named(asked.file) if asked.file else None
+    if path is not None and (path.exists() or not path.parent.is_dir()):
+        read(path)  # a file that can not be read is an error here, not an empty screen
+    served = "TEXTUAL_DRIVER" in os.environ  # in a browser: the terminal is at the other end of the pipes
+    if not served and not all(stream is not None and stream.isatty() for stream in (sys.stdin, sys.stdout)):  # one may be closed
+        _refuse(path)
+        return 2
+    from assistant.app import run as open_session
+
+    return int(open_session(path, ascii=asked.ascii, lang=asked.lang))
+
+
+def _named(file: str) -> Path:
+    """The file that is meant: a name without an ending, of which there is none, is one of a design."""
+    path = Path(file).expanduser()
+    return path if path.suffix or path.exists() else path.with_suffix(".toml")
+
+
+def _refuse(path: Path | None) -> None:
+    hint = "`contralbero --help` lists the commands"
+    if path is not None and not path.exists():
+        print(f"contralbero: {path}: is not there; `contralbero new {path.name}` begins a design", file=sys.stderr)
+    else:
+        print(f"contralbero: the guided session needs a terminal; {hint}", file=sys.stderr)
+
+
+# `contralbero completion SHELL`: the script by which a shell completes commands, options and files; it asks the program at each Tab.
+
+def run_completion(asked: Namespace) -> int:
+    try:
+        from argcomplete.shell_integration import shellcode
+    except ImportError:
+        print(Text("the script is that of argcomplete, which the extra `contralbero[completion]` installs"), file=sys.stderr)
+        return 2
+    print(shellcode(["contralbero"], shell=asked.shell))
+    return 0
+
+
+# `contralbero schema`: the JSON Schema of a design file, by which editors complete and check it.
+
+def run_schema(asked: Namespace) -> int:
+    text = json.dumps(schema(), ensure_ascii=False, indent=1) + "\n"
+    if asked.output is None:
+        print(text, end="")
+    else:
+        write_asked(Path(asked.output), text)
+        print(asked.output)
+    return 0

@@ -5,18 +5,30 @@ import json
 import textwrap
 from argparse import Namespace
 from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import fields
+from itertools import groupby
 from typing import Any
 
+from assistant.plain import sign, table_json, table_lines
+from calc.library.catalogue import Oil, oils
+from calc.library.lubricant import Lubricant
+from calc.library.oil_formulas import viscosity_index
+from calc.library.oils import least_sure, printed_table, values_table
 from calc.library.publications import KINDS, KNOWN, Publication, references, register, resolved
 from calc.sheet.errors import BadInput, InputError
-from calc.sheet.text import Text
+from calc.sheet.number import short
+from calc.sheet.step import Table
+from calc.sheet.text import Amount, Name, Text
+from calc.sheet.units import UNITS
+from calc.studies.errata import Misprint, documents, misprints
+from calc.studies.validate import VALIDATION_KINDS, Unmet, ValidationRow, rows, unmet
 from calc.version import VERSION
 
 WIDE = 116
 MOST = 12  # formulas that are named
 
 
-def run(asked: Namespace) -> int:
+def run_sources(asked: Namespace) -> int:
     if asked.name is None:
         lines = [*_all(register().values()), "", *_kinds()]
         chosen = list(register().values())
@@ -117,3 +129,185 @@ def _json(row: Publication) -> dict[str, Any]:
         "status_from_memory": row.status_from_memory,
         "formulas": [name for name, _ in _users(row)],
     }  # fmt: skip
+
+
+# `contralbero oils`: the oils that a design may name, and what is known of each of their values.
+
+TEMPERATURES = (40.0, 60.0, 80.0, 100.0, 120.0)  # °C
+
+
+def run_oils(asked: Namespace) -> int:
+    known = oils()
+    if asked.name is not None and asked.name not in known:
+        from difflib import get_close_matches
+
+        near = get_close_matches(asked.name, list(known), 1, 0.4)
+        hint = Text('did you mean "{oil}"?', oil=near[0]) if near else Text("known are {oils}", oils=", ".join(known))
+        raise BadInput("contralbero oils", [InputError(0, "", f'"{asked.name}"', Text("is not known; {hint}", hint=hint))])
+    tables = _list(known.values()) if asked.name is None else _one_oil(known[asked.name])
+    if asked.json:
+        import json
+
+        about: dict[str, Any] = {"schema": 1, "program": "contralbero", "version": VERSION}
+        if asked.name is not None:
+            about |= {"oil": asked.name, "source": known[asked.name].source}
+        print(json.dumps({**about, "tables": {table.id: table_json(table) for table in tables}}, ensure_ascii=False, indent=1))
+        return 0
+    for n, table in enumerate(tables):
+        print(("\n" if n else "") + "\n".join(table_lines(table)))
+    return 0
+
+
+def _list(known: Any) -> list[Table]:
+    """All oils, a row each."""
+    columns = (
+        (Text("Oil"), ""), (Text("Base"), ""), (Name("ν40"), "mm²/s"), (Name("ν100"), "mm²/s"), (Name("VI"), ""), (Name("ρ15"), "kg/m³"),
+        (Name("η40"), "mPa·s"), (Name("η100"), "mPa·s"), (Name("α40"), "1/GPa"), (Name("Λ"), ""), (Text("Confidence"), "at least"),
+    )  # fmt: skip
+    note = Text(
+        "At 40, 100 and 15 °C. VI: viscosity index; α: rise of the viscosity with pressure; Λ: limiting shear stress over pressure. "
+        "`contralbero oils NAME` tells where each value comes from."
+    )
+    return [Table("oils", Text("Oils that a design may name"), columns, tuple(_row(oil) for oil in known), note)]
+
+
+def _row(oil: Oil) -> tuple[str | float | None, ...]:
+    lubricant = Lubricant(oil)
+    cold, hot = lubricant.at(40.0), lubricant.at(100.0)
+    index = viscosity_index(lubricant.nu40, lubricant.nu100)
+    return (
+        oil.name, oil.base, _shown(lubricant.nu40, "mm²/s"), _shown(lubricant.nu100, "mm²/s"),
+        index if index is None else float(round(index)), oil.rho15,
+        _shown(cold.mu, "mPa·s"), _shown(hot.mu, "mPa·s"), _shown(lubricant.alpha(cold.mu), "1/GPa"), lubricant.limiting_shear,
+        least_sure(oil)[0],
+    )  # fmt: skip
+
+
+def _one_oil(oil: Oil) -> list[Table]:
+    """One oil: its values, its viscosity over temperature, what is printed for it elsewhere."""
+    lubricant = Lubricant(oil)
+    states = [(T, lubricant.at(T)) for T in TEMPERATURES]
+    rows = tuple(
+        (T, _shown(s.nu, "mm²/s"), _shown(s.mu, "mPa·s"), _shown(s.rho, "kg/m³"), _shown(lubricant.alpha(s.mu), "1/GPa"),
+         round(lubricant.beta(T), 5)) for T, s in states
+    )  # fmt: skip
+    units = {"T": "°C", "ν": "mm²/s", "η": "mPa·s", "ρ": "kg/m³", "α": "1/GPa", "β": "1/K"}
+    columns = tuple((Name(symbol), unit) for symbol, unit in units.items())
+    index = viscosity_index(lubricant.nu40, lubricant.nu100)
+    note = Text("Walther's law through the two viscosities.")
+    if index is not None:
+        note = Text("{law} Viscosity index {index}.", law=note, index=Amount(index, form=".0f"))
+    law = Table("oil_law", Text("Oil {oil}: viscosity over temperature", oil=oil.name), columns, rows, note)
+    printed = printed_table(lubricant)
+    return [values_table(oil), law, *([printed] if printed is not None else [])]
+
+
+def _shown(inside: float, unit: str) -> float:
+    """Four digits, which is more than any of these is known to."""
+    return float(f"{UNITS[unit].shown(inside):.4g}")
+
+
+# `contralbero errata`: what is wrong in the documents that this program grew out of, with the right values computed.
+
+def run_errata(asked: Namespace) -> int:
+    source = _document_meant(asked.source) if asked.source else ""
+    found = list(misprints(source))
+    if asked.json:
+        import json
+
+        rows = [{**{f.name: getattr(one, f.name) for f in fields(Misprint)}, "command": one.command} for one in found]
+        print(json.dumps({"schema": 1, "program": "contralbero", "version": VERSION, "errata": rows}, ensure_ascii=False, indent=1))
+    elif asked.markdown:
+        print(markdown())
+    else:
+        for name, title in documents().items():
+            if of_it := [one for one in found if one.source == name]:
+                print(f"{title} ({name}): {len(of_it)} errors\n")
+                for one in of_it:
+                    print("\n".join(_lines(one)))
+    return 0
+
+
+def _document_meant(word: str) -> str:
+    """The document whose short name holds a word, like `finotti`."""
+    meant = [name for name in documents() if word.casefold() in name.casefold()]
+    if len(meant) == 1:
+        return meant[0]
+    known = Text("give one of {names}, or a word of it", names=", ".join(f'"{name}"' for name in documents()))
+    raise BadInput("contralbero errata", [InputError(0, "", f'"{word}"', known)])
+
+
+def _lines(one: Misprint) -> list[str]:
+    at = f"{one.place}, line {one.lines}" if "," not in one.lines and "-" not in one.lines else f"{one.place}, lines {one.lines}"
+    shown = [f"  {one.about}  [{at}]", *_wrapped_erratum("printed", one.printed), *_wrapped_erratum("right", one.right), *_wrapped_erratum("", one.why)]
+    return [*shown, *([f"    {'':<8}> {one.command}"] if one.command else []), ""]
+
+
+def _wrapped_erratum(head: str, text: str) -> list[str]:
+    return textwrap.wrap(text, WIDE, initial_indent=f"    {head:<8}", subsequent_indent=" " * 12, break_long_words=False)
+
+
+def markdown() -> str:
+    """All errata as the page docs/errata.md."""
+    out = [
+        "# Errors in the sources",
+        "",
+        "What is wrong in the three documents that this program grew out of: what is printed, what is right, and why. Right numbers are",
+        "the program's own; the command below a row shows how each is worked out. Lines are those of the plain text of the document.",
+        "",
+        "The table behind this page is `calc/library/tables/errata.toml`; `contralbero errata --markdown > docs/errata.md` writes the page.",
+    ]
+    for name, title in documents().items():
+        of_it = list(misprints(name))
+        out += ["", f"## {title} ({name}): {len(of_it)} errors", "", "| where | what | printed | right | why |", "|---|---|---|---|---|"]
+        for one in of_it:
+            why = f"{one.why}<br>`{one.command}`" if one.command else one.why
+            cells = f"{one.place}; {one.lines}", one.about, one.printed, one.right, why
+            out.append("| " + " | ".join(cell.replace("|", "\\|") for cell in cells) + " |")
+    return "\n".join(out)
+
+
+# `contralbero validate`: values of others beside ours, what is met and what is not.
+
+def run_validate(asked: Namespace) -> int:
+    found, missed = rows(), list(unmet())
+    failed = [row for row in found if row.verdict == "fail"]
+    if asked.json:
+        import json
+
+        print(json.dumps({"schema": 1, "program": "contralbero", "version": VERSION, "rows": [
+            {"kind": r.kind, "source": r.source, "what": r.what, "published": r.published, "ours": r.ours, "tolerance": r.tolerance,
+             "unit": r.unit, "deviation": r.deviation, "verdict": r.verdict} for r in found
+        ], "unmet": [
+            {"source": u.source, "what": u.what, "printed": u.printed, "ours": u.ours, "unit": u.unit, "deviation": u.deviation,
+             "why": u.why} for u in missed
+        ]}, ensure_ascii=False, indent=1))  # fmt: skip
+        return 1 if failed else 0
+    for kind, of_kind in groupby(found, lambda row: row.kind):
+        print(f"\n{VALIDATION_KINDS[kind]}\n{'─' * len(VALIDATION_KINDS[kind])}")
+        for source, of_it in groupby(of_kind, lambda row: row.source):
+            print("\n".join([f"\n{source}", *map(_line, of_it)]))
+    print(f"\n{(head := 'Printed, and not what this program gives')}\n{'─' * len(head)}")
+    for (source, why), of_source in groupby(missed, lambda one: (one.source, one.why)):
+        reason = textwrap.wrap(why, WIDE, initial_indent="  ", subsequent_indent="  ", break_long_words=False)
+        print("\n".join([f"\n{source}", *map(_missed, of_source), *reason]))
+    print()
+    for kind, title in VALIDATION_KINDS.items():
+        verdicts = [row.verdict for row in found if row.kind == kind]
+        print(f"{title}: {verdicts.count('pass')} of {len(verdicts)} met within the tolerance of the source.")
+    print(f"Printed, and not met: {len(missed)}, each with its reason above.")
+    return 1 if failed else 0
+
+
+def _line(row: ValidationRow) -> str:
+    return (
+        f"  {sign(row.verdict):<7} {row.what:<52} theirs {short(row.published, 6):>10} ± {short(row.tolerance, 2):<8} "
+        f"ours {short(row.ours, 6):>10} {row.unit:<8} {row.deviation * 100:+.3f} %"
+    ).replace("-", "−")
+
+
+def _missed(one: Unmet) -> str:
+    return (
+        f"  differs {one.what:<52} theirs {short(one.printed, 6):>10}   {'':<8} "
+        f"ours {short(one.ours, 6):>10} {one.unit:<8} {short(one.deviation * 100, 2)} %"
+    ).replace("-", "−")

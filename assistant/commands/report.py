@@ -7,19 +7,24 @@ from argparse import Namespace
 from importlib.util import find_spec
 from pathlib import Path
 
-from assistant.session.saving import spare
-from calc.design.toml_file import Document, design, read
+from assistant.plain import print_summary
+from assistant.session.exporting import KINDS, drawing_text, draws_gears, exported, gears_text, transfer_text
+from assistant.session.saving import spare, write_asked
 from calc.design.disk import read_file
-from calc.design.limits import FRONT_BYTES
-from calc.sheet.errors import BadInput, InputError
-from calc.sheet.text import Text
+from calc.design.limits import FRONT_BYTES, PDF_BYTES
+from calc.design.toml_file import Document, design, read
+from calc.sheet.errors import BadInput, InputError, visible
+from calc.sheet.text import COMMA, Amount, Text
+from calc.solve import Results, solve
+from calc.version import VERSION
 from reports.figures.draughtsman import draughtsman
+from reports.verify.verify import Verdict, verify
 
 ENDINGS = ("pdf", "docx")
 PACKAGES = {"python-docx": "docx", "pypdfium2": "pypdfium2"}  # of the extra `docx`, by what they are imported as
 
 
-def run(asked: Namespace) -> int:
+def run_report(asked: Namespace) -> int:
     source = Path(asked.file)
     document = read(source)
     kind, target = _target(asked, source)
@@ -92,3 +97,117 @@ def _target(asked: Namespace, source: Path) -> tuple[str, Path]:
             reason = Text("needs {packages}: `pip install {packages}`; the PDF needs nothing more", packages=" ".join(missing))
             raise BadInput("contralbero report", [InputError(0, "--format", "docx", reason)])
     return kind, target or Path(f"{source.stem}.{kind}")
+
+
+# `contralbero verify`: solves the design inside a report again and says identical, signed, or what else the file is.
+
+MOST = 20  # differences that are listed
+LAST = {
+    Verdict.IDENTICAL: "identical, byte for byte",
+    Verdict.SIGNED: "signed, or prepared for it: what this program writes, byte for byte, and after it fields that cover nothing",
+    Verdict.COVERED: "covered: the field of a signature lies over what is printed",
+    Verdict.OTHER_VERSION: "another version: the same values, verdicts and texts; only the version that wrote it can call it identical",
+    Verdict.SAVED_ANEW: "saved anew: no difference was found, but the bytes are not this program's; ask for the report as it was written",
+    Verdict.DIFFERS: "differs",
+}
+TRUSTED = (Verdict.IDENTICAL, Verdict.SIGNED)
+
+
+def run_verify(asked: Namespace) -> int:
+    path = Path(asked.file)
+    found = verify(_bytes(path), str(path))
+
+    def say(text: str) -> None:
+        """What stands in the file may hold anything; a terminal must not obey it."""
+        print(visible(text))
+
+    say(f"{path}: {found.design}")
+    if found.version != VERSION:
+        say(f"written by version {found.version}; this is version {VERSION}: texts are compared, and what differs may come from that")
+    for name in found.changed:
+        say(f"the attachment {name} is not the one that the report was written with")
+    for one in found.differences[: MOST if not asked.all else None]:
+        say(f"{one.what}: {one.was} in the report, {one.now} now")
+    if not asked.all and len(found.differences) > MOST:
+        print(f"and {len(found.differences) - MOST} more; --all lists them")
+    for number in found.signed:
+        print(f"page {number} carries the field of a signature; what that shows is not the report's")
+    if found.front:
+        print("what it says of the search for the whole drive is what the attachment front.json says; that is not searched again")
+    print(LAST[found.verdict])
+    return 0 if found.verdict in TRUSTED else 1
+
+
+def _bytes(path: Path) -> bytes:
+    """What stands in the file.  Raises BadInput for one that is none, or too large: a pipe would never end."""
+    try:
+        return read_file(path, PDF_BYTES)
+    except OSError as error:
+        reason = Text("cannot be read: {reason}; give a report that `contralbero report` wrote", reason=error.strerror or str(error))
+        raise BadInput(str(path), [InputError(0, "", "", reason)]) from None
+
+
+# `contralbero export`: the results of a design as JSON or CSV, its shaft or its gears as a DXF drawing.
+
+FINEST, COARSEST = 1e-3, 1e3  # chord error, µm: below, the file grows without use; above, no tooth is left
+
+
+def run_export(asked: Namespace) -> int:
+    target = Path(asked.output)
+    kind = asked.kind or target.suffix.lower().removeprefix(".")
+    document = read(asked.file)
+    spare(target, asked.file)
+    wrong = _target_errors(kind, target) + _drawing_errors(asked, kind)
+    try:
+        made = design(document)
+    except BadInput as bad:
+        raise BadInput(document.place, wrong + bad.errors) from None
+    if wrong:
+        raise BadInput("contralbero export", wrong)
+    results = solve(made)
+    if asked.transfer:
+        text = transfer_text(document, results)
+    else:
+        text = _drawing(asked, document, results) if kind == "dxf" else exported(kind, document, results)
+    write_asked(target, text, inputs=[asked.file])
+    print_summary(results)
+    print(f"\n{target}")
+    return 0
+
+
+def _target_errors(kind: str, target: Path) -> list[InputError]:
+    """What is wrong with the file that was asked for: its ending says what stands in it."""
+    known = COMMA.join(Text(".{kind} ({what})", kind=name, what=what) for name, what in KINDS.items())
+    ending = target.suffix
+    if kind not in KINDS:
+        fault = Text("the ending {ending} is not known", ending=ending) if ending else Text("has no ending")
+        return [InputError(0, "-o", str(target), Text("{fault}; known are {endings}", fault=fault, endings=known))]
+    if ending.lower() != f".{kind}":
+        fault = Text("ends in {ending}", ending=ending) if ending else Text("has no ending")
+        return [InputError(0, "-o", str(target), Text("{fault}, but --{kind} writes .{kind}", fault=fault, kind=kind))]
+    return []
+
+
+def _drawing_errors(asked: Namespace, kind: str) -> list[InputError]:
+    """What is wrong with the options of a drawing."""
+    given = {"--gear": asked.gear, "--gears": asked.gears or None, "--chord-error": asked.chord_error}
+    errors = []
+    if kind in KINDS and kind != "dxf":
+        reason = Text("is for a drawing (--dxf), not for .{kind}", kind=kind)
+        errors = [InputError(0, key, "", reason) for key, what in given.items() if what is not None]
+    if asked.transfer and kind != "csv":
+        errors.append(InputError(0, "--transfer", "", Text("is for a table (--csv), not for .{kind}", kind=kind)))
+    error = asked.chord_error
+    if error is not None and not FINEST <= error <= COARSEST:
+        reason = Text("must lie between {finest} and {coarsest}", finest=Amount(FINEST), coarsest=Amount(COARSEST, "µm"))
+        errors.append(InputError(0, "--chord-error", f"{error:g}", reason))
+    return errors
+
+
+def _drawing(asked: Namespace, document: Document, results: Results) -> str:
+    """The shaft, or the gears where they are asked for or are all there is."""
+    if asked.gear is not None or asked.gears or draws_gears(results):
+        return gears_text(document, results, asked.gear, asked.chord_error)
+    if asked.chord_error is not None:
+        raise BadInput("contralbero export", [InputError(0, "--chord-error", "", Text("is for gears: ask for --gear WHEEL or --gears"))])
+    return drawing_text(document, results)

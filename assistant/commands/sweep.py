@@ -12,23 +12,22 @@ from tempfile import TemporaryDirectory
 from assistant.commands.check import changed, known_step
 from assistant.plain import sign
 from assistant.session.saving import asked_for, spare
+from calc.design.disk import demand_writable, write_file
 from calc.design.model import Design
 from calc.design.toml_file import Document, read
-from calc.design.disk import demand_writable, write_file
+from calc.design.unusual import told, unusual
 from calc.sheet.check import ORDER
 from calc.sheet.errors import BadInput, InputError, NoSolution
 from calc.sheet.text import Text
-from calc.studies.sweep import Plan, Sweep, grid, listed, sampled, swept, toleranced, varied
+from calc.studies.sweep import Sweep, SweepPlan, grid, listed, sampled, swept, toleranced, varied
 from calc.studies.sweep.inputs import same_input
-from calc.sweep.kept import InFolder, key_of
 from calc.studies.sweep.run import designs
-from calc.studies.sweep.table import NO_DESIGN, columns, parquet, write_csv, write_parquet
-from calc.design.unusual import told, unusual
+from calc.studies.sweep.table import NO_DESIGN, InFolder, columns, key_of, parquet, write_csv, write_parquet
 
 OFTEN = 2.0  # seconds between two lines of progress
 
 
-def run(asked: Namespace) -> int:
+def run_sweep(asked: Namespace) -> int:
     known_step(asked.step)
     if asked.output is not None:
         spare(Path(asked.output), asked.file, *([asked.list] if asked.list is not None else []))
@@ -51,7 +50,7 @@ def run(asked: Namespace) -> int:
     return 0
 
 
-def plan(document: Document, asked: Namespace) -> Plan:
+def plan(document: Document, asked: Namespace) -> SweepPlan:
     """The designs that the options ask for."""
 
     def refuse(option: str, reason: Text) -> BadInput:
@@ -61,7 +60,7 @@ def plan(document: Document, asked: Namespace) -> Plan:
         if asked.vary or asked.tolerance:
             raise refuse("--list", Text("has all that is varied; leave out --vary and --tolerance"))
         inputs, rows = listed(document, asked.list)
-        return Plan("list", tuple(inputs), len(rows), combinations=tuple(rows))
+        return SweepPlan("list", tuple(inputs), len(rows), combinations=tuple(rows))
     drawn = asked.hypercube if asked.hypercube is not None else asked.monte_carlo
     if asked.tolerance and drawn is None:
         raise refuse("--tolerance", Text("needs a number of designs: --monte-carlo N"))

@@ -4,13 +4,13 @@
 from collections.abc import Sequence
 
 from calc.locale import Language
-from calc.sheet.changes import assignment
 from calc.sheet.check import Check
+from calc.sheet.remedy import assignment
 from calc.sheet.text import EMPTY, Amount, Text, plural
 
+from .dialogs import Reason
 from .edit_actions import rebuilt
 from .host import Host
-from .reason import Reason
 
 USUAL = (
     Text("seen on the test bench: it holds"),

@@ -13,20 +13,20 @@ from textual.worker import get_current_worker
 
 from calc.design.model import STEPS
 from calc.locale import Language
-from calc.languages.outcome import said
+from calc.locale.language import said
 from calc.sheet.errors import Cancelled
 from calc.sheet.step import Curve, Outcome, Step, Table
 from calc.sheet.text import Name, Text
 
+from ..session.calculation import CalculationSheet, values_table
 from ..session.session import Session
-from ..session.calculation import Sheet, values_table
 from ..session.solving import Answer, Job, run
 from .host import Host
 
 if TYPE_CHECKING:
     from calc.design.toml_file import Document
-    from calc.studies.repair.nearest import Remedy
     from calc.solve import Results
+    from calc.studies.repair.nearest import NearestRemedy
 
 
 SLOW = 0.3  # a solve that takes longer dims what stands there; sooner it would only flicker
@@ -45,7 +45,7 @@ class Page:
     outcome: Outcome[object]
     say: Language
     whole: Outcome[object]
-    sheet: Sheet
+    sheet: CalculationSheet
     leaves: tuple[Curve | Table, ...]
 
 
@@ -61,7 +61,7 @@ class BackgroundSolve:
 
     def __init__(self, host: Host) -> None:
         self._host = host
-        self.remedies: dict[str, tuple[Results, Remedy]] = {}  # step → its remedy, and the results that it is a remedy for
+        self.remedies: dict[str, tuple[Results, NearestRemedy]] = {}  # step → its remedy, and the results that it is a remedy for
         self._sought: dict[str, Results] = {}  # step → the results that a remedy is or was looked for
         self.pages: dict[str, Page] = {}  # step → what was written of it last
         self._solving = False
@@ -206,7 +206,7 @@ class BackgroundSolve:
                     why = Name(
                         say(Text("The calculation can not be written out: {kind}: {error}", kind=type(error).__name__, error=str(error)))
                     )
-                    page = Page(outcome, say, outcome, Sheet(notes=(why,)), ())
+                    page = Page(outcome, say, outcome, CalculationSheet(notes=(why,)), ())
                 if stop():
                     return
                 if not self.written(results, step):  # else another thread was sooner, and its page may stand there
@@ -262,7 +262,7 @@ class BackgroundSolve:
         return next(iter(self._troubles), "")
 
     @property
-    def remedy(self) -> "Remedy | None":
+    def remedy(self) -> "NearestRemedy | None":
         """The remedy for that step, if it is known already."""
         results, known = self.remedies.get(self.trouble, (None, None))
         return known if results is not None and results is self._host.session.results else None
@@ -304,7 +304,7 @@ class BackgroundSolve:
         if self._sought.get(step) is results:
             del self._sought[step]
 
-    def _found_remedy(self, step: str, results: "Results", remedy: "Remedy") -> None:
+    def _found_remedy(self, step: str, results: "Results", remedy: "NearestRemedy") -> None:
         self.remedies[step] = (results, remedy)
         if self._host.stands:
             self._host.show_remedy()

@@ -7,12 +7,12 @@ from calc.design.addresses import as_table
 from calc.design.model import STEPS
 from calc.sheet.text import Text
 
-from ..session.editing import Plan
+from ..session.editing import BuildPlan
 from ..session.session import Session
 from ..session.solving import mistake
+from .dialogs import Reason
 from .host import Host
 from .moves import Moves
-from .reason import Reason
 
 USUAL = (
     Text("left out on purpose"),
@@ -41,10 +41,10 @@ class Building:
             plan = session.plan(step, balancing)
         except Exception as error:  # a mistake of the program must not take the user's work with it
             why = mistake(error)
-            plan = Plan({}, {}, why)
+            plan = BuildPlan({}, {}, why)
         self._host.call_later(self._built, session, step, plan)
 
-    def _built(self, session: Session, step: str, plan: Plan) -> None:
+    def _built(self, session: Session, step: str, plan: BuildPlan) -> None:
         host = self._host
         host.app.forget(BUILDING)
         if session is not host.session or not host.stands:

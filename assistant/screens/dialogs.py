@@ -2,18 +2,38 @@
 """The list of words of a field, beside the field."""
 
 from collections.abc import Callable
-from typing import ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar
 
 from textual import events
 from textual.app import ComposeResult
+from textual.await_complete import AwaitComplete
 from textual.binding import Binding, BindingType
+from textual.containers import Vertical
 from textual.content import Content
 from textual.geometry import Region
 from textual.screen import ModalScreen
-from textual.widgets import OptionList
+from textual.widgets import Input, OptionList, Static
 from textual.widgets.option_list import Option
 
-from .once import Once
+from calc.sheet.text import Text
+
+from ..base_app import BaseApp
+
+# Closing a dialog once: Enter that repeats, or comes twice before the first is dealt with, must not close what is behind it.
+
+if TYPE_CHECKING:
+    from textual.screen import Screen
+
+    Below = Screen[Any]
+else:
+    Below = object  # style sheets look at the first base that is a widget, which the dialog names itself
+
+
+class Once(Below):
+    """Stands before `ModalScreen` among the bases of a dialog."""
+
+    def dismiss(self, result: Any = None) -> AwaitComplete:
+        return super().dismiss(result) if self.is_active else AwaitComplete()
 
 
 class Choose(Once, ModalScreen[str | None]):
@@ -82,3 +102,94 @@ class Choose(Once, ModalScreen[str | None]):
 
     def action_cancel(self) -> None:
         self.dismiss(None)
+
+
+# Asking for the reason of a decision: a line to write on, and below it usual reasons.
+
+HINT = Text("Enter accepts it with this reason, ↓ chooses a usual one, Esc goes back.")
+
+
+class Reason(Once, ModalScreen[str | None]):
+    """Gives the reason, or None.  `begun`: what stands in the line at first, to be written on."""
+
+    app: BaseApp
+    BINDINGS: ClassVar[list[BindingType]] = [
+        Binding("escape", "cancel", "Cancel", show=False),
+        Binding("enter", "take", "Take the reason", show=False, priority=True),
+        Binding("down", "list(1)", "To the usual reasons", show=False, priority=True),
+        Binding("up", "list(-1)", "Back to the reason", show=False, priority=True),
+    ]
+
+    def __init__(self, question: Text, about: str, usual: tuple[Text, ...], begun: str = "") -> None:
+        super().__init__()
+        self.question, self.about, self.usual, self.begun = question, about, usual, begun
+
+    def compose(self) -> ComposeResult:
+        say = self.app.say
+        with Vertical(classes="dialog"):
+            yield Static(Content.styled(say(self.question), "bold"))
+            yield Static(Content(self.about))
+            yield Input(self.begun, compact=True, select_on_focus=False, id="words")
+            yield OptionList(*(Content(say(reason)) for reason in self.usual), compact=True, id="names")
+            yield Static("", classes="wrong")
+            yield Static(Content.styled(say(HINT), "dim"))
+
+    def action_take(self) -> None:
+        """The reason that is written; in the list that of the row, to be written on."""
+        options = self.query_one(OptionList)
+        if self.focused is options and options.highlighted is not None:
+            self._write(options.highlighted)
+        elif reason := "".join(letter for letter in self.query_one(Input).value if letter.isprintable()).strip():
+            self.dismiss(reason)
+        else:
+            self.query_one(".wrong", Static).update(Content(self.app.say(Text("A reason is needed: it stands in the report."))))
+
+    def on_option_list_option_selected(self, event: OptionList.OptionSelected) -> None:
+        """By a click."""
+        event.stop()
+        self._write(event.option_index)
+
+    def _write(self, index: int) -> None:
+        box = self.query_one(Input)
+        box.value = self.app.say(self.usual[index]).removesuffix("…")
+        box.cursor_position = len(box.value)
+        self.set_focus(box)
+
+    def action_list(self, by: int) -> None:
+        options = self.query_one(OptionList)
+        if by > 0 and self.focused is not options:
+            self.set_focus(options)
+            options.action_first()
+        elif by > 0:
+            options.action_cursor_down()
+        elif options.highlighted in (0, None):
+            self.set_focus(self.query_one(Input))
+        else:
+            options.action_cursor_up()
+
+    def action_cancel(self) -> None:
+        self.dismiss(None)
+
+
+# A question with two answers.
+
+class Ask(Once, ModalScreen[bool]):
+    """`y` or Enter gives True, `n` or Esc False."""
+
+    BINDINGS: ClassVar[list[BindingType]] = [
+        Binding("y,enter", "answer(True)", "Yes", show=False),
+        Binding("n,escape", "answer(False)", "No", show=False),
+    ]
+
+    def __init__(self, question: str, yes: str, no: str) -> None:
+        super().__init__()
+        self.question, self.yes, self.no = question, yes, no
+
+    def compose(self) -> ComposeResult:
+        with Vertical(classes="dialog"):
+            yield Static(Content(self.question))
+            yield Static("")
+            yield Static(Content.assemble(("y", "bold"), f" {self.yes}    ", ("n", "bold"), f" {self.no}"))
+
+    def action_answer(self, answer: bool) -> None:
+        self.dismiss(answer)

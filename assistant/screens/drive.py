@@ -3,30 +3,104 @@
 may be taken as one step of the undo."""
 
 from collections.abc import Iterator
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, ClassVar
 
 from textual.app import ComposeResult
 from textual.binding import Binding, BindingType
 from textual.containers import Vertical
 from textual.content import Content
+from textual.widget import Widget
 from textual.widgets import Static
 
-from calc.sheet.changes import Changes
 from calc.sheet.errors import NoSolution
 from calc.sheet.progress import Progress
+from calc.sheet.remedy import Changes
 from calc.sheet.step import Table
 from calc.sheet.text import SEMICOLON, Name, Text
 
-from ..offers.offer import Offer
+from ..base_app import BaseApp
+from ..offers import Offer
 from ..session.session import Session
 from ..widgets.item_list import ItemList
-from ..widgets.offer_list import OfferList
-from ..widgets.scatter import Points, Scatter
-from .searching import Searching
-from .selection import Choosing
+from ..widgets.text import fit, pad
+from .selection import Choosing, OfferList, Searching
 
 if TYPE_CHECKING:
-    from calc.studies.drive.run import Found
+    from calc.studies.drive.run import FrontFound
+
+
+# Points of two objectives in character cells: the drives of a front, the design as it is, and the one under the cursor.
+
+DOT, NOW, PICKED = "·", "+", "◆"
+PLAIN = {DOT: ".", NOW: "+", PICKED: "@"}
+LEFT = 9  # cells of the numbers beside the frame
+
+
+@dataclass(frozen=True)
+class Points:
+    """`x` and `y` of every drive by its number; `now`: of the design as it is, where it has them; `fails`: whether a limit of it does."""
+
+    across: str
+    up: str
+    drives: dict[int, tuple[float, float]]
+    now: tuple[float, float] | None = None
+    fails: bool = False
+
+
+class Scatter(Widget):
+    """Redrawn whole: a front has a few dozen points."""
+
+    app: BaseApp
+
+    def __init__(self) -> None:
+        super().__init__(id="scatter")
+        self.points: Points | None = None
+        self.picked = 0
+
+    def show(self, points: Points, picked: int) -> None:
+        self.points, self.picked = points, picked
+        self.refresh()
+
+    def render(self) -> Content:
+        points, (width, height) = self.points, self.size
+        columns, rows = width - LEFT - 1, height - 2
+        if points is None or not points.drives or columns < 8 or rows < 3:
+            return Content("")
+        every = [*points.drives.values(), *([points.now] if points.now is not None else [])]
+        (left, right), (low, high) = (_ends([p[n] for p in every]) for n in (0, 1))
+        cells: dict[tuple[int, int], tuple[str, str]] = {}
+
+        def put(at: tuple[float, float], sign: str, style: str) -> None:
+            column = round((at[0] - left) / (right - left) * (columns - 1))
+            row = rows - 1 - round((at[1] - low) / (high - low) * (rows - 1))
+            cells[row, column] = PLAIN[sign] if self.app.ascii else sign, style
+
+        for at in points.drives.values():
+            put(at, DOT, "")
+        if points.now is not None:
+            put(points.now, NOW, self.app.signs.style("fail") if points.fails else "bold")
+        if self.picked in points.drives:
+            put(points.drives[self.picked], PICKED, self.app.signs.style("ready"))
+        bar = "|" if self.app.ascii else "│"
+        lines = [Content.styled(fit(f"{pad('', LEFT - 1)}{points.up}", width), "dim")]
+        for row in range(rows):
+            number = high if row == 0 else low if row == rows - 1 else None
+            start = Content.styled((f"{number:.4g} " if number is not None else "").rjust(LEFT) + bar, "dim")
+            lines.append(Content.assemble(start, *(cells.get((row, column), (" ", "")) for column in range(columns))))
+        foot = f"{left:.4g}".ljust(columns - len(f"{right:.4g}")) + f"{right:.4g}"
+        middle = (columns - len(points.across)) // 2
+        if middle > len(f"{left:.4g}") + 1:
+            foot = foot[:middle] + points.across + foot[middle + len(points.across) :]
+        lines.append(Content.styled(" " * LEFT + foot, "dim"))
+        return Content("\n").join(lines[:height])
+
+
+def _ends(numbers: list[float]) -> tuple[float, float]:
+    low, high = min(numbers), max(numbers)
+    room = (high - low) * 0.04 or abs(low) * 0.01 or 1.0
+    return low - room, high + room
+
 
 SHARE = 0.85  # of the progress, until all classes are done
 PROCESSES = 2
@@ -55,7 +129,7 @@ class Driving(Choosing):
 
     def __init__(self, session: Session) -> None:
         super().__init__(session, "drive")
-        self.front: Found | None = None
+        self.front: FrontFound | None = None
         self.axes = [0, 1]  # of the objectives
         self.sorted = 0
         self.widest: float | None = None  # seat up to which drives are shown
@@ -83,7 +157,7 @@ class Driving(Choosing):
     def search(self, progress: Progress) -> Iterator[Offer]:
         from calc.studies.drive.classes import NotClosed
         from calc.studies.drive.evolve import EVALUATIONS, evolved
-        from calc.studies.drive.run import Table as Known
+        from calc.studies.drive.run import FrontTable as Known
         from calc.studies.drive.run import asked, search
 
         problem, _ = asked(self.session.document, {})
@@ -107,7 +181,7 @@ class Driving(Choosing):
         self.front = found
         yield self.offered()
 
-    def _nothing(self, found: "Found", progress: Progress) -> Text:
+    def _nothing(self, found: "FrontFound", progress: Progress) -> Text:
         """What alone would have to give way."""
         from calc.studies.drive.relax import refusal
 

@@ -9,8 +9,8 @@ from calc.design.model import STEPS
 from calc.sheet.check import URGENT, Check, grouped
 from calc.sheet.text import COMMA, Text
 
-from ..changes import told
-from ..offers.offer import CHOICES
+from ..offers import CHOICES
+from ..session.editing import told
 from ..session.places import Place, first_key
 from ..widgets.entry import Entry
 from ..widgets.field import Field
@@ -20,7 +20,7 @@ from .host import Host
 from .moves import Moves
 
 if TYPE_CHECKING:
-    from calc.repair.way import Way
+    from calc.studies.repair.trials import RepairOption
 
 
 def rebuilt(host: Host) -> None:
@@ -128,7 +128,7 @@ class EditActions:
                 return groups[0][0]
         return None
 
-    async def _remedied(self, generation: int, finding: Check | str, way: "Way | None") -> None:
+    async def _remedied(self, generation: int, finding: Check | str, way: "RepairOption | None") -> None:
         host = self._host
         if way is not None and way.changes:
             effect = Text("{check} {result}", check=finding.name, result=way.effect) if isinstance(finding, Check) else way.effect

@@ -10,10 +10,9 @@ from textual.worker import get_current_worker
 from calc.sheet.errors import BadInput, Cancelled
 from calc.sheet.text import EMPTY, Name, Text
 
-from ..draft import Draft
 from ..session.recording import Recording
 from ..session.recovery import Edits
-from ..session.saving import ChangedOnDisk, SaveError, write_atomic
+from ..session.saving import ChangedOnDisk, Draft, SaveError, write_atomic
 from ..session.session import Session
 from .edit_actions import rebuilt
 from .host import Host
@@ -52,7 +51,7 @@ class FileActions:
         host.show_state()
 
     def save_as(self) -> None:
-        from .save_dialog import SaveDialog
+        from .path_dialogs import SaveDialog
 
         self._host.app.push_screen(SaveDialog(self._session), self._save_as)
 
@@ -66,8 +65,7 @@ class FileActions:
 
     # --- opening
     def open(self) -> None:
-        from .open_dialog import OpenDialog
-        from .save_dialog import folder_of
+        from .path_dialogs import OpenDialog, folder_of
 
         self._host.app.push_screen(OpenDialog(self._session.memory, folder_of(self._session), self._session.path), self._opened)
 
@@ -121,13 +119,13 @@ class FileActions:
 
     # --- report and export
     def report(self) -> None:
-        from .save_dialog import folder_of
+        from .path_dialogs import folder_of
 
         if self._can_write():
             self._write(folder_of(self._session) / (self._session.home.stem + ".pdf"))
 
     def export(self) -> None:
-        from .save_dialog import ExportDialog
+        from .path_dialogs import ExportDialog
 
         host = self._host
         if not self._can_write():
@@ -223,7 +221,7 @@ class FileActions:
             return
         if not self._can_write():
             return
-        from .save_dialog import RecordDialog
+        from .path_dialogs import RecordDialog
 
         host.app.push_screen(RecordDialog(self._session), self._recorded)
 

@@ -16,15 +16,14 @@ from calc.sheet.text import COMMA, Amount, Text
 
 from ..actions import ACTIONS, BY_ID, key_names
 from ..base_app import BaseApp
-from ..guide import GUIDES
 from ..session.places import Place, label_of
-from ..widgets.headings import ArrayHeading
+from ..session.route import GUIDES
 from ..widgets.checks import Checks
 from ..widgets.field_help import allowed, meaning
-from ..widgets.table_heading import TableHeading
+from ..widgets.headings import ArrayHeading, TableHeading
 from ..widgets.text import wrap
+from .dialogs import Once
 from .host import Host
-from .once import Once
 
 SCREEN = (
     Text(

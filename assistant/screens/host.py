@@ -18,9 +18,8 @@ from ..session.places import Place
 from ..session.session import Session
 from ..widgets.calculation import Calculation
 from ..widgets.checks import Checks
-from ..widgets.curve_pane import CurvePane
+from ..widgets.curve_pane import CurvePane, Pane
 from ..widgets.form import Form
-from ..widgets.pane import Pane
 from .pane_layout import PaneLayout
 
 W = TypeVar("W", bound=Widget)

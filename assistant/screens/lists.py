@@ -5,11 +5,11 @@ from calc.design.model import STEPS
 
 from ..widgets.calculation import Calculation
 from ..widgets.checks import Checks
+from ..widgets.form import Taken
 from ..widgets.item_list import ItemList
 from ..widgets.radio import Radio
 from ..widgets.steps import READY, Steps
 from ..widgets.table_list import TableList
-from ..widgets.upstream_values import Taken
 from .host import Host
 from .moves import Moves
 from .reading_actions import ReadingActions

@@ -8,13 +8,12 @@ from calc.sheet.text import Text
 
 from ..session.places import Place
 from ..session.route import step_of
-from ..widgets.headings import ArrayHeading
 from ..widgets.curve_pane import CurvePane
 from ..widgets.form import Form
+from ..widgets.headings import ArrayHeading, TableHeading
 from ..widgets.item_list import ItemList
 from ..widgets.radio import Radio
 from ..widgets.steps import nothing_left, states_of
-from ..widgets.table_heading import TableHeading
 from .background_solve import BackgroundSolve
 from .host import Host
 from .pane_layout import VIEWS

@@ -1,6 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """The palette: words in any order find whatever can be done or gone to, in every language of the program."""
 
+from collections.abc import Awaitable, Callable, Iterator
+from dataclasses import dataclass
+from functools import partial
 from typing import ClassVar
 
 from textual._callback import invoke
@@ -12,18 +15,161 @@ from textual.screen import ModalScreen
 from textual.widgets import Input, OptionList, Static
 from textual.widgets.option_list import Option
 
+from calc.design.addresses import quantities
+from calc.design.model import STEPS, Design
+from calc.locale import LANGUAGES, language
+from calc.sheet.check import Check
+from calc.sheet.quantity import Quantity, keys
+from calc.sheet.step import Curve
 from calc.sheet.text import Text
+from calc.studies.shipped import engines
 
+from ..actions import ACTIONS, key_name
 from ..base_app import BaseApp
-from ..matching import folded
-from ..widgets.text import fit
-from .palette_entries import Entry, entries
+from ..session.route import DOCUMENT, NAME, NOTE
+from ..widgets.text import fit, folded, match
+from .path_dialogs import begin_with
 from .workbench import Workbench
+
+# What the palette finds: actions, steps, fields, checks, values, curves, engines to begin with, designs, colours and languages.
+
+Does = Callable[[], Awaitable[object] | object]
+HIDDEN = {"palette", "up", "down", "go_on", "leave", "more", "less"}  # of no use from a list
+HIDDEN |= {action.id for action in ACTIONS if action.id.startswith("read")}
+ACTION, FIELD, PLACE, OTHER = 1.0, 0.9, 0.8, 0.7  # what counts more where words find both
+
+
+@dataclass(frozen=True)
+class PaletteEntry:
+    """`title` and `help` in the user's language; `also`: what else finds it; `keys`: those of an action; `first`: shown before a word is
+    typed."""
+
+    title: str
+    help: str
+    does: Does
+    also: str = ""
+    keys: str = ""
+    weight: float = OTHER
+    first: bool = False
+
+    def score(self, words: list[str]) -> tuple[float, list[tuple[int, int]]]:
+        score, spans = match(words, self.title, self.also)
+        return score * self.weight, spans
+
+
+def entries(app: BaseApp, work: Workbench | None) -> list[PaletteEntry]:
+    """Everything that can be found now; `work` is the main screen if a design is open."""
+    others = [language(code) for code in LANGUAGES if code != app.say.code]
+    found: list[PaletteEntry] = []
+
+    def add(title: Text, help: str, does: Does, *also: str, keys: str = "", weight: float = OTHER, first: bool = False) -> None:
+        known = folded(" ".join([*(other(title) for other in others), *also]))
+        found.append(PaletteEntry(app.say(title), app.say(help), does, known, keys, weight, first))
+
+    for part in (_actions, _designs, _fields, _results, _curves) if work is not None else ():
+        part(work, add)  # type: ignore[arg-type]
+    _program(app, work is not None, add)
+    return found
+
+
+Add = Callable[..., None]
+
+
+def _actions(work: Workbench, add: Add) -> None:
+    for action in ACTIONS:
+        if action.id not in HIDDEN:
+            keys = " ".join(map(work.app.say, map(key_name, (work.app.key_map.get(action.id) or action.binding).split(",")[:2])))
+            does = partial(work.run_action, action.does)
+            add(action.title, action.help, does, action.id.replace("_", " "), action.help, keys=keys, weight=ACTION, first=True)
+
+
+def _designs(work: Workbench, add: Add) -> None:
+    for kept in work.session.put_aside():
+        title = Text("Put back unsaved edits of {when}", when=work.session.when(kept))
+        add(title, Text("Edits of this file that another session has kept."), partial(work.files.restore, kept), first=True)
+    for path in work.session.memory.recent():
+        if path != work.session.path:
+            title = Text("Open recent: {path}", path=str(path))
+            add(title, Text("Opens this design again."), partial(work.files.open_path, path), first=True)
+
+
+def _fields(work: Workbench, add: Add) -> None:
+    for key, about in (*_of_design(), *quantities(work.session.data)):
+        title = Text("Field: {label}  {key}", label=about.label, key=key)
+        add(title, about.help or about.allowed(), partial(work.moves.to_field, work.session.place(key)), weight=FIELD)
+
+
+def _of_design() -> Iterator[tuple[str, Quantity]]:
+    """What is asked with the first step: name, note and document control of the design."""
+    own = keys(Design)
+    for (top,) in (NAME, NOTE, DOCUMENT):
+        about = own[str(top)].about
+        if about.table is None:
+            yield str(top), about
+        else:
+            yield from ((f"{top}.{key}", field.about) for key, field in keys(about.table).items() if field.about.table is None)
+
+
+def _results(work: Workbench, add: Add) -> None:
+    for check in work.session.results.checks() if work.session.results is not None else ():
+        add(Text("Check: {name}", name=check.name), Text("Goes to this check."), partial(to_check, work, check), check.id, weight=PLACE)
+    for id, value in work.session.values().items():
+        title = Text("Value: {label}  {key}", label=value.label, key=id)
+        add(title, Text("Walks back through its formulas to the inputs."), partial(explain, work, id))
+
+
+def _curves(work: Workbench, add: Add) -> None:
+    for n, step in enumerate(STEPS, 1):
+        page = work.background.pages.get(step.key)
+        for leaf in page.leaves if page is not None else ():
+            title = Text("Curve: {title}", title=leaf.title) if isinstance(leaf, Curve) else Text("Table: {title}", title=leaf.title)
+            add(title, Text("In step {n}, {title}.", n=n, title=step.title), partial(to_curve, work, n, leaf.id), weight=PLACE)
+
+
+def _program(app: BaseApp, open: bool, add: Add) -> None:
+    for id, engine in engines().items():
+        title = Text("New from {engine}: {what}", engine=engine.name, what=engine.what)
+        add(title, Text("Begins a design with this engine."), partial(begin_with, app, id, engine.name), id, "engine motore")
+    for name in app.available_themes:
+        does = partial(setattr, app, "theme", name)
+        add(Text("Theme: {name}", name=name), Text("Other colours; ansi-dark and ansi-light take those of the terminal"), does)
+    for code, name in LANGUAGES.items():
+        if code != app.say.code:
+            title, help = Text("Language: {name}", name=name), Text("The session in this language")
+            add(title, help, partial(app.speak, code), "language lingua", first=True)
+    if not open:
+        add(Text("Quit"), Text("Ends the program."), app.action_quit, "exit", weight=ACTION, first=True)
+
+
+# --- where they lead
+async def to_check(work: Workbench, check: Check) -> None:
+    step = next(step for step in STEPS if step.key == check.id.partition(".")[0])
+    work.at_pane("checks")
+    await work.open_step(step, stay=True)
+    work.checks.focus()
+    work.call_after_refresh(work.checks.go_to, check.id)
+
+
+def explain(work: Workbench, id: str) -> None:
+    from .explain import Explain
+
+    async def to_value(key: str | None) -> None:
+        if key is not None:
+            await work.moves.to_value(key)
+
+    work.app.push_screen(Explain(work.session, value=id), to_value)
+
+
+async def to_curve(work: Workbench, n: int, id: str) -> None:
+    await work.moves.to_step(n)
+    work.curve_pane.choose(id)
+    work.moves.to_view("curve")
+
 
 MOST = 60  # rows
 
 
-class Found(OptionList, can_focus=False):
+class PaletteHit(OptionList, can_focus=False):
     """The rows; the place to type keeps the focus."""
 
 
@@ -41,8 +187,8 @@ class Palette(ModalScreen[None]):
 
     def __init__(self) -> None:
         super().__init__()
-        self._entries: list[Entry] = []
-        self.rows: list[Entry] = []
+        self._entries: list[PaletteEntry] = []
+        self.rows: list[PaletteEntry] = []
         self._words = ""  # for which the rows are
         self._ending = False
 
@@ -52,7 +198,7 @@ class Palette(ModalScreen[None]):
         self._entries = entries(self.app, work)
         with Vertical(classes="dialog", id="palette"):
             yield Input(placeholder=self.app.say(Text("what to do, or where to go: words in any order")), compact=True, id="words")
-            yield Found(id="found", compact=True)
+            yield PaletteHit(id="found", compact=True)
             yield Static("", id="palette-help")
 
     def on_mount(self) -> None:
@@ -73,14 +219,14 @@ class Palette(ModalScreen[None]):
         else:
             best = [(1.0, [], entry) for entry in self._entries if entry.first]
         self.rows = [entry for _, _, entry in best]
-        found = self.query_one(Found)
+        found = self.query_one(PaletteHit)
         width = max(8, found.size.width - 3)
         found.clear_options()
         found.add_options([Option(self._row(entry, spans, width)) for _, spans, entry in best])
         found.highlighted = 0 if self.rows else None
         self._show_help()
 
-    def _row(self, entry: Entry, spans: list[tuple[int, int]], width: int) -> Content:
+    def _row(self, entry: PaletteEntry, spans: list[tuple[int, int]], width: int) -> Content:
         keys = f"  {entry.keys}" if entry.keys and len(entry.title) + len(entry.keys) + 2 <= width else ""
         title = Content(fit(entry.title, width - len(keys)))
         for start, end in spans:
@@ -88,7 +234,7 @@ class Palette(ModalScreen[None]):
         return Content.assemble(" ", title, " " * max(0, width - len(title) - len(keys)), (keys, "dim"))
 
     def _show_help(self) -> None:
-        at = self.query_one(Found).highlighted
+        at = self.query_one(PaletteHit).highlighted
         told = self.rows[at].help if at is not None and at < len(self.rows) else self.app.say(Text("Nothing has these words."))
         self.query_one("#palette-help", Static).update(Content.styled(told, "dim"))
 
@@ -102,7 +248,7 @@ class Palette(ModalScreen[None]):
 
     # --- keys
     def action_move(self, by: int) -> None:
-        found = self.query_one(Found)
+        found = self.query_one(PaletteHit)
         if self.rows and found.highlighted is not None:
             found.highlighted = max(0, min(len(self.rows) - 1, found.highlighted + by))
 
@@ -113,7 +259,7 @@ class Palette(ModalScreen[None]):
         event.stop()
         if event.value != self._words:  # Enter came before the rows of the last letters
             self.fill()
-        at = self.query_one(Found).highlighted
+        at = self.query_one(PaletteHit).highlighted
         if at is None:
             self.app.release()
         else:
@@ -123,7 +269,7 @@ class Palette(ModalScreen[None]):
         event.stop()
         self._end(self.rows[event.option_index])
 
-    def _end(self, entry: Entry | None = None) -> None:
+    def _end(self, entry: PaletteEntry | None = None) -> None:
         """Close, once, and run what was chosen."""
         if self._ending:
             return

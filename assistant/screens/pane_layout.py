@@ -13,8 +13,7 @@ from textual.style import Style
 from calc.locale import Language
 from calc.sheet.text import Text
 
-from ..widgets.curve_pane import CurvePane
-from ..widgets.pane import Pane
+from ..widgets.curve_pane import CurvePane, Pane
 
 VIEWS = {
     "inputs": Text("Inputs"), "picture": Text("Picture"), "checks": Text("Findings"), "calculation": Text("Calc"), "curve": Text("Plot"),

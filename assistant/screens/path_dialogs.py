@@ -13,10 +13,17 @@ from textual.screen import ModalScreen
 from textual.widgets import Input, OptionList, Static
 from textual.widgets.option_list import Option
 
+from calc.sheet.errors import BadInput
 from calc.sheet.text import EMPTY, Text
+from calc.studies.shipped import DESIGNS
 
 from ..base_app import BaseApp
-from .once import Once
+from ..session.beginnings import engine_only, own_file
+from ..session.recovery import Memory
+from ..session.saving import free_name
+from ..session.session import Session
+from ..session.versions import Chosen, Other, kept, of_file, of_session, past
+from .dialogs import Once
 
 Found = TypeVar("Found")
 MOST = 200  # names in the list
@@ -143,3 +150,256 @@ class PathDialog(Once, ModalScreen[Found]):
 
     def action_cancel(self) -> None:
         self.dismiss(None)
+
+
+# Asks what to compare the design with: its saved file, an earlier state, or another design.
+
+SHOWN_ERRORS = 4
+
+
+class CompareWith(Once, ModalScreen[Chosen | None]):
+    """Gives the design that was chosen, solved by nobody yet."""
+
+    app: BaseApp
+    BINDINGS: ClassVar[list[BindingType]] = [
+        Binding("escape,q", "cancel", "Back", show=False),
+        Binding("j", "move(1)", "Down", show=False),
+        Binding("k", "move(-1)", "Up", show=False),
+    ]
+
+    def __init__(self, session: Session) -> None:
+        super().__init__()
+        self.session = session
+        self.others: list[Other | None] = []  # None: another file
+
+    def compose(self) -> ComposeResult:
+        self.set_class(self.app.ascii, "-ascii")
+        self.others = [*kept(self.session), None, *past(self.session)]
+        say = self.app.say
+        texts = [say(other.title if other is not None else Text("another design file …")) for other in self.others]
+        with Vertical(classes="dialog"):
+            yield Static(Content.styled(say(Text("Compare the design, as it is now, with")), "bold"))
+            yield OptionList(*[Option(Content(text)) for text in texts], id="others", compact=True)
+            yield Static("", id="wrong", classes="wrong")
+            yield Static(Content.styled(say(Text("Enter compares, Esc goes back")), "dim"))
+
+    def on_mount(self) -> None:
+        options = self.query_one(OptionList)
+        options.highlighted = 0
+        options.focus()
+
+    def on_option_list_option_selected(self, event: OptionList.OptionSelected) -> None:
+        event.stop()
+        other = self.others[event.option_index]
+        if other is None:
+            self.app.push_screen(CompareFile(self.session), self._found)
+            return
+        try:
+            self.dismiss(of_session(self.session, other))
+        except BadInput as bad:
+            self.query_one("#wrong", Static).update(
+                Content(self.app.say(Text("This state was not valid:\n{errors}", errors=errors_text(bad, Text("the design")))))
+            )
+
+    def _found(self, chosen: Chosen | None) -> None:
+        if chosen is not None:
+            self.dismiss(chosen)
+
+    def action_move(self, by: int) -> None:
+        options = self.query_one(OptionList)
+        if by > 0:
+            options.action_cursor_down()
+        else:
+            options.action_cursor_up()
+
+    def action_cancel(self) -> None:
+        self.dismiss(None)
+
+
+class CompareFile(PathDialog[Chosen | None]):
+    """Another design file: those of the folder, then those that come with the program."""
+
+    TITLE_TEXT = Text("Compare with another design")
+    HINT = Text("Enter compares, ↓ goes to the list, Esc goes back")
+
+    def __init__(self, session: Session) -> None:
+        folder = session.path.parent if session.path is not None else Path.cwd()
+        super().__init__(f"{folder}/", folder)
+
+    def fill(self) -> None:
+        """What is beside the path that is typed; and always the shipped designs."""
+        super().fill()
+        shipped = sorted(DESIGNS.glob("*.toml"))
+        shipped = [path for path in shipped if str(path) not in self._names]
+        self._names += [str(path) for path in shipped]
+        options = self.query_one("#names", OptionList)
+        options.add_options([Option(Content(self.app.say(Text("{name}   (comes with the program)", name=path.name)))) for path in shipped])
+        options.display = bool(self._names)
+
+    def take(self, path: Path) -> None:
+        if path.is_dir():
+            self.fill()
+            self.say(Text("This is a folder; give the name of a design file in it."))
+            return
+        try:
+            chosen = of_file(path)
+        except BadInput as bad:
+            self.say(errors_text(bad, path.name))
+            return
+        self.dismiss(chosen)
+
+
+def errors_text(bad: BadInput, place: str) -> Text:
+    """The first mistakes, one a row."""
+    rows = [error.text(place) for error in bad.errors[:SHOWN_ERRORS]]
+    if len(bad.errors) > SHOWN_ERRORS:
+        rows.append(Text("… and {count} more", count=len(bad.errors) - SHOWN_ERRORS))
+    return Text("\n").join(rows)
+
+
+# Dialogs that ask where to write.  A file that is there is overwritten only after a second Enter.
+
+class TargetDialog(PathDialog[Path | None]):
+    """Gives the path of a file to write.  `own`: a file that may be overwritten without asking."""
+
+    def __init__(self, start: Path, own: Path | None = None) -> None:
+        super().__init__(str(start), start.parent)
+        self.own = own
+        self._asked: Path | None = None
+
+    def take(self, path: Path) -> None:
+        if not path.suffix and not path.is_dir():
+            path = path.with_suffix(self.ENDINGS[0])
+        if path.is_dir():
+            self.say(Text("This is a folder; give a file name in it."))
+        elif not path.parent.is_dir():
+            self.say(Text("The folder {folder} does not exist.", folder=str(path.parent)))
+        elif wrong := self.wrong(path):
+            self.say(wrong)
+        elif path.exists() and path != self.own and path != self._asked:
+            self._asked = path
+            self.say(Text("{name} exists; Enter once more overwrites it.", name=path.name))
+        else:
+            self.dismiss(path)
+
+    def wrong(self, path: Path) -> Text:
+        """What else is wrong with a path."""
+        return EMPTY
+
+
+def folder_of(session: Session) -> Path:
+    """Where the files of a design belong: beside it; those of the example into the current folder."""
+    return session.path.parent if session.path is not None else Path.cwd()
+
+
+class SaveDialog(TargetDialog):
+    """Gives the path to save the design to."""
+
+    TITLE_TEXT = Text("Save the design as")
+    HINT = Text("Enter saves, Esc goes back. The file that was there before stays as .bak.")
+
+    def __init__(self, session: Session) -> None:
+        super().__init__(free_name(folder_of(session) / session.name), session.path)
+
+
+class RecordDialog(TargetDialog):
+    """Gives the path to write a replay to; an empty one gives the recording up."""
+
+    TITLE_TEXT = Text("Write the recorded replay")
+    HINT = Text("Enter writes it and ends the recording, Esc goes on recording; an empty path gives the recording up.")
+
+    def __init__(self, session: Session) -> None:
+        super().__init__(free_name(folder_of(session) / f"{session.home.stem}-replay.toml"))
+        self.session = session
+
+    def take(self, path: Path) -> None:
+        if not self.text():
+            self.session.recording = None
+            self.dismiss(None)
+        else:
+            super().take(path)
+
+    def wrong(self, path: Path) -> Text:
+        return Text("This is the design itself; give another name.") if path == self.session.path else EMPTY
+
+
+class ExportDialog(TargetDialog):
+    """Gives the path to export to; its ending says what."""
+
+    TITLE_TEXT = Text("Export")
+    ENDINGS = (".dxf", ".csv", ".json", ".pdf")
+    DRAWS_SHAFT = Text(
+        "The ending decides: .dxf draws the shaft (in step 5 the gears), .csv has the values, .json all results, .pdf is the report."
+    )
+    DRAWS_GEARS = Text(
+        "The ending decides: .dxf draws the gears (in step 3 the shaft), .csv has the values, .json all results, .pdf is the report."
+    )
+
+    def __init__(self, session: Session, gears: bool) -> None:
+        self.HINT = self.DRAWS_GEARS if gears else self.DRAWS_SHAFT
+        name = f"{session.home.stem}-gears.dxf" if gears else f"{session.home.stem}.dxf"
+        super().__init__(folder_of(session) / name)
+
+    def wrong(self, path: Path) -> Text:
+        if path.suffix.lower() in self.ENDINGS:
+            return EMPTY
+        return Text(
+            "The ending {ending} is not known: .dxf draws, .csv has the values, .json all results, .pdf is the report.", ending=path.suffix
+        )
+
+
+# Open another design.  A file that is none stays in the dialog, with the reason.
+
+class OpenDialog(PathDialog[Session | None]):
+    """Gives the session of the design that was opened."""
+
+    TITLE_TEXT = Text("Open a design")
+    HINT = Text("Enter opens, ↓ goes to the list, Esc goes back. Unsaved edits of this design are kept.")
+
+    def __init__(self, memory: Memory, folder: Path, here: Path | None = None) -> None:
+        super().__init__(f"{str(folder).rstrip('/')}/", folder)
+        self.memory, self.here = memory, here  # the design that is open
+
+    def offered(self) -> list[tuple[Text, list[Path]]]:
+        recent = [path for path in self.memory.recent() if path != self.here]
+        return [(Text("Opened last"), recent), (Text("Examples"), sorted(DESIGNS.glob("*.toml")))]
+
+    def take(self, path: Path) -> None:
+        if path.is_dir():
+            self.fill()
+            self.say(Text("This is a folder; give the name of a design file in it."))
+            return
+        try:
+            session = Session.open(path, memory=self.memory)
+        except BadInput as bad:
+            self.say(errors_text(bad, path.name))
+            return
+        self.dismiss(session)
+
+
+# Asks what the file of a design that is begun is to be called.
+
+class NewDialog(TargetDialog):
+    """Gives the path of a file that is not there yet."""
+
+    HINT = Text("Enter begins, Esc goes back. Nothing is written before you save; what you do is kept all the same.")
+
+    def __init__(self, id: str, engine: str) -> None:
+        self.TITLE_TEXT = Text("A design with the engine {engine}: its name", engine=engine)
+        super().__init__(own_file(id, Path.cwd()))
+
+    def wrong(self, path: Path) -> Text:
+        return Text("{name} is there already: open it, or give another name.", name=path.name) if path.exists() else EMPTY
+
+
+def begin_with(app: BaseApp, id: str, engine: str, path: Path | None = None) -> None:
+    """Begin a design with a shipped engine; asks for its name where none is known yet."""
+
+    def begin(path: Path | None) -> None:
+        if path is not None:
+            app.call_later(app.enter, Session.begin(engine_only(id, path), path.absolute(), memory=app.memory))
+
+    if path is not None:
+        begin(path)
+    else:
+        app.push_screen(NewDialog(id, engine), begin)

@@ -6,8 +6,8 @@ from typing import Any
 from calc.design.model import STEPS
 from calc.sheet.text import Text
 
-from ..session.versions import Chosen
 from ..session.calculation import VALUES
+from ..session.versions import Chosen
 from ..widgets.calculation import Calculation
 from ..widgets.checks import Checks
 from ..widgets.item_list import ItemList
@@ -25,7 +25,7 @@ class ReadingActions:
     def compare(self) -> None:
         """Ask what to compare with, show the comparison, and go where the user wants to."""
         from .compare import CompareScreen
-        from .compare_with import CompareWith
+        from .path_dialogs import CompareWith
 
         app, session = self._host.app, self._host.session
         if not session.valid:

@@ -11,13 +11,12 @@ from textual.content import Content
 from textual.screen import Screen
 from textual.widgets import Static
 
-from calc.design.model import STEPS
-from calc.studies.ready import headline, main_numbers
 from calc.design.key_values import outside
-from calc.ready import OPEN, StepState, ready
+from calc.design.model import STEPS
+from calc.design.unusual import unusual
 from calc.sheet.check import Check
 from calc.sheet.text import COMMA, Amount, Name, Text, plural
-from calc.design.unusual import unusual
+from calc.studies.ready import OPEN, StepState, headline, main_numbers, ready
 
 from ..base_app import BaseApp
 from ..session.places import label_of
@@ -25,10 +24,10 @@ from ..session.session import Session
 from ..widgets.item_list import Item, ItemList
 from ..widgets.steps import states_of
 from ..widgets.text import fit, pad, wrap
+from .dialogs import Once
 from .edit_actions import EditActions
 from .file_actions import FileActions
 from .host import Host
-from .once import Once
 
 REPORT, EXPORT, DRIVE = "report", "export", "drive"  # what the page gives beside the key of a step and the id of a check
 PICTURE = (90, 14)  # cells of the picture at most

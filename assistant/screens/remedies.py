@@ -14,26 +14,86 @@ from textual.content import Content
 from textual.widgets import Static
 
 from calc.design.model import STEPS
-from calc.locale import Language
-from calc.repair.way import Way, ranked
 from calc.design.names import named
+from calc.locale import Language
 from calc.sheet.check import Check
 from calc.sheet.progress import Progress
 from calc.sheet.text import EMPTY, Amount, Text
+from calc.studies.repair.trials import ALL_CORNERS, AS_GIVEN, NEAR, RepairOption, ranked
 
 from ..session.saving import SaveError, free_name, write_atomic
 from ..session.session import Session
-from ..widgets.item_list import ItemList
-from ..widgets.way_list import WayList
-from ..widgets.text import wrap
-from .searching import TITLES, Searching
+from ..widgets.item_list import Item, ItemList
+from ..widgets.text import pad, wrap
+from .selection import TITLES, Searching
+
+# The list of remedies: number, kind, change, how far it comes, and what it does to the rest.
+
+SIGN = {ALL_CORNERS: "pass", AS_GIVEN: "pass", NEAR: "warn"}  # of the verdicts; one that breaks something else is a fail
+ROOMY = 96  # cells from which the change, the result and the rest stand beside each other
+GAP = 2
+
+
+class WayList(ItemList):
+    """The key of an item is the number of its row."""
+
+    def __init__(self) -> None:
+        super().__init__(id="way-list")
+        self.ways: tuple[RepairOption, ...] = ()
+
+    def show(self, ways: tuple[RepairOption, ...]) -> None:
+        """The cursor stays on its remedy, which may have another number now; on the first row until it was moved from there."""
+        here, before = self.key if self.key != "1" else "", self.ways
+        self.ways = ways
+        self.rebuild()
+        if here and (now := next((n for n, way in enumerate(ways, 1) if way == before[int(here) - 1]), None)) is not None:
+            self.go_to(str(now))
+        elif ways:
+            self.go_to("1")
+
+    def build(self, width: int) -> list[Item]:
+        return [Item(str(n), self._columns(n, way, width), self.app.say(way.words), self._line(way)) for n, way in enumerate(self.ways, 1)]
+
+    def _line(self, way: RepairOption) -> str:
+        return self.app.say(Text("{kind}: {change}; {result}", kind=way.kind, change=way.words, result=self.result(way)))
+
+    def result(self, way: RepairOption) -> Text:
+        return Text("locked: {reason} (k unlocks)", reason=way.locked) if way.locked else way.effect
+
+    def _columns(self, number: int, way: RepairOption, width: int) -> list[Content]:
+        say, signs = self.app.say, self.app.signs
+        arrow = signs.mark("then")
+        kind, change, rest = say(way.kind), say(way.words).replace("→", arrow), say(way.rest)
+        state = "blocked" if way.locked else SIGN.get(way.quality, "fail")
+        result, style = f"{signs.mark(state)} {say(self.result(way))}", signs.style(state)
+        kinds = max(len(say(one.kind)) for one in self.ways)
+        start = f" {number} "
+        if width >= ROOMY:
+            left = width - len(start) - kinds - 3 * GAP
+            sizes = (left * 2 // 5, left // 3, left - left * 2 // 5 - left // 3)
+            columns = [wrap(kind, kinds), wrap(change, sizes[0]), wrap(result, sizes[1], 2), wrap(rest, sizes[2])]
+            rows = []
+            for i in range(max(map(len, columns))):
+                cells = [column[i] if i < len(column) else "" for column in columns]
+                rows.append(Content.assemble(
+                    start if i == 0 else " " * len(start), (pad(cells[0], kinds), "bold"), " " * GAP, pad(cells[1], sizes[0]), " " * GAP,
+                    (pad(cells[2], sizes[1]), style), " " * GAP, (cells[3], "dim"),
+                ))  # fmt: skip
+            return rows
+        lead = " " * len(start)
+        first = wrap(result, width - len(start) - kinds - GAP, 2)
+        rows = [Content.assemble(start, (pad(kind, kinds), "bold"), " " * GAP, (first[0], style))]
+        rows += [Content.assemble(lead, " " * (kinds + GAP), (row, style)) for row in first[1:]]
+        rows += [Content(lead + row) for row in wrap(change, width - len(lead), 2)]
+        return rows + [Content.styled(lead + row, "dim") for row in (wrap(rest, width - len(lead), 2) if rest else [])]
+
 
 SECONDS = 6.0  # after which no further kind is begun
 NARROW = 100  # cells below which the list has the whole screen
 HINT = Text("Enter or the number of a row applies it · k locks the input · w writes a table · Esc")
 
 
-def table(ways: tuple[Way, ...], say: Language) -> str:
+def table(ways: tuple[RepairOption, ...], say: Language) -> str:
     """Remedies as comma-separated values: numbers and keys as the design file has them, words in the user's language."""
     file = io.StringIO()
     rows = csv.writer(file, lineterminator="\n")
@@ -47,7 +107,7 @@ def table(ways: tuple[Way, ...], say: Language) -> str:
     return file.getvalue()
 
 
-class Remedies(Searching[Way | None, Way]):
+class Remedies(Searching[RepairOption | None, RepairOption]):
     """Gives the remedy that was taken."""
 
     STATE, BAR = "remedies-state", 24
@@ -63,7 +123,7 @@ class Remedies(Searching[Way | None, Way]):
         """`finding`: a check, or the key of a step without a solution."""
         super().__init__()
         self.session, self.finding = session, finding
-        self.found: list[Way] = []
+        self.found: list[RepairOption] = []
 
     def compose(self) -> ComposeResult:
         with Vertical(classes="dialog -whole" if self.app.size.width < NARROW else "dialog", id="remedies"):
@@ -97,12 +157,12 @@ class Remedies(Searching[Way | None, Way]):
         self.show_ways()
         super().begin()
 
-    def search(self, progress: Progress) -> Iterator[Way]:
+    def search(self, progress: Progress) -> Iterator[RepairOption]:
         from calc.studies.repair.ways import search
 
         yield from search(self.session.document, self.finding, self.session.results, progress, SECONDS)
 
-    def show_found(self, found: Way) -> None:
+    def show_found(self, found: RepairOption) -> None:
         self.found.append(found)
         self.show_ways()
 
@@ -111,7 +171,7 @@ class Remedies(Searching[Way | None, Way]):
         self.show_state(self.app.say(failure or (EMPTY if self.found else none)))
 
     @property
-    def ways(self) -> tuple[Way, ...]:
+    def ways(self) -> tuple[RepairOption, ...]:
         return ranked(self.found)
 
     def show_ways(self) -> None:
@@ -120,7 +180,7 @@ class Remedies(Searching[Way | None, Way]):
 
     # --- the row under the cursor
     @property
-    def way(self) -> Way | None:
+    def way(self) -> RepairOption | None:
         key = self.query_one(WayList).key
         return self.ways[int(key) - 1] if key and int(key) <= len(self.ways) else None
 

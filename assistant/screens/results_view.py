@@ -4,23 +4,20 @@
 from typing import TYPE_CHECKING
 
 from calc.design.key_values import judged
-from calc.languages.outcome import said
+from calc.locale.language import said
 from calc.sheet.check import URGENT
 from calc.sheet.text import Text, plural
 
-from ..offers.offer import CHOICES
+from ..offers import CHOICES
+from ..session.calculation import CalculationSheet
 from ..session.places import named_key
-from ..session.calculation import Sheet
-from ..widgets.headings import ArrayHeading
 from ..widgets.field import Field
 from ..widgets.field_help import FieldHelp
-from ..widgets.fold import Fold
-from ..widgets.footer_line import FooterLine
-from ..widgets.lines import MessageLine
+from ..widgets.form import Taken
+from ..widgets.headings import ArrayHeading, Fold, TableHeading
+from ..widgets.lines import FooterLine, MessageLine
 from ..widgets.picture import Picture
 from ..widgets.radio import Radio
-from ..widgets.table_heading import TableHeading
-from ..widgets.upstream_values import Taken
 from .background_solve import BackgroundSolve
 from .host import Host
 from .slopes import Slopes
@@ -66,7 +63,7 @@ class ResultsView:
         host = self._host
         self.show_picture()
         page = self._background.pages.get(host.step.key)
-        host.calculation.show(page.sheet if page is not None else Sheet())
+        host.calculation.show(page.sheet if page is not None else CalculationSheet())
         host.curve_pane.show(host.step.key, page.leaves if page is not None else (), page is None)
         host.form.refresh_taken()
         self.show_keys()

@@ -20,8 +20,8 @@ from .host import Host
 if TYPE_CHECKING:
     from calc.design.addresses import Table
     from calc.design.toml_file import Document
-    from calc.studies.effects import Effect
     from calc.solve import Results
+    from calc.studies.effects import Effect
 
 MOST = 2  # inputs that are named for a check, and checks for an input
 MOVED = 5  # inputs that are moved for a check

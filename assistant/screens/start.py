@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, ClassVar
 from textual import events
 from textual.app import ComposeResult
 from textual.binding import Binding, BindingType
-from textual.containers import Horizontal
+from textual.containers import Horizontal, VerticalScroll
 from textual.content import Content
 from textual.screen import Screen
 from textual.widgets import Input, OptionList, Static
@@ -22,16 +22,120 @@ from calc.sheet.text import EMPTY, Text
 from calc.studies.shipped import EXAMPLE
 
 from ..base_app import BaseApp
-from ..session.beginnings import Beginning, finding, groups
-from ..matching import folded, match
+from ..session.beginnings import Beginning, Finding, finding, groups
 from ..session.recovery import Memory
 from ..session.session import Session
-from ..widgets.begin_detail import BeginDetail
-from ..widgets.text import fit, pad
-from .new_dialog import begin_with
+from ..widgets.text import fit, folded, match, pad, wrap
+from .path_dialogs import begin_with
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
+
+
+# About the way to begin that is under the cursor: what an engine shakes with, what a design comes to.  Found out in another thread.
+
+ABOUT_BEGINNING = {
+    "open": Text("A design file, from any folder. Unsaved edits of it that were kept are put back."),
+    "example": Text(
+        "The counter-shaft of a three-cylinder diesel as it was published, in all six steps. Look at what fails, and why. Nothing is "
+        "written before you save, and then under a name of its own."
+    ),
+    "engine": Text(
+        "Enter asks for a name. Then come balancing, shaft, bearings, gears and friction, one question at a time; every number of the "
+        "engine can be replaced by your own."
+    ),
+}
+ICON = 15, 7  # cells of the sketch at most where it stands beside the text
+TALL = 32, 16  # and below it
+
+
+class BeginDetail(VerticalScroll, can_focus=False):
+    app: BaseApp
+
+    def __init__(self, memory: Memory) -> None:
+        super().__init__(id="begin-detail")
+        self.memory = memory
+        self._known: dict[str, Finding] = {}  # by the key of a row
+        self._row: Beginning | None = None
+
+    def compose(self) -> ComposeResult:
+        yield Static(id="begin-text")
+        yield Static(id="begin-sketch")
+
+    def show(self, row: Beginning) -> None:
+        self._row = row
+        self.scroll_home(animate=False)
+        self._draw()
+        if row.key not in self._known and row.kind != "open":
+            self.run_worker(lambda: self._find_out(row), thread=True, exclusive=True, exit_on_error=False, group="begin")
+
+    def tell(self, text: Text) -> None:
+        """Something to be said in its place."""
+        self._row = None
+        self._write([Content.styled(line, "bold") for line in wrap(self.app.say(text), self._room(False))])
+
+    def on_resize(self) -> None:
+        self._draw()
+
+    @property
+    def wide(self) -> bool:
+        """It stands beside the rows, not below them."""
+        return self.screen.has_class("-wide")
+
+    def _room(self, sketch: bool) -> int:
+        return max(10, self.size.width - 3 - (ICON[0] + 1 if sketch and not self.wide else 0))
+
+    def _draw(self) -> None:
+        row, say, wide = self._row, self.app.say, self.wide
+        if row is None:
+            return
+        found = self._known.get(row.key)
+        room = self._room(found is not None and found.sketch is not None)
+        gap = [Content("")] if wide else []
+        lines = [Content.styled(line, "bold") for line in wrap(say(row.title), room)]
+        if row.kind in ("engine", "file") and (wide or row.kind == "file"):
+            lines += [Content(line) for fact in filter(None, (row.about, row.size)) for line in wrap(say(fact), room)] + gap
+        about = [Content.styled(line, "dim") for line in wrap(say(ABOUT_BEGINNING[row.kind]), room)] if row.kind in ABOUT_BEGINNING else []
+        if about and row.kind != "engine":
+            lines += [*about, *gap]
+        if found is None and row.kind != "open":
+            lines.append(Content(self.app.signs.mark("more")))
+        for text in found.lines if found is not None else ():
+            lines += [Content(line) for line in wrap(say(text), room, 2)]
+        if row.kind == "engine" and wide:
+            lines += [*gap, *about]
+        self._write(lines, found)
+
+    def _write(self, lines: list[Content], found: Finding | None = None) -> None:
+        self.query_one("#begin-text", Static).update(Content("\n").join(lines))
+        picture = self.query_one("#begin-sketch", Static)
+        picture.display = found is not None and found.sketch is not None
+        if found is not None and found.sketch is not None:
+            from ..widgets.canvas import draw
+
+            columns, rows = TALL if self.wide else (ICON[0], max(2, min(ICON[1], self.size.height)))
+            columns = min(columns, self.size.width - 3)
+            picture.update(draw(found.sketch, columns, rows, self.app.signs, self.app.say))
+
+    def _find_out(self, row: Beginning) -> None:
+        """Runs in another thread."""
+        worker = get_current_worker()
+        try:
+            found = finding(row, self.memory)
+        except BadInput as bad:
+            found = Finding((bad.errors[0].text(bad.place),))
+        if not worker.is_cancelled:
+            self.app.call_later(self.know, row, found)
+
+    def know(self, row: Beginning, found: Finding) -> None:
+        self._known[row.key] = found
+        if self._row is row and self.is_attached:
+            self._draw()
+
+    def known(self, row: Beginning) -> Finding:
+        """What was found out so far."""
+        return self._known.get(row.key, Finding(()))
+
 
 NOTHING = Text(
     "Nothing is called so. For an engine of your own begin with one that has its layout: every number of it can be replaced. "
@@ -42,7 +146,7 @@ TITLE, ABOUT, SIZE, SHAKES, BALANCING = 20, 31, 17, 38, 20  # cells of the colum
 REST = 0.3  # seconds after a key in which no engine is looked at
 
 
-class Ways(OptionList, can_focus=False):
+class BeginningList(OptionList, can_focus=False):
     """The rows; the place to type keeps the focus."""
 
 
@@ -79,7 +183,7 @@ class Start(Screen[None]):
         )
         yield Input(placeholder=say(Text("type to find an engine or a design: inline 3, boxer, own …")), compact=True, id="words")
         with Horizontal(id="start-body"):
-            yield Ways(id="ways", compact=True)
+            yield BeginningList(id="ways", compact=True)
             yield BeginDetail(self.memory)
         leaves = Text("ends") if len(self.app.screen_stack) < 2 else Text("goes back")
         hint = Text("Enter begins   ↑ ↓ choose   ^o opens a file   Esc {leaves}", leaves=leaves)
@@ -118,8 +222,8 @@ class Start(Screen[None]):
 
     # --- the rows
     @property
-    def ways(self) -> Ways:
-        return self.query_one(Ways)
+    def ways(self) -> BeginningList:
+        return self.query_one(BeginningList)
 
     @property
     def here(self) -> Beginning | None:
@@ -129,7 +233,7 @@ class Start(Screen[None]):
 
     def fill(self) -> None:
         """The rows that the words find, the best first where there are words."""
-        if not self.query(Ways):
+        if not self.query(BeginningList):
             return
         before, say = self.here, self.app.say
         words = folded(self.query_one("#words", Input).value).split()
@@ -235,7 +339,7 @@ class Start(Screen[None]):
             self._open(EXAMPLE if row.kind == "example" else Path(row.id))
 
     def action_open(self) -> None:
-        from .open_dialog import OpenDialog
+        from .path_dialogs import OpenDialog
 
         self.app.push_screen(OpenDialog(self.memory, Path.cwd()), self._enter)
 

@@ -20,28 +20,23 @@ from ..actions import ACTIONS, methods
 from ..base_app import BaseApp
 from ..session.places import Place
 from ..session.session import Session
-from ..widgets.headings import ArrayHeading
 from ..widgets.calculation import Calculation
 from ..widgets.checks import Checks
-from ..widgets.curve_pane import CurvePane
+from ..widgets.curve_pane import CurvePane, Pane
 from ..widgets.entry import Entry
 from ..widgets.field import Field
 from ..widgets.field_help import FieldHelp
-from ..widgets.footer_line import FooterLine
 from ..widgets.form import Form
+from ..widgets.headings import ArrayHeading, TableHeading
 from ..widgets.item_list import ItemList
-from ..widgets.lines import MessageLine
-from ..widgets.pane import Pane
+from ..widgets.lines import FooterLine, MessageLine, TopLine
 from ..widgets.picture import Picture
-from ..widgets.step_bar import StepBar
-from ..widgets.steps import Steps
-from ..widgets.table_heading import TableHeading
+from ..widgets.steps import StepBar, Steps
 from ..widgets.table_list import TableList
-from ..widgets.top_line import TopLine
 from .accept import AcceptActions
 from .background_solve import BackgroundSolve
 from .building import Building
-from .curve_actions import CurveActions
+from .curves import CurveActions
 from .edit_actions import EditActions
 from .edit_feedback import EditFeedback
 from .file_actions import FileActions

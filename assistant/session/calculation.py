@@ -11,7 +11,7 @@ from typing import Any
 
 from calc.design.key_values import judged
 from calc.locale import Language
-from calc.languages.outcome import in_language
+from calc.locale.language import in_language
 from calc.sheet.check import Check
 from calc.sheet.errors import Cancelled
 from calc.sheet.step import Erratum, Outcome, Table
@@ -20,7 +20,7 @@ from calc.sheet.value import leaves, link_of
 
 
 @dataclass(frozen=True)
-class Entry:
+class SheetEntry:
     """One line of the calculation."""
 
     number: str  # 3.12
@@ -39,17 +39,17 @@ class Entry:
 
 
 @dataclass(frozen=True)
-class Sheet:
+class CalculationSheet:
     """The calculation of one step.  `line_of`: which entry a check or a value comes from."""
 
-    entries: tuple[Entry, ...] = ()
+    entries: tuple[SheetEntry, ...] = ()
     errata: tuple[Erratum, ...] = ()  # those that belong to no single line
     proposals: tuple[str, ...] = ()
     notes: tuple[str, ...] = ()
     line_of: dict[str, int] = field(default_factory=dict)
 
 
-def sheet(outcome: Outcome[object], step: int, say: Language, stop: Callable[[], bool] = bool) -> Sheet:
+def sheet(outcome: Outcome[object], step: int, say: Language, stop: Callable[[], bool] = bool) -> CalculationSheet:
     """The calculation of an outcome, whose texts are already in the language; `step` is the number of the step.
 
     Raises Cancelled as soon as `stop` says so.
@@ -82,8 +82,8 @@ def sheet(outcome: Outcome[object], step: int, say: Language, stop: Callable[[],
             raise Cancelled
         formula, numbers, source = line_text(line, say, say.number)
         checks, errata = tuple(by_line.get(i, ())), tuple(wrong.get(i, ()))
-        entries.append(Entry(f"{step}.{i + 1}", say(line.about), formula, numbers, source, checks, errata))
-    return Sheet(tuple(entries), tuple(wrong[-1]), outcome.proposals, tuple(outcome.notes), line_of)
+        entries.append(SheetEntry(f"{step}.{i + 1}", say(line.about), formula, numbers, source, checks, errata))
+    return CalculationSheet(tuple(entries), tuple(wrong[-1]), outcome.proposals, tuple(outcome.notes), line_of)
 
 
 VALUES = "values"  # the table of all values of a step; the id of each stands in its last column

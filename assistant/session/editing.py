@@ -5,30 +5,84 @@ Every edit makes a new document that is checked whole.  What can not be understo
 field while the last valid design stays as it was.
 """
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
-from calc.design.addresses import Table, address, changed
+from calc.design.addresses import Table, address, changed, parse_assignment, quantity_of, value_at
+from calc.design.locks import locked, toggled
 from calc.design.model import Design
 from calc.design.toml_file import Document, design, parse
-from calc.design.locks import locked, toggled
 from calc.sheet.errors import BadInput, InputError, NoSolution, text_of
 from calc.sheet.quantity import Quantity
-from calc.sheet.text import EMPTY, Text
+from calc.sheet.text import EMPTY, SEMICOLON, Amount, Name, Part, Text
 
 from . import numbers
-from ..changes import applied
-from .history import History, State
+from .history import EditState, History
 from .places import Place, content_at, described, error_place, named_key, optional_table, without_empty
 from .recording import Recording
+
+# Changes of a design as `--set` takes them, KEY=VALUE: made all together, and told in words.
+
+def applied(document: Document, changes: Iterable[str]) -> Document:
+    """The document with every change made.  Raises BadInput where a key is none."""
+    for change in changes:
+        document = document.with_value(*parse_assignment(change))
+    return document
+
+
+def told(document: Document, changes: Iterable[str]) -> Text:
+    """What each change does: "Length bearings.front.length_mm 27.5 → 34 mm"; those that change nothing are left out."""
+    texts = []
+    for key, value, there in _different(document, changes):
+        if there is None:
+            texts.append(Text("{key} {value}", key=key, value=_part(value)))
+            continue
+        about, before = there
+        texts.append(
+            Text("{label} ({key}) {before} → {value}", label=about.label, key=key, before=_part(before), value=_part(value, about.unit))
+        )
+    return SEMICOLON.join(texts)
+
+
+def locked_text(document: Document, changes: Iterable[str]) -> Text:
+    """`changes what is locked: Oil (bearings.oil): the oil is the engine's`; empty where nothing of it is."""
+    texts = [
+        Text("{label} ({key}): {reason}", label=there[0].label, key=key, reason=reason)
+        for key, _, there in _different(document, changes)
+        if there is not None and (reason := locked(document.data, key))
+    ]
+    return Text("changes what is locked: {inputs}", inputs=SEMICOLON.join(texts)) if texts else EMPTY
+
+
+def _different(document: Document, changes: Iterable[str]) -> Iterator[tuple[str, Any, tuple[Quantity, object] | None]]:
+    """Keys with their new values, each with its description and the value before; None of an element that only the changes make."""
+    for key, value in map(parse_assignment, changes):
+        try:
+            there = quantity_of(document.data, key), value_at(document.data, key)
+        except BadInput:
+            yield key, value, None
+            continue
+        if there[1] != value:
+            yield key, value, there
+
+
+def _part(value: Any, unit: str = "") -> Part:
+    """A value of the design file as the part of a sentence."""
+    if value is None:
+        return "(auto)"
+    if isinstance(value, (int, float)) and not isinstance(value, bool):
+        return Amount(value, unit, form="g" if isinstance(value, float) else "d")
+    text = SEMICOLON.join(Text("{item}", item=_part(item)) for item in value) if isinstance(value, list) else Name(str(value))
+    return Text("{text} {unit}", text=text, unit=unit) if unit else text
+
 
 LOCKED_HERE = "locked in the session"
 
 
 @dataclass(frozen=True)
-class Plan:
+class BuildPlan:
     """What was built for the tables of a design; `why`: it can not be built."""
 
     of: Table = field(repr=False)
@@ -44,13 +98,13 @@ class Editing:
         self.design: Design = design(self.document)
         self.errors: tuple[InputError, ...] = ()
         self.generation = 1
-        self.history = History(State(self.document.data, {}))
+        self.history = History(EditState(self.document.data, {}))
         self._valid: Table = self.document.data  # the last tables that were a valid design
         self.recording: Recording | None = None  # follows the edits, if it was asked for
 
     # --- what is shown
     @property
-    def _state(self) -> State:
+    def _state(self) -> EditState:
         return self.history.state
 
     @property
@@ -104,13 +158,13 @@ class Editing:
             gone = not text.strip() and optional_table(where) is not None  # such a table goes with its last key, so a key must go too
             content = None if gone else numbers.value(text, described(where))
         except numbers.NotUnderstood as no:
-            self._step(State(self._state.data, {**texts, where: (text, no.reason)}), where)
+            self._step(EditState(self._state.data, {**texts, where: (text, no.reason)}), where)
             return no.reason
         old = self.value(where)
         if isinstance(content, list) and len(content) == 1 and old is not None and not isinstance(old, list):
             content = content[0]  # a list of one may stand in the file as a number
         data = self._state.data if content == old and type(content) is not bool else changed(self._state.data, where, content)
-        self._step(State(without_empty(data, where), texts), where)
+        self._step(EditState(without_empty(data, where), texts), where)
         return self.reason(where)
 
     def seal(self) -> None:
@@ -127,7 +181,7 @@ class Editing:
             base = made["name"].rstrip("0123456789").rstrip("-")
             made["name"] = next(name for n in range(2, len(there) + 3) if (name := f"{base}-{n}") not in names)
         self.seal()
-        self._step(State(changed(self._state.data, where, [*there, made]), self._state.texts), where)
+        self._step(EditState(changed(self._state.data, where, [*there, made]), self._state.texts), where)
         self.seal()
         return len(there)
 
@@ -137,14 +191,14 @@ class Editing:
         there = [item for n, item in enumerate(self.value(where) or []) if n != index]
         texts = {k: v for k, v in self._state.texts.items() if k[: len(where)] != where}
         self.seal()
-        self._step(State(changed(self._state.data, where, there or None), texts), where)
+        self._step(EditState(changed(self._state.data, where, there or None), texts), where)
         self.seal()
 
     def put_table(self, where: Place, there: bool) -> None:
         """Add a table that may be left out, with no key yet (what it needs is then reported as missing); or leave it out."""
         texts = {k: v for k, v in self._state.texts.items() if k[: len(where)] != where}
         self.seal()
-        self._step(State(changed(self._state.data, where, {} if there else None), texts), where)
+        self._step(EditState(changed(self._state.data, where, {} if there else None), texts), where)
         self.seal()
 
     def apply(self, changes: Iterable[str]) -> None:
@@ -155,7 +209,7 @@ class Editing:
         data, before = applied(self.document, changes).data, self._state.data
         texts = {where: text for where, text in self._state.texts.items() if content_at(data, where) == content_at(before, where)}
         self.seal()
-        self._step(State(data, texts), None)
+        self._step(EditState(data, texts), None)
         self.seal()
 
     def lock_reason(self, place: str | Place) -> str:
@@ -166,10 +220,10 @@ class Editing:
         """Lock an input, or unlock it, as one step of the undo."""
         data = toggled(self._state.data, named_key(self._state.data, self.place(place)), reason)
         self.seal()
-        self._step(State(data, self._state.texts), None)
+        self._step(EditState(data, self._state.texts), None)
         self.seal()
 
-    def plan(self, step: str, balancing: str = "") -> "Plan":
+    def plan(self, step: str, balancing: str = "") -> "BuildPlan":
         """A step that the design does not have, or (`balancing`) crank and shaft of a balancing, built by the rules behind `new`.
 
         Changes nothing, and so may run in another thread; `take` puts it in.
@@ -180,12 +234,12 @@ class Editing:
         try:
             data = built(document, step, balancing).data
         except (BadInput, NoSolution) as error:
-            return Plan(document.data, document.data, text_of(error))
+            return BuildPlan(document.data, document.data, text_of(error))
         if step == "countershaft" and data == document.data:
-            return Plan(data, data, Text("the balancing that was chosen has no shaft; the step Imbalance offers others"))
-        return Plan(document.data, data)
+            return BuildPlan(data, data, Text("the balancing that was chosen has no shaft; the step Imbalance offers others"))
+        return BuildPlan(document.data, data)
 
-    def take(self, plan: "Plan") -> Text:
+    def take(self, plan: "BuildPlan") -> Text:
         """Put in what was built, as one step of the undo.  Gives the reason why not, or nothing."""
         if plan.of is not self.document.data:
             return Text("The design has changed meanwhile: build it once more.")
@@ -205,7 +259,7 @@ class Editing:
     def _put(self, data: Table) -> None:
         texts = {where: text for where, text in self._state.texts.items() if where[0] in data}
         self.seal()
-        self._step(State(data, texts), None)
+        self._step(EditState(data, texts), None)
         self.seal()
 
     def undo(self) -> Place | None:
@@ -221,14 +275,14 @@ class Editing:
         self._entered(before, back=travel == self.history.undo)
         return where
 
-    def _step(self, state: State, where: Place | None) -> None:
+    def _step(self, state: EditState, where: Place | None) -> None:
         before = self._state
         if self.history.go(state, where):
             if self.recording is not None and not self.history.joined:
                 self.recording.close()
             self._entered(before)
 
-    def _entered(self, before: State, back: bool = False) -> None:
+    def _entered(self, before: EditState, back: bool = False) -> None:
         """The design is another one than before: check it whole.  `back`: by an undo."""
         data = self._state.data
         if data == before.data:

@@ -8,9 +8,8 @@ from io import StringIO
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from assistant.draft import Draft
 from assistant.plain import results_json
-from assistant.session.saving import write_asked
+from assistant.session.saving import Draft, write_asked
 from calc.design.toml_file import Document
 from calc.sheet.errors import BadInput, InputError
 from calc.sheet.progress import Progress
@@ -70,8 +69,8 @@ def values_text(document: Document, results: Results) -> str:
 
 def transfer_text(document: Document, results: Results) -> str:
     """How every point of the engine's mounting moves under unit forces and moments, over frequency."""
+    from calc.mounting.operations import rows as transfer_rows
     from calc.mounting.result import MountingResult
-    from calc.mounting.transfer import rows as transfer_rows
 
     found = results.result(MountingResult)
     if found is None or not found.system.mounting.points:

@@ -13,7 +13,7 @@ DEEPEST = 1000  # steps that can be undone
 
 
 @dataclass(frozen=True)
-class State:
+class EditState:
     """One state of the design: its tables, and the entries that could not be understood, by field."""
 
     data: Table
@@ -23,14 +23,14 @@ class State:
 class History:
     """`state` is the present one."""
 
-    def __init__(self, state: State) -> None:
+    def __init__(self, state: EditState) -> None:
         self.state = state
-        self._undo: list[tuple[State, Place | None]] = []
-        self._redo: list[tuple[State, Place | None]] = []
+        self._undo: list[tuple[EditState, Place | None]] = []
+        self._redo: list[tuple[EditState, Place | None]] = []
         self._editing: Place | None = None
         self.joined = False  # the last edit went on with the one before it
 
-    def go(self, state: State, where: Place | None) -> bool:
+    def go(self, state: EditState, where: Place | None) -> bool:
         """A new state, reached by an edit at a place; False where nothing has changed."""
         if state == self.state:
             return False
@@ -62,7 +62,7 @@ class History:
     def redo(self) -> Place | None:
         return self._travel(self._redo, self._undo)
 
-    def _travel(self, back: list[tuple[State, Place | None]], forth: list[tuple[State, Place | None]]) -> Place | None:
+    def _travel(self, back: list[tuple[EditState, Place | None]], forth: list[tuple[EditState, Place | None]]) -> Place | None:
         while back and back[-1][0] == self.state:
             back.pop()
         if not back:

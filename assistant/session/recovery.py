@@ -2,21 +2,74 @@
 """What the program remembers between two runs: the last designs, edits that were not saved, and the user's settings."""
 
 import contextlib
+import hashlib
 import os
 import tomllib
 from dataclasses import dataclass, field
 from datetime import datetime
 from pathlib import Path
+from secrets import token_hex
 from typing import Any
 
 from calc.design.addresses import Table, changed
+from calc.design.disk import lock
 from calc.sheet.text import Text
 
 from . import numbers
-from .history import State
+from .history import EditState
 from .places import Place, described
-from ..presence import Presence, design_key, present
 from .saving import SaveError, differences, edited_text, fresh_text, write_atomic
+
+# Which sessions are at a design now: each holds a locked file of its own in the state folder, and the lock ends with its process.
+
+PRESENCE_FOLDER = "open"
+
+
+def design_key(path: Path) -> str:
+    """What the files of the state folder call a design."""
+    return hashlib.sha256(str(path.absolute()).encode("utf-8", "surrogateescape")).hexdigest()[:16]
+
+
+class Presence:
+    """A session at a design, until it leaves.  Where the system has no locks, or the folder can not be written, nobody sees it."""
+
+    def __init__(self, state: Path, path: Path, session: str) -> None:
+        self._file = state / PRESENCE_FOLDER / f"{design_key(path)}-{session}"
+        self._handle: int | None = None
+        with contextlib.suppress(OSError):
+            self._file.parent.mkdir(parents=True, exist_ok=True, mode=0o700)
+            draft = self._file.with_name(f".{token_hex(8)}")
+            self._handle = os.open(draft, os.O_RDWR | os.O_CREAT | os.O_EXCL, 0o600)
+            lock(self._handle)  # before anybody can see it and take it for one that was left behind
+            os.replace(draft, self._file)
+
+    def leave(self) -> None:
+        if self._handle is not None:
+            with contextlib.suppress(OSError):
+                self._file.unlink(missing_ok=True)
+            os.close(self._handle)
+            self._handle = None
+
+
+def present(state: Path, path: Path) -> set[str]:
+    """The sessions that are at a design.  What those that were killed have left is taken away."""
+    found = set[str]()
+    try:
+        files = list((state / PRESENCE_FOLDER).glob(f"{design_key(path)}-*"))
+    except OSError:
+        return found
+    for file in files:
+        with contextlib.suppress(OSError):
+            handle = os.open(file, os.O_RDWR)
+            try:
+                if lock(handle):
+                    file.unlink(missing_ok=True)
+            except BlockingIOError:
+                found.add(file.name.partition("-")[2])
+            finally:
+                os.close(handle)
+    return found
+
 
 FOLDER = "contralbero"
 RECENT = 10  # designs that are offered to be opened again
@@ -48,7 +101,7 @@ class Edits:
     typed: dict[Place, str] = field(default_factory=dict)
     session: str = ""
 
-    def state(self) -> State:
+    def state(self) -> EditState:
         """The state that they make; an entry that has no field any more is left out."""
         data, texts = self.data, {}
         for where, text in self.typed.items():
@@ -60,10 +113,10 @@ class Edits:
                 texts[where] = (text, no.reason)
             except (KeyError, TypeError, AttributeError, ValueError):
                 continue
-        return State(data, texts)
+        return EditState(data, texts)
 
 
-def not_accepted(valid: Table, state: State) -> dict[Place, str]:
+def not_accepted(valid: Table, state: EditState) -> dict[Place, str]:
     """The entries by which a state differs from the last valid design, as texts of their fields."""
     found: dict[Place, str] = {}
 

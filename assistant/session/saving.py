@@ -6,15 +6,21 @@ import os
 import re
 import tomllib
 from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from calc.design.addresses import Table
-from calc.design.disk import Changed, same_file, write_file
+from calc.design.disk import FileChanged, same_file, write_file
+from calc.design.toml_file import Document, design, parse
 from calc.sheet.errors import BadInput, InputError
 from calc.sheet.text import Text
 
 from .places import Place
+from .solving import Job, run
+
+if TYPE_CHECKING:
+    from calc.solve import Results
 
 
 class SaveError(OSError):
@@ -210,7 +216,7 @@ def write_atomic(
     """Write a file of the session.  Raises SaveError with what to do, ChangedOnDisk where it has not the `expected` bytes any more."""
     try:
         write_file(path, data, backup=backup, inputs=inputs, expected=expected, new=new)
-    except Changed:
+    except FileChanged:
         raise ChangedOnDisk(
             Text(
                 "{name} was changed by another program; save once more to overwrite it (the other version is kept as .bak)",
@@ -235,3 +241,36 @@ def free_name(path: Path) -> Path:
         n += 1
         found = path.with_name(f"{path.stem}-{n}{path.suffix}")
     return found
+
+
+# A design as it stands at one moment of its editing, to be written out while the editing goes on.
+
+@dataclass(frozen=True)
+class Draft:
+    """`raw` and `saved`: the file as it is, and its tables; `data`: the tables as they are now.  `results`: where they are known."""
+
+    raw: bytes = field(repr=False)
+    saved: Table = field(repr=False)
+    data: Table = field(repr=False)
+    home: Path
+    results: "Results | None" = field(repr=False)
+
+    def bytes(self) -> tuple[bytes, bool]:
+        """The file as it would be saved, and whether it kept its comments."""
+        changes = differences(self.saved, self.data)
+        if not changes:
+            return self.raw, True
+        try:
+            return edited_text(self.raw.decode("utf-8"), changes).encode("utf-8"), True
+        except SaveError:  # a notation that can not be edited in place
+            return fresh_text(self.data).encode("utf-8"), False
+
+    def solved(self) -> "tuple[Document, Results]":
+        """The document and its results, solved here where they are not known.  Raises RuntimeError with the program's mistake."""
+        document = parse(self.bytes()[0], str(self.home))
+        if self.results is not None:
+            return document, self.results
+        answer = run(Job(0, design(document), None))
+        if answer.results is None:
+            raise RuntimeError(answer.failure)
+        return document, answer.results

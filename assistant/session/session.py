@@ -14,21 +14,19 @@ from secrets import token_hex
 from typing import TYPE_CHECKING, Any
 
 from calc.design.addresses import Table
-from calc.design.toml_file import design, parse, read, same_content
 from calc.design.disk import read_file
 from calc.design.limits import DESIGN_BYTES
+from calc.design.toml_file import design, parse, read, same_content
 from calc.sheet.errors import BadInput, InputError
 from calc.sheet.quantity import Published
 from calc.sheet.text import EMPTY, Text
 from calc.studies.shipped import DESIGNS, EXAMPLE
 
-from ..draft import Draft
 from .editing import Editing
-from .history import State
+from .history import EditState
 from .places import Place
-from ..presence import Presence
-from .recovery import Edits, Memory, is_file, not_accepted
-from .saving import SaveError, free_name, fresh_text, write_atomic
+from .recovery import Edits, Memory, Presence, is_file, not_accepted
+from .saving import Draft, SaveError, free_name, fresh_text, write_atomic
 from .solving import Answer, Job, run
 
 if TYPE_CHECKING:
@@ -281,7 +279,7 @@ class Session(Editing):
             self.path, self._raw, self._stamp, self._unwritten = path, raw, None, False
             self.document = document
             self.saved = self._valid = self.document.data
-            self.history.state = State(self.document.data, {})
+            self.history.state = EditState(self.document.data, {})
             self.autosaved, self.autosave_failure = None, EMPTY
         self.seal()
         self.memory.remember(path)
@@ -323,7 +321,7 @@ class Session(Editing):
         self._raw, self.saved = document.raw, document.data
         self.document = replace(document, data=self._state.data)
         self.seal()
-        self._step(State(document.data, {}), None)
+        self._step(EditState(document.data, {}), None)
         self.seal()
         return True
 

@@ -6,11 +6,11 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from calc.design.addresses import Table
-from calc.compare_inputs import InputDifference, inputs
-from calc.studies.compare_tables import input_texts, named
 from calc.design.model import Design
 from calc.design.toml_file import design, load
 from calc.sheet.text import SEMICOLON, Name, Text, plural
+from calc.studies.compare import InputDifference, inputs
+from calc.studies.compare_tables import input_texts, named
 
 from .session import Session
 

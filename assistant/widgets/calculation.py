@@ -9,7 +9,7 @@ from calc.sheet.errors import Cancelled
 from calc.sheet.step import Erratum
 from calc.sheet.text import Amount, Text, plural
 
-from ..session.calculation import Entry, Sheet
+from ..session.calculation import CalculationSheet, SheetEntry
 from .item_list import Item, ItemList
 from .signs import Signs
 from .text import wrap
@@ -23,7 +23,7 @@ class Typesetter:
     def __init__(self, signs: Signs, width: int) -> None:
         self.signs, self.width = signs, width
 
-    def items(self, sheet: Sheet, stop: Callable[[], bool] = bool) -> list[Item]:
+    def items(self, sheet: CalculationSheet, stop: Callable[[], bool] = bool) -> list[Item]:
         """Raises Cancelled as soon as `stop` says so."""
         items: list[Item] = []
         about = ""
@@ -47,7 +47,7 @@ class Typesetter:
                 ]
         return items
 
-    def entry(self, entry: Entry) -> Item:
+    def entry(self, entry: SheetEntry) -> Item:
         width = self.width
         number = f"{entry.number:<5} "
         indent = len(number)
@@ -84,16 +84,16 @@ class Calculation(ItemList):
 
     def __init__(self) -> None:
         super().__init__(id="calculation-list")
-        self.sheet = Sheet()
-        self._set: list[tuple[Sheet, int, Signs, list[Item]]] = []  # the calculations set last, with the width and the signs
+        self.sheet = CalculationSheet()
+        self._set: list[tuple[CalculationSheet, int, Signs, list[Item]]] = []  # the calculations set last, with the width and the signs
 
-    def show(self, sheet: Sheet) -> None:
+    def show(self, sheet: CalculationSheet) -> None:
         if sheet is not self.sheet:
             self.sheet = sheet
             self._wanted = None  # where to go was meant in the calculation before
             self.rebuild()
 
-    def prepare(self, sheet: Sheet, stop: Callable[[], bool]) -> None:
+    def prepare(self, sheet: CalculationSheet, stop: Callable[[], bool]) -> None:
         """Set a calculation ahead; may be called from another thread."""
         if self._built > 1:
             self._items(sheet, self._built - 1, stop)
@@ -101,7 +101,7 @@ class Calculation(ItemList):
     def build(self, width: int) -> list[Item]:
         return self._items(self.sheet, width)
 
-    def _items(self, sheet: Sheet, width: int, stop: Callable[[], bool] = bool) -> list[Item]:
+    def _items(self, sheet: CalculationSheet, width: int, stop: Callable[[], bool] = bool) -> list[Item]:
         signs = self.app.signs
         for known, for_width, for_signs, items in self._set:
             if known is sheet and for_width == width and for_signs is signs:

@@ -6,19 +6,258 @@ part that fails has the colour of failure and its sign.
 """
 
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
 
 import numpy as np
+import numpy.typing as npt
 from rich.cells import cell_len
 from textual.content import Content, Span
 
-from calc.locale import Language
 from calc.draw.drawing import AXIS, CONTEXT, HIDDEN, Arc, Area, Dimension, Mark, Point, Polyline, Sketch, Words, reach
+from calc.locale import Language
+from calc.sheet.text import Amount
 
-from ..arrangement import CENTRE, LEFT, RIGHT, Fit, Frame, Spread, arranged, words_of
-from ..raster import LOWER, UPPER, Floats, Integers, Raster
 from .signs import Signs
 from .text import wrap
+
+# Dots of lines and halves of cells of areas, in a frame of character cells: the arithmetic below the canvas.
+#
+# A cell is twice as high as wide, and holds 2 by 4 square dots, or two square halves.  Places are in dots, down from the upper left.
+
+Floats = npt.NDArray[np.float64]
+Integers = npt.NDArray[np.int64]
+
+BITS = np.array([[0x01, 0x08], [0x02, 0x10], [0x04, 0x20], [0x40, 0x80]])  # of the dots of a braille letter
+PLAIN = "-|/\\"  # by the direction of a line, where there is no braille
+FLAT, STEEP = 0.4, 2.2  # slopes up to which, and from which, a line is drawn as a level or an upright one
+CROSSING = 0.6  # a cell where the second direction has this share of the first shows a crossing
+UPPER, LOWER = 0x2580, 0x2584  # half blocks
+
+
+class Raster:
+    """`roles`: how each cell of lines is drawn, a higher one over a lower one; `fill`: what is in each half of a cell, 0 nothing."""
+
+    def __init__(self, columns: int, rows: int) -> None:
+        self.columns, self.rows = columns, rows
+        self.dots = np.zeros((rows * 4, columns * 2), bool)
+        self.roles = np.zeros((rows, columns), np.int64)
+        self.fill = np.zeros((rows * 2, columns), np.int64)
+        self._ways = np.zeros((4, rows, columns), np.int64)
+
+    def lines(self, paths: Sequence[tuple[Floats, int, tuple[float, ...]]]) -> None:
+        """Draw paths (corners, role, pattern): a pattern has the lengths in dots that are drawn, left out, drawn …"""
+        if not paths:
+            return
+        starts: list[Floats] = []
+        steps: list[Floats] = []
+        roles: list[Integers] = []
+        ways: list[Floats] = []
+        keeps: list[tuple[float, ...]] = []
+        for corners, role, pattern in paths:
+            pieces = np.diff(corners, axis=0)
+            starts.append(corners[:-1])
+            steps.append(pieces)
+            roles.append(np.full(len(pieces), role))
+            length = np.hypot(pieces[:, 0], pieces[:, 1])
+            ways.append(np.cumsum(length) - length)
+            keeps += [pattern] * len(pieces)
+        start, step, kinds, way = np.concatenate(starts), np.concatenate(steps), np.concatenate(roles), np.concatenate(ways)
+        count = np.ceil(np.abs(step).max(axis=1)).astype(int) + 1
+        of = np.repeat(np.arange(len(count)), count)
+        t = (np.arange(len(of)) - np.repeat(np.cumsum(count) - count, count)) / np.maximum(count[of] - 1, 1)
+        points = start[of] + t[:, None] * step[of]
+        drawn = np.ones(len(of), bool)
+        for pattern in {p for p in keeps if p}:
+            mine = np.array([p == pattern for p in keeps])[of]
+            along = way[of[mine]] + t[mine] * np.hypot(step[:, 0], step[:, 1])[of[mine]]
+            drawn[mine] = np.searchsorted(np.cumsum(pattern), along % sum(pattern), side="right") % 2 == 0
+        x, y = np.floor(points).astype(int).T
+        drawn &= (x >= 0) & (x < self.columns * 2) & (y >= 0) & (y < self.rows * 4)
+        x, y, of = x[drawn], y[drawn], of[drawn]
+        self.dots[y, x] = True
+        np.maximum.at(self.roles, (y // 4, x // 2), kinds[of])
+        np.add.at(self._ways, (_direction(step)[of], y // 4, x // 2), 1)
+
+    def area(self, outlines: Sequence[Floats], value: int) -> None:
+        """Fill the halves of cells whose middles lie within an odd number of the outlines."""
+        start = np.concatenate(outlines) / 2
+        end = np.concatenate([np.roll(outline, -1, axis=0) for outline in outlines]) / 2
+        middle = np.arange(self.rows * 2) + 0.5
+        cut = (start[:, 1, None] <= middle) != (end[:, 1, None] <= middle)
+        edge, row = np.nonzero(cut)
+        (x0, y0), (x1, y1) = start[edge].T, end[edge].T
+        x = x0 + (middle[row] - y0) / (y1 - y0) * (x1 - x0)
+        left_of = np.zeros((self.rows * 2, self.columns + 1), np.int64)
+        np.add.at(left_of, (row, np.clip(np.ceil(x - 0.5), 0, self.columns).astype(int)), 1)
+        crossings = np.cumsum(left_of[:, ::-1], axis=1)[:, ::-1][:, 1:]
+        self.fill[crossings % 2 == 1] = value
+
+    def letters(self, plain: bool) -> Integers:
+        """The code of each cell's letter: of braille, or plain ones; 0 where no line runs."""
+        cells = self.dots.reshape(self.rows, 4, self.columns, 2)
+        if not plain:
+            bits = np.einsum("ryxd,yd->rx", cells.transpose(0, 1, 2, 3), BITS)
+            return np.where(bits > 0, 0x2800 + bits, 0)
+        order = np.sort(self._ways, axis=0)
+        main = np.array([ord(letter) for letter in PLAIN])[self._ways.argmax(axis=0)]
+        few = np.where(cells.any(axis=(1, 3)), ord("."), 0)
+        crossing = order[-2] >= np.maximum(2, CROSSING * order[-1])
+        return np.where(order[-1] > 1, np.where(crossing, ord("*"), main), few)
+
+
+def _direction(step: Floats) -> Integers:
+    """Of each piece of a line: level, upright, rising or falling."""
+    across, down = step.T
+    slope = np.abs(down) / np.maximum(np.abs(across), 1e-9)
+    leaning = np.where(across * down < 0, 2, 3)
+    return np.where(slope < FLAT, 0, np.where(slope > STEEP, 1, leaning))
+
+
+# Where pictures lie in a frame of character cells: next to each other or above, each at the largest true scale with all its words.
+
+LEAST, SMALL = (14, 6), 0.5  # columns and rows, and share of its scale, below which a picture beside another one is left out
+SMALLER = 0.97  # step of the scale at which the pictures are tried next to each other
+GAPS = 3, 1  # columns and rows between pictures
+RIGHT, CENTRE, LEFT = "left", "centre", "right"
+
+
+@dataclass(frozen=True)
+class Frame:
+    """A part of the canvas, in cells."""
+
+    left: int
+    top: int
+    columns: int
+    rows: int
+
+    @property
+    def roomy(self) -> bool:
+        return self.columns >= LEAST[0] and self.rows >= LEAST[1]
+
+
+class Spread:
+    """What a picture spans: its points, and how many cells its words reach around theirs."""
+
+    def __init__(self, sketch: Sketch, say: Language) -> None:
+        reaches: list[tuple[float, ...]] = [(*point, 0.3, 0.3, 0.15, 0.15) for mark in sketch.primitives for point in reach(mark)]
+        reaches += [reach for mark in sketch.primitives for reach in _word_reach(mark, say)]
+        self.x, self.y, self.left, self.right, self.up, self.down = np.array(reaches or [(0.0,) * 6]).T
+        self.sketch, self.title = sketch, bool(sketch.title)
+        self.extent = max(float(np.ptp(self.x)), float(np.ptp(self.y))) or 1.0
+        self.least_wide = cell_len(say(sketch.title))
+
+    def edges(self, scale: float) -> tuple[float, float, float, float]:
+        """Left, right, top and bottom in cells, at so many columns per metre."""
+        across, upwards = self.x * scale, self.y * (scale / 2)
+        return (
+            float((across - self.left).min()), float((across + self.right).max()),
+            float((upwards + self.up).max()), float((upwards - self.down).min()),
+        )  # fmt: skip
+
+    def size(self, scale: float) -> tuple[float, float]:
+        """Columns and rows."""
+        left, right, top, bottom = self.edges(scale)
+        return max(right - left, self.least_wide), top - bottom + self.title
+
+    def largest(self, columns: int, rows: int) -> float:
+        """The largest scale that fits into so many cells."""
+        scale = (columns + 2 * rows) / self.extent
+        scale = _shrunk(self.x, self.left, self.right, columns, scale)
+        return 2 * _shrunk(self.y, self.down, self.up, rows - self.title, scale / 2)
+
+
+def _shrunk(at: Floats, before: Floats, behind: Floats, room: float, scale: float) -> float:
+    """The largest scale, up to the given one, at which all that is around these places fits into the room.
+
+    What the places span grows along straight lines that get steeper: following the steepest back never goes too far.
+    """
+    for _ in range(len(at)):
+        last, first = int((at * scale + behind).argmax()), int((at * scale - before).argmin())
+        reach = float(at[last] - at[first])
+        over = reach * scale + float(behind[last] + before[first]) - room
+        if over <= 1e-9 or reach <= 0:
+            return scale
+        scale = max(0.0, scale - over / reach)
+    return scale
+
+
+def arranged(pictures: list[Spread], columns: int, rows: int) -> list[tuple[Spread, Frame]]:
+    """The pictures side by side or one above the other, whichever draws them larger; as many as are still large enough."""
+    while len(pictures) > 1:
+        ways = [way for way in (_shared(pictures, columns, rows, 0), _shared(pictures, columns, rows, 1)) if way is not None]
+        if ways:
+            return max(ways, key=lambda way: way[0])[1]
+        pictures = pictures[:-1]
+    return [(pictures[0], Frame(0, 0, columns, rows))]
+
+
+def _shared(pictures: list[Spread], columns: int, rows: int, way: int) -> tuple[float, list[tuple[Spread, Frame]]] | None:
+    """The frames side by side (`way` 0) or one above the other, and the share of the scale that each has of what it would have alone;
+    None where they get too small."""
+    gap = GAPS[way] * (len(pictures) - 1)
+    room = (columns, rows)[way] - gap
+    if room <= 0:
+        return None
+    alone = [picture.largest(columns, rows) for picture in pictures]
+    share, sizes = 1.0, [room + 1]
+    while sum(sizes) > room and share >= SMALL:
+        sizes = [math.ceil(picture.size(share * scale)[way]) for picture, scale in zip(pictures, alone)]
+        share *= SMALLER
+    share /= SMALLER
+    spare, at, frames = room - sum(sizes), 0, []
+    for n, (picture, size) in enumerate(zip(pictures, sizes)):
+        size += spare * (n + 1) // len(sizes) - spare * n // len(sizes)
+        frames.append((picture, Frame(at, 0, size, rows) if way == 0 else Frame(0, at, columns, size)))
+        at += size + GAPS[way]
+    return (share, frames) if sum(sizes) <= room and all(frame.roomy for _, frame in frames) else None
+
+
+class Fit:
+    """Where metres lie in a frame of cells: in its middle, at the largest true scale at which the picture and its words are within."""
+
+    def __init__(self, picture: Spread, frame: Frame) -> None:
+        self.scale = picture.largest(frame.columns, frame.rows)  # columns per metre
+        left, right, top, bottom = picture.edges(self.scale)
+        self.x = frame.left + (frame.columns - (right - left)) / 2 - left
+        above = max(0, math.floor((frame.rows - (top - bottom) - picture.title) / 2))
+        self.title = frame.top + above  # the row of the title
+        self.y = self.title + picture.title + top
+
+    def cell(self, at: Point) -> tuple[int, int]:
+        """Row and column of a place."""
+        return math.floor(self.y - at[1] * self.scale / 2), math.floor(self.x + at[0] * self.scale)
+
+    def dots(self, points: Iterable[Point]) -> Floats:
+        places = np.array(list(points), float).reshape(-1, 2)
+        return np.column_stack([2 * (self.x + places[:, 0] * self.scale), 4 * (self.y - places[:, 1] * self.scale / 2)])
+
+
+def _word_reach(mark: Mark, say: Language) -> Iterable[tuple[float, ...]]:
+    """A place, and how many cells its words reach from there to the left, right, up and down."""
+    match mark:
+        case Words(at=at, side=side):
+            wide = cell_len(words_of(mark, say))
+            left: float = {RIGHT: 0.0, CENTRE: wide / 2, LEFT: wide}[side]
+            yield *at, left, wide - left, 0.5, 0.5
+        case Dimension(start=start, end=end, line=(x, y), upright=upright):
+            room = cell_len(words_of(mark, say)) + 2
+            if upright:
+                left, right = (1.0, room) if x >= start[0] else (room, 1.0)
+                yield x, (start[1] + end[1]) / 2, left, right, 0.5, 0.5
+            else:
+                yield (start[0] + end[0]) / 2, y, room / 2, room / 2, 0.5, 0.5
+
+
+def words_of(mark: Words | Dimension, say: Language) -> str:
+    """What a word or a dimension says."""
+    if isinstance(mark, Words):
+        return say(mark.text)
+    if mark.label:
+        return say(mark.label)
+    length = mark.end[1] - mark.start[1] if mark.upright else mark.end[0] - mark.start[0]
+    return ("Ø " if mark.diameter else "") + say.part(Amount(abs(length) * 1000, "mm"))
+
 
 FAINT, NORMAL, WARN, FAIL, LIT = range(1, 6)  # roles: a higher one is drawn over a lower one
 STYLES = {FAINT: "muted", WARN: "warn", FAIL: "fail", LIT: "lit"}

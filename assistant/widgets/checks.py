@@ -10,18 +10,17 @@ from textual.binding import Binding, BindingType
 from textual.content import Content
 from textual.message import Message
 
-from calc.studies.ready import share
 from calc.design.key_values import outside
 from calc.sheet.check import Check, named, severity
 from calc.sheet.number import short
 from calc.sheet.remedy import sentence
 from calc.sheet.step import Outcome
 from calc.sheet.text import COMMA, Amount, Name, Text, plural
+from calc.studies.ready import share
 
 from ..session.places import label_of
-from .bar import bar
 from .item_list import Item, ItemList
-from .text import pad, wrap
+from .text import bar, pad, wrap
 
 VALUE, LIMIT, MARGIN = Text("Value"), Text("Limit"), Text("Margin")
 GAP = 2  # cells between columns
@@ -39,7 +38,7 @@ def sorted_checks(checks: tuple[Check, ...]) -> list[Check]:
 
 
 @dataclass(frozen=True)
-class Row:
+class CheckRow:
     """One finding, or the head of what is folded.  `others`: findings of the same cause that are folded behind it."""
 
     key: str
@@ -50,7 +49,7 @@ class Row:
 
 
 @dataclass(frozen=True)
-class Columns:
+class CheckColumns:
     """The cells of each column; without numbers only the margin stands behind the name."""
 
     name: int
@@ -163,23 +162,23 @@ class Checks(ItemList):
             self.post_message(self.WantSlopes(self, check))
 
     # --- content
-    def _rows_of(self) -> list[Row]:
+    def _rows_of(self) -> list[CheckRow]:
         """What is listed, in its order."""
         assert self.outcome is not None
         checks, signs, say = self.outcome.checks, self.app.signs, self.app.say
-        rows: list[Row] = []
+        rows: list[CheckRow] = []
         found = [[c for c in group if c.open] for group in self.outcome.causes]
         shown = [group for group in found if group and group[0].kind in KINDS_SHOWN]
         for group in shown:
             mine = [c for c in group if c.kind in KINDS_SHOWN]
             unfolded = cause(group[0]) in self.unfolded
-            rows.append(Row(group[0].id, group[0], 0 if unfolded else len(mine) - 1))
-            rows += [Row(c.id, c, inside=True) for c in mine[1:]] if unfolded else []
+            rows.append(CheckRow(group[0].id, group[0], 0 if unfolded else len(mine) - 1))
+            rows += [CheckRow(c.id, c, inside=True) for c in mine[1:]] if unfolded else []
         if not shown:
             words = f"{signs.mark('ready')} {say(Text('Nothing fails here, no caution is open.'))}"
-            rows.append(Row("", head=Content.styled(words, signs.style("ready"))))
-        rows += [Row(c.id, c) for c in checks if c.verdict == "accepted"]
-        rows.append(Row("", head=Content("")))
+            rows.append(CheckRow("", head=Content.styled(words, signs.style("ready"))))
+        rows += [CheckRow(c.id, c) for c in checks if c.verdict == "accepted"]
+        rows.append(CheckRow("", head=Content("")))
         folds = (
             (ADVICE, [c for c in sorted_checks(checks) if c.open and c.kind == "advice"], ADVISED),
             (METHOD, [c for c in sorted_checks(checks) if c.open and c.kind == "method"], OF_METHOD),
@@ -191,9 +190,9 @@ class Checks(ItemList):
                 words, state = say(plural(count.one, count.template, n=len(mine))), "pass" if key == HOLD else "note"
                 fold = signs.mark("unfolded" if unfolded else "folded")
                 rows.append(
-                    Row(key, head=Content.assemble((f"{signs.mark(state)} ", signs.style(state)), (words, "dim"), (f" {fold}", "dim")))
+                    CheckRow(key, head=Content.assemble((f"{signs.mark(state)} ", signs.style(state)), (words, "dim"), (f" {fold}", "dim")))
                 )
-                rows += [Row(c.id, c, inside=True) for c in mine] if unfolded else []
+                rows += [CheckRow(c.id, c, inside=True) for c in mine] if unfolded else []
         return rows
 
     def build(self, width: int) -> list[Item]:
@@ -223,7 +222,7 @@ class Checks(ItemList):
             items.append(Item(row.key, content, say.part(Amount(row.check.value, row.check.unit)), self._line(row.check)))
         return items
 
-    def _columns(self, rows: Sequence[Row], width: int) -> Columns:
+    def _columns(self, rows: Sequence[CheckRow], width: int) -> CheckColumns:
         say = self.app.say
         checks = [row.check for row in rows if row.check is not None]
 
@@ -235,16 +234,16 @@ class Checks(ItemList):
         room = width - SIGN - value - limit - margin - 3 * GAP
         if checks and room >= NAMES:
             longest = max(len(self._title(row)) for row in rows)
-            return Columns(min(room, max(NAMES, longest + 2)), value, limit, margin)
-        return Columns(max(8, width - SIGN - GAP - margin), 0, 0, margin)
+            return CheckColumns(min(room, max(NAMES, longest + 2)), value, limit, margin)
+        return CheckColumns(max(8, width - SIGN - GAP - margin), 0, 0, margin)
 
-    def _head(self, columns: Columns) -> Content:
+    def _head(self, columns: CheckColumns) -> Content:
         say = self.app.say
         name, value = f"{say(Text('Finding')):<{columns.name}}", f"{say(VALUE):>{columns.value}}"
         limit, margin = f"{say(LIMIT):<{columns.limit}}", f"{say(MARGIN):>{columns.margin}}"
         return Content.styled(" " * SIGN + (" " * GAP).join([name, value, limit, margin]), "dim")
 
-    def _title(self, row: Row) -> str:
+    def _title(self, row: CheckRow) -> str:
         assert row.check is not None
         say = self.app.say
         title = say(row.check.name)
@@ -254,7 +253,7 @@ class Checks(ItemList):
             return say(Text("{name} ({n} findings)", name=Name(title), n=row.others + 1))
         return f"  {title}" if row.inside else title
 
-    def _title_rows(self, row: Row, columns: Columns) -> list[Content]:
+    def _title_rows(self, row: CheckRow, columns: CheckColumns) -> list[Content]:
         """Sign and name, and its numbers where they have columns."""
         assert row.check is not None
         check, say, signs = row.check, self.app.say, self.app.signs

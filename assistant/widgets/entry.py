@@ -6,13 +6,19 @@ from typing import ClassVar
 
 from textual import events
 from textual.binding import Binding, BindingType
+from textual.content import Content
 from textual.geometry import Size
 from textual.message import Message
 from textual.reactive import Reactive
+from textual.widget import Widget
 from textual.widgets import Input
 from textual.widgets.input import Selection
 
+from calc.design.names import choice_word
+
 from ..actions import BY_ID
+from ..base_app import BaseApp
+from .text import fit
 
 # Other keys are given to the part that has the focus, and wait there for their turn.  These move the focus before the next key is
 # looked at, so that of keys that come in one burst (a slow line, a busy machine) none ends up in the field that was left.
@@ -136,3 +142,94 @@ class Entry(Input):
             with self.prevent(Input.Changed):
                 self.value = text
             self.cursor_position = self._end(text)
+
+
+# One of several words, in one row.  Space, → or a letter opens the list, in which letters find a word; Enter goes on.
+
+class Choice(Widget, can_focus=True):
+    """The arrows stay free for going from field to field.  `prompt` stands there while nothing is chosen."""
+
+    app: BaseApp
+    BINDINGS: ClassVar[list[BindingType]] = [
+        *LEAVING,
+        Binding("enter", f"screen.{BY_ID['go_on'].does}", "Go on", show=False, priority=True),
+        Binding("space,right", "open", "Show the list", show=False),
+    ]
+
+    @dataclass
+    class Changed(Message):
+        choice: "Choice"
+        value: str
+
+    @dataclass
+    class Locked(Message):
+        """The lock of the input is asked for."""
+
+        choice: "Choice"
+
+    def __init__(self, words: tuple[str, ...], value: str, *, optional: bool, prompt: str, named: bool = False) -> None:
+        """`named`: the words are names, which every language leaves as they are."""
+        super().__init__()
+        self.named = named
+        self.words = words
+        self.value = value
+        self.optional = optional or not value
+        self.prompt = prompt
+
+    def show(self, text: str) -> None:
+        """Put a word in; nobody is told."""
+        if text != self.value:
+            self.value = text
+            self.refresh()
+
+    def take(self, word: str) -> None:
+        """Choose a word, or none."""
+        if word != self.value:
+            self.show(word)
+            self.post_message(self.Changed(self, word))
+
+    def turn(self, by: int) -> None:
+        """The next word, or the one before."""
+        if self.words:
+            here = self.words.index(self.value) if self.value in self.words else -1 if by > 0 else 0
+            self.take(self.words[(here + by) % len(self.words)])
+
+    def said(self, choice: str) -> str:
+        """A word as people read it."""
+        return choice if self.named else self.app.say(choice_word(choice))
+
+    def render(self) -> Content:
+        mark = "v" if self.app.signs.ascii else "▼"
+        room = max(1, self.size.width - 2)
+        text = fit(self.said(self.value) if self.value else self.prompt, room)
+        return Content.assemble((f"{text:<{room}} ", "" if self.value else "italic dim"), (mark, "dim"))
+
+    def on_key(self, event: events.Key) -> None:
+        """A letter or a digit begins a word; `k` is the key of the lock."""
+        if not event.is_printable or not event.character or not event.character.isalnum():
+            return
+        event.stop()
+        event.prevent_default()
+        if self.app.screen is not self.screen:  # struck while the list was being opened
+            self.app.screen.post_message(event)
+        elif event.key == LOCK:
+            self.post_message(self.Locked(self))
+        else:
+            self.action_open(event.character)
+
+    def action_open(self, typed: str = "") -> None:
+        from ..screens.dialogs import Choose
+
+        words = self.words if not self.value or self.value in self.words else (self.value, *self.words)
+        self.app.push_screen(Choose(words, self.value, self.prompt if self.optional else "", self.region, typed, self.said), self._chosen)
+
+    async def _chosen(self, word: str | None) -> None:
+        """Enter in the list takes the word and goes on."""
+        if word is not None:
+            self.take(word)
+            await self.run_action(f"screen.{BY_ID['go_on'].does}")
+
+    def on_click(self, event: events.Click) -> None:
+        event.stop()
+        self.focus()
+        self.action_open()

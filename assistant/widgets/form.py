@@ -3,34 +3,197 @@
 
 import asyncio
 from collections.abc import Callable, Collection
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from functools import partial
 
 from textual import events
 from textual.containers import VerticalScroll
+from textual.content import Content
 from textual.message import Message
 from textual.widget import Widget
 from textual.widgets import Input, Static
 from textual.worker import Worker
 
+from calc.design.addresses import quantity_of, value_at
+from calc.design.model import STEPS
+from calc.locale import Language
+from calc.locale.language import in_language
+from calc.sheet.errors import BadInput
+from calc.sheet.number import short
 from calc.sheet.step import Step
-from calc.sheet.text import EMPTY, Text
+from calc.sheet.text import COMMA, EMPTY, Text
 
 from ..base_app import BaseApp
-from ..session.places import Place
+from ..session import numbers
+from ..session.places import Place, content_at, key_at
+from ..session.route import GUIDES, NAMED, ROUTE, TAKEN, fold_at
 from ..session.session import Session
-from .headings import ArrayHeading
-from .cells import Cells, Columns, side
-from .choice import Choice
-from .entry import Entry
-from .field import Field
-from .fold import Fold
-from .form_parts import FormParts, Identity, identity
-from .guide_text import GuideText
-from .item_list import ItemList
+from .entry import Choice, Entry
+from .field import LABEL, LABEL_NARROW, NARROW, CellColumns, Cells, Field, StrokeField, side
+from .headings import ArrayHeading, Fold, TableHeading
+from .item_list import Item, ItemList
 from .radio import Balance, Radio, Todo
-from .rows import Asked, Row
-from .table_heading import TableHeading
-from .upstream_values import Taken
+from .rows import Asked, FormRow, routed
+from .text import fit, wrap
+
+# At the head of a form: the question of the step, and what a good answer looks like or, where a check fails, what to try.
+
+class GuideText(Static):
+    app: BaseApp
+
+    def __init__(self, session: Session, step: str) -> None:
+        super().__init__(classes="guide")
+        self.session, self.step = session, step
+        self._shown: Text | None = None
+        self._guiding = True
+
+    def on_mount(self) -> None:
+        self.redraw()
+
+    def redraw(self) -> None:
+        say = self.app.say
+        guide, results = GUIDES[self.step], self.session.results
+        fails = results is not None and results.outcomes[self.step].verdict in ("fail", "no_solution")
+        word, text = (Text("Try"), guide.trying) if fails else (Text("Good"), guide.good)
+        if word != self._shown or self.app.guiding != self._guiding:
+            self._shown, self._guiding = word, self.app.guiding
+            question = Content.styled(say(ROUTE[self.step].question), "bold")
+            self.update(Content.assemble(question, f"\n{say(word)}: {say(text)}") if self._guiding else question)
+
+
+# What a step takes over from the steps before it: plain text, not fields.  Typing on one goes to the step that owns it.
+
+NUMBERS = {step.key: n for n, step in enumerate(STEPS, 1)}
+
+
+class Taken(ItemList):
+    """The key of an item is the id of the value, or of the input, that is taken over."""
+
+    def __init__(self, session: Session, step: str) -> None:
+        super().__init__(id=f"taken-{step}")
+        self.session = session
+        self.step = step
+
+    def explained(self) -> tuple[str, str]:
+        """What the foot of the form says about it."""
+        say = self.app.say
+        return say(Text("From earlier steps")), say(Text("Enter, or typing a number, goes to the step that owns the value."))
+
+    def build(self, width: int) -> list[Item]:
+        found = []
+        values, say = self.session.values(), self.app.say
+        label_width = LABEL_NARROW if width >= NARROW else LABEL  # as in the fields above
+        for id in TAKEN.get(self.step, ()):
+            owner = id.partition(".")[0]
+            if (known := values.get(id)) is not None:
+                _, *part, _ = id.split(".")  # front or rear
+                label = say(COMMA.join((known.label, *part)))
+                text, unit = say.number(short(known.shown)), known.unit
+            else:
+                try:
+                    about = quantity_of(self.session.data, id)
+                except BadInput:
+                    continue
+                content = value_at(self.session.data, id) if owner in self.session.data else None
+                if content is None:
+                    continue
+                label, text, unit = say(about.label), numbers.written(content, about), about.unit
+            labels = wrap(label, label_width - 1)
+            origin = f"{self.app.signs.mark('from')} {NUMBERS[owner]}"
+            value = f"{text} {unit}".rstrip()
+            room = max(1, min(18, width - label_width - len(origin) - 1))
+            first = f"{labels[0]:<{label_width}}{fit(value, room):<{room}} {origin}"
+            found.append(Item(id, [Content.styled(row, "dim") for row in (first, *labels[1:])], value, f"{label} {value}"))
+        if found:
+            found.insert(0, Item("", [Content(""), Content.styled(self.app.say(Text("From earlier steps")), "bold dim")]))
+        return found
+
+    def on_key(self, event: events.Key) -> None:
+        """A value that another step owns is changed there."""
+        if event.is_printable and event.character and event.character in "0123456789,.-":
+            event.stop()
+            event.prevent_default()
+            self.choose()
+
+
+# What the form of a step consists of, in order: its question, then a widget for each row of its inputs.
+
+Identity = tuple[object, ...]  # of a widget: kind and place of its row
+Part = tuple[Identity, Callable[[], Widget]]  # what tells a part from all others, and how it is made
+
+
+class FormParts:
+    def __init__(self, step: Step, session: Session, say: Language) -> None:
+        self._step, self._session, self._say = step, session, say
+
+    @property
+    def there(self) -> bool:
+        """Whether the design has the step."""
+        return self._step.key in self._session.data
+
+    def parts(self, rows: list[FormRow]) -> list[Part]:
+        """Of these rows of inputs, and of what stands before and behind them."""
+        key, session = self._step.key, self._session
+        parts: list[Part] = [(("guide",), lambda: GuideText(session, key))]
+        if key == "imbalance" and "engine" in session.data:
+            parts.append((("balance",), lambda: Balance(session, key)))
+        elif not self.there:
+            parts.append((("todo",), lambda: Todo(session, key)))
+        if self.there:
+            parts += [(identity(row), partial(self._widget, row)) for row in rows]
+            parts.append((("taken",), lambda: Taken(session, key)))
+        return parts
+
+    def rows(self, asked: Asked, opened: set[int]) -> list[FormRow]:
+        """The inputs of the step, in the user's language; none where the design does not have it."""
+        if not self.there:
+            return []
+        rows = routed(self._step, self._session.data, asked, opened)
+        return rows if self._say.code == "en" else [_said(row, self._say) for row in rows]
+
+    def fold(self, place: Place) -> int | None:
+        """The fold that a place lies in."""
+        return fold_at(self._step.key, place)
+
+    def heading(self, row: FormRow) -> Content:
+        last = row.place[-1]
+        name = str((content_at(self._session.data, row.place) or {}).get("name", last + 1)) if isinstance(last, int) else row.about.label
+        return Content.styled(f" {name}", "bold" if not isinstance(last, int) else "italic")
+
+    def _widget(self, row: FormRow) -> Widget:
+        session = self._session
+        match row.kind:
+            case "field":
+                return Field(row, session, self._words(row))
+            case "stroke":
+                return StrokeField(row, session, ())
+            case "cells":
+                return Cells(row, [Field(cell, session, self._words(cell), cell=True) for cell in row.inside])
+            case "columns":
+                return CellColumns(row)
+            case "array":
+                return ArrayHeading(row, session)
+            case "option":
+                return TableHeading(row, session)
+            case "fold":
+                return Fold(row, session)
+            case _:
+                return Static(self.heading(row), classes="heading")
+
+    def _words(self, row: FormRow) -> tuple[str, ...]:
+        """The names that a field of a catalogue may hold."""
+        catalogue = NAMED.get(key_at(row.place)) if row.about.kind == "text" else None
+        return tuple(getattr(self._session.design, catalogue)) if catalogue else ()
+
+
+def identity(row: FormRow) -> Identity:
+    return (row.kind, row.place, len(row.inside)) if row.kind == "cells" else (row.kind, row.place)
+
+
+def _said(row: FormRow, say: Language) -> FormRow:
+    """A row with its words in the user's language."""
+    return replace(row, about=in_language(row.about, say), inside=tuple(_said(one, say) for one in row.inside))
+
 
 WIDE = 46  # cells of the form beside the other panes
 
@@ -88,7 +251,7 @@ class Form(VerticalScroll, can_focus=True, inherit_bindings=False):
         self._identities[widget] = part
         return widget
 
-    def _rows(self) -> list[Row]:
+    def _rows(self) -> list[FormRow]:
         """The inputs with the folds, and the elements of arrays, that are open: what is edited, or not accepted, is."""
         reasons = self.session.reasons()
         field = self.field if self.is_mounted else None
@@ -117,7 +280,7 @@ class Form(VerticalScroll, can_focus=True, inherit_bindings=False):
                 child.redraw(row, reasons)
             elif isinstance(child, (ArrayHeading, TableHeading)):
                 child.redraw(row, reasons.get(row.place, EMPTY))
-            elif isinstance(child, (Fold, Columns)):
+            elif isinstance(child, (Fold, CellColumns)):
                 child.redraw(row)
             elif isinstance(child, Static) and str(child.content) != (made := self._parts.heading(row)).plain:
                 child.update(made, layout=False)

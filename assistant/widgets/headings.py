@@ -9,6 +9,7 @@ from textual.binding import Binding, BindingType
 from textual.content import Content
 from textual.geometry import Size
 from textual.message import Message
+from textual.style import Style
 from textual.widget import Widget
 
 from calc.sheet.quantity import keys
@@ -16,10 +17,11 @@ from calc.sheet.text import EMPTY, Text
 
 from ..base_app import BaseApp
 from ..session.places import content_at
+from ..session.route import ROUTE
 from ..session.session import Session
 from .entry import LEAVING
 from .field_help import heading_help
-from .rows import Row
+from .rows import FormRow
 from .text import fit, pad
 
 TALL = 30  # rows of a screen that has room for a table of the elements
@@ -57,7 +59,7 @@ class ArrayHeading(Widget, can_focus=True):
         heading: "ArrayHeading"
         index: int
 
-    def __init__(self, row: Row, session: Session) -> None:
+    def __init__(self, row: FormRow, session: Session) -> None:
         super().__init__()
         self.row = row
         self.session = session
@@ -65,7 +67,7 @@ class ArrayHeading(Widget, can_focus=True):
         self._looks: tuple[object, ...] = ()
         self._rows = 0  # of its table, when last looked at
 
-    def redraw(self, row: Row, reason: Text) -> None:
+    def redraw(self, row: FormRow, reason: Text) -> None:
         """Draw anew if there is something new to draw."""
         self.row, self.reason = row, reason
         looks = (row.shown, cells := self.cells(), self.names(), reason)
@@ -168,6 +170,148 @@ class ArrayHeading(Widget, can_focus=True):
     def action_remove(self) -> None:
         if count := len(self.names()):
             self.post_message(self.Removed(self, count - 1 if self.row.shown is None else self.row.shown))
+
+    def on_focus(self, event: events.Focus) -> None:
+        self.refresh()
+
+    def on_blur(self, event: events.Blur) -> None:
+        self.refresh()
+
+
+# The heading of a table that may be left out: `Gas  + add` where it is, `Gas  −` above its fields where it is there.
+
+class TableHeading(Widget, can_focus=True):
+    app: BaseApp
+    BINDINGS: ClassVar[list[BindingType]] = [
+        *LEAVING,
+        Binding("plus", "add", "Add the table", show=False),
+        Binding("minus,delete", "remove", "Remove the table", show=False),
+    ]
+    HELP = Text(
+        "This part may be left out. + or Enter adds it, its fields empty; − takes it out with all its fields. Undo takes either back."
+    )
+
+    @dataclass
+    class Added(Message):
+        heading: "TableHeading"
+
+    @dataclass
+    class Removed(Message):
+        heading: "TableHeading"
+
+    def __init__(self, row: FormRow, session: Session) -> None:
+        super().__init__()
+        self.row = row
+        self.session = session
+        self.reason = EMPTY  # why the table as a whole is not accepted
+        self._looks: tuple[object, ...] = ()
+
+    @property
+    def there(self) -> bool:
+        return content_at(self.session.data, self.row.place) is not None
+
+    @property
+    def adds(self) -> bool:
+        """Whether Enter adds the table: where it is there, Enter goes on."""
+        return not self.there
+
+    def redraw(self, row: FormRow, reason: Text) -> None:
+        looks = (self.there, reason, row.about.label)
+        self.row = row
+        self.reason = reason
+        if looks != self._looks:
+            self._looks = looks
+            self.refresh()
+
+    def explained(self) -> tuple[str, str]:
+        """What the foot of the form says about it."""
+        return heading_help(self.row.about, self.HELP, self.reason, self.app)
+
+    def render(self) -> Content:
+        minus = "-" if self.app.signs.ascii else "−"
+        text, action = (minus, "remove") if self.there else (self.app.say(Text("+ add")), "add")
+        link = Content.styled(text, "bold" if self.has_focus else "dim").stylize(Style.from_meta({"@click": action}))
+        signs = self.app.signs
+        left = Content.styled(f" {self.row.about.label}", "bold" if self.there else "bold dim")
+        if self.reason:
+            left = Content.styled(f" {signs.mark('invalid')} {self.row.about.label}", signs.style("invalid"))
+        return Content.assemble(left, " " * max(2, self.size.width - left.cell_length - link.cell_length - 1), link)
+
+    def action_add(self) -> None:
+        if not self.there:
+            self.post_message(self.Added(self))
+
+    def action_remove(self) -> None:
+        if self.there:
+            self.post_message(self.Removed(self))
+
+    def on_focus(self, event: events.Focus) -> None:
+        self.refresh()
+
+    def on_blur(self, event: events.Blur) -> None:
+        self.refresh()
+
+
+# The heading of what is folded: `▸ More (18): cylinder offset, firing order, …`.  Enter or → opens it, ← closes it.
+
+class Fold(Widget, can_focus=True):
+    app: BaseApp
+    BINDINGS: ClassVar[list[BindingType]] = [
+        *LEAVING,
+        Binding("enter,space", "turn", "Open or close", show=False),
+        Binding("right", "turn(True)", "Open", show=False),
+        Binding("left", "turn(False)", "Close", show=False),
+    ]
+    HELP = Text("Enter or → opens it, ← closes it. What is left empty in it, the program assumes.")
+
+    @dataclass
+    class Turned(Message):
+        fold: "Fold"
+        open: bool
+
+    def __init__(self, row: FormRow, session: Session) -> None:
+        super().__init__(classes="" if row.place[-1] == "+0" else "-further")
+        self.row = row
+        self.session = session
+        self._looks: tuple[object, ...] = ()
+
+    def redraw(self, row: FormRow) -> None:
+        self.row = row
+        looks = (row.open, self._title(), row.inside)
+        if looks != self._looks:
+            self._looks = looks
+            self.refresh()
+
+    def explained(self) -> tuple[str, str]:
+        """What the foot of the form says about it."""
+        return str(self.row.about.label), f"{self.app.say(self.HELP)} {', '.join(self._names())}."
+
+    def _title(self) -> str:
+        """How many inputs lie in it, and how many of them are left to the program."""
+        cells = (cell for row in self.row.inside for cell in (row.inside or (row,)) if cell.kind == "field" and cell.place[0] in ROUTE)
+        assumed = sum(cell.about.optional and content_at(self.session.data, cell.place) is None for cell in cells)
+        title = f"{self.row.about.label} ({len(self.row.inside)})"
+        return f"{title}, {self.app.say(Text('assumed ({n})', n=assumed))}" if assumed and self.row.open else title
+
+    def _names(self) -> list[str]:
+        names = [str(row.about.label) for row in self.row.inside if len(row.place) == 2 or row.kind == "field"]
+        return [name if name[1:2].isupper() else name[:1].lower() + name[1:] for name in dict.fromkeys(names)]
+
+    def render(self) -> Content:
+        mark = self.app.signs.mark("unfolded" if self.row.open else "folded")
+        title = f" {mark} {self._title()}"
+        rest = "" if self.row.open else fit(f": {', '.join(self._names())}", max(0, self.size.width - len(title) - 1))
+        return Content.assemble((title, "bold"), (rest, "dim"))
+
+    def action_turn(self, open: bool | None = None) -> None:
+        wanted = not self.row.open if open is None else open
+        if wanted != self.row.open:
+            self.post_message(self.Turned(self, wanted))
+
+    def on_click(self, event: events.Click) -> None:
+        event.stop()
+        self.focus()
+        self.action_turn()
 
     def on_focus(self, event: events.Focus) -> None:
         self.refresh()

@@ -4,13 +4,16 @@
 from typing import TYPE_CHECKING
 
 from textual.content import Content
+from textual.style import Style
 from textual.widget import Widget
 
-from calc.design.model import STEPS
 from calc.design.key_values import judged
+from calc.design.model import STEPS
 from calc.sheet.check import URGENT, Check
 from calc.sheet.text import EMPTY, Amount, Text
+from calc.studies.ready import OPEN, tally
 
+from ..actions import ACTIONS, BY_ID, Action
 from ..base_app import BaseApp
 from ..session.places import label_of, named_key
 from ..session.route import step_of
@@ -19,7 +22,7 @@ from .steps import nothing_left, states_of
 from .text import fit, wrap
 
 if TYPE_CHECKING:
-    from calc.studies.repair.nearest import Remedy
+    from calc.studies.repair.nearest import NearestRemedy
 
 
 ROWS = 2
@@ -34,7 +37,7 @@ class MessageLine(Widget):
         self.step = STEPS[0].key
         self.finding = ""  # the check under the cursor, where the findings have the focus
         self.trouble = ""  # the step that fails
-        self.remedy: Remedy | None = None  # its remedy, as soon as it is known
+        self.remedy: NearestRemedy | None = None  # its remedy, as soon as it is known
         self._shown: tuple[str, ...] = ()
 
     def redraw(self) -> None:
@@ -131,3 +134,116 @@ class MessageLine(Widget):
         mark = signs.mark(state)
         lines = [f" {mark} {rows[0]}", *(f"   {row}" for row in rows[1:ROWS])]
         return Content("\n").join(Content.styled(line, signs.style(state)) for line in lines)
+
+
+# The first row: the file and its state, what is open and how many steps are ready, and how long it took.
+
+FEWEST = 60  # columns in which everything can be seen
+
+
+class TopLine(Widget):
+    app: BaseApp
+
+    def __init__(self, session: Session) -> None:
+        super().__init__(id="top-line")
+        self.session = session
+        self.slow = False  # a solve has taken long enough to say so
+
+    def state(self, short: bool) -> str:
+        """The state of the file."""
+        session, signs, say = self.session, self.app.signs, self.app.say
+        parts: list[str] = []
+        if session.recording is not None:
+            parts.append(f"{signs.mark('recording')} {say(Text('rec'))}")
+        if session.dirty:
+            parts.append(f"{signs.mark('edited')} {say(Text('edited'))}")
+            if session.autosave_failure:
+                parts.append(say(Text("not kept!")) if short else say(Text("can not be kept aside, save it")))
+            elif session.autosaved is not None and not short:
+                parts.append(say(Text("autosaved {time}", time=f"{session.autosaved:%H:%M}")))
+        if session.read_only:
+            parts.append(f"{signs.mark('read_only')} {say(Text('read-only'))}")
+        if session.example and not session.dirty:
+            parts.append(f"({say(Text('example'))})")
+        return ", ".join(parts)
+
+    def render(self) -> Content:
+        session, signs, say = self.session, self.app.signs, self.app.say
+        width = self.size.width
+        short = width < 100
+        dim = "dim " if session.results is not None and not session.current else ""
+        right: list[Content | tuple[str, str] | str] = []
+        if session.results is not None:
+            found = tally(states_of(session), session.results)
+            for state, words in found.words:
+                text = f"{getattr(found, state)} {signs.mark(state)}" if short and state in OPEN else say(words)
+                right += [(" " if short else " · ") if right else "", (text, dim + signs.style(state))]
+            right.append("  ")
+        if not session.valid:
+            time = say(Text("input is not valid"))
+        elif session.failure:
+            time = say(Text("not solved"))
+        elif self.slow or not session.current:
+            time = f"{signs.mark('solving')} {say(Text('solving'))}"
+        else:
+            time = say(Text("solved in {time}", time=Amount(session.seconds * 1000, "ms", form=".0f")))
+        if width < FEWEST:  # which must be seen
+            told = (
+                Text("The window is too small: it needs {n} columns.", n=FEWEST),
+                Text("needs {n} columns", n=FEWEST),
+                Text("too small"),
+            )
+            fitting = [f" {say(one)}" for one in told if len(say(one)) < width]
+            return Content(fitting[0] if fitting else fit(say(told[-1]), width))
+        if self.app.writing:
+            right = [*([] if short else right), (say(self.app.writing), "bold"), "  "]
+        right.append((f"{time:>18}" if not short else time, "dim"))
+        end = Content.assemble(*right, " ")
+        state = self.state(short)
+        room = max(8, width - end.cell_length - 2 - (0 if short else 15) - (len(state) + 2 if state else 0))
+        start = Content.assemble(
+            ("" if short else " Contralbero   "), " " if short else "", (fit(session.name, room), "bold"), f" {state}" if state else "",
+        )  # fmt: skip
+        return Content.assemble(start, " " * max(1, width - start.cell_length - end.cell_length), end)
+
+
+# The last row: the keys, as the table of actions and the user's key map have them.
+
+# What goes first where there is not room for all, after what does nothing here.  F4 leads to the curve, and narrow to every pane.
+SPARED = ("variant", "curve", "choose", "trouble")
+SPARED_NARROW = ("variant", "curve", "choose", "pane", "trouble", "quit", "undo", "save", "report", "palette", "fix", "back")
+
+
+class FooterLine(Widget):
+    """Textual's own footer is made anew at every change of the focus; this one stands still."""
+
+    app: BaseApp
+
+    def __init__(self) -> None:
+        super().__init__(id="footer-line")
+        self.idle: tuple[str, ...] = ()  # actions that do nothing here
+
+    def show(self, idle: tuple[str, ...]) -> None:
+        if idle != self.idle:
+            self.idle = idle
+            self.refresh()
+
+    def render(self) -> Content:
+        width = self.size.width
+        wide = width >= 100
+        spared = [*self.idle, *(SPARED if wide else SPARED_NARROW)]
+        least = 0 if wide else len(self.idle) + 1
+        for gap, count in ((2, least), *((1, n) for n in range(least, len(spared) + 1))):
+            shown = [a for a in ACTIONS if a.footer and a.id not in spared[:count]]
+            end = self._part(BY_ID["palette"]) if BY_ID["palette"] in shown else Content("")
+            left = Content(" " * gap).join(self._part(a) for a in shown if a.id != "palette")
+            if left.cell_length + (end.cell_length + 3 if end else 0) <= width:
+                break
+        start = " " if left.cell_length < width else ""
+        gap = width - len(start) - left.cell_length - end.cell_length - 1
+        return Content.assemble(start, left, " " * gap, end) if end else Content.assemble(start, left)
+
+    def _part(self, action: Action) -> Content:
+        say, key = self.app.say, self.app.shown_key(action.id)
+        part = Content.assemble((say(key), "bold $footer-key-foreground"), " ", say(action.footer))
+        return part.stylize(Style.from_meta({"@click": f"screen.{action.does}"}))

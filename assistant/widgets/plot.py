@@ -21,10 +21,8 @@ from textual_plot.plot_widget import Legend, LinePlot
 from calc.sheet.step import Curve
 
 from ..base_app import BaseApp
-from .reading import axis, finite_limits
-from .sight import TURN, Sight
+from .reading import TURN, Sight, axis, even_ticks, finite_limits, stand_below, ticks
 from .signs import Look, Signs
-from .ticks import even_ticks, stand_below, ticks
 
 if TYPE_CHECKING:
     from .reading import Reading
@@ -51,7 +49,7 @@ class Numbers(NumericAxisFormatter):
 PLAIN = str.maketrans({**dict.fromkeys("┏┓┗┛┣┫┳┻╋", "+"), "━": "-", "┃": "|", "█": "*", "−": "-"})
 
 
-class Sheet(Canvas):
+class PlotArea(Canvas):
     """A canvas whose rows always have a style: where colours are switched off, a row without one stops the program."""
 
     app: BaseApp
@@ -68,7 +66,7 @@ class Sheet(Canvas):
 
 
 @dataclass
-class Line(LinePlot):
+class PlottedLine(LinePlot):
     """`series`: a line of the curve, which may run over others; not a limit or a vector, which stand above them."""
 
     look: Look
@@ -108,7 +106,7 @@ class Plot(PlotWidget, can_focus=False, inherit_bindings=False):
     def compose(self) -> ComposeResult:
         with Grid():
             for name in ("margin-top", "margin-left", "plot", "margin-bottom"):
-                yield Sheet(1, 1, id=name)
+                yield PlotArea(1, 1, id=name)
         yield Legend(id="legend")
 
     def render(self) -> Any:
@@ -181,7 +179,7 @@ class Plot(PlotWidget, can_focus=False, inherit_bindings=False):
         self.set_ylimits(y_low, y_high)
 
     def _line(self, x: Any, y: Any, look: Look, *, series: bool = False) -> None:
-        self._datasets.append(Line(x, y, None if look.plain else HiResMode.BRAILLE, look.colour, look, series))
+        self._datasets.append(PlottedLine(x, y, None if look.plain else HiResMode.BRAILLE, look.colour, look, series))
         self._labels.append(None)
 
     def _vectors(self, sight: Sight, signs: Signs) -> None:
@@ -264,7 +262,7 @@ class Plot(PlotWidget, can_focus=False, inherit_bindings=False):
                     canvas.set_pixel(*cell, signs.point(read.number == reading.chosen), signs.look(read.number).colour)
 
     def _render_line_plot(self, dataset: LinePlot) -> None:
-        if not isinstance(dataset, Line) or not dataset.series:
+        if not isinstance(dataset, PlottedLine) or not dataset.series:
             self._draw_line(dataset)
             return
         canvas, room = self.query_one("#plot", Canvas), self._scale_rectangle
@@ -277,7 +275,7 @@ class Plot(PlotWidget, can_focus=False, inherit_bindings=False):
         self._taken.update({cell: canvas.get_pixel(*cell) for cell in cells if room.contains(*cell)})
 
     def _draw_line(self, dataset: LinePlot) -> None:
-        if not isinstance(dataset, Line) or not (dataset.look.plain or dataset.look.pattern):
+        if not isinstance(dataset, PlottedLine) or not (dataset.look.plain or dataset.look.pattern):
             super()._render_line_plot(dataset)
             return
         canvas, look = self.query_one("#plot", Canvas), dataset.look

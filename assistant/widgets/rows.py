@@ -25,7 +25,7 @@ TWICE = Quantity("number", Text("Stroke"), "mm", above=0, help=Text("Twice the c
 
 
 @dataclass(frozen=True)
-class Row:
+class FormRow:
     """`kind`: heading (of a sub-table, or of one element), option (heading of a sub-table that may be left out), array (heading of an
     array of tables), columns (names of tables side by side), cells (one input of each of them), fold (heading of what is folded),
     stroke or field."""
@@ -35,7 +35,7 @@ class Row:
     about: Quantity
     required: bool = False  # must be there because its table is
     shown: int | None = None  # of an array that is shown one element at a time: which
-    inside: tuple["Row", ...] = ()  # cells: the fields; columns: their headings; fold: what lies in it
+    inside: tuple["FormRow", ...] = ()  # cells: the fields; columns: their headings; fold: what lies in it
     open: bool = False  # a fold
 
 
@@ -49,14 +49,14 @@ class Asked:
     side: int = 1
 
 
-def routed(step: Step, data: Table, asked: Asked, opened: Collection[int]) -> list[Row]:
+def routed(step: Step, data: Table, asked: Asked, opened: Collection[int]) -> list[FormRow]:
     """The rows of a step's form in the order in which they decide; of the folds only what is in the open ones."""
     leg = ROUTE[step.key]
     found = [row for row in rows(step, data, asked) if row.place in asked.held or not idle(row.place, data)]
     if step.key == FIRST:
-        found.append(Row("stroke", (FIRST, STROKE), TWICE, required=True))
-    in_fold: list[list[Row]] = [[] for _ in leg.folds]
-    deciding: list[list[Row]] = [[] for _ in leg.deciding]
+        found.append(FormRow("stroke", (FIRST, STROKE), TWICE, required=True))
+    in_fold: list[list[FormRow]] = [[] for _ in leg.folds]
+    deciding: list[list[FormRow]] = [[] for _ in leg.deciding]
     for row in found:
         path = path_of(row.place)
         if (n := fold_of(step.key, path)) is None:
@@ -69,17 +69,17 @@ def routed(step: Step, data: Table, asked: Asked, opened: Collection[int]) -> li
     made += [row for group in deciding for row in group]
     for n, (title, _) in enumerate(leg.folds):
         if inside := in_fold[n]:
-            made.append(Row("fold", (step.key, f"+{n}"), Quantity("table", title), inside=tuple(inside), open=n in opened))
+            made.append(FormRow("fold", (step.key, f"+{n}"), Quantity("table", title), inside=tuple(inside), open=n in opened))
             made += inside if n in opened else []
     return [*made, *_document(data, asked, opened)] if step.key == FIRST else made
 
 
-def _of_design(place: Place, *, required: bool = False) -> Row:
+def _of_design(place: Place, *, required: bool = False) -> FormRow:
     """An input of the design itself."""
-    return Row("field", place, keys(Design)[str(place[0])].about, required=required)
+    return FormRow("field", place, keys(Design)[str(place[0])].about, required=required)
 
 
-def _document(data: Table, asked: Asked, opened: Collection[int]) -> list[Row]:
+def _document(data: Table, asked: Asked, opened: Collection[int]) -> list[FormRow]:
     """The fold of the document control, which every design may have, with its note."""
     about = keys(Design)[str(DOCUMENT[0])].about
     assert about.table is not None
@@ -88,15 +88,15 @@ def _document(data: Table, asked: Asked, opened: Collection[int]) -> list[Row]:
         *_rows(about.table, data.get(str(DOCUMENT[0]), {}), DOCUMENT, asked, False),
     )
     is_open = (n := document_fold()) in opened
-    return [Row("fold", (FIRST, f"+{n}"), about, inside=inside, open=is_open), *(inside if is_open else ())]
+    return [FormRow("fold", (FIRST, f"+{n}"), about, inside=inside, open=is_open), *(inside if is_open else ())]
 
 
-def rows(step: Step, data: Table, asked: Asked) -> list[Row]:
+def rows(step: Step, data: Table, asked: Asked) -> list[FormRow]:
     """All rows of a step's form, in the order of the file."""
     return list(_rows(step.inputs, data.get(step.key, {}), (step.key,), asked, True))
 
 
-def _rows(cls: type, data: Any, place: Place, asked: Asked, there: bool) -> Iterator[Row]:
+def _rows(cls: type, data: Any, place: Place, asked: Asked, there: bool) -> Iterator[FormRow]:
     """Plain inputs before tables, so that none seems to belong to the table above it."""
     known = {key: one.about for key, one in keys(cls).items()}
     tables = [about.table for about in known.values() if about.kind == "table" and not about.optional]
@@ -105,50 +105,50 @@ def _rows(cls: type, data: Any, place: Place, asked: Asked, there: bool) -> Iter
         yield from _one(cls, key, data, place, asked, there, twins)
 
 
-def _one(cls: type, key: str, data: Any, place: Place, asked: Asked, there: bool, twins: list[str]) -> Iterator[Row]:
+def _one(cls: type, key: str, data: Any, place: Place, asked: Asked, there: bool, twins: list[str]) -> Iterator[FormRow]:
     about, here = keys(cls)[key].about, (*place, key)
     content = data.get(key) if isinstance(data, dict) else None
     if key in twins and asked.side >= len(twins):
         if key == twins[0]:
-            yield from _side_by_side([(Row("heading", (*place, twin), keys(cls)[twin].about), data.get(twin)) for twin in twins])
+            yield from _side_by_side([(FormRow("heading", (*place, twin), keys(cls)[twin].about), data.get(twin)) for twin in twins])
     elif about.kind == "table":
         yield from _table(about, content, here, asked, there)
     elif about.kind == "tables":
         yield from _array(about, content or [], here, asked)
     else:
-        yield Row("field", here, about, required=there and not about.optional)
+        yield FormRow("field", here, about, required=there and not about.optional)
 
 
-def _side_by_side(tables: Sequence[tuple[Row, Any]]) -> Iterator[Row]:
+def _side_by_side(tables: Sequence[tuple[FormRow, Any]]) -> Iterator[FormRow]:
     """One row for each input of tables of one kind."""
     first = tables[0][0]
     assert first.about.table is not None
-    yield Row("columns", first.place, first.about, inside=tuple(heading for heading, _ in tables))
+    yield FormRow("columns", first.place, first.about, inside=tuple(heading for heading, _ in tables))
     for key, known in keys(first.about.table).items():
         about = known.about
-        cells = tuple(Row("field", (*heading.place, key), about, required=not about.optional) for heading, _ in tables)
-        yield Row("cells", cells[0].place, about, inside=cells)
+        cells = tuple(FormRow("field", (*heading.place, key), about, required=not about.optional) for heading, _ in tables)
+        yield FormRow("cells", cells[0].place, about, inside=cells)
 
 
-def _table(about: Quantity, content: Any, here: Place, asked: Asked, there: bool) -> Iterator[Row]:
+def _table(about: Quantity, content: Any, here: Place, asked: Asked, there: bool) -> Iterator[FormRow]:
     assert about.table is not None
-    yield Row("option" if about.optional else "heading", here, about)
+    yield FormRow("option" if about.optional else "heading", here, about)
     if content is not None or not about.optional or any(here == place[: len(here)] for place in asked.held):
         yield from _rows(about.table, content or {}, here, asked, content is not None or (there and not about.optional))
 
 
-def _array(about: Quantity, content: list[Any], here: Place, asked: Asked) -> Iterator[Row]:
+def _array(about: Quantity, content: list[Any], here: Place, asked: Asked) -> Iterator[FormRow]:
     assert about.table is not None
     flat = all(key.about.kind not in ("table", "tables") for key in keys(about.table).values())
     if flat and 1 < len(content) <= asked.side:
-        yield Row("array", here, about)
-        yield from list(_side_by_side([(Row("heading", (*here, i), about), item) for i, item in enumerate(content)]))[1:]
+        yield FormRow("array", here, about)
+        yield from list(_side_by_side([(FormRow("heading", (*here, i), about), item) for i, item in enumerate(content)]))[1:]
         return
     long = len(content) > 1 and len(content) * len(keys(about.table)) > MOST
     shown = min(asked.chosen.get(here, 0), len(content) - 1) if long else None
-    yield Row("array", here, about, shown=shown)
+    yield FormRow("array", here, about, shown=shown)
     for i, item in enumerate(content):
         if shown is None or i == shown:
             if not long:
-                yield Row("heading", (*here, i), about)
+                yield FormRow("heading", (*here, i), about)
             yield from _rows(about.table, item, (*here, i), asked, True)

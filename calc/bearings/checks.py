@@ -7,7 +7,22 @@ from functools import partial
 
 from ..library.catalogue import Oil
 from ..library.fits import clearance_limits, parse
-from ..library.journal_rules import DESIGN_FACTOR, FINOTTI, FULL_FILM_FRICTION, LENGTH_RATIO, LUBRICATIONS, N_RPM_MM, RISE, SPECIFIC_LOAD, STABLE_FILM, SUPPLY_WIDTH, TRUMPLER, TRUMPLER_TEMPERATURE, USUAL_LENGTH_RATIO, USUAL_SPECIFIC_LOAD  # fmt: skip
+from ..library.journal_rules import (  # fmt: skip
+    DESIGN_FACTOR,
+    FINOTTI,
+    FULL_FILM_FRICTION,
+    LENGTH_RATIO,
+    LUBRICATIONS,
+    N_RPM_MM,
+    RISE,
+    SPECIFIC_LOAD,
+    STABLE_FILM,
+    SUPPLY_WIDTH,
+    TRUMPLER,
+    TRUMPLER_TEMPERATURE,
+    USUAL_LENGTH_RATIO,
+    USUAL_SPECIFIC_LOAD,
+)
 from ..library.oils import BEYOND_ROWS, LAW_RANGE, MORE_ROWS, OTHER_OIL, VISCOSITIES
 from ..sheet.arrays import element, has_lanes
 from ..sheet.check import Check, check
@@ -15,7 +30,7 @@ from ..sheet.remedy import Remedy, by_key, down, up
 from ..sheet.text import EMPTY, SEMICOLON, Amount, Name, Text
 from ..sheet.units import Metre
 from . import formulas as f
-from .film.optimum import RAIMONDI_BOYD
+from .film.table import RAIMONDI_BOYD
 from .inputs import IN_WORDS, BearingInputs, BearingsInputs
 from .result import BearingResult
 from .routes import supply

@@ -12,9 +12,8 @@ from ..sheet.linked_array import gathered, item
 from ..sheet.quantity import result, value
 from ..sheet.step import Table
 from ..sheet.text import Amount, Text
-from ..sheet.trace import about
 from ..sheet.units import Celsius, Metre, Radian
-from ..sheet.value import based_on
+from ..sheet.value import about, based_on
 from . import formulas as f
 from .inputs import IN_WORDS, BearingsInputs
 from .routes.balance import closed

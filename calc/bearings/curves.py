@@ -1,53 +1,31 @@
 # SPDX-License-Identifier: Apache-2.0
 """Curves of a bearing: its film over the speeds and over the clearance it could have."""
 
-from dataclasses import replace
-import numpy as np
-from ..sheet.arrays import Array
-from ..sheet.arrays import each
-from ..sheet.arrays import many
-from ..sheet.step import Curve
-from ..sheet.step import Series
-from ..sheet.step import axis_label
-from ..sheet.text import Amount
-from ..sheet.text import Text
-from .corners import corner_values
-from .inputs import IN_WORDS
-from .result import BearingResult
-from .routes.balance import settled
-from .routes.states import BearingCase
-from .routes.states import Film
-from .routes.states import OperatingPoint
-from .speeds import at_speeds
 import math
-from collections.abc import Callable
-from collections.abc import Iterable
-from collections.abc import Iterator
-from functools import cache
-from functools import partial
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import replace
+from functools import cache, partial
+
+import numpy as np
+
 from ..library.catalogue import oils
 from ..library.lubricant import Lubricant
-from ..root import root
+from ..sheet.arrays import Array, each, many
 from ..sheet.errors import NoSolution
-from ..sheet.text import Name
-from ..sheet.trace import untraced
-from ..sheet.value import unlinked
-from .film.misaligned import MisalignedFilm
-from .film.misaligned import solve_misaligned
-from .film.optimum import ECCENTRICITIES
-from .film.optimum import share_of_largest_load
-from .film.optimum import share_of_least_friction
-from .film.reynolds import ECCENTRICITY_RANGE
-from .film.reynolds import LENGTH_RATIO_RANGE
-from .film.reynolds import FilmSolution
-from .film.reynolds import solve_film
-from .film.table import FilmRangeError
-from .film.table import eccentricity_from
-from .film.table import film_at
-from .routes.balance import balanced
+from ..sheet.functions import root
+from ..sheet.step import Curve, Series, axis_label
+from ..sheet.text import Amount, Name, Text
+from ..sheet.value import unlinked, untraced
+from .corners import corner_values
+from .film.reynolds import ECCENTRICITY_RANGE, LENGTH_RATIO_RANGE, FilmSolution, MisalignedFilm, solve_film, solve_misaligned
+from .film.table import ECCENTRICITIES, FilmRangeError, eccentricity_from, film_at, share_of_largest_load, share_of_least_friction
+from .inputs import IN_WORDS
+from .result import BearingResult
+from .routes.balance import balanced, settled
 from .routes.routes import own_warm
+from .routes.states import BearingCase, Film, OperatingPoint
 from .routes.supply import lands
-
+from .speeds import at_speeds
 
 POINTS = 25
 SHARES = np.linspace(0.4, 2.0, POINTS)  # of the design's clearance

@@ -6,7 +6,25 @@ Sommerfeld's number stands in both of its forms, S = μ·n/(P·ψ²) and So = P�
 
 from ..sheet.formula import formula
 from ..sheet.functions import largest, modulus, pi, power, sin, sqrt
-from ..sheet.units import Celsius, CubicMetrePerSecond, JoulePerKilogramKelvin, Kelvin, KilogramPerMetre3, Metre, MetrePerSecond, Newton, NewtonPerMetreSecond, Number, Pascal, PascalSecond, PerKelvin, Radian, RadPerSecond, RevPerSecond, Watt  # fmt: skip
+from ..sheet.units import (  # fmt: skip
+    Celsius,
+    CubicMetrePerSecond,
+    JoulePerKilogramKelvin,
+    Kelvin,
+    KilogramPerMetre3,
+    Metre,
+    MetrePerSecond,
+    Newton,
+    NewtonPerMetreSecond,
+    Number,
+    Pascal,
+    PascalSecond,
+    PerKelvin,
+    Radian,
+    RadPerSecond,
+    RevPerSecond,
+    Watt,
+)
 
 ONE_METRE_PER_SECOND: MetrePerSecond = 1.0
 MILLI: Number = 1e-3

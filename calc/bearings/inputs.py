@@ -10,7 +10,7 @@ from ..library.catalogue import Oil
 from ..library.journal_rules import COOLED, LUBRICATIONS, SLOPE, SUPPLY_WIDTH, TRUMPLER_TEMPERATURE, USUAL_CLEARANCE, USUAL_LENGTH
 from ..sheet.quantity import THUMB, choice, inputs, quantity, series, table, text
 from ..sheet.text import Amount, Text
-from .materials.data import DEFAULT_APPLICATION
+from .materials import DEFAULT_APPLICATION
 
 PLACES = ("front", "rear")
 IN_WORDS = {"front": Text("front"), "rear": Text("rear")}  # the two bearings in words

@@ -7,16 +7,16 @@ from ..countershaft.result import CountershaftResult
 from ..library.oils import rising_rows
 from ..sheet.step import Erratum
 from ..sheet.text import COMMA, EMPTY, SEMICOLON, Amount, Text, listed
-from ..sheet.trace import untraced
 from ..sheet.units import UNITS
+from ..sheet.value import untraced
 from .checks import LOST_BY_SHEAR, told_when_thinned
 from .inputs import IN_TITLES, IN_WORDS, BearingsInputs
-from .materials.data import running_surface
-from .suitability import fatigue_note
+from .materials import running_surface
 from .result import BearingResult
 from .routes import supply
 from .routes.din31652 import film_heavily_loaded
 from .routes.side_by_side import ROUTES
+from .suitability import fatigue_note
 
 TURNS = Text(
     "The load turns with the shaft: in its frame the seat turns backwards, so Sommerfeld's number is that of a standing load, and the "

@@ -4,8 +4,7 @@
 from ..library.catalogue import Oil, materials, oils
 from ..library.lubricant import Lubricant
 from ..sheet.units import Celsius, Metre, Newton, Number, Pascal, RevPerSecond
-from .film.feeds import Feed
-from .film.grooved import solve_grooved
+from .film.grooved import Feed, solve_grooved
 from .film.table import film_at
 from .formulas import relative_clearance, sommerfeld, specific_load
 from .inputs import BearingInputs, BearingsInputs

@@ -2,10 +2,24 @@
 """What the bearing step publishes."""
 
 from ..sheet.quantity import group, result, value
-from ..sheet.units import Celsius, CubicMetrePerSecond, Kelvin, Metre, MetrePerSecond, Newton, NewtonPerMetreSecond, Number, Pascal, PascalMetrePerSecond, Radian, RevPerSecond, Watt
+from ..sheet.units import (
+    Celsius,
+    CubicMetrePerSecond,
+    Kelvin,
+    Metre,
+    MetrePerSecond,
+    Newton,
+    NewtonPerMetreSecond,
+    Number,
+    Pascal,
+    PascalMetrePerSecond,
+    Radian,
+    RevPerSecond,
+    Watt,
+)
 from .corners import Corners
 from .film.dynamics import Dynamics
-from .routes.side_by_side import Side
+from .routes.side_by_side import RouteResultBeside
 from .routes.states import BearingCase, Film, OperatingPoint
 from .speeds import Sweep
 
@@ -105,7 +119,7 @@ class BearingResult:
     seat: BearingCase
     duty: OperatingPoint
     sweep: Sweep
-    side: Side
+    side: RouteResultBeside
     beside: Film  # at a little less and a little more load
     thinned: Metre  # the film of an oil that has lost by shear what a multigrade can; nan: none carries the load
 

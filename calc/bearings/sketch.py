@@ -8,9 +8,8 @@ anticlockwise against it, so that the narrowest film lies past the load's line b
 import math
 from collections.abc import Iterable, Iterator
 
+from ..draw.drawing import CONTEXT, OUTLINE, WORDS, Arc, Area, Mark, Point, Polyline, Sketch, Words, awaited, judged, round_outline, rounded
 from ..sheet.check import Check
-from ..draw.drawing import CONTEXT, OUTLINE, WORDS, Arc, Area, Mark, Point, Polyline, Sketch, Words, round_outline
-from ..sheet.sketching import awaited, judged, rounded
 from ..sheet.step import Designed, Solved
 from ..sheet.text import Amount, Text
 from ..sheet.units import Metre, Number, Radian

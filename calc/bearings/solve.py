@@ -7,9 +7,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..library.catalogue import Material, Oil
 from ..countershaft.result import CountershaftResult
 from ..engine.inputs import BenchPoint, EngineInputs
+from ..library.catalogue import Material, Oil
 from ..library.fits import deviations, parse
 from ..library.journal_rules import speed_factor
 from ..library.lubricant import Lubricant
@@ -21,31 +21,29 @@ from ..sheet.linked_array import gathered, item
 from ..sheet.remedy import by_key
 from ..sheet.step import Curve, Further, Outcome, Table
 from ..sheet.text import EMPTY, Amount, Text
-from ..sheet.trace import about, trace, untraced
 from ..sheet.units import Metre, Number, Radian, RevPerSecond
-from ..sheet.value import based_on
+from ..sheet.value import about, based_on, trace, untraced
 from . import formulas as f
 from .checks import LOST_BY_SHEAR, checks, oil_checks
 from .corners import corner_points, corners, corners_table
 from .curves import curves
-from .film import optimum
 from .film import short_bearing as short
+from .film import table as optimum
 from .film.dynamics import dynamics
 from .inputs import IN_WORDS, PLACES, BearingInputs, BearingsInputs
-from .materials.data import application, running_surface
-from .materials.formulas import film_duty, load_times_speed
-from .suitability import Journal, Running, application_checks, reference_table
-from .suitability import checks as pairing_checks
-from .suitability import table as bushes_table
+from .loads import loads_beside
+from .materials import application, running_surface
 from .notes import errata, notes
 from .result import BearingResult, BearingsResult, route_result
-from .rotating_load import loads_beside
 from .routes import supply
 from .routes.balance import balanced, closed, settled_together
 from .routes.routes import own_warm
 from .routes.side_by_side import ROUTES, judged_alone, routes_table, side_by_side
 from .routes.states import BearingCase, Film, OperatingPoint
 from .speeds import TURNING, Sweep, sweep, sweep_points
+from .suitability import Journal, Running, application_checks, film_duty, load_times_speed, reference_table
+from .suitability import checks as pairing_checks
+from .suitability import table as bushes_table
 
 
 class BearingMaterials(NamedTuple):

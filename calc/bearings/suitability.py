@@ -10,18 +10,62 @@ from typing import NamedTuple
 
 from ..library.journal_rules import USUAL_LENGTH_RATIO
 from ..sheet.check import Check, check
+from ..sheet.formula import formula
 from ..sheet.number import short
 from ..sheet.step import Table
 from ..sheet.text import Amount, Text
-from ..sheet.trace import untraced
-from ..sheet.units import UNITS, Celsius, Metre, Newton, Number, Pascal, PascalMetrePerSecond, PascalSecond, RevPerSecond, Second
+from ..sheet.units import (
+    UNITS,
+    Celsius,
+    Metre,
+    MetrePerSecond,
+    Newton,
+    Number,
+    Pascal,
+    PascalMetrePerSecond,
+    PascalSecond,
+    RevPerSecond,
+    Second,
+)
+from ..sheet.value import untraced
 from .inputs import IN_TITLES, IN_WORDS
-from .materials.data import DEFAULT_APPLICATION
-from .materials.data import SCALE, Application, BearingMaterial, bearing_materials, running_bearings
-from .materials.data import application_problem
-from .materials.data import applications
-from .materials.data import bush_problem
-from .materials.data import running_surface
+from .materials import SCALE, Application, BearingMaterial, bearing_materials, running_bearings
+
+# What the pairing of journal and seat is judged by: p·v, the share of what is allowed, the turns of the load, the duty of a full film.
+
+@formula("p·u", "definition of p·v: specific load times surface speed", unit="MPa·m/s")
+def load_times_speed(p: Pascal, u: MetrePerSecond) -> PascalMetrePerSecond:
+    return p * u
+
+
+@formula("p/p_zul", "definition: share of the allowable specific load of the bearing material", unit="%")
+def load_share(p: Pascal, p_zul: Pascal) -> Number:
+    return p / p_zul
+
+
+@formula(
+    "p·u/(p·v)_zul",
+    "definition: share of the allowable p·v of the bearing material",
+    unit="%",
+    names={"pu": "(p·u)", "pv_zul": "(p·v)_zul"},
+)
+def load_times_speed_share(pu: PascalMetrePerSecond, pv_zul: PascalMetrePerSecond) -> Number:
+    return pu / pv_zul
+
+
+@formula("N_L", "kinematics: a load that turns with the shaft passes every point of the seat once a turn", names={"L": "L_h"})
+def load_cycles(n: RevPerSecond, L: Second) -> Number:
+    """How often each point of the seat sees the largest film pressure in a life."""
+    return n * L
+
+
+@formula(
+    "μ·n/p", "Chirone & Vullo 1979, after Finotti 2013, Fig. 5.16: duty of a full film; a pure number with n in revolutions per second"
+)
+def film_duty(mu: PascalSecond, n_h: RevPerSecond, p: Pascal) -> Number:
+    """Not the source's 1.7·10⁻⁶, which it quotes for McKee's limit by a wrong conversion; 30 cP·rpm/psi are 7.25·10⁻⁸."""
+    return mu * n_h / p
+
 
 LEAST_WORD = "fair"  # rule of this program: below, a warning
 FIGURE = Text("Chirone & Vullo 1979, after Finotti 2013, Fig. 5.16")
@@ -83,7 +127,6 @@ def _emergency_advice(material: BearingMaterial) -> Text:
 
 def fatigue_note(place: str, material: BearingMaterial, p_max: Pascal, n: RevPerSecond, life: Second | None) -> Text:
     """How often the load that comes round at `n` presses on the seat, how hard, and what is known of the material's fatigue."""
-    from .materials.formulas import load_cycles
 
     often = Text("{n} times an hour", n=Amount(n * 3600.0, digits=3))
     if life is not None:
@@ -100,7 +143,6 @@ def table(bearings: Mapping[str, Running], chosen: str) -> Table:
 
     `chosen`: the name of the material that the design has (of its housing, where it has no bush).
     """
-    from .materials.formulas import load_share, load_times_speed_share
 
     hottest = max(b.temperature for b in bearings.values())
     rows: list[tuple[str | float | None, ...]] = []
@@ -139,7 +181,6 @@ def reference_table(own: Iterable[Journal]) -> Table:
     p, W and u of all rows by the same formulas on the whole length: a groove is left out.
     """
     from . import formulas as f  # loads numpy: not needed to read a design
-    from .materials.formulas import load_times_speed
 
     rows: list[tuple[str | float | None, ...]] = []
     with untraced():

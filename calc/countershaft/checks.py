@@ -4,7 +4,7 @@
 from collections.abc import Iterator
 
 from ..library import fatigue
-from .. import notch
+from ..library import fatigue as notch
 from ..library.catalogue import Material
 from ..library.journal_rules import HEAT_INDEX, SLOPE, SPECIFIC_LOAD
 from ..sheet.check import Check, check
@@ -15,14 +15,14 @@ from ..sheet.units import Metre
 from .bending.shaft import RIGID, Bending
 from .inputs import CountershaftInputs
 from .result import CountershaftResult
-from .stationary_load import Gear
-from .task import LEFT_OVER, WORDS, Task
+from .supports import Gear
+from .task import LEFT_OVER, WORDS, ShaftTask
 
 WEAKEST = 235e6  # Pa: proof stress of the weakest structural steel
 Journals = tuple[tuple[Metre, Metre], ...]
 
 
-def checks(shaft: CountershaftInputs, todo: Task, shaft_result: CountershaftResult, journals: Journals,
+def checks(shaft: CountershaftInputs, todo: ShaftTask, shaft_result: CountershaftResult, journals: Journals,
     gear: Gear | None) -> Iterator[Check]:  # fmt: skip
     """All checks of the step but those of its bending and its making."""
     yield from _residuals(shaft, todo, shaft_result)
@@ -33,7 +33,7 @@ def checks(shaft: CountershaftInputs, todo: Task, shaft_result: CountershaftResu
     yield from _outline(todo, shaft_result)
 
 
-def _residuals(shaft: CountershaftInputs, todo: Task, shaft_result: CountershaftResult) -> Iterator[Check]:
+def _residuals(shaft: CountershaftInputs, todo: ShaftTask, shaft_result: CountershaftResult) -> Iterator[Check]:
     """The couple and the force of the shaft's order that are left over."""
     each = Text("each of both shafts ") if shaft.pair == "yes" else Text("the shaft ")
     aim_couple = Text("Aim at {couple} N·m at {direction}: the couple of {each}grows with mass, radius and arm.",
@@ -120,7 +120,7 @@ def _supports(shaft_result: CountershaftResult) -> Iterator[Check]:
                     Text("A longer journal, or a larger one."))  # fmt: skip
 
 
-def _outline(todo: Task, shaft_result: CountershaftResult) -> Iterator[Check]:
+def _outline(todo: ShaftTask, shaft_result: CountershaftResult) -> Iterator[Check]:
     """Given sections against given masses: both must describe one shaft."""
     couple, force = shaft_result.outline_couple_deviation, shaft_result.outline_force_deviation
     if couple is None or force is None:

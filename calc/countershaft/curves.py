@@ -3,20 +3,20 @@
 
 import numpy as np
 
+from ..draw.shaft_outline import outline_curve
 from ..imbalance.curves import DRAWN
 from ..sheet.arrays import Array
-from ..sheet.step import Curve, Load, Series, axis_label
+from ..sheet.step import Curve, DrawnLoad, Series, axis_label
 from ..sheet.text import EMPTY, Name, Text
 from ..sheet.units import Metre, RadPerSecond
 from .bending.shaft import Bending
-from ..draw.shaft_outline import outline_curve
 from .result import CountershaftResult
-from .task import LEFT_OVER, WORDS, Task
+from .task import LEFT_OVER, WORDS, ShaftTask
 
 STACK = "bending"
 
 
-def curves(todo: Task, shaft: CountershaftResult, omega: RadPerSecond, positions: tuple[Metre, ...]) -> tuple[Curve, ...]:
+def curves(todo: ShaftTask, shaft: CountershaftResult, omega: RadPerSecond, positions: tuple[Metre, ...]) -> tuple[Curve, ...]:
     """All figures of the step but those of its making; `omega` of the crank at rated speed, `positions` of the bearings."""
     parts = (
         (Text("couple"), "N·m", todo.C, todo.C_against, shaft.couple_vector, todo.one_couple, todo.may_leave),
@@ -75,7 +75,7 @@ def _reactions(shaft: CountershaftResult, omega: RadPerSecond) -> Curve:
 def _loaded(outline: Curve, bent: Bending, positions: tuple[Metre, ...]) -> Curve:
     """The shaft with the resultants of its centrifugal load and what its bearings hold against them, in the plane of its couple."""
     held = zip(positions, (bent.reactions * np.exp(-1j * bent.plane)).real.tolist())
-    loads = [Load(Text("load"), z * 1e3, F) for z, F in bent.loads] + [Load(Text("bearing"), z * 1e3, F, held=True) for z, F in held]
+    loads = [DrawnLoad(Text("load"), z * 1e3, F) for z, F in bent.loads] + [DrawnLoad(Text("bearing"), z * 1e3, F, held=True) for z, F in held]
     title = Text("The shaft at rated speed: centrifugal load and reactions, shear, bending moment, deflection")
     return Curve("loads", title, outline.x_label, outline.y_label, outline.series, stack=STACK, loads=tuple(loads), load_unit="N")
 

@@ -8,7 +8,23 @@ TDC.  They turn with the shaft, against the crank.  z from mid-shaft, + towards 
 from ..sheet.formula import formula
 from ..sheet.functions import argument, cis, conj, cos, joined, modulus, pi, resultant, sqrt, tan, total
 from ..sheet.text import Text
-from ..sheet.units import Kilogram, KilogramMetre, Metre, MetrePerSecond2, Newton, NewtonMetre, Number, PhasorKilogramMetre, PhasorKilogramMetre2, PhasorNewton, PhasorNewtonMetre, Radian, RadPerSecond, RevPerSecond, Watt  # fmt: skip
+from ..sheet.units import (  # fmt: skip
+    Kilogram,
+    KilogramMetre,
+    Metre,
+    MetrePerSecond2,
+    Newton,
+    NewtonMetre,
+    Number,
+    PhasorKilogramMetre,
+    PhasorKilogramMetre2,
+    PhasorNewton,
+    PhasorNewtonMetre,
+    Radian,
+    RadPerSecond,
+    RevPerSecond,
+    Watt,
+)
 
 TABLE_4_1 = Text("Finotti 2013, 4.1 (with ω², not ω as printed there)")
 MASSES = {"m": "m_i", "e": "e_i", "z": "z_i", "gamma": "φ_i"}  # of the shaft; z and φ alone are those of the crank's throws

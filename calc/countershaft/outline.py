@@ -11,15 +11,111 @@ import numpy as np
 from ..sheet.arrays import Array, ComplexArray, each, many
 from ..sheet.check import Check, check
 from ..sheet.formula import formula
-from ..sheet.functions import cis, resultant
+from ..sheet.functions import cis, cos, pi, resultant, sin
 from ..sheet.linked_array import column, gathered, where
 from ..sheet.record import record
 from ..sheet.text import Amount, Text
-from ..sheet.trace import about
-from ..sheet.units import CubicMetre, Kilogram, KilogramMetre2, KilogramPerMetre3, Metre, Metre4, Number, PhasorCubicMetre, PhasorNewton, PhasorNewtonMetre, Radian, RadPerSecond, SquareMetre  # fmt: skip
-from ..sheet.value import based_on
-from . import sector as s
+from ..sheet.units import (
+    CubicMetre,
+    Kilogram,
+    KilogramMetre,
+    KilogramMetre2,
+    KilogramPerMetre3,
+    Metre,
+    Metre4,
+    Number,
+    PhasorCubicMetre,
+    PhasorNewton,
+    PhasorNewtonMetre,
+    Radian,
+    RadPerSecond,
+    SquareMetre,
+)
+from ..sheet.value import about, based_on
 from .inputs import CountershaftInputs, EccentricMass, Extra
+
+# The cross-section of the shaft: a core of radius r_0 and on it a sector of half-angle γ out to the radius R.
+#
+# Area and static moment are those of the sector alone, without the core; valid for 0 < γ ≤ π.  All formulas take arrays.
+
+SECTOR = Text("geometry of the circular sector between the radii r_0 and R")
+
+
+@formula("A", SECTOR, unit="mm²")
+def sector_area(gamma: Radian, R: Metre, r_0: Metre) -> SquareMetre:
+    """>>> sector_area(gamma=1.59, R=0.0405, r_0=0.015)
+    0.002250247...
+    """
+    return gamma * (R**2 - r_0**2)
+
+
+@formula("S", Text("{sector}: static moment of the sector about the axis", sector=SECTOR), unit="mm³")
+def sector_moment(gamma: Radian, R: Metre, r_0: Metre) -> CubicMetre:
+    """>>> sector_moment(gamma=1.336, R=0.043, r_0=0.018)
+    4.776899...e-05
+    """
+    return 2 / 3 * sin(gamma) * (R**3 - r_0**3)
+
+
+@formula("e", "geometry: centre of gravity of the sector from the axis", unit="mm")
+def centre_of_gravity(S: CubicMetre, A: SquareMetre) -> Metre:
+    """>>> centre_of_gravity(S=4.777e-05, A=0.002038)
+    0.02343964...
+    """
+    return S / A
+
+
+@formula("m", "geometry: mass of a sector of length b", unit="kg")
+def sector_mass(rho: KilogramPerMetre3, A: SquareMetre, b: Metre) -> Kilogram:
+    """>>> sector_mass(rho=7860, A=0.002038, b=0.1195)
+    1.914232...
+    """
+    return rho * A * b
+
+
+@formula("U", "geometry: unbalance of a sector of length b", unit="g·mm")
+def sector_unbalance(rho: KilogramPerMetre3, S: CubicMetre, b: Metre) -> KilogramMetre:
+    """>>> sector_unbalance(rho=7860, S=4.777e-05, b=0.1195)
+    0.04486892...
+    """
+    return rho * S * b
+
+
+@formula("A_tot", "geometry: sector and core", unit="mm²")
+def whole_area(A: SquareMetre, r_0: Metre) -> SquareMetre:
+    return A + pi * r_0**2
+
+
+@formula("ȳ", "geometry: centre of gravity of sector and core from the axis", unit="mm")
+def whole_centre(S: CubicMetre, A_tot: SquareMetre) -> Metre:
+    return S / A_tot
+
+
+@formula(
+    "I_sym",
+    "geometry: second moment of sector and core about their own centre, bending in the plane of symmetry",
+    unit="mm⁴",
+    names={"y": "ȳ"},
+)
+def sector_inertia(R: Metre, r_0: Metre, gamma: Radian, A_tot: SquareMetre, y: Metre) -> Metre4:
+    """The smaller of the two main second moments."""
+    return (R**4 - r_0**4) / 4 * (gamma + sin(gamma) * cos(gamma)) + pi * r_0**4 / 4 - A_tot * y**2
+
+
+@formula("A", "geometry: full cylinder", unit="mm²")
+def cylinder_area(R: Metre) -> SquareMetre:
+    return pi * R**2
+
+
+@formula("I", "geometry: second moment of a full cylinder", unit="mm⁴")
+def cylinder_inertia(R: Metre) -> Metre4:
+    return pi * R**4 / 4
+
+
+@formula("I_p", "geometry, polar moment of sector and core about the axis; a full cylinder: γ = π", unit="mm⁴")
+def polar_moment(gamma: Radian, R: Metre, r_0: Metre) -> Metre4:
+    return gamma * (R**4 - r_0**4) / 2 + pi * r_0**4 / 2
+
 
 PLAIN = 1e-9  # of the cubed radius: a static moment below it is none
 TOUCH = 1e-6  # m: pieces that meet within this are taken to touch
@@ -110,12 +206,12 @@ def shaft_inertia(rho: KilogramPerMetre3, I_p: Metre4, l: Metre, m: Kilogram, e:
     return rho * resultant(I_p * l) + resultant(m * e**2)
 
 
-@formula("sin γ/γ", Text("{sector}: e over its value for a narrow sector", sector=s.SECTOR))
+@formula("sin γ/γ", Text("{sector}: e over its value for a narrow sector", sector=SECTOR))
 def narrowness(e: Metre, R: Metre, r_0: Metre) -> Number:
     return e * (R**2 - r_0**2) / (2 / 3 * (R**3 - r_0**3))
 
 
-@formula("γ", Text("{sector}", sector=s.SECTOR), shows="γ from sin γ/γ, Newton", names={"t": "sin γ/γ"})
+@formula("γ", Text("{sector}", sector=SECTOR), shows="γ from sin γ/γ, Newton", names={"t": "sin γ/γ"})
 def half_angle(t: Number) -> Radian:
     """The half-angle of a sector, 0 < t < 1."""
     gamma = math.sqrt(6 * (1 - t)) if t > 0.4 else math.pi * (1 - t)
@@ -184,18 +280,18 @@ def outline(pieces: tuple[Piece, ...], derived: bool) -> Outline:
     R, r_0 = column(pieces, "outer_radius"), column(pieces, "core_radius")
     moment = np.zeros(len(pieces), dtype=complex)
     with about(Text("full sections of the shaft")):
-        area = many(s.cylinder_area(R=R[~sectors]))
-        inertia = many(s.cylinder_inertia(R=R[~sectors]))
+        area = many(cylinder_area(R=R[~sectors]))
+        inertia = many(cylinder_inertia(R=R[~sectors]))
     if sectors.any():
         gamma = each(gathered(p.half_angle for p in pieces if p.half_angle is not None))
         R, r_0 = R[sectors], r_0[sectors]
         with about(Text("sectors of the shaft")):
-            A = s.sector_area(gamma=gamma, R=R, r_0=r_0)
-            S = s.sector_moment(gamma=gamma, R=R, r_0=r_0)
-            whole = s.whole_area(A=A, r_0=r_0)
-            y = s.whole_centre(S=S, A_tot=whole)
+            A = sector_area(gamma=gamma, R=R, r_0=r_0)
+            S = sector_moment(gamma=gamma, R=R, r_0=r_0)
+            whole = whole_area(A=A, r_0=r_0)
+            y = whole_centre(S=S, A_tot=whole)
             area = where(sectors, whole, area)
-            inertia = where(sectors, s.sector_inertia(R=R, r_0=r_0, gamma=gamma, A_tot=whole, y=y), inertia)
+            inertia = where(sectors, sector_inertia(R=R, r_0=r_0, gamma=gamma, A_tot=whole, y=y), inertia)
             moment = where(sectors, directed_moment(S=S, gamma=column(pieces, "angle")[sectors]), moment[~sectors])
     return Outline(pieces=pieces, derived=derived, area=area, inertia=inertia, moment=moment)
 
@@ -232,14 +328,14 @@ def sectors_of(masses: tuple[EccentricMass, ...], rho: KilogramPerMetre3, R: Met
                     place=place, radius=Amount(mass.radius * 1000.0, form="g"), within=within)  # fmt: skip
                 raise NoOutline(reason, _no_such_sector(mass, mass.radius / t if t else 0.0))
             gamma = half_angle(t=t)
-            b = sector_length(m=mass.mass, rho=rho, A=s.sector_area(gamma=gamma, R=R, r_0=r_0))
+            b = sector_length(m=mass.mass, rho=rho, A=sector_area(gamma=gamma, R=R, r_0=r_0))
         sectors.append(Piece(*around(mass.z, b, Text("sector of mass {name}", name=mass.name)), R, r_0, gamma, mass.angle, "sector"))
     return sectors
 
 
 def _no_such_sector(mass: EccentricMass, most: Metre) -> Check:
     return check("countershaft.mass_shape", Text("Radius of the centre of gravity of mass {name}, as a sector", name=mass.name),
-        mass.radius, "<", most, "mm", s.SECTOR,
+        mass.radius, "<", most, "mm", SECTOR,
         Text("Give the true shape as [[countershaft.sections]], or a larger outer radius: nothing of its bending is judged."),
         missing=("countershaft.sections",))  # fmt: skip
 
@@ -338,7 +434,7 @@ def turning_inertia(shape: Outline, rho: KilogramPerMetre3, extras: tuple[Eccent
     core = each(gathered(0.0 if piece.half_angle is None else piece.core_radius for piece in shape.pieces))
     l, _ = _extent(shape)
     m, e = column(extras, "mass"), column(extras, "radius")
-    I_p = s.polar_moment(gamma=gamma, R=column(shape.pieces, "outer_radius"), r_0=core)
+    I_p = polar_moment(gamma=gamma, R=column(shape.pieces, "outer_radius"), r_0=core)
     return shaft_inertia(rho=rho, I_p=I_p, l=l, m=m, e=e) if extras else pieces_inertia(rho=rho, I_p=I_p, l=l)
 
 

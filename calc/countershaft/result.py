@@ -4,17 +4,29 @@
 from typing import TYPE_CHECKING
 
 from ..sheet.quantity import Stated, group, result, value
-from ..sheet.units import Kilogram, KilogramMetre, KilogramMetre2, Metre, Newton, NewtonMetre, NewtonPerMetreSecond, Number, Pascal, Radian, RadPerSecond, RevPerSecond  # fmt: skip
+from ..sheet.units import (  # fmt: skip
+    Kilogram,
+    KilogramMetre,
+    KilogramMetre2,
+    Metre,
+    Newton,
+    NewtonMetre,
+    NewtonPerMetreSecond,
+    Number,
+    Pascal,
+    Radian,
+    RadPerSecond,
+    RevPerSecond,
+)
 from .bending.shaft import Bending
-from .making.balance import HolesResult
-from .making.tolerance import ToleranceResult
+from .making.balance import HolesResult, ToleranceResult
 from .outline import Outline
 
 if TYPE_CHECKING:  # loaded only where they are asked for
     from .making.bolts import BoltsResult
     from .making.drain import DrainResult
     from .making.scatter import ScatterResult
-    from .sizing.alternatives import MaterialResult
+    from .sizing.choices import MaterialResult
     from .sizing.sectors import SizedSector
 
 

@@ -9,15 +9,34 @@ from collections.abc import Iterable, Iterator
 
 import numpy as np
 
+from ..draw.drawing import (  # fmt: skip
+    AXIS,
+    CONTEXT,
+    DIMENSIONS,
+    HIDDEN,
+    OUTLINE,
+    WORDS,
+    Arc,
+    Area,
+    Dimension,
+    Mark,
+    Point,
+    Polyline,
+    Sketch,
+    State,
+    Words,
+    awaited,
+    judged,
+    rectangle,
+    round_outline,
+)
+from ..draw.shaft_outline import drawn, reach, silhouette, upwards
 from ..sheet.check import Check
-from ..draw.drawing import AXIS, CONTEXT, DIMENSIONS, HIDDEN, OUTLINE, WORDS, Arc, Area, Dimension, Mark, Point, Polyline, Sketch, State, Words, rectangle, round_outline  # fmt: skip
 from ..sheet.record import record
-from ..sheet.sketching import awaited, judged
 from ..sheet.step import Designed, Solved
 from ..sheet.text import Amount, Text
 from ..sheet.units import Metre, Number, Radian
 from .bending.shaft import Bending
-from ..draw.shaft_outline import drawn, reach, silhouette, upwards
 from .inputs import CountershaftInputs, EccentricMass, Holes
 from .outline import Outline, Piece
 from .result import CountershaftResult

@@ -13,7 +13,7 @@ WORDS = {1: Text("First"), 2: Text("Second")}
 
 
 @record
-class Task:
+class ShaftTask:
     """The engine's vectors of one order, cylinder 1 at TDC: those that turn like the shaft, and those that turn against it.
 
     `one_force`, `one_couple`: m·r·ω² of one cylinder, and over one pitch, by which what is left is judged.
@@ -50,10 +50,10 @@ class Task:
         return based_on(abs(self.C), self.C)
 
 
-def task(shaft: CountershaftInputs, imbalance: ImbalanceResult) -> Task:
+def task(shaft: CountershaftInputs, imbalance: ImbalanceResult) -> ShaftTask:
     """The task of a shaft at `speed_ratio` times crank speed."""
     order = round(abs(shaft.speed_ratio))
     F_f, F_b, C_f, C_b = imbalance.orders[f"order_{order}"].vectors
     if shaft.speed_ratio < 0:
-        return Task(order, F_b, C_b, F_f, C_f, imbalance.one_force, imbalance.one_couple)
-    return Task(order, F_f, C_f, F_b, C_b, imbalance.one_force, imbalance.one_couple)
+        return ShaftTask(order, F_b, C_b, F_f, C_f, imbalance.one_force, imbalance.one_couple)
+    return ShaftTask(order, F_f, C_f, F_b, C_b, imbalance.one_force, imbalance.one_couple)

@@ -14,8 +14,8 @@ from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
 
-from .limits import LOCK_SECONDS
 from ..sheet.text import Text
+from .limits import LOCK_SECONDS
 
 if sys.platform != "win32":
     import fcntl
@@ -29,7 +29,7 @@ WAITS = getattr(os, "O_NONBLOCK", 0)  # else the opening of a pipe waits for its
 BINARY = getattr(os, "O_BINARY", 0)
 
 
-class Changed(OSError):
+class FileChanged(OSError):
     """Another program has changed the file since it was read."""
 
 
@@ -90,7 +90,7 @@ def write_file(
         if new and old is not None:
             raise FileExistsError(errno.EEXIST, os.strerror(errno.EEXIST))
         if expected is not None and old is not None and _differs(target, expected):
-            raise Changed(errno.EBUSY, Text("another program has changed it since it was read"))
+            raise FileChanged(errno.EBUSY, Text("another program has changed it since it was read"))
         _replace(target, data, old, backup)
     return Path(path)
 

@@ -9,9 +9,8 @@ from collections.abc import Iterable, Mapping
 from fnmatch import translate
 from functools import cache
 
-from ..sheet.check import Check
+from ..sheet.check import Check, pattern_of
 from ..sheet.quantity import Published
-from ..sheet.rules import pattern_of
 
 # The results on the first page: patterns of ids; of several values the one that is worst stands for all
 RESULTS: tuple[tuple[str, str], ...] = (

@@ -6,9 +6,9 @@ What was measured, and what the user accepted, nothing changes but the user.
 
 from collections.abc import Mapping
 
-from .addresses import Table, address, value_at
 from ..sheet.errors import BadInput
 from ..sheet.text import Text
+from .addresses import Table, address, value_at
 
 USUAL: Mapping[str, Text] = {"bearings.oil": Text("the oil is the engine's"), "friction.oil": Text("the oil is the engine's")}
 GIVEN = {"measured": Text("it was measured"), "accepted": Text("it is the user's word")}

@@ -4,21 +4,19 @@
 from collections.abc import Collection, Iterable, Mapping
 
 from ..bearings.inputs import BearingsInputs
-from ..bearings.materials.data import application_problem, applications, bush_problem, bushes
-from ..library.catalogue import Material, Oil, materials, oils
+from ..bearings.materials import application_problem, applications, bush_problem, bushes
 from ..countershaft.inputs import CountershaftInputs
-from .other_tables import FORMER, DocumentControl, control, said_twice
 from ..engine.inputs import EngineInputs
 from ..friction.inputs import FrictionInputs
 from ..gears.inputs import GearsInputs
 from ..imbalance.inputs import ImbalanceInputs
-from ..measured import Measured
+from ..library.catalogue import Material, Oil, materials, oils
 from ..mounting.inputs import MountingInputs
-from ..optimise.inputs import OptimiseInputs
+from ..sheet.check import is_limit
 from ..sheet.quantity import day, inputs, integer, keys, reasons, table, tables, text, unknown
-from ..sheet.rules import is_limit
 from ..sheet.step import Step
 from ..sheet.text import Amount, Text
+from .other_tables import FORMER, DocumentControl, Measured, OptimiseInputs, control, said_twice
 
 SCHEMA = 1
 

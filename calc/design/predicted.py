@@ -6,12 +6,12 @@ from dataclasses import is_dataclass, replace
 from functools import partial
 
 from ..bearings.inputs import BearingInputs
-from .model import Design
-from ..measured import Measured
 from ..sheet.later import Later
 from ..sheet.quantity import Published, keys
 from ..sheet.step import Outcome, Table
 from ..sheet.text import EMPTY, SPACE, Amount, Name, Text
+from .model import Design
+from .other_tables import Measured
 
 Values = dict[str, Published]
 COLUMNS = (

@@ -7,14 +7,14 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Protocol, TypedDict, TypeGuard
 
-from .addresses import Table, value_at, written
-from .toml_file import Document, design, read
-from .disk import bare_name
 from ..sheet.check import ORDER
 from ..sheet.errors import BadInput, InputError
 from ..sheet.number import short
 from ..sheet.text import Text
 from ..solve import Results, solve
+from .addresses import Table, value_at, written
+from .disk import bare_name
+from .toml_file import Document, design, read
 
 STEP = Text(
     'must be set = "KEY", to = VALUE, or unset = "KEY", or set = { "KEY" = VALUE, … } and unset = ["KEY", …] for several at once, '

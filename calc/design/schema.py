@@ -6,8 +6,8 @@ It says what one key alone may be; what several say together only `contralbero c
 
 from typing import Any
 
-from .model import Design
 from ..sheet.quantity import Quantity, keys
+from .model import Design
 
 DIALECT = "https://json-schema.org/draft-07/schema#"  # the one that the editors of TOML know
 

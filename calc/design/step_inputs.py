@@ -8,8 +8,7 @@ from ..bearings.inputs import BearingsInputs
 from ..bearings.result import BearingsResult
 from ..bearings.solve import BearingMaterials
 from ..countershaft.result import CountershaftResult
-from ..countershaft.stationary_load import Drive, Gear
-from .model import STEPS, Design
+from ..countershaft.supports import Gear, ShaftDrive
 from ..engine.inputs import EngineInputs
 from ..engine.result import EngineResult
 from ..friction.journals import OnShaft
@@ -17,14 +16,14 @@ from ..friction.result import FrictionResult
 from ..friction.solve import MeshOil
 from ..gears.inputs import GearsInputs
 from ..gears.layout.solve import ShaftInTrain
-from ..gears.rating.context import Surroundings
-from ..gears.rating.load import Irregularity, Power, Swing, firing_order
+from ..gears.rating.load import Irregularity, Power, Surroundings, Swing, firing_order
 from ..gears.result import TrainResult
 from ..gears.solve import NOT_RATED
 from ..library.lubricant import Lubricant
 from ..sheet.step import Outcome
 from ..sheet.text import Text
 from ..sheet.value import based_on
+from .model import STEPS, Design
 
 if TYPE_CHECKING:
     from ..mounting.drive import ShaftOnEngine
@@ -128,7 +127,7 @@ def on_shaft(design: Design, shaft: Outcome[CountershaftResult], journals: Outco
     return OnShaft(journals.result, shaft.result, design.countershaft, gear)
 
 
-def shaft_drive(design: Design, train: TrainResult | None, f: Outcome[FrictionResult]) -> Drive | None:
+def shaft_drive(design: Design, train: TrainResult | None, f: Outcome[FrictionResult]) -> ShaftDrive | None:
     """What drives the shaft's gear: the given power, else what the last mesh passes on in the closed balance."""
     if train is None or design.gears is None:
         return None
@@ -136,7 +135,7 @@ def shaft_drive(design: Design, train: TrainResult | None, f: Outcome[FrictionRe
     if power is None and f.result is not None:
         power = list(f.result.meshes.values())[-1].power_out
     speed = based_on(abs(turning := train.wheels[design.gears.meshes[-1].driven].speed), turning)
-    return Drive(power, speed) if power is not None and speed else None
+    return ShaftDrive(power, speed) if power is not None and speed else None
 
 
 def irregularity(design: Design, engine: Outcome[EngineResult], shaft: Outcome[CountershaftResult]) -> Irregularity | None:

@@ -3,12 +3,12 @@
 
 from collections.abc import Iterable, Iterator, Sequence
 
-from .addresses import join
-from .model import STEPS, Design
-from .names import called
 from ..sheet.quantity import Quantity, keys
 from ..sheet.record import record
 from ..sheet.text import EMPTY, SEMICOLON, Amount, Text, plural
+from .addresses import join
+from .model import STEPS, Design
+from .names import called
 
 KEYS = tuple(step.key for step in STEPS)
 SHOWN = 4

@@ -10,8 +10,10 @@ import math
 from collections.abc import Callable, Iterable
 from dataclasses import replace
 from functools import cached_property
-from typing import Literal
+from itertools import pairwise
+from typing import Literal, Protocol
 
+from ..sheet.check import Check
 from ..sheet.record import record
 from ..sheet.text import EMPTY, Text
 from ..sheet.units import Metre, Radian
@@ -187,3 +189,94 @@ def round_outline(centre: Point, radius: Metre, corners: int = 48) -> tuple[Poin
 def rectangle(left: Metre, bottom: Metre, right: Metre, top: Metre) -> tuple[Point, ...]:
     """Four corners, for a closed line or an area."""
     return (left, bottom), (right, bottom), (right, top), (left, top)
+
+
+# The layers of a drawing sheet: how wide the lines of each are, of which dashes, and in which colour of a CAD program.
+#
+# Line widths 0.5 and 0.25 mm are a line group of ISO 128-2; the frame's 0.7 mm is that of ISO 5457.  Dashes are millimetres on the paper,
+# above 0 drawn and below 0 left out.
+
+VISIBLE, EDGE, HIDDEN_EDGE, CENTRE, HATCH, DIMENSION = "VISIBLE", "EDGE", "HIDDEN", "CENTRE", "HATCH", "DIMENSION"
+CUT, TEXT, TABLE, FRAME = "CUT", "TEXT", "TABLE", "FRAME"
+
+
+@record
+class Layer:
+    """One layer.  `colour`: its number in the palette of DXF; on paper all are black."""
+
+    width: float  # mm
+    dashes: tuple[float, ...] = ()
+    colour: int = 7
+
+
+LAYERS = {
+    VISIBLE: Layer(0.5),
+    EDGE: Layer(0.25, (), 8),  # continuous and narrow: roots of teeth, hands of helices
+    HIDDEN_EDGE: Layer(0.25, (3.0, -0.75), 4),
+    CENTRE: Layer(0.25, (7.0, -1.0, 0.6, -1.0), 1),
+    HATCH: Layer(0.25, (), 9),
+    DIMENSION: Layer(0.25, (), 3),
+    CUT: Layer(0.5, (), 6),  # ends of cutting planes
+    TEXT: Layer(0.25),
+    TABLE: Layer(0.25, (), 8),
+    FRAME: Layer(0.7),
+}
+
+
+# The lines of a hatch: parallel, at 45°, and nowhere outside the outlines of what is cut.
+
+HALF = math.sqrt(0.5)
+
+
+def hatch_lines(hatch: Hatch) -> list[tuple[Point, Point]]:
+    """Every line from where it enters what is cut to where it leaves it; what lies in two outlines is not cut."""
+    turned = [[_turned(point, -1.0) for point in outline] for outline in hatch.outlines]
+    levels = [y for outline in turned for _, y in outline]
+    first, last = math.ceil(min(levels) / hatch.spacing), math.floor(max(levels) / hatch.spacing)
+    lines = []
+    for n in range(first, last + 1):
+        y = n * hatch.spacing
+        ends = sorted(x for outline in turned for x in _crossings(outline, y))
+        lines += [(_turned((a, y), 1.0), _turned((b, y), 1.0)) for a, b in zip(ends[::2], ends[1::2]) if b > a]
+    return lines
+
+
+def _turned(point: Point, sense: float) -> Point:
+    """A point about the origin by 45°, anticlockwise where `sense` is above 0."""
+    x, y = point
+    return HALF * (x - sense * y), HALF * (sense * x + y)
+
+
+def _crossings(outline: list[Point], level: float) -> list[float]:
+    """Where a closed outline crosses a level."""
+    return [
+        ax + (bx - ax) * (level - ay) / (by - ay)
+        for (ax, ay), (bx, by) in pairwise([*outline, outline[0]])
+        if (ay <= level) != (by <= level)
+    ]  # fmt: skip
+
+
+# What the sketches of several steps ask for: the verdict of a part, a round exaggeration, and the picture of what is not known yet.
+
+class Awaited(Protocol):
+    """The outcome of a step, solved or not."""
+
+    @property
+    def reason(self) -> Text: ...
+
+
+def judged(checks: Iterable[Check], *ids: str) -> State:
+    """The worst verdict of the checks with these ids, or whose ids go on after a dot."""
+    found = {c.verdict for c in checks if any(c.id == id or c.id.startswith(f"{id}.") for id in ids)}
+    return "fail" if "fail" in found else "warn" if "warn" in found else ""
+
+
+def awaited(outcome: Awaited) -> Sketch:
+    """No picture yet, and what it waits for."""
+    return Sketch(notes=(outcome.reason or Text("The picture waits for the results."),))
+
+
+def rounded(factor: float) -> float:
+    """The largest of 1, 1.5, 2, 3, 5, 7, 10, 15, … that is no more than this; as well below 1."""
+    decade = 10.0 ** math.floor(math.log10(factor))
+    return max((n * decade for n in (1, 1.5, 2, 3, 5, 7) if n * decade <= factor * (1 + 1e-9)), default=decade)

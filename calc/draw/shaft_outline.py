@@ -9,11 +9,11 @@ from itertools import pairwise
 
 import numpy as np
 
-from .drawing import Point, Polyline, Primitive
+from ..countershaft.outline import TOUCH, Outline, Piece
 from ..sheet.step import Curve, Series, axis_label
 from ..sheet.text import Text
 from ..sheet.units import UNITS, Metre, Radian
-from ..countershaft.outline import TOUCH, Outline, Piece
+from .drawing import Point, Polyline, Primitive
 
 LAYER_OF = {"sector": "SECTORS", "journal": "JOURNALS", "gear": "GEAR"}  # what a piece is → where its own shape stands
 LETTER = 0.01  # rule of this program: letters are a hundredth of the shaft's length high, and all distances multiples of that

@@ -5,21 +5,24 @@ Both look from front to rear, where a crank that turns as engines do turns clock
 """
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
-from .shaft_outline import FLAT
 from ..countershaft.outline import Piece
-from .drawing import Point
-from ..sheet.layers import CENTRE, VISIBLE
-from ..sheet.text import Text
+from ..countershaft.result import CountershaftResult
+from ..gears.result import TrainResult, WheelResult
+from ..sheet.text import COMMA, EMPTY, Text
 from ..sheet.units import Metre, Radian
-from ..drawing_sheet import signs
-from ..drawing_sheet.facts import Turned
-from .annotations import TITLE, Leaf
-from ..drawing_sheet.saying import Say, degrees, millimetres
+from ..solve import Results
+from . import annotations as signs
+from .annotations import TITLE, Leaf, Say, degrees, millimetres, number, rounded
+from .drawing import CENTRE, EDGE, VISIBLE, Point
+from .shaft_outline import FLAT, upwards
+from .sheet_data import PART_DRAWING, TurnedPiece, balance_rows, chosen, gear_rows, mass_rows, notes, shaft_wheel, tips, turned
+from .side_view import OVER, SideView
+from .workshop_sheet import COLUMNS, DrawnPart, WorkshopSheet, composed, tables
 
 CHORD = math.radians(2.0)  # of what is hatched
-OVER = 3.0
+OVER_OUTLINE = 3.0
 ASIDE = math.radians(40.0)  # of a radius from the middle of its sector
 WIDEST = math.radians(100.0)  # half of a sector that leaves room for its radii beside it
 BEHIND = 2.0  # from the end of an axis to the label of a radius
@@ -32,9 +35,9 @@ def on_sheet(angle: Radian, up: Radian) -> Radian:
     return math.pi / 2 - (angle - up)
 
 
-def kinds(pieces: list[Turned]) -> dict[str, Turned]:
+def kinds(pieces: list[TurnedPiece]) -> dict[str, TurnedPiece]:
     """The sectors that differ, each by the letter of its section."""
-    found: dict[tuple[float, ...], Turned] = {}
+    found: dict[tuple[float, ...], TurnedPiece] = {}
     for one in pieces:
         piece = one.piece
         if piece.half_angle is not None:
@@ -69,7 +72,7 @@ def section(letter: str, piece: Piece, up: Radian, scale: float, say: Say) -> Le
 def _sized(leaf: Leaf, R: float, r: float, middle: Radian, half: Radian, labels: tuple[str, str], say: Say) -> None:
     """Both radii and the angle; the radii on the side where the angle's arc is not, so of a wide sector the angle is that of its gap."""
     outer, core = labels
-    centre, back = (0.0, 0.0), R + OVER + BEHIND
+    centre, back = (0.0, 0.0), R + OVER_OUTLINE + BEHIND
     if half <= WIDEST:
         signs.angle(leaf, centre, R, R + OUT, middle - half, middle + half, say(degrees(2 * half)))
         signs.through(leaf, R, middle - min(ASIDE, half / 2), back, outer)
@@ -82,7 +85,7 @@ def _sized(leaf: Leaf, R: float, r: float, middle: Radian, half: Radian, labels:
             signs.through(leaf, r, middle + math.pi + (math.pi - half) / 2, back, core)
 
 
-def end_view(pieces: list[Turned], gear: Metre | None, up: Radian, scale: float) -> Leaf:
+def end_view(pieces: list[TurnedPiece], gear: Metre | None, up: Radian, scale: float) -> Leaf:
     """The shaft from its front end: of every piece what no other hides."""
     leaf, by = Leaf(), scale * 1e3
     turns = sorted({round(angle % TURN, 9) for one in pieces for angle in _ends(one.piece, up)} | {0.0})
@@ -114,7 +117,7 @@ def _ends(piece: Piece, up: Radian) -> Iterator[Radian]:
         yield from (middle - piece.half_angle, middle + piece.half_angle)
 
 
-def _radius(one: Turned, at: Radian, up: Radian) -> Metre:
+def _radius(one: TurnedPiece, at: Radian, up: Radian) -> Metre:
     piece = one.piece
     if piece.half_angle is None:
         return one.radius
@@ -124,7 +127,7 @@ def _radius(one: Turned, at: Radian, up: Radian) -> Metre:
 
 def _cross(leaf: Leaf, radius: float) -> None:
     for way in ((1.0, 0.0), (0.0, 1.0)):
-        reach = radius + OVER
+        reach = radius + OVER_OUTLINE
         leaf.line(CENTRE, (-reach * way[0], -reach * way[1]), (reach * way[0], reach * way[1]))
 
 
@@ -135,3 +138,118 @@ def _arc(radius: float, start: Radian, end: Radian) -> list[Point]:
 
 def _polar(radius: float, angle: Radian) -> Point:
     return radius * math.cos(angle), radius * math.sin(angle)
+
+
+# The sheet of the counter-shaft.
+
+MASS_COLUMNS = (32.0, 18.0, 20.0, 20.0, 22.0)
+APART = 8.0  # one view from another
+
+
+def shaft_sheet(results: Results, say: Say = str, data: Mapping[str, object] | None = None) -> WorkshopSheet | None:
+    """The drawing of the counter-shaft; None where its outline is not known.  `data`: of the design's file, for what it leaves out."""
+    solved, shaft = results.result(CountershaftResult), results.design.countershaft
+    if solved is None or shaft is None or solved.outline is None:
+        return None
+    mass = say(Text("{m} kg", m=number(solved.mass, 2))) if solved.mass is not None else ""
+    wheel = shaft_wheel(results)
+    beside = tables((
+        (say(Text("Gear data: {name}", name=wheel.name)) if wheel else EMPTY, gear_rows(results, wheel, say) if wheel else [], COLUMNS),
+        (say(Text("Balancing")), balance_rows(results, solved, say), COLUMNS),
+        (say(Text("Eccentric masses, cylinder 1 at TDC")), mass_rows(results, solved, say), MASS_COLUMNS),
+    ))  # fmt: skip
+    return composed(
+        DrawnPart(title=results.design.name, material=shaft.material, mass=mass), lambda scale: _shaft_views(results, solved, scale, say), beside,
+        notes(results, solved, upwards(solved.outline), data), results.design.control, say, PART_DRAWING,
+    )  # fmt: skip
+
+
+def _shaft_views(results: Results, solved: CountershaftResult, scale: float, say: Say) -> Leaf:
+    """The side view with the end view to its right, and the sections in rows below them."""
+    assert solved.outline is not None and results.design.countershaft is not None
+    up, pieces, wheel = upwards(solved.outline), turned(results, solved), shaft_wheel(results)
+    gear = wheel.reference_diameter if wheel is not None else None
+    cut = kinds(pieces)
+    views = Leaf()
+    side = SideView(pieces, results.design.countershaft.bearing_positions, up, scale, say)
+    views.add(side.draw({letter: (one.start + one.end) / 2 for letter, one in cut.items()}, gear))
+    end = end_view(pieces, gear, up, scale)
+    views.add(end, side.right + APART + OVER - end.extent[0], 0.0)
+    left, y, right, _ = views.extent
+    x, lowest = left, y
+    for letter, one in cut.items():
+        leaf = section(letter, one.piece, up, scale, say)
+        box = leaf.extent
+        under = scale * 1e3 * (one.start + one.end) / 2  # its cutting plane, if there is room
+        at = min(max(x - box[0], under), max(right - box[2], x - box[0]))
+        if at + box[2] > right + APART and x > left:
+            x, y = left, lowest
+            at = x - box[0]
+        views.add(leaf, at, y - APART - box[3])
+        x, lowest = at + box[2] + APART, min(lowest, y - APART - box[3] + box[1])
+    return views
+
+
+# The sheets of the wheels of a train, as ISO 2203 draws gears: cut along the axis, the teeth not cut, and seen from the front.
+
+OVER_WHEEL = 4.0  # an axis beyond what it is the axis of
+LINE, NEXT = 10.0, 9.0  # from the view to its first dimension, and on to the next
+WHEEL_VIEWS_APART = 14.0
+
+
+def wheel_sheets(results: Results, say: Say = str, data: Mapping[str, object] | None = None) -> list[WorkshopSheet]:
+    """A sheet for each wheel; none where the train is not solved."""
+    train, gears = results.result(TrainResult), results.design.gears
+    if train is None or gears is None:
+        return []
+    bores = {one.name: one.bore_diameter for one in gears.wheels}
+    return [
+        composed(
+            DrawnPart(title=f"{results.design.name}: {wheel.name}", material=wheel.material, sheet=f"{n}/{len(train.wheels)}"),
+            lambda scale, wheel=wheel: _wheel_views(wheel, bores[wheel.name], scale, say),  # type: ignore[misc]
+            tables([(say(Text("Gear data: {name}", name=wheel.name)), gear_rows(results, wheel, say), COLUMNS)]),
+            _notes(bores[wheel.name], data), results.design.control, say, PART_DRAWING,
+        )
+        for n, wheel in enumerate(train.wheels.values(), 1)
+    ]  # fmt: skip
+
+
+def _wheel_views(wheel: WheelResult, bore: Metre | None, scale: float, say: Say) -> Leaf:
+    """The section to the left, its dimensions around it, the front view to the right."""
+    leaf, by = Leaf(), scale * 1e3
+    b, tip, root, pitch = (
+        by * wheel.face_width,
+        by * wheel.tip_diameter / 2,
+        by * wheel.root_diameter / 2,
+        by * wheel.reference_diameter / 2,
+    )
+    inner = by * bore / 2 if bore is not None else 0.0
+    leaf.box(VISIBLE, 0.0, -tip, b, tip)
+    for sign in (1.0, -1.0):
+        leaf.line(VISIBLE, (0.0, sign * root), (b, sign * root))
+        leaf.line(CENTRE, (-OVER_WHEEL / 2, sign * pitch), (b + OVER_WHEEL / 2, sign * pitch))
+        if inner:
+            leaf.line(VISIBLE, (0.0, sign * inner), (b, sign * inner))
+            leaf.hatch([(0.0, sign * inner), (b, sign * inner), (b, sign * root), (0.0, sign * root)])
+    if not inner:
+        leaf.hatch([(0.0, -root), (b, -root), (b, root), (0.0, root)])
+    leaf.line(CENTRE, (-OVER_WHEEL, 0.0), (b + OVER_WHEEL, 0.0))
+    leaf.dimension((0.0, -tip), (b, -tip), -tip - LINE, say(Text("{size}", size=rounded(wheel.face_width))))
+    if bore is not None:
+        leaf.dimension((0.0, -inner), (0.0, inner), -LINE, say(Text("⌀{diameter}", diameter=millimetres(bore))), upright=True)
+    leaf.dimension((0.0, -tip), (0.0, tip), -LINE - NEXT * bool(inner), say(tips(wheel)), upright=True)
+    x = b + WHEEL_VIEWS_APART + tip
+    for radius, layer in ((tip, VISIBLE), (pitch, CENTRE), (root, EDGE), (inner, VISIBLE)):
+        if radius:
+            leaf.arc(layer, (x, 0.0), radius)
+    leaf.line(CENTRE, (x - tip - OVER_WHEEL, 0.0), (x + tip + OVER_WHEEL, 0.0))
+    leaf.line(CENTRE, (x, -tip - OVER_WHEEL), (x, tip + OVER_WHEEL))
+    return leaf
+
+
+def _notes(bore: Metre | None, data: Mapping[str, object] | None) -> Iterator[Text]:
+    yield Text("Dimensions in mm. Teeth by the table; the diameter of the tips as drawn.")
+    yield from chosen(data, "gears")
+    lacking = [Text("bore and hub") if bore is None else Text("fit of the bore, hub")]
+    lacking += [Text("heat treatment"), Text("general and geometrical tolerances"), Text("roughness elsewhere"), Text("chamfers")]
+    yield Text("Not given by the design: {what}.", what=COMMA.join(lacking))

@@ -6,8 +6,8 @@ import math
 from ..sheet.check import Check, check
 from ..sheet.text import Text
 from ..sheet.value import based_on
+from .crank import DUST, TURN
 from .cycle import WIDE, widest_gap
-from .firing import DUST, TURN
 from .inputs import CRANK_RATIO, EngineInputs
 from .result import EngineResult, TorqueResult
 

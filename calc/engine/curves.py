@@ -6,8 +6,8 @@ import numpy as np
 from ..sheet.arrays import Array, each, many
 from ..sheet.step import Curve, Series, axis_label
 from ..sheet.text import Text
-from ..sheet.trace import untraced
 from ..sheet.units import Kilogram, Metre, Newton, Number, RadPerSecond
+from ..sheet.value import untraced
 from . import formulas as f
 
 ANGLE = axis_label("crank angle α", "°")

@@ -11,10 +11,10 @@ import math
 
 import numpy as np
 
-from ..sheet.abreast import design_by_design
 from ..sheet.arrays import Array, each, many
 from ..sheet.formula import formula
 from ..sheet.functions import asin, cos, joined, pi, power
+from ..sheet.lanes import design_by_design
 from ..sheet.record import record
 from ..sheet.text import Text
 from ..sheet.units import Kilogram, Metre, Newton, NewtonMetre, Number, Pascal, Radian, RadPerSecond

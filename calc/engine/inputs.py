@@ -1,13 +1,116 @@
 # SPDX-License-Identifier: Apache-2.0
 """What an engine is described by."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
+from math import pi
 
 from ..sheet.quantity import THUMB, choice, inputs, integer, integers, keys, quantity, series, table, tables, text
 from ..sheet.text import Amount, Text
 from .gas import GasInputs, cycle_problems
-from .throw_inputs import ThrowInputs
-from .torque_inputs import TorquePoint, diagram_problems
+
+# What a crank throw is described by.
+
+@inputs
+class ThrowInputs:
+    """One throw of the crank between its two main journals; all throws have the same.  Pin and journals are solid and round."""
+
+    pin_diameter: float = quantity(
+        "Crankpin diameter",
+        "mm",
+        above=0,
+        high=1000,
+        symbol="d_p",
+        usual=(20, 120),
+        source=THUMB,
+        help="Diameter of the crankpin, solid and round.",
+    )
+    pin_length: float = quantity(
+        "Crankpin length",
+        "mm",
+        above=0,
+        high=1000,
+        symbol="l_p",
+        usual=(12, 90),
+        source=THUMB,
+        help="Length of the crankpin between the webs.",
+    )
+    journal_diameter: float = quantity(
+        "Main journal diameter",
+        "mm",
+        above=0,
+        high=1000,
+        symbol="d_j",
+        usual=(20, 140),
+        source=THUMB,
+        help="Diameter of the main journals, solid and round.",
+    )
+    journal_length: float = quantity(
+        "Main journal length",
+        "mm",
+        above=0,
+        high=1000,
+        symbol="l_j",
+        usual=(12, 90),
+        source=THUMB,
+        help="Length of a main journal between the webs of two throws.",
+    )
+    web_thickness: float = quantity(
+        "Web thickness",
+        "mm",
+        above=0,
+        high=1000,
+        symbol="t_w",
+        usual=(6, 60),
+        source=THUMB,
+        help="Thickness of a web along the crank axis.",
+    )
+    fillet_radius: float | None = quantity(
+        "Fillet radius", "mm", default=None, above=0, high=500, symbol="rho", usual=(1, 8), source=THUMB,
+        help="Radius from pin and journal to the web. Left out: no notch stress.",
+    )  # fmt: skip
+    material: str = text("Material", help="A name from the table of materials or from [[material]]; its proof stress is the limit.")
+
+
+# A torque over the crank angle that is given as a diagram, in place of the gas.
+
+FEWEST_ROWS = 3
+SAME_ANGLE = 1e-9  # rad
+
+
+@inputs
+class TorquePoint:
+    """One row of a torque diagram."""
+
+    angle: float = quantity("Crank angle", "°", low=-1440, high=1440, symbol="epsilon", help="After the firing of cylinder 1.")
+    torque: float = quantity("Torque", "N·m", low=-1e9, high=1e9, symbol="T", help="Of the whole engine on its crank, + in its sense.")
+
+
+def diagram_problems(rows: tuple[TorquePoint, ...], period: float | None, strokes: int, gas: bool) -> Iterator[tuple[str, Text]]:
+    """What is wrong with a torque diagram, with keys of [engine]."""
+    if not rows:
+        if period is not None:
+            yield "torque_period_deg", Text("belongs to a torque diagram, [[engine.torque]]; leave it out")
+        return
+    if gas:
+        yield "torque", Text("the gas gives the torque already: leave out [[engine.torque]] or [engine.gas]")
+    if len(rows) < FEWEST_ROWS:
+        yield "torque", Text("has {count} rows; needs at least {fewest} over its period", count=len(rows), fewest=FEWEST_ROWS)
+    length = period if period is not None else strokes * pi
+    shown = Amount(length / pi * 180, form="g")
+    for i, row in enumerate(rows):
+        if i and row.angle <= rows[i - 1].angle:
+            yield (
+                f"torque.{i}.angle_deg",
+                Text("must be above that of the row before; a jump takes two rows, a hundredth of a degree apart"),
+            )
+    if rows[-1].angle - rows[0].angle > length + SAME_ANGLE:
+        yield f"torque.{len(rows) - 1}.angle_deg", Text("lies more than the period of {length}° behind the first row", length=shown)
+    elif abs(rows[-1].angle - rows[0].angle - length) <= SAME_ANGLE and rows[-1].torque != rows[0].torque:
+        yield (
+            f"torque.{len(rows) - 1}.torque_Nm",
+            Text("must be that of the first row, {length}° before it: the diagram closes", length=shown),
+        )
+
 
 CRANK_RATIO = (0.22, 0.30)  # usual λ; Finotti 2013, 2.1, and the mechanics textbook, 48.3.3; Finotti 2013, 2.2.4, has 0.2 to 0.3
 

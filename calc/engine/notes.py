@@ -4,7 +4,7 @@
 import math
 
 from ..sheet.text import Amount, Text
-from .firing import Firing
+from .crank import Firing
 from .inputs import EngineInputs
 from .result import EngineResult
 

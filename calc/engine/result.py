@@ -2,15 +2,28 @@
 """What the engine gives: masses, kinematics and harmonics, the torque about its crank, the stresses of a throw."""
 
 from ..sheet.quantity import Stated, group, result, value
-from ..sheet.units import CubicMetre, Kilogram, Metre, MetrePerSecond, MetrePerSecond2, Newton, NewtonMetre, Number, Pascal, Radian, RadPerSecond, Watt  # fmt: skip
+from ..sheet.units import (  # fmt: skip
+    CubicMetre,
+    Kilogram,
+    Metre,
+    MetrePerSecond,
+    MetrePerSecond2,
+    Newton,
+    NewtonMetre,
+    Number,
+    Pascal,
+    Radian,
+    RadPerSecond,
+    Watt,
+)
 from .crank import Crank
 from .cycle import Cycle
-from .masses import Unlike
-from .throw_fatigue import ThrowFatigue
+from .formulas import Unlike
+from .throw_strength import ThrowFatigue
 
 
 @result
-class Section:
+class CrankSection:
     """Moments and stresses of one section of the throw."""
 
     bending_moment: NewtonMetre = value("Bending moment", "N·m", "M")
@@ -42,8 +55,8 @@ class Position(Rod):
     reaction_front: Newton = value("Reaction of the front main journal", "N", "R_f")
     reaction_rear: Newton = value("Reaction of the rear main journal", "N", "R_r")
     torque_in_front: NewtonMetre = value("Torque from the throws in front", "N·m", "T_v")
-    pin: Section = group()
-    journal: Section = group()
+    pin: CrankSection = group()
+    journal: CrankSection = group()
 
 
 @result

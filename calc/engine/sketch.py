@@ -7,13 +7,27 @@ The crank turns clockwise, cylinder 1 stands at its TDC.  In the row the second 
 import math
 from collections.abc import Iterable, Iterator
 
-from ..draw.drawing import AXIS, CONTEXT, DIMENSIONS, OUTLINE, WORDS, Arc, Area, Dimension, Mark, Point, Polyline, Sketch, Words, rectangle  # fmt: skip
+from ..draw.drawing import (  # fmt: skip
+    AXIS,
+    CONTEXT,
+    DIMENSIONS,
+    OUTLINE,
+    WORDS,
+    Arc,
+    Area,
+    Dimension,
+    Mark,
+    Point,
+    Polyline,
+    Sketch,
+    Words,
+    rectangle,
+)
 from ..sheet.record import record
 from ..sheet.step import Designed, Solved
 from ..sheet.text import Amount, Name, Text
 from ..sheet.units import Metre, Radian
-from .crank import Crank, crank, firing
-from .firing import Firing
+from .crank import Crank, Firing, crank, firing
 from .inputs import EngineInputs
 
 BORE, RADIUS, ROD, PITCH = "engine.bore_mm", "engine.crank_radius_mm", "engine.rod_length_mm", "engine.cylinder_pitch_mm"

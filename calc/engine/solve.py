@@ -16,17 +16,15 @@ from ..sheet.linked_array import elements, gathered
 from ..sheet.quantity import Described, Stated
 from ..sheet.step import Curve, Outcome, Table
 from ..sheet.text import Text
-from ..sheet.trace import about, trace
 from ..sheet.units import Number, PhasorNumber, Radian
-from ..sheet.value import based_on
+from ..sheet.value import about, based_on, trace
 from . import curves as train
 from . import formulas as f
 from . import torque
 from .checks import checks
-from .crank import column, crank, firing, pin_of_cylinder
-from .firing import Firing
+from .crank import Firing, column, crank, firing, pin_of_cylinder
+from .formulas import Unlike, alone, masses
 from .inputs import EngineInputs
-from .masses import Unlike, alone, masses
 from .notes import notes
 from .result import Cylinder, EngineResult, ThrowResult, TorqueResult
 
@@ -206,11 +204,11 @@ def _given_torque(
     engine: EngineInputs, e: EngineResult, turning: TorqueResult, turned: Curve, note: Text
 ) -> tuple[TorqueResult, tuple[Curve, ...], tuple[Text, ...]]:
     """What a torque diagram gives, beside the torque of the inertia forces and its figure."""
-    from . import torque_diagram
+    from . import torque as torque_diagram
 
     cycle = based_on(engine.strokes * np.pi, engine.strokes)
     period = engine.torque_period if engine.torque_period is not None else cycle
-    found, curve, repeats = torque_diagram.solve(engine.torque, period, e.angular_speed, engine.flywheel_inertia)
+    found, curve, repeats = torque_diagram.solve_diagram(engine.torque, period, e.angular_speed, engine.flywheel_inertia)
     return replace(turning, **found), (curve, replace(turned, id=TURNED)), (note, repeats)
 
 

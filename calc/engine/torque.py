@@ -8,7 +8,7 @@ Cylinder k then stands ε − f_k after its own firing, which is the same as α_
 
 import math
 from dataclasses import replace
-from typing import overload
+from typing import TypedDict, overload
 
 import numpy as np
 
@@ -16,21 +16,58 @@ from ..sheet.arrays import Array, ComplexArray, each, many, phasors
 from ..sheet.formula import formula
 from ..sheet.functions import cis, modulus, pi, resultant
 from ..sheet.later import Later, Many
-from ..sheet.linked_array import elements, item
+from ..sheet.linked_array import elements, gathered, item
 from ..sheet.quantity import Described, Stated
 from ..sheet.step import Curve, Series, axis_label
-from ..sheet.text import Text
-from ..sheet.trace import about, untraced
-from ..sheet.units import CubicMetre, KilogramMetre2, Metre, Newton, NewtonMetre, Number, Pascal, PhasorNewtonMetre, Radian
-from ..sheet.value import based_on
+from ..sheet.text import Amount, Text
+from ..sheet.units import (
+    CubicMetre,
+    KilogramMetre2,
+    Metre,
+    Newton,
+    NewtonMetre,
+    Number,
+    Pascal,
+    PhasorNewtonMetre,
+    Radian,
+    RadPerSecond,
+    Watt,
+)
+from ..sheet.value import about, based_on, untraced
 from . import cycle as c
 from . import formulas as f
-from .charge import prepare
 from .cycle import TURN, Cycle
 from .gas import GasInputs
-from .inputs import EngineInputs
+from .inputs import EngineInputs, TorquePoint
 from .result import EngineResult, TorqueResult
-from .torque_formulas import amount, highest, indicated_power, lowest, speed_irregularity
+from .throw import prepare
+
+# What a torque over the crank angle gives, whether of the gas or of a diagram.
+
+@formula("T_hi", "mathematics: largest of the points of the cycle, its corners among them", shows="largest T(ε)")
+def highest(T: NewtonMetre) -> NewtonMetre:
+    return float(many(T).max())
+
+
+@formula("T_lo", "mathematics: smallest of the points of the cycle, its corners among them", shows="smallest T(ε)")
+def lowest(T: NewtonMetre) -> NewtonMetre:
+    return float(many(T).min())
+
+
+@formula("|T|", "mathematics: amount of the torque at the crank angle where it is largest")
+def amount(T: NewtonMetre) -> NewtonMetre:
+    return modulus(T)
+
+
+@formula("P_i", "definition of power", unit="kW")
+def indicated_power(T_m: NewtonMetre, omega: RadPerSecond) -> Watt:
+    return T_m * omega
+
+
+@formula("δ_s", "dynamics: speed irregularity (ω_max − ω_min)/ω_m of a flywheel, ΔE = J·ω²·δ_s")
+def speed_irregularity(Delta_E: NewtonMetre, J: KilogramMetre2, omega: RadPerSecond) -> Number:
+    return Delta_E / (J * omega**2)
+
 
 ORDERS = 8
 POINTS = 720  # over a turn, for the inertia torque
@@ -314,3 +351,76 @@ def _curves(engine: EngineInputs, e: EngineResult, firing: Array, cycle: Cycle, 
         (Series(Text("p"), degrees, p / 1e5),),
     )
     return torque, pressure
+
+
+# What a torque diagram gives: mean, extremes and fluctuation of the energy; straight lines between its rows, closed over its period.
+
+AREA = Text("mathematics: area of the torque diagram over its period, straight lines between its rows")
+
+
+class OfDiagram(TypedDict):
+    """What the diagram gives of a `TorqueResult`."""
+
+    torque_peak: NewtonMetre
+    torque_peak_angle: Radian
+    mean_torque: NewtonMetre
+    indicated_power: Watt
+    energy_fluctuation: NewtonMetre
+    torque_highest: NewtonMetre
+    torque_lowest: NewtonMetre
+    speed_irregularity: Number | None
+
+
+@formula("T_m", AREA, shows="∮T dε over the period")
+def mean(angles: Radian, T: NewtonMetre, period: Radian) -> NewtonMetre:
+    epsilon, torque = closed(angles, T, period)
+    return float(np.sum((torque[1:] + torque[:-1]) * np.diff(epsilon)) / 2 / period)
+
+
+@formula("ΔE", AREA, shows="max − min over the period of ∫(T − T_m)dε, which is largest and smallest where T passes T_m")
+def fluctuation(angles: Radian, T: NewtonMetre, T_m: NewtonMetre, period: Radian) -> NewtonMetre:
+    epsilon, torque = closed(angles, T, period)
+    over = torque - T_m
+    passes = np.flatnonzero(over[:-1] * over[1:] < 0)
+    at = epsilon[passes] + (epsilon[passes + 1] - epsilon[passes]) * over[passes] / (over[passes] - over[passes + 1])
+    order = np.argsort(np.append(epsilon, at), kind="stable")
+    x, y = np.append(epsilon, at)[order], np.append(over, np.zeros(at.size))[order]
+    energy = np.append(0.0, np.cumsum((y[1:] + y[:-1]) * np.diff(x) / 2))
+    return float(energy.max() - energy.min())
+
+
+@formula("ε_max", "mathematics: row of the torque diagram with the largest amount of torque", shows="its crank angle")
+def place(epsilon: Radian) -> Radian:
+    return epsilon
+
+
+def closed(angles: Radian, T: NewtonMetre, period: Radian) -> tuple[Array, Array]:
+    """The rows over one whole period, the first once more at its end."""
+    epsilon, torque = np.asarray(angles), np.asarray(T)
+    if period - (epsilon[-1] - epsilon[0]) > 1e-9:
+        return np.append(epsilon, epsilon[0] + period), np.append(torque, torque[0])
+    return epsilon, torque
+
+
+def solve_diagram(rows: tuple[TorquePoint, ...], period: Radian, omega: RadPerSecond, J: KilogramMetre2 | None) -> tuple[OfDiagram, Curve, Text]:
+    """Values, figure and note of a torque diagram; `J`: of the flywheel."""
+    angles = each(gathered(row.angle for row in rows))
+    T = each(gathered(row.torque for row in rows))
+    T_m = mean(angles=angles, T=T, period=period)
+    Delta_E = fluctuation(angles=angles, T=T, T_m=T_m, period=period)
+    T_highest, T_lowest = highest(T=T), lowest(T=T)
+    largest = int(np.argmax(np.abs(np.asarray(T))))
+    found = OfDiagram(
+        torque_peak=amount(T=rows[largest].torque), torque_peak_angle=place(epsilon=rows[largest].angle),
+        mean_torque=T_m, indicated_power=indicated_power(T_m=T_m, omega=omega), energy_fluctuation=Delta_E,
+        torque_highest=T_highest, torque_lowest=T_lowest,
+        speed_irregularity=None if J is None else speed_irregularity(Delta_E=Delta_E, J=J, omega=omega),
+    )  # fmt: skip
+    epsilon, torque = closed(angles, T, period)
+    curve = Curve(
+        "torque", Text("Torque about the crank as given"), axis_label("crank angle after the firing of cylinder 1", "°"),
+        axis_label("T", "N·m"), (Series(Text("total"), np.degrees(epsilon), torque),), limits=((Text("mean"), T_m),),
+    )  # fmt: skip
+    repeats = Text("The torque is that of the diagram as given, of gas and inertia together, which repeats every {length}°.",
+        length=Amount(math.degrees(period), form="g"))  # fmt: skip
+    return found, curve, repeats

@@ -13,17 +13,16 @@ from ..sheet.later import Later
 from ..sheet.remedy import by_key
 from ..sheet.step import Erratum, Outcome
 from ..sheet.text import EMPTY, SEMICOLON, Amount, Text
-from ..sheet.trace import Line
 from ..sheet.units import Watt
+from ..sheet.value import Line
 from . import curves, notes
-from .balance.closure import Drive
+from .balance import TrainDrive
 from .inputs import FrictionInputs
 from .mesh.film import ELLIPTICAL, LEAST_FACTOR, Oil
-from .mesh.loss import solve_mesh
-from .mesh.loss_formulas import loss_factor
+from .mesh.loss import loss_factor, solve_mesh
 from .mesh.mixed import THESIS
 from .mesh.path import array, line_load
-from .models.compared import MODELS, factor_apart
+from .models import MODELS, factor_apart
 from .result import FrictionResult, MeshResult, by_regime
 
 OWN = Text("rule of this program")
@@ -33,7 +32,7 @@ HOT_TEETH = 150.0  # °C
 APART = 1.3  # between the loss that is judged and a published model inside its range
 
 
-def outcome(d: Drive, result: FrictionResult, lines: list[Line]) -> Outcome[FrictionResult]:
+def outcome(d: TrainDrive, result: FrictionResult, lines: list[Line]) -> Outcome[FrictionResult]:
     """A closed balance with its checks, curves, errata and notes."""
     friction = d.friction
     return Outcome(

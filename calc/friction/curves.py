@@ -7,24 +7,24 @@ from dataclasses import replace
 
 import numpy as np
 
-from ..library import oils
 from ..bearings.inputs import IN_WORDS
+from ..library import oils
 from ..sheet.arrays import each
 from ..sheet.errors import NoSolution
 from ..sheet.functions import pi
 from ..sheet.step import Curve, Series, Table, axis_label
 from ..sheet.text import EMPTY, Amount, Text
-from .balance.closure import Drive
+from . import models as compared
+from .balance import TrainDrive
 from .mesh.loss import solve_mesh
 from .mesh.mixed import MIXED
-from .mesh.motion import motion
+from .mesh.path import motion
 from .mesh.traction import eyring_stress, roelands_index, slope_under_pressure
-from .models import compared
 from .result import FrictionResult, MeshResult, by_regime
 
 
 # --- tables ----------------------------------------------------------------------------------------------------------------
-def tables(result: FrictionResult, d: Drive) -> tuple[Table, ...]:
+def tables(result: FrictionResult, d: TrainDrive) -> tuple[Table, ...]:
     """Where the power goes; the models of every mesh; what is known of the oil."""
     models = (
         compared.table(name, mesh.case.mesh.title, by_regime(mesh), mesh.source, mesh.ohlendorf_loss_factor, mesh.published_models)
@@ -67,7 +67,7 @@ def _parts(r: FrictionResult) -> list[tuple[Text, float]]:
 
 
 # --- curves ----------------------------------------------------------------------------------------------------------------
-def curves(result: FrictionResult, d: Drive) -> tuple[Curve, ...]:
+def curves(result: FrictionResult, d: TrainDrive) -> tuple[Curve, ...]:
     names, powers = zip(*_parts(result))
     labels = Text(", ").join(f"{i} {name}" for i, name in enumerate(names, 1))
     places = np.arange(1.0, len(names) + 1)
@@ -150,7 +150,7 @@ def _stribeck(name: str, mesh: MeshResult) -> Iterator[Curve]:
     yield Curve(f"{name}.stribeck", title, over, Text("μ_m"), (line, own))
 
 
-def _shear(d: Drive) -> Curve:
+def _shear(d: TrainDrive) -> Curve:
     """What shear the oil bears: its limit, and the stress from which it thins, at some temperatures."""
     s, oil, p = next(iter(d.cases.values())).rubbing(d.friction.film == "judged"), d.oil, np.linspace(0.1e9, 2.0e9, 39)
     lines = [Series(Text("limit Λ·p"), p * 1e-9, oil.Lambda * p * 1e-6)]

@@ -11,19 +11,19 @@ from typing import NamedTuple
 import numpy as np
 
 from ..bearings.inputs import IN_TITLES, IN_WORDS
+from ..bearings.loads import SECOND_ORDER, Response, answered, response
 from ..bearings.result import BearingsResult
-from ..bearings.rotating_load import SECOND_ORDER, Response, answered, response
 from ..bearings.speeds import TURNING
 from ..countershaft.inputs import CountershaftInputs
 from ..countershaft.result import CountershaftResult, Standing
-from ..countershaft.stationary_load import Drive as GearDrive
-from ..countershaft.stationary_load import Gear, standing_of
+from ..countershaft.supports import Gear, standing_of
+from ..countershaft.supports import ShaftDrive as GearDrive
 from ..library.lubricant import Lubricant
 from ..sheet.arrays import BoolArray, each, many
 from ..sheet.formula import formula
 from ..sheet.text import Amount, Text
-from ..sheet.trace import about, untraced
 from ..sheet.units import Celsius, Newton, RevPerSecond, Watt
+from ..sheet.value import about, untraced
 from .result import JournalResult
 
 

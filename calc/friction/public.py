@@ -3,15 +3,14 @@
 
 import numpy as np
 
-from ..library.catalogue import Oil, materials, oils
 from ..gears.result import TrainResult
+from ..library.catalogue import Oil, materials, oils
 from ..library.lubricant import Lubricant
 from ..sheet.units import Celsius, Metre, RevPerSecond, Watt
 from .inputs import FrictionInputs
 from .mesh.film import oil_at
-from .mesh.loss import MeshLoss, case, solve_mesh
-from .mesh.many import losses
-from .models.regressions import schlenk
+from .mesh.loss import MeshLoss, case, losses, solve_mesh
+from .models import schlenk
 from .solve import meshes_of
 
 __all__ = ["schlenk", "solve_loss"]

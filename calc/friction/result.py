@@ -9,9 +9,8 @@ from ..sheet.quantity import group, result, value
 from ..sheet.text import EMPTY, Text
 from ..sheet.units import Celsius, Kelvin, Newton, NewtonMetre, Number, PascalSecond, RevPerSecond, Watt
 from .losses.wheels import WheelResult
-from .mesh.loss import Case, MeshLoss
-from .models.compared import MODELS
-from .models.regressions import Regression
+from .mesh.loss import MeshCase, MeshLoss
+from .models import MODELS, Regression
 
 KilogramPerSecond = Annotated[float, "kg/s"]
 KilogramPerJoule = Annotated[float, "kg/J"]
@@ -53,7 +52,7 @@ class MeshResult:
     xu_kahraman: Regression | None = group()
     benedict_kelley: Regression = group()
     model_spread: Number | None = value("Largest loss of all models over the smallest", "", "P_max/P_min")
-    case: Case
+    case: MeshCase
 
     @property
     def published_models(self) -> dict[str, Regression | None]:

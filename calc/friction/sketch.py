@@ -5,9 +5,8 @@ import math
 from collections.abc import Iterator
 
 from ..bearings.inputs import IN_WORDS
-from ..draw.drawing import OUTLINE, WORDS, Area, Mark, Point, Polyline, Sketch, State, Words
+from ..draw.drawing import OUTLINE, WORDS, Area, Mark, Point, Polyline, Sketch, State, Words, awaited, judged
 from ..sheet.record import record
-from ..sheet.sketching import awaited, judged
 from ..sheet.step import Designed, Solved
 from ..sheet.text import Amount, Name, Text
 from ..sheet.units import Number, Watt

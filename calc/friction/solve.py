@@ -8,20 +8,18 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..library.catalogue import Material, Oil
 from ..gears.inputs import GearsInputs
 from ..gears.layout.forces import axis_forces
 from ..gears.result import TrainResult
+from ..library.catalogue import Material, Oil
 from ..library.lubricant import Lubricant
-from ..sheet.finite import finite
 from ..sheet.later import Later
-from ..sheet.step import Curve, Further, Outcome, Table
+from ..sheet.step import Curve, Further, Outcome, Table, finite
 from ..sheet.text import Text
-from ..sheet.trace import about, trace, untraced
 from ..sheet.units import Celsius, Metre, Newton, RevPerSecond, Watt
-from ..sheet.value import based_on
+from ..sheet.value import about, based_on, trace, untraced
 from . import checks, curves
-from .balance.closure import Drive, Forces, balance, drive
+from .balance import Forces, TrainDrive, balance, drive
 from .inputs import FrictionInputs
 from .journals import OnShaft, journals_of
 from .mesh.geometry import MeshGeometry, WheelGeometry
@@ -104,7 +102,7 @@ def solve(
     )  # fmt: skip
 
 
-def closed(d: Drive, power: Watt | None = None) -> Outcome[FrictionResult]:
+def closed(d: TrainDrive, power: Watt | None = None) -> Outcome[FrictionResult]:
     """The closed balance of a train, and what is to be said about it.
 
     `power`: what the first driver puts into its mesh, where no counter-shaft says what is needed.
@@ -125,7 +123,7 @@ def with_rated_power(outcome: Outcome[FrictionResult], P_e: Watt | None) -> Outc
     return replace(outcome, result=replace(outcome.result, engine_share=share), lines=(*outcome.lines, *lines))
 
 
-def further(d: Drive, result: FrictionResult, power: Watt | None, on: OnShaft | None) -> Further:
+def further(d: TrainDrive, result: FrictionResult, power: Watt | None, on: OnShaft | None) -> Further:
     """Maps, sensitivity and scenarios: what is asked for when it is shown."""
     from .studies import maps, scenarios
 
@@ -139,7 +137,7 @@ def further(d: Drive, result: FrictionResult, power: Watt | None, on: OnShaft | 
         )  # fmt: skip
 
 
-def _open_constants(d: Drive, result: FrictionResult, power: Watt | None) -> tuple[Curve, Table]:
+def _open_constants(d: TrainDrive, result: FrictionResult, power: Watt | None) -> tuple[Curve, Table]:
     from .studies import sensitivity
 
     with QUIET(), untraced():

@@ -9,14 +9,12 @@ from ..sheet.remedy import Change, Remedy, change, remedy
 from ..sheet.text import Amount, Text
 from ..sheet.units import Metre, Number
 from . import practice as p
-from .backlash.backlash import way_to
+from .backlash.case import way_to
 from .backlash.checks import freed
 from .formulas import ISO
-from .inputs import GearsInputs
-from .measures.checks import contact_checks
-from .mesh_inputs import Mesh
+from .inputs import GearsInputs, Mesh, Wheel
+from .measures.solve import contact_checks
 from .result import MeshResult, ToothSystem, TrainResult, WheelResult
-from .wheel_inputs import Wheel
 
 SAME_RATIO = 1e-9
 DUST = 1e-12

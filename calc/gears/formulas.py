@@ -10,10 +10,10 @@ import math
 
 import numpy as np
 
-from ..sheet.abreast import point_by_point
 from ..sheet.arrays import Array, each, has_lanes, many
 from ..sheet.formula import formula
 from ..sheet.functions import acos, asin, atan, cos, inv, joined, largest, pi, sin, sqrt, tan
+from ..sheet.lanes import point_by_point
 from ..sheet.text import Text
 from ..sheet.units import Metre, Number, Radian, RevPerSecond
 

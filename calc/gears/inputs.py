@@ -6,11 +6,136 @@ Axes of positions: the first is up, the second 90° further in the sense of cran
 
 import math
 from collections.abc import Iterable
+from typing import ClassVar
 
 from ..sheet.quantity import THUMB, choice, inputs, integer, keys, quantity, series, tables, text
 from ..sheet.text import Text
-from .mesh_inputs import Contributor, Mesh
-from .wheel_inputs import Wheel
+
+# What a wheel of the train is described by: its teeth, their allowances, what was measured on them, its body and material.
+
+INTERNAL = Text(
+    "internal gears are not computed: contact, interference, the form of the root and its strength are those of two external wheels here; "
+    "external wheels have 5 teeth or more and a positive centre distance"
+)
+
+REFUSED = dict.fromkeys(("internal", "internal_teeth", "ring", "ring_gear", "annulus"), INTERNAL)  # keys that others have for them
+
+
+@inputs
+class Wheel:
+    """One wheel of the train."""
+
+    REFUSED: ClassVar[dict[str, Text]] = REFUSED
+
+    name: str = text("Name")
+    teeth: int = integer("Teeth", low=5, high=1000, symbol="z", usual=(17, 100), source=THUMB, negative=INTERNAL,
+        help="Number of teeth; few of them are undercut.")  # fmt: skip
+    profile_shift: float | None = quantity("Profile shift coefficient", default=None, low=-3, high=3, symbol="x", step=0.01,
+        usual=(-0.5, 1), source=THUMB, help="In modules. Left out: by centre distance, like wheel, or 0.")  # fmt: skip
+    tip_shortening: float = quantity("Tip cut (radial)", "mm", default=0.0, low=0, high=50, symbol="k", source="Finotti 2013, 4.5.1",
+        help="Off the tip radius; eases the mate's dedendum.")  # fmt: skip
+    face_width: float | None = quantity("Face width", "mm", default=None, low=0.1, high=2000, symbol="b",
+        help="Width of this wheel. Left out: that of the train.")  # fmt: skip
+    hand: str | None = choice("Hand of the helix", "left", "right", default=None,
+        help="Hands alternate. Left out: the first driver is right-handed.")  # fmt: skip
+    material: str = text("Material", default="steel", help="By which it yields and expands.")
+    span_teeth: int | None = integer("Teeth spanned", default=None, low=1, high=200, symbol="K", source="ISO 21771",
+        help="Teeth over which the span is measured. Left out: the best number.")  # fmt: skip
+    span_allowance: tuple[float, ...] | None = series("Allowance of the span", "µm", default=None, count=(2, 2), low=-5000, high=5000,
+        symbol="E_W", usual=(-50, -20), source="Finotti 2013, 4.5.1", help="[upper, lower] of W: −20, −30 shaved, −40, −50 hobbed."
+    )  # fmt: skip
+    tip_diameter_tolerance: tuple[float, ...] | None = series("Tolerance of the tip diameter", "µm", default=None, count=(2, 2), low=-5000,
+        high=5000, usual=(-100, 0), source="Finotti 2013, 4.5.2", help="[upper, lower] of the tip diameter.")  # fmt: skip
+    root_diameter_tolerance: tuple[float, ...] | None = series("Tolerance of the root diameter", "µm", default=None, count=(2, 2),
+        low=-5000, high=5000, usual=(-300, 0), source="Finotti 2013, 4.5.2", help="[upper, lower], beside the span's allowance."
+    )  # fmt: skip
+    runout: float | None = quantity("Runout of the teeth", "µm", default=None, low=0, high=2000, symbol="F_r", usual=(5, 80), source=THUMB,
+        help="Over a turn; half of it to each side of the centre.")  # fmt: skip
+    measured_span: float | None = quantity("Measured span", "mm", default=None, above=0, high=5000, symbol="W", source="ISO 21771",
+        help="Over the teeth spanned; gives the tooth that was made.")  # fmt: skip
+    measured_over_balls: float | None = quantity("Measured size over balls", "mm", default=None, above=0, high=10000, symbol="M_dK",
+        source="ISO 21771", help="Over two balls of gears.ball_diameter_mm; gives the tooth that was made.")  # fmt: skip
+    measured_over_pins: float | None = quantity("Measured size over pins", "mm", default=None, above=0, high=10000, symbol="M_dR",
+        source="ISO 21771", help="Between faces parallel to the axis: two opposite pins, of an odd helical wheel three.")  # fmt: skip
+    measured_chordal_thickness: float | None = quantity("Measured chordal thickness", "mm", default=None, above=0, high=500, symbol="s_c",
+        source="ISO 21771", help="Normal, at the height above the chord.")  # fmt: skip
+    position: tuple[float, ...] | None = series("Position of its axis", "mm", default=None, count=(2, 2), low=-5000, high=5000,
+        help="[up, side] from the crank's axis, side: 90° on in the sense of crank rotation. Left out: from two neighbours, if it can be."
+    )  # fmt: skip
+    bore_diameter: float | None = quantity("Bore", "mm", default=None, above=0, high=2000, symbol="d_i",
+        help="Diameter of the bore of the body, for its inertia. Left out: a solid disc.")  # fmt: skip
+    rim_thickness: float | None = quantity("Rim thickness", "mm", default=None, above=0, high=500, symbol="s_R", source="ISO 6336-3",
+        help="Below the root circle; from 1.2 tooth depths on it costs no strength. Left out: a solid body.")  # fmt: skip
+    gear_material: str | None = text("Strength class", default=None,
+        help="A row of the table of ISO 6336-5; left out: case-hardened steel, and said so.")  # fmt: skip
+    quality: str = choice("Material quality", "ML", "MQ", "ME", default="MQ", help="Of ISO 6336-5.")
+    hardness: float | None = quantity("Surface hardness", "HV", default=None, above=0, high=1200, symbol="HV", usual=(115, 900),
+        source="ISO 6336-5:2016, Table 1", help="For classes whose strength depends on it.")  # fmt: skip
+
+    def problems(self) -> Iterable[tuple[str, Text]]:
+        for key, limits in (
+            ("span_allowance_um", self.span_allowance), ("tip_diameter_tolerance_um", self.tip_diameter_tolerance),
+            ("root_diameter_tolerance_um", self.root_diameter_tolerance),
+        ):  # fmt: skip
+            if limits is not None and len(limits) == 2 and limits[0] < limits[1]:
+                yield key, Text("is [upper, lower]: the first must not be below the second")
+
+
+# What a mesh is described by: its two wheels, their centre distance, and the parts that make its tolerance.
+
+@inputs
+class Contributor:
+    """One part of the chain between two centres."""
+
+    name: str = text("Name")
+    field: float = quantity("Field", "mm", low=0, high=10, symbol="T", usual=(0.01, 0.1), source=THUMB,
+        help="Its whole width, as on the drawing.")  # fmt: skip
+    kind: str = choice("Kind", "position", "fit", "runout", "radial", default="position",
+        help="position: diameter of its zone. fit: largest clearance, diametral. runout: over a turn. radial: whole width of a shift."
+    )  # fmt: skip
+
+
+@inputs
+class Mesh:
+    """Two wheels in mesh."""
+
+    REFUSED: ClassVar[dict[str, Text]] = REFUSED
+
+    driver: str = text("Driver", help="The wheel nearer to the crank.")
+    driven: str = text("Driven", help="The wheel that it drives.")
+    centre_distance: float | None = quantity("Centre distance", "mm", default=None, above=0, high=5000, symbol="a_w", source="ISO 21771",
+        negative=INTERNAL, help="Distance of the two axes. Left out: without backlash, from the profile shifts.")  # fmt: skip
+    tolerance: float | None = quantity("Tolerance of the centre distance (±)", "µm", default=None, low=0, high=5000, symbol="T_a",
+        usual=(10, 100), source=THUMB, help="Half the field, to either side.")  # fmt: skip
+    contributors: tuple[float, ...] | None = series("Contributors to the tolerance", "mm", default=None, low=0, high=10, usual=(0.01, 0.1),
+        source=THUMB, help="Fields of the parts; half their root of squares.")  # fmt: skip
+    support_share: float | None = quantity("Share of the support", default=None, low=0, high=1, symbol="lambda_S",
+        help="Share of the distance that gears.support_material spans; the housing spans the rest.")  # fmt: skip
+    mesh_misalignment: float | None = quantity("Mesh misalignment by manufacture", "µm", default=None, low=0, high=500, symbol="f_ma",
+        usual=(0, 30), source=THUMB, help="Over the face width. Left out: by the accuracy grade.")  # fmt: skip
+    shaft_deflection: float | None = quantity("Misalignment by bending", "µm", default=None, low=0, high=500, symbol="f_sh", usual=(0, 30),
+        source=THUMB, help="Over the face width. Left out: none.")  # fmt: skip
+    stack: tuple[Contributor, ...] = tables("Parts between the centres", Contributor, default=(),
+        help="Each with its kind: worst case, root of squares and by chance, side by side.")  # fmt: skip
+
+    @property
+    def key(self) -> str:
+        """What its values are called by."""
+        return f"{self.driver}_{self.driven}"
+
+    @property
+    def title(self) -> str:
+        """What it is called in sentences."""
+        return f"{self.driver}–{self.driven}"
+
+    def problems(self) -> Iterable[tuple[str, Text]]:
+        if self.tolerance is not None and self.contributors is not None:
+            yield "contributors_mm", Text("give either tolerance_um or contributors_mm")
+        if self.contributors is not None and self.stack:
+            yield "stack", Text("give either contributors_mm or stack")
+        if self.driver == self.driven:
+            yield "driven", Text("a wheel can not drive itself")
+
 
 __all__ = ["Contributor", "GearsInputs", "Mesh", "Neighbour", "Wall", "Wheel"]
 

@@ -3,16 +3,14 @@
 
 from ..sheet.errors import NoSolution
 from ..sheet.text import Text
-from ..sheet.trace import about
 from ..sheet.units import Metre, Number, Radian
+from ..sheet.value import about
 from . import formulas as f
-from .backlash.backlash import backlash
-from .backlash.case import centre_tolerance
+from .backlash.case import backlash, centre_tolerance
 from .backlash.formulas import narrowest, widest
 from .inputs import Mesh
-from .practice import above_fillet
+from .practice import above_fillet, mm
 from .result import MeshResult, ToothSystem, WheelResult
-from .words import mm
 
 
 def solve_mesh(system: ToothSystem, mesh: Mesh, place: str, a_w: Metre, driver: WheelResult, driven: WheelResult) -> MeshResult:

@@ -8,7 +8,8 @@ import numpy as np
 
 from ..sheet.arrays import each, one
 from ..sheet.formula import formula
-from ..sheet.text import Text
+from ..sheet.number import DIGITS
+from ..sheet.text import Amount, Text
 from ..sheet.units import Metre
 
 PRACTICE = Text("rule of this program after the practice of gear handbooks, from memory")
@@ -30,3 +31,13 @@ def above_fillet(d_b: Metre, T: Metre, rho_a: Metre, d_Ff: Metre) -> Metre:
     rho = T - rho_a
     reach = np.where(rho > 0, np.hypot(d_b / 2, rho), d_b / 2 + rho) - d_Ff / 2
     return each(reach) if np.ndim(rho) else one(reach)
+
+
+# Words that several sentences of the gear train share.
+
+EXTREME = Text("module, face width, power or speed are far outside what the formulas are for: give usual ones")
+
+
+def mm(length: Metre, form: str = "", *, digits: int = DIGITS) -> Amount:
+    """In millimetres, which the sentence names behind it."""
+    return Amount(length * 1000.0, form=form, digits=digits)

@@ -6,14 +6,32 @@ Up is up from the crank's axis, the crank turns clockwise.  Where the places of 
 
 from collections.abc import Iterable, Iterator, Mapping
 
+from ..draw.drawing import (  # fmt: skip
+    AXIS,
+    CONTEXT,
+    DIMENSIONS,
+    HIDDEN,
+    OUTLINE,
+    WORDS,
+    Arc,
+    Area,
+    Mark,
+    Point,
+    Polyline,
+    Sketch,
+    State,
+    Words,
+    awaited,
+    judged,
+    round_outline,
+    rounded,
+)
 from ..sheet.check import Check
-from ..draw.drawing import AXIS, CONTEXT, DIMENSIONS, HIDDEN, OUTLINE, WORDS, Arc, Area, Mark, Point, Polyline, Sketch, State, Words, round_outline  # fmt: skip
 from ..sheet.errors import NoSolution
-from ..sheet.sketching import awaited, judged, rounded
 from ..sheet.step import Designed, Solved
 from ..sheet.text import Amount, Name, Text
-from ..sheet.trace import untraced
 from ..sheet.units import Metre, Number
+from ..sheet.value import untraced
 from .curves import pitch_point_view
 from .inputs import GearsInputs
 from .measures.formulas import generating_shift

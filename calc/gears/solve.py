@@ -8,17 +8,16 @@ import math
 from collections.abc import Callable, Mapping
 from dataclasses import replace
 
-from ..library.catalogue import Material
 from ..engine.inputs import EngineInputs
+from ..library.catalogue import Material
 from ..sheet.check import Check, check
-from ..sheet.finite import finite
 from ..sheet.later import Later
 from ..sheet.record import record
-from ..sheet.step import Outcome, Table
+from ..sheet.step import Outcome, Table, finite
 from ..sheet.text import Text
-from ..sheet.trace import about, trace
 from ..sheet.units import NewtonMetre, Number, RevPerSecond
-from .backlash.backlash import backlash_at_shaft
+from ..sheet.value import about, trace
+from .backlash.case import backlash_at_shaft
 from .backlash.formulas import residual_couple as _couple_of_phase_error
 from .backlash.solve import play, with_couple
 from .checks import checks, speed_ratio
@@ -29,15 +28,15 @@ from .layout.solve import ShaftInTrain, layout
 from .measures.solve import measures
 from .notes import errata, notes
 from .pair import solve_mesh
-from .profile.checks import checks as profile_checks
-from .profile.checks import notes as profile_notes
+from .practice import EXTREME
+from .profile.meshing import checks as profile_checks
+from .profile.meshing import notes as profile_notes
 from .profile.meshing import penetrations
 from .rating.result import RatingResult
 from .rating.solve import rating
 from .result import TrainResult, working_circles
 from .train import settle, speeds, tooth_system
 from .wheel import solve_wheel
-from .words import EXTREME
 
 __all__ = ["geometry", "merge", "not_rated", "rating", "residual_couple", "with_residual_couple", "with_speed_ratio"]
 

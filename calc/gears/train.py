@@ -7,14 +7,13 @@ without backlash.  Where both shifts and the distance are given, they make the b
 
 from ..sheet.errors import NoSolution
 from ..sheet.text import Amount, Text
-from ..sheet.trace import about, untraced
 from ..sheet.units import Metre, Number, RevPerSecond
-from ..sheet.value import based_on
+from ..sheet.value import about, based_on, untraced
 from . import formulas as f
 from .inputs import GearsInputs, Mesh, Wheel
+from .practice import mm
 from .profile.cut import tool_problem
 from .result import ToothSystem
-from .words import mm
 
 MOST_SHIFT = 6  # rule of this program: a distance that asks for more is wrong, or the teeth are
 CONTRADICTION = 1e-3  # two given shifts that differ by no more from those without backlash are meant to have none

@@ -2,22 +2,28 @@
 """One wheel, once its shift is known: circles, thicknesses, and the sizes for its drawing."""
 
 import math
+from collections.abc import Mapping
+from dataclasses import replace
 
+from ..library.catalogue import Material
 from ..sheet.errors import NoSolution
+from ..sheet.formula import formula
+from ..sheet.functions import pi
 from ..sheet.quantity import Described, Stated
 from ..sheet.record import record
+from ..sheet.step import Outcome
 from ..sheet.text import Amount, Text
-from ..sheet.trace import about, untraced
-from ..sheet.units import Metre, Number, Radian
-from ..sheet.value import based_on
+from ..sheet.units import Kilogram, KilogramPerMetre3, Metre, Number, Radian
+from ..sheet.value import about, based_on, trace, untraced
 from . import formulas as f
 from .inputs import GearsInputs, Wheel
 from .measures import formulas as m
-from .measures.balls import preferred_ball, seat
+from .measures.formulas import preferred_ball, seat
 from .measures.result import Seat
+from .practice import mm
 from .profile.cut import Cut, form_diameter_of_undercut
-from .result import End, ToothSystem, WheelResult
-from .words import mm
+from .rating.influence import inner_diameter
+from .result import End, ToothSystem, TrainResult, WheelResult
 
 
 @record
@@ -192,3 +198,27 @@ def _must_stay_a_tooth(bare: _Bare, E_W: Metre, s_t: Metre, d_f: Metre, d_Ff: Me
     if at_form >= math.pi * d_Ff / bare.wheel.teeth:
         filled = Text("{place}: the teeth fill their spaces at the form circle ({d_ff} mm)", place=place, d_ff=form)
         raise NoSolution(filled, advice=advice)
+
+
+# The bodies of the wheels: what each weighs.
+
+@formula("m_W", "geometry: disc of the reference diameter, open inside its rim or its bore")
+def wheel_mass(rho: KilogramPerMetre3, b: Metre, d: Metre, d_i: Metre) -> Kilogram:
+    """>>> wheel_mass(rho=7860, b=0.015, d=0.054, d_i=0.0)
+    0.27001...
+    """
+    return pi / 4 * rho * b * (d**2 - d_i**2)
+
+
+def with_masses(outcome: Outcome[TrainResult], gears: GearsInputs, materials: Mapping[str, Material]) -> Outcome[TrainResult]:
+    """The same outcome with the mass of each wheel."""
+    train = outcome.solution
+    wheels = {}
+    with trace() as lines:
+        for own in gears.wheels:
+            wheel = train.wheels[own.name]
+            with about(Text("wheel {name}, mass", name=own.name)):
+                inside = inner_diameter(wheel.root_diameter, own.bore_diameter, own.rim_thickness)
+                m = wheel_mass(rho=materials[wheel.material].density, b=wheel.face_width, d=wheel.reference_diameter, d_i=inside)
+            wheels[own.name] = replace(wheel, mass=m)
+    return replace(outcome, result=replace(train, wheels=wheels), lines=(*outcome.lines, *lines))

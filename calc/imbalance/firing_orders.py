@@ -16,8 +16,8 @@ from ..sheet.errors import NoSolution
 from ..sheet.record import record
 from ..sheet.step import Table
 from ..sheet.text import SPACE, Name, Text, plural
-from ..sheet.trace import untraced
 from ..sheet.units import Newton, NewtonMetre
+from ..sheet.value import untraced
 from .inputs import ImbalanceInputs
 from .orders import Order, order
 from .unlike_cylinders import harmonics

@@ -9,7 +9,20 @@ angle of throw 1 at that moment, c_n the harmonics of a/(ω² r).
 from ..sheet.formula import formula
 from ..sheet.functions import argument, cis, conj, joined, modulus, pi, resultant, sin
 from ..sheet.text import Text
-from ..sheet.units import Kilogram, KilogramMetre, KilogramMetre2, Metre, Newton, NewtonMetre, Number, PhasorNewton, PhasorNewtonMetre, PhasorNumber, Radian, RadPerSecond  # fmt: skip
+from ..sheet.units import (  # fmt: skip
+    Kilogram,
+    KilogramMetre,
+    KilogramMetre2,
+    Metre,
+    Newton,
+    NewtonMetre,
+    Number,
+    PhasorNewton,
+    PhasorNewtonMetre,
+    PhasorNumber,
+    Radian,
+    RadPerSecond,
+)
 
 VECTORS = Text("Finotti 2013, 2.2.3 and 2.3.3")  # there of the first two orders; here of any order, throws and banks
 

@@ -7,11 +7,11 @@ from ..engine.inputs import EngineInputs
 from ..sheet.step import Erratum
 from ..sheet.text import Text
 from . import formulas as f
-from .drilling import UNDRILLED
 from .inputs import ImbalanceInputs
 from .result import ImbalanceResult
 from .shaft_pair import roll_notes
 from .throws import verdict
+from .webs import UNDRILLED
 
 MIDDLE = Text(
     "Couples are taken about the middle of the engine; where a force is left as well, they hold about that "

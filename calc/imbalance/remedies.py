@@ -15,9 +15,23 @@ from ..sheet.formula import formula
 from ..sheet.functions import argument, cis, joined, modulus, resultant
 from ..sheet.quantity import group, result, value
 from ..sheet.text import Amount, Text
-from ..sheet.trace import about
-from ..sheet.units import Kilogram, KilogramMetre, KilogramMetre2, Metre, Newton, NewtonMetre, Number, PhasorKilogramMetre, PhasorKilogramMetre2, PhasorMetre, PhasorNewton, PhasorNewtonMetre, Radian, RadPerSecond  # fmt: skip
-from ..sheet.value import based_on
+from ..sheet.units import (  # fmt: skip
+    Kilogram,
+    KilogramMetre,
+    KilogramMetre2,
+    Metre,
+    Newton,
+    NewtonMetre,
+    Number,
+    PhasorKilogramMetre,
+    PhasorKilogramMetre2,
+    PhasorMetre,
+    PhasorNewton,
+    PhasorNewtonMetre,
+    Radian,
+    RadPerSecond,
+)
+from ..sheet.value import about, based_on
 from . import unlike_cylinders as u
 from .inputs import ImbalanceInputs
 
@@ -141,7 +155,7 @@ class BalanceShaft:
 
 
 @result
-class Remedy:
+class BalancingRemedy:
     """One remedy: its share on the crank, its shafts, and the peaks of force and couple that it leaves."""
 
     title: str
@@ -170,7 +184,7 @@ NONE: Vectors = (0j, 0j, 0j, 0j)
 def remedies(
     omega: RadPerSecond, kappa: Number, first: Vectors, second: Vectors, whole: tuple[complex, complex],
     one_force: Newton, one_couple: NewtonMetre, axis: complex | None,
-) -> dict[str, Remedy]:  # fmt: skip
+) -> dict[str, BalancingRemedy]:  # fmt: skip
     """Every remedy that has something to take.
 
     `first` and `second` are the vectors F⁺ F⁻ C⁺ C⁻ of the engine whose rotating masses alone are balanced; `whole` force and couple
@@ -201,12 +215,12 @@ def remedies(
     at_one: Vectors = (forward_F, backward_F, forward_C, backward_C)
     at_two: Vectors = (plus_F, minus_F, plus_C, minus_C)
 
-    def remedy(title: Text, share: Number, one: Vectors, two: Vectors, **shafts: BalanceShaft | None) -> Remedy:
+    def remedy(title: Text, share: Number, one: Vectors, two: Vectors, **shafts: BalanceShaft | None) -> BalancingRemedy:
         left_f, left_c = joined(F_f, share * whole[0]), joined(C_f, share * whole[1])  # the crank acts on what turns forward only
         left_f, left_c = based_on(left_f, F_f, share, whole[0]), based_on(left_c, C_f, share, whole[1])
         with about(title):
             single = one[1] if shafts.get("backward") and not shafts.get("forward") and np.any(one[1]) else None
-            return Remedy(
+            return BalancingRemedy(
                 title=title,
                 crank_balance_fraction=share,
                 shafts={name: found for name, found in shafts.items() if found},

@@ -4,7 +4,7 @@
 from ..sheet.quantity import group, result, value
 from ..sheet.units import KilogramMetre, KilogramMetre2, Newton, NewtonMetre, Radian
 from .orders import Order
-from .remedies import Counterweight, Remedy
+from .remedies import BalancingRemedy, Counterweight
 from .shaft_pair import ShaftPair
 from .throws import Throws
 from .webs import WebsResult
@@ -25,7 +25,7 @@ class ImbalanceResult:
     mistiming_force_per_tooth: Newton | None = value("Force left per tooth of mistiming at the shaft's wheel", "N", default=None)
     mistiming_per_degree: NewtonMetre = value("Couple left per degree of mistiming", "N·m")
     mistiming_per_tooth: NewtonMetre | None = value("Couple left per tooth of mistiming at the shaft's wheel", "N·m", default=None)
-    remedy: dict[str, Remedy] = group()
+    remedy: dict[str, BalancingRemedy] = group()
     shaft_pair: ShaftPair | None = group(default=None)
     counterweight: dict[str, Counterweight] | None = group(default=None)
     throw: Throws = group()

@@ -15,11 +15,10 @@ from ..sheet.functions import argument, conj, imag, joined, modulus
 from ..sheet.quantity import result, value
 from ..sheet.step import Table
 from ..sheet.text import Text
-from ..sheet.trace import about
 from ..sheet.units import Metre, Newton, NewtonMetre, PhasorMetre, PhasorNewton, PhasorNewtonMetre, Radian, RadPerSecond
-from ..sheet.value import based_on
+from ..sheet.value import about, based_on
 from .inputs import ImbalanceInputs
-from .remedies import BalanceShaft, Remedy, supplied_force
+from .remedies import BalanceShaft, BalancingRemedy, supplied_force
 
 PAIRS = {1: ("first_order_pair", "forward", "backward"), 2: ("second_order_shafts", "forward_2", "backward_2")}
 
@@ -95,7 +94,7 @@ class ShaftPair:
     height_difference_of_least_roll: Metre | None = value("Height difference of the least roll", "mm", "Δh_0", default=None)
 
 
-def shaft_pair(imbalance: ImbalanceInputs, e: EngineResult, remedy: dict[str, Remedy]) -> ShaftPair | None:
+def shaft_pair(imbalance: ImbalanceInputs, e: EngineResult, remedy: dict[str, BalancingRemedy]) -> ShaftPair | None:
     """The pair against the order asked for, at the places given; None where none is given, or where the pair carries no force."""
     forward, backward, n = imbalance.forward_shaft_axis, imbalance.backward_shaft_axis, imbalance.shaft_pair_order
     name, *sides = PAIRS[n]
@@ -156,7 +155,7 @@ def roll_notes(imbalance: ImbalanceInputs, pair: ShaftPair | None) -> tuple[Text
     return without, reaction
 
 
-def pair_table(pair: ShaftPair, n: int, remedy: dict[str, Remedy]) -> Table:
+def pair_table(pair: ShaftPair, n: int, remedy: dict[str, BalancingRemedy]) -> Table:
     """The pair: its forces, and what is left of force and roll."""
     whole = remedy[PAIRS[n][0]]
     best = pair.height_difference_of_least_roll

@@ -26,7 +26,7 @@ SHAFT, LEFT = Text("the shaft {peak}"), Text("left {peak}")
 
 
 @record
-class Pair:
+class VectorPair:
     """Two vectors of one order, one turning with the crank and one against it."""
 
     order: int
@@ -51,7 +51,7 @@ def sketch(design: Designed, results: Solved, angle: Radian = 0.0) -> Sketch:
         order = result.orders.get(f"order_{n}")
         for kind, _, _, at in KINDS if order is not None else ():
             assert order is not None
-            bare, crank = Pair(n, *order.unbalanced[at : at + 2]), Pair(n, *order.vectors[at : at + 2])
+            bare, crank = VectorPair(n, *order.unbalanced[at : at + 2]), VectorPair(n, *order.vectors[at : at + 2])
             if bare.peak > DRAWN * (result.one_couple if kind == "couple" else result.one_force):
                 marks = tuple(_picture(bare, crank, *_shaft(design, results, kind, n), angle))
                 pictures.append(Sketch(marks, turning=True, title=Text(TITLES[kind].template, n=n)))
@@ -62,7 +62,7 @@ def sketch(design: Designed, results: Solved, angle: Radian = 0.0) -> Sketch:
     return Sketch(first.primitives, (turned,), turning=True, title=first.title, beside=tuple(others))
 
 
-def _shaft(design: Designed, results: Solved, kind: str, order: int) -> tuple[Pair | None, State]:
+def _shaft(design: Designed, results: Solved, kind: str, order: int) -> tuple[VectorPair | None, State]:
     """What the counter-shaft supplies of an order, if it turns like it, and the verdict of what it leaves."""
     from ..countershaft import formulas as f
     from ..countershaft.result import CountershaftResult
@@ -78,19 +78,19 @@ def _shaft(design: Designed, results: Solved, kind: str, order: int) -> tuple[Pa
     forward, backward = (supplied, mirrored) if shaft.speed_ratio > 0 else (mirrored, supplied)
     id = "countershaft.residual" if kind == "couple" else "countershaft.residual_force"
     verdict = next((check.verdict for check in outcome.checks if check.id == id), "")
-    return Pair(order, forward, backward), "fail" if verdict == "fail" else "warn" if verdict == "warn" else ""
+    return VectorPair(order, forward, backward), "fail" if verdict == "fail" else "warn" if verdict == "warn" else ""
 
 
-def _picture(bare: Pair, crank: Pair, shaft: Pair | None, state: State, angle: Radian) -> Iterator[Mark]:
+def _picture(bare: VectorPair, crank: VectorPair, shaft: VectorPair | None, state: State, angle: Radian) -> Iterator[Mark]:
     """Loci and vectors around the origin, and what they are on their right."""
     reach = max(bare.peak, crank.peak)
     for x, y in ((0.05, 0.0), (0.0, 0.05)):
         yield Polyline(CONTEXT, ((-x * reach, -y * reach), (x * reach, y * reach)))
-    shown: list[tuple[Pair, str, Text, str, State]] = [(bare, CONTEXT, BARE, "", "")]
+    shown: list[tuple[VectorPair, str, Text, str, State]] = [(bare, CONTEXT, BARE, "", "")]
     if abs(bare.forward - crank.forward) > POINT * bare.peak:
         shown.append((crank, HIDDEN if shaft is not None else OUTLINE, CRANK, SHARE, ""))
     if shaft is not None:
-        left = Pair(crank.order, crank.forward + shaft.forward, crank.backward + shaft.backward)
+        left = VectorPair(crank.order, crank.forward + shaft.forward, crank.backward + shaft.backward)
         shown += [(shaft, OUTLINE, SHAFT, "countershaft", ""), (left, OUTLINE, LEFT, "", state)]
     paths = [[_point(pair.at(2 * math.pi * k / CORNERS / pair.order)) for k in range(CORNERS)] for pair, *_ in shown]
     right = max(0.3 * reach, *(x for path in paths for x, _ in path)) + 0.1 * reach

@@ -15,9 +15,8 @@ from ..sheet.arrays import each
 from ..sheet.later import Later
 from ..sheet.step import Outcome, Table
 from ..sheet.text import Text
-from ..sheet.trace import about, trace, untraced
 from ..sheet.units import KilogramMetre, Newton, Radian, RadPerSecond
-from ..sheet.value import based_on
+from ..sheet.value import about, based_on, trace, untraced
 from . import formulas as f
 from . import unlike_cylinders as u
 from .checks import checks, proposals

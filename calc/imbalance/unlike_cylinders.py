@@ -12,7 +12,18 @@ from ..engine.result import EngineResult
 from ..sheet.formula import formula
 from ..sheet.functions import cis, conj, resultant
 from ..sheet.text import Text
-from ..sheet.units import Kilogram, Metre, Number, PhasorKilogramMetre, PhasorKilogramMetre2, PhasorNewton, PhasorNewtonMetre, PhasorNumber, Radian, RadPerSecond  # fmt: skip
+from ..sheet.units import (  # fmt: skip
+    Kilogram,
+    Metre,
+    Number,
+    PhasorKilogramMetre,
+    PhasorKilogramMetre2,
+    PhasorNewton,
+    PhasorNewtonMetre,
+    PhasorNumber,
+    Radian,
+    RadPerSecond,
+)
 from ..sheet.value import based_on
 
 VECTORS = Text("Finotti 2013, 2.2.3 and 2.4")  # here for any order, throws, banks, masses and radii

@@ -202,7 +202,7 @@ def rows_of(file: str, cls: type, only: str = "") -> dict[str, object]:
     return {row["name"]: _row(cls, row) for row in tomllib.loads(text)["row"]}
 
 
-class Rows(Mapping[str, T]):
+class CatalogueRows(Mapping[str, T]):
     """The rows of one kind of a table by their names, each read when it is asked for.  A row begins with its name."""
 
     def __init__(self, file: str, kind: str, cls: type[T]) -> None:
@@ -259,27 +259,27 @@ def _named_by(key: Link, row: Any) -> Any:  # the cache knows no type of its own
 
 
 @cache
-def shipped_oils() -> Rows[Oil]:
+def shipped_oils() -> CatalogueRows[Oil]:
     """The oils of the table."""
-    return Rows("oils.toml", "row", Oil)
+    return CatalogueRows("oils.toml", "row", Oil)
 
 
 @cache
-def shipped_materials() -> Rows[Material]:
+def shipped_materials() -> CatalogueRows[Material]:
     """The materials of the table."""
-    return Rows("materials.toml", "row", Material)
+    return CatalogueRows("materials.toml", "row", Material)
 
 
 @cache
 def base_stocks() -> Mapping[str, BaseStock]:
     """The base stocks of the table of oils."""
-    return ByName(Rows("oils.toml", "base", BaseStock))
+    return ByName(CatalogueRows("oils.toml", "base", BaseStock))
 
 
 @cache
 def grades() -> tuple[Grade, ...]:
     """The SAE grades, from thin to thick."""
-    return tuple(Rows("oils.toml", "grade", Grade).values())
+    return tuple(CatalogueRows("oils.toml", "grade", Grade).values())
 
 
 def oils(own: Iterable[Oil] = ()) -> Mapping[str, Oil]:

@@ -31,7 +31,7 @@ _UM = 1e6
 
 
 @record
-class Field:
+class ToleranceField:
     """A tolerance field.  `letter` None: a width without a place."""
 
     letter: str | None
@@ -41,7 +41,7 @@ class Field:
         return f"{self.letter or 'IT'}{self.grade}"
 
 
-def parse(text: str, of: str = "") -> Field:
+def parse(text: str, of: str = "") -> ToleranceField:
     """The field that a word means.  `of`: "shaft" or "hole" where only one of them may stand; a width alone always may.
 
     Raises ValueError with what was given and what is allowed.
@@ -50,7 +50,7 @@ def parse(text: str, of: str = "") -> Field:
     letters = {"shaft": SHAFTS, "hole": HOLES}.get(of, SHAFTS + HOLES)
     if found is None or found[1] not in ("IT", *letters) or int(found[2]) not in GRADES:
         raise ValueError(f'"{text}" is no tolerance class that is known here; allowed: {ALLOWED[of]}')
-    return Field(None if found[1] == "IT" else found[1], int(found[2]))
+    return ToleranceField(None if found[1] == "IT" else found[1], int(found[2]))
 
 
 def problem(text: str, of: str = "") -> Text | None:
@@ -67,7 +67,7 @@ def tolerance(grade: int, diameter: Metre) -> Metre:
     return _tolerance_um(grade, diameter) / _UM
 
 
-def deviations(field: Field, diameter: Metre) -> tuple[Metre, Metre]:
+def deviations(field: ToleranceField, diameter: Metre) -> tuple[Metre, Metre]:
     """Lower and upper deviation from the nominal size; of a width alone, and of js and JS, half of it below and half above."""
     width = _tolerance_um(field.grade, diameter)
     letter = (field.letter or "js").lower()
@@ -80,7 +80,7 @@ def deviations(field: Field, diameter: Metre) -> tuple[Metre, Metre]:
     return near / _UM, (near + width) / _UM
 
 
-def clearance_limits(journal: Field, seat: Field, diameter: Metre) -> tuple[Metre, Metre]:
+def clearance_limits(journal: ToleranceField, seat: ToleranceField, diameter: Metre) -> tuple[Metre, Metre]:
     """Least and greatest change of the clearance by both fields: least hole less largest shaft, and the other way round.
 
     Two widths alone: the band about the nominal clearance.  Two classes with a place on the same nominal size: the clearance itself.

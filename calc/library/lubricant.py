@@ -7,15 +7,42 @@ from typing import cast
 
 import numpy as np
 
-from .catalogue import Oil, base_stocks
-from .oil_formulas import ADDED, POLYMER_THICKENED, constant_viscosity, density, dynamic_viscosity, implied_viscosity, intercept_through, kinematic_viscosity, not_rising, pressure_viscosity, pressure_viscosity_constant, row_viscosity, slope_between, specific_heat, temperature_coefficient, viscosity_intercept, viscosity_slope
 from ..sheet.record import record
-from ..sheet.units import Celsius, JoulePerKilogramKelvin, KilogramPerMetre3, Number, PascalSecond, PerKelvin, PerPascal, SquareMetrePerSecond  # fmt: skip
+from ..sheet.units import (  # fmt: skip
+    Celsius,
+    JoulePerKilogramKelvin,
+    KilogramPerMetre3,
+    Number,
+    PascalSecond,
+    PerKelvin,
+    PerPascal,
+    SquareMetrePerSecond,
+)
 from ..sheet.value import based_on
+from .catalogue import Oil, base_stocks
+from .oil_formulas import (
+    ADDED,
+    POLYMER_THICKENED,
+    constant_viscosity,
+    density,
+    dynamic_viscosity,
+    implied_viscosity,
+    intercept_through,
+    kinematic_viscosity,
+    not_rising,
+    pressure_viscosity,
+    pressure_viscosity_constant,
+    row_viscosity,
+    slope_between,
+    specific_heat,
+    temperature_coefficient,
+    viscosity_intercept,
+    viscosity_slope,
+)
 
 
 @record
-class State:
+class OilState:
     """An oil at a temperature: kinematic and dynamic viscosity, density, specific heat."""
 
     nu: SquareMetrePerSecond
@@ -69,13 +96,13 @@ class Lubricant:
             return viscosity_slope(nu_100=high, nu_40=low, c=self.c) > POLYMER_THICKENED
         return not self.constant and self.C_1 > POLYMER_THICKENED
 
-    def at(self, T: Celsius) -> State:
+    def at(self, T: Celsius) -> OilState:
         rho = density(rho_15=self.oil.rho15, T=T)
         if self.oil.viscosity is not None:
             mu = constant_viscosity(mu=self.oil.viscosity, T=T)
-            return State(implied_viscosity(mu=mu, rho=rho), mu, rho, specific_heat(T=T))
+            return OilState(implied_viscosity(mu=mu, rho=rho), mu, rho, specific_heat(T=T))
         nu = self.nu(T)
-        return State(nu, dynamic_viscosity(nu=nu, rho=rho), rho, specific_heat(T=T))
+        return OilState(nu, dynamic_viscosity(nu=nu, rho=rho), rho, specific_heat(T=T))
 
     def nu(self, T: Celsius) -> SquareMetrePerSecond:
         """The kinematic viscosity by the line that holds at this temperature."""

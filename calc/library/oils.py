@@ -8,15 +8,15 @@ is rejected, and the reason is found from the numbers: what it implies, its SAE 
 from collections.abc import Iterator
 from dataclasses import replace
 
-from .catalogue import BaseStock, Claim, Oil, PrintedViscosity, ViscosityRow, base_stocks, grades, shipped_oils
-from .lubricant import Lubricant
-from .oil_formulas import LOWEST, implied_viscosity, line_problem
 from ..sheet.quantity import Quantity, keys
 from ..sheet.record import record
 from ..sheet.step import Erratum, Table
 from ..sheet.text import COMMA, EMPTY, SEMICOLON, Amount, Name, Text
-from ..sheet.trace import untraced
 from ..sheet.units import UNITS, Celsius, Number, PascalSecond, SquareMetrePerSecond
+from ..sheet.value import untraced
+from .catalogue import BaseStock, Claim, Oil, PrintedViscosity, ViscosityRow, base_stocks, grades, shipped_oils
+from .lubricant import Lubricant
+from .oil_formulas import LOWEST, implied_viscosity, line_problem
 
 KEPT = 0.05  # how far a printed viscosity may lie from the law
 CONFIDENCES = ("given", "high", "medium", "low")  # from sure to unsure; "given": by the user, who answers for it

@@ -7,8 +7,7 @@ from ..sheet.arrays import Array, each, many
 from ..sheet.formula import formula
 from ..sheet.units import Kilogram, KilogramMetre2, Metre, Number, Radian
 from ..sheet.value import based_on
-from .inputs import MountingInputs
-from .tensor import tensor
+from .inputs import MountingInputs, tensor
 
 BOX, LEAST, MOST = 0.7, 0.5, 0.9  # of a full box: own assumption
 DOFS = ("bounce", "lateral", "fore_aft", "yaw", "pitch", "roll")

@@ -1,18 +1,221 @@
 # SPDX-License-Identifier: Apache-2.0
 """The checks of the mounts: whether they hold the engine, give too much, isolate, keep the modes apart, and what a person has of it."""
 
+import math
 from collections.abc import Iterator, Sequence
 
 import numpy as np
 
 from ..engine.inputs import EngineInputs
 from ..sheet.check import Check, check
-from ..sheet.text import COMMA, Name, Text
+from ..sheet.text import COMMA, Amount, Name, Text
 from ..sheet.value import based_on
-from .felt_checks import comfort_checks, exposure_checks, severity_checks
-from .inputs import MountingInputs
-from .mode_checks import critical_checks, mode_checks
+from .body import DOFS
+from .drive import operating
+from .inputs import DOF_WORDS, MountingInputs
 from .result import MountingResult
+from .standards import scope, table, zone_limit
+
+# The checks of what is felt: the day of a driver, comfort at the seat, severity at the machine.
+
+DIRECTIVE = Text("Directive 2002/44/EC; the engine's share only, travel over ground comes on top")
+COMFORT = Text("ISO 2631-1, annex C: not uncomfortable")
+
+
+def exposure_checks(result: MountingResult) -> Iterator[Check]:
+    day = (result.exposure or {}).get(result.own, {})
+    limits = table()["exposure"]
+    for id, words in (("whole_body", Text("Daily exposure of the whole body")), ("hand_arm", Text("Daily exposure of hand and arm"))):
+        if result.exposure is None or (id not in day and not _asked(result, id)):
+            continue
+        a = day[id].number if id in day else math.nan
+        value_id = f"mounting.exposure.{result.own}.{id}"
+        yield check(f"mounting.exposure.{id}", words, a, "<=", limits[f"{id}_limit"], "m/s²", DIRECTIVE, value_id=value_id)
+        yield check(
+            f"mounting.exposure.{id}_action",
+            Text("{words}, action value", words=words),
+            a,
+            "<=",
+            limits[f"{id}_action"],
+            "m/s²",
+            DIRECTIVE,
+            value_id=value_id,
+        )
+
+
+def _asked(result: MountingResult, id: str) -> bool:
+    role = "seat" if id == "whole_body" else "hand"
+    return any(point.role == role for point in result.system.mounting.points)
+
+
+def severity_checks(mounting: MountingInputs, engine: EngineInputs, result: MountingResult) -> Iterator[Check]:
+    judged = scope(mounting.application, mounting.power or engine.rated_power, engine.rated_speed, mounting.machine_class)
+    machine = [point.name for point in mounting.points if point.on == "engine" and point.role == "machine"]
+    for name in result.speeds:
+        for point in machine:
+            words = Text("Severity at {point}, {name}", point=Name(point), name=Name(name))
+            place = f"{name}.{result.own}.{point}"
+            if judged.iso_10816 and mounting.machine_class is not None:
+                grade = result.leaf(f"{place}.grade")
+                yield check(
+                    f"mounting.{name}.{point}.severity",
+                    words,
+                    math.nan if grade is None else grade,
+                    "<=",
+                    zone_limit(mounting.machine_class),
+                    "",
+                    Text("ISO 10816-6:1995, zone A/B of the class (from memory)"),
+                    value_id=f"mounting.{place}.grade",
+                )
+            elif judged.iso_8528:
+                t = table()["generating_set"]
+                sizes = [
+                    (result.leaf(f"{place}.{kind}"), limit)
+                    for kind, limit in (
+                        ("displacement", t["displacement_mm"] * 1e-3),
+                        ("velocity", t["velocity_mm_s"] * 1e-3),
+                        ("acceleration", t["acceleration_m_s2"]),
+                    )
+                ]
+                worst = max((x / limit for x, limit in sizes if x is not None), default=math.nan)
+                yield check(
+                    f"mounting.{name}.{point}.severity",
+                    words,
+                    worst if all(x is not None for x, _ in sizes) else math.nan,
+                    "<=",
+                    1.0,
+                    "",
+                    Text("ISO 8528-9:1995 as reprinted by Lloyd's Register: the largest of three over its limit"),
+                    value_id="",
+                )
+
+
+def comfort_checks(mounting: MountingInputs, result: MountingResult) -> Iterator[Check]:
+    seats = [point.name for point in mounting.points if point.role == "seat"]
+    limit = next(row["above_m_s2"] for row in table()["comfort"] if row["above_m_s2"])
+    for name in result.speeds if seats else ():
+        levels = [(result.leaf(f"{name}.{result.own}.{seat}.weighted"), seat) for seat in seats]
+        a, seat = max(((math.nan if a is None else a, seat) for a, seat in levels), key=lambda row: (row[0] != row[0], row[0]))
+        yield check(
+            f"mounting.{name}.comfort",
+            Text("Weighted acceleration at {seat}, {name}", seat=Name(seat), name=Name(name)),
+            a,
+            "<=",
+            limit,
+            "m/s²",
+            COMFORT,
+            value_id=f"mounting.{name}.{result.own}.{seat}.weighted",
+        )
+
+
+# The checks of the modes: whether they lie below what drives the engine, above the road, apart from each other and from operations.
+
+RULE = Text("rule of this program: mounts of a multi-cylinder engine in practice")
+ISOLATION = Text("dynamics of vibration isolation: it begins √2 above a mode")
+KEPT, APART = 0.85, 0.10
+
+
+def mode_checks(mounting: MountingInputs, result: MountingResult) -> Iterator[Check]:
+    ceiling = result.window.shaft if result.has_shaft else result.window.half
+    advice = window_advice(result)
+    for dof in DOFS:
+        f = result.frequency[dof].number
+        if ceiling is not None:
+            limit = based_on(ceiling.lowest_order * float(mounting.idle_speed) / math.sqrt(2.0), ceiling.lowest_order, mounting.idle_speed)
+            yield check(
+                f"mounting.separation.{dof}",
+                Text("Mode {dof} below what drives it at idle", dof=DOF_WORDS[dof]),
+                f,
+                "<=",
+                limit,
+                "Hz",
+                ISOLATION,
+                advice,
+                value_id=f"mounting.frequency.{dof}",
+            )
+        yield check(
+            f"mounting.road.{dof}",
+            Text("Mode {dof} above the road's", dof=DOF_WORDS[dof]),
+            f,
+            ">=",
+            mounting.road_frequency,
+            "Hz",
+            Text("rule of this program: what the ground excites stays below the modes of the engine"),
+            value_id=f"mounting.frequency.{dof}",
+        )
+    for dof in ("roll", "bounce"):
+        yield check(
+            f"mounting.decoupling.{dof}",
+            Text("Energy of the mode {dof} in it", dof=DOF_WORDS[dof]),
+            result.energy[dof].number,
+            ">=",
+            KEPT,
+            "%",
+            RULE,
+            focal_advice(result),
+            value_id=f"mounting.energy.{dof}",
+        )
+    yield check(
+        "mounting.roll_axis.decoupling",
+        Text("Largest share of a mode in the torque roll axis"),
+        result.roll_axis.decoupling,
+        ">=",
+        KEPT,
+        "%",
+        RULE,
+    )
+
+
+def window_advice(result: MountingResult) -> Text:
+    """By which factor all stiffnesses would do, or why none does."""
+    ceiling = result.window.shaft if result.has_shaft else result.window.half
+    if ceiling is None:
+        return Text("")
+    low, high = result.window.lowest_factor, ceiling.highest_factor
+    if low <= high:
+        return Text("All stiffnesses times {low} to {high} would do.", low=Amount(low, digits=3), high=Amount(high, digits=3))
+    ratio, least = Amount(result.window.spread, digits=3), Amount(result.window.spread * math.sqrt(high / low), digits=3)
+    return Text(
+        "No one factor of all stiffnesses does: the modes lie {ratio} apart and may lie {least} apart; spread the mounts, tilt them, "
+        "or change their ratios: `choose FILE mounting` searches.",
+        ratio=ratio,
+        least=least,
+    )
+
+
+def focal_advice(result: MountingResult) -> Text:
+    if result.focal is None or "angle" not in result.focal:
+        return Text("`choose FILE mounting` searches for mounts that do.")
+    return Text(
+        "The front pair leaning inwards by {angle} would turn the engine about its centre of gravity.",
+        angle=Amount(math.degrees(result.focal["angle"].number), "°", digits=3),
+    )
+
+
+def critical_checks(mounting: MountingInputs, engine: EngineInputs, result: MountingResult) -> Iterator[Check]:
+    """Of operations with hours: how near the next critical speed is, of order 1, of the firing, and of order 2."""
+    orders = result.drive.orders
+    firing = 2.0 * engine.cylinders / engine.strokes
+    from .operations import existing
+
+    there = {float(orders[i]) for i in existing(result.drive, result.levels)}
+    wanted = [order for order in dict.fromkeys((1.0, firing, 2.0)) if order in there]
+    for name, speed, hours in operating(mounting, engine):
+        if not hours or not wanted:
+            continue
+        rows = [(result.frequency[dof].number / order, dof, order) for dof in DOFS for order in wanted]
+        n, dof, order = min(rows, key=lambda row: abs(row[0] / float(speed) - 1))
+        yield check(
+            f"mounting.critical.{name}",
+            Text("Nearest critical speed at {name}: {dof}, order {order}", name=Name(name), dof=DOF_WORDS[dof], order=Amount(order)),
+            based_on(abs(n / float(speed) - 1), result.frequency[dof].number, speed),
+            ">=",
+            APART,
+            "%",
+            RULE,
+            Text("It stands at {n}.", n=Amount(n * 60, "rpm", digits=4)),
+            value_id="",
+        )
 
 
 def checks(mounting: MountingInputs, engine: EngineInputs, result: MountingResult) -> Iterator[Check]:

@@ -2,22 +2,15 @@
 """Figures of the mounts: the level of a seat over speed, orders beside each other with and without the shaft, forces of the mounts."""
 
 import numpy as np
-from ..sheet.step import Curve
-from ..sheet.step import Series
-from ..sheet.step import axis_label
-from ..sheet.text import Amount
-from ..sheet.text import Name
-from ..sheet.text import Text
-from .result import MountingResult
-from .tables import table
-from .words import VARIANT_WORDS
-from ..sheet.arrays import Array
-from ..sheet.arrays import ComplexArray
+
+from ..sheet.arrays import Array, ComplexArray
 from ..sheet.record import record
-from ..sheet.step import Table
+from ..sheet.step import Curve, Series, Table, axis_label
+from ..sheet.text import Amount, Name, Text
 from .body import DOFS
-from .inputs import MountingInputs
-from .words import DOF_WORDS
+from .inputs import DOF_WORDS, VARIANT_WORDS, MountingInputs
+from .result import MountingResult
+from .standards import table
 
 
 def curves(result: MountingResult) -> tuple[Curve, ...]:

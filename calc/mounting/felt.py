@@ -9,21 +9,21 @@ from ..sheet.arrays import Array, each
 from ..sheet.quantity import Stated
 from ..sheet.text import Text
 from ..sheet.value import based_on
-from . import aids, weighting
+from . import modal as aids
+from . import standards as weighting
 from .body import DOFS
-from .course import Course, course
-from .drive import Drive
+from .drive import EngineWrenches
 from .excitation import order_word
 from .inputs import MountingInputs
-from .numbers import described, put
-from .result import MountingResult, Tree
+from .levels import Course, course
+from .result import MountingResult, Tree, described, put
 from .system import System
 
 STEP = 10.0 / 60  # 1/s, of the grid of speeds
 CRITICAL = (0.5, 3.0)  # orders that are looked at
 
 
-def grid(mounting: MountingInputs, driven: Drive) -> Array:
+def grid(mounting: MountingInputs, driven: EngineWrenches) -> Array:
     """From idle to rated in steps of 10 rpm, and the rated speed itself."""
     idle, rated = float(mounting.idle_speed), float(driven.engine.rated_speed)
     speeds: Array = idle + STEP * np.arange(int(np.floor((rated - idle) / STEP + 1e-9)) + 1, dtype=float)
@@ -34,7 +34,7 @@ def grid(mounting: MountingInputs, driven: Drive) -> Array:
 Crossing = tuple[str, str, float]  # mode, order, speed
 
 
-def courses(mounting: MountingInputs, s: System, driven: Drive, more: Sequence[float]) -> tuple[dict[str, Course], Course | None]:
+def courses(mounting: MountingInputs, s: System, driven: EngineWrenches, more: Sequence[float]) -> tuple[dict[str, Course], Course | None]:
     """The level of each seat over speed, and that of the first one at further speeds: all in one, since their torque is one."""
     seats = [point for point in mounting.points if point.role == "seat"]
     if not seats:
@@ -78,7 +78,7 @@ def top(n: Array, a: Array) -> tuple[float, float]:
     return float(n[i]), float(a[i])
 
 
-def crossings(mounting: MountingInputs, driven: Drive, existing: Sequence[int], frequency: dict[str, Stated]) -> list[Crossing]:
+def crossings(mounting: MountingInputs, driven: EngineWrenches, existing: Sequence[int], frequency: dict[str, Stated]) -> list[Crossing]:
     """Speeds between idle and rated at which an order that exists meets a mode."""
     idle, rated = float(mounting.idle_speed), float(driven.engine.rated_speed)
     low, high = CRITICAL

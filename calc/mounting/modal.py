@@ -5,21 +5,141 @@ import math
 
 import numpy as np
 
-from ..sheet.arrays import each, many
+from ..sheet.arrays import Array, ComplexArray, each, many
+from ..sheet.formula import formula
+from ..sheet.functions import atan, pi, power, sqrt, tan
 from ..sheet.linked_array import elements
 from ..sheet.quantity import Stated
 from ..sheet.record import record
 from ..sheet.text import Text
+from ..sheet.units import Hertz, Kilogram, KilogramMetre2, Metre, NewtonPerMetre, Number, Radian, RevPerSecond
 from ..sheet.value import based_on, link_of, linked
-from . import aids, body, modes, springs
+from . import body, modes, springs
 from .body import DOFS
-from .drive import Drive
-from .inputs import MountingInputs
+from .drive import EngineWrenches
+from .excitation import strength
+from .inputs import DOF_WORDS, Mount, MountingInputs
 from .modes import Modes
-from .numbers import described
-from .result import Ceiling, Focal, Mode, RollAxis, Tree, Window
+from .result import Ceiling, Focal, Mode, RollAxis, Tree, Window, described
 from .system import System
-from .words import DOF_WORDS
+
+# Aids to the design of mounts: the window of stiffness, mounts leaning towards each other, the symmetric four in closed form.
+
+NOTICED = 0.01  # of the strongest order: weaker ones are no excitation
+SAME = 1e-6  # m, or of a stiffness: mounts that mirror each other
+EVEN = 1e-6  # rad
+
+
+@formula("s_low", "dynamics: frequencies grow as the root of a stiffness; no mode below the road's")
+def lowest_factor(f_road: Hertz, f_min: Hertz) -> Number:
+    return power(f_road / f_min, 2)
+
+
+@formula("s_high", "dynamics: isolation begins √2 above the highest mode")
+def highest_factor(f_exc: Hertz, f_max: Hertz) -> Number:
+    return power(f_exc / (sqrt(2.0) * f_max), 2)
+
+
+@formula("f_max/f_min", "definition: spread of the six modes")
+def spread(f_max: Hertz, f_min: Hertz) -> Number:
+    return f_max / f_min
+
+
+@formula("n", "definition: speed at which an order meets a mode", unit="rpm")
+def critical_speed(f: Hertz, i: Number) -> RevPerSecond:
+    return f / i
+
+
+@formula("f_exc", "definition: frequency of an order", unit="Hz")
+def excitation_frequency(i: Number, n: RevPerSecond) -> Hertz:
+    return i * n
+
+
+# --- two mounts that lean towards each other ---------------------------------------------------------------------------------
+FOCAL = "geometry of two inclined mounts, elastic centre: lateral force that turns nothing (recomputed)"
+
+
+@formula("a", FOCAL)
+def elastic_centre(b: Metre, L: Number, phi: Radian) -> Metre:
+    """Above the plane of the mounts; `L` compression over shear stiffness, `phi` from up, inwards."""
+    return b * (L - 1) * tan(phi) / (1 + L * tan(phi) ** 2)
+
+
+@formula("a_max", FOCAL, unit="mm")
+def focal_reach(b: Metre, L: Number) -> Metre:
+    return b * (L - 1) / (2 * sqrt(L))
+
+
+@formula("φ", FOCAL)
+def focal_angle(b: Metre, L: Number, h: Metre) -> Radian:
+    """The smaller of two angles at which the elastic centre stands at the height h."""
+    return atan((b * (L - 1) - sqrt(b**2 * (L - 1) ** 2 - 4 * h**2 * L)) / (2 * h * L))
+
+
+@record
+class MountPair:
+    """Two mounts that mirror each other in the vertical plane of the engine."""
+
+    first: str
+    second: str
+    b: Metre
+    L: Number
+    h: Metre
+
+
+def mount_pairs(mounting: MountingInputs) -> tuple[MountPair, ...]:
+    """From the front to the flywheel; `h`: of the centre of gravity above them."""
+    found = []
+    mounts = sorted(mounting.mounts, key=lambda mount: mount.position[2])
+    for i, one in enumerate(mounts):
+        for other in mounts[i + 1 :]:
+            if _mirrored(one, other):
+                b, L = abs(one.position[1] - other.position[1]) / 2, one.stiffness[0] / one.stiffness[1]
+                found.append(MountPair(one.name, other.name, b, L, mounting.centre_of_gravity[0] - one.position[0]))
+    return tuple(found)
+
+
+def _mirrored(one: Mount, other: Mount) -> bool:
+    (x, _, z), (x_2, _, z_2) = one.position, other.position
+    if abs(x - x_2) > SAME or abs(z - z_2) > SAME or abs(one.position[1] - other.position[1]) < SAME:
+        return False
+    if any(abs(a - b) > SAME * a for a, b in zip(one.stiffness, other.stiffness)):
+        return False
+    (a, b, c), (d, e, f) = (mount.turned or (0.0, 0.0, 0.0) for mount in (one, other))
+    return abs(a + d) < EVEN and abs(b - e) < EVEN and abs(c + f) < EVEN
+
+
+# --- the symmetric four --------------------------------------------------------------------------------------------------------
+@formula("f_bounce", "Harris, Shock and vibration handbook, ch. 3: four upright mounts", unit="Hz")
+def four_bounce(k_x: NewtonPerMetre, m: Kilogram) -> Hertz:
+    return sqrt(4 * k_x / m) / (2 * pi)
+
+
+@formula("f_yaw", "Harris, Shock and vibration handbook, ch. 3: four upright mounts", unit="Hz")
+def four_yaw(k_y: NewtonPerMetre, c: Metre, k_z: NewtonPerMetre, b: Metre, J_x: KilogramMetre2) -> Hertz:
+    return sqrt(4 * (k_y * c**2 + k_z * b**2) / J_x) / (2 * pi)
+
+
+@formula(
+    "f_1, f_2",
+    "Harris, Shock and vibration handbook, ch. 3: four upright mounts below the centre of gravity",
+    unit="Hz",
+    shows="√λ/2π of [[4·k, 4·k·h], [4·k·h, 4·(k·h² + k_x·a²)]] on diag(m, J)",
+)
+def four_coupled(k: NewtonPerMetre, k_x: NewtonPerMetre, h: Metre, a: Metre, m: Kilogram, J: KilogramMetre2) -> Hertz:
+    """Lateral with roll (a = b), fore and aft with pitch (a = c)."""
+    K = np.array([[4 * k, 4 * k * h], [4 * k * h, 4 * (k * h**2 + k_x * a**2)]])
+    root = np.sqrt(np.array([m, J]))
+    found: Array = np.sqrt(np.linalg.eigvalsh(K / np.outer(root, root))) / (2 * np.pi)
+    return each(found)
+
+
+# --- excitation ----------------------------------------------------------------------------------------------------------------
+def lowest_order(orders: Array, wrench: ComplexArray, rho: float) -> float | None:
+    """The lowest order that counts, of the wrench about the centre of gravity (orders, 6); None where nothing drives the engine."""
+    sizes = strength(wrench[:, :3], wrench[:, 3:], rho)
+    counts = np.flatnonzero(sizes > NOTICED * sizes.max(initial=0.0))
+    return float(orders[counts[0]]) if counts.size else None
 
 
 @record
@@ -92,7 +212,7 @@ def with_chassis(whole: System) -> Tree:
     return {f"mode_{i}": {"frequency": Stated(about, based_on(float(f), whole.source))} for i, f in enumerate(found, 1)}
 
 
-def window(mounting: MountingInputs, driven: Drive, m: Matrices, one: dict[str, Mode]) -> Window:
+def window(mounting: MountingInputs, driven: EngineWrenches, m: Matrices, one: dict[str, Mode]) -> Window:
     f_min, f_max = one["mode_1"].frequency, one["mode_6"].frequency
     ceilings = {}
     speeds = np.array([float(mounting.idle_speed)])
@@ -102,15 +222,15 @@ def window(mounting: MountingInputs, driven: Drive, m: Matrices, one: dict[str, 
         order = (
             None
             if name not in driven.variants
-            else aids.lowest_order(driven.orders, np.asarray(wrench[:, driven.variants.index(name)]), rho)
+            else lowest_order(driven.orders, np.asarray(wrench[:, driven.variants.index(name)]), rho)
         )
         if order is not None:
             n = based_on(order, wrench)
-            f_exc = aids.excitation_frequency(i=n, n=mounting.idle_speed)
-            ceilings[name] = Ceiling(highest_factor=aids.highest_factor(f_exc=f_exc, f_max=f_max), lowest_order=n)
+            f_exc = excitation_frequency(i=n, n=mounting.idle_speed)
+            ceilings[name] = Ceiling(highest_factor=highest_factor(f_exc=f_exc, f_max=f_max), lowest_order=n)
     return Window(
-        lowest_factor=aids.lowest_factor(f_road=mounting.road_frequency, f_min=f_min),
-        spread=aids.spread(f_max=f_max, f_min=f_min),
+        lowest_factor=lowest_factor(f_road=mounting.road_frequency, f_min=f_min),
+        spread=spread(f_max=f_max, f_min=f_min),
         **ceilings,
     )
 
@@ -118,13 +238,13 @@ def window(mounting: MountingInputs, driven: Drive, m: Matrices, one: dict[str, 
 def focal(mounting: MountingInputs) -> Tree | None:
     """Of the pair at the front under `focal` itself; of several each by its first mount as well."""
     found: Tree = {}
-    pairs = aids.pairs(mounting)
+    pairs = mount_pairs(mounting)
     for i, pair in enumerate(pairs):
         of = (mounting.mounts, mounting.centre_of_gravity)
         b, L, h = (based_on(x, of) for x in (pair.b, pair.L, pair.h))
-        reach = aids.focal_reach(b=b, L=L)
+        reach = focal_reach(b=b, L=L)
         leans = L > 1 and 0 < h <= reach
-        one = Focal(angle=aids.focal_angle(b=b, L=L, h=h) if leans else None, reach=reach)
+        one = Focal(angle=focal_angle(b=b, L=L, h=h) if leans else None, reach=reach)
         if i == 0:
             found["reach"] = Stated(described(REACH, "mm", "a_max"), one.reach)
             if one.angle is not None:

@@ -15,7 +15,7 @@ from ..sheet.record import record
 from ..sheet.text import Amount, Text
 from ..sheet.units import Hertz, Kilogram, NewtonPerMetre, Number, PerSecond2
 from .body import DOFS
-from .words import DOF_WORDS
+from .inputs import DOF_WORDS
 
 FREE = 1e-9  # of the largest eigenvalue: a mode so slow has no spring
 DUST = 1e-11  # of the largest of its coordinate: a part of a shape so small is none

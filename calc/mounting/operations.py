@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
 """Operation by operation: torque, levels at the points, forces of the mounts, transmissibility, and what the shaft takes off them."""
 
+import math
 from collections.abc import Sequence
 
 import numpy as np
 
-from ..sheet.arrays import ComplexArray, each
+from ..sheet.arrays import Array, ComplexArray, each
 from ..sheet.linked_array import gathered
 from ..sheet.quantity import Described
 from ..sheet.record import record
@@ -13,15 +14,28 @@ from ..sheet.text import Text
 from ..sheet.value import based_on
 from . import excitation as x
 from . import levels as l
-from . import standards as severity, weighting
-from .drive import Drive
+from . import standards as severity
+from . import standards as weighting
+from .drive import EngineWrenches
 from .excitation import order_word
+from .inputs import VARIANT_WORDS, Point
 from .levels import Levels
-from .numbers import Nested, along_last, described, joined, mapped, put, there
-from .result import MountLevel, OrderForce, OrderLevel, PointLevel, Tree
-from .system import System
-from .use_inputs import Point
-from .words import VARIANT_WORDS
+from .result import (
+    MountingResult,
+    MountLevel,
+    Nested,
+    OrderForce,
+    OrderLevel,
+    PointLevel,
+    Tree,
+    along_last,
+    described,
+    joined,
+    mapped,
+    put,
+    there,
+)
+from .system import System, moves, respond_at
 
 SHOWN = tuple(name for name in PointLevel.__dataclass_fields__ if name != "orders")
 FELT = 1e-6  # of all orders together: one that is weaker is not worth a line
@@ -29,7 +43,7 @@ BY_ORDER = ("half", "shaft")  # variants whose orders are shown one by one
 
 
 def operations(
-    driven: Drive, lines: Levels, s: System, rows: Sequence[tuple[str, float, float]], torque: ComplexArray, there: list[int]
+    driven: EngineWrenches, lines: Levels, s: System, rows: Sequence[tuple[str, float, float]], torque: ComplexArray, there: list[int]
 ) -> Tree:
     """Everything that stands below the name of an operation."""
     tree: Tree = {name: {} for name, _, _ in rows}
@@ -46,14 +60,14 @@ def operations(
     return tree
 
 
-def existing(driven: Drive, lines: Levels) -> list[int]:
+def existing(driven: EngineWrenches, lines: Levels) -> list[int]:
     """The orders by their index that drive the engine at all, with half on the crank."""
     half = np.asarray(lines.wrench)[:, :, driven.variants.index("half")]
     sizes = (np.linalg.norm(half[..., :3], axis=-1) + np.linalg.norm(half[..., 3:], axis=-1)).max(0)
     return [int(i) for i in np.flatnonzero(sizes > l.NONE_BELOW * sizes.max(initial=0.0))]
 
 
-def _torque(tree: Tree, driven: Drive, rows: Sequence[tuple[str, float, float]], torque: ComplexArray, there: list[int]) -> None:
+def _torque(tree: Tree, driven: EngineWrenches, rows: Sequence[tuple[str, float, float]], torque: ComplexArray, there: list[int]) -> None:
     about = described(Text("Torque on the crank, this order"), "N·m", "T_n")
     for (name, _, _), t in zip(rows, np.asarray(torque).tolist()):
         for i in there:
@@ -61,7 +75,7 @@ def _torque(tree: Tree, driven: Drive, rows: Sequence[tuple[str, float, float]],
                 put(tree[name], ("torque", f"order_{order_word(driven.orders[i])}"), about, x.amplitude(t_n=based_on(t[i], torque)))
 
 
-def _points(driven: Drive, lines: Levels, point: int, name: str, felt: "Felt | None") -> list[list[PointLevel]]:
+def _points(driven: EngineWrenches, lines: Levels, point: int, name: str, felt: "Felt | None") -> list[list[PointLevel]]:
     """The levels at a point (operations, variants)."""
     numbers, source = [], (lines.source, lines.places[name])
     banded = np.sqrt((np.abs(np.where(lines.band, lines.motion, 0.0)[:, :, point]) ** 2).sum(-1) / 2)
@@ -96,7 +110,7 @@ class Felt:
         return {word: OrderLevel(weighted=there(x)) for word, x in zip(self.words, self.by_order[i][self.shown.index(v)])}
 
 
-def _felt(driven: Drive, lines: Levels, name: str, existing: list[int]) -> Felt:
+def _felt(driven: EngineWrenches, lines: Levels, name: str, existing: list[int]) -> Felt:
     a, source = np.abs(lines.acceleration[name]), (lines.source, lines.places[name])
     W = np.broadcast_to(lines.weight[name], a.shape)
     along = mapped(weighting.weighted, W, a, source=source)
@@ -108,16 +122,16 @@ def _felt(driven: Drive, lines: Levels, name: str, existing: list[int]) -> Felt:
     return Felt(joined(weighting.total_value, along), along, by_order, shown, _words(driven, existing))
 
 
-def _shown(driven: Drive) -> list[int]:
+def _shown(driven: EngineWrenches) -> list[int]:
     return [v for v, variant in enumerate(driven.variants) if variant in BY_ORDER]
 
 
-def _words(driven: Drive, existing: list[int]) -> list[str]:
+def _words(driven: EngineWrenches, existing: list[int]) -> list[str]:
     return [f"order_{order_word(driven.orders[n])}" for n in existing]
 
 
 def _mounts(
-    tree: Tree, driven: Drive, lines: Levels, rows: Sequence[tuple[str, float, float]], names: list[str], existing: list[int]
+    tree: Tree, driven: EngineWrenches, lines: Levels, rows: Sequence[tuple[str, float, float]], names: list[str], existing: list[int]
 ) -> None:
     F, shown, words = lines.force, _shown(driven), _words(driven, existing)
     whole = mapped(l.force, F.reshape(*F.shape[:3], -1), source=lines.source)
@@ -136,7 +150,7 @@ def _mounts(
             put(here, ("force_sum",), together, sums[i][v])
 
 
-def _transmissibility(tree: Tree, driven: Drive, lines: Levels, rows: Sequence[tuple[str, float, float]], there: list[int]) -> None:
+def _transmissibility(tree: Tree, driven: EngineWrenches, lines: Levels, rows: Sequence[tuple[str, float, float]], there: list[int]) -> None:
     """With half on the crank: with the shaft the first order is a residue, and its ratio no property of the mounts."""
     v = driven.variants.index("half")
     wrench = np.asarray(lines.wrench)[:, :, v]
@@ -159,7 +173,7 @@ def _transmissibility(tree: Tree, driven: Drive, lines: Levels, rows: Sequence[t
                 put(tree[name], (*way, "transmissibility_force"), about[1], T)
 
 
-def _ratios(tree: Tree, driven: Drive, rows: Sequence[tuple[str, float, float]], points: tuple[Point, ...]) -> None:
+def _ratios(tree: Tree, driven: EngineWrenches, rows: Sequence[tuple[str, float, float]], points: tuple[Point, ...]) -> None:
     """Half over shaft at the first seat, at the first point of the engine and in the mounts: three numbers, never one."""
     if "shaft" not in driven.variants:
         return
@@ -183,10 +197,35 @@ def _ratio(half: float | None, shaft: float | None) -> float | None:
     return l.felt_ratio(half=half, shaft=shaft) if half is not None and shaft else None
 
 
-def felt_order_1(driven: Drive) -> Tree | None:
+def felt_order_1(driven: EngineWrenches) -> Tree | None:
     """The same at every place, of a pure couple: what the shaft's own error leaves of first order; none of one without error."""
     tree: Tree = {}
     for name in ("shaft", "scatter", "tooth"):
         if name in driven.variants and (ratio := driven.first_order.get(name)) is not None:
             put(tree, (name,), described(Text("First order felt, half over {variant}", variant=VARIANT_WORDS[name]), "", "q_S,1"), ratio)
     return tree or None
+
+
+# Transfer functions: how every point moves under unit forces and moments at the engine's centre of gravity, over frequency.
+
+LOWEST, HIGHEST, STEP = 0.5, 200.0, 0.5  # Hz
+DRIVES = ("F_x [N]", "F_y [N]", "F_z [N]", "M_x [N·m]", "M_y [N·m]", "M_z [N·m]")
+
+
+def transfer_functions(result: MountingResult, f: Array) -> ComplexArray:
+    """Displacement over wrench (frequencies, points, 3 axes, 6 components of the wrench), in m."""
+    unit = np.broadcast_to(np.eye(6, dtype=complex), (len(f), 6, 6))
+    q = respond_at(result.system, 2 * math.pi * np.asarray(f), unit)  # (frequencies, components, coordinates)
+    P = np.stack([moves(result.system, point) for point in result.system.mounting.points])
+    found: ComplexArray = np.einsum("pac,fwc->fpaw", P, q)
+    return found
+
+
+def rows(result: MountingResult) -> tuple[tuple[str, ...], list[list[float]]]:
+    """Header and rows of a file: frequency, then real and imaginary part of each function, in mm."""
+    f = np.arange(LOWEST, HIGHEST + STEP / 2, STEP)
+    names = [f"{point.name}.{axis} [mm] / {drive}" for point in result.system.mounting.points for axis in "xyz" for drive in DRIVES]
+    header = ("frequency [Hz]", *(f"{name} {part}" for name in names for part in ("re", "im")))
+    H = transfer_functions(result, f).reshape(f.size, -1) * 1e3
+    both = np.stack([H.real, H.imag], -1).reshape(f.size, -1)
+    return header, np.column_stack([f, both]).tolist()

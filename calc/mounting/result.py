@@ -1,15 +1,21 @@
 # SPDX-License-Identifier: Apache-2.0
 """What the step of the mounts publishes, and the arrays behind it for figures."""
 
+import math
+from collections.abc import Callable
+from functools import cache
 from typing import Any
 
+import numpy as np
+
 from ..sheet.arrays import Array
-from ..sheet.quantity import Stated, group, result, value
+from ..sheet.quantity import Described, Stated, group, result, value
 from ..sheet.record import record
+from ..sheet.text import Text
 from ..sheet.units import Hertz, Metre, MetrePerSecond, MetrePerSecond2, Newton, Number, Radian
-from .course import Course
-from .drive import Drive
-from .levels import Levels
+from ..sheet.value import based_on, recorder
+from .drive import EngineWrenches
+from .levels import Course, Levels
 from .modes import Modes
 from .system import System
 
@@ -150,7 +156,7 @@ class MountingResult:
     mode_data: Modes
     stiffness: Any  # K and M of the engine on rigid ground
     system: System
-    drive: Drive
+    drive: EngineWrenches
     levels: Levels
     rest: Rest
     output: tuple[float, ...]  # mean torque on the mounts, of each operation
@@ -167,3 +173,50 @@ class MountingResult:
             here = here.get(part) if isinstance(here, dict) else getattr(here, part, None)
         number: float | None = here.number if isinstance(here, Stated) else here
         return number
+
+
+# From arrays to published numbers: one line of the calculation for each where lines are wanted, one call for all where not.
+
+Nested = Any  # lists of lists of floats, as deep as the arrays have axes before those that the formula takes
+
+
+def mapped(formula: Callable[..., Any], *given: Any, source: object, axes: int = 1) -> Nested:
+    """A formula of the last axes of arrays of one shape, for all that stands before them."""
+    if recorder.get() is None:
+        return np.asarray(formula(*given)).tolist()
+    if given[0].ndim == axes:
+        return formula(*(based_on(np.ascontiguousarray(x), source) if i == len(given) - 1 else x for i, x in enumerate(given)))
+    return [mapped(formula, *parts, source=source, axes=axes) for parts in zip(*given)]
+
+
+def joined(formula: Callable[..., Any], parts: Nested) -> Nested:
+    """A formula of the numbers along the last axis of nested lists, for all that stands before."""
+    if recorder.get() is None:
+        return np.asarray(formula(*np.moveaxis(np.asarray(parts), -1, 0))).tolist()
+    return [joined(formula, part) for part in parts] if isinstance(parts[0], list) else formula(*parts)
+
+
+def along_last(nested: Nested) -> list[Nested]:
+    """The numbers along the last axis one after the other, each with the axes before it."""
+    if not isinstance(nested[0], list):
+        return list(nested)
+    return [list(part) for part in zip(*(along_last(part) for part in nested))]
+
+
+def there(number: float) -> float | None:
+    """A number, or None where it is none: an undamped resonance."""
+    return number if -math.inf < number < math.inf else None
+
+
+@cache
+def described(label: Text, unit: str, symbol: str = "") -> Described:
+    return Described(label, unit, symbol)
+
+
+def put(tree: dict[str, Any], way: tuple[str, ...], about: Described, number: float | None) -> None:
+    """Publish a number; one that is none (an undamped resonance, a ratio of nothing) is left out."""
+    if number is None or not math.isfinite(number):
+        return
+    for part in way[:-1]:
+        tree = tree.setdefault(part, {})
+    tree[way[-1]] = Stated(about, number)

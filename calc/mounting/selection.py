@@ -12,10 +12,10 @@ from functools import cache
 import numpy as np
 
 from ..sheet.arrays import Array, BoolArray
-from ..sheet.changes import Changes
 from ..sheet.errors import NoSolution
 from ..sheet.progress import Progress, tell
 from ..sheet.record import record
+from ..sheet.remedy import Changes
 from ..sheet.search import judged, least, narrowed
 from ..sheet.step import Table
 from ..sheet.text import Amount, Text
@@ -34,7 +34,7 @@ ISOLATES = math.sqrt(2.0)
 
 
 @record
-class Room:
+class MountRoom:
     """What does not change from candidate to candidate; places from the centre of gravity."""
 
     B: Array  # (mounts, 3, 6)
@@ -57,7 +57,7 @@ class Candidate:
     missed: float  # Σ max(0, target − E)²
     inside: bool
 
-    def mounts(self, mounting: MountingInputs, room: Room) -> MountingInputs:
+    def mounts(self, mounting: MountingInputs, room: MountRoom) -> MountingInputs:
         """The design with it."""
         made = []
         for mount, at, side in zip(mounting.mounts, room.rear, room.side):
@@ -66,7 +66,7 @@ class Candidate:
         return replace(mounting, mounts=tuple(made))
 
 
-def room(mounting: MountingInputs, result: MountingResult) -> Room:
+def room(mounting: MountingInputs, result: MountingResult) -> MountRoom:
     """Raises NoSolution where nothing drives the engine, or where no frequency is left between the road's and what drives it."""
     ceiling = result.window.shaft if result.has_shaft else result.window.half
     if ceiling is None:
@@ -82,7 +82,7 @@ def room(mounting: MountingInputs, result: MountingResult) -> Room:
     grounds = [mount.foundation for mount in mounting.mounts]
     ground = np.array([np.full(3, np.inf) if one is None else np.broadcast_to(np.asarray(one, dtype=float), (3,)) for one in grounds])
     middle = float((places[:, 2].min() + places[:, 2].max()) / 2)
-    return Room(
+    return MountRoom(
         result.system.between[:, :, :6],
         result.stiffness[1],
         np.sign(places[:, 1]),
@@ -94,7 +94,7 @@ def room(mounting: MountingInputs, result: MountingResult) -> Room:
     )
 
 
-def evaluated(at: Room, points: Array) -> tuple[Array, Array, Array, Array]:
+def evaluated(at: MountRoom, points: Array) -> tuple[Array, Array, Array, Array]:
     """Of many candidates (n, 6 in steps): margin, what is missed of the targets, frequencies and energies of the named modes."""
     x = points.reshape(len(points), 2, 3) * STEPS
     mine = x[:, at.rear.astype(int)]  # (n, mounts, 3)
@@ -127,7 +127,7 @@ def _indicator() -> Array:
     return found
 
 
-def choices(mounting: MountingInputs, result: MountingResult, progress: Progress | None = None) -> tuple[Room, tuple[Candidate, ...]]:
+def choices(mounting: MountingInputs, result: MountingResult, progress: Progress | None = None) -> tuple[MountRoom, tuple[Candidate, ...]]:
     """The best of each start, each once: those inside the window first, the purest modes first."""
     at = room(mounting, result)
     low, high = np.tile(LOW, 2), np.tile(HIGH, 2)
@@ -145,7 +145,7 @@ def choices(mounting: MountingInputs, result: MountingResult, progress: Progress
     return at, tuple(sorted(found.values(), key=lambda one: (not one.inside, one.missed, -float(one.energies.min()))))
 
 
-def changes(one: Candidate, mounting: MountingInputs, at: Room) -> Changes:
+def changes(one: Candidate, mounting: MountingInputs, at: MountRoom) -> Changes:
     """What writes it into the design."""
     made = one.mounts(mounting, at)
     found: Changes = {}
@@ -156,7 +156,7 @@ def changes(one: Candidate, mounting: MountingInputs, at: Room) -> Changes:
     return found
 
 
-def table(found: tuple[Candidate, ...], at: Room, top: int) -> Table:
+def table(found: tuple[Candidate, ...], at: MountRoom, top: int) -> Table:
     columns = (
         (Text("number"), ""),
         (Text("front"), "N/mm"),

@@ -6,15 +6,14 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from ..draw.drawing import AXIS, CONTEXT, OUTLINE, WORDS, Arc, Mark, Point, Polyline, Sketch, State, Words, awaited, judged
 from ..sheet.arrays import Array
-from ..draw.drawing import AXIS, CONTEXT, OUTLINE, WORDS, Arc, Mark, Point, Polyline, Sketch, State, Words
-from ..sheet.sketching import awaited, judged
 from ..sheet.step import Designed, Solved
 from ..sheet.text import Amount, Name, Text
 from ..sheet.units import Radian
+from .curves import ModePicture, mode_pictures
 from .inputs import MountingInputs
 from .result import MountingResult
-from .curves import ModePicture, mode_pictures
 
 DOT, CROSS, SWING = 0.02, 0.04, 0.16  # of the box's diagonal: a mount, the cross of the centre, the largest move
 BACK = 0.5 * np.array([math.cos(math.radians(35.0)), math.sin(math.radians(35.0))])  # where what lies to the side is drawn

@@ -14,17 +14,16 @@ from ..sheet.linked_array import gathered
 from ..sheet.quantity import Stated
 from ..sheet.step import Curve, Outcome, Table
 from ..sheet.text import Text
-from ..sheet.trace import trace, untraced
+from ..sheet.value import trace, untraced
 from . import body, modal, statics
 from .checks import checks
-from .drive import Drive, ShaftOnEngine, drive, operating
+from .drive import EngineWrenches, ShaftOnEngine, drive, operating
 from .felt import course_values, courses, critical, crossings, exposure
 from .inputs import MountingInputs
 from .levels import levels
 from .notes import honest, notes
-from .numbers import described
 from .operations import existing, felt_order_1, operations
-from .result import MountingResult, Tree
+from .result import MountingResult, Tree, described
 from .system import system
 
 
@@ -50,7 +49,7 @@ def solve(
     )
 
 
-def values(mounting: MountingInputs, driven: Drive, J: float) -> MountingResult:
+def values(mounting: MountingInputs, driven: EngineWrenches, J: float) -> MountingResult:
     """Every number of the step, of an engine with this inertia tensor."""
     free = system(mounting, many(J), frame=False)
     m = modal.matrices(mounting, free, J)
@@ -93,7 +92,7 @@ def values(mounting: MountingInputs, driven: Drive, J: float) -> MountingResult:
 
 
 def _over_boxes(
-    mounting: MountingInputs, engine: EngineInputs, driven: Drive, result: MountingResult, found: tuple[Check, ...]
+    mounting: MountingInputs, engine: EngineInputs, driven: EngineWrenches, result: MountingResult, found: tuple[Check, ...]
 ) -> tuple[MountingResult, tuple[Check, ...]]:
     """With the range of every frequency, and with the check of the verdicts that hang on the estimate of the inertia."""
     from .checks import inertia_check

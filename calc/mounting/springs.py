@@ -9,7 +9,7 @@ from ..sheet.arrays import Array, ComplexArray, each, many, phasors
 from ..sheet.formula import formula
 from ..sheet.linked_array import gathered
 from ..sheet.units import NewtonPerMetre, NewtonSecondPerMetre, Number, PhasorNewtonPerMetre, RadPerSecond
-from .mount_inputs import Mobility, Mount, Support
+from .inputs import Mobility, Mount, Support
 
 REFERENCE = 20.0  # Hz, at which the stiffness of a fractional mount is the given one
 

@@ -10,7 +10,7 @@ from ..sheet.quantity import Described, Stated
 from ..sheet.text import Text
 from ..sheet.units import Metre, Newton, NewtonMetre, NewtonPerMetre, Number, Radian
 from ..sheet.value import based_on, link_of, linked
-from .drive import Drive
+from .drive import EngineWrenches
 from .inputs import MountingInputs
 from .modes import stiffness_matrix
 from .result import Rest, StaticMount, Tree
@@ -68,7 +68,7 @@ def output_moment(T_out: NewtonMetre, i_out: Number) -> NewtonMetre:
     return -T_out * i_out
 
 
-def output(mounting: MountingInputs, driven: Drive, speeds: Array) -> tuple[float, ...]:
+def output(mounting: MountingInputs, driven: EngineWrenches, speeds: Array) -> tuple[float, ...]:
     """The mean torque on the mounts at each speed: 0 where it stays inside."""
     if mounting.torque_path == "inside":
         return (0.0,) * len(speeds)

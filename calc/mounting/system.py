@@ -15,10 +15,7 @@ from ..sheet.units import Kilogram, PhasorMetre, PhasorNewton, PhasorNewtonPerMe
 from ..sheet.value import based_on, link_of, linked
 from . import springs
 from .body import displacement, mass_matrix
-from .inputs import MountingInputs
-from .mount_inputs import Chassis
-from .tensor import tensor
-from .use_inputs import Point
+from .inputs import Chassis, MountingInputs, Point, tensor
 
 RESONANT = 1e-12  # of an eigenvalue: an undamped resonance is hit
 

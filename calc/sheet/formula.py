@@ -20,8 +20,7 @@ from functools import cache
 from typing import Generic, ParamSpec, TypeVar, get_type_hints
 
 from .text import Text
-from .trace import Equation, Line, recorder, subject
-from .value import LinkedFloat, linked
+from .value import Equation, Line, LinkedFloat, linked, recorder, subject
 
 P = ParamSpec("P")
 R = TypeVar("R", covariant=True)

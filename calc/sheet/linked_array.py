@@ -7,8 +7,7 @@ from typing import TYPE_CHECKING, Any, TypeVar, cast, overload
 import numpy as np
 
 from .arrays import has_lanes
-from .trace import recording
-from .value import KINDS, PLAIN, Link, joined_links, link_of, linked
+from .value import KINDS, PLAIN, Link, joined_links, link_of, linked, recording
 
 if TYPE_CHECKING:
     from .arrays import Array, BoolArray, ComplexArray

@@ -10,7 +10,7 @@ from collections.abc import Callable, Container, Iterable
 from dataclasses import MISSING, Field, FrozenInstanceError, dataclass, field
 from typing import TypeVar, dataclass_transform
 
-from . import printed
+from . import number as printed
 
 T = TypeVar("T")
 

@@ -2,6 +2,7 @@
 """A step of the design, what solving it gives, and the curves and tables that screen and paper draw."""
 
 import cmath
+import math
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import replace
 from functools import cached_property
@@ -11,11 +12,11 @@ from .arrays import Array
 from .check import Check, grouped, step_verdict
 from .errors import NoSolution, text_of
 from .later import Later, Many
-from .printed import aligned, brief
-from .quantity import Published, published
+from .number import aligned, brief
+from .quantity import Published, insides, published
 from .record import record
-from .text import EMPTY, Text
-from .trace import Line
+from .text import EMPTY, Amount, Text
+from .value import Line
 
 State = Literal["solved", "blocked", "not_asked", "no_solution"]
 R = TypeVar("R", covariant=True)  # a step's class of results
@@ -75,7 +76,7 @@ class Turning:
 
 
 @record
-class Load:
+class DrawnLoad:
     """A force across what a curve draws, up where it is above nought; `held`: by a support, which pushes, where others pull."""
 
     label: Text
@@ -114,7 +115,7 @@ class Curve:
     fails: bool = False
     band: bool = False
     stack: str = ""
-    loads: tuple[Load, ...] = ()
+    loads: tuple[DrawnLoad, ...] = ()
     load_unit: str = ""
 
 
@@ -275,3 +276,17 @@ def _of_accepted(checks: tuple[Check, ...], reasons: dict[str, str]) -> list[Tex
     notes += [Text("Accepted without need, since it holds: {id}.", id=id) for id in reasons if verdicts.get(id) == "pass"]
     notes += [Text("A limit, which nobody can accept: {id}.", id=c.id) for c in checks if c.id in reasons and c.kind == "limit"]
     return notes
+
+
+# Numbers far outside of what a step is for: a word instead of an infinite value.
+
+LARGEST = 1e290  # in SI; beyond it the smallest unit overflows
+
+
+def finite(result: object, prefix: str, advice: Text) -> None:
+    """Raises NoSolution where a value is no number, or infinite."""
+    if all(-LARGEST < x < LARGEST for x in insides(result)):
+        return
+    for value in published(result, prefix):
+        if not math.isfinite(value.shown):
+            raise NoSolution(value.label, Text("{id} is {shown}", id=value.id, shown=Amount(value.shown)), advice)

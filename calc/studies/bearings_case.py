@@ -4,16 +4,16 @@
 from dataclasses import replace
 
 from ..bearings.inputs import BearingsInputs
-from ..bearings.selection.case import Case
+from ..bearings.selection.variants import SelectionCase
 from ..design.model import Design
+from ..design.step_inputs import shaft_gear
 from ..gears.result import TrainResult
 from ..sheet.errors import NoSolution
 from ..sheet.text import Text
 from ..solve import Results, solve
-from ..design.step_inputs import shaft_gear
 
 
-def bearings_case(design: Design, results: Results | None = None) -> Case:
+def bearings_case(design: Design, results: Results | None = None) -> SelectionCase:
     """`results`: of the design, where it is solved already.  Raises NoSolution where it has no bearings."""
     if design.bearings is None:
         raise NoSolution(Text("there are no bearings to choose"), Text("the design has no [bearings]"), Text("give the table"))
@@ -23,7 +23,7 @@ def bearings_case(design: Design, results: Results | None = None) -> Case:
     def with_bearings(bearings: BearingsInputs, *, last: bool = False) -> Results:
         return solve(replace(design, bearings=bearings), done, enough=(lambda outcome: outcome.key == "bearings") if last else None)
 
-    return Case(
+    return SelectionCase(
         design.bearings, design.countershaft, design.oils, tuple(oil.name for oil in design.oil), gear.tip_diameter if gear else None, done,
         with_bearings,
     )  # fmt: skip

@@ -5,18 +5,16 @@ from collections.abc import Mapping
 from math import pi
 
 from ..countershaft.result import CountershaftResult
-from ..draw.workshop_sheet import PAPER
-from ..drawing_sheet.saying import Say
-from ..drawing_sheet.shaft import shaft_sheet
-from ..drawing_sheet.sheet import Sheet
-from ..drawing_sheet.wheels import wheel_sheets
-from ..gears.result import TrainResult
+from ..draw.annotations import Say
 from ..draw.drawing import Arc, Primitive, Words
+from ..draw.workshop import shaft_sheet, wheel_sheets
+from ..draw.workshop_sheet import PAPER, WorkshopSheet
+from ..gears.result import TrainResult
 from ..sheet.step import Table
 from ..sheet.text import EMPTY, Name, Text
 from ..solve import Results
 
-__all__ = ["PAPER", "Sheet", "shaft", "sheets", "train", "wheels"]
+__all__ = ["PAPER", "WorkshopSheet", "shaft", "sheets", "train", "wheels"]
 NONE = Text("–")
 
 
@@ -30,7 +28,7 @@ def shaft(results: Results) -> tuple[Primitive, ...]:
     return shaft_drawing(found.outline, asked.bearing_positions)
 
 
-def sheets(results: Results, say: Say = str, data: Mapping[str, object] | None = None) -> list[Sheet]:
+def sheets(results: Results, say: Say = str, data: Mapping[str, object] | None = None) -> list[WorkshopSheet]:
     """The workshop drawings of what the design has: its shaft, or its wheels where it is of gears alone.
 
     `data`: of the design's file, for what it leaves to the program.

@@ -6,13 +6,13 @@ import tomllib
 from collections.abc import Iterator
 from functools import cache
 
-from ..library.catalogue import TABLES
 from ..design.toml_file import design, read
+from ..library.catalogue import TABLES
 from ..sheet.number import short
 from ..sheet.record import record
 from ..sheet.text import with_unit
-from .shipped import DESIGNS
 from ..solve import Results, solve
+from .shipped import DESIGNS
 
 DIGITS = 4  # of a right number: as many as the documents print
 

@@ -7,8 +7,7 @@ from dataclasses import dataclass, is_dataclass
 from ..design.model import Design
 from ..sheet.check import Check
 from ..sheet.quantity import keys as keys_of
-from ..sheet.trace import Line
-from ..sheet.value import joined_links, leaves, link_of
+from ..sheet.value import Line, joined_links, leaves, link_of
 from ..solve import Results
 
 

@@ -10,20 +10,20 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import TypedDict
 
-from ..design.addresses import Table
 from ..bearings.film.table import eccentricity_from, film_at
-from ..library.catalogue import TABLES, Oil
+from ..design.addresses import Table
 from ..design.toml_file import Document, design, read
+from ..library.catalogue import TABLES, Oil
 from ..library.lubricant import Lubricant
 from ..sheet.units import UNITS
-from .shipped import DESIGNS
 from ..solve import Results, solve
+from .shipped import DESIGNS
 
 # Where the charts of 1958 are known to be off by more than the 2 % that their grid supports (ε, quantity).
 CHARTS_HOLD_UP_TO = 0.9
 
 
-KINDS = {
+VALIDATION_KINDS = {
     "printed": "Printed in a source",
     "worked out": "Worked out from a source's numbers, or by another calculation",
     "measured": "Measured by others",
@@ -38,7 +38,7 @@ Case = TypedDict("Case", {  # a design, a film by S and length_ratio, or an oil,
 
 
 @dataclass(frozen=True)
-class Row:
+class ValidationRow:
     """One value of another beside ours."""
 
     kind: str
@@ -79,14 +79,14 @@ def _deviation(theirs: float, ours: float) -> float:
     return (ours - theirs) / abs(theirs) if theirs else ours
 
 
-def rows() -> list[Row]:
+def rows() -> list[ValidationRow]:
     """Every comparison, kind by kind, case by case."""
     designs, known = _known()
     found = [row for case in known["case"] for row in _case(case, designs)]
     found += [row for film in known["film"] for row in _film(film)]
     found += [_oil(oil) for oil in known["oil"]]
     found += _raimondi_boyd()
-    return sorted(found, key=lambda row: list(KINDS).index(row.kind))
+    return sorted(found, key=lambda row: list(VALIDATION_KINDS).index(row.kind))
 
 
 def unmet() -> Iterator[Unmet]:
@@ -114,17 +114,17 @@ def _document(case: Case, designs: dict[str, Table]) -> Document:
     return document
 
 
-def _case(case: Case, designs: dict[str, Table]) -> Iterator[Row]:
+def _case(case: Case, designs: dict[str, Table]) -> Iterator[ValidationRow]:
     values = _solved(_document(case, designs)).values()
     for expect in case["expect"]:
         published = float(expect["is"])
         tolerance = max(expect.get("abs", 0.0), abs(published) * expect.get("rel", 0.0))
         found = values.get(expect["value"])
         ours = found.shown if found is not None and found.unit == expect.get("unit", "") else float("nan")
-        yield Row(case["kind"], case["source"], expect["value"], published, ours, tolerance, expect.get("unit", ""))
+        yield ValidationRow(case["kind"], case["source"], expect["value"], published, ours, tolerance, expect.get("unit", ""))
 
 
-def _film(case: Case) -> Iterator[Row]:
+def _film(case: Case) -> Iterator[ValidationRow]:
     """A worked example of the film: what stands at its S and l/d."""
     S, ratio = case["S"], case["length_ratio"]
     ours = film_at(eccentricity_from(S, ratio), ratio)
@@ -132,22 +132,22 @@ def _film(case: Case) -> Iterator[Row]:
         name, published = expect["what"], float(expect["is"])
         found = getattr(ours, name) / UNITS[expect.get("unit", "")].factor
         what, unit = f"{name} at S = {S:g}, l/d = {ratio:g}", expect.get("unit", "")
-        yield Row(case["kind"], case["source"], what, published, found, abs(published) * expect["rel"], unit)
+        yield ValidationRow(case["kind"], case["source"], what, published, found, abs(published) * expect["rel"], unit)
 
 
-def _oil(case: Case) -> Row:
+def _oil(case: Case) -> ValidationRow:
     """A viscosity of an oil by the law, from those at 40 and 100 °C, mm²/s; its density does not count."""
     oil = Oil(name="oil", nu40=case["nu_40"] * 1e-6, nu100=case["nu_100"] * 1e-6, rho15=900.0, base="mineral")
     ours = Lubricant(oil, case["law"]).at(case["temperature"]).nu / UNITS["mm²/s"].factor
     what = f"ν at {case['temperature']:g} °C of {case['nu_40']:g} and {case['nu_100']:g} mm²/s"
-    return Row(case["kind"], case["source"], what, case["is"], ours, max(case.get("abs", 0.0), case["is"] * case.get("rel", 0.0)), "mm²/s")
+    return ValidationRow(case["kind"], case["source"], what, case["is"], ours, max(case.get("abs", 0.0), case["is"] * case.get("rel", 0.0)), "mm²/s")
 
 
 def _solved(document: Document) -> Results:
     return solve(design(document))
 
 
-def _raimondi_boyd() -> Iterator[Row]:
+def _raimondi_boyd() -> Iterator[ValidationRow]:
     """S at the charts' ε within 2 %, friction within 1 %, flow within 0.5 %, for finite l/d and ε ≤ 0.9."""
     source = "Raimondi & Boyd 1958, as tabulated in textbooks"
     for row in tomllib.loads((TABLES / "raimondi_boyd.toml").read_text(encoding="utf-8"))["row"]:
@@ -156,8 +156,8 @@ def _raimondi_boyd() -> Iterator[Row]:
             continue
         ours = film_at(eps, ratio)
         at = f"at ε = {eps:g}, l/d = {ratio:g}"
-        yield Row("printed", source, f"S {at}", row["S"], ours.sommerfeld, 0.02 * row["S"], "")
-        yield Row("printed", source, f"(r/c)·f {at}", row["friction_variable"], ours.friction, 0.01 * row["friction_variable"], "")
-        yield Row("printed", source, f"Q/(r·c·n·l) {at}", row["flow"], ours.flow, 0.005 * row["flow"], "")
+        yield ValidationRow("printed", source, f"S {at}", row["S"], ours.sommerfeld, 0.02 * row["S"], "")
+        yield ValidationRow("printed", source, f"(r/c)·f {at}", row["friction_variable"], ours.friction, 0.01 * row["friction_variable"], "")
+        yield ValidationRow("printed", source, f"Q/(r·c·n·l) {at}", row["flow"], ours.flow, 0.005 * row["flow"], "")
         inverted = eccentricity_from(row["S"], ratio)
-        yield Row("printed", source, f"ε at S = {row['S']:g}, l/d = {ratio:g}", eps, inverted, 0.01, "")
+        yield ValidationRow("printed", source, f"ε at S = {row['S']:g}, l/d = {ratio:g}", eps, inverted, 0.01, "")

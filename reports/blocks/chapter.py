@@ -6,19 +6,19 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 
 from calc.design.key_values import TABLES, is_key_value
-from calc.sheet.check import Check, grouped
-from calc.sheet.rules import pattern_of
+from calc.sheet.check import Check, grouped, pattern_of
 from calc.sheet.step import Outcome, Step
 from calc.sheet.text import Amount, Text
+from calc.sheet.value import Line
 
-from .checks import counted, name_of, shown_value, sign_cell
 from ..context import Context
-from ..setting.flow import Block, bullet, paragraph
-from .inputs import input_blocks, remarks
-from .proof import proofs
-from ..proof_blocks import proof_blocks
-from ..setting.prose import BODY, NOTE
+from ..setting.equation import SIGN, EquationEntry, Label, Labelled, entry_blocks
+from ..setting.flow import Block, bullet, heading, paragraph
+from ..setting.prose import BODY, GROUP, NOTE
 from ..setting.tables import Column, Row, noted_below, table
+from .checks import counted, name_of, shown_value, sign_cell
+from .inputs import input_blocks, remarks
+from .proof import proof_blocks, proofs
 from .values import table_blocks, value_blocks
 from .words import verdict
 
@@ -101,3 +101,31 @@ def _columns(context: Context, checks: Iterable[Check]) -> tuple[Column, ...]:
     numbers = (Column(w[key], "r") for key in ("value", "limit", "margin"))
     wide = LONG_VERDICT if any(context.state(check) in LONG for check in checks) else VERDICT
     return (Column(w["verdict"], width=wide), Column(w["check"]), *numbers)
+
+
+# Every traced line of a step as it was computed, in its order: what the audit has.
+
+def derivation(context: Context, step: Step, traced: list[Line]) -> list[Block]:
+    """The blocks of the formulas of a step."""
+    if not traced:
+        return []
+    made = paragraph(f"{context.words['substitution']} {context.words['ranges']}", NOTE, gap=1.0, keep=True)
+    labels = {about: Label(*context.say.halves(about)) for about in dict.fromkeys(line.about for line in traced)}
+    for about, entries in _runs([(labels[line.about], line) for line in traced]):
+        if about:
+            made += heading(about[:1].upper() + about[1:], GROUP, gap=7.0, after=1.0)
+        for entry in entries:
+            made += entry_blocks(entry, context.cite(entry.formula.source, step), SIGN, labelled=False, context=context)
+    return made
+
+
+def _runs(traced: list[Labelled]) -> Iterable[tuple[str, list[EquationEntry]]]:
+    """Every line for itself, under the part whose calculation it is."""
+    entries: list[EquationEntry] = []
+    about = traced[0][0]
+    for label, line in traced:
+        if label != about:
+            yield about.text(), entries
+            entries, about = [], label
+        entries.append(EquationEntry(line.formula, [(label, line)]))
+    yield about.text(), entries

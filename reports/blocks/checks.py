@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
 
-from calc.id_words import knows
+from calc.design.names import knows
 from calc.sheet.check import URGENT, Check, grouped, with_it
 from calc.sheet.step import Erratum
 from calc.sheet.text import Amount, Text, plural

@@ -5,28 +5,33 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
+from fnmatch import fnmatchcase
 from typing import TYPE_CHECKING
 
-from calc.studies.drawings import PAPER, Sheet, sheets, wheels
-from calc.languages.outcome import in_language
-from calc.sheet.dimension import strokes
-from calc.draw.drawing import Arc, Area, Dimension, Hatch, Ink, Point, Polyline, Words
-from calc.sheet.hatching import hatch_lines
-from calc.sheet.layers import LAYERS
-from calc.sheet.text import EMPTY
+from calc.draw.drawing import LAYERS, Arc, Area, Dimension, Hatch, Ink, Point, Polyline, Words, hatch_lines
+from calc.draw.lettering import strokes
+from calc.locale.language import in_language
+from calc.sheet.check import Check
+from calc.sheet.step import Curve, Series, Table
+from calc.sheet.text import EMPTY, Amount, Text
+from calc.studies.drawings import PAPER, WorkshopSheet, sheets, wheels
+from calc.studies.drive.front import UNITS, Picked
+from calc.studies.drive.output import LABELS, power_of_ten, proof_of, ranges
 
-from ..setting.boxes import BLACK, text
-from ..content import Picture
 from ..context import Context
-from ..setting.flow import Block, heading
-from ..setting.fonts import PLAIN
-from ..paper import LEFT
-from ..setting.prose import SECTION
+from ..figures.figures import figure_blocks
+from ..figures.plots import Plots
+from ..setting.boxes import BLACK, text
+from ..setting.flow import Block, Picture, bullet, heading, paragraph
+from ..setting.fonts import LEFT, PLAIN
+from ..setting.prose import BODY, SECTION
 from ..setting.tags import FIGURE, Tag
+from .checks import check_blocks
 from .values import table_blocks
 
 if TYPE_CHECKING:
     from ..setting.pen import Pen
+
 
 POINTS = 72 / 0.0254  # in a metre
 MM = POINTS / 1000
@@ -41,7 +46,7 @@ def drawing_blocks(context: Context) -> list[Block]:
     return [_block(sheet) for sheet in drawn]
 
 
-def _block(sheet: Sheet) -> Block:
+def _block(sheet: WorkshopSheet) -> Block:
     alt = "; ".join(mark.text for mark in sheet.marks if isinstance(mark, Words))
     return Block(0.0, lambda pen, _: _draw(pen, sheet), page=PAGE, content=Picture(), tag=Tag(FIGURE, alt=alt))
 
@@ -55,7 +60,7 @@ def wheel_blocks(context: Context) -> list[Block]:
     return [*heading(table.title, SECTION, gap=11.0, after=0.0), *table_blocks(context, [replace(table, title=EMPTY)])]
 
 
-def _draw(pen: Pen, sheet: Sheet) -> None:
+def _draw(pen: Pen, sheet: WorkshopSheet) -> None:
     for mark in sheet.marks:
         _mark(pen, mark)
 
@@ -100,3 +105,83 @@ def _chords(arc: Arc) -> tuple[Point, ...]:
     n = max(2, math.ceil((arc.end - arc.start) / step))
     turns = [arc.start + (arc.end - arc.start) * i / n for i in range(n + 1)]
     return tuple((x + r * math.cos(turn), y + r * math.sin(turn)) for turn in turns)
+
+
+# The chapter of a drive picked from a front: what was searched, where it stands, what each objective costs there, what binds it.
+
+BINDING = 6  # limits with the least margins
+
+
+def front_figure(context: Context, one: Picked, plots: Plots) -> list[Block]:
+    """Where the drive stands on its front, if that is one of power and mass."""
+    if "power" not in one.names or "mass" not in one.names or len(one.line("mass", "power")) <= 1:
+        return []
+    context.figures += 1
+    return figure_blocks([(context.figures, _curve(one))], context.words["figure"], plots)
+
+
+def drive_blocks(context: Context, one: Picked, figure: list[Block]) -> list[Block]:
+    """Everything of the chapter below its title."""
+    say = context.say
+    proof = proof_of(one.proved, one.combinations, one.done, one.classes)
+    intro = Text("Drive {n} of {count} that were solved whole; {combinations} combinations were searched. {proof}",
+        n=one.number, count=len(one.rows), combinations=power_of_ten(one.combinations), proof=proof)  # fmt: skip
+    made = paragraph(say(intro), BODY)
+    made += heading(say(Text("What was varied")), SECTION, gap=8.5, after=1.0)
+    made += [block for line in ranges(one.sizes, one.choices) for block in bullet(say(line))]
+    made += figure
+    made += table_blocks(context, _said(context, [_neighbours(one), *_costs(one)]))
+    binding = _binding(context, one)
+    if binding:
+        made += heading(say(Text("What binds it")), SECTION, gap=8.5, after=1.0)
+        made += check_blocks(context, binding)
+    return made
+
+
+def _said(context: Context, tables: list[Table]) -> list[Table]:
+    from calc.locale.language import in_language
+
+    return [in_language(one, context.say) for one in tables]
+
+
+def _curve(one: Picked) -> Curve:
+    """The drives that no other beats in power and mass, and where this one stands."""
+    line = one.line("mass", "power")
+    mass, power = (one.mine[one.names.index(name)] for name in ("mass", "power"))
+    front = Series(Text("no drive is lighter with less power"), line[:, 0], line[:, 1])
+    return Curve("drive_front", Text("Front of power and mass; the point is this drive"), Text("shaft, kg"), Text("power at the crank, W"),
+        (front,), point=(float(mass), float(power)))  # fmt: skip
+
+
+def _neighbours(one: Picked) -> Table:
+    columns = ((Text("no."), ""), *((LABELS[name], UNITS[name][0]) for name in one.names))
+    rows = [(float(n), *(float(f"{x:.6g}") for x in one.rows[n - 1])) for n in one.nearest()]
+    note = Text("The drives nearest to number {n}, which is this one.", n=one.number)
+    return Table("drive_neighbours", Text("Around it on the front"), columns, tuple(rows), note)
+
+
+def _costs(one: Picked) -> list[Table]:
+    rows: list[tuple[str | float | None, ...]] = [
+        (Text("{gain} of {wanted}", gain=Amount(gain, UNITS[wanted][0]), wanted=LABELS[wanted]),
+         Text("{loss} of {paid}", loss=Amount(loss, UNITS[paid][0]), paid=LABELS[paid]),
+         Text("{slope}", slope=Amount(loss / gain, f"{UNITS[paid][0]}/{UNITS[wanted][0]}")))
+        for wanted, gain, paid, loss in one.costs()
+    ]  # fmt: skip
+    if not rows:
+        return []
+    columns = ((Text("better by"), ""), (Text("costs"), ""), (Text("that is"), ""))
+    note = Text(
+        "From this drive to the next one along the front of each two objectives, whatever the others then are; only where it stands on it."
+    )
+    return [Table("drive_costs", Text("What each objective costs in another"), columns, tuple(rows), note)]
+
+
+def _binding(context: Context, one: Picked) -> list[Check]:
+    """The limits of this drive with the least margins, findings that were limits of the search among them."""
+
+    def binds(check: Check) -> bool:
+        asked = any(fnmatchcase(check.id, p) for p in one.limits) and not any(fnmatchcase(check.id, p) for p in one.waived)
+        return (check.kind == "limit" or asked) and check.verdict != "not_verified" and check.margin == check.margin
+
+    found = [check for check in context.results.checks() if binds(check)]
+    return sorted(found, key=lambda check: check.margin)[:BINDING]

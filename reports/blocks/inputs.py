@@ -9,8 +9,8 @@ from dataclasses import MISSING, dataclass, replace
 from typing import Any
 
 from calc.design.model import Design
+from calc.design.names import choice_word
 from calc.locale import Language
-from calc.sheet.choice_words import word
 from calc.sheet.expression import symbol as greek
 from calc.sheet.number import SUPERSCRIPTS
 from calc.sheet.quantity import Key, Quantity, keys
@@ -20,10 +20,10 @@ from calc.sheet.units import UNITS
 
 from ..context import Context
 from ..setting.flow import Block, bullet, paragraph
-from .nomenclature import noted
 from ..setting.prose import CELL, HEADER, KEY, NOTE
 from ..setting.tables import Cell, Column, Row, longest, named_table, noted_below, table
 from ..setting.typeset import symbol
+from .nomenclature import noted
 from .values import paired_table
 
 ACROSS = 5  # parts beside each other
@@ -70,7 +70,7 @@ def _given(key: Key, data: dict[str, Any]) -> _Given:
 
 def _written(about: Quantity, value: Any, *, rounded: bool = False) -> str:
     """A value as the file has it; a choice in a word."""
-    return word(value) if about.kind == "choice" and isinstance(value, str) else exact(value, rounded=rounded)
+    return choice_word(value) if about.kind == "choice" and isinstance(value, str) else exact(value, rounded=rounded)
 
 
 def _symbol(context: Context, about: Quantity) -> Cell:

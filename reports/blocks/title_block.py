@@ -7,13 +7,11 @@ from typing import TYPE_CHECKING
 
 from calc.version import VERSION
 
+from ..context import Context
 from ..setting.boxes import GREY
 from ..setting.boxes import text as text_box
-from ..content import Heading
-from ..context import Context
-from ..setting.flow import Block, heading, on_paper_only, paragraph
-from ..setting.fonts import MISSING, writable
-from ..paper import LEFT, WIDTH
+from ..setting.flow import Block, Heading, heading, on_paper_only, paragraph
+from ..setting.fonts import LEFT, MISSING, WIDTH, writable
 from ..setting.prose import BODY, NOTE, SECTION, TITLE, lines, one_line
 from ..setting.tables import Column, Rows, table
 from ..setting.tags import COLUMN, FIGURE, ROW, Tag, title_tag

@@ -14,11 +14,11 @@ from calc.sheet.step import Outcome, Table
 
 from ..context import Context
 from ..setting.flow import Block
-from .nomenclature import noted
-from ..paper import WIDTH
+from ..setting.fonts import WIDTH
 from ..setting.prose import CELL, HEADER, KEY, run
 from ..setting.tables import GAP, Cell, Column, Row, named_table, natural, noted_below, table
 from ..setting.typeset import symbol
+from .nomenclature import noted
 
 ACROSS = 7
 NUMBERS = 56.0  # most width of values in a table of two halves

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """The report's own words, in English.  What the calculation says (labels, advice, sources) comes from the sheet."""
 
-from calc.studies.compare import EQUAL
 from calc.design.toml_file import REMARKS
 from calc.sheet.check import SIGNS
 from calc.sheet.text import Text, plural
+from calc.studies.compare import EQUAL
 
 from ..setting.boxes import Colour
 

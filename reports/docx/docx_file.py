@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The report as a Word document, for those who go on writing: what stands in the PDF, with formulas that can be edited.
 
-It is made from the same blocks as the PDF, by what they say (`reports.content`).  Needs the extra `docx`.
+It is made from the same blocks as the PDF, by what they say (`reports.setting.flow`).  Needs the extra `docx`.
 """
 
 from __future__ import annotations
@@ -13,29 +13,94 @@ from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any
 
+import pypdfium2
 from docx import Document as new_document
+from docx.enum.style import WD_STYLE_TYPE
 from docx.enum.text import WD_ALIGN_PARAGRAPH
 from docx.oxml import OxmlElement, parse_xml
+from docx.oxml.ns import nsdecls, qn
 from docx.shared import Pt, RGBColor
+from reportlab.pdfgen.canvas import Canvas
 
-from calc.design.toml_file import Document
 from calc.design.disk import write_file
+from calc.design.toml_file import Document
 from calc.solve import Results
 
-from . import omml
-from ..content import Formula, Heading, Picture, Words
-from ..context import Context
-from ..docx_styles import BODY_TEXT, BULLET, CAPTION, CELLS, SOURCE, SUBTITLE, TABLE_TEXT, prepare
-from ..setting.equation import spoken, spoken_numbers
-from ..setting.flow import Block
-from ..setting.fonts import BOLD
-from ..paper import WIDTH
-from ..picture import pictures
-from ..setting.prose import BODY, CELL, HEADER, INLINE, NOTE, Style
-from ..report import blocks, context_of, inputs_of
-from ..setting.tables import Cell, Column, Group, Row, Rows
 from ..blocks.title_block import PROGRAM
+from ..context import Context
+from ..report import blocks, context_of, inputs_of
+from ..setting.equation import spoken, spoken_numbers
+from ..setting.flow import Block, Formula, Heading, Picture, TextContent
+from ..setting.fonts import BOLD, BOTTOM, LEFT, PAGE, RIGHT, TOP, UPRIGHT, WIDTH
+from ..setting.pen import Codes, Pen
+from ..setting.prose import BODY, CELL, HEADER, INLINE, NOTE, Style
+from ..setting.tables import Cell, Column, Group, Row, Rows
 from ..setting.typeset import symbol_parts
+from . import omml
+
+# The sheet and the styles of a Word document: the program's own names for body, table and source, so that a template can restyle them.
+
+BODY_TEXT, TABLE_TEXT, SOURCE = "Report Text", "Report Table", "Report Source"
+BULLET, CAPTION, SUBTITLE = "List Bullet", "Caption", "Subtitle"  # Word's own
+SIZES = {BODY_TEXT: 9.5, TABLE_TEXT: 7.5, SOURCE: 7.5}
+CELLS = (  # margins at the sides of a table's cells, in twentieths of a point
+    f'<w:tblCellMar {nsdecls("w")}><w:left w:w="60" w:type="dxa"/><w:right w:w="60" w:type="dxa"/></w:tblCellMar>'
+)
+GREY = RGBColor(0x5C, 0x5C, 0x5C)
+
+
+def prepare(file: Any, language: str) -> dict[str, str]:
+    """A4, the margins of the PDF, the language to spell in, the styles that Word does not have; gives the ids of all that are used."""
+    for spelt in file.styles.element.iter(qn("w:lang")):
+        spelt.set(qn("w:val"), language)
+    section = file.sections[0]
+    section.page_width, section.page_height = Pt(PAGE[0]), Pt(PAGE[1])
+    section.left_margin, section.right_margin, section.top_margin, section.bottom_margin = Pt(LEFT), Pt(RIGHT), Pt(TOP), Pt(BOTTOM)
+    for name, size in SIZES.items():
+        style = file.styles.add_style(name, WD_STYLE_TYPE.PARAGRAPH)
+        style.base_style = file.styles["Normal"]
+        style.font.size = Pt(size)
+        style.paragraph_format.space_before = Pt(0)
+        style.paragraph_format.space_after = Pt(0 if name == TABLE_TEXT else 3)
+    file.styles[BULLET].font.size = Pt(SIZES[BODY_TEXT])
+    file.styles[SOURCE].font.color.rgb = GREY
+    return {name: file.styles[name].style_id for name in (*SIZES, BULLET, CAPTION, SUBTITLE)}
+
+
+# What a report draws, as pictures of pixels: each block is set on a sheet of its own, and the sheet is rendered.
+
+DPI = 200
+MARGIN = 4.0  # points around what is drawn
+
+
+def pictures(blocks: Sequence[Block]) -> list[bytes]:
+    """Each block that draws as a PNG file, as wide as the column of text with its margin, without its captions.
+
+    One that fills a page by itself is that page, turned to stand upright.
+    """
+    if not blocks:
+        return []
+    out, codes = io.BytesIO(), dict[str, Codes]()
+    canvas = Canvas(out, invariant=1, initialFontName=UPRIGHT)
+    for block in blocks:
+        below = block.content.below if isinstance(block.content, Picture) else 0.0
+        height = block.height - (below or -MARGIN)  # no room for the tops of a caption's letters
+        canvas.setPageSize(block.page or (WIDTH + 2 * LEFT, height + MARGIN))
+        pen = Pen(canvas, {}, codes)
+        block.draw(pen, height)
+        pen.write()
+        canvas.showPage()
+    canvas.save()
+    return [_rendered(page, block.page is not None) for page, block in zip(pypdfium2.PdfDocument(out.getvalue()), blocks)]
+
+
+def _rendered(page: pypdfium2.PdfPage, whole: bool) -> bytes:
+    side = 0.0 if whole else LEFT - MARGIN
+    file = io.BytesIO()
+    drawn = page.render(scale=DPI / 72, crop=(side, 0, side, 0), rotation=270 if whole else 0)
+    drawn.to_pil().save(file, format="PNG", dpi=(DPI, DPI))
+    return file.getvalue()
+
 
 ONE_LINE = 70  # letters of a formula with its numbers that stand on one line
 INDENT = "\u2003"  # of what goes on from the line above: a sign at its beginning is read as an operator, which wants something before it
@@ -80,7 +145,7 @@ class _Writer:
                     self.file.add_heading(written(words), level)
                     if level == 0:
                         self.line(SUBTITLE).add_run(self.context.words["report"])
-                case Words(words, style, bullet):
+                case TextContent(words, style, bullet):
                     runs(self.line(BULLET if bullet else BODY_TEXT), words, style)
                 case Rows(columns, rows, widths):
                     self.table(columns, rows, widths)

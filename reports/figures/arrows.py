@@ -10,12 +10,12 @@ from typing import TYPE_CHECKING, Any
 from calc.sheet.step import Curve
 
 from ..setting.boxes import Colour
-from ..paper import LEFT
+from ..setting.fonts import LEFT
 from ..setting.prose import Style, run
 
 if TYPE_CHECKING:
     from ..setting.pen import Pen
-    from ..recording import Recorder
+    from .renderer import Recorder
 
 ARROW: Colour = (0.15, 0.15, 0.15)
 THICK = 0.9

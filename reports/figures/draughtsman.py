@@ -10,11 +10,11 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
-from calc.sheet.aside import prepared
+from calc.sheet.later import prepared
 
 if TYPE_CHECKING:
     from .plots import Draughtsman, Job
-    from ..recording import Recording
+    from .renderer import Recording
 
 
 def draughtsman() -> Draughtsman:

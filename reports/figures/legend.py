@@ -8,11 +8,11 @@ from typing import TYPE_CHECKING
 
 from calc.sheet.step import Curve
 
-from .arrows import arrows, sample_arrow
 from ..setting.boxes import BLACK, Box, Colour
-from ..paper import LEFT
-from .plots import EDGE, LETTER, Plots, bar_colour, hatching, limit_style, limit_words, series_label, series_style
+from ..setting.fonts import LEFT
 from ..setting.prose import lines
+from .arrows import arrows, sample_arrow
+from .plots import EDGE, LETTER, Plots, bar_colour, hatching, limit_style, limit_words, series_label, series_style
 from .tornado import dashed
 
 if TYPE_CHECKING:

@@ -15,11 +15,11 @@ from calc.locale import Language
 from calc.sheet.number import short
 from calc.sheet.step import Curve, Series
 
-from .arrows import Arrow, arrows, draw_arrows
 from ..setting.boxes import BLACK, Box, Colour
 from ..setting.fonts import clean
 from ..setting.prose import Style, broken, lines, run
-from ..recording import Recorder, Recording
+from .arrows import Arrow, arrows, draw_arrows
+from .renderer import Recorder, Recording
 
 # Okabe and Ito's palette, in an order whose greys differ, each with its own pattern (lengths in points).
 LINES: tuple[tuple[Colour, tuple[float, ...], float], ...] = (

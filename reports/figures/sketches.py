@@ -15,21 +15,19 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from calc.draw.drawing import AXIS, CONTEXT, DIMENSIONS, HIDDEN, OUTLINE, Arc, Area, Dimension, Mark, Point, Polyline, Sketch, State, Words
 from calc.locale import Language
 from calc.sheet.check import SIGNS
-from calc.draw.drawing import AXIS, CONTEXT, DIMENSIONS, HIDDEN, OUTLINE, Arc, Area, Dimension, Mark, Point, Polyline, Sketch, State, Words
 from calc.sheet.step import Outcome, Step
 from calc.sheet.text import Amount, Text
 
-from ..setting.boxes import BLACK, GREY, Colour
-from ..content import Picture
 from ..context import Context
-from ..setting.flow import Block
-from ..setting.fonts import BOLD
-from ..labels import FREE, Label, placed
-from ..paper import LEFT, WIDTH
+from ..setting.boxes import BLACK, GREY, Colour
+from ..setting.flow import Block, Picture
+from ..setting.fonts import BOLD, LEFT, WIDTH
 from ..setting.prose import NOTE, STRONG, Style, lines, one_line
 from ..setting.tags import FIGURE, Tag
+from .labels import FREE, Label, placed
 
 if TYPE_CHECKING:
     from ..setting.pen import Pen

@@ -12,9 +12,27 @@ import numpy as np
 from calc.sheet.step import Curve
 
 from ..setting.boxes import BLACK, Box, Colour, scaled
-from ..paper import LEFT
-from .plots import EDGE, FILLED, INK, LEFT_AXIS, LETTER, LOW, NUMBER, RIGHT_AXIS, TICK, Plots, bar_colour, fitted, hatching, limit_style, limits, numbers, tick_words
+from ..setting.fonts import LEFT
 from ..setting.prose import lines, run
+from .plots import (
+    EDGE,
+    FILLED,
+    INK,
+    LEFT_AXIS,
+    LETTER,
+    LOW,
+    NUMBER,
+    RIGHT_AXIS,
+    TICK,
+    Plots,
+    bar_colour,
+    fitted,
+    hatching,
+    limit_style,
+    limits,
+    numbers,
+    tick_words,
+)
 
 if TYPE_CHECKING:
     from ..setting.pen import Pen

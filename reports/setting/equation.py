@@ -14,20 +14,18 @@ from typing import TYPE_CHECKING
 from calc.locale import Language
 from calc.sheet.expression import Shown, plain, respelled, result, show, symbol_of, text
 from calc.sheet.text import Name, with_unit
-from calc.sheet.trace import Equation, Line
+from calc.sheet.value import Equation, Line
 
+from ..blocks.nomenclature import noted_line
+from ..context import Context
 from .boxes import Box, row, space
 from .boxes import text as text_box
-from ..content import Formula
-from ..context import Context
-from .flow import Block
-from .fonts import clean
-from ..blocks.nomenclature import noted_line
-from ..paper import WIDTH
+from .flow import Block, Formula
+from .fonts import WIDTH, clean
 from .prose import CELL, NOTE, SOURCE
 from .prose import lines as text_lines
 from .symbols import BETWEEN
-from .typeset import Piece, formula, lines, symbol
+from .typeset import SetPiece, formula, lines, symbol
 
 if TYPE_CHECKING:
     from .pen import Pen
@@ -68,7 +66,7 @@ class Place:
 
 
 @dataclass(slots=True)
-class Entry:
+class EquationEntry:
     """One formula with its lines, each with the part it was computed for."""
 
     formula: Equation
@@ -78,13 +76,13 @@ class Entry:
     full: bool = False  # whether all parts have their numbers
 
 
-def column_of_signs(entries: list[Entry]) -> float:
+def column_of_signs(entries: list[EquationEntry]) -> float:
     """Where the equals signs of formulas stand that have the labels of their parts before them."""
     full = {lines[0][0] for entry in entries for lines in list(_parts(entry.lines).values())[:PARTS]}
     return min(max(SIGN, max(text_box(label.text(), NOTE.size).width for label in full) + 8.0), 0.34 * COLUMN)
 
 
-def entry_blocks(entry: Entry, source: str, sign: float, *, labelled: bool, context: Context, gap: float = GAP) -> list[Block]:
+def entry_blocks(entry: EquationEntry, source: str, sign: float, *, labelled: bool, context: Context, gap: float = GAP) -> list[Block]:
     """A formula with its lines of numbers.
 
     Of each part ("front bearing") the first calculation stands with its numbers; its others ("front bearing, twice the load") with
@@ -204,17 +202,17 @@ def spoken_numbers(line: Shown) -> str:
     return value if line.numbers is None else f"= {text(line.numbers)} {value}"
 
 
-def _equals(pieces: list[Piece]) -> list[Piece]:
+def _equals(pieces: list[SetPiece]) -> list[SetPiece]:
     """Pieces after an equals sign, before which a line may break at best."""
-    return [Piece(row([text_box("=", SIZE), space(0.28 * SIZE)]), 0.0), *pieces]
+    return [SetPiece(row([text_box("=", SIZE), space(0.28 * SIZE)]), 0.0), *pieces]
 
 
-def _value(line: Shown) -> list[Piece]:
+def _value(line: Shown) -> list[SetPiece]:
     words = with_unit(line.value, line.unit)
     boxes = [text_box("=", SIZE), space(0.28 * SIZE), text_box(words, SIZE)]
     if line.where:
         boxes += [space(6.0), text_box(line.where, NOTE.size, colour=NOTE.colour)]
-    return [Piece(space(0.34 * SIZE)), Piece(row(boxes), -0.5)]
+    return [SetPiece(space(0.34 * SIZE)), SetPiece(row(boxes), -0.5)]
 
 
 def shown(line: Line, say: Language, place: Place | None = None) -> Shown:
@@ -252,7 +250,7 @@ def _whole(line: Shown, sign: float) -> list[Box]:
     same = text(line.formula) == plain(line.symbol)
     head = [] if same else _equals(formula(line.formula, SIZE, width - 1.2 * SIZE))
     tail = [*_equals(formula(line.numbers, SIZE, width - 1.2 * SIZE)), *_value(line)]
-    both = [*head, *([] if same else [Piece(space(0.34 * SIZE))]), *tail]
+    both = [*head, *([] if same else [SetPiece(space(0.34 * SIZE))]), *tail]
     if sum(p.box.width for p in both) <= width:
         return [row([p.box for p in both])]
     return [*_hung(lines(head, width)), *_hung(lines(tail, width))]

@@ -8,14 +8,61 @@ from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING
 
 from .boxes import BLACK, FAINT, Box, Colour
-from ..content import Content, Heading, Words
-from ..paper import HEIGHT, WIDTH
+from .fonts import HEIGHT, WIDTH
 from .prose import BODY, HEADING, SECTION, Style
 from .prose import lines as text_lines
 from .tags import Tag, title_tag
 
 if TYPE_CHECKING:
+    from calc.sheet.expression import Shown
+
     from .pen import Pen
+
+
+# What a block of a report says, beside how it is drawn: for whoever sets the same report elsewhere (`reports.docx.docx_file`).
+#
+# A block without content goes on with the one before it, or only adorns the page.
+
+class Content:
+    """Of any kind: one of those below, or the rows of a table."""
+
+
+@dataclass(frozen=True, slots=True)
+class Heading(Content):
+    """`level`: 0 for the title of the whole, 1 for a chapter."""
+
+    words: str
+    level: int
+
+
+@dataclass(frozen=True, slots=True)
+class TextContent(Content):
+    """A paragraph."""
+
+    words: str
+    style: Style
+    bullet: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Formula(Content):
+    """A formula, and below it its numbers for each part, by the part's name; `more`: further values in words.
+
+    `first`: the line that stands for all; None where the formula stood in the block before.
+    """
+
+    first: Shown | None
+    lines: tuple[tuple[str, Shown], ...]
+    more: str
+    source: str
+
+
+@dataclass(frozen=True, slots=True)
+class Picture(Content):
+    """What is drawn, with its captions; these stand at its lower end, as high as `below`."""
+
+    captions: tuple[str, ...] = ()
+    below: float = 0.0
 
 
 LEAST = 0.4  # of the last page: less on it is not worth the paper
@@ -152,7 +199,7 @@ def paragraph(words: str, style: Style = BODY, *, x: float = 0.0, gap: float = 3
         lines_block([line], style.leading, x=x, gap=gap if i == 0 else 0.0, keep=keep if i == n - 1 else i == 0 or i == n - 2, tag=tag)
         for i, line in enumerate(set_lines)
     ]
-    return [replace(made[0], content=Words(words, style)), *made[1:]]
+    return [replace(made[0], content=TextContent(words, style)), *made[1:]]
 
 
 def bullet(words: str, style: Style = BODY, *, sign: str = "–", indent: float = 10.0, gap: float = 1.5) -> list[Block]:
@@ -169,7 +216,7 @@ def bullet(words: str, style: Style = BODY, *, sign: str = "–", indent: float 
         with pen.tagged(body):
             first.draw(pen, y)
 
-    begun = replace(first, draw=draw, content=Words(words, style, bullet=True), tag=item)
+    begun = replace(first, draw=draw, content=TextContent(words, style, bullet=True), tag=item)
     return [begun, *(replace(block, tag=body) for block in blocks[1:])]
 
 

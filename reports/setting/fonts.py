@@ -91,3 +91,11 @@ def unicode_map(written: str) -> str:
 def writable(text: str) -> bool:
     """Whether every character of a text has its glyph."""
     return MISSING not in clean(text)
+
+
+# The sheet of paper and its margins, in points (1/72 inch).
+
+PAGE = (595.276, 841.890)  # A4: width, height
+LEFT, RIGHT, TOP, BOTTOM = 57.0, 45.0, 57.0, 49.0
+WIDTH = PAGE[0] - LEFT - RIGHT
+HEIGHT = PAGE[1] - TOP - BOTTOM

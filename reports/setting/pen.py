@@ -12,8 +12,7 @@ from reportlab.pdfbase import pdfmetrics
 from reportlab.pdfgen.canvas import Canvas
 
 from .boxes import BLACK, Box, Colour, Mark
-from .fonts import face_of
-from ..paper import LEFT
+from .fonts import LEFT, face_of
 from .tags import FIGURE, Element, Link, Tag, Tree, hexed
 
 Encoded = tuple[str, str]  # a part of an embedded font by its name on the page, and codes in it

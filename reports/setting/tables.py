@@ -8,9 +8,8 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from .boxes import FAINT, Box
-from ..content import Content
-from .flow import Block, heading, paragraph
-from ..paper import WIDTH
+from .flow import Block, Content, heading, paragraph
+from .fonts import WIDTH
 from .prose import CELL, GROUP, HEADER, NOTE, Style, lines, run
 from .symbols import BETWEEN
 from .tags import COLUMN, ROW, Tag

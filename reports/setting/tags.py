@@ -39,7 +39,7 @@ def title_tag(size: float) -> Tag:
 
 
 @dataclass(slots=True, eq=False)
-class Piece:
+class TaggedPiece:
     """Marked content: where it is on which page."""
 
     page: int
@@ -61,7 +61,7 @@ class Element(PDFObject):  # type: ignore[misc]
 
     def __init__(self, role: str, parent: Element | None, alt: str = "", attributes: str = "") -> None:
         self.role, self.parent, self.alt, self.attributes = role, parent, alt, attributes
-        self.kids: list[Element | Piece | Annotation] = []
+        self.kids: list[Element | TaggedPiece | Annotation] = []
         self.reference = self.written = b""  # as soon as it is an object of the document
         if parent is not None:
             parent.kids.append(self)
@@ -78,7 +78,7 @@ class Element(PDFObject):  # type: ignore[misc]
     def write(self, pages: list[bytes], annotations: Callable[[str], bytes], root: bytes) -> None:
         """What it is as an object, once every element has its reference; `pages`: references to all pages."""
         made = [b"<< /S /%s /P %s" % (self.role.encode(), self.parent.reference if self.parent is not None else root)]
-        page = next((kid.page for kid in self.kids if isinstance(kid, Piece)), None)
+        page = next((kid.page for kid in self.kids if isinstance(kid, TaggedPiece)), None)
         if page is not None:
             made.append(b"/Pg " + pages[page])
         kids = []
@@ -154,7 +154,7 @@ class Tree:
     def mark(self, element: Element) -> int:
         """The number of marked content of an element on the present page."""
         page = self.pages[-1]
-        piece = Piece(len(self.pages) - 1, len(page))
+        piece = TaggedPiece(len(self.pages) - 1, len(page))
         element.kids.append(piece)
         page.append(element)
         return piece.number

@@ -27,7 +27,7 @@ UPRIGHT_LETTERS = set("ΣΔΠ∠°")
 
 
 @dataclass(frozen=True, slots=True)
-class Piece:
+class SetPiece:
     """A box in a formula; `open` counts the brackets around it where a line may break before it, None where it may not."""
 
     box: Box
@@ -113,34 +113,34 @@ class Setter:
     def box(self, tree: Expr, outer: float = 0.0) -> Box:
         return row([p.box for p in self.pieces(tree, outer)])
 
-    def pieces(self, tree: Expr, outer: float = 0.0, open: float = 0.0) -> list[Piece]:
+    def pieces(self, tree: Expr, outer: float = 0.0, open: float = 0.0) -> list[SetPiece]:
         """The row of a tree, in brackets where what stands around it (`outer`) binds more strongly."""
         rank, made = self._pieces(tree, outer, open)
         return self.bracketed(made, open) if rank < outer else made
 
-    def bracketed(self, inside: list[Piece], open: float, left: str = "(", right: str = ")") -> list[Piece]:
+    def bracketed(self, inside: list[SetPiece], open: float, left: str = "(", right: str = ")") -> list[SetPiece]:
         up, down = max(p.box.up for p in inside), max(p.box.down for p in inside)
-        deeper = [Piece(p.box, p.open + 1.0) if p.open is not None and p.open < open + 1.0 else p for p in inside]
-        return [Piece(stretched(left, self.size, up, down)), *deeper, Piece(stretched(right, self.size, up, down))]
+        deeper = [SetPiece(p.box, p.open + 1.0) if p.open is not None and p.open < open + 1.0 else p for p in inside]
+        return [SetPiece(stretched(left, self.size, up, down)), *deeper, SetPiece(stretched(right, self.size, up, down))]
 
-    def _pieces(self, tree: Expr, outer: float, open: float) -> tuple[float, list[Piece]]:
+    def _pieces(self, tree: Expr, outer: float, open: float) -> tuple[float, list[SetPiece]]:
         a = tree.args
         match tree.head:
             case "number":
                 negative, power = tree.name.startswith("−"), "·10" in tree.name
                 rank = 0.0 if negative and outer > 0 else 2.0 if power or negative or "∠" in tree.name else 5.0
-                return rank, [Piece(self.word(tree.name))]
+                return rank, [SetPiece(self.word(tree.name))]
             case "symbol":
                 face = symbol(tree.name, self.size)
-                return 5.0, [Piece(face)]
+                return 5.0, [SetPiece(face)]
             case "add":
-                return 1.0, [*self.pieces(a[0], 1, open), Piece(self.operator("+", 0.24), open), *self.pieces(a[1], 1, open)]
+                return 1.0, [*self.pieces(a[0], 1, open), SetPiece(self.operator("+", 0.24), open), *self.pieces(a[1], 1, open)]
             case "sub":
-                return 1.0, [*self.pieces(a[0], 1, open), Piece(self.operator("−", 0.24), open), *self.pieces(a[1], 1.5, open)]
+                return 1.0, [*self.pieces(a[0], 1, open), SetPiece(self.operator("−", 0.24), open), *self.pieces(a[1], 1.5, open)]
             case "mul":
-                return 2.0, [*self.pieces(a[0], 2, open), Piece(self.operator("·", 0.07), open + 0.5), *self.pieces(a[1], 2.2, open)]
+                return 2.0, [*self.pieces(a[0], 2, open), SetPiece(self.operator("·", 0.07), open + 0.5), *self.pieces(a[1], 2.2, open)]
             case "neg":
-                return RANK["neg"], [Piece(self.word("−")), *self.pieces(a[0], RANK["neg"], open)]
+                return RANK["neg"], [SetPiece(self.word("−")), *self.pieces(a[0], RANK["neg"], open)]
             case "div":
                 return self.quotient(a[0], a[1], open)
             case "pow":
@@ -151,39 +151,39 @@ class Setter:
                 return self.exponential(a[0], "i", open)
             case "sum":
                 sign = raised(text("Σ", self.size * 1.25), -0.06 * self.size)
-                return 4.5, [Piece(sign), *self.bracketed(self.pieces(a[0], 0, open), open)]
+                return 4.5, [SetPiece(sign), *self.bracketed(self.pieces(a[0], 0, open), open)]
             case "abs":
                 return 5.0, self.bracketed(self.pieces(a[0], 0, open), open, "|", "|")
         return self.call(tree, open)
 
-    def call(self, tree: Expr, open: float) -> tuple[float, list[Piece]]:
+    def call(self, tree: Expr, open: float) -> tuple[float, list[SetPiece]]:
         if tree.name == "exp" and len(tree.args) == 1:
             return self.exponential(tree.args[0], "", open)
         if tree.name == "conj" and (inside := self.box(tree.args[0])).width <= self.column:
             bar = ("rule", 0.06 * self.size, inside.up + 0.05 * self.size, inside.width - 0.04 * self.size, 0.05 * self.size, BLACK)
-            return 5.0, [Piece(Box(inside.width + 0.06 * self.size, inside.up + 0.14 * self.size, inside.down, (*inside.marks, bar)))]
+            return 5.0, [SetPiece(Box(inside.width + 0.06 * self.size, inside.up + 0.14 * self.size, inside.down, (*inside.marks, bar)))]
         if tree.name == "rss" and len(tree.args) == 1:
             return self.root(Expr("sum", (Expr("pow", (tree.args[0], Expr("number", name="2"))),)), open)
-        inside_pieces: list[Piece] = []
+        inside_pieces: list[SetPiece] = []
         for i, arg in enumerate(tree.args):
             if i:
-                inside_pieces.append(Piece(self.word("; ")))
+                inside_pieces.append(SetPiece(self.word("; ")))
             more = self.pieces(arg, 0, open)
-            inside_pieces += [Piece(more[0].box, open + 1.0), *more[1:]] if i else more
-        name = Piece(row([self.word(tree.name), space(0.04 * self.size)]))
-        return 5.0, [name, *self.bracketed(inside_pieces or [Piece(space(0.0))], open)]
+            inside_pieces += [SetPiece(more[0].box, open + 1.0), *more[1:]] if i else more
+        name = SetPiece(row([self.word(tree.name), space(0.04 * self.size)]))
+        return 5.0, [name, *self.bracketed(inside_pieces or [SetPiece(space(0.0))], open)]
 
-    def quotient(self, over: Expr, under: Expr, open: float) -> tuple[float, list[Piece]]:
+    def quotient(self, over: Expr, under: Expr, open: float) -> tuple[float, list[SetPiece]]:
         while over.head == "div":  # a/b/c as one fraction
             over, under = over.args[0], Expr("mul", (over.args[1], under))
         if not self.script:
             made = fraction(self.box(over), self.box(under), self.size)
             if made.width <= self.column * TIGHT:
-                return 4.4, [Piece(self.fitted(made))]
-        slash = Piece(_spaced("/", self.size, 0.04 * self.size), None if self.script else open + 0.5)
+                return 4.4, [SetPiece(self.fitted(made))]
+        slash = SetPiece(_spaced("/", self.size, 0.04 * self.size), None if self.script else open + 0.5)
         return 2.0, [*self.pieces(over, 2, open), slash, *self.pieces(under, 2.5, open)]
 
-    def power(self, base: Expr, exponent: Expr, open: float) -> tuple[float, list[Piece]]:
+    def power(self, base: Expr, exponent: Expr, open: float) -> tuple[float, list[SetPiece]]:
         under = self.pieces(base, 4.5, open)
         whole = f"−{exponent.args[0].name}" if exponent.head == "neg" else exponent.name if exponent.head == "number" else ""
         if whole.lstrip("−").isdigit() and max(p.box.up for p in under) <= 0.8 * self.size:
@@ -192,17 +192,17 @@ class Setter:
             high = max(p.box.up for p in under)
             inside = self.smaller().box(exponent)
             if inside.width > 0.7 * self.column:
-                return 4.0, [*under, Piece(self.word("^")), *self.pieces(exponent, 5, open)]
+                return 4.0, [*under, SetPiece(self.word("^")), *self.pieces(exponent, 5, open)]
             script = raised(inside, max(RAISE * self.size, high - 0.40 * self.size) + inside.down - 0.24 * inside.up)
-        return 4.0, [*under[:-1], Piece(row([under[-1].box, script]), under[-1].open)]
+        return 4.0, [*under[:-1], SetPiece(row([under[-1].box, script]), under[-1].open)]
 
-    def root(self, of: Expr, open: float) -> tuple[float, list[Piece]]:
+    def root(self, of: Expr, open: float) -> tuple[float, list[SetPiece]]:
         made = radical(self.box(of), self.size)
         if made.width <= self.column * TIGHT:
-            return 4.5, [Piece(self.fitted(made))]
-        return 4.5, [Piece(self.word("√")), *self.bracketed(self.pieces(of, 0, open), open)]
+            return 4.5, [SetPiece(self.fitted(made))]
+        return 4.5, [SetPiece(self.word("√")), *self.bracketed(self.pieces(of, 0, open), open)]
 
-    def exponential(self, of: Expr, unit: str, open: float) -> tuple[float, list[Piece]]:
+    def exponential(self, of: Expr, unit: str, open: float) -> tuple[float, list[SetPiece]]:
         e = self.word("e", ITALIC if not unit else UPRIGHT)
         small = self.smaller()
         inside = small.box(of, 2.2 if unit else 0.0)
@@ -210,14 +210,14 @@ class Setter:
             inside = row([small.word(unit, UPRIGHT), small.operator("·", 0.05), inside])
         if inside.width <= 0.7 * self.column:
             up = raised(inside, RAISE * self.size + max(0.0, inside.down - 0.30 * self.size))
-            return 4.0, [Piece(row([e, up]))]
+            return 4.0, [SetPiece(row([e, up]))]
         pieces = self.pieces(of, 2.2 if unit else 0.0, open)
-        head = [Piece(self.word(unit + "·"))] if unit else []
-        return 4.0, [Piece(e), Piece(self.word("^")), *self.bracketed([*head, *pieces], open)]
+        head = [SetPiece(self.word(unit + "·"))] if unit else []
+        return 4.0, [SetPiece(e), SetPiece(self.word("^")), *self.bracketed([*head, *pieces], open)]
 
 
 # --- lines ------------------------------------------------------------------------------------------------------------------
-def lines(pieces: list[Piece], width: float) -> list[Box]:
+def lines(pieces: list[SetPiece], width: float) -> list[Box]:
     """Pieces broken into lines of at most this width, at the outermost operators that fill a line well."""
     made: list[Box] = []
     start = 0
@@ -248,7 +248,7 @@ def lines(pieces: list[Piece], width: float) -> list[Box]:
     return made
 
 
-def _whole(pieces: list[Piece], start: int, width: float) -> int:
+def _whole(pieces: list[SetPiece], start: int, width: float) -> int:
     """Where the line ends that is a little too wide (at most TIGHT times) and leaves none of its tall brackets open; 0: there is none."""
     x, tall = 0.0, False
     for i in range(start, len(pieces) + 1):
@@ -265,6 +265,6 @@ def _drawn_out(box: Box) -> bool:
     return len(box.marks) == 1 and box.marks[0][0] == "text" and box.marks[0][7] > 1.0
 
 
-def formula(tree: Expr, size: float, column: float) -> list[Piece]:
+def formula(tree: Expr, size: float, column: float) -> list[SetPiece]:
     """The pieces of a whole formula at one size, for a column of this width."""
     return Setter(size, column).pieces(tree)

@@ -14,23 +14,21 @@ from dataclasses import dataclass, replace
 from enum import Enum
 from typing import Any
 
-from calc.studies.compare import SAME, compare, relative, size_of_nothing
 from calc.design.toml_file import design, parse
 from calc.locale import LANGUAGES
 from calc.sheet.errors import BadInput, InputError
 from calc.sheet.text import Text
 from calc.solve import Results, solve
+from calc.studies.compare import SAME, compare, relative, size_of_nothing
 from calc.version import VERSION
 
-from ..pdf.attach import FRONT, NAME, PAIR, RESULTS, pair_bytes, results_bytes
 from ..comparison import render as render_comparison
 from ..context import DEPTHS
-from .difference import Difference, about, attachments, page_references, pages
-from .pdf_file import Malformed, Pdf, words
-from .signature import fields
-from ..pdf_tables import demand_tables
-from ..printed import covered, printed
+from ..pdf.attach import FRONT, NAME, PAIR, RESULTS, pair_bytes, results_bytes
 from ..report import render
+from .difference import Difference, about, attachments, covered, page_references, pages, printed
+from .pdf_file import Malformed, Pdf, demand_tables, words
+from .signature import fields
 
 KEYWORD = re.compile(r"(\w+):([0-9a-z]+)")
 PARTS = ("steps", "checks", "values")  # of the results inside a report

@@ -13,9 +13,9 @@ from textual import _wait
 from textual.pilot import Pilot
 
 from assistant.app import ContralberoApp
-from assistant.session.recovery import Memory
 from assistant.screens import background_solve
 from assistant.screens.workbench import Workbench
+from assistant.session.recovery import Memory
 from assistant.session.session import EXAMPLE, Session
 
 pytest.register_assert_rewrite("tests.assistant.deeds")

@@ -12,8 +12,7 @@ from textual.pilot import Pilot
 from textual.worker import WorkerCancelled
 
 from assistant.screens.workbench import Workbench
-from assistant.widgets.choice import Choice
-from assistant.widgets.entry import Entry
+from assistant.widgets.entry import Choice, Entry
 from assistant.widgets.lines import MessageLine
 
 CHARACTERS = {

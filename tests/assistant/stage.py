@@ -20,7 +20,6 @@ from assistant.widgets.curve_pane import CurvePane
 from assistant.widgets.form import Form
 from assistant.widgets.radio import Balance
 from calc.design.model import STEPS
-
 from tests.assistant.action_tests import still
 from tests.assistant.conftest import NOON
 from tests.assistant.driving import work

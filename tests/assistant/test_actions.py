@@ -9,7 +9,7 @@ from textual.widgets import Input
 
 from assistant.actions import ACTIONS, BY_ID, key_name, methods
 from assistant.screens.accept import AcceptActions
-from assistant.screens.curve_actions import CurveActions
+from assistant.screens.curves import CurveActions
 from assistant.screens.edit_actions import EditActions
 from assistant.screens.file_actions import FileActions
 from assistant.screens.moves import Moves
@@ -17,9 +17,8 @@ from assistant.screens.reading_actions import ReadingActions
 from assistant.screens.ready import ReadyActions
 from assistant.screens.workbench import Workbench
 from assistant.widgets.curve_pane import CurvePane
-from assistant.widgets.footer_line import FooterLine
+from assistant.widgets.lines import FooterLine
 from calc.sheet.step import Curve
-
 from tests.assistant.conftest import Screen
 from tests.assistant.driving import rows, settled, strike, until, work
 
@@ -124,7 +123,7 @@ async def test_the_footer_has_room_for_what_does_something_here(screen: Screen) 
 
 async def test_help_and_palette_know_every_action(screen: Screen) -> None:
     from assistant.screens.help import HelpScreen
-    from assistant.screens.palette_entries import HIDDEN, entries
+    from assistant.screens.palette import HIDDEN, entries
 
     async with screen() as pilot:
         bench = pilot.app.screen

@@ -12,13 +12,11 @@ from textual.widgets import Input, Static
 from assistant.actions import BY_ID
 from assistant.app import ContralberoApp
 from assistant.screens.dialogs import Choose
-from assistant.screens.open_dialog import OpenDialog
 from assistant.screens.palette import Palette
-from assistant.screens.save_dialog import SaveDialog
+from assistant.screens.path_dialogs import OpenDialog, SaveDialog
 from assistant.screens.workbench import Workbench
 from assistant.session.session import Session
 from assistant.widgets.form import Form
-
 from tests.assistant.conftest import Screen
 from tests.assistant.driving import go_to, settled, strike, until, work
 

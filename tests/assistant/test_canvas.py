@@ -3,11 +3,10 @@
 
 import pytest
 
-from assistant.widgets.canvas import draw, noted
-from assistant.raster import BITS
+from assistant.widgets.canvas import BITS, draw, noted
 from assistant.widgets.signs import Signs
-from calc.locale import language
 from calc.draw.drawing import Arc, Area, Dimension, Polyline, Sketch, Words, rectangle
+from calc.locale import language
 from calc.sheet.text import Text
 
 say = language("en")

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Changes told in words."""
 
-from assistant.changes import locked_text
+from assistant.session.editing import locked_text
 from calc.design.toml_file import read
 from calc.studies.shipped import EXAMPLE
 

@@ -9,18 +9,16 @@ from textual.pilot import Pilot
 from textual.widgets import Input, OptionList
 
 from assistant.app import ContralberoApp
-from assistant.session.versions import kept, of_session, past
-from assistant.screens.compare import CompareScreen
-from assistant.screens.compare_with import CompareFile, CompareWith
+from assistant.screens.compare import CompareScreen, ComparisonList
+from assistant.screens.path_dialogs import CompareFile, CompareWith
 from assistant.session.session import Session
-from assistant.widgets.comparison import ComparisonList
-from calc.studies.compare import compare
-from calc.compare_conclusion import differing, moved
+from assistant.session.versions import kept, of_session, past
 from calc.design.toml_file import load
 from calc.sheet.number import short
-from calc.studies.shipped import DESIGNS
 from calc.solve import solve
-
+from calc.studies.compare import compare
+from calc.studies.compare_tables import differing, moved
+from calc.studies.shipped import DESIGNS
 from tests.assistant.conftest import Screen
 from tests.assistant.driving import go_to, settled, strike, told, type_in, until, work
 

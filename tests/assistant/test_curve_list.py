@@ -10,7 +10,6 @@ from textual.widgets import Input, OptionList
 from assistant.screens.curves import CurveList, found
 from assistant.widgets.curve_pane import CurvePane
 from calc.sheet.step import Curve, Series, Table
-
 from tests.assistant.conftest import Screen
 from tests.assistant.driving import strike, told, type_in, until, work
 from tests.assistant.test_curves import BODIES, TABLE, drawn, show

@@ -12,12 +12,11 @@ from textual.widgets import Static
 
 from assistant.session.session import Session
 from assistant.widgets.curve_pane import CurvePane
-from assistant.widgets.plot import Plot, Sheet, extent
-from assistant.widgets.sight import Sight
+from assistant.widgets.plot import Plot, PlotArea, extent
+from assistant.widgets.reading import Sight
 from assistant.widgets.table_list import Setter, TableList
 from calc.locale import language
 from calc.sheet.step import Curve, Series, Table, Turning
-
 from tests.assistant.conftest import Screen, solved
 from tests.assistant.driving import at_rest, rows, strike, told, until, work
 
@@ -78,7 +77,7 @@ async def drawn(pilot: Pilot[int]) -> None:
         plot = next(iter(pane.query(Plot)), None)
         if plot is None or plot._shown is None or plot._needs_rerender or plot._scale_rectangle.area == 0:
             return False
-        if any(sheet.size != sheet._canvas_size for sheet in plot.query(Sheet) if sheet.size):
+        if any(sheet.size != sheet._canvas_size for sheet in plot.query(PlotArea) if sheet.size):
             return False
         sight = plot._shown[0]
         return sight.curve is pane.curve and (sight.wanted, sight.degrees) == (pane.variant, pane.degrees)
@@ -192,7 +191,7 @@ async def test_lines_that_run_over_each_other_are_both_seen(screen: Screen, back
     curve = Curve("same", "Two alike", "x", "y", (Series("order 1", x, y), Series("all orders", x, y), aside), equal=True)
     async with screen(size=(120, 40), ascii=ascii) as pilot:
         await show(pilot, curve)
-        canvas, room = work(pilot).query_one("#plot", Sheet), work(pilot).query_one(Plot)._scale_rectangle
+        canvas, room = work(pilot).query_one("#plot", PlotArea), work(pilot).query_one(Plot)._scale_rectangle
         looks = [pilot.app.signs.look(n) for n in range(3)]  # type: ignore[attr-defined]
         cells = [canvas.get_pixel(x, y) for x in range(room.x, room.right) for y in range(room.y, room.bottom)]
         first, second, alone = ([char for char, colour in cells if colour == look.colour] for look in looks)

@@ -7,14 +7,12 @@ import pytest
 
 from assistant.screens import drive
 from assistant.screens.compare import CompareScreen
-from assistant.screens.drive import Driving
+from assistant.screens.drive import Driving, Scatter
+from assistant.screens.selection import OfferList
 from assistant.session.session import Session
-from assistant.widgets.offer_list import OfferList
-from assistant.widgets.scatter import Scatter
-
-from tests.conftest import DESIGNS
 from tests.assistant.conftest import Screen
 from tests.assistant.driving import strike, until, work
+from tests.conftest import DESIGNS
 
 FEW = """
 [optimise]

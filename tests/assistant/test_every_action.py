@@ -19,7 +19,6 @@ from assistant.app import ContralberoApp
 from assistant.screens import background_solve
 from assistant.screens.palette import Palette
 from assistant.session.session import Session
-
 from tests.assistant.action_tests import DEEDS, Do, curves, editing, files, over, showing, still  # noqa: F401  each room puts its deeds in
 from tests.assistant.driving import strike, until
 from tests.assistant.stage import Stage, staged

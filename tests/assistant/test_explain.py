@@ -3,14 +3,12 @@
 
 import pytest
 
-from assistant.screens.explain import Explain
+from assistant.screens.explain import INPUT, ChainList, Explain
 from assistant.screens.workbench import Workbench
 from assistant.session.session import Session
 from assistant.widgets.calculation import Calculation
-from assistant.widgets.chain_list import INPUT, ChainList
 from assistant.widgets.checks import Checks
 from calc.studies.explain import chain
-
 from tests.assistant.conftest import Screen
 from tests.assistant.driving import settled, strike, told, until, work
 

@@ -16,7 +16,6 @@ from calc.locale import language
 from calc.sheet.number import short
 from calc.sheet.quantity import THUMB, Quantity, keys
 from calc.sheet.text import Amount
-
 from tests.assistant.conftest import Screen
 from tests.assistant.driving import go_to, strike, until, work
 

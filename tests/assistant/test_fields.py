@@ -8,13 +8,12 @@ from textual import events
 
 from assistant.session.route import idle
 from assistant.session.session import Session
-from assistant.widgets.headings import ArrayHeading
 from assistant.widgets.checks import Checks
 from assistant.widgets.entry import Entry
 from assistant.widgets.field import Field
+from assistant.widgets.headings import ArrayHeading
 from calc.design.addresses import address, quantities
 from calc.design.model import STEPS
-
 from tests.assistant.conftest import Screen, solved
 from tests.assistant.driving import go_to, message, rows, settled, strike, told, type_in, until, work
 

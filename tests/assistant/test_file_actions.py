@@ -14,20 +14,18 @@ from textual.widgets import Input, OptionList
 
 from assistant import app as app_module
 from assistant.app import ContralberoApp
+from assistant.screens.dialogs import Ask
+from assistant.screens.palette import entries
+from assistant.screens.path_dialogs import OpenDialog, PathDialog
+from assistant.screens.workbench import Workbench
 from assistant.session.exporting import write_draft
 from assistant.session.recovery import Memory, Settings
-from assistant.screens.ask import Ask
-from assistant.screens.open_dialog import OpenDialog
-from assistant.screens.palette_entries import entries
-from assistant.screens.path_dialogs import PathDialog
-from assistant.screens.workbench import Workbench
 from assistant.session.session import EXAMPLE, Session
-from assistant.widgets.top_line import TopLine
+from assistant.widgets.lines import TopLine
 from calc.design import replay
 from calc.sheet.errors import Cancelled
 from calc.sheet.progress import Progress
 from calc.studies.shipped import DESIGNS
-
 from tests.assistant.conftest import Screen, solved
 from tests.assistant.driving import go_to, rows, settled, strike, told, type_in, until, work
 
@@ -122,8 +120,8 @@ async def test_a_recording_is_given_up_or_asked_about(screen: Screen, light: Ses
 async def test_a_replay_that_can_not_be_written_leaves_the_recording(
     screen: Screen, light: Session, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    from assistant.session.saving import SaveError
     from assistant.screens import file_actions
+    from assistant.session.saving import SaveError
 
     def full(path: Path, data: bytes, inputs: object) -> None:
         raise SaveError("No space left on device")

@@ -9,7 +9,6 @@ from textual.widgets import Input
 
 from assistant.screens.workbench import Workbench
 from assistant.session.session import Session
-
 from tests.assistant.conftest import Screen, solved
 from tests.assistant.driving import go_to, rows, settled, strike, told, type_in, work
 

@@ -6,13 +6,12 @@ import pytest
 from assistant.screens.ready import Closing
 from assistant.screens.slopes import of_check, of_input
 from assistant.session.session import Session
-from assistant.widgets.bar import bar
 from assistant.widgets.checks import Checks
 from assistant.widgets.lines import MessageLine
 from assistant.widgets.signs import Signs
 from assistant.widgets.steps import READY, Steps
+from assistant.widgets.text import bar
 from calc.studies.effects import effects, moved_by
-
 from tests.assistant.conftest import Screen, solved
 from tests.assistant.driving import settled, strike, until, work
 

@@ -9,19 +9,18 @@ import pytest
 from textual.pilot import Pilot
 
 from assistant.app import ContralberoApp
-from assistant.session.recovery import Memory
 from assistant.screens.ready import ReadyScreen
 from assistant.screens.workbench import Workbench
+from assistant.session.recovery import Memory
 from assistant.session.session import Session
 from assistant.widgets.field import Field, StrokeField
 from assistant.widgets.steps import states_of
 from calc.design.model import STEPS
-from calc.ready import ready
-from calc.studies.repair.ways import ways
 from calc.sheet.check import grouped
+from calc.studies.ready import ready
+from calc.studies.repair.ways import ways
 from calc.studies.shipped import DESIGNS
 from calc.studies.starter.build import choice_made
-
 from tests.assistant.driving import until
 
 MOST = 60  # keys, beside the numbers

@@ -18,13 +18,12 @@ from textual.pilot import OutOfBounds, Pilot
 
 from assistant.actions import ACTIONS
 from assistant.app import ContralberoApp
-from assistant.session.recovery import Memory
-from assistant.session.saving import SaveError
 from assistant.screens import background_solve
 from assistant.screens.workbench import Workbench
+from assistant.session.recovery import Memory
+from assistant.session.saving import SaveError
 from assistant.session.session import Session
 from calc.design.toml_file import load
-
 from tests.assistant.conftest import solved
 from tests.assistant.driving import CHARACTERS, settled, strike, until
 

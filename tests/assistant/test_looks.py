@@ -8,7 +8,6 @@ import pytest
 
 from assistant.actions import ACTIONS
 from assistant.session.session import Session
-
 from tests.assistant.conftest import Screen, solved
 from tests.assistant.driving import rows, settled, strike
 

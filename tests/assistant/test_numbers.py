@@ -6,8 +6,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from assistant.session import numbers
-from assistant.session.numbers import NotUnderstood
-from assistant.unit_words import UNIT_WORDS
+from assistant.session.numbers import UNIT_WORDS, NotUnderstood
 from calc.sheet.quantity import Quantity
 from calc.sheet.units import UNITS
 

@@ -10,15 +10,13 @@ from textual.pilot import Pilot
 from textual.widgets import Static
 
 from assistant.session.session import Session
-from assistant.widgets.headings import ArrayHeading
 from assistant.widgets.entry import Entry
 from assistant.widgets.field import Field
-from assistant.widgets.table_heading import TableHeading
+from assistant.widgets.headings import ArrayHeading, TableHeading
 from calc.design.model import STEPS, Design
 from calc.design.toml_file import parse
 from calc.engine.inputs import EngineInputs
 from calc.sheet.quantity import inputs, keys, quantity, series, table
-
 from tests.assistant.conftest import Screen, solved
 from tests.assistant.driving import at_rest, go_to, message, rows, settled, strike, type_in, until, work
 

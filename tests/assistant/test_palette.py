@@ -4,10 +4,9 @@
 import pytest
 from textual.pilot import Pilot
 
-from assistant.matching import folded, match
 from assistant.screens.palette import Palette
 from assistant.session.session import Session
-
+from assistant.widgets.text import folded, match
 from tests.assistant.conftest import Screen
 from tests.assistant.driving import strike, type_in, until, work
 

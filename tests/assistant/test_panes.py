@@ -13,17 +13,15 @@ from assistant.actions import ACTIONS
 from assistant.screens.ready import ReadyScreen
 from assistant.screens.workbench import Workbench
 from assistant.session.session import Session
-from assistant.widgets.headings import ArrayHeading
 from assistant.widgets.calculation import Calculation
-from assistant.widgets.cells import Cells
 from assistant.widgets.checks import Checks
-from assistant.widgets.curve_pane import CurvePane
+from assistant.widgets.curve_pane import CurvePane, Pane
+from assistant.widgets.field import Cells
 from assistant.widgets.form import Form
-from assistant.widgets.pane import Pane
+from assistant.widgets.headings import ArrayHeading
 from calc.design.model import STEPS
-from calc.studies.repair.nearest import Remedy, remedy
 from calc.sheet.check import grouped
-
+from calc.studies.repair.nearest import NearestRemedy, remedy
 from tests.assistant.conftest import Screen, solved
 from tests.assistant.driving import CHARACTERS, go_to, rows, screen_rows, settled, strike, told, type_in, until, work
 
@@ -64,7 +62,7 @@ async def test_what_helps_a_step_that_fails_is_known_before_it_is_opened(
     """Each is looked for once, though the steps are turned in between."""
     sought: list[str] = []
 
-    def known(document: Any, step: str, results: Any, progress: Any) -> Remedy:
+    def known(document: Any, step: str, results: Any, progress: Any) -> NearestRemedy:
         sought.append(step)
         progress(0.0, "")
         return remedy(document, "gears", results, progress)

@@ -5,18 +5,17 @@ import pytest
 from textual.app import ComposeResult
 
 from assistant.base_app import BaseApp
-from assistant.widgets.canvas import draw
 from assistant.session.recovery import Memory
 from assistant.session.session import Session
 from assistant.widgets import picture
+from assistant.widgets.canvas import draw
 from assistant.widgets.picture import Picture
 from assistant.widgets.signs import Signs
 from calc.design.toml_file import load
 from calc.engine.sketch import icon
 from calc.locale import language
-from calc.studies.shipped import engine_inputs, engines
 from calc.solve import solve
-
+from calc.studies.shipped import engine_inputs, engines
 from tests.conftest import GAMMA
 
 

@@ -10,10 +10,8 @@ from pathlib import Path
 import pytest
 
 from assistant.app import ContralberoApp
-from assistant.presence import FOLDER
-from assistant.session.recovery import KEPT, Memory
+from assistant.session.recovery import KEPT, PRESENCE_FOLDER, Memory
 from assistant.session.session import EXAMPLE, Session
-
 from tests.assistant.conftest import Screen
 from tests.assistant.driving import until
 
@@ -38,10 +36,10 @@ def test_each_is_told_of_the_other_once(session: Session) -> None:
     assert not session.joined()
     other.attend()
     assert session.joined()
-    assert len(list((session.memory.folder / FOLDER).iterdir())) == 2
+    assert len(list((session.memory.folder / PRESENCE_FOLDER).iterdir())) == 2
     other.leave()
     session.leave()
-    assert list((session.memory.folder / FOLDER).iterdir()) == []
+    assert list((session.memory.folder / PRESENCE_FOLDER).iterdir()) == []
 
 
 def test_the_edits_of_a_session_that_lives_are_its_own(session: Session) -> None:
@@ -98,7 +96,7 @@ def test_a_session_that_was_killed_is_not_there_any_more(session: Session) -> No
         other.send_signal(signal.SIGKILL)
         other.wait()
     assert session.memory.present(session.home) == set()
-    assert list((session.memory.folder / FOLDER).iterdir()) == []
+    assert list((session.memory.folder / PRESENCE_FOLDER).iterdir()) == []
 
 
 def test_edits_of_sessions_that_live_are_kept_however_many_others_there_are(session: Session) -> None:

@@ -8,7 +8,7 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from assistant.commands.replay import run as replay_command
+from assistant.commands.scenarios import run_replay as replay_command
 from assistant.session.recording import Recording, step
 from assistant.session.session import Session
 from calc.design import replay

@@ -11,11 +11,10 @@ from pathlib import Path
 import pytest
 from textual.messages import ExitApp
 
-from assistant.session.recovery import RECENT, Edits, Memory, Settings, state_dir
 from assistant.screens.edit_feedback import KEEP
+from assistant.session.recovery import RECENT, Edits, Memory, Settings, state_dir
 from assistant.session.session import EXAMPLE, Session
 from calc.sheet.errors import BadInput
-
 from tests.assistant.conftest import NOON, Screen
 from tests.assistant.driving import go_to, type_in, until
 

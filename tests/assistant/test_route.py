@@ -7,20 +7,19 @@ import pytest
 from textual import events
 from textual.widgets import Input
 
+from assistant.screens.dialogs import Reason
 from assistant.session.places import Place
 from assistant.session.route import ROUTE, STROKE, fold_of, path_of
-from assistant.screens.reason import Reason
 from assistant.session.session import Session
 from assistant.widgets.entry import Entry
 from assistant.widgets.field import Field, StrokeField
-from assistant.widgets.fold import Fold
-from assistant.widgets.guide_text import GuideText
+from assistant.widgets.form import GuideText
+from assistant.widgets.headings import Fold
 from assistant.widgets.radio import Balance, Todo
 from assistant.widgets.rows import Asked, routed
 from calc.design.model import STEPS
 from calc.sheet.quantity import keys
 from calc.studies.shipped import DESIGNS
-
 from tests.assistant.conftest import Screen, solved
 from tests.assistant.driving import go_to, rows, settled, strike, told, type_in, until, work
 

@@ -8,11 +8,10 @@ import pytest
 from textual.app import ComposeResult
 from textual.widgets import Static
 
-from assistant.screens.searching import Searching
+from assistant.screens.selection import Searching
 from calc.sheet.errors import BadInput, InputError, NoSolution
 from calc.sheet.progress import Progress
 from calc.sheet.text import Text
-
 from tests.assistant.conftest import Screen
 from tests.assistant.driving import strike, until
 

@@ -259,7 +259,7 @@ def test_a_notation_that_can_not_be_edited_is_written_anew_and_said(session: Ses
     def refuse(*_: object) -> str:
         raise SaveError("no")
 
-    monkeypatch.setattr("assistant.draft.edited_text", refuse)
+    monkeypatch.setattr("assistant.session.saving.edited_text", refuse)
     session.edit(BORE, "95")
     assert load(session.save())[0].data["engine"]["bore_mm"] == 95.0
     assert "comments" in session.message

@@ -17,23 +17,22 @@ from syrupy.extensions.single_file import SingleFileSnapshotExtension, WriteMode
 from textual.pilot import Pilot
 
 from assistant.app import ContralberoApp
-from assistant.session.recovery import Memory, Settings
 from assistant.screens import background_solve, edit_feedback, slopes
 from assistant.screens.help import HelpScreen
-from assistant.screens.new_dialog import NewDialog
+from assistant.screens.path_dialogs import NewDialog
 from assistant.screens.ready import ReadyScreen
 from assistant.screens.remedies import Remedies
 from assistant.screens.selection import Choosing
 from assistant.screens.start import Start
 from assistant.screens.workbench import Workbench
+from assistant.session.recovery import Memory, Settings
 from assistant.session.session import EXAMPLE, Session
 from assistant.session.solving import Answer
 from assistant.widgets.checks import Checks
 from assistant.widgets.curve_pane import CurvePane
 from calc.design.model import STEPS
-from calc.studies.repair.nearest import remedy
 from calc.solve import Results
-
+from calc.studies.repair.nearest import remedy
 from tests.assistant.conftest import NOON
 from tests.assistant.driving import at_rest, screen_rows, strike, until, work
 from tests.assistant.test_curves import drawn

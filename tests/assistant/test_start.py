@@ -9,15 +9,14 @@ from textual.pilot import Pilot
 from textual.widgets import Input
 
 from assistant.app import ContralberoApp
-from assistant.session.beginnings import engine_only, finding, groups
-from assistant.matching import match
-from assistant.session.recovery import Memory
 from assistant.screens.start import Start
 from assistant.screens.workbench import Workbench
+from assistant.session.beginnings import engine_only, finding, groups
+from assistant.session.recovery import Memory
 from assistant.session.session import Session
+from assistant.widgets.text import match
 from calc.design.toml_file import Document, design
 from calc.studies.shipped import engines
-
 from tests.assistant.conftest import Screen
 from tests.assistant.driving import screen_rows, strike, type_in, until, work
 

@@ -8,20 +8,18 @@ import pytest
 from textual.pilot import Pilot
 
 from assistant.app import ContralberoApp
+from assistant.screens import background_solve
 from assistant.session.numbers import written
 from assistant.session.places import described
 from assistant.session.recovery import Memory
-from assistant.screens import background_solve
 from assistant.session.session import Session
-from assistant.widgets.choice import Choice
-from assistant.widgets.entry import Entry
-from calc.design.toml_file import design as checked
+from assistant.widgets.entry import Choice, Entry
 from calc.design.replay import Script, compare, load
+from calc.design.toml_file import design as checked
 from calc.solve import Results, solve
-
-from tests.conftest import ROOT
 from tests.assistant.conftest import solved
 from tests.assistant.driving import go_to, settled, strike, type_in, until, work
+from tests.conftest import ROOT
 
 REPLAYS = sorted((ROOT / "tests" / "replays").glob("*.toml"))
 

@@ -5,10 +5,10 @@ from dataclasses import replace
 import pytest
 
 from calc.design.toml_file import design, parse, read
-from calc.studies.effects import effects
 from calc.sheet.errors import BadInput
-from calc.studies.shipped import EXAMPLE
 from calc.solve import solve
+from calc.studies.effects import effects
+from calc.studies.shipped import EXAMPLE
 
 OPEN, HOLDS, LIMIT = "bearings.front.slope_given", "bearings.rear.mckee", "bearings.front.film_edge"
 

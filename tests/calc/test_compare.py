@@ -11,16 +11,14 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from calc.design.addresses import address, changed, quantities, value_at
-from calc.studies.compare import Comparison, ValueDifference, compare, relative, turn
-from calc.compare_inputs import inputs
-from calc.studies.compare_tables import change_text, check_table, input_table, pair, value_table, verdict_table
 from calc.design.model import STEPS
 from calc.design.toml_file import Document, design, read
 from calc.sheet.check import Check
 from calc.sheet.quantity import Published
 from calc.sheet.step import Outcome
 from calc.solve import Results, solve
-
+from calc.studies.compare import Comparison, ValueDifference, compare, inputs, relative, turn
+from calc.studies.compare_tables import change_text, check_table, input_table, pair, value_table, verdict_table
 from tests.conftest import DESIGNS, GAMMA
 
 BETA = DESIGNS / "r753ie4_beta.toml"

@@ -5,17 +5,14 @@ from dataclasses import replace
 
 import pytest
 
-from calc.studies.compare import NOTABLE, Comparison, KeyResult, compare
-from calc.compare_conclusion import moved_table, result_table, sentences
-from calc.compare_inputs import inputs
-from calc.studies.compare_tables import input_table
-from calc.design.toml_file import Document, design, read
-from calc.id_words import in_context
 from calc.design.key_values import is_least, key_results
+from calc.design.names import in_context
+from calc.design.toml_file import Document, design, read
 from calc.sheet.quantity import Published
 from calc.sheet.text import Text
 from calc.solve import Results, solve
-
+from calc.studies.compare import NOTABLE, Comparison, KeyResult, compare, inputs
+from calc.studies.compare_tables import input_table, moved_table, result_table, sentences
 from tests.conftest import DESIGNS
 
 NAMES = ("beta", "gamma")

@@ -8,16 +8,15 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from calc.library.catalogue import materials
-from calc.contact import hertz, line
-from calc.library import contact as teeth
-from calc.friction.mesh.motion import motion
-from calc.friction.mesh.path import path
+from calc.friction.mesh.path import motion, path
 from calc.friction.solve import meshes_of
 from calc.gears.rating.screening import load as screening_load
 from calc.gears.rating.screening import micropitting, scuffing
 from calc.gears.rating.screening.path import Path as ScreeningPath
-
+from calc.library import contact as hertz
+from calc.library import contact as line
+from calc.library import contact as teeth
+from calc.library.catalogue import materials
 from tests.calc.gears.trains import mesh, r753, solved, train, wheel
 
 STEEL = 206e9

@@ -2,11 +2,11 @@
 
 import pytest
 
-from calc.described import described
+from calc.design.addresses import described
 from calc.design.toml_file import Document, design
+from calc.draw.drawing import Dimension
 from calc.engine.sketch import sketch
 from calc.locale import language
-from calc.draw.drawing import Dimension
 from calc.solve import solve
 
 ENGINE = {

@@ -11,7 +11,6 @@ from calc.design.model import Design
 from calc.design.toml_file import Document, design, load, parse, read
 from calc.sheet.errors import BadInput
 from calc.sheet.units import UNITS
-
 from tests.conftest import DESIGNS, GAMMA
 
 TEXT = GAMMA.read_text(encoding="utf-8")

@@ -5,10 +5,10 @@ import tomllib
 
 import pytest
 
-from calc.compare_inputs import inputs
-from calc.design.toml_file import design, parse
 from calc.design.other_tables import DocumentControl
+from calc.design.toml_file import design, parse
 from calc.sheet.errors import BadInput
+from calc.studies.compare import inputs
 from calc.studies.shipped import DESIGNS
 
 WHOLE = (DESIGNS / "timing_pair.toml").read_text(encoding="utf-8")

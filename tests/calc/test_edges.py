@@ -9,20 +9,25 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
-from calc.library import fits, journal_rules
-from calc import notch, viscosity_index
 from calc.bearings import checks as bearing_checks
-from calc.bearings.film import grooved_table, table
-from calc.bearings.film.feeds import Feed, Feeds
-from calc.bearings.film.nodes import film_nodes
-from calc.bearings.routes import din31652 as falz, raimondi_boyd
-from calc.library.catalogue import TABLES, Oil, ViscosityRow, shipped_oils
-from calc.countershaft.making import thread
+from calc.bearings.film import grooved as grooved_table
+from calc.bearings.film import table
+from calc.bearings.film.grooved import Feed, Feeds
+from calc.bearings.film.table import film_nodes
+from calc.bearings.routes import din31652 as falz
+from calc.bearings.routes import raimondi_boyd
+from calc.countershaft.making import inputs as thread
 from calc.engine.cycle import table_pressure
-from calc.friction.mesh import erf
-from calc.gears.rating import classes, distribution, dynamic, life, root_strength, stress
+from calc.gears.rating import classes, distribution, dynamic, stress
+from calc.gears.rating import strength as life
+from calc.gears.rating import strength as root_strength
 from calc.gears.rating.screening import load as screening_load
+from calc.library import fatigue as notch
+from calc.library import fits, journal_rules
+from calc.library import oil_formulas as viscosity_index
+from calc.library.catalogue import TABLES, Oil, ViscosityRow, shipped_oils
 from calc.library.lubricant import Lubricant
+from calc.sheet import functions as erf
 
 BESIDE = 1e-9  # of an edge, to each side
 ALIKE = 2e-5  # of the value: what a root, which begins straight up, rises over so short a way; a line moves by far less

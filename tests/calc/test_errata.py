@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from assistant.cli import main
-from assistant.commands.errata import markdown
+from assistant.commands.published import markdown
 from calc.studies.errata import documents, misprints, worked_out
 
 ROOT = Path(__file__).resolve().parents[2]

@@ -5,9 +5,9 @@ from pathlib import Path
 import pytest
 
 from calc.design.toml_file import Document, design, read
-from calc.studies.explain import Chains, chain, needs, origin
-from calc.sheet.trace import Line
+from calc.sheet.value import Line
 from calc.solve import solve
+from calc.studies.explain import Chains, chain, needs, origin
 
 DESIGNS = Path(__file__).parents[2] / "designs"
 SHIPPED = sorted(path.stem for path in DESIGNS.glob("*.toml"))

@@ -6,14 +6,13 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
-from calc.library import fatigue
-from calc.library.catalogue import Material, materials
 from calc.countershaft.bending import shaft as b
 from calc.countershaft.checks import bending_checks
 from calc.engine import throw
 from calc.engine.gas import GasInputs
-from calc.engine.throw_inputs import ThrowInputs
-
+from calc.engine.inputs import ThrowInputs
+from calc.library import fatigue
+from calc.library.catalogue import Material, materials
 from tests.calc.countershaft.bending.test_bending import FRONT, OMEGA, REAR, STEEL, example, further
 from tests.calc.engine.test_throw import SIZES
 from tests.calc.engine.test_torque import engine_of, single

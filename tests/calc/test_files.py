@@ -16,7 +16,7 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from calc.design import disk as files
-from calc.design.disk import Changed, bare_name, edit_file, locked, read_file, same_file, write_file
+from calc.design.disk import FileChanged, bare_name, edit_file, locked, read_file, same_file, write_file
 from calc.design.limits import DESIGN_BYTES
 
 pytestmark = pytest.mark.skipif(os.name != "posix", reason="pipes, links, rights and locks of POSIX")
@@ -129,7 +129,7 @@ def test_an_input_is_never_written_over(path: Path, how: str) -> None:
 
 def test_a_file_that_another_program_has_changed_or_made_is_left_alone(path: Path) -> None:
     for expected in (b"older", b"ol", b"old and more"):
-        with pytest.raises(Changed):
+        with pytest.raises(FileChanged):
             write_file(path, b"new", expected=expected)
     with pytest.raises(FileExistsError):
         write_file(path, b"new", new=True)

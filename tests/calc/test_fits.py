@@ -10,8 +10,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from calc.library.fits import ALLOWED, GRADES, HOLES, SHAFTS, Field, clearance_limits, deviations, parse, problem, tolerance
-
+from calc.library.fits import ALLOWED, GRADES, HOLES, SHAFTS, ToleranceField, clearance_limits, deviations, parse, problem, tolerance
 from tests.conftest import ROOT
 
 # Limit deviations in µm as printed: (class, diameter mm, lower, upper).
@@ -88,8 +87,8 @@ def test_the_band_of_two_widths_and_of_a_fit():
 
 @given(st.sampled_from(SHAFTS), st.sampled_from(list(GRADES)), st.floats(0.0011, 0.5))
 def test_holes_mirror_shafts_and_fields_have_their_width(letter, grade, diameter):
-    low, high = deviations(Field(letter, grade), diameter)
-    bore, widest = deviations(Field(letter.upper(), grade), diameter)
+    low, high = deviations(ToleranceField(letter, grade), diameter)
+    bore, widest = deviations(ToleranceField(letter.upper(), grade), diameter)
     assert (bore, widest) == pytest.approx((-high, -low))
     assert high - low == pytest.approx(tolerance(grade, diameter))
     assert low < high and (letter == "js" or high <= 0)
@@ -101,7 +100,7 @@ def test_widths_rise_with_grade_and_size(grade, diameter, more):
     assert tolerance(grade, diameter) <= tolerance(grade, diameter + more)
 
 
-@pytest.mark.parametrize("word", [str(Field(letter, grade)) for letter in (*SHAFTS, *HOLES, None) for grade in GRADES])
+@pytest.mark.parametrize("word", [str(ToleranceField(letter, grade)) for letter in (*SHAFTS, *HOLES, None) for grade in GRADES])
 def test_words_come_back(word):
     assert str(parse(word)) == word and str(parse(f" {word} ")) == word and problem(word) is None
 

@@ -12,7 +12,6 @@ import calc
 from calc.sheet.expression import expression, text
 from calc.sheet.formula import FORMULAS, formula, units
 from calc.sheet.units import UNITS
-
 from tests.calc.dimension import Mismatch, check
 
 for path in Path(calc.__file__).parent.rglob("*.py"):

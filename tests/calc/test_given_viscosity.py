@@ -7,14 +7,14 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from calc.library.catalogue import Oil, ViscosityRow, oils
 from calc.design.toml_file import design, parse, read
-from calc.studies.explain import Chains
+from calc.library.catalogue import Oil, ViscosityRow, oils
 from calc.library.lubricant import Lubricant
 from calc.library.oil_formulas import ZERO_CELSIUS
 from calc.library.oils import rising_rows
 from calc.sheet.errors import BadInput
 from calc.solve import solve
+from calc.studies.explain import Chains
 
 DESIGNS = Path(__file__).parents[2] / "designs"
 # Gear friction thesis, table of oils (read): T in °C → dynamic viscosity in mPa·s, as printed, misprints and all.

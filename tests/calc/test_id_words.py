@@ -5,11 +5,10 @@ import re
 
 import pytest
 
+from calc.design.names import belongs
 from calc.design.toml_file import load
-from calc.id_words import belongs
 from calc.sheet.text import Name
 from calc.solve import solve
-
 from tests.conftest import DESIGNS
 
 NUMBERS = re.compile(r"\d+")  # of an element without a name

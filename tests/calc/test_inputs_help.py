@@ -8,9 +8,9 @@ import pytest
 
 from calc.design.model import STEPS
 from calc.design.toml_file import design, parse, read
+from calc.design.unusual import told, unusual
 from calc.sheet.quantity import Quantity, keys
 from calc.studies.shipped import DESIGNS, engine_design, engines
-from calc.design.unusual import told, unusual
 
 NUMBERS = ("number", "integer", "series", "integers")
 USUAL = 99  # quantities with a usual range: none of them is to be lost

@@ -8,7 +8,6 @@ import pytest
 
 from calc.design.toml_file import parse
 from calc.sheet.errors import BadInput
-
 from tests.conftest import DESIGNS
 
 OWN = {

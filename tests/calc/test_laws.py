@@ -8,11 +8,12 @@ import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
+from calc.library import contact as hertz
+from calc.library import contact as line
 from calc.library.catalogue import materials, oils
-from calc.contact import hertz, line
-from calc.library.fits import GRADES, SHAFTS, Field, clearance_limits, tolerance
+from calc.library.fits import GRADES, SHAFTS, ToleranceField, clearance_limits, tolerance
 from calc.library.lubricant import Lubricant
-from calc.viscosity_index import of_index_0, of_index_100, viscosity_index
+from calc.library.oil_formulas import of_index_0, of_index_100, viscosity_index
 
 OILS = st.sampled_from(sorted(oils()))
 laws = st.sampled_from(["walther", "d341"])
@@ -128,13 +129,13 @@ def test_two_flanks_roll_as_their_curvatures(T, z_1, z_2, x, n):
 )  # fmt: skip
 def test_a_fit_is_the_same_by_its_hole_or_by_its_shaft(letter, journal, seat, d):
     """f7 in H8 has the clearance of h7 in F8; its spread is the sum of both widths; a coarser grade never narrows it."""
-    by_hole = clearance_limits(Field(letter, journal), Field("H", seat), d)
-    by_shaft = clearance_limits(Field("h", journal), Field(letter.upper(), seat), d)
+    by_hole = clearance_limits(ToleranceField(letter, journal), ToleranceField("H", seat), d)
+    by_shaft = clearance_limits(ToleranceField("h", journal), ToleranceField(letter.upper(), seat), d)
     if letter != "js":
         assert by_hole == pytest.approx(by_shaft, abs=1e-9)
         assert by_hole[0] >= 0
     least, most = by_hole
     assert most - least == pytest.approx(tolerance(journal, d) + tolerance(seat, d), abs=1e-9)
     assert sum(by_hole) == pytest.approx(sum(by_shaft) if letter != "js" else tolerance(seat, d) + 0.0, abs=1e-9)
-    coarser = clearance_limits(Field(letter, journal), Field("H", seat + 1), d)
+    coarser = clearance_limits(ToleranceField(letter, journal), ToleranceField("H", seat + 1), d)
     assert coarser[0] == pytest.approx(least, abs=1e-9) and coarser[1] > most

@@ -3,8 +3,8 @@
 
 import pytest
 
-from calc.design.toml_file import Document, design, read
 from calc.design.locks import locked, locks, standing, toggled
+from calc.design.toml_file import Document, design, read
 from calc.sheet.errors import BadInput
 from calc.studies.shipped import EXAMPLE
 

@@ -3,11 +3,11 @@
 
 import pytest
 
-from calc.design.toml_file import Document, design, read
 from calc.design.predicted import at_speed, compared_table
+from calc.design.toml_file import Document, design, read
 from calc.sheet.errors import BadInput
-from calc.studies.shipped import DESIGNS
 from calc.solve import solve
+from calc.studies.shipped import DESIGNS
 
 GAMMA = read(DESIGNS / "r753ie4_gamma.toml")
 

@@ -6,7 +6,7 @@ import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
-from calc.notch import high_shoulder, low_shoulder, notch_stress, shoulder_bending
+from calc.library.fatigue import high_shoulder, low_shoulder, notch_stress, shoulder_bending
 
 
 def test_a_shoulder_read_from_the_chart():

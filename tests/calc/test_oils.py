@@ -8,14 +8,23 @@ import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
-from calc.library.catalogue import TABLES, Claim, Oil, PrintedViscosity, base_stocks, grades, oils, shipped_oils
 from calc.design.toml_file import design, parse
+from calc.library.catalogue import TABLES, Claim, Oil, PrintedViscosity, base_stocks, grades, oils, shipped_oils
 from calc.library.lubricant import Lubricant
-from calc.library.oil_formulas import FLATTEST, STEEPEST, line_problem, viscosity_slope
-from calc.library.oils import CONFIDENCES, errata, grade, judged_values, least_sure, printed_at, printed_table, printed_viscosities, values_table
+from calc.library.oil_formulas import FLATTEST, STEEPEST, line_problem, of_index_0, of_index_100, viscosity_index, viscosity_slope
+from calc.library.oils import (
+    CONFIDENCES,
+    errata,
+    grade,
+    judged_values,
+    least_sure,
+    printed_at,
+    printed_table,
+    printed_viscosities,
+    values_table,
+)
 from calc.sheet.errors import BadInput
-from calc.sheet.trace import trace
-from calc.viscosity_index import of_index_0, of_index_100, viscosity_index
+from calc.sheet.value import trace
 
 THESIS = "friction thesis "
 OWN = """

@@ -7,19 +7,18 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from calc.library.balance_quality import permitted_unbalance
 from calc.bearings.film import dynamics as d
 from calc.bearings.film import short_bearing as short
 from calc.bearings.film.dynamics import coefficients
 from calc.bearings.film.table import eccentricity_from, film_at
-from calc.library.catalogue import TABLES, Oil
 from calc.countershaft.bending.beam import beam, bend, natural_frequency
-from calc.countershaft.making.tolerance import lever_front, lever_rear, plane_unbalance
+from calc.countershaft.making.balance import lever_front, lever_rear, plane_unbalance
 from calc.gears import formulas as g
 from calc.gears.measures import formulas as m
+from calc.library.balance_quality import permitted_unbalance
+from calc.library.catalogue import TABLES, Oil
 from calc.library.lubricant import Lubricant
-from calc.library.oil_formulas import density
-from calc.viscosity_index import viscosity_index
+from calc.library.oil_formulas import density, viscosity_index
 
 CASES = tomllib.loads((Path(__file__).parents[1] / "reference" / "outside.toml").read_text(encoding="utf-8"))["case"]
 STIFF = np.inf  # Bernoulli's beam: no shear

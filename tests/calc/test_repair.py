@@ -8,21 +8,20 @@ import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
-from calc.design.addresses import quantity_of
 from calc.countershaft.inputs import EccentricMass
+from calc.design.addresses import quantity_of
 from calc.design.toml_file import Document, design, read
 from calc.gears.rating.classes import class_names, strength_class
-from calc.studies.repair.nearest import nearest
-from calc.studies.repair.sizing import _near, _shifted, _single, _wanted
-from calc.studies.repair.trials import Trials
-from calc.studies.repair.vary import Number, _Search
 from calc.sheet.check import THIN_MARGIN, Check
 from calc.sheet.search import Budget
 from calc.sheet.text import EMPTY, Text
 from calc.solve import solve
-
-from tests.conftest import GAMMA
+from calc.studies.repair.nearest import nearest
+from calc.studies.repair.sizing import _near, _shifted, _single, _wanted
+from calc.studies.repair.trials import Trials
+from calc.studies.repair.vary import Number, _Search
 from tests.calc.test_remedy import damaged, fails, with_changes
+from tests.conftest import GAMMA
 
 WEAK = tuple(f'gears.wheels.{name}.gear_material="nitrocarburised"' for name in ("crank", "pump"))
 

@@ -4,7 +4,6 @@ import pytest
 
 from calc.design import replay
 from calc.sheet.errors import BadInput
-
 from tests.conftest import GAMMA, ROOT
 
 HEAD = f'schema = 1\ndesign = "{GAMMA}"\n'

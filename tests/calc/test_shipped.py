@@ -16,8 +16,8 @@ import pytest
 from assistant.cli import main
 from assistant.session.saving import edited_text, fresh_text
 from calc.design.toml_file import design, parse, read
-from calc.studies.shipped import DESIGNS, engine_design, engines
 from calc.solve import solve
+from calc.studies.shipped import DESIGNS, engine_design, engines
 from calc.studies.starter.balancing import what_shakes
 from calc.studies.starter.build import NOTHING
 

@@ -7,11 +7,11 @@ from typing import Any
 
 import pytest
 
-from calc.library.catalogue import materials, shipped_oils
 from calc.countershaft.making.inputs import Support
 from calc.countershaft.making.parts import _load_stress
 from calc.design.model import Design
 from calc.design.toml_file import load
+from calc.library.catalogue import materials, shipped_oils
 from calc.library.publications import resolved
 from calc.sheet.check import Check
 from calc.solve import Results, solve

@@ -13,9 +13,8 @@ import pytest
 
 from calc.sheet.errors import NoSolution
 from calc.studies.spread import spread
-
-from tests.conftest import ROOT
 from tests.calc.spread_work import once, slow
+from tests.conftest import ROOT
 
 PROGRAM = """
 from calc.studies.spread import spread

@@ -6,8 +6,7 @@ import pytest
 from calc.design.model import STEPS
 from calc.sheet.expression import symbol, symbol_of
 from calc.sheet.formula import units
-from calc.sheet.trace import Line
-
+from calc.sheet.value import Line
 from tests.conftest import DESIGNS
 from tests.reports.reading import solved
 

@@ -4,13 +4,12 @@
 import pytest
 
 from calc.design.toml_file import Document, design
-from calc.studies.repair.state import broken, state_of
-from calc.repair.way import NEAR, Way
-from calc.studies.repair.ways import search, ways
 from calc.sheet.check import Check
 from calc.sheet.errors import Cancelled
 from calc.solve import Results, solve
-
+from calc.studies.repair.state import broken, state_of
+from calc.studies.repair.trials import NEAR, RepairOption
+from calc.studies.repair.ways import search, ways
 from tests.calc.test_remedy import damaged, with_changes
 
 
@@ -18,7 +17,7 @@ def finding(results: Results, id: str) -> Check:
     return next(c for c in results.checks() if c.id == id)
 
 
-def ways_of(document: Document, id: str) -> tuple[Check, tuple[Way, ...]]:
+def ways_of(document: Document, id: str) -> tuple[Check, tuple[RepairOption, ...]]:
     results = solve(design(document))
     check = finding(results, id)
     return check, ways(document, check, results)

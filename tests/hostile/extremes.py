@@ -13,8 +13,8 @@ from calc.design.addresses import quantities, value_at
 from calc.design.toml_file import Document, design, read
 from calc.sheet.errors import BadInput, NoSolution
 from calc.sheet.quantity import Quantity
-from calc.studies.shipped import DESIGNS
 from calc.solve import solve
+from calc.studies.shipped import DESIGNS
 
 SECONDS = 30  # that one design may take; a solve takes a twentieth of one
 TINY = (5e-324, 1e-300, 1e-29, 1e-9)  # the first two are no numbers that a design may have

@@ -10,7 +10,6 @@ from hypothesis import strategies as st
 from calc.design.toml_file import Document, design, read
 from calc.sheet.errors import BadInput
 from calc.solve import solve
-
 from tests.conftest import DESIGNS
 from tests.hostile.extremes import extremes, faults, fields, single
 

@@ -10,7 +10,6 @@ from babel.messages.catalog import Catalog
 from babel.messages.mofile import write_mo
 
 from calc.locale import Language
-
 from tests.assistant.conftest import design, light, memory, session
 from tests.languages.texts import PLURALS
 

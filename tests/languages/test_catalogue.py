@@ -12,11 +12,9 @@ from babel.messages.mofile import read_mo
 
 from calc.design.toml_file import design, read
 from calc.locale import FOLDER, LANGUAGES, Language, language
-from calc.locale.language import PLACE, WORD
-from calc.languages.outcome import said
+from calc.locale.language import PLACE, WORD, said
 from calc.sheet.text import Text
 from calc.solve import solve
-
 from tests.languages.texts import ROOT, compiled, entries, named, of_catalogues, of_inputs, of_results, of_tables, po, templates
 
 OTHERS = [code for code in LANGUAGES if code != "en"]

@@ -7,13 +7,12 @@ import pytest
 from textual.pilot import Pilot
 
 from assistant.app import ContralberoApp
-from assistant.session.recovery import Memory, Settings
 from assistant.screens import background_solve
+from assistant.session.recovery import Memory, Settings
 from assistant.session.session import Session
 from assistant.widgets.checks import Checks
 from calc.design.model import STEPS
 from calc.studies.shipped import DESIGNS
-
 from tests.assistant.conftest import NOON, solved
 from tests.assistant.driving import screen_rows, settled, strike, until, work
 

@@ -9,7 +9,6 @@ from assistant import usage
 from calc.locale import LANGUAGES, Language, language
 from calc.sheet.number import short
 from calc.sheet.text import Amount, Name, Text, listed, plural
-
 from tests.languages.texts import po
 
 Catalogue = Callable[..., Language]

@@ -12,7 +12,6 @@ import tomli_w
 from calc.design.toml_file import design, parse
 from calc.locale import language
 from calc.solve import Results, solve
-
 from tests.languages.texts import ROOT, named, of_results
 
 DESIGNS = sorted((ROOT / "designs").glob("*.toml"))

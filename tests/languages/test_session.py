@@ -12,29 +12,26 @@ import pytest
 from textual.pilot import Pilot
 
 from assistant.app import ContralberoApp
-from assistant.session.recovery import Memory, Settings
 from assistant.screens import background_solve
-from assistant.screens.compare import CompareScreen
+from assistant.screens.compare import CompareScreen, ComparisonList
 from assistant.screens.workbench import Workbench
-from assistant.session.session import Session
 from assistant.session.calculation import sheet
+from assistant.session.recovery import Memory, Settings
+from assistant.session.session import Session
 from assistant.widgets.calculation import Calculation
 from assistant.widgets.checks import Checks
-from assistant.widgets.comparison import ComparisonList
 from assistant.widgets.item_list import ItemList
-from calc.library.catalogue import base_stocks, materials
 from calc.design.model import STEPS
 from calc.design.toml_file import design as design_of
 from calc.design.toml_file import read
 from calc.gears.rating.classes import class_names
-from calc.locale import language
-from calc.locale.language import PLACE
-from calc.languages.outcome import said
+from calc.library.catalogue import base_stocks, materials
 from calc.library.publications import register
+from calc.locale import language
+from calc.locale.language import PLACE, said
 from calc.sheet.quantity import keys
-from calc.studies.shipped import DESIGNS
 from calc.solve import solve
-
+from calc.studies.shipped import DESIGNS
 from tests.assistant.conftest import NOON, solved
 from tests.assistant.driving import go_to, settled, strike, told, type_in, until, work
 from tests.languages.test_catalogue import ENGLISH, QUOTED

@@ -20,15 +20,15 @@ from babel.messages.catalog import Catalog
 from babel.messages.mofile import write_mo
 from babel.messages.pofile import read_po, write_po
 
-from calc.bearings.materials.data import bearing_materials, running_bearings
-from calc.library.catalogue import base_stocks, materials, shipped_oils
+from calc.bearings.materials import bearing_materials, running_bearings
 from calc.design.model import STEPS
+from calc.library.catalogue import base_stocks, materials, shipped_oils
 from calc.locale.language import FOLDER, PLACE, WORD
 from calc.sheet.quantity import keys
 from calc.sheet.step import Outcome
 from calc.sheet.text import Text
-from calc.studies.shipped import engines
 from calc.solve import Results
+from calc.studies.shipped import engines
 
 ROOT = Path(__file__).resolve().parents[2]
 FIELDS = {

@@ -7,10 +7,9 @@ import pytest
 
 from calc.design.toml_file import Document
 from calc.solve import Results
-from reports import binding
-from reports.verify import verify as verifying
+from reports.pdf import binding
 from reports.report import render
-
+from reports.verify import verify as verifying
 from tests.reports.reading import EXAMPLE, V12, Solved, solved
 
 

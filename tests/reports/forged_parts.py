@@ -7,7 +7,22 @@ import re
 from collections.abc import Callable
 from typing import Any
 
-from tests.reports.forging import EMPTY, PAINT, SCRIPT, Update, both, forged_contents, forged_pages, form_object, image_object, layer, many, painted, repainted, streamed
+from tests.reports.forging import (
+    EMPTY,
+    PAINT,
+    SCRIPT,
+    Update,
+    both,
+    forged_contents,
+    forged_pages,
+    form_object,
+    image_object,
+    layer,
+    many,
+    painted,
+    repainted,
+    streamed,
+)
 
 many(
     "page",

@@ -7,9 +7,8 @@ import pytest
 from pypdf import PdfReader
 
 from calc.studies.compare import compare
-from reports.colour import profile
 from reports.comparison import render as compared
-
+from reports.pdf.archive import profile
 from tests.reports.archive_rules import elements, kids_of, wrong
 from tests.reports.reading import V12, Solved, solved
 

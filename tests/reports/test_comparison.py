@@ -8,13 +8,12 @@ import pytest
 from pypdf import PdfReader, PdfWriter
 
 from assistant.cli import main
-from calc.studies.compare import Comparison, compare
-from calc.id_words import in_context
+from calc.design.names import in_context
 from calc.sheet.errors import BadInput
-from reports.pdf.attach import RESULTS
+from calc.studies.compare import Comparison, compare
 from reports.comparison import render
+from reports.pdf.attach import RESULTS
 from reports.verify.verify import verify
-
 from tests.conftest import DESIGNS
 from tests.reports.reading import EXAMPLE, Solved, pages_of, solved, squeezed, text_of
 from tests.reports.test_hostile import inside

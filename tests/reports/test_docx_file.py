@@ -7,11 +7,10 @@ from typing import Any
 
 import pytest
 
-from reports.content import Formula, Heading, Picture, Words
-from reports.setting.pen import Pen
 from reports.report import blocks, context_of
+from reports.setting.flow import Formula, Heading, Picture, TextContent
+from reports.setting.pen import Pen
 from reports.setting.tables import Rows
-
 from tests.reports.reading import V12, Solved, solved, squeezed
 
 docx = pytest.importorskip("docx", reason="needs the extra docx")
@@ -54,7 +53,7 @@ def test_it_has_what_the_blocks_of_the_pdf_say(example: Solved, engineer_docx: A
     found = [p.text for p in read if p.style.name == "Caption"]
     assert len(captions) > 8 and squeezed("".join(captions)) == squeezed("".join(found))
     whole = squeezed(text_of(engineer_docx))
-    assert all(squeezed(c.words) in whole for c in said if isinstance(c, Words))
+    assert all(squeezed(c.words) in whole for c in said if isinstance(c, TextContent))
     formulas = [c for c in said if isinstance(c, Formula)]
     lines = sum(len(c.lines) for c in formulas)
     assert lines <= len(list(engineer_docx.element.body.iter(f"{MATH}oMath"))) <= lines + len(formulas)

@@ -12,8 +12,7 @@ from calc.locale import language
 from calc.sheet.step import Curve, Series
 from reports.figures.draughtsman import draughtsman
 from reports.figures.plots import ALONE, Job, Plots, plot
-from reports.recording import Recording
-
+from reports.figures.renderer import Recording
 from tests.reports.reading import ROOT
 
 X = np.linspace(0.0, 5.0, 60)

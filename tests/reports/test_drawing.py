@@ -6,15 +6,13 @@ import io
 import pytest
 from pypdf import PdfReader
 
-from calc.studies.drawings import PAPER, sheets
-from calc.locale import language
-from calc.sheet.dimension import strokes
 from calc.draw.drawing import Dimension, Words
-from calc.draw.lettering import width
-from reports.setting.boxes import text
+from calc.draw.lettering import strokes, width
+from calc.locale import language
+from calc.studies.drawings import PAPER, sheets
 from reports.blocks.drawing import CAPITAL, MM, PAGE, POINTS
+from reports.setting.boxes import text
 from reports.setting.fonts import PLAIN, widths
-
 from tests.reports.reading import Solved, spans
 
 

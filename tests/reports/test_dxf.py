@@ -11,12 +11,10 @@ import pytest
 from ezdxf import bbox
 from ezdxf.entities.lwpolyline import LWPolylinePoints
 
+from calc.draw.drawing import LAYERS, Dimension, Polyline
+from calc.draw.lettering import written as number
 from calc.studies.drawings import sheets
-from calc.sheet.dimension import written as number
-from calc.draw.drawing import Dimension, Polyline
-from calc.sheet.layers import LAYERS
 from reports.dxf import STYLE, dxf, sheet_dxf
-
 from tests.conftest import GAMMA, ROOT
 
 

@@ -4,9 +4,8 @@
 import numpy as np
 
 from calc.sheet.expression import governing
-from calc.sheet.trace import Line
-from reports.elements import Origins
-
+from calc.sheet.value import Line
+from reports.context import Origins
 from tests.reports.reading import Solved, text_of
 
 

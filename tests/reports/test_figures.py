@@ -13,7 +13,6 @@ from pypdf import PdfReader
 from calc.sheet.step import Curve, Series, Turning
 from reports.figures.arrows import ARROW, LEAST, arrows
 from reports.figures.plots import BARS, bar_colour, line_style, series_label, series_style
-
 from tests.reports.reading import V12, Shape, rgb, shapes, solved, spans, squeezed, text_of, with_outcome
 
 ORDERS = np.arange(1, 9)

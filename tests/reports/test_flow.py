@@ -2,7 +2,7 @@
 """Blocks on pages: a figure that does not fit leaves no gap, and stays in its chapter."""
 
 from reports.setting.flow import AFTER, Block, Page, composed, paginate
-from reports.paper import HEIGHT
+from reports.setting.fonts import HEIGHT
 
 
 def block(name: str, height: float, **kind: object) -> Block:

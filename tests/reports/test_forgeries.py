@@ -9,12 +9,10 @@ import pytest
 from pypdf import PdfReader, PdfWriter
 
 from calc.sheet.errors import BadInput
-from reports.verify.difference import page_references
+from reports.verify.difference import page_references, printed
 from reports.verify.pdf_file import Pdf
 from reports.verify.signature import fields
-from reports.printed import printed
 from reports.verify.verify import Verdict, verify
-
 from tests.reports.forgeries import EMPTY, KINDS, Update
 from tests.reports.reading import V12, solved
 

@@ -6,8 +6,7 @@ import pytest
 
 from calc.locale import language
 from calc.sheet.step import Curve, Series
-from reports.labels import crossed
-from reports.figures.labels import OVER, UNDER, at_the_point
+from reports.figures.labels import OVER, UNDER, at_the_point, crossed
 from reports.figures.plots import Plots, filled
 
 X = np.array([0.0, 5.0, 10.0])

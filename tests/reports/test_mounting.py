@@ -10,7 +10,6 @@ from pypdf import PdfReader
 from assistant.cli import main
 from calc.design.toml_file import load
 from calc.solve import solve
-
 from tests.reports.reading import solved, spoken
 
 DESIGNS = Path(__file__).parents[2] / "designs"

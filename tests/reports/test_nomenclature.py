@@ -6,13 +6,11 @@ from importlib import import_module
 
 from calc.locale import language
 from calc.sheet.formula import FORMULAS
+from reports.blocks.nomenclature import BY_NAME, _in_common, _short, noted
 from reports.context import Context
-from reports.formula_words import BY_NAME
-from reports.blocks.nomenclature import _in_common, _short, noted
-from reports.setting.prose import NOTE, run
 from reports.report import blocks
+from reports.setting.prose import NOTE, run
 from reports.setting.symbols import SIGN
-
 from tests.conftest import ROOT
 from tests.reports.reading import Solved, pages_of, text_of
 

@@ -10,7 +10,6 @@ from pypdf import PdfReader
 from reports.verify import pdf_file
 from reports.verify.difference import page_references
 from reports.verify.pdf_file import Malformed, Pdf
-
 from tests.reports.reading import V12, solved
 
 

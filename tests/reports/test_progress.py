@@ -9,7 +9,6 @@ from calc.design.toml_file import load
 from calc.sheet.errors import Cancelled
 from calc.solve import Results, solve
 from reports.report import write
-
 from tests.conftest import DESIGNS
 
 PAIR = DESIGNS / "timing_pair.toml"

@@ -11,27 +11,26 @@ from types import SimpleNamespace
 import pytest
 from pypdf import PdfReader
 
-from calc.studies.explain import Chains
-from calc.locale import language
 from calc.library.publications import cited, register
+from calc.locale import language
 from calc.sheet.check import URGENT, Check, grouped
 from calc.sheet.expression import plain
 from calc.sheet.formula import formula
 from calc.sheet.step import Outcome
 from calc.sheet.text import Amount, Text
-from calc.sheet.trace import Line
 from calc.sheet.units import Newton
+from calc.sheet.value import Line
 from calc.solve import Results
+from calc.studies.explain import Chains
 from calc.version import VERSION
+from reports.blocks.words import WORDS
 from reports.context import Context, near
+from reports.report import write
 from reports.setting.equation import Label, _others, shown, spoken_numbers
 from reports.setting.equation import spoken as spoken_formula
 from reports.setting.flow import paginate
-from reports.paper import BOTTOM, HEIGHT, LEFT, PAGE, RIGHT, TOP
+from reports.setting.fonts import BOTTOM, HEIGHT, LEFT, PAGE, RIGHT, TOP
 from reports.setting.prose import NOTE
-from reports.report import write
-from reports.blocks.words import WORDS
-
 from tests.conftest import DESIGNS
 from tests.reports.reading import V12, Solved, pages_of, solved, spans, spoken, squeezed, text_of, with_outcome
 

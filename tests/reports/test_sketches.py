@@ -6,13 +6,12 @@ from itertools import combinations
 import numpy as np
 import pytest
 
-from calc.locale import language
 from calc.draw.drawing import OUTLINE, WORDS, Dimension, Polyline, Sketch, Words, rectangle
+from calc.locale import language
 from calc.sheet.text import Text
-from reports.setting.boxes import text
-from reports.labels import DOWN, SIZE, UP, Label, placed
+from reports.figures.labels import DOWN, SIZE, UP, Label, placed
 from reports.figures.sketches import _labels
-
+from reports.setting.boxes import text
 from tests.reports.reading import pages_of
 
 FRAME = (-100.0, -100.0, 200.0, 200.0)

@@ -4,8 +4,7 @@
 import pytest
 
 from calc.library.publications import register
-from reports.sources import STANDARD, _together
-
+from reports.blocks.contents import STANDARD, _together
 from tests.reports.reading import squeezed, text_of
 
 

@@ -13,18 +13,16 @@ from calc.design.key_values import is_key_value
 from calc.locale import language
 from calc.sheet.quantity import inputs, integer, quantity, table, tables, text
 from calc.sheet.step import Step, Table
+from reports.blocks.inputs import ENDS, LONG, exact, input_blocks, material_blocks, used_materials
+from reports.blocks.values import _fitting, value_blocks
+from reports.blocks.words import WORDS
 from reports.context import Context
 from reports.setting.flow import Block
-from reports.setting.fonts import width
-from reports.blocks.inputs import ENDS, LONG, exact, input_blocks, material_blocks, used_materials
-from reports.paper import LEFT
+from reports.setting.fonts import LEFT, width
 from reports.setting.pen import Pen
 from reports.setting.prose import CELL, NOTE
 from reports.setting.tables import Cell, Column
 from reports.setting.tables import table as made_table
-from reports.blocks.values import _fitting, value_blocks
-from reports.blocks.words import WORDS
-
 from tests.reports.reading import ROOT, V12, pages_of, solved, spans, squeezed, text_of, with_outcome
 from tests.reports.test_hostile import inside
 

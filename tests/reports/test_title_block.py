@@ -16,7 +16,6 @@ from calc.sheet.errors import BadInput
 from calc.solve import solve
 from reports.report import write
 from reports.verify.verify import verify
-
 from tests.reports.reading import V12, Solved, pages_of, solved
 
 CONTROL = """

@@ -10,10 +10,9 @@ from pypdf import PdfReader
 
 from calc.locale import language
 from calc.sheet.step import Curve, Series
-from reports.paper import LEFT, PAGE, RIGHT
 from reports.figures.plots import Plots, bar_colour, tick_words
 from reports.figures.tornado import Lying, lies
-
+from reports.setting.fonts import LEFT, PAGE, RIGHT
 from tests.reports.reading import V12, rgb, shapes, solved, spans, squeezed, text_of, with_outcome
 from tests.reports.test_hostile import inside
 

@@ -29,12 +29,11 @@ from pypdf.generic import (
 from assistant.cli import main
 from calc.design.limits import PDF_BYTES
 from calc.sheet.errors import BadInput
-from reports import binding
 from reports.blocks import title_block
-from reports.verify import verify as verifying
+from reports.pdf import binding
 from reports.pdf.attach import NAME, RESULTS
+from reports.verify import verify as verifying
 from reports.verify.verify import Verdict, verify
-
 from tests.conftest import DESIGNS, ROOT
 from tests.reports.forgeries import EMPTY
 from tests.reports.reading import V12, solved

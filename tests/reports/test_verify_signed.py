@@ -9,12 +9,10 @@ from pypdf import PdfReader
 
 from assistant.cli import main
 from reports.blocks import title_block
-from reports.paper import LEFT, WIDTH
-from reports.verify.difference import page_references
+from reports.setting.fonts import LEFT, WIDTH
+from reports.verify.difference import covered, page_references, printed
 from reports.verify.pdf_file import Pdf
-from reports.printed import covered, printed
 from reports.verify.verify import Verdict, verify
-
 from tests.reports.forgeries import EMPTY, Update, streamed
 from tests.reports.reading import spans
 

@@ -13,8 +13,8 @@ import numpy as np
 
 from ...design.disk import write_file
 from ...sheet.arrays import Array
-from .nodes import QUANTITIES, TABLE, short_bearing_damping, short_bearing_load
 from .reynolds import ECCENTRICITY_RANGE, LENGTH_RATIO_RANGE, radial_damping, solve_film
+from .table import QUANTITIES, TABLE, short_bearing_damping, short_bearing_load
 
 ECCENTRICITIES = 30
 LENGTH_RATIOS = 24

@@ -17,35 +17,30 @@ stationary whirl orbits of a journal in a sleeve bearing, thesis, Rensselaer 196
 """
 
 import numpy as np
-from ...sheet.abreast import design_by_design
+
 from ...sheet.formula import formula
-from ...sheet.functions import cos
-from ...sheet.functions import modulus
-from ...sheet.functions import pi
-from ...sheet.functions import sin
-from ...sheet.functions import sqrt
-from ...sheet.text import Text
-from ...sheet.units import Kilogram
-from ...sheet.units import Metre
-from ...sheet.units import Newton
-from ...sheet.units import NewtonPerMetre
-from ...sheet.units import NewtonSecondPerMetre
-from ...sheet.units import Number
-from ...sheet.units import PhasorMetre
-from ...sheet.units import PhasorNewtonPerMetre
-from ...sheet.units import Radian
-from ...sheet.units import RadPerSecond
-from ...sheet.units import RevPerSecond
-from . import tabulated
-from ...sheet.quantity import result
-from ...sheet.quantity import value
+from ...sheet.functions import cos, modulus, pi, sin, sqrt
+from ...sheet.lanes import design_by_design
+from ...sheet.quantity import result, value
 from ...sheet.record import record
+from ...sheet.text import Text
+from ...sheet.units import (
+    Kilogram,
+    Metre,
+    Newton,
+    NewtonPerMetre,
+    NewtonSecondPerMetre,
+    Number,
+    PhasorMetre,
+    PhasorNewtonPerMetre,
+    Radian,
+    RadPerSecond,
+    RevPerSecond,
+)
 from ...sheet.value import based_on
 from .. import formulas as f
-from ..routes.states import BearingCase
-from ..routes.states import Film
-from ..routes.states import OperatingPoint
-
+from ..routes.states import BearingCase, Film, OperatingPoint
+from . import table as tabulated
 
 # Stiffness, damping, stability and orbit of a journal on its film, as lines of the calculation.
 #
@@ -65,18 +60,18 @@ MOTION = Text("dynamics: motion of the journal about its place under the load; {
 # --- dimensionless, over the load ---------------------------------------------------------------------------------------------
 @formula("(ln So)'", TABLE, shows="d ln So/dε at constant l/d, from the table of Reynolds' solutions")
 def load_slope(eps: Number, b: Number) -> Number:
-    return tabulated.film_slopes(eps, b)[0]
+    return tabulated.traced_film_slopes(eps, b)[0]
 
 
 @formula("φ'", TABLE, shows="dφ/dε at constant l/d, from the table of Reynolds' solutions")
 def attitude_slope(eps: Number, b: Number) -> Number:
-    return tabulated.film_slopes(eps, b)[1]
+    return tabulated.traced_film_slopes(eps, b)[1]
 
 
 @formula("c_rr", TABLE, shows="squeeze solution (12·∂h/∂t, film region of the static state), from the table at ε, l/d")
 def radial_damping(eps: Number, b: Number) -> Number:
     """C_rr·c·ω/F of a journal that moves along its eccentricity."""
-    return tabulated.film_at(eps, b).radial_damping
+    return tabulated.traced_film_at(eps, b).radial_damping
 
 
 @formula("k_xx", TURNED, names={"q": "(ln So)'"})
@@ -372,7 +367,7 @@ def dynamics(hot: Film, duty: OperatingPoint, seat: BearingCase, ratio: Number, 
 
 def _between_grooves(hot: Film, seat: BearingCase, ratio: Number) -> Coefficients:
     """Of a film that axial grooves bound, which does not turn with the line of centres."""
-    from .grooved_table import film_at
+    from .grooved import film_at
 
     grooves = seat.grooves
     assert grooves is not None

@@ -10,10 +10,10 @@ Sources: F. W. Ocvirk, NACA TN 2808 (1952); G. B. DuBois and F. W. Ocvirk, NACA 
 
 import numpy as np
 
-from ...sheet.abreast import point_by_point
 from ...sheet.arrays import Array, each, one
 from ...sheet.formula import formula
 from ...sheet.functions import acos, atan, cos, pi, sin, sqrt
+from ...sheet.lanes import point_by_point
 from ...sheet.text import Text
 from ...sheet.units import Number, Pascal, Radian
 

@@ -16,15 +16,183 @@ and J. Boyd, ASLE Transactions 1 (1958) 159-209; the short bearing: F. W. Ocvirk
 import math
 from bisect import bisect_right
 from collections.abc import Callable, Iterable
-from typing import Any, overload
+from functools import cache, lru_cache
+from pathlib import Path
+from typing import Any, Generic, Literal, Protocol, TypeAlias, cast, overload
 
 import numpy as np
 
-from ...sheet.abreast import point_by_point
-from ...sheet.arrays import Array, IndexArray, has_lanes
-from ...sheet.text import Amount, Text
-from .nodes import SLACK, FilmPoint, FilmRangeError, Outside, cells, clipped, column_at, cubic, film_nodes, hermite, hermite_slope, short_bearing_damping, short_bearing_load, short_bearing_slope, within  # fmt: skip
-from .reynolds import friction_variable
+from ...sheet.arrays import Array, IndexArray, element, has_lanes, one
+from ...sheet.formula import formula
+from ...sheet.lanes import point_by_point
+from ...sheet.record import record
+from ...sheet.text import EMPTY, Amount, Text
+from ...sheet.units import Number, Radian
+from . import short_bearing
+from .reynolds import Value, friction_variable
+
+# The stored nodes of the oil film and the polynomials between them; `table` says what is stored, and is what to call.
+#
+# The table (`tables/film_table.npy`, written by `build_table`) holds, over x = atanh ε and y = ln(l/d), a bicubic spline of each
+# quantity as value and derivatives at its nodes.
+
+Outside: TypeAlias = Literal["raise", "nan"]
+
+TABLE = Path(__file__).parents[2] / "library" / "tables" / "film_table.npy"
+QUANTITIES = ("ln(So/So_short)", "phi", "Q", "Qs/Q", "P/pmax", "ln(C_rr/C_rr,short)")
+
+SLACK = 1e-9  # relative: a value this far outside, from rounding, counts as the limit
+
+
+class FilmRangeError(ValueError):
+    """A film outside the table."""
+
+    def __init__(self, quantity: str, value: float, low: float, high: float, more: str = "") -> None:
+        at, least, most = (Amount(number, form=".6g") for number in (value, low, high))
+        message = Text(
+            "{quantity} {value} is outside the film table, {low} to {high}{more}",
+            quantity=quantity,
+            value=at,
+            low=least,
+            high=most,
+            more=more,
+        )
+        super().__init__(message)
+        self.quantity, self.value, self.low, self.high = quantity, value, low, high
+
+
+@record
+class FilmPoint(Generic[Value]):
+    """The film at one eccentricity and l/d, or at many: then every field is an array."""
+
+    eccentricity: Value  # ε = e/c
+    sommerfeld: Value  # S = (r/c)²·μ·N/P, N in revolutions per second
+    attitude: Value  # φ, from the load line to the narrowest film, rad
+    friction: Value  # f* = (r/c)·f
+    flow: Value  # Q/(r·c·N·l), through the widest film
+    side_flow_ratio: Value  # Qs/Q
+    pressure_ratio: Value  # P/p_max
+    radial_damping: Value  # C_rr·c·ω/F of a journal that moves along its eccentricity
+
+
+class _Short(Protocol):
+    """A formula of the short bearing without its line of the calculation: the table's splines are taken over it, at one place or many."""
+
+    def __call__(self, *, eps: Value, b: float = ...) -> Value: ...
+
+
+_load, _damping = cast(_Short, short_bearing.sommerfeld_din.function), cast(_Short, short_bearing.radial_damping.function)
+
+
+def short_bearing_load(eccentricity: Value) -> Value:
+    """So/(l/d)² of the infinitely short bearing with half a film: ε·√(π²·(1 − ε²) + 16·ε²)/(2·(1 − ε²)²)  (Ocvirk 1952)."""
+    return _load(eps=eccentricity, b=1.0)
+
+
+def short_bearing_slope(eccentricity: Value) -> Value:
+    """d ln(short_bearing_load)/d(atanh ε)."""
+    square = eccentricity**2
+    bend = 16.0 - math.pi**2
+    slope: Value = (1.0 - square) * (1.0 / eccentricity + bend * eccentricity / (math.pi**2 + bend * square)) + 4.0 * eccentricity
+    return slope
+
+
+def short_bearing_damping(eccentricity: Value) -> Value:
+    """C_rr·c·ω/F of the infinitely short bearing with half a film."""
+    return _damping(eps=eccentricity)
+
+
+# The table ------------------------------------------------------------------------------------------------------------------
+
+
+@record
+class FilmTable:
+    eccentricities: Array  # at the nodes
+    length_ratios: Array
+    x: Array  # atanh ε at the nodes
+    y: Array  # ln(l/d)
+    x_list: list[float]  # the same as plain numbers, for bisect
+    y_list: list[float]
+    short: Array  # ln(short_bearing_load) at the nodes
+    rows: Array  # [node of y: value, d/dy; node of x: value, d/dx; quantity], pairs in sequence
+
+
+@record
+class Column:
+    """The table at one l/d: cubics in x."""
+
+    values: Array  # [node of x: value, d/dx; quantity], pairs in sequence
+    loads: list[float]  # ln(So/(l/d)²) at the nodes of x, increasing
+
+
+@cache
+def film_nodes() -> FilmTable:
+    stored = np.load(TABLE)[()]
+    eccentricities, length_ratios, rows = stored["eccentricity"], stored["length_ratio"], stored["rows"]
+    x, y = np.arctanh(eccentricities), np.log(length_ratios)
+    short = np.log(short_bearing_load(eccentricities))
+    return FilmTable(eccentricities, length_ratios, x, y, x.tolist(), y.tolist(), short, rows)
+
+
+@lru_cache(maxsize=128)
+def column_at(length_ratio: float) -> Column:
+    """Raises FilmRangeError outside the table."""
+    table = film_nodes()
+    y = math.log(within("length ratio l/d", length_ratio, table.length_ratios))
+    node = min(bisect_right(table.y_list, y), len(table.y_list) - 1) - 1
+    step = table.y_list[node + 1] - table.y_list[node]
+    weights = np.array(hermite((y - table.y_list[node]) / step, step))
+    four = table.rows[2 * node : 2 * node + 4]
+    values = (weights @ four.reshape(4, -1)).reshape(four.shape[1:])
+    values.setflags(write=False)
+    return Column(values, (values[::2, 0] + table.short).tolist())
+
+
+def hermite(part: Value, step: Value) -> tuple[Value, Value, Value, Value]:
+    """Weights of value and derivative at the left node, then at the right one; `part` of the cell from 0 to 1."""
+    rest = 1.0 - part
+    return rest * rest * (1.0 + 2.0 * part), part * rest * rest * step, part * part * (3.0 - 2.0 * part), -part * part * rest * step
+
+
+def hermite_slope(part: Value, step: Value) -> tuple[Value, Value, Value, Value]:
+    """The derivatives of those weights over the variable itself."""
+    rest = 1.0 - part
+    value = 6.0 * part * rest / step
+    return -value, rest * (1.0 - 3.0 * part), value, part * (3.0 * part - 2.0)
+
+
+def cubic(left: Value, left_slope: Value, right: Value, right_slope: Value) -> tuple[Value, Value]:
+    """Second and third coefficient of the Hermite polynomial in the part of the cell."""
+    return 3.0 * (right - left) - 2.0 * left_slope - right_slope, 2.0 * (left - right) + left_slope + right_slope
+
+
+def within(quantity: str, value: float, nodes: Array) -> float:
+    low, high = float(nodes[0]), float(nodes[-1])
+    if not low * (1.0 - SLACK) <= value <= high * (1.0 + SLACK):
+        raise FilmRangeError(quantity, value, low, high)
+    return min(max(value, low), high)
+
+
+def cells(nodes: Array, positions: Array) -> tuple[IndexArray, tuple[Array, Array, Array, Array]]:
+    """The cell of each position, and the weights of its nodes; a nan gives nan weights in some cell."""
+    cell = np.minimum(np.maximum(np.searchsorted(nodes, positions, side="right") - 1, 0), nodes.size - 2)
+    step = nodes[cell + 1] - nodes[cell]
+    return cell, hermite((positions - nodes[cell]) / step, step)
+
+
+def clipped(quantity: str, values: Array, low: float | Array, high: float | Array, outside: Outside, more: Array | None = None) -> Array:
+    """The values with those outside low to high made nan, or an error that names the first of them."""
+    wrong = ~((values >= low * (1.0 - SLACK)) & (values <= high * (1.0 + SLACK)))
+    if outside == "raise" and wrong.any():
+        at = np.unravel_index(int(wrong.argmax()), wrong.shape)
+        lowest, highest = (float(np.broadcast_to(limit, wrong.shape)[at]) for limit in (low, high))
+        place = EMPTY
+        if more is not None:
+            place = Text(" at l/d {broadcast_to}", broadcast_to=Amount(float(np.broadcast_to(more, wrong.shape)[at]), form=".6g"))
+        count = Text(" ({sum} of {size} values are outside)", sum=int(wrong.sum()), size=wrong.size)
+        raise FilmRangeError(quantity, float(values[at]), lowest, highest, place + count)
+    return np.where(wrong, np.nan, np.minimum(np.maximum(values, low), high))
+
 
 __all__ = ["FilmPoint", "FilmRangeError", "eccentricity_from", "film_at", "film_slopes", "sommerfeld_range"]
 
@@ -269,3 +437,103 @@ def _eccentricity_array(sommerfeld: Array, length_ratio: Array, outside: Outside
         if not (np.abs(part - before) >= STEP_LIMIT).any():
             break
     return np.clip(np.tanh(x + part * step), table.eccentricities[0], table.eccentricities[-1])
+
+
+# The stored solutions of Reynolds' equation as lines of the calculation.
+
+SOURCE = Text("Reynolds 1886, full bearing with Swift–Stieber film end; this program's own solution, tabulated")
+_film_at = lru_cache(maxsize=4)(film_at)  # five lines of a calculation ask for the same point
+_film_slopes = lru_cache(maxsize=4)(film_slopes)
+
+
+def traced_film_at(eps: Number, b: Number) -> FilmPoint[float]:
+    return _film_at(eps, b) if _plain(eps, b) else film_at(eps, b)
+
+
+def traced_film_slopes(eps: Number, b: Number) -> tuple[float, float]:
+    return _film_slopes(eps, b) if _plain(eps, b) else film_slopes(eps, b)
+
+
+def _plain(*numbers: object) -> bool:
+    """No arrays, which can not be looked up."""
+    return all([isinstance(number, (float, int)) for number in numbers])
+
+
+@formula("ε", SOURCE, shows="ε from S(ε, l/d): table of Reynolds' solutions, inverted")
+def eccentricity(S: Number, b: Number) -> Number:
+    """>>> eccentricity(S=0.05436, b=0.4622)
+    0.8637773...
+    """
+    return eccentricity_from(S, b)
+
+
+@formula("φ", SOURCE, shows="φ from the table of Reynolds' solutions at ε, l/d")
+def attitude_angle(eps: Number, b: Number) -> Radian:
+    """>>> attitude_angle(eps=0.8638, b=0.4622)
+    0.4707118...
+    """
+    return traced_film_at(eps, b).attitude
+
+
+@formula("Q*", SOURCE, shows="Q* = Q/(r·c·n·l) from the table of Reynolds' solutions at ε, l/d")
+def relative_flow(eps: Number, b: Number) -> Number:
+    return traced_film_at(eps, b).flow
+
+
+@formula("Q_s/Q", SOURCE, shows="Q_s/Q from the table of Reynolds' solutions at ε, l/d")
+def side_flow_share(eps: Number, b: Number) -> Number:
+    return traced_film_at(eps, b).side_flow_ratio
+
+
+@formula("p/p_max", SOURCE, shows="p/p_max from the table of Reynolds' solutions at ε, l/d")
+def pressure_ratio(eps: Number, b: Number) -> Number:
+    return traced_film_at(eps, b).pressure_ratio
+
+
+# Between the largest load and the least friction: the two films h₀/c that Raimondi and Boyd mark on their chart.
+#
+# With the smallest film h₀ held, c = h₀/(1 − ε): the load goes with (1 − ε)²/S, the coefficient of friction with f*/(1 − ε).
+
+ECCENTRICITIES = np.linspace(0.04, 0.97, 94)
+RAIMONDI_BOYD = Text("Raimondi & Boyd 1958, chart of the smallest film")
+
+
+@formula(
+    "b_f", Text("{chart}: 0 at the least friction, 100 % at the largest load", chart=RAIMONDI_BOYD), unit="%",
+    names={"eps": "ε", "share_f": "(h_0/c)_f", "share_F": "(h_0/c)_F"},
+)  # fmt: skip
+def place_in_band(eps: Number, share_f: Number, share_F: Number) -> Number:
+    return (1 - eps - share_f) / (share_F - share_f)
+
+
+@formula("(h_0/c)_F", RAIMONDI_BOYD, names={"b": "l/d"}, shows="where (1 − ε)²/S of this l/d is largest")
+def share_of_largest_load(b: Number) -> Number:
+    """Published for l/d 1, ½ and ¼, as read from the chart: 0.53, 0.43 and 0.27 (from memory of Shigley).
+
+    >>> share_of_largest_load(b=1.0)
+    0.53...
+    """
+    film = film_at(ECCENTRICITIES, one(b))
+    return _summit((1 - ECCENTRICITIES) ** 2 / film.sommerfeld)
+
+
+@formula("(h_0/c)_f", RAIMONDI_BOYD, names={"b": "l/d"}, shows="where f*/(1 − ε) of this l/d is smallest")
+def share_of_least_friction(b: Number) -> Number:
+    """Published for l/d 1, ½ and ¼, as read from the chart: 0.30, 0.12 and 0.03 (from memory of Shigley).
+
+    >>> share_of_least_friction(b=1.0)
+    0.33...
+    """
+    film = film_at(ECCENTRICITIES, one(b))
+    return _summit(-film.friction / (1 - ECCENTRICITIES))
+
+
+def _summit(y: Array) -> float:
+    """h₀/c where y is largest, by the parabola through its three highest points; at an end of the range that end."""
+    at = np.argmax(y)
+    if at == 0 or at == len(y) - 1:
+        return element(1 - ECCENTRICITIES, at)
+    below, middle, above = (element(y, at + n) for n in (-1, 0, 1))
+    step = ECCENTRICITIES[1] - ECCENTRICITIES[0]
+    summit: float = one(element(1 - ECCENTRICITIES, at) - step / 2 * (below - above) / (below - 2 * middle + above))
+    return summit

@@ -13,14 +13,13 @@ from typing import cast
 
 import numpy as np
 
-from ...library.lubricant import State
-from ...root import root
-from ...sheet.abreast import design_by_design, mapped, mapped_arrays
+from ...library.lubricant import OilState
 from ...sheet.arrays import Array, IndexArray, each, has_lanes, many
 from ...sheet.errors import NoSolution, text_of
+from ...sheet.functions import root
+from ...sheet.lanes import design_by_design, mapped, mapped_arrays
 from ...sheet.text import Amount, Text
-from ...sheet.trace import untraced
-from ...sheet.value import converged, unlinked
+from ...sheet.value import converged, unlinked, untraced
 from .. import formulas as f
 from ..film.table import FilmRangeError
 from . import supply
@@ -292,4 +291,4 @@ def _further(seat: BearingCase) -> tuple[object, ...]:
 def _over(film: Film, change: Callable[[float], float]) -> Film:
     """A film with its arrays changed, those of its oil too; what it does not have stays None."""
     numbers = {name: change(x) for name, x in vars(film).items() if name != "oil" and x is not None}
-    return Film(oil=State(*(change(x) for x in vars(film.oil).values())), **numbers)
+    return Film(oil=OilState(*(change(x) for x in vars(film.oil).values())), **numbers)

@@ -7,7 +7,17 @@ Supply factors of DIN 31652-2 / ISO 7902-2 as tabulated in Finotti 2013, Table 5
 from ...sheet.formula import formula
 from ...sheet.functions import cos, ln, pi, sin
 from ...sheet.text import Text
-from ...sheet.units import CubicMetrePerSecond, KilogramPerMetre3, Metre, Number, Pascal, PascalSecond, Radian, RadPerSecond, RevPerSecond  # fmt: skip
+from ...sheet.units import (  # fmt: skip
+    CubicMetrePerSecond,
+    KilogramPerMetre3,
+    Metre,
+    Number,
+    Pascal,
+    PascalSecond,
+    Radian,
+    RadPerSecond,
+    RevPerSecond,
+)
 
 TABLE = Text("Finotti 2013, Table 5.1 (DIN 31652-2), factor in the denominator")
 

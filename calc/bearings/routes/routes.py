@@ -8,19 +8,18 @@ from collections.abc import Callable
 
 import numpy as np
 
-from ...library.lubricant import State
+from ...library.lubricant import OilState
 from ...sheet.arrays import each, many
 from ...sheet.errors import NoSolution
 from ...sheet.text import EMPTY, Amount, Text
 from ...sheet.value import based_on
 from .. import formulas as f
 from ..film import short_bearing as short
-from ..film.feeds import Feeds
-from ..film.table import eccentricity_from, film_at
-from ..film.tabulated import attitude_angle, eccentricity, pressure_ratio, relative_flow, side_flow_share
+from ..film.grooved import Feeds
+from ..film.table import attitude_angle, eccentricity, eccentricity_from, film_at, pressure_ratio, relative_flow, side_flow_share
 from . import din31652 as by_falz
+from . import din31652 as iso
 from . import flow, supply
-from . import iso7902 as iso
 from . import raimondi_boyd as rb
 from .states import BearingCase, Film, OperatingPoint, OutsideCharts, Seized
 
@@ -80,11 +79,11 @@ def _reynolds(seat: BearingCase, duty: OperatingPoint, rise: float, *, warm: boo
 
 
 def _with_grooves(
-    seat: BearingCase, duty: OperatingPoint, grooves: Feeds, T: float, oil: State, g: float, psi: float, p: float, S: float, So: float,
+    seat: BearingCase, duty: OperatingPoint, grooves: Feeds, T: float, oil: OilState, g: float, psi: float, p: float, S: float, So: float,
     ratio: float, l: float,
 ) -> Film:  # fmt: skip
     """The film between axial grooves; one l/d, any number of states."""
-    from ..film import grooved_table as grooved  # which few bearings need
+    from ..film import grooved  # which few bearings need
 
     b, inputs = seat.bearing, seat.inputs
     if isinstance(S, float):
@@ -198,7 +197,7 @@ def _friction_variable(duty: OperatingPoint, So: float, eps: float, phi: float) 
 
 
 def _film(
-    seat: BearingCase, duty: OperatingPoint, T: float, oil: State, g: float, psi: float, p: float, S: float, eps: float, h_0: float,
+    seat: BearingCase, duty: OperatingPoint, T: float, oil: OilState, g: float, psi: float, p: float, S: float, eps: float, h_0: float,
     f_v: float, Q_1: float | None, phi: float | None = None, p_max: float | None = None, *, mu_f: float | None = None,
     Q: float | None = None, opposite: bool = False, drawn_in: bool = False,
 ) -> Film:  # fmt: skip

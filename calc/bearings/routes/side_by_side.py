@@ -6,17 +6,17 @@ with like the film of each is taken at the oil's temperature of Reynolds' soluti
 spread of the routes is of the second kind and of those that claim to solve it here.
 """
 
-from ...sheet.abreast import design_by_design
 from ...sheet.errors import NoSolution, text_of
+from ...sheet.lanes import design_by_design
 from ...sheet.record import record
 from ...sheet.step import Table
 from ...sheet.text import COMMA, Amount, Text
-from ...sheet.trace import about, untraced
+from ...sheet.value import about, untraced
 from .. import formulas as f
 from ..film.table import FilmRangeError
 from ..inputs import IN_WORDS
 from .balance import balanced
-from .iso7902 import FITTED_UP_TO
+from .din31652 import FITTED_UP_TO
 from .routes import Route, falz, iso7902, own_cold, raimondi_boyd, raimondi_boyd_own_flow, short_bearing
 from .states import BearingCase, Film, OperatingPoint, OutsideCharts
 
@@ -35,7 +35,7 @@ SHORT_UP_TO, SHORT_ECCENTRICITY = 0.25, 0.5  # where the short bearing stays wit
 
 
 @record
-class Side:
+class RouteResultBeside:
     """The routes that have an answer, the distance of each film from the own one, and what is to be said of those without."""
 
     films: dict[str, Film]
@@ -62,16 +62,16 @@ class Side:
 COMPARED = frozenset({"routes_spread", *ROUTES})  # the values of a bearing that the routes give, of which none judges it
 
 
-def judged_alone(seat: BearingCase, ratio: float) -> Side:
+def judged_alone(seat: BearingCase, ratio: float) -> RouteResultBeside:
     """No routes beside the one that judges."""
-    return Side({}, {}, {}, None, {}, ratio, _whole(seat))
+    return RouteResultBeside({}, {}, {}, None, {}, ratio, _whole(seat))
 
 
 def _whole(seat: BearingCase) -> float:
     return seat.bearing.length / seat.bearing.diameter
 
 
-def side_by_side(place: str, seat: BearingCase, duty: OperatingPoint, ratio: float) -> Side:
+def side_by_side(place: str, seat: BearingCase, duty: OperatingPoint, ratio: float) -> RouteResultBeside:
     """`ratio`: l/d of the film."""
     films: dict[str, Film] = {}
     silent: dict[str, Text] = {}
@@ -85,7 +85,7 @@ def side_by_side(place: str, seat: BearingCase, duty: OperatingPoint, ratio: flo
     whole = _whole(seat)
     own = films.get("reynolds")
     if own is None:
-        return Side(films, {}, {}, None, silent, ratio, whole)
+        return RouteResultBeside(films, {}, {}, None, silent, ratio, whole)
     deviations = {name: abs(film.film / own.film - 1) for name, film in films.items() if name != "reynolds"}
     alike: dict[str, float] = {}
     spread: float | None = None
@@ -98,7 +98,7 @@ def side_by_side(place: str, seat: BearingCase, duty: OperatingPoint, ratio: flo
         if counts:
             far = f.film_deviation(h_0=same.film, reference=own.film)
             spread = far if spread is None or far > spread else spread
-    return Side(films, deviations, alike, spread, silent, ratio, whole)
+    return RouteResultBeside(films, deviations, alike, spread, silent, ratio, whole)
 
 
 @design_by_design
@@ -121,7 +121,7 @@ def _compared(name: str, film: Film, ratio: float) -> bool:
     return name in SOLVE_THE_FILM and (name != "short_bearing" or within)
 
 
-def reason(name: str, side: Side) -> Text:
+def reason(name: str, side: RouteResultBeside) -> Text:
     """Why a route is far off here: in its film with the same oil, or else in its flow and so its oil's temperature."""
     film, ratio = side.films[name], side.ratio
     if name in ("raimondi_boyd", "falz") and ratio < side.whole * (1 - 1e-9):
@@ -162,7 +162,7 @@ def film_reason(name: str, film: Film, ratio: float) -> Text:
     return Text("it leaves the pressure's flow around the shaft out: {parts}", parts=why)
 
 
-def routes_table(place: str, side: Side) -> Table:
+def routes_table(place: str, side: RouteResultBeside) -> Table:
     """All that have an answer; the note says why the others have none."""
     rows: list[tuple[str | float | None, ...]] = []
     own = side.films.get("reynolds")

@@ -4,12 +4,12 @@
 Every number may be an array (many bearings, corners, speeds at once); then the film's are, with nan where there is none.
 """
 
-from ...library.lubricant import Lubricant, State
+from ...library.lubricant import Lubricant, OilState
 from ...sheet.quantity import result, value
 from ...sheet.record import record
 from ...sheet.units import Celsius, CubicMetrePerSecond, Kelvin, Metre, Number, Pascal, Radian, Watt
 from .. import formulas as f
-from ..film.feeds import Feed, Feeds
+from ..film.grooved import Feed, Feeds
 from ..inputs import BearingInputs, BearingsInputs
 
 
@@ -39,11 +39,11 @@ class BearingCase:
             g=self.clearance, d=self.bearing.diameter, alpha_H=self.housing_expansion, chi=self.inputs.expansion_restraint,
             alpha_J=self.journal_expansion, T=T, T_ref=self.inputs.clearance_reference_temperature)  # fmt: skip
 
-    def oil_at(self, T: float) -> State:
+    def oil_at(self, T: float) -> OilState:
         oil = self.lubricant.at(T)
         if self.viscosity_factor is None:
             return oil
-        return State(oil.nu * self.viscosity_factor, f.viscosity_at_corner(mu=oil.mu, k=self.viscosity_factor), oil.rho, oil.cp)
+        return OilState(oil.nu * self.viscosity_factor, f.viscosity_at_corner(mu=oil.mu, k=self.viscosity_factor), oil.rho, oil.cp)
 
 
 @record
@@ -74,7 +74,7 @@ class Film:
     oil_flow: CubicMetrePerSecond = value("Oil flow", "L/min", "Q")
     temperature_rise: Kelvin = value("Temperature rise", "K", "ΔT")
     mean_temperature: Celsius = value("Mean temperature of the film", "°C", "T_m")
-    oil: State
+    oil: OilState
     attitude: Radian | None = value("Attitude angle", "°", "φ", default=None)
     largest_pressure: Pascal | None = value("Largest film pressure", "MPa", "p_max", default=None)
     side_flow: CubicMetrePerSecond | None = value("of it carried out by the turning film", "L/min", "Q_1", default=None)

@@ -3,7 +3,7 @@
 
 from math import pi
 
-from ...library.lubricant import State
+from ...library.lubricant import OilState
 from ...sheet.arrays import Array, each, many
 from ...sheet.errors import NoSolution
 from ...sheet.text import Amount, Text
@@ -37,7 +37,7 @@ def bare_length(inputs: BearingsInputs, l: Array) -> Array:
     return l if lands(inputs) == 1 else l - _given(inputs.groove_width)
 
 
-def supply_flow(seat: BearingCase, duty: OperatingPoint, psi: float, eps: float, oil: State, *, opposite: bool = False) -> float:
+def supply_flow(seat: BearingCase, duty: OperatingPoint, psi: float, eps: float, oil: OilState, *, opposite: bool = False) -> float:
     """Q₂, what the supply pressure drives through the bearing.
 
     `opposite`: as the source has it, a hole in the seat that is always opposite the load, even where the load turns.
@@ -93,7 +93,7 @@ def _given(x: float | None) -> float:
     return 0.0 if x is None else x
 
 
-def _through_shaft(duty: OperatingPoint, oil: State, d: float) -> float:
+def _through_shaft(duty: OperatingPoint, oil: OilState, d: float) -> float:
     p = flow.pressure_through_shaft(p_s=duty.supply_pressure, rho=oil.rho, omega=f.angular_speed(n=duty.speed), d=d)
     if isinstance(p, float):
         if p <= 0:

@@ -20,8 +20,7 @@ from .. import formulas as f
 from ..corners import widths
 from ..inputs import BearingInputs
 from ..routes import supply
-from .rules import LEAST_COLD
-from .states import States, Task, judge, solved, usual
+from .states import LEAST_COLD, BearingTask, States, judge, solved, usual
 from .variants import SUPPLIES, Variant
 
 LENGTH = keys(BearingInputs)["length_mm"].about
@@ -39,10 +38,10 @@ OF_FILM = ("film_edge", "film_edge_trumpler", "film_double_load", *OF_HEAT, "tra
 
 
 @record
-class Field:
+class CandidateField:
     """`states`: clearances down, lengths across."""
 
-    task: Task
+    task: BearingTask
     variant: Variant
     states: States
 
@@ -82,7 +81,7 @@ class Field:
         """Whether some length carries the load, whatever the film."""
         return bool((self._least(slope, *OF_LOAD) >= 0).any())
 
-    def in_room(self) -> "Field | None":
+    def in_room(self) -> "CandidateField | None":
         """The lengths alone that the shaft leaves room for; None: there is none."""
         longest = self.task.room.longest
         if longest is None:
@@ -92,11 +91,11 @@ class Field:
             return self
         return replace(self, states=States(*(getattr(s, name)[..., :n] for name in States.__dataclass_fields__))) if n else None
 
-    def smoother(self) -> "Iterator[Field]":
+    def smoother(self) -> "Iterator[CandidateField]":
         """The same with its own surfaces, and with ever smoother ones."""
         return (replace(self, task=task) for task in self.task.smoother())
 
-    def of(self, twin: Task) -> "Field":
+    def of(self, twin: BearingTask) -> "CandidateField":
         """The same for another bearing that is alike."""
         return replace(self, task=twin.with_oil(self.variant.lubricant, self.variant.supply, self.variant.fits))
 
@@ -107,7 +106,7 @@ class Field:
         return np.where(moved < 1e-9, 0.0, moved) + abs(task.seat.bearing.diameter / task.diameter - 1)
 
 
-def alike(one: Task, other: Task) -> bool:
+def alike(one: BearingTask, other: BearingTask) -> bool:
     """Whether two bearings have the same candidates with the same films."""
     return (
         vars(one.duty) == vars(other.duty) and vars(one.seat.bearing) == vars(other.seat.bearing)
@@ -115,7 +114,7 @@ def alike(one: Task, other: Task) -> bool:
     )  # fmt: skip
 
 
-def lengths(task: Task, in_room: bool = False) -> Array:
+def lengths(task: BearingTask, in_room: bool = False) -> Array:
     """Whole steps within the usual l/d, where asked those in the room alone, and the design's own."""
     inputs, d = task.seat.inputs, task.seat.bearing.diameter
     usual = task.rules["length_ratio_usual"].check.limit
@@ -129,7 +128,7 @@ def lengths(task: Task, in_room: bool = False) -> Array:
     return multiples(LENGTH_STEP, shortest, longest, [task.length] if shortest <= task.length <= longest else [])
 
 
-def _bearable(task: Task, l: Array) -> Array:
+def _bearable(task: BearingTask, l: Array) -> Array:
     """The lengths that carry the load whatever the film; the longest alone where none does, so that it can be said by how much."""
     if not l.size:
         return l
@@ -140,7 +139,7 @@ def _bearable(task: Task, l: Array) -> Array:
     return l[carries] if carries.any() else l[-1:]
 
 
-def clearances(task: Task, widest: Metre, few: int = 0) -> Array:
+def clearances(task: BearingTask, widest: Metre, few: int = 0) -> Array:
     """Whole 5 µm from the least that must be left when cold up to the widest, a few steps at least, and the design's own."""
     seat, d = task.seat, task.seat.bearing.diameter
     T_J, T_S = widths(seat.inputs, d)
@@ -153,13 +152,13 @@ def clearances(task: Task, widest: Metre, few: int = 0) -> Array:
     return multiples(CLEARANCE_STEP, max(narrowest, CLEARANCE_STEP), widest, [task.clearance] if narrowest <= task.clearance else [])
 
 
-def widest_usual(task: Task) -> Metre:
+def widest_usual(task: BearingTask) -> Metre:
     """The clearance of the greatest factor K that is usual."""
     d = task.seat.bearing.diameter
     return f.clearance_by_factor(K=USUAL_FACTORS[1], d=d, u=f.surface_speed(d=d, n=task.duty.speed))
 
 
-def field(task: Task, variant: Variant, slope: Radian, in_room: bool = False) -> Field | None:
+def field(task: BearingTask, variant: Variant, slope: Radian, in_room: bool = False) -> CandidateField | None:
     """With clearances wider than the usual ones where nothing passes with these and some have too little oil, which may thin the film
     too; None where no length is left to look at."""
     at = task.with_oil(variant.lubricant, variant.supply, variant.fits)
@@ -170,16 +169,16 @@ def field(task: Task, variant: Variant, slope: Radian, in_room: bool = False) ->
     return field_over(at, variant, l, clearances(at, WIDEST * at.seat.bearing.diameter, FEW)) or usual
 
 
-def field_over(at: Task, variant: Variant, l: Array, g: Array) -> Field | None:
+def field_over(at: BearingTask, variant: Variant, l: Array, g: Array) -> CandidateField | None:
     """Lengths `l` and clearances `g`, both rising; None where there are none."""
     if not l.size or not g.size:
         return None
     few, between = over_lengths(l)
     states = solved(at, few, g[:, None], all_rises=False)
     if few is l:
-        return Field(at, variant, states)
+        return CandidateField(at, variant, states)
     many = {name: between(getattr(states, name)) for name in ("film", "rise", "viscosity", "power", "flow")}
-    return Field(at, variant, States(*np.broadcast_arrays(l, g[:, None]), **many))
+    return CandidateField(at, variant, States(*np.broadcast_arrays(l, g[:, None]), **many))
 
 
 def over_lengths(l: Array) -> tuple[Array, Callable[[Array], Array]]:

@@ -14,26 +14,24 @@ from ...sheet.record import record
 from ...sheet.search import first, governing, least
 from ...sheet.text import EMPTY, Text
 from ...sheet.units import Kelvin, Metre, Number, Radian, Watt
-from .grid import Field
-from .rules import Index, check_of
-from .states import States, Task, judge, mckee, solved, usual
+from .grid import CandidateField
+from .states import PLACES, BearingTask, Index, States, check_of, judge, mckee, solved, usual
 from .variants import Variant
-from .words import PLACES
 
 ALIKE = 0.1  # W: powers that are taken for equal, so that the smaller change goes first
 MOST = 12  # rows of the Pareto set
 STEPS = (0.1e-6, 0.2e-6, 0.25e-6, 0.5e-6, 1e-6, 2e-6, 5e-6, 10e-6)  # of film between them
 
-Fields = Mapping[str, Sequence[Field]]  # of one variant: front and rear, a field for each diameter
+Fields = Mapping[str, Sequence[CandidateField]]  # of one variant: front and rear, a field for each diameter
 Slopes = Mapping[str, Radian]
-Order = Callable[[Field], tuple[Array, Array]]  # what is wanted least of every candidate, and what of equal ones
+Order = Callable[[CandidateField], tuple[Array, Array]]  # what is wanted least of every candidate, and what of equal ones
 
 
 @record
 class Pick:
     """One bearing as it is offered, solved where it stands: in `films`, of shape (states, 1).  `corner`: the state that governs."""
 
-    task: Task
+    task: BearingTask
     length: Metre
     clearance: Metre
     power: Watt
@@ -62,7 +60,7 @@ class Pick:
 
 
 @record
-class Row:
+class BearingRow:
     """Both bearings with one oil and supply.  `what`: now, nearest, least power, too long, more film."""
 
     what: str
@@ -108,7 +106,7 @@ class Row:
         return front, rear
 
 
-def picks(task: Task, length: Sequence[float], clearance: Sequence[float], slope: Radian) -> list[Pick]:
+def picks(task: BearingTask, length: Sequence[float], clearance: Sequence[float], slope: Radian) -> list[Pick]:
     """Bearings of one task, solved together; length and clearance are lists of the same length."""
     there = solved(task, length, clearance)
     return [
@@ -117,7 +115,7 @@ def picks(task: Task, length: Sequence[float], clearance: Sequence[float], slope
     ]
 
 
-def _pick(task: Task, films: States, slope: Radian) -> Pick:
+def _pick(task: BearingTask, films: States, slope: Radian) -> Pick:
     limits = {one.rule.key: one for one in judge(task, films, slope)}
     worst, psi = governing(limits.values(), 0), usual(task, films.clearance)
     state = worst.where if isinstance(worst.where, Text) else int(np.broadcast_to(worst.where, (1,))[0])
@@ -129,17 +127,17 @@ def _pick(task: Task, films: States, slope: Radian) -> Pick:
 
 
 # --- orders ----------------------------------------------------------------------------------------------------------------
-def by_power(one: Field) -> tuple[Array, Array]:
+def by_power(one: CandidateField) -> tuple[Array, Array]:
     """The least power, the smaller change where powers are alike."""
     return np.round(one.states.power / ALIKE), one.change()
 
 
-def by_change(one: Field) -> tuple[Array, Array]:
+def by_change(one: CandidateField) -> tuple[Array, Array]:
     """The smallest change from the design, the least power where changes are the same."""
     return np.round(one.change(), 9), one.states.power
 
 
-def by_excess(one: Field) -> tuple[Array, Array]:
+def by_excess(one: CandidateField) -> tuple[Array, Array]:
     """The least length beyond the room, the least power where that is the same."""
     room = one.task.room.longest
     return (0 * one.states.length if room is None else np.maximum(one.states.length - room, 0.0)), one.states.power
@@ -167,7 +165,7 @@ def best_diameters(fields: Fields, slopes: Slopes) -> dict[str, Metre] | None:
     return both if len(both) == len(PLACES) else None
 
 
-def _best(fields: Sequence[Field], slope: Radian, order: Order) -> tuple[tuple[int, bool, float, float], Field, Index] | None:
+def _best(fields: Sequence[CandidateField], slope: Radian, order: Order) -> tuple[tuple[int, bool, float, float], CandidateField, Index] | None:
     """Rank, field and place of the first by an order, a usual clearance before others."""
     every = []
     for field in fields:
@@ -190,13 +188,13 @@ def closest(fields: Fields, slopes: Slopes) -> tuple[Pick, Pick] | None:
     return both[0], both[1]
 
 
-def _at(field: Field, index: Index, slope: Radian) -> Pick:
+def _at(field: CandidateField, index: Index, slope: Radian) -> Pick:
     """A candidate of a field, solved where it stands."""
     return picks(field.task, [field.states.length[index]], [field.states.clearance[index]], slope)[0]
 
 
 # --- power against film ----------------------------------------------------------------------------------------------------
-def pareto(every: Iterable[tuple[Variant, Fields]], slopes: Slopes) -> list[Row]:
+def pareto(every: Iterable[tuple[Variant, Fields]], slopes: Slopes) -> list[BearingRow]:
     """The least power for ever more film at the edge of the worse bearing: no other candidate has more film for less power."""
     able = []
     for variant, fields in every:
@@ -208,13 +206,13 @@ def pareto(every: Iterable[tuple[Variant, Fields]], slopes: Slopes) -> list[Row]
         return []
     low, high = min(one[2] for one in able), max(one[3] for one in able)
     step = next((s for s in STEPS if (high - low) / s < MOST), STEPS[-1])
-    rows: list[Row] = []
+    rows: list[BearingRow] = []
     for film in np.arange(np.floor(low / step), np.floor(high / step) + 1) * step:
         pairs = [(variant, [_least_with(fields[place], slopes[place], film) for place in PLACES]) for variant, fields, *_ in able]
         variant, both = min(pairs, key=lambda pair: sum(one[0] if one is not None else np.inf for one in pair[1]))
         if None in both:
             continue
-        row = Row("more film", variant, *(_at(one[1], one[2], slopes[place]) for place, one in zip(PLACES, both) if one is not None))
+        row = BearingRow("more film", variant, *(_at(one[1], one[2], slopes[place]) for place, one in zip(PLACES, both) if one is not None))
         while rows and row.film >= rows[-1].film and row.power <= rows[-1].power:
             rows.pop()
         if not rows or row.film > rows[-1].film:
@@ -222,9 +220,9 @@ def pareto(every: Iterable[tuple[Variant, Fields]], slopes: Slopes) -> list[Row]
     return rows
 
 
-def _least_with(fields: Sequence[Field], slope: Radian, film: Metre) -> tuple[Watt, Field, Index] | None:
+def _least_with(fields: Sequence[CandidateField], slope: Radian, film: Metre) -> tuple[Watt, CandidateField, Index] | None:
     """The least power with at least this film, and whose it is; None: there is none."""
-    best: tuple[Watt, Field, Index] | None = None
+    best: tuple[Watt, CandidateField, Index] | None = None
     for field in fields:
         kept = field.passing(slope) & (field.judged(slope)["film_edge"].value * 1e-6 >= film)
         if (index := first(kept, field.states.power)) is not None and (best is None or field.states.power[index] < best[0]):

@@ -9,32 +9,137 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from itertools import chain
 
+from ...countershaft.result import CountershaftResult
 from ...sheet.check import Check
 from ...sheet.errors import NoSolution
 from ...sheet.progress import Progress, part, rising, tell
 from ...sheet.record import record
-from ...sheet.text import SEMICOLON, Text
+from ...sheet.remedy import Changes, applied, digits
+from ...sheet.text import EMPTY, SEMICOLON, Text
 from ...sheet.units import Metre, Radian
-from .case import Case
-from .convergence import Settled, settle, slopes_of
-from .grid import Field, alike, field
-from .ranking import Fields, Pick, Row, Slopes, best, best_diameters, by_change, by_excess, by_power, closest, pareto, picks, rank
-from .rules import check_of
-from .states import Task, without_rise
-from .variants import Variant, closer_fits, crossings, placed, tasks, variants
-from .words import PLACES, against, size
+from ..inputs import BearingsInputs
+from .grid import CandidateField, alike, field
+from .ranking import BearingRow, Fields, Pick, Slopes, best, best_diameters, by_change, by_excess, by_power, closest, pareto, picks, rank
+from .states import PLACES, BearingTask, against, check_of, size, without_rise
+from .variants import SelectionCase, Solution, Variant, closer_fits, crossings, drawn, placed, tasks, variants
+
+# A row put into the design and solved as a whole: whether it holds there, and what else then fails.
+
+TRIES = 3  # of a row whose slopes, read again from the shaft's bending, stop it
+CORNER = "_corner"  # how the checks at the worst corner are called; where the fits are assumed, they only advise
+CROSSING = "countershaft.crossing"
+
+
+@record
+class Settled:
+    """A row after the whole solution: as it is then judged, with the slopes read there, and the limits of other steps that it breaks.
+
+    `row` None: it does not pass, and `why`.  `results`: of the whole design with it.
+    """
+
+    row: BearingRow | None
+    slopes: dict[str, Radian]
+    broken: tuple[Check, ...] = ()
+    why: Text = EMPTY
+    results: Solution | None = None
+
+
+def confirmed(case: SelectionCase, row: BearingRow, slopes: dict[str, Radian]) -> Settled:
+    """A row through the whole solution, as it stands."""
+    before = {c.id for c in case.results.checks() if c.verdict == "fail"} - {CROSSING}
+    results = case.solve(with_row(case.bearings, row))
+    there = results.outcomes["bearings"]
+    again = slopes_of(case, results, slopes)
+    front, rear = (one.with_slope(again[place]) for place, one in zip(PLACES, row.both))
+    failing = [c for c in there.checks if c.verdict == "fail"]
+    if row.corners:
+        failing += [c for c in there.checks if c.id.endswith(CORNER) and c.verdict != "fail" and not c.margin >= 0]
+    failing += [one.governing for one in (front, rear) if one.margin < 0]
+    others = [c for key, o in results.outcomes.items() if key != "bearings" for c in o.checks if c.verdict == "fail" and c.id not in before]
+    if not any(row.too_long):
+        failing += [c for c in others if c.id == CROSSING]
+    if there.state != "solved" or failing:
+        why = against(failing[0]) if failing else there.reason
+        return Settled(None, again, (), Text("{row}: {why}", row=row.variant.name, why=why), results)
+    return Settled(replace(row, front=front, rear=rear), again, tuple(others), results=results)
+
+
+def settle(case: SelectionCase, row: BearingRow, fields: Fields, slopes: dict[str, Radian]) -> Settled:
+    """A row through the whole solution; where the slopes that are read there stop it, it is chosen anew with them."""
+    order = by_change if row.what == "nearest" else by_power
+    settled = confirmed(case, row, slopes)
+    for _ in range(TRIES):
+        if settled.row is not None:
+            break
+        steeper = {place: max(slopes[place], settled.slopes[place]) for place in PLACES}
+        pair = best(fields, steeper, order) if steeper != slopes else None
+        if pair is None:
+            break
+        slopes = steeper
+        settled = confirmed(case, replace(row, front=pair[0], rear=pair[1]), slopes)
+    return settled
+
+
+def slopes_of(case: SelectionCase, results: Solution | None = None, before: Slopes | None = None) -> dict[str, Radian]:
+    """As given, else of the shaft's bending; where its outline is not known any more, as before; zero where it never was."""
+    own = case.bearings
+    if own.slope is not None:
+        return {"front": own.slope[0], "rear": own.slope[-1]}
+    shaft = (results or drawn(case)).result(CountershaftResult)
+    if shaft is None or shaft.slope_front is None or shaft.slope_rear is None:
+        return dict(before or dict.fromkeys(PLACES, 0.0))
+    return {"front": shaft.slope_front, "rear": shaft.slope_rear}
+
+
+def with_row(own: BearingsInputs, row: BearingRow) -> BearingsInputs:
+    """The design's bearings as a row has them: as they then stand in the file."""
+    return applied(own, bearing_changes(row, own), "bearings.")
+
+
+def bearing_changes(row: BearingRow, own: BearingsInputs) -> Changes:
+    """The keys that put a row into a design with these bearings; a clearance that stays keeps its key."""
+    written: Changes = {}
+    fits = fits_to_write(row, own)
+    for place, one in zip(PLACES, row.both):
+        at, b = f"bearings.{place}", one.task.seat.bearing
+        if one.diameter != one.task.diameter:
+            written[f"{at}.diameter_mm"] = digits(one.diameter / 1e-3)
+        if one.length != one.task.length:
+            written[f"{at}.length_mm"] = digits(one.length / 1e-3)
+        if _moved(one) or fits is not None:  # factor K or fits would make another clearance of a new diameter or fit
+            written |= {f"{at}.clearance_factor": None, f"{at}.clearance_um": digits(one.clearance / 1e-6)}
+        if one.task.level:
+            written[f"{at}.journal_roughness_um"] = digits(b.journal_roughness / 1e-6)
+            written[f"{at}.housing_roughness_um"] = digits(b.housing_roughness / 1e-6)
+    if fits is not None:
+        written |= {"bearings.journal_fit": fits[0], "bearings.seat_fit": fits[1]}
+    if row.variant.oil != own.oil:
+        written["bearings.oil"] = row.variant.oil
+    if row.variant.supply != own.supply:
+        written["bearings.supply"] = row.variant.supply
+    return written
+
+
+def fits_to_write(row: BearingRow, own: BearingsInputs) -> tuple[str, str] | None:
+    """Closer fits; or widths for fits with a place, which would make another clearance than the row's.  None: they stay."""
+    return row.variant.fits or (placed(own) if any(map(_moved, row.both)) else None)
+
+
+def _moved(one: Pick) -> bool:
+    return one.clearance != one.task.clearance or one.diameter != one.task.diameter
+
 
 VERIFIED = 4  # rows that are solved as whole designs before they are shown; the others when they are taken
 NEAREST = 3  # that are tried as whole designs, until one holds
 STIFFER = Text("stiffen the shaft, or widen its envelope")
 
-Tasks = dict[str, list[Task]]
+Tasks = dict[str, list[BearingTask]]
 Every = Sequence[tuple[Variant, Fields]]
 Thin = dict[tuple[str, str, float], float]  # by supply, place and diameter: viscosity of oils whose film passes nowhere
 
 
 @record
-class Found:
+class BearingsFound:
     """What there is to choose.  `rows`: numbered from 1, the nearest first, then the least power by oil and supply; they fit the shaft.
 
     `kind`: "all" they keep every rule; "fits" the same with closer fits; "given" the limits as given, not every corner; "none".
@@ -45,12 +150,12 @@ class Found:
     `placed`: whether the fits of the design have a place.
     """
 
-    case: Case
+    case: SelectionCase
     kind: str
-    now: Row | None
-    rows: tuple[Row, ...]
-    beyond: tuple[Row, ...]
-    pareto: tuple[Row, ...]
+    now: BearingRow | None
+    rows: tuple[BearingRow, ...]
+    beyond: tuple[BearingRow, ...]
+    pareto: tuple[BearingRow, ...]
     tasks: Tasks
     variants: tuple[Variant, ...]
     slopes: tuple[dict[str, Radian], ...]
@@ -62,14 +167,14 @@ class Found:
     verified: int
 
     @property
-    def all(self) -> tuple[Row, ...]:
+    def all(self) -> tuple[BearingRow, ...]:
         return (*self.rows, *self.beyond, *self.pareto)
 
     def slopes_of_row(self, number: int) -> dict[str, Radian]:
         return self.slopes[number if number <= self.verified else 0]
 
 
-def search(case: Case, progress: Progress | None = None) -> Found:
+def search(case: SelectionCase, progress: Progress | None = None) -> BearingsFound:
     """Rows to choose from for the bearings of a design.
 
     Raises NoSolution where nothing keeps all rules, with what comes nearest and what stops it.
@@ -98,7 +203,7 @@ def search(case: Case, progress: Progress | None = None) -> Found:
     fitting = [one.row for one in rows if one.row is not None]
     own = {id(row.variant) for row in fitting} if kind == "all" else set()
     pairs = ((variant, best(fields, slopes, by_excess)) for variant, fields in every if id(variant) not in own)
-    beyond = [row for variant, pair in pairs if pair for row in (Row("too long", variant, *pair),) if any(row.too_long)]
+    beyond = [row for variant, pair in pairs if pair for row in (BearingRow("too long", variant, *pair),) if any(row.too_long)]
     beyond.sort(key=lambda row: (max(row.too_long), row.power))
     if not fitting and not beyond:
         raise _none_whole(dropped) if dropped else nothing(every, slopes)
@@ -110,13 +215,13 @@ def search(case: Case, progress: Progress | None = None) -> Found:
     verified = min(len(rows), VERIFIED)
     kind = kind if fitting else "none"
     now = as_is(bearings, offered[0], slopes, corners=kind != "given")
-    return Found(case, kind, now, tuple(fitting), tuple(beyond),
+    return BearingsFound(case, kind, now, tuple(fitting), tuple(beyond),
         tuple(pareto(of if fitting else every, slopes)), bearings, tuple(offered), (slopes, *(one.slopes for one in rows[:verified])),
         tuple(refused), tuple(dropped), {number: one.broken for number, one in enumerate(rows, 1) if one.broken},
         tuple(crossings(case.results)), placed(case.bearings) is not None, verified)  # fmt: skip
 
 
-def nearest_row(case: Case, progress: Progress | None = None, only: Sequence[Variant] = ()) -> Settled:
+def nearest_row(case: SelectionCase, progress: Progress | None = None, only: Sequence[Variant] = ()) -> Settled:
     """The one row that is nearest to the design, found as `search` finds its first, without all the others beside it.
 
     `only`: other variants are not looked at, nor closer fits.  Raises NoSolution with what comes nearest and what stops it.
@@ -143,7 +248,7 @@ def nearest_row(case: Case, progress: Progress | None = None, only: Sequence[Var
     raise _none_whole(dropped) if dropped else nothing([first, *fields], slopes)
 
 
-def _further(case: Case, offered: list[Variant], bearings: Tasks, slopes: Slopes) -> list[tuple[str, list[Variant], Tasks]]:
+def _further(case: SelectionCase, offered: list[Variant], bearings: Tasks, slopes: Slopes) -> list[tuple[str, list[Variant], Tasks]]:
     """What is looked at where nothing fits as the fits are: closer ones, then the limits as given where the fits are only assumed.
 
     The closest fits allow all that wider ones do: where no oil has a film that passes with these, no closer ones are looked at.
@@ -172,13 +277,13 @@ def _possible(bearings: Tasks) -> Tasks:
 
 def fields_of(
     variant: Variant, bearings: Tasks, slopes: Slopes, *, too_thin: Thin | None = None, short: bool = False
-) -> dict[str, list[Field]]:  # fmt: skip
+) -> dict[str, list[CandidateField]]:  # fmt: skip
     """`too_thin` gathers oils whose film passes nowhere; a thinner one is not looked at any more.
 
     `short`: only lengths in the room, and no rear bearing where no front one has a film that passes.
     """
     known = too_thin if too_thin is not None else {}
-    fields: dict[str, list[Field]] = {place: [] for place in PLACES}
+    fields: dict[str, list[CandidateField]] = {place: [] for place in PLACES}
     for place in PLACES:
         held = False
         for task in bearings[place]:
@@ -209,18 +314,18 @@ def _promising(bearings: Tasks, diameters: dict[str, Metre] | None) -> Tasks:
     }
 
 
-def in_room(fields: Fields, slopes: Slopes) -> dict[str, list[Field]]:
+def in_room(fields: Fields, slopes: Slopes) -> dict[str, list[CandidateField]]:
     """What fits, with its own surfaces, and where these are too rough with ever smoother ones until some candidate passes."""
-    inside: dict[str, list[Field]] = {place: [] for place in PLACES}
+    inside: dict[str, list[CandidateField]] = {place: [] for place in PLACES}
     for place in PLACES:
         for one in (some for outside in fields[place] if (some := outside.in_room()) is not None):
             inside[place] += _smooth_enough(one, slopes[place]) if one.holds(slopes[place]) else [one]
     return inside
 
 
-def _smooth_enough(one: Field, slope: Radian) -> list[Field]:
+def _smooth_enough(one: CandidateField, slope: Radian) -> list[CandidateField]:
     """With its own surfaces and smoother ones, up to the first that lets some candidate pass; its own alone where none does."""
-    levels = list[Field]()
+    levels = list[CandidateField]()
     for level in one.smoother():
         levels.append(level)
         if level.passing(slope).any():
@@ -244,7 +349,7 @@ def short_fields(
 
 
 def _nearest(
-    case: Case, every: Iterable[tuple[Variant, Fields]], slopes: dict[str, Radian], dropped: list[Text], progress: Progress | None = None
+    case: SelectionCase, every: Iterable[tuple[Variant, Fields]], slopes: dict[str, Radian], dropped: list[Text], progress: Progress | None = None
 ) -> Settled | None:  # fmt: skip
     """The nearest row of all variants that holds in the whole design."""
     for n, (variant, fields) in enumerate(_by_nearness(case, every, slopes)):
@@ -253,14 +358,14 @@ def _nearest(
         tell(progress, n / NEAREST, Text("{row} in the whole design", row=variant.name))
         pair = best(fields, slopes, by_change)
         assert pair is not None
-        settled = settle(case, Row("nearest", variant, *pair), fields, slopes)
+        settled = settle(case, BearingRow("nearest", variant, *pair), fields, slopes)
         if settled.row is not None:
             return settled
         dropped.append(settled.why)
     return None
 
 
-def _by_nearness(case: Case, every: Iterable[tuple[Variant, Fields]], slopes: Slopes) -> Iterator[tuple[Variant, Fields]]:
+def _by_nearness(case: SelectionCase, every: Iterable[tuple[Variant, Fields]], slopes: Slopes) -> Iterator[tuple[Variant, Fields]]:
     """Preferred is what changes sizes alone, then oil, then supply, then surfaces; then the smaller change.
 
     Variants come in this order, so that the next oil or supply is only solved where those before have nothing that holds.
@@ -281,11 +386,11 @@ def _by_nearness(case: Case, every: Iterable[tuple[Variant, Fields]], slopes: Sl
 
 
 def _settled(
-    case: Case, every: Every, slopes: dict[str, Radian], dropped: list[Text], progress: Progress | None = None
+    case: SelectionCase, every: Every, slopes: dict[str, Radian], dropped: list[Text], progress: Progress | None = None
 ) -> list[Settled]:  # fmt: skip
     """Rows of every variant that has candidates: the nearest, then by power; the first few solved as whole designs."""
     by_variant = {id(variant): fields for variant, fields in every}
-    least = [Row("least power", variant, *pair) for variant, fields in every if (pair := best(fields, slopes, by_power)) is not None]
+    least = [BearingRow("least power", variant, *pair) for variant, fields in every if (pair := best(fields, slopes, by_power)) is not None]
     nearest = _nearest(case, every, slopes, dropped, part(progress, 0.0, 0.3))
     rows = [] if nearest is None else [nearest]
     waiting = [Settled(row, slopes) for row in least]
@@ -313,13 +418,13 @@ def _rank(one: Settled) -> tuple[int, float, float]:
     return one.row.level, one.row.power, one.row.change
 
 
-def as_is(bearings: Tasks, variant: Variant, slopes: Slopes, *, corners: bool) -> Row | None:
+def as_is(bearings: Tasks, variant: Variant, slopes: Slopes, *, corners: bool) -> BearingRow | None:
     """The design as it stands, judged by the same rules as the rows, at the corners or as given; None where a bearing has no film."""
     both = []
     for place in PLACES:
         task = replace(bearings[place][0].with_oil(variant.lubricant, variant.supply), corners=corners)
         both += picks(task, [task.length], [task.clearance], slopes[place])
-    return Row("now", variant, *both) if all(one.power == one.power for one in both) else None
+    return BearingRow("now", variant, *both) if all(one.power == one.power for one in both) else None
 
 
 # --- why there is nothing --------------------------------------------------------------------------------------------------

@@ -6,32 +6,182 @@ the narrowest with the thicker oil for the heat; and the film again at twice the
 Where tolerances are only assumed, a candidate may also be judged as it is given, as the limits of the step do.
 """
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 
 import numpy as np
 
-from ...library.journal_rules import speed_factor
+from ...countershaft.inputs import CountershaftInputs
+from ...countershaft.result import CountershaftResult
+from ...library.journal_rules import RISE, speed_factor
 from ...library.lubricant import Lubricant
 from ...sheet.arrays import Array, IndexArray, each, many
+from ...sheet.check import Check
 from ...sheet.linked_array import column
 from ...sheet.record import record
-from ...sheet.search import Judged
-from ...sheet.text import Text
+from ...sheet.search import Judged, judged
+from ...sheet.text import Amount, Small, Text
 from ...sheet.units import UNITS, Metre, Radian, RevPerSecond
 from .. import formulas as f
 from ..corners import widths
+from ..inputs import IN_WORDS as PLACE
+from ..inputs import PLACES
 from ..routes import supply
 from ..routes.balance import HOTTEST, settled
 from ..routes.states import BearingCase, OperatingPoint
-from .room import Room
-from .rules import USUAL, Rule
+
+# Words that the search for bearings uses over and over.
+
+__all__ = ["LETTER", "PLACE", "PLACES", "against", "mm", "short_mm", "size", "value_of"]
+
+LETTER = {"front": Text("F"), "rear": Text("R")}
+
+
+def mm(length: Metre) -> Amount:
+    """A length to a hundredth of a millimetre."""
+    return Amount(round(length * 1e3, 2), "mm")
+
+
+def short_mm(length: Metre) -> Amount:
+    """The same without its unit."""
+    return Amount(round(length * 1e3, 2))
+
+
+def value_of(check: Check, digits: int = 4) -> Text:
+    if check.value != check.value:
+        return Text("no film")
+    return Text("{value}", value=Amount(check.value, check.unit, digits=digits))
+
+
+def against(check: Check) -> Text:
+    """`film at the edge, front: 8.2 µm, needs ≥ 9 µm`."""
+    return Text("{check}: {value}, needs {limit}", check=Small(check.name), value=value_of(check), limit=check.limit_text())
+
+
+def size(length: Metre, clearance: Metre) -> Text:
+    return Text("{length} and {clearance}", length=Amount(length * 1e3, "mm"), clearance=Amount(clearance * 1e6, "µm"))
+
+
+# What a bearing that is offered has to keep, at the worst corner of its tolerances.
+#
+# The limits are those of the step's own checks, read off the checks of the design itself and written nowhere again.  Three are kept for
+# choosing alone: the rise of temperature, the cold clearance that must be left, and Trumpler's film at the edge too.
+# The relative clearance that is usual for the application is kept wherever film, heat and cold clearance leave something with it.
+
+LEAST_COLD: Metre = 20e-6
+OWN = Text("rule of this program for choosing")
+RISES = Text("Finotti 2013, 5.5.2: 15 to 20 °C; for choosing the lower")
+READ = ("film_edge", "film_double_load", "temperature", "specific_load", "heat_index", "length_ratio", "length_ratio_usual", "transition",
+        "clearance_cold_corner")  # fmt: skip
+USUAL = "clearance_usual"  # advice, and known of most applications only
+
+Index = int | tuple[np.intp, ...]  # of one of many candidates
+
+
+@record
+class BearingRule:
+    """One constraint: the check that it is taken from, or made of."""
+
+    key: str
+    check: Check
+
+    def on(self, value: float, limit: float | None = None, where: object = -1) -> Judged:
+        """Candidates by this rule, from values in SI; `limit`, in SI as well, where it is that of each candidate.  `where`: the index of
+        the task's state that governs, or its name; −1: it has none."""
+        units = UNITS[self.check.unit]
+        bound = self.check.limit if limit is None else units.all_shown(limit)
+        return judged(self, np.asarray(units.all_shown(value)), bound, self.check.sense, where)
+
+
+def check_of(one: Judged, index: Index) -> Check:
+    """The check of one candidate."""
+    limit = one.limit if isinstance(one.limit, tuple) else float(np.broadcast_to(one.limit, one.margin.shape)[index])
+    judged_one: Check = replace(one.rule.check, value=float(np.broadcast_to(one.value, one.margin.shape)[index]), limit=limit)
+    return judged_one
+
+
+def rules(place: str, checks: Iterable[Check]) -> dict[str, BearingRule]:
+    """The constraints of one bearing, by their key, from the checks of a solved design."""
+    at, known = f"bearings.{place}", {c.id: c for c in checks}
+    edge, doubled, hot, cold = (known[f"{at}.{key}"] for key in ("film_edge", "film_double_load", "temperature", "clearance_cold"))
+    trumpler = Text("Film at the edge by Trumpler, {place}", place=PLACE[place])
+    rise = Text("Temperature rise, {place}", place=PLACE[place])
+    own = {
+        "film_edge_trumpler": replace(doubled, id=f"{at}.film_edge_trumpler", name=trumpler, advice=edge.advice),
+        "temperature_rise": replace(hot, id=f"{at}.temperature_rise", name=rise, limit=RISE[0], unit="K", source=RISES),
+        "clearance_cold": replace(cold, sense=">=", limit=UNITS["µm"].shown(LEAST_COLD), source=OWN),
+    }
+    if (usual := known.get(f"{at}.{USUAL}")) is not None:
+        own[USUAL] = usual
+    return {key: BearingRule(key, one) for key, one in ({key: known[f"{at}.{key}"] for key in READ} | own).items()}
+
+
+# How long the journals may be beside the sectors, as far as the shaft is known.
+#
+# A journal grows to both sides of its place.  Its room binds, whether the outline of the shaft is given, sized, or put together from the
+# masses; what is longer is offered apart, since the sectors would have to give way.
+
+SAME_JOURNAL = 1e-6  # m: a stretch of the shaft this much thinner than the journal is still the journal
+
+
+@record
+class JournalRoom:
+    """The longest journal that fits; None: not known."""
+
+    longest: Metre | None
+    why: Text
+
+
+def room(given: CountershaftInputs | None, shaft: CountershaftResult | None, place: str, d: Metre) -> JournalRoom:
+    """The room of the front or rear journal, of diameter d.
+
+    The gear stands against the front journal and moves with it, unless its place is given.
+    """
+    if given is None:
+        return JournalRoom(None, Text("no counter-shaft is given, so that the room for the journals is not known"))
+    at = 0 if place == "front" else -1
+    z = given.bearing_positions[at]
+    if given.mode == "size" and given.half_length is not None:
+        why = Text("the sectors reach to ±{half_length} (half_length_mm)", half_length=Amount(given.half_length * 1e3, "mm", form="g"))
+        return JournalRoom(2 * (abs(z) - given.half_length), why)
+    if given.sections:
+        return _of_sections(given, z, d)
+    if shaft is None or shaft.outline is None:
+        return JournalRoom(None, Text("the outline of the shaft is not known, and so neither is the room for the journals"))
+    own = next((p for p in shaft.outline.pieces if p.what == "journal" and p.start <= z <= p.end), None)
+    fixed = ("sector", "full", "journal") if given.gear_z is None else ("sector", "full", "journal", "gear")
+    faces = [min(abs(z - p.start), abs(z - p.end)) for p in shaft.outline.pieces if p.what in fixed and p is not own]
+    if not faces:
+        return JournalRoom(None, Text("nothing stands beside the journal"))
+    return JournalRoom(
+        2 * min(faces),
+        Text(
+            "a sector drawn from its mass begins {distance} from the {place} one's middle", distance=Amount(min(faces) * 1e3, "mm"),
+            place=PLACE[place],
+        ),
+    )  # fmt: skip
+
+
+def _of_sections(given: CountershaftInputs, z: Metre, d: Metre) -> JournalRoom:
+    """Along the given sections: the stretch about the journal's place that is a full cylinder and not thinner than the journal."""
+    rows = sorted(given.sections, key=lambda section: section.from_)
+    wide = [not row.half_angle and row.outer_radius >= d / 2 - SAME_JOURNAL for row in rows]
+    here = next((i for i, row in enumerate(rows) if row.from_ <= z <= row.to), None)
+    if here is None or not wide[here]:
+        return JournalRoom(None, Text("the given sections have no cylinder of the journal's diameter at its place"))
+    first = last = here
+    while first > 0 and wide[first - 1]:
+        first -= 1
+    while last + 1 < len(rows) and wide[last + 1]:
+        last += 1
+    return JournalRoom(2 * min(z - rows[first].from_, rows[last].to - z), Text("the shaft's sections leave no more"))
+
 
 Lengths = float | Sequence[float] | Array
 
 
 @record
-class State:
+class FilmState:
     """`side` of the clearance (+1 widest, −1 narrowest), of the `oil`'s viscosity (+1 thicker, −1 thinner), and times the load."""
 
     name: Text
@@ -44,10 +194,10 @@ WIDEST, TIGHTEST = Text("smallest journal, largest seat, thinner oil"), Text("la
 TIGHT = Text("largest journal, smallest seat, thicker oil")
 NOMINAL = Text("as given")
 AT_CORNERS = (
-    State(NOMINAL), State(WIDEST, 1, -1), State(TIGHTEST, -1, -1), State(TIGHT, -1, 1), State(WIDEST, 1, -1, 2.0),
-    State(TIGHTEST, -1, -1, 2.0),
+    FilmState(NOMINAL), FilmState(WIDEST, 1, -1), FilmState(TIGHTEST, -1, -1), FilmState(TIGHT, -1, 1), FilmState(WIDEST, 1, -1, 2.0),
+    FilmState(TIGHTEST, -1, -1, 2.0),
 )  # fmt: skip
-AS_GIVEN = (State(NOMINAL), State(NOMINAL, times=2.0))
+AS_GIVEN = (FilmState(NOMINAL), FilmState(NOMINAL, times=2.0))
 ROUGHNESSES = (0.6e-6, 0.4e-6, 0.3e-6, 0.2e-6)  # Ra; rule of this program
 SAME = 1e-10  # m
 BALANCED = 1e-5  # relative, of the rise: enough for a film to seven digits
@@ -55,7 +205,7 @@ HOT = 45.0  # K: three times the rise that may be chosen; what lies between is s
 
 
 @record
-class Task:
+class BearingTask:
     """One bearing of the design, at one diameter: what it carries, what it has to keep, and what it is now.
 
     `length`, `clearance` and `diameter` are those of the design.  `speed_factor`: least speed over the speed of transition, which the
@@ -66,8 +216,8 @@ class Task:
     place: str
     seat: BearingCase
     duty: OperatingPoint
-    rules: dict[str, Rule]
-    room: Room
+    rules: dict[str, BearingRule]
+    room: JournalRoom
     speed_factor: float
     length: Metre
     clearance: Metre
@@ -76,18 +226,18 @@ class Task:
     level: int = 0
 
     @property
-    def states(self) -> tuple[State, ...]:
+    def states(self) -> tuple[FilmState, ...]:
         """The first is as given; those at twice the load stand last."""
         return AT_CORNERS if self.corners else AS_GIVEN
 
-    def with_oil(self, oil: Lubricant, fed: str, fits: tuple[str, str] | None = None) -> "Task":
+    def with_oil(self, oil: Lubricant, fed: str, fits: tuple[str, str] | None = None) -> "BearingTask":
         seat = self.seat
         inputs = replace(seat.inputs, oil=oil.oil.name, supply=fed)
         if fits is not None:
             inputs = replace(inputs, journal_fit=fits[0], seat_fit=fits[1])
         return replace(self, seat=replace(seat, lubricant=oil, inputs=inputs))
 
-    def at_diameter(self, d: Metre) -> "Task":
+    def at_diameter(self, d: Metre) -> "BearingTask":
         """The same journal at another diameter, under the same load; its room is that of the one it was made for."""
         rules, asked = self.rules, UNITS["µm"].shown(f.trumpler_film(d=d))
         changed = {
@@ -103,7 +253,7 @@ class Task:
         duty, i_B = self.duty, self.seat.inputs.bush_speed_ratio
         return f.sliding_speed(n_J=duty.speed, n_B=i_B * duty.speed) if i_B else duty.speed
 
-    def smoother(self) -> Iterator["Task"]:
+    def smoother(self) -> Iterator["BearingTask"]:
         """The same with its own surfaces, then with ever smoother ones."""
         bearing, film = self.seat.bearing, self.rules["film_edge"]
         yield self
@@ -139,7 +289,7 @@ class States:
     flow: Array
 
 
-def solved(task: Task, length: Lengths, clearance: Lengths, *, all_rises: bool = True) -> States:
+def solved(task: BearingTask, length: Lengths, clearance: Lengths, *, all_rises: bool = True) -> States:
     """Candidates in every state; `length` and `clearance` are broadcast against each other.  nan where there is no film.
 
     `all_rises` False: sooner, with nan as well where the rise is far beyond what may be chosen.
@@ -159,7 +309,7 @@ def solved(task: Task, length: Lengths, clearance: Lengths, *, all_rises: bool =
     return States(l, g, many(film.film), rise, viscosity, power, flow)
 
 
-def judge(task: Task, states: States, slope: Radian) -> list[Judged]:
+def judge(task: BearingTask, states: States, slope: Radian) -> list[Judged]:
     """Every rule on candidates that are solved.  `slope`: of the journal in its seat."""
     seat, duty, rule = task.seat, task.duty, task.rules
     inputs, d = seat.inputs, seat.bearing.diameter
@@ -189,13 +339,13 @@ def judge(task: Task, states: States, slope: Radian) -> list[Judged]:
         return judged if task.corners else [*judged, rule["clearance_cold_corner"].on(cold, where=TIGHT)]
 
 
-def usual(task: Task, clearance: Array) -> Judged | None:
+def usual(task: BearingTask, clearance: Array) -> Judged | None:
     """The relative clearance against that of the application; None: it has none."""
     rule, d = task.rules.get(USUAL), task.seat.bearing.diameter
     return None if rule is None else rule.on(f.relative_clearance(g=each(clearance), d=d))
 
 
-def without_rise(task: Task) -> Judged:
+def without_rise(task: BearingTask) -> Judged:
     """The outlet temperature of oil that leaves as it enters."""
     return task.rules["temperature"].on(f.outlet_temperature(T_in=task.duty.supply_temperature, Delta_T=0.0))
 
@@ -207,7 +357,7 @@ def _where(numbers: Array, way: str) -> IndexArray:
     return governing
 
 
-def mckee(task: Task, states: States) -> Array:
+def mckee(task: BearingTask, states: States) -> Array:
     """ZN/P as given, in cP·rpm/psi: a mark, it binds nothing."""
     p = f.specific_load(F=task.duty.load, d=task.seat.bearing.diameter, l=each(supply.bare_length(task.seat.inputs, states.length)))
     return many(f.mckee_number(mu=each(states.viscosity[0]), n_h=task.duty.effective_speed, p=p))

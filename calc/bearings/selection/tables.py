@@ -4,19 +4,19 @@
 from collections.abc import Iterator
 from dataclasses import replace
 
+from ...library.journal_rules import RISE
 from ...sheet.number import short
 from ...sheet.record import record
 from ...sheet.search import beside
 from ...sheet.step import Table
-from ...sheet.text import COMMA, EMPTY, Amount, Name, Text
+from ...sheet.text import COMMA, EMPTY, SEMICOLON, Amount, Name, Text, listed, plural
 from ...sheet.units import Watt
 from .grid import CLEARANCE_STEP, LENGTH_STEP, SAME, USUAL_FACTORS, widest_usual
 from .grid import WIDEST as WIDEST_CLEARANCE
-from .ranking import Pick, Row, Slopes, picks
-from .search import Found
-from .states import TIGHT, TIGHTEST, WIDEST
-from .variants import SUPPLY, Variant, thinner
-from .words import LETTER, PLACE, PLACES, short_mm, value_of
+from .ranking import BearingRow, Pick, Slopes, picks
+from .search import BearingsFound
+from .states import LEAST_COLD, LETTER, PLACE, PLACES, ROUGHNESSES, TIGHT, TIGHTEST, WIDEST, against, mm, short_mm, value_of
+from .variants import DIAMETERS, SUPPLY, Variant, thinner, tied
 
 EXPLAINED = 3  # rows whose neighbours are shown
 EXPLAIN = Text(
@@ -40,7 +40,7 @@ POWER, EDGE, MCKEE = Name("P_f"), Name("h_edge"), Name("ZN/P")
 Cells = tuple[str | float | None, ...]
 
 
-def titles(found: Found) -> tuple[Text, Text]:
+def titles(found: BearingsFound) -> tuple[Text, Text]:
     """Of the rows that fit, and of those that are too long."""
     known = any(some[0].room.longest is not None for some in found.tasks.values())
     keeps = Text("Bearings that fit and keep every limit") if known else Text("Bearings that keep every limit (their room is not known)")
@@ -62,19 +62,19 @@ def titles(found: Found) -> tuple[Text, Text]:
     return of, Text("Bearings that keep every limit and are too long for their room")
 
 
-def choices_table(found: Found, top: int) -> Table:
+def choices_table(found: BearingsFound, top: int) -> Table:
     """The design as it is, then the first `top` rows; where none fits, those that are too long."""
     return _rows_table("bearings", titles(found)[0], found, (found.rows or found.beyond)[:top], 1, now=True)
 
 
-def beyond_table(found: Found, top: int) -> Table | None:
+def beyond_table(found: BearingsFound, top: int) -> Table | None:
     """Rows that are too long for the room, numbered on, so many that `top` are shown in all."""
     shown = found.beyond[: max(top - len(found.rows), 0)] if found.rows else ()
     return _rows_table("too_long", titles(found)[1], found, shown, len(found.rows) + 1, now=False) if shown else None
 
 
-def _rows_table(id: str, title: Text, found: Found, rows: tuple[Row, ...], first: int, *, now: bool) -> Table:
-    shown: list[tuple[str, Row]] = [(Text("now"), found.now)] if now and found.now is not None else []
+def _rows_table(id: str, title: Text, found: BearingsFound, rows: tuple[BearingRow, ...], first: int, *, now: bool) -> Table:
+    shown: list[tuple[str, BearingRow]] = [(Text("now"), found.now)] if now and found.now is not None else []
     shown += [(str(number), row) for number, row in enumerate(rows, first)]
     of = [row for _, row in shown]
     wide, extra = _wide(of), _extra(of)
@@ -87,12 +87,12 @@ def _rows_table(id: str, title: Text, found: Found, rows: tuple[Row, ...], first
     return Table(id, title, tuple(columns), tuple(_cells(number, row, wide, extra) for number, row in shown), EXPLAIN if now else EMPTY)
 
 
-def _wide(rows: list[Row]) -> bool:
+def _wide(rows: list[BearingRow]) -> bool:
     """Whether some row has another diameter."""
     return any(one.diameter != one.task.diameter for row in rows for one in row.both)
 
 
-def _extra(rows: list[Row]) -> Text:
+def _extra(rows: list[BearingRow]) -> Text:
     """What has to be said of some row beside its sizes."""
     return TOO_LONG if any(any(row.too_long) for row in rows) else ASKS if any(map(_asks, rows)) else EMPTY
 
@@ -105,7 +105,7 @@ def _size_columns(wide: bool) -> list[tuple[Text, str]]:
     return [column for size, clearance in pairs for column in ((size, "mm"), (clearance, "µm"))]
 
 
-def _sizes(row: Row, wide: bool) -> Cells:
+def _sizes(row: BearingRow, wide: bool) -> Cells:
     cells: list[str | float | None] = []
     for one in row.both:
         size = Text("{d}×{l}", d=short_mm(one.diameter), l=short_mm(one.length))
@@ -114,7 +114,7 @@ def _sizes(row: Row, wide: bool) -> Cells:
     return tuple(cells)
 
 
-def _cells(number: str, row: Row, wide: bool, extra: Text) -> Cells:
+def _cells(number: str, row: BearingRow, wide: bool, extra: Text) -> Cells:
     worse, letter = min(zip(row.both, LETTER.values()), key=lambda pair: pair[0].margin)
     films = (row.film * 1e6, min(one.film_double_load for one in row.both) * 1e6, max(one.rise for one in row.both))
     mckee = () if wide and extra else (min(one.mckee for one in row.both),)
@@ -124,17 +124,17 @@ def _cells(number: str, row: Row, wide: bool, extra: Text) -> Cells:
     return (*cells, _too_long(row) if extra == TOO_LONG else _asks(row)) if extra else cells
 
 
-def _first_cells(number: str, row: Row, wide: bool) -> Cells:
+def _first_cells(number: str, row: BearingRow, wide: bool) -> Cells:
     return (number, row.variant.oil, SUPPLY[row.variant.supply], *_sizes(row, wide))
 
 
-def _too_long(row: Row) -> Text:
+def _too_long(row: BearingRow) -> Text:
     return Text(" ").join(
         Text("{a} {b}", a=letter, b=Amount(x * 1e3, form=".1f")) for letter, x in zip(LETTER.values(), row.too_long) if x > 0
     )
 
 
-def _asks(row: Row) -> Text:
+def _asks(row: BearingRow) -> Text:
     """Smoother surfaces and closer fits that a row needs."""
     words: list[str] = []
     for letter, one in zip(LETTER.values(), row.both):
@@ -153,7 +153,7 @@ def _rounded(number: float, digits: int = 6) -> float | None:
     return float(f"{number:.{digits}g}") if abs(number) < float("inf") else None
 
 
-def changed(row: Row) -> Text:
+def changed(row: BearingRow) -> Text:
     """`front length 27.5 → 31 mm, rear clearance 90 → 80 µm`; empty where nothing changes but oil and supply."""
     words: list[Text] = []
     for place, one in zip(PLACES, row.both):
@@ -186,7 +186,7 @@ class Neighbour:
     oil: str = ""
 
 
-def neighbours(row: Row, variants: tuple[Variant, ...], slopes: Slopes) -> Iterator[Neighbour]:
+def neighbours(row: BearingRow, variants: tuple[Variant, ...], slopes: Slopes) -> Iterator[Neighbour]:
     """Of each bearing: one step shorter, one tighter, one wider, and the next thinner oil."""
     for place, one in zip(PLACES, row.both):
         l, g = one.length, one.clearance
@@ -222,7 +222,7 @@ def outside(one: Neighbour) -> Text:
     return Name(f"≤ {WIDEST_CLEARANCE * 1e3:g} ‰") if to.clearance > WIDEST_CLEARANCE * of.diameter + SAME else EMPTY
 
 
-def neighbours_table(found: Found) -> Table:
+def neighbours_table(found: BearingsFound) -> Table:
     """For the first rows: what lies one step outside, and why it is not offered."""
     shown = (found.rows or found.beyond)[:EXPLAINED]
     rows = [
@@ -238,7 +238,7 @@ def neighbours_table(found: Found) -> Table:
     return Table("neighbours", title, tuple((label, "") for label in columns), tuple(rows), note)
 
 
-def _outcome(found: Found, row: Row, one: Neighbour) -> Cells:
+def _outcome(found: BearingsFound, row: BearingRow, one: Neighbour) -> Cells:
     """What stops it, the value, the limit and the corner; or what it costs, and which bound of the search it passes."""
     c = one.instead.governing
     if one.instead.margin < 0:
@@ -253,7 +253,7 @@ def _outcome(found: Found, row: Row, one: Neighbour) -> Cells:
     return (Text("end of the search") if bound else "", words, bound, "")
 
 
-def pareto_table(found: Found) -> Table:
+def pareto_table(found: BearingsFound) -> Table:
     """More film for more power: numbered on from the rows, so that these can be taken as well."""
     wide, extra = _wide(list(found.pareto)), _extra(list(found.pareto))
     columns = [(NUMBER, ""), (OIL, ""), (SUPPLIED, ""), *_size_columns(wide), (POWER, "W"), (EDGE, "µm")]
@@ -269,3 +269,184 @@ def pareto_table(found: Found) -> Table:
     elif found.kind == "given":
         title = Text("Pareto set: power against film, of those that keep every limit as given")
     return Table("pareto", title, tuple(columns), tuple(rows), note)
+
+
+# What is said about the rows: two or three lines before the tables, a list behind them.
+
+def summary(found: BearingsFound) -> tuple[Text, ...]:
+    """What fails now, what nearest is, and by how much the room is missed."""
+    words = [Text("The design as it is FAILS {id}: {limit}.", id=c.id, limit=against(c)) for c in found.crossing]
+    if found.kind in ("given", "none"):
+        words.append(_missed(found))
+    if not found.rows:
+        return tuple(words)
+    first, own = found.rows[0], found.variants[0]
+    if first.what != "nearest":
+        why = next((why for v, why in found.refused if v is own), SEMICOLON.join(found.dropped) or Text("no film"))
+        return (*words, Text("No row has the design's own oil and supply: {why}.", why=why))
+    change = [
+        Text("oil {oil}", oil=first.variant.oil) if first.variant.oil != own.oil else EMPTY,
+        Text("supply by {supply}", supply=SUPPLY[first.variant.supply]) if first.variant.supply != own.supply else EMPTY, changed(first),
+    ]  # fmt: skip
+    if any(change):
+        nearest = Text("Row 1 is nearest to the design: {change}.", change=COMMA.join(filter(None, change)))
+        words.append(nearest + (_at_corners(found, first) if found.kind == "given" else EMPTY))
+    elif found.kind == "given":
+        words.append(Text("Row 1 is the design as it is: it keeps every limit as given."))
+    else:
+        words.append(Text("Row 1 is the design as it is: it keeps every limit."))
+    return tuple(words)
+
+
+def _missed(found: BearingsFound) -> Text:
+    """Which journal has how much room, and by how much the nearest is too long."""
+    Ra = Amount(ROUGHNESSES[-1] * 1e6, "µm")
+    if not found.beyond:
+        return Text("Nothing of any length keeps every limit, not with Ra down to {Ra}, nor with fits two grades closer.", Ra=Ra)
+    row, number = found.beyond[0], len(found.rows) + 1
+    long = [(place, x) for place, x in zip(PLACES, row.too_long) if x > 0]
+    rooms = [
+        Text("the {place} journal has room for {room}", place=PLACE[place], room=mm(found.tasks[place][0].room.longest or 0.0))
+        for place, _ in long
+    ]
+    return Text(
+        "Nothing that fits keeps every limit: {room}, and the nearest that does (row {number}) is {miss} too long; not with Ra down to "
+        "{Ra}, nor with fits two grades closer.",
+        room=listed(rooms), number=number, miss=listed(Text("{x} ({place})", x=mm(x), place=PLACE[place]) for place, x in long), Ra=Ra,
+    )  # fmt: skip
+
+
+def _at_corners(found: BearingsFound, row: BearingRow) -> Text:
+    """The worst corner of a row that is judged as given."""
+    slopes = found.slopes_of_row(1)
+    there = [picks(replace(one.task, corners=True), [one.length], [one.clearance], slopes[p])[0] for p, one in zip(PLACES, row.both)]
+    below = [c for one in there for c in one.checks if c.margin < 0 and not c.id.endswith("clearance_cold")]
+    return Text(" Below at a corner: {limits}.", limits=SEMICOLON.join(map(against, below))) if below else EMPTY
+
+
+def notes(found: BearingsFound) -> tuple[Text, ...]:
+    """A list: what is kept, the room, what was looked at, what else fails, and what was refused."""
+    return (*_kept(found), *_rooms(found), *_diameters(found), *_searched(found), *_refused(found))
+
+
+def _kept(found: BearingsFound) -> Iterator[Text]:
+    n, last, end = len(found.rows), len(found.rows) + len(found.beyond), len(found.all)
+    rows = Text("Every row keeps")
+    if found.kind == "given":
+        rows = Text("Rows {a} to {b} keep", a=n + 1, b=last) if found.beyond else Text("To keep would be")
+    yield Text(
+        "{rows}, at the worst corner of the tolerances: the film at the edge by Kreisle and by Trumpler, Trumpler's film at twice the "
+        "load, outlet temperature, a rise of {rise}, specific load, heat index, l/d within its limits and the usual ones, the speed above "
+        "mixed friction, and {cold} of clearance at the lowest temperature.",
+        rows=rows, rise=Amount(RISE[0], "K"), cold=Amount(LEAST_COLD * 1e6, "µm"))  # fmt: skip
+    if found.kind == "given":
+        rows = Text("Rows 1 to {n} and {a} to {b}", n=n, a=last + 1, b=end) if found.pareto else Text("Rows 1 to {n}", n=n)
+        yield Text(
+            "{rows} keep all that as given, and at the corners of the tolerances, which are only assumed, some clearance when cold; the "
+            "other checks at the corners may warn. With fits given in the design they would fail.",
+            rows=rows,
+        )
+
+
+def _rooms(found: BearingsFound) -> Iterator[Text]:
+    for place in PLACES:
+        room = found.tasks[place][0].room
+        if room.longest is None:
+            yield Text("Room of the {place} journal: {why}.", place=PLACE[place], why=room.why)
+        else:
+            yield Text("Room of the {place} journal: {room}; {why}.", place=PLACE[place], room=mm(room.longest), why=room.why)
+    if found.beyond:
+        yield Text(
+            "A journal that is too long asks for sectors that give way: their masses moved, a shorter half_length_mm, or the true shape as "
+            "[[countershaft.sections]]. Of these rows each is the shortest of its oil and supply; until the shaft gives way, "
+            "countershaft.crossing fails with them."
+        )
+
+
+def _diameters(found: BearingsFound) -> Iterator[Text]:
+    """What ties them, or which were looked at, and where the best row stands at their end."""
+    for n, place in enumerate(PLACES):
+        if len(found.tasks[place]) == 1:
+            why = tied(found.case, place) or Text("no other has an answer")
+            yield Text("The {place} diameter stays as it is: {why}.", place=PLACE[place], why=why)
+            continue
+        looked = sorted(task.seat.bearing.diameter for task in found.tasks[place])
+        free = Text("The {place} diameter is free: {diameters} mm are looked at, nothing between.", place=PLACE[place],
+            diameters=COMMA.join(Text("{d}", d=short_mm(d)) for d in looked))  # fmt: skip
+        ends = {row.both[n].diameter for row in found.rows[:2]} & {looked[0], looked[-1]}
+        yield free + (Text(" {d}, in the first rows, is the end of it: beyond may be better.", d=mm(ends.pop())) if ends else EMPTY)
+    if any(len(some) > 1 for some in found.tasks.values()):
+        shares = COMMA.join(Text("{share}", share=Amount(share * 100, form="+.0f")) for share in DIAMETERS)
+        yield Text(
+            "Diameters stand {shares} % beside the design's; another supply takes the one that needs least power with the design's own "
+            "supply and the same oil, and the design's.",
+            shares=shares,
+        )
+
+
+def _searched(found: BearingsFound) -> Iterator[Text]:
+    K = USUAL_FACTORS[1]
+    yield Text(
+        "Lengths stand on half millimetres, clearances on 5 µm up to those of the factor K = {K} (the greatest that is usual), and the "
+        "design's own beside them. Powers within 0.1 W are taken as alike: the smaller change goes first.",
+        K=K,
+    )
+    beyond = [PLACE[p] for p in PLACES if any(one.clearance > widest_usual(one.task) + SAME for one in (getattr(r, p) for r in found.rows))]
+    if beyond:
+        where = listed(beyond)
+        yield Text(
+            "Some clearances of the {places} bearing are wider than K = {K} makes them, for the cold or the heat.", places=where, K=K
+        )
+    unusual = {n: c for n, row in enumerate(found.all, 1) for one in row.both if (c := one.unusual) is not None}
+    if unusual:
+        yield Text(
+            "The relative clearance of the application, {limit} (clearance_usual), goes before a wider one. Not kept, since film, heat and "
+            "cold clearance leave nothing so narrow, or for less power in the Pareto set: {rows}.",
+            limit=next(iter(unusual.values())).limit_text(), rows=rows_of(list(unusual)))  # fmt: skip
+    if found.placed:
+        yield Text(
+            "The design's fits have a place and so make the clearance: a row with another one takes their widths alone (IT7 for f7)."
+        )
+    if found.verified:
+        yield Text("Rows 1 to {n} are solved as whole designs; the others when they are taken.", n=found.verified)
+    for id in dict.fromkeys(c.id for checks in found.elsewhere.values() for c in checks):
+        there = {number: c for number, checks in found.elsewhere.items() for c in checks if c.id == id}
+        numbers, first = COMMA.join(map(str, there)), next(iter(there.values()))
+        yield Text("Another step then fails, with row {rows}: {id} ({limit}).", rows=numbers, id=id, limit=against(first))
+    if found.dropped:
+        yield Text("Dropped once the whole design was solved: {rows}.", rows=SEMICOLON.join(found.dropped))
+
+
+def rows_of(numbers: list[int]) -> Text:
+    """`rows 1 to 4 and 7`."""
+    runs: list[list[int]] = []
+    for n in numbers:
+        if runs and n == runs[-1][1] + 1:
+            runs[-1][1] = n
+        else:
+            runs.append([n, n])
+    parts = [Text("{a} to {b}", a=a, b=b) if a < b else str(a) for a, b in runs]
+    return plural("row {rows}", "rows {rows}", n=len(numbers), rows=listed(parts))
+
+
+def _refused(found: BearingsFound) -> Iterator[Text]:
+    """Oils without a row: each with its reason by the design's supply, by another the thickest one's."""
+    for supply in dict.fromkeys(v.supply for v, _ in found.refused):
+        rows = [(v.oil, why) for v, why in found.refused if v.supply == supply]
+        if supply == found.variants[0].supply:
+            oils = SEMICOLON.join(Text("{oil} ({why})", oil=oil, why=why) for oil, why in rows)
+        else:
+            names = COMMA.join(oil for oil, _ in rows)
+            oils = Text("{oils} ({oil}: {why})", oils=names, oil=rows[0][0], why=rows[0][1])
+        yield Text("Without a row by {supply}: {oils}.", supply=SUPPLY[supply], oils=oils)
+
+
+def hidden(found: BearingsFound, top: int) -> Text:
+    """Which rows are not shown, and how to see them."""
+    last = len(found.rows) + len(found.beyond)
+    if top >= last:
+        return EMPTY
+    beyond = max(top, len(found.rows)) + 1
+    if found.rows and found.beyond:
+        return Text("Rows {a} to {b}: --top {b} (from {c} on too long for their room).", a=top + 1, b=last, c=beyond)
+    return Text("Rows {a} to {b}: --top {b}.", a=top + 1, b=last)

@@ -2,26 +2,63 @@
 """What is searched over: the bearings as the design has them, the oils, the supplies, and diameters where nothing ties them."""
 
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
 from functools import lru_cache, partial
+from typing import Protocol, TypeVar
 
-from ...library import fits
+from ...countershaft.inputs import CountershaftInputs
 from ...countershaft.result import CountershaftResult
+from ...library import fits
+from ...library.catalogue import Oil
 from ...library.lubricant import Lubricant
 from ...sheet.check import Check
 from ...sheet.errors import NoSolution
 from ...sheet.quantity import keys
 from ...sheet.record import record
+from ...sheet.step import Outcome
 from ...sheet.text import EMPTY, Text
+from ...sheet.units import Metre
 from ..inputs import BearingInputs, BearingsInputs
 from ..result import BearingResult, BearingsResult
 from ..solve import clearance_of
-from .case import Case, Solution
-from .room import room
-from .rules import rules
-from .states import Task
-from .words import PLACES
+from .states import PLACES, BearingTask, room, rules
+
+# What the search is given: the bearings as they are, what stands around them, and how to solve the whole with others.
+
+R = TypeVar("R")
+
+
+class Solution(Protocol):
+    """The results of a design, as far as the search looks into them."""
+
+    @property
+    def outcomes(self) -> Mapping[str, Outcome[object]]: ...
+    def checks(self) -> Iterable[Check]: ...
+    def result(self, kind: type[R]) -> R | None: ...
+
+
+@record
+class SelectionCase:
+    """`results` are those of the design as it is.  `solve`: the same with other bearings.
+
+    `own_oils`: names that the design itself has given; `gear_tip`: tip diameter of the gear on the shaft, None where it is not known.
+    """
+
+    bearings: BearingsInputs
+    shaft: CountershaftInputs | None
+    oils: Mapping[str, Oil]
+    own_oils: tuple[str, ...]
+    gear_tip: Metre | None
+    results: Solution
+    solve: "Solve"
+
+
+class Solve(Protocol):
+    """The design with other bearings.  `last`: no step after the bearings is solved."""
+
+    def __call__(self, bearings: BearingsInputs, *, last: bool = False) -> Solution: ...
+
 
 ENGINE_OIL = re.compile(r"(SAE \d+W?|\d+W-\d+)\b")  # names by SAE J300, with or without a maker's behind them
 SUPPLIES = {"hole": "hole_diameter", "shaft": "hole_diameter", "groove": "groove_width", "pocket": "pocket_width"}
@@ -54,7 +91,7 @@ class Variant:
         return Text("{row}, {fits}", row=row, fits="/".join(self.fits)) if self.fits else row
 
 
-def tasks(case: Case) -> dict[str, list[Task]]:
+def tasks(case: SelectionCase) -> dict[str, list[BearingTask]]:
     """Each bearing at each diameter that is looked at, the design's own first.  Raises NoSolution where they can not be known."""
     if case.bearings.supply == "axial_groove":
         raise NoSolution(
@@ -75,13 +112,13 @@ def tasks(case: Case) -> dict[str, list[Task]]:
     return by_place
 
 
-def own_tasks(case: Case) -> dict[str, Task]:
+def own_tasks(case: SelectionCase) -> dict[str, BearingTask]:
     """Each bearing at the design's own diameter.  Raises NoSolution where what it carries can not be known."""
     solved = _solved(case, case.bearings)
     return {place: _task(case, case.bearings, solved, place) for place in PLACES}
 
 
-def tied(case: Case, place: str) -> Text:
+def tied(case: SelectionCase, place: str) -> Text:
     """What ties the diameter of a journal; empty where nothing does.
 
     The largest seat lets the sectors through where they are small enough for it, the front one the gear.
@@ -105,7 +142,7 @@ def tied(case: Case, place: str) -> Text:
     return EMPTY
 
 
-def _solved(case: Case, own: BearingsInputs) -> Solution:
+def _solved(case: SelectionCase, own: BearingsInputs) -> Solution:
     """Results in which the bearings have an answer: those of the design, else of one with other lengths and clearances.
 
     Only loads, speeds and limits are taken from them, which do not depend on either.
@@ -132,7 +169,7 @@ def _probe(ratio: float, psi: float, b: BearingInputs) -> BearingInputs:
     return replace(b, length=ratio * b.diameter, clearance=psi * b.diameter, clearance_factor=None)
 
 
-def _task(case: Case, own: BearingsInputs, solved: Solution, place: str, at_own: Task | None = None) -> Task:
+def _task(case: SelectionCase, own: BearingsInputs, solved: Solution, place: str, at_own: BearingTask | None = None) -> BearingTask:
     """`at_own`: the same bearing at the design's diameter, whose length and clearance are those that a change counts from."""
     there = solved.result(BearingsResult)
     assert there is not None  # what `_solved` gave
@@ -147,7 +184,7 @@ def _task(case: Case, own: BearingsInputs, solved: Solution, place: str, at_own:
     else:
         l, g, d = bearing.length, _clearance(own, bearing, one), bearing.diameter
     factor = one.least_speed / one.transition_speed
-    return Task(place, seat, one.duty, rules(place, solved.outcomes["bearings"].checks), space, factor, l, g, d)
+    return BearingTask(place, seat, one.duty, rules(place, solved.outcomes["bearings"].checks), space, factor, l, g, d)
 
 
 def _clearance(inputs: BearingsInputs, bearing: BearingInputs, one: BearingResult) -> float:
@@ -159,7 +196,7 @@ def _clearance(inputs: BearingsInputs, bearing: BearingInputs, one: BearingResul
     return clearance_of(inputs, bearing, one.duty.speed)  # the design itself has no film
 
 
-def drawn(case: Case) -> Solution:
+def drawn(case: SelectionCase) -> Solution:
     """Results with an outline of the shaft: those of the design, else with journals so short that they cross nothing, where that helps."""
     results = case.results
     if case.shaft is None or results.result(CountershaftResult) is None or not crossings(results):
@@ -168,7 +205,7 @@ def drawn(case: Case) -> Solution:
 
 
 @lru_cache(maxsize=1)
-def _with_short_journals(case: Case) -> Solution:
+def _with_short_journals(case: SelectionCase) -> Solution:
     shortened = case.solve(_with_both(case.bearings, lambda b: replace(b, length=SHORT * b.diameter)), last=True)
     return case.results if crossings(shortened) else shortened
 
@@ -205,7 +242,7 @@ def _with_diameters(own: BearingsInputs, share: float, places: list[str]) -> Bea
     return _with_both(own, lambda b: replace(b, diameter=round(max(round(b.diameter * (1 + share) / step), 1) * step, 9)), places)
 
 
-def variants(case: Case) -> list[Variant]:
+def variants(case: SelectionCase) -> list[Variant]:
     """The design's oil and supply first, then every engine oil, thickest first, with every supply that the design has the width for."""
     own = case.bearings
     lubricants = {name: Lubricant(own.in_bearings(oil), own.viscosity_law) for name, oil in case.oils.items()}

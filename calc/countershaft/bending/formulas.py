@@ -12,7 +12,26 @@ from ...sheet.arrays import BoolArray
 from ...sheet.formula import formula
 from ...sheet.functions import cos, largest, pi, sin, smallest
 from ...sheet.text import Text
-from ...sheet.units import Kilogram, KilogramMetre, KilogramPerMetre, KilogramPerMetre3, Metre, Metre4, Newton, NewtonMetre, NewtonMetre2, Number, Pascal, PhasorCubicMetre, PhasorNewton, PhasorNewtonPerMetre, Radian, RadPerSecond, RevPerSecond, SquareMetre  # fmt: skip
+from ...sheet.units import (  # fmt: skip
+    Kilogram,
+    KilogramMetre,
+    KilogramPerMetre,
+    KilogramPerMetre3,
+    Metre,
+    Metre4,
+    Newton,
+    NewtonMetre,
+    NewtonMetre2,
+    Number,
+    Pascal,
+    PhasorCubicMetre,
+    PhasorNewton,
+    PhasorNewtonPerMetre,
+    Radian,
+    RadPerSecond,
+    RevPerSecond,
+    SquareMetre,
+)
 from . import beam as b
 from .beam import Beam, Bent
 

@@ -14,10 +14,9 @@ from ...sheet.formula import formula
 from ...sheet.functions import atan, cos, largest, modulus, pi, sqrt, tan
 from ...sheet.quantity import result, value
 from ...sheet.text import Amount, Text
-from ...sheet.trace import about
 from ...sheet.units import Metre, Newton, NewtonMetre, Number, Pascal, PhasorNewton, PhasorNewtonMetre, Radian, SquareMetre
-from .inputs import STRENGTH
-from .thread import nominal_diameter, pitch, pitch_diameter, root_diameter, stress_area
+from ...sheet.value import about
+from .inputs import STRENGTH, nominal_diameter, pitch, pitch_diameter, root_diameter, stress_area
 
 if TYPE_CHECKING:
     from ...library.catalogue import Material

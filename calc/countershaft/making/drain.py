@@ -17,11 +17,9 @@ from ...sheet.check import Check, check
 from ...sheet.formula import formula
 from ...sheet.quantity import result, value
 from ...sheet.text import EMPTY, Amount, Name, Text
-from ...sheet.trace import about
 from ...sheet.units import CubicMetrePerSecond, Metre, Radian
-from ...sheet.value import based_on
-from .inputs import Clamp, OilDrain, Sleeve, Union
-from .thread import thread
+from ...sheet.value import about, based_on
+from .inputs import Clamp, OilDrain, Sleeve, Union, thread
 
 RING = 0.1e-3  # m: by which the ring of a sleeve may be wider than the thread that goes through it; so the source's table has them
 RULE = Text("Finotti 2013, 4.4: choice of a spring band clamp (DIN 3021)")

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """What the shaft's making asks: permitted unbalance, holes, scatter, bolts, support, oil drain.  Each part where it is asked for."""
 
+import cmath
 import math
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
@@ -12,22 +13,57 @@ from ...sheet.check import Check, check
 from ...sheet.later import Later, Many
 from ...sheet.linked_array import column
 from ...sheet.step import Curve, Table
-from ...sheet.text import Amount, Text
+from ...sheet.text import EMPTY, Amount, Text
 from ...sheet.units import KilogramPerMetre3, Metre
 from ...sheet.value import based_on
 from .. import formulas as f
 from ..inputs import CountershaftInputs, EccentricMass
 from ..outline import TOUCH, Piece
 from ..result import CountershaftResult
-from ..task import LEFT_OVER, Task
-from . import balance as holes, tolerance
-from .balance import HolesResult
+from ..task import LEFT_OVER, ShaftTask
+from . import balance as holes
+from . import balance as tolerance
+from .balance import HolesResult, ToleranceResult
 from .inputs import Support
-from .tolerance import ToleranceResult
 
 if TYPE_CHECKING:
     from .drain import DrainResult
     from .scatter import ScatterResult
+
+
+# The loads of the support for finite elements, as Finotti 2013, 4.7 (in chapter 6), takes them: four instants of a turn, bolts tight.
+#
+# The stresses that they give come back as `bolt_stress` and `load_stress` of the support; its bolts are judged for every direction.
+
+CASES = 4  # a quarter of a turn apart
+
+
+def table(shaft: CountershaftInputs, result: CountershaftResult) -> list[Table]:
+    """Forces of the shaft on both its bearings, the front one's upwards first; none where they have more supports or carry nothing."""
+    if len(shaft.bearing_positions) != 2 or not result.reaction_front:
+        return []
+    z_f, z_r = shaft.bearing_positions
+    on_shaft = f.reaction_rear(C_S=result.couple_vector, z_f=z_f, F_S=result.force_vector, z_r=z_r)
+    rear, front = -on_shaft, result.force_vector + on_shaft
+    upwards = abs(front) / front
+    preload = float(result.bolts.bolt_preload) if result.bolts is not None else None
+    rows = []
+    for n in range(CASES):
+        turn = upwards * cmath.exp(2j * math.pi * n / CASES)
+        forces = (part for force in (front * turn, rear * turn) for part in (force.real, force.imag))
+        rows.append((n + 1, 360.0 * n / CASES, *(round(x, 9) + 0.0 for x in forces), *(() if preload is None else (preload,))))
+    columns = [(Text("case"), ""), (Text("direction, front"), "°"), (Text("front, up"), "N"), (Text("front, side"), "N"),
+        (Text("rear, up"), "N"), (Text("rear, side"), "N")]  # fmt: skip
+    bolts = EMPTY
+    if shaft.bolts is not None:
+        columns.append((Text("each bolt"), "N"))
+        bolts = Text(" Each of the {count} bolts presses with its preload.", count=shaft.bolts.count)
+    speed = Amount(result.omega / (2 * math.pi) * 60, form=".4g")
+    note = Text(
+        "Forces of the shaft on its bearings at {n} rpm, at four instants of a turn (Finotti 2013, 4.7, in chapter 6, spreads each over "
+        "60° of its seat); side is 90° further in the sense of crank rotation. Weight and gear force are left out, as there.{bolts} The "
+        "stresses that finite elements find with them belong to [countershaft.support].", n=speed, bolts=bolts)  # fmt: skip
+    return [Table("support_loads", Text("Load cases of the support"), tuple(columns), tuple(rows), note)]
 
 
 class Gathered:
@@ -40,7 +76,7 @@ class Gathered:
         self.curves: Many[Curve] = ()
 
 
-def making(shaft: CountershaftInputs, todo: Task, masses: tuple[EccentricMass, ...], result: CountershaftResult, R: Metre | None,
+def making(shaft: CountershaftInputs, todo: ShaftTask, masses: tuple[EccentricMass, ...], result: CountershaftResult, R: Metre | None,
     materials: Mapping[str, Material], journals: tuple[tuple[Metre, Metre], ...], to: Gathered) -> CountershaftResult:  # fmt: skip
     """The result with all of it but the bending; `R`: outer radius of the sectors, `journals`: their sizes, both where they are known."""
     shaft = _with_wall(shaft, journals)
@@ -48,7 +84,7 @@ def making(shaft: CountershaftInputs, todo: Task, masses: tuple[EccentricMass, .
     result = replace(result, tolerance=_permitted(shaft, todo, result, to), holes=_holes(shaft, todo, masses, result, rho, R, to))
     scattered, other, bolted = _scatter(shaft, todo, masses, result, to), None, None
     if shaft.cost is not None or shaft.mode == "size":
-        from ..sizing.alternatives import Seat, compared, compared_table
+        from ..sizing.choices import Seat, compared, compared_table
 
         loads = (result.reaction_front, result.reaction_rear)
         seats = [Seat(d, l, load) for (d, l), load in zip((journals[0], journals[-1]), loads)] if journals else []
@@ -75,12 +111,11 @@ def making(shaft: CountershaftInputs, todo: Task, masses: tuple[EccentricMass, .
 
 
 def _load_cases(shaft: CountershaftInputs, result: CountershaftResult) -> list[Table]:
-    from .load_cases import table  # which a check does not show
 
     return table(shaft, result)
 
 
-def _permitted(shaft: CountershaftInputs, todo: Task, result: CountershaftResult, to: Gathered) -> ToleranceResult | None:
+def _permitted(shaft: CountershaftInputs, todo: ShaftTask, result: CountershaftResult, to: Gathered) -> ToleranceResult | None:
     """What the balance quality grade permits; it needs the mass of the whole shaft."""
     if result.mass is None or result.centre_of_gravity is None:
         return None
@@ -97,7 +132,7 @@ def _permitted(shaft: CountershaftInputs, todo: Task, result: CountershaftResult
     return permitted
 
 
-def _holes(shaft: CountershaftInputs, todo: Task, masses: tuple[EccentricMass, ...], result: CountershaftResult, rho: KilogramPerMetre3,
+def _holes(shaft: CountershaftInputs, todo: ShaftTask, masses: tuple[EccentricMass, ...], result: CountershaftResult, rho: KilogramPerMetre3,
     R: Metre | None, to: Gathered) -> HolesResult | None:  # fmt: skip
     """The calibration holes, and whether the shaft as drawn leaves them something to take."""
     if shaft.holes is None:
@@ -142,7 +177,7 @@ def _shortest(sectors: list[Piece]) -> Metre:
     return min(lengths)
 
 
-def _scatter(shaft: CountershaftInputs, todo: Task, masses: tuple[EccentricMass, ...], result: CountershaftResult,
+def _scatter(shaft: CountershaftInputs, todo: ShaftTask, masses: tuple[EccentricMass, ...], result: CountershaftResult,
     to: Gathered) -> "ScatterResult | None":  # fmt: skip
     if shaft.scatter is None:
         return None

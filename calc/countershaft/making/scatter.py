@@ -15,19 +15,18 @@ from typing import cast
 
 import numpy as np
 
-from ...sheet.abreast import design_by_design
 from ...sheet.arrays import Array, ComplexArray, each, many, phasors
 from ...sheet.check import Check, check
 from ...sheet.formula import formula
 from ...sheet.functions import modulus, rss, sqrt
+from ...sheet.lanes import design_by_design
 from ...sheet.linked_array import column
 from ...sheet.quantity import result, value
 from ...sheet.record import record
 from ...sheet.step import Curve, Series, Table
 from ...sheet.text import Amount, Text
-from ...sheet.trace import about, untraced
 from ...sheet.units import Kilogram, KilogramMetre, Metre, NewtonMetre, Number, PhasorNewton, PhasorNewtonMetre, Radian, RadPerSecond
-from ...sheet.value import based_on
+from ...sheet.value import about, based_on, untraced
 from .. import formulas as f
 from ..inputs import EccentricMass, Extra, Scatter
 from .balance import HolesResult

@@ -11,16 +11,28 @@ import math
 
 import numpy as np
 
-from ...root import root
-from ...sheet.abreast import design_by_design
 from ...sheet.arrays import Array, BoolArray, each
 from ...sheet.errors import NoSolution
+from ...sheet.functions import root
+from ...sheet.lanes import design_by_design
 from ...sheet.linked_array import column
 from ...sheet.quantity import group, result, value
 from ...sheet.text import Amount, Text
-from ...sheet.trace import about, untraced
-from ...sheet.units import Kilogram, KilogramMetre2, KilogramPerMetre3, Metre, NewtonMetre, Number, PhasorKilogramMetre, PhasorKilogramMetre2, PhasorNumber, Radian, RadPerSecond  # fmt: skip
-from .. import sector as s
+from ...sheet.units import (  # fmt: skip
+    Kilogram,
+    KilogramMetre2,
+    KilogramPerMetre3,
+    Metre,
+    NewtonMetre,
+    Number,
+    PhasorKilogramMetre,
+    PhasorKilogramMetre2,
+    PhasorNumber,
+    Radian,
+    RadPerSecond,
+)
+from ...sheet.value import about, untraced
+from .. import outline as s
 from ..inputs import EccentricMass, Extra
 from ..outline import TOUCH, Piece, around
 from . import formulas as f
@@ -73,7 +85,7 @@ class TooSmall(NoSolution):
 
 
 @result
-class Pair:
+class SectorPair:
     """A pure couple's two equal sectors."""
 
     utilisation: Number
@@ -85,7 +97,7 @@ class Pair:
     couple: NewtonMetre  # of the pair, from its dimensions
 
 
-def pair(C: NewtonMetre, omega: RadPerSecond, rho: KilogramPerMetre3, R: Metre, r_0: Metre, z_max: Metre, fillet: Metre = 0.0) -> Pair:
+def pair(C: NewtonMetre, omega: RadPerSecond, rho: KilogramPerMetre3, R: Metre, r_0: Metre, z_max: Metre, fillet: Metre = 0.0) -> SectorPair:
     """Two equal sectors opposite each other that give the couple C with the least mass.  A gap between them that does not hold two fillets
     is closed.  Raises TooSmall."""
     K = f.couple_number(C=C, rho=rho, omega=omega, R=R, r_0=r_0)
@@ -99,7 +111,7 @@ def pair(C: NewtonMetre, omega: RadPerSecond, rho: KilogramPerMetre3, R: Metre, 
         gamma, b = f.closed_half_angle(K=K, z_max=z_max), f.closed_length(z_max=z_max)
     z_c = f.pair_arm(z_max=z_max, b=b)
     A, S = s.sector_area(gamma=gamma, R=R, r_0=r_0), s.sector_moment(gamma=gamma, R=R, r_0=r_0)
-    return Pair(utilisation=u, half_angle=gamma, length=b, arm=z_c, radius=s.centre_of_gravity(S=S, A=A),
+    return SectorPair(utilisation=u, half_angle=gamma, length=b, arm=z_c, radius=s.centre_of_gravity(S=S, A=A),
         mass=s.sector_mass(rho=rho, A=A, b=b),
         couple=f.pair_couple(U=s.sector_unbalance(rho=rho, S=S, b=b), z_c=z_c, omega=omega))  # fmt: skip
 

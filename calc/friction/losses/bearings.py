@@ -1,5 +1,4 @@
 # SPDX-License-Identifier: Apache-2.0
-# mypy: disable-error-code="no-any-return"
 """Rolling bearings of a wheel under radial load: Palmgren's two parts, or SKF's newer model where its constants could be read.
 
 Palmgren's factors f_0 and f_1 are those of his tables as this program's makers remember them, for the middle of each type: give those of
@@ -7,12 +6,35 @@ the catalogue.  Of SKF's model the rolling and the sliding part are counted, not
 public code that quotes the catalogue of 2013.
 """
 
+import math
+
+import numpy as np
+
+from ...bearings import formulas as f
+from ...bearings.film.table import eccentricity_from, film_at
 from ...sheet.errors import NoSolution
 from ...sheet.formula import formula
-from ...sheet.functions import exp, largest, pi, sqrt
-from ...sheet.text import Text
-from ...sheet.units import Metre, Newton, NewtonMetre, Number, RevPerSecond, SquareMetrePerSecond, Watt
-from ..inputs import RollingBearing
+from ...sheet.functions import exp, largest, log10, pi, sin, sqrt
+from ...sheet.text import Amount, Text
+from ...sheet.units import (
+    Celsius,
+    Kelvin,
+    Metre,
+    MetrePerSecond,
+    Newton,
+    NewtonMetre,
+    Number,
+    PascalSecond,
+    Radian,
+    RevPerSecond,
+    SquareMetrePerSecond,
+    Watt,
+)
+from ..inputs import PlainBearing, RollingBearing
+from ..mesh.path import array
+
+# mypy: disable-error-code="no-any-return"
+
 
 PALMGREN = Text("Palmgren 1957 (SKF catalogues to 1989, ISO/TR 14179-2)")
 SKF = Text("SKF 2013")
@@ -153,3 +175,86 @@ def power(bearing: RollingBearing, F: Newton, n: RevPerSecond, nu: SquareMetrePe
         mu_sl=sliding_friction(phi_bl=boundary_share(n=n, nu=nu, d_m=d_m), mu_EHL=mu_EHL),
     )  # fmt: skip
     return bearing_power(N=bearing.count, M=M, n=n)
+
+
+# The bush of an idler on its pin: full film, the load stands, the bush turns; the oil is that of the wheels.
+#
+# The eccentricity is that of Reynolds' solution; a load too light for its table leaves the pin in the middle (Petroff).
+
+NOTHING: Newton = 1e-9  # a load that no film feels
+TABLE = Text("Reynolds 1886, full bearing with Swift–Stieber film end; this program's own solution, tabulated")
+
+
+@formula("ε", TABLE, shows="ε from S(ε, l/d): table of Reynolds' solutions, inverted; lighter loads: 0")
+def eccentricity(S: Number, b: Number) -> Number:
+    found = np.nan_to_num(eccentricity_from(np.asarray(S, dtype=float), b, outside="nan"))
+    return array(found) if found.ndim else float(found)
+
+
+@formula("φ", TABLE, shows="φ from the table of Reynolds' solutions at ε, l/d; π/2 where ε is 0")
+def attitude(eps: Number, b: Number) -> Radian:
+    found = np.nan_to_num(film_at(np.asarray(eps, dtype=float), b, outside="nan").attitude, nan=math.pi / 2)
+    return array(found) if found.ndim else float(found)
+
+
+@formula("P_L", "hydrodynamics: shear of the full film and its pressure (identity of Reynolds' solution); at ε = 0 Petroff's law of 1883")
+def friction_power(u: MetrePerSecond, eta: PascalSecond, d: Metre, l: Metre, psi: Number, eps: Number, F: Newton, phi: Radian) -> Watt:
+    return u * (2 * pi * eta * u * l / (psi * sqrt(1 - eps**2)) + psi * F * eps / 2 * sin(phi))
+
+
+def plain_bearing_power(bearing: PlainBearing, F: Newton, n: RevPerSecond, eta: PascalSecond) -> Watt:
+    """The friction of one bush under the load F, one or many.  NoSolution where no film carries it."""
+    d, l = bearing.diameter, bearing.length
+    where = Text("plain bearing {name}", name=bearing.name)
+    b, psi = f.length_ratio(l=l, d=d), f.relative_clearance(g=bearing.clearance, d=d)
+    if not 0.1 <= b <= 2:
+        raise NoSolution(
+            where, Text("its length is {b} diameters", b=Amount(b, form=".3g")), Text("choose a length between 0.1 and 2 diameters")
+        )
+    u = f.surface_speed(d=d, n=n)
+    p = f.specific_load(F=largest(F, NOTHING), d=d, l=l)
+    S = f.sommerfeld(mu=eta, n_h=n, p=p, psi=psi)
+    least = film_at(0.98, b).sommerfeld
+    if np.any(np.asarray(S) < least):
+        tried = Text(
+            "S = {min} under {max} N, the table ends at {least} (ε = 0.98)",
+            min=Amount(float(np.min(S)), form=".3g"),
+            max=Amount(float(np.max(F)), form=".4g"),
+            least=Amount(least, form=".3g"),
+        )
+        raise NoSolution(
+            Text("{where}: no film carries its load", where=where), tried, Text("a larger bush, less clearance, or a thicker oil")
+        )
+    eps = eccentricity(S=S, b=b)
+    return friction_power(u=u, eta=eta, d=d, l=l, psi=psi, eps=eps, F=F, phi=attitude(eps=eps, b=b))
+
+
+# What radial shaft seals cost: two published rules, by diameter and speed alone, or also by the oil.
+
+# mypy: disable-error-code="no-any-return"
+
+
+ONE_WATT: Watt = 1.0
+ONE_KELVIN: Kelvin = 1.0
+
+
+@formula("P_D", "Freudenberg Simrit, as in ISO/TR 14179-2:2001: one radial shaft seal")
+def simrit(d_sh: Metre, n: RevPerSecond) -> Watt:
+    return 7.69e-6 * (d_sh / MILLIMETRE) ** 2 * (n / ONE_RPM) * ONE_WATT
+
+
+@formula(
+    "P_D",
+    "Linke 2010: one radial shaft seal in oil; no less than nothing where thin oil is hot",
+    names={"nu_40": "ν_40"},
+)
+def linke(T_oil: Celsius, nu_40: SquareMetrePerSecond, d_sh: Metre, n: RevPerSecond) -> Watt:
+    return (
+        largest(145 - 1.6 * T_oil / ONE_KELVIN + 350 * log10(log10(nu_40 / CENTISTOKE + 0.8)), 0.0)
+        * 1e-7 * (d_sh / MILLIMETRE) ** 2 * (n / ONE_RPM) * ONE_WATT
+    )  # fmt: skip
+
+
+@formula("P_D", "mathematics: several seals of one size", names={"P": "P_D"})
+def several(N: Number, P: Watt) -> Watt:
+    return N * P

@@ -9,20 +9,31 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import TypeVar, TypeVarTuple
 
 from ...bearings.formulas import angular_speed
-from ...library.lubricant import Lubricant, State
+from ...library.lubricant import Lubricant, OilState
 from ...sheet.errors import NoSolution
 from ...sheet.formula import formula
 from ...sheet.functions import acos, atan, cos, tan
 from ...sheet.quantity import result, value
 from ...sheet.record import record
 from ...sheet.text import Text
-from ...sheet.trace import about
-from ...sheet.units import Celsius, KilogramPerMetre3, Metre, Newton, Number, PascalSecond, Radian, RevPerSecond, SquareMetrePerSecond, Watt  # fmt: skip
+from ...sheet.units import (  # fmt: skip
+    Celsius,
+    KilogramPerMetre3,
+    Metre,
+    Newton,
+    Number,
+    PascalSecond,
+    Radian,
+    RevPerSecond,
+    SquareMetrePerSecond,
+    Watt,
+)
+from ...sheet.value import about
 from ..inputs import Carried, Dip, FrictionInputs, Jet, PlainBearing, RollingBearing, Seal, carrier
 from ..mesh.geometry import MeshGeometry, WheelGeometry, require
-from ..mesh.motion import wheel_speed
+from ..mesh.path import wheel_speed
 from . import sums
-from .windage import AIR_VISCOSITY, mist_of_the_tests, mist_viscosity, oil_share, windage
+from .oil_and_air import AIR_VISCOSITY, mist_of_the_tests, mist_viscosity, oil_share, windage
 
 Entry = TypeVar("Entry", bound=Carried)
 Asked = TypeVarTuple("Asked")
@@ -160,13 +171,13 @@ def _churned(dip: Dip, wheel: WheelGeometry, beta_b: Radian, n: RevPerSecond, oi
 
 
 def _thrown(jet: Jet, wheel: WheelGeometry, n: RevPerSecond, oil: Surroundings) -> Watt:
-    from . import jets
+    from . import oil_and_air as jets
 
     return jets.thrown_oil(rho=oil.rho, Q=jet.flow, v_t=jets.pitch_line_speed(r=wheel.reference_radius, n=n), v_j=jet.jet_speed)
 
 
 def _sealed(seal: Seal, n: RevPerSecond, oil: Surroundings) -> Watt:
-    from . import seals
+    from . import bearings as seals
 
     if seal.method == "simrit":
         one = seals.simrit(d_sh=seal.diameter, n=n)
@@ -201,12 +212,12 @@ def carrying(
     return found
 
 
-def _borne(bearing: RollingBearing | PlainBearing, F: Newton, n: RevPerSecond, oil: State, base: str) -> Watt:
+def _borne(bearing: RollingBearing | PlainBearing, F: Newton, n: RevPerSecond, oil: OilState, base: str) -> Watt:
     F = F if bearing.load is None else bearing.load
     if isinstance(bearing, RollingBearing):
         from . import bearings as rolling_bearings
 
         return rolling_bearings.power(bearing, F, n, oil.nu, base)
-    from . import plain_bearings
+    from . import bearings as plain_bearings
 
-    return plain_bearings.power(bearing, F, n, oil.mu)
+    return plain_bearings.plain_bearing_power(bearing, F, n, oil.mu)

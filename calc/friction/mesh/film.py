@@ -20,11 +20,20 @@ from ...sheet.formula import formula
 from ...sheet.functions import largest, sqrt
 from ...sheet.record import record
 from ...sheet.text import Text
-from ...sheet.units import Celsius, Metre, MetrePerSecond, NewtonPerMetre, Number, Pascal, PascalSecond, PerKelvin, PerPascal, WattPerMetreKelvin  # fmt: skip
+from ...sheet.units import (  # fmt: skip
+    Celsius,
+    Metre,
+    MetrePerSecond,
+    NewtonPerMetre,
+    Number,
+    Pascal,
+    PascalSecond,
+    PerKelvin,
+    PerPascal,
+    WattPerMetreKelvin,
+)
 from ...sheet.value import based_on
-from .cells import Cells
-from .motion import Motion
-from .path import array
+from .path import Cells, Motion, array
 
 EXPONENT: Number = 0.56  # of the materials' parameter, line contact
 ELLIPTICAL: Number = 0.53  # that of elliptical contacts, which the friction source prints
@@ -148,7 +157,7 @@ def oil_at(lubricant: Lubricant, T_m: Celsius, Lambda: Number | None = None, thi
 
 
 @record
-class Film:
+class MeshFilm:
     """The film at every position.  `lead` is the best of the other films over the rigid isoviscous one, `rigid` the share of the stretch
     for which the position stands in which that one governs."""
 
@@ -162,7 +171,7 @@ class Film:
     lead: Number
 
 
-def film(by_regime: bool, oil: Oil, motion: Motion, w: NewtonPerMetre, p_H: Pascal, cells: Cells, exponent: Number = EXPONENT) -> Film:
+def film(by_regime: bool, oil: Oil, motion: Motion, w: NewtonPerMetre, p_H: Pascal, cells: Cells, exponent: Number = EXPONENT) -> MeshFilm:
     """The film by regime, or with the EHL formula everywhere."""
     U = speed_parameter(eta_0=oil.eta_0, u_e=motion.u_e, E_r=motion.E_r, R=motion.R)
     G = materials_parameter(alpha=oil.alpha, E_r=motion.E_r)
@@ -182,4 +191,4 @@ def film(by_regime: bool, oil: Oil, motion: Motion, w: NewtonPerMetre, p_H: Pasc
     L = thermal_loading(eta_0=oil.eta_0, beta=oil.beta, u_e=motion.u_e, k_f=oil.k_f)
     Phi_T = thermal_reduction(p_H=p_H, E_r=motion.E_r, L=L, S=motion.S)
     Phi = bounded_reduction(Phi_T=Phi_T)
-    return Film(h=film_thickness(Phi=Phi, H=H, R=motion.R), h_0=h_0, Phi=Phi, G=G, U=U, W=W, rigid=rigid, lead=lead)
+    return MeshFilm(h=film_thickness(Phi=Phi, H=H, R=motion.R), h_0=h_0, Phi=Phi, G=G, U=U, W=W, rigid=rigid, lead=lead)

@@ -1,5 +1,4 @@
 # SPDX-License-Identifier: Apache-2.0
-# mypy: disable-error-code="no-any-return"
 """The power that one mesh loses: friction along the path summed over all lines in contact, and rolling where it counts.
 
 `case` takes a mesh at its speed with its oil, `solve_mesh` the power that it carries.  Speed, power, temperature and what is assumed of
@@ -11,26 +10,165 @@ from dataclasses import field, replace
 
 import numpy as np
 
-from ...contact.hertz import half_width, hertz_pressure, mean_pressure
-from ...library.contact import LUBRICATION_FACTOR, bulk_rise, bulk_temperature
+from ...library.contact import LUBRICATION_FACTOR, bulk_rise, bulk_temperature, half_width, hertz_pressure, mean_pressure
+from ...library.lubricant import Lubricant
 from ...sheet.arrays import Array, anywhere, each, many, most, one
 from ...sheet.errors import NoSolution
 from ...sheet.formula import formula
+from ...sheet.functions import along, sqrt
 from ...sheet.quantity import result, value
 from ...sheet.record import record
 from ...sheet.text import EMPTY, Amount, Text
-from ...sheet.trace import recorder, untraced
-from ...sheet.units import Celsius, Kelvin, Metre, MetrePerSecond, NewtonPerMetre, Number, Pascal, RevPerSecond, Watt, WattPerMetre
-from ...sheet.value import converged, unlinked
+from ...sheet.units import (
+    Celsius,
+    Kelvin,
+    Metre,
+    MetrePerSecond,
+    NewtonPerMetre,
+    Number,
+    Pascal,
+    PascalSecond,
+    PerPascal,
+    RevPerSecond,
+    Watt,
+    WattPerMetre,
+)
+from ...sheet.value import converged, recorder, unlinked, untraced
 from ..inputs import FrictionInputs
-from .film import EXPONENT, Film, Oil, film
+from .film import EXPONENT, MeshFilm, Oil, film, oil_at
 from .geometry import MeshGeometry, column, flat, require
-from .loss_formulas import efficiency, extreme, hottest_film, largest_deborah, largest_pressure, least_film_ratio, loss_factor, mean_friction, mesh_loss, no_rolling_loss, pressure_at_pitch_point, rigid_share, rolling_estimate, rolling_loss, sliding_loss, thinnest_film
-from .motion import Motion, motion
-from .path import Path, array, line_load, path, transverse_force
-from .rolling import ehl_rolling_power, rigid_rolling_power
-from .surfaces import Surfaces, surfaces_of
+from .mixed import THESIS, Surfaces, surfaces_of
+from .path import Motion, Path, array, line_load, motion, path, transverse_force
 from .traction import HOTTEST, Traction, place, skin_temperature, traction
+
+# The power that one mesh loses, and what stands for its path: every formula of it, once.
+
+# mypy: disable-error-code="no-any-return"
+
+
+
+
+
+@formula(
+    "P_s",
+    Text("{thesis}, eq. 3: mean over a mesh cycle of the friction power of all lines in contact", thesis=THESIS),
+    names={"s": "Δs", "mu": "μ_z"},
+)
+def sliding_loss(s: Metre, mu: Number, w: NewtonPerMetre, V_s: MetrePerSecond) -> Watt:
+    """s is the length of line for which a position stands; w is the load without its floor."""
+    return along(s * mu * w * V_s)
+
+
+@formula("P_R", "mathematics, mean over a mesh cycle of the rolling power; [IR]: share of Δs where the rigid isoviscous film governs",
+    names={"s": "Δs", "r": "[IR]"})  # fmt: skip
+def rolling_loss(s: Metre, q_R: WattPerMetre, r: Number) -> Watt:
+    return along(s * q_R * r)
+
+
+@formula(
+    "P_RE",
+    "mathematics: mean over a mesh cycle of the estimated rolling power of an EHL film; shown, not added",
+    names={"s": "Δs", "r": "[IR]"},
+)
+def rolling_estimate(s: Metre, q_E: WattPerMetre, r: Number) -> Watt:
+    return along(s * q_E * (1 - r))
+
+
+@formula("P_VZ", "mathematics: sum of sliding and rolling")
+def mesh_loss(P_s: Watt, P_R: Watt) -> Watt:
+    return P_s + P_R
+
+
+@formula("H_VL", Text("{thesis}, eq. 6: loss factor, the load shared along the path", thesis=THESIS), names={"s": "Δs"})
+def loss_factor(s: Metre, w: NewtonPerMetre, V_s: MetrePerSecond, P: Watt) -> Number:
+    return along(s * w * V_s) / P
+
+
+@formula("μ_m", "definition of the mean coefficient of friction")
+def mean_friction(P_s: Watt, P: Watt, H_VL: Number) -> Number:
+    return P_s / (P * H_VL)
+
+
+@formula("η_Z", Text("definition of the efficiency ({thesis}, eq. 1, prints the loss ratio under this name)", thesis=THESIS))
+def efficiency(P_VZ: Watt, P: Watt) -> Number:
+    """>>> efficiency(P_VZ=4.55, P=224.8)
+    0.9797597...
+    """
+    return 1 - P_VZ / P
+
+
+# --- single numbers of a whole path ------------------------------------------------------------------------------------------
+@formula(
+    "P_R", "rule of this program: without a rigid isoviscous film no rolling is counted", shows="no position has a rigid isoviscous film"
+)
+def no_rolling_loss() -> Watt:
+    return 0.0
+
+
+def extreme(which: Callable[..., Array], x: float) -> float:
+    """The smallest or largest along the path."""
+    found = which(x, axis=-1)
+    return each(found) if found.ndim else one(each(found))
+
+
+@formula("h_min", "definition: smallest along the path", unit="µm", shows="smallest h along the path")
+def thinnest_film(h: Metre) -> Metre:
+    return extreme(np.min, h)
+
+
+@formula("λ_min", "definition: smallest along the path", shows="smallest λ along the path")
+def least_film_ratio(lam: Number) -> Number:
+    return extreme(np.min, lam)
+
+
+@formula("p_H,max", "definition: largest along the path", unit="MPa", shows="largest p_H along the path")
+def largest_pressure(p_H: Pascal) -> Pascal:
+    return extreme(np.max, p_H)
+
+
+@formula("p_C", "definition: the pressure of a spur pair where it rolls without sliding", unit="MPa", shows="p_H at the pitch point C")
+def pressure_at_pitch_point(p_H: Pascal) -> Pascal:
+    return p_H
+
+
+@formula("T_f,max", "definition: largest along the path", shows="largest T_f along the path")
+def hottest_film(T_f: Celsius) -> Celsius:
+    return extreme(np.max, T_f)
+
+
+@formula("De_max", "definition: largest along the path", shows="largest De along the path")
+def largest_deborah(De: Number) -> Number:
+    return extreme(np.max, De)
+
+
+@formula("s_IR", "definition: share of the length of line whose film is rigid and isoviscous", unit="%", names={"s": "Δs", "r": "[IR]"})
+def rigid_share(s: Metre, r: Number) -> Number:
+    return along(s * r) / along(s)
+
+
+# What rolling costs: oil is pumped against its own pressure although nothing slides.  The friction source leaves it out.
+#
+# Between rigid bodies in a full gap the loss follows from the same Reynolds solution as the film; it is an upper bound, because a
+# real inlet is seldom full.  For EHL an estimate by Goksem and Hargreaves is shown and not added.
+
+# mypy: disable-error-code="no-any-return"
+
+
+
+@formula("q_R", "hydrodynamics, derived here: rolling of a rigid isoviscous film, fully flooded; its load gives Martin's 4.896")
+def rigid_rolling_power(eta_0: PascalSecond, u_e: MetrePerSecond, R: Metre, h_0: Metre) -> WattPerMetre:
+    return 9.202 * eta_0 * u_e**2 * sqrt(R / h_0)
+
+
+@formula("q_E", "Goksem and Hargreaves 1978, rolling of a fully flooded EHL film")
+def ehl_rolling_power(alpha: PerPascal, G: Number, U: Number, W: Number, R: Metre, Phi: Number, u_e: MetrePerSecond) -> WattPerMetre:
+    return 4.318 / alpha * (G * U) ** 0.658 * W**0.0126 * R * Phi * u_e
+
+
+# mypy: disable-error-code="no-any-return"
+
+
+
 
 MICROMETRE: Metre = 1e-6
 SKIN = 1e-8  # K: to which the temperature of the skins, where the bodies resist, and that of the teeth, where it is estimated, are found
@@ -49,7 +187,7 @@ class Warming:
 
 
 @record
-class Case:
+class MeshCase:
     """A mesh at its speed with its oil: everything but the power that it carries.  `oil` is at the temperature of the teeth.
 
     `surfaces` rub by regime, `source_surfaces` as the friction source has it.
@@ -72,11 +210,11 @@ class Case:
 
 def case(
     friction: FrictionInputs, mesh: MeshGeometry, oil: Oil, n_1: RevPerSecond, warming: Warming | None = None, **fineness: int
-) -> Case:
+) -> MeshCase:
     """What does not change with the power.  `fineness` of the path (points, strips) is for tests of convergence."""
     way = path(mesh, friction.load_sharing, **fineness)
     surfaces, source = surfaces_of(friction, mesh)
-    return Case(
+    return MeshCase(
         mesh=mesh, path=way, motion=motion(mesh, way, n_1), oil=oil, Ra=surfaces.Ra, surfaces=surfaces,
         source_surfaces=source, warming=warming or Warming(oil.T_m, LUBRICATION_FACTOR["spray"], friction.tip_relief_factor),
         estimated=friction.bulk == "estimated" and friction.bulk_temperature is None,
@@ -141,7 +279,7 @@ def closing_tooth_temperature(T: Celsius) -> Celsius:
     return T
 
 
-def solve_mesh(c: Case, P: Watt, by_regime: bool, exponent: Number = EXPONENT) -> MeshLoss:
+def solve_mesh(c: MeshCase, P: Watt, by_regime: bool, exponent: Number = EXPONENT) -> MeshLoss:
     """The loss of a mesh that takes in the power P, one or many."""
     require(c.mesh.power, P)
     if not c.estimated:
@@ -157,7 +295,7 @@ def solve_mesh(c: Case, P: Watt, by_regime: bool, exponent: Number = EXPONENT) -
     return replace(found, bulk_temperature=bulk_temperature(T_oil=flat(c.warming.T_oil), Delta_T=rise))
 
 
-def warming_of(c: Case, P: Watt, mu_m: Number, H_VL: Number) -> Celsius:
+def warming_of(c: MeshCase, P: Watt, mu_m: Number, H_VL: Number) -> Celsius:
     """How much warmer than the oil the teeth become."""
     w = c.warming
     return bulk_rise(P=P, mu_m=mu_m, H_v=H_VL, a=c.mesh.centre_distance, b=c.mesh.face_width, X_S=w.X_S, X_Ca=w.X_Ca)
@@ -185,7 +323,7 @@ def _steadied(gap_at: Callable[[Celsius], Kelvin], T: Celsius, flattest: float, 
     raise fail(gap, Text("off by {max} K after {passes} passes", max=Amount(float(np.max(np.abs(gap))), form=".3g"), passes=PASSES))
 
 
-def _warmed(c: Case, P: Watt, by_regime: bool, exponent: Number) -> tuple[MeshLoss, Celsius]:
+def _warmed(c: MeshCase, P: Watt, by_regime: bool, exponent: Number) -> tuple[MeshLoss, Celsius]:
     """The loss with teeth as warm as it makes them, and their temperature, as a column where there are many points."""
     T_oil = flat(c.warming.T_oil)
     last: list[tuple[MeshLoss, Celsius]] = []
@@ -203,7 +341,7 @@ def _warmed(c: Case, P: Watt, by_regime: bool, exponent: Number) -> tuple[MeshLo
     return last[0]
 
 
-def power_lost(c: Case, P: Watt, by_regime: bool, *, rolling: bool = True) -> Watt:
+def power_lost(c: MeshCase, P: Watt, by_regime: bool, *, rolling: bool = True) -> Watt:
     """The loss alone, for iterations: the power lost of `solve_mesh`, or that by sliding where rolling does not count."""
     if c.estimated:
         whole = solve_mesh(c, P, by_regime)
@@ -223,11 +361,11 @@ class Lost:
     b_H: Metre
     p_H: Pascal
     oil: Oil
-    f: Film
+    f: MeshFilm
     t: Traction
 
 
-def _lost(c: Case, P: Watt, by_regime: bool, exponent: Number) -> Lost:
+def _lost(c: MeshCase, P: Watt, by_regime: bool, exponent: Number) -> Lost:
     """Sliding and rolling with teeth of the oil's temperature T_m; where no lines are wanted, what was asked last is known."""
     if recorder.get() is not None:
         return _found(c, P, by_regime, exponent)
@@ -239,14 +377,14 @@ def _lost(c: Case, P: Watt, by_regime: bool, exponent: Number) -> Lost:
     return found
 
 
-def _found(c: Case, P: Watt, by_regime: bool, exponent: Number) -> Lost:
+def _found(c: MeshCase, P: Watt, by_regime: bool, exponent: Number) -> Lost:
     s, m, name = c.path.weight, c.motion, Text("mesh {title}", title=c.mesh.title)
     w, w_f = line_load(c.mesh, c.path, transverse_force(P=column(P), omega_1=m.omega_1, r_b1=c.mesh.driver.base_radius))
     b_H = half_width(w=w_f, rho_n=m.R, E_r=m.E_r)
     p_H = hertz_pressure(w=w_f, E_r=m.E_r, rho_n=m.R)
     p_m = mean_pressure(p_H=p_H)
 
-    def rubbing(oil: Oil) -> tuple[Film, Traction]:
+    def rubbing(oil: Oil) -> tuple[MeshFilm, Traction]:
         f = film(by_regime, oil, m, w_f, p_H, c.path.cells, exponent)
         return f, traction(oil, m, f, w, w_f, p_m, b_H, c.rubbing(by_regime), c.path.x, name)
 
@@ -260,7 +398,7 @@ def _found(c: Case, P: Watt, by_regime: bool, exponent: Number) -> Lost:
     return Lost(P_s=P_s, P_R=P_R, w=w, b_H=b_H, p_H=p_H, oil=oil, f=f, t=t)
 
 
-def _solved(c: Case, P: Watt, by_regime: bool, exponent: Number) -> MeshLoss:
+def _solved(c: MeshCase, P: Watt, by_regime: bool, exponent: Number) -> MeshLoss:
     """The loss with teeth of the oil's temperature T_m, and all that is shown beside it."""
     lost = _lost(c, P, by_regime, exponent)
     c.last.clear()  # what a whole path has at every position is large, and nobody asks again
@@ -286,7 +424,7 @@ def _solved(c: Case, P: Watt, by_regime: bool, exponent: Number) -> MeshLoss:
     )  # fmt: skip
 
 
-def _skins(c: Case, rubbing: Callable[[Oil], tuple[Film, Traction]]) -> Oil:
+def _skins(c: MeshCase, rubbing: Callable[[Oil], tuple[MeshFilm, Traction]]) -> Oil:
     """The oil at the temperature of the teeth; where their bodies resist the heat, at that of their skins, position by position."""
     s, m = c.surfaces, c.motion
     if not (np.any(s.M_1) or np.any(s.M_2)):
@@ -313,3 +451,60 @@ def _skins(c: Case, rubbing: Callable[[Oil], tuple[Film, Traction]]) -> Oil:
     oil, t = last[0]
     skin_temperature(T_b=T_b, q=t.q, epsilon=t.epsilon, M_1=s.M_1, M_2=s.M_2, u_1=m.u_1, u_2=m.u_2)
     return oil
+
+
+# The loss of one mesh at any number of operating points at once.
+#
+# Speed, power and oil temperature may be arrays, and so are the results then.  They are solved some hundred at a time, which keeps the
+# arrays in the processor's cache and the memory small however many there are.
+
+AT_ONCE = 500
+COLDEST_OIL, HOTTEST_OIL = -60.0, 400.0  # °C
+SPUR_POINTS, HELICAL_POINTS, STRIPS = 12, 2, 5  # some 50 positions of a spur path, 125 of a helical one
+
+
+def losses(
+    friction: FrictionInputs, mesh: MeshGeometry, lubricant: Lubricant, T: Celsius, n_1: RevPerSecond, P: Watt, *, by_regime: bool = True,
+    points: int = 0, strips: int = STRIPS,
+) -> MeshLoss:  # fmt: skip
+    """The loss where the teeth have the temperature T [°C], the driver turns at n_1 [1/s] and takes in the power P [W].
+
+    One number each or arrays of one length.  `by_regime`: False takes the friction source's model.  `points`: of each piece of the path,
+    4 pieces on a spur path; with those left out a spur loss is right to 1e-6, a helical one to 2e-3, and where the regime changes on the
+    path to 4e-3 and 2e-2.  NoSolution names the operating point and the place on the path where the temperature of the film does not
+    settle, or the quantity that has no meaning.
+    """
+    T_all, n_all, P_all = np.broadcast_arrays(*(np.atleast_1d(np.asarray(x, dtype=np.float64)) for x in (T, n_1, P)))
+    points = points or (SPUR_POINTS if mesh.spur else HELICAL_POINTS)
+    if not np.all((T_all > COLDEST_OIL) & (T_all < HOTTEST_OIL)):  # NaN is not
+        wrong = float(T_all[~((T_all > COLDEST_OIL) & (T_all < HOTTEST_OIL))][0])
+        raise NoSolution(
+            Text("mesh {title}: temperature of the teeth", title=mesh.title),
+            Text("is {wrong} °C", wrong=Amount(wrong, form="g")),
+            Text("a temperature of a liquid oil is needed"),
+        )
+    friction = replace(friction, bulk="oil")  # the teeth have the temperature that is asked for
+    parts = []
+    with untraced(), np.errstate(over="ignore", divide="ignore", invalid="ignore"):
+        for start in range(0, P_all.size, AT_ONCE):
+            some = slice(start, start + AT_ONCE)
+            T, n_1, P = (each(x[some]) for x in (T_all, n_all, P_all))
+            c = case(friction, mesh, oil_at(lubricant, column(T)), n_1, points=points, strips=strips)
+            try:
+                parts.append(solve_mesh(c, P, by_regime))
+            except NoSolution as none:
+                among = Text("{tried} (counted from operating point {start})", tried=none.tried, start=start) if start else none.tried
+                raise NoSolution(none.what, among, none.advice) from None
+    return _joined(parts)
+
+
+def _joined(parts: list[MeshLoss]) -> MeshLoss:
+    """Results one after the other; a loss that none of some points has is one number for them all."""
+    first, locals_ = parts[0], [part.local for part in parts]
+    columns = {key: each(np.concatenate([getattr(part, key) for part in locals_])) for key in vars(first.local) if key != "x"}
+    found = {
+        name: each(np.concatenate([np.broadcast_to(getattr(part, name), np.shape(part.load)) for part in parts]))
+        for name, value in vars(first).items()
+        if name != "local" and value is not None
+    }
+    return replace(first, local=replace(first.local, **columns), **found)

@@ -20,18 +20,94 @@ from typing import cast
 
 import numpy as np
 
-from ...contact.line import approach_contact_ratio, pitch_point, recess_contact_ratio, sole_contact_begins, sole_contact_ends
-from ...sheet.abreast import design_by_design
+from ...library.contact import (
+    approach_contact_ratio,
+    driven_curvature,
+    normal_relative_radius,
+    pitch_point,
+    recess_contact_ratio,
+    reduced_modulus,
+    relative_radius,
+    rolling_speed,
+    sole_contact_begins,
+    sole_contact_ends,
+)
 from ...sheet.arrays import Array, IndexArray, each, has_lanes, many, one
 from ...sheet.errors import NoSolution
 from ...sheet.formula import formula
 from ...sheet.functions import acos, cos, largest, pi, sin, sqrt, tan
+from ...sheet.lanes import design_by_design
 from ...sheet.record import record
 from ...sheet.text import Amount, Text
-from ...sheet.units import Metre, Newton, NewtonPerMetre, Number, Radian, RadPerSecond, Watt
+from ...sheet.units import Metre, MetrePerSecond, Newton, NewtonPerMetre, Number, Pascal, Radian, RadPerSecond, RevPerSecond, Watt
 from ...sheet.value import based_on
-from .cells import Cells, cells
-from .geometry import MeshGeometry, require, sound
+from .geometry import MeshGeometry, column, require, sound
+
+# How much of the stretch for which a position stands has a property that begins or ends between two positions.
+#
+# A quadrature that counts a position wholly or not at all would make the power of a mesh jump whenever one of its positions changes its
+# regime.  Here the stretch around each position, as long as its weight, is cut where the property changes, so that the sum changes
+# steadily and is right to the second order of the stretches.
+
+@record
+class Cells:
+    """The stretch to the left and right of each position, and the neighbours by which a number is continued to its ends."""
+
+    left: Array
+    right: Array
+    before: tuple[IndexArray, IndexArray]
+    after: tuple[IndexArray, IndexArray]
+    to_left: Array  # of the difference of both neighbours
+    to_right: Array
+
+    def below_zero(self, value: Array) -> Array:
+        """The share of each stretch in which a number that is known at the positions lies below 0, taken as a line between them."""
+        there = value < 0
+        if there.all() or not there.any():
+            return np.where(there, 1.0, 0.0)
+        at_left = value - self.to_left * (value[..., self.before[1]] - value[..., self.before[0]])
+        at_right = value + self.to_right * (value[..., self.after[1]] - value[..., self.after[0]])
+        length = self.left + self.right
+        share = (_below(at_left, value) * self.left + _below(value, at_right) * self.right) / np.where(length > 0, length, 1.0)
+        return np.where(length > 0, share, np.where(there, 1.0, 0.0))
+
+
+def _below(a: Array, b: Array) -> Array:
+    """The share of a line from a to b that lies below 0."""
+    size = np.abs(a) + np.abs(b)
+    return (np.maximum(-a, 0.0) + np.maximum(-b, 0.0)) / np.where(size > 0, size, 1.0)
+
+
+def cells(x: Array, width: Array, points: int, others: int) -> Cells:
+    """Rows of positions: pieces of so many points each, whose widths fill their piece, then `others` that stand for nothing."""
+    rows, columns = x.shape
+    place = np.arange(columns - others)
+    in_piece = place % points
+    # stretches: those of a piece lie one after the other from its beginning
+    dx = width.reshape(rows, -1, points)
+    ends = np.cumsum(dx, axis=-1)
+    inside = x[:, : columns - others].reshape(rows, -1, points)
+    begin = inside.mean(axis=-1, keepdims=True) - ends[..., -1:] / 2  # Gauss points lie evenly about the middle of their piece
+    left, right = inside - (begin + ends - dx), begin + ends - inside
+    nothing = np.zeros((rows, others))
+    first = np.where(in_piece > 0, place - 1, place)
+    last = np.where(in_piece < points - 1, place + 1, place)
+    marks = np.arange(columns - others, columns)
+    base = np.arange(rows)[:, None] * columns
+    pair_before = np.where(in_piece > 0, first, place), np.where(in_piece > 0, place, last)
+    pair_after = np.where(in_piece < points - 1, place, first), np.where(in_piece < points - 1, last, place)
+    before, after = (
+        tuple((base + np.concatenate((one, marks))).ravel() for one in pair) for pair in (pair_before, pair_after)
+    )  # fmt: skip
+    flat = x.ravel()
+    lefts, rights = (np.hstack((side.reshape(rows, -1), nothing)).ravel() for side in (left, right))
+
+    def share(stretch: Array, pair: tuple[IndexArray, ...]) -> Array:
+        apart = flat[pair[1]] - flat[pair[0]]
+        return np.where(apart > 0, stretch / np.where(apart > 0, apart, 1.0), 0.0)
+
+    return Cells(left=lefts, right=rights, before=before, after=after, to_left=share(lefts, before), to_right=share(rights, after))
+
 
 POINTS = 40  # Gauss-Legendre points of each piece of a spur path
 HELICAL_POINTS = 3  # and of a helical one, whose pieces are shorter
@@ -293,3 +369,69 @@ def line_load(mesh: MeshGeometry, path: Path, F_bt: Newton) -> tuple[NewtonPerMe
         return w, floored_line_load(w=w, w_max=based_on(F_bt / mesh.face_width, F_bt, mesh.face_width))
     w = helical_line_load(F_bt=F_bt, beta_b=mesh.base_helix_angle, L=path.carried)
     return w, w
+
+
+# Two cylinders in place of two flanks: curvature and speeds at every position of the path, and the modulus of both together.
+#
+# Speeds are those of the transverse section along the flank, as ISO and AGMA use them; the curvature is that of the section
+# normal to the contact line.  At the pitch point both surfaces have one speed and nothing slides, to the last digit.
+
+@formula("n_2", "kinematics, ratio of the teeth", unit="rpm")
+def wheel_speed(n: RevPerSecond, z_1: Number, z_2: Number) -> RevPerSecond:
+    return n * z_1 / z_2
+
+
+@formula("ω_1", "definition of angular speed")
+def driver_speed(n_1: RevPerSecond) -> RadPerSecond:
+    return 2 * pi * n_1
+
+
+@formula("ω_2", "kinematics, ratio of the teeth")
+def driven_speed(omega_1: RadPerSecond, z_1: Number, z_2: Number) -> RadPerSecond:
+    return omega_1 * z_1 / z_2
+
+
+@formula("V_s", "kinematics: |u_1 − u_2|, written by the distance from the pitch point, where it is 0", names={"x": "ρ_1"})
+def sliding_speed(omega_1: RadPerSecond, omega_2: RadPerSecond, x: Metre, rho_C: Metre) -> MetrePerSecond:
+    return (omega_1 + omega_2) * abs(x - rho_C)
+
+
+@formula("u_e", Text("{agma}: entrainment speed, the mean of both surfaces", agma=AGMA))
+def entrainment_speed(u_1: MetrePerSecond, u_2: MetrePerSecond) -> MetrePerSecond:
+    return (u_1 + u_2) / 2
+
+
+@formula("S", "definition of the slide-to-roll ratio")
+def slide_to_roll(V_s: MetrePerSecond, u_e: MetrePerSecond) -> Number:
+    return V_s / u_e
+
+
+@record
+class Motion:
+    """What the positions have whatever the load: angular speed of the driver, curvature and surface speeds, common modulus."""
+
+    omega_1: RadPerSecond
+    R: Metre
+    u_1: MetrePerSecond
+    u_2: MetrePerSecond
+    V_s: MetrePerSecond
+    u_e: MetrePerSecond
+    S: Number
+    E_r: Pascal
+
+
+def motion(mesh: MeshGeometry, path: Path, n_1: RevPerSecond) -> Motion:
+    """The kinematics of a mesh whose driver turns at n_1, one speed or many."""
+    n = column(require(Text("mesh {title}: speed", title=mesh.title), n_1))
+    omega_1 = driver_speed(n_1=n)
+    n_2 = wheel_speed(n=n, z_1=mesh.driver.teeth, z_2=mesh.driven.teeth)
+    omega_2 = driven_speed(omega_1=omega_1, z_1=mesh.driver.teeth, z_2=mesh.driven.teeth)
+    rho_2 = driven_curvature(T=path.C_F, rho_1=path.x)
+    u_1, u_2 = rolling_speed(n=n, rho=path.x), rolling_speed(n=n_2, rho=rho_2)
+    V_s = sliding_speed(omega_1=omega_1, omega_2=omega_2, x=path.x, rho_C=path.C_C)
+    u_e = entrainment_speed(u_1=u_1, u_2=u_2)
+    return Motion(
+        omega_1=omega_1, R=normal_relative_radius(rho_rel=relative_radius(rho_1=path.x, rho_2=rho_2), beta_b=mesh.base_helix_angle),
+        u_1=u_1, u_2=u_2, V_s=V_s, u_e=u_e, S=slide_to_roll(V_s=V_s, u_e=u_e),
+        E_r=reduced_modulus(nu_1=mesh.driver.poisson, E_1=mesh.driver.E, nu_2=mesh.driven.poisson, E_2=mesh.driven.E),
+    )  # fmt: skip

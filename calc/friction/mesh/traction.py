@@ -24,14 +24,23 @@ from ...sheet.formula import formula
 from ...sheet.functions import asinh, exp, ln, power, smallest, sqrt
 from ...sheet.record import record
 from ...sheet.text import Amount, Text
-from ...sheet.trace import untraced
-from ...sheet.units import Celsius, Metre, MetrePerSecond, NewtonPerMetre, Number, Pascal, PascalSecond, PerPascal, SquareMetrePerSecond, WattPerMetre, WattPerMetreKelvin  # fmt: skip
-from ...sheet.value import based_on, converged
-from .film import Film, Oil
-from .mixed import THESIS, film_pressure, film_ratio, friction
-from .motion import Motion
-from .path import array
-from .surfaces import KelvinMetrePerWatt, Surfaces
+from ...sheet.units import (  # fmt: skip
+    Celsius,
+    Metre,
+    MetrePerSecond,
+    NewtonPerMetre,
+    Number,
+    Pascal,
+    PascalSecond,
+    PerPascal,
+    SquareMetrePerSecond,
+    WattPerMetre,
+    WattPerMetreKelvin,
+)
+from ...sheet.value import based_on, converged, untraced
+from .film import MeshFilm, Oil
+from .mixed import THESIS, KelvinMetrePerWatt, Surfaces, film_pressure, film_ratio, friction
+from .path import Motion, array
 
 # Steel of the friction source's method: 46 W/(m·K), 7830 kg/m³, 465 J/(kg·K); the screening takes the 45 and 440 of its standards.
 STEEL_CONDUCTIVITY: WattPerMetreKelvin = 46.0
@@ -237,7 +246,7 @@ class Contact:
 
     oil: Oil
     motion: Motion
-    film: Film
+    film: MeshFilm
     w: NewtonPerMetre
     w_f: NewtonPerMetre
     p_m: Pascal
@@ -247,7 +256,7 @@ class Contact:
 
 
 def traction(
-    oil: Oil, motion: Motion, film: Film, w: NewtonPerMetre, w_f: NewtonPerMetre, p_m: Pascal, b_H: Metre, s: Surfaces, x: Metre,
+    oil: Oil, motion: Motion, film: MeshFilm, w: NewtonPerMetre, w_f: NewtonPerMetre, p_m: Pascal, b_H: Metre, s: Surfaces, x: Metre,
     subject: str,
 ) -> Traction:  # fmt: skip
     """The friction at film temperature.  The heat comes from the load w as it is, pressure and film from w_f with its floor.

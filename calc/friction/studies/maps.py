@@ -14,12 +14,12 @@ from ...sheet.errors import NoSolution
 from ...sheet.record import record
 from ...sheet.step import Curve, Series, Table, axis_label
 from ...sheet.text import Amount, Text
-from ...sheet.trace import untraced
 from ...sheet.units import Celsius, Number, RevPerSecond, Watt
-from ..balance.closure import Drive, Losses, drive, losses_of, shaft_loss
+from ...sheet.value import untraced
+from ..balance import Losses, TrainDrive, drive, losses_of, shaft_loss
 from ..inputs import FrictionInputs
 from ..journals import Journals, OnShaft, journals_at
-from ..mesh.many import HELICAL_POINTS, SPUR_POINTS, STRIPS
+from ..mesh.loss import HELICAL_POINTS, SPUR_POINTS, STRIPS
 from ..result import carbon_dioxide, fuel
 
 SPEEDS = 7
@@ -60,7 +60,7 @@ def axes(friction: FrictionInputs, T: Celsius, n: RevPerSecond) -> tuple[Array, 
     return speeds, around[(around == T) | ((around >= COLDEST) & (around <= HOTTEST))]
 
 
-def over_speed_and_temperature(d: Drive, power: Watt | None, on: OnShaft | None) -> Map:
+def over_speed_and_temperature(d: TrainDrive, power: Watt | None, on: OnShaft | None) -> Map:
     """The map of a train whose design point is `d`."""
     n = d.wheels[d.first].speed
     speeds, temperatures = axes(d.friction, d.T_oil, n)
@@ -89,7 +89,7 @@ def over_speed_and_temperature(d: Drive, power: Watt | None, on: OnShaft | None)
     return Map(speeds=speeds, temperatures=temperatures, missing=missing, **{name: x.reshape(shape) for name, x in parts.items()})
 
 
-def _losses(d: Drive, power: Watt | None, shaft: Journals | None, ratio: Number, T: Celsius) -> Losses:
+def _losses(d: TrainDrive, power: Watt | None, shaft: Journals | None, ratio: Number, T: Celsius) -> Losses:
     spur = all(mesh.spur for mesh in d.meshes.values())
     own = replace(d.friction, bulk_temperature=None)  # what was measured once says nothing elsewhere
     with untraced(), np.errstate(all="ignore"):
@@ -100,7 +100,7 @@ def _losses(d: Drive, power: Watt | None, shaft: Journals | None, ratio: Number,
 
 
 # --- shown -------------------------------------------------------------------------------------------------------------------
-def pictures(found: Map, d: Drive) -> tuple[tuple[Curve, ...], tuple[Table, ...], tuple[Text, ...]]:
+def pictures(found: Map, d: TrainDrive) -> tuple[tuple[Curve, ...], tuple[Table, ...], tuple[Text, ...]]:
     """A line over the speeds for every temperature; the tables of losses, of fuel and of CO₂; what is missing."""
     if not np.isfinite(found.total).any():
         return (), (), (Text("No map of losses over speed and temperature: {missing}.", missing=found.missing),)

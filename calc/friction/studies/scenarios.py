@@ -15,9 +15,9 @@ from ...library.lubricant import Lubricant
 from ...sheet.errors import NoSolution
 from ...sheet.step import Curve, Series, Table, axis_label
 from ...sheet.text import COMMA, EMPTY, Amount, Name, Text, listed
-from ...sheet.trace import untraced
 from ...sheet.units import Celsius, Watt
-from ..balance.closure import Drive, balance, drive, shaft_loss
+from ...sheet.value import untraced
+from ..balance import TrainDrive, balance, drive, shaft_loss
 from ..inputs import FrictionInputs, Scenario
 from ..journals import OnShaft, journals_at
 from ..mesh.loss import MeshLoss
@@ -36,7 +36,7 @@ ALONG = (
 
 
 def solved(
-    d: Drive, friction: FrictionInputs, oils: Mapping[str, Oil], law: str, power: Watt | None, on: OnShaft | None
+    d: TrainDrive, friction: FrictionInputs, oils: Mapping[str, Oil], law: str, power: Watt | None, on: OnShaft | None
 ) -> dict[str, ScenarioResult]:
     """All scenarios of a design by their names.  NoSolution names the scenario that has none.
 
@@ -53,7 +53,7 @@ def solved(
 
 
 def _one(
-    d: Drive, s: Scenario, oils: Mapping[str, Oil], law: str, power: Watt | None, on: OnShaft | None
+    d: TrainDrive, s: Scenario, oils: Mapping[str, Oil], law: str, power: Watt | None, on: OnShaft | None
 ) -> ScenarioResult:  # fmt: skip
     measured = d.friction.bulk_temperature if s.oil_temperature is None else None
     own = replace(

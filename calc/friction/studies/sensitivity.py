@@ -14,14 +14,13 @@ from ...sheet.errors import NoSolution
 from ...sheet.record import record
 from ...sheet.step import Curve, Series, Table, axis_label
 from ...sheet.text import Amount, Text, listed
-from ...sheet.trace import untraced
 from ...sheet.units import Number, Watt
-from ..balance.closure import Drive, drive, total_losses
+from ...sheet.value import untraced
+from ..balance import TrainDrive, drive, total_losses
 from ..inputs import FrictionInputs
-from ..losses.windage import AIR_DENSITY
+from ..losses.oil_and_air import AIR_DENSITY
 from ..mesh.geometry import column
-from ..mesh.mixed import LOAD_SHARES, PUBLISHED
-from ..mesh.surfaces import Surfaces
+from ..mesh.mixed import LOAD_SHARES, PUBLISHED, Surfaces
 
 WARMER = 10.0  # K
 DUST = 1e-9  # of the losses: what the last digits make
@@ -46,14 +45,14 @@ class Swing:
         return span if span > DUST * abs(nominal) else 0.0
 
 
-def swings(d: Drive, power: Watt | None, nominal: Watt) -> tuple[Swing, ...]:
+def swings(d: TrainDrive, power: Watt | None, nominal: Watt) -> tuple[Swing, ...]:
     """The losses of the train with each constant at its ends, the widest first."""
     with untraced(), np.errstate(all="ignore"):
         found = [*_numbers(d, power), *_laws(d, power, nominal)]
     return tuple(sorted(found, key=lambda swing: -swing.span(nominal)))
 
 
-def _numbers(d: Drive, power: Watt | None) -> list[Swing]:
+def _numbers(d: TrainDrive, power: Watt | None) -> list[Swing]:
     """The constants that are numbers: all ends of all of them at once."""
     f = d.friction
     Lambda, mu_s, rho_m = d.oil.Lambda, _rubbing(d).mu_s, f.mist_density
@@ -123,7 +122,7 @@ def _numbers(d: Drive, power: Watt | None) -> list[Swing]:
     ]
 
 
-def _ends(d: Drive, power: Watt | None, ends: Mapping[str, Array]) -> Watt | None:
+def _ends(d: TrainDrive, power: Watt | None, ends: Mapping[str, Array]) -> Watt | None:
     """The losses at many ends at once, `ends` holding every constant at each of them; None where one has no solution."""
     f, at = d.friction, {key: each(values) for key, values in ends.items()}
     open_ = replace(
@@ -149,7 +148,7 @@ def _ends_of(low: float, high: float) -> tuple[Text, Text]:
     return Text("{low}", low=Amount(low)), Text("{high}", high=Amount(high))
 
 
-def _rubbing(d: Drive) -> Surfaces:
+def _rubbing(d: TrainDrive) -> Surfaces:
     """How the flanks rub in the model that is judged."""
     return next(iter(d.cases.values())).rubbing(d.friction.film == "judged")
 
@@ -161,7 +160,7 @@ def _kgm3(low: float, high: float) -> tuple[Text, Text]:
 SHARINGS = {"linear": Text("linear"), "smooth": Text("smooth")}
 
 
-def _laws(d: Drive, power: Watt | None, nominal: Watt) -> list[Swing]:
+def _laws(d: TrainDrive, power: Watt | None, nominal: Watt) -> list[Swing]:
     """The laws between which one has to choose: the one that is taken stands at the nominal value."""
     f = d.friction
     found = []
@@ -195,7 +194,7 @@ def _laws(d: Drive, power: Watt | None, nominal: Watt) -> list[Swing]:
     return found
 
 
-def _shares(d: Drive, power: Watt | None, nominal: Watt) -> Swing:
+def _shares(d: TrainDrive, power: Watt | None, nominal: Watt) -> Swing:
     """All published load shares: the ends are those that cost least and most."""
     f, title = d.friction, LOAD_SHARES[d.friction.load_share].title
     costs = {f.load_share: nominal}
@@ -210,7 +209,7 @@ def _shares(d: Drive, power: Watt | None, nominal: Watt) -> Swing:
 
 
 def _power(
-    d: Drive, friction: FrictionInputs, power: Watt | None, *, Lambda: Number | None = None, thickening: Number | None = None,
+    d: TrainDrive, friction: FrictionInputs, power: Watt | None, *, Lambda: Number | None = None, thickening: Number | None = None,
     rolling: bool = True,
 ) -> Watt | None:  # fmt: skip
     """The power of the train's losses under other constants; None where one of them has no solution."""

@@ -6,21 +6,25 @@ zone of a position is a circle, filled evenly; the wheel rests on the wall of it
 radial shift lies evenly between its ends.  Only the part along the line of centres counts: a direction at random is a projection.
 """
 
+from collections.abc import Mapping
 from functools import cached_property
 from math import sqrt
 
 import numpy as np
 
+from ...library.catalogue import Material
 from ...sheet.arrays import Array, each
 from ...sheet.errors import NoSolution
 from ...sheet.linked_array import column, gathered
 from ...sheet.record import record
 from ...sheet.text import Text
-from ...sheet.trace import about
-from ...sheet.units import Metre
+from ...sheet.units import Celsius, Metre, Number, PerKelvin, Radian
+from ...sheet.value import about
+from .. import formulas as f
 from ..inputs import GearsInputs, Mesh
+from ..measures.formulas import generating_shift
+from ..practice import mm
 from ..result import MeshResult, ToothSystem, TrainResult, WheelResult
-from ..words import mm
 from . import formulas as b
 
 SPREAD = {"position": 1 / 2, "fit": 1 / sqrt(2), "runout": 1 / sqrt(2), "radial": 1 / sqrt(3)}  # standard deviation over the largest shift
@@ -140,3 +144,168 @@ def _teeth(system: ToothSystem, wheel: WheelResult) -> Teeth:
         with about(Text("wheel {name}, {tooth} tooth", name=wheel.name, tooth=tooth)):
             ends.append(thickness(b.middle_allowance(upper, lower) if E_W is None else E_W))
     return Teeth(*ends)
+
+
+# Backlash of a pair over the tolerance of its centre distance, and what the backlash of a train means for its last wheel.
+#
+# Runout and temperature are not part of it: they stand in the other files of this folder, which take the same backlash from the
+# thicknesses at the base circle.
+
+def backlash(system: ToothSystem, place: str, driver: WheelResult, driven: WheelResult, a_w: Metre, tolerance: Metre) -> dict[str, float]:
+    """Normal backlash over the tolerance ± of the centre distance and the allowances of both wheels, and the free turn at the largest.
+
+    `place`: where the centre distance stands in the design.
+    """
+    pair = driver, driven
+    subject = Text("mesh {name}–{name2}", name=driver.name, name2=driven.name)
+    upper, lower = ([w.allowance[end] if w.allowance else 0.0 for w in pair] for end in (0, 1))
+    with about(Text("{subject}, backlash at mid-tolerance", subject=subject)):
+        middle = [b.middle_allowance(*w.allowance) if w.allowance else 0.0 for w in pair]
+        nominal, j_wt, d_w2 = _backlash_at(system, pair, a_w, middle)
+    smallest = largest = nominal
+    if tolerance or any(upper) or any(lower):
+        with about(Text("{subject}, largest backlash", subject=subject)):
+            largest, j_wt, d_w2 = _backlash_at(system, pair, b.widest(a_w, tolerance), lower)
+        with about(Text("{subject}, smallest backlash", subject=subject)):
+            closest = b.narrowest(a_w, tolerance)
+            if closest <= (driver.base_diameter + driven.base_diameter) / 2:
+                raise NoSolution(
+                    Text("{place} = {a_w}: less its tolerance of {tolerance} mm the wheels can not mesh", place=place,
+                        a_w=mm(a_w, ".6g"), tolerance=mm(tolerance, ".6g")),
+                    advice=Text("give a tolerance_um that leaves the base circles apart"),
+                )  # fmt: skip
+            smallest, _, _ = _backlash_at(system, pair, closest, upper)
+    with about(Text("{subject}, largest backlash", subject=subject)):
+        free = b.play_angle(j_wt, d_w2)
+    return dict(backlash_min=smallest, backlash_nominal=nominal, backlash_max=largest, play_angle=free)
+
+
+def _backlash_at(
+    system: ToothSystem, pair: tuple[WheelResult, WheelResult], a: Metre, allowances: list[Metre]
+) -> tuple[Metre, Metre, Metre]:
+    """(j_bn, j_wt, working diameter of the driven wheel) at one centre distance, with one change of the span for each wheel."""
+    alpha_wt = f.working_pressure_angle(pair[0].base_diameter, pair[1].base_diameter, a)
+    d_w, s_w = [], []
+    for wheel, mate, E_W in zip(pair, reversed(pair), allowances):
+        x_E = generating_shift(wheel.profile_shift, E_W, system.m_n, system.alpha_n) if E_W else wheel.profile_shift
+        d_w.append(f.working_diameter(a, wheel.teeth, mate.teeth))
+        s_t = f.reference_thickness(system.m_n, x_E, system.alpha_n, system.beta)
+        s_w.append(f.thickness_at(d_w[-1], s_t, wheel.reference_diameter, system.transverse_pressure_angle, alpha_wt))
+    j_wt = b.circumferential_backlash(d_w[0], pair[0].teeth, *s_w)
+    j_bn = b.normal_backlash(j_wt, alpha_wt, system.base_helix_angle)
+    return j_bn, j_wt, d_w[1]
+
+
+def way_to(last_wheel: str, meshes: Mapping[str, MeshResult]) -> list[str]:
+    """Keys of the meshes between the first driver and a wheel, along the flow of power."""
+    above = {mesh.driven: key for key, mesh in meshes.items()}
+    way: list[str] = []
+    while last_wheel in above:
+        way.insert(0, above[last_wheel])
+        last_wheel = meshes[way[0]].driver
+    return way
+
+
+def backlash_at_shaft(wheels: Mapping[str, WheelResult], meshes: Mapping[str, MeshResult], last_wheel: str) -> Radian:
+    """How far the last wheel can turn while the first driver stands: the largest play of every mesh on the way to it."""
+    return free_turn(wheels, meshes, last_wheel, {key: mesh.play_angle for key, mesh in meshes.items()})
+
+
+def free_turn(wheels: Mapping[str, WheelResult], meshes: Mapping[str, MeshResult], last_wheel: str, plays: Mapping[str, Radian]) -> Radian:
+    """The free turns of the driven wheels, by mesh, reduced to the last wheel and added up.
+
+    A mesh that is tight adds nothing and takes nothing away.
+    """
+    angle = b.no_play()
+    for key in way_to(last_wheel, meshes):
+        if plays[key] > 0:
+            angle = b.reduced_play(angle, plays[key], wheels[meshes[key].driven].teeth, wheels[last_wheel].teeth)
+    return angle
+
+
+# Backlash over temperature: housing and support carry the centres apart, each wheel grows by itself.
+#
+# A wheel that grows evenly keeps its angles; its base circle, thickness and pitch grow alike.  Referred to the wheels the centre
+# distance changes by Δa_eff.  Wheels of different growth have base pitches that differ by some nanometres: the backlash is that of a tooth in
+# a space, exact, with the smaller pitch of the two.
+
+@record
+class ThermalState:
+    name: Text
+    housing: Celsius
+    wheels: Celsius
+
+
+@record
+class Expansions:
+    """Of the centre distance of one mesh, and of its two wheels."""
+
+    centres: PerKelvin
+    driver: PerKelvin
+    driven: PerKelvin
+
+
+@record
+class Grown:
+    """Expansion of the centre distance, of each wheel, and of both base circles together."""
+
+    centres: Number
+    driver: Number
+    driven: Number
+    wheels: Number
+
+
+@record
+class AtState:
+    """One mesh at one temperature and one pair of tooth thicknesses."""
+
+    backlash: Metre
+    pressure_angle: Radian
+    centre_growth: Number
+    wheel_growth: Number  # the smaller one
+
+
+def states(gears: GearsInputs) -> tuple[ThermalState, ThermalState, ThermalState, ThermalState]:
+    """Cold start; all warm; the wheels warmer than the housing; and so in a housing that is still cold."""
+    cold, warm = gears.lowest_temperature, gears.running_temperature
+    first, then = (b.wheel_temperature(T_H=T, Delta_T=gears.wheels_warmer) for T in (cold, warm))
+    return (ThermalState(Text("cold"), cold, cold), ThermalState(Text("running"), warm, warm), ThermalState(Text("wheels warmer"), warm, then),
+        ThermalState(Text("warming up"), cold, first))  # fmt: skip
+
+
+def expansions(m: BacklashCase, gears: GearsInputs, materials: Mapping[str, Material], housing: str | None) -> Expansions:
+    """Without a housing material the housing grows as the driver does."""
+    alpha_1, alpha_2 = materials[m.driver.material].expansion, materials[m.driven.material].expansion
+    alpha_H = alpha_1 if housing is None else materials[housing].expansion
+    share = m.inputs.support_share
+    if not share or gears.support_material is None:
+        return Expansions(alpha_H, alpha_1, alpha_2)
+    support = materials[gears.support_material].expansion
+    with about(Text("mesh {name}", name=m.name)):
+        return Expansions(b.expansion_between_centres(alpha_H=alpha_H, alpha_S=support, lambda_S=share), alpha_1, alpha_2)
+
+
+def grown(m: BacklashCase, alpha: Expansions, T_housing: Celsius, T_wheels: Celsius) -> Grown:
+    """At the temperatures of housing and wheels."""
+    eps_a = b.expansion(alpha=alpha.centres, T=T_housing)
+    eps_1, eps_2 = b.expansion(alpha=alpha.driver, T=T_wheels), b.expansion(alpha=alpha.driven, T=T_wheels)
+    eps_g = b.expansion_of_wheels(eps_1=eps_1, eps_2=eps_2, d_b1=m.driver.base_diameter, d_b2=m.driven.base_diameter)
+    return Grown(eps_a, eps_1, eps_2, eps_g)
+
+
+def change(m: BacklashCase, by: Grown) -> Metre:
+    return b.change_against_wheels(a_w=m.mesh.centre_distance, eps_a=by.centres, eps_g=by.wheels)
+
+
+def at_state(m: BacklashCase, by: Grown, a: Metre, s_b1: Metre, s_b2: Metre) -> AtState:
+    """`a`, `s_b1`, `s_b2`: centre distance and thicknesses at the base circles, at 20 °C."""
+    a_eff = b.effective_centre(a=a, eps_a=by.centres, eps_g=by.wheels)
+    m.must_mesh(a_eff, Text("temperature, with the tolerance and runout,"))
+    alpha_wt = f.working_pressure_angle(m.driver.base_diameter, m.driven.base_diameter, a_eff)
+    return AtState(warm(m, by, alpha_wt, s_b1, s_b2), alpha_wt, 1 + by.centres, 1 + min(by.driver, by.driven))
+
+
+def warm(m: BacklashCase, by: Grown, alpha_wt: Radian, s_b1: Metre, s_b2: Metre) -> Metre:
+    """`alpha_wt`: at the effective centre distance."""
+    return b.warm_backlash(p_bt=m.system.base_pitch, eps_1=by.driver, eps_2=by.driven, s_b1=s_b1, s_b2=s_b2, d_b1=m.driver.base_diameter,
+        d_b2=m.driven.base_diameter, alpha_wt=alpha_wt, beta_b=m.system.base_helix_angle)  # fmt: skip

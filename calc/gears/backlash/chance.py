@@ -12,14 +12,13 @@ from math import ceil
 
 import numpy as np
 
-from ...sheet.abreast import design_by_design
 from ...sheet.arrays import Array, each, many, one
 from ...sheet.formula import formula
+from ...sheet.lanes import design_by_design
 from ...sheet.record import record
 from ...sheet.text import Text
-from ...sheet.trace import about
 from ...sheet.units import Metre, Number, Radian
-from ...sheet.value import based_on
+from ...sheet.value import about, based_on
 from ..result import WheelResult
 from .case import EVEN, BacklashCase
 from .formulas import DUST

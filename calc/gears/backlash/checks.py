@@ -10,15 +10,12 @@ from ...sheet.functions import cos, sin
 from ...sheet.remedy import Change, Remedy, change, remedy
 from ...sheet.text import EMPTY, Amount, Text
 from ...sheet.units import Metre, Number
-from ..inputs import GearsInputs
-from ..mesh_inputs import Mesh
+from ..inputs import GearsInputs, Mesh, Wheel
 from ..result import WheelResult
-from ..wheel_inputs import Wheel
-from .case import BacklashCase
+from .case import AtState, BacklashCase, Expansions
 from .chance import BY_CHANCE
 from .formulas import GUIDE
 from .result import PlayResult
-from .temperature import AtState
 
 
 def checks(gears: GearsInputs, m: BacklashCase, play: PlayResult, smallest: Sequence[AtState]) -> list[Check]:
@@ -122,3 +119,31 @@ def _tolerance(mesh: Mesh, index: int, tolerance: float, bound: str = "") -> lis
     place, here = mesh.title, f"gears.meshes.{index}"
     instead = [change(Mesh, f"{here}.contributors_mm", None, place=place)] if mesh.contributors else []
     return [change(Mesh, f"{here}.tolerance_um", tolerance, place=place, bound=bound), *instead]
+
+
+# What is assumed where the play of a train does not follow from what is given.
+
+def notes(gears: GearsInputs, known: Sequence[tuple[BacklashCase, Expansions]], housing: str | None, chance: bool) -> tuple[Text, ...]:
+    notes = []
+    if housing is None:
+        notes.append(Text("Housing material: not given; chosen: it grows as the driver of each mesh."))
+    elif gears.housing_material is None:
+        notes.append(Text(
+            "Housing material: not given; chosen: {housing}, that of the bearings. The cold and warm backlash is then not verified.",
+            housing=housing,
+        ))  # fmt: skip
+    if gears.support_material is not None and not any(m.inputs.support_share for m, _ in known):
+        notes.append(Text("gears.support_material acts on no mesh: none has a support_share."))
+    if chance:
+        notes.append(Text(
+            "Backlash by chance: {by_chance}, always the same ones, at 20 °C; allowances, bare tolerances and fields without a kind even "
+            "between their limits, a position even in its circle, a fit on the wall of its clearance and a runout in any direction; all "
+            "independent.",
+            by_chance=BY_CHANCE,
+        ))  # fmt: skip
+    if any(m.runouts is None for m, _ in known):
+        tight = ", ".join(m.name for m, _ in known if m.runouts is None)
+        notes.append(
+            Text("Runout of the teeth: not given for {tight}: left out of their backlash (gears.wheels.NAME.runout_um).", tight=tight)
+        )
+    return tuple(notes)

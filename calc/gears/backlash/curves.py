@@ -8,11 +8,11 @@ import numpy as np
 from ...sheet.arrays import each, many
 from ...sheet.step import Curve, Series, Table, axis_label
 from ...sheet.text import Amount, Text
-from ...sheet.trace import untraced
 from ...sheet.units import Celsius, Metre
+from ...sheet.value import untraced
 from ..inputs import GearsInputs
+from . import case as t
 from . import formulas as b
-from . import temperature as t
 from .case import BacklashCase
 from .result import PlayResult
 
@@ -99,7 +99,7 @@ def _kinds(known: Known) -> Table:
 
 
 def _states(gears: GearsInputs, known: Known) -> Table:
-    reference = t.State(Text("reference"), b.REFERENCE, b.REFERENCE)
+    reference = t.ThermalState(Text("reference"), b.REFERENCE, b.REFERENCE)
     rows: list[Row] = []
     for m, alpha in known:
         for state in (reference, *t.states(gears)):

@@ -11,19 +11,17 @@ from ...sheet.linked_array import gathered
 from ...sheet.record import record
 from ...sheet.step import Curve, Table
 from ...sheet.text import Text
-from ...sheet.trace import about
 from ...sheet.units import Metre, NewtonMetre
+from ...sheet.value import about
 from .. import formulas as f
 from ..inputs import GearsInputs
 from ..result import TrainResult
+from . import case as t
 from . import chance as c
 from . import formulas as b
-from . import temperature as t
-from .backlash import free_turn, way_to
-from .case import BacklashCase, cases
-from .checks import checks
+from .case import BacklashCase, cases, free_turn, way_to
+from .checks import checks, notes
 from .curves import curves, tables
-from .notes import notes
 from .result import PlayResult, TrainPlay
 
 WAYS = {
@@ -132,7 +130,7 @@ def _stacked(m: BacklashCase) -> dict[str, float]:
     return values
 
 
-def _warm(m: BacklashCase, alpha: t.Expansions, states: tuple[t.State, ...]) -> tuple[dict[str, float], tuple[t.AtState, ...]]:
+def _warm(m: BacklashCase, alpha: t.Expansions, states: tuple[t.ThermalState, ...]) -> tuple[dict[str, float], tuple[t.AtState, ...]]:
     """The smallest backlash of every state, and the largest free turn when all is warm."""
     values: dict[str, float] = {}
     smallest = []

@@ -14,8 +14,8 @@ from ...sheet.later import Later
 from ...sheet.linked_array import gathered
 from ...sheet.step import Outcome
 from ...sheet.text import Text
-from ...sheet.trace import about, trace
 from ...sheet.units import Metre, Newton, NewtonMetre, Number, PhasorNewton, Radian
+from ...sheet.value import about, trace
 from ..inputs import GearsInputs
 from ..result import MeshResult, TrainResult
 from . import formulas as f

@@ -8,8 +8,8 @@ from ...sheet.step import Erratum
 from ...sheet.text import Amount, Text
 from ...sheet.units import Metre, Number
 from ..inputs import GearsInputs
+from ..practice import mm
 from ..result import WheelResult
-from ..words import mm
 from .phase import Phase
 from .result import ForcesResult, LayoutResult
 

@@ -10,8 +10,8 @@ from collections.abc import Mapping
 from typing import NamedTuple
 
 from ...sheet.text import Text
-from ...sheet.trace import about
 from ...sheet.units import Number, Radian
+from ...sheet.value import about
 from ..result import MeshResult, TrainResult
 from . import formulas as f
 

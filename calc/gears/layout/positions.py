@@ -12,15 +12,13 @@ from itertools import product
 from ...sheet.check import Check
 from ...sheet.record import record
 from ...sheet.text import Amount, Name, Text, listed
-from ...sheet.trace import about, untraced
 from ...sheet.units import Metre
-from ...sheet.value import based_on
+from ...sheet.value import about, based_on, untraced
 from ..inputs import GearsInputs
+from ..practice import mm
 from ..result import MeshResult, TrainResult
-from ..words import mm
 from . import formulas as f
-from .checks import axis_check, distance_check, reach_check
-from .room import Room, at, most_room
+from .room import Room, at, axis_check, distance_check, most_room, reach_check
 
 SAME = 1e-9  # m: two points that are no further apart are one
 TIED = 1e-9  # m: so little more room does not tell two places apart

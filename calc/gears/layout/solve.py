@@ -7,19 +7,18 @@ from ...sheet.check import Check
 from ...sheet.later import Later
 from ...sheet.step import Outcome
 from ...sheet.text import Text
-from ...sheet.trace import about, trace
 from ...sheet.units import Metre, NewtonMetre, Radian
+from ...sheet.value import about, trace
 from ..backlash.formulas import residual_couple
 from ..inputs import GearsInputs
 from ..result import TrainResult
 from . import formulas as f
-from .checks import clearance_checks, hunting_check, insertion_check
 from .curves import layout_curve, tables
 from .notes import errata, notes
 from .phase import Phase, hunting, phase
 from .positions import Placing, place
 from .result import LayoutResult, MeshLayout, WheelLayout
-from .room import Room, clearances, room
+from .room import Room, clearance_checks, clearances, hunting_check, insertion_check, room
 
 
 class ShaftInTrain(NamedTuple):

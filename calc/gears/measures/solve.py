@@ -5,21 +5,252 @@ import math
 from collections.abc import Callable, Iterable
 from functools import partial
 
-from ...sheet.check import Check
+from ...sheet.check import Check, check
+from ...sheet.errors import NoSolution
 from ...sheet.quantity import Described, Stated
+from ...sheet.record import record
+from ...sheet.remedy import Remedy, change, remedy
 from ...sheet.step import Table
-from ...sheet.text import Text
-from ...sheet.trace import about
-from ...sheet.units import Metre, Radian
-from ...sheet.value import based_on
+from ...sheet.text import COMMA, EMPTY, Amount, Name, Text
+from ...sheet.units import Metre, Number, Radian
+from ...sheet.value import about, based_on, untraced
 from .. import formulas as f
-from ..inputs import Wheel
+from ..formulas import ISO
+from ..inputs import GearsInputs, Wheel
+from ..practice import mm
 from ..result import ToothSystem, WheelResult
 from . import formulas as m
-from .checks import checks
-from .measured import measured
-from .result import MeasuresResult, Seat
-from .spans import best, spans, spans_table
+from .result import Measured, MeasuresResult, Seat
+
+# Measured sizes of a wheel, and the tooth that each of them means.
+
+NAMES = {
+    "measured_span": "span", "measured_over_balls": Text("size over balls"), "measured_over_pins": Text("size over pins"),
+    "measured_chordal_thickness": Text("chordal thickness"),
+}  # fmt: skip
+
+
+def measured(system: ToothSystem, given: Wheel, wheel: WheelResult) -> dict[str, Measured]:
+    """By the name of the input, those that are given."""
+    teeth = {}
+    for key, name in NAMES.items():
+        if (size := getattr(given, key)) is not None:
+            with about(Text("wheel {name}, measured {name2}", name=wheel.name, name2=name)):
+                teeth[key] = _tooth(system, wheel, key, size, _shift(system, wheel, key, size))
+    return teeth
+
+
+def _shift(system: ToothSystem, wheel: WheelResult, key: str, size: Metre) -> Number:
+    z, m_n, alpha_n = wheel.teeth, system.m_n, system.alpha_n
+    if key == "measured_span":
+        return m.shift_of_span(W=size, m_n=m_n, alpha_n=alpha_n, K=wheel.span_teeth, z=z, alpha_t=system.transverse_pressure_angle)
+    if key == "measured_chordal_thickness":
+        z_v = m.virtual_teeth(z=z, beta=system.beta)
+        if size > z_v * m_n:
+            raise _no_tooth(wheel, key, size, Text("no chord of its virtual wheel is longer than {z_v} mm", z_v=mm(z_v * m_n, ".4g")))
+        return m.shift_of_half_angle(psi=m.angle_of_chord(s_c=size, z_v=z_v, m_n=m_n), z_v=z_v, alpha_n=alpha_n)
+    return _shift_of_balls(system, wheel, key, size)
+
+
+def _shift_of_balls(system: ToothSystem, wheel: WheelResult, key: str, size: Metre) -> Number:
+    """Pins of a helical wheel lie opposite each other, whatever its number of teeth."""
+    z, D_M, d_b = wheel.teeth, wheel.ball_diameter, wheel.base_diameter
+    opposite = z % 2 == 0 or (key == "measured_over_pins" and system.beta > 0)
+    d_K = m.centres_opposite(M=size, D_M=D_M) if opposite else m.centres_odd(M=size, D_M=D_M, z=z)
+    if d_K < d_b:
+        least = d_b * (1.0 if opposite else math.cos(math.pi / (2 * z))) + D_M
+        raise _no_tooth(wheel, key, size,
+            Text("with {d_m} mm in diameter it is at least {least} mm", d_m=mm(D_M, ".5g"), least=mm(least, ".4f")))  # fmt: skip
+    alpha_t, beta_b = system.transverse_pressure_angle, system.base_helix_angle
+    alpha_K = f.pressure_angle_at(d_b=d_b, d_y=d_K)
+    s_t = m.thickness_of_centres(d=wheel.reference_diameter, alpha_K=alpha_K, alpha_t=alpha_t, D_M=D_M, d_b=d_b, beta_b=beta_b, z=z)
+    return m.shift_of_thickness(s_t=s_t, beta=system.beta, m_n=system.m_n, alpha_n=system.alpha_n)
+
+
+def _tooth(system: ToothSystem, wheel: WheelResult, key: str, size: Metre, x_E: Number) -> Measured:
+    m_n, alpha_n = system.m_n, system.alpha_n
+    s_n = m.normal_thickness(m_n=m_n, x=x_E, alpha_n=alpha_n)
+    if not 0 < s_n < math.pi * m_n:
+        fits = round(wheel.span_teeth + (size - wheel.span_length) / (math.pi * m_n * math.cos(alpha_n)))
+        hint = EMPTY
+        if key == "measured_span" and fits > 0:
+            hint = Text("it is near a span over {fits} teeth, not {span_teeth}", fits=fits, span_teeth=Amount(wheel.span_teeth, form="g"))
+        raise _no_tooth(
+            wheel, key, size,
+            Text("its teeth would be {s_n} mm thick, at a pitch of {pi} mm", s_n=mm(s_n, ".4g"), pi=mm(math.pi * m_n, ".4g")), hint,
+        )  # fmt: skip
+    E_W = m.span_change(x_E=x_E, x=wheel.profile_shift, m_n=m_n, alpha_n=alpha_n)
+    return Measured(generating_shift=x_E, span_change=E_W, thickness_change=m.thickness_allowance(E_W=E_W, alpha_n=alpha_n),
+        normal_thickness=s_n, transverse_thickness=f.reference_thickness(m_n=m_n, x=x_E, alpha_n=alpha_n, beta=system.beta))  # fmt: skip
+
+
+def _no_tooth(wheel: WheelResult, key: str, size: Metre, why: str, hint: Text = EMPTY) -> NoSolution:
+    return NoSolution(
+        Text("gears.wheels.{name}.{key}_mm = {size}: {why}", name=wheel.name, key=key, size=mm(size, "g"), why=why),
+        advice=hint or Text("compare it with the computed {names}, and the ball or pin with the one that was used", names=NAMES[key]),
+    )
+
+
+# The span over every number of teeth that an anvil can reach: where it touches, the width it needs, and which is best.
+
+MM = 1e-3
+
+
+@record
+class Span:
+    """One span; `fault` says why it can not be measured, empty where it can."""
+
+    K: int
+    length: Metre  # W_K, without allowance
+    contact_diameter: Metre
+    width: Metre  # needed
+    fault: str
+
+
+def spans(system: ToothSystem, wheel: WheelResult) -> tuple[Span, ...]:
+    """All spans that touch the involute between form and tip circle, one more to each side, and the one chosen for the wheel."""
+    beta_b, z = system.base_helix_angle, wheel.teeth
+    p_bn = system.base_pitch * math.cos(beta_b)
+    with untraced():
+        W_0 = m.span(system.m_n, system.alpha_n, 0.0, z, system.transverse_pressure_angle, wheel.profile_shift)
+        low, high = ((2 * rho / math.cos(beta_b) - W_0) / p_bn for rho in (wheel.form_curvature, wheel.tip_curvature))
+        first, last = max(1, math.floor(low)), max(1, min(math.ceil(high), z))
+        counts = sorted({*range(first, last + 1), round(wheel.span_teeth)})
+        return tuple(_span(system, wheel, K) for K in counts)
+
+
+def _span(system: ToothSystem, wheel: WheelResult, K: int) -> Span:
+    beta_b = system.base_helix_angle
+    W_K = m.span(system.m_n, system.alpha_n, float(K), wheel.teeth, system.transverse_pressure_angle, wheel.profile_shift)
+    d_W, b_W = m.span_contact_diameter(wheel.base_diameter, W_K, beta_b), m.span_width(W_K, beta_b)
+    return Span(K, W_K, d_W, b_W, _fault(wheel, W_K, d_W, b_W))
+
+
+def _fault(wheel: WheelResult, W_K: Metre, d_W: Metre, b_W: Metre) -> Text:
+    if W_K <= 0 or d_W <= wheel.form_diameter:
+        return Text("touches below the form circle")
+    if d_W >= wheel.tip_diameter:
+        return Text("misses the tip circle")
+    return Text("needs a wider face") if wheel.face_width <= b_W else EMPTY
+
+
+def best(spans: tuple[Span, ...], d_V: Metre) -> Span | None:
+    """The span that touches nearest to the circle d_V = d + 2·x·m_n; None where none can be measured."""
+    return min((s for s in spans if not s.fault), key=lambda s: (abs(s.contact_diameter - d_V), s.K), default=None)
+
+
+def spans_table(wheel: WheelResult, spans: tuple[Span, ...], chosen: Number, best_K: int | None) -> Table:
+    """`chosen`: the K of the wheel's span."""
+    upper, lower = wheel.allowance or (None, None)
+
+    def row(s: Span) -> tuple[str | float | None, ...]:
+        words = [word for word, holds in ((Text("chosen"), round(chosen) == s.K), (Text("best"), best_K == s.K)) if holds]
+        limits = (None if E is None else (s.length + E) / MM for E in (lower, upper))
+        return (f"{s.K}", s.length / MM, *limits, s.contact_diameter / MM, s.width / MM, COMMA.join(filter(None, (*words, s.fault))))
+
+    return Table(f"spans_{wheel.name}", Text("Spans of {name}", name=wheel.name),
+        ((Text("K"), ""), (Text("W_K"), "mm"), (Text("smallest"), "mm"), (Text("largest"), "mm"), (Text("touches at d_W"), "mm"),
+            (Text("face width needed"), "mm"), (EMPTY, "")), tuple(row(s) for s in spans),
+        Text("Best: touches nearest to d + 2·x·m_n of those that can be measured. The width is without the anvils' own."))  # fmt: skip
+
+
+# Whether span, balls, pins and chord touch the flank, and whether what was measured is inside the allowance.
+
+BETWEEN_MEASURED = Text("rule of this program: routes that differ by more than the whole field of the allowance contradict each other")
+
+
+def contact_checks(system: ToothSystem, wheel: WheelResult, sizes: MeasuresResult) -> list[Check]:
+    """Whether span and balls touch where they should.  A ball that is given must fit; a chosen one is only advised."""
+    id, name, D_M = f"gears.{wheel.name}", wheel.name, wheel.ball_diameter
+    balls = _touching_ball(system, wheel, wheel.form_diameter), _touching_ball(system, wheel, wheel.tip_diameter)
+    kind = "limit" if wheel.ball_given else "advice"
+
+    def other_ball() -> tuple[Remedy, ...]:
+        fits, key = wheel.preferred_ball if wheel.preferred_ball is not None else wheel.ideal_ball, "gears.ball_diameter_mm"
+        own = remedy(change(GearsInputs, key, None), effect=Text("each wheel then has its own"))
+        return remedy(change(GearsInputs, key, float(f"{fits * 1e3:.4g}"))), own
+
+    checks = [
+        check(f"{id}.span_contact", Text("Circle on which the span of {name} touches", name=name), sizes.span_contact_diameter, "in",
+            (wheel.form_diameter, wheel.tip_diameter), "mm", Text("{iso}: the anvils must touch the involute", iso=ISO),
+            Text("Span another number of teeth.")),
+        check(f"{id}.ball", Text("Measuring ball of {name}", name=name), D_M, "in", balls, "mm",
+            Text("geometry: the ball must touch between form and tip circle"), kind=kind, remedies=other_ball),
+    ]  # fmt: skip
+    if wheel.over_balls is not None:
+        checks.append(check(f"{id}.ball_proud", Text("Balls of {name} above its tip", name=name),
+            (wheel.over_balls - wheel.tip_diameter) / 2, ">", 0.0, "mm", Text("geometry: the balls must stand proud of the tip circle"),
+            kind=kind, remedies=other_ball))  # fmt: skip
+    if sizes.over_one_ball is not None:
+        above_root = sizes.over_one_ball - D_M - wheel.root_diameter / 2
+        checks.append(check(f"{id}.ball_root", Text("Ball of {name} above the root", name=name), above_root, ">=", 0.0, "mm",
+            Text("geometry: the ball must not lie on the root"), kind=kind, remedies=other_ball))  # fmt: skip
+    if system.beta:
+        checks.append(check(
+            f"{id}.span_width", Text("Face width of {name} for its span", name=name), wheel.face_width, ">=", sizes.span_width, "mm",
+            Text("{iso}: W·sin β_b, the width of the anvils apart", iso=ISO), Text("Span fewer teeth, or measure over balls."),
+        ))  # fmt: skip
+    return checks
+
+
+def _touching_ball(system: ToothSystem, wheel: WheelResult, d_y: Metre) -> Metre:
+    """Diameter of the ball that touches on a circle."""
+    alpha_yt = math.acos(min(wheel.base_diameter / d_y, 1.0))
+    alpha_t, beta_b = system.transverse_pressure_angle, system.base_helix_angle
+    return m.ball_for_contact(
+        wheel.reference_thickness, wheel.reference_diameter, alpha_t, wheel.teeth, wheel.base_diameter, beta_b, alpha_yt
+    )
+
+
+def checks(system: ToothSystem, wheel: WheelResult, sizes: MeasuresResult, teeth: dict[str, Measured]) -> tuple[Check, ...]:
+    """The constant chord, the pins of an odd helical wheel, and what was measured against the allowance, if there is one."""
+    id, name = f"gears.{wheel.name}", wheel.name
+    checks = [check(
+        f"{id}.constant_chord", Text("Circle of the ends of the constant chord of {name}", name=name), sizes.constant_chord_diameter, "in",
+        (wheel.form_diameter, wheel.tip_diameter), "mm", Text("{iso}: the calliper must touch the involute", iso=ISO),
+        Text("Measure the chord at the reference circle, or the span."),
+    )]  # fmt: skip
+    if sizes.pins_width is not None:
+        checks.append(check(
+            f"{id}.pins_width", Text("Face width of {name} for two opposite pins", name=name), wheel.face_width, ">=", sizes.pins_width,
+            "mm", Text("{skew}: half an axial pitch between the pins", skew=m.SKEW), Text("Measure over balls, or the span."),
+        ))  # fmt: skip
+    if wheel.allowance is None:
+        return tuple(checks)
+    upper, lower = wheel.allowance
+    for key, tooth in teeth.items():
+        checks.append(check(f"{id}.{key}", Text("Change of the span of {name} by its measured {names}", name=name, names=NAMES[key]),
+            tooth.span_change, "in", (lower, upper), "µm", Name(f"gears.wheels.{name}.span_allowance_um"),
+            _advice(system, wheel, key, sizes)))  # fmt: skip
+    if len(thicknesses := [tooth.normal_thickness for tooth in teeth.values()]) > 1:
+        checks.append(check(
+            f"{id}.measured_spread", Text("Tooth thickness of {name}, difference between the measured routes", name=name),
+            max(thicknesses) - min(thicknesses), "<=", (upper - lower) / math.cos(system.alpha_n), "µm", BETWEEN_MEASURED,
+            Text("Measure again; runout changes sizes over balls and pins, and the real tip a chordal thickness, but not a span."),
+        ))  # fmt: skip
+    return tuple(checks)
+
+
+def _advice(system: ToothSystem, wheel: WheelResult, key: str, sizes: MeasuresResult) -> Text:
+    """How a size is taken, and what can hide in it."""
+    ball = Text("It is taken with {ball_diameter} mm in diameter", ball_diameter=mm(wheel.ball_diameter, ".5g"))
+    if key == "measured_span":
+        return Text("It is taken over {span_teeth} teeth. Thicker: finish the teeth further; thinner: the backlash is larger.",
+            span_teeth=Amount(wheel.span_teeth, form="g"))  # fmt: skip
+    if key == "measured_over_balls":
+        return Text("{ball}. Half of the runout can hide in it.", ball=ball)
+    if key == "measured_over_pins":
+        free = ""
+        if sizes.over_pins is not None and sizes.over_two_pins is not None:
+            less = mm(sizes.over_pins - sizes.over_two_pins, ".3f")
+            free = Text(" Two pins under a free micrometer read {over_pins} mm less.", over_pins=less)
+        return Text("{ball}, between faces parallel to the axis.{free}", ball=ball, free=free)
+    tip = Text("It is taken {chordal_height} mm below a tip circle of {tip_diameter} mm",
+        chordal_height=mm(wheel.chordal_height, ".4f"), tip_diameter=mm(wheel.tip_diameter, ".4f"))  # fmt: skip
+    psi = math.asin(wheel.chordal_thickness * math.cos(system.beta) ** 3 / (wheel.teeth * system.m_n))
+    more = math.tan(system.alpha_n - psi) * 0.1  # the flank leans by so much against the middle of the tooth
+    return Text("{tip}; a tip circle smaller by 0.1 mm makes the chord read {more} mm more.", tip=tip, more=Amount(more, form=".3f"))
+
 
 STRAIGHT: Radian = 1e-6  # a smaller helix is none: its axial pitch is endless
 STEEPEST: Radian = math.pi / 4  # β_K from which two loose pins find no smallest distance near where they are opposite

@@ -21,8 +21,8 @@ from ...sheet.record import record
 from ...sheet.text import Amount, Text
 from ...sheet.units import Metre, Number, Radian
 from .. import formulas as f
+from ..practice import mm
 from ..result import ToothSystem
-from ..words import mm
 
 ROOT: Radian = -math.pi / 2  # direction of the corner's normal at the root
 FLATTEST: Radian = -1e-3  # as far as a corner with protuberance is followed: at 0 it would cut at an endless distance

@@ -10,14 +10,14 @@ from ...sheet.text import EMPTY, Amount, Text
 from ...sheet.units import Kelvin, Metre, NewtonMetre, NewtonPerMetre, Number, Pascal
 from ..inputs import GearsInputs
 from ..result import MeshResult
-from . import root_strength as root
+from . import strength as root
 from .classes import StrengthClass
 from .distribution import CLAUSE_7
 from .dynamic import CLAUSE_6, CLAUSE_9, MAIN_TO
-from .load import Load
-from .result import Influence, MeshRating, MeshStrength
-from .screening.result import Screening
+from .load import RatingLoad
 from .mesh_strength import S_F_LEAST, S_H_LEAST
+from .result import Influence, MeshRating, MeshStrength
+from .screening.load import Screening
 
 S_H_USUAL, S_F_USUAL = 1.2, 1.6
 MINIMUM = (
@@ -33,7 +33,7 @@ MARGIN: Kelvin = 50.0  # ISO/TR 13989-1:2000, 10.5
 LOWEST_TEST_PRESSURE: Pascal = 800e6  # load stage 5 of the FZG test C-GF, from memory
 
 
-def checks(mesh: MeshResult, key: str, rated: MeshRating, load: Load) -> Iterator[Check]:
+def checks(mesh: MeshResult, key: str, rated: MeshRating, load: RatingLoad) -> Iterator[Check]:
     """Of one mesh, its strength excepted; `key`: DRIVER_DRIVEN."""
     pair = mesh.title
     for wheel, form in rated.forms.items():
@@ -52,7 +52,7 @@ def checks(mesh: MeshResult, key: str, rated: MeshRating, load: Load) -> Iterato
 
 
 # --- the load --------------------------------------------------------------------------------------------------------------
-def overlooked(key: str, pair: str, load: Load) -> list[Check]:
+def overlooked(key: str, pair: str, load: RatingLoad) -> list[Check]:
     """Whether a given application factor covers the torque that is known."""
     if load.dynamic is None or load.of_peak or not load.mean:
         return []
@@ -174,9 +174,9 @@ def unrated_checks(wheels: Iterable[str]) -> tuple[Check, ...]:
 def roughness_check(root_rz: Metre) -> Check:
     """Whether the surface factor of the root holds."""
     return check(
-        "gears.train.root_roughness", Text("Roughness Rz of the roots"), root_rz, "<=", root.ROUGHEST, "µm",
+        "gears.train.root_roughness", Text("Roughness Rz of the roots"), root_rz, "<=", root.ROUGHEST_ROOT, "µm",
         Text("ISO 6336-3: Y_RrelT was found up to 40 µm"),
-        remedies=by_key(GearsInputs, "gears.root_rz_um", round(root.ROUGHEST * 1e6, 6), bound="<="),
+        remedies=by_key(GearsInputs, "gears.root_rz_um", round(root.ROUGHEST_ROOT * 1e6, 6), bound="<="),
     )  # fmt: skip
 
 

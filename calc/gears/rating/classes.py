@@ -16,9 +16,9 @@ from ...sheet.errors import NoSolution
 from ...sheet.formula import formula
 from ...sheet.record import record
 from ...sheet.text import Amount, Text
-from ...sheet.trace import about
 from ...sheet.units import UNITS, Metre, Number, Pascal
-from ..wheel_inputs import Wheel
+from ...sheet.value import about
+from ..inputs import Wheel
 
 FILE = "gear_materials.toml"
 DEFAULT = "case-hardened"

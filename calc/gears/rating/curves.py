@@ -7,9 +7,9 @@ from ...sheet.step import Curve, Series, Table, axis_label
 from ...sheet.text import Amount, Name, Text
 from ...sheet.units import UNITS
 from .classes import MEGAPASCAL, TABLE_1, StrengthClass
-from .result import Influence, MeshRating, MeshStrength
-from .screening.result import Screening
 from .mesh_strength import BENDING, CONTACT, Row
+from .result import Influence, MeshRating, MeshStrength
+from .screening.load import Screening
 
 FACTORS = (
     ("line_load", "w", "N/mm"), ("dynamic_factor", "K_V", ""), ("face_load_factor_flank", "K_Hβ", ""),

@@ -9,8 +9,8 @@ made for, and a check says so.
 from ...sheet.errors import NoSolution
 from ...sheet.record import record
 from ...sheet.text import Amount, Text
-from ...sheet.trace import about
 from ...sheet.units import KilogramPerMetre, KilogramPerMetre3, Metre, MetrePerSecond, Newton, NewtonPerMetre, Number, Pascal
+from ...sheet.value import about
 from ..result import MeshResult, ToothSystem, WheelResult
 from . import distribution as k
 from . import dynamic as v
@@ -19,7 +19,7 @@ from .stress import contact_ratio_factor, virtual_teeth
 
 
 @record
-class Side:
+class WheelOfPair:
     """What one wheel brings: its geometry, its solid, its flanks.
 
     `kind`: the class of ISO 6336-5 (Eh, IF, NT…, NV…, St, V, GTS, GGG, GGG(ferr.), GG).  `inner_diameter`: of the disc that stands for
@@ -34,7 +34,7 @@ class Side:
     inner_diameter: Metre = 0.0
 
 
-Pair = tuple[Side, Side]  # the wheel with fewer teeth, which is wheel 1 of the standard, and the other
+Pair = tuple[WheelOfPair, WheelOfPair]  # the wheel with fewer teeth, which is wheel 1 of the standard, and the other
 
 
 @record
@@ -56,7 +56,7 @@ def inner_diameter(root_diameter: Metre, bore: Metre | None, rim: Metre | None) 
 
 
 def influence(
-    system: ToothSystem, mesh: MeshResult, driver: Side, driven: Side, *, F_t: Newton, K_A: Number, grade: Number, f_sh: Metre = 0.0,
+    system: ToothSystem, mesh: MeshResult, driver: WheelOfPair, driven: WheelOfPair, *, F_t: Newton, K_A: Number, grade: Number, f_sh: Metre = 0.0,
     f_ma: Metre | None = None, C_a: Metre | None = None, Z_eps: Number | None = None,
 ) -> Influence:  # fmt: skip
     """All factors of a mesh.
@@ -130,7 +130,7 @@ def influence(
 def _deviations(system: ToothSystem, mesh: MeshResult, pair: Pair, grade: Number, f_ma: Metre | None, speed: MetrePerSecond) -> _Deviations:
     """Of both wheels the larger; a wheel that is smaller in diameter is never the worse one of the same grade."""
 
-    def graded(side: Side) -> Text:
+    def graded(side: WheelOfPair) -> Text:
         return Text("wheel {name} of mesh {pair}, grade {grade}", name=side.wheel.name, pair=mesh.title, grade=Amount(grade, form="g"))
 
     slopes = []
@@ -149,7 +149,7 @@ def _deviations(system: ToothSystem, mesh: MeshResult, pair: Pair, grade: Number
     return _Deviations(f_pb, f_falpha, f_ma, max(slopes), y_p, y_f)
 
 
-def _unlike(pair: Pair) -> tuple[Side, ...]:
+def _unlike(pair: Pair) -> tuple[WheelOfPair, ...]:
     """Both wheels, or one where their flanks are alike."""
     one, two = pair
     return (one,) if (one.kind, one.sigma_Hlim) == (two.kind, two.sigma_Hlim) else pair
@@ -176,7 +176,7 @@ def _stiffness(system: ToothSystem, name: Text, pair: Pair) -> Pascal:
     return v.single_stiffness(c_th=v.theoretical_stiffness(q=q), C_B=C_B, beta=system.beta, e=v.modulus_ratio(E_1=E_1, E_2=E_2))
 
 
-def _mass(side: Side) -> KilogramPerMetre:
+def _mass(side: WheelOfPair) -> KilogramPerMetre:
     """Of one wheel, reduced to the line of action."""
     wheel, inside = side.wheel, side.inner_diameter
     d_m = v.mean_diameter(d_a=wheel.tip_diameter, d_f=wheel.root_diameter)

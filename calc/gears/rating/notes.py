@@ -8,19 +8,18 @@ from ...sheet.text import COMMA, Amount, Text, plural
 from ...sheet.units import NewtonPerMetre, Number
 from ..result import ToothSystem
 from .classes import classes_of
-from .context import RatingContext
-from .life import LONGEST, endurance, flank_knees, root_knees
-from .load import Load
+from .load import RatingContext, RatingLoad
 from .result import Influence, MeshRating, MeshStrength
-from .screening.result import Screening
+from .screening.load import Screening
 from .screening.scuffing import LOAD_STAGE
 from .screening.solve import PERMISSIBLE_FILM
+from .strength import LONGEST, endurance, flank_knees, root_knees
 
 TESTED = Text("modules of 3 to 11 mm and 8 to 60 m/s")
 LIGHT: NewtonPerMetre = 100e3  # of line load, ISO 6336-1: below, its load factors are no longer proportional
 
 
-def notes(context: RatingContext, rated: Mapping[str, MeshRating], load: Mapping[str, Load]) -> tuple[Text, ...]:
+def notes(context: RatingContext, rated: Mapping[str, MeshRating], load: Mapping[str, RatingLoad]) -> tuple[Text, ...]:
     """All notes of the rating, each once; `rated` and `load` by DRIVER_DRIVEN."""
     gears, train = context.gears, context.train
     notes = [*_load_notes(context, next(iter(load.values())))]
@@ -46,7 +45,7 @@ def notes(context: RatingContext, rated: Mapping[str, MeshRating], load: Mapping
     return tuple(dict.fromkeys(notes))
 
 
-def _load_notes(context: RatingContext, load: Load) -> Iterator[Text]:
+def _load_notes(context: RatingContext, load: RatingLoad) -> Iterator[Text]:
     gears = context.gears
     K_A = Amount(load.K_A, form="g")
     yield Text(

@@ -4,11 +4,21 @@
 from ...sheet.quantity import Stated, group, result, value
 from ...sheet.record import record
 from ...sheet.text import Text
-from ...sheet.units import KilogramPerMetre, Metre, MetrePerSecond, Newton, NewtonMetre, NewtonPerMetre, Number, Pascal, Radian, RevPerSecond
+from ...sheet.units import (
+    KilogramPerMetre,
+    Metre,
+    MetrePerSecond,
+    Newton,
+    NewtonMetre,
+    NewtonPerMetre,
+    Number,
+    Pascal,
+    Radian,
+    RevPerSecond,
+)
 from .classes import StrengthClass
-from .strength import ContactStrength
-from .root_strength import RootStrength
-from .screening.result import Screening
+from .screening.load import Screening
+from .strength import ContactStrength, RootStrength
 
 
 @record
@@ -52,7 +62,7 @@ class Influence:
 
 
 @record
-class Side:
+class WheelStrength:
     """One wheel as its strength in one mesh needs it.
 
     `sigma_F0`: nominal root stress, K = 1.  `cycles` None: no life is given.  `loading`: pulsating or reversed.
@@ -82,7 +92,7 @@ class MeshStrength:
     velocity_factor: Number = value("Velocity factor", "", "Z_v")
     roughness_factor: Number = value("Roughness factor", "", "Z_R")
     wheels: dict[str, Stated] = group(spread=True)  # NAME_WHEEL
-    sides: tuple[Side, Side]
+    sides: tuple[WheelStrength, WheelStrength]
     contact: dict[str, ContactStrength]  # by wheel
     bending: dict[str, RootStrength]
 

@@ -6,29 +6,27 @@ from dataclasses import replace
 from functools import cache
 
 from ...library.catalogue import Material
-from ...sheet.finite import finite
 from ...sheet.formula import formula
 from ...sheet.later import Later
 from ...sheet.quantity import Described, Stated
-from ...sheet.step import Outcome, Table
+from ...sheet.step import Outcome, Table, finite
 from ...sheet.text import Text
-from ...sheet.trace import about, trace
 from ...sheet.units import NewtonMetre, Number
+from ...sheet.value import about, trace
 from ..inputs import GearsInputs
+from ..practice import EXTREME
 from ..result import MeshResult, TrainResult
-from ..words import EXTREME
 from . import checks as c
-from . import curves, nominal, source_sheet
+from . import curves, source_sheet
+from . import mesh_strength as nominal
 from . import stress as s
-from .context import REFERENCE_NU, RatingContext, Surroundings, rating_context
 from .influence import influence
-from .life import contacts_per_turn, load_cycles
-from .load import Load, Power, loads, mean_torques
-from .notes import notes
-from .result import MeshRating, RatingResult, Side
-from .root_strength import loading_of, rim_of
-from .screening.solve import screening
+from .load import REFERENCE_NU, Power, RatingContext, RatingLoad, Surroundings, loads, mean_torques, rating_context
 from .mesh_strength import MeshLoad, mesh_strength
+from .notes import notes
+from .result import MeshRating, RatingResult, WheelStrength
+from .screening.solve import screening
+from .strength import contacts_per_turn, load_cycles, loading_of, rim_of
 
 ALONE = Surroundings()
 
@@ -81,17 +79,17 @@ def rating(
 
 
 # --- one mesh --------------------------------------------------------------------------------------------------------------
-def _mesh(context: RatingContext, mesh: MeshResult, load: Load, mean: Mapping[str, NewtonMetre]) -> MeshRating:
+def _mesh(context: RatingContext, mesh: MeshResult, load: RatingLoad, mean: Mapping[str, NewtonMetre]) -> MeshRating:
     gears, train, system = context.gears, context.train, context.train.system
     driver, driven = wheels = train.wheels[mesh.driver], train.wheels[mesh.driven]
     pair = Text("mesh {pair}", pair=mesh.title)
     with about(pair):
         F_t = s.tangential_force(load.rated, driver.pitch_diameter)
-        contact = nominal.contact(system, mesh, driver, driven, F_t, context.materials)
+        contact = nominal.nominal_contact(system, mesh, driver, driven, F_t, context.materials)
     roots: dict[str, nominal.Root] = {}
     for wheel in wheels:
         with about(Text("root of {name} in {name2}", name=wheel.name, name2=pair)):
-            roots[wheel.name] = nominal.root(system, mesh, wheel, F_t, gears.iso_6336_edition)
+            roots[wheel.name] = nominal.nominal_root(system, mesh, wheel, F_t, gears.iso_6336_edition)
     sheet = source_sheet.sheet(system, mesh, wheels, mean[next(iter(mean))]) if gears.source_sheet == "finotti" else None
     rating = MeshRating(
         mean_torque=load.mean, dynamic_torque=load.dynamic, least_torque=load.least, application_factor=load.K_A, tangential_force=F_t,
@@ -120,7 +118,7 @@ def _labels(wheel: str) -> tuple[Described, ...]:
     )
 
 
-def _loaded(context: RatingContext, mesh: MeshResult, load: Load, rating: MeshRating, roots: Mapping[str, nominal.Root]) -> MeshRating:
+def _loaded(context: RatingContext, mesh: MeshResult, load: RatingLoad, rating: MeshRating, roots: Mapping[str, nominal.Root]) -> MeshRating:
     """The same with load factors, strength and screening: of a mesh that carries something, whose wheels have a strength class."""
     gears, train, system = context.gears, context.train, context.train.system
     driver, driven = mesh.driver, mesh.driven
@@ -154,7 +152,7 @@ def _loaded(context: RatingContext, mesh: MeshResult, load: Load, rating: MeshRa
     return replace(rating, influence=K, contact_load_factor=K_H, root_load_factor=K_F, strength=strength, screening=screened)
 
 
-def _side(context: RatingContext, name: str, root: nominal.Root, load: Load) -> Side:
+def _side(context: RatingContext, name: str, root: nominal.Root, load: RatingLoad) -> WheelStrength:
     gears, wheel = context.gears, context.train.wheels[name]
     given = next(w for w in gears.wheels if w.name == name)
     driven, drives = sum(m.driven == name for m in gears.meshes), sum(m.driver == name for m in gears.meshes)
@@ -162,7 +160,7 @@ def _side(context: RatingContext, name: str, root: nominal.Root, load: Load) -> 
     if gears.life is not None:
         with about(Text("wheel {name}", name=name)):
             cycles = load_cycles(n=abs(wheel.speed), L_h=gears.life, c=float(contacts_per_turn(driven, drives)))
-    return Side(
+    return WheelStrength(
         name, context.classes[name], wheel.teeth, wheel.tip_diameter, wheel.base_diameter, wheel.tooth_depth,
         rim_of(wheel.root_diameter, given.bore_diameter, given.rim_thickness), root.form.q_s, root.sigma_F0,
         loading_of(driven, drives, reverses), cycles,

@@ -12,14 +12,13 @@ from ...sheet.formula import formula
 from ...sheet.functions import cos, pi, sin, sqrt
 from ...sheet.step import Erratum, Table
 from ...sheet.text import EMPTY, Amount, Text
-from ...sheet.trace import about, untraced
 from ...sheet.units import UNITS, Metre, Newton, NewtonMetre, Number, Pascal, Radian
-from ...sheet.value import based_on
+from ...sheet.value import about, based_on, untraced
 from .. import formulas as f
 from ..measures.formulas import ball_for_contact
 from ..result import MeshResult, ToothSystem, TrainResult, WheelResult
 from . import stress as s
-from .nominal import lever, section
+from .mesh_strength import lever, section
 from .result import MeshRating, SheetResult, ToothForm
 
 SHEET = Text("Finotti 2013, sheet of Tables 4.5 and 4.6")

@@ -9,12 +9,12 @@ import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 
-from ...sheet.changes import Changes
 from ...sheet.check import ORDER, Check
 from ...sheet.errors import NoSolution
 from ...sheet.progress import Progress, tell
 from ...sheet.quantity import keys
 from ...sheet.record import record
+from ...sheet.remedy import Changes
 from ...sheet.step import Table
 from ...sheet.text import EMPTY, SEMICOLON, Amount, Text
 from ...sheet.units import Metre, RevPerSecond

@@ -6,21 +6,21 @@ looked at.  Several: a grid that narrows around its best point, which follows th
 """
 
 import math
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from typing import cast
 
 import numpy as np
 
 from ...sheet.arrays import Array
+from ...sheet.errors import NoSolution
 from ...sheet.quantity import keys
 from ...sheet.record import record
-from ...sheet.search import Judged, least, least_wanted, multiples, narrowed
-from ..inputs import GearsInputs
+from ...sheet.search import Judged, governing, least, least_wanted, multiples, narrowed, stretch
+from ...sheet.text import SEMICOLON, Amount, Small, Text
+from ..inputs import GearsInputs, Wheel
 from ..result import ToothSystem
-from ..wheel_inputs import Wheel
 from .free_shifts import Freedom
-from .rules import HARD_CASE, USUAL, Bar, judge, keeps
-from .states import States, states
+from .states import HARD_CASE, UNDERCUT, USUAL, Bar, ShiftRule, States, judge, keeps, states
 
 ROUND = 10_000  # points of the lattice per unit of the shift
 HIGHEST = keys(Wheel)["profile_shift"].about.high or 3.0  # shift coefficient: the end of its input
@@ -30,7 +30,7 @@ KEPT = 40  # grids that are kept for another bar: each of four free shifts takes
 
 
 @record
-class Case:
+class ShiftCase:
     """`bars`: limits to choose by, the strictest first."""
 
     system: ToothSystem
@@ -63,16 +63,16 @@ class Slice:
     high: str
 
 
-def evaluated(case: Case, freedom: Freedom, free: Mapping[str, float | Array], cuts: Mapping[str, float]) -> States:
+def evaluated(case: ShiftCase, freedom: Freedom, free: Mapping[str, float | Array], cuts: Mapping[str, float]) -> States:
     return states(case.system, freedom.gears, freedom.shifts(free), cuts)
 
 
-def ends(case: Case, freedom: Freedom) -> dict[str, tuple[float, float, str, str]]:
+def ends(case: ShiftCase, freedom: Freedom) -> dict[str, tuple[float, float, str, str]]:
     one = evaluated(case, freedom, {name: freedom.start[name] for name in freedom.free}, {})
     return freedom.bounds(one.undercut_limit, HIGHEST)
 
 
-def slice_of(case: Case, freedom: Freedom, at: Mapping[str, float] | None = None, bar: Bar = HARD_CASE) -> Slice | None:
+def slice_of(case: ShiftCase, freedom: Freedom, at: Mapping[str, float] | None = None, bar: Bar = HARD_CASE) -> Slice | None:
     """Along the first free shift, the others at `at`; None where undercut leaves nothing between its two ends."""
     leader = freedom.free[0]
     points = along(case, freedom, leader, at or {})
@@ -82,7 +82,7 @@ def slice_of(case: Case, freedom: Freedom, at: Mapping[str, float] | None = None
     return Slice(freedom, leader, *points, judge(points[1], case.system, bar), by_low, by_high)
 
 
-def along(case: Case, freedom: Freedom, leader: str, at: Mapping[str, float] | None = None) -> tuple[Array, States] | None:
+def along(case: ShiftCase, freedom: Freedom, leader: str, at: Mapping[str, float] | None = None) -> tuple[Array, States] | None:
     """Every point of the lattice along one free shift, the others at `at`, else as they are; None where undercut leaves none."""
     low, high, _, _ = ends(case, freedom)[leader]
     t = multiples(1, low * ROUND, high * ROUND) / ROUND
@@ -97,7 +97,7 @@ def objective(found: States) -> Array:
 
 
 def best(
-    case: Case, freedom: Freedom, cuts: Mapping[str, float], bar: Bar, near: Iterable[Mapping[str, float]] = (),
+    case: ShiftCase, freedom: Freedom, cuts: Mapping[str, float], bar: Bar, near: Iterable[Mapping[str, float]] = (),
     known: dict[bytes, States] | None = None,
 ) -> Best | None:  # fmt: skip
     """None where undercut leaves no shift at all.  `near`: shifts beside which several free ones are looked for as well.
@@ -135,7 +135,7 @@ def best(
     return Best(dict(zip(freedom.free, (reach[0] / ROUND).tolist())), *reach[1:])
 
 
-def refined(case: Case, freedom: Freedom, at: float, bar: Bar) -> tuple[float, float]:
+def refined(case: ShiftCase, freedom: Freedom, at: float, bar: Bar) -> tuple[float, float]:
     """(shift, largest sliding) of the optimum between the points of the lattice next to one, for one free shift."""
     width = 1.0 / ROUND
     for _ in range(5):
@@ -144,3 +144,75 @@ def refined(case: Case, freedom: Freedom, at: float, bar: Bar) -> tuple[float, f
         i = least_wanted(objective(found), keeps(found, case.system, bar))
         at, width = float(t[i]), width / 40
     return at, float(found.largest[i])
+
+
+# Between which shifts each rule holds, and what is said where nothing keeps them all.
+
+@record
+class Limit:
+    """Where one rule holds along the free shift, around the optimum or nearest to it; None: nowhere.  `low`, `high`: what ends it."""
+
+    rule: ShiftRule
+    range: tuple[float, float] | None
+    low: str
+    high: str
+
+
+def limits(along: Slice, i: int) -> Iterator[Limit]:
+    for rule in dict.fromkeys(one.rule for one in along.rules):
+        entries = [one for one in along.rules if one.rule is rule]
+        run = stretch(least(entries) >= 0, i)
+        if run is None:
+            yield Limit(rule, None, "", "")
+            continue
+        inner = 0 < run[0], run[1] < len(along.t) - 1
+        low = _stopped(entries, run[0] - 1) if inner[0] else _end(along, "low")
+        high = _stopped(entries, run[1] + 1) if inner[1] else _end(along, "high")
+        if rule is not UNDERCUT:
+            low, high = low if inner[0] else "", high if inner[1] else ""
+        yield Limit(rule, (float(along.t[run[0]]), float(along.t[run[1]])), low, high)
+
+
+def _stopped(entries: list[Judged], i: int) -> str:
+    place: str = governing(entries, i).where.name
+    return place
+
+
+def _end(along: Slice, side: str) -> str:
+    """The wheel that ends the slice: by undercut, or by the end of what can be given."""
+    wheel, i = (along.low, 0) if side == "low" else (along.high, -1)
+    x = float(along.states.shifts[wheel][i])
+    return wheel if x < along.states.undercut_limit[wheel] + 1e-3 else Text("{wheel} at x = {x}", wheel=wheel, x=Amount(x, digits=3))
+
+
+def too_narrow(case: ShiftCase, way: Freedom) -> NoSolution:
+    bounds = ends(case, way)
+    leader = next((name for name in way.free if bounds[name][0] > bounds[name][1]), way.free[0])
+    low, high, by_low, by_high = bounds[leader]
+    return NoSolution(
+        Text("no profile shift keeps all wheels from undercut"),
+        Text("shift of {leader}: {low_wheel} needs at least {low}, {high_wheel} at most {high}", leader=leader, low_wheel=by_low,
+             low=Amount(low, form=".4f"), high_wheel=by_high, high=Amount(high, form=".4f")),
+        Text("give a larger centre distance, more teeth, or a tool with a smaller addendum"),
+    )  # fmt: skip
+
+
+def nothing(along: Slice) -> NoSolution:
+    """The rules that stop it from both sides, and the shift that misses by least."""
+    i = int(np.argmax(least(along.rules)))
+    worst = governing(along.rules, i)
+    passes = []
+    for limit in limits(along, i):
+        rule = Small(limit.rule.name)
+        if limit.range is None:
+            passes.append(Text("{rule}: nowhere", rule=rule))
+        elif limit.low or limit.high:
+            low, high = (Amount(x, form=".4f") for x in limit.range)
+            passes.append(Text("{rule}: from {low} to {high}", rule=rule, low=low, high=high))
+    tried = Text(
+        "shift of {leader}, {low} to {high}, passes by {rules}. The nearest is {nearest}: {symbol} of {place} is {value}, needs {limit}",
+        leader=along.leader, low=Amount(along.t[0], form=".4f"), high=Amount(along.t[-1], form=".4f"), rules=SEMICOLON.join(passes),
+        nearest=Amount(along.t[i], form=".4f"), symbol=worst.rule.symbol, place=worst.where.name, value=float(worst.value[i]),
+        limit=worst.rule.limit,
+    )  # fmt: skip
+    return NoSolution(Text("no profile shift keeps every rule"), tried, worst.rule.advice)

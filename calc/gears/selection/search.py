@@ -18,10 +18,8 @@ from ...sheet.text import EMPTY, Name, Text
 from ..inputs import GearsInputs, Wheel
 from ..train import tooth_system
 from .free_shifts import Freedom, freedoms, settled
-from .limits import Limit, limits, nothing, too_narrow
-from .optimum import GRID, Case, Slice, best, evaluated, refined, slice_of
-from .rules import HARD_CASE, USUAL, Bar, eased, judge
-from .states import Place, States, states
+from .optimum import GRID, Limit, ShiftCase, Slice, best, evaluated, limits, nothing, refined, slice_of, too_narrow
+from .states import HARD_CASE, USUAL, Bar, Place, States, eased, judge, states
 
 AROUND = 0.05  # step of the shift between the rows around the optimum
 EACH_SIDE = 5  # of such rows
@@ -31,7 +29,7 @@ CUT_STEP = 0.05  # of the module: the step of the tip cut, before it is made rou
 
 
 @record
-class Row:
+class ShiftRow:
     """One train that can be written.  `freedom` None: the shifts as they are.  `cuts`: those that change.
 
     `least`: the rule with the least margin, and where.  `bar`: the limits that it is judged by.
@@ -64,20 +62,20 @@ class Row:
 
 
 @record
-class Found:
+class ShiftsFound:
     """What there is to choose.  `now`: None where the design contradicts itself.  `along`: what limits, wants and curve belong to.
 
     Numbered through in this order: `optima`, `wants` that pass, `around`, `cut_now` that pass, `cut_best`.
     """
 
-    case: Case
+    case: ShiftCase
     freedoms: tuple[Freedom, ...]
-    now: Row | None
-    optima: tuple[Row, ...]
-    wants: tuple[Row, ...]
-    around: tuple[Row, ...]
-    cut_now: tuple[Row, ...]
-    cut_best: tuple[Row, ...]
+    now: ShiftRow | None
+    optima: tuple[ShiftRow, ...]
+    wants: tuple[ShiftRow, ...]
+    around: tuple[ShiftRow, ...]
+    cut_now: tuple[ShiftRow, ...]
+    cut_best: tuple[ShiftRow, ...]
     limits: tuple[Limit, ...]
     along: Slice
     exact: tuple[float, float] | None  # shift and largest sliding of the optimum along one free shift, unrounded
@@ -86,17 +84,17 @@ class Found:
     unsought: tuple[Text, ...]  # those with more free shifts than are searched
 
     @property
-    def all(self) -> tuple[Row, ...]:
+    def all(self) -> tuple[ShiftRow, ...]:
         wants, cuts = (tuple(row for row in rows if row.passes) for rows in (self.wants, self.cut_now))
         return (*self.optima, *wants, *self.around, *cuts, *self.cut_best)
 
-    def number(self, row: Row) -> str:
+    def number(self, row: ShiftRow) -> str:
         return next((str(n) for n, one in enumerate(self.all, 1) if one is row), "")
 
 
-def search(gears: GearsInputs, progress: Progress | None = None, axis: complex | None = None) -> Found:
+def search(gears: GearsInputs, progress: Progress | None = None, axis: complex | None = None) -> ShiftsFound:
     """`axis`: of the last wheel, from the crank's.  Raises NoSolution where no shift keeps every rule, with the rules that stop it."""
-    case = Case(tooth_system(gears), gears)
+    case = ShiftCase(tooth_system(gears), gears)
     every = freedoms(gears, case.system, axis)
     ways = tuple(one for one in every if len(one.free) in GRID)
     if not ways:
@@ -104,7 +102,7 @@ def search(gears: GearsInputs, progress: Progress | None = None, axis: complex |
     now = _now(case)
     if now is not None and (bar := eased(now.states, case.system)) is not None:
         case = replace(case, bars=(*case.bars, bar))
-    offered: list[Row] = []
+    offered: list[ShiftRow] = []
     passed: set[Text] = set()
     work = [0.0, *np.cumsum([GRID[len(way.free)] ** len(way.free) for way in ways])]  # candidates, which is what takes the time
     for n, way in enumerate(ways):
@@ -126,7 +124,7 @@ def search(gears: GearsInputs, progress: Progress | None = None, axis: complex |
         raise nothing(along)
     i = int(np.argmin(np.abs(along.t - nearest[along.leader])))
     exact = refined(case, way, nearest[along.leader], bar) if main and len(way.free) == 1 else None
-    return Found(
+    return ShiftsFound(
         case=case, freedoms=ways, now=now, optima=tuple(optima), wants=tuple(_wants(case, along, nearest)),
         around=tuple(_around(case, along, nearest, i)), cut_now=tuple(_cut_now(case, now)), cut_best=cut_best,
         limits=tuple(limits(along, i)), along=along, exact=exact,
@@ -138,8 +136,8 @@ def search(gears: GearsInputs, progress: Progress | None = None, axis: complex |
 
 # --- rows ------------------------------------------------------------------------------------------------------------------
 def _row(
-    case: Case, name: Text, freedom: Freedom | None, free: Mapping[str, float], cuts: Mapping[str, float], made: States, wants: str = ""
-) -> Row:
+    case: ShiftCase, name: Text, freedom: Freedom | None, free: Mapping[str, float], cuts: Mapping[str, float], made: States, wants: str = ""
+) -> ShiftRow:
     """Judged by the strictest limits that it keeps; where it keeps none, by the usual ones."""
     for bar in (*case.bars, USUAL):
         rules = judge(made, case.system, bar)
@@ -147,37 +145,37 @@ def _row(
             break
     sliding = {at: abs(float(zeta[0])) for at, zeta in made.sliding.items()}
     of = max(sliding, key=lambda at: np.inf if np.isnan(sliding[at]) else sliding[at])
-    return Row(name, freedom, free, cuts, made, float(made.largest[0]), of, governing(rules, 0), bar, wants)
+    return ShiftRow(name, freedom, free, cuts, made, float(made.largest[0]), of, governing(rules, 0), bar, wants)
 
 
-def _now(case: Case) -> Row | None:
+def _now(case: ShiftCase) -> ShiftRow | None:
     train = settled(case.gears, case.system)
     return None if train is None else _row(case, Text("now"), None, {}, {}, states(case.system, case.gears, train.shifts))
 
 
-def _shown(row: Row) -> float:
+def _shown(row: ShiftRow) -> float:
     """The largest sliding, without the digits that are those of round shifts."""
     return round(row.largest, 4)
 
 
-def _keeps(case: Case, row: Row, bar: Bar) -> bool:
+def _keeps(case: ShiftCase, row: ShiftRow, bar: Bar) -> bool:
     """Whether a row that passes keeps these limits, or stricter ones."""
     return case.bars.index(row.bar) <= case.bars.index(bar)
 
 
 def _optima(
-    case: Case,
+    case: ShiftCase,
     way: Freedom,
     cuts: Mapping[str, float] | None = None,
     name: Text = EMPTY,
-    within: Sequence[Row] = (),
+    within: Sequence[ShiftRow] = (),
     progress: Progress | None = None,
-) -> list[Row]:
+) -> list[ShiftRow]:
     """By the strictest limits that let something pass; then by each of the less strict ones that allow less sliding.
 
     `within`: rows of ways with less freedom, beside which is looked as well.
     """
-    found: list[Row] = []
+    found: list[ShiftRow] = []
     known: dict[bytes, States] = {}
     for n, bar in enumerate(case.bars):
         tell(progress, n / len(case.bars), name or way.name)
@@ -190,12 +188,12 @@ def _optima(
     return found
 
 
-def _along(case: Case, along: Slice, at: Mapping[str, float], t: float, name: Text, wants: str = "") -> Row:
+def _along(case: ShiftCase, along: Slice, at: Mapping[str, float], t: float, name: Text, wants: str = "") -> ShiftRow:
     free = {**at, along.leader: t}
     return _row(case, name, along.freedom, free, {}, evaluated(case, along.freedom, free, {}), wants)
 
 
-def _wants(case: Case, along: Slice, at: Mapping[str, float]) -> list[Row]:
+def _wants(case: ShiftCase, along: Slice, at: Mapping[str, float]) -> list[ShiftRow]:
     """The optimum of each pair alone, by its own rules."""
     found = []
     for mesh in case.gears.meshes if len(case.gears.meshes) > 1 else ():
@@ -209,7 +207,7 @@ def _wants(case: Case, along: Slice, at: Mapping[str, float]) -> list[Row]:
     return found
 
 
-def _around(case: Case, along: Slice, at: Mapping[str, float], i: int) -> list[Row]:
+def _around(case: ShiftCase, along: Slice, at: Mapping[str, float], i: int) -> list[ShiftRow]:
     passing = stretch(least(along.rules) >= 0, i)
     if passing is None:
         return []
@@ -220,7 +218,7 @@ def _around(case: Case, along: Slice, at: Mapping[str, float], i: int) -> list[R
 
 
 # --- tip cuts --------------------------------------------------------------------------------------------------------------
-def cut_steps(case: Case, wheel: Wheel) -> list[float]:
+def cut_steps(case: ShiftCase, wheel: Wheel) -> list[float]:
     """None, steps of a round part of the module, and that of the design."""
     wanted = CUT_STEP * case.system.m_n * 1e3
     size = 10.0 ** np.floor(np.log10(wanted))
@@ -228,7 +226,7 @@ def cut_steps(case: Case, wheel: Wheel) -> list[float]:
     return sorted({round(float(n * step), 6) / 1e3 for n in range(CUTS + 1)} | {wheel.tip_shortening})
 
 
-def _cut_now(case: Case, now: Row | None) -> list[Row]:
+def _cut_now(case: ShiftCase, now: ShiftRow | None) -> list[ShiftRow]:
     found = []
     for wheel in case.gears.wheels if now is not None else ():
         assert now is not None
@@ -239,7 +237,7 @@ def _cut_now(case: Case, now: Row | None) -> list[Row]:
     return found
 
 
-def _cut_best(case: Case, way: Freedom, uncut: Sequence[Row], progress: Progress | None = None) -> list[Row]:
+def _cut_best(case: ShiftCase, way: Freedom, uncut: Sequence[ShiftRow], progress: Progress | None = None) -> list[ShiftRow]:
     """Cuts by which the largest sliding is less than without them and by a smaller cut of the wheel, or which keep stricter limits."""
     found = []
     for n, wheel in enumerate(case.gears.wheels):

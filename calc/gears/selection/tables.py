@@ -6,15 +6,14 @@ from dataclasses import replace
 
 import numpy as np
 
-from ...sheet.changes import Changes
+from ...sheet.remedy import Changes
 from ...sheet.step import Table
 from ...sheet.text import COMMA, EMPTY, SPACE, Amount, Name, Text, listed, plural
 from ..inputs import GearsInputs
 from .free_shifts import Freedom
 from .optimum import GRID
-from .rules import CLEARANCE, CONTACT, FILLET, HARD_CASE, HARDENED, TIP, USUAL
-from .search import Found, Row
-from .states import Place
+from .search import ShiftRow, ShiftsFound
+from .states import CLEARANCE, CONTACT, FILLET, HARD_CASE, HARDENED, TIP, USUAL, Place
 
 Cells = tuple[str | float | None, ...]
 NUMBER, NOW, WHAT, LARGEST, OF = Text("no."), Text("now"), Text("what"), Text("max |ζ_A|"), Text("of")
@@ -39,7 +38,7 @@ def _shifts_of(wheels: Sequence[str]) -> list[tuple[Text, str]]:
     return _columns(*(Text("x {wheel}", wheel=name) for name in wheels))
 
 
-def choices_table(found: Found, top: int) -> Table:
+def choices_table(found: ShiftsFound, top: int) -> Table:
     """The design as it is, then the optimum of each way to leave shifts free."""
     title = Text("No shift keeps every rule with the tips as they are")
     if found.optima:
@@ -48,7 +47,7 @@ def choices_table(found: Found, top: int) -> Table:
     return _rows_table(found, "shifts", title, rows, EXPLAIN)
 
 
-def wants_table(found: Found) -> Table | None:
+def wants_table(found: ShiftsFound) -> Table | None:
     """What each pair alone would have, and what that does to the train."""
     if not found.wants:
         return None
@@ -64,7 +63,7 @@ def wants_table(found: Found) -> Table | None:
     return Table("wants", title, tuple(columns), tuple(cells))
 
 
-def around_table(found: Found) -> Table | None:
+def around_table(found: ShiftsFound) -> Table | None:
     """Round shifts beside the optimum."""
     if not found.around:
         return None
@@ -75,22 +74,22 @@ def around_table(found: Found) -> Table | None:
     return _rows_table(found, "around", title, _numbered(found, found.around), note)
 
 
-def _now(found: Found) -> list[tuple[str, Row]]:
+def _now(found: ShiftsFound) -> list[tuple[str, ShiftRow]]:
     return [(NOW, found.now)] if found.now else []
 
 
-def _numbered(found: Found, rows: Sequence[Row]) -> list[tuple[str, Row]]:
+def _numbered(found: ShiftsFound, rows: Sequence[ShiftRow]) -> list[tuple[str, ShiftRow]]:
     return [(found.number(row), row) for row in rows]
 
 
-def _rows_table(found: Found, id: str, title: Text, rows: list[tuple[str, Row]], note: Text) -> Table:
+def _rows_table(found: ShiftsFound, id: str, title: Text, rows: list[tuple[str, ShiftRow]], note: Text) -> Table:
     wheels = [w.name for w in found.case.gears.wheels]
     columns = [*_columns(NUMBER, WHAT), *_shifts_of(wheels), *VERDICT]
     cells = [(n, row.name, *(_shift(row, name) for name in wheels), *_verdict(row)) for n, row in rows]
     return _with_bars(Table(id, title, tuple(columns), tuple(cells), note), [row for _, row in rows])
 
 
-def _with_bars(table: Table, rows: list[Row]) -> Table:
+def _with_bars(table: Table, rows: list[ShiftRow]) -> Table:
     """The limits that each row keeps, of which its margin is: in a column of their own, in the note where they are the same."""
     kept = [_kept(row) for row in rows]
     bars = [bar for bar in BARS if bar in kept]
@@ -104,21 +103,21 @@ def _with_bars(table: Table, rows: list[Row]) -> Table:
     return replace(table, note=SPACE.join(filter(None, (table.note, note))))
 
 
-def _verdict(row: Row) -> Cells:
+def _verdict(row: ShiftRow) -> Cells:
     return (_round(row.largest, 3), _of(row.of), _round(row.margin * 100, 1), _stopped(row))
 
 
-def _stopped(row: Row) -> Text:
+def _stopped(row: ShiftRow) -> Text:
     return Text("{rule} {place}", rule=row.least.rule.brief, place=row.least.where.name)
 
 
-def _kept(row: Row) -> str:
+def _kept(row: ShiftRow) -> str:
     if not row.passes:
         return ""
     return "hardened" if row.bar == HARD_CASE else "usual" if row.bar == USUAL else "as now"
 
 
-def _shift(row: Row, wheel: str) -> float:
+def _shift(row: ShiftRow, wheel: str) -> float:
     return round(float(row.states.shifts[wheel][0]), 5)
 
 
@@ -136,7 +135,7 @@ def _round(number: float, digits: int) -> float | None:
     return round(number, digits) if np.isfinite(number) else None
 
 
-def sliding_table(found: Found, top: int) -> Table:
+def sliding_table(found: ShiftsFound, top: int) -> Table:
     """Every mesh of the first rows and of the design as it is."""
     columns = [*_columns(NUMBER, Text("mesh")), (Name("a_w"), "mm")]
     columns += _columns(Text("ζ_A driver"), Text("ζ_A driven"), Text("ζ_B driver"), Text("ζ_B driven"), Name("ε_α"))
@@ -151,7 +150,7 @@ def sliding_table(found: Found, top: int) -> Table:
     return Table("sliding", Text("Specific sliding in every mesh"), tuple(columns), tuple(cells), note)
 
 
-def _mesh_cells(found: Found, row: Row, key: str) -> Cells:
+def _mesh_cells(found: ShiftsFound, row: ShiftRow, key: str) -> Cells:
     s, m_n, pair = row.states, found.case.system.m_n, key.split("_")
     at: list[Place] = [(key, wheel) for wheel in pair]
     zeta = [float(s.sliding[p][0]) for p in at] + [float(s.sliding_lpstc[p][0]) for p in at]
@@ -160,7 +159,7 @@ def _mesh_cells(found: Found, row: Row, key: str) -> Cells:
     return (key.replace("_", "–"), _round(a_w * 1e3, 4), *(_round(x, 3) for x in (*zeta, ratio, *(length / m_n for length in lengths))))
 
 
-def limits_table(found: Found) -> Table:
+def limits_table(found: ShiftsFound) -> Table:
     """Between which shifts each rule holds."""
     rows: list[Cells] = []
     for one in found.limits:
@@ -176,7 +175,7 @@ def limits_table(found: Found) -> Table:
     return Table("limits", title, tuple(columns), tuple(rows), note)
 
 
-def cuts_now_table(found: Found) -> Table | None:
+def cuts_now_table(found: ShiftsFound) -> Table | None:
     """Tip cuts one by one, the shifts as they are: what each does to both wheels."""
     if found.now is None:
         return None
@@ -185,7 +184,7 @@ def cuts_now_table(found: Found) -> Table | None:
     columns += [(Text("s_an cut"), "mm"), (Text("d_Nf mate"), "mm"), (Text("c mate"), "mm"), (LARGEST, "")]
     cells: list[Cells] = []
     for wheel in found.case.gears.wheels:
-        rows: list[tuple[str, float, Row]] = [
+        rows: list[tuple[str, float, ShiftRow]] = [
             (found.number(row), row.cuts[wheel.name], row) for row in found.cut_now if wheel.name in row.cuts
         ]
         rows.append((NOW, wheel.tip_shortening, found.now))
@@ -202,7 +201,7 @@ def cuts_now_table(found: Found) -> Table | None:
     return Table("tip_cuts_now", title, tuple(columns), tuple(cells), note)
 
 
-def _cut_cells(row: Row, key: str, wheel: str) -> Cells:
+def _cut_cells(row: ShiftRow, key: str, wheel: str) -> Cells:
     s, mate = row.states, _mate(key, wheel)
     own, other = (key, wheel), (key, mate)
     zeta = (s.sliding[own], s.sliding[other], s.sliding_lpstc[own], s.sliding_lpstc[other], s.contact_ratio[key])
@@ -210,7 +209,7 @@ def _cut_cells(row: Row, key: str, wheel: str) -> Cells:
     return (mate, *(_round(float(x[0]), 3) for x in zeta), *(_round(float(x[0]) * 1e3, 3) for x in lengths))
 
 
-def cuts_best_table(found: Found, top: int) -> Table | None:
+def cuts_best_table(found: ShiftsFound, top: int) -> Table | None:
     """Tip cuts with the shift that is then the best."""
     if not found.cut_best:
         return None
@@ -228,7 +227,7 @@ def cuts_best_table(found: Found, top: int) -> Table | None:
 
 
 # --- words -----------------------------------------------------------------------------------------------------------------
-def summary(found: Found) -> tuple[Text, ...]:
+def summary(found: ShiftsFound) -> tuple[Text, ...]:
     """Which shifts are free, in each way."""
     words = []
     for way in found.freedoms:
@@ -255,7 +254,7 @@ def summary(found: Found) -> tuple[Text, ...]:
     return tuple(words)
 
 
-def notes(found: Found) -> tuple[Text, ...]:
+def notes(found: ShiftsFound) -> tuple[Text, ...]:
     made = [Text(
         "Kept by numbered rows: x ≥ x_min, s_an ≥ {tip}·m_n, ε_α ≥ {contact}, start of contact {fillet}·m_n above the fillet of the "
         "thinnest tooth, and c ≥ {clearance}·m_n.",
@@ -287,7 +286,7 @@ def _rows(numbers: list[int]) -> Text:
     return plural("row {rows}", "rows {rows}", n=len(numbers), rows=", ".join(map(str, numbers)))
 
 
-def _thinnest(found: Found, row: Row) -> float:
+def _thinnest(found: ShiftsFound, row: ShiftRow) -> float:
     return min(float(s[0]) for s in row.states.tip_thickness.values()) / found.case.system.m_n
 
 
@@ -295,7 +294,7 @@ def _name(gears: GearsInputs, i: int) -> str:
     return f"{gears.meshes[i].driver}–{gears.meshes[i].driven}"
 
 
-def changes(row: Row) -> Changes:
+def changes(row: ShiftRow) -> Changes:
     """The keys that put a row into a design; shifts that would contradict it go."""
     cuts = {f"gears.wheels.{name}.tip_shortening_mm": round(k * 1e3, 6) for name, k in row.cuts.items()}
     return cuts | (freed(row.freedom, row.free) if row.freedom is not None else {})
@@ -308,7 +307,7 @@ def freed(way: Freedom, free: Mapping[str, float]) -> Changes:
     return dict.fromkeys(way.removed) | shifts | held
 
 
-def changed(row: Row) -> Text:
+def changed(row: ShiftRow) -> Text:
     """`x central = 0.0873, tip cut idler 0.3 mm`."""
     words = [Text("x {wheel} = {x}", wheel=name, x=Amount(x, form=".4f")) for name, x in row.free.items()]
     if row.freedom is not None:

@@ -8,29 +8,27 @@ import numpy as np
 
 from ...bearings.result import BearingsResult
 from ...bearings.selection.grid import LENGTH_STEP
-from ...bearings.selection.states import Task
+from ...bearings.selection.states import BearingTask
 from ...bearings.selection.variants import SUPPLIES, Variant, own_tasks
 from ...countershaft.result import CountershaftResult
 from ...design.model import Design
+from ...design.step_inputs import shaft_gear
 from ...design.toml_file import Document, design
 from ...gears.result import TrainResult
 from ...library.journal_rules import USUAL_LENGTH_RATIO
 from ...library.lubricant import Lubricant
-from ..bearings_case import bearings_case
 from ...sheet.arrays import Array
 from ...sheet.errors import BadInput, NoSolution
 from ...sheet.record import record
 from ...sheet.text import EMPTY, Text
-from ...sheet.trace import untraced
 from ...sheet.units import Kilogram
+from ...sheet.value import untraced
 from ...solve import Results, solve
-from ...design.step_inputs import shaft_gear
-from .combine import Rows, Sizes, class_front, combinations
-from .films import Films, films, least_length, lengths
-from ...optimise.other_films import Beside, Stands
-from ...optimise.problem import Problem
-from .shafts import Drive, with_turning
-from .problem import CORE
+from ..bearings_case import bearings_case
+from .combine import DriveRows, Sizes, class_front, combinations
+from .films import Beside, Films, Stands, films, least_length, lengths
+from .problem import CORE, Problem
+from .shafts import ShaftSurroundings, with_turning
 from .whole import Sized, journals_power, other_wheels, whole, written
 
 PURE = 1e-6  # of the couple over the span: a force below it is none
@@ -45,7 +43,7 @@ class ClassFront:
     """What one class gives.  `combinations` that were looked at; `crank`: crank power over that of both journals, intercept and slope;
     `wheels`: mass of those that are not on the shaft."""
 
-    rows: Rows
+    rows: DriveRows
     combinations: int
     crank: tuple[float, float]
     wheels: Kilogram = 0.0
@@ -98,17 +96,17 @@ def class_of(problem: Problem, choices: dict[str, Any]) -> ClassFront:
         return ClassFront(rows, count, _line(problem, choices, rows), wheels)
 
 
-def class_with(problem: Problem, choices: dict[str, Any]) -> Rows:
+def class_with(problem: Problem, choices: dict[str, Any]) -> DriveRows:
     """Its rows alone."""
     return class_front(*tables_of(problem, choices))
 
 
-def tables_of(problem: Problem, choices: dict[str, Any]) -> tuple[Drive, Sizes]:
+def tables_of(problem: Problem, choices: dict[str, Any]) -> tuple[ShaftSurroundings, Sizes]:
     """What is combined in a class."""
     return _put(problem, *_solved(problem, choices))
 
 
-def _put(problem: Problem, made: Design, results: Results) -> tuple[Drive, Sizes]:
+def _put(problem: Problem, made: Design, results: Results) -> tuple[ShaftSurroundings, Sizes]:
     drive = drive_of(made, results, problem.binds("countershaft.fillet_room"))
     return drive, sizes_of(problem, made, results, drive)
 
@@ -141,14 +139,14 @@ class NotClosed(NoSolution):
     """The closed form does not hold: `text` says why."""
 
 
-def drive_of(made: Design, results: Results, filleted: bool = True) -> Drive:
+def drive_of(made: Design, results: Results, filleted: bool = True) -> ShaftSurroundings:
     """`filleted`: whether a gap between two shoulders must be none, or hold its fillets."""
     shaft, solved = made.countershaft, results.result(CountershaftResult)
     assert shaft is not None and solved is not None
     gear = shaft_gear(made, results.result(TrainResult))
     z_1, z_2 = shaft.bearing_positions
     clearance = max(made.bearings.front.diameter, made.bearings.rear.diameter) / 2 - (shaft.outer_radius or 0.0)  # type: ignore[union-attr]
-    drive = Drive(made.materials[shaft.material], float(solved.couple), abs(float(solved.omega)), (z_1, z_2), clearance,
+    drive = ShaftSurroundings(made.materials[shaft.material], float(solved.couple), abs(float(solved.omega)), (z_1, z_2), clearance,
         shaft.fillet_radius or 0.0, shaft.sector_effectiveness, (gear.diameter, gear.face_width) if gear else None, filleted,
         gear_z=shaft.gear_z, holes=shaft.holes)  # fmt: skip
     own = made.bearings
@@ -158,7 +156,7 @@ def drive_of(made: Design, results: Results, filleted: bool = True) -> Drive:
     return with_turning(drive, shaft.core_radius or 0.0, *sizes, (solved.slope_front, solved.slope_rear))
 
 
-def sizes_of(problem: Problem, made: Design, results: Results, drive: Drive) -> Sizes:
+def sizes_of(problem: Problem, made: Design, results: Results, drive: ShaftSurroundings) -> Sizes:
     assert made.bearings is not None
     own = made.bearings
     tasks = own_tasks(bearings_case(made, results))
@@ -201,7 +199,7 @@ def _surface(one: tuple[float, float] | None, made: Design) -> tuple[tuple[float
     return front, rear
 
 
-def _over_diameters(problem: Problem, place: str, task: Task, variant: Variant, longest: float, beside: Beside) -> list[Films]:
+def _over_diameters(problem: Problem, place: str, task: BearingTask, variant: Variant, longest: float, beside: Beside) -> list[Films]:
     advice = [name for name in ADVICE if problem.binds(f"bearings.{place}.{name}")]
     ratios = task.rules["length_ratio_usual" if "length_ratio_usual" in advice else "length_ratio"].check.limit
     assert isinstance(ratios, tuple)
@@ -219,7 +217,7 @@ def _within(length: Array, above: float, longest: float) -> Array:
     return length[(length > above) & (length <= longest + 1e-9)]
 
 
-def sized(problem: Problem, choices: dict[str, Any], rows: Rows, n: int) -> Sized:
+def sized(problem: Problem, choices: dict[str, Any], rows: DriveRows, n: int) -> Sized:
     """One row in the units of the keys."""
     mm = {name: round(float(getattr(rows, name)[n]) * 1e3, 6) for name in ("core", *_SIZES)}
     um = {place: round(float(getattr(rows, f"{place}_clearance")[n]) * 1e6, 6) for place in ("front", "rear")}
@@ -230,7 +228,7 @@ def sized(problem: Problem, choices: dict[str, Any], rows: Rows, n: int) -> Size
 _SIZES = ("front_diameter", "front_length", "rear_diameter", "rear_length")
 
 
-def _line(problem: Problem, choices: dict[str, Any], rows: Rows) -> tuple[float, float]:
+def _line(problem: Problem, choices: dict[str, Any], rows: DriveRows) -> tuple[float, float]:
     """Crank power is a straight line over the power of both journals: through two rows that are solved whole."""
     points = []
     for n in dict.fromkeys([int(rows.power.argmin()), int(rows.power.argmax())]):

@@ -16,8 +16,8 @@ from ...sheet.arrays import Array, BoolArray, IndexArray
 from ...sheet.record import record
 from ...sheet.units import Metre, Number, Radian
 from .films import Films, asked_film
-from ...optimise.front import front, lower_left
-from .shafts import Drive, Shafts, journal_mass, journal_slopes, shafts
+from .front import front, lower_left
+from .shafts import Shafts, ShaftSurroundings, journal_mass, journal_slopes, shafts
 
 STEPS = 1000  # of the slope's limit
 OWN = 1.01  # on what a journal's own bending adds to its slope, while it turns: a part of a hundred of it
@@ -44,7 +44,7 @@ class Sizes:
 
 
 @record
-class Rows:
+class DriveRows:
     """Combinations, an array each: sizes in SI, `power` of both journals, `mass` of the shaft, the number of its `surface`."""
 
     core: Array
@@ -59,8 +59,8 @@ class Rows:
     power: Array
     mass: Array
 
-    def at(self, places: IndexArray | BoolArray) -> "Rows":
-        return Rows(**{name: numbers[places] for name, numbers in vars(self).items()})
+    def at(self, places: IndexArray | BoolArray) -> "DriveRows":
+        return DriveRows(**{name: numbers[places] for name, numbers in vars(self).items()})
 
     @property
     def seat(self) -> Array:
@@ -71,8 +71,8 @@ class Rows:
         return len(self.power)
 
 
-def joined(parts: Sequence[Rows]) -> Rows:
-    return Rows(**{name: np.concatenate([getattr(part, name) for part in parts]) for name in Rows.__dataclass_fields__})
+def joined(parts: Sequence[DriveRows]) -> DriveRows:
+    return DriveRows(**{name: np.concatenate([getattr(part, name) for part in parts]) for name in DriveRows.__dataclass_fields__})
 
 
 @record
@@ -94,7 +94,7 @@ def combinations(sizes: Sizes) -> int:
     return int(np.prod(list(count.values()))) * len(sizes.core) * len(sizes.surfaces)
 
 
-def class_front(drive: Drive, sizes: Sizes) -> Rows:
+def class_front(drive: ShaftSurroundings, sizes: Sizes) -> DriveRows:
     """The rows of a class that no other of it beats in power, mass, seat, surfaces and margin."""
     found = [rows for surface in range(len(sizes.surfaces)) for rows in _of_surface(drive, sizes, surface)]
     if not found:
@@ -104,7 +104,7 @@ def class_front(drive: Drive, sizes: Sizes) -> Rows:
     return rows.at(front(objectives))
 
 
-def _of_surface(drive: Drive, sizes: Sizes, surface: int) -> Iterator[Rows]:
+def _of_surface(drive: ShaftSurroundings, sizes: Sizes, surface: int) -> Iterator[DriveRows]:
     small_place = "front" if sizes.seat == "rear" else "rear"
     lengths = np.unique(np.concatenate([np.round(f.length, 9) for f in sizes.films[small_place]] or [np.zeros(0)]))
     for margin in sizes.margins:
@@ -128,7 +128,7 @@ def _table(sizes: Sizes, films: Films, own: Array, surface: int, margin: Number)
     return least
 
 
-def _small(drive: Drive, sizes: Sizes, place: str, surface: int, margin: Number, lengths: Array) -> _Small | None:
+def _small(drive: ShaftSurroundings, sizes: Sizes, place: str, surface: int, margin: Number, lengths: Array) -> _Small | None:
     layers_P: list[Array] = []
     layers_D: list[Array] = []
     best = np.full((lengths.size, STEPS + 1), np.inf)
@@ -154,7 +154,7 @@ def _small(drive: Drive, sizes: Sizes, place: str, surface: int, margin: Number,
     return _Small(lengths, np.array(layers_P), np.array(layers_D), other) if layers_P else None
 
 
-def _with_seat(drive: Drive, sizes: Sizes, small: _Small, big: Films, surface: int, margin: Number) -> Rows | None:
+def _with_seat(drive: ShaftSurroundings, sizes: Sizes, small: _Small, big: Films, surface: int, margin: Number) -> DriveRows | None:
     """The front of power and mass with one largest journal."""
     front_is_small = sizes.seat == "rear"
     d = big.task.diameter
@@ -191,7 +191,7 @@ def _with_seat(drive: Drive, sizes: Sizes, small: _Small, big: Films, surface: i
         (power[chosen], mass[chosen]))  # fmt: skip
 
 
-def _shafts(drive: Drive, core: Array, l_f: Array, l_r: Array, d: Metre, front_is_small: bool) -> Shafts:
+def _shafts(drive: ShaftSurroundings, core: Array, l_f: Array, l_r: Array, d: Metre, front_is_small: bool) -> Shafts:
     """With the rear journal's own bending and mass within: where the rear one is the smaller, those are taken out again."""
     shaft = shafts(drive, core, l_f, l_r, d, d)
     slopes, mass = list(shaft.slopes), shaft.mass
@@ -215,9 +215,9 @@ def _least(power: Array, mass: Array) -> IndexArray:
 
 
 def _rows(
-    drive: Drive, sizes: Sizes, big: Films, small: _Small, surface: int, margin: Number, at: tuple[IndexArray, IndexArray, IndexArray],
+    drive: ShaftSurroundings, sizes: Sizes, big: Films, small: _Small, surface: int, margin: Number, at: tuple[IndexArray, IndexArray, IndexArray],
     diameter: Array, slopes: tuple[Array, Array], known: tuple[Array, Array],
-) -> Rows:  # fmt: skip
+) -> DriveRows:  # fmt: skip
     """The clearances of the rows that are kept: those of least power that bear their slopes."""
     i_c, i_s, i_b = at
     place = "front" if sizes.seat == "rear" else "rear"
@@ -236,7 +236,7 @@ def _rows(
     sized = (diameter, small.length[i_s], g_small), (np.full(i_c.size, big.task.diameter), big.length[i_b], g_big)
     (d_f, l_f, g_f), (d_r, l_r, g_r) = sized if place == "front" else sized[::-1]
     surfaces, margins = np.full(i_c.size, surface, dtype=float), np.full(i_c.size, margin)
-    return Rows(sizes.core[i_c], d_f, l_f, g_f, d_r, l_r, g_r, surfaces, margins, *known)
+    return DriveRows(sizes.core[i_c], d_f, l_f, g_f, d_r, l_r, g_r, surfaces, margins, *known)
 
 
 def _clearance(films: Films, bears: Array, column: int, slope: Radian) -> Metre:
@@ -244,5 +244,5 @@ def _clearance(films: Films, bears: Array, column: int, slope: Radian) -> Metre:
     return float(films.clearance[np.where(holds, films.power[:, column], np.inf).argmin()])
 
 
-def _empty() -> Rows:
-    return Rows(*(np.zeros(0) for _ in Rows.__dataclass_fields__))
+def _empty() -> DriveRows:
+    return DriveRows(*(np.zeros(0) for _ in DriveRows.__dataclass_fields__))

@@ -17,11 +17,10 @@ from ...sheet.arrays import Array
 from ...sheet.errors import NoSolution
 from ...sheet.text import Text
 from ...solve import Results
-from .combine import Rows, joined
-from ...optimise.front import front, representatives
-from ...optimise.problem import Problem
-from .run import Found, Table
-from .problem import CORE
+from .combine import DriveRows, joined
+from .front import front, representatives
+from .problem import CORE, Problem
+from .run import FrontFound, FrontTable
 from .whole import Sized, Whole, whole
 
 POPULATION = 40
@@ -44,7 +43,7 @@ def may(problem: Problem) -> Text | None:
 def evolved(
     problem: Problem, evaluations: int = EVALUATIONS, seed: int = 1, told: Callable[[int, int, int], None] | None = None,
     enough: Callable[[], bool] = bool,
-) -> Found:  # fmt: skip
+) -> FrontFound:  # fmt: skip
     """The best of some whole solutions, and where none passes what they break.  `told`: how many are done, of how many, how many pass.
     `enough`, asked after each of them, ends it.
 
@@ -147,7 +146,7 @@ class _Space:
         _, row, broken = self.known[key]
         return row, broken
 
-    def found(self) -> Found:
+    def found(self) -> FrontFound:
         problem, every = self.problem, list(self.known.values())
         good = [(one, row) for one, row, _ in every if not one.broken]
         units = np.array([problem.units[name] for name in problem.objectives])
@@ -156,9 +155,9 @@ class _Space:
         chosen = representatives(rows[kept], units, problem.rows)
         drives = sorted((good[int(kept[n])][0] for n in chosen), key=lambda one: (one.objectives["power"], str(one.changes)))
         worst = sorted((one for one in every if one[0].broken), key=lambda one: one[2])[:10]
-        nothing = Rows(*(np.zeros(0) for _ in Rows.__dataclass_fields__))
-        known = Table(joined([nothing]), np.zeros(0, dtype=int), rows[kept], len(every), ())
-        return Found(problem, known, tuple(drives), tuple(one for one, _, _ in worst), len(problem.classes), proved=False)
+        nothing = DriveRows(*(np.zeros(0) for _ in DriveRows.__dataclass_fields__))
+        known = FrontTable(joined([nothing]), np.zeros(0, dtype=int), rows[kept], len(every), ())
+        return FrontFound(problem, known, tuple(drives), tuple(one for one, _, _ in worst), len(problem.classes), proved=False)
 
 
 def _at(values: tuple[Any, ...], share: float) -> Any:

@@ -11,18 +11,121 @@ from dataclasses import replace
 import numpy as np
 
 from ...bearings import formulas as f
+from ...bearings.film import dynamics as d
+from ...bearings.film.dynamics import Dynamics, coefficients, orbit
+from ...bearings.film.table import FilmRangeError
+from ...bearings.loads import SMALL
 from ...bearings.routes import supply
-from ...bearings.routes.states import OperatingPoint
-from ...bearings.selection.grid import FEW, KEPT, LENGTH_STEP, OF_FILM, WIDEST, clearances, field_over, widest_usual
-from ...bearings.selection.states import Task, judge
+from ...bearings.routes.balance import settled
+from ...bearings.routes.states import BearingCase, Film, OperatingPoint
+from ...bearings.selection.grid import FEW, KEPT, LENGTH_STEP, OF_FILM, WIDEST, clearances, field_over, over_lengths, widest_usual
+from ...bearings.selection.states import BALANCED, HOT, BearingTask, judge
 from ...bearings.selection.variants import SUPPLIES, Variant
-from ...bearings.speeds import at_speeds
+from ...bearings.speeds import at_speeds, sweep_points
+from ...engine.inputs import BenchPoint
 from ...library.journal_rules import SUPPLY_WIDTH
-from ...sheet.arrays import Array, BoolArray
+from ...sheet.arrays import Array, BoolArray, each, many
 from ...sheet.record import record
 from ...sheet.search import multiples
-from ...sheet.units import Metre, Number, Radian
-from ...optimise.other_films import Beside, over_a_turn, over_speeds
+from ...sheet.units import Metre, Newton, Number, Radian, Watt
+
+# Films beside those of the corners: over the speeds of the engine, and over a turn with what stands still (weight and gear force).
+#
+# Both are those of the nominal clearance.  Where they are thinner than at the corners, they say what slope a journal bears.
+
+NEAR = 1.05  # of the film at the corners: speeds whose film is thicker than that at a few sizes are not looked at; rule of this program
+
+
+@record
+class Stands:
+    """What stands still on a bearing of one shaft: of its weight and of its gear, whose force goes with the power of the journals."""
+
+    weight: Newton
+    gear: Newton
+    power: Watt  # of this journal
+
+    def at(self, power: Array) -> Array:
+        """With another power of it, the other journal's in proportion."""
+        load: Array = self.weight + self.gear * power / self.power
+        return load
+
+
+@record
+class Beside:
+    """`bench`: rows of the engine, None: films over the speeds are no limit; `standing`: what stands still, None: likewise."""
+
+    bench: tuple[BenchPoint, ...] | None = None
+    standing: Stands | None = None
+
+
+def over_speeds(task: BearingTask, variant: Variant, length: Array, g: Array, corners: Array, bench: tuple[BenchPoint, ...]) -> Array | None:
+    """The thinnest film over the speeds that govern; None where that of the corners is thinner at every one of a few sizes."""
+    rows, columns = (np.unique(np.linspace(0, n - 1, 2).astype(int)) for n in (g.size, length.size))
+    seat, at = sweep_points(task.seat, task.duty.speed, bench, task.duty)
+    rated = task.duty.speed if task.seat.inputs.speed_range is None else np.inf
+    governs = many(at.speed) <= rated * (1 + 1e-9)
+    sizes = _sized(seat, length[columns][None, :, None], g[rows][:, None, None])
+    with np.errstate(all="ignore"):
+        films = np.where(governs, many(settled(sizes, at, hottest=HOT, tolerance=BALANCED).film), np.nan)
+    films = np.where(np.isnan(films), np.inf, films)
+    held = corners[np.ix_(rows, columns)]
+    near = np.isfinite(films.min(-1)) & (films.min(-1) < NEAR * held) & np.isfinite(held)
+    if not near.any():
+        return None
+    thinnest = np.full(corners.shape, np.inf)
+    for n in np.unique(films.argmin(-1)[near]).tolist():
+        one = OperatingPoint(**{name: float(np.broadcast_to(x, governs.shape)[n]) for name, x in vars(at).items()})
+        field = field_over(replace(task, duty=one, corners=False), variant, length, g)
+        assert field is not None
+        film = np.broadcast_to(field.states.film[0], corners.shape)
+        thinnest = np.fmin(thinnest, film)
+    return thinnest
+
+
+def over_a_turn(task: BearingTask, length: Array, g: Array, stands: Stands) -> Array:
+    """The film over the orbit, as bearings/stationary_load has it; where that is not known, under the largest load of the turn."""
+    few, between = over_lengths(length)
+    seat, load = _sized(task.seat, few[None, :], g[:, None]), task.duty.load
+    with np.errstate(all="ignore"):
+        film = settled(seat, task.duty, hottest=HOT, tolerance=BALANCED)
+        standing = np.where(np.isfinite(many(film.film)), stands.at(many(film.friction_power)), 0.0)
+        over = _over_orbit(film, task, seat, np.broadcast_to(few, standing.shape), standing)
+        over = np.where(standing < SMALL * load, over, np.nan)
+        if (unknown := np.isnan(over) & np.isfinite(many(film.film))).any():
+            peak = settled(seat, replace(task.duty, load=each(load + standing)), hottest=HOT, tolerance=BALANCED)
+            over = np.where(unknown, many(peak.film), over)
+    return between(over)
+
+
+def _over_orbit(film: Film, task: BearingTask, seat: BearingCase, length: Array, standing: Array) -> Array:
+    """Not a number where there is no film, or none of which stiffness and damping are known."""
+    inputs, duty = seat.inputs, task.duty
+    there = np.isfinite(many(film.film))
+    over = np.full(there.shape, np.nan)
+    eps, phi, h_0, g = (each(np.broadcast_to(many(x), there.shape)[there]) for x in (
+        film.eccentricity, film.attitude if film.attitude is not None else np.nan, film.film, film.clearance))  # fmt: skip
+    bare = supply.bare_length(inputs, length[there])
+    ratio = f.length_ratio(l=each(bare / 2 if supply.lands(inputs) == 2 else bare), d=task.diameter)
+    try:
+        k = coefficients(eps, ratio, phi)
+    except FilmRangeError:
+        return over
+    F, omega = duty.load, f.angular_speed(n=duty.effective_speed)
+    across = d.damping_xy(c_xy=k.c_xy, F=F, g=g, omega=omega)
+    moving = Dynamics(
+        stiffness_xx=d.stiffness_xx(k_xx=k.k_xx, F=F, g=g), stiffness_xy=d.stiffness_xy(k_xy=k.k_xy, F=F, g=g),
+        stiffness_yx=d.stiffness_yx(k_yx=k.k_yx, F=F, g=g), stiffness_yy=d.stiffness_yy(k_yy=k.k_yy, F=F, g=g),
+        damping_xx=d.damping_xx(c_xx=k.c_xx, F=F, g=g, omega=omega), damping_xy=across, damping_yx=across,
+        damping_yy=d.damping_yy(c_yy=k.c_yy, F=F, g=g, omega=omega),
+    )  # fmt: skip
+    over[there] = f.film_over_turn(h_0=h_0, a_n=orbit(moving, each(standing[there]), phi, duty, seat).film_loss)
+    return over
+
+
+def _sized(seat: BearingCase, l: Array, g: Array) -> BearingCase:
+    clearance: Metre = each(g)
+    return replace(seat, bearing=replace(seat.bearing, length=each(l)), clearance=clearance)
+
 
 ALWAYS = ("temperature", "specific_load", "heat_index", "length_ratio", "transition")  # rules that do not know the slope
 
@@ -35,7 +138,7 @@ class Films:
     neither slope nor margin.
     """
 
-    task: Task
+    task: BearingTask
     length: Array  # (n,)
     clearance: Array  # (m,)
     power: Array
@@ -56,7 +159,7 @@ class Films:
         return bearing
 
 
-def asked_film(task: Task, surfaces: tuple[Metre, Metre]) -> Metre:
+def asked_film(task: BearingTask, surfaces: tuple[Metre, Metre]) -> Metre:
     """The film that keeps the peaks of both surfaces apart, with what the cubic between lengths may be off."""
     return f.kreisle_film(k_R=task.seat.inputs.roughness_ratio, Ra_1=surfaces[0], Ra_2=surfaces[1]) * (1 + KEPT)
 
@@ -65,7 +168,7 @@ Cycle = Sequence[tuple[float, float]]
 NOTHING = Beside()
 
 
-def films(task: Task, variant: Variant, length: Array, advice: Sequence[str], cycle: Cycle = (), beside: Beside = NOTHING) -> Films | None:
+def films(task: BearingTask, variant: Variant, length: Array, advice: Sequence[str], cycle: Cycle = (), beside: Beside = NOTHING) -> Films | None:
     """`task` at its diameter with its oil, supply and fits; `advice`: names of findings that are limits.  None: no candidate is left.
 
     `cycle`: speeds over the rated one with their shares, over which the power is a mean; `beside`: films that are limits beside.
@@ -97,7 +200,7 @@ def each_of(number: float) -> Array:
     return np.array([number])
 
 
-def _films(task: Task, variant: Variant, length: Array, g: Array, advice: Sequence[str], beside: Beside) -> Films | None:
+def _films(task: BearingTask, variant: Variant, length: Array, g: Array, advice: Sequence[str], beside: Beside) -> Films | None:
     field = field_over(task, variant, length, g)
     if field is None:
         return None
@@ -123,7 +226,7 @@ def _films(task: Task, variant: Variant, length: Array, g: Array, advice: Sequen
     )
 
 
-def lengths(task: Task, longest: Metre, ratios: tuple[Number, Number]) -> Array:
+def lengths(task: BearingTask, longest: Metre, ratios: tuple[Number, Number]) -> Array:
     """Whole steps within l/d `ratios`, those of each land where a groove parts the film, and up to the longest that the sectors leave."""
     inputs, d, shortest = task.seat.inputs, task.diameter, least_length(task)
     lands = supply.lands(inputs)
@@ -132,13 +235,13 @@ def lengths(task: Task, longest: Metre, ratios: tuple[Number, Number]) -> Array:
     return multiples(LENGTH_STEP, max(low, shortest), min(high, longest))
 
 
-def least_length(task: Task) -> Metre:
+def least_length(task: BearingTask) -> Metre:
     """A step more than whatever the design has the width of."""
     inputs = task.seat.inputs
     return max(getattr(inputs, name) or 0.0 for name in (*SUPPLIES.values(), "axial_groove_length")) + LENGTH_STEP
 
 
-def _supply_width(task: Task) -> Metre | None:
+def _supply_width(task: BearingTask) -> Metre | None:
     """Of hole or pocket; None of a groove."""
     inputs = task.seat.inputs
     width: Metre | None = getattr(inputs, SUPPLIES[inputs.supply])

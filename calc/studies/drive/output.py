@@ -10,9 +10,8 @@ from typing import Any
 from ...sheet.step import Table
 from ...sheet.text import COMMA, Amount, Name, Text
 from ...version import VERSION
-from ...optimise.problem import LIMITS, Problem
-from .run import Found, key
-from .problem import CORE, FITS, TIED
+from .problem import CORE, FITS, LIMITS, TIED, Problem
+from .run import FrontFound, key
 from .whole import Whole
 
 LABELS = {
@@ -26,7 +25,7 @@ CHOICES = {
 END = "⊣"  # a size at the end of its range: beyond it may be better
 
 
-def proof(found: Found) -> Text:
+def proof(found: FrontFound) -> Text:
     """What the front is the front of."""
     return proof_of(found.proved, found.table.combinations, found.done, len(found.problem.classes))
 
@@ -45,7 +44,7 @@ def label(problem: Problem, name: str) -> Text:
     return Text("mean power over the duty cycle") if name == "power" and problem.cycle else LABELS[name]
 
 
-def table(found: Found, drives: Iterable[int] | None = None) -> Table:
+def table(found: FrontFound, drives: Iterable[int] | None = None) -> Table:
     """The drives by number; columns that are the same in all are left out."""
     problem = found.problem
     varied = [name for name in problem.choices if len({str(one.sized.choices[name]) for one in found.drives}) > 1]
@@ -111,7 +110,7 @@ def _ends(problem: Problem, sizes: Mapping[str, float]) -> list[str]:
 
 
 # --- the files --------------------------------------------------------------------------------------------------------------------
-def csv_text(found: Found) -> str:
+def csv_text(found: FrontFound) -> str:
     """front.csv: what it is the front of, then a row for each drive, units in the head."""
     problem, out = found.problem, io.StringIO()
     for line in said(problem):
@@ -127,7 +126,7 @@ def csv_text(found: Found) -> str:
     return out.getvalue()
 
 
-def json_text(found: Found) -> str:
+def json_text(found: FrontFound) -> str:
     """front.json: the problem and the drives, with the keys that make each of them."""
     problem = found.problem
     about = {
@@ -149,7 +148,7 @@ def json_text(found: Found) -> str:
     return json.dumps(about, ensure_ascii=False, indent=1, default=str) + "\n"
 
 
-def stood(found: Found) -> Text:
+def stood(found: FrontFound) -> Text:
     """How far the search came."""
     done, classes = found.done, len(found.problem.classes)
     if not found.proved:

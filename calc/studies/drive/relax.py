@@ -23,12 +23,11 @@ from ...sheet.errors import BadInput, NoSolution
 from ...sheet.progress import Progress, tell
 from ...sheet.record import record
 from ...sheet.text import EMPTY, Name, Text
-from ...sheet.trace import untraced
+from ...sheet.value import untraced
 from .classes import NotClosed, class_with, sized
-from .combine import Rows
-from ...optimise.problem import Problem
-from .run import Found
-from .problem import FITS, SEAT_REACH
+from .combine import DriveRows
+from .problem import FITS, SEAT_REACH, Problem
+from .run import FrontFound
 from .whole import Whole, whole
 
 FEW = 12  # diameters of the smaller journal that are looked at for a question alone
@@ -38,7 +37,7 @@ WALL = "countershaft.support.wall"
 
 
 @record
-class Line:
+class RefusalLine:
     """One change alone that lets something pass: its key, from and to in words, what it costs beside; `broken`: what it then breaks."""
 
     key: str
@@ -53,12 +52,12 @@ class Refusal:
 
     always: tuple[str, ...]
     miss: float | None
-    lines: tuple[Line, ...]
+    lines: tuple[RefusalLine, ...]
     useless: tuple[Text, ...]
     also: tuple[str, ...] = ()  # what every one of the lines breaks beside: it is to be repaired elsewhere
 
 
-def refusal(found: Found, progress: Progress | None = None) -> Refusal:
+def refusal(found: FrontFound, progress: Progress | None = None) -> Refusal:
     """Why a search found nothing, and what alone would help."""
     problem = found.problem
     if found.dropped:
@@ -69,7 +68,7 @@ def refusal(found: Found, progress: Progress | None = None) -> Refusal:
 
 
 def _relaxed(problem: Problem, progress: Progress | None) -> Refusal:
-    lines: list[Line] = []
+    lines: list[RefusalLine] = []
     useless: list[Text] = []
     tell(progress, 0.0, Text("nearest miss"))
     miss = _nearest_miss(problem)
@@ -108,12 +107,12 @@ def of_closest_fits(classes: list[dict[str, Any]]) -> list[dict[str, Any]]:
     return [one for one in classes if not any(within(other, one) for other in classes)]
 
 
-def passing(problem: Problem) -> tuple[dict[str, Any], Rows] | None:
+def passing(problem: Problem) -> tuple[dict[str, Any], DriveRows] | None:
     """The rows of the first class that has any; None: nothing passes."""
     return next(_passing(problem, of_closest_fits(problem.classes)), None)
 
 
-def _passing(problem: Problem, classes: list[dict[str, Any]]) -> Iterator[tuple[dict[str, Any], Rows]]:
+def _passing(problem: Problem, classes: list[dict[str, Any]]) -> Iterator[tuple[dict[str, Any], DriveRows]]:
     for choices in classes:
         try:
             rows = class_with(problem, choices)
@@ -160,7 +159,7 @@ def _nearest_miss(problem: Problem) -> float | None:
 
 
 # --- the ways ----------------------------------------------------------------------------------------------------------------------
-Way = tuple[Text, Callable[[], Line | None]]
+Way = tuple[Text, Callable[[], RefusalLine | None]]
 
 
 def _ways(problem: Problem) -> Iterator[Way]:
@@ -188,7 +187,7 @@ def _list(values: list[float]) -> str:
     return "[" + ", ".join(f"{x:g}" for x in values) + "]"
 
 
-def _seat(problem: Problem, now: float) -> Line | None:
+def _seat(problem: Problem, now: float) -> RefusalLine | None:
     """The least larger seat; the wall beside it gives what it takes, and may be what is then broken."""
     key = f"bearings.{problem.seat}.diameter_mm"
 
@@ -201,7 +200,7 @@ def _seat(problem: Problem, now: float) -> Line | None:
     if seat is None or (one := _confirmed(at(now + seat))) is None:
         return None
     broken = tuple(id for id in one.broken if id not in (WALL, "optimise.most.seat"))
-    return Line(key, Text("{a} → {b} mm", a=Name(f"{now:g}"), b=Name(f"{now + seat:g}")), _wall(problem, now, now + seat), broken)
+    return RefusalLine(key, Text("{a} → {b} mm", a=Name(f"{now:g}"), b=Name(f"{now + seat:g}")), _wall(problem, now, now + seat), broken)
 
 
 def _wall(problem: Problem, now: float, seat: float) -> Text:
@@ -213,7 +212,7 @@ def _wall(problem: Problem, now: float, seat: float) -> Text:
         least=Name(f"{support.least_wall * 1e3:g}"))  # fmt: skip
 
 
-def _stretched(problem: Problem, key: str, reach: float, value: Callable[[float], Any], words: Callable[[Any], Text]) -> Line | None:
+def _stretched(problem: Problem, key: str, reach: float, value: Callable[[float], Any], words: Callable[[Any], Text]) -> RefusalLine | None:
     """One key moved by the least share that lets something pass."""
 
     def at(share: float) -> Problem | None:
@@ -227,7 +226,7 @@ def _stretched(problem: Problem, key: str, reach: float, value: Callable[[float]
     changed = at(share) if share is not None else None
     if share is None or changed is None or (one := _confirmed(changed)) is None:
         return None
-    return Line(key, words(value(share)), EMPTY, one.broken)
+    return RefusalLine(key, words(value(share)), EMPTY, one.broken)
 
 
 def _with(problem: Problem, key: str, value: object) -> Problem | None:
@@ -280,13 +279,13 @@ def _thicker(problem: Problem) -> list[str]:
     return sorted((name for name in mu if mu[name] > own * 1.02), key=lambda name: mu[name])
 
 
-def _choice(problem: Problem, key: str, value: Any) -> Line | None:
+def _choice(problem: Problem, key: str, value: Any) -> RefusalLine | None:
     one = _confirmed(replace(problem, choices={**problem.choices, key: (value,)}))
     words = "/".join(value) if isinstance(value, list) else str(value)
-    return None if one is None else Line(key, Text("{value}", value=Name(words)), EMPTY, one.broken)
+    return None if one is None else RefusalLine(key, Text("{value}", value=Name(words)), EMPTY, one.broken)
 
 
-def _smooth(problem: Problem, pair: tuple[float, float]) -> Line | None:
+def _smooth(problem: Problem, pair: tuple[float, float]) -> RefusalLine | None:
     one = _confirmed(replace(problem, surfaces=(pair,)))
     words = Name("/".join(f"{x:g}" for x in pair))
-    return None if one is None else Line("bearings.surfaces", Text("Ra {pair} µm", pair=words), EMPTY, one.broken)
+    return None if one is None else RefusalLine("bearings.surfaces", Text("Ra {pair} µm", pair=words), EMPTY, one.broken)

@@ -14,38 +14,37 @@ from typing import Any
 
 import numpy as np
 
-from ...design.toml_file import Document, design
 from ...design.disk import write_file
-from ...library.fits import parse
+from ...design.step_inputs import shaft_gear
+from ...design.toml_file import Document, design
 from ...gears.result import TrainResult
+from ...library.fits import parse
 from ...sheet.arrays import Array
 from ...sheet.errors import NoSolution
 from ...sheet.record import record
 from ...sheet.text import EMPTY, Text
 from ...solve import Results, solve
-from ..spread import spread
-from ...design.step_inputs import shaft_gear
 from ...version import VERSION
+from ..spread import spread
 from .classes import ClassFront, NotClosed, class_of, sized
-from .combine import Rows, joined
-from ...optimise.front import front, representatives
-from ...optimise.problem import Problem
-from ...optimise.problem import problem as problem_of
-from .problem import FITS
+from .combine import DriveRows, joined
+from .front import front, representatives
+from .problem import FITS, Problem
+from .problem import problem as problem_of
 from .whole import Sized, Whole, whole
 
 NEIGHBOURS = 3  # of a row that fails when it is solved whole, are tried in its place
 NEAR = 16  # rows among which the neighbours of one are looked for
 FIRST = 4  # rows that are solved whole to find a first drive that passes
 HOPELESS = 6  # rows that fail whole by one and the same check: nothing that is varied moves it
-Told = Callable[[int, "Table", str], None]  # classes that are done, what they have given together, and the last one's name
+Told = Callable[[int, "FrontTable", str], None]  # classes that are done, what they have given together, and the last one's name
 
 
 @record
-class Table:
+class FrontTable:
     """The front of all classes on arrays, from which whole solutions are chosen.  `objectives`: a column each, to be as small as can be."""
 
-    rows: Rows
+    rows: DriveRows
     of: Array  # the class of each row
     objectives: Array
     combinations: int
@@ -56,13 +55,13 @@ class Table:
 
 
 @record
-class Found:
+class FrontFound:
     """`drives`: those that pass, solved whole, least power first; `dropped`: rows that did not.  `done`: of the classes.
 
     `proved`: whether the front is that of every combination; else it is what a search came to."""
 
     problem: Problem
-    table: Table
+    table: FrontTable
     drives: tuple[Whole, ...]
     dropped: tuple[Whole, ...]
     done: int
@@ -92,8 +91,8 @@ def one_class(problem: Problem, n: int) -> ClassFront:
         return ClassFront(joined([_none()]), 0, (0.0, 1.0), why=none.text)
 
 
-def _none() -> Rows:
-    return Rows(*(np.zeros(0) for _ in Rows.__dataclass_fields__))
+def _none() -> DriveRows:
+    return DriveRows(*(np.zeros(0) for _ in DriveRows.__dataclass_fields__))
 
 
 def classes(
@@ -131,7 +130,7 @@ def _kept(problem: Problem, n: int, parts: Path | None) -> ClassFront | None:
         return None
     try:
         with np.load(parts / f"{key(problem)}-{n}.npz", allow_pickle=False) as file:
-            rows = Rows(**{name: file[name] for name in Rows.__dataclass_fields__})
+            rows = DriveRows(**{name: file[name] for name in DriveRows.__dataclass_fields__})
             if len({len(column) for column in vars(rows).values()}) != 1:
                 return None
             count, c, a, wheels = (float(x) for x in file["about"])
@@ -151,7 +150,7 @@ def _keep(problem: Problem, n: int, one: ClassFront, parts: Path | None) -> None
 
 
 # --- the front ----------------------------------------------------------------------------------------------------------------
-def table(problem: Problem, done: dict[int, ClassFront]) -> Table:
+def table(problem: Problem, done: dict[int, ClassFront]) -> FrontTable:
     """The rows of all classes that no other beats in the objectives, within their hard ends."""
     parts, of, columns = [_none()], [np.zeros(0)], [np.zeros((0, len(problem.objectives)))]
     for n in sorted(done):
@@ -163,7 +162,7 @@ def table(problem: Problem, done: dict[int, ClassFront]) -> Table:
     rows, which, objectives = joined(parts), np.concatenate(of).astype(int), np.concatenate(columns)
     kept = front(objectives) if len(rows) else np.zeros(0, dtype=int)
     refused = tuple((n, one.why) for n, one in sorted(done.items()) if not len(one.rows))
-    return Table(rows.at(kept), which[kept], objectives[kept], sum(one.combinations for one in done.values()), refused)
+    return FrontTable(rows.at(kept), which[kept], objectives[kept], sum(one.combinations for one in done.values()), refused)
 
 
 def _objectives(problem: Problem, n: int, one: ClassFront) -> Array:
@@ -182,11 +181,11 @@ def _objectives(problem: Problem, n: int, one: ClassFront) -> Array:
     return columns
 
 
-def _sized(problem: Problem, known: Table, place: int) -> Sized:
+def _sized(problem: Problem, known: FrontTable, place: int) -> Sized:
     return sized(problem, problem.classes[int(known.of[place])], known.rows, place)
 
 
-def solved(problem: Problem, known: Table, told: Callable[[int, int], None] | None = None,
+def solved(problem: Problem, known: FrontTable, told: Callable[[int, int], None] | None = None,
     enough: Callable[[], bool] = bool) -> tuple[list[Whole], list[Whole]]:  # fmt: skip
     """Rows that stand for all, solved whole, and those that were dropped.  A row that fails gives its place to its neighbours.
 
@@ -226,7 +225,7 @@ def _units(problem: Problem) -> Array:
     return np.array([problem.units[name] for name in problem.objectives])
 
 
-def _wanted(problem: Problem, known: Table, count: int) -> list[int]:
+def _wanted(problem: Problem, known: FrontTable, count: int) -> list[int]:
     """The places of rows that stand for all."""
     finite = np.flatnonzero(np.isfinite(known.objectives).all(1))
     return [int(finite[n]) for n in representatives(known.objectives[finite], _units(problem), count)]
@@ -245,7 +244,7 @@ def _instead(scaled: Array, first: int, wanted: set[int], lacks: Mapping[int, fl
     return min(near, key=lambda n: (should_lack(n), far[n]), default=None)
 
 
-def first_passing(problem: Problem, known: Table) -> Whole | None:
+def first_passing(problem: Problem, known: FrontTable) -> Whole | None:
     """A drive that passes, of a few rows that stand for all; None: not one of these."""
     for place in _wanted(problem, known, FIRST):
         one, _ = whole(problem, _sized(problem, known, place))
@@ -265,7 +264,7 @@ def _exact_front(problem: Problem, drives: list[Whole]) -> list[Whole]:
 
 def search(problem: Problem, processes: int = 1, parts: Path | None = None, told: Told | None = None,
     solving: Callable[[int, int], None] | None = None, scheduler: str = "", stop: Callable[[], bool] = bool,
-    first: Callable[[Whole], None] | None = None, enough: Callable[[], bool] = bool) -> Found:  # fmt: skip
+    first: Callable[[Whole], None] | None = None, enough: Callable[[], bool] = bool) -> FrontFound:  # fmt: skip
     """The front of whole drives.  `stop`, asked after each class, or a KeyboardInterrupt ends the classes; what is known by then is solved
     whole and given, until `enough`, asked after each drive.  `first` is told the first drive that is known to pass."""
     done: dict[int, ClassFront] = {}
@@ -285,7 +284,7 @@ def search(problem: Problem, processes: int = 1, parts: Path | None = None, told
             raise
     known = table(problem, done)
     drives, dropped = solved(problem, known, solving, enough)
-    return Found(problem, known, tuple(drives), tuple(dropped), len(done))
+    return FrontFound(problem, known, tuple(drives), tuple(dropped), len(done))
 
 
 def named(choices: dict[str, Any]) -> str:

@@ -14,13 +14,13 @@ from dataclasses import replace
 
 import numpy as np
 
-from ...library.catalogue import Material
-from ...countershaft import sector as s
+from ...countershaft import outline as s
 from ...countershaft.bending import formulas as b
 from ...countershaft.inputs import Holes
 from ...countershaft.outline import TOUCH
 from ...countershaft.sizing import formulas as z
 from ...countershaft.sizing.sectors import NEAR, too_narrow
+from ...library.catalogue import Material
 from ...sheet.arrays import Array, BoolArray, each, many
 from ...sheet.record import record
 from ...sheet.units import Kilogram, Metre, NewtonMetre, Number, Radian, RadPerSecond
@@ -31,7 +31,7 @@ GAUSS = (0.5 - 0.5 / math.sqrt(3), 0.5 + 0.5 / math.sqrt(3))
 
 
 @record
-class Drive:
+class ShaftSurroundings:
     """What all shafts of a class have in common.  `couple` that the sectors give; `gear`: diameter and width of its wheel.
 
     `clearance`: for threading; `fillet` 0: none is asked; `effectiveness`: share of the sectors' stiffness.
@@ -108,7 +108,7 @@ class Shafts:
     fits: BoolArray
 
 
-def journal_slopes(drive: Drive, front: bool, d: Metre, l: Array) -> tuple[Array, Array]:
+def journal_slopes(drive: ShaftSurroundings, front: bool, d: Metre, l: Array) -> tuple[Array, Array]:
     """What the bending of one journal, from its pin to its end, adds to the slopes of both."""
     A, I = s.cylinder_area(R=d / 2), s.cylinder_inertia(R=d / 2)
     z_1, z_2 = drive.positions
@@ -123,7 +123,7 @@ def journal_slopes(drive: Drive, front: bool, d: Metre, l: Array) -> tuple[Array
     return total[0], total[1]
 
 
-def _virtual(drive: Drive, n: int, at: Array, M: Array, Q: Array | float, EI: Array | float, GA: Array | float) -> Array:
+def _virtual(drive: ShaftSurroundings, n: int, at: Array, M: Array, Q: Array | float, EI: Array | float, GA: Array | float) -> Array:
     """The integrand of the slope of journal n, both counted so that a couple between them makes them positive."""
     x = (at - drive.positions[0]) / drive.span
     m, q = (1 - x if n == 0 else -x), -1 / drive.span
@@ -131,7 +131,7 @@ def _virtual(drive: Drive, n: int, at: Array, M: Array, Q: Array | float, EI: Ar
     return integrand
 
 
-def with_turning(drive: Drive, core: Metre, d: tuple[Metre, Metre], l: tuple[Metre, Metre], turning: tuple[Radian, Radian]) -> Drive:
+def with_turning(drive: ShaftSurroundings, core: Metre, d: tuple[Metre, Metre], l: tuple[Metre, Metre], turning: tuple[Radian, Radian]) -> ShaftSurroundings:
     """The same with what its mass adds to slopes, from one shaft of it that was bent whole as it turns."""
     l_f, l_r = (np.array([x]) for x in l)
     still = shafts(drive, np.array([core]), l_f, l_r, max(d), d[1])
@@ -145,7 +145,7 @@ def with_turning(drive: Drive, core: Metre, d: tuple[Metre, Metre], l: tuple[Met
     return replace(drive, added=(added[0], added[1]))
 
 
-def shafts(drive: Drive, core: Array, l_f: Array, l_r: Array, seat: Metre, rear: Metre) -> Shafts:
+def shafts(drive: ShaftSurroundings, core: Array, l_f: Array, l_r: Array, seat: Metre, rear: Metre) -> Shafts:
     """`seat`: the largest journal, through which the sectors go; `rear`: diameter of the rear journal."""
     material, R, span, z_1 = drive.material, seat / 2 - drive.clearance, drive.span, drive.positions[0]
     r_0 = core[:, None, None]
@@ -221,6 +221,6 @@ def _drilled(holes: Holes, R: Metre, r: Array, length: Array, gamma: Array) -> B
     return inside
 
 
-def journal_mass(drive: Drive, d: Metre | Array, l: Array) -> Array:
+def journal_mass(drive: ShaftSurroundings, d: Metre | Array, l: Array) -> Array:
     mass: Array = drive.material.density * math.pi / 4 * np.asarray(d) ** 2 * l
     return mass

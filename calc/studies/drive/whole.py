@@ -9,14 +9,13 @@ from ...bearings.result import BearingsResult
 from ...countershaft.result import CountershaftResult
 from ...design.toml_file import Document, design
 from ...gears.result import TrainResult
-from ...sheet.changes import Changes, digits
 from ...sheet.check import Check
 from ...sheet.errors import BadInput
 from ...sheet.record import record
+from ...sheet.remedy import Changes, digits
 from ...sheet.units import Kilogram, Watt
 from ...solve import Results, solve
-from ...optimise.problem import Problem
-from .problem import CORE, FITS
+from .problem import CORE, FITS, Problem
 
 LARGE = 1e3  # a step without solution, and a hard end that is passed over, are lacks as large as this
 LEAST_LACK = 0.01  # of whatever is broken: by the less the fewer it is

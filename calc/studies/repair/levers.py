@@ -9,19 +9,108 @@ from fnmatch import fnmatchcase
 from itertools import islice
 
 from ...design.addresses import as_list, quantities, quantity_of, value_at
-from ...library.catalogue import Material
 from ...design.locks import locked
-from ...sheet.changes import Changes, digits, whole
+from ...design.names import published
+from ...design.toml_file import Document
+from ...library.catalogue import Material
 from ...sheet.check import Check
 from ...sheet.errors import BadInput, NoSolution
 from ...sheet.quantity import Quantity
+from ...sheet.remedy import Changes, digits, whole
 from ...sheet.search import allowed
+from ...sheet.text import EMPTY, Small, Text
 from . import sizing as shaft
-from ...repair import strength
-from ...repair.kinds import row_of
-from .state import State
+from . import sizing as strength
+from .state import RepairState
 from .vary import ASKED, FREE
-from ...design.names import published
+
+# What kind of remedy a changed input is, in the words of the trade: a smaller clearance, a longer journal, a thicker core.
+
+@dataclass(frozen=True)
+class Kind:
+    """`less`, `more`: the words for a smaller and a larger number; `other`: for another word, or a number that is taken out."""
+
+    less: Text
+    more: Text
+    other: Text = EMPTY
+
+
+# Patterns of keys, the first that fits counts.  Keys of one row that stand in the same bearing, mass or mesh move together.
+KINDS: tuple[tuple[str, Kind], ...] = (
+    (r".*\.(front|rear)\.clearance_(um|factor)", Kind(Text("smaller clearance"), Text("larger clearance"))),
+    (r"bearings\.(front|rear)\.length_mm", Kind(Text("shorter journal"), Text("longer journal"))),
+    (r"bearings\.(front|rear)\.(journal|housing)_roughness_um", Kind(Text("smoother surfaces"), Text("rougher surfaces"))),
+    (r"bearings\.(front|rear)\.diameter_mm", Kind(Text("smaller journal"), Text("larger journal"))),
+    (r"bearings\.(journal|seat)_fit", Kind(Text("closer fits"), Text("wider fits"), Text("closer fits"))),
+    (r"bearings\.slope_mrad", Kind(Text("smaller slope"), Text("larger slope"), Text("slope of the shaft's bending"))),
+    (r"(bearings|friction)\.oil", Kind(Text("thinner oil"), Text("thicker oil"), Text("another oil"))),
+    (r"bearings\.(hole_diameter|groove_width|pocket_width)_mm", Kind(Text("narrower oil supply"), Text("wider oil supply"))),
+    (r"bearings\.supply_pressure_bar", Kind(Text("less oil pressure"), Text("more oil pressure"))),
+    (r"bearings\.housing_material", Kind(EMPTY, EMPTY, Text("another housing"))),
+    (r"gears\.(housing|support)_material", Kind(EMPTY, EMPTY, Text("another housing"))),
+    (r"countershaft\.material", Kind(EMPTY, EMPTY, Text("another steel"))),
+    (r"countershaft\.core_radius_mm", Kind(Text("thinner core"), Text("stiffer shaft"))),
+    (r"countershaft\.fillet_radius_mm", Kind(Text("smaller fillet"), Text("larger fillet"))),
+    (r"countershaft\.outer_radius_mm", Kind(Text("smaller envelope"), Text("larger envelope"))),
+    (r"countershaft\.half_length_mm", Kind(Text("shorter shaft"), Text("longer shaft"))),
+    (r"countershaft\.bearing_positions_mm", Kind(Text("shorter span"), Text("longer span"))),
+    (r"countershaft\.masses\.[^.]+\.mass_kg", Kind(Text("lighter mass"), Text("heavier mass"))),
+    (r"countershaft\.masses\.[^.]+\.radius_mm", Kind(Text("mass further in"), Text("mass further out"))),
+    (r"countershaft\.masses\.[^.]+\.z_mm", Kind(Text("mass elsewhere"), Text("mass elsewhere"))),
+    (r"countershaft\.masses\.[^.]+\.angle_deg", Kind(Text("mass turned"), Text("mass turned"))),
+    (r"countershaft\.overdesign_percent", Kind(Text("less beyond what is asked"), Text("more beyond what is asked"))),
+    (r"countershaft\.holes\.depth_mm", Kind(Text("shallower holes"), Text("deeper holes"))),
+    (r"countershaft\.holes\.count", Kind(Text("fewer holes"), Text("more holes"))),
+    (r"countershaft\.bolts\.torque_Nm", Kind(Text("less bolt torque"), Text("more bolt torque"))),
+    (r"countershaft\.bolts\.head_diameter_mm", Kind(Text("smaller bolt heads"), Text("larger bolt heads"))),
+    (r"countershaft\.bolts\.hole_diameter_mm", Kind(Text("closer bolt holes"), Text("wider bolt holes"))),
+    (r"countershaft\.bolts\.count", Kind(Text("fewer bolts"), Text("more bolts"))),
+    (r"countershaft\.support\.wall_mm", Kind(Text("thinner wall"), Text("thicker wall"))),
+    (r"gears\.wheels\..*\.span_allowance_um", Kind(Text("thinner teeth"), Text("thicker teeth"))),
+    (r"gears\.wheels\..*\.teeth", Kind(Text("fewer teeth"), Text("more teeth"))),
+    (r"gears\.wheels\..*\.profile_shift", Kind(Text("less profile shift"), Text("more profile shift"))),
+    (r"gears\.wheels\..*\.tip_shortening_mm", Kind(Text("smaller tip cut"), Text("larger tip cut"))),
+    (r"gears\.wheels\..*\.tip_diameter_tolerance_um", Kind(Text("smaller tips"), Text("larger tips"))),
+    (r"gears\.wheels\..*\.position_mm", Kind(Text("wheel elsewhere"), Text("wheel elsewhere"))),
+    (r"gears\.wheels\..*\.runout_um", Kind(Text("less runout"), Text("more runout"))),
+    (r"gears\.wheels\..*\.(gear_material|quality|hardness_HV)", Kind(Text("softer teeth"), Text("harder teeth"), Text("stronger teeth"))),
+    (r"gears\.meshes\..*\.centre_distance_mm", Kind(Text("closer centres"), Text("wider centres"))),
+    (r"gears\.meshes\..*\.tolerance_um", Kind(Text("closer tolerance"), Text("wider tolerance"))),
+    (r"gears\.(wheels\..*\.)?face_width_mm", Kind(Text("narrower gears"), Text("wider gears"))),
+    (r"gears\.normal_module_mm", Kind(Text("smaller module"), Text("larger module"))),
+    (r"gears\.accuracy_grade", Kind(Text("better gear quality"), Text("lower gear quality"))),
+    (r"gears\.tool_addendum", Kind(Text("shallower roots"), Text("deeper roots"))),
+    (r"gears\.(flank|root)_rz_um|friction\.flank_roughness_um", Kind(Text("smoother flanks"), Text("rougher flanks"))),
+    (r"engine\.flywheel_inertia_kgm2", Kind(Text("lighter flywheel"), Text("heavier flywheel"))),
+    (r"engine\.rod_length_mm", Kind(Text("shorter rods"), Text("longer rods"))),
+    (r"imbalance\.crank_balance_fraction", Kind(Text("lighter counterweights"), Text("heavier counterweights"))),
+    (r"imbalance\.bob_mass_kg", Kind(Text("lighter bob"), Text("heavier bob"))),
+)  # fmt: skip
+CALLED = tuple((re.compile(pattern), kind) for pattern, kind in KINDS)
+
+
+def row_of(key: str) -> int | None:
+    """The row of the table that a key belongs to; None: it has none of its own."""
+    return next((n for n, (pattern, _) in enumerate(CALLED) if pattern.fullmatch(key)), None)
+
+
+def kind_of(document: Document, key: str) -> Kind:
+    """Where the table has no words of its own, those of the field."""
+    if (row := row_of(key)) is not None:
+        return CALLED[row][1]
+    label = Small(quantity_of(document.data, key).label)
+    return Kind(Text("smaller {label}", label=label), Text("larger {label}", label=label), Text("another {label}", label=label))
+
+
+def called(document: Document, key: str, now: object, new: object) -> Text:
+    """The words for one change; of several numbers those of the first that changes."""
+    kind = kind_of(document, key)
+    pairs = zip(now, new) if isinstance(now, list) and isinstance(new, list) else [(now, new)]
+    for old, value in pairs:
+        if isinstance(old, (int, float)) and isinstance(value, (int, float)) and old != value:
+            return kind.less if value < old else kind.more
+    return kind.other or kind.less
+
 
 FIXED = re.compile(rf"{ASKED.pattern}|.*\.(slope_mrad|position_mm|firing_order|crank_angles_deg|speed_range_rpm)")  # not moved as numbers
 PLANS = 7  # kinds that are looked at
@@ -44,7 +133,7 @@ class Lever:
 
 
 @dataclass(frozen=True)
-class Plan:
+class LeverPlan:
     """One kind of remedy: its keys, what can be moved, what can be tried; `reason`: why its one key is locked."""
 
     keys: tuple[str, ...]
@@ -53,17 +142,17 @@ class Plan:
     reason: str = ""
 
 
-def plans(state: State, step: str, group: tuple[Check, ...]) -> list[Plan]:
+def plans(state: RepairState, step: str, group: tuple[Check, ...]) -> list[LeverPlan]:
     """In the order in which a designer would think of them: what the checks themselves name, what moves them, what else is free."""
-    by_kind: dict[int | str, Plan] = {}
+    by_kind: dict[int | str, LeverPlan] = {}
     tried = [*_named(group), *_made_for(state, group)]
     keys = [*(next(iter(one)) for one in tried), *_keys(state, step, group)]
     for key in dict.fromkeys(keys):
         kind = _kind(key)
-        one = by_kind.get(kind, Plan(()))
+        one = by_kind.get(kind, LeverPlan(()))
         by_kind[kind] = replace(one, keys=(*one.keys, key))
     data = state.document.data
-    shut = [Plan((key,), reason=reason) for one in by_kind.values() for key in one.keys if (reason := locked(data, key))]
+    shut = [LeverPlan((key,), reason=reason) for one in by_kind.values() for key in one.keys if (reason := locked(data, key))]
     return [*shut, *islice(filter(None, (_filled(state, kind, one, tried) for kind, one in by_kind.items())), PLANS)]
 
 
@@ -72,7 +161,7 @@ def _kind(key: str) -> int | str:
     return key if row is None else row
 
 
-def _filled(state: State, kind: int | str, plan: Plan, tried: list[Changes]) -> Plan | None:
+def _filled(state: RepairState, kind: int | str, plan: LeverPlan, tried: list[Changes]) -> LeverPlan | None:
     """With its levers and its changes of what is free; None where it has none."""
     data = state.document.data
     free = [key for key in plan.keys if not locked(data, key)]
@@ -86,7 +175,7 @@ def _filled(state: State, kind: int | str, plan: Plan, tried: list[Changes]) -> 
 
 
 # --- what moves a finding --------------------------------------------------------------------------------------------------
-def _keys(state: State, step: str, group: tuple[Check, ...]) -> Iterator[str]:
+def _keys(state: RepairState, step: str, group: tuple[Check, ...]) -> Iterator[str]:
     """Of a table the numbers in it; then the free numbers of the step in the same bearing, mesh or wheel."""
     every = [key for key, about in quantities(state.document.data) if about.kind in ("number", "integer", "series")]
     for key in dict.fromkeys(key for check in group for key in check.moved_by):
@@ -101,7 +190,7 @@ def _named(group: tuple[Check, ...]) -> list[Changes]:
     return [dict(one.changes) for check in group for one in check.remedies if one.changes]
 
 
-def _made_for(state: State, group: tuple[Check, ...]) -> list[Changes]:
+def _made_for(state: RepairState, group: tuple[Check, ...]) -> list[Changes]:
     """What is made for some checks: masses that are set to what the engine asks for, stronger teeth."""
     made: list[Changes] = []
     for patterns, changes in MADE_FOR:
@@ -113,23 +202,23 @@ def _made_for(state: State, group: tuple[Check, ...]) -> list[Changes]:
     return made
 
 
-def _balanced(state: State, group: tuple[Check, ...]) -> list[Changes]:
+def _balanced(state: RepairState, group: tuple[Check, ...]) -> list[Changes]:
     own = state.design.countershaft
     return list(shaft.balanced(state, own)) if own is not None and own.mode == "given" else []
 
 
-def _stronger(state: State, group: tuple[Check, ...]) -> list[Changes]:
+def _stronger(state: RepairState, group: tuple[Check, ...]) -> list[Changes]:
     return list(strength.stronger(state, strength.wheels(state, group)))
 
 
-MADE_FOR: tuple[tuple[tuple[str, ...], Callable[[State, tuple[Check, ...]], list[Changes]]], ...] = (
+MADE_FOR: tuple[tuple[tuple[str, ...], Callable[[RepairState, tuple[Check, ...]], list[Changes]]], ...] = (
     (("countershaft.residual", "countershaft.residual_force", "countershaft.holes.range"), _balanced),
     (("*.safety_contact*", "*.safety_bending*"), _stronger),
 )
 
 
 # --- words -----------------------------------------------------------------------------------------------------------------
-def _words(state: State, key: str) -> Iterator[Changes]:
+def _words(state: RepairState, key: str) -> Iterator[Changes]:
     """Other words that may stand at a key, the nearest first."""
     about, now, last = quantity_of(state.document.data, key), value_at(state.document.data, key), key.rpartition(".")[2]
     if about.kind == "choice":
@@ -146,7 +235,7 @@ def _words(state: State, key: str) -> Iterator[Changes]:
             yield {"bearings.journal_fit": journal, "bearings.seat_fit": seat}
 
 
-def _oils(state: State) -> list[str]:
+def _oils(state: RepairState) -> list[str]:
     """Engine oils other than that of the bearings, the nearest in viscosity first."""
     from ...bearings.selection.variants import variants
     from ..bearings_case import bearings_case
@@ -164,7 +253,7 @@ def _unlike(one: Material, other: Material) -> float:
 
 
 # --- numbers ---------------------------------------------------------------------------------------------------------------
-def levers(state: State, keys: list[str]) -> Iterator[Lever]:
+def levers(state: RepairState, keys: list[str]) -> Iterator[Lever]:
     """Of the keys of one kind in one place: what moves all of them, and other ways to do so."""
     key, data = keys[0], state.document.data
     about, given, place = quantity_of(data, key), value_at(data, key), key.rpartition(".")[0]
@@ -190,7 +279,7 @@ def levers(state: State, keys: list[str]) -> Iterator[Lever]:
         yield Lever(now, about, lambda x: {key: digits(x)}, 10 * (about.step or 0.1))
 
 
-def _scaled(state: State, numbers: Mapping[str, list[float]], key: str, about: Quantity) -> Iterator[Lever]:
+def _scaled(state: RepairState, numbers: Mapping[str, list[float]], key: str, about: Quantity) -> Iterator[Lever]:
     """All in one proportion; a journal that grows outwards, away from the masses; a core for which the slope is that of the bending."""
     data, now = state.document.data, numbers[key][0]
     lists = {one for one in numbers if isinstance(value_at(data, one), list)}
@@ -210,7 +299,7 @@ def _scaled(state: State, numbers: Mapping[str, list[float]], key: str, about: Q
 POSITIONS = "countershaft.bearing_positions_mm"
 
 
-def outwards(state: State, key: str, now: float) -> Callable[[float], list[float]] | None:
+def outwards(state: RepairState, key: str, now: float) -> Callable[[float], list[float]] | None:
     """Where the bearings stand when the inner end of one stays and its length becomes another."""
     places = value_at(state.document.data, POSITIONS) if state.design.countershaft is not None else None
     if not isinstance(places, list) or len(places) != 2 or not all(isinstance(z, (int, float)) for z in places):
@@ -219,7 +308,7 @@ def outwards(state: State, key: str, now: float) -> Callable[[float], list[float
     return lambda x: [digits(z + side * (x - now) / 2, 6) if i == n else z for i, z in enumerate(places)]
 
 
-def _clearance(state: State, place: str) -> Iterator[Lever]:
+def _clearance(state: RepairState, place: str) -> Iterator[Lever]:
     """In micrometres, in place of the factor where that is given."""
     key, data = f"{place}.clearance_um", state.document.data
     if (there := published(state.results, key)) is None:
@@ -230,7 +319,7 @@ def _clearance(state: State, place: str) -> Iterator[Lever]:
     yield Lever(now, quantity_of(data, key), lambda x: gone | {key: digits(x)}, now)
 
 
-def disturbance(state: State, changes: Iterable[tuple[str, object]]) -> float:
+def disturbance(state: RepairState, changes: Iterable[tuple[str, object]]) -> float:
     """How much changes change: the sum of the relative changes of their numbers, and a half for a word."""
     total = 0.0
     for key, new in changes:

@@ -7,29 +7,29 @@ from dataclasses import dataclass, replace
 from fnmatch import fnmatchcase
 from importlib import import_module
 
+from ...design.names import words
 from ...design.toml_file import Document
-from ...sheet.changes import assignments
 from ...sheet.check import Check
 from ...sheet.errors import BadInput, NoSolution
 from ...sheet.progress import Progress, part
+from ...sheet.remedy import assignments
 from ...sheet.search import Budget
 from ...sheet.step import Outcome
 from ...sheet.text import COMMA, Text
 from ...solve import Results
 from . import vary
-from .state import ORDER, TITLES, State, broken, first_repaired, repaired, state_of
-from ...design.names import words
+from .state import ORDER, TITLES, RepairState, broken, first_repaired, repaired, state_of
 
 ROUNDS = 3  # through the steps: one may undo a little of an earlier one
 TIMES = 4  # through the checks of a step
 NAMED = 6  # remedies that checks name, tried as whole designs
 TRIES = 100  # whole designs that the search over single numbers may solve, for all checks together
 
-Way = Callable[[State, tuple[Check, ...], Progress | None], State]
+Way = Callable[[RepairState, tuple[Check, ...], Progress | None], RepairState]
 
 
 @dataclass(frozen=True)
-class Remedy:
+class NearestRemedy:
     """What repairs a step.  `changes`: KEY=VALUE, as `--set` takes them; `mends`: ids of checks that failed and hold with it (a step that
     had no solution: its key).  `left`: what still fails in the step, and why; then it is a part of a remedy only.  `breaks`: ids of
     checks of other steps that fail with it and did not before.  `document` and `results`: the design with it."""
@@ -60,7 +60,7 @@ class Nearest:
     """Remedies in the order in which they are to be made, each on the design with those before; what then still fails; the design with
     all of them.  `changes` and `words`: all of them together."""
 
-    remedies: tuple[Remedy, ...]
+    remedies: tuple[NearestRemedy, ...]
     left: tuple[Unmended, ...]
     changes: tuple[str, ...]
     words: Text
@@ -80,16 +80,16 @@ Ways = dict[str, tuple[tuple[tuple[str, ...], str], ...]]
 WAYS: Ways = {
     "countershaft": ((("countershaft.residual", "countershaft.residual_force"), "calc.studies.repair.sizing.balance"),
                      (("countershaft.crossing",), "calc.studies.repair.sizing.shorter_journals")),
-    "bearings": ((("*",), "calc.repair.journals.repair"),),
+    "bearings": ((("*",), "calc.studies.repair.trials.bearings_or_longer_journals"),),
     "gears": (
         (("*.contact_ratio", "*.contact_ratio_least", "*.interference", "*.interference_least", "*.tip_clearance_least", "*.undercut",
-          "*.tip_thickness"), "calc.studies.repair.teeth.repair"),
+          "*.tip_thickness"), "calc.studies.repair.teeth.better_teeth"),
         (("*.clearance", "*.position"), "calc.studies.repair.teeth.idler"),
-        (("*.backlash", "*.backlash_cold", "*.backlash_warm", "*.backlash_runout"), "calc.repair.backlash.repair"),
-        (("*.safety_contact", "*.safety_bending"), "calc.repair.strength.repair"),
+        (("*.backlash", "*.backlash_cold", "*.backlash_warm", "*.backlash_runout"), "calc.studies.repair.teeth.free_backlash"),
+        (("*.safety_contact", "*.safety_bending"), "calc.studies.repair.sizing.stronger_teeth"),
     ),
 }  # fmt: skip
-UNSOLVED = {"bearings": "calc.repair.bearings.repair", "countershaft": "calc.studies.repair.sizing.resize", "gears": "calc.studies.repair.teeth.repair"}
+UNSOLVED = {"bearings": "calc.studies.repair.sizing.nearest_bearings", "countershaft": "calc.studies.repair.sizing.resize", "gears": "calc.studies.repair.teeth.better_teeth"}
 LAST: Ways = {
     "countershaft": ((("countershaft.envelope", "countershaft.envelope_length", "countershaft.crossing", "countershaft.mass_shape"),
                       "calc.studies.repair.sizing.resize"),),
@@ -105,7 +105,7 @@ def _way(name: str) -> Way:
 
 def remedy(
     document: Document, step: str, results: Results | None = None, progress: Progress | None = None, tries: int = TRIES
-) -> Remedy:  # fmt: skip
+) -> NearestRemedy:  # fmt: skip
     """The nearest remedy of one step.  One without changes: nothing of it can be repaired, or nothing fails.
 
     `results`: where the design is solved already.  `progress` may raise `Cancelled`.
@@ -121,7 +121,7 @@ def nearest(
     `tries`: how many designs may be solved in the search over single numbers, where nothing better is known for a check.
     """
     budget, start = Budget(tries), state_of(document, results)
-    state, remedies, left = start, list[Remedy](), dict[str, tuple[Unmended, ...]]()
+    state, remedies, left = start, list[NearestRemedy](), dict[str, tuple[Unmended, ...]]()
     steps = [step for step in ORDER if only in (None, step)]
     for n in range(ROUNDS):
         before, moved = state, set[str]()
@@ -143,12 +143,12 @@ def nearest(
     return Nearest(tuple(remedies), tuple(still), tuple(assignments(state.changes)), changes, state.document, state.results)
 
 
-def _undone(state: State, step: str) -> tuple[Unmended, ...]:
+def _undone(state: RepairState, step: str) -> tuple[Unmended, ...]:
     """Checks that a remedy of another step made fail in the last round."""
     return tuple(Unmended(step, c.id, c.name, Text("what repairs other steps makes it fail")) for c in state.failing(step))
 
 
-def _without_needless(start: State, state: State) -> State:
+def _without_needless(start: RepairState, state: RepairState) -> RepairState:
     """The same without the changes without which nothing more fails, the last ones first: a search moves several numbers at once, and
     what a later change repairs may need no earlier one.  A design is solved no further than to the first check that says so."""
     failing = {c.id for c in state.results.checks() if c.verdict == "fail"}
@@ -182,10 +182,10 @@ class _Step:
         self.step, self.budget = step, budget
         self.why: dict[str, Text] = {}
 
-    def remedy(self, state: State, progress: Progress | None) -> Remedy:
+    def remedy(self, state: RepairState, progress: Progress | None) -> NearestRemedy:
         return self.repair(state, progress)[0]
 
-    def repair(self, state: State, progress: Progress | None) -> tuple[Remedy, State]:
+    def repair(self, state: RepairState, progress: Progress | None) -> tuple[NearestRemedy, RepairState]:
         """The remedy, and the design with it, whose changes are those of the remedy alone."""
         state = start = replace(state, changes={})
         for n in range(TIMES):
@@ -210,19 +210,19 @@ class _Step:
         else:
             effect = Text("passes all checks of the {step}", step=title)
         changes = words(start.document, start.results, state.changes)
-        remedy = Remedy(
+        remedy = NearestRemedy(
             self.step, tuple(assignments(state.changes)), changes, effect, tuple(mends), left, breaks, state.document, state.results
         )
         return remedy, state
 
-    def _left(self, state: State) -> tuple[Unmended, ...]:
+    def _left(self, state: RepairState) -> tuple[Unmended, ...]:
         step = self.step
         if state.unsolved(step):
             return (Unmended(step, step, TITLES[step], self.why.get(step, state.outcome(step).reason)),)
         nothing = Text("nothing was found that repairs it")
         return tuple(Unmended(step, c.id, c.name, self.why.get(c.id, nothing)) for c in state.failing(step))
 
-    def _solution(self, state: State, progress: Progress | None) -> State:
+    def _solution(self, state: RepairState, progress: Progress | None) -> RepairState:
         """A step that finds no solution: its own search, else one number at a time."""
         ways: list[Way] = [_way(UNSOLVED[self.step])] if self.step in UNSOLVED else []
         ways.append(self._one_number)
@@ -232,7 +232,7 @@ class _Step:
                 return made
         return state
 
-    def _round(self, state: State, progress: Progress | None) -> State:
+    def _round(self, state: RepairState, progress: Progress | None) -> RepairState:
         """Every failing check once: by what is made for it, then by its own remedies and the search over single numbers, then by a
         new start."""
         first, last = WAYS.get(self.step, ()), LAST.get(self.step, ())
@@ -248,10 +248,10 @@ class _Step:
             state = self._by(state, self._failing(state, patterns), _way(way), part(progress, 0.9, 1.0))
         return state
 
-    def _failing(self, state: State, patterns: tuple[str, ...]) -> tuple[Check, ...]:
+    def _failing(self, state: RepairState, patterns: tuple[str, ...]) -> tuple[Check, ...]:
         return tuple(c for c in state.failing(self.step) if any(fnmatchcase(c.id, pattern) for pattern in patterns))
 
-    def _one_number(self, state: State, failing: tuple[Check, ...], progress: Progress | None) -> State:
+    def _one_number(self, state: RepairState, failing: tuple[Check, ...], progress: Progress | None) -> RepairState:
         """By what a check itself names as a remedy, where that breaks nothing; else by the search over single numbers."""
         named = [dict(one.changes) for c in failing for one in c.remedies]
         try:
@@ -262,10 +262,10 @@ class _Step:
             return made
         return vary.repair(state, self.step, failing, self.budget, progress)
 
-    def _by(self, state: State, failing: tuple[Check, ...], way: Way, progress: Progress | None) -> State:
+    def _by(self, state: RepairState, failing: tuple[Check, ...], way: Way, progress: Progress | None) -> RepairState:
         return (self._tried(state, failing, way, progress) if failing else None) or state
 
-    def _tried(self, state: State, failing: tuple[Check, ...], way: Way, progress: Progress | None) -> State | None:
+    def _tried(self, state: RepairState, failing: tuple[Check, ...], way: Way, progress: Progress | None) -> RepairState | None:
         """The design as a way repairs it; None where it does not, with the reason noted."""
         ids = [c.id for c in failing]
         try:

@@ -4,21 +4,42 @@
 import cmath
 import math
 from collections.abc import Iterator
+from dataclasses import replace
 
+from ...bearings.selection.search import bearing_changes, nearest_row
 from ...countershaft.inputs import CountershaftInputs, EccentricMass
 from ...countershaft.sizing.choices import asked, candidates, changes, choices, envelope
 from ...countershaft.sizing.sectors import TooSmall, remainder
-from ...countershaft.task import Task, task
+from ...countershaft.task import ShaftTask, task
+from ...design.locks import locked
 from ...engine.result import EngineResult
+from ...gears.inputs import Wheel
+from ...gears.rating.classes import DEFAULT, class_names, strength_class
 from ...imbalance.result import ImbalanceResult
-from ...sheet.changes import Changes
 from ...sheet.check import Check
 from ...sheet.errors import BadInput, NoSolution
-from ...sheet.progress import Progress, part
+from ...sheet.progress import Progress, part, tell
+from ...sheet.remedy import Changes, whole
+from ...sheet.search import least_whole
 from ...sheet.text import Text
-from ...sheet.trace import untraced
-from ...repair import bearings
-from .state import State, first_repaired
+from ...sheet.value import untraced
+from ...solve import Results
+from ..bearings_case import bearings_case
+from .state import RepairState, broken, first_repaired, repaired
+
+# Bearings that fail: the nearest ones of the search that `choose` offers.
+
+def nearest_bearings(state: RepairState, failing: tuple[Check, ...], progress: Progress | None = None) -> RepairState:
+    """Lengths, clearances, oil and supply, and where these do not help surfaces, diameters and fits.  Raises NoSolution."""
+    case = bearings_case(state.design, state.results)
+    if locked(state.document.data, "bearings.oil"):
+        case = replace(case, oils={case.bearings.oil: case.oils[case.bearings.oil]})
+    settled = nearest_row(case, progress)
+    written = bearing_changes(settled.row, case.bearings) if settled.row is not None else {}
+    if not written:
+        raise NoSolution(Text("the search for bearings finds nothing to change: it keeps every rule that it knows"))
+    return state.with_changes(written, settled.results if isinstance(settled.results, Results) else None)
+
 
 TRIED = 8  # shafts of the search, solved as whole designs
 SAME = 0.01  # share of an unbalance: a mass that is right to this stays as it is
@@ -28,7 +49,7 @@ TENTH = 1e-4  # m, to which a radius or a length that is needed is rounded up
 UNKNOWN = Text("what the engine asks for is not known")
 
 
-def balance(state: State, failing: tuple[Check, ...], progress: Progress | None = None) -> State:
+def balance(state: RepairState, failing: tuple[Check, ...], progress: Progress | None = None) -> RepairState:
     """Of the masses as few as will do, each by its mass, its angle or its radius alone where that is enough.  Raises NoSolution."""
     shaft = state.design.countershaft
     assert shaft is not None
@@ -40,12 +61,12 @@ def balance(state: State, failing: tuple[Check, ...], progress: Progress | None 
     return first_repaired(state, "countershaft", [c.id for c in failing], balanced(state, shaft), progress, whole=True)
 
 
-def _out_of_reach(failing: tuple[Check, ...], todo: Task) -> bool:
+def _out_of_reach(failing: tuple[Check, ...], todo: ShaftTask) -> bool:
     words = {"countershaft.residual": "couple", "countershaft.residual_force": "force"}
     return any(words.get(c.id) in todo.out_of_reach for c in failing)
 
 
-def balanced(state: State, shaft: CountershaftInputs) -> Iterator[Changes]:
+def balanced(state: RepairState, shaft: CountershaftInputs) -> Iterator[Changes]:
     """Masses that give what the engine asks for, the fewest changes first.  Raises NoSolution where that is not known."""
     imbalance, engine = state.results.result(ImbalanceResult), state.results.result(EngineResult)
     if imbalance is None or engine is None:
@@ -112,17 +133,17 @@ def _near(angle: float, old: float) -> float:
     return old + (angle - old + 180) % 360 - 180
 
 
-def shorter_journals(state: State, failing: tuple[Check, ...], progress: Progress | None = None) -> State:
+def shorter_journals(state: RepairState, failing: tuple[Check, ...], progress: Progress | None = None) -> RepairState:
     """Journals that run into the sectors: bearings of the search, which fit."""
     if state.design.bearings is None:
         raise NoSolution(Text("there are no bearings to shorten"))
-    made = bearings.repair(state, failing, progress)
+    made = nearest_bearings(state, failing, progress)
     if any(c.id in {one.id for one in failing} for c in made.failing("countershaft")):
         raise NoSolution(Text("no bearings that fit beside the sectors pass"))
     return made
 
 
-def resize(state: State, failing: tuple[Check, ...], progress: Progress | None = None) -> State:
+def resize(state: RepairState, failing: tuple[Check, ...], progress: Progress | None = None) -> RepairState:
     """A shaft of the sizing search, the nearest in radius and of the same material first.  Raises NoSolution."""
     shaft, design = state.design.countershaft, state.design
     imbalance, engine = state.results.result(ImbalanceResult), state.results.result(EngineResult)
@@ -148,3 +169,85 @@ def resize(state: State, failing: tuple[Check, ...], progress: Progress | None =
     near = sorted(shafts, key=lambda one: (one.material != shaft.material, abs(one.sized.outer_radius - R)))
     ways = (changes(one, room) for one in near)
     return first_repaired(state, "countershaft", ids, ways, part(progress, 0.3, 1.0), most=TRIED)
+
+
+# Teeth that are too weak: the smallest face width that is enough, and beyond half as much again a stronger class or quality.
+
+STEP = 0.5  # mm
+WIDER = 1.5  # times the face width that is tried before a stronger class; rule of this program
+WIDEST = 3.0  # times it where no class is enough
+QUALITIES = ("MQ", "ME")
+
+
+def stronger_teeth(state: RepairState, failing: tuple[Check, ...], progress: Progress | None = None) -> RepairState:
+    """Raises NoSolution where neither helps."""
+    ids, names = [c.id for c in failing], wheels(state, failing)
+    tell(progress, 0.0, Text("face width"))
+    made = _wider(state, names, ids, 1.0, WIDER)
+    if made is None:
+        try:
+            made = first_repaired(state, "gears", ids, stronger(state, names), part(progress, 0.3, 0.7))
+        except NoSolution:
+            made = _wider(state, names, ids, WIDER, WIDEST)
+    if made is None:
+        raise NoSolution(Text("neither {times} times the face width nor a stronger class is enough", times=WIDEST))
+    return made
+
+
+def wheels(state: RepairState, failing: tuple[Check, ...]) -> list[str]:
+    """Wheels of the pairs that fail: a root is as wide as its pair."""
+    gears = state.design.gears
+    assert gears is not None
+    what = {c.id.split(".")[1] for c in failing}
+    pairs = [mesh for mesh in gears.meshes if {mesh.key, mesh.driver, mesh.driven} & what]
+    wanted = {name for mesh in pairs for name in (mesh.driver, mesh.driven)}
+    return [wheel.name for wheel in gears.wheels if wheel.name in wanted]
+
+
+def _wider(state: RepairState, names: list[str], ids: list[str], low: float, high: float) -> RepairState | None:
+    """The smallest face width between two multiples of the present one, on half millimetres; None where none is enough."""
+    gears = state.design.gears
+    assert gears is not None
+    own = {w.name: w.face_width for w in gears.wheels if w.name in names and w.face_width is not None}
+    widths = {f"gears.wheels.{name}.face_width_mm": b * 1e3 for name, b in own.items()}
+    if len(own) < len(names):
+        widths["gears.face_width_mm"] = gears.face_width * 1e3
+
+    def with_width(n: int) -> RepairState | None:
+        """The common width of n steps, wheels that are wider staying as they are; None where it is not enough."""
+        try:
+            made = state.with_changes({key: whole(n * STEP) for key, b in widths.items() if b < n * STEP})
+        except BadInput:
+            return None
+        return made if repaired(state, made, "gears", ids) and not broken(state, made) else None
+
+    narrow, wide = min(widths.values()), max(widths.values())
+    return least_whole(with_width, math.floor(narrow * low / STEP) + 1, math.floor(wide * high / STEP))
+
+
+def stronger(state: RepairState, names: list[str]) -> Iterator[Changes]:
+    """Classes and qualities that are stronger than those of the wheels, the weakest first: for each wheel alone, then for all."""
+    gears = state.design.gears
+    assert gears is not None
+    some_wheels = [wheel for wheel in gears.wheels if wheel.name in names]
+    every = [strength_class(name, quality) for name in class_names() for quality in QUALITIES]
+    every.sort(key=lambda one: one.sigma_Hlim + one.sigma_Flim)
+    for some in [*([wheel] for wheel in some_wheels), some_wheels]:
+        now = [strength_class(w.gear_material or DEFAULT, w.quality, w.hardness) for w in some]
+        enough = [
+            one for one in every if all(one.sigma_Hlim >= was.sigma_Hlim and one.sigma_Flim >= was.sigma_Flim for was in now)
+            and any(one.sigma_Hlim > was.sigma_Hlim or one.sigma_Flim > was.sigma_Flim for was in now)
+        ]  # fmt: skip
+        for one in enough[:TRIED]:
+            yield dict(change for wheel in some for change in _class(wheel, one.name, one.quality))
+
+
+def _class(wheel: Wheel, name: str, quality: str) -> Iterator[tuple[str, str | None]]:
+    """The hardness goes, which belonged to another class: the lowest of the new one is then taken."""
+    at = f"gears.wheels.{wheel.name}"
+    if (wheel.gear_material or DEFAULT) != name:
+        yield f"{at}.gear_material", name
+        if wheel.hardness is not None:
+            yield f"{at}.hardness_HV", None
+    if wheel.quality != quality:
+        yield f"{at}.quality", quality

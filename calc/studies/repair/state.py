@@ -5,13 +5,13 @@ from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
 
 from ...design.addresses import value_at
+from ...design.locks import locked
 from ...design.model import STEPS, Design
 from ...design.toml_file import Document, design
-from ...design.locks import locked
-from ...sheet.changes import Changes
 from ...sheet.check import Check, severity
 from ...sheet.errors import BadInput, InputError, NoSolution
 from ...sheet.progress import Progress
+from ...sheet.remedy import Changes
 from ...sheet.search import Trial, first_good
 from ...sheet.step import Outcome
 from ...sheet.text import Small, Text
@@ -22,7 +22,7 @@ TITLES = {step.key: Small(step.title) for step in STEPS}
 
 
 @dataclass(frozen=True)
-class State:
+class RepairState:
     """`changes`: from the design that was asked about to this one."""
 
     document: Document
@@ -48,7 +48,7 @@ class State:
 
     def with_changes(
         self, changes: Mapping[str, object], known: Results | None = None, enough: Callable[[Outcome[object]], bool] | None = None
-    ) -> "State":  # fmt: skip
+    ) -> "RepairState":  # fmt: skip
         """The same with keys changed, solved whole but for what judges nothing.  Raises BadInput where they are not allowed, or locked.
 
         `known`: results of a design that is nearer to it, or of itself, whole or not.  `enough` ends the solution early, as in `solve`.
@@ -65,16 +65,16 @@ class State:
         wanted = design(document, (self.document, self.design))
         there = known is not None and known.design == wanted and known.outcomes.keys() >= self.results.outcomes.keys()
         results = known if known is not None and there else solve(wanted, known or self.results, enough=enough, compared=False)
-        return State(document, results, made)
+        return RepairState(document, results, made)
 
 
-def state_of(document: Document, results: Results | None = None) -> State:
+def state_of(document: Document, results: Results | None = None) -> RepairState:
     """`results`: where the design, or an earlier version of it, is solved already."""
     made = design(document)
-    return State(document, results if results is not None and results.design == made else solve(made, results))
+    return RepairState(document, results if results is not None and results.design == made else solve(made, results))
 
 
-def broken(before: State, after: State, steps: Iterable[str] = ORDER) -> list[str]:
+def broken(before: RepairState, after: RepairState, steps: Iterable[str] = ORDER) -> list[str]:
     """Checks of these steps that fail now and did not before, and steps that lost their solution; of a step without one nothing counts."""
     worse = []
     for step in steps:
@@ -93,7 +93,7 @@ def warned(before: Results, after: Results) -> list[Check]:
     return sorted((c for c in after.checks() if c.verdict == "warn" and c.id not in known), key=severity)
 
 
-def repaired(before: State, after: State, step: str, ids: Iterable[str]) -> bool:
+def repaired(before: RepairState, after: RepairState, step: str, ids: Iterable[str]) -> bool:
     """Whether these checks hold now; where the step had no solution, all of its checks."""
     if after.outcome(step).state != "solved":
         return False
@@ -102,9 +102,9 @@ def repaired(before: State, after: State, step: str, ids: Iterable[str]) -> bool
 
 
 def first_repaired(
-    before: State, step: str, ids: Iterable[str], ways: Iterable[Changes], progress: Progress | None = None, *, whole: bool = False,
+    before: RepairState, step: str, ids: Iterable[str], ways: Iterable[Changes], progress: Progress | None = None, *, whole: bool = False,
     most: int | None = None,
-) -> State:  # fmt: skip
+) -> RepairState:  # fmt: skip
     """The first of some ways, each a set of changes, by which the checks `ids` of a step hold; `most` of them are tried.
 
     One that breaks no check that held is preferred to one that breaks checks of later steps, which can be repaired in turn; with `whole`
@@ -112,7 +112,7 @@ def first_repaired(
     """
     wanted, earlier = list(ids), ORDER[: ORDER.index(step) + 1]
 
-    def tried(changes: Changes) -> Trial[State]:
+    def tried(changes: Changes) -> Trial[RepairState]:
         try:
             after = before.with_changes(changes)
         except BadInput as bad:

@@ -5,29 +5,30 @@ The rules are those of the search for shifts (`choose`).  That search looks for 
 at alone, and the nearest to the design that keeps the rules is taken.  Where there is none, the rows of that search.
 """
 
+import math
 from collections.abc import Iterator
 from dataclasses import replace
 
 import numpy as np
 
+from ...design.locks import locked
+from ...design.step_inputs import shaft_axis
 from ...gears.inputs import GearsInputs
 from ...gears.selection.free_shifts import freedoms, settled
 from ...gears.selection.idler import idlers, passed
-from ...gears.selection.optimum import Case, along
-from ...gears.selection.rules import USUAL, Bar, eased, judge
-from ...gears.selection.search import Row, search
-from ...gears.selection.states import States, states
+from ...gears.selection.optimum import ShiftCase, along
+from ...gears.selection.search import ShiftRow, search
+from ...gears.selection.states import USUAL, Bar, States, eased, judge, states
 from ...gears.selection.tables import changes, freed
 from ...gears.train import tooth_system
 from ...sheet.arrays import Array
-from ...sheet.changes import Changes
 from ...sheet.check import Check
 from ...sheet.errors import NoSolution
 from ...sheet.progress import Progress, part, tell
+from ...sheet.remedy import Changes, whole
 from ...sheet.search import first, least
-from ...sheet.text import Text
-from ...design.step_inputs import shaft_axis
-from .state import State, first_repaired
+from ...sheet.text import Amount, Text
+from .state import RepairState, first_repaired
 
 TRIED = 6  # designs, solved whole
 CUT = 1e-5  # m: step of the tip cuts
@@ -35,7 +36,7 @@ DEEPEST = 1.0  # modules off a tip
 MARGIN = 1e-6  # by which a rule is kept, so that the same number judged elsewhere keeps it too
 
 
-def repair(state: State, failing: tuple[Check, ...], progress: Progress | None = None) -> State:
+def better_teeth(state: RepairState, failing: tuple[Check, ...], progress: Progress | None = None) -> RepairState:
     """Raises NoSolution where neither passes."""
     gears = state.design.gears
     assert gears is not None
@@ -50,7 +51,7 @@ def repair(state: State, failing: tuple[Check, ...], progress: Progress | None =
     return first_repaired(state, "gears", ids, map(changes, rows), part(progress, 0.8, 1.0), most=TRIED)
 
 
-def idler(state: State, failing: tuple[Check, ...], progress: Progress | None = None) -> State:
+def idler(state: RepairState, failing: tuple[Check, ...], progress: Progress | None = None) -> RepairState:
     """Other teeth of an idler that touches what stands beside it, or does not reach: the nearest number that passes."""
     gears = state.design.gears
     assert gears is not None
@@ -65,7 +66,7 @@ def idler(state: State, failing: tuple[Check, ...], progress: Progress | None = 
 def _nearest(gears: GearsInputs) -> Iterator[tuple[int, float, Changes]]:
     """Of every way to leave shifts free the nearest along each, and the nearest cut of each tip: which limits it keeps (the fewer the
     later), how far it goes, and its keys."""
-    case = Case(tooth_system(gears), gears)
+    case = ShiftCase(tooth_system(gears), gears)
     now = settled(gears, case.system)
     there = None if now is None else states(case.system, gears, now.shifts)
     hard: Bar = tuple(replace(rule, limit=rule.hard) for rule in USUAL)  # type: ignore[assignment]
@@ -87,14 +88,61 @@ def _nearest(gears: GearsInputs) -> Iterator[tuple[int, float, Changes]]:
                 yield n, change, {f"gears.wheels.{wheel.name}.tip_shortening_mm": round(k * 1e3, 6)}
 
 
-def _first(case: Case, made: States, bar: Bar, numbers: Array, start: float) -> float | None:
+def _first(case: ShiftCase, made: States, bar: Bar, numbers: Array, start: float) -> float | None:
     kept = np.broadcast_to(least(judge(made, case.system, bar)) >= MARGIN, numbers.shape)
     index = first(kept, np.abs(numbers - start))
     return None if index is None else float(numbers[index])
 
 
-def _change(row: Row, gears: GearsInputs) -> float:
+def _change(row: ShiftRow, gears: GearsInputs) -> float:
     """From the design: the sum of the changes of all given shifts and, in modules, of all tip cuts; rule of this program."""
     shifts = sum(abs(float(row.states.shifts[w.name][0]) - w.profile_shift) for w in gears.wheels if w.profile_shift is not None)
     cuts = {wheel.name: wheel.tip_shortening for wheel in gears.wheels}
     return shifts + sum(abs(k - cuts[name]) for name, k in row.cuts.items()) / gears.module
+
+
+# Teeth that jam: as many whole micrometres off the spans of the wheels as free every pair at its smallest backlash.
+
+KINDS = ("backlash", "backlash_cold", "backlash_warm", "backlash_runout")
+ROUNDS = 4  # a wheel grows with temperature, so that its allowance does not act to the last micrometre
+MOST = 1000  # µm off one pair: beyond, the backlash is not that of its tolerances
+
+
+def free_backlash(state: RepairState, failing: tuple[Check, ...], progress: Progress | None = None) -> RepairState:
+    """Raises NoSolution where thinner teeth do not free a pair."""
+    for n in range(ROUNDS):
+        tell(progress, n / ROUNDS, Text("backlash"))
+        jammed = [c for c in state.failing("gears") if c.id.rpartition(".")[2] in KINDS]
+        if not jammed:
+            return state
+        missing: dict[str, int] = {}
+        for one in jammed:
+            if not -one.value < MOST:
+                value = Amount(one.value, "µm")
+                raise NoSolution(Text("{check} is {value}: thinner teeth alone do not free the pair", check=one.name, value=value))
+            mesh = one.id.split(".")[1]
+            missing[mesh] = max(missing.get(mesh, 0), math.ceil(-one.value - 1e-6))
+        state = state.with_changes(_thinner(state, missing))
+    raise NoSolution(Text("thinner teeth do not free the pair: look at measured sizes and centre distances"))
+
+
+def _thinner(state: RepairState, missing: dict[str, int]) -> Changes:
+    """Each micrometre comes off the wheel that frees the most pairs by it, of several the one with the thickest teeth."""
+    gears = state.design.gears
+    assert gears is not None
+    pairs = {mesh.key: (mesh.driver, mesh.driven) for mesh in gears.meshes}
+    free = [wheel for wheel in gears.wheels if not locked(state.document.data, f"gears.wheels.{wheel.name}.span_allowance_um")]
+    given = {wheel.name: [round(end * 1e6, 6) for end in wheel.span_allowance or (0.0, 0.0)] for wheel in free}
+    if stuck := next((mesh for mesh in missing if not given.keys() & set(pairs[mesh])), None):
+        raise NoSolution(Text("the span allowances of {driver} and {driven} are locked", driver=pairs[stuck][0], driven=pairs[stuck][1]))
+    left, less = dict(missing), dict.fromkeys(given, 0)
+
+    def use(wheel: str) -> tuple[int, float]:
+        return sum(more > 0 and wheel in pairs[mesh] for mesh, more in left.items()), given[wheel][0] - less[wheel]
+
+    while any(more > 0 for more in left.values()):
+        best = max(given, key=use)
+        less[best] += 1
+        left = {mesh: more - (best in pairs[mesh]) for mesh, more in left.items()}
+    less = {name: n for name, n in less.items() if n}
+    return {f"gears.wheels.{name}.span_allowance_um": [whole(end - n) for end in given[name]] for name, n in less.items()}

@@ -1,21 +1,128 @@
 # SPDX-License-Identifier: Apache-2.0
 """The smallest change of one kind by which a finding and its group hold; whole designs are tried, each once."""
 
+from collections.abc import Iterable
+from dataclasses import dataclass, field
 from math import copysign, isnan, nan
 
 from ...design.addresses import value_at
-from ...sheet.changes import Changes
+from ...design.locks import USUAL
+from ...design.names import PLACES, named, published, words
 from ...sheet.check import THIN_MARGIN, Check
 from ...sheet.errors import BadInput, NoSolution
-from ...sheet.progress import Progress, tell
+from ...sheet.progress import Progress, part, tell
+from ...sheet.remedy import Changes, assignments
 from ...sheet.search import rounded
 from ...sheet.step import Outcome
-from ...sheet.text import Text
-from ...repair.kinds import called
-from .levers import Lever, Plan
-from .state import State
-from ...repair.way import ALL_CORNERS, AS_GIVEN, BREAKS, NEAR, Way, made_way
-from ...design.names import published
+from ...sheet.text import COMMA, EMPTY, SEMICOLON, Amount, Text, plural
+from ...solve import Results
+from . import sizing as bearings
+from .levers import Lever, LeverPlan, called, disturbance, levers
+from .state import ORDER, RepairState, broken
+
+# One way to mend a finding: what it changes, how far it comes, and what it does to all the rest.
+
+MOST, SHUT = 5, 2  # that are offered, and of these locked ones
+ALL_CORNERS, AS_GIVEN, BREAKS, NEAR, LOCKED = range(5)  # how good a way is
+
+
+@dataclass(frozen=True)
+class RepairOption:
+    """One remedy.  `kind`: in the words of the trade; `words`: the change in labels and units of the fields; `made`: each
+    key with its new value, `changes` the same as KEY=VALUE.
+
+    `passes`: the finding and the limits of its group hold; `effect` says how far it comes.  `left`: names of what is still open in the
+    group; `breaks`: names of limits that fail then and did not, and of steps without a solution.  `verdicts`: step, before, after.
+    `power` [W], `mass` [kg]: before and after, of the crank's loss and the shaft; `cold` [µm]: the cold clearance, of a bearing.
+    `locked`: why it was not looked at.  `missing`: it gives an input that was not there.
+    """
+
+    kind: Text
+    keys: tuple[str, ...]
+    made: tuple[tuple[str, object], ...] = ()
+    words: Text = EMPTY
+    effect: Text = EMPTY
+    quality: int = LOCKED
+    disturbance: float = 0.0
+    left: tuple[Text, ...] = ()
+    breaks: tuple[Text, ...] = ()
+    verdicts: tuple[tuple[str, str, str], ...] = ()
+    power: tuple[float, float] | None = None
+    mass: tuple[float, float] | None = None
+    cold: float | None = None
+    locked: str = ""
+    results: Results | None = field(default=None, repr=False)
+
+    @property
+    def changes(self) -> tuple[str, ...]:
+        return tuple(assignments(dict(self.made)))
+
+    @property
+    def passes(self) -> bool:
+        return self.quality < NEAR
+
+    @property
+    def rest(self) -> Text:
+        """What it does beside: `+9 W, +0.4 kg, cold gap 32 µm; then fails: …`."""
+        parts = [Text("{change}", change=Amount(b - a, unit, form="+.3g")) for pair, unit in ((self.power, "W"), (self.mass, "kg"))
+                 if pair is not None and abs((b := pair[1]) - (a := pair[0])) > 5e-4 * abs(a)]  # fmt: skip
+        if self.cold is not None:
+            parts.append(Text("cold gap {gap}", gap=Amount(self.cold, "µm", digits=3)))
+        text = COMMA.join(parts) if parts else EMPTY
+        if self.breaks:
+            fails = Text("then fails: {checks}", checks=COMMA.join(self.breaks[:2]))
+            text = SEMICOLON.join([text, fails]) if text else fails
+        return text
+
+
+def ranked(ways: Iterable[RepairOption]) -> tuple[RepairOption, ...]:
+    """The best few, what passes everything first, then by the smallest disturbance; what is locked last."""
+    every = sorted(ways, key=lambda way: (way.quality, way.disturbance))
+    shut = sorted((way for way in every if way.locked), key=lambda way: way.keys[0] in USUAL)[:SHUT]
+    return (*[way for way in every if not way.locked][: MOST - len(shut)], *shut)
+
+
+def repair_option(state: RepairState, after: RepairState, changes: Changes, group: tuple[Check, ...], kind: Text) -> RepairOption:
+    """A way that was found, with all that it does."""
+    left = _open_still(after, group)
+    steps = [id for id in broken(state, after)]
+    names = {c.id: c.name for outcome in after.results.outcomes.values() for c in outcome.checks}
+    breaks = tuple(names.get(id, Text("{step} has no solution", step=id)) for id in steps)
+    limits = any(c.verdict == "fail" for c in left) or (bool(left) and left[0].id == group[0].id)
+    quality = NEAR if limits else BREAKS if breaks else AS_GIVEN if left else ALL_CORNERS
+    before, then = state.results, after.results
+    place = group[0].id.split(".")[1] if group and group[0].id.startswith("bearings.") else ""
+    gap = then.values().get(f"bearings.{place}.clearance_cold") if place else None
+    return RepairOption(
+        kind, tuple(changes), tuple(changes.items()), words(state.document, before, changes), _effect(group, left, quality), quality,
+        disturbance(state, changes.items()), tuple(c.name for c in left), breaks,
+        tuple((key, before.outcomes[key].verdict, then.outcomes[key].verdict) for key in ORDER),
+        _pair(before, then, "friction.total_loss"), _pair(before, then, "countershaft.mass"), gap.shown if gap is not None else None,
+        results=then,
+    )  # fmt: skip
+
+
+def _pair(before: Results, after: Results, id: str) -> tuple[float, float] | None:
+    one, other = before.values().get(id), after.values().get(id)
+    return (one.shown, other.shown) if one is not None and other is not None else None
+
+
+def _open_still(after: RepairState, group: tuple[Check, ...]) -> tuple[Check, ...]:
+    """Of a group what is not mended: a limit that failed must hold, all else must be closed."""
+    there = {c.id: c for outcome in after.results.outcomes.values() for c in outcome.checks}
+    return tuple(there[c.id] for c in group if c.id in there and (there[c.id].open if c.verdict != "fail" else not there[c.id].holds))
+
+
+def _effect(group: tuple[Check, ...], left: tuple[Check, ...], quality: int) -> Text:
+    if quality == NEAR and left:
+        worst = left[0]
+        if worst.id != group[0].id:
+            return Text("still open: {checks}", checks=worst.name)
+        return Text("comes to {value}, needs {limit}", value=Amount(worst.value, worst.unit, digits=3), limit=worst.limit_text())
+    if left:
+        return plural("passes as given; {n} finding is still open", "passes as given; {n} findings are still open", n=len(left))
+    return Text("passes, also at every corner") if any("corner" in c.id or "worst" in c.id for c in group) else Text("passes")
+
 
 PROBE = 0.02  # of the number, by which it is moved to see what it does
 FARTHEST = {1.0: 0.6, -1.0: 0.9}  # relative change up and down that is still believed
@@ -31,15 +138,15 @@ NEARER = 0.1  # share of what is missing that a change must bring to be worth a 
 class Trials:
     """The smallest change of one kind: whole designs are tried, each once."""
 
-    def __init__(self, state: State, step: str, group: tuple[Check, ...], progress: Progress | None, name: Text) -> None:
+    def __init__(self, state: RepairState, step: str, group: tuple[Check, ...], progress: Progress | None, name: Text) -> None:
         self.state, self.step, self.group, self.progress, self.name = state, step, group, progress, name
         self.ids = {c.id for c in group}
-        self.known: dict[tuple[str, bool], State | None] = {}
+        self.known: dict[tuple[str, bool], RepairState | None] = {}
         self.ended = False  # whether the last one was solved as far as the group only
 
-    def best(self, plan: Plan) -> Way | None:
+    def best(self, plan: LeverPlan) -> RepairOption | None:
         """The best way of a kind; None where it brings nothing."""
-        found: list[Way] = []
+        found: list[RepairOption] = []
         for changes in plan.sets:
             if (way := self.way(changes)) is not None:
                 found.append(way)
@@ -62,7 +169,7 @@ class Trials:
         return next(iter(found), None)
 
     # --- trying
-    def tried(self, changes: Changes | None, whole: bool = False) -> State | None:
+    def tried(self, changes: Changes | None, whole: bool = False) -> RepairState | None:
         """The design with a change, solved no further than to the checks of the group; `whole`: to the end."""
         if changes is None:
             return None
@@ -86,7 +193,7 @@ class Trials:
             self.ended = True
         return self.ended
 
-    def score(self, after: State | None, wanted: tuple[Check, ...]) -> float:
+    def score(self, after: RepairState | None, wanted: tuple[Check, ...]) -> float:
         """The least margin of what is to hold, from what it needs; no number where there is none."""
         if after is None or after.outcome(self.step).state != "solved":
             return nan
@@ -94,7 +201,7 @@ class Trials:
         margins = [there[c.id].margin - (THIN_MARGIN if c.narrow else 0.0) for c in wanted if c.id in there]
         return min(margins, default=nan)
 
-    def way(self, changes: Changes) -> Way | None:
+    def way(self, changes: Changes) -> RepairOption | None:
         """What changes come to; None where they are not allowed, or without a solution."""
         after = self.tried(changes, whole=True)
         if after is None or after.outcome(self.step).state != "solved":
@@ -103,18 +210,18 @@ class Trials:
         if not made:
             return None
         key = next((key for key in made if made[key] is not None), next(iter(made)))
-        way = made_way(self.state, after, made, self.group, called(self.state.document, key, self._now(key), made[key]))
+        way = repair_option(self.state, after, made, self.group, called(self.state.document, key, self._now(key), made[key]))
         return way
 
-    def _worth(self, way: Way) -> bool:
+    def _worth(self, way: RepairOption) -> bool:
         """Whether it is worth a row: it breaks little, and comes clearly nearer."""
         if way.quality == NEAR:
             gap, still = (-self.score(state, self.group[:1]) for state in (self.state, self._after(way)))
             return not way.breaks and still < gap * (1 - NEARER)
         return len(way.breaks) <= MANY
 
-    def _after(self, way: Way) -> State | None:
-        return State(self.state.document, way.results) if way.results is not None else None
+    def _after(self, way: RepairOption) -> RepairState | None:
+        return RepairState(self.state.document, way.results) if way.results is not None else None
 
     def _now(self, key: str) -> object:
         now = value_at(self.state.document.data, key)
@@ -123,7 +230,7 @@ class Trials:
         return now
 
     # --- one number
-    def moved(self, lever: Lever, wanted: tuple[Check, ...]) -> Way | None:
+    def moved(self, lever: Lever, wanted: tuple[Check, ...]) -> RepairOption | None:
         """The smallest change by which what is wanted holds, else the one that comes nearest."""
         start = self.score(self.state, wanted)
         for sign in (1.0, -1.0):
@@ -143,10 +250,10 @@ class Trials:
             return self._nearer(lever, ends) if not isinstance(ends, tuple) else None
         return None
 
-    def _nearer(self, lever: Lever, end: float) -> Way | None:
+    def _nearer(self, lever: Lever, end: float) -> RepairOption | None:
         """As far towards a number as nothing else breaks."""
         low, high, number = lever.now, end, end
-        best: Way | None = None
+        best: RepairOption | None = None
         for _ in range(HALVINGS):
             changes = lever.at(number)
             way = self.way(changes) if changes is not None else None
@@ -213,3 +320,31 @@ class Trials:
         if lever.about.kind != "integer":
             return number
         return lever.now + copysign(max(1.0, abs(round(number - lever.now))), number - lever.now)
+
+
+# Bearings that fail: the nearest ones that fit, else journals as long as their films ask for, with the bearings further out.
+
+def bearings_or_longer_journals(state: RepairState, failing: tuple[Check, ...], progress: Progress | None = None) -> RepairState:
+    """Raises NoSolution where neither helps."""
+    try:
+        return bearings.nearest_bearings(state, failing, part(progress, 0.0, 0.5))
+    except NoSolution as none:
+        try:
+            return longer_journals(state, failing, part(progress, 0.5, 1.0))
+        except NoSolution:
+            raise none from None
+
+
+def longer_journals(state: RepairState, failing: tuple[Check, ...], progress: Progress | None = None) -> RepairState:
+    """Journals as much longer as their films ask for, outwards where the masses leave no room.  Raises NoSolution."""
+    for n, place in enumerate(PLACES):
+        group = tuple(c for c in failing if c.id.startswith(f"bearings.{place}."))
+        key = f"bearings.{place}.length_mm"
+        if not group:
+            continue
+        here = part(progress, n / len(PLACES), (n + 1) / len(PLACES))
+        way = Trials(state, "bearings", group, here, named(state.document, key)).best(LeverPlan((key,), tuple(levers(state, [key]))))
+        if way is None or way.quality > AS_GIVEN:
+            raise NoSolution(Text("no longer journal is enough, {place}", place=PLACES[place]))
+        state = state.with_changes(dict(way.made), way.results)
+    return state

@@ -12,15 +12,15 @@ from dataclasses import dataclass
 
 from ...design.addresses import as_list, quantities, value_at
 from ...design.locks import locked
-from ...sheet.changes import Changes, digits
 from ...sheet.check import Check
 from ...sheet.errors import BadInput, NoSolution
 from ...sheet.progress import Progress, tell
 from ...sheet.quantity import Quantity
+from ...sheet.remedy import Changes, digits
 from ...sheet.search import Budget, allowed, rounded, smallest
 from ...sheet.step import Outcome
 from ...sheet.text import Text
-from .state import State, broken, repaired
+from .state import RepairState, broken, repaired
 
 PROBE = 0.02  # relative change by which every number is moved to see what it does
 FARTHEST = 10.0  # relative change that is still believed, where a small one says how far to go
@@ -88,13 +88,13 @@ class Number:
 class _Search:
     """Tries whole designs, each once, while the budget lasts.  `checks`: those that are to hold; none: the step finds no solution."""
 
-    def __init__(self, state: State, step: str, checks: tuple[Check, ...], progress: Progress | None, budget: Budget) -> None:
+    def __init__(self, state: RepairState, step: str, checks: tuple[Check, ...], progress: Progress | None, budget: Budget) -> None:
         self.state, self.step, self.checks, self.progress, self.budget = state, step, checks, progress, budget
         self.ids = {c.id for c in checks}
         self.first = max(budget.left, 1)
-        self.known: dict[str, State | None] = {}
+        self.known: dict[str, RepairState | None] = {}
 
-    def tried(self, number: Number, changes: Changes | None) -> State | None:
+    def tried(self, number: Number, changes: Changes | None) -> RepairState | None:
         """The design with a change; solved no further than to a check that does not hold."""
         name = str(changes)
         if changes is None or (name not in self.known and not self.budget.spend()):
@@ -116,25 +116,25 @@ class _Search:
         known = {c.id: c.verdict for c in outcome.checks if c.id in self.ids}
         return known.keys() == self.ids and "fail" in known.values()
 
-    def holds(self, tried: State | None) -> bool:
+    def holds(self, tried: RepairState | None) -> bool:
         return tried is not None and repaired(self.state, tried, self.step, self.ids)
 
-    def passes(self, tried: State | None) -> bool:
+    def passes(self, tried: RepairState | None) -> bool:
         """And nothing that held before fails."""
         return tried is not None and self.holds(tried) and not broken(self.state, tried)
 
-    def margin(self, tried: State | None) -> float:
+    def margin(self, tried: RepairState | None) -> float:
         """The least of the checks that are to hold; no number where one has none."""
         there = {c.id: c.margin for c in tried.outcome(self.step).checks} if tried is not None else {}
         margins = [there.get(c.id, math.nan) for c in self.checks]
         return math.nan if not margins or any(map(math.isnan, margins)) else min(margins)
 
 
-def repair(state: State, step: str, checks: tuple[Check, ...], budget: Budget, progress: Progress | None = None) -> State:
+def repair(state: RepairState, step: str, checks: tuple[Check, ...], budget: Budget, progress: Progress | None = None) -> RepairState:
     """All these checks by one number.  Raises NoSolution where no single one helps, or not within the budget."""
     search, named = _Search(state, step, checks, progress, budget), _named(checks)
     numbers = list(_numbers(state, step, checks, named))
-    best: tuple[float, State] | None = None
+    best: tuple[float, RepairState] | None = None
     for n, (not_named, need, sign, number) in enumerate(sorted(_hopes(search, numbers, named), key=lambda one: one[:2])):
         if best is not None and (n >= BEST or best[0] <= GROWN[0] * need or (named and not_named)):
             break
@@ -168,7 +168,7 @@ def _hopes(search: _Search, numbers: list[Number], named: set[str]) -> Iterator[
             yield last, far, -1.0, number
 
 
-def _moved(search: _Search, number: Number, sign: float, guesses: Sequence[float]) -> tuple[float, State] | None:
+def _moved(search: _Search, number: Number, sign: float, guesses: Sequence[float]) -> tuple[float, RepairState] | None:
     """The smallest change of one number by which the checks hold, and the design with it; None where others then fail."""
     ends = smallest(lambda change: search.holds(search.tried(number, number.moved(sign * change))), guesses, CLOSE)
     if ends is None:
@@ -184,7 +184,7 @@ def _moved(search: _Search, number: Number, sign: float, guesses: Sequence[float
     return high, best
 
 
-def _numbers(state: State, step: str, checks: tuple[Check, ...], named: set[str]) -> Iterator[Number]:
+def _numbers(state: RepairState, step: str, checks: tuple[Check, ...], named: set[str]) -> Iterator[Number]:
     """Those that are named first, then those of the step that are free and given, of the same bearing or wheel before others."""
     free = re.compile(FREE[step])
     every = [(key, about) for key, about in quantities(state.document.data) if about.kind in ("number", "integer", "series")]

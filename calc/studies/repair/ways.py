@@ -9,21 +9,18 @@ import time
 from collections.abc import Iterator
 
 from ...design.addresses import quantity_of, value_at
+from ...design.names import named, written
 from ...design.toml_file import Document
-from ...sheet.check import Check
+from ...sheet.check import KINDS, Check
 from ...sheet.errors import BadInput
 from ...sheet.progress import Progress, part, tell
 from ...sheet.quantity import Quantity
-from ...sheet.rules import KINDS
 from ...sheet.search import rounded
 from ...sheet.text import Text
 from ...solve import Results
-from ...repair.kinds import kind_of
-from .levers import Plan, plans
-from .state import State, state_of
-from .trials import Trials
-from ...repair.way import NEAR, Way, made_way, ranked
-from ...design.names import named, written
+from .levers import LeverPlan, kind_of, plans
+from .state import RepairState, state_of
+from .trials import NEAR, RepairOption, Trials, ranked, repair_option
 
 HOUSINGS = ("EN-GJL-250", "EN AC-43100")  # grey iron and aluminium: what housings are usually cast of
 
@@ -38,14 +35,14 @@ def group_of(results: Results, finding: Check) -> tuple[Check, ...]:
 
 def ways(
     document: Document, finding: Check | str, results: Results | None = None, progress: Progress | None = None, seconds: float | None = None
-) -> tuple[Way, ...]:  # fmt: skip
+) -> tuple[RepairOption, ...]:  # fmt: skip
     """The best few remedies of one finding, or of a step without a solution.  `progress` may raise `Cancelled`."""
     return ranked(search(document, finding, results, progress, seconds))
 
 
 def search(
     document: Document, finding: Check | str, results: Results | None = None, progress: Progress | None = None, seconds: float | None = None
-) -> Iterator[Way]:  # fmt: skip
+) -> Iterator[RepairOption]:  # fmt: skip
     """All of them, each as soon as it is found; `seconds`: after so many no further kind is begun."""
     state, ends = state_of(document, results), None if seconds is None else time.monotonic() + seconds
     step = finding if isinstance(finding, str) else finding.id.partition(".")[0]
@@ -75,20 +72,20 @@ def search(
         yield way
 
 
-def _whole_step(state: State, step: str, group: tuple[Check, ...], progress: Progress | None) -> Way | None:
+def _whole_step(state: RepairState, step: str, group: tuple[Check, ...], progress: Progress | None) -> RepairOption | None:
     """The nearest design in which all limits of the step hold."""
     from .nearest import remedy
 
     one = remedy(state.document, step, state.results, progress, tries=20)
     if not one.changes or (not one.mends and group):
         return None
-    after = State(one.document, one.results)
+    after = RepairState(one.document, one.results)
     made = {key: value_at(one.document.data, key) for key in (change.partition("=")[0] for change in one.changes)}
-    way = made_way(state, after, made, group, Text("all of the step at once"))
+    way = repair_option(state, after, made, group, Text("all of the step at once"))
     return way if way.quality < NEAR else None
 
 
-def _given(state: State, group: tuple[Check, ...]) -> Iterator[Way]:
+def _given(state: RepairState, group: tuple[Check, ...]) -> Iterator[RepairOption]:
     """Of what can not be judged: the missing inputs, with a usual value where there is one."""
     for key in dict.fromkeys(key for check in group for key in check.missing):
         try:
@@ -98,16 +95,16 @@ def _given(state: State, group: tuple[Check, ...]) -> Iterator[Way]:
         kind = Text("give {input}", input=named(state.document, key))
         values = _usual(state, key, about)
         if not values:
-            yield Way(kind, (key,), effect=Text("then it can be judged"), quality=NEAR)
+            yield RepairOption(kind, (key,), effect=Text("then it can be judged"), quality=NEAR)
         for value in values:
             try:
                 after = state.with_changes({key: value})
             except BadInput:
                 continue
-            yield made_way(state, after, {key: value}, group, kind)
+            yield repair_option(state, after, {key: value}, group, kind)
 
 
-def _usual(state: State, key: str, about: Quantity) -> tuple[float | int | str, ...]:
+def _usual(state: RepairState, key: str, about: Quantity) -> tuple[float | int | str, ...]:
     """What is usually given there; of a housing the material of the bearings' first."""
     if about.usual is not None and about.kind in ("number", "integer"):
         low, high = about.usual
@@ -119,10 +116,10 @@ def _usual(state: State, key: str, about: Quantity) -> tuple[float | int | str, 
     return about.choices[:1]
 
 
-def _locked(state: State, plan: Plan, group: tuple[Check, ...]) -> Way:
+def _locked(state: RepairState, plan: LeverPlan, group: tuple[Check, ...]) -> RepairOption:
     kind = kind_of(state.document, plan.keys[0])
     film = any("film" in check.id or check.id.endswith("transition") for check in group)
     now, label = value_at(state.document.data, plan.keys[0]), named(state.document, plan.keys[0])
     text = Text("{label} {value}", label=label, value=written(now)) if now is not None else label
     name = kind.more if film and plan.keys[0].endswith(".oil") else kind.other or kind.less
-    return Way(name, plan.keys, words=text, effect=Text("not looked at"), locked=plan.reason)
+    return RepairOption(name, plan.keys, words=text, effect=Text("not looked at"), locked=plan.reason)

@@ -4,7 +4,7 @@
 from ...design.toml_file import Document, design
 from ...engine.result import EngineResult
 from ...imbalance.checks import FIRST, SECOND
-from ...imbalance.remedies import SIGNIFICANT, Remedy
+from ...imbalance.remedies import SIGNIFICANT, BalancingRemedy
 from ...imbalance.result import ImbalanceResult
 from ...sheet.errors import NoSolution
 from ...sheet.record import record
@@ -148,7 +148,7 @@ def _first(imbalance: ImbalanceResult) -> bool:
 
 
 def _left(imbalance: ImbalanceResult, id: str) -> tuple[Left, ...]:
-    remedy: Remedy | None = imbalance.remedy[REMEDIES[id]] if id in REMEDIES else None
+    remedy: BalancingRemedy | None = imbalance.remedy[REMEDIES[id]] if id in REMEDIES else None
     left = []
     for key, (what, unit) in WHATS.items():
         before = _before(imbalance, key)

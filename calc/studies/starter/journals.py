@@ -4,20 +4,19 @@
 from collections.abc import Mapping
 from itertools import product
 
-from ...bearings.selection.convergence import changes
-from ...bearings.selection.search import nearest_row
+from ...bearings.selection.search import bearing_changes, nearest_row
 from ...bearings.selection.variants import Variant
 from ...countershaft.result import CountershaftResult
 from ...design.model import Design
 from ...design.toml_file import Document, design
 from ...library.journal_rules import COOLED, LUBRICATIONS, N_RPM_MM
 from ...library.lubricant import Lubricant
-from ..bearings_case import bearings_case
 from ...sheet.check import THIN_MARGIN
 from ...sheet.errors import NoSolution
 from ...sheet.text import SEMICOLON, Amount, Text
 from ...sheet.units import Metre, Newton
 from ...solve import Results, solve
+from ..bearings_case import bearings_case
 from .shaft import BEARING, FILLET, HEAT_INDEX, THREADED
 from .train import HOUSING, passing_seat, tip
 from .writing import Section, changed, down, mm, table, up
@@ -57,7 +56,7 @@ def bearings(document: Document, results: Results) -> list[Section]:
                 tried.append(none.text)
                 break  # a wider journal is no cooler
             if settled.row is not None and settled.results is not None and settled.results.outcomes["bearings"].verdict == "pass":
-                return changed(sections, changes(settled.row, own), FOUND)
+                return changed(sections, bearing_changes(settled.row, own), FOUND)
     raise NoSolution(BEARINGS, SEMICOLON.join(tried[:1]), Text("a stiffer shaft, a slower one, or rolling bearings"))
 
 

@@ -6,7 +6,6 @@ from dataclasses import replace
 
 import numpy as np
 
-from ...design.addresses import Table
 from ...countershaft import formulas as f
 from ...countershaft.inputs import Holes, Journal
 from ...countershaft.making.balance import calibration
@@ -14,6 +13,7 @@ from ...countershaft.result import CountershaftResult
 from ...countershaft.sizing import formulas as sizes
 from ...countershaft.sizing.lengths import utilisation
 from ...countershaft.sizing.sectors import Sized, size
+from ...design.addresses import Table
 from ...design.model import Design
 from ...design.toml_file import Document, design
 from ...engine.result import EngineResult
@@ -23,8 +23,8 @@ from ...sheet.errors import NoSolution
 from ...sheet.linked_array import gathered
 from ...sheet.record import record
 from ...sheet.text import Amount, Text
-from ...sheet.trace import untraced
 from ...sheet.units import Metre, Newton, NewtonPerMetreSecond, Radian, RadPerSecond, RevPerSecond
+from ...sheet.value import untraced
 from ...solve import Results, solve
 from .writing import Section, down, mm, table, up
 
@@ -43,7 +43,7 @@ SHAFT, GIVE = Text("a counter-shaft to begin with"), Text("give [countershaft]")
 
 
 @record
-class Task:
+class StarterTask:
     """What one shaft supplies: force and couple that turn like it, cylinder 1 at TDC; `ratio`: its speed over the crank's."""
 
     ratio: int
@@ -67,7 +67,7 @@ class Envelope:
     sized: Sized
 
 
-def task(results: Results, ratio: int) -> Task:
+def task(results: Results, ratio: int) -> StarterTask:
     """Of the engine whose crank carries the design's share: a shaft at +1 takes all that turns forward, so its crank carries none."""
     train, imbalance = results.result(EngineResult), results.result(ImbalanceResult)
     if train is None or imbalance is None:
@@ -75,10 +75,10 @@ def task(results: Results, ratio: int) -> Task:
     order = imbalance.orders[f"order_{abs(ratio)}"]
     F_f, F_b, C_f, C_b = order.unbalanced if ratio == 1 else order.vectors
     F, C = (F_f, C_f) if ratio > 0 else (F_b, C_b)
-    return Task(ratio, F, C, train.angular_speed * abs(ratio), results.design.engine.rated_speed * abs(ratio))  # type: ignore[union-attr]
+    return StarterTask(ratio, F, C, train.angular_speed * abs(ratio), results.design.engine.rated_speed * abs(ratio))  # type: ignore[union-attr]
 
 
-def envelope(made: Design, results: Results, todo: Task, core: float = CORES[0]) -> Envelope:
+def envelope(made: Design, results: Results, todo: StarterTask, core: float = CORES[0]) -> Envelope:
     """The smallest outer radius at which the utilisation is comfortable, with the journals that go with it.  Raises NoSolution."""
     engine, train = made.engine, results.result(EngineResult)
     assert engine is not None and train is not None
@@ -145,7 +145,7 @@ def _slope(document: Document, of: Envelope, sections: list[Section]) -> Radian:
     return max(math.inf if slope is None else slope for slope in slopes)
 
 
-def _drill(made: Design, todo: Task, of: Envelope) -> Holes:
+def _drill(made: Design, todo: StarterTask, of: Envelope) -> Holes:
     """The narrowest of four holes that together take 3 % of what the shaft supplies."""
     depth = min(down(0.8 * (of.outer - of.core), 0.5e-3), 20e-3)
     places = gathered([of.sized.front.z, of.sized.rear.z])
@@ -159,7 +159,7 @@ def _drill(made: Design, todo: Task, of: Envelope) -> Holes:
     raise NoSolution(SHAFT, Text("four holes of {depth}, up to 40 mm wide", depth=Amount(depth * 1e3, "mm")), GIVE)
 
 
-def _sections(of: Envelope, share: float, todo: Task, pair: bool, holes: Holes) -> list[Section]:
+def _sections(of: Envelope, share: float, todo: StarterTask, pair: bool, holes: Holes) -> list[Section]:
     narrowest = f"assumed: the smallest with a utilisation up to {UTILISATION:g}; here {of.sized.utilisation:.2f}"
     more = "" if share == CORES[0] else f", not {CORES[0]:g}, to keep the journals' slopes below 0.2 mrad"
     twin = {"pair": ("yes", "a mirrored second shaft turns the other way")} if pair else {}

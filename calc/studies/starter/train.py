@@ -17,8 +17,8 @@ from ...sheet.check import URGENT
 from ...sheet.errors import BadInput, NoSolution
 from ...sheet.record import record
 from ...sheet.text import SEMICOLON, Text
-from ...sheet.trace import untraced
 from ...sheet.units import Metre, Radian
+from ...sheet.value import untraced
 from ...solve import Results, solve
 from .writing import Section, mm, table, up
 

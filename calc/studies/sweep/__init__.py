@@ -4,9 +4,8 @@
 The designs of a chunk go through the steps at once, as far as they go one way (`abreast.py`).
 """
 
-from .inputs import Varied, listed, toleranced, varied
-from ...sweep.plan import Plan, grid, sampled
+from .inputs import SweepPlan, Varied, grid, listed, sampled, toleranced, varied
 from .run import Sweep, sweep, swept
 from .table import Swept
 
-__all__ = ["Plan", "Sweep", "Swept", "Varied", "grid", "listed", "sampled", "sweep", "swept", "toleranced", "varied"]
+__all__ = ["Sweep", "SweepPlan", "Swept", "Varied", "grid", "listed", "sampled", "sweep", "swept", "toleranced", "varied"]

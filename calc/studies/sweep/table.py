@@ -2,21 +2,184 @@
 """The table of a sweep: as CSV, as Parquet, or in memory; written chunk by chunk, so that it may be larger than the memory."""
 
 import csv
+import hashlib
+import json
 from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
+from contextlib import suppress
+from dataclasses import replace
 from importlib import import_module
+from math import isfinite
 from pathlib import Path
-from typing import Any, TextIO
+from typing import Any, Protocol, TextIO
 
 from ...design.addresses import quantity_of
 from ...design.toml_file import Document
 from ...sheet.check import worst
-from ...sheet.errors import NoSolution
+from ...sheet.errors import InputError, NoSolution
 from ...sheet.record import record
 from ...sheet.text import Text
-from .inputs import Varied
-from ...sweep.kept import Store
-from ...sweep.row import Cell, Chunk, Row
+from ...version import VERSION
+from .inputs import Combination, SweepPlan, Varied
+
+# One design of many, and many of them together as they are kept.
+
+Cell = float | str | None
+
+
+@record
+class Solved:
+    """`values`: number and unit by id; `verdicts` by step; `reason`: why it is no design, or which steps have no solution."""
+
+    values: dict[str, tuple[float | None, str]]
+    verdicts: dict[str, str]
+    reason: str = ""
+
+
+@record
+class SweepRow:
+    """A design as it stands in the table, under the ids and steps of its chunk."""
+
+    at: Combination
+    cells: tuple[float | None, ...]
+    verdicts: tuple[str | None, ...]
+    reason: str = ""
+
+
+@record
+class Chunk:
+    """Designs that are computed at once.  `units`: of the values by id; `steps`: those that have verdicts."""
+
+    units: dict[str, str]
+    steps: tuple[str, ...]
+    rows: tuple[SweepRow, ...]
+
+
+def chunk_of(grid: Sequence[Combination], solved: Iterable[Solved], wanted: Sequence[str]) -> Chunk:
+    """Rows of all designs under the values that any of them has, or under those that are wanted."""
+    found = list(solved)
+    units: dict[str, str] = {}
+    steps: dict[str, None] = {}
+    for one in found:
+        for id, (_, unit) in one.values.items():
+            units.setdefault(id, unit)
+        steps |= dict.fromkeys(one.verdicts)
+    if wanted:
+        units = {id: units[id] for id in wanted if id in units}
+    rows = (
+        SweepRow(
+            at,
+            tuple([_finite(one.values[id][0]) if id in one.values else None for id in units]),
+            tuple([one.verdicts.get(step) for step in steps]),
+            one.reason,
+        )
+        for at, one in zip(grid, found)
+    )
+    return Chunk(units, tuple(steps), tuple(rows))
+
+
+def _finite(number: float | None) -> float | None:
+    return number if number is not None and isfinite(number) else None
+
+
+def reason_of(errors: Iterable[InputError]) -> str:
+    """All that is wrong with a combination, in one line."""
+    return "; ".join(replace(error, line=0).text("").removeprefix(": ") for error in errors)
+
+
+# Where the chunks of a sweep are until the table is written: in memory, or in a folder, where they outlive a run that is killed.
+
+class Store(Protocol):
+    """Chunks by their numbers, from 0 on."""
+
+    def has(self, n: int) -> bool: ...
+    def keep(self, n: int, one: Chunk) -> None: ...
+    def head(self, n: int) -> Chunk: ...
+    def chunk(self, n: int) -> Chunk: ...
+    def __len__(self) -> int: ...
+
+
+class InMemory:
+    """A store for as long as the program runs."""
+
+    def __init__(self) -> None:
+        self.chunks: dict[int, Chunk] = {}
+
+    def has(self, n: int) -> bool:
+        return n in self.chunks
+
+    def keep(self, n: int, one: Chunk) -> None:
+        self.chunks[n] = one
+
+    def chunk(self, n: int) -> Chunk:
+        return self.chunks[n]
+
+    head = chunk
+
+    def __len__(self) -> int:
+        return len(self.chunks)
+
+
+@record
+class InFolder:
+    """A file for each chunk, whole at every moment: what the chunk is of in its first line, a design in each line after it.
+
+    `key`: what the chunks hold for; those of another sweep are left alone.
+    """
+
+    folder: Path
+    key: str
+
+    def _file(self, n: int) -> Path:
+        return self.folder / f"{self.key}-{n}.jsonl"
+
+    def has(self, n: int) -> bool:
+        """Whether the chunk is there and whole."""
+        try:
+            self.chunk(n)
+        except (OSError, ValueError, KeyError, TypeError):
+            return False
+        return True
+
+    def keep(self, n: int, one: Chunk) -> None:
+        lines = [{"units": one.units, "steps": one.steps, "count": len(one.rows), "reasons": any(row.reason for row in one.rows)}]
+        text = "\n".join(map(json.dumps, [*lines, *([row.at, row.cells, row.verdicts, row.reason] for row in one.rows)]))
+        self.folder.mkdir(parents=True, exist_ok=True)
+        draft = self._file(n).with_suffix(".new")
+        draft.write_text(text, encoding="utf-8")
+        draft.replace(self._file(n))
+
+    def head(self, n: int) -> Chunk:
+        """The chunk without its designs, one that stands for those with a reason excepted."""
+        with open(self._file(n), encoding="utf-8") as file:
+            about = json.loads(file.readline())
+        rows = (SweepRow((), (), (), "some"),) if about["reasons"] else ()
+        return Chunk(about["units"], tuple(about["steps"]), rows)
+
+    def chunk(self, n: int) -> Chunk:
+        first, *rest = self._file(n).read_text(encoding="utf-8").splitlines()
+        about = json.loads(first)
+        rows = tuple([SweepRow(tuple(at), tuple(cells), tuple(verdicts), reason) for at, cells, verdicts, reason in map(json.loads, rest)])
+        if len(rows) != about["count"]:
+            raise ValueError("is cut off")
+        return Chunk(about["units"], tuple(about["steps"]), rows)
+
+    def __len__(self) -> int:
+        return sum(1 for _ in self.folder.glob(f"{self.key}-*.jsonl"))
+
+    def clear(self) -> None:
+        """Take away what is kept, once the table is written."""
+        with suppress(OSError):
+            for file in self.folder.glob(f"{self.key}-*"):
+                file.unlink()
+            self.folder.rmdir()  # unless it has chunks of another sweep
+
+
+def key_of(document: Document, plan: SweepPlan, step: str | None, wanted: tuple[str, ...]) -> str:
+    """What kept chunks hold for: the values of the design, what is varied, what is asked, the program's version."""
+    what = [VERSION, document.data, vars(plan) | {"inputs": [vars(one) for one in plan.inputs]}, step, wanted]
+    return hashlib.sha256(json.dumps(what, sort_keys=True, default=str).encode()).hexdigest()[:16]
+
 
 REASON = "reason"
 NO_DESIGN = "bad_input"  # in place of a verdict
@@ -37,7 +200,7 @@ class Swept:
 
 
 @record
-class Columns:
+class SweepColumns:
     """The columns of all chunks together.  `words`: the varied inputs that are words."""
 
     keys: tuple[str, ...]
@@ -65,7 +228,7 @@ def _places(wanted: Sequence[str] | dict[str, str], there: Sequence[str] | dict[
     return [place.get(name) for name in wanted]
 
 
-def columns(document: Document, inputs: Sequence[Varied], store: Store) -> Columns:
+def columns(document: Document, inputs: Sequence[Varied], store: Store) -> SweepColumns:
     """In the order in which the chunks bring them."""
     units: dict[str, str] = {}
     steps: dict[str, None] = {}
@@ -78,10 +241,10 @@ def columns(document: Document, inputs: Sequence[Varied], store: Store) -> Colum
         reasons = reasons or any(row.reason for row in head.rows)
     keys = tuple(one.key for one in inputs)
     words = frozenset(key for key in keys if quantity_of(document.data, key).kind in ("text", "choice", "date"))
-    return Columns(keys, words, units, tuple(steps), reasons)
+    return SweepColumns(keys, words, units, tuple(steps), reasons)
 
 
-def verdict_of(row: Row) -> str:
+def verdict_of(row: SweepRow) -> str:
     """The worst of its steps; of what is no design that it is none."""
     judged = [verdict for verdict in row.verdicts if verdict is not None]
     return worst(judged) if judged else NO_DESIGN

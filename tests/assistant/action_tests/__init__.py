@@ -17,7 +17,6 @@ from assistant.session.session import Session
 from assistant.widgets.checks import Checks
 from assistant.widgets.curve_pane import CurvePane
 from calc.design.model import STEPS
-
 from tests.assistant.conftest import solved
 from tests.assistant.driving import go_to, screen_rows, strike, type_in, until, work
 from tests.assistant.test_curves import drawn

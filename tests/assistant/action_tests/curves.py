@@ -12,9 +12,8 @@ from textual.pilot import Pilot
 from assistant.screens.curves import CurveList
 from assistant.screens.workbench import Workbench
 from assistant.widgets.curve_pane import CurvePane
-
-from tests.assistant.driving import at_rest, strike, told, type_in, until, work
 from tests.assistant.action_tests import DEEDS, Do, deed, over, still, text, to_curve
+from tests.assistant.driving import at_rest, strike, told, type_in, until, work
 
 
 # --- curves and tables

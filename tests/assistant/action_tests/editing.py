@@ -10,9 +10,8 @@ from assistant.screens.workbench import Workbench
 from assistant.widgets.radio import Balance
 from assistant.widgets.steps import states_of
 from calc.design.model import STEPS
-
-from tests.assistant.driving import go_to, screen_rows, strike, told, type_in, until, work
 from tests.assistant.action_tests import FIRST_CHECK, SECOND, SHARE, Do, back, deed, edited, over, still, text, to_checks
+from tests.assistant.driving import go_to, screen_rows, strike, told, type_in, until, work
 
 
 # --- editing

@@ -6,15 +6,12 @@ import re
 from textual.pilot import Pilot
 
 from assistant.screens.compare import CompareScreen
-from assistant.screens.compare_with import CompareWith
-from assistant.screens.open_dialog import OpenDialog
-from assistant.screens.save_dialog import ExportDialog, RecordDialog, SaveDialog
+from assistant.screens.path_dialogs import CompareWith, ExportDialog, OpenDialog, RecordDialog, SaveDialog
 from assistant.screens.start import Start
 from assistant.screens.workbench import Workbench
 from calc.design.toml_file import load
-
-from tests.assistant.driving import screen_rows, strike, told, until, work
 from tests.assistant.action_tests import SHARE, Do, back, deed, edited, give, over, still, text, titles
+from tests.assistant.driving import screen_rows, strike, told, until, work
 
 
 # --- files

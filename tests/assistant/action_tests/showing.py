@@ -6,25 +6,22 @@ from functools import partial
 
 from textual.pilot import Pilot
 
-from assistant.screens.ask import Ask
+from assistant.screens.dialogs import Ask
 from assistant.screens.drive import Driving
 from assistant.screens.explain import Explain
 from assistant.screens.help import HelpScreen
 from assistant.screens.palette import Palette
 from assistant.screens.ready import ReadyScreen
 from assistant.screens.remedies import Remedies
-from assistant.screens.selection import Choosing
+from assistant.screens.selection import Choosing, OfferList
 from assistant.screens.workbench import Workbench
 from assistant.session.session import Session
 from assistant.widgets.checks import Checks
 from assistant.widgets.curve_pane import CurvePane
-from assistant.widgets.offer_list import OfferList
-from assistant.widgets.step_bar import BRIEF
-from assistant.widgets.steps import Steps
+from assistant.widgets.steps import BRIEF, Steps
 from calc.design.model import STEPS
-
-from tests.assistant.driving import screen_rows, strike, told, type_in, until, work
 from tests.assistant.action_tests import DEEDS, SECOND, SHARE, Do, back, deed, edited, over, still, text, titles, to_checks, wide
+from tests.assistant.driving import screen_rows, strike, told, type_in, until, work
 
 
 # --- steps

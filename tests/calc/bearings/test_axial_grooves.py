@@ -6,15 +6,13 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from calc.bearings.film.feeds import Feed, Feeds
-from calc.bearings.film.grooved import solve_grooved
-from calc.bearings.film.grooved_table import eccentricity_from, film_at
-from calc.bearings.film.nodes import FilmRangeError
+from calc.bearings.film.grooved import Feed, Feeds, eccentricity_from, film_at, solve_grooved
+from calc.bearings.film.table import FilmRangeError
 from calc.bearings.routes.balance import settled
 from calc.design.toml_file import design
-from calc.studies.explain import chain
 from calc.sheet.errors import BadInput
 from calc.solve import solve
+from calc.studies.explain import chain
 
 KEYS = {
     "supply": "axial_groove", "axial_groove_angles_deg": [90.0, 270.0], "axial_groove_width_mm": 5.0, "axial_groove_length_mm": 18.0,

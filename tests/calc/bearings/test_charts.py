@@ -6,14 +6,13 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from calc.bearings.film.optimum import share_of_largest_load, share_of_least_friction
-from calc.bearings.film.table import film_at
+from calc.bearings.film.table import film_at, share_of_largest_load, share_of_least_friction
 from calc.bearings.routes.balance import balanced
 from calc.bearings.routes.routes import own_warm
 from calc.design.toml_file import design, read
 from calc.sheet.number import short
-from calc.studies.shipped import DESIGNS
 from calc.solve import solve
+from calc.studies.shipped import DESIGNS
 
 
 @pytest.fixture(scope="module")

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from calc.bearings.film import build_table as build_film_table
-from calc.bearings.film import nodes as film_nodes
+from calc.bearings.film import table as film_nodes
 from calc.bearings.film import table as film_table
 from calc.bearings.film.reynolds import solve_film
 from calc.bearings.film.table import FilmRangeError, eccentricity_from, film_at, sommerfeld_range

@@ -9,8 +9,7 @@ import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
-from calc.bearings.film.grooved import Feed, _grid, _nodes_across, overlap, solve_grooved
-from calc.bearings.film.grooved_table import GroovedTable, _bends
+from calc.bearings.film.grooved import Feed, GroovedTable, _bends, _grid, _nodes_across, overlap, solve_grooved
 from calc.bearings.film.table import film_at
 
 REFERENCE = tomllib.loads((Path(__file__).parents[2] / "reference" / "someya_two_axial_grooves.toml").read_text(encoding="utf-8"))

@@ -6,8 +6,8 @@ import pytest
 
 from calc.bearings import formulas as f
 from calc.bearings.film.reynolds import solve_film
+from calc.bearings.routes import din31652 as iso
 from calc.bearings.routes import flow
-from calc.bearings.routes import iso7902 as iso
 from calc.bearings.routes.states import OutsideCharts
 from calc.design.toml_file import design
 from calc.solve import solve

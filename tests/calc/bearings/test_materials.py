@@ -9,14 +9,31 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from calc.bearings.materials import Application, BearingMaterial, application
+from calc.bearings.suitability import (
+    DEFAULT_APPLICATION,
+    SCALE,
+    Journal,
+    Running,
+    application_checks,
+    application_problem,
+    applications,
+    bearing_materials,
+    bush_problem,
+    checks,
+    fatigue_note,
+    film_duty,
+    load_cycles,
+    load_times_speed,
+    reference_table,
+    running_bearings,
+    running_surface,
+    table,
+)
 from calc.design import toml_file as design_file
-from calc.bearings.materials.data import Application, BearingMaterial, application
-from calc.bearings.materials.formulas import film_duty, load_cycles, load_times_speed
-from calc.bearings.suitability import DEFAULT_APPLICATION, SCALE, Journal, Running, application_checks, application_problem, applications, bearing_materials, bush_problem, checks, fatigue_note, reference_table, running_bearings, running_surface, table
 from calc.library.catalogue import TABLES, materials
-from calc.sheet.trace import trace
+from calc.sheet.value import trace
 from calc.solve import solve
-
 from tests.conftest import DESIGNS, ROOT
 
 GAMMA = (Journal("front", 0.0595, 0.0275, 2600 / 60, 1710.15), Journal("rear", 0.081, 0.0265, 2600 / 60, 1710.15))
@@ -234,7 +251,7 @@ def test_rows_are_of_their_kind_and_words_of_the_scale():
 
 def test_the_tables_are_read_without_numpy():
     code = (
-        "import sys; from calc.bearings.suitability import *; from calc.bearings.materials.data import *; bearing_materials(); applications(); bush_problem('x'); "
+        "import sys; from calc.bearings.suitability import *; from calc.bearings.materials import *; bearing_materials(); applications(); bush_problem('x'); "
         "list(application_checks('front', applications()['diesel-main'], 1e6, 8e6, .006, 2e-7, 1e-3, .4)); "
         "list(checks('front', bearing_materials()['AlSn6Cu'], 1e6, 8e6, 120.)); print('numpy' in sys.modules)"
     )

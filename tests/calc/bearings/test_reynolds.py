@@ -9,8 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from calc.bearings.film.misaligned import solve_misaligned
-from calc.bearings.film.reynolds import FilmSolution, radial_damping, solve_film
+from calc.bearings.film.reynolds import FilmSolution, radial_damping, solve_film, solve_misaligned
 
 REFERENCE = Path(__file__).parents[2] / "reference"
 CONVERGED = json.loads((REFERENCE / "bearings_reynolds.json").read_text())["rows"]

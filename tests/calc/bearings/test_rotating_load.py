@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from calc.bearings import rotating_load
+from calc.bearings import loads as rotating_load
 from calc.bearings.routes.balance import settled
 
 STEPS = 720

@@ -10,19 +10,26 @@ import pytest
 from calc.bearings.corners import corner_points, corners
 from calc.bearings.routes.balance import balanced, settled
 from calc.bearings.routes.routes import own_warm
-from calc.bearings.selection.convergence import changes, slopes_of, with_row
 from calc.bearings.selection.grid import field, lengths, widest_usual
-from calc.bearings.selection.notes import notes, summary
 from calc.bearings.selection.ranking import best, by_power
-from calc.bearings.selection.room import room
-from calc.bearings.selection.search import fields_of, nearest_row, search
-from calc.bearings.selection.states import judge, smoother, solved
-from calc.bearings.selection.tables import beyond_table, changed, choices_table, neighbours, neighbours_table, outside, pareto_table
+from calc.bearings.selection.search import bearing_changes, fields_of, nearest_row, search, slopes_of, with_row
+from calc.bearings.selection.states import judge, room, smoother, solved
+from calc.bearings.selection.tables import (
+    beyond_table,
+    changed,
+    choices_table,
+    neighbours,
+    neighbours_table,
+    notes,
+    outside,
+    pareto_table,
+    summary,
+)
 from calc.bearings.selection.variants import closer_fits, tasks, tied, variants
 from calc.countershaft.inputs import Section
 from calc.design.toml_file import design, read
-from calc.studies.bearings_case import bearings_case
 from calc.sheet.search import least
+from calc.studies.bearings_case import bearings_case
 from tests.conftest import DESIGNS
 
 
@@ -254,7 +261,7 @@ def test_smoother_surfaces_come_after_all_else(source):
     some = search(other(source, front=rough))
     assert some.rows and all(row.front.task.level > 0 and row.rear.task.level == 0 for row in some.rows)
     row = some.rows[0]
-    written = changes(row, source.bearings)
+    written = bearing_changes(row, source.bearings)
     b = row.front.task.seat.bearing
     assert float(written["bearings.front.journal_roughness_um"]) == pytest.approx(b.journal_roughness * 1e6)
     limit = next(c.limit for c in row.front.checks if c.id == "bearings.front.film_edge")
@@ -282,7 +289,7 @@ def test_fits_with_a_place_become_widths(source):
     row = next(row for row in search(placed).rows if any(one.clearance != one.task.clearance for one in row.both))
     there = with_row(placed.bearings, row)
     assert (there.journal_fit, there.seat_fit) == ("IT7", "IT7")
-    assert {"bearings.journal_fit": "IT7", "bearings.seat_fit": "IT7"}.items() <= changes(row, placed.bearings).items()
+    assert {"bearings.journal_fit": "IT7", "bearings.seat_fit": "IT7"}.items() <= bearing_changes(row, placed.bearings).items()
 
 
 def test_wider_clearances_where_the_oil_is_too_little(source):
@@ -306,7 +313,7 @@ def test_a_design_that_passes_is_its_own_nearest(source, found):
     done = with_row(source.bearings, found.rows[0])
     row = nearest_passing(replace(source, bearings=done, results=source.solve(done)))
     assert row is not None and row.change == 0 and changed(row) == ""
-    assert changes(row, done) == {}
+    assert bearing_changes(row, done) == {}
 
 
 def test_bearings_without_a_film_are_helped_too(source):

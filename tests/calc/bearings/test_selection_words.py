@@ -6,9 +6,9 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from calc.bearings.selection.notes import _diameters, hidden, notes, rows_of, summary
 from calc.bearings.selection.ranking import closest
 from calc.bearings.selection.search import fields_of, nothing
+from calc.bearings.selection.tables import _diameters, hidden, notes, rows_of, summary
 from calc.sheet.search import least
 
 

@@ -10,9 +10,8 @@ from calc.bearings.sketch import pressures, sketch
 from calc.design.toml_file import load
 from calc.draw.drawing import CONTEXT, Arc
 from calc.solve import solve
-
-from tests.conftest import DESIGNS
 from tests.calc import sketches
+from tests.conftest import DESIGNS
 
 
 def circles(picture, place):

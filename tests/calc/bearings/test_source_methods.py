@@ -8,7 +8,8 @@ import pytest
 
 from calc.bearings import formulas as f
 from calc.bearings.film.table import film_at
-from calc.bearings.routes import din31652 as falz, flow
+from calc.bearings.routes import din31652 as falz
+from calc.bearings.routes import flow
 from calc.bearings.routes import raimondi_boyd as rb
 from calc.bearings.routes.states import OutsideCharts
 from calc.library.catalogue import oils

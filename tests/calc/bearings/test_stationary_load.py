@@ -5,10 +5,10 @@ from dataclasses import replace
 
 import pytest
 
+from calc.bearings.loads import with_standing
 from calc.bearings.routes.balance import balanced
 from calc.bearings.routes.routes import own_warm
-from calc.bearings.loads import with_standing
-from calc.countershaft.stationary_load import Standing
+from calc.countershaft.supports import Standing
 
 
 def test_the_bearings_take_the_shaft_s_standing_part(gamma_results):

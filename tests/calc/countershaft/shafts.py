@@ -6,7 +6,6 @@ import math
 from calc.countershaft.outline import Outline, Piece, outline
 from calc.design.toml_file import Document, design, read
 from calc.solve import solve
-
 from tests.conftest import DESIGNS, GAMMA
 
 START = read(GAMMA).data

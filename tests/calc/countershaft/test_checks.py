@@ -6,7 +6,6 @@ import pytest
 
 from calc.design.toml_file import design
 from calc.solve import solve
-
 from tests.calc.countershaft.shafts import ENVELOPE, FRONT, JOURNALS, REAR, outcome, verdicts
 
 SIZE = {"mode": "size", **ENVELOPE}

@@ -6,10 +6,9 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from calc.draw.shaft_outline import axis, outline_curve, reach, shaft_drawing, silhouette, support_marks, upwards
 from calc.countershaft.outline import Piece, outline
 from calc.draw.drawing import Polyline
-
+from calc.draw.shaft_outline import axis, outline_curve, reach, shaft_drawing, silhouette, support_marks, upwards
 from tests.calc.countershaft.shafts import POSITIONS, UP, piece
 from tests.calc.countershaft.shafts import drawn_shaft as shaft
 

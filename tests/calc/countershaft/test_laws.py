@@ -9,7 +9,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from calc.countershaft.bending.beam import beam, bend, displaced, natural_frequency
-from calc.countershaft.sector import sector_area, sector_moment
+from calc.countershaft.outline import sector_area, sector_moment
 from calc.countershaft.sizing import formulas as sizing
 from calc.countershaft.supports import reactions
 

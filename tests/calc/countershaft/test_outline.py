@@ -8,7 +8,6 @@ from calc.countershaft.inputs import EccentricMass
 from calc.countershaft.outline import NoOutline, Piece, half_angle, narrowness, outline, sectors_of
 from calc.design.toml_file import design
 from calc.solve import solve
-
 from tests.calc.countershaft.shafts import FRONT, JOURNALS, REAR, outcome, result, verdicts
 
 CORE = {"core_radius_mm": 15.0, "outer_radius_mm": 40.3}

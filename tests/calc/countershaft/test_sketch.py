@@ -5,14 +5,13 @@ import math
 
 import pytest
 
-from calc.design.addresses import address, changed
 from calc.countershaft.sketch import sector_outline, sketch
+from calc.design.addresses import address, changed
 from calc.design.toml_file import Document, design, load
 from calc.draw.drawing import HIDDEN, Arc, Area, Polyline
 from calc.solve import solve
-
-from tests.conftest import DESIGNS
 from tests.calc import sketches
+from tests.conftest import DESIGNS
 
 
 def made(document, **values):

@@ -4,15 +4,14 @@ import math
 
 import pytest
 
-from calc.countershaft.stationary_load import Drive, Gear, standing
+from calc.countershaft.supports import Gear, ShaftDrive, standing
 from calc.design.toml_file import design
 from calc.solve import solve
-
 from tests.calc.countershaft.shafts import JOURNALS, result
 
 FRONT, REAR = -0.1675, 0.1675
 GEAR = Gear(diameter=0.054, tip_diameter=0.0587, face_width=0.015, normal_pressure_angle=math.radians(20), helix_angle=math.radians(21.916))
-DRIVE = Drive(power=1400.0, speed=2600 / 60)
+DRIVE = ShaftDrive(power=1400.0, speed=2600 / 60)
 
 
 def stands(weight=None, gear=GEAR, z_G=-0.18875, drive=DRIVE, reactions=(1710.0, 1710.0)):

@@ -8,7 +8,6 @@ import pytest
 
 from calc.design.toml_file import design
 from calc.solve import solve
-
 from tests.calc.countershaft.shafts import ENVELOPE, FRONT, JOURNALS, OMEGA, REAR, document, outcome, result, verdicts
 
 SIZE = {"mode": "size", **ENVELOPE, "journals": JOURNALS}

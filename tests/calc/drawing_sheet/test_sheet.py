@@ -7,17 +7,13 @@ from itertools import combinations, pairwise
 import pytest
 
 from calc.design.toml_file import Document, design, read
-from calc.draw.workshop_sheet import BLOCK_LEFT, BLOCK_TOP, LEFT, LOW, RIGHT, TOP
 from calc.draw.annotations import corners
-from calc.drawing_sheet.shaft import shaft_sheet
+from calc.draw.drawing import CENTRE, DIMENSION, FRAME, LAYERS, TABLE, TEXT, VISIBLE, Area, Dimension, Hatch, Polyline, Words, hatch_lines
+from calc.draw.lettering import room, strokes, written
+from calc.draw.workshop import shaft_sheet
+from calc.draw.workshop_sheet import BLOCK_LEFT, BLOCK_TOP, LEFT, LOW, RIGHT, TOP
 from calc.locale import language
-from calc.sheet.dimension import strokes, written
-from calc.draw.drawing import Area, Dimension, Hatch, Polyline, Words
-from calc.sheet.hatching import hatch_lines
-from calc.sheet.layers import CENTRE, DIMENSION, FRAME, LAYERS, TABLE, TEXT, VISIBLE
-from calc.draw.lettering import room
 from calc.solve import solve
-
 from tests.conftest import DESIGNS, GAMMA
 
 MM = 1e-3

@@ -5,15 +5,15 @@ import math
 import pytest
 
 from calc.countershaft.outline import Piece
-from calc.drawing_sheet.facts import Turned
-from calc.drawing_sheet.shoulder import shoulders
+from calc.draw.sheet_data import TurnedPiece
+from calc.draw.side_view import shoulders
 
 R, CORE = 0.043, 0.018
 
 
 def turned(radius, half=None, angle=0.0):
     piece = Piece(0.0, 0.1, radius, CORE if half else 0.0, half and math.radians(half), math.radians(angle), "sector" if half else "core")
-    return Turned(piece=piece, start=0.0, end=0.1, radius=radius)
+    return TurnedPiece(piece=piece, start=0.0, end=0.1, radius=radius)
 
 
 def test_a_step_between_two_cylinders_goes_across_the_larger():

@@ -6,15 +6,12 @@ from itertools import combinations
 import pytest
 
 from calc.design.toml_file import Document, design, read
-from calc.studies.drawings import sheets
-from calc.sheet.dimension import written
-from calc.draw.drawing import Arc, Dimension, Hatch
-from calc.sheet.layers import CENTRE, EDGE, VISIBLE
-from calc.draw.lettering import room
+from calc.draw.drawing import CENTRE, EDGE, VISIBLE, Arc, Dimension, Hatch
+from calc.draw.lettering import room, written
 from calc.solve import solve
-
-from tests.conftest import DESIGNS
+from calc.studies.drawings import sheets
 from tests.calc.drawing_sheet.test_sheet import MM, cut, letters, overlap
+from tests.conftest import DESIGNS
 
 
 def drawn(bore=None):

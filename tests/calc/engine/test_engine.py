@@ -8,7 +8,6 @@ import pytest
 from calc.engine.crank import crank
 from calc.engine.inputs import EngineInputs
 from calc.engine.solve import solve
-
 from tests.calc.imbalance.engines import R753
 
 

@@ -8,13 +8,11 @@ import pytest
 
 from calc.design.model import Design
 from calc.engine import solve as engine
-from calc.engine.crank import crank, firing
-from calc.engine.firing import evenest, in_order
+from calc.engine.crank import crank, evenest, firing, in_order
 from calc.engine.inputs import EngineInputs
 from calc.imbalance.firing_orders import as_designed, cranks_table, firing_orders, orders_table
 from calc.imbalance.inputs import ImbalanceInputs
 from calc.sheet.errors import NoSolution
-
 from tests.calc.imbalance.engines import R753, solved
 
 

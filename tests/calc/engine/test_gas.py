@@ -9,11 +9,10 @@ import pytest
 from calc.design.toml_file import Document, _Reader
 from calc.engine import cycle as c
 from calc.engine import formulas as f
-from calc.engine.charge import prepare
 from calc.engine.gas import GasInputs, PressurePoint, cycle_problems
 from calc.engine.inputs import EngineInputs
 from calc.engine.solve import values
-
+from calc.engine.throw import prepare
 from tests.calc.imbalance.test_engines import R753
 
 DEGREE = math.pi / 180

@@ -10,13 +10,13 @@ from hypothesis import strategies as st
 
 from calc.engine import cycle as c
 from calc.engine import formulas as f
-from calc.engine import throw_strength as throw_formulas, torque
-from calc.engine.charge import prepare
+from calc.engine import throw_strength as throw_formulas
+from calc.engine import torque
 from calc.engine.crank import firing
 from calc.engine.gas import GasInputs
 from calc.engine.inputs import EngineInputs
 from calc.engine.solve import values
-
+from calc.engine.throw import prepare
 from tests.calc.imbalance.engines import R753
 
 TURN = 2 * math.pi

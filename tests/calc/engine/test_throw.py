@@ -6,16 +6,14 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from calc.library.catalogue import materials
 from calc.engine import throw, torque
 from calc.engine import throw_strength as t
-from calc.engine.charge import prepare
 from calc.engine.gas import GasInputs
-from calc.engine.throw_inputs import ThrowInputs
+from calc.engine.inputs import ThrowInputs
+from calc.engine.throw import prepare
+from calc.library.catalogue import materials
 from calc.sheet.quantity import published
-from calc.sheet.trace import trace
-from calc.sheet.value import leaves, link_of
-
+from calc.sheet.value import leaves, link_of, trace
 from tests.calc.engine.test_gas import DIESEL
 from tests.calc.engine.test_torque import V6, engine_of, single
 

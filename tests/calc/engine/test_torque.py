@@ -8,18 +8,16 @@ import pytest
 
 from calc.engine import formulas as f
 from calc.engine import torque
-from calc.engine.charge import prepare
 from calc.engine.crank import firing
 from calc.engine.cycle import dead_centre_angle, highest, own_angle, piston_way, points, running
 from calc.engine.gas import GasInputs, PressurePoint
 from calc.engine.inputs import EngineInputs
 from calc.engine.solve import solve, values
+from calc.engine.throw import prepare
 from calc.sheet.quantity import published
-from calc.sheet.trace import trace
-from calc.sheet.value import link_of
-
-from tests.calc.imbalance.test_engines import R753
+from calc.sheet.value import link_of, trace
 from tests.calc.engine.test_gas import DIESEL, pressure
+from tests.calc.imbalance.test_engines import R753
 
 DEGREE = math.pi / 180
 V6 = dict(

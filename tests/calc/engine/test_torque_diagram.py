@@ -7,9 +7,9 @@ import numpy as np
 import pytest
 
 from calc.design.toml_file import design, parse
-from calc.studies.explain import Chains
 from calc.sheet.errors import BadInput
 from calc.solve import solve
+from calc.studies.explain import Chains
 
 TWIN = (Path(__file__).parents[3] / "designs" / "twin_force_shaft.toml").read_text(encoding="utf-8")
 HEAD, _, REST = TWIN.partition("[engine.gas]")

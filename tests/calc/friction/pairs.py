@@ -7,14 +7,14 @@ import tomllib
 from dataclasses import replace
 from pathlib import Path
 
-from calc.library.catalogue import oils
-from calc.friction.balance.closure import drive
+from calc.friction.balance import drive
 from calc.friction.inputs import FrictionInputs
 from calc.friction.mesh.film import oil_at
 from calc.friction.mesh.geometry import MeshGeometry, WheelGeometry
 from calc.friction.solve import closed as closed_train
+from calc.library.catalogue import oils
 from calc.library.lubricant import Lubricant
-from calc.sheet.trace import trace
+from calc.sheet.value import trace
 
 REFERENCE = Path(__file__).parents[2] / "reference"
 RECORDED = Path(__file__).parents[2] / "recorded"

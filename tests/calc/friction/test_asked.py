@@ -10,7 +10,6 @@ from assistant.cli import main
 from calc.design.toml_file import design
 from calc.sheet.errors import BadInput
 from calc.solve import solve
-
 from tests.calc.friction.documents import changed, gamma, pair
 
 HELICAL = {

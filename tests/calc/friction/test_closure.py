@@ -10,15 +10,14 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from calc.design.toml_file import design, read
-from calc.friction.balance import power
+from calc.friction import balance as power
 from calc.friction.inputs import OtherLoss, carrier
 from calc.sheet.errors import NoSolution
 from calc.sheet.expression import line_text
 from calc.sheet.value import link_of
 from calc.solve import solve
-
-from tests.conftest import GAMMA
 from tests.calc.friction.pairs import CRANK_SPEED, SHAFT_POWER, closed, r753, recorded, shown, spur_pair
+from tests.conftest import GAMMA
 
 RECORDED = recorded("friction_r753.json")
 DESIGNS = Path(__file__).parents[3] / "designs"

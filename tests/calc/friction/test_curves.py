@@ -5,7 +5,6 @@ import numpy as np
 import pytest
 
 from calc.friction.mesh.mixed import BOUNDARY, MIXED, regimes
-
 from tests.calc.friction.pairs import closed, r753
 
 TRAIN = closed()

@@ -9,18 +9,19 @@ import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from calc.library.contact import ohlendorf_loss_factor
-from calc.friction.balance import power
-from calc.friction.losses import oil_and_air as churning, jets, seals, windage
+from calc.friction import balance as power
+from calc.friction.losses import bearings as seals
+from calc.friction.losses import oil_and_air as churning
+from calc.friction.losses import oil_and_air as jets
+from calc.friction.losses import oil_and_air as windage
 from calc.friction.mesh import film as films
 from calc.friction.mesh import traction
 from calc.friction.mesh.film import oil_at
 from calc.friction.mesh.geometry import MeshGeometry
 from calc.friction.mesh.loss import case, solve_mesh
-from calc.friction.mesh.motion import motion
-from calc.friction.mesh.path import contact_length, line_load, path
+from calc.friction.mesh.path import contact_length, line_load, motion, path
+from calc.library.contact import ohlendorf_loss_factor
 from calc.sheet.errors import NoSolution
-
 from tests.calc.friction.pairs import friction, lubricant, r753, wheel
 
 OIL = lubricant()

@@ -4,12 +4,11 @@
 import pytest
 
 from calc.design.toml_file import load
-from calc.friction.sketch import sketch
 from calc.draw.drawing import Area, Polyline
+from calc.friction.sketch import sketch
 from calc.solve import solve
-
-from tests.conftest import DESIGNS
 from tests.calc import sketches
+from tests.conftest import DESIGNS
 
 
 def widths(flow):

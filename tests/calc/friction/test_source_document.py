@@ -14,7 +14,6 @@ from calc.friction.mesh.geometry import MeshGeometry
 from calc.friction.mesh.loss import case, solve_mesh
 from calc.friction.mesh.path import array, line_load, transverse_force
 from calc.solve import solve
-
 from tests.calc.friction.models import test_measured_gears as measured
 from tests.calc.friction.pairs import friction, oil, spur_pair, wheel
 

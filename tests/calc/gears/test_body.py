@@ -8,9 +8,8 @@ import pytest
 from calc.countershaft.result import CountershaftResult
 from calc.design.toml_file import design, read
 from calc.gears.result import TrainResult
-from calc.studies.drive.whole import mass
 from calc.solve import solve
-
+from calc.studies.drive.whole import mass
 from tests.conftest import DESIGNS
 
 SIZED = read(DESIGNS / "r753ie4_sized.toml")

@@ -6,11 +6,10 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from calc.library.catalogue import materials
 from calc.gears import solve
 from calc.gears.curves import curves
+from calc.library.catalogue import materials
 from calc.sheet.errors import NoSolution
-
 from tests.calc.gears.trains import SPEED, mesh, solved, train, wheel
 
 AB = [mesh("a", "b")]

@@ -9,13 +9,12 @@ import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from calc.library.catalogue import materials
 from calc.gears import formulas as f
 from calc.gears import solve
 from calc.gears.backlash import formulas as play
 from calc.gears.layout import formulas as room
 from calc.gears.layout.forces import forces
-
+from calc.library.catalogue import materials
 from tests.calc.gears.layout.trains import AXIS, laid, triangle
 from tests.calc.gears.layout.trains import solved as placed
 from tests.calc.gears.test_properties import gears, one, pairs

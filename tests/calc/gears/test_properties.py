@@ -6,13 +6,12 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from calc.library.catalogue import materials
 from calc.gears import formulas as f
 from calc.gears import solve
 from calc.gears.measures import formulas as m
 from calc.gears.result import MeshResult
+from calc.library.catalogue import materials
 from calc.sheet.quantity import published
-
 from tests.calc.gears.trains import SPEED, mesh, train, wheel
 
 LENGTHS_OF_WHEEL = (

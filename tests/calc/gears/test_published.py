@@ -9,9 +9,8 @@ from calc.gears.backlash.formulas import tolerance_of_contributors
 from calc.gears.measures import formulas as m
 from calc.gears.rating import source_sheet as sheet
 from calc.gears.rating import stress as s
-from calc.gears.rating.nominal import section, tooth_form
+from calc.gears.rating.mesh_strength import section, tooth_form
 from calc.gears.solve import geometry
-
 from tests.calc.gears.trains import SPEED, mesh, pair_1, reference, shown, solved, train, wheel
 
 FINOTTI = reference("gears_finotti_pair_1.toml")

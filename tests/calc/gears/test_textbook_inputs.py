@@ -7,9 +7,9 @@ from pathlib import Path
 import pytest
 
 from calc.design.toml_file import design, parse
-from calc.studies.explain import Chains
 from calc.sheet.errors import BadInput
 from calc.solve import solve
+from calc.studies.explain import Chains
 
 TEXT = (Path(__file__).parents[3] / "designs" / "r753ie4_gamma.toml").read_text(encoding="utf-8")
 MODULE = re.search(r"normal_module_mm = ([\d.]+)", TEXT)

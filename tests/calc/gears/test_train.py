@@ -8,17 +8,16 @@ from pathlib import Path
 
 import pytest
 
-from calc.library.catalogue import materials
 from calc.design.toml_file import design, read
 from calc.gears import solve
 from calc.gears.backlash.formulas import circumferential_backlash
 from calc.gears.profile.meshing import flank, penetration
+from calc.library.catalogue import materials
 from calc.sheet.errors import NoSolution
 from calc.sheet.quantity import published
 from calc.sheet.step import Outcome
 from calc.sheet.value import leaves, link_of
 from calc.solve import solve as whole_solve
-
 from tests.calc.gears.trains import SPEED, mesh, r753, shown, solved, train, wheel
 
 OF_A_WHEEL = (

@@ -5,7 +5,6 @@ import pytest
 
 from calc.imbalance.curves import WITHOUT, pictures, remedy_table
 from calc.imbalance.inputs import ImbalanceInputs
-
 from tests.calc.imbalance.engines import solved
 
 

@@ -13,7 +13,6 @@ from calc.engine.inputs import EngineInputs
 from calc.engine.solve import solve as solve_engine
 from calc.imbalance.inputs import ImbalanceInputs
 from calc.imbalance.solve import solve as solve_imbalance
-
 from tests.calc.imbalance.engines import R753, solved
 from tests.calc.imbalance.test_properties import motion
 

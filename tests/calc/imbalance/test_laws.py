@@ -12,7 +12,6 @@ from calc.gears.backlash.formulas import residual_couple
 from calc.imbalance import formulas as f
 from calc.imbalance.inputs import ImbalanceInputs
 from calc.imbalance.remedies import counterweights, crank_product, crank_unbalance, equivalent_mass
-
 from tests.calc.imbalance.engines import R753, fans, solved
 
 

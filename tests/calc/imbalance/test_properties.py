@@ -10,7 +10,6 @@ from hypothesis import strategies as st
 from calc.engine import solve as engine
 from calc.imbalance import solve as imbalance
 from calc.imbalance.inputs import ImbalanceInputs
-
 from tests.calc.imbalance.engines import fans, solved
 
 TWO_PI = 2 * np.pi

@@ -8,7 +8,6 @@ from hypothesis import given, settings
 
 from calc.imbalance.inputs import ImbalanceInputs
 from calc.imbalance.remedies import supplied_couple, supplied_force
-
 from tests.calc.imbalance.engines import fans, solved
 
 SINGLE = dict(cylinders=1, firing_order=None)
@@ -117,7 +116,6 @@ def test_mistiming():
     from calc.engine import solve as engine
     from calc.engine.inputs import EngineInputs
     from calc.imbalance import solve as imbalance
-
     from tests.calc.imbalance.engines import R753
 
     inputs = EngineInputs(**R753)
@@ -138,7 +136,6 @@ def test_what_an_offset_leaves_on_the_crank_is_said():
     from calc.engine import solve as engine
     from calc.engine.inputs import EngineInputs
     from calc.imbalance.solve import solve
-
     from tests.calc.imbalance.engines import R753
 
     said = {}

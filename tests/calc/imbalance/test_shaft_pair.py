@@ -13,7 +13,6 @@ from calc.engine.inputs import EngineInputs
 from calc.imbalance import solve as imbalance
 from calc.imbalance.inputs import ImbalanceInputs
 from calc.imbalance.shaft_pair import pair_moment
-
 from tests.calc.imbalance.engines import R753
 
 FOUR = dict(cylinders=4, firing_order=(1, 3, 4, 2))

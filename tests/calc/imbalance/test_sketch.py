@@ -6,12 +6,11 @@ import math
 import pytest
 
 from calc.design.toml_file import load
-from calc.imbalance.sketch import sketch
 from calc.draw.drawing import Polyline
+from calc.imbalance.sketch import sketch
 from calc.solve import solve
-
-from tests.conftest import DESIGNS
 from tests.calc import sketches
+from tests.conftest import DESIGNS
 
 
 def arrows(picture):

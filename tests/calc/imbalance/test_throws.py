@@ -9,7 +9,6 @@ from calc.engine.solve import solve as engine
 from calc.imbalance.inputs import ImbalanceInputs
 from calc.imbalance.solve import solve
 from calc.imbalance.throws import polygons
-
 from tests.calc.imbalance.engines import solved
 
 FOUR = dict(cylinders=4, firing_order=(1, 3, 4, 2))

@@ -17,7 +17,6 @@ from calc.imbalance.throws import polygons
 from calc.sheet.errors import BadInput
 from calc.sheet.quantity import published
 from calc.solve import solve
-
 from tests.calc.imbalance.engines import R753, solved
 
 PLAIN = {key: value for key, value in R753.items() if key not in ("piston_mass", "rod_mass", "rod_cg_to_big_end", "crankpin_bearing_mass")}

@@ -11,7 +11,6 @@ from calc.design.toml_file import design, read
 from calc.imbalance.inputs import CrankBody, ImbalanceInputs, Unbalance
 from calc.imbalance.solve import solve
 from calc.sheet.quantity import published
-
 from tests.calc.imbalance.engines import solved
 
 GAMMA = design(read(Path(__file__).parents[3] / "designs" / "r753ie4_gamma.toml"))

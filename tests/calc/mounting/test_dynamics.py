@@ -5,13 +5,12 @@ import math
 import numpy as np
 import pytest
 
-from calc.mounting import aids, body
-from calc.mounting.inputs import MountingInputs
+from calc.mounting import body
+from calc.mounting import modal as aids
+from calc.mounting.inputs import Chassis, Mount, MountingInputs, Support, tensor
 from calc.mounting.modes import eigen, modes, roll_shares, stiffness_matrix
-from calc.mounting.mount_inputs import Chassis, Mount, Support
 from calc.mounting.springs import real_at_rest
 from calc.mounting.system import moves, respond, system, transmitted
-from calc.mounting.tensor import tensor
 
 SKEW = tensor((22.0, 24.0, 13.0), (0.25, -0.35, 1.60))
 
@@ -215,7 +214,7 @@ def levels_of(given, f):
 
 
 def points(*places):
-    from calc.mounting.use_inputs import Point
+    from calc.mounting.inputs import Point
 
     return tuple(Point(name=f"point-{n}", position=place) for n, place in enumerate(places))
 

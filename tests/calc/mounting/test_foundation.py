@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from calc.mounting import springs
-from calc.mounting.mount_inputs import Mobility, Mount
+from calc.mounting.inputs import Mobility, Mount
 from calc.mounting.system import respond, system
 from tests.calc.mounting.test_dynamics import SKEW, four
 
@@ -47,7 +47,7 @@ def test_fractional_rubber_rises_as_its_loss_asks():
 
 
 def test_a_place_that_a_shape_does_not_name_stays_where_it_is():
-    from calc.mounting.mount_inputs import FrameMode, Move
+    from calc.mounting.inputs import FrameMode, Move
     from tests.calc.mounting.test_dynamics import CHASSIS
 
     mode = FrameMode(frequency=27.0, loss_factor=0.06, shape=(Move(name="mount-0", move=(0.006, 0.002, 0.0)),))
@@ -59,7 +59,7 @@ def test_a_place_that_a_shape_does_not_name_stays_where_it_is():
 
 def test_on_stiff_mounts_engine_and_frame_are_one_free_body():
     """Far above its own supports: the force on both over the mass of both."""
-    from calc.mounting.mount_inputs import Chassis, Support
+    from calc.mounting.inputs import Chassis, Support
 
     soft = Support(name="soft", position=(0.0, 0.0, 0.0), stiffness=(1.0, 1.0, 1.0), loss_factor=0.0)
     frame = Chassis(mass=700.0, centre_of_gravity=(-0.4, 0.1, 0.3), inertia=(80.0, 90.0, 50.0), supports=(soft,))

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from calc.design.toml_file import Document, design, load
-from calc.mounting import aids
-from calc.mounting.weighting import weights
+from calc.mounting import modal as aids
+from calc.mounting.standards import weights
 from calc.solve import solve
 from tests.conftest import DESIGNS, ROOT
 

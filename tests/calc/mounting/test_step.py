@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 
 from calc.design.toml_file import Document, design, load
+from calc.mounting.operations import rows, transfer_functions
 from calc.mounting.selection import changes, choices
-from calc.mounting.transfer import rows, transfer_functions
 from calc.solve import solve
 from tests.conftest import DESIGNS
 

@@ -3,8 +3,9 @@
 import numpy as np
 import pytest
 
-from calc.mounting import standards as severity, weighting
-from calc.mounting.weighting import weights
+from calc.mounting import standards as severity
+from calc.mounting import standards as weighting
+from calc.mounting.standards import weights
 
 NOMINAL = (0.5, 0.63, 0.8, 1, 1.25, 1.6, 2, 2.5, 3.15, 4, 5, 6.3, 8, 10, 12.5, 16, 20, 25, 31.5, 40, 50, 63, 80)
 W_K = (418, 459, 477, 482, 484, 494, 531, 631, 804, 967, 1039, 1054, 1036, 988, 902, 768, 636, 513, 405, 314, 246, 186, 132)

@@ -5,7 +5,6 @@ import pytest
 
 from calc.design.toml_file import read
 from calc.studies.drive.run import asked
-
 from tests.conftest import DESIGNS
 
 FEW = {

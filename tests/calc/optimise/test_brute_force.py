@@ -9,7 +9,6 @@ import pytest
 
 from calc.studies.drive.films import films
 from calc.studies.drive.run import search
-
 from tests.calc.optimise.points import PLACES, Class, Point
 
 GRID = {

@@ -6,7 +6,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 
-from calc.optimise.front import front, knee, lower_left, representatives
+from calc.studies.drive.front import front, knee, lower_left, representatives
 
 ROWS = st.integers(0, 60).flatmap(lambda n: st.integers(1, 4).flatmap(lambda k: arrays(np.int64, (n, k), elements=st.integers(0, 6))))
 

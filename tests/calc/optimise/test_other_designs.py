@@ -5,13 +5,12 @@ import numpy as np
 import pytest
 
 from calc.design.toml_file import read
-from calc.studies.drive.run import asked, search
 from calc.studies.drive.output import at_end
-
-from tests.command import run
+from calc.studies.drive.run import asked, search
 from tests.calc.optimise.points import Class, compared
 from tests.calc.optimise.test_brute_force import GRID
 from tests.calc.optimise.test_verdict import SOME, changed
+from tests.command import run
 
 
 def written(engine, folder):

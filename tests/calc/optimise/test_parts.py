@@ -8,15 +8,15 @@ import numpy as np
 import pytest
 
 import calc.studies.drive.run as running
-from calc.studies.drive.classes import ClassFront
-from calc.studies.drive.combine import Rows
-from calc.studies.drive.run import Table, classes, key, solved
 from calc.sheet.text import EMPTY
+from calc.studies.drive.classes import ClassFront
+from calc.studies.drive.combine import DriveRows
+from calc.studies.drive.run import FrontTable, classes, key, solved
 
 
 def rows(count):
     rng = np.random.default_rng(3)
-    return Rows(**{name: rng.random(count) for name in Rows.__dataclass_fields__})
+    return DriveRows(**{name: rng.random(count) for name in DriveRows.__dataclass_fields__})
 
 
 @pytest.fixture
@@ -65,7 +65,7 @@ def test_another_design_is_another_problem(few):
 def test_an_interrupt_while_drives_are_solved_keeps_those_that_are(few, tmp_path):
     """As Ctrl-C has it while rows are solved whole, the longest time of a small search."""
     known = running.table(few, dict(classes(few, 1, tmp_path)))
-    assert isinstance(known, Table)
+    assert isinstance(known, FrontTable)
 
     def told(count, of):
         if count == 3:

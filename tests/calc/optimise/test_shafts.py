@@ -8,10 +8,9 @@ from hypothesis import strategies as st
 
 from calc.countershaft.result import CountershaftResult
 from calc.design.toml_file import design, read
+from calc.solve import solve
 from calc.studies.drive.classes import drive_of
 from calc.studies.drive.shafts import journal_mass, journal_slopes, shafts
-from calc.solve import solve
-
 from tests.conftest import DESIGNS
 
 SIZED = read(DESIGNS / "r753ie4_sized.toml").with_value("countershaft.fillet_radius_mm", 1.5)  # no fixture: a failure would print it whole

@@ -7,8 +7,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from calc.root import root
 from calc.sheet.check import Check, check, grouped, step_verdict, worst
+from calc.sheet.functions import root
 from calc.sheet.number import short
 from calc.sheet.quantity import group, inputs, published, quantity, result, value
 from calc.sheet.remedy import change, remedy

@@ -5,8 +5,8 @@ import re
 from collections.abc import Iterator
 
 from calc.design.model import Design
+from calc.design.names import CHOICE_WORDS, choice_word
 from calc.locale import language
-from calc.sheet.choice_words import WORDS, word
 from calc.sheet.quantity import keys
 from calc.sheet.text import Text
 
@@ -22,11 +22,11 @@ def choices(cls: type) -> Iterator[str]:
 
 def test_every_choice_has_a_word_and_no_word_is_idle() -> None:
     known = set(choices(Design))
-    assert {one for one in known if not NAMES.fullmatch(one)} == set(WORDS)
-    assert word("forced_cooled") == "forced, oil cooled" and word("G6.3") == "G6.3"
+    assert {one for one in known if not NAMES.fullmatch(one)} == set(CHOICE_WORDS)
+    assert choice_word("forced_cooled") == "forced, oil cooled" and choice_word("G6.3") == "G6.3"
 
 
 def test_no_word_is_left_in_english() -> None:
     italian = language("it")
-    same = {text for text in WORDS.values() if isinstance(text, Text) and italian(text) == str(text)}
+    same = {text for text in CHOICE_WORDS.values() if isinstance(text, Text) and italian(text) == str(text)}
     assert same <= {"boxer", "no"}

@@ -14,8 +14,8 @@ from calc.sheet import expression
 from calc.sheet.expression import line_json, line_text, symbol
 from calc.sheet.formula import Formula, formula
 from calc.sheet.functions import cis, exp, pi, sqrt, total
-from calc.sheet.trace import about, trace, untraced
 from calc.sheet.units import Kilogram, Metre, Newton, Number, Pascal, Radian
+from calc.sheet.value import about, trace, untraced
 
 LIMIT: Metre = 1.7e-9
 

@@ -4,10 +4,8 @@ import math
 
 import pytest
 
-from calc.sheet.dimension import ARROW, strokes, written
-from calc.draw.drawing import Area, Dimension, Hatch, Polyline, Words, enlarged, moved, rectangle
-from calc.sheet.hatching import hatch_lines
-from calc.draw.lettering import room, shortened, width, wrapped
+from calc.draw.drawing import Area, Dimension, Hatch, Polyline, Words, enlarged, hatch_lines, moved, rectangle
+from calc.draw.lettering import ARROW, room, shortened, strokes, width, wrapped, written
 from calc.sheet.text import Name
 
 H = 2.5

@@ -8,11 +8,23 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from calc.sheet.abreast import Singly, abreast, design_by_design, designs_abreast, lane, point_by_point, some_lanes, together_or_singly
 from calc.sheet.arrays import anywhere, element, most, one
 from calc.sheet.errors import NoSolution
 from calc.sheet.functions import argument, largest, resultant, smallest, sqrt
-from calc.sheet.lanes import Diverged, Lanes, parted, stacked
+from calc.sheet.lanes import (
+    Diverged,
+    Lanes,
+    Singly,
+    abreast,
+    design_by_design,
+    designs_abreast,
+    lane,
+    parted,
+    point_by_point,
+    some_lanes,
+    stacked,
+    together_or_singly,
+)
 from calc.sheet.later import Later
 from calc.sheet.record import record
 from calc.sheet.text import Amount, Text

@@ -9,10 +9,10 @@ import pytest
 
 from calc.design.model import Design
 from calc.design.toml_file import design, read
+from calc.sheet.check import ELEMENTS, KINDS, LETTER, rule_of, rules
 from calc.sheet.quantity import keys
-from calc.sheet.rules import ELEMENTS, KINDS, LETTER, rule_of, rules
-from calc.studies.shipped import DESIGNS
 from calc.solve import Results, solve
+from calc.studies.shipped import DESIGNS
 
 CALC = Path(__file__).parents[3] / "calc"
 ROWS = {rule.id: rule for rule in rules()}

@@ -6,10 +6,27 @@ import math
 import numpy as np
 import pytest
 
-from calc.sheet.changes import applied, assignments, digits, whole
 from calc.sheet.check import Check
 from calc.sheet.quantity import Quantity, inputs, quantity, table, text
-from calc.sheet.search import Budget, Trial, allowed, beside, first, first_good, governing, judged, least, least_wanted, least_whole, multiples, narrowed, rounded, smallest, stretch
+from calc.sheet.remedy import applied, assignments, digits, whole
+from calc.sheet.search import (
+    Budget,
+    Trial,
+    allowed,
+    beside,
+    first,
+    first_good,
+    governing,
+    judged,
+    least,
+    least_wanted,
+    least_whole,
+    multiples,
+    narrowed,
+    rounded,
+    smallest,
+    stretch,
+)
 from calc.sheet.text import EMPTY, Small, Text
 
 

@@ -15,8 +15,8 @@ import pytest
 
 from calc.design.toml_file import design, read
 from calc.sheet.expression import line_text
-from calc.studies.shipped import DESIGNS
 from calc.solve import solve
+from calc.studies.shipped import DESIGNS
 
 NUMBER = r"\d+(?:\.\d+)?(?:·10[⁰¹²³⁴⁵⁶⁷⁸⁹⁻]+)?"
 RAISED = {sign: plain for sign, plain in zip("⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "0123456789-")}

@@ -9,9 +9,8 @@ import pytest
 
 from calc.sheet.formula import formula
 from calc.sheet.linked_array import elements, gathered, item, where
-from calc.sheet.trace import trace, untraced
 from calc.sheet.units import Metre, Number
-from calc.sheet.value import based_on, converged, leaves, link_of, linked, unlinked
+from calc.sheet.value import based_on, converged, leaves, link_of, linked, trace, unlinked, untraced
 
 
 @formula("a", "a formula for this test")

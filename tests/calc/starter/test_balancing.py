@@ -4,8 +4,8 @@
 import pytest
 
 from calc.design.toml_file import Document, design, parse
-from calc.studies.shipped import engine_design
 from calc.solve import solve
+from calc.studies.shipped import engine_design
 from calc.studies.starter.balancing import options, what_shakes, with_imbalance
 from calc.studies.starter.build import built, choice_made
 

@@ -10,8 +10,8 @@ import pytest
 from calc.design.addresses import Table
 from calc.design.toml_file import Document, design, read
 from calc.sheet.errors import NoSolution
-from calc.studies.shipped import DESIGNS, _rows
 from calc.solve import Results, solve
+from calc.studies.shipped import DESIGNS, _rows
 from calc.studies.starter.build import APART, built, choice_made, hindrance
 
 DIESEL: Table = {

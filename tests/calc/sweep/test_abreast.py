@@ -10,9 +10,9 @@ from calc.sheet.check import THIN_MARGIN, check
 from calc.sheet.lanes import Lanes
 from calc.sheet.step import Outcome
 from calc.sheet.text import Text
-from calc.sweep import abreast
 from calc.studies.sweep import grid, varied
-from calc.sweep.plan import sampled
+from calc.studies.sweep import run as abreast
+from calc.studies.sweep.inputs import sampled
 from calc.studies.sweep.run import _needed, _one_after_the_other, designs, one_by_one, side_by_side
 
 np = pytest.importorskip("numpy")

@@ -8,9 +8,7 @@ import pytest
 
 from calc.design.toml_file import read
 from calc.studies.sweep import Sweep, grid, swept, varied
-from calc.sweep.kept import InFolder, InMemory, key_of
-from calc.studies.sweep.table import write_csv, write_parquet
-
+from calc.studies.sweep.table import InFolder, InMemory, key_of, write_csv, write_parquet
 from tests.conftest import GAMMA as FILE
 
 GAMMA = read(FILE)

@@ -6,7 +6,6 @@ import pytest
 from calc.design.toml_file import read
 from calc.sheet.errors import BadInput
 from calc.studies.sweep import grid, listed, sampled, toleranced, varied
-
 from tests.conftest import GAMMA as FILE
 
 GAMMA = read(FILE)

@@ -5,15 +5,33 @@ from collections.abc import Mapping
 from typing import Annotated
 
 from ....library.catalogue import Material
-from ....contact.hertz import reduced_modulus
-from ....library.contact import LUBRICANT_FACTOR, LUBRICATION_FACTOR, mean_roughness
+from ....library.contact import LUBRICANT_FACTOR, LUBRICATION_FACTOR, mean_roughness, reduced_modulus
 from ....library.lubricant import Lubricant
+from ....sheet.arrays import Array
 from ....sheet.formula import formula
 from ....sheet.functions import cos, modulus, pi, sqrt
+from ....sheet.quantity import result, value
 from ....sheet.record import record
 from ....sheet.text import Text
-from ....sheet.trace import about
-from ....sheet.units import Celsius, JoulePerKilogramKelvin, KilogramPerMetre3, Metre, Newton, NewtonPerMetre, Number, Pascal, PascalSecond, PerPascal, Radian, RevPerSecond, Watt, WattPerMetreKelvin  # fmt: skip
+from ....sheet.units import (
+    Celsius,
+    JoulePerKilogramKelvin,
+    Kelvin,
+    KilogramPerMetre3,
+    Metre,
+    MetrePerSecond,
+    Newton,
+    NewtonPerMetre,
+    Number,
+    Pascal,
+    PascalSecond,
+    PerPascal,
+    Radian,
+    RevPerSecond,
+    Watt,
+    WattPerMetreKelvin,
+)
+from ....sheet.value import about
 
 ThermalProduct = Annotated[float, "W²·s/(m⁴·K²)"]
 
@@ -48,7 +66,7 @@ def thermal_product(lam: WattPerMetreKelvin, rho: KilogramPerMetre3, c: JoulePer
 
 
 @record
-class Load:
+class ScreeningLoad:
     """A mesh under its load: what is the same at all points of the path."""
 
     F_t: Newton
@@ -96,10 +114,10 @@ def oil_bath(lubricant: Lubricant, oil_temperature: Celsius, lubrication: str = 
 def load_of(
     F_t: Newton, K: Number, K_A: Number, b: Metre, alpha_t: Radian, eps_gamma: Number, pair: tuple[str, str],
     materials: Mapping[str, Material], Ra: tuple[Metre, Metre],
-) -> Load:  # fmt: skip
+) -> ScreeningLoad:  # fmt: skip
     one, two = (materials[name] for name in pair)
     w_Bt = line_load(K=K, F_t=F_t, b=b)
-    return Load(
+    return ScreeningLoad(
         F_t=F_t, w_Bt=w_Bt, w_t=load_in_plane_of_action(w_Bt=w_Bt, alpha_t=alpha_t), K=K, K_A=K_A,
         K_Bgamma=helical_load_factor(eps_gamma=eps_gamma),
         E_r=reduced_modulus(nu_1=one.poisson, E_1=one.E, nu_2=two.poisson, E_2=two.E),
@@ -107,3 +125,36 @@ def load_of(
         b_2=thermal_product(lam=CONDUCTIVITY, rho=two.density, c=SPECIFIC_HEAT),
         Ra=mean_roughness(Ra_1=Ra[0], Ra_2=Ra[1]),
     )  # fmt: skip
+
+
+# What the screening of a mesh gives.
+
+@result
+class Screening:
+    """Film and temperatures of one mesh at its load.  A screening, not a rating."""
+
+    specific_film_min: Number | None = value("Smallest specific film thickness (screening)", "", "λ_GF,min", default=None)
+    film_min: Metre | None = value("Film thickness where the specific film is smallest", "µm", "h_min", default=None)
+    film_pressure: Pascal | None = value("Hertzian pressure where the specific film is smallest", "MPa", "p_dyn", default=None)
+    friction_film: Number = value("Mean coefficient of friction, micropitting method", "", "μ_m")
+    bulk_temperature_film: Celsius = value("Bulk temperature, micropitting method", "°C", "Θ_M")
+    flash_temperature_max: Kelvin = value("Highest flash temperature (screening)", "K", "Θ_fl,max")
+    friction_flash: Number = value("Mean coefficient of friction, flash temperature method", "", "μ_m")
+    bulk_temperature_flash: Celsius = value("Bulk temperature, flash temperature method", "°C", "Θ_M")
+    contact_temperature_max: Celsius = value("Highest contact temperature", "°C", "Θ_B,max")
+    scuffing_temperature: Celsius = value("Scuffing temperature of the oil", "°C", "Θ_S")
+    scuffing_safety: Number = value("Safety against scuffing, by temperatures (screening)", "", "S_B")
+    scuffing_margin: Kelvin
+    title: str  # "driver–driven"
+    film_place: str  # A, AB, B, C, D, DE or E; empty: no film
+    permissible_film: Number
+    permissible_given: bool
+    load_stage: Number
+    load_stage_given: bool
+    line_load: NewtonPerMetre  # w_Bt
+    pitch_line_speed: MetrePerSecond
+    oil_temperature: Celsius
+    method_applies: bool  # spur or narrow helical wheels with ε_α below 2, or wide helical ones
+    way: Array  # samples: way on the line of action from the pitch point
+    flash: Array
+    specific_film: Array | None

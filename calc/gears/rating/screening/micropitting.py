@@ -15,10 +15,10 @@ from ....sheet.functions import cos, modulus, pi, power, sqrt
 from ....sheet.linked_array import gathered
 from ....sheet.record import record
 from ....sheet.text import Text
-from ....sheet.trace import untraced
 from ....sheet.units import Celsius, Kelvin, Metre, MetrePerSecond, NewtonPerMetre, Number, Pascal, PascalSecond, PerPascal, Radian
-from .load import Load, OilBath, ThermalProduct, transmitted_power
-from .path import Path, Place
+from ....sheet.value import untraced
+from .load import OilBath, ScreeningLoad, ThermalProduct, transmitted_power
+from .path import Path, PathPoint
 
 ISO = Text("ISO/TR 15144-1:2014")
 METRE_PER_SECOND: MetrePerSecond = 1.0
@@ -91,7 +91,7 @@ def specific_film(h_Y: Metre, Ra: Metre) -> Number:
 
 
 @record
-class Film:
+class MicropittingFilm:
     """The film of one mesh."""
 
     mu_m: Number
@@ -115,7 +115,7 @@ class WarmOil:
     G_M: Number
 
 
-def film(path: Path, load: Load, oil: OilBath, a: Metre, b: Metre, d: Metre, z: tuple[int, int], places: Place) -> Film:
+def film(path: Path, load: ScreeningLoad, oil: OilBath, a: Metre, b: Metre, d: Metre, z: tuple[int, int], places: PathPoint) -> MicropittingFilm:
     """The specific film thickness at the points of method B, the least of which counts, and along the path.
 
     d is the reference diameter of the driver, z the teeth of both; `places` are the points, then the samples of the path.
@@ -124,7 +124,7 @@ def film(path: Path, load: Load, oil: OilBath, a: Metre, b: Metre, d: Metre, z: 
     with untraced():
         thickness, _ = _local(path, load, warm, places)
     if thickness is None:
-        return Film(mu_m=warm.mu_m, T_M=warm.T_M, place="", h=None, p_dyn=None, lam=None, along=None)
+        return MicropittingFilm(mu_m=warm.mu_m, T_M=warm.T_M, place="", h=None, p_dyn=None, lam=None, along=None)
     along = many(thickness)
     least = np.argmin(along[: len(marks)])
     if has_lanes(least):  # of many designs, each with its own place
@@ -135,10 +135,10 @@ def film(path: Path, load: Load, oil: OilBath, a: Metre, b: Metre, d: Metre, z: 
     h, p_dyn = _local(path, load, warm, path.at(rho))
     assert h is not None
     lam = specific_film(h_Y=h, Ra=load.Ra)
-    return Film(mu_m=warm.mu_m, T_M=warm.T_M, place=place, h=h, p_dyn=p_dyn, lam=lam, along=along[len(marks) :] / load.Ra)
+    return MicropittingFilm(mu_m=warm.mu_m, T_M=warm.T_M, place=place, h=h, p_dyn=p_dyn, lam=lam, along=along[len(marks) :] / load.Ra)
 
 
-def _warm_oil(path: Path, load: Load, oil: OilBath, a: Metre, b: Metre, d: Metre, z: tuple[int, int]) -> WarmOil:
+def _warm_oil(path: Path, load: ScreeningLoad, oil: OilBath, a: Metre, b: Metre, d: Metre, z: tuple[int, int]) -> WarmOil:
     """Friction, bulk temperature, and the oil at that temperature."""
     X_R, v_SumC = teeth.roughness_factor(Ra=load.Ra, rho_nC=path.rho_nC), teeth.sum_of_speeds(v_C=path.v_C)
     mu_m = teeth.mean_friction(w_t=load.w_t, K_Bgamma=load.K_Bgamma, v_SumC=v_SumC, rho_nC=path.rho_nC, eta=oil.eta, X_R=X_R, X_L=oil.X_L)
@@ -154,7 +154,7 @@ def _warm_oil(path: Path, load: Load, oil: OilBath, a: Metre, b: Metre, d: Metre
     return WarmOil(oil, mu_m, T_M, alpha_M, oil.lubricant.at(T_M).mu, material_parameter(alpha_M=alpha_M, E_r=load.E_r))
 
 
-def _local(path: Path, load: Load, warm: WarmOil, at: Place) -> tuple[Metre | None, Pascal]:
+def _local(path: Path, load: ScreeningLoad, warm: WarmOil, at: PathPoint) -> tuple[Metre | None, Pascal]:
     """The film at a point or at many, and its Hertzian pressure; no film where a contact is too hot for the law of the oil."""
     p_dyn = hertz_pressure(E_r=load.E_r, w_t=load.w_t, X=at.X, rho_n=at.rho_n, beta_b=path.beta_b)
     T_fl = local_flash_temperature(

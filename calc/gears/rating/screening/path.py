@@ -10,11 +10,11 @@ from itertools import pairwise
 
 import numpy as np
 
-from ....contact import line
-from ....sheet.abreast import design_by_design
+from ....library import contact as line
 from ....sheet.arrays import Array, each
 from ....sheet.formula import formula
 from ....sheet.functions import largest, sin, smallest
+from ....sheet.lanes import design_by_design
 from ....sheet.record import record
 from ....sheet.text import Text
 from ....sheet.units import Metre, MetrePerSecond, Number, Radian
@@ -75,7 +75,7 @@ def wide_helical_share(X_but: Number, eps_alpha: Number) -> Number:
 
 
 @record
-class Place:
+class PathPoint:
     """One point of the path, or many: curvatures, rolling speeds, load share."""
 
     rho_1: Metre
@@ -134,13 +134,13 @@ class Path:
         parts[2][0] *= 1 + BESIDE
         return based_on(np.concatenate(parts), self.A, self.B, self.D, self.E)
 
-    def at(self, rho_1: Metre) -> Place:
+    def at(self, rho_1: Metre) -> PathPoint:
         """A point, or an array of them."""
         rho_2 = line.driven_curvature(T=self.T, rho_1=rho_1)
         rho_rel = line.relative_radius(rho_1=rho_1, rho_2=rho_2)
         rho_n = line.normal_relative_radius(rho_rel=rho_rel, beta_b=self.beta_b)
         v_1, v_2 = line.rolling_speed(n=self.n_1, rho=rho_1), line.rolling_speed(n=self.n_2, rho=rho_2)
-        return Place(rho_1, rho_2, rho_rel, rho_n, v_1, v_2, self._share(rho_1))
+        return PathPoint(rho_1, rho_2, rho_rel, rho_n, v_1, v_2, self._share(rho_1))
 
     def _share(self, rho_1: Metre) -> Number:
         if self.way <= BESIDE * self.T:  # spur, or a helix too small to count

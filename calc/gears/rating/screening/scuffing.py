@@ -8,17 +8,16 @@ DIN 3990-4 and in part 2, on the safe side.
 
 import numpy as np
 
-from ....contact.hertz import half_width
+from ....library.contact import half_width
 from ....sheet.arrays import Array, each, element, has_lanes, many, one
 from ....sheet.formula import formula
 from ....sheet.functions import cos, largest, modulus, power, sin, smallest, sqrt
 from ....sheet.record import record
 from ....sheet.text import Text
-from ....sheet.trace import untraced
 from ....sheet.units import Celsius, Kelvin, Metre, MetrePerSecond, Newton, NewtonPerMetre, Number, Pascal, PascalSecond, Radian
-from ....sheet.value import based_on
-from .load import Load, OilBath, ThermalProduct
-from .path import Path, Place
+from ....sheet.value import based_on, untraced
+from .load import OilBath, ScreeningLoad, ThermalProduct
+from .path import Path, PathPoint
 
 ISO = Text("ISO/TR 13989-1:2000")
 NOTHING: Metre = 0.0
@@ -140,7 +139,7 @@ class Flash:
 
 
 def flash(
-    path: Path, load: Load, oil: OilBath, b: Metre, alpha_wt: Radian, alpha_t: Radian, places: Place,
+    path: Path, load: ScreeningLoad, oil: OilBath, b: Metre, alpha_wt: Radian, alpha_t: Radian, places: PathPoint,
     n_p: Number, S_FZG: Number, X_W: Number, c_gamma: Pascal,
 ) -> Flash:  # fmt: skip
     """The flash temperature along the path, and once more where it is highest; `places` are the points, then the samples of the path."""
@@ -166,7 +165,7 @@ def flash(
     )  # fmt: skip
 
 
-def _local(path: Path, load: Load, mu_m: Number, C_eff: Metre, at: Place) -> Kelvin:
+def _local(path: Path, load: ScreeningLoad, mu_m: Number, C_eff: Metre, at: PathPoint) -> Kelvin:
     X_J = approach_factor(C_eff=C_eff, rho_C=path.C, rho_1=at.rho_1, g_alpha=based_on(path.E - path.A, path.E, path.A))
     w = local_load(X=at.X, K_Bgamma=load.K_Bgamma, w_t=load.w_t)
     b_H = half_width(w=w, rho_n=at.rho_n, E_r=load.E_r)

@@ -10,13 +10,12 @@ from ....library.catalogue import Material
 from ....sheet.arrays import each
 from ....sheet.errors import NoSolution
 from ....sheet.text import Amount, Text
-from ....sheet.trace import about, untraced
 from ....sheet.units import Metre, Newton, Number, Pascal
+from ....sheet.value import about, untraced
 from ...result import MeshResult, ToothSystem, WheelResult
-from .load import OilBath, load_of
+from .load import OilBath, Screening, load_of
 from .micropitting import film
 from .path import Path
-from .result import Screening
 from .scuffing import LOAD_STAGE, STIFFNESS, flash
 
 PERMISSIBLE_FILM = 0.3  # rule of this program: Annex A of ISO/TR 15144-1, read from its figure by public code, has 0.06 to 0.6 by oil

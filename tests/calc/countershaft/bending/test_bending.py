@@ -7,15 +7,15 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from calc.library.catalogue import Material
 from calc.countershaft.bending import formulas as f
 from calc.countershaft.bending import shaft as b
 from calc.countershaft.checks import bending_checks
 from calc.countershaft.inputs import Extra
 from calc.countershaft.outline import Piece, outline, weighed
+from calc.library.catalogue import Material
 from calc.library.journal_rules import SLOPE
 from calc.sheet.errors import NoSolution
-from calc.sheet.trace import trace
+from calc.sheet.value import trace
 
 mm = 1e-3
 OMEGA = 2 * math.pi * 2600 / 60

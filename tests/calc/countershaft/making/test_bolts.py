@@ -8,13 +8,11 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from calc.library.catalogue import Material, materials
 from calc.countershaft.making import bolts
-from calc.countershaft.making.inputs import Bolts
-from calc.countershaft.making.thread import COARSE, pitch_diameter, root_diameter, stress_area, thread, thread_problem
+from calc.countershaft.making.inputs import COARSE, Bolts, pitch_diameter, root_diameter, stress_area, thread, thread_problem
+from calc.library.catalogue import Material, materials
 from calc.sheet.quantity import published
-from calc.sheet.trace import trace
-from calc.sheet.value import link_of
+from calc.sheet.value import link_of, trace
 
 SOURCE = {"thread": "M10x1.5", "torque": 45.0, "friction": 0.12, "head_diameter": 15e-3, "hole_diameter": 11e-3, "count": 4}
 COUPLE = 572.921 * cmath.exp(1j * math.pi / 6)  # Finotti 2013, Table 4.1

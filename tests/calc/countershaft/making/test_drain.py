@@ -9,13 +9,10 @@ from hypothesis import strategies as st
 
 from calc.bearings.result import BearingsResult
 from calc.countershaft.making import drain
-from calc.countershaft.making.drainage import laminar_speed, run_off, turbulent_speed, with_oil
-from calc.countershaft.making.inputs import Clamp, OilDrain, Sleeve, Union
-from calc.countershaft.making.thread import thread, thread_problem
+from calc.countershaft.making.inputs import Clamp, OilDrain, Sleeve, Union, thread, thread_problem
+from calc.countershaft.solve import laminar_speed, run_off, turbulent_speed, with_oil
 from calc.sheet.quantity import published
-from calc.sheet.trace import trace
-from calc.sheet.value import link_of
-
+from calc.sheet.value import link_of, trace
 from tests.calc.countershaft.shafts import outcome
 from tests.calc.countershaft.shafts import verdicts as shaft_verdicts
 

@@ -7,7 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from calc.countershaft.inputs import GRADES
-from calc.countershaft.making.tolerance import grade_number, notes, permitted, table
+from calc.countershaft.making.balance import grade_number, notes, permitted, table
 
 OMEGA = 2 * math.pi * 2600 / 60
 MASS, HALF, REQUIRED = 8.914, 0.1675, 572.932

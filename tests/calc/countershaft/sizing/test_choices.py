@@ -6,19 +6,30 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from calc.library.catalogue import Material
 from calc.countershaft.inputs import Journal
 from calc.countershaft.making.inputs import Alternative, Cost, Support
-from calc.countershaft.sizing import cost_formulas as f
-from calc.countershaft.sizing.alternatives import Seat, compared, compared_table, key
-from calc.countershaft.sizing.choices import Envelope, asked, candidates, changes, choices, choices_table, envelope
-from calc.countershaft.sizing.front import front_curve
+from calc.countershaft.sizing import formulas as f
+from calc.countershaft.sizing.choices import (
+    Envelope,
+    Seat,
+    asked,
+    candidates,
+    changes,
+    choices,
+    choices_table,
+    compared,
+    compared_table,
+    envelope,
+    front_curve,
+    key,
+)
 from calc.countershaft.sizing.sectors import TooSmall, pair, size
 from calc.design.toml_file import design
 from calc.engine import solve as engine
 from calc.imbalance import solve as imbalance
-from calc.sheet.changes import assignments
+from calc.library.catalogue import Material
 from calc.sheet.errors import BadInput, NoSolution
+from calc.sheet.remedy import assignments
 
 STEEL, ADI = 7860.0, 7200.0
 OMEGA = 2 * math.pi * 2600 / 60

@@ -11,10 +11,9 @@ from hypothesis import strategies as st
 from calc.countershaft.inputs import Extra
 from calc.countershaft.sizing import lengths
 from calc.countershaft.sizing.sectors import TooSmall, eccentric_masses, masses, pair, pair_masses, pieces, size
-from calc.root import root
 from calc.sheet.errors import NoSolution
-from calc.sheet.trace import trace
-from calc.sheet.value import leaves, link_of, linked
+from calc.sheet.functions import root
+from calc.sheet.value import leaves, link_of, linked, trace
 
 OMEGA = 2 * math.pi * 2600 / 60
 C, RHO = 572.932, 7860.0  # N·m, kg/m³

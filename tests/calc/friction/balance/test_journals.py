@@ -7,12 +7,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from calc.bearings.rotating_load import response
-from calc.friction.balance.closure import shaft_loss
+from calc.bearings.loads import response
+from calc.design.step_inputs import on_shaft, shaft_gear
+from calc.friction.balance import shaft_loss
 from calc.friction.journals import journals_at, journals_of
 from calc.solve import solve
-from calc.design.step_inputs import on_shaft, shaft_gear
-
 from tests.calc.friction.documents import changed, design, gamma
 
 PLACES = ("front", "rear")

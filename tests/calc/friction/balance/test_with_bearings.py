@@ -8,11 +8,11 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from calc.friction.balance.closure import drive, losses_of
+from calc.friction.balance import drive, losses_of
 from calc.friction.inputs import OtherLoss, PlainBearing, RollingBearing
-from calc.friction.losses import plain_bearings, bearings as rolling_bearings
+from calc.friction.losses import bearings as plain_bearings
+from calc.friction.losses import bearings as rolling_bearings
 from calc.sheet.errors import NoSolution
-
 from tests.calc.friction.pairs import CRANK_SPEED, SHAFT_POWER, Fixed, closed, friction, lubricant, r753, shown, spur_pair
 
 BUSH = PlainBearing(name="idler", diameter=0.025, length=0.02, clearance=40e-6)
@@ -29,7 +29,7 @@ def check(values, meshes):
         F_bt = values[f"{key}.power_in"] / (2 * math.pi * values[f"{m.driver.name}.speed"] / 60 * m.driver.base_radius)
         for name in (m.driver.name, m.driven.name):
             forces[name] = forces.get(name, 0.0) + F_bt
-    for entry, power, nu in ((BUSH, plain_bearings.power, oil.mu), (ROLLERS, rolling_bearings.power, oil.nu)):
+    for entry, power, nu in ((BUSH, plain_bearings.plain_bearing_power, oil.mu), (ROLLERS, rolling_bearings.power, oil.nu)):
         F = values[f"{entry.name}.bearing_force"]
         assert F == pytest.approx(forces[entry.name], rel=1e-9)
         assert values[f"{entry.name}.bearing_loss"] == pytest.approx(power(entry, F, values[f"{entry.name}.speed"] / 60, nu), rel=1e-9)

@@ -12,7 +12,6 @@ from calc.friction.inputs import Dip
 from calc.friction.losses import oil_and_air as c
 from calc.friction.losses.wheels import unloaded
 from calc.friction.mesh.geometry import MeshGeometry
-
 from tests.calc.friction.pairs import closed, friction, lubricant, shown, wheel
 
 # m 3 mm, 60 teeth, 20 mm wide, α 20°, spur; 3 L of 30 mm²/s and 870 kg/m³

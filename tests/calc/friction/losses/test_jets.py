@@ -8,8 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from calc.friction.inputs import Jet
-from calc.friction.losses.jets import pitch_line_speed, thrown_oil
-
+from calc.friction.losses.oil_and_air import pitch_line_speed, thrown_oil
 from tests.calc.friction.pairs import closed, r753, shown
 
 

@@ -6,8 +6,7 @@ import math
 import pytest
 
 from calc.friction.inputs import Seal
-from calc.friction.losses.seals import linke, simrit
-
+from calc.friction.losses.bearings import linke, simrit
 from tests.calc.friction.pairs import closed, lubricant, shown
 
 D, N = 60e-3, 40.0  # m, rev/s

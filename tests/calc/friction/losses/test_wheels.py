@@ -7,12 +7,12 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from calc.friction.balance.closure import most_force
+from calc.friction.balance import most_force
 from calc.friction.inputs import Dip, Jet, OtherLoss, PlainBearing, RollingBearing, Seal
-from calc.friction.losses import plain_bearings, bearings as rolling_bearings
+from calc.friction.losses import bearings as plain_bearings
+from calc.friction.losses import bearings as rolling_bearings
 from calc.friction.losses.wheels import speeds_of, unloaded
 from calc.solve import solve
-
 from tests.calc.friction.documents import changed, design, gamma
 from tests.calc.friction.pairs import CRANK_SPEED, closed, friction, lubricant, r753, shown
 
@@ -112,7 +112,7 @@ def test_without_places_a_bush_carries_the_largest_that_its_teeth_can_push():
     ]
     assert values["idler.bearing_force"] == pytest.approx(forces[1] + forces[2], rel=1e-9)
     oil = lubricant().at(120.0)
-    expected = plain_bearings.power(EVERYTHING["plain_bearings"][0], forces[1] + forces[2], values["idler.speed"] / 60, oil.mu)
+    expected = plain_bearings.plain_bearing_power(EVERYTHING["plain_bearings"][0], forces[1] + forces[2], values["idler.speed"] / 60, oil.mu)
     assert values["idler.bearing_loss"] == pytest.approx(expected, rel=1e-9)
     speeds = speeds_of(meshes, CRANK_SPEED)
     most = most_force(meshes, {key: values[f"{key}.power_in"] for key in meshes}, speeds)

@@ -8,7 +8,6 @@ from hypothesis import strategies as st
 
 from calc.friction.mesh.loss import case, solve_mesh
 from calc.friction.mesh.path import path
-
 from tests.calc.friction.pairs import friction, oil, r753, spur_pair
 
 PAIRS = {"spur": spur_pair(), "helical": r753()["central_idler"]}

@@ -7,10 +7,8 @@ import numpy as np
 import pytest
 
 from calc.friction.mesh import film as f
-from calc.friction.mesh.loss import case, solve_mesh
-from calc.friction.mesh.rolling import ehl_rolling_power, rigid_rolling_power
+from calc.friction.mesh.loss import case, ehl_rolling_power, rigid_rolling_power, solve_mesh
 from calc.friction.mesh.traction import rigid_fluid_friction
-
 from tests.calc.friction.pairs import friction, lubricant, oil, r753, spur_pair
 
 # 40 mPa·s, 10 m/s, 20 GPa⁻¹, 500 N/mm, 20 mm, 228 GPa

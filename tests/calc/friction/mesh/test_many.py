@@ -4,11 +4,10 @@
 import numpy as np
 import pytest
 
-from calc.friction.mesh import many
+from calc.friction.mesh import loss as many
 from calc.friction.mesh.film import oil_at
 from calc.friction.mesh.loss import case, solve_mesh
 from calc.sheet.errors import NoSolution
-
 from tests.calc.friction.pairs import friction, lubricant, r753, spur_pair
 
 MESHES = {"spur": spur_pair(), "helical": r753()["central_idler"]}

@@ -6,10 +6,9 @@ from dataclasses import replace
 
 import pytest
 
-from calc.library.catalogue import oils
 from calc.friction.mesh import mixed, traction
+from calc.library.catalogue import oils
 from calc.library.lubricant import Lubricant
-
 from tests.calc.friction.pairs import reference
 
 PRESSURE = reference("friction_measured.toml")["pressure"]

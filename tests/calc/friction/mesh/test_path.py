@@ -7,14 +7,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from calc.contact.hertz import hertz_pressure
-from calc.library.contact import ohlendorf_loss_factor
-from calc.friction.mesh.loss import case, solve_mesh
-from calc.friction.mesh.loss_formulas import loss_factor
-from calc.friction.mesh.motion import motion
-from calc.friction.mesh.path import _legendre, line_load, linear_load_sharing, path, smooth_load_sharing, transverse_force
+from calc.friction.mesh.loss import case, loss_factor, solve_mesh
+from calc.friction.mesh.path import _legendre, line_load, linear_load_sharing, motion, path, smooth_load_sharing, transverse_force
+from calc.library.contact import hertz_pressure, ohlendorf_loss_factor
 from calc.sheet.errors import NoSolution
-
 from tests.calc.friction.pairs import friction, fzg, oil, r753, reference, spur_pair
 
 VECTORS = reference("friction_vectors.toml")

@@ -7,7 +7,6 @@ import pytest
 from calc.friction.mesh.loss import case, solve_mesh
 from calc.friction.mesh.mixed import friction as mixed
 from calc.friction.mesh.path import line_load, transverse_force
-
 from tests.calc.friction.pairs import friction, oil, recorded, spur_pair
 
 RECORDED = recorded("friction_spur_pair.json")

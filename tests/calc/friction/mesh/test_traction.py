@@ -6,15 +6,14 @@ import math
 import numpy as np
 import pytest
 
-from calc.contact.hertz import half_width, hertz_pressure, mean_pressure
 from calc.friction.mesh import mixed
 from calc.friction.mesh import traction as t
-from calc.friction.mesh.erf import erf
 from calc.friction.mesh.film import film
 from calc.friction.mesh.loss import case, solve_mesh
 from calc.friction.mesh.path import line_load, transverse_force
+from calc.library.contact import half_width, hertz_pressure, mean_pressure
 from calc.sheet.errors import NoSolution
-
+from calc.sheet.functions import erf
 from tests.calc.friction.pairs import friction, oil, r753, spur_pair
 
 OILS = ("friction thesis 10W40", "friction thesis 0W30", "friction thesis MIL-L-23699E")

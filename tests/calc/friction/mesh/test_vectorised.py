@@ -7,11 +7,10 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
+from calc.friction import models as regressions
 from calc.friction.mesh.film import oil_at
 from calc.friction.mesh.geometry import column, flat
 from calc.friction.mesh.loss import Warming, case, solve_mesh
-from calc.friction.models import regressions
-
 from tests.calc.friction.pairs import friction, lubricant, r753, spur_pair
 
 # Four points from a rigid isoviscous film to heavy mixed friction; power W, speed rev/s, temperature °C, Λ, factor on α, Ra, μ_s

@@ -8,13 +8,13 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from calc.library.contact import bulk_rise
-from calc.friction.mesh import loss, surfaces, traction
+from calc.friction.mesh import loss, traction
+from calc.friction.mesh import mixed as surfaces
 from calc.friction.mesh.film import oil_at
 from calc.friction.mesh.loss import Warming, case, solve_mesh
+from calc.library.contact import bulk_rise
 from calc.sheet.errors import NoSolution
 from calc.solve import solve
-
 from tests.calc.friction.documents import changed, design, pair
 from tests.calc.friction.pairs import closed, friction, lubricant, r753, spur_pair
 

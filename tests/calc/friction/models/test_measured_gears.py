@@ -9,15 +9,14 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from calc.library.catalogue import oils
-from calc.library.contact import LUBRICANT_FACTOR
+from calc.friction import models as regressions
 from calc.friction.mesh.film import oil_at
 from calc.friction.mesh.geometry import MeshGeometry
 from calc.friction.mesh.loss import case, solve_mesh
 from calc.friction.mesh.mixed import BOUNDARY, LOAD_SHARES, PUBLISHED
-from calc.friction.models import regressions
+from calc.library.catalogue import oils
+from calc.library.contact import LUBRICANT_FACTOR
 from calc.library.lubricant import Lubricant
-
 from tests.calc.friction.pairs import closed, friction, fzg, reference, wheel
 
 MEASURED = reference("friction_measured.toml")

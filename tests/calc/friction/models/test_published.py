@@ -7,19 +7,15 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from calc.contact.hertz import half_width, hertz_pressure
-from calc.contact.line import relative_radius
-from calc.library.contact import ohlendorf_loss_factor as ohlendorf
-from calc.library.contact import sum_of_speeds
+from calc.friction import models as compared
+from calc.friction import models as r
 from calc.friction.mesh.film import oil_at
 from calc.friction.mesh.geometry import MeshGeometry
 from calc.friction.mesh.loss import case, solve_mesh
-from calc.friction.mesh.motion import motion
-from calc.friction.mesh.path import contact_length, path
-from calc.friction.models import compared
-from calc.friction.models import regressions as r
+from calc.friction.mesh.path import contact_length, motion, path
+from calc.library.contact import half_width, hertz_pressure, relative_radius, sum_of_speeds
+from calc.library.contact import ohlendorf_loss_factor as ohlendorf
 from calc.library.lubricant import Lubricant
-
 from tests.calc.friction.pairs import closed, friction, lubricant, oil, r753, reference, shown, spur_pair, wheel
 
 KNOWN = reference("friction_models.toml")

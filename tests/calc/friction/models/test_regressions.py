@@ -5,11 +5,10 @@ import math
 
 import pytest
 
-from calc.friction.losses import windage as a
+from calc.friction import models as r
+from calc.friction.losses import oil_and_air as a
 from calc.friction.mesh.loss import case
 from calc.friction.mesh.path import path
-from calc.friction.models import regressions as r
-
 from tests.calc.friction.pairs import friction, fzg, lubricant, oil, r753, reference
 
 VECTORS = reference("friction_vectors.toml")

@@ -4,10 +4,9 @@
 import numpy as np
 import pytest
 
-from calc.friction.balance.closure import drive, total_losses
+from calc.friction.balance import drive, total_losses
 from calc.friction.studies import maps
 from calc.solve import solve
-
 from tests.calc.friction.documents import changed, design, gamma, pair
 from tests.calc.friction.pairs import CRANK_SPEED, friction, lubricant, r753
 

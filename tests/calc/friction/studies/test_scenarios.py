@@ -7,7 +7,6 @@ import pytest
 from calc.design.toml_file import read
 from calc.sheet.errors import BadInput
 from calc.solve import solve
-
 from tests.calc.friction.documents import DESIGNS, changed, design, gamma, pair
 from tests.calc.friction.pairs import recorded
 

@@ -6,7 +6,6 @@ import pytest
 from calc.friction.mesh.mixed import LOAD_SHARES
 from calc.friction.studies import sensitivity
 from calc.solve import solve
-
 from tests.calc.friction.documents import changed, design, gamma, pair
 
 LOADED = changed(pair(), gears={"power_kW": 20.0})  # mixed friction: every constant counts

@@ -2,10 +2,9 @@
 
 from dataclasses import replace
 
-from calc.library.catalogue import Material, materials
 from calc.gears.backlash.solve import play
 from calc.gears.inputs import Contributor
-
+from calc.library.catalogue import Material, materials
 from tests.calc.gears.trains import pair_1, solved
 
 SHAVED = ((-20, -30), (-20, -30))  # the allowances that the text of Finotti 2013 means for both wheels

@@ -5,7 +5,6 @@ import math
 import pytest
 
 from calc.gears import solve
-
 from tests.calc.gears.trains import SPEED, mesh, pair_1, r753, shown, solved, train, wheel
 
 LIMITS = "backlash_min", "backlash_nominal", "backlash_max"

@@ -7,13 +7,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from calc.gears.backlash.backlash import way_to
-from calc.gears.backlash.case import SPREAD, cases
+from calc.gears.backlash.case import SPREAD, cases, way_to
 from calc.gears.backlash.chance import TRAINS, by_chance, deviate
 from calc.gears.backlash.solve import with_couple
-
-from tests.calc.gears.trains import mesh, pair_1, r753, solved, train, wheel
 from tests.calc.gears.backlash.plays import CENTRAL, IDLER, SHAVED, alone, changed, parts, played
+from tests.calc.gears.trains import mesh, pair_1, r753, solved, train, wheel
 
 MANY = 400_000
 

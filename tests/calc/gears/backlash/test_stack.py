@@ -8,9 +8,8 @@ import pytest
 from calc.gears.backlash.case import cases, centre_tolerance
 from calc.gears.backlash.formulas import backlash_of_bases, recommended_backlash
 from calc.gears.formulas import working_pressure_angle
-
-from tests.calc.gears.trains import pair_1, solved
 from tests.calc.gears.backlash.plays import CENTRAL, IDLER, SHAVED, alone, changed, parts, played
+from tests.calc.gears.trains import pair_1, solved
 
 
 @pytest.mark.parametrize("columns, field", [((CENTRAL, IDLER), 0.1071), ((CENTRAL,), 0.0832), ((IDLER,), 0.0675)])

@@ -8,12 +8,11 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from calc.gears.backlash import temperature as t
+from calc.gears.backlash import case as t
 from calc.gears.backlash.case import cases
 from calc.sheet.errors import NoSolution
-
-from tests.calc.gears.trains import mesh, pair_1, r753, solved, train, wheel
 from tests.calc.gears.backlash.plays import SHAVED, SOLIDS, alone, changed, played
+from tests.calc.gears.trains import mesh, pair_1, r753, solved, train, wheel
 
 PRINTED = ((-2, -20), (-20, -30))
 

@@ -8,7 +8,6 @@ from itertools import pairwise
 import pytest
 
 from calc.gears.layout.forces import forces
-
 from tests.calc.gears.layout.trains import AXIS, laid, r753, solved, triangle
 
 T = 4.958  # N·m at the crank

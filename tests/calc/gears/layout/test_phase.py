@@ -9,7 +9,6 @@ import pytest
 
 from calc.gears.layout.solve import ShaftInTrain, layout
 from calc.gears.profile.outline import outline, regions
-
 from tests.calc.gears.layout.trains import AXIS, at, laid, mesh, r753, solved, train, triangle, verdicts
 
 R753_AXIS = 0.130 + 0.103j

@@ -11,7 +11,6 @@ from hypothesis import strategies as st
 
 from calc.gears.layout.curves import layout_curve
 from calc.gears.layout.solve import ShaftInTrain, layout
-
 from tests.calc.gears.layout.trains import AXIS, at, laid, mesh, r753, screw, solved, train, triangle, verdicts, wall
 
 TRIANGLE = triangle()

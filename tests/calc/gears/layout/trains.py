@@ -4,7 +4,6 @@ from dataclasses import replace
 
 from calc.gears.inputs import Neighbour, Wall
 from calc.gears.layout.solve import ShaftInTrain, layout
-
 from tests.calc.gears.trains import mesh, r753, solved, train, wheel
 
 AXIS = 0.050j  # 30 mm and 40 mm away from the idler: a right angle there

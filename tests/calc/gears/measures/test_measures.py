@@ -5,13 +5,11 @@ from dataclasses import replace
 
 import pytest
 
-from calc.gears.measures.balls import PREFERRED
+from calc.gears.measures.formulas import PREFERRED
 from calc.gears.measures.solve import measures
 from calc.gears.solve import geometry
 from calc.sheet.quantity import published
-from calc.sheet.trace import trace
-from calc.sheet.value import leaves, link_of
-
+from calc.sheet.value import leaves, link_of, trace
 from tests.calc.gears.trains import SPEED, mesh, pair_1, train, wheel
 
 

@@ -9,7 +9,6 @@ from calc.gears import formulas as f
 from calc.gears.measures import formulas as m
 from calc.gears.measures.solve import over_pins
 from calc.gears.train import tooth_system
-
 from tests.calc.gears.trains import mesh, train, wheel
 
 INCH = 25.4e-3

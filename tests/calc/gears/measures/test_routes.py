@@ -9,12 +9,9 @@ from hypothesis import strategies as st
 
 from calc.gears import formulas as f
 from calc.gears.measures import formulas as m
-from calc.gears.measures.measured import measured
-from calc.gears.measures.solve import measures
-from calc.gears.measures.spans import spans
+from calc.gears.measures.solve import measured, measures, spans
 from calc.gears.solve import geometry
 from calc.sheet.errors import NoSolution
-
 from tests.calc.gears.trains import SPEED, mesh, reference, train, wheel
 
 ROUTES = ("measured_span", "measured_over_balls", "measured_over_pins", "measured_chordal_thickness")

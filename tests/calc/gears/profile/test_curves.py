@@ -6,7 +6,6 @@ import numpy as np
 import pytest
 
 from calc.gears.curves import curves
-
 from tests.calc.gears.trains import mesh, pair_1, r753, solved, train, wheel
 
 

@@ -10,14 +10,13 @@ import ezdxf
 import numpy as np
 import pytest
 
+from calc.draw.drawing import Arc, Polyline, Words
 from calc.gears.layout.solve import ShaftInTrain
 from calc.gears.profile.cut import Cut
 from calc.gears.profile.drawing import LAYERS, data_table, train_drawing, wheel_drawing
 from calc.gears.profile.outline import shifts
 from calc.gears.solve import geometry, with_layout
-from calc.draw.drawing import Arc, Polyline, Words
 from reports.dxf import dxf
-
 from tests.calc.gears.trains import SPEED, mesh, r753, solved, train, wheel
 
 MM = 1e-3

@@ -9,11 +9,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from calc.gears.curves import pitch_point_view
-from calc.gears.profile.checks import checks, notes, penetration_check
-from calc.gears.profile.meshing import flank, penetration, penetrations
+from calc.gears.profile.meshing import checks, flank, notes, penetration, penetration_check, penetrations
 from calc.gears.profile.outline import CHORD_ERROR, regions, shifts
 from calc.sheet.errors import NoSolution
-
 from tests.calc.gears.trains import mesh, pair_1, r753, solved, train, wheel
 
 

@@ -8,7 +8,6 @@ import pytest
 from calc.gears.curves import pitch_point_view
 from calc.gears.profile.cut import Cut
 from calc.gears.profile.outline import outline, regions, shifts, tooth
-
 from tests.calc.gears.trains import mesh, r753, solved, train, wheel
 
 TOOTH = [(36, 0.014, 21.916, (1.41, 0.2)), (25, 0.0142, 21.916, (1.41, 0.2)), (20, 0.0, 0.0, (1.25, 0.38)), (80, -0.4, 10.0, (1.25, 0.0))]

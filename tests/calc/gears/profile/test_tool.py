@@ -12,7 +12,6 @@ from calc.gears.profile.cut import Cut, finishing_step, form_diameter_of_undercu
 from calc.gears.profile.outline import regions, tooth
 from calc.gears.train import tooth_system
 from calc.sheet.errors import NoSolution
-
 from tests.calc.gears.trains import mesh, solved, train, wheel
 
 PLAIN = [

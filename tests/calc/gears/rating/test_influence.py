@@ -10,13 +10,11 @@ from hypothesis import strategies as st
 from calc.gears.rating import distribution, dynamic
 from calc.gears.rating.checks import influence_checks
 from calc.gears.rating.curves import influence_table
-from calc.gears.rating.influence import Side, influence, inner_diameter
+from calc.gears.rating.influence import WheelOfPair, influence, inner_diameter
 from calc.gears.rating.notes import influence_notes
 from calc.sheet.errors import NoSolution
 from calc.sheet.quantity import published
-from calc.sheet.trace import trace
-from calc.sheet.value import link_of
-
+from calc.sheet.value import link_of, trace
 from tests.calc.gears.trains import SPEED, geometry, mesh, r753, solved, train, wheel
 
 STEEL = dict(E=206e9, density=7830.0)
@@ -24,7 +22,7 @@ N_PER_MM_UM = 1e9
 
 
 def side(t, name, **said):
-    return Side(wheel=t.wheels[name], **{**STEEL, **said})
+    return WheelOfPair(wheel=t.wheels[name], **{**STEEL, **said})
 
 
 def of(t, key, F_t=184.0, K_A=1.0, grade=7, first=None, second=None, **said):

@@ -7,12 +7,11 @@ from pathlib import Path
 
 import pytest
 
-from calc.library.catalogue import materials
 from calc.design.toml_file import design, read
 from calc.gears.rating.checks import overlooked
 from calc.gears.rating.load import USUAL, Irregularity, Power, Swing, firing_order, loads, mean_torques
+from calc.library.catalogue import materials
 from calc.solve import solve
-
 from tests.calc.gears.trains import SPEED, r753, solved
 
 GAMMA = Path(__file__).parents[4] / "designs" / "r753ie4_gamma.toml"

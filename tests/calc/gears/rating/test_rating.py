@@ -4,10 +4,9 @@ import math
 
 import pytest
 
-from calc.library.catalogue import Material, materials
 from calc.gears import solve
 from calc.gears.rating import stress as s
-
+from calc.library.catalogue import Material, materials
 from tests.calc.gears.trains import SPEED, mesh, pair_1, r753, shown, solved, train, wheel
 
 TORQUE = 1350 / (2 * math.pi * SPEED)  # 1.35 kW at 2600 rpm

@@ -8,7 +8,6 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from calc.library.catalogue import materials, oils
 from calc.gears.rating.checks import MARGIN
 from calc.gears.rating.checks import screening_checks as checks
 from calc.gears.rating.curves import screening_curves as curves
@@ -17,11 +16,10 @@ from calc.gears.rating.screening import load, scuffing
 from calc.gears.rating.screening.path import Path
 from calc.gears.rating.screening.solve import screening
 from calc.gears.solve import geometry
+from calc.library.catalogue import materials, oils
 from calc.library.lubricant import Lubricant
 from calc.sheet.errors import NoSolution
-from calc.sheet.trace import trace
-from calc.sheet.value import link_of
-
+from calc.sheet.value import link_of, trace
 from tests.calc.gears.trains import SPEED, mesh, r753, solved, train, wheel
 
 OIL = oils()["10W-40 Q8 T905"]

@@ -5,11 +5,10 @@ import math
 import numpy as np
 import pytest
 
-from calc.library.catalogue import base_stocks
 from calc.gears.rating.screening import load, micropitting, scuffing
-
-from tests.calc.gears.trains import SPEED, r753, solved
+from calc.library.catalogue import base_stocks
 from tests.calc.gears.rating.test_screening import flash_at, path_of, spur
+from tests.calc.gears.trains import SPEED, r753, solved
 
 
 # --- the published forms ------------------------------------------------------------------------------------------------------

@@ -9,12 +9,11 @@ from calc.gears.rating import mesh_strength as s
 from calc.gears.rating.checks import roughness_check, strength_checks
 from calc.gears.rating.classes import strength_class
 from calc.gears.rating.curves import strength_tables
-from calc.gears.rating.notes import strength_notes
-from calc.gears.rating.result import Side
 from calc.gears.rating.mesh_strength import MeshLoad, mesh_strength
+from calc.gears.rating.notes import strength_notes
+from calc.gears.rating.result import WheelStrength
 from calc.sheet.quantity import published
-from calc.sheet.trace import trace
-from calc.sheet.value import link_of
+from calc.sheet.value import link_of, trace
 
 EH, QT = strength_class("case-hardened"), strength_class("quenched and tempered alloy steel", "MQ", 300.0)
 
@@ -36,7 +35,7 @@ def example_1():
         eps_alphan=1.6, eps_beta=eps_beta, m_n=8e-3, v=2.664, nu_40=320e-6, flank_rz=6e-6, root_rz=10e-6, grade=5,
     )  # fmt: skip
     sides = [
-        Side(
+        WheelStrength(
             name=name, strength=EH, teeth=z, tip_diameter=a, base_diameter=b, tooth_depth=18e-3, rim=None, q_s=2.5, sigma_F0=200e6,
             loading="pulsating", cycles=N,
         )

@@ -9,8 +9,7 @@ from calc.gears.rating.checks import hardness_checks
 from calc.gears.rating.classes import class_names, classes_of, of_wheel, strength_class
 from calc.gears.rating.curves import classes_table
 from calc.sheet.errors import NoSolution
-from calc.sheet.trace import trace
-
+from calc.sheet.value import trace
 from tests.calc.gears.trains import wheel
 
 # ISO 6336-5:2016, Table 1, as reprinted in the public code of Mekanika (class, quality, HV, σ_Hlim, σ_Flim in MPa)

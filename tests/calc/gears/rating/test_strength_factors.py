@@ -8,10 +8,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from calc.gears.rating import strength as f
-from calc.gears.rating import root_strength as r
+from calc.gears.rating import strength as r
 from calc.gears.rating.classes import strength_class
 from calc.sheet.errors import NoSolution
-
 from tests.calc.gears.trains import r753, solved
 
 EH, QT = strength_class("case-hardened"), strength_class("quenched and tempered alloy steel", "MQ", 300.0)

@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from calc.gears.rating import life
+from calc.gears.rating import strength as life
 
 KINDS = ("St", "V", "GTS", "GGG(perl.)", "GGG(ferr.)", "GG", "Eh", "IF", "NT(nitr.)", "NV(nitr.)", "NV(nitrocar.)")
 

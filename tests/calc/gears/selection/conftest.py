@@ -3,7 +3,6 @@
 import pytest
 
 from calc.gears.selection.search import search
-
 from tests.calc.gears.trains import r753
 
 

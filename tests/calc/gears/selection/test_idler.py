@@ -11,9 +11,8 @@ from calc.gears.selection.free_shifts import freedoms
 from calc.gears.selection.idler import idler_table, idlers, passed
 from calc.gears.solve import geometry
 from calc.gears.train import settle, tooth_system
-
-from tests.conftest import DESIGNS
 from tests.calc.gears.layout.trains import AXIS, screw, triangle, wall
+from tests.conftest import DESIGNS
 
 COVER = wall("cover", -60, 0, -60, 60)  # the idler stands 24 mm below the line of its neighbours, or above it
 

@@ -8,14 +8,13 @@ import pytest
 
 from calc.gears.selection import optimum
 from calc.gears.selection.free_shifts import freedoms, tied
-from calc.gears.selection.optimum import Case, best, evaluated, objective
-from calc.gears.selection.rules import USUAL, judge
+from calc.gears.selection.optimum import ShiftCase, best, evaluated, objective
 from calc.gears.selection.search import cut_steps, search
+from calc.gears.selection.states import USUAL, judge
 from calc.gears.selection.tables import changes, choices_table, limits_table, summary
 from calc.gears.train import settle, tooth_system
 from calc.sheet.errors import NoSolution
 from calc.sheet.search import least
-
 from tests.calc.gears.trains import mesh, pair_1, r753, solved, train, wheel
 
 
@@ -25,7 +24,7 @@ def pair():
 
 
 def case_of(gears):
-    return Case(tooth_system(gears), gears)
+    return ShiftCase(tooth_system(gears), gears)
 
 
 # --- the source's pairs ------------------------------------------------------------------------------------------------------------

@@ -12,7 +12,6 @@ from calc.gears.formulas import angle_of_involute
 from calc.gears.measures.formulas import generating_shift
 from calc.gears.selection.states import states
 from calc.gears.train import settle, tooth_system
-
 from tests.calc.gears.trains import mesh, pair_1, r753, solved, train, wheel
 
 AT = ("central_idler", "central"), ("central_idler", "idler")

@@ -5,8 +5,7 @@ from dataclasses import replace
 import pytest
 
 from calc.gears.selection import tables
-from calc.gears.selection.rules import HARDENED
-
+from calc.gears.selection.states import HARDENED
 from tests.calc.gears.trains import solved
 
 

@@ -1,5 +1,4 @@
 # SPDX-License-Identifier: Apache-2.0
-# mypy: disable-error-code="no-any-return"
 """Four published regressions of tooth friction, shown beside the model of this program.  Nothing is judged by them.
 
 Schlenk: one mean coefficient from the state at the pitch point; from tests of loaded gears.
@@ -10,22 +9,28 @@ Benedict and Kelley: local, from disc tests of 1961; kept within 0.01 and 0.2.
 A train that only drives a counter-shaft carries far less than any of them was fitted to; each says whether it is inside its range.
 """
 
+from functools import reduce
+
 import numpy as np
 
-from ...contact.hertz import hertz_pressure
-from ...library.contact import LUBRICANT_FACTOR, mean_friction, roughness_factor, sum_of_speeds
-from ...sheet.arrays import many, one
-from ...sheet.formula import formula
-from ...sheet.functions import along, exp, largest, log10, smallest
-from ...sheet.quantity import result, value
-from ...sheet.text import EMPTY, SEMICOLON, Amount, Text
-from ...sheet.units import Metre, MetrePerSecond, Newton, NewtonPerMetre, Number, Pascal, PascalSecond, Watt
-from ...sheet.value import based_on
-from ..mesh.geometry import column, flat
-from ..mesh.loss import Case
-from ..mesh.loss_formulas import loss_factor, sliding_loss
-from ..mesh.loss_formulas import mean_friction as mean_friction_of
-from ..mesh.path import array, line_load, transverse_force
+from ..library.contact import LUBRICANT_FACTOR, hertz_pressure, mean_friction, roughness_factor, sum_of_speeds
+from ..sheet.arrays import many, one
+from ..sheet.formula import formula
+from ..sheet.functions import along, exp, largest, log10, smallest
+from ..sheet.quantity import result, value
+from ..sheet.record import record
+from ..sheet.step import Table
+from ..sheet.text import EMPTY, SEMICOLON, Amount, Text
+from ..sheet.units import Metre, MetrePerSecond, Newton, NewtonPerMetre, Number, Pascal, PascalSecond, Watt
+from ..sheet.value import based_on
+from .mesh.geometry import column, flat
+from .mesh.loss import MeshCase, MeshLoss, loss_factor, sliding_loss
+from .mesh.loss import mean_friction as mean_friction_of
+from .mesh.path import array, line_load, transverse_force
+
+# mypy: disable-error-code="no-any-return"
+
+
 
 MILLIPASCAL_SECOND: PascalSecond = 1e-3
 MICROMETRE: Metre = 1e-6
@@ -115,13 +120,13 @@ class Regression:
     outside: Text = EMPTY
 
 
-def beside(c: Case, P: Watt, H_V: Number) -> tuple[Regression, Regression, Regression | None, Regression]:
+def beside(c: MeshCase, P: Watt, H_V: Number) -> tuple[Regression, Regression, Regression | None, Regression]:
     """All of them, in the order above."""
     return of_schlenk(c, P, H_V), of_niemann(c, P, H_V), of_xu_kahraman(c, P), of_benedict_kelley(c, P)
 
 
 # --- with the loss factor of Ohlendorf, for which they were made ----------------------------------------------------------------
-def of_schlenk(c: Case, P: Watt, H_V: Number) -> Regression:
+def of_schlenk(c: MeshCase, P: Watt, H_V: Number) -> Regression:
     u_C, R_C, w_bt = c.path.at_pitch_point(c.motion.u_e), c.path.at_pitch_point(c.motion.R), _line_load(c, P)
     mu_m = schlenk(
         w_t=counted_line_load(w_bt=w_bt), v_SumC=sum_of_speeds(v_C=u_C), rho_C=R_C, eta_0=flat(_eta(c)), Ra=flat(c.Ra), X_L=_X_L(c)
@@ -129,7 +134,7 @@ def of_schlenk(c: Case, P: Watt, H_V: Number) -> Regression:
     return Regression(friction_mean=mu_m, loss=loss_of_mean_friction(P=P, mu_m=mu_m, H_V=H_V), outside=_outside_tests(c, w_bt, u_C))
 
 
-def of_niemann(c: Case, P: Watt, H_V: Number) -> Regression:
+def of_niemann(c: MeshCase, P: Watt, H_V: Number) -> Regression:
     u_C, R_C, w_bt = c.path.at_pitch_point(c.motion.u_e), c.path.at_pitch_point(c.motion.R), _line_load(c, P)
     mu_m = mean_friction(
         w_t=counted_line_load(w_bt=w_bt), K_Bgamma=1.0, v_SumC=sum_of_speeds(v_C=u_C), rho_nC=R_C, eta=flat(_eta(c)),
@@ -138,18 +143,18 @@ def of_niemann(c: Case, P: Watt, H_V: Number) -> Regression:
     return Regression(friction_mean=mu_m, loss=loss_of_mean_friction(P=P, mu_m=mu_m, H_V=H_V), outside=_outside_tests(c, w_bt, u_C))
 
 
-def _eta(c: Case) -> PascalSecond:
+def _eta(c: MeshCase) -> PascalSecond:
     """Viscosity of the oil as it comes, which all of them take, also where the teeth are warmer."""
     same = np.array_equal(c.warming.T_oil, c.oil.T_m)
     return c.oil.eta_0 if same else c.oil.lubricant.at(c.warming.T_oil).mu
 
 
-def _X_L(c: Case) -> Number:
+def _X_L(c: MeshCase) -> Number:
     base = c.oil.lubricant.oil.base
     return based_on(LUBRICANT_FACTOR.get(base, 1.0), base)
 
 
-def _outside_tests(c: Case, w_bt: NewtonPerMetre, u_C: MetrePerSecond) -> Text:
+def _outside_tests(c: MeshCase, w_bt: NewtonPerMetre, u_C: MetrePerSecond) -> Text:
     """Line load from 150 N/mm, sum of the speeds from 1 m/s, pitch line up to 50 m/s."""
     found = []
     v_t = u_C * c.mesh.centre_distance / c.path.C_F  # C rolls with the part of the pitch line's speed along the line of action
@@ -163,7 +168,7 @@ def _outside_tests(c: Case, w_bt: NewtonPerMetre, u_C: MetrePerSecond) -> Text:
 
 
 # --- integrated along the path --------------------------------------------------------------------------------------------------
-def of_xu_kahraman(c: Case, P: Watt) -> Regression | None:
+def of_xu_kahraman(c: MeshCase, P: Watt) -> Regression | None:
     """None where it runs away: flanks so rough that its exponential does, or pressures far outside its runs."""
     sigma = c.surfaces.sigma
     if np.any(sigma > ROUGHEST):
@@ -195,7 +200,7 @@ def of_xu_kahraman(c: Case, P: Watt) -> Regression | None:
     return found if np.all(np.isfinite(found.loss)) else None
 
 
-def of_benedict_kelley(c: Case, P: Watt) -> Regression:
+def of_benedict_kelley(c: MeshCase, P: Watt) -> Regression:
     w, w_f = _load(c, P)
     mu = benedict_kelley(w=w_f, eta_0=_eta(c), V_s=c.motion.V_s, V_T=based_on(2 * c.motion.u_e, c.motion.u_e))
     bounded = (many(mu) <= 0.01) | (many(mu) >= 0.2)
@@ -204,16 +209,97 @@ def of_benedict_kelley(c: Case, P: Watt) -> Regression:
     return _summed(c, P, w, mu, held if share > HELD else EMPTY)
 
 
-def _line_load(c: Case, P: Watt) -> NewtonPerMetre:
+def _line_load(c: MeshCase, P: Watt) -> NewtonPerMetre:
     F_bt = transverse_force(P=P, omega_1=flat(c.motion.omega_1), r_b1=c.mesh.driver.base_radius)
     return line_load_of(F_bt=F_bt, b=c.mesh.face_width)
 
 
-def _load(c: Case, P: Watt) -> tuple[NewtonPerMetre, NewtonPerMetre]:
+def _load(c: MeshCase, P: Watt) -> tuple[NewtonPerMetre, NewtonPerMetre]:
     return line_load(c.mesh, c.path, transverse_force(P=column(P), omega_1=c.motion.omega_1, r_b1=c.mesh.driver.base_radius))
 
 
-def _summed(c: Case, P: Watt, w: NewtonPerMetre, mu: Number, outside: Text) -> Regression:
+def _summed(c: MeshCase, P: Watt, w: NewtonPerMetre, mu: Number, outside: Text) -> Regression:
     P_s = sliding_loss(s=c.path.weight, mu=mu, w=w, V_s=c.motion.V_s)
     H_VL = loss_factor(s=c.path.weight, w=w, V_s=c.motion.V_s, P=P)
     return Regression(friction_mean=mean_friction_of(P_s=P_s, P=P, H_VL=H_VL), loss=P_s, outside=outside)
+
+
+# The loss of a mesh by all models side by side, each with its range; how far they spread.
+
+TESTS = Text(
+    "line load from {lowest_line_load} N/mm (held there below), sum of speeds from 1 m/s, pitch line to {fastest} m/s",
+    lowest_line_load=Amount(LOWEST_LINE_LOAD / 1000.0, form="g"),
+    fastest=Amount(FASTEST, form="g"),
+)
+INTEGRATED, OHLENDORF = Text("integrated"), Text("× Ohlendorf")
+
+
+@record
+class Model:
+    """A published model: who made it, how its loss is found here, and where it holds."""
+
+    authors: Text
+    how: Text
+    range: Text
+
+
+MODELS = {
+    "schlenk": Model(Text("Schlenk"), OHLENDORF, TESTS),
+    "niemann": Model(Text("Niemann and Winter, Michaelis"), OHLENDORF, TESTS),
+    "xu_kahraman": Model(
+        Text("Xu and Kahraman"), INTEGRATED,
+        Text("{runs} to {runs2} MPa, roughness to {smooth} µm (from memory); one gear oil, 75W-90",
+            runs=Amount(RUNS[0] / 1000000.0, form="g"), runs2=Amount(RUNS[1] / 1000000.0, form="g"),
+            smooth=Amount(SMOOTH * 1000000.0, form="g")),
+    ),
+    "benedict_kelley": Model(Text("Benedict and Kelley"), INTEGRATED, Text("μ from 0.01 to 0.2 (held there)")),
+}  # fmt: skip
+
+
+@formula("P_max/P_min", "definition: the largest loss of all models over the smallest")
+def spread(P_max: Watt, P_min: Watt) -> Number:
+    return P_max / P_min
+
+
+@formula("P_>/P_<", "definition: the larger of two losses over the smaller")
+def factor_apart(P_1: Watt, P_2: Watt) -> Number:
+    return largest(P_1 / P_2, P_2 / P_1)
+
+
+def spread_of(losses: list[Watt]) -> Number | None:
+    """None where a model gives no loss at all."""
+    most, least = reduce(largest, losses), reduce(smallest, losses)
+    return spread(P_max=most, P_min=least) if least > 0 else None
+
+
+def table(
+    key: str, title: str, by_regime: MeshLoss, source: MeshLoss, H_V: Number, published: dict[str, Regression | None]
+) -> Table:  # fmt: skip
+    """`key` of the mesh; the own models integrate with the local film."""
+    rigid = by_regime.lead_at_pitch < 1
+    rows: list[tuple[str | float | None, ...]] = [
+        (Text("by regime, integrated"), by_regime.loss, by_regime.friction_mean, by_regime.loss_factor,
+            Text("any load; rolling an upper bound"), ""),
+        (Text("EHL film, integrated (source)"), source.loss, source.friction_mean, source.loss_factor,
+            Text("EHL film thicker than a rigid one"),
+         Text("outside: a rigid isoviscous film governs") if rigid else ""),
+    ]  # fmt: skip
+    for name, model in MODELS.items():
+        one, named = published[name], Text("{authors} {how}", authors=model.authors, how=model.how)
+        if one is None:
+            rows.append((named, None, None, None, model.range, Text("runs away: not shown")))
+            continue
+        H = H_V if model.how is OHLENDORF else by_regime.loss_factor
+        rows.append(
+            (named, one.loss, one.friction_mean, H, model.range, Text("outside: {outside}", outside=one.outside) if one.outside else "")
+        )
+    columns = ((Text("Model"), ""), (Text("P_VZ"), "W"), (Text("μ_m"), ""), (Text("H"), ""), (Text("Range"), ""), (Text("Here"), ""))
+    note = Text("μ_m is that of sliding; the first line also counts rolling in its loss. Only the first two know the local film.")
+    return Table(
+        f"models_{key}",
+        Text("Mesh {title}: models of friction side by side", title=title),
+        columns,
+        tuple(rows),
+        note,
+        covers=tuple(f"friction.{key}.{name}" for name in published),
+    )

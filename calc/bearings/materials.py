@@ -7,11 +7,11 @@ Read without numpy: a design's words are checked against them before anything is
 from functools import cache
 from typing import cast
 
-from ...library.catalogue import Rows
-from ...library.catalogue import rows_of as rows
-from ...sheet.quantity import choice, inputs, quantity, text
-from ...sheet.text import Text
-from ...sheet.units import Celsius, Metre, Newton, Number, Pascal, PascalMetrePerSecond, RevPerSecond
+from ..library.catalogue import CatalogueRows
+from ..library.catalogue import rows_of as rows
+from ..sheet.quantity import choice, inputs, quantity, text
+from ..sheet.text import Text
+from ..sheet.units import Celsius, Metre, Newton, Number, Pascal, PascalMetrePerSecond, RevPerSecond
 
 SCALE = ("poor", "fair", "good", "excellent")  # emergency running, from bad to good
 DEFAULT_APPLICATION = "diesel-main"
@@ -66,8 +66,8 @@ class RunningBearing:
 
 
 @cache
-def bearing_materials() -> Rows[BearingMaterial]:
-    return Rows("bearing_materials.toml", "row", BearingMaterial)
+def bearing_materials() -> CatalogueRows[BearingMaterial]:
+    return CatalogueRows("bearing_materials.toml", "row", BearingMaterial)
 
 
 @cache

@@ -1,0 +1,251 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What can be chosen for a step: a ranked table of rows that pass.  Used by `contralbero choose` and by the session."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from calc.design.model import Design
+from calc.sheet.errors import BadInput, InputError, NoSolution
+from calc.sheet.progress import Progress, part
+from calc.sheet.remedy import Changes, assignments
+from calc.sheet.step import Table
+from calc.sheet.text import EMPTY, Amount, Text
+
+CHOICES = {
+    "engine": Text("firing orders, the one that leaves least first"),
+    "countershaft": Text("shafts in the envelope, the lightest first"),
+    "bearings": Text("plain bearings that pass at every corner, the nearest and the least power first"),
+    "gears": Text("profile shifts and tip cuts, the least specific sliding first; teeth of an idler between walls"),
+    "mounting": Text("mounts that decouple the modes between the road's frequency and idle, the purest first"),
+}
+
+
+@dataclass(frozen=True)
+class Offer:
+    """What was found: how many rows, the table of the first of them, and for each row (from 1) its keys and what is then said.
+
+    `summary`: lines under the table's title; `notes`: a list behind all tables; `hidden`: which rows are not among the first.
+    """
+
+    count: int
+    table: Callable[[int], Table]
+    keys: Callable[[int], Changes]
+    said: Callable[[int], Text]
+    hint: Text
+    beside: Callable[[int], tuple[Table, ...]] = lambda top: ()  # further tables, beside so many rows of the first
+    summary: tuple[Text, ...] = ()
+    notes: tuple[Text, ...] = ()
+    hidden: Callable[[int], Text] = lambda top: EMPTY
+
+    def changes(self, number: int) -> list[str]:
+        """What writes a row into the design, as KEY=VALUE.  Raises NoSolution where the row does not hold after all."""
+        return assignments(self.keys(number))
+
+
+def _engine(made: Design, file: str, progress: Progress | None = None) -> Offer:
+    """Firing orders to choose from, ranked by what they leave."""
+    from calc.engine import solve as engine
+    from calc.imbalance.firing_orders import as_designed, crank_words, firing_orders, orders_table
+
+    assert made.engine is not None and made.imbalance is not None
+    inputs, crank = made.engine, made.imbalance
+    e = engine.values(inputs)
+    found = firing_orders(crank, inputs, e)
+
+    def said(number: int) -> Text:
+        one = found[number - 1]
+        order = "-".join(map(str, one.order))
+        return Text("now fires {order} (crank angles {angles}°)", order=order, angles=crank_words(one.crank_angles))
+
+    return Offer(
+        count=len(found),
+        table=lambda top: orders_table(found, top, as_designed(crank, inputs, e), inputs),
+        keys=lambda number: {"engine.firing_order": list(found[number - 1].order), "engine.crank_angles_deg": None},
+        said=said,
+        hint=Text("`--apply N` writes the N-th order into the design, and the crank angles out of it; `--top N` shows more."),
+    )
+
+
+def _countershaft(made: Design, file: str, progress: Progress | None = None) -> Offer:
+    """Counter-shafts to choose from: radii and materials in the envelope of the design, the lightest first."""
+    from calc.countershaft.sizing.choices import candidates, changes, choices, choices_table, envelope
+    from calc.engine import solve as engine
+    from calc.imbalance import solve as imbalance
+
+    assert made.engine is not None and made.imbalance is not None and made.countershaft is not None
+    shaft = made.countershaft
+    room = envelope(shaft, made.bearings, file)
+    materials = candidates(shaft, made.materials, file)
+    e = engine.values(made.engine)
+    found = choices(shaft, imbalance.values(made.imbalance, made.engine, e), e.angular_speed, room, materials, progress)
+
+    def said(number: int) -> Text:
+        one = found.shafts[number - 1]
+        return Text(
+            "now sizes its shaft in {material} within an outer radius of {radius}: {mass}", material=one.material,
+            radius=Amount(one.sized.outer_radius * 1e3, "mm", form="g"), mass=Amount(one.sized.mass, "kg"),
+        )  # fmt: skip
+
+    return Offer(
+        count=len(found.shafts),
+        table=lambda top: choices_table(found, top, room),
+        keys=lambda number: changes(found.shafts[number - 1], room),
+        said=said,
+        hint=Text("`--apply N` writes mode, material and envelope of the N-th shaft into the design; `--top N` shows more."),
+    )
+
+
+def _bearings(made: Design, file: str, progress: Progress | None = None) -> Offer:
+    """Bearings to choose from: lengths, clearances, oils and supplies that fit the shaft and keep every rule at the worst corner."""
+    from calc.bearings.selection.search import bearing_changes, confirmed, search
+    from calc.bearings.selection.tables import beyond_table, changed, choices_table, hidden, neighbours_table, notes, pareto_table, summary
+    from calc.bearings.selection.variants import SUPPLY
+    from calc.studies.bearings_case import bearings_case
+
+    assert made.bearings is not None
+    own = made.bearings
+    case = bearings_case(made)
+    found = search(case, progress=progress)
+
+    def taken(number: int) -> Changes:
+        """Rows that were not solved as whole designs are so now."""
+        row = found.all[number - 1]
+        if number > found.verified:
+            settled = confirmed(case, row, found.slopes[0])
+            if settled.row is None:
+                raise NoSolution(Text("row {row} does not pass", row=number), settled.why, Text("take another row"))
+        return bearing_changes(row, own)
+
+    def written(number: int) -> Text:
+        row = found.all[number - 1]
+        words = Text(
+            "now has the bearings of row {row} ({change}; {oil}, {supply}): {power}", row=number, oil=row.variant.oil,
+            change=changed(row) or Text("lengths and clearances as they were"), supply=SUPPLY[row.variant.supply],
+            power=Amount(row.power, "W"),
+        )  # fmt: skip
+        return Text("{row}; its journals are too long for their room", row=words) if any(row.too_long) else words
+
+    def beside(top: int) -> tuple[Table, ...]:
+        too_long = beyond_table(found, top)
+        return (*((too_long,) if too_long else ()), neighbours_table(found), pareto_table(found))
+
+    return Offer(
+        count=len(found.all),
+        table=lambda top: choices_table(found, top),
+        keys=taken,
+        said=written,
+        hint=Text("`--apply N` writes the N-th row, of every table with numbers, into the design."),
+        beside=beside,
+        summary=summary(found),
+        notes=notes(found),
+        hidden=lambda top: hidden(found, top),
+    )
+
+
+def _gears(made: Design, file: str, progress: Progress | None = None) -> Offer:
+    """Profile shifts, tip cuts and the teeth of an idler to choose from, every rule of the teeth kept."""
+    from calc.design.step_inputs import shaft_axis
+    from calc.gears.selection.idler import idler_table, idlers, passed, written
+    from calc.gears.selection.search import search
+    from calc.gears.selection.tables import (
+        around_table,
+        changed,
+        changes,
+        choices_table,
+        cuts_best_table,
+        cuts_now_table,
+        limits_table,
+        notes,
+        sliding_table,
+        summary,
+        wants_table,
+    )
+
+    assert made.gears is not None
+    axis = shaft_axis(made)
+    found = search(made.gears, part(progress, 0.0, 0.9), axis)
+    teeth = idlers(made.gears, axis, part(progress, 0.9, 1.0))
+    shifts, others = found.all, [row for rows in teeth for row in passed(rows)]
+
+    def keys(number: int) -> Changes:
+        return changes(shifts[number - 1]) if number <= len(shifts) else others[number - 1 - len(shifts)].changes
+
+    def said(number: int) -> Text:
+        if number > len(shifts):
+            return written(others[number - 1 - len(shifts)])
+        row = shifts[number - 1]
+        return Text(
+            "now has the gears of row {row} ({change}): largest specific sliding {sliding}", row=number, change=changed(row),
+            sliding=Amount(row.largest, form=".3f"),
+        )  # fmt: skip
+
+    def beside(top: int) -> tuple[Table, ...]:
+        first, own = len(shifts) + 1, []
+        for rows in teeth:
+            own.append(idler_table(rows, first, top))
+            first += len(passed(rows))
+        tables = (
+            *own, sliding_table(found, top), wants_table(found), around_table(found), limits_table(found), cuts_now_table(found),
+            cuts_best_table(found, top),
+        )  # fmt: skip
+        return tuple(one for one in tables if one is not None)
+
+    return Offer(
+        count=len(shifts) + len(others),
+        table=lambda top: choices_table(found, top),
+        keys=keys,
+        said=said,
+        hint=Text("`--apply N` writes the N-th row, of every table with numbers, into the design."),
+        beside=beside,
+        summary=summary(found),
+        notes=notes(found),
+    )
+
+
+def _mounting(made: Design, file: str, progress: Progress | None = None) -> Offer:
+    """Mounts to choose from: stiffness, shear ratio and inclination of front and rear, the purest modes first."""
+    from calc.mounting.result import MountingResult
+    from calc.mounting.selection import changes, choices, table
+    from calc.solve import solve
+
+    assert made.mounting is not None
+    mounting, results = made.mounting, solve(made)
+    result = results.result(MountingResult)
+    if result is None:
+        raise NoSolution(Text("mounts can be chosen once the step is solved"), results.outcomes["mounting"].reason)
+    room, found = choices(mounting, result, progress)
+
+    def said(number: int) -> Text:
+        one = found[number - 1]
+        return Text(
+            "now has mounts whose purest mode keeps {most} and whose most mixed keeps {least} of its energy",
+            most=Amount(100 * float(one.energies.max()), "%", digits=3), least=Amount(100 * float(one.energies.min()), "%", digits=3),
+        )  # fmt: skip
+
+    return Offer(
+        count=len(found),
+        table=lambda top: table(found, room, top),
+        keys=lambda number: changes(found[number - 1], mounting, room),
+        said=said,
+        hint=Text("`--apply N` writes stiffness and inclination of every mount into the design; `--top N` shows more."),
+    )
+
+
+Search = Callable[[Design, str, Progress | None], Offer]
+OFFERS: dict[str, tuple[tuple[str, ...], Text, Search]] = {  # by step: which tables it needs, why, and the search
+    "engine": (("engine", "imbalance"), Text("firing orders are ranked by what they leave of the imbalance"), _engine),
+    "countershaft": (("engine", "imbalance", "countershaft"), Text("the shaft is sized for what the engine's crank leaves, in the envelope of [countershaft]"), _countershaft),
+    "bearings": (("bearings",), Text("there is nothing to choose a bearing for"), _bearings),
+    "gears": (("gears",), Text("there are no gears to choose shifts for"), _gears),
+    "mounting": (("engine", "imbalance", "mounting"), Text("the mounts are sought for the engine of [mounting] and what drives it"), _mounting),
+}
+
+
+def offer(step: str, design: Design, file: str, progress: Progress | None = None) -> Offer:
+    """Search.  Raises BadInput where the design lacks what the search needs, NoSolution where there is nothing to offer; `progress`
+    may raise `Cancelled`."""
+    needed, why, search = OFFERS[step]
+    missing = next((key for key in needed if getattr(design, key) is None), None)
+    if missing is not None:
+        raise BadInput(file, [InputError(0, missing, "", Text("needed: {why}", why=why))])
+    return search(design, file, progress)
