@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""`contralbero`, and `python -m assistant`: the command line, with Ctrl-C quiet from the first import to the last line."""
+"""`contralbero`, and `python -m assistant`: the command line, with Ctrl-C quiet from the first import to the last
+line."""
 
 import signal
 import sys
@@ -19,7 +20,8 @@ def main() -> int:
 
 
 def _end(code: int) -> None:
-    """End the process here, unless threads are to be waited for: Python would first take apart all it holds, a twentieth of a check."""
+    """End the process here, unless threads are to be waited for: Python would first take apart all it holds, a
+    twentieth of a check."""
     import atexit
     import os
 

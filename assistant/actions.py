@@ -1,10 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """Every action of the user, once: its keys, its word in the footer, its title and what it does.
 
-Bindings, footer, help screen and palette read this table, so they can not disagree.  `keys` act anywhere; `letters` act only
-while no field is being edited, because a field takes them as text, or moves in its text with them.  The first key is the one that is
-shown.
-"""
+Bindings, footer, help screen and palette read this table, so they can not disagree.  `keys` act anywhere; `letters` act
+only while no field is being edited, because a field takes them as text, or moves in its text with them.  The first key
+is the one that is shown."""
 
 from collections.abc import Awaitable, Callable
 from dataclasses import dataclass
@@ -18,8 +17,8 @@ from calc.sheet.text import EMPTY, Text
 
 @dataclass(frozen=True)
 class Action:
-    """`id` names the binding, in a key map too.  `call` is a method of one of the main screen's parts, and its arguments; left out,
-    the method is called like the id."""
+    """`id` names the binding, in a key map too.  `call` is a method of one of the main screen's parts, and its
+    arguments; left out, the method is called like the id."""
 
     id: str
     keys: str
@@ -51,43 +50,56 @@ ACTIONS: tuple[Action, ...] = (
     Action("enlarge", "shift+f4", "z", EMPTY, Text("Pane large and small"),
            Text("Makes the pane that you are in fill the screen, and small again.")),
     Action("fix", "f5", "m", Text("Remedy"), Text("Remedies: what would help"),
-           Text("Lists remedies of different kinds for the finding that you are at, with what each does to every step, to power and mass. "
+           Text("Lists remedies of different kinds for the finding that you are at, with what each does to every "
+                "step, to power and mass. "
                 "Undo takes one back."), call=("remedies",)),
     Action("choose", "ctrl+t", "t", Text("Choose"), Text("Choose from a table"),
-           Text("Searches for this step: firing orders, counter-shafts, bearings or profile shifts, ranked; shows what each does to all "
+           Text("Searches for this step: firing orders, counter-shafts, bearings or profile shifts, ranked; shows "
+                "what each does to all "
                 "steps.")),
     Action("drive", "", "T", EMPTY, Text("Whole drive"),
-           Text("Searches every combination of shaft and bearings that keeps all limits: power, mass, seat, price and margin against each "
+           Text("Searches every combination of shaft and bearings that keeps all limits: power, mass, seat, price and "
+                "margin against each "
                 "other; one is taken as one step of the undo.")),
     Action("guide", "", "G", EMPTY, Text("Guide on and off"),
            Text("Shows below the question of each step what is good there or worth trying, or leaves it out.")),
     Action("pane", "f6", "l", Text("Pane"), Text("Next pane"), Text("Moves to the next pane."), call=("turn_pane", 1)),
-    Action("pane_back", "shift+f6", "h", EMPTY, Text("Previous pane"), Text("Moves to the pane before."), call=("turn_pane", -1)),
+    Action("pane_back", "shift+f6", "h", EMPTY, Text("Previous pane"), Text("Moves to the pane before."),
+    call=("turn_pane", -1)),
     Action("trouble", "f7", "n", Text("Finding"), Text("Next finding"),
            Text("Goes to the next check that fails or warns, and to its step.")),
     Action("explain", "", "x", EMPTY, Text("Explain"),
-           Text("Walks back from the value, the check or the line that you are at, through its formulas to the inputs. So does Enter.")),
-    Action("line", "", "g", EMPTY, Text("Go to the line"), Text("On a check: goes to the line of the calculation that gives its value.")),
+           Text("Walks back from the value, the check or the line that you are at, through its formulas to the "
+                "inputs. So does Enter.")),
+    Action("line", "", "g", EMPTY, Text("Go to the line"), Text("On a check: goes to the line of the calculation that "
+                                                                "gives its value.")),
     Action("accept", "", "a", EMPTY, Text("Accept a finding"),
-           Text("On a finding that is no limit: asks for the reason why it may stay open, which stands in the report; once more takes it "
+           Text("On a finding that is no limit: asks for the reason why it may stay open, which stands in the report; "
+                "once more takes it "
                 "back.")),
     Action("ready", "", "D", EMPTY, Text("Ready?"),
            Text("Shows the whole drive with its main numbers, what is assumed and accepted, and what is left to do.")),
-    Action("report", "f8", "p", Text("PDF"), Text("PDF report"), Text("Writes the calculation report beside the design file.")),
+    Action("report", "f8", "p", Text("PDF"), Text("PDF report"), Text("Writes the calculation report beside the "
+                                                                      "design file.")),
     Action("export", "", "E", EMPTY, Text("Export …"),
-           Text("Writes a drawing of the shaft or the gears (.dxf), the values (.csv), all results (.json) or the report (.pdf).")),
+           Text("Writes a drawing of the shaft or the gears (.dxf), the values (.csv), all results (.json) or the "
+                "report (.pdf).")),
     Action("curve", "f9", "c", Text("Plot"), Text("Next curve"),
            Text("Shows the next curve of the step; after the curves its tables. In the pane itself Space does so too."),
            call=("turn_curve", 1)),
-    Action("curve_back", "", "backspace", EMPTY, Text("Curve before"), Text("Shows the curve or table before."), call=("turn_curve", -1)),
+    Action("curve_back", "", "backspace", EMPTY, Text("Curve before"), Text("Shows the curve or table before."),
+    call=("turn_curve", -1)),
     Action("curves", "shift+f9", "C", EMPTY, Text("List of curves and tables"),
            Text("Lists all curves and tables of the step, to be found by words.")),
     Action("pixels", "", "P", EMPTY, Text("Curve in pixels"),
-           Text("Shows the curve as the report has it, where the terminal can show pixels (Kitty, iTerm2, WezTerm, Sixel).")),
+           Text("Shows the curve as the report has it, where the terminal can show pixels (Kitty, iTerm2, WezTerm, "
+                "Sixel).")),
     Action("read", "", "right", EMPTY, Text("Cursor to the right"),
-           Text("On a curve: reads it off at a cursor, with the distance to its limits. ↑ ↓ choose the line, Esc takes the cursor away. "
+           Text("On a curve: reads it off at a cursor, with the distance to its limits. ↑ ↓ choose the line, Esc "
+                "takes the cursor away. "
                 "On a table that is too wide: further columns."), call=("read", 1)),
-    Action("read_back", "", "left", EMPTY, Text("Cursor to the left"), Text("The same, to the left."), call=("read", -1)),
+    Action("read_back", "", "left", EMPTY, Text("Cursor to the left"), Text("The same, to the left."), call=("read",
+    -1)),
     Action("read_fine", "", "shift+right", EMPTY, Text("Cursor a little to the right"),
            Text("A tenth of a step; on a locus or an outline the next point."), call=("read", 1, True)),
     Action("read_fine_back", "", "shift+left", EMPTY, Text("Cursor a little to the left"),
@@ -106,34 +118,44 @@ ACTIONS: tuple[Action, ...] = (
            Text("Takes back the last edit of the design; the edits of one field in a row are one.")),
     Action("redo", "ctrl+y", "r", EMPTY, Text("Redo"), Text("Makes the edit again that was taken back.")),
     Action("save", "ctrl+s", "w", Text("Save"), Text("Save"),
-           Text("Saves the design; the file as it was stays as .bak. The example is saved under its name in the current folder.")),
-    Action("save_as", "f12", "W", EMPTY, Text("Save as …"), Text("Saves the design under another name and goes on with that file.")),
+           Text("Saves the design; the file as it was stays as .bak. The example is saved under its name in the "
+                "current folder.")),
+    Action("save_as", "f12", "W", EMPTY, Text("Save as …"), Text("Saves the design under another name and goes on "
+                                                                 "with that file.")),
     Action("new", "ctrl+n", "N", EMPTY, Text("New, or another design …"),
-           Text("The start page: begin with an engine, open a design, go on with a recent one. Unsaved edits of this one are kept.")),
+           Text("The start page: begin with an engine, open a design, go on with a recent one. Unsaved edits of this "
+                "one are kept.")),
     Action("open", "ctrl+o", "o", EMPTY, Text("Open …"), Text("Opens another design.")),
     Action("reload", "", "L", EMPTY, Text("Read the file anew"),
-           Text("Takes what another program has written into the file, or drops all unsaved edits. Undo takes it back.")),
+           Text("Takes what another program has written into the file, or drops all unsaved edits. "
+                 "Undo takes it back.")),
     Action("record", "", "R", EMPTY, Text("Record a replay"),
-           Text("Records every edit from here on; pressed again it writes them as a replay file, with what the design came to.")),
+           Text("Records every edit from here on; pressed again it writes them as a replay file, with what the design "
+                "came to.")),
     Action("compare", "shift+f7", "equals_sign", EMPTY, Text("Compare with …"),
            Text("Sets the design beside its saved file, an earlier state or another design, what differs first.")),
-    Action("palette", "ctrl+p", "colon", Text("All"), Text("Palette"), Text("Finds any action, step or field by a few letters.")),
-    Action("down", "down", "j", EMPTY, Text("Next field or line"), Text("Moves down: to the next field, check or line."), call=("move", 1)),
+    Action("palette", "ctrl+p", "colon", Text("All"), Text("Palette"), Text("Finds any action, step or field by a few "
+                                                                            "letters.")),
+    Action("down", "down", "j", EMPTY, Text("Next field or line"),
+    Text("Moves down: to the next field, check or line."), call=("move", 1)),
     Action("up", "up", "k", EMPTY, Text("Previous field or line"),
            Text("Moves up: to the field, check or line before."), call=("move", -1)),
     Action("go_on", "enter", "", EMPTY, Text("Accept, go there"),
-           Text("In a field: accepts it and goes on. On “+ add”: adds. On a check or a line: explains it. On a step: opens it.")),
+           Text("In a field: accepts it and goes on. On “+ add”: adds. On a check or a line: explains it. On a step: "
+                "opens it.")),
     Action("more", "shift+up", "", EMPTY, Text("One step more"),
            Text("In a field: raises the number by one increment."), call=("nudge", 1)),
     Action("less", "shift+down", "", EMPTY, Text("One step less"),
            Text("In a field: lowers the number by one increment."), call=("nudge", -1)),
     Action("leave", "escape", "", EMPTY, Text("Leave the field"),
-           Text("Takes back what is being typed; else leaves the field, so that letters act as keys. A value that was accepted stays.")),
+           Text("Takes back what is being typed; else leaves the field, so that letters act as keys. A value that was "
+                "accepted stays.")),
     Action("copy", "", "y", EMPTY, Text("Copy the value"),
            Text("Copies the value that you are at: of the field, the check or the line, or of a curve at its cursor."),
            call=("copy", "value")),
     Action("copy_line", "", "Y", EMPTY, Text("Copy the line"),
-           Text("Copies the whole line: of the formula with its numbers and source, of the check, or all that is read off a curve."),
+           Text("Copies the whole line: of the formula with its numbers and source, of the check, or all that is read "
+                "off a curve."),
            call=("copy", "line")),
     Action("quit", "ctrl+q", "q", Text("Quit"), Text("Quit"),
            Text("Ends the program. Unsaved edits are kept and come back with the next start.")),
@@ -157,10 +179,25 @@ def methods(*parts: object) -> dict[str, Callable[[], Awaitable[None] | None]]:
 
 
 KEY_NAMES: dict[str, str] = {
-    "question_mark": "?", "left_square_bracket": "[", "right_square_bracket": "]", "colon": ":", "equals_sign": "=",
-    "greater_than_sign": ">", "less_than_sign": "<", "escape": Text("Esc"), "enter": Text("Enter"), "pageup": "PgUp", "pagedown": "PgDn",
-    "up": "↑", "down": "↓", "left": "←", "right": "→", "backspace": Text("Backspace"), "home": Text("Home"), "end": Text("End"),
-}  # fmt: skip
+    "question_mark": "?",
+    "left_square_bracket": "[",
+    "right_square_bracket": "]",
+    "colon": ":",
+    "equals_sign": "=",
+    "greater_than_sign": ">",
+    "less_than_sign": "<",
+    "escape": Text("Esc"),
+    "enter": Text("Enter"),
+    "pageup": "PgUp",
+    "pagedown": "PgDn",
+    "up": "↑",
+    "down": "↓",
+    "left": "←",
+    "right": "→",
+    "backspace": Text("Backspace"),
+    "home": Text("Home"),
+    "end": Text("End"),
+}
 
 
 def key_name(key: str) -> str:

@@ -45,13 +45,15 @@ LOOK = 2.0  # seconds between two looks at the file, whether another program has
 
 
 class ContralberoApp(BaseApp):
-    """One main screen over one session, which may be exchanged for another design.  Without a session: the start page, for a file that is
-    `missing` where one was asked for."""
+    """One main screen over one session, which may be exchanged for another design.  Without a session: the start page,
+    for a file that is `missing` where one was asked for."""
 
     CSS_PATH = "contralbero.tcss"
     TITLE = "Contralbero"
     ENABLE_COMMAND_PALETTE = False  # there is one of our own
-    BINDINGS: ClassVar[list[BindingType]] = [Binding("ctrl+q", "quit", "Quit", show=False, priority=True, id="quit_anywhere")]
+    BINDINGS: ClassVar[list[BindingType]] = [
+        Binding("ctrl+q", "quit", "Quit", show=False, priority=True, id="quit_anywhere")
+    ]
 
     def __init__(
         self,
@@ -83,7 +85,8 @@ class ContralberoApp(BaseApp):
             self.look()
 
     def get_default_screen(self) -> Screen[None]:
-        """The first screen from the start: there is no other one below it that would be styled and painted for nothing."""
+        """The first screen from the start: there is no other one below it that would be styled and painted for
+        nothing."""
         if self._session is not None:
             return Workbench(self._session)
         from .screens.start import Start
@@ -114,7 +117,8 @@ class ContralberoApp(BaseApp):
         """Say, once, that another program has changed the file, or that another session is at it."""
         if self._session is not None and self.session.joined():
             text = Text(
-                "{name} is open in another session too: each keeps its own edits, and none overwrites the other's unasked.",
+                "{name} is open in another session too: each keeps its own edits, and none overwrites the other's "
+                "unasked.",
                 name=self.session.name,
             )
             self.tell(text)
@@ -168,25 +172,32 @@ class ContralberoApp(BaseApp):
             await self._take(event)
 
     async def _take(self, event: events.Event) -> None:
-        """Keys that follow one that leads away are for where it leads: to the palette or the start page, out of the palette by Enter or
-        Escape, out of a field by a key of an action."""
+        """Keys that follow one that leads away are for where it leads: to the palette or the start page, out of the
+        palette by Enter or Escape, out of a field by a key of an action."""
         if not isinstance(event, events.Key) or event.is_forwarded:
             await super().on_event(event)
             return
         self.struck = time.monotonic()
         if event.key.startswith("alt+"):
-            event.character = None  # a terminal that sends Esc before it writes the digit too, which no field is to take
+            event.character = (
+                None  # a terminal that sends Esc before it writes the digit too, which no field is to take
+            )
         if self._held is not None:
             self._held.append(event)
             return
         opens = isinstance(self.screen, Workbench) and event.key in (*self._keys("palette"), *self._keys("new"))
-        if opens or self._leaves_a_field(event) or (event.key in ("enter", "escape") and getattr(self.screen, "HOLDS", False)):
+        if (
+            opens
+            or self._leaves_a_field(event)
+            or (event.key in ("enter", "escape") and getattr(self.screen, "HOLDS", False))
+        ):
             self._held = []
             self._hold = self.set_timer(HELD, self.release)
         await super().on_event(event)
 
     def _leaves_a_field(self, key: events.Key) -> bool:
-        """Whether an action may lead out of the field that has the focus: what is not typed, and moves not in the text."""
+        """Whether an action may lead out of the field that has the focus: what is not typed, and moves not in the
+        text."""
         inside = isinstance(self.screen, Workbench) and isinstance(self.focused, (Entry, Choice))
         if not inside or key.is_printable or key.key in EDITS:
             return False
@@ -234,7 +245,8 @@ class ContralberoApp(BaseApp):
         if not isinstance(self.screen, Ask):
             say = self.say
             self.push_screen(
-                Ask(f"{say(question)}\n{say(Text('End all the same?'))}", say(Text("end")), say(Text("go back"))), self._quit_anyway
+                Ask(f"{say(question)}\n{say(Text('End all the same?'))}", say(Text("end")), say(Text("go back"))),
+                self._quit_anyway,
             )
 
     def _quit_anyway(self, yes: bool | None) -> None:
@@ -243,7 +255,8 @@ class ContralberoApp(BaseApp):
 
 
 def _read_alt_digits() -> None:
-    """Esc and a digit is Alt and the digit, as nearly every terminal sends it; for one on macOS textual makes another sign of it (`∞`)."""
+    """Esc and a digit is Alt and the digit, as nearly every terminal sends it; for one on macOS textual makes another
+    sign of it (`∞`)."""
     with suppress(ImportError, AttributeError):
         from textual._ansi_sequences import ANSI_SEQUENCES_KEYS
 
@@ -255,8 +268,12 @@ def run(path: Path | None, ascii: bool = False, lang: str | None = None) -> int:
     """Open a design, or the start page; gives the exit code."""
     import gc
 
-    gc.set_threshold(50_000, 20, 50)  # a screen is many small objects that stay; they need not be looked through so often
-    sys.setswitchinterval(0.0002)  # between two of the twenty turns that a key takes, the thread that solves has no more than that
+    gc.set_threshold(
+        50_000, 20, 50
+    )  # a screen is many small objects that stay; they need not be looked through so often
+    sys.setswitchinterval(
+        0.0002
+    )  # between two of the twenty turns that a key takes, the thread that solves has no more than that
     _read_alt_digits()
     memory = Memory()
     missing = path.expanduser().absolute() if path is not None and not memory.there(path.expanduser()) else None
@@ -271,10 +288,14 @@ def run(path: Path | None, ascii: bool = False, lang: str | None = None) -> int:
         settings = replace(settings, language=lang)
     plain = ascii or not encoding.startswith("utf")
     app = ContralberoApp(session, ascii=plain, key_map=memory.keys(), settings=settings, memory=memory, missing=missing)
-    if hasattr(signal, "SIGHUP"):  # of which nohup makes nothing: without its terminal a session would only keep a core busy
+    if hasattr(
+        signal, "SIGHUP"
+    ):  # of which nohup makes nothing: without its terminal a session would only keep a core busy
         signal.signal(signal.SIGHUP, signal.SIG_DFL)
     result = app.run()
-    if app._exception is not None:  # textual would show its trace with the values of all variables, and end as a failed check does
+    if (
+        app._exception is not None
+    ):  # textual would show its trace with the values of all variables, and end as a failed check does
         from .output import told
 
         return told(app._exception)

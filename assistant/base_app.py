@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """The app as its widgets and dialogs know it: the user's language, signs and keys, and what is told for a moment.
 
-`app.ContralberoApp` adds the screens.  Widgets and dialogs annotate `app: BaseApp` and so need not import the screens that hold them.
-"""
+`app.ContralberoApp` adds the screens.  Widgets and dialogs annotate `app: BaseApp` and so need not import the screens
+that hold them."""
 
 import re
 from collections.abc import Sequence
@@ -30,7 +30,8 @@ BLANKS = re.compile(" {2,}")
 
 
 class Legible(LineFilter):
-    """The line stays as wide as it was: what is written out takes its room from blanks beside it, else from the line's end."""
+    """The line stays as wide as it was: what is written out takes its room from blanks beside it, else from the line's
+    end."""
 
     def apply(self, segments: list[Segment], background: Color) -> list[Segment]:
         if all(one.control or one.text.isprintable() for one in segments):
@@ -61,8 +62,8 @@ LEGIBLE = Legible()
 
 
 class BaseApp(App[int]):
-    """`session`: none before one is begun.  `ascii`: plain signs.  `key_map`: other keys for some actions, by their ids.  `settings`: what
-    the user chose in earlier sessions."""
+    """`session`: none before one is begun.  `ascii`: plain signs.  `key_map`: other keys for some actions, by their
+    ids.  `settings`: what the user chose in earlier sessions."""
 
     def __init__(
         self,
@@ -90,7 +91,8 @@ class BaseApp(App[int]):
         return [*super().get_line_filters(), LEGIBLE]
 
     def _fatal_error(self) -> None:
-        """A fault of the program ends the session without textual's trace over the screen: `app.run` says it in one line."""
+        """A fault of the program ends the session without textual's trace over the screen: `app.run` says it in one
+        line."""
         self._close_messages_no_wait()
 
     @property

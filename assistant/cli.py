@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The command line: which command is asked for, and how the process ends.  Each command imports what it needs when it runs.
+"""The command line: which command is asked for, and how the process ends.  Each command imports what it needs when it
+runs.
 
-Exit codes: 0 done · 1 a limit check fails, or a replay or a report differs · 2 bad input or usage · 3 no solution found ·
-70 a fault of the program itself · 130 ended by Ctrl-C · 141 nobody reads the output any more.
-"""
+Exit codes: 0 done · 1 a limit check fails, or a replay or a report differs · 2 bad input or usage · 3 no solution found
+· 70 a fault of the program itself · 130 ended by Ctrl-C · 141 nobody reads the output any more."""
 
 import gc
 import os
@@ -13,9 +13,16 @@ from importlib import import_module
 
 from .usage import COMMANDS, parser
 
-THREADS = ("OPENBLAS_NUM_THREADS", "1")  # of numpy's algebra: starting a second takes a fifth of a check, and small matrices need none
+THREADS = (
+    "OPENBLAS_NUM_THREADS",
+    "1",
+)  # of numpy's algebra: starting a second takes a fifth of a check, and small matrices need none
 CLOSED = 141  # as the system itself would end it: no verdict
-SELDOM = (200_000, 20, 100)  # new objects between two looks for garbage, of which a solve leaves next to none: a twelfth of a check
+SELDOM = (
+    200_000,
+    20,
+    100,
+)  # new objects between two looks for garbage, of which a solve leaves next to none: a twelfth of a check
 
 
 def _meant(word: str | None) -> str | None:

@@ -22,10 +22,11 @@ CHOICES = {
 
 @dataclass(frozen=True)
 class Offer:
-    """What was found: how many rows, the table of the first of them, and for each row (from 1) its keys and what is then said.
+    """What was found: how many rows, the table of the first of them, and for each row (from 1) its keys and what is
+    then said.
 
-    `summary`: lines under the table's title; `notes`: a list behind all tables; `hidden`: which rows are not among the first.
-    """
+    `summary`: lines under the table's title; `notes`: a list behind all tables; `hidden`: which rows are not among the
+    first."""
 
     count: int
     table: Callable[[int], Table]
@@ -62,7 +63,9 @@ def _engine(made: Design, file: str, progress: Progress | None = None) -> Offer:
         table=lambda top: orders_table(found, top, as_designed(crank, inputs, e), inputs),
         keys=lambda number: {"engine.firing_order": list(found[number - 1].order), "engine.crank_angles_deg": None},
         said=said,
-        hint=Text("`--apply N` writes the N-th order into the design, and the crank angles out of it; `--top N` shows more."),
+        hint=Text(
+            "`--apply N` writes the N-th order into the design, and the crank angles out of it; `--top N` shows more."
+        ),
     )
 
 
@@ -82,23 +85,37 @@ def _countershaft(made: Design, file: str, progress: Progress | None = None) -> 
     def said(number: int) -> Text:
         one = found.shafts[number - 1]
         return Text(
-            "now sizes its shaft in {material} within an outer radius of {radius}: {mass}", material=one.material,
-            radius=Amount(one.sized.outer_radius * 1e3, "mm", form="g"), mass=Amount(one.sized.mass, "kg"),
-        )  # fmt: skip
+            "now sizes its shaft in {material} within an outer radius of {radius}: {mass}",
+            material=one.material,
+            radius=Amount(one.sized.outer_radius * 1e3, "mm", form="g"),
+            mass=Amount(one.sized.mass, "kg"),
+        )
 
     return Offer(
         count=len(found.shafts),
         table=lambda top: choices_table(found, top, room),
         keys=lambda number: changes(found.shafts[number - 1], room),
         said=said,
-        hint=Text("`--apply N` writes mode, material and envelope of the N-th shaft into the design; `--top N` shows more."),
+        hint=Text(
+            "`--apply N` writes mode, material and envelope of the N-th shaft into the design; `--top N` shows more."
+        ),
     )
 
 
 def _bearings(made: Design, file: str, progress: Progress | None = None) -> Offer:
-    """Bearings to choose from: lengths, clearances, oils and supplies that fit the shaft and keep every rule at the worst corner."""
+    """Bearings to choose from: lengths, clearances, oils and supplies that fit the shaft and keep every rule at the
+    worst corner."""
     from calc.bearings.selection.search import bearing_changes, confirmed, search
-    from calc.bearings.selection.tables import beyond_table, changed, choices_table, hidden, neighbours_table, notes, pareto_table, summary
+    from calc.bearings.selection.tables import (
+        beyond_table,
+        changed,
+        choices_table,
+        hidden,
+        neighbours_table,
+        notes,
+        pareto_table,
+        summary,
+    )
     from calc.bearings.selection.variants import SUPPLY
     from calc.studies.bearings_case import bearings_case
 
@@ -119,10 +136,13 @@ def _bearings(made: Design, file: str, progress: Progress | None = None) -> Offe
     def written(number: int) -> Text:
         row = found.all[number - 1]
         words = Text(
-            "now has the bearings of row {row} ({change}; {oil}, {supply}): {power}", row=number, oil=row.variant.oil,
-            change=changed(row) or Text("lengths and clearances as they were"), supply=SUPPLY[row.variant.supply],
+            "now has the bearings of row {row} ({change}; {oil}, {supply}): {power}",
+            row=number,
+            oil=row.variant.oil,
+            change=changed(row) or Text("lengths and clearances as they were"),
+            supply=SUPPLY[row.variant.supply],
             power=Amount(row.power, "W"),
-        )  # fmt: skip
+        )
         return Text("{row}; its journals are too long for their room", row=words) if any(row.too_long) else words
 
     def beside(top: int) -> tuple[Table, ...]:
@@ -175,9 +195,11 @@ def _gears(made: Design, file: str, progress: Progress | None = None) -> Offer:
             return written(others[number - 1 - len(shifts)])
         row = shifts[number - 1]
         return Text(
-            "now has the gears of row {row} ({change}): largest specific sliding {sliding}", row=number, change=changed(row),
+            "now has the gears of row {row} ({change}): largest specific sliding {sliding}",
+            row=number,
+            change=changed(row),
             sliding=Amount(row.largest, form=".3f"),
-        )  # fmt: skip
+        )
 
     def beside(top: int) -> tuple[Table, ...]:
         first, own = len(shifts) + 1, []
@@ -185,9 +207,14 @@ def _gears(made: Design, file: str, progress: Progress | None = None) -> Offer:
             own.append(idler_table(rows, first, top))
             first += len(passed(rows))
         tables = (
-            *own, sliding_table(found, top), wants_table(found), around_table(found), limits_table(found), cuts_now_table(found),
+            *own,
+            sliding_table(found, top),
+            wants_table(found),
+            around_table(found),
+            limits_table(found),
+            cuts_now_table(found),
             cuts_best_table(found, top),
-        )  # fmt: skip
+        )
         return tuple(one for one in tables if one is not None)
 
     return Offer(
@@ -219,8 +246,9 @@ def _mounting(made: Design, file: str, progress: Progress | None = None) -> Offe
         one = found[number - 1]
         return Text(
             "now has mounts whose purest mode keeps {most} and whose most mixed keeps {least} of its energy",
-            most=Amount(100 * float(one.energies.max()), "%", digits=3), least=Amount(100 * float(one.energies.min()), "%", digits=3),
-        )  # fmt: skip
+            most=Amount(100 * float(one.energies.max()), "%", digits=3),
+            least=Amount(100 * float(one.energies.min()), "%", digits=3),
+        )
 
     return Offer(
         count=len(found),
@@ -234,16 +262,24 @@ def _mounting(made: Design, file: str, progress: Progress | None = None) -> Offe
 Search = Callable[[Design, str, Progress | None], Offer]
 OFFERS: dict[str, tuple[tuple[str, ...], Text, Search]] = {  # by step: which tables it needs, why, and the search
     "engine": (("engine", "imbalance"), Text("firing orders are ranked by what they leave of the imbalance"), _engine),
-    "countershaft": (("engine", "imbalance", "countershaft"), Text("the shaft is sized for what the engine's crank leaves, in the envelope of [countershaft]"), _countershaft),
+    "countershaft": (
+        ("engine", "imbalance", "countershaft"),
+        Text("the shaft is sized for what the engine's crank leaves, in the envelope of [countershaft]"),
+        _countershaft,
+    ),
     "bearings": (("bearings",), Text("there is nothing to choose a bearing for"), _bearings),
     "gears": (("gears",), Text("there are no gears to choose shifts for"), _gears),
-    "mounting": (("engine", "imbalance", "mounting"), Text("the mounts are sought for the engine of [mounting] and what drives it"), _mounting),
+    "mounting": (
+        ("engine", "imbalance", "mounting"),
+        Text("the mounts are sought for the engine of [mounting] and what drives it"),
+        _mounting,
+    ),
 }
 
 
 def offer(step: str, design: Design, file: str, progress: Progress | None = None) -> Offer:
-    """Search.  Raises BadInput where the design lacks what the search needs, NoSolution where there is nothing to offer; `progress`
-    may raise `Cancelled`."""
+    """Search.  Raises BadInput where the design lacks what the search needs, NoSolution where there is nothing to
+    offer; `progress` may raise `Cancelled`."""
     needed, why, search = OFFERS[step]
     missing = next((key for key in needed if getattr(design, key) is None), None)
     if missing is not None:

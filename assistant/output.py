@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Where the text of the command line leaves: nothing in it is obeyed by a terminal, and none is too much for an encoding.
+"""Where the text of the command line leaves: nothing in it is obeyed by a terminal, and none is too much for an
+encoding.
 
 A pipe that nobody reads any more, and a device that is full, end the program without a word too many.
 """
@@ -21,7 +22,20 @@ from calc.sheet.errors import visible
 from calc.version import VERSION
 
 REPLACED = "contralbero.replaced"  # how an encoding treats a sign that it does not have
-SIGNS = {"−": "-", "–": "-", "—": "-", "…": "...", "·": "*", "×": "x", "≥": ">=", "≤": "<=", "µ": "u", "μ": "u", "→": "->", "─": "-"}
+SIGNS = {
+    "−": "-",
+    "–": "-",
+    "—": "-",
+    "…": "...",
+    "·": "*",
+    "×": "x",
+    "≥": ">=",
+    "≤": "<=",
+    "µ": "u",
+    "μ": "u",
+    "→": "->",
+    "─": "-",
+}
 
 
 def _replaced(error: UnicodeError) -> tuple[str, int]:
@@ -43,7 +57,8 @@ class Unwritable(Exception):
 
 
 class Outlet:
-    """A stream whose text is visible as it is written; all else is the stream's own.  `quiet`: it need not be written."""
+    """A stream whose text is visible as it is written; all else is the stream's own.  `quiet`: it need not be
+    written."""
 
     def __init__(self, stream: TextIO, *, quiet: bool = False) -> None:
         self.stream, self.quiet = stream, quiet
@@ -75,7 +90,9 @@ class Outlet:
 def outlets() -> Iterator[None]:
     """stdout and stderr as outlets."""
     codecs.register_error(REPLACED, _replaced)
-    out, err = (stream or open(os.devnull, "w", encoding="utf-8") for stream in (sys.stdout, sys.stderr))  # one may be closed
+    out, err = (
+        stream or open(os.devnull, "w", encoding="utf-8") for stream in (sys.stdout, sys.stderr)
+    )  # one may be closed
     for stream in (out, err):
         if isinstance(stream, TextIOWrapper):
             stream.reconfigure(errors=REPLACED)
@@ -107,14 +124,19 @@ def told(error: BaseException) -> int:
     what = f"{type(error).__name__}: {error}" if str(error) else type(error).__name__
     trace = _kept(error)
     where = f"its trace is in {trace}" if trace is not None else "its trace could not be kept"
-    print(f"contralbero: a fault of the program itself, no verdict: {' '.join(what.split())[:300]}; {where}", file=sys.stderr)
+    print(
+        f"contralbero: a fault of the program itself, no verdict: {' '.join(what.split())[:300]}; {where}",
+        file=sys.stderr,
+    )
     return CODE
 
 
 def _kept(error: BaseException) -> Path | None:
     """The file with the trace: in the user's state folder, else in the one for temporary files."""
     now = datetime.now()
-    words = f"contralbero {VERSION}, Python {sys.version}, {now.isoformat(timespec='seconds')}\n{' '.join(sys.argv)}\n\n"
+    words = (
+        f"contralbero {VERSION}, Python {sys.version}, {now.isoformat(timespec='seconds')}\n{' '.join(sys.argv)}\n\n"
+    )
     text = visible(words + "".join(traceback.format_exception(error)), lines=True).encode()
     for folder in _folders():
         with suppress(OSError, ValueError):

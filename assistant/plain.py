@@ -23,13 +23,22 @@ if TYPE_CHECKING:
     from calc.studies.effects import Effect
 
 
-# What the checks found, as plain text that fits a screen: limits first, then cautions, each group of one cause by its worst check;
-# advice and what concerns the method by their numbers and the worst of each.  `everything`: all of them in full.
+# What the checks found, as plain text that fits a screen: limits first, then cautions, each group of one cause by its
+# worst check; advice and what concerns the method by their numbers and the worst of each.  `everything`: all of them in
+# full.
 
 WORDS = {
-    "pass": "pass", "warn": "warn", "fail": "FAIL", "note": "note", "not_verified": "not verified", "accepted": "accepted",
-    "blocked": "blocked", "not_asked": "not used", "no_solution": "NO SOLUTION", "outside": "outside",
-}  # fmt: skip
+    "pass": "pass",
+    "warn": "warn",
+    "fail": "FAIL",
+    "note": "note",
+    "not_verified": "not verified",
+    "accepted": "accepted",
+    "blocked": "blocked",
+    "not_asked": "not used",
+    "no_solution": "NO SOLUTION",
+    "outside": "outside",
+}
 FINDINGS_LINE = 132  # characters of a line, and fewer on a terminal that has not so many
 INDENT = " " * 8
 
@@ -40,7 +49,8 @@ def sign(verdict: str) -> str:
 
 
 def finding_lines(checks: Sequence[Check], everything: bool = False, odd: Sequence[Unusual] = ()) -> Iterator[str]:
-    """All that is open, and what the user accepted; `odd`: inputs that are not usual, which stand before what are notes."""
+    """All that is open, and what the user accepted; `odd`: inputs that are not usual, which stand before what are
+    notes."""
     groups = [[check for check in group if check.open] for group in grouped(checks)]
     found = [group for group in groups if group]
     for group in found:
@@ -58,7 +68,9 @@ def finding_lines(checks: Sequence[Check], everything: bool = False, odd: Sequen
         yield from _outside(checks)
     for check in checks:
         if check.verdict == "accepted":
-            yield from _wrapped_finding(Text("{what}: {reason}", what=_judged(check), reason=check.accepted), f"{sign('accepted')}  ")
+            yield from _wrapped_finding(
+                Text("{what}: {reason}", what=_judged(check), reason=check.accepted), f"{sign('accepted')}  "
+            )
 
 
 def _finding(check: Check) -> Iterator[str]:
@@ -131,7 +143,9 @@ def lost_acceptances(results: Results) -> Iterator[str]:
 def _wrapped_finding(text: str, start: str = INDENT) -> list[str]:
     """A number keeps its per cent on its line."""
     close = text.replace(" %", "\N{NO-BREAK SPACE}%")
-    lines = textwrap.wrap(close, _width(), initial_indent=start, subsequent_indent=INDENT, break_long_words=False, break_on_hyphens=False)
+    lines = textwrap.wrap(
+        close, _width(), initial_indent=start, subsequent_indent=INDENT, break_long_words=False, break_on_hyphens=False
+    )
     return [line.replace("\N{NO-BREAK SPACE}%", " %") for line in lines]
 
 
@@ -148,16 +162,23 @@ WIDE = 32  # characters of a cell of words in a table; a longer one goes on in t
 LINE = 112  # of a table's note
 NARROW = 12  # characters that a column's label may have on one line in any case
 
-VECTORS = ("N", "N·m", "°", "kg·mm", "kg·mm²")  # units of vectors: one without length says nothing by its number or its phase
+VECTORS = (
+    "N",
+    "N·m",
+    "°",
+    "kg·mm",
+    "kg·mm²",
+)  # units of vectors: one without length says nothing by its number or its phase
 
 
-def print_results(results: Results, step: str | None = None, *, everything: bool = True, findings: bool = False) -> None:
+def print_results(
+    results: Results, step: str | None = None, *, everything: bool = True, findings: bool = False
+) -> None:
     """A screen: what is open, the verdict and two values of every step, what was measured beside what is predicted.
 
-    `step`: only that, with all its values, tables, notes and checks before; `findings`: so of every step, every check that is open in full,
-    and what is made only when asked for: the tables of studies, which take longer than the solve.  `everything`: there vectors of no length
-    as well, which say nothing.
-    """
+    `step`: only that, with all its values, tables, notes and checks before; `findings`: so of every step, every check
+    that is open in full, and what is made only when asked for: the tables of studies, which take longer than the solve.
+    `everything`: there vectors of no length as well, which say nothing."""
     for key, outcome in results.outcomes.items():
         if outcome.state != "not_asked" and (findings if step is None else step == key):
             _print_step(outcome.whole, everything)
@@ -186,7 +207,10 @@ def _print_step(outcome: Outcome[object], everything: bool) -> None:
     for proposal in outcome.proposals:
         print(f"  proposed: {proposal}")
     for erratum in outcome.errata:
-        print(f"  source differs: {erratum.about} {short(erratum.source_value)} {erratum.unit} ({erratum.source}). {erratum.why}")
+        print(
+            f"  source differs: {erratum.about} {short(erratum.source_value)} {erratum.unit} ({erratum.source}). "
+            f"{erratum.why}"
+        )
     for note in outcome.notes:
         print(f"  note: {note}")
     for check in outcome.checks:
@@ -206,7 +230,11 @@ def table_lines(table: Table) -> list[str]:
         column = [row[i] for row in table.rows]
         numeric.append(any(isinstance(c, (int, float)) for c in column) or (bool(unit) and not any(column)))
     tall = max(map(len, heads), default=0)
-    lines = [table.title, *_row([[""] * (tall - len(head)) + head for head in heads], widths, numeric), "  ".join("─" * w for w in widths)]
+    lines = [
+        table.title,
+        *_row([[""] * (tall - len(head)) + head for head in heads], widths, numeric),
+        "  ".join("─" * w for w in widths),
+    ]
     for row, given in zip(rows, table.rows):
         lines += _row(row, widths, [isinstance(cell, (int, float)) for cell in given])
     return [lines[0], *(f"  {line}" for line in [*lines[1:], *_wrapped(table.note, LINE)])]
@@ -243,7 +271,8 @@ def check_line(check: Check, verdict: str) -> str:
 
 
 def print_summary(results: Results, step: str | None = None, everything: bool = False) -> None:
-    """What is open, then the verdict of each step with the values that stand for it: what stands last is what a terminal shows.
+    """What is open, then the verdict of each step with the values that stand for it: what stands last is what a
+    terminal shows.
 
     `everything`: every check of a group, advice and method in full.
     """
@@ -257,15 +286,22 @@ def print_summary(results: Results, step: str | None = None, everything: bool = 
             continue
         values = {value.id: value for value in outcome.values(frozenset(HEADS[key].headlines))}
         heads = HEADS[key].heads(values)[:2]
-        said = str(outcome.reason) or " · ".join(f"{head.id} {short(head.shown)} {head.unit}".rstrip() for head in heads)
+        said = str(outcome.reason) or " · ".join(
+            f"{head.id} {short(head.shown)} {head.unit}".rstrip() for head in heads
+        )
         first, *rest = _wrapped(said, LINE - 30) or [""]
-        print(f"{TITLES[key]:<14} {sign(outcome.verdict):<14} {first}".rstrip(), *(" " * 30 + line for line in rest), sep="\n")
+        print(
+            f"{TITLES[key]:<14} {sign(outcome.verdict):<14} {first}".rstrip(),
+            *(" " * 30 + line for line in rest),
+            sep="\n",
+        )
 
 
 def results_json(
     document: Document, results: Results, step: str | None = None, changes: Sequence[str] = (), measured: bool = False
-) -> dict[str, Any]:  # fmt: skip
-    """The one JSON object of `check --json`; a number that is not finite is null.  `measured`: what the inputs do that move a check."""
+) -> dict[str, Any]:
+    """The one JSON object of `check --json`; a number that is not finite is null.  `measured`: what the inputs do that
+    move a check."""
     shown = [o.whole for key, o in results.outcomes.items() if step in (None, key)]
     from calc.studies.effects import effects
 
@@ -275,12 +311,24 @@ def results_json(
         "program": "contralbero",
         "version": VERSION,
         "design": {"name": results.design.name, "sha256": document.sha256, "set": list(changes)},
-        "values": {id: {"value": finite(v.shown), "unit": v.unit, "label": v.label} for o in shown for v in o.values() for id in v.ids},
+        "values": {
+            id: {"value": finite(v.shown), "unit": v.unit, "label": v.label}
+            for o in shown
+            for v in o.values()
+            for id in v.ids
+        },
         "tables": {f"{o.key}.{t.id}": table_json(t) for o in shown for t in o.tables},
         "checks": [check_json(c, outside(c, o.checks), moved.get(c.id)) for o in shown for c in o.checks],
         "steps": {o.key: o.verdict for o in shown},
         "errata": [
-            {"about": e.about, "label": e.label, "source_value": finite(e.source_value), "unit": e.unit, "source": e.source, "why": e.why}
+            {
+                "about": e.about,
+                "label": e.label,
+                "source_value": finite(e.source_value),
+                "unit": e.unit,
+                "source": e.source,
+                "why": e.why,
+            }
             for o in shown
             for e in o.errata
         ],
@@ -295,8 +343,8 @@ def results_json(
 
 
 def check_json(check: Check, beyond: Sequence[Check] = (), moved: "Sequence[Effect] | None" = None) -> dict[str, Any]:
-    """A check with everything that it knows.  `beyond`: the checks of the method that put it outside the validity of its formula; `moved`:
-    what the inputs do that move it, where it was measured."""
+    """A check with everything that it knows.  `beyond`: the checks of the method that put it outside the validity of
+    its formula; `moved`: what the inputs do that move it, where it was measured."""
     from calc.studies.effects import Effect
 
     measured = moved if moved is not None else [Effect(key, None, None, "") for key in check.moved_by]
@@ -318,7 +366,9 @@ def check_json(check: Check, beyond: Sequence[Check] = (), moved: "Sequence[Effe
         "judges": check.value_id,
         "against": check.limit_id,
         "moved_by": [{"key": e.key, "slope": e.slope, "gain": e.gain, "unit": e.unit} for e in measured],
-        "remedies": [{"changes": dict(one.changes), "effect": one.effect, "words": one.words} for one in check.remedies],
+        "remedies": [
+            {"changes": dict(one.changes), "effect": one.effect, "words": one.words} for one in check.remedies
+        ],
         "missing": list(check.missing),
         "accepted": check.accepted,
     }

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """The guided session in a browser: a page, a socket for each tab, and a session behind each socket.
 
-The sessions read and write the files of whoever started the server.  So the way to them is a secret: whoever has the address may use it,
-other users of the machine and pages of other sites may not.  What comes through a socket is checked before a session gets it.
-"""
+The sessions read and write the files of whoever started the server.  So the way to them is a secret: whoever has the
+address may use it, other users of the machine and pages of other sites may not.  What comes through a socket is checked
+before a session gets it."""
 
 from __future__ import annotations
 
@@ -31,7 +31,8 @@ ENDING = 10.0  # seconds that a session has to put its edits aside
 LAST = 1.0  # and its process after that
 OUTSIDE = re.compile(r'<link\b[^>]*href="https://[^>]*>')  # the page would ask a font host for what lies beside it
 CLICKED = ' onClick="refresh()"'  # which a page of this policy does not obey
-# The font is there before the terminal counts its columns by it; keys go to the terminal from the first one on, and after every click.
+# The font is there before the terminal counts its columns by it; keys go to the terminal from the first one on, and
+# after every click.
 PAGE = """<style>
       @font-face { font-family: "Roboto Mono"; font-weight: 100 700; src: url("/static/fonts/RobotoMono-VariableFont_wght.ttf"); }
       @font-face {
@@ -52,17 +53,23 @@ PAGE = """<style>
         addEventListener("focus", focus);
         document.querySelectorAll("button").forEach((button) => button.addEventListener("click", refresh));
       });
-    </script>"""
-# Nothing from elsewhere; of what stands in the page itself only the scripts that carry this answer's number.  The terminal makes styles.
+    </script>"""  # noqa: E501
+# Nothing from elsewhere; of what stands in the page itself only the scripts that carry this answer's number.  The
+# terminal makes styles.
 POLICY = (
-    "default-src 'none'; script-src 'self' 'nonce-{nonce}'; style-src 'self' 'unsafe-inline'; font-src 'self'; img-src 'self' data:; "
+    "default-src 'none'; script-src 'self' 'nonce-{nonce}'; style-src 'self' 'unsafe-inline'; font-src 'self'; "
+    "img-src 'self' data:; "
     "connect-src 'self' ws://{host}; base-uri 'none'; form-action 'none'; frame-ancestors 'none'"
 )
 HEADERS = {
-    "Content-Security-Policy": "default-src 'none'; frame-ancestors 'none'", "X-Frame-Options": "DENY", "X-Content-Type-Options": "nosniff",
-    "Referrer-Policy": "no-referrer", "Cross-Origin-Resource-Policy": "same-origin", "Cross-Origin-Opener-Policy": "same-origin",
+    "Content-Security-Policy": "default-src 'none'; frame-ancestors 'none'",
+    "X-Frame-Options": "DENY",
+    "X-Content-Type-Options": "nosniff",
+    "Referrer-Policy": "no-referrer",
+    "Cross-Origin-Resource-Policy": "same-origin",
+    "Cross-Origin-Opener-Policy": "same-origin",
     "Cache-Control": "no-store",
-}  # fmt: skip
+}
 
 
 class Session(AppService):
@@ -71,7 +78,11 @@ class Session(AppService):
     def __init__(self, words: list[str], socket: web.WebSocketResponse, server: Local) -> None:
         close = cast(Callable[[], Awaitable[None]], socket.close)
         super().__init__(
-            "", write_bytes=socket.send_bytes, write_str=socket.send_str, close=close, download_manager=server.download_manager
+            "",
+            write_bytes=socket.send_bytes,
+            write_str=socket.send_str,
+            close=close,
+            download_manager=server.download_manager,
         )
         self.words = words
 
@@ -155,7 +166,8 @@ class Local(Server):
 
     @web.middleware
     async def _only_own(self, request: web.Request, handler: Any) -> web.StreamResponse:
-        """A page of another site that is open in the same browser must not reach a session, nor a name that was made to point here."""
+        """A page of another site that is open in the same browser must not reach a session, nor a name that was made to
+        point here."""
         origin = request.headers.get("Origin")  # which a browser names with every socket
         stranger = origin != f"http://{self.own}" if origin is not None else request.path.startswith("/ws")
         if request.host != self.own or stranger:
@@ -164,7 +176,9 @@ class Local(Server):
 
     async def handle_index(self, request: web.Request) -> web.Response:
         if not secrets.compare_digest(request.query.get("token", "").encode(), self.token.encode()):
-            raise web.HTTPForbidden(text="The address lacks its token; take the whole address that `contralbero serve` printed.")
+            raise web.HTTPForbidden(
+                text="The address lacks its token; take the whole address that `contralbero serve` printed."
+            )
         self._demand_room()
         page: Any = await super().handle_index(request)
         nonce = secrets.token_urlsafe(16)
@@ -175,7 +189,9 @@ class Local(Server):
 
     def _demand_room(self) -> None:
         if len(self.tabs) >= SESSIONS:
-            raise web.HTTPServiceUnavailable(text=f"{SESSIONS} sessions are open, and no more are allowed; close the tab of one.")
+            raise web.HTTPServiceUnavailable(
+                text=f"{SESSIONS} sessions are open, and no more are allowed; close the tab of one."
+            )
 
     async def handle_websocket(self, request: web.Request) -> web.WebSocketResponse:
         """A session for as long as its socket is open."""
@@ -214,8 +230,8 @@ class Local(Server):
 
 
 def _own(record: logging.LogRecord) -> bool:
-    """Whether it is a fault of this program, to be told: a request that is no HTTP is answered, and any user of the machine can send a
-    thousand."""
+    """Whether it is a fault of this program, to be told: a request that is no HTTP is answered, and any user of the
+    machine can send a thousand."""
     return record.exc_info is None or not isinstance(record.exc_info[1], HttpProcessingError)
 
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What each command of the command line takes, beside what it is for.  Only argparse is imported; only the command that is asked for is
-built, since all of them cost a twelfth of a check."""
+"""What each command of the command line takes, beside what it is for.  Only argparse is imported; only the command that
+is asked for is built, since all of them cost a twelfth of a check."""
 
 import argparse
 import os
@@ -11,7 +11,7 @@ from typing import NamedTuple
 from calc.version import VERSION
 
 ABOUT = """From the engine's data to the imbalance, the counter-rotating balance shaft, its plain bearings, its gear train and the
-friction it costs.  Without a command: the guided session."""
+friction it costs.  Without a command: the guided session."""  # noqa: E501
 LANGUAGES = ("en", "it")  # the codes of calc.locale, which --help does not load
 KEY_VALUE = "KEY=VALUE"
 Arguments = Callable[[argparse.ArgumentParser], object]
@@ -48,10 +48,20 @@ def new(it: argparse.ArgumentParser) -> None:
 @command("check", "solve a design and print its verdicts, main values and findings")
 def check(it: argparse.ArgumentParser) -> None:
     it.add_argument("file", nargs="?")
-    it.add_argument("--set", action="extend", nargs="+", default=[], metavar=KEY_VALUE, dest="changes", help="change inputs for this run")
+    it.add_argument(
+        "--set",
+        action="extend",
+        nargs="+",
+        default=[],
+        metavar=KEY_VALUE,
+        dest="changes",
+        help="change inputs for this run",
+    )
     it.add_argument("--step", help="this step only, with all its values, tables, notes and checks")
     it.add_argument(
-        "--all", action="store_true", help="the same of every step, and every finding in full: advice, method, what shares a cause"
+        "--all",
+        action="store_true",
+        help="the same of every step, and every finding in full: advice, method, what shares a cause",
     )
     it.add_argument("--short", action="store_true", help="with --all or --step: leave out vectors of no length")
     it.add_argument("--json", action="store_true", help="print one JSON object")
@@ -73,7 +83,9 @@ def report(it: argparse.ArgumentParser) -> None:
         choices=("pdf", "docx"),
         help="docx: a Word document, its formulas to be edited; the record is the PDF (default: by the ending of OUT)",
     )
-    it.add_argument("--depth", choices=("summary", "engineer", "audit"), default="engineer", help="default: %(default)s")
+    it.add_argument(
+        "--depth", choices=("summary", "engineer", "audit"), default="engineer", help="default: %(default)s"
+    )
     it.add_argument("--lang", choices=LANGUAGES, default="en", help="English or Italian (default: %(default)s)")
 
 
@@ -98,7 +110,8 @@ def set_(it: argparse.ArgumentParser) -> None:
 def choose(it: argparse.ArgumentParser) -> None:
     it.add_argument("file")
     steps = (
-        "engine: firing orders; countershaft: the lightest shafts in the envelope; bearings: those that pass at every corner; "
+        "engine: firing orders; countershaft: the lightest shafts in the envelope; bearings: those that pass at every "
+        "corner; "
         "gears: profile shifts and tip cuts by which the flanks slide least"
     )
     it.add_argument("step", metavar="STEP", help=steps)
@@ -107,22 +120,45 @@ def choose(it: argparse.ArgumentParser) -> None:
     it.add_argument("--apply", type=int, metavar="N", help="write row N into the design file")
 
 
-@command("design", "the whole drive: the front of all combinations that pass, traded over power, mass, seat, price and margin")
+@command(
+    "design",
+    "the whole drive: the front of all combinations that pass, traded over power, mass, seat, price and margin",
+)
 def design(it: argparse.ArgumentParser) -> None:
     it.add_argument("file")
-    it.add_argument("--out", metavar="FOLDER", help="where the drives are put, and what is known of them; the same again goes on")
-    it.add_argument("--vary", action="extend", nargs="+", metavar="KEY=LO:HI:STEP", help="also KEY=VALUE,VALUE,… and KEY=fixed")
+    it.add_argument(
+        "--out", metavar="FOLDER", help="where the drives are put, and what is known of them; the same again goes on"
+    )
+    it.add_argument(
+        "--vary", action="extend", nargs="+", metavar="KEY=LO:HI:STEP", help="also KEY=VALUE,VALUE,… and KEY=fixed"
+    )
     it.add_argument("--most", action="extend", nargs="+", metavar="NAME=X", help="power_W, mass_kg, seat_mm, price_EUR")
     it.add_argument("--least", action="extend", nargs="+", metavar="NAME=X", help="margin_percent")
-    it.add_argument("--limit", action="extend", nargs="+", metavar="ID", help="findings that are limits beside the usual ones; * for any")
-    it.add_argument("--objectives", metavar="NAME,…", help="some of power, mass, seat, price, margin (default: all that are known)")
+    it.add_argument(
+        "--limit",
+        action="extend",
+        nargs="+",
+        metavar="ID",
+        help="findings that are limits beside the usual ones; * for any",
+    )
+    it.add_argument(
+        "--objectives", metavar="NAME,…", help="some of power, mass, seat, price, margin (default: all that are known)"
+    )
     it.add_argument("--rows", type=int, metavar="N", help="drives that are solved whole and saved (default: 60)")
     it.add_argument("--processes", type=int, metavar="N", help="default: one for each core")
     it.add_argument(
-        "--time", "--seconds", type=float, metavar="SECONDS", help="end the search after so long, with the drives known by then"
+        "--time",
+        "--seconds",
+        type=float,
+        metavar="SECONDS",
+        help="end the search after so long, with the drives known by then",
     )
-    it.add_argument("--scheduler", metavar="ADDRESS", help="of dask.distributed, whose workers search instead: tcp://HOST:8786")
-    it.add_argument("--evaluations", type=int, metavar="N", help="whole solutions of the search without proof (default: 1600)")
+    it.add_argument(
+        "--scheduler", metavar="ADDRESS", help="of dask.distributed, whose workers search instead: tcp://HOST:8786"
+    )
+    it.add_argument(
+        "--evaluations", type=int, metavar="N", help="whole solutions of the search without proof (default: 1600)"
+    )
     it.add_argument("--seed", type=int, metavar="N", help="of the search without proof (default: 1)")
     it.add_argument("--dry", action="store_true", help="say what would be searched, and search nothing")
     it.add_argument("--json", action="store_true", help="print one JSON object")
@@ -136,8 +172,12 @@ def compare(it: argparse.ArgumentParser) -> None:
     it.add_argument("b", metavar="B", help="another one, or the same")
     kinds = it.add_mutually_exclusive_group()
     kinds.add_argument("--json", action="store_true", help="print one JSON object, with all that differs")
-    kinds.add_argument("-o", "--output", metavar="OUT.pdf", help="write the comparison as a PDF report, which verify checks")
-    it.add_argument("--all", action="store_true", help="then all checks and values that differ, tables of one design written out")
+    kinds.add_argument(
+        "-o", "--output", metavar="OUT.pdf", help="write the comparison as a PDF report, which verify checks"
+    )
+    it.add_argument(
+        "--all", action="store_true", help="then all checks and values that differ, tables of one design written out"
+    )
     it.add_argument("--lang", choices=LANGUAGES, default="en", help="of the PDF (default: %(default)s)")
 
 
@@ -145,24 +185,43 @@ def compare(it: argparse.ArgumentParser) -> None:
 def sweep(it: argparse.ArgumentParser) -> None:
     it.add_argument("file")
     it.add_argument(
-        "--vary", action="extend", nargs="+", default=[], metavar="KEY=LO:HI:N",
+        "--vary",
+        action="extend",
+        nargs="+",
+        default=[],
+        metavar="KEY=LO:HI:N",
         help="inputs to vary over a grid; also KEY=VALUE,VALUE,…; drawn at random: KEY=LO:HI",
-    )  # fmt: skip
+    )
     it.add_argument(
-        "--tolerance", action="extend", nargs="+", default=[], metavar="KEY=T",
-        help="inputs that scatter by ±T, three standard deviations, about what the design has; also KEY=LOWER:UPPER (with --monte-carlo)",
-    )  # fmt: skip
+        "--tolerance",
+        action="extend",
+        nargs="+",
+        default=[],
+        metavar="KEY=T",
+        help="inputs that scatter by ±T, three standard deviations, about what the design has; also KEY=LOWER:UPPER "
+        "(with --monte-carlo)",
+    )
     ways = it.add_mutually_exclusive_group()
-    ways.add_argument("--hypercube", type=int, metavar="N", help="N designs at random that fill every range evenly (Latin hypercube)")
+    ways.add_argument(
+        "--hypercube", type=int, metavar="N", help="N designs at random that fill every range evenly (Latin hypercube)"
+    )
     ways.add_argument("--monte-carlo", type=int, metavar="N", help="N designs at random, each by itself")
-    ways.add_argument("--list", metavar="FILE.csv", help="the designs of a table: keys in the first line, a design in each other one")
-    it.add_argument("--seed", type=int, default=1, metavar="N", help="of what is drawn at random (default: %(default)s)")
-    it.add_argument("--set", action="extend", nargs="+", default=[], metavar=KEY_VALUE, dest="changes", help="change inputs first")
+    ways.add_argument(
+        "--list", metavar="FILE.csv", help="the designs of a table: keys in the first line, a design in each other one"
+    )
+    it.add_argument(
+        "--seed", type=int, default=1, metavar="N", help="of what is drawn at random (default: %(default)s)"
+    )
+    it.add_argument(
+        "--set", action="extend", nargs="+", default=[], metavar=KEY_VALUE, dest="changes", help="change inputs first"
+    )
     it.add_argument("--step", help="this step only; imbalance alone computes thousands of designs in a second")
     it.add_argument("--values", action="extend", nargs="+", default=[], metavar="VALUE_ID", help="these columns only")
     it.add_argument("-o", "--output", metavar="OUT", help="a .csv or .parquet file (default: CSV to the terminal)")
     it.add_argument("--processes", type=int, metavar="N", help="default: one for each core")
-    it.add_argument("--scheduler", metavar="ADDRESS", help="of dask.distributed, whose workers compute instead: tcp://HOST:8786")
+    it.add_argument(
+        "--scheduler", metavar="ADDRESS", help="of dask.distributed, whose workers compute instead: tcp://HOST:8786"
+    )
 
 
 @command("report", "results as JSON or CSV, the shaft or the gears as a DXF drawing")
@@ -170,26 +229,45 @@ def export(it: argparse.ArgumentParser) -> None:
     it.add_argument("file")
     kinds = it.add_mutually_exclusive_group()
     kinds.add_argument("--dxf", action="store_const", const="dxf", dest="kind", help="the shaft, or the gears, in mm")
-    kinds.add_argument("--csv", action="store_const", const="csv", dest="kind", help="the values, a row each; checks stand in --json")
+    kinds.add_argument(
+        "--csv", action="store_const", const="csv", dest="kind", help="the values, a row each; checks stand in --json"
+    )
     kinds.add_argument("--json", action="store_const", const="json", dest="kind", help="the object of check --json")
     drawn = it.add_mutually_exclusive_group()
     drawn.add_argument("--gear", metavar="WHEEL", help="draw this wheel, with its table of data, instead of the shaft")
-    drawn.add_argument("--gears", action="store_true", help="draw the whole train; so does --dxf where a design has no shaft")
-    it.add_argument("--chord-error", type=float, metavar="UM", help="how far a tooth's straight pieces may stand off (default: 1 µm)")
-    it.add_argument("--transfer", action="store_true", help="the transfer functions of the mounts instead of the values (--csv)")
-    it.add_argument("-o", "--output", required=True, metavar="PATH", help="the file; without a format its ending decides")
+    drawn.add_argument(
+        "--gears", action="store_true", help="draw the whole train; so does --dxf where a design has no shaft"
+    )
+    it.add_argument(
+        "--chord-error",
+        type=float,
+        metavar="UM",
+        help="how far a tooth's straight pieces may stand off (default: 1 µm)",
+    )
+    it.add_argument(
+        "--transfer", action="store_true", help="the transfer functions of the mounts instead of the values (--csv)"
+    )
+    it.add_argument(
+        "-o", "--output", required=True, metavar="PATH", help="the file; without a format its ending decides"
+    )
 
 
 @command("program", "the guided session in a browser, on this machine only")
 def serve(it: argparse.ArgumentParser) -> None:
     it.add_argument("file", nargs="?")
-    it.add_argument("--port", type=int, default=8000, metavar="N", help="of the address 127.0.0.1:N (default: %(default)s)")
+    it.add_argument(
+        "--port", type=int, default=8000, metavar="N", help="of the address 127.0.0.1:N (default: %(default)s)"
+    )
 
 
 @command("scenarios", "a train under several conditions side by side: the friction thesis' three, or a design's own")
 def scenarios(it: argparse.ArgumentParser) -> None:
-    it.add_argument("files", nargs="*", metavar="FILE", help="designs with [[friction.scenarios]] (default: those of the thesis)")
-    it.add_argument("-o", "--output", metavar="FOLDER", help="also write the curves as CSV and a report as PDF for each design")
+    it.add_argument(
+        "files", nargs="*", metavar="FILE", help="designs with [[friction.scenarios]] (default: those of the thesis)"
+    )
+    it.add_argument(
+        "-o", "--output", metavar="FOLDER", help="also write the curves as CSV and a report as PDF for each design"
+    )
     it.add_argument("--json", action="store_true", help="print one JSON object")
 
 
@@ -200,7 +278,9 @@ def validate(it: argparse.ArgumentParser) -> None:
 
 @command("published", "what is wrong in the documents behind this program, with the right values")
 def errata(it: argparse.ArgumentParser) -> None:
-    it.add_argument("source", nargs="?", metavar="SOURCE", help="one document, by a word of its name: finotti, textbook, friction")
+    it.add_argument(
+        "source", nargs="?", metavar="SOURCE", help="one document, by a word of its name: finotti, textbook, friction"
+    )
     written = it.add_mutually_exclusive_group()
     written.add_argument("--json", action="store_true", help="print one JSON object")
     written.add_argument("--markdown", action="store_true", help="all of it as a page of tables")
@@ -224,7 +304,9 @@ def completion(it: argparse.ArgumentParser) -> None:
 
 @command("published", "the publications behind the program: title, edition, status, and how we know what each says")
 def sources(it: argparse.ArgumentParser) -> None:
-    it.add_argument("name", nargs="?", metavar="NAME", help="a publication, or a word of its name or title; left out: all")
+    it.add_argument(
+        "name", nargs="?", metavar="NAME", help="a publication, or a word of its name or title; left out: all"
+    )
     it.add_argument("--json", action="store_true", help="print one JSON object")
 
 
@@ -249,11 +331,16 @@ class Help(argparse.HelpFormatter):
 def parser(*only: str) -> argparse.ArgumentParser:
     """Of these commands, or of all."""
     top = argparse.ArgumentParser(
-        prog="contralbero", description=ABOUT, formatter_class=Help,
-        epilog="contralbero COMMAND --help tells more. contralbero [FILE] [--lang en|it] [--ascii] opens the guided session.",
-    )  # fmt: skip
+        prog="contralbero",
+        description=ABOUT,
+        formatter_class=Help,
+        epilog="contralbero COMMAND --help tells more. contralbero [FILE] [--lang en|it] [--ascii] opens the guided "
+        "session.",
+    )
     top.add_argument("--version", action="version", version=f"contralbero {VERSION}")
-    commands = top.add_subparsers(dest="command", metavar="COMMAND", title="commands", prog="contralbero")  # saves formatting it
+    commands = top.add_subparsers(
+        dest="command", metavar="COMMAND", title="commands", prog="contralbero"
+    )  # saves formatting it
     for name in only or COMMANDS:
         _, about, arguments = COMMANDS[name]
         it = commands.add_parser(name, help=about, description=about[0].upper() + about[1:] + ".", formatter_class=Help)

@@ -3,10 +3,9 @@
 
 With names only these are measured, and written in place of what docs/speed.md has of them.
 
-One measurement after the other, each in a process of its own; what it prints is what stands in docs/speed.md (`--write`), below the
-machine that it was taken on.  Against ROSS and GEARpie, which are no dependencies of this program, a measurement is started by hand: how
-stands in its file.
-"""
+One measurement after the other, each in a process of its own; what it prints is what stands in docs/speed.md
+(`--write`), below the machine that it was taken on.  Against ROSS and GEARpie, which are no dependencies of this
+program, a measurement is started by hand: how stands in its file."""
 
 import ast
 import os
@@ -19,9 +18,22 @@ from pathlib import Path
 HERE = Path(__file__).parent
 TABLE = HERE.parent / "docs" / "speed.md"
 MEASURED: dict[str, tuple[str, ...]] = {
-    "startup": (), "report": (), "session": ("3",), "balance": (), "sizing": (), "scatter": (), "film": (), "bearings": (), "selection": (),
-    "gears": (), "friction": (), "mounting": (), "links": (), "sweep": ("10000",), "design": (),
-}  # fmt: skip
+    "startup": (),
+    "report": (),
+    "session": ("3",),
+    "balance": (),
+    "sizing": (),
+    "scatter": (),
+    "film": (),
+    "bearings": (),
+    "selection": (),
+    "gears": (),
+    "friction": (),
+    "mounting": (),
+    "links": (),
+    "sweep": ("10000",),
+    "design": (),
+}
 BY_HAND = ("beam_against_ross", "film_against_ross")
 HEAD = """# Speed
 
@@ -44,7 +56,9 @@ def machine() -> str:
         else []
     )
     cores = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count()
-    libraries = ", ".join(f"{name} {version(name)}" for name in ("numpy", "scipy", "textual", "reportlab", "matplotlib"))
+    libraries = ", ".join(
+        f"{name} {version(name)}" for name in ("numpy", "scipy", "textual", "reportlab", "matplotlib")
+    )
     system = f"{platform.system()}, Python {platform.python_version()}"
     return f"Measured on {names[0] if names else platform.machine()}, {cores} cores; {system}, {libraries}."
 

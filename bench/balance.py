@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Many engines at once against one by one:  python -m bench.balance
 
-The imbalance of 10 000 engines of different mass, speed, crank radius and crank angles: one call on arrays, and the plain loop over a part
-of them.  The ratio travels between machines better than the times.
-"""
+The imbalance of 10 000 engines of different mass, speed, crank radius and crank angles: one call on arrays, and the
+plain loop over a part of them.  The ratio travels between machines better than the times."""
 
 import time
 from dataclasses import replace
@@ -32,9 +31,11 @@ def main() -> None:
     random = np.random.default_rng(0)
     angles = np.column_stack([np.zeros(COUNT), random.uniform(0, 2 * np.pi, (COUNT, one.engine.cylinders - 1))])
     varied: dict[str, Any] = {
-        "piston_mass": random.uniform(0.3, 2.0, COUNT), "rated_speed": random.uniform(15, 100, COUNT),
-        "crank_radius": random.uniform(0.03, 0.055, COUNT), "crank_angles": angles,
-    }  # fmt: skip
+        "piston_mass": random.uniform(0.3, 2.0, COUNT),
+        "rated_speed": random.uniform(15, 100, COUNT),
+        "crank_radius": random.uniform(0.03, 0.055, COUNT),
+        "crank_angles": angles,
+    }
     many = replace(one.engine, **varied)
     singles = []
     for i in range(LOOPED):

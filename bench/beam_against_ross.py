@@ -6,10 +6,10 @@ ROSS is no dependency of this program.  Into an environment of its own, then run
     python3 -m venv ROSS && ROSS/bin/pip install ross-rotordynamics 'plotly<6'
     ROSS/bin/python -m bench.beam_against_ross
 
-ROSS knows round sections only.  From it come the matrices of each shaft element (shear after Cowper, no rotary inertia), with the sector's
-second moment, area and shear factor put in place of the round ones; stiff springs stand for the bearings, and the loads are put on the
-nodes of elements of 1 mm as forces.  Compared are slopes, reactions and frequency.
-"""
+ROSS knows round sections only.  From it come the matrices of each shaft element (shear after Cowper, no rotary
+inertia), with the sector's second moment, area and shear factor put in place of the round ones; stiff springs stand for
+the bearings, and the loads are put on the nodes of elements of 1 mm as forces.  Compared are slopes, reactions and
+frequency."""
 
 import math
 import sys
@@ -32,15 +32,29 @@ ELEMENT = 1 * MM
 SHARES = (1.0, 0.5, 0.25, 0.2, 1e-9)
 #         from, to, outer radius, core radius of a sector of half a turn, its angle
 EXAMPLE = (
-    (-208.25, -196.25, 15.0, None, 0.0), (-196.25, -181.25, 26.95, None, 0.0), (-181.25, -153.75, 29.75, None, 0.0),
-    (-153.75, -152.0, 15.0, None, 0.0), (-152.0, -1.0, 40.3, 15.0, math.pi), (-1.0, 1.0, 15.0, None, 0.0), (1.0, 152.0, 40.3, 15.0, 0.0),
-    (152.0, 154.25, 15.0, None, 0.0), (154.25, 180.75, 40.5, None, 0.0),
-)  # fmt: skip
+    (-208.25, -196.25, 15.0, None, 0.0),
+    (-196.25, -181.25, 26.95, None, 0.0),
+    (-181.25, -153.75, 29.75, None, 0.0),
+    (-153.75, -152.0, 15.0, None, 0.0),
+    (-152.0, -1.0, 40.3, 15.0, math.pi),
+    (-1.0, 1.0, 15.0, None, 0.0),
+    (1.0, 152.0, 40.3, 15.0, 0.0),
+    (152.0, 154.25, 15.0, None, 0.0),
+    (154.25, 180.75, 40.5, None, 0.0),
+)
 
 
 def example() -> tuple[Outline, tuple[Extra, ...]]:
     pieces = tuple(
-        Piece(a * MM, z * MM, R * MM, (core or 0.0) * MM, math.pi / 2 if core else None, angle, "sector" if core else "full")
+        Piece(
+            a * MM,
+            z * MM,
+            R * MM,
+            (core or 0.0) * MM,
+            math.pi / 2 if core else None,
+            angle,
+            "sector" if core else "full",
+        )
         for a, z, R, core, angle in EXAMPLE
     )
     hole = STEEL.density * math.pi / 4 * (12.13 * MM) ** 2 * 26.5 * MM
@@ -55,7 +69,9 @@ def by_ross(ross: Any, found: Outline, extras: tuple[Extra, ...], share: float) 
     """Slopes and reactions (real: the couple's plane) and lowest frequency [1/s] with the matrices of ROSS."""
     steel = ross.Material(name="example", rho=STEEL.density, E=STEEL.E, Poisson=STEEL.poisson)
     marks = np.unique(np.round([*found.each("start"), found.end, *POSITIONS, *(x.z for x in extras)], 9))
-    nodes = np.unique(np.round(np.concatenate([np.linspace(a, z, math.ceil((z - a) / ELEMENT) + 1) for a, z in pairwise(marks)]), 9))
+    nodes = np.unique(
+        np.round(np.concatenate([np.linspace(a, z, math.ceil((z - a) / ELEMENT) + 1) for a, z in pairwise(marks)]), 9)
+    )
     n = 2 * nodes.size
     K, M, f = np.zeros((n, n)), np.zeros((n, n)), np.zeros(n)
     for i, (a, z) in enumerate(pairwise(nodes)):
@@ -63,7 +79,13 @@ def by_ross(ross: Any, found: Outline, extras: tuple[Extra, ...], share: float) 
         piece, A, full = found.pieces[k], float(found.area[k]), float(found.inertia[k])
         core = math.pi * piece.core_radius**4 / 4 if piece.half_angle else full
         element = ross.ShaftElement(
-            L=z - a, idl=0, odl=2 * piece.outer_radius, material=steel, shear_effects=True, rotary_inertia=False, gyroscopic=False
+            L=z - a,
+            idl=0,
+            odl=2 * piece.outer_radius,
+            material=steel,
+            shear_effects=True,
+            rotary_inertia=False,
+            gyroscopic=False,
         )
         I = core + share * (full - core)
         element.phi = 12 * STEEL.E * I / (steel.G_s * element.kappa * A * (z - a) ** 2)
@@ -104,9 +126,11 @@ def main() -> None:
         ours = b.bending(found, STEEL, OMEGA, POSITIONS, extras, share)
         slopes, reactions, first = by_ross(ross, found, extras, share)
         rows = (
-            (ours.slopes[0] * 1e3, slopes[0] * 1e3), (ours.slopes[1] * 1e3, slopes[1] * 1e3), (abs(ours.reactions[0]), reactions[0]),
+            (ours.slopes[0] * 1e3, slopes[0] * 1e3),
+            (ours.slopes[1] * 1e3, slopes[1] * 1e3),
+            (abs(ours.reactions[0]), reactions[0]),
             (ours.natural_frequency, first),
-        )  # fmt: skip
+        )
         print(f"{share:5.2f}  " + "  ".join(f"{a:<8.5g} {z:<8.5g} {100 * (a / z - 1):+.4f} %  " for a, z in rows))
 
 

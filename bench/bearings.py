@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Times of the bearing step:  python -m bench.bearings
 
-The thermal balance of many bearings at once against one after the other, and the whole step with its corners, sweep and routes, against
-np.exp of 100 000 numbers in the same run.
-"""
+The thermal balance of many bearings at once against one after the other, and the whole step with its corners, sweep and
+routes, against np.exp of 100 000 numbers in the same run."""
 
 from dataclasses import replace
 from pathlib import Path

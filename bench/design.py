@@ -40,7 +40,8 @@ def main() -> None:
     seconds, (drive, sizes) = timed(lambda: tables_of(problem, problem.classes[0]))
     films = sum(f.power.size for some in sizes.films.values() for f in some)
     print(
-        f"tables of one class: {films:,} sizes of journals in {seconds:.2f} s, {films * 6 / seconds:,.0f} films/s ({seconds / one:.0f} x)"
+        f"tables of one class: {films:,} sizes of journals in {seconds:.2f} s, {films * 6 / seconds:,.0f} films/s "
+        f"({seconds / one:.0f} x)"
     )
     l_f, l_r = np.arange(0.015, 0.045, 0.0005), np.arange(0.022, 0.06, 0.0005)
     seconds, found = timed(lambda: shafts(drive, sizes.core, l_f, l_r, 0.086, 0.086))
@@ -52,9 +53,18 @@ def main() -> None:
     start, first = time.perf_counter(), []
     whole = search(problem, 1, solving=lambda n, of: first.append(time.perf_counter()) if n == 1 else None)
     seconds = time.perf_counter() - start
-    print(f"{len(problem.classes)} classes, {whole.table.combinations:.2g} combinations, {len(whole.drives)} drives solved whole:")
-    print(f"  {seconds:.0f} s in one process ({seconds / one:.0f} x), the first drive that passes after {first[0] - start:.0f} s")
-    print(f"  {len(whole.dropped)} rows dropped; memory {resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024:.0f} MB")
+    print(
+        f"{len(problem.classes)} classes, {whole.table.combinations:.2g} combinations, {len(whole.drives)} drives "
+        f"solved whole:"
+    )
+    print(
+        f"  {seconds:.0f} s in one process ({seconds / one:.0f} x), the first drive that passes after "
+        f"{first[0] - start:.0f} s"
+    )
+    print(
+        f"  {len(whole.dropped)} rows dropped; memory "
+        f"{resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024:.0f} MB"
+    )
 
 
 if __name__ == "__main__":

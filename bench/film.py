@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Times of the oil film:  python -m bench.film
 
-Each line: the best of several rounds, and its ratio to np.exp of 100 000 numbers in the same run, which travels between machines
-better than the time itself.
-"""
+Each line: the best of several rounds, and its ratio to np.exp of 100 000 numbers in the same run, which travels between
+machines better than the time itself."""
 
 import itertools
 import math
@@ -61,7 +60,10 @@ def main() -> None:
         ("eccentricity_from, one point, new l/d", best(lambda: eccentricity_from(0.1588, next(fresh)), 1000)),
         ("eight coefficients, one point", best(lambda: coefficients(0.75, 0.4622), 200)),
         ("short bearing: eccentricity, one point", best(lambda: short_bearing.eccentricity(S=0.1588, b=0.4622), 1000)),
-        ("short bearing: blocked arc, one point", best(lambda: short_bearing.blocked_arc(eps=0.74, p_s=4e5, p_max=6e6), 200)),
+        (
+            "short bearing: blocked arc, one point",
+            best(lambda: short_bearing.blocked_arc(eps=0.74, p_s=4e5, p_max=6e6), 200),
+        ),
         (f"eight coefficients, per point of {POINTS}", best(lambda: coefficients(eccentricities, lengths), 2) / POINTS),
         (f"film_at, per point of {POINTS}", best(lambda: film_at(eccentricities, lengths), 2) / POINTS),
         (f"eccentricity_from, per point of {POINTS}", best(lambda: eccentricity_from(numbers, lengths), 2) / POINTS),

@@ -1,17 +1,17 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The oil film against ROSS (petrobras/ross), an independent rotor-dynamics program: load carried, time, and time at equal accuracy.
+"""The oil film against ROSS (petrobras/ross), an independent rotor-dynamics program: load carried, time, and time at
+equal accuracy.
 
 ROSS is no dependency of this program.  Into an environment of its own, then run from the root of the repository:
 
     python3 -m venv ROSS && ROSS/bin/pip install ross-rotordynamics 'plotly<6'
     ROSS/bin/python -m bench.film_against_ross
 
-Both are given eccentricity and l/d, constant viscosity, and asked for the load.  The true value is this program's solution on 768 by 64
-cells.  ROSS (`FluidFlow`, finite differences, forces by "numerical") cuts negative pressures off, which is another film end than that
-of Swift and Stieber: its load does not tend to the same value with finer grids, and the error of a coarse grid may pass through zero by
-chance.  For each of its grids stands the time of the coarsest grid of this program that is at least as near; the time of the stored
-table is beside it.
-"""
+Both are given eccentricity and l/d, constant viscosity, and asked for the load.  The true value is this program's
+solution on 768 by 64 cells.  ROSS (`FluidFlow`, finite differences, forces by "numerical") cuts negative pressures off,
+which is another film end than that of Swift and Stieber: its load does not tend to the same value with finer grids, and
+the error of a coarse grid may pass through zero by chance.  For each of its grids stands the time of the coarsest grid
+of this program that is at least as near; the time of the stored table is beside it."""
 
 import math
 import sys
@@ -33,12 +33,25 @@ VISCOSITY, OMEGA, RADIUS, CLEARANCE = 0.01, 100.0, 0.05, 1e-4
 def load_of_ross(ross: Any, eccentricity: float, length_ratio: float, grid: tuple[int, int]) -> float:
     """So = F·ψ²/(l·d·μ·ω)."""
     film = ross.FluidFlow(
-        nz=grid[0], ntheta=grid[1], length=2 * RADIUS * length_ratio, omega=OMEGA, p_in=0.0, p_out=0.0, radius_rotor=RADIUS,
-        radius_stator=RADIUS + CLEARANCE, viscosity=VISCOSITY, density=860.0, eccentricity=eccentricity * CLEARANCE,
-        attitude_angle=math.pi / 4, bearing_type="medium_size", immediately_calculate_pressure_matrix_numerically=True,
-    )  # fmt: skip
+        nz=grid[0],
+        ntheta=grid[1],
+        length=2 * RADIUS * length_ratio,
+        omega=OMEGA,
+        p_in=0.0,
+        p_out=0.0,
+        radius_rotor=RADIUS,
+        radius_stator=RADIUS + CLEARANCE,
+        viscosity=VISCOSITY,
+        density=860.0,
+        eccentricity=eccentricity * CLEARANCE,
+        attitude_angle=math.pi / 4,
+        bearing_type="medium_size",
+        immediately_calculate_pressure_matrix_numerically=True,
+    )
     radial, tangential = ross.forces(film, force_type="numerical")[:2]
-    return math.hypot(radial, tangential) * (CLEARANCE / RADIUS) ** 2 / (4 * RADIUS**2 * length_ratio * VISCOSITY * OMEGA)
+    return (
+        math.hypot(radial, tangential) * (CLEARANCE / RADIUS) ** 2 / (4 * RADIUS**2 * length_ratio * VISCOSITY * OMEGA)
+    )
 
 
 def load_of_ours(eccentricity: float, length_ratio: float, grid: tuple[int, int]) -> float:
@@ -76,7 +89,10 @@ def main() -> None:
     load_of_ross(Theirs, 0.5, 0.5, (8, 33))  # compiles and loads what either asks for
     solve_film(0.5, 0.5)
     film_at(0.5, 0.5)
-    print(f"ROSS {ross.__version__}; errors of So against {FINEST[0]} × {FINEST[1]} cells of this program; times of one state")
+    print(
+        f"ROSS {ross.__version__}; errors of So against {FINEST[0]} × {FINEST[1]} cells of this program; times of "
+        f"one state"
+    )
     for eccentricity, length_ratio in STATES:
         true = load_of_ours(eccentricity, length_ratio, FINEST)
         table, table_time = timed(partial(load_of_table, eccentricity, length_ratio))

@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
 """Times of the friction step:  python -m bench.friction [--gearpie FOLDER]
 
-One mesh at 200 positions, ten thousand operating points at 50 positions in one call against the plain loop over a part of them, the closed
-balance of the shipped train, its map and its sensitivity; against np.exp of 100 000 numbers in the same run.
+One mesh at 200 positions, ten thousand operating points at 50 positions in one call against the plain loop over a part
+of them, the closed balance of the shipped train, its map and its sensitivity; against np.exp of 100 000 numbers in the
+same run.
 
-With a checkout of GEARpie (github.com/cfernandesFEUP/GEARpie), the same FZG pair by both, in one run: 200 positions each.
-"""
+With a checkout of GEARpie (github.com/cfernandesFEUP/GEARpie), the same FZG pair by both, in one run: 200 positions
+each."""
 
 import math
 import sys
@@ -52,7 +53,9 @@ def fzg_c40() -> MeshGeometry:
     return MeshGeometry(*wheels, 91.5001e-3, 0.0)
 
 
-def of(mesh: MeshGeometry, lubricant: Lubricant, T: Any, n: Any, points: int, flanks: FrictionInputs = FLANKS) -> MeshCase:
+def of(
+    mesh: MeshGeometry, lubricant: Lubricant, T: Any, n: Any, points: int, flanks: FrictionInputs = FLANKS
+) -> MeshCase:
     return case(flanks, mesh, oil_at(lubricant, column(T)), n, points=points)
 
 
@@ -83,7 +86,10 @@ def main() -> None:
     rows = (
         (f"one mesh, {np.size(one.path.x)} positions, to 1e-9 K", best(lambda: solve_mesh(one, 10e3, False), 20)),
         ("the same by regime", best(lambda: solve_mesh(one, 10e3, True), 20)),
-        (f"{MANY} operating points, {np.size(of(mesh, lubricant, 60.0, 25.0, 12).path.x)} positions each, one call", call),
+        (
+            f"{MANY} operating points, {np.size(of(mesh, lubricant, 60.0, 25.0, 12).path.x)} positions each, one call",
+            call,
+        ),
         (f"the same in a plain loop (from {LOOPED})", loop),
         ("closed balance of the shipped train, three helical meshes", best(lambda: balance(drive, power), 3, 3)),
         ("its map, 28 points", best(lambda: over_speed_and_temperature(drive, power, on), 1, 3)),
@@ -100,7 +106,15 @@ def main() -> None:
 def beside(folder: Path) -> None:
     """C40 of GEARpie, PAO of ISO VG 320 at 80 °C, 215.5 N·m at 1800 rpm of the pinion."""
     sys.path.insert(0, str(folder))
-    from CLASSES import CALC_GEOMETRY, CONTACT, FORCES_SPEEDS, GEAR_LIBRARY, LUBRICANT_LIBRARY, MATERIAL_LIBRARY, RIGID_LOAD_SHARING  # type: ignore
+    from CLASSES import (
+        CALC_GEOMETRY,
+        CONTACT,
+        FORCES_SPEEDS,
+        GEAR_LIBRARY,
+        LUBRICANT_LIBRARY,
+        MATERIAL_LIBRARY,
+        RIGID_LOAD_SHARING,
+    )  # type: ignore
 
     torque, speed = 215.513, 1800.0
     theirs = LUBRICANT_LIBRARY.LUBRICANT("P", "320", 80.0)
@@ -123,7 +137,9 @@ def beside(folder: Path) -> None:
 
     them, us = their_loss(), ours()
     c = of(fzg_c40(), Lubricant(oil, "d341"), 80.0, speed / 60, 49, flanks)
-    H_V = ohlendorf_loss_factor(eps_1=c.path.epsilon_1, eps_2=c.path.epsilon_2, eps_alpha=c.path.epsilon_alpha, z_1=16, z_2=24, beta_b=0.0)
+    H_V = ohlendorf_loss_factor(
+        eps_1=c.path.epsilon_1, eps_2=c.path.epsilon_2, eps_alpha=c.path.epsilon_alpha, z_1=16, z_2=24, beta_b=0.0
+    )
     schlenk = of_schlenk(c, P, H_V)
     print(f"\nFZG C40{'GEARpie':>20s}{'here':>20s}")
     p_C = float(np.interp(c.path.C_C, us.local.x, us.local.p_H))

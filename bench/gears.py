@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """Times of the gear step:  python -m bench.gears
 
-Geometry and rating of the whole train, one tooth and all teeth of a wheel, its drawing file, and ten thousand combinations of profile
-shifts and tip cuts at once against one after the other, against np.exp of 100 000 numbers in the same run.
-"""
+Geometry and rating of the whole train, one tooth and all teeth of a wheel, its drawing file, and ten thousand
+combinations of profile shifts and tip cuts at once against one after the other, against np.exp of 100 000 numbers in
+the same run."""
 
 from dataclasses import replace
 from pathlib import Path
@@ -47,10 +47,13 @@ def main() -> None:
     def one_by_one() -> None:
         for i in range(FEW):
             wheels = (
-                replace(w, profile_shift=float(shifts["central"][i])) if w.name == "central"
-                else replace(w, tip_shortening=float(cuts["idler"][i])) if w.name == "idler" else w
+                replace(w, profile_shift=float(shifts["central"][i]))
+                if w.name == "central"
+                else replace(w, tip_shortening=float(cuts["idler"][i]))
+                if w.name == "idler"
+                else w
                 for w in train.wheels
-            )  # fmt: skip
+            )
             gears.geometry(replace(train, wheels=tuple(wheels)), speed)
 
     exponents = random.uniform(-1.0, 1.0, 100_000)

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """Times of the mounts:  python -m bench.mounting
 
-The whole step of the shipped design (modes, statics, four operations, five variants, run-up of the seat), the map of 171 speeds, 16 orders
-and five variants by itself, and the search for mounts; against np.exp of 100 000 numbers in the same run.
-"""
+The whole step of the shipped design (modes, statics, four operations, five variants, run-up of the seat), the map of
+171 speeds, 16 orders and five variants by itself, and the search for mounts; against np.exp of 100 000 numbers in the
+same run."""
 
 from time import perf_counter
 
@@ -29,7 +29,10 @@ def main() -> None:
     numbers = np.linspace(0, 1, 100_000)
     unit = best(lambda: np.exp(numbers), 20)
     with recorded(False):
-        whole = best(lambda: mounting.solve(given, engine, outcomes["engine"].solution, outcomes["imbalance"].solution, shaft), 10)
+        whole = best(
+            lambda: mounting.solve(given, engine, outcomes["engine"].solution, outcomes["imbalance"].solution, shaft),
+            10,
+        )
         result = outcomes["mounting"].solution
         run_up = best(lambda: courses(given, result.system, result.drive, ()), 10)
         start = perf_counter()

@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Mutants of calc/: small faults put in one at a time, in a copy, to see whether the tests die with the code that they test.
+"""Mutants of calc/: small faults put in one at a time, in a copy, to see whether the tests die with the code that they
+test.
 
     python bench/mutants.py [COUNT] [SEED] [PROCESSES]
 
-Drawn at random over all places where an operator, a comparison, a number, a sign, `min` or `max` can be exchanged; texts, units, labels
-and annotations are no such places.  Against each, first the tests that import its module, then those of its step (of calc/languages:
-tests/languages), then those of the whole of calc/.
-Printed: a line for each (killed, by which file, or survived), then the share that died, and the survivors.
-"""
+Drawn at random over all places where an operator, a comparison, a number, a sign, `min` or `max` can be exchanged;
+texts, units, labels and annotations are no such places.  Against each, first the tests that import its module, then
+those of its step (of calc/languages: tests/languages), then those of the whole of calc/. Printed: a line for each
+(killed, by which file, or survived), then the share that died, and the survivors."""
 
 import ast
 import os
@@ -26,11 +26,28 @@ from typing import NamedTuple
 ROOT = Path(__file__).resolve().parent.parent
 BINARY = {ast.Add: ("+", "-"), ast.Sub: ("-", "+"), ast.Mult: ("*", "/"), ast.Div: ("/", "*"), ast.Pow: ("**", "*")}
 COMPARED = {
-    ast.Lt: ("<", ">="), ast.LtE: ("<=", ">"), ast.Gt: (">", "<="), ast.GtE: (">=", "<"), ast.Eq: ("==", "!="), ast.NotEq: ("!=", "=="),
-}  # fmt: skip
+    ast.Lt: ("<", ">="),
+    ast.LtE: ("<=", ">"),
+    ast.Gt: (">", "<="),
+    ast.GtE: (">=", "<"),
+    ast.Eq: ("==", "!="),
+    ast.NotEq: ("!=", "=="),
+}
 LOGICAL = {ast.And: ("and", "or"), ast.Or: ("or", "and")}
 EXTREMES = {"min": "max", "max": "min", "minimum": "maximum", "maximum": "minimum", "sin": "cos", "cos": "sin"}
-SAYING = {"Text", "quantity", "value", "group", "table", "tables", "Amount", "round", "range", "rounded", "integers"}  # take no results
+SAYING = {
+    "Text",
+    "quantity",
+    "value",
+    "group",
+    "table",
+    "tables",
+    "Amount",
+    "round",
+    "range",
+    "rounded",
+    "integers",
+}  # take no results
 TIME = 240  # s of the processor's time, however loaded the machine is; a mutant that loops for ever is dead as well
 
 
@@ -80,7 +97,9 @@ def places(path: Path) -> Iterator[Mutant]:
     def walk(node: ast.AST) -> Iterator[Mutant]:
         yield from of(node)
         for name, child in ast.iter_fields(node):
-            if name in ("annotation", "returns", "decorator_list") or (isinstance(node, ast.Call) and _named(node.func) in SAYING):
+            if name in ("annotation", "returns", "decorator_list") or (
+                isinstance(node, ast.Call) and _named(node.func) in SAYING
+            ):
                 continue
             for inner in child if isinstance(child, list) else [child]:
                 if isinstance(inner, ast.AST):
@@ -90,7 +109,9 @@ def places(path: Path) -> Iterator[Mutant]:
 
 
 def _named(function: ast.expr) -> str:
-    return function.id if isinstance(function, ast.Name) else function.attr if isinstance(function, ast.Attribute) else ""
+    return (
+        function.id if isinstance(function, ast.Name) else function.attr if isinstance(function, ast.Attribute) else ""
+    )
 
 
 def _speaks(x: ast.expr) -> bool:
@@ -122,11 +143,17 @@ def killer(mutant: Mutant, copy: Path) -> str:
     try:
         for files in stages(mutant):
             command = [sys.executable, "-m", "pytest", "-x", "-q", "--no-header", "-p", "no:cacheprovider", *files]
-            run = subprocess.run(command, cwd=copy, capture_output=True, text=True, env=environment, preexec_fn=_limited)
+            run = subprocess.run(
+                command, cwd=copy, capture_output=True, text=True, env=environment, preexec_fn=_limited
+            )
             if run.returncode < 0:
                 return "no end"
             if run.returncode:
-                failed = [line.split()[1].split("::")[0] for line in run.stdout.splitlines() if line.startswith(("FAILED ", "ERROR "))]
+                failed = [
+                    line.split()[1].split("::")[0]
+                    for line in run.stdout.splitlines()
+                    if line.startswith(("FAILED ", "ERROR "))
+                ]
                 return failed[0] if failed else "does not start"
         return ""
     finally:
@@ -139,7 +166,9 @@ def _limited() -> None:
 
 
 def main() -> None:
-    count, seed, processes = (int(given) if given else usual for given, usual in zip([*sys.argv[1:], "", "", ""], (400, 1, 2)))
+    count, seed, processes = (
+        int(given) if given else usual for given, usual in zip([*sys.argv[1:], "", "", ""], (400, 1, 2))
+    )
     everywhere = [x for path in sorted((ROOT / "calc").rglob("*.py")) for x in places(path)]
     drawn = random.Random(seed).sample(everywhere, count)
     print(f"{len(everywhere)} places, {count} drawn", flush=True)
@@ -167,7 +196,10 @@ def main() -> None:
 def _shown(mutant: Mutant) -> str:
     source = mutant.path.read_bytes()
     line = source.decode().splitlines()[mutant.line - 1].strip()
-    return f"{mutant.path.relative_to(ROOT)}:{mutant.line}: {source[mutant.start : mutant.end].decode()!r} → {mutant.new!r}   in   {line}"
+    return (
+        f"{mutant.path.relative_to(ROOT)}:{mutant.line}: {source[mutant.start : mutant.end].decode()!r} → "
+        f"{mutant.new!r}   in   {line}"
+    )
 
 
 if __name__ == "__main__":

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Does `explain` find every input, and no other?  Moves each number of the shipped designs by 0.1 % (whole numbers by one) and solves.
+"""Does `explain` find every input, and no other?  Moves each number of the shipped designs by 0.1 % (whole numbers by
+one) and solves.
 
     python bench/provenance.py [DESIGN …] [--step STEP]      (2 minutes for all)
 
-An input that moves a value has to stand in its chain (else: MISSING); one that stands there has to move it (else: idle, listed with
-`--idle`: a branch that is not taken, a limit that is not reached, or what cancels).
-"""
+An input that moves a value has to stand in its chain (else: MISSING); one that stands there has to move it (else: idle,
+listed with `--idle`: a branch that is not taken, a limit that is not reached, or what cancels)."""
 
 import sys
 from collections import defaultdict
@@ -28,7 +28,8 @@ DESIGNS = Path(__file__).parents[1] / "designs"
 
 
 def numbers(inputs: Any, prefix: str = "") -> Iterator[tuple[str, str, float]]:
-    """Every number of a design: its key, the key of the input as links have it, and the number in the unit of the key."""
+    """Every number of a design: its key, the key of the input as links have it, and the number in the unit of the
+    key."""
     cls: Any = type(inputs)
     for key in keys(cls).values():
         content, here = getattr(inputs, key.attribute), f"{prefix}.{key.key}" if prefix else key.key
@@ -67,7 +68,8 @@ def differs(a: Any, b: Any) -> bool:
 
 
 def compared(name: str, every: int = 1) -> tuple[Results, dict[str, set[str]], dict[str, set[str]], list[str]]:
-    """Of one design: value → inputs that move it; value → inputs in its chain; those that can not be moved.  `every`: of so many one."""
+    """Of one design: value → inputs that move it; value → inputs in its chain; those that can not be moved.  `every`:
+    of so many one."""
     document = read(DESIGNS / f"{name}.toml")
     start = design(document)
     results = solve(start, traced=True)

@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
-"""How long a whole report takes, as a ratio to a script that imports the same libraries and draws the same figures once.
+"""How long a whole report takes, as a ratio to a script that imports the same libraries and draws the same figures
+once.
 
 python bench/report.py [DESIGN] [ROUNDS]
 
-The script is timed as anybody would write it, and once more without collection of garbage, which the report does without too.  The
-runs take turns, so that a slower moment of the machine hits all of them; a ratio is the median of those of the single turns.
-We aim at: engineer under 2.0 s, and at most 1.4 × the script; under 1 MB; a formula under 2 ms.
-"""
+The script is timed as anybody would write it, and once more without collection of garbage, which the report does
+without too.  The runs take turns, so that a slower moment of the machine hits all of them; a ratio is the median of
+those of the single turns. We aim at: engineer under 2.0 s, and at most 1.4 × the script; under 1 MB; a formula under 2
+ms."""
 
 import subprocess
 import sys
@@ -73,7 +74,9 @@ print(f"{count} formulas, {1000 * (time.perf_counter() - start) / count:.2f} ms 
 
 
 def run(code: str, *arguments: str) -> str:
-    return subprocess.run([sys.executable, "-c", code, *arguments], cwd=ROOT, check=True, capture_output=True, text=True).stdout.strip()
+    return subprocess.run(
+        [sys.executable, "-c", code, *arguments], cwd=ROOT, check=True, capture_output=True, text=True
+    ).stdout.strip()
 
 
 def seconds(*command: str) -> float:
@@ -93,11 +96,17 @@ def main() -> None:
         for depth in DEPTHS:
             curves, target = str(Path(folder) / "curves"), Path(folder) / f"{depth}.pdf"
             drawn = run(DRAWN, design, curves, depth)
-            turns = [(report(design, target, depth), seconds("-c", FIGURES, curves), seconds("-c", LEAN, curves)) for _ in range(rounds)]
+            turns = [
+                (report(design, target, depth), seconds("-c", FIGURES, curves), seconds("-c", LEAN, curves))
+                for _ in range(rounds)
+            ]
             ours, script, lean = (median(turn[n] for turn in turns) for n in range(3))
             to_script, to_lean = (median(turn[0] / turn[n] for turn in turns) for n in (1, 2))
-            print(f"{depth:<9} {ours:5.2f} s, {target.stat().st_size / 1e3:.0f} kB; script with its {drawn} figures {script:.2f} s: "
-                  f"ratio {to_script:.2f}; without collection {lean:.2f} s: {to_lean:.2f}")  # fmt: skip
+            print(
+                f"{depth:<9} {ours:5.2f} s, {target.stat().st_size / 1e3:.0f} kB; script with its {drawn} figures "
+                f"{script:.2f} s: "
+                f"ratio {to_script:.2f}; without collection {lean:.2f} s: {to_lean:.2f}"
+            )
         print(run(FORMULAS, design))
 
 

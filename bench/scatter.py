@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """Many shafts by chance at once against one by one:  python -m bench.scatter
 
-The scatter of 10 000 counter-shafts with four calibration holes: one call on arrays, and a plain loop over a part of the same shafts, in
-Python's own numbers, with the same search for the depths of the holes.  The ratio travels between machines better than the times.
-"""
+The scatter of 10 000 counter-shafts with four calibration holes: one call on arrays, and a plain loop over a part of
+the same shafts, in Python's own numbers, with the same search for the depths of the holes.  The ratio travels between
+machines better than the times."""
 
 import cmath
 import math
@@ -69,7 +69,14 @@ def main() -> None:
     z = np.array([mass.z for mass in MASSES])
     holes = calibration(Holes(diameter=0.014, depth=0.020, count=4), 7860.0, 0.040, z, OMEGA, abs(COUPLE))
     target = sc.Target(
-        omega=OMEGA, couple=COUPLE, force=0j, couple_left=0.0, z_f=PLANES[0], z_r=PLANES[1], permitted_front=per[0], permitted_rear=per[1]
+        omega=OMEGA,
+        couple=COUPLE,
+        force=0j,
+        couple_left=0.0,
+        z_f=PLANES[0],
+        z_r=PLANES[1],
+        permitted_front=per[0],
+        permitted_rear=per[1],
     )
     times = []
     for _ in range(15):

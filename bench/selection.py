@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """Times of the search:  python -m bench.selection
 
-The whole processes first, as ratios to `import numpy`: a `check` that passes, one that looks for the nearest passing design, and designs
-for which there is none.  Then the search for bearings: a candidate is a length and a clearance in six states of its tolerances and load,
-beside a plain loop over `balanced`, one film after the other.  Budgets: γ 4 × `import numpy`, a whole search for bearings below 3 s.
-"""
+The whole processes first, as ratios to `import numpy`: a `check` that passes, one that looks for the nearest passing
+design, and designs for which there is none.  Then the search for bearings: a candidate is a length and a clearance in
+six states of its tolerances and load, beside a plain loop over `balanced`, one film after the other.  Budgets: γ 4 ×
+`import numpy`, a whole search for bearings below 3 s."""
 
 import subprocess
 import sys
@@ -39,7 +39,9 @@ CHECKS = {
 
 def seconds(*command: str) -> float:
     start = perf_counter()
-    subprocess.run([sys.executable, *command], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, cwd=ROOT, check=False)
+    subprocess.run(
+        [sys.executable, *command], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, cwd=ROOT, check=False
+    )
     return perf_counter() - start
 
 
@@ -63,7 +65,9 @@ def main() -> None:
 
     def plain() -> None:
         for n in range(0, l.size, l.size // 10):
-            seat = replace(task.seat, bearing=replace(task.seat.bearing, length=float(l.flat[n])), clearance=float(g.flat[n]))
+            seat = replace(
+                task.seat, bearing=replace(task.seat.bearing, length=float(l.flat[n])), clearance=float(g.flat[n])
+            )
             balanced(own_warm, seat, task.duty)
 
     loop = best(plain, 3) / len(range(0, l.size, l.size // 10)) * len(AT_CORNERS)

@@ -1,12 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
 """How quick the guided session feels, measured in a real pseudo-terminal: `python -m bench.session [ROUNDS]`.
 
-First paint of the start page and of a design, the echo of keys while the design is solved again, the findings after the last key, the
-first visit of every step with its picture and the way back, and what opens over them; each in milliseconds and as a multiple of what a
-bare interpreter takes in the same run, because times depend on the machine.  Where another program takes the processor, the best
-of several runs says most.
-We aim at: first paint under 600 ms; an echo under 20 ms at the median; findings under 150 ms after the last key; a first visit under
-300 ms to its last byte.
+First paint of the start page and of a design, the echo of keys while the design is solved again, the findings after the
+last key, the first visit of every step with its picture and the way back, and what opens over them; each in
+milliseconds and as a multiple of what a bare interpreter takes in the same run, because times depend on the machine.
+Where another program takes the processor, the best of several runs says most. We aim at: first paint under 600 ms; an
+echo under 20 ms at the median; findings under 150 ms after the last key; a first visit under 300 ms to its last byte.
 """
 
 import fcntl
@@ -115,12 +114,14 @@ def bare() -> float:
 def report(name: str, seconds: list[float], unit: float) -> None:
     median, best, worst = (1000 * f(seconds) for f in (statistics.median, min, max))
     print(
-        f"{name:<62} median {median:6.0f} ms = {median / unit / 1000:6.2f} ×   best {best:6.0f}   worst {worst:6.0f}   n = {len(seconds)}"
+        f"{name:<62} median {median:6.0f} ms = {median / unit / 1000:6.2f} ×   best {best:6.0f}   worst "
+        f"{worst:6.0f}   n = {len(seconds)}"
     )
 
 
 def typed(terminal: Terminal, keys: bytes, pause: float = 0.06) -> list[float]:
-    """Keys one after the other as a quick typist strikes them, each with the time until something is painted; solves run all along."""
+    """Keys one after the other as a quick typist strikes them, each with the time until something is painted; solves
+    run all along."""
     echoes = []
     for key in keys:
         begin = time.perf_counter()
@@ -168,7 +169,8 @@ def opened(columns: int, rows: int) -> Terminal:
 
 
 def visits(size: str, columns: int, rows: int, rounds: int, unit: float) -> None:
-    """Every step for the first time, each round in a session of its own; then back over forms that are there, and the list of remedies."""
+    """Every step for the first time, each round in a session of its own; then back over forms that are there, and the
+    list of remedies."""
     first: dict[str, list[float]] = {step: [] for step in STEPS}
     back, fixes = [], []
     for _ in range(rounds):

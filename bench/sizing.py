@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Times of sizing the counter-shaft:  python -m bench.sizing
 
-Each line: the best of several rounds, and its ratio to np.exp of 100 000 numbers in the same run, which travels between machines
-better than the time itself.  Budget: below 5 ms for a sizing by search.
-"""
+Each line: the best of several rounds, and its ratio to np.exp of 100 000 numbers in the same run, which travels between
+machines better than the time itself.  Budget: below 5 ms for a sizing by search."""
 
 import math
 
@@ -37,9 +36,18 @@ def main() -> None:
         ("a pure couple, closed form", best(lambda: pair(572.932, OMEGA, STEEL, 0.043, 0.015, 0.152), 100)),
         ("a force as well, by search", best(lambda: searched(2e-3 + 1e-3j, 0.043), 20)),
         ("a force as well, envelope too small", best(lambda: searched(2e-3 + 1e-3j, 0.040), 5)),
-        (f"pair_masses, per radius of {COUNT}", best(lambda: pair_masses(572.932, OMEGA, STEEL, radii, 0.015, 0.152), 2) / COUNT),
-        ("front of two materials, pure couple", best(lambda: front_curve(0j, P, OMEGA, 0.043, 0.015, 0.152, solids), 10)),
-        ("front of two materials, a force as well", best(lambda: front_curve(2e-3 + 0j, P, OMEGA, 0.043, 0.015, 0.152, solids), 3)),
+        (
+            f"pair_masses, per radius of {COUNT}",
+            best(lambda: pair_masses(572.932, OMEGA, STEEL, radii, 0.015, 0.152), 2) / COUNT,
+        ),
+        (
+            "front of two materials, pure couple",
+            best(lambda: front_curve(0j, P, OMEGA, 0.043, 0.015, 0.152, solids), 10),
+        ),
+        (
+            "front of two materials, a force as well",
+            best(lambda: front_curve(2e-3 + 0j, P, OMEGA, 0.043, 0.015, 0.152, solids), 3),
+        ),
     ):
         print(f"{title:52s}{seconds * 1e6:12.2f} µs   ratio {seconds / baseline:10.3f}")
 

@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Start-up and solves as ratios of processor time (user and system), the least of several, each command in turn with its baselines.
+"""Start-up and solves as ratios of processor time (user and system), the least of several, each command in turn with
+its baselines.
 
     python bench/startup.py [RUNS]                    of a checkout: PYTHONPATH=. python bench/startup.py
 
-Processor time and not the clock, since other programs may share the machine.  Children may write bytecode, as those of a user may.
-We aim at: `--help` at most 1.6 × bare Python; `check` of a design that passes at most 2.2 ×, of one that fails, with its search for the
-nearest that passes, at most 4 × `python -c "import numpy"`; a solve for one changed input of the last step a quarter of a whole solve.
-"""
+Processor time and not the clock, since other programs may share the machine.  Children may write bytecode, as those of
+a user may. We aim at: `--help` at most 1.6 × bare Python; `check` of a design that passes at most 2.2 ×, of one that
+fails, with its search for the nearest that passes, at most 4 × `python -c "import numpy"`; a solve for one changed
+input of the last step a quarter of a whole solve."""
 
 import os
 import subprocess
@@ -33,7 +34,11 @@ def seconds(arguments: list[str], folder: str) -> float:
     """Processor time of a child."""
     environment = {name: text for name, text in os.environ.items() if name != "PYTHONDONTWRITEBYTECODE"}
     child = subprocess.Popen(
-        [sys.executable, "-P", *arguments], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, cwd=folder, env=environment
+        [sys.executable, "-P", *arguments],
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.DEVNULL,
+        cwd=folder,
+        env=environment,
     )
     _, status, used = os.wait4(child.pid, 0)
     child.returncode = os.waitstatus_to_exitcode(status)

@@ -1,10 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """Sweeps as designs a second, and their memory: `python -m bench.sweep [DESIGNS]`.
 
-The imbalance on arrays, whole designs (imbalance to friction) on all cores, and the memory of the program while the table grows.  Rows of
-the whole designs are held to what `check` gives.
-We aim at: 10,000 whole designs in 60 s on two cores, memory flat.
-"""
+The imbalance on arrays, whole designs (imbalance to friction) on all cores, and the memory of the program while the
+table grows.  Rows of the whole designs are held to what `check` gives. We aim at: 10,000 whole designs in 60 s on two
+cores, memory flat."""
 
 import csv
 import json
@@ -45,16 +44,33 @@ def main() -> None:
         print(f"imbalance of 10,000 engines on arrays: {seconds:.1f} s, {memory:.0f} MB")
         for designs in (count // 4, count):
             seconds, memory = swept(designs, out, "--vary", *OVER, "--values", *WANTED)
-            print(f"{designs} whole designs on {cores} cores: {seconds:.1f} s, {designs / seconds:.1f} a second, {memory:.0f} MB")
+            print(
+                f"{designs} whole designs on {cores} cores: {seconds:.1f} s, {designs / seconds:.1f} a second, "
+                f"{memory:.0f} MB"
+            )
         rows = list(csv.DictReader(out.read_text(encoding="utf-8").splitlines()))
         for row in (rows[0], rows[count // 2], rows[-1]):
             keys = [one.partition("=")[0] for one in OVER]
-            words = [sys.executable, "-m", "assistant", "check", DESIGN, "--json", "--set", *(f"{key}={row[key]}" for key in keys)]
-            done = subprocess.run(words, capture_output=True, text=True, cwd=ROOT, env={**os.environ, "PYTHONPATH": str(ROOT)})
+            words = [
+                sys.executable,
+                "-m",
+                "assistant",
+                "check",
+                DESIGN,
+                "--json",
+                "--set",
+                *(f"{key}={row[key]}" for key in keys),
+            ]
+            done = subprocess.run(
+                words, capture_output=True, text=True, cwd=ROOT, env={**os.environ, "PYTHONPATH": str(ROOT)}
+            )
             values = json.loads(done.stdout)["values"]
             apart = max(abs(float(row[f"{id} [{values[id]['unit']}]"]) / values[id]["value"] - 1) for id in WANTED)
             assert apart < DIGITS, apart
-    print(f"first, middle and last row as `check` has them, to {DIGITS:g}; load of the machine after: {os.getloadavg()[0]:.1f}")
+    print(
+        f"first, middle and last row as `check` has them, to {DIGITS:g}; load of the machine after: "
+        f"{os.getloadavg()[0]:.1f}"
+    )
 
 
 if __name__ == "__main__":

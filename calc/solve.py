@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
 """Solve a design: one page of explicit calls, read like a recipe.
 
-The order of computing is not quite that of the screen: the journals carry the shaft's reactions, the train carries the journals'
-loss, and only then is the torque known that loads the gears.
+The order of computing is not quite that of the screen: the journals carry the shaft's reactions, the train carries the
+journals' loss, and only then is the torque known that loads the gears.
 
-The type checker holds every call against its signature, and no call has two arguments of one type: values that could be mistaken for
-each other go together in a record (`BearingMaterials`, `MeshOil`, `ShaftInTrain`).  `tests/test_types.py` swaps each pair.
-"""
+The type checker holds every call against its signature, and no call has two arguments of one type: values that could be
+mistaken for each other go together in a record (`BearingMaterials`, `MeshOil`, `ShaftInTrain`).  `tests/test_types.py`
+swaps each pair."""
 
 from collections.abc import Callable, Iterator
 from dataclasses import field, replace
@@ -50,13 +50,16 @@ class Results:
 
     design: Design
     outcomes: dict[str, Outcome[object]]  # by the key of the step, each with a result of its own class
-    parts: dict[str, Kept] = field(default_factory=dict, repr=False)  # for the next solve: the arguments and the outcome of each part
+    parts: dict[str, Kept] = field(
+        default_factory=dict, repr=False
+    )  # for the next solve: the arguments and the outcome of each part
     recorded: bool = False  # whether the lines were recorded with the numbers
     _told: list["Results"] = field(default_factory=list, repr=False)  # the same recorded, or an earlier version of it
     _values: dict[str, Published] = field(default_factory=dict, repr=False)  # as soon as somebody has asked for them
 
     def __str__(self) -> str:
-        """A line for each step with the value that stands for it, and the limits that fail; an outcome prints all of its step."""
+        """A line for each step with the value that stands for it, and the limits that fail; an outcome prints all of
+        its step."""
         values, rows = self.values(), []
         for step in (step for step in STEPS if step.key in self.outcomes):
             outcome = self.outcomes[step.key]
@@ -72,7 +75,9 @@ class Results:
 
     def values(self) -> dict[str, Published]:
         if not self._values:
-            self._values.update({id: value for outcome in self.outcomes.values() for value in outcome.values() for id in value.ids})
+            self._values.update(
+                {id: value for outcome in self.outcomes.values() for value in outcome.values() for id in value.ids}
+            )
         return self._values
 
     def checks(self) -> Iterator[Check]:
@@ -80,7 +85,8 @@ class Results:
             yield from outcome.checks
 
     def traced(self, stop: Callable[[], bool] = bool) -> "Results":
-        """The same with its lines, and with its numbers linked to them: solved once more, when somebody looks for the first time."""
+        """The same with its lines, and with its numbers linked to them: solved once more, when somebody looks for the
+        first time."""
         return self if self.recorded else _traced(self.design, self._told, stop)
 
     @property
@@ -98,20 +104,28 @@ class Results:
 
 
 def solve(
-    design: Design, before: Results | None = None, stop: Callable[[], bool] = bool, enough: Callable[[Outcome[object]], bool] | None = None,
-    *, traced: bool = False, compared: bool = True,
-) -> Results:  # fmt: skip
+    design: Design,
+    before: Results | None = None,
+    stop: Callable[[], bool] = bool,
+    enough: Callable[[Outcome[object]], bool] | None = None,
+    *,
+    traced: bool = False,
+    compared: bool = True,
+) -> Results:
     """All steps of a design.  `before`: the results of an earlier version, of which unchanged parts are taken over.
 
-    `traced`: with the lines of the calculation.  Else they are made when somebody looks at an outcome's `lines`, or asks for `traced()`.
-    `compared`: with what other methods give beside those that judge; every verdict is the same without.
+    `traced`: with the lines of the calculation.  Else they are made when somebody looks at an outcome's `lines`, or
+    asks for `traced()`. `compared`: with what other methods give beside those that judge; every verdict is the same
+    without.
 
     `stop` is asked between the parts whether nobody waits for the results any more; then Cancelled is raised.
     `enough` is asked after each part: where what it gave decides all that is asked, the outcomes so far are returned.
     """
     kept = before.parts if before is not None and before.recorded >= traced else {}
     part = Parts(TITLES, kept, stop=stop, enough=enough)
-    told = [] if before is None or traced else [before] if before.recorded else list(before._told)  # of what is recorded: no chain
+    told = (
+        [] if before is None or traced else [before] if before.recorded else list(before._told)
+    )  # of what is recorded: no chain
     with seldom_collected(), recorded(traced):
         try:
             outcomes = steps(part, design, compared)
@@ -119,7 +133,9 @@ def solve(
             outcomes = part.last
     results = Results(design, outcomes, part.kept, traced, told)
     if not traced:
-        outcomes |= {key: replace(outcome, lines=Later(partial(_lines, design, told, key))) for key, outcome in outcomes.items()}
+        outcomes |= {
+            key: replace(outcome, lines=Later(partial(_lines, design, told, key))) for key, outcome in outcomes.items()
+        }
     if design.measured:
         bare = replace(results, outcomes=dict(outcomes))  # does not lead back to the outcomes that ask it
         outcomes |= with_measured(design, outcomes, cache(lambda: bare.predicted))
@@ -127,7 +143,8 @@ def solve(
 
 
 def _traced(design: Design, told: list[Results], stop: Callable[[], bool] = bool) -> Results:
-    """The design with its lines.  `told`: the same from before, or an earlier version of it, which this takes the place of."""
+    """The design with its lines.  `told`: the same from before, or an earlier version of it, which this takes the place
+    of."""
     if not told or told[0].design is not design:
         told[:] = [solve(design, told[0] if told else None, stop, traced=True)]
     return told[0]
@@ -148,9 +165,15 @@ def steps(part: Parts, design: Design, compared: bool) -> dict[str, Outcome[obje
 
     if design.imbalance is not None and design.engine is not None and e.result is not None:
         i = part(
-            "imbalance", imbalance.solve, design.imbalance, design.engine, e.result, h.takes_first_order(design), h.shaft_teeth(design),
+            "imbalance",
+            imbalance.solve,
+            design.imbalance,
+            design.engine,
+            e.result,
+            h.takes_first_order(design),
+            h.shaft_teeth(design),
             h.shaft_axis(design),
-        )  # fmt: skip
+        )
     else:
         i = part.absent("imbalance", design.imbalance, (e,))
 
@@ -162,9 +185,16 @@ def steps(part: Parts, design: Design, compared: bool) -> dict[str, Outcome[obje
 
     if design.countershaft is not None and e.result is not None and i.result is not None:
         c = part(
-            "countershaft", countershaft.solve, design.countershaft, i.result, e.result.angular_speed, materials, h.journals(design), gear,
+            "countershaft",
+            countershaft.solve,
+            design.countershaft,
+            i.result,
+            e.result.angular_speed,
+            materials,
+            h.journals(design),
+            gear,
             design.bearings.slope if design.bearings is not None else None,
-        )  # fmt: skip
+        )
     else:
         c = part.absent("countershaft", design.countershaft, (e, i))
     if i.result is not None and c.result is not None and design.imbalance is not None and h.takes_first_order(design):
@@ -173,9 +203,14 @@ def steps(part: Parts, design: Design, compared: bool) -> dict[str, Outcome[obje
     late = h.unsolved((e, i, c))
     if design.bearings is not None and not late:
         b = part(
-            "bearings", bearings.solve, design.bearings, c.result, design.engine, h.bearing_materials(design, design.bearings),
+            "bearings",
+            bearings.solve,
+            design.bearings,
+            c.result,
+            design.engine,
+            h.bearing_materials(design, design.bearings),
             compared=compared,
-        )  # fmt: skip
+        )
     else:
         b = part.absent("bearings", design.bearings, late)
 
@@ -183,11 +218,27 @@ def steps(part: Parts, design: Design, compared: bool) -> dict[str, Outcome[obje
         g = part("gears", gears.turning, _placed(part, g, design.gears, design, c), design.gears, first_speed)
 
     oil, late = h.mesh_oil(design), h.unsolved((b,))
-    if design.friction is not None and design.gears is not None and g.result is not None and first_speed and oil is not None and not late:
+    if (
+        design.friction is not None
+        and design.gears is not None
+        and g.result is not None
+        and first_speed
+        and oil is not None
+        and not late
+    ):
         f = part(
-            "friction", friction.solve, design.friction, design.gears, g.result, h.on_shaft(design, c, b, gear), first_speed, oil,
-            materials, oils, compared=compared,
-        )  # fmt: skip
+            "friction",
+            friction.solve,
+            design.friction,
+            design.gears,
+            g.result,
+            h.on_shaft(design, c, b, gear),
+            first_speed,
+            oil,
+            materials,
+            oils,
+            compared=compared,
+        )
     else:
         f = part.absent("friction", design.friction, (g, *late))
     f = friction.with_rated_power(f, h.rated_power(design))
@@ -211,16 +262,22 @@ def steps(part: Parts, design: Design, compared: bool) -> dict[str, Outcome[obje
 
 
 def _mounted(
-    part: Parts, design: Design, e: Outcome[EngineResult], i: Outcome[ImbalanceResult], c: Outcome[CountershaftResult],
+    part: Parts,
+    design: Design,
+    e: Outcome[EngineResult],
+    i: Outcome[ImbalanceResult],
+    c: Outcome[CountershaftResult],
     g: Outcome[TrainResult],
-) -> Outcome[object]:  # fmt: skip
+) -> Outcome[object]:
     """The engine on its mounts, which most designs do not ask for: nothing of it is loaded then."""
     late = h.unsolved((e, i, c))
     if design.mounting is None or design.engine is None or e.result is None or i.result is None or late:
         return part.absent("mounting", design.mounting, (e, i, *late))
     from .mounting import solve as mounting
 
-    return part("mounting", mounting.solve, design.mounting, design.engine, e.result, i.result, h.shaft_on_engine(design, c, g))
+    return part(
+        "mounting", mounting.solve, design.mounting, design.engine, e.result, i.result, h.shaft_on_engine(design, c, g)
+    )
 
 
 def _gear_curves(train: TrainResult) -> tuple[Curve, ...]:
@@ -231,8 +288,9 @@ def _gear_curves(train: TrainResult) -> tuple[Curve, ...]:
 
 def _placed(
     part: Parts, g: Outcome[TrainResult], own: GearsInputs, design: Design, c: Outcome[CountershaftResult]
-) -> Outcome[TrainResult]:  # fmt: skip
-    """A train whose geometry is known: its masses, its backlash and its place.  What finds no solution fails, the rest stays."""
+) -> Outcome[TrainResult]:
+    """A train whose geometry is known: its masses, its backlash and its place.  What finds no solution fails, the rest
+    stays."""
     g = part("gears", with_masses, g, own, design.materials)
     played = part("gears", gears.with_play, g, own, design.materials, h.housing(design))
     g = played if played.state == "solved" else gears.without(g, gears.BACKLASH, played.reason)
@@ -241,9 +299,14 @@ def _placed(
 
 
 def _rated(
-    part: Parts, g: Outcome[TrainResult], own: GearsInputs, design: Design, e: Outcome[EngineResult], c: Outcome[CountershaftResult],
+    part: Parts,
+    g: Outcome[TrainResult],
+    own: GearsInputs,
+    design: Design,
+    e: Outcome[EngineResult],
+    c: Outcome[CountershaftResult],
     f: Outcome[FrictionResult],
-) -> Outcome[TrainResult]:  # fmt: skip
+) -> Outcome[TrainResult]:
     """Its rating and its forces, once the closed balance has the power of every mesh."""
     power = h.power(own, f)
     if power is None:

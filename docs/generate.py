@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What the documents have from the program itself: `python docs/generate.py` writes the theory pages from the formulas of the code, the
-validation, the errata and the schema of designs."""
+"""What the documents have from the program itself: `python docs/generate.py` writes the theory pages from the formulas
+of the code, the validation, the errata and the schema of designs."""
 
 import sys
 from contextlib import redirect_stdout
@@ -26,7 +26,11 @@ range. `contralbero explain FILE VALUE_ID` shows the same lines with the numbers
 
 def loaded() -> list[Equation]:
     for path in sorted((ROOT / "calc").rglob("*.py")):
-        if "@formula" in (source := path.read_text(encoding="utf-8")) and path.parent.name != "sheet" and "__main__" not in source:
+        if (
+            "@formula" in (source := path.read_text(encoding="utf-8"))
+            and path.parent.name != "sheet"
+            and "__main__" not in source
+        ):
             import_module(".".join(path.relative_to(ROOT).with_suffix("").parts))
     return [one for name, one in FORMULAS.items() if name.startswith("calc.")]
 
@@ -69,11 +73,15 @@ def spoken(*arguments: str) -> str:
 
 
 def everything() -> dict[str, str]:
-    validation = "# Values of others beside ours\n\nWhat `contralbero validate` prints; made by `python docs/generate.py`.\n\n"
+    validation = (
+        "# Values of others beside ours\n\nWhat `contralbero validate` prints; made by `python docs/generate.py`.\n\n"
+    )
     return pages() | {
-        "validation.md": validation + "".join(f"    {line}\n" if line else "\n" for line in spoken("validate").splitlines()),
-        "errata.md": spoken("errata", "--markdown"), "contralbero.schema.json": spoken("schema"),
-    }  # fmt: skip
+        "validation.md": validation
+        + "".join(f"    {line}\n" if line else "\n" for line in spoken("validate").splitlines()),
+        "errata.md": spoken("errata", "--markdown"),
+        "contralbero.schema.json": spoken("schema"),
+    }
 
 
 if __name__ == "__main__":

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The report of a comparison: what it comes to, the inputs that differ; if asked for, every verdict, check and value that does."""
+"""The report of a comparison: what it comes to, the inputs that differ; if asked for, every verdict, check and value
+that does."""
 
 from __future__ import annotations
 
@@ -48,8 +49,11 @@ DEPTHS = ("summary", "audit")  # of a comparison: the conclusion and the inputs,
 Side = tuple[Document, Results]
 
 
-def write(a: Side, b: Side, found: Comparison, names: Names, path: Path, *, lang: str = "en", everything: bool = False) -> Path:
-    """Write the report of a comparison to `path`; both design files are attached to it.  `names`: the two designs in the columns."""
+def write(
+    a: Side, b: Side, found: Comparison, names: Names, path: Path, *, lang: str = "en", everything: bool = False
+) -> Path:
+    """Write the report of a comparison to `path`; both design files are attached to it.  `names`: the two designs in
+    the columns."""
     made = render(a, b, found, names, lang=lang, everything=everything)
     return write_file(path, made, inputs=[document.place for document, _ in (a, b)])
 
@@ -57,8 +61,8 @@ def write(a: Side, b: Side, found: Comparison, names: Names, path: Path, *, lang
 def render(a: Side, b: Side, found: Comparison, names: Names, *, lang: str = "en", everything: bool = False) -> bytes:
     """The report as the bytes of a PDF: the same designs give the same bytes.
 
-    `everything`: after the conclusion and the inputs also the verdicts of the steps, and every check and value that differs.
-    """
+    `everything`: after the conclusion and the inputs also the verdicts of the steps, and every check and value that
+    differs."""
     for face in FACES:
         widths(face)
     (first, before), (second, after) = a, b
@@ -75,11 +79,23 @@ def render(a: Side, b: Side, found: Comparison, names: Names, *, lang: str = "en
     w, title, control = context.words, f"{names[0]} – {names[1]}", after.design.control
     solved = attach.pair_bytes(names, (before, after))
     files = {name: (document.raw, w["file"]) for name, document in zip(attach.PAIR, (first, second))}
-    said = dict(depth=DEPTHS[everything], lang=lang, sha256=first.sha256, other=second.sha256, results=hashlib.sha256(solved).hexdigest())
+    said = dict(
+        depth=DEPTHS[everything],
+        lang=lang,
+        sha256=first.sha256,
+        other=second.sha256,
+        results=hashlib.sha256(solved).hexdigest(),
+    )
     return bind(
-        paginate(made), files | {attach.RESULTS: (solved, w["solved"])}, title=title, author=control.signatures()[0][1].name,
-        revision=control.revision, kind="comparison", said=said, words=w,
-    )  # fmt: skip
+        paginate(made),
+        files | {attach.RESULTS: (solved, w["solved"])},
+        title=title,
+        author=control.signatures()[0][1].name,
+        revision=control.revision,
+        kind="comparison",
+        said=said,
+        words=w,
+    )
 
 
 def _title(context: Context, sides: tuple[Side, Side], names: Names) -> list[Block]:
@@ -108,7 +124,9 @@ def _conclusion(context: Context, found: Comparison, names: Names) -> list[Block
     said = sentences(found, names, sign)
     made = [block for n, text in enumerate(said) for block in bullet(context.say(text), gap=8.0 if n == 0 else 1.5)]
     tables = (moved_table(found, names, sign, MOVED), result_table(found, names))
-    alone = [block for table in tables if not table.rows and table.note for block in bullet(context.say(table.note), gap=1.5)]
+    alone = [
+        block for table in tables if not table.rows and table.note for block in bullet(context.say(table.note), gap=1.5)
+    ]
     return made + alone + table_blocks(context, [in_language(table, context.say) for table in tables if table.rows])
 
 
@@ -122,7 +140,9 @@ def _section(context: Context, key: str, tables: list[Table]) -> list[Block]:
     if not tables:
         return []
     title = context.words[key]
-    return heading(title, HEADING, gap=18.0, after=2.0, anchor=key, outline=0, need=90.0, ruled=True) + table_blocks(context, tables)
+    return heading(title, HEADING, gap=18.0, after=2.0, anchor=key, outline=0, need=90.0, ruled=True) + table_blocks(
+        context, tables
+    )
 
 
 def _more(context: Context, found: Comparison) -> str:
@@ -140,11 +160,15 @@ def _details(context: Context, found: Comparison, names: Names) -> list[Block]:
         of_step = [d for d in found.values if d.step == step.key and d.both]
         values.append(value_table(step.key, step.title, of_step, names, ids=False))
     made = _section(context, "verdicts", [replace(verdict_table(found, names, sign), title=EMPTY)])
-    made += _section(context, "checks", [
-        replace(check_table(found.checks_moved, names, sign, ids=False), title=WORDS["moved"]),
-        replace(check_table(found.checks_lone, names, sign, ids=False), title=WORDS["lone"]),
-        replace(check_table(found.checks_kept, names, sign, ids=False), title=WORDS["kept"]),
-    ])  # fmt: skip
+    made += _section(
+        context,
+        "checks",
+        [
+            replace(check_table(found.checks_moved, names, sign, ids=False), title=WORDS["moved"]),
+            replace(check_table(found.checks_lone, names, sign, ids=False), title=WORDS["lone"]),
+            replace(check_table(found.checks_kept, names, sign, ids=False), title=WORDS["kept"]),
+        ],
+    )
     made += _section(context, "results", values)
     if lone := sum(not d.both for d in found.values) + sum(not d.both for d in found.checks):
         made += paragraph(context.text("lone_values", n=lone), NOTE, gap=6.0)

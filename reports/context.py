@@ -63,7 +63,8 @@ class Logo:
 
 
 def logo(document: Document, name: str, given: bytes | None = None) -> Logo | None:
-    """The logo of a design, from the bytes `given` or from its file; None where it has none.  Raises BadInput where it can not be drawn."""
+    """The logo of a design, from the bytes `given` or from its file; None where it has none.  Raises BadInput where it
+    can not be drawn."""
     if not name:
         return None
 
@@ -74,7 +75,9 @@ def logo(document: Document, name: str, given: bytes | None = None) -> Logo | No
         raw = _read(Path(document.place).parent / name) if given is None else given
     except OSError as error:
         why = error.strerror or str(error)
-        raise refused(Text("cannot be read beside the design: {reason}; put the file there, or leave the logo out", reason=why)) from None
+        raise refused(
+            Text("cannot be read beside the design: {reason}; put the file there, or leave the logo out", reason=why)
+        ) from None
     except ValueError:
         raise refused(Text("is no plain file; put the picture itself beside the design")) from None
     if len(raw) > LOGO_BYTES:
@@ -84,7 +87,12 @@ def logo(document: Document, name: str, given: bytes | None = None) -> Logo | No
     width, height = struct.unpack(">II", raw[len(HEAD) : len(HEAD) + 8])
     if not 0 < width <= LOGO_SIDE or not 0 < height <= LOGO_SIDE:
         raise refused(
-            Text("has {width} × {height} pixels; at most {side} either way are drawn", width=width, height=height, side=LOGO_SIDE)
+            Text(
+                "has {width} × {height} pixels; at most {side} either way are drawn",
+                width=width,
+                height=height,
+                side=LOGO_SIDE,
+            )
         )
     try:
         image = ImageReader(io.BytesIO(raw))
@@ -169,7 +177,12 @@ def _holds(line: Line, own: Any) -> bool:
 def _index(line: Line, own: Any, index: Index | None) -> Index | None:
     """The element of a line that is this number: the one at the same place, else the first that is equal."""
     value = line.value
-    if not isinstance(value, np.ndarray) or value.size < 2 or np.ndim(own) or not isinstance(own, (int, float, complex)):
+    if (
+        not isinstance(value, np.ndarray)
+        or value.size < 2
+        or np.ndim(own)
+        or not isinstance(own, (int, float, complex))
+    ):
         return None
     if index and len(index) == value.ndim and all(i < n for i, n in zip(index, value.shape)) and value[index] == own:
         return index
@@ -190,15 +203,21 @@ class Context:
     sha256: str
     depth: str
     say: Language
-    original: Results | None = None  # the same results with their texts as data, if `results` are said in a language already
+    original: Results | None = (
+        None  # the same results with their texts as data, if `results` are said in a language already
+    )
     logo: Logo | None = None
     drive: Picked | None = None  # of the front that the design is one drive of
     figures: int = 0
     chapter: str = ""  # key of the step whose chapter is being made
     ranges: set[str] = field(default_factory=set)  # chapters that say how a long list of numbers is written
     symbols: dict[tuple[str, str], Symbol] = field(default_factory=dict)  # of each chapter, as they are set
-    labels: dict[tuple[str, str], str] = field(default_factory=dict)  # chapter and symbol → what the value or input is called
-    sources: dict[str, list[str]] = field(default_factory=dict)  # source, as the formula or check has it → titles of the steps that use it
+    labels: dict[tuple[str, str], str] = field(
+        default_factory=dict
+    )  # chapter and symbol → what the value or input is called
+    sources: dict[str, list[str]] = field(
+        default_factory=dict
+    )  # source, as the formula or check has it → titles of the steps that use it
     cited: set[str] = field(default_factory=set)  # those of what stands in the report
     origins: Origins = field(default_factory=Origins)
     words: dict[str, str] = field(init=False)  # the report's own, in its language
@@ -240,10 +259,15 @@ class Context:
         return self._chains
 
     def steps(self) -> list[tuple[int, Step, Outcome[object]]]:
-        return [(n, step, self.results.outcomes[step.key]) for n, step in enumerate(STEPS, 1) if step.key in self.results.outcomes]
+        return [
+            (n, step, self.results.outcomes[step.key])
+            for n, step in enumerate(STEPS, 1)
+            if step.key in self.results.outcomes
+        ]
 
     def cite(self, source: str, step: Step, *, stands: bool = True) -> str:
-        """Note that a step uses a source, and whether what it says stands in this report; gives it in the report's language."""
+        """Note that a step uses a source, and whether what it says stands in this report; gives it in the report's
+        language."""
         used = self.sources.setdefault(source, [])
         if (title := self.say(step.title)) not in used:
             used.append(title)
@@ -256,7 +280,8 @@ class Context:
         return [self.say(word) for word in belongs(id)]
 
     def number(self, outcome: Outcome[object]) -> list[tuple[int, Curve]]:
-        """The curves of a step with the numbers of their figures, one for a whole stack: all of them for an audit, else the main ones."""
+        """The curves of a step with the numbers of their figures, one for a whole stack: all of them for an audit, else
+        the main ones."""
         curves = outcome.curves if self.audit else _main_curves(outcome)
         numbered: list[tuple[int, Curve]] = []
         for curve in curves:
@@ -275,26 +300,38 @@ class Context:
 
 
 def _main_curves(outcome: Outcome[object]) -> list[Curve]:
-    """The curves of a step that a short report has.  All of them are made only where one of these is not a key curve: some take long."""
+    """The curves of a step that a short report has.  All of them are made only where one of these is not a key curve:
+    some take long."""
     found: list[Curve] = []
     for pattern in CURVES.get(outcome.key, ()):
-        first = next((curve for curves in (outcome.key_curves, outcome.curves) for curve in curves if like(curve.id, (pattern,))), None)
+        first = next(
+            (
+                curve
+                for curves in (outcome.key_curves, outcome.curves)
+                for curve in curves
+                if like(curve.id, (pattern,))
+            ),
+            None,
+        )
         found += [first] if first is not None else []
     return found
 
 
 def near(check: Check) -> bool:
-    """Whether a check is to be proven: a limit or caution that is passed over or can not be judged, or that is kept by at most a tenth."""
+    """Whether a check is to be proven: a limit or caution that is passed over or can not be judged, or that is kept by
+    at most a tenth."""
     if check.kind not in ("limit", "caution"):
         return False
     return check.verdict != "pass" or not check.holds or (check.nearest[1] != 0 and check.margin <= NEAR)
 
 
 def stands(check: Check) -> bool:
-    """Whether a check has a line of its own in the engineer's report: advice and what concerns the method do where they are passed over."""
+    """Whether a check has a line of its own in the engineer's report: advice and what concerns the method do where they
+    are passed over."""
     return check.open or check.kind in ("limit", "caution")
 
 
 def closeness(check: Check) -> tuple[bool, int, int, float]:
-    """Sorts checks so that the one that decides a step is the first: what is urgent, else the limit that is kept most narrowly."""
+    """Sorts checks so that the one that decides a step is the first: what is urgent, else the limit that is kept most
+    narrowly."""
     return check.verdict not in URGENT, *severity(check)[1:]

@@ -22,25 +22,29 @@ if TYPE_CHECKING:
 VERSION = "R2010"  # the oldest with UTF-8 text that programs of today write; all CAD programs read it
 MILLIMETRES = 4  # code of DXF's $INSUNITS
 COLOURS = {
-    "PROFILE": 7, "PROFILE_MAX": 8, "PROFILE_MIN": 9, "TIP": 4, "REFERENCE": 2, "BASE": 6, "ROOT": 4, "FORM": 3, "WORKING": 30, "AXIS": 1,
+    "PROFILE": 7, "PROFILE_MAX": 8, "PROFILE_MIN": 9, "TIP": 4, "REFERENCE": 2, "BASE": 6, "ROOT": 4, "FORM": 3,
+    "WORKING": 30, "AXIS": 1
 }  # fmt: skip  # of the DXF palette, for what is drawn of gears; a sheet's layers have their own
 DASH_DOTTED = ("AXIS", "REFERENCE", "WORKING")  # centre lines, and circles that nothing touches, as ISO 128 has them
 WIDE = 1.6  # width of a usual window over its height
 STYLE = "CONTRALBERO"  # of the dimensions
 LETTERS = "ISO 3098"  # style of a sheet's letters
-FONT = "isocpeur.ttf"  # what CAD programs have for ISO 3098; its letters are narrower than those that a sheet makes room for
+# what CAD programs have for ISO 3098; its letters are narrower than those that a sheet makes room for
+FONT = "isocpeur.ttf"
 DIAGONAL = math.sqrt(0.5)
 STRAIGHT = (0.0, 0.0, 0.0)  # widths at both ends and bulge of a side of a polyline
 mm = UNITS["mm"].shown
 
 
 def sheet_dxf(sheet: WorkshopSheet) -> str:
-    """A drawing sheet as the text of a DXF file: its part in full size, and paper, letters and line types larger in the same measure."""
+    """A drawing sheet as the text of a DXF file: its part in full size, and paper, letters and line types larger in the
+    same measure."""
     return dxf([enlarged(mark, 1 / sheet.scale) for mark in sheet.marks], tuple(LAYERS), 1 / sheet.scale)
 
 
 def dxf(drawing: Sequence[Ink], layers: tuple[str, ...] = (), by: float = 1.0) -> str:
-    """The text of a DXF file.  `layers` are there even where nothing stands on them; further ones are made where they are named.
+    """The text of a DXF file.  `layers` are there even where nothing stands on them; further ones are made where they
+    are named.
 
     `by`: how many times longer than on paper the dashes of its lines are.
     """
@@ -50,8 +54,12 @@ def dxf(drawing: Sequence[Ink], layers: tuple[str, ...] = (), by: float = 1.0) -
         document = ezdxf.new(VERSION, units=MILLIMETRES)
         document.linetypes.add("CENTER", [20.0, 12.5, -2.5, 2.5, -2.5], description="Center ____ _ ____")
         style: Any = document.dimstyles.duplicate_entry("Standard", STYLE)
-        style.dxf.update({"dimdec": 2, "dimzin": 8, "dimdsep": ord("."), "dimtad": 1, "dimtih": 0, "dimtoh": 0, "dimlunit": 2})
-        style.dxf.update({"dimtxt": 2.5 * by, "dimasz": ARROW * 2.5 * by, "dimexe": BEYOND * 2.5 * by, "dimexo": OFF * 2.5 * by})
+        style.dxf.update(
+            {"dimdec": 2, "dimzin": 8, "dimdsep": ord("."), "dimtad": 1, "dimtih": 0, "dimtoh": 0, "dimlunit": 2}
+        )
+        style.dxf.update(
+            {"dimtxt": 2.5 * by, "dimasz": ARROW * 2.5 * by, "dimexe": BEYOND * 2.5 * by, "dimexo": OFF * 2.5 * by}
+        )
         document.styles.add(LETTERS, font=FONT)
         for layer in layers:
             _layer(document, layer, by)
@@ -84,7 +92,9 @@ def _fixed() -> Iterator[None]:
 
 def _layer(document: "Drawing", name: str, by: float) -> None:
     if (known := LAYERS.get(name)) is None:
-        document.layers.add(name, color=COLOURS.get(name, 7), linetype="CENTER" if name in DASH_DOTTED else "CONTINUOUS")
+        document.layers.add(
+            name, color=COLOURS.get(name, 7), linetype="CENTER" if name in DASH_DOTTED else "CONTINUOUS"
+        )
         return
     dashes = [dash * by for dash in known.dashes]
     if dashes and f"{name}_LINE" not in document.linetypes:
@@ -119,7 +129,9 @@ def _draw(document: "Drawing", space: "BaseLayout", mark: Ink) -> None:
     match mark:
         case Polyline():
             line = space.add_lwpolyline((), close=mark.closed, dxfattribs=on)
-            line.lwpoints.extend([(*_at(point), *STRAIGHT) for point in mark.points])  # one by one, each would copy all before it
+            line.lwpoints.extend(
+                [(*_at(point), *STRAIGHT) for point in mark.points]
+            )  # one by one, each would copy all before it
         case Arc() if mark.end - mark.start >= 2 * math.pi:
             space.add_circle(_at(mark.centre), mm(mark.radius), dxfattribs=on)
         case Arc():
@@ -137,7 +149,11 @@ def _draw(document: "Drawing", space: "BaseLayout", mark: Ink) -> None:
 
 
 def _words(space: "BaseLayout", words: Words) -> None:
-    on = {"layer": words.layer} | ({"style": LETTERS} if words.layer in LAYERS else {}) | ({"rotation": 90.0} if words.turned else {})
+    on = (
+        {"layer": words.layer}
+        | ({"style": LETTERS} if words.layer in LAYERS else {})
+        | ({"rotation": 90.0} if words.turned else {})
+    )
     text = space.add_text(_clean(words.text), height=mm(words.height), dxfattribs=on)
     if words.side == "left":
         text.dxf.insert = _at(words.at)
@@ -163,11 +179,21 @@ def _dimension(document: "Drawing", space: "BaseLayout", dimension: Dimension) -
     for stroke in drawn:
         _draw(document, block, stroke)
     number = next(stroke for stroke in drawn if isinstance(stroke, Words))
-    space.new_entity("DIMENSION", {
-        "layer": dimension.layer, "dimstyle": STYLE, "geometry": block.name, "dimtype": 32, "text": _clean(written(dimension)),
-        "angle": 90.0 if dimension.upright else 0.0, "defpoint": (*_at(dimension.line), 0.0), "defpoint2": (*_at(dimension.start), 0.0),
-        "defpoint3": (*_at(dimension.end), 0.0), "text_midpoint": (*_at(number.at), 0.0),
-    })  # fmt: skip
+    space.new_entity(
+        "DIMENSION",
+        {
+            "layer": dimension.layer,
+            "dimstyle": STYLE,
+            "geometry": block.name,
+            "dimtype": 32,
+            "text": _clean(written(dimension)),
+            "angle": 90.0 if dimension.upright else 0.0,
+            "defpoint": (*_at(dimension.line), 0.0),
+            "defpoint2": (*_at(dimension.start), 0.0),
+            "defpoint3": (*_at(dimension.end), 0.0),
+            "text_midpoint": (*_at(number.at), 0.0),
+        },
+    )
 
 
 def _at(point: Point) -> tuple[float, float]:

@@ -48,20 +48,29 @@ CHAPTERS = ("verdicts_of", "proofs", "kept_checks", "key_values", "figures", "in
 NEED = 0.15 * PAGE[1]  # a step begins on a new page unless so much is left
 Pictures = tuple[list[Block], list[Block]]  # of a step: its sketch, and its figures
 
-# How far the report is when its steps are solved whole, and when all that it holds is there and only the pages are to be written
+# How far the report is when its steps are solved whole, and when all that it holds is there and only the pages are to
+# be written
 WHOLE, MADE, WRITTEN = 0.06, 0.55, 0.98
 
 
 def write(
-    document: Document, results: Results, raw: bytes, path: Path, *, depth: str = "engineer", lang: str = "en",
-    front: bytes | None = None, progress: Progress | None = None, draws: Draughtsman | None = None,
-) -> Path:  # fmt: skip
+    document: Document,
+    results: Results,
+    raw: bytes,
+    path: Path,
+    *,
+    depth: str = "engineer",
+    lang: str = "en",
+    front: bytes | None = None,
+    progress: Progress | None = None,
+    draws: Draughtsman | None = None,
+) -> Path:
     """Write the report of a solved design to `path`; `raw`, the bytes of its file, is attached to it.
 
-    `depth`: "summary" is the first page, "engineer" the calculation, "audit" every traced line.  Raises ValueError for a depth
-    or a language that there is not.  `progress` is told every section and every page; what it raises ends the writing, and no file is left.
-    `draws`: who draws its figures, and may have begun to get ready before the design was solved.
-    """
+    `depth`: "summary" is the first page, "engineer" the calculation, "audit" every traced line.  Raises ValueError for
+    a depth or a language that there is not.  `progress` is told every section and every page; what it raises ends the
+    writing, and no file is left. `draws`: who draws its figures, and may have begun to get ready before the design was
+    solved."""
     made = render(document, results, raw, depth=depth, lang=lang, front=front, progress=progress, draws=draws)
     path = write_file(path, made, inputs=inputs_of(document, results))
     tell(progress, 1.0, path.name)
@@ -75,9 +84,17 @@ def inputs_of(document: Document, results: Results) -> list[Path]:
 
 
 def render(
-    document: Document, results: Results, raw: bytes, *, depth: str = "engineer", lang: str = "en", logo_file: bytes | None = None,
-    front: bytes | None = None, progress: Progress | None = None, draws: Draughtsman | None = None,
-) -> bytes:  # fmt: skip
+    document: Document,
+    results: Results,
+    raw: bytes,
+    *,
+    depth: str = "engineer",
+    lang: str = "en",
+    logo_file: bytes | None = None,
+    front: bytes | None = None,
+    progress: Progress | None = None,
+    draws: Draughtsman | None = None,
+) -> bytes:
     """The report as the bytes of a PDF.  `logo_file`: of the design's logo; without it, it is read beside the design.
 
     `front`: the front of drives that the design is one of, which is then attached too."""
@@ -97,13 +114,23 @@ def render(
         said_of["logo"] = hashlib.sha256(picture.raw).hexdigest()
         files[picture.name] = (picture.raw, context.words["logo"])
     return bind(
-        pages, files, title=context.design.name, author=control.signatures()[0][1].name, revision=control.revision,
-        number=control.number, said=said_of, words=context.words, progress=part(progress, MADE, WRITTEN),
-    )  # fmt: skip
+        pages,
+        files,
+        title=context.design.name,
+        author=control.signatures()[0][1].name,
+        revision=control.revision,
+        number=control.number,
+        said=said_of,
+        words=context.words,
+        progress=part(progress, MADE, WRITTEN),
+    )
 
 
-def context_of(document: Document, results: Results, raw: bytes, *, depth: str, lang: str, logo_file: bytes | None = None) -> Context:
-    """What every part of a report is made from, in its language.  Raises ValueError for a depth or a language that there is not."""
+def context_of(
+    document: Document, results: Results, raw: bytes, *, depth: str, lang: str, logo_file: bytes | None = None
+) -> Context:
+    """What every part of a report is made from, in its language.  Raises ValueError for a depth or a language that
+    there is not."""
     if depth not in DEPTHS:
         raise ValueError(f"depth {depth!r}: must be one of {', '.join(DEPTHS)}")
     if lang not in LANGUAGES:
@@ -152,7 +179,9 @@ def blocks(context: Context, progress: Progress | None = None, draws: Draughtsma
         body += _section(f"{number}  {w['materials']}", "materials", entries, need=120.0)
         body += materials
         number += 1
-    if not context.audit and (wrong := errata_blocks(context, [e for _, _, outcome in steps for e in outcome.errata], short=True)):
+    if not context.audit and (
+        wrong := errata_blocks(context, [e for _, _, outcome in steps for e in outcome.errata], short=True)
+    ):
         body += _section(f"{number}  {w['errata']}", "errata", entries, need=120.0)
         body += wrong
         number += 1
@@ -179,7 +208,9 @@ def blocks(context: Context, progress: Progress | None = None, draws: Draughtsma
         body += _section(f"{number}  {w['index']}", "index", entries, need=0.9 * PAGE[1])
         body += index
     summary = closing_blocks(context, nearest(), summary)
-    return summary + contents_blocks(context, entries, [w[key] for key in (LISTED if context.audit else CHAPTERS)]) + body
+    return (
+        summary + contents_blocks(context, entries, [w[key] for key in (LISTED if context.audit else CHAPTERS)]) + body
+    )
 
 
 def _section(title: str, anchor: str, entries: list[ContentsEntry], *, need: float) -> list[Block]:
@@ -194,24 +225,32 @@ def _pictures(context: Context, step: Step, outcome: Outcome[object], plots: Plo
 
 
 def _step(
-    context: Context, number: int, step: Step, outcome: Outcome[object], entries: list[ContentsEntry], pictures: Pictures,
+    context: Context,
+    number: int,
+    step: Step,
+    outcome: Outcome[object],
+    entries: list[ContentsEntry],
+    pictures: Pictures,
     progress: Progress | None,
-) -> list[Block]:  # fmt: skip
+) -> list[Block]:
     """One step with its parts; or why there is nothing to show."""
     w = context.words
     asked = outcome.state != "not_asked"
     title, context.chapter = context.say(step.title), step.key
     made = _section(f"{number}  {title}", step_anchor(step.key), entries, need=NEED if asked else 0.0)
     reasons = {
-        "not_asked": context.text("not_asked_text", key=step.key), "blocked": context.text("blocked_text", reason=outcome.reason),
+        "not_asked": context.text("not_asked_text", key=step.key),
+        "blocked": context.text("blocked_text", reason=outcome.reason),
         "no_solution": context.text("no_solution_text", reason=outcome.reason),
-    }  # fmt: skip
+    }
     if outcome.state in reasons:
         made += paragraph(f"{verdict(w, outcome.state)}: {reasons[outcome.state]}", BODY, gap=2.0)
     for source in dict.fromkeys(line.formula.source for line in outcome.lines):
         context.cite(source, step, stands=False)
     original = (context.original or context.results).outcomes[step.key]
-    for source in dict.fromkeys(check.source for check in original.checks if check.source and (context.audit or stands(check))):
+    for source in dict.fromkeys(
+        check.source for check in original.checks if check.source and (context.audit or stands(check))
+    ):
         context.cite(source, step)
     for erratum in original.errata:
         context.cite(erratum.source, step)

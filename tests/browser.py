@@ -120,9 +120,15 @@ async def browser(folder: Path) -> AsyncIterator[Page]:
     assert CHROMIUM is not None
     home = folder / "browser"
     process = await asyncio.create_subprocess_exec(
-        CHROMIUM, *SWITCHES, f"--user-data-dir={home}", "about:blank",
-        stdin=asyncio.subprocess.DEVNULL, stdout=asyncio.subprocess.DEVNULL, stderr=asyncio.subprocess.DEVNULL, start_new_session=True,
-    )  # fmt: skip
+        CHROMIUM,
+        *SWITCHES,
+        f"--user-data-dir={home}",
+        "about:blank",
+        stdin=asyncio.subprocess.DEVNULL,
+        stdout=asyncio.subprocess.DEVNULL,
+        stderr=asyncio.subprocess.DEVNULL,
+        start_new_session=True,
+    )
     try:
         end = time.monotonic() + LIMIT
         while not (home / "DevToolsActivePort").is_file() or "\n" not in (home / "DevToolsActivePort").read_text():
@@ -134,7 +140,9 @@ async def browser(folder: Path) -> AsyncIterator[Page]:
             while not address:
                 assert time.monotonic() < end, "the browser has no page"
                 async with client.get(f"http://127.0.0.1:{port}/json") as answer:
-                    address = next((page["webSocketDebuggerUrl"] for page in await answer.json() if page["type"] == "page"), "")
+                    address = next(
+                        (page["webSocketDebuggerUrl"] for page in await answer.json() if page["type"] == "page"), ""
+                    )
             page = Page(await client.ws_connect(address, max_msg_size=0))
             try:
                 yield page

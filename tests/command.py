@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The command line as a test calls it: in a process of its own, as a user does, or in that of the test, which is four times as fast."""
+"""The command line as a test calls it: in a process of its own, as a user does, or in that of the test, which is four
+times as fast."""
 
 import io
 import os

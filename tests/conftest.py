@@ -22,7 +22,9 @@ settings.load_profile("untimed")
 # programs that a test starts keep what they have compiled, as a user's do: it is a second for each
 os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
 sys.dont_write_bytecode = False
-gc.set_threshold(*SELDOM)  # as the command line does: looking for garbage took a tenth of all tests, of those of the reports a quarter
+gc.set_threshold(
+    *SELDOM
+)  # as the command line does: looking for garbage took a tenth of all tests, of those of the reports a quarter
 
 BEGUN = time.monotonic()
 ROOT = Path(__file__).parent.parent
@@ -31,7 +33,9 @@ GAMMA = DESIGNS / "r753ie4_gamma.toml"
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
-    parser.addoption("--within", type=float, default=float("inf"), metavar="SECONDS", help="begin no test after so many seconds")
+    parser.addoption(
+        "--within", type=float, default=float("inf"), metavar="SECONDS", help="begin no test after so many seconds"
+    )
 
 
 @pytest.hookimpl(tryfirst=True)

@@ -1,4 +1,5 @@
-"""Which module imports which, read from the source: every import counts, inside a function or under TYPE_CHECKING too."""
+"""Which module imports which, read from the source: every import counts, inside a function or under TYPE_CHECKING
+too."""
 
 import ast
 from collections.abc import Iterator, Mapping
@@ -8,7 +9,8 @@ Graph = Mapping[str, frozenset[str]]
 
 
 def modules(root: Path, *packages: str) -> dict[str, Path]:
-    """The modules of packages ("calc", "calc.sheet") below `root`, by their full names; a package is the module of its `__init__.py`."""
+    """The modules of packages ("calc", "calc.sheet") below `root`, by their full names; a package is the module of its
+    `__init__.py`."""
     paths = {}
     for package in packages:
         for path in root.joinpath(*package.split(".")).rglob("*.py"):
@@ -50,12 +52,15 @@ def _loaded(node: ast.AST) -> Iterator[ast.AST]:
 
 
 def graph(paths: Mapping[str, Path]) -> Graph:
-    """module → the modules among these that it imports.  `from package import module` is an import of the module alone."""
+    """module → the modules among these that it imports.  `from package import module` is an import of the module
+    alone."""
     edges = {}
     for name, path in paths.items():
         names = {n for n in imported(name, path) if n in paths and n != name}
         # of `from a.b import c` with a module a.b.c the package a.b only passes it on, unless it has names of its own
-        edges[name] = frozenset(n for n in names if not (paths[n].name == "__init__.py" and any(m.startswith(n + ".") for m in names)))
+        edges[name] = frozenset(
+            n for n in names if not (paths[n].name == "__init__.py" and any(m.startswith(n + ".") for m in names))
+        )
     return edges
 
 

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""`contralbero choose FILE bearings`: the tables, the row that is written and holds, and what is said where nothing passes."""
+"""`contralbero choose FILE bearings`: the tables, the row that is written and holds, and what is said where nothing
+passes."""
 
 import json
 
@@ -23,7 +24,10 @@ def copy(tmp_path):
     "name, row",
     [
         ("r753ie4_gamma", 1),
-        *(pytest.param(*row, marks=pytest.mark.slow) for row in [("r753ie4_gamma", 2), ("r753ie4_beta", 1), ("r753ie4_sized", 2)]),
+        *(
+            pytest.param(*row, marks=pytest.mark.slow)
+            for row in [("r753ie4_gamma", 2), ("r753ie4_beta", 1), ("r753ie4_sized", 2)]
+        ),
     ],
 )
 def test_a_row_that_is_written_passes(copy, name, row):
@@ -35,7 +39,9 @@ def test_a_row_that_is_written_passes(copy, name, row):
     assert f"the bearings of row {row}" in done.stdout.splitlines()[0]
     assert path.with_suffix(".toml.bak").read_text(encoding="utf-8") == before
     checks = json.loads(run("check", path, "--json").stdout)["checks"]
-    assert [c["id"] for c in checks if c["verdict"] == "fail" and c["id"].startswith(("bearings.", "countershaft."))] == []
+    assert [
+        c["id"] for c in checks if c["verdict"] == "fail" and c["id"].startswith(("bearings.", "countershaft."))
+    ] == []
     corner = [c for c in checks if c["id"].endswith("_corner")]
     assert len(corner) == 8 and (name != "r753ie4_sized" or all(c["margin"] >= 0 for c in corner))
 
@@ -44,7 +50,9 @@ def test_a_row_that_is_written_passes(copy, name, row):
 def test_comments_stay_or_are_named(copy):
     """That of a line that stays stands; one that goes with its key is said."""
     path = copy("r753ie4_gamma")
-    text = path.read_text(encoding="utf-8").replace('oil = "10W-40 Q8 T905"', 'oil = "10W-40 Q8 T905"   # what the engine has')
+    text = path.read_text(encoding="utf-8").replace(
+        'oil = "10W-40 Q8 T905"', 'oil = "10W-40 Q8 T905"   # what the engine has'
+    )
     path.write_text(text.replace("length_mm = 26.5", "length_mm = 26.5   # by the seat"), encoding="utf-8")
     done = run("choose", path, "bearings", "--apply", 2)
     written = path.read_text(encoding="utf-8")
@@ -65,7 +73,8 @@ def test_what_fits_comes_first_and_nothing_is_wider_than_a_page(copy):
 
 
 def test_the_design_stands_in_its_row_as_the_others_are_judged(copy):
-    """Those that fit hold as given, not at the corners: so does the row of the design, whose film is that of the check."""
+    """Those that fit hold as given, not at the corners: so does the row of the design, whose film is that of the
+    check."""
     path = copy("r753ie4_gamma")
     found = json.loads(run("choose", path, "bearings", "--json").stdout)
     labels = [column["label"] for column in found["columns"]]
@@ -78,7 +87,9 @@ def test_the_design_stands_in_its_row_as_the_others_are_judged(copy):
 
 def test_what_is_locked_is_said_before_a_row_is_applied(copy):
     path = copy("r753ie4_gamma")
-    assert "Row 1 changes what is locked: Oil (bearings.oil): " in " ".join(run("choose", path, "bearings").stdout.split())
+    assert "Row 1 changes what is locked: Oil (bearings.oil): " in " ".join(
+        run("choose", path, "bearings").stdout.split()
+    )
     assert "locked" not in run("choose", copy("r753ie4_sized"), "bearings", "--top", "1").stdout
 
 

@@ -1,4 +1,5 @@
-"""`contralbero choose FILE countershaft`: the ranked table, the row that is written, and what is said where nothing fits."""
+"""`contralbero choose FILE countershaft`: the ranked table, the row that is written, and what is said where nothing
+fits."""
 
 import json
 
@@ -46,22 +47,40 @@ def test_the_table_is_printed_with_what_to_do(wide):
 def test_an_envelope_in_which_nothing_fits_ends_with_three(wide):
     assert run("set", wide, "countershaft.outer_radius_mm=39").returncode == 0
     done = run("choose", wide, "countershaft")
-    assert done.returncode == 3 and done.stdout == "" and "does not fit" in done.stderr and "outer radius of" in done.stderr
+    assert (
+        done.returncode == 3
+        and done.stdout == ""
+        and "does not fit" in done.stderr
+        and "outer radius of" in done.stderr
+    )
 
 
-@pytest.mark.parametrize("changes, words", [
-    (("countershaft.core_radius_mm=",), "countershaft.core_radius_mm: needed"), (("countershaft.core_radius_mm=42.9",), None),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    "changes, words",
+    [
+        (("countershaft.core_radius_mm=",), "countershaft.core_radius_mm: needed"),
+        (("countershaft.core_radius_mm=42.9",), None),
+    ],
+)
 def test_what_the_envelope_lacks_is_said(wide, changes, words):
     run("set", wide, *changes)
     done = run("choose", wide, "countershaft")
-    assert done.returncode == (2 if words else 3) and (words or "does not fit") in done.stderr and "Traceback" not in done.stderr
+    assert (
+        done.returncode == (2 if words else 3)
+        and (words or "does not fit") in done.stderr
+        and "Traceback" not in done.stderr
+    )
 
 
-@pytest.mark.parametrize("arguments, words", [
-    ((DESIGNS / "timing_pair.toml", "countershaft"), "engine: needed"), ((GAMMA, "countershaft", "--top", "0"), "1 or more"),
-    ((GAMMA, "countershaft", "--apply", "999"), "from 1 to"), ((GAMMA, "friction"), "countershaft (shafts in the envelope"),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    "arguments, words",
+    [
+        ((DESIGNS / "timing_pair.toml", "countershaft"), "engine: needed"),
+        ((GAMMA, "countershaft", "--top", "0"), "1 or more"),
+        ((GAMMA, "countershaft", "--apply", "999"), "from 1 to"),
+        ((GAMMA, "friction"), "countershaft (shafts in the envelope"),
+    ],
+)
 def test_what_can_not_be_chosen_is_said(arguments, words):
     done = run("choose", *arguments)
     assert done.returncode == 2 and words in done.stderr and "Traceback" not in done.stderr

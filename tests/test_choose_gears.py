@@ -49,13 +49,16 @@ def listed():
 
 @pytest.mark.parametrize("row", [1, 9, 33, *(pytest.param(row, marks=pytest.mark.slow) for row in (2, 3, 5, 20))])
 def test_a_row_that_is_written_gives_what_it_promised(copy, listed, row):
-    """In all numbered tables: distance free, crank as shaft, distance held, what a pair wants, round, a cut, a cut with its shift."""
+    """In all numbered tables: distance free, crank as shaft, distance held, what a pair wants, round, a cut, a cut with
+    its shift."""
     tables = [listed, *listed["tables"].values()]
     promised = {}
     for table in tables:
         labels = [c["label"] for c in table["columns"]]
         if "max |ζ_A|" in labels:
-            promised |= {cells[0]: cells[labels.index("max |ζ_A|")] for cells in table["rows"] if cells[0] not in ("", "now")}
+            promised |= {
+                cells[0]: cells[labels.index("max |ζ_A|")] for cells in table["rows"] if cells[0] not in ("", "now")
+            }
     path = copy("r753ie4_gamma")
     before = path.read_text(encoding="utf-8")
     done = run("choose", path, "gears", "--apply", row)
@@ -92,14 +95,17 @@ def test_a_pair_alone_and_its_contradicting_shift(copy):
 
 @pytest.mark.slow
 def test_the_best_of_a_pair_below_the_usual_limits_is_the_first_row_and_is_written(copy):
-    """It keeps the limits of the design itself; with the usual ones nothing but 3.353 is left where the distance is free."""
+    """It keeps the limits of the design itself; with the usual ones nothing but 3.353 is left where the distance is
+    free."""
     path = copy("timing_pair")
     listed = json.loads(run("choose", path, "gears", "--json").stdout)
     labels = [c["label"] for c in listed["columns"]]
     rows = [dict(zip(labels, row)) for row in listed["rows"]]
     assert [(row["what"], row["keeps"]) for row in rows[1:]] == [
-        ("distance free", "as now"), ("distance held", "as now"), ("distance free", "usual")
-    ]  # fmt: skip
+        ("distance free", "as now"),
+        ("distance held", "as now"),
+        ("distance free", "usual"),
+    ]
     assert [row["max |ζ_A|"] for row in rows] == pytest.approx([1.017, 0.882, 1.017, 3.353], abs=5e-4)
     assert run("choose", path, "gears", "--apply", 1).returncode == 0
     assert largest_sliding(path) == pytest.approx(0.8819, abs=5e-5)
@@ -116,7 +122,12 @@ def test_where_nothing_passes_the_rule_is_said(copy):
     path = copy("timing_pair")
     assert run("set", path, "gears.tool_addendum=1.0").returncode == 0
     done = run("choose", path, "gears")
-    assert done.returncode == 3 and done.stdout == "" and "clearance: nowhere" in done.stderr and "Traceback" not in done.stderr
+    assert (
+        done.returncode == 3
+        and done.stdout == ""
+        and "clearance: nowhere" in done.stderr
+        and "Traceback" not in done.stderr
+    )
 
 
 def test_what_can_not_be_chosen_is_said():

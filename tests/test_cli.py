@@ -36,19 +36,44 @@ NAMES += [
     for sense in ("forward", "backward")
     for tail in ("", "_phase")
 ]
-NAMES += [f"imbalance.order_{n}.{kind}_peak_{way}" for n in (1, 2) for kind in ("force", "couple") for way in ("vertical", "horizontal")]
-NAMES += [f"bearings.{b}.{name}" for b in ("front", "rear") for name in """specific_load heat_index clearance_hot clearance_cold film film_edge
-film_double_load speed_of_thinnest_film temperature_rise friction_power oil_flow""".split()]  # fmt: skip
-NAMES += [f"bearings.{b}.{route}.{name}" for b in ("front", "rear") for route in ("raimondi_boyd", "falz", "din31652", "reynolds")
-          for name in ("film", "temperature_rise", "friction_power", "sommerfeld", "oil_flow")]  # fmt: skip
-NAMES += [f"bearings.{b}.reynolds.{name}" for b in ("front", "rear") for name in ("eccentricity", "attitude_angle", "friction_variable")]
-NAMES += [f"gears.{w}.{name}" for w in ("crank", "central", "idler", "shaft") for name in """tip_diameter pitch_diameter base_diameter root_diameter
-form_diameter profile_shift tip_thickness tip_thickness_normal over_balls over_balls_min over_balls_max""".split()]  # fmt: skip
+NAMES += [
+    f"imbalance.order_{n}.{kind}_peak_{way}"
+    for n in (1, 2)
+    for kind in ("force", "couple")
+    for way in ("vertical", "horizontal")
+]
+NAMES += [
+    f"bearings.{b}.{name}"
+    for b in ("front", "rear")
+    for name in """specific_load heat_index clearance_hot clearance_cold film film_edge
+film_double_load speed_of_thinnest_film temperature_rise friction_power oil_flow""".split()
+]
+NAMES += [
+    f"bearings.{b}.{route}.{name}"
+    for b in ("front", "rear")
+    for route in ("raimondi_boyd", "falz", "din31652", "reynolds")
+    for name in ("film", "temperature_rise", "friction_power", "sommerfeld", "oil_flow")
+]
+NAMES += [
+    f"bearings.{b}.reynolds.{name}"
+    for b in ("front", "rear")
+    for name in ("eccentricity", "attitude_angle", "friction_variable")
+]
+NAMES += [
+    f"gears.{w}.{name}"
+    for w in ("crank", "central", "idler", "shaft")
+    for name in """tip_diameter pitch_diameter base_diameter root_diameter
+form_diameter profile_shift tip_thickness tip_thickness_normal over_balls over_balls_min over_balls_max""".split()
+]
 NAMES += ["gears.central.span_5", "gears.central.span_5_min", "gears.central.span_5_max", "gears.idler.span_5"]
 MESHES = ("crank_central", "central_idler", "idler_shaft")
-NAMES += [f"gears.{m}.{name}" for m in MESHES for name in """transverse_contact_ratio overlap_ratio working_pressure_angle working_helix_angle
+NAMES += [
+    f"gears.{m}.{name}"
+    for m in MESHES
+    for name in """transverse_contact_ratio overlap_ratio working_pressure_angle working_helix_angle
 backlash_min backlash_max working_diameter_driver working_diameter_driven sap_diameter_driver sap_diameter_driven specific_sliding_driver
-specific_sliding_driven contact_stress""".split()]  # fmt: skip
+specific_sliding_driven contact_stress""".split()
+]
 NAMES += [
     f"friction.{m}.{name}"
     for m in MESHES
@@ -56,8 +81,11 @@ NAMES += [
 ]
 
 
-NAMES += [f"countershaft.{name}" for name in """mass slope_front slope_rear slope_front_stiff slope_rear_stiff first_critical_speed bolt_preload
-residual_unbalance_permitted""".split()]  # fmt: skip
+NAMES += [
+    f"countershaft.{name}"
+    for name in """mass slope_front slope_rear slope_front_stiff slope_rear_stiff first_critical_speed bolt_preload
+residual_unbalance_permitted""".split()
+]
 
 
 @pytest.mark.parametrize("name", NAMES)
@@ -66,8 +94,12 @@ def test_the_names_that_are_promised(checked, name):
     assert isinstance(value["value"], float) and value["label"] and "unit" in value
 
 
-LIMITS = [f"bearings.{b}.{n}" for b in ("front", "rear") for n in """film_edge film_double_load temperature specific_load heat_index clearance_cold
-length_ratio transition""".split()]  # fmt: skip
+LIMITS = [
+    f"bearings.{b}.{n}"
+    for b in ("front", "rear")
+    for n in """film_edge film_double_load temperature specific_load heat_index clearance_cold
+length_ratio transition""".split()
+]
 LIMITS += [f"countershaft.{n}" for n in ("residual", "slope_front", "slope_rear", "first_critical_speed")]
 LIMITS += [*(f"gears.{m}.{n}" for m in MESHES for n in ("backlash", "contact_ratio"))]
 LIMITS += [f"gears.{w}.{n}" for w in ("crank", "central", "idler", "shaft") for n in ("undercut", "tip_thickness")]
@@ -92,11 +124,23 @@ def test_a_sized_shaft_says_its_sectors_and_its_envelope():
     done = run("check", DESIGNS / "r753ie4_sized.toml", "--json", "--step", "countershaft")
     found = json.loads(done.stdout)
     assert done.returncode == 0
-    for name in ("mass", "sector_half_angle", "sector_length", "slope_front", "slope_rear_stiff", "first_critical_speed", "bolt_preload",
-                 "residual_unbalance_permitted", "scatter.couple_error", "hole_couple"):  # fmt: skip
+    for name in (
+        "mass",
+        "sector_half_angle",
+        "sector_length",
+        "slope_front",
+        "slope_rear_stiff",
+        "first_critical_speed",
+        "bolt_preload",
+        "residual_unbalance_permitted",
+        "scatter.couple_error",
+        "hole_couple",
+    ):
         assert isinstance(found["values"][f"countershaft.{name}"]["value"], float)
     kinds = {c["id"]: c["kind"] for c in found["checks"]}
-    assert all(kinds[f"countershaft.{name}"] == "limit" for name in ("residual", "slope_front", "slope_rear", "envelope"))
+    assert all(
+        kinds[f"countershaft.{name}"] == "limit" for name in ("residual", "slope_front", "slope_rear", "envelope")
+    )
     assert kinds["countershaft.balance_grade"] == "caution"
 
 
@@ -138,9 +182,14 @@ def test_the_source_is_corrected_beside_its_own_values(checked):
 
 def test_the_steps_of_the_source_design(checked):
     assert checked[1]["steps"] == {
-        "engine": "pass", "imbalance": "pass", "countershaft": "warn", "bearings": "fail", "gears": "fail", "friction": checked[1]["steps"]["friction"],
+        "engine": "pass",
+        "imbalance": "pass",
+        "countershaft": "warn",
+        "bearings": "fail",
+        "gears": "fail",
+        "friction": checked[1]["steps"]["friction"],
         "mounting": "not_asked",
-    }  # fmt: skip
+    }
     assert checked[1]["steps"]["friction"] == "pass"
 
 
@@ -182,15 +231,24 @@ def test_one_step_only():
     assert all(name.startswith("engine.") for name in found["values"])
 
 
-@pytest.mark.parametrize("arguments, words", [
-    (["check", "nowhere.toml"], ["nowhere.toml", "cannot be read"]), (["check"], ["usage"]), (["check", GAMMA, "--set", "a"], ["KEY=VALUE"]),
-    (["check", GAMMA, "--set", "bearings.front.lenght_mm=3", "--set", "x=1"], ["length_mm", "x: is not known"]),
-    (["check", GAMMA, "--set", "bearings.front.length_mm=-3"], ["bearings.front.length_mm", "above 0"]),
-    (["check", GAMMA, "--step", "wheels"], ["--step", "engine, imbalance"]), (["explain", GAMMA, "bearings.front.flim"], ["bearings.front.film"]),
-    (["report", GAMMA, "-o", "/nowhere/at/all.pdf"], ["cannot be written"]), (["replay", GAMMA], ["design", "is missing"]),
-    (["new", "x.toml", "--engine", "v99"], ["v99", "r753ie4"]), (["set", GAMMA, "engine.bore_mm=wide"], ["engine.bore_mm", "a number"]),
-    (["frobnicate.toml", "--help-me"], ["usage"]), (["new"], ["needs the name"]),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    "arguments, words",
+    [
+        (["check", "nowhere.toml"], ["nowhere.toml", "cannot be read"]),
+        (["check"], ["usage"]),
+        (["check", GAMMA, "--set", "a"], ["KEY=VALUE"]),
+        (["check", GAMMA, "--set", "bearings.front.lenght_mm=3", "--set", "x=1"], ["length_mm", "x: is not known"]),
+        (["check", GAMMA, "--set", "bearings.front.length_mm=-3"], ["bearings.front.length_mm", "above 0"]),
+        (["check", GAMMA, "--step", "wheels"], ["--step", "engine, imbalance"]),
+        (["explain", GAMMA, "bearings.front.flim"], ["bearings.front.film"]),
+        (["report", GAMMA, "-o", "/nowhere/at/all.pdf"], ["cannot be written"]),
+        (["replay", GAMMA], ["design", "is missing"]),
+        (["new", "x.toml", "--engine", "v99"], ["v99", "r753ie4"]),
+        (["set", GAMMA, "engine.bore_mm=wide"], ["engine.bore_mm", "a number"]),
+        (["frobnicate.toml", "--help-me"], ["usage"]),
+        (["new"], ["needs the name"]),
+    ],
+)
 def test_bad_use_is_exit_code_2_without_a_traceback(arguments, words, tmp_path):
     before = GAMMA.read_bytes()
     done = run(*arguments, cwd=tmp_path)
@@ -204,17 +262,28 @@ def test_all_that_is_wrong_with_a_counter_shaft_is_said_at_once(tmp_path):
     path = tmp_path / "d.toml"
     text = (DESIGNS / "r753ie4_sized.toml").read_text(encoding="utf-8")
     wrong = {
-        "outer_radius_mm = 43.0": "outer_radius_mm = nan", 'balance_grade = "G16"': 'balance_grade = "G17"', 'thread = "M10x1.5"': 'thread = "10"',
-        "hose_max_mm = 24.0": "hose_max_mm = 2.0", "count = 4\n\n[countershaft.scatter]": "count = 0\n\n[countershaft.scatter]",
+        "outer_radius_mm = 43.0": "outer_radius_mm = nan",
+        'balance_grade = "G16"': 'balance_grade = "G17"',
+        'thread = "M10x1.5"': 'thread = "10"',
+        "hose_max_mm = 24.0": "hose_max_mm = 2.0",
+        "count = 4\n\n[countershaft.scatter]": "count = 0\n\n[countershaft.scatter]",
         'material = "20CrNi4"\nspeed_ratio = -1': 'material = "cheese"\nspeed_ratio = 0.5',
-    }  # fmt: skip
+    }
     for old, new in wrong.items():
         assert text.count(old) == 1, old
         text = text.replace(old, new)
     path.write_text(text, encoding="utf-8")
     done = run("check", path)
     assert done.returncode == 2 and done.stdout == "" and "Traceback" not in done.stderr
-    for key in ("outer_radius_mm", "balance_grade", "bolts.thread", "oil_drain.hose_max_mm", "holes.count", "material", "speed_ratio"):
+    for key in (
+        "outer_radius_mm",
+        "balance_grade",
+        "bolts.thread",
+        "oil_drain.hose_max_mm",
+        "holes.count",
+        "material",
+        "speed_ratio",
+    ):
         (line,) = [line for line in done.stderr.splitlines() if f" countershaft.{key}: " in line]
         assert key.rsplit(".", 1)[-1] in text.splitlines()[int(line.removeprefix(str(path)).split(":")[1]) - 1]
 
@@ -276,10 +345,18 @@ def test_set_leaves_the_file_alone_when_the_design_would_be_wrong(tmp_path):
     assert path.read_bytes() == GAMMA.read_bytes() and len(list(tmp_path.iterdir())) == 1
 
 
-@pytest.mark.parametrize("name", [
-    "imbalance.required_couple", "countershaft.reaction_rear", "bearings.front.film", "gears.idler_shaft.contact_stress",
-    "countershaft.slope_front", "countershaft.bolt_slip_safety", "countershaft.clamp_nominal",
-])  # fmt: skip
+@pytest.mark.parametrize(
+    "name",
+    [
+        "imbalance.required_couple",
+        "countershaft.reaction_rear",
+        "bearings.front.film",
+        "gears.idler_shaft.contact_stress",
+        "countershaft.slope_front",
+        "countershaft.bolt_slip_safety",
+        "countershaft.clamp_nominal",
+    ],
+)
 def test_explain_goes_back_to_the_inputs(name):
     done = run("explain", GAMMA, name)
     assert done.returncode == 0, done.stderr
@@ -295,7 +372,11 @@ def test_explain_says_what_puts_a_check_outside_the_validity_of_its_formula():
 
 def test_explain_of_the_film_reaches_the_engine():
     text = run("explain", GAMMA, "bearings.front.film").stdout
-    assert "← engine.rated_speed_rpm" in text and "← countershaft.masses.*.mass_kg" in text and "← bearings.supply_temperature_C" in text
+    assert (
+        "← engine.rated_speed_rpm" in text
+        and "← countershaft.masses.*.mass_kg" in text
+        and "← bearings.supply_temperature_C" in text
+    )
     assert "9.559 µm" in text
 
 
@@ -358,10 +439,15 @@ def test_choose_lists_the_firing_orders_and_writes_one(tmp_path):
     assert path.with_suffix(".toml.bak").exists()
 
 
-@pytest.mark.parametrize("arguments, words", [
-    (("choose", GAMMA, "friction"), "nothing to choose here yet"), (("choose", GAMMA, "engine", "--apply", "9"), "from 1 to 2"),
-    (("choose", DESIGNS / "timing_pair.toml", "engine"), "needed"), (("sweep", GAMMA, "--vary", "engine.rated_speed_rpm=1:2:3", "--step", "gear"), "is no step"),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    "arguments, words",
+    [
+        (("choose", GAMMA, "friction"), "nothing to choose here yet"),
+        (("choose", GAMMA, "engine", "--apply", "9"), "from 1 to 2"),
+        (("choose", DESIGNS / "timing_pair.toml", "engine"), "needed"),
+        (("sweep", GAMMA, "--vary", "engine.rated_speed_rpm=1:2:3", "--step", "gear"), "is no step"),
+    ],
+)
 def test_what_can_not_be_chosen_or_swept_is_said(arguments, words):
     done = run(*arguments)
     assert done.returncode == 2 and words in done.stderr and "Traceback" not in done.stderr
@@ -383,9 +469,13 @@ def test_explain_says_what_is_not_there_and_what_has_no_solution():
     assert done.returncode == 3 and "the journals as they are leave an outer radius of 43 mm" in done.stdout
 
 
-@pytest.mark.parametrize("check, said", [
-    ("bearings.rear.slope_given", "taken from the inputs: bearings.slope_mrad"), ("countershaft.support.wall", "taken from the inputs: countershaft.support.wall_mm"),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    "check, said",
+    [
+        ("bearings.rear.slope_given", "taken from the inputs: bearings.slope_mrad"),
+        ("countershaft.support.wall", "taken from the inputs: countershaft.support.wall_mm"),
+    ],
+)
 def test_a_check_on_no_published_value_is_explained_by_what_it_judges(check, said):
     done = run("explain", GAMMA, check)
     assert done.returncode == 0 and done.stdout.startswith(f"{check}: ") and said in done.stdout

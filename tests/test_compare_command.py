@@ -47,7 +47,9 @@ def test_the_conclusion_stands_first(capsys, found) -> None:
     assert re.search(r"Sum of the losses +115\.1 +228\.7 +W +\+99 % +worse\n", out)
     assert re.search(r"bearings\.rear\.diameter_mm +40 +81\n", out)
     assert re.search(r"countershaft\.bolts +left out +6 keys\n", out)
-    assert f"What differs in all: {len(found['checks'])} checks, {len(found['values'])} values; --all lists them." in out
+    assert (
+        f"What differs in all: {len(found['checks'])} checks, {len(found['values'])} values; --all lists them." in out
+    )
     assert max(map(len, out.splitlines())) <= 140
     assert "bearings.rear.film" not in out and "Verdicts of the steps" not in out  # that is asked for
 
@@ -67,7 +69,10 @@ def test_json_says_what_holds_outside_validity(found) -> None:
     safety = rows["gears.crank.safety_bending"]
     assert safety["b"]["verdict"] == "pass" and safety["b"]["outside"] is True
     film = rows["bearings.rear.film_edge"]
-    assert [film[side]["outside"] for side in "ab"] == [False, False] and (film["a"]["verdict"], film["b"]["verdict"]) == ("fail", "pass")
+    assert [film[side]["outside"] for side in "ab"] == [False, False] and (
+        film["a"]["verdict"],
+        film["b"]["verdict"],
+    ) == ("fail", "pass")
 
 
 def test_json_says_which_key_results_are_better(found) -> None:
@@ -77,12 +82,17 @@ def test_json_says_which_key_results_are_better(found) -> None:
     assert results["bearings.rear.film_edge"]["better"] is True and results["countershaft.mass"]["better"] is False
     assert results["gears.residual_couple"]["better"] is None
     pitting = next(r for r in conclusion["results"] if "pitting" in r["label"])
-    assert (pitting["a"]["id"], pitting["b"]["id"]) == ("gears.idler_shaft.safety_contact", "gears.crank_central.safety_contact")
+    assert (pitting["a"]["id"], pitting["b"]["id"]) == (
+        "gears.idler_shaft.safety_contact",
+        "gears.crank_central.safety_contact",
+    )
 
 
 def test_json_has_both_sides(found) -> None:
     assert (found["schema"], found["program"], found["equal"]) == (1, "contralbero", False)
-    assert [d["name"] for d in found["designs"]] == [f"R753IE4 counter-shaft, solution {name}" for name in ("beta", "gamma")]
+    assert [d["name"] for d in found["designs"]] == [
+        f"R753IE4 counter-shaft, solution {name}" for name in ("beta", "gamma")
+    ]
     assert all(len(d["sha256"]) == 64 for d in found["designs"])
     length = next(d for d in found["inputs"] if d["key"] == "bearings.front.length_mm")
     assert length == {"key": "bearings.front.length_mm", "label": "Length", "unit": "mm", "a": 26.0, "b": 27.5}
@@ -119,7 +129,9 @@ def test_both_files_are_wrong_at_once(capsys, tmp_path) -> None:
     code, out, err = said(capsys, bad, tmp_path / "none.toml")
     assert code == 2 and out == ""
     lines = err.splitlines()
-    assert len(lines) == 2 and "engine.bore_mm: -1.0" in lines[0] and re.match(rf"{re.escape(str(bad))}:\d+: ", lines[0])
+    assert (
+        len(lines) == 2 and "engine.bore_mm: -1.0" in lines[0] and re.match(rf"{re.escape(str(bad))}:\d+: ", lines[0])
+    )
     assert "none.toml: cannot be read" in lines[1]
     code, _, err = said(capsys, bad, bad)
     assert code == 2 and len(err.splitlines()) == 1

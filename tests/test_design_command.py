@@ -10,9 +10,17 @@ from tests.command import run, run_apart
 from tests.conftest import DESIGNS
 
 FEW = (
-    "--vary", "countershaft.core_radius_mm=13:17:1", "bearings.rear.diameter_mm=84,85,86", "bearings.front.diameter_mm=58.5,62",
-    "countershaft.material=20CrNi4", "bearings.supply=hole", "--rows", "4", "--processes", "1",
-)  # fmt: skip
+    "--vary",
+    "countershaft.core_radius_mm=13:17:1",
+    "bearings.rear.diameter_mm=84,85,86",
+    "bearings.front.diameter_mm=58.5,62",
+    "countershaft.material=20CrNi4",
+    "bearings.supply=hole",
+    "--rows",
+    "4",
+    "--processes",
+    "1",
+)
 
 
 @pytest.fixture
@@ -39,7 +47,9 @@ def test_the_files_hold_what_the_table_shows(copy, tmp_path):
         assert values["friction.crank_power"] == pytest.approx(float(rows[n - 1]["power [W]"]), rel=1e-6)
         assert "# engine manual" in drive.read_text(encoding="utf-8")
     again, first = run("design", copy, "--out", out, *FEW).stdout, "first drive that passes: "
-    assert [x for x in again.splitlines() if first not in x] == [x for x in done.stdout.splitlines() if first not in x]  # from what it kept
+    assert [x for x in again.splitlines() if first not in x] == [
+        x for x in done.stdout.splitlines() if first not in x
+    ]  # from what it kept
     assert sum(first in x for x in done.stdout.splitlines()) == 1
 
 
@@ -48,14 +58,17 @@ def test_a_drive_is_picked_into_the_file_or_another(copy, tmp_path):
     before = copy.read_text(encoding="utf-8")
     run("design", copy, "--out", out, *FEW)
     assert run("design", copy, "--out", out, "--pick", 2, "-o", other).returncode == 0
-    assert copy.read_text(encoding="utf-8") == before and other.read_text(encoding="utf-8") == (out / "002.toml").read_text(
-        encoding="utf-8"
-    )
+    assert copy.read_text(encoding="utf-8") == before and other.read_text(encoding="utf-8") == (
+        out / "002.toml"
+    ).read_text(encoding="utf-8")
     picked = run("design", copy, "--out", out, "--pick", 1)
     assert picked.returncode == 0 and "drive 1" in picked.stdout
     assert copy.with_suffix(".toml.bak").read_text(encoding="utf-8") == before
     assert run("design", copy, "--out", out, "--pick", 2).returncode == 0  # another one of the same front
-    copy.write_text(copy.read_text(encoding="utf-8").replace("overdesign_percent = 1.9", "overdesign_percent = 2.5"), encoding="utf-8")
+    copy.write_text(
+        copy.read_text(encoding="utf-8").replace("overdesign_percent = 1.9", "overdesign_percent = 2.5"),
+        encoding="utf-8",
+    )
     refused = run("design", copy, "--out", out, "--pick", 1)
     assert refused.returncode == 2 and "another version" in refused.stderr
     assert run("design", copy, "--out", out, "--pick", 99).returncode == 2
@@ -64,7 +77,19 @@ def test_a_drive_is_picked_into_the_file_or_another(copy, tmp_path):
 
 def test_when_the_time_is_up_the_drives_that_are_known_are_kept(copy, tmp_path):
     out = tmp_path / "drive"
-    done = run("design", copy, "--out", out, *FEW[:-4], "--vary", "countershaft.material=20CrNi4,ADI", "--processes", "1", "--time", "0.1")
+    done = run(
+        "design",
+        copy,
+        "--out",
+        out,
+        *FEW[:-4],
+        "--vary",
+        "countershaft.material=20CrNi4,ADI",
+        "--processes",
+        "1",
+        "--time",
+        "0.1",
+    )
     assert done.returncode == 0 and "stopped at 1 of 2 classes" in done.stdout and "Not exhaustive" in done.stdout
     assert (out / "001.toml").exists() and not json.loads((out / "front.json").read_text(encoding="utf-8"))["proved"]
     assert run("report", out / "001.toml", "-o", tmp_path / "r.pdf").returncode == 0
@@ -99,7 +124,9 @@ def test_what_it_can_not_do_is_said(copy, tmp_path, asked, said):
 
 
 def test_where_nothing_passes_it_ends_with_3_and_says_what_would_help(copy, tmp_path):
-    done = run("design", copy, "--out", tmp_path / "d", *FEW[:-2], "--most", "seat_mm=84", "--least", "margin_percent=40")
+    done = run(
+        "design", copy, "--out", tmp_path / "d", *FEW[:-2], "--most", "seat_mm=84", "--least", "margin_percent=40"
+    )
     assert done.returncode == 3 and "nothing passes" in done.stderr
     assert "lacks a margin" in done.stderr and "bearings.rear.diameter_mm" in done.stderr
     assert not list((tmp_path / "d").glob("*.toml"))

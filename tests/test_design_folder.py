@@ -14,10 +14,21 @@ from tests.command import run, run_apart
 from tests.conftest import DESIGNS, ROOT
 
 ONE = (
-    "--vary", "countershaft.core_radius_mm=15", "bearings.rear.diameter_mm=85,86", "bearings.front.diameter_mm=60",
-    "bearings.front.length_mm=36,37,38", "bearings.rear.length_mm=29,30,31", "countershaft.material=20CrNi4", "bearings.supply=hole",
-    "--rows", "3", "--processes", "1", "--objectives", "power,mass",
-)  # fmt: skip
+    "--vary",
+    "countershaft.core_radius_mm=15",
+    "bearings.rear.diameter_mm=85,86",
+    "bearings.front.diameter_mm=60",
+    "bearings.front.length_mm=36,37,38",
+    "bearings.rear.length_mm=29,30,31",
+    "countershaft.material=20CrNi4",
+    "bearings.supply=hole",
+    "--rows",
+    "3",
+    "--processes",
+    "1",
+    "--objectives",
+    "power,mass",
+)
 TEXT = (DESIGNS / "r753ie4_sized.toml").read_text(encoding="utf-8")
 
 
@@ -78,14 +89,23 @@ def test_the_users_file_as_it_is_saved_in_any_notation(tmp_path):
     own.write_bytes(b"\xef\xbb\xbf" + TEXT.replace("\n", "\r\n").encode())
     assert run("design", own, "--out", tmp_path / "d", *ONE).returncode == 0
     drive = (tmp_path / "d" / "001.toml").read_bytes()
-    assert drive.startswith(b"\xef\xbb\xbf") and drive.count(b"\n") == drive.count(b"\r\n") and b"# engine manual" in drive
+    assert (
+        drive.startswith(b"\xef\xbb\xbf") and drive.count(b"\n") == drive.count(b"\r\n") and b"# engine manual" in drive
+    )
     assert run("check", tmp_path / "d" / "001.toml").returncode == 0
 
 
 def started(own, out, *more):
     env = {**os.environ, "PYTHONPATH": str(ROOT), "PYTHONUNBUFFERED": "1"}
-    return subprocess.Popen([sys.executable, "-m", "assistant", "design", str(own), "--out", str(out), *map(str, more)], env=env, cwd=ROOT,
-        stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, start_new_session=True)  # fmt: skip
+    return subprocess.Popen(
+        [sys.executable, "-m", "assistant", "design", str(own), "--out", str(out), *map(str, more)],
+        env=env,
+        cwd=ROOT,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+        start_new_session=True,
+    )
 
 
 def children(pid):
@@ -97,10 +117,16 @@ def children(pid):
 
 
 MANY = (
-    "--vary", "countershaft.core_radius_mm=13:17:1", "bearings.rear.diameter_mm=84,85,86", "bearings.front.diameter_mm=58.5,62",
-    "countershaft.material=20CrNi4,ADI", "bearings.supply=hole,shaft", "bearings.fits=IT7/IT7,IT6/IT6",
-    "--rows", "6",
-)  # fmt: skip
+    "--vary",
+    "countershaft.core_radius_mm=13:17:1",
+    "bearings.rear.diameter_mm=84,85,86",
+    "bearings.front.diameter_mm=58.5,62",
+    "countershaft.material=20CrNi4,ADI",
+    "bearings.supply=hole,shaft",
+    "bearings.fits=IT7/IT7,IT6/IT6",
+    "--rows",
+    "6",
+)
 
 
 @pytest.mark.slow
@@ -137,7 +163,9 @@ def test_a_worker_that_is_killed_costs_nothing_but_time(tmp_path):
     assert run("design", own, "--out", tmp_path / "e", *MANY, "--processes", 1).returncode == 0
     assert (out / "front.csv").read_bytes() == (tmp_path / "e" / "front.csv").read_bytes()
     time.sleep(0.2)
-    assert not [pid for pid in workers if os.path.exists(f"/proc/{pid}/cmdline") and open(f"/proc/{pid}/cmdline", "rb").read()]
+    assert not [
+        pid for pid in workers if os.path.exists(f"/proc/{pid}/cmdline") and open(f"/proc/{pid}/cmdline", "rb").read()
+    ]
 
 
 @pytest.mark.slow

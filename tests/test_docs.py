@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The documents: what is generated is as the program has it now, links lead somewhere, the site builds, every command line runs."""
+"""The documents: what is generated is as the program has it now, links lead somewhere, the site builds, every command
+line runs."""
 
 import importlib.util
 import re
@@ -22,7 +23,8 @@ NEVER = ("serve",)  # stays; the session likewise, which is a line without a com
 
 
 def commands():
-    """Every command line of a page, with the page; lines of a page follow from one another, since some write what others read."""
+    """Every command line of a page, with the page; lines of a page follow from one another, since some write what
+    others read."""
     for path in PAGES:
         lines = [" ".join(line.split("   ")[0].split()) for line in COMMAND.findall(path.read_text(encoding="utf-8"))]
         lines = [line for line in lines if "FILE" not in line and "…" not in line]
@@ -42,7 +44,9 @@ def test_what_is_generated_is_as_the_program_has_it(generated):
     assert len(generated) >= 10
     for name, text in generated.items():
         assert (DOCS / name).read_text(encoding="utf-8") == text, f"{name}: `python docs/generate.py` writes it anew"
-    assert {path.name for path in (DOCS / "theory").glob("*.md")} == {name[7:] for name in generated if name.startswith("theory/")}
+    assert {path.name for path in (DOCS / "theory").glob("*.md")} == {
+        name[7:] for name in generated if name.startswith("theory/")
+    }
 
 
 @pytest.mark.parametrize("path", PAGES, ids=lambda path: path.name)
@@ -52,14 +56,19 @@ def test_links_lead_somewhere(path):
 
 
 def test_the_readme_is_a_page():
-    assert all(len((ROOT / name).read_text(encoding="utf-8").splitlines()) <= 150 for name in ("README.md", "README.it.md"))
+    assert all(
+        len((ROOT / name).read_text(encoding="utf-8").splitlines()) <= 150 for name in ("README.md", "README.it.md")
+    )
 
 
 def test_the_site_builds_strictly(tmp_path):
     pytest.importorskip("mkdocs")
     pytest.importorskip("material")
     done = subprocess.run(
-        [sys.executable, "-m", "mkdocs", "build", "-q", "-d", str(tmp_path / "site")], cwd=ROOT, capture_output=True, text=True
+        [sys.executable, "-m", "mkdocs", "build", "-q", "-d", str(tmp_path / "site")],
+        cwd=ROOT,
+        capture_output=True,
+        text=True,
     )
     assert done.returncode == 0, done.stderr
     assert (tmp_path / "site" / "theory" / "gears.html").is_file()
@@ -79,7 +88,9 @@ def _run(lines, folder):
 
 @pytest.mark.parametrize("page, lines", list(commands()), ids=lambda x: x if isinstance(x, str) else "")
 def test_every_quick_command_line_runs(page, lines, tmp_path):
-    _run([line for line in lines if line.split()[1:2] and line.split()[1] not in SLOW and "drive" not in line], tmp_path)
+    _run(
+        [line for line in lines if line.split()[1:2] and line.split()[1] not in SLOW and "drive" not in line], tmp_path
+    )
 
 
 @pytest.mark.slow

@@ -116,7 +116,8 @@ def test_a_shaft_without_outline_says_what_to_add(capsys, tmp_path, design):
     assert "[[countershaft.sections]]" in errors and "core_radius_mm" in errors
 
 
-# --- gears ----------------------------------------------------------------------------------------------------------------
+# --- gears
+# ----------------------------------------------------------------------------------------------------------------
 def layers(path):
     document = ezdxf.readfile(path)
     assert not document.audit().errors
@@ -145,7 +146,9 @@ def test_a_coarser_chord_error_gives_fewer_points(capsys, tmp_path):
         sizes.append(len(layers(tmp_path / "o.dxf").query('LWPOLYLINE[layer=="PROFILE"]')[0]))
     assert sizes[0] > sizes[1] > sizes[2]
     assert run(capsys, "export", GAMMA, "--gear", "idler", "-o", tmp_path / "o.dxf")[0] == 0
-    assert len(layers(tmp_path / "o.dxf").query('LWPOLYLINE[layer=="PROFILE"]')[0]) == sizes[1]  # 1 µm if nothing is said
+    assert (
+        len(layers(tmp_path / "o.dxf").query('LWPOLYLINE[layer=="PROFILE"]')[0]) == sizes[1]
+    )  # 1 µm if nothing is said
 
 
 def test_the_whole_train_is_drawn(capsys, tmp_path):
@@ -183,14 +186,19 @@ def test_positions_that_the_layout_finds_are_drawn(capsys, tmp_path):
     assert [abs(b - a) for a, b in pairwise(places)] == pytest.approx([65.80804653, 80.555, 68.698], abs=1e-6)
 
 
-@pytest.mark.parametrize("arguments, said", [
-    (("--gear", "nobody", "-o", "o.dxf"), "the wheels are crank, central, idler, shaft"),
-    (("--gear", "idler", "-o", "o.csv"), "is for a drawing"), (("--gears", "--json", "-o", "o.json"), "is for a drawing"),
-    (("--gear", "idler", "--chord-error", "0", "-o", "o.dxf"), "must lie between"),
-    (("--gear", "idler", "--chord-error", "nan", "-o", "o.dxf"), "must lie between"),
-    (("--gear", "idler", "--chord-error", "few", "-o", "o.dxf"), "invalid float"),
-    (("--gear", "idler", "--gears", "-o", "o.dxf"), "not allowed with"), (("--chord-error", "2", "-o", "o.dxf"), "is for gears"),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    "arguments, said",
+    [
+        (("--gear", "nobody", "-o", "o.dxf"), "the wheels are crank, central, idler, shaft"),
+        (("--gear", "idler", "-o", "o.csv"), "is for a drawing"),
+        (("--gears", "--json", "-o", "o.json"), "is for a drawing"),
+        (("--gear", "idler", "--chord-error", "0", "-o", "o.dxf"), "must lie between"),
+        (("--gear", "idler", "--chord-error", "nan", "-o", "o.dxf"), "must lie between"),
+        (("--gear", "idler", "--chord-error", "few", "-o", "o.dxf"), "invalid float"),
+        (("--gear", "idler", "--gears", "-o", "o.dxf"), "not allowed with"),
+        (("--chord-error", "2", "-o", "o.dxf"), "is for gears"),
+    ],
+)
 def test_gears_that_can_not_be_drawn_are_refused(capsys, arguments, said, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     code, _, errors = run(capsys, "export", GAMMA, *arguments)
@@ -206,11 +214,18 @@ def test_a_design_with_neither_shaft_nor_gears_says_so(capsys, tmp_path, design)
     assert code == 2 and "add [gears]" in errors and not out.exists()
 
 
-# --- what is refused -----------------------------------------------------------------------------------------------------
-@pytest.mark.parametrize("arguments, said", [
-    (("-o", "out.xyz"), ".xyz is not known"), (("-o", "out"), "has no ending"), (("--dxf", "-o", "out.csv"), "--dxf writes .dxf"),
-    (("--json", "-o", "out"), "--json writes .json"), (("--csv", "-o", "design.toml"), "--csv writes .csv"),
-])  # fmt: skip
+# --- what is refused
+# -----------------------------------------------------------------------------------------------------
+@pytest.mark.parametrize(
+    "arguments, said",
+    [
+        (("-o", "out.xyz"), ".xyz is not known"),
+        (("-o", "out"), "has no ending"),
+        (("--dxf", "-o", "out.csv"), "--dxf writes .dxf"),
+        (("--json", "-o", "out"), "--json writes .json"),
+        (("--csv", "-o", "design.toml"), "--csv writes .csv"),
+    ],
+)
 def test_other_endings_are_refused(capsys, arguments, said, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     code, _, errors = run(capsys, "export", GAMMA, *arguments)

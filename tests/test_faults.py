@@ -1,4 +1,5 @@
-"""A fault of the program itself is no verdict: exit 70, one line, a trace that is kept; Ctrl-C is quiet at any moment."""
+"""A fault of the program itself is no verdict: exit 70, one line, a trace that is kept; Ctrl-C is quiet at any
+moment."""
 
 import os
 import random
@@ -34,7 +35,12 @@ def test_a_fault_is_told_in_one_line_and_its_trace_is_kept(tmp_path: Path) -> No
     done = broken(tmp_path)
     (trace,) = tmp_path.glob("contralbero/faults/*.txt")
     assert done.returncode == 70 and not done.stdout
-    assert done.stderr.count("\n") == 1 and str(trace) in done.stderr and "Traceback" not in done.stderr and "\x1b" not in done.stderr
+    assert (
+        done.stderr.count("\n") == 1
+        and str(trace) in done.stderr
+        and "Traceback" not in done.stderr
+        and "\x1b" not in done.stderr
+    )
     assert "KeyError" in trace.read_text(encoding="utf-8") and "in solve" in trace.read_text(encoding="utf-8")
 
 
@@ -60,7 +66,9 @@ def test_ctrl_c_is_quiet_at_any_moment() -> None:
     chance = random.Random(7)
     env = {**os.environ, "PYTHONPATH": str(ROOT)}
     for _ in range(12):
-        one = subprocess.Popen([sys.executable, "-c", READY], stdout=subprocess.PIPE, stderr=subprocess.PIPE, cwd=ROOT, env=env)
+        one = subprocess.Popen(
+            [sys.executable, "-c", READY], stdout=subprocess.PIPE, stderr=subprocess.PIPE, cwd=ROOT, env=env
+        )
         assert one.stdout is not None and one.stdout.readline() == b"ready\n"
         time.sleep(chance.uniform(0, 0.5))
         one.send_signal(signal.SIGINT)

@@ -14,14 +14,21 @@ HEAVY = ("scipy", "matplotlib", "reportlab", "rich", "textual", "tomlkit", "pypd
 
 def loaded(code: str) -> set[str]:
     """The top-level modules that are loaded after running `code` in a fresh process."""
-    script = f"import sys, json, io, contextlib\nwith contextlib.redirect_stdout(io.StringIO()):\n    {code}\nprint(json.dumps(sorted(sys.modules)))"
+    script = (
+        f"import sys, json, io, contextlib\nwith contextlib.redirect_stdout(io.StringIO()):\n    "
+        f"{code}\nprint(json.dumps(sorted(sys.modules)))"
+    )
     done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, cwd=ROOT, check=True)
     return {name.split(".")[0] for name in json.loads(done.stdout)}
 
 
 @pytest.mark.parametrize(
     "arguments",
-    [["check", str(GAMMA)], ["check", str(GAMMA), "--json"], ["replay", *map(str, sorted((ROOT / "tests" / "replays").glob("*.toml")))]],
+    [
+        ["check", str(GAMMA)],
+        ["check", str(GAMMA), "--json"],
+        ["replay", *map(str, sorted((ROOT / "tests" / "replays").glob("*.toml")))],
+    ],
 )
 def test_headless_commands_load_numpy_and_no_more(arguments):
     names = loaded(f"from assistant.cli import main; main({arguments!r})")
@@ -40,9 +47,10 @@ def test_inputs_can_be_read_without_numpy():
     assert "numpy" not in loaded(f"from calc.design.toml_file import load; load({str(GAMMA)!r})")
 
 
-@pytest.mark.parametrize("package, forbidden", [
-    ("calc", {"assistant", "reports", *HEAVY} - {"scipy", "tomli_w"}), ("reports", {"assistant", "textual", "rich"}),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    "package, forbidden",
+    [("calc", {"assistant", "reports", *HEAVY} - {"scipy", "tomli_w"}), ("reports", {"assistant", "textual", "rich"})],
+)
 def test_imports_go_one_way(package, forbidden):
     seen = {name: {n.split(".")[0] for n in imported(name, path)} for name, path in modules(ROOT, package).items()}
     assert package in set.union(*seen.values())  # its own relative imports are resolved
@@ -50,9 +58,15 @@ def test_imports_go_one_way(package, forbidden):
 
 
 def test_scipy_is_loaded_only_where_it_is_used():
-    paths = {name: path for name, path in modules(ROOT, "calc").items() if "__main__" not in path.read_text(encoding="utf-8")}
+    paths = {
+        name: path for name, path in modules(ROOT, "calc").items() if "__main__" not in path.read_text(encoding="utf-8")
+    }
     assert any("scipy" in n for name, path in paths.items() for n in imported(name, path))
-    assert [name for name, path in paths.items() if any(n.split(".")[0] == "scipy" for n in imported(name, path, top_only=True))] == []
+    assert [
+        name
+        for name, path in paths.items()
+        if any(n.split(".")[0] == "scipy" for n in imported(name, path, top_only=True))
+    ] == []
 
 
 STEPS = ("engine", "imbalance", "gears", "countershaft", "bearings", "friction")  # in the order of computing
@@ -60,7 +74,8 @@ STEPS = ("engine", "imbalance", "gears", "countershaft", "bearings", "friction")
 
 @pytest.mark.parametrize("step", STEPS)
 def test_a_step_knows_neither_the_design_nor_a_later_step(step):
-    """A step may read inputs and results that are there before it in the order of computing; it never solves another."""
+    """A step may read inputs and results that are there before it in the order of computing; it never solves
+    another."""
     paths = modules(ROOT, f"calc.{step}")
     later = {f"calc.{other}.solve" for other in STEPS[STEPS.index(step) + 1 :]} | {"calc.design.model", "calc.solve"}
     seen = {name: set(imported(name, path)) for name, path in paths.items()}
@@ -69,7 +84,10 @@ def test_a_step_knows_neither_the_design_nor_a_later_step(step):
 
 
 def test_the_sheet_knows_no_engine():
-    seen = {name: {n for n in imported(name, path) if n.split(".")[0] == "calc"} for name, path in modules(ROOT, "calc.sheet").items()}
+    seen = {
+        name: {n for n in imported(name, path) if n.split(".")[0] == "calc"}
+        for name, path in modules(ROOT, "calc.sheet").items()
+    }
     assert any(seen.values())
     assert {n for names in seen.values() for n in names if not f"{n}.".startswith("calc.sheet.")} == set()
 
@@ -96,18 +114,32 @@ def package_of(tmp_path, **files):
     return modules(tmp_path, "house")
 
 
-@pytest.mark.parametrize("back", [
-    "from . import door", "from .door import knob", "import house.door", "from house.door import knob", "from house import door",
-    "def open():\n    from .door import knob", "if TYPE_CHECKING:\n    from .door import knob",
-    "class Roof:\n    async def lift(self):\n        import house.door",
-])  # fmt: skip
+@pytest.mark.parametrize(
+    "back",
+    [
+        "from . import door",
+        "from .door import knob",
+        "import house.door",
+        "from house.door import knob",
+        "from house import door",
+        "def open():\n    from .door import knob",
+        "if TYPE_CHECKING:\n    from .door import knob",
+        "class Roof:\n    async def lift(self):\n        import house.door",
+    ],
+)
 def test_the_scan_finds_a_circle(tmp_path, back):
-    assert circles(graph(package_of(tmp_path, door="from .roof import tile", roof=back))) == [{"house.door", "house.roof"}]
+    assert circles(graph(package_of(tmp_path, door="from .roof import tile", roof=back))) == [
+        {"house.door", "house.roof"}
+    ]
 
 
 def test_the_scan_finds_no_circle_where_there_is_none(tmp_path):
     paths = package_of(
-        tmp_path, door="from . import roof\nfrom .room import bed", roof="", room__in__bed="from .. import roof", room__in____init__=""
+        tmp_path,
+        door="from . import roof\nfrom .room import bed",
+        roof="",
+        room__in__bed="from .. import roof",
+        room__in____init__="",
     )
     assert circles(graph(paths)) == []
     assert graph(paths)["house.door"] == {"house.roof", "house.room.bed"}
@@ -125,7 +157,10 @@ def test_the_scan_finds_a_long_circle_through_a_package(tmp_path):
 
 
 def test_the_scan_tells_what_is_loaded_from_what_is_only_named(tmp_path):
-    text = "import a\nif TYPE_CHECKING:\n    import b\nelse:\n    import c\ndef f():\n    import d\nclass C:\n    import e\ntry:\n    import g\nexcept ImportError:\n    pass"
+    text = (
+        "import a\nif TYPE_CHECKING:\n    import b\nelse:\n    import c\ndef f():\n    import d\nclass C:\n    "
+        "import e\ntry:\n    import g\nexcept ImportError:\n    pass"
+    )
     path = package_of(tmp_path, door=text)["house.door"]
     assert set(imported("house.door", path, top_only=True)) == {"a", "c", "e", "g"}
     assert set(imported("house.door", path)) == {"a", "b", "c", "d", "e", "g"}

@@ -21,7 +21,9 @@ def property_tests(file):
         return isinstance(decorator, ast.Call) and isinstance(decorator.func, ast.Name) and decorator.func.id == "given"
 
     tree = ast.parse((ROOT / file).read_text(encoding="utf-8"))
-    return {node.name for node in tree.body if isinstance(node, ast.FunctionDef) and any(map(given, node.decorator_list))}
+    return {
+        node.name for node in tree.body if isinstance(node, ast.FunctionDef) and any(map(given, node.decorator_list))
+    }
 
 
 def test_there_are_fifty_and_as_many_as_the_page_says():

@@ -12,10 +12,14 @@ from tests.test_imports import loaded
 
 SECTION = (ROOT / "docs" / "python.md").read_text(encoding="utf-8")
 BLOCKS = [
-    re.sub("^    ", "", block, flags=re.MULTILINE) for block in re.findall(r"(?:^    .*\n|^\n(?=    ))+", SECTION, flags=re.MULTILINE)
+    re.sub("^    ", "", block, flags=re.MULTILINE)
+    for block in re.findall(r"(?:^    .*\n|^\n(?=    ))+", SECTION, flags=re.MULTILINE)
 ]
 ROWS = re.findall(r"^\| `(.+?)` \| .+? \| (\S*).*\|$", SECTION, flags=re.MULTILINE)
-PACKAGES = ("calc", *(f"calc.{step}" for step in ("engine", "imbalance", "countershaft", "bearings", "gears", "friction")))
+PACKAGES = (
+    "calc",
+    *(f"calc.{step}" for step in ("engine", "imbalance", "countershaft", "bearings", "gears", "friction")),
+)
 
 
 @pytest.fixture(scope="module")
@@ -36,7 +40,9 @@ def test_a_row_of_the_page_runs(names, call, number):
 def test_every_step_has_rows():
     assert len(ROWS) >= 13
     assert all(
-        any(call.startswith(f"{package.removeprefix('calc.')}.") for call, _ in ROWS) for package in PACKAGES[1:] if package != "calc.gears"
+        any(call.startswith(f"{package.removeprefix('calc.')}.") for call, _ in ROWS)
+        for package in PACKAGES[1:]
+        if package != "calc.gears"
     )
 
 
@@ -86,9 +92,16 @@ def test_one_operating_point_and_an_array_agree():
 
 def test_a_film_that_is_warm_has_the_clearance_of_its_temperature():
     given = dict(
-        diameter=0.0595, length=0.0275, clearance=80e-6, load=1707.0, speed=43.33, oil="SAE 50", supply_temperature=100.0,
-        journal="20CrNi4", housing="EN AC-43100",
-    )  # fmt: skip
+        diameter=0.0595,
+        length=0.0275,
+        clearance=80e-6,
+        load=1707.0,
+        speed=43.33,
+        oil="SAE 50",
+        supply_temperature=100.0,
+        journal="20CrNi4",
+        housing="EN AC-43100",
+    )
     cold, warm = calc.bearings.solve_film(**given, warm=False), calc.bearings.solve_film(**given)
     assert cold.clearance == 80e-6 < warm.clearance
     assert warm.eccentricity > cold.eccentricity

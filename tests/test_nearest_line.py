@@ -27,7 +27,8 @@ def check(capsys: pytest.CaptureFixture[str], *arguments: str) -> tuple[int, lis
         pytest.param([str(GAMMA), "--step", "bearings"], marks=pytest.mark.slow),
         [str(GAMMA), "--step", "gears", "--set", "bearings.oil=SAE 10W"],
         pytest.param(
-            [str(GAMMA), "--set", "bearings.front.length_mm=20", "gears.wheels.idler.span_allowance_um=[-5,-15]"], marks=pytest.mark.slow
+            [str(GAMMA), "--set", "bearings.front.length_mm=20", "gears.wheels.idler.span_allowance_um=[-5,-15]"],
+            marks=pytest.mark.slow,
         ),
         [str(DESIGNS / "r753ie4_sized.toml"), "--set", "countershaft.outer_radius_mm=38"],  # no solution: exit 3
     ],
@@ -100,7 +101,9 @@ def test_where_there_is_none_the_last_line_says_what_still_fails(capsys: pytest.
     assert lines[-1].startswith("no passing design found: gears") and " still fails: " in lines[-1]
 
 
-def test_a_search_that_takes_too_long_is_ended_and_said(capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_search_that_takes_too_long_is_ended_and_said(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
     monkeypatch.setattr("assistant.commands.check.SEARCH_SECONDS", 0)
     code, lines = check(capsys, str(GAMMA))
     assert code == 1 and lines[-1] == "no passing design found in 0 s; --step STEP looks for one step alone"

@@ -21,8 +21,18 @@ def test_one_oil_value_by_value():
     done = run("oils", "friction thesis 10W40")
     assert done.returncode == 0 and done.stderr == ""
     words = " ".join(done.stdout.split())
-    for expected in ("93.27 mm²/s high", "14 mm²/s medium", "0.144 W/(m·K) high", "viscosity index about 153", "Viscosity index 154",
-                     "40 93.27 78.04", "120 9.289 7.361", "128.58 78.037", "rejected", "SAE 50; the oil has 14, SAE 40"):  # fmt: skip
+    for expected in (
+        "93.27 mm²/s high",
+        "14 mm²/s medium",
+        "0.144 W/(m·K) high",
+        "viscosity index about 153",
+        "Viscosity index 154",
+        "40 93.27 78.04",
+        "120 9.289 7.361",
+        "128.58 78.037",
+        "rejected",
+        "SAE 50; the oil has 14, SAE 40",
+    ):
         assert expected in words, expected
     assert max(map(len, done.stdout.splitlines())) <= 118
 
@@ -42,7 +52,13 @@ def test_as_json():
 
 
 @pytest.mark.parametrize(
-    "name, words", [("5W30", 'did you mean "5W-30"?'), ("sae 40", 'did you mean "SAE 40"?'), ("water", "known are"), ("", "known are")]
+    "name, words",
+    [
+        ("5W30", 'did you mean "5W-30"?'),
+        ("sae 40", 'did you mean "SAE 40"?'),
+        ("water", "known are"),
+        ("", "known are"),
+    ],
 )
 def test_an_unknown_oil_is_said_with_the_nearest(name, words):
     done = run("oils", name)

@@ -1,4 +1,5 @@
-"""Text that leaves: user's text is never obeyed, no encoding is too small, a full device and a closed pipe end the program quietly."""
+"""Text that leaves: user's text is never obeyed, no encoding is too small, a full device and a closed pipe end the
+program quietly."""
 
 import json
 import os
@@ -25,13 +26,19 @@ def shell(line: str, **environment: str) -> subprocess.CompletedProcess[bytes]:
 
 @pytest.mark.parametrize("letter", BAD)
 def test_what_can_not_be_seen_is_written_as_json_writes_it(letter: str) -> None:
-    assert visible(f"a{letter}b") == f"a{json.dumps(letter)[1:-1] if letter not in 'x' else letter}b".replace("\\b", "\\u0008")
+    assert visible(f"a{letter}b") == f"a{json.dumps(letter)[1:-1] if letter not in 'x' else letter}b".replace(
+        "\\b", "\\u0008"
+    )
     assert visible(f"a{letter}b", lines=True) == visible(f"a{letter}b")
 
 
 def test_what_can_be_seen_stays() -> None:
     text = "Überlänge −5·10⁻³ µm [red] 设计 مرحبا 🙂 \\u202e"
-    assert visible(text) is text and visible("two\n\tlines", lines=True) == "two\n\tlines" and visible("two\nlines") == "two\\u000alines"
+    assert (
+        visible(text) is text
+        and visible("two\n\tlines", lines=True) == "two\n\tlines"
+        and visible("two\nlines") == "two\\u000alines"
+    )
     assert len(UNSEEN) > 20
 
 
@@ -40,7 +47,9 @@ def bad_design(tmp_path: Path) -> Path:
     """The source's design with names and a note that a terminal would obey."""
     bad = json.dumps("".join(letter for letter in BAD if not "\ud800" <= letter <= "\udfff") + "[red]name[/red]")
     bad = bad.replace("\\udb40\\udc41", "\\U000e0041")
-    text = GAMMA.read_text(encoding="utf-8").replace('name = "R753IE4 counter-shaft, solution gamma"', f"name = {bad}\n", 1)
+    text = GAMMA.read_text(encoding="utf-8").replace(
+        'name = "R753IE4 counter-shaft, solution gamma"', f"name = {bad}\n", 1
+    )
     assert bad in text
     text = text.replace('name = "VM Motori R753IE4"', f"name = {bad}").replace(
         "\n[engine]", '\n[accepted]\n"a\\u001bb" = "\\u009b2J"\n\n[engine]', 1
@@ -55,7 +64,9 @@ def unseen(text: str) -> list[str]:
 
 
 @pytest.mark.parametrize(
-    "words", [["check"], ["check", "--all"], ["check", "--json"], ["explain", "countershaft.couple"], ["compare"], ["set"]], ids=" ".join
+    "words",
+    [["check"], ["check", "--all"], ["check", "--json"], ["explain", "countershaft.couple"], ["compare"], ["set"]],
+    ids=" ".join,
 )
 def test_nothing_of_a_design_is_obeyed(bad_design: Path, words: list[str]) -> None:
     command, *rest = words
@@ -76,7 +87,9 @@ def test_a_name_is_no_line_of_its_own(bad_design: Path) -> None:
 
 
 def test_errors_show_keys_values_and_file_names_in_one_line(bad_design: Path, tmp_path: Path) -> None:
-    bad_design.write_text('schema = 1\nname = "x"\n"k\\u001b\\ney" = 1\n[engine]\nlayout = "a\\u202e\\nFAKE: line"\n', encoding="utf-8")
+    bad_design.write_text(
+        'schema = 1\nname = "x"\n"k\\u001b\\ney" = 1\n[engine]\nlayout = "a\\u202e\\nFAKE: line"\n', encoding="utf-8"
+    )
     done = run("check", bad_design)
     assert done.returncode == 2 and not unseen(done.stderr)
     assert r"k\u001b\u000aey" in done.stderr and r"a\u202e\u000aFAKE: line" in done.stderr
@@ -86,13 +99,17 @@ def test_errors_show_keys_values_and_file_names_in_one_line(bad_design: Path, tm
 
 @pytest.mark.skipif(os.name != "posix", reason="names of bytes, and devices")
 def test_a_file_name_that_is_no_text(tmp_path: Path) -> None:
-    done = subprocess.run([*PROGRAM, "check", os.fsencode(tmp_path) + b"/no\xff\x1b.toml"], capture_output=True, cwd=ROOT, env=ENVIRONMENT)
+    done = subprocess.run(
+        [*PROGRAM, "check", os.fsencode(tmp_path) + b"/no\xff\x1b.toml"], capture_output=True, cwd=ROOT, env=ENVIRONMENT
+    )
     assert done.returncode == 2 and rb"no\udcff\u001b.toml" in done.stderr and b"Traceback" not in done.stderr
 
 
 @pytest.mark.parametrize("encoding", ["ascii", "cp1252", "utf-8", "ascii:strict"])
 def test_any_encoding_will_do(encoding: str) -> None:
-    done = subprocess.run([*PROGRAM, "check", str(PAIR)], capture_output=True, cwd=ROOT, env=ENVIRONMENT | {"PYTHONIOENCODING": encoding})
+    done = subprocess.run(
+        [*PROGRAM, "check", str(PAIR)], capture_output=True, cwd=ROOT, env=ENVIRONMENT | {"PYTHONIOENCODING": encoding}
+    )
     assert done.returncode == 0 and not done.stderr
     text = done.stdout.decode(encoding.partition(":")[0])
     assert ("−20.16" if encoding == "utf-8" else "-20.16") in text, "a number keeps its sign"

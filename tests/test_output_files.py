@@ -16,9 +16,15 @@ from tests.reports.test_title_block import png
 
 VARY = ["--vary", "engine.rated_speed_rpm=1000:2000:2", "--step", "imbalance"]
 EDITS = {
-    "engine.rod_length_mm": 163.5, "engine.piston_mass_g": 801.0, "engine.rod_mass_g": 1201.0, "bearings.front.length_mm": 31.0,
-    "bearings.rear.length_mm": 32.0, "bearings.supply_pressure_bar": 4.5, "engine.bore_mm": 94.5, "bearings.supply_temperature_C": 91.0,
-}  # fmt: skip
+    "engine.rod_length_mm": 163.5,
+    "engine.piston_mass_g": 801.0,
+    "engine.rod_mass_g": 1201.0,
+    "bearings.front.length_mm": 31.0,
+    "bearings.rear.length_mm": 32.0,
+    "bearings.supply_pressure_bar": 4.5,
+    "engine.bore_mm": 94.5,
+    "bearings.supply_temperature_C": 91.0,
+}
 
 
 @pytest.fixture
@@ -27,11 +33,19 @@ def design(tmp_path: Path) -> Path:
     return shutil.copy(GAMMA, tmp_path / "d.pdf")
 
 
-@pytest.mark.parametrize("arguments", [
-    ["sweep", "d.pdf", *VARY, "-o", "d.pdf"], ["sweep", "d.pdf", *VARY, "-o", "link"], ["report", "d.pdf", "-o", "d.pdf"], ["report", "d.pdf"],
-    ["compare", "d.pdf", "other.toml", "-o", "d.pdf"], ["compare", "other.toml", "d.pdf", "-o", "link"], ["export", "d.csv", "-o", "d.csv"],
-    ["design", "drive.toml", "--out", ".", "--pick", "1", "-o", "drive.toml"],
-])  # fmt: skip
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        ["sweep", "d.pdf", *VARY, "-o", "d.pdf"],
+        ["sweep", "d.pdf", *VARY, "-o", "link"],
+        ["report", "d.pdf", "-o", "d.pdf"],
+        ["report", "d.pdf"],
+        ["compare", "d.pdf", "other.toml", "-o", "d.pdf"],
+        ["compare", "other.toml", "d.pdf", "-o", "link"],
+        ["export", "d.csv", "-o", "d.csv"],
+        ["design", "drive.toml", "--out", ".", "--pick", "1", "-o", "drive.toml"],
+    ],
+)
 def test_no_command_writes_over_its_input(design: Path, arguments: list[str]) -> None:
     folder = design.parent
     shutil.copy(GAMMA, folder / "other.toml")
@@ -96,7 +110,9 @@ def test_edits_of_eight_runs_at_once_are_all_there(tmp_path: Path) -> None:
     assert sorted(one.name for one in tmp_path.iterdir()) == ["d.toml", "d.toml.bak"]
 
 
-def test_a_choice_is_not_written_over_what_another_program_wrote_meanwhile(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_choice_is_not_written_over_what_another_program_wrote_meanwhile(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     from assistant.commands import edit as choose
 
     path = shutil.copy(GAMMA, tmp_path / "d.toml")

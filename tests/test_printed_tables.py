@@ -12,9 +12,12 @@ from tests.conftest import GAMMA
 
 LONG = "counterweights on the crank that carry one half of all reciprocating masses"
 TABLE = Table(
-    "remedies", "Before and after", (("Remedy", ""), ("Couple left of first order", "N·m"), ("Phase", "°"), ("Said", "")),
-    (("none", 572.92134, 30, None), (LONG, float("inf"), -1.25e-7, "turns back"), ("shaft", float("nan"), None, "–")), "At rated speed.",
-)  # fmt: skip
+    "remedies",
+    "Before and after",
+    (("Remedy", ""), ("Couple left of first order", "N·m"), ("Phase", "°"), ("Said", "")),
+    (("none", 572.92134, 30, None), (LONG, float("inf"), -1.25e-7, "turns back"), ("shaft", float("nan"), None, "–")),
+    "At rated speed.",
+)
 
 
 def with_table():
@@ -37,14 +40,21 @@ def test_a_table_is_printed_with_aligned_columns():
         assert line.index(number) + len(number) == edges[column]
     for words, column in (("none", 0), ("turns back", 3), ("shaft", 0), ("–", 3)):
         assert any(line[starts[column] :].startswith(words) for line in body)
-    assert " ".join(line[starts[0] : edges[0]].strip() for line in body[1:-1]).split() == LONG.split(), "wrapped, not shortened"
+    assert " ".join(line[starts[0] : edges[0]].strip() for line in body[1:-1]).split() == LONG.split(), (
+        "wrapped, not shortened"
+    )
     assert all(len(line) <= 120 for line in lines) and "None" not in "".join(lines)
 
 
 def test_tables_without_rows_or_of_any_width_are_printed():
     wide = Table("w", "Wide", tuple((f"column {i}", "mm") for i in range(40)), (tuple(1000.5 + i for i in range(40)),))
     assert table_lines(wide)[-1].split() == [str(1000.5 + i) for i in range(40)]
-    assert [line.strip() for line in table_lines(replace(wide, rows=(), columns=(("A", "mm"),)))] == ["Wide", "A", "mm", "──"]
+    assert [line.strip() for line in table_lines(replace(wide, rows=(), columns=(("A", "mm"),)))] == [
+        "Wide",
+        "A",
+        "mm",
+        "──",
+    ]
 
 
 def test_check_prints_tables_after_the_values_of_their_step(capsys):
@@ -68,14 +78,17 @@ def test_tables_in_json():
         "engine.remedies": {
             "title": "Before and after",
             "columns": [
-                {"label": "Remedy", "unit": ""}, {"label": "Couple left of first order", "unit": "N·m"}, {"label": "Phase", "unit": "°"},
+                {"label": "Remedy", "unit": ""},
+                {"label": "Couple left of first order", "unit": "N·m"},
+                {"label": "Phase", "unit": "°"},
                 {"label": "Said", "unit": ""},
             ],
             "rows": [["none", 572.92134, 30, None], [LONG, None, -1.25e-7, "turns back"], ["shaft", None, None, "–"]],
             "note": "At rated speed.",
         }
-    }  # fmt: skip
+    }
     assert "engine.remedies" not in results_json(document, results, "gears")["tables"]
 
 
-# --- sweep and choose ---------------------------------------------------------------------------------------------------------
+# --- sweep and choose
+# ---------------------------------------------------------------------------------------------------------

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A replay of a stranger: what it writes it says, beside itself and over nothing but reports of this program; what it compares counts."""
+"""A replay of a stranger: what it writes it says, beside itself and over nothing but reports of this program; what it
+compares counts."""
 
 import os
 import shutil
@@ -37,7 +38,10 @@ def test_a_report_is_written_beside_the_replay_and_said_and_takes_the_place_of_o
     for other in (b"%PDF-1.7\n%%EOF\n", b"my own notes", appended, b""):
         out.write_bytes(other)
         refused = played(folder, REPORT + EXPECT)
-        assert refused.returncode == 2 and "out.pdf: is there, and is no report as this program writes it" in refused.stderr
+        assert (
+            refused.returncode == 2
+            and "out.pdf: is there, and is no report as this program writes it" in refused.stderr
+        )
         assert refused.stdout == "" and out.read_bytes() == other
 
 
@@ -68,4 +72,8 @@ def test_a_replay_that_compares_nothing_has_failed(folder: Path) -> None:
 def test_odd_names_are_bad_input(folder: Path) -> None:
     for line in ('report = "a\\u0000.pdf"', 'report = "../d.toml"', 'report = "d.toml"'):
         done = played(folder, f"[[step]]\n{line}\n" + EXPECT)
-        assert done.returncode == 2 and "r.toml:4: step.0.report: " in done.stderr and "must be the bare name" in done.stderr
+        assert (
+            done.returncode == 2
+            and "r.toml:4: step.0.report: " in done.stderr
+            and "must be the bare name" in done.stderr
+        )

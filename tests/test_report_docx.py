@@ -47,5 +47,8 @@ def test_what_does_not_go_together_is_refused(tmp_path: Path, capsys) -> None:
 
 
 def test_the_pdf_needs_none_of_it(tmp_path: Path) -> None:
-    names = loaded(f"from assistant.cli import main; main({['report', str(PAIR), '--depth', 'summary', '-o', str(tmp_path / 'a.pdf')]!r})")
+    names = loaded(
+        f"from assistant.cli import main; "
+        f"main({['report', str(PAIR), '--depth', 'summary', '-o', str(tmp_path / 'a.pdf')]!r})"
+    )
     assert "reportlab" in names and not names & {"docx", "pypdfium2", "lxml"}

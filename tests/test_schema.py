@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The JSON Schema of a design: every shipped design keeps it, it refuses what the program refuses of one key, and docs has it as it is."""
+"""The JSON Schema of a design: every shipped design keeps it, it refuses what the program refuses of one key, and docs
+has it as it is."""
 
 import json
 import os
@@ -77,7 +78,14 @@ def test_a_shell_is_told_what_may_come_next(line, wanted, tmp_path):
     """By the protocol of argcomplete, as its scripts speak it."""
     pytest.importorskip("argcomplete")
     told = tmp_path / "told"
-    environment = {**os.environ, "_ARGCOMPLETE": "1", "COMP_LINE": line, "COMP_POINT": str(len(line)), "COMP_TYPE": "9",
-                   "_ARGCOMPLETE_STDOUT_FILENAME": str(told), "_ARGCOMPLETE_IFS": "\n"}  # fmt: skip
+    environment = {
+        **os.environ,
+        "_ARGCOMPLETE": "1",
+        "COMP_LINE": line,
+        "COMP_POINT": str(len(line)),
+        "COMP_TYPE": "9",
+        "_ARGCOMPLETE_STDOUT_FILENAME": str(told),
+        "_ARGCOMPLETE_IFS": "\n",
+    }
     subprocess.run([sys.executable, "-m", "assistant"], env=environment, cwd=ROOT, capture_output=True, timeout=60)
     assert {word.strip() for word in told.read_text(encoding="utf-8").split("\n")} >= wanted

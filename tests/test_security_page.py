@@ -12,7 +12,18 @@ from tests.conftest import ROOT
 from tests.import_scan import imported, modules
 
 PAGE = (ROOT / "SECURITY.md").read_text(encoding="utf-8")
-OUTWARD = {"urllib.request", "http.client", "http.server", "ftplib", "smtplib", "socketserver", "xmlrpc", "requests", "httpx", "urllib3"}
+OUTWARD = {
+    "urllib.request",
+    "http.client",
+    "http.server",
+    "ftplib",
+    "smtplib",
+    "socketserver",
+    "xmlrpc",
+    "requests",
+    "httpx",
+    "urllib3",
+}
 SERVING = {"assistant.server", "assistant.commands.program"}
 
 
@@ -28,7 +39,9 @@ def test_there_are_no_other_tables_of_limits() -> None:
 
 def test_every_verdict_is_explained_in_its_own_words() -> None:
     told = re.findall(r"^\| ([a-z, ]+) \| ([01]) \|", PAGE, re.M)
-    assert {verdict for verdict, _ in told} == {words.partition(":")[0].partition(", byte")[0] for words in LAST.values()}
+    assert {verdict for verdict, _ in told} == {
+        words.partition(":")[0].partition(", byte")[0] for words in LAST.values()
+    }
 
 
 def test_nobody_is_asked_over_the_network() -> None:
@@ -37,7 +50,8 @@ def test_nobody_is_asked_over_the_network() -> None:
         name: names
         for package in ("calc", "reports", "assistant")
         for name, path in modules(ROOT, package).items()
-        if (names := set(imported(name, path)) & (OUTWARD | {"socket", "aiohttp"})) and (name not in SERVING or names & OUTWARD)
+        if (names := set(imported(name, path)) & (OUTWARD | {"socket", "aiohttp"}))
+        and (name not in SERVING or names & OUTWARD)
     }
     assert found == {}
     assert server.HOST == "127.0.0.1"

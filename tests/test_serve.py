@@ -55,14 +55,20 @@ def served(design: Path, tmp_path: Path) -> Iterator[tuple[subprocess.Popen[str]
     port = free_port()
     with open(tmp_path / "told", "w+", encoding="utf-8") as told:
         process = subprocess.Popen(
-            [sys.executable, "-m", "assistant", "serve", design.name, "--port", str(port)], cwd=design.parent,
-            stdout=told, stderr=subprocess.STDOUT, start_new_session=True, text=True,
+            [sys.executable, "-m", "assistant", "serve", design.name, "--port", str(port)],
+            cwd=design.parent,
+            stdout=told,
+            stderr=subprocess.STDOUT,
+            start_new_session=True,
+            text=True,
             env={**os.environ, "PYTHONPATH": str(ROOT), "XDG_STATE_HOME": str(tmp_path / "state")},
-        )  # fmt: skip
+        )
         try:
             end = time.monotonic() + 60
             while "Ctrl+C" not in (tmp_path / "told").read_text(encoding="utf-8"):
-                assert time.monotonic() < end and process.poll() is None, (tmp_path / "told").read_text(encoding="utf-8")
+                assert time.monotonic() < end and process.poll() is None, (tmp_path / "told").read_text(
+                    encoding="utf-8"
+                )
                 time.sleep(0.05)
             yield process, (tmp_path / "told").read_text(encoding="utf-8").split()[5]
         finally:
@@ -94,7 +100,9 @@ def test_a_port_that_is_taken_is_an_error(capsys: pytest.CaptureFixture[str]) ->
     assert f"{port}: is taken" in told and "--port" in told
 
 
-def test_a_design_with_mistakes_is_an_error_before_anything_is_served(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_design_with_mistakes_is_an_error_before_anything_is_served(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     (tmp_path / "bad.toml").write_text('schema = 1\nname = "bad"\n[engine]\nbore_mm = -1\n')
     assert main(["serve", str(tmp_path / "bad.toml")]) == 2
     assert "bore_mm" in capsys.readouterr().err
@@ -111,19 +119,25 @@ def asked(address: str, **headers: str) -> int:
 
 
 @posix
-def test_the_server_answers_its_own_page_only_and_ends_by_an_interrupt(served: tuple[subprocess.Popen[str], str], tmp_path: Path) -> None:
+def test_the_server_answers_its_own_page_only_and_ends_by_an_interrupt(
+    served: tuple[subprocess.Popen[str], str], tmp_path: Path
+) -> None:
     process, address = served
     own = address.partition("/?")[0]
     with urlopen(address, timeout=30) as answer:
         page, policy = answer.read().decode("utf-8"), answer.headers["Content-Security-Policy"]
     assert "https://" not in page and "onClick" not in page
-    for part in re.findall(r'(?:href|src)="([^"]*)"|src: url\("([^"]*)"\)', page):  # the style sheet, the program of the page, its fonts
+    for part in re.findall(
+        r'(?:href|src)="([^"]*)"|src: url\("([^"]*)"\)', page
+    ):  # the style sheet, the program of the page, its fonts
         assert asked(urljoin(address, "".join(part))) == 200
     assert f"{own}/static/css/xterm.css" in page
     nonces = set(re.findall(r"<script([^>]*)>", page))
     (nonce,) = {re.findall(r'nonce="([^"]+)"', one)[0] for one in nonces}
     assert f"'nonce-{nonce}'" in policy and "frame-ancestors 'none'" in policy and "default-src 'none'" in policy
-    assert asked(own) == asked(f"{own}/?token=") == asked(f"{own}/?token=guessed") == asked(f"{own}/?token=%C3%A9") == 403
+    assert (
+        asked(own) == asked(f"{own}/?token=") == asked(f"{own}/?token=guessed") == asked(f"{own}/?token=%C3%A9") == 403
+    )
     assert asked(address, Host="example.org") == 403  # a name that was made to point here
     assert asked(address, Origin="https://example.org") == 403
     assert asked(address, Origin=own) == 200
@@ -185,18 +199,42 @@ async def test_the_address_is_a_secret_and_another_each_time(
 
 
 @pytest.mark.parametrize("origin", [None, "null", "https://example.org", "http://127.0.0.1", "http://localhost:8000"])
-async def test_a_socket_needs_the_origin_of_the_page(echo: tuple[TestClient[Any, Any], Local], origin: str | None) -> None:
+async def test_a_socket_needs_the_origin_of_the_page(
+    echo: tuple[TestClient[Any, Any], Local], origin: str | None
+) -> None:
     with pytest.raises(WSServerHandshakeError) as refused:
         await socket_of(echo, origin=origin)
     assert refused.value.status == 403 and not echo[1].tabs
 
 
-async def test_a_message_reaches_the_session_and_malformed_ones_do_not(echo: tuple[TestClient[Any, Any], Local]) -> None:
+async def test_a_message_reaches_the_session_and_malformed_ones_do_not(
+    echo: tuple[TestClient[Any, Any], Local],
+) -> None:
     malformed = [
-        "", "{", "null", "1", '"stdin"', "{}", "[]", '["stdin"]', '["stdin", 1]', '["stdin", null]', '["stdin", "a", "b"]', '["resize"]',
-        '["resize", 1]', '["resize", {"width": "1", "height": 2}]', '["resize", {"width": 1}]', '["resize", {"width": 1.5, "height": NaN}]',
-        '["ping"]', '["ping", {}]', '["quit"]', '[["stdin"]]', "[" * 100_000, '["stdin", "' + "a" * (PASTED + 1) + '"]', "1" * 5000,
-    ]  # fmt: skip
+        "",
+        "{",
+        "null",
+        "1",
+        '"stdin"',
+        "{}",
+        "[]",
+        '["stdin"]',
+        '["stdin", 1]',
+        '["stdin", null]',
+        '["stdin", "a", "b"]',
+        '["resize"]',
+        '["resize", 1]',
+        '["resize", {"width": "1", "height": 2}]',
+        '["resize", {"width": 1}]',
+        '["resize", {"width": 1.5, "height": NaN}]',
+        '["ping"]',
+        '["ping", {}]',
+        '["quit"]',
+        '[["stdin"]]',
+        "[" * 100_000,
+        '["stdin", "' + "a" * (PASTED + 1) + '"]',
+        "1" * 5000,
+    ]
     async with socket_of(echo) as socket:
         for message in malformed:
             await socket.send_str(message)
@@ -208,7 +246,8 @@ async def test_a_message_reaches_the_session_and_malformed_ones_do_not(echo: tup
 
 
 @pytest.mark.parametrize(
-    ("asked_for", "got"), [((100, 40), (100, 40)), ((10**9, 10**9), (COLUMNS, ROWS)), ((-1, 0), (80, 24)), ((10**400, 1), (COLUMNS, 1))]
+    ("asked_for", "got"),
+    [((100, 40), (100, 40)), ((10**9, 10**9), (COLUMNS, ROWS)), ((-1, 0), (80, 24)), ((10**400, 1), (COLUMNS, 1))],
 )
 async def test_a_terminal_has_a_size_that_can_be_laid_out(
     echo: tuple[TestClient[Any, Any], Local], asked_for: tuple[int, int], got: tuple[int, int]
@@ -219,7 +258,9 @@ async def test_a_terminal_has_a_size_that_can_be_laid_out(
         assert (told["width"], told["height"]) == got
 
 
-async def test_there_are_so_many_sessions_and_no_more(echo: tuple[TestClient[Any, Any], Local], monkeypatch: pytest.MonkeyPatch) -> None:
+async def test_there_are_so_many_sessions_and_no_more(
+    echo: tuple[TestClient[Any, Any], Local], monkeypatch: pytest.MonkeyPatch
+) -> None:
     client, server = echo
     monkeypatch.setattr(serving, "SESSIONS", 2)
     first, second = await socket_of(echo), await socket_of(echo)
@@ -244,7 +285,9 @@ async def ended(server: Local, left: int = 0) -> None:
 
 
 @pytest.mark.parametrize("last", ["x", "hang"])
-async def test_a_session_ends_with_its_socket(echo: tuple[TestClient[Any, Any], Local], monkeypatch: pytest.MonkeyPatch, last: str) -> None:
+async def test_a_session_ends_with_its_socket(
+    echo: tuple[TestClient[Any, Any], Local], monkeypatch: pytest.MonkeyPatch, last: str
+) -> None:
     """One that does not listen any more, too."""
     monkeypatch.setattr(serving, "ENDING", 0.2)
     begun: list[serving.Session] = []
@@ -281,7 +324,9 @@ async def test_a_message_too_long_ends_its_socket(echo: tuple[TestClient[Any, An
 # --- in a browser
 @posix
 @pytest.mark.skipif(CHROMIUM is None, reason="no Chromium on this machine")
-async def test_a_design_is_edited_and_saved_in_a_browser(served: tuple[subprocess.Popen[str], str], design: Path, tmp_path: Path) -> None:
+async def test_a_design_is_edited_and_saved_in_a_browser(
+    served: tuple[subprocess.Popen[str], str], design: Path, tmp_path: Path
+) -> None:
     process, address = served
     before = design.read_bytes()
     async with browser(tmp_path) as page:
@@ -308,7 +353,9 @@ async def test_a_design_is_edited_and_saved_in_a_browser(served: tuple[subproces
 
 @posix
 @pytest.mark.skipif(CHROMIUM is None, reason="no Chromium on this machine")
-async def test_a_session_that_was_left_begins_again_from_its_page(served: tuple[subprocess.Popen[str], str], tmp_path: Path) -> None:
+async def test_a_session_that_was_left_begins_again_from_its_page(
+    served: tuple[subprocess.Popen[str], str], tmp_path: Path
+) -> None:
     """Its button works, and nothing of the page is against its own policy; what somebody puts into the page is."""
     _, address = served
     async with browser(tmp_path) as page:
@@ -339,11 +386,14 @@ def _filled(box: list[float], size: tuple[int, int]) -> bool:
 async def test_a_page_is_filled_as_a_terminal_is(
     served: tuple[subprocess.Popen[str], str], tmp_path: Path, width: int, height: int
 ) -> None:
-    """Letters, rules and colours stand where a terminal has them, from edge to edge, also after the window has changed."""
+    """Letters, rules and colours stand where a terminal has them, from edge to edge, also after the window has
+    changed."""
     _, address = served
     async with browser(tmp_path) as page:
         for size in ((width, height), (width - 300, height - 200)):
-            await page.tell("Emulation.setDeviceMetricsOverride", width=size[0], height=size[1], deviceScaleFactor=1, mobile=False)
+            await page.tell(
+                "Emulation.setDeviceMetricsOverride", width=size[0], height=size[1], deviceScaleFactor=1, mobile=False
+            )
             if not page.asked:
                 await page.open(address)
             await page.until(lambda text: "my design.toml" in text and "solved in" in text and "Bore" in text)
@@ -352,5 +402,7 @@ async def test_a_page_is_filled_as_a_terminal_is(
                 assert time.monotonic() < end, await page.box(".xterm-screen")
                 await asyncio.sleep(0.1)
             assert await page.value("document.activeElement.className") == "xterm-helper-textarea"
-            assert await page.value("getComputedStyle(document.querySelector('.xterm-viewport')).position") == "absolute"
+            assert (
+                await page.value("getComputedStyle(document.querySelector('.xterm-viewport')).position") == "absolute"
+            )
         assert not page.faults

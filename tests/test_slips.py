@@ -8,7 +8,9 @@ from tests.command import run
 from tests.conftest import ROOT
 
 
-@pytest.mark.parametrize("command", [["report", "{}"], ["compare", "{}", "designs/r753ie4_beta.toml"], ["export", "{}", "--json"]])
+@pytest.mark.parametrize(
+    "command", [["report", "{}"], ["compare", "{}", "designs/r753ie4_beta.toml"], ["export", "{}", "--json"]]
+)
 def test_no_command_writes_over_the_design_that_it_reads(command, tmp_path):
     path = tmp_path / "mine.json"
     raw = (ROOT / "designs" / "r753ie4_gamma.toml").read_bytes()
@@ -22,8 +24,14 @@ def test_no_command_writes_over_the_design_that_it_reads(command, tmp_path):
     ("arguments", "said"),
     [
         (["chek", "designs/r753ie4_gamma.toml"], "chek: is neither a command nor a file; did you mean check?"),
-        (["check", "designs/r753ie4_gamma.toml", "--stp", "bearings"], "contralbero check: error: unrecognized arguments: --stp bearings"),
-        (["check", "designs/r753ie4_gamma.toml", "--set", "engine.bore_mm=3,5"], "must be a number above 0 and up to 1000 mm; write 3.5"),
+        (
+            ["check", "designs/r753ie4_gamma.toml", "--stp", "bearings"],
+            "contralbero check: error: unrecognized arguments: --stp bearings",
+        ),
+        (
+            ["check", "designs/r753ie4_gamma.toml", "--set", "engine.bore_mm=3,5"],
+            "must be a number above 0 and up to 1000 mm; write 3.5",
+        ),
     ],
 )
 def test_a_slip_is_named_with_what_was_meant(arguments, said):
@@ -43,16 +51,30 @@ def test_a_comma_and_a_table_of_another_name_are_found_in_their_lines(tmp_path):
 
 
 def test_a_bore_in_metres_is_told_with_what_is_usual():
-    said = run("check", "designs/r753ie4_sized.toml", "--set", "engine.bore_mm=0.094", "engine.cylinder_pitch_mm=0.105").stdout
-    assert "2 inputs are not usual: bore 0.094 mm (usual 50 to 150); cylinder pitch 0.105 mm (usual 35 to 200)" in " ".join(said.split())
+    said = run(
+        "check", "designs/r753ie4_sized.toml", "--set", "engine.bore_mm=0.094", "engine.cylinder_pitch_mm=0.105"
+    ).stdout
+    assert (
+        "2 inputs are not usual: bore 0.094 mm (usual 50 to 150); cylinder pitch 0.105 mm (usual 35 to 200)"
+        in " ".join(said.split())
+    )
     assert "not usual" not in run("check", "designs/r753ie4_sized.toml").stdout
     found = json.loads(run("check", "designs/r753ie4_gamma.toml", "--step", "gears", "--json").stdout)["unusual"]
-    assert found == [{"key": "gears.wheels.central.span_allowance_um", "value": -2.0, "usual": [-50, -20], "unit": "µm"}]
+    assert found == [
+        {"key": "gears.wheels.central.span_allowance_um", "value": -2.0, "usual": [-50, -20], "unit": "µm"}
+    ]
     assert json.loads(run("check", "designs/r753ie4_gamma.toml", "--step", "engine", "--json").stdout)["unusual"] == []
     assert "not usual" not in run("check", "designs/r753ie4_gamma.toml", "--step", "engine").stdout
-    slips = ["engine.bore_mm=0.094", "engine.crank_radius_mm=0.0535", "gears.face_width_mm=0.15", "engine.cylinder_pitch_mm=0.105"]
+    slips = [
+        "engine.bore_mm=0.094",
+        "engine.crank_radius_mm=0.0535",
+        "gears.face_width_mm=0.15",
+        "engine.cylinder_pitch_mm=0.105",
+    ]
     many = ["--set", *slips, "engine.piston_mass_g=1.178", "engine.rated_speed_rpm=272.27"]
-    short, whole = (" ".join(run("check", "designs/r753ie4_sized.toml", *many, *more).stdout.split()) for more in ([], ["--all"]))
+    short, whole = (
+        " ".join(run("check", "designs/r753ie4_sized.toml", *many, *more).stdout.split()) for more in ([], ["--all"])
+    )
     assert "6 inputs are not usual:" in short and "; 2 more" in short and "rated speed" not in short
     assert "6 inputs are not usual:" in whole and "rated speed 272.3 rpm" in whole
 

@@ -25,16 +25,19 @@ def test_all_publications_by_how_we_know_them(capsys):
 def test_one_publication_with_its_places_and_formulas(capsys):
     assert main(["sources", "finotti 2013"]) == 0
     out = capsys.readouterr().out
-    assert "Definizione dell'equilibratura di un motore Diesel tre cilindri industriale" in out and "read in the source" in out
+    assert (
+        "Definizione dell'equilibratura di un motore Diesel tre cilindri industriale" in out
+        and "read in the source" in out
+    )
     assert (
         "4.1: Modellazione del contralbero in acciaio, p. 103" in out
         and "countershaft.formulas.shaft_force" not in out.split("formulas")[0]
     )
     assert main(["sources", "ISO 6336-1:2006"]) == 0
     out = capsys.readouterr().out
-    assert "superseded by ISO 6336-1:2019" in " ".join(out.split()) and "compared with public code, not with the original" in " ".join(
+    assert "superseded by ISO 6336-1:2019" in " ".join(
         out.split()
-    )
+    ) and "compared with public code, not with the original" in " ".join(out.split())
 
 
 def test_as_an_object(capsys):
@@ -54,7 +57,9 @@ def test_explain_tells_what_stands_behind_a_chain(capsys):
     assert main(["explain", GAMMA, "countershaft.couple"]) == 0
     chain, sources = capsys.readouterr().out.split("\nSources\n")
     assert "Finotti 2013, 4.1" in chain and "p. 103" in sources
-    assert "(Master's thesis, University of Padova, 2012/2013); current; read in the source" in " ".join(sources.split())
+    assert "(Master's thesis, University of Padova, 2012/2013); current; read in the source" in " ".join(
+        sources.split()
+    )
     assert main(["explain", GAMMA, "countershaft.couple", "--json"]) == 0
     lines = json.loads(capsys.readouterr().out)
     assert {line["kind"] for line in lines} == {"definition", "kinematics", "", "mathematics"}
@@ -62,8 +67,13 @@ def test_explain_tells_what_stands_behind_a_chain(capsys):
     assert cited["name"] == "Finotti 2013" and cited["known"] == "read in the source" and cited["places"] == ["4.1"]
 
 
-@pytest.mark.parametrize("language, words", [("en", ("read in the source", "superseded by ISO 6336-1:2019", "from memory", "as far as we remember")),
-    ("it", ("letto nella fonte", "sostituito da ISO 6336-1:2019", "a memoria", "per quanto ricordiamo"))])  # fmt: skip
+@pytest.mark.parametrize(
+    "language, words",
+    [
+        ("en", ("read in the source", "superseded by ISO 6336-1:2019", "from memory", "as far as we remember")),
+        ("it", ("letto nella fonte", "sostituito da ISO 6336-1:2019", "a memoria", "per quanto ricordiamo")),
+    ],
+)
 def test_the_report_tells_title_edition_status_and_how_we_know(language, words, tmp_path):
     out = tmp_path / "report.pdf"
     assert main(["report", GAMMA, "-o", str(out), "--lang", language]) == 0

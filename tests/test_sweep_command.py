@@ -37,9 +37,13 @@ def test_sweep_without_a_file_prints_the_table_alone():
     )
     assert done.returncode == 0
     assert (
-        done.stdout.splitlines()[0] == "countershaft.masses.rear.angle_deg,countershaft.residual_order_1_couple [N·m],verdict.countershaft"
+        done.stdout.splitlines()[0]
+        == "countershaft.masses.rear.angle_deg,countershaft.residual_order_1_couple [N·m],verdict.countershaft"
     )
-    assert [line.rsplit(",", 1)[1] for line in done.stdout.splitlines()[1:]] == ["fail", "warn"] and "2 designs" in done.stderr
+    assert [line.rsplit(",", 1)[1] for line in done.stdout.splitlines()[1:]] == [
+        "fail",
+        "warn",
+    ] and "2 designs" in done.stderr
 
 
 def test_sweep_names_all_that_is_wrong():
@@ -63,22 +67,34 @@ def test_a_list_of_designs(tmp_path):
     rows = list(csv.DictReader(done.stdout.splitlines()))
     assert [row["engine.rated_speed_rpm"] for row in rows] == ["2000.0", "", "99999.0"] and "30000" in rows[2]["reason"]
     checked = run("check", GAMMA, "--json", "--set", "bearings.oil=SAE 50")
-    assert float(rows[1]["bearings.front.film [µm]"]) == json.loads(checked.stdout)["values"]["bearings.front.film"]["value"]
+    assert (
+        float(rows[1]["bearings.front.film [µm]"])
+        == json.loads(checked.stdout)["values"]["bearings.front.film"]["value"]
+    )
 
 
 def test_parts_by_their_tolerances(tmp_path):
     words = ["--tolerance", "friction.flank_roughness_um=0.1", "--monte-carlo", "40", "--values", "friction.total_loss"]
     first, again = run("sweep", GAMMA, *words), run("sweep", GAMMA, *words)
     other = run("sweep", GAMMA, *words, "--seed", "2")
-    assert first.returncode == 0 and first.stdout == again.stdout != other.stdout and len(first.stdout.splitlines()) == 41
+    assert (
+        first.returncode == 0 and first.stdout == again.stdout != other.stdout and len(first.stdout.splitlines()) == 41
+    )
 
 
-@pytest.mark.parametrize(("words", "reason"), [
-    ([], "needs something to vary"), (["--tolerance", "engine.bore_mm=1"], "needs a number of designs"), (["--list", "x.csv", "--vary", "a=1"], "has all that is varied"),
-    (["--list", "nothing.csv"], "cannot be read"), (["--vary", "engine.bore_mm=80:90"], "LOW:HIGH:NUMBER"), (["--vary", "engine.bore_mm=80:90", "--hypercube", "0"], "1 or more"),
-    (["--vary", "engine.bore_mm=80:90", "--tolerance", "engine.bore_mm=1", "--monte-carlo", "3"], "has already"),
-    (["--vary", "engine.cylinders=2.5:4", "--hypercube", "3"], "whole number"),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    ("words", "reason"),
+    [
+        ([], "needs something to vary"),
+        (["--tolerance", "engine.bore_mm=1"], "needs a number of designs"),
+        (["--list", "x.csv", "--vary", "a=1"], "has all that is varied"),
+        (["--list", "nothing.csv"], "cannot be read"),
+        (["--vary", "engine.bore_mm=80:90"], "LOW:HIGH:NUMBER"),
+        (["--vary", "engine.bore_mm=80:90", "--hypercube", "0"], "1 or more"),
+        (["--vary", "engine.bore_mm=80:90", "--tolerance", "engine.bore_mm=1", "--monte-carlo", "3"], "has already"),
+        (["--vary", "engine.cylinders=2.5:4", "--hypercube", "3"], "whole number"),
+    ],
+)
 def test_what_can_not_be_swept_is_named(words, reason):
     done = run("sweep", GAMMA, *words)
     assert done.returncode == 2 and reason in done.stderr and not done.stdout
@@ -119,8 +135,13 @@ def test_killed_at_random_and_resumed_it_writes_the_same_bytes(tmp_path):
     took, chance, out = time.monotonic() - begun, random.Random(11), tmp_path / "killed.csv"
     for n in range(8):
         one = subprocess.Popen(
-            [*words, str(out)], cwd=ROOT, env=env, stdout=subprocess.PIPE, stderr=subprocess.PIPE, start_new_session=True
-        )  # fmt: skip
+            [*words, str(out)],
+            cwd=ROOT,
+            env=env,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+            start_new_session=True,
+        )
         time.sleep(chance.uniform(0.3, took / 4))
         if n % 2:
             os.killpg(one.pid, signal.SIGINT)  # workers too, as a terminal does
@@ -131,7 +152,10 @@ def test_killed_at_random_and_resumed_it_writes_the_same_bytes(tmp_path):
         assert b"Traceback" not in errors or not n % 2, errors.decode()
     subprocess.run([*words, str(out)], check=True, cwd=ROOT, env=env, capture_output=True)
     assert out.read_bytes() == (tmp_path / "whole.csv").read_bytes()
-    assert sorted(path.name for path in tmp_path.iterdir() if not path.name.endswith(".bak")) == ["killed.csv", "whole.csv"]
+    assert sorted(path.name for path in tmp_path.iterdir() if not path.name.endswith(".bak")) == [
+        "killed.csv",
+        "whole.csv",
+    ]
 
 
 @pytest.mark.skipif(find_spec("distributed") is None, reason="an extra")
@@ -145,21 +169,39 @@ def test_over_the_workers_of_a_scheduler_the_table_is_the_same(tmp_path):
     assert (tmp_path / "a.csv").read_bytes() == (tmp_path / "b.csv").read_bytes()
 
 
-@pytest.mark.parametrize("words, reason", [
-    (["--vary", "gears.wheels.crank.teeth=30,33", "gears.wheels.0.teeth=40"], "gears.wheels.0.teeth: 40: is gears.wheels.crank.teeth, which"),
-    (["--vary", "gears.wheels.crank.teeth=30,33", "gears.wheels.crank.teeth=40"], "stands twice; give all its values at once"),
-    (["--vary", "gears.wheels.crank.teeth=30,33", "--processes", "0"], "--processes: 0: must be 1 or more"),
-    (["--vary", "gears.wheels.crank.teeth=30:33", "--monte-carlo", "5", "--seed", "-1"], "--seed: -1: must be 0 or more"),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    "words, reason",
+    [
+        (
+            ["--vary", "gears.wheels.crank.teeth=30,33", "gears.wheels.0.teeth=40"],
+            "gears.wheels.0.teeth: 40: is gears.wheels.crank.teeth, which",
+        ),
+        (
+            ["--vary", "gears.wheels.crank.teeth=30,33", "gears.wheels.crank.teeth=40"],
+            "stands twice; give all its values at once",
+        ),
+        (["--vary", "gears.wheels.crank.teeth=30,33", "--processes", "0"], "--processes: 0: must be 1 or more"),
+        (
+            ["--vary", "gears.wheels.crank.teeth=30:33", "--monte-carlo", "5", "--seed", "-1"],
+            "--seed: -1: must be 0 or more",
+        ),
+    ],
+)
 def test_one_input_is_varied_once_and_each_option_answers_for_itself(words, reason):
     done = run("sweep", "designs/timing_pair.toml", *words)
     assert done.returncode == 2 and reason in done.stderr and not done.stdout
 
 
-@pytest.mark.parametrize("table, reason", [
-    (b"gears.wheels.crank.teeth,gears.wheels.0.teeth\n30,40\n", ":1: gears.wheels.crank.teeth: stands in two columns; each input has one"),
-    (b"gears.wheels.crank.teeth\n30\xff\n", "is no text in UTF-8 (byte 27); save it again so"),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    "table, reason",
+    [
+        (
+            b"gears.wheels.crank.teeth,gears.wheels.0.teeth\n30,40\n",
+            ":1: gears.wheels.crank.teeth: stands in two columns; each input has one",
+        ),
+        (b"gears.wheels.crank.teeth\n30\xff\n", "is no text in UTF-8 (byte 27); save it again so"),
+    ],
+)
 def test_a_list_has_one_column_for_an_input_and_is_text(tmp_path, table, reason):
     path = tmp_path / "list.csv"
     path.write_bytes(table)
@@ -169,6 +211,11 @@ def test_a_list_has_one_column_for_an_input_and_is_text(tmp_path, table, reason)
 
 def test_a_sweep_tells_inputs_that_are_not_usual():
     done = run(
-        "sweep", "designs/timing_pair.toml", "--vary", "gears.face_width_mm=0.1:0.3:3", "--values", "gears.crank_pump.centre_distance"
+        "sweep",
+        "designs/timing_pair.toml",
+        "--vary",
+        "gears.face_width_mm=0.1:0.3:3",
+        "--values",
+        "gears.crank_pump.centre_distance",
     )
     assert "1 input is not usual: face width 0.1 mm (usual 5 to 80)" in done.stderr and "not usual" not in done.stdout

@@ -37,7 +37,8 @@ def run_check(asked: Namespace) -> int:
         file = changes.pop()  # `check --set KEY=VALUE FILE`
     if file is None:
         raise BadInput(
-            "contralbero check", [InputError(0, "", "", Text("needs a design; usage: contralbero check FILE [--set KEY=VALUE …]"))]
+            "contralbero check",
+            [InputError(0, "", "", Text("needs a design; usage: contralbero check FILE [--set KEY=VALUE …]"))],
         )
     document, made = changed(read(file), changes)
     results = solve(made)
@@ -45,7 +46,11 @@ def run_check(asked: Namespace) -> int:
     if asked.json:
         import json
 
-        print(json.dumps(results_json(document, results, asked.step, changes, measured=True), ensure_ascii=False, indent=1))
+        print(
+            json.dumps(
+                results_json(document, results, asked.step, changes, measured=True), ensure_ascii=False, indent=1
+            )
+        )
     else:
         print_results(results, asked.step, everything=not asked.short, findings=asked.all)
         if asked.step is None and not asked.all:
@@ -57,8 +62,14 @@ def run_check(asked: Namespace) -> int:
 
 
 def nearest_passing(
-    document: Document, results: Results, file: str, changes: Sequence[str], step: str | None = None, *, short: bool = False
-) -> list[str]:  # fmt: skip
+    document: Document,
+    results: Results,
+    file: str,
+    changes: Sequence[str],
+    step: str | None = None,
+    *,
+    short: bool = False,
+) -> list[str]:
     """What would make a failing design pass, in words; then, as the last line, the command that checks it so.
 
     `changes` are already in the document.  Where not all can be repaired, the last line says what still fails and why.
@@ -73,7 +84,9 @@ def nearest_passing(
     try:
         found = nearest(document, results, progress=at_most(SEARCH_SECONDS), only=step, tries=TRIES)
     except Cancelled:
-        return [Text("no passing design found in {seconds} s; --step STEP looks for one step alone", seconds=SEARCH_SECONDS)]
+        return [
+            Text("no passing design found in {seconds} s; --step STEP looks for one step alone", seconds=SEARCH_SECONDS)
+        ]
     kept = {change.partition("=")[0] for change in found.changes}
     all_changes = [*(change for change in changes if change.partition("=")[0].strip() not in kept), *found.changes]
     kept_as = [f"kept as locked: {key} ({reason})" for key, reason in standing(document.data).items()]
@@ -93,7 +106,9 @@ def known_step(step: str | None) -> None:
     """Raises BadInput where there is no such step."""
     keys = [known.key for known in STEPS]
     if step is not None and step not in keys:
-        raise BadInput("--step", [InputError(0, "", step, Text("is no step; the steps are {steps}", steps=", ".join(keys)))])
+        raise BadInput(
+            "--step", [InputError(0, "", step, Text("is no step; the steps are {steps}", steps=", ".join(keys)))]
+        )
 
 
 def changed(document: Document, changes: Iterable[str]) -> tuple[Document, Design]:
@@ -125,6 +140,7 @@ def exit_code(outcomes: Iterable[Outcome[object]]) -> int:
 
 
 # `contralbero explain`: the chain of formulas that leads to one value, back to the inputs.
+
 
 def run_explain(asked: Namespace) -> int:
     document, design = load(asked.file)
@@ -160,13 +176,18 @@ def _explain(asked: Namespace, document: Document, design: Design) -> int:
         for check in results.checks():
             if check.id == asked.value:
                 chains = Chains(results)
-                head = f"{check.id}: {check.name}, {short(check.value)} {check.unit}".rstrip() + f", needs {check.limit_text()}."
+                head = (
+                    f"{check.id}: {check.name}, {short(check.value)} {check.unit}".rstrip()
+                    + f", needs {check.limit_text()}."
+                )
                 if (judged := chains.behind(check)) is not None:
                     if not asked.json:
                         print(f"{head} Its value:\n")
                     return _explain(Namespace(**{**vars(asked), "value": judged}), document, design)
                 lines, taken = chains.of_check(check)
-                return _print_chain(asked, design, f"{head} {check.source}", lines, ", ".join(taken), ", ".join(check.moved_by))
+                return _print_chain(
+                    asked, design, f"{head} {check.source}", lines, ", ".join(taken), ", ".join(check.moved_by)
+                )
         step = results.outcomes.get(asked.value.partition(".")[0])
         if step is not None and step.state != "solved":
             state = step.state.replace("not_asked", "not used").replace("_", " ")
@@ -174,8 +195,14 @@ def _explain(asked: Namespace, document: Document, design: Design) -> int:
             reason = Text("its step has no values: {state}: {why}", state=state, why=why)
             raise BadInput(document.place, [InputError(0, asked.value, "", reason)])
         near = get_close_matches(asked.value, list(values), 3, 0.4)
-        hint = Text("did you mean {ids}?", ids=", ".join(near)) if near else Text("`contralbero check FILE --all` lists the values")
-        raise BadInput(document.place, [InputError(0, asked.value, "", Text("is not a value of this design; {hint}", hint=hint))])
+        hint = (
+            Text("did you mean {ids}?", ids=", ".join(near))
+            if near
+            else Text("`contralbero check FILE --all` lists the values")
+        )
+        raise BadInput(
+            document.place, [InputError(0, asked.value, "", Text("is not a value of this design; {hint}", hint=hint))]
+        )
     if asked.value.startswith("friction.scenarios."):
         return _scenario(asked, document, design)
     value = values[asked.value]
@@ -191,15 +218,22 @@ def _beyond(results: Results, id: str) -> str:
     return f"\nIts check holds by a formula outside its validity: {named(found)}" if found else ""
 
 
-def _print_chain(asked: Namespace, design: Design, head: str, lines: list[Link], taken: str | None, moved: str = "") -> int:
+def _print_chain(
+    asked: Namespace, design: Design, head: str, lines: list[Link], taken: str | None, moved: str = ""
+) -> int:
     """`taken`: the inputs of a number that no line gave; `moved`: those that move it."""
     from calc.sheet.expression import line_json, line_text
 
     if asked.json:
         import json
 
-        print(json.dumps([line_json(link.line) | {"inputs": list(link.inputs)} | _provenance(link.line) for link in lines],
-            ensure_ascii=False, indent=1))  # fmt: skip
+        print(
+            json.dumps(
+                [line_json(link.line) | {"inputs": list(link.inputs)} | _provenance(link.line) for link in lines],
+                ensure_ascii=False,
+                indent=1,
+            )
+        )
         return 0
     print(f"{head}\n")
     for link in lines:
@@ -221,10 +255,17 @@ def _provenance(line: Line) -> dict[str, Any]:
     return {
         "kind": origin.kind,
         "publications": [
-            {"name": c.name, "title": c.publication.title, "edition": c.publication.edition, "status": c.publication.status,
-             "known": str(c.known), "places": list(c.places)} for c in origin.citations
+            {
+                "name": c.name,
+                "title": c.publication.title,
+                "edition": c.publication.edition,
+                "status": c.publication.status,
+                "known": str(c.known),
+                "places": list(c.places),
+            }
+            for c in origin.citations
         ],
-    }  # fmt: skip
+    }
 
 
 def _given(data: dict[str, Any], key: str) -> Any:

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""`contralbero compare`: two designs side by side: what the comparison comes to, the inputs that differ, the rest when asked for."""
+"""`contralbero compare`: two designs side by side: what the comparison comes to, the inputs that differ, the rest when
+asked for."""
 
 import sys
 import textwrap
@@ -19,7 +20,16 @@ from calc.sheet.step import Table
 from calc.sheet.text import Text, plural
 from calc.solve import Results, solve
 from calc.studies.compare import EQUAL, CheckDifference, Comparison, KeyResult, ValueDifference, compare
-from calc.studies.compare_tables import Names, check_table, input_table, moved_table, result_table, sentences, value_table, verdict_table
+from calc.studies.compare_tables import (
+    Names,
+    check_table,
+    input_table,
+    moved_table,
+    result_table,
+    sentences,
+    value_table,
+    verdict_table,
+)
 from calc.version import VERSION
 
 MOST = 8  # verdicts that moved
@@ -63,16 +73,25 @@ def _write(sides: Sides, found: Comparison, path: Path, lang: str, everything: b
     except OSError as error:
         raise BadInput(
             str(path),
-            [InputError(0, "", "", Text("cannot be written: {reason}; choose another place", reason=error.strerror or str(error)))],
+            [
+                InputError(
+                    0,
+                    "",
+                    "",
+                    Text("cannot be written: {reason}; choose another place", reason=error.strerror or str(error)),
+                )
+            ],
         ) from None
     print("\n".join(sentences(found, names, sign)) if not found.equal else EQUAL)
     print(f"\n{path}")
     return 0
 
 
-# --- text -------------------------------------------------------------------------------------------------------------------
+# --- text
+# -------------------------------------------------------------------------------------------------------------------
 def text(sides: Sides, found: Comparison, everything: bool) -> Iterator[str]:
-    """Which designs, what the comparison comes to, the inputs; `everything`: then all verdicts, checks and values that differ."""
+    """Which designs, what the comparison comes to, the inputs; `everything`: then all verdicts, checks and values that
+    differ."""
     names = column_names(*(Path(document.place).stem for document, _ in sides))
     wide = max(map(len, names))
     for name, (document, results) in zip(names, sides):
@@ -96,7 +115,9 @@ def text(sides: Sides, found: Comparison, everything: bool) -> Iterator[str]:
             yield from _table(check_table(found.checks, names, sign))
         for step in STEPS:
             if of_step := [d for d in found.values if d.step == step.key]:
-                yield from _table(value_table(step.key, Text("{step}: values that differ", step=step.title), of_step, names))
+                yield from _table(
+                    value_table(step.key, Text("{step}: values that differ", step=step.title), of_step, names)
+                )
     else:
         yield ""
         checks = plural("{n} check", "{n} checks", n=len(found.checks))
@@ -114,7 +135,8 @@ def _table(table: Table) -> Iterator[str]:
     yield from table_lines(table)
 
 
-# --- JSON -------------------------------------------------------------------------------------------------------------------
+# --- JSON
+# -------------------------------------------------------------------------------------------------------------------
 def comparison_json(sides: Sides, found: Comparison) -> dict[str, Any]:
     """All that differs.  `in` says which design has a check or a value; a number that is not finite is null."""
     return {
@@ -130,7 +152,14 @@ def comparison_json(sides: Sides, found: Comparison) -> dict[str, Any]:
         "inputs": [{"key": d.key, "label": d.label, "unit": d.unit, "a": d.a, "b": d.b} for d in found.inputs],
         "steps": {v.step: {"a": v.a.verdict, "b": v.b.verdict, "moved": v.moved} for v in found.verdicts},
         "checks": [
-            {"id": d.id, "name": d.name, "moved": d.moved, "in": _where(d), "a": _check(d.a, d.before), "b": _check(d.b, d.after)}
+            {
+                "id": d.id,
+                "name": d.name,
+                "moved": d.moved,
+                "in": _where(d),
+                "a": _check(d.a, d.before),
+                "b": _check(d.b, d.after),
+            }
             for d in found.checks
         ],
         "values": [

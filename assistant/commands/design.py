@@ -35,7 +35,10 @@ SEARCHING = 0.7  # of the time that is given is for the classes, the rest for so
 def run_design(given: Namespace) -> int:
     document, _ = changed(read(given.file), [])
     if given.out is None and not given.dry:
-        raise BadInput("contralbero design", [InputError(0, "", "", Text("needs --out FOLDER, where the drives are put; or --dry"))])
+        raise BadInput(
+            "contralbero design",
+            [InputError(0, "", "", Text("needs --out FOLDER, where the drives are put; or --dry"))],
+        )
     try:
         problem, _ = asked(document, own_keys(given))
         if given.pick is not None:
@@ -120,8 +123,14 @@ def _dry(given: Namespace, problem: Problem) -> int:
         print(Text("about {seconds} s", seconds=f"{SOLVING * evaluations:.0f}"))
         return 0
     classes, seconds = len(problem.classes), SECONDS * len(problem.classes) + 5
-    print(plural("{n} class, about {seconds} s for one process", "{n} classes, about {seconds} s for one process", n=classes,
-        seconds=f"{seconds:.0f}"))  # fmt: skip
+    print(
+        plural(
+            "{n} class, about {seconds} s for one process",
+            "{n} classes, about {seconds} s for one process",
+            n=classes,
+            seconds=f"{seconds:.0f}",
+        )
+    )
     return 0
 
 
@@ -136,8 +145,12 @@ def _search(given: Namespace, problem: Problem) -> int:
     _spare_others(folder, Path(given.file))
     quiet = given.json
     if given.processes is not None and given.processes < 1:
-        raise BadInput("contralbero design", [InputError(0, "--processes", str(given.processes), Text("must be 1 or more"))])
-    processes = given.processes if given.processes is not None else min(os.cpu_count() or 1, max(1, len(problem.classes)))
+        raise BadInput(
+            "contralbero design", [InputError(0, "--processes", str(given.processes), Text("must be 1 or more"))]
+        )
+    processes = (
+        given.processes if given.processes is not None else min(os.cpu_count() or 1, max(1, len(problem.classes)))
+    )
     if not quiet:
         print(plural("{n} class", "{n} classes", n=len(problem.classes)), end=", ")
         print(plural("{n} process", "{n} processes", n=processes), end="; ")
@@ -148,14 +161,21 @@ def _search(given: Namespace, problem: Problem) -> int:
             return
         best = _best(problem, known)
         print(
-            f"  {done}/{len(problem.classes)}  {name}: {power_of_ten(known.combinations)}, {Text('front {n}', n=len(known))}{best}",
+            f"  {done}/{len(problem.classes)}  {name}: {power_of_ten(known.combinations)}, "
+            f"{Text('front {n}', n=len(known))}{best}",
             flush=True,
         )
 
     def first(one: Whole) -> None:
         if not quiet:
-            print(Text("  first drive that passes: {drive}, after {seconds} s", drive=_numbers(problem, one.objectives),
-                seconds=f"{time.monotonic() - began:.0f}"), flush=True)  # fmt: skip
+            print(
+                Text(
+                    "  first drive that passes: {drive}, after {seconds} s",
+                    drive=_numbers(problem, one.objectives),
+                    seconds=f"{time.monotonic() - began:.0f}",
+                ),
+                flush=True,
+            )
 
     began, most = time.monotonic(), given.time or float("inf")
     stop, enough = (lambda share=share: time.monotonic() - began > share * most for share in (SEARCHING, 1.0))
@@ -164,20 +184,31 @@ def _search(given: Namespace, problem: Problem) -> int:
     except NotClosed as why:
         found = _without_proof(given, problem, why, enough)
     if not found.drives and not found.whole:
-        print(Text("no drive that passes is known yet: stopped at {done} of {classes} classes; the same command goes on", done=found.done,
-            classes=len(problem.classes)), file=sys.stderr)  # fmt: skip
+        print(
+            Text(
+                "no drive that passes is known yet: stopped at {done} of {classes} classes; the same command goes on",
+                done=found.done,
+                classes=len(problem.classes),
+            ),
+            file=sys.stderr,
+        )
         return 3
     if not found.drives:
         return nothing(given, found)
     write(folder, found)
     if quiet:
-        print(json.dumps(json.loads(json_text(found)) | {"table": table_json(table(found))}, ensure_ascii=False, indent=1))
+        print(
+            json.dumps(json.loads(json_text(found)) | {"table": table_json(table(found))}, ensure_ascii=False, indent=1)
+        )
         return 0
     title, *lines = table_lines(table(found))
     print(f"\n{title}")
     print("\n".join(lines))
     print(f"\n{stood(found)}")
-    check, pick = f"contralbero check {given.out}/001.toml", f"contralbero design {given.file} --out {given.out} --pick 1"
+    check, pick = (
+        f"contralbero check {given.out}/001.toml",
+        f"contralbero design {given.file} --out {given.out} --pick 1",
+    )
     print(Text("`{check}` is one of them; `{pick}` writes it into the file.", check=check, pick=pick))
     return 0
 
@@ -221,9 +252,12 @@ def _drives(folder: Path) -> list[Path]:
 
 
 def _spare_others(folder: Path, source: Path) -> None:
-    """Raises BadInput where drives would be written over a file that is not of an earlier front, or over the design itself."""
+    """Raises BadInput where drives would be written over a file that is not of an earlier front, or over the design
+    itself."""
     known = {path.name for path in _drives(folder) if not (source.exists() and path.samefile(source))}
-    others = [path.name for path in sorted(folder.glob("*.toml")) if re.fullmatch(DRIVE, path.name) and path.name not in known]
+    others = [
+        path.name for path in sorted(folder.glob("*.toml")) if re.fullmatch(DRIVE, path.name) and path.name not in known
+    ]
     if others:
         why = Text("exists already and is left alone; choose another name")
         raise BadInput(str(folder), [InputError(0, "--out", name, why) for name in others])
@@ -260,7 +294,8 @@ def _pick(given: Namespace, document: Document, problem: Problem) -> int:
         text = row.read_text("utf-8")
     except (OSError, ValueError):
         raise BadInput(
-            "--pick", [InputError(0, "", str(given.pick), Text("there is no such drive in {folder}", folder=str(folder)))]
+            "--pick",
+            [InputError(0, "", str(given.pick), Text("there is no such drive in {folder}", folder=str(folder)))],
         ) from None
     drives = {hashlib.sha256(path.read_bytes()).hexdigest() for path in _drives(folder)}
     if document.sha256 not in (about.get("design"), *drives):  # the design that was searched, or one of its drives
@@ -280,16 +315,24 @@ def nothing(given: Namespace, found: FrontFound) -> int:
     """Exit 3: what stops the search, and what alone would have to give way."""
     from calc.studies.drive.relax import refusal
 
-    print(Text("nothing passes: {n} combinations", n=power_of_ten(found.table.combinations)), file=sys.stderr, flush=True)
+    print(
+        Text("nothing passes: {n} combinations", n=power_of_ten(found.table.combinations)), file=sys.stderr, flush=True
+    )
     for why, first in {str(why): n for n, why in reversed(found.table.refused)}.items():
         print(f"  {named(found.problem.classes[first])}: {why}", file=sys.stderr)
     why_not = refusal(found)
     if why_not.always:
         print(Text("every drive that was solved whole breaks {ids}", ids=", ".join(why_not.always)), file=sys.stderr)
-        print(Text("nothing that is varied moves it: `contralbero check {file}` says how to repair it", file=given.file), file=sys.stderr)
+        print(
+            Text("nothing that is varied moves it: `contralbero check {file}` says how to repair it", file=given.file),
+            file=sys.stderr,
+        )
         return 3
     if why_not.miss is not None:
-        print(Text("the nearest lacks a margin of {miss} % on its films or slopes", miss=f"{why_not.miss * 100:.1f}"), file=sys.stderr)
+        print(
+            Text("the nearest lacks a margin of {miss} % on its films or slopes", miss=f"{why_not.miss * 100:.1f}"),
+            file=sys.stderr,
+        )
     if why_not.lines:
         print(Text("One requirement alone would have to give way, all else as it is:"), file=sys.stderr)
     for line in why_not.lines:
@@ -297,7 +340,10 @@ def nothing(given: Namespace, found: FrontFound) -> int:
         beside += [str(Text("then breaks {ids}", ids=", ".join(line.broken)))] if line.broken else []
         print(f"  {line.key:<34} {line.change}" + (f"   ({'; '.join(beside)})" if beside else ""), file=sys.stderr)
     if why_not.also:
-        print(Text("every one of them then breaks {ids}: repair these first", ids=", ".join(why_not.also)), file=sys.stderr)
+        print(
+            Text("every one of them then breaks {ids}: repair these first", ids=", ".join(why_not.also)),
+            file=sys.stderr,
+        )
     if why_not.useless:
         print(Text("No help alone: {ways}.", ways=", ".join(map(str, why_not.useless))), file=sys.stderr)
     return 3

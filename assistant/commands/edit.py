@@ -46,7 +46,8 @@ def run_choose(asked: Namespace) -> int:
     if asked.apply is not None:
         if not 1 <= asked.apply <= offer.count:
             raise BadInput(
-                "--apply", [InputError(0, "", str(asked.apply), Text("must be a row of the table, from 1 to {n}", n=offer.count))]
+                "--apply",
+                [InputError(0, "", str(asked.apply), Text("must be a row of the table, from 1 to {n}", n=offer.count))],
             )
         try:
             changes = offer.changes(asked.apply)
@@ -74,7 +75,9 @@ def run_choose(asked: Namespace) -> int:
     if offer.notes:
         print()
     for words in offer.notes:
-        print("\n".join(textwrap.wrap(words, LINE, initial_indent="- ", subsequent_indent="  ", break_long_words=False)))
+        print(
+            "\n".join(textwrap.wrap(words, LINE, initial_indent="- ", subsequent_indent="  ", break_long_words=False))
+        )
     if shut := _locked(document, offer):
         print("", Text("Row 1 {changes}", changes=shut), sep="\n")
     print(f"\n{offer.hint}")
@@ -117,6 +120,7 @@ def _comments(text: str) -> list[str]:
 
 # `contralbero new`: write a design from a shipped engine.
 
+
 def run_new(asked: Namespace) -> int:
     shipped = engines()
     if asked.list:
@@ -128,19 +132,31 @@ def run_new(asked: Namespace) -> int:
     if asked.engine not in shipped:
         raise BadInput(
             "--engine",
-            [InputError(0, "", asked.engine, Text("is not shipped; `contralbero new --list` lists {engines}", engines=", ".join(shipped)))],
+            [
+                InputError(
+                    0,
+                    "",
+                    asked.engine,
+                    Text("is not shipped; `contralbero new --list` lists {engines}", engines=", ".join(shipped)),
+                )
+            ],
         )
     if asked.file is None:
-        raise BadInput("contralbero new", [InputError(0, "", "", Text("needs the name of the file to write, like my_engine.toml"))])
+        raise BadInput(
+            "contralbero new", [InputError(0, "", "", Text("needs the name of the file to write, like my_engine.toml"))]
+        )
     path = Path(asked.file)
     if path.exists():
-        raise BadInput(str(path), [InputError(0, "", "", Text("exists already and is left alone; choose another name"))])
+        raise BadInput(
+            str(path), [InputError(0, "", "", Text("exists already and is left alone; choose another name"))]
+        )
     write_asked(path, engine_design(asked.engine), new=True)
     print(path)
     return 0
 
 
 # `contralbero set`: edit a design file in place.  The file is written only if the whole design is still valid.
+
 
 def run_set(asked: Namespace) -> int:
     path = Path(asked.file)
@@ -151,7 +167,8 @@ def run_set(asked: Namespace) -> int:
 
 
 def edit(path: Path, changes: Sequence[str]) -> None:
-    """Put KEY=VALUE changes into a design as its file has it when nobody else writes, and print the verdicts that it has then."""
+    """Put KEY=VALUE changes into a design as its file has it when nobody else writes, and print the verdicts that it
+    has then."""
     made: Design
 
     def edited(raw: bytes) -> bytes:

@@ -59,12 +59,15 @@ def _port(port: int, reason: Text) -> BadInput:
 
 # `contralbero [FILE]`: the guided session; without a file, and for one that is not there, its start page.
 
+
 def run_session(asked: Namespace) -> int:
     path = _named(asked.file) if asked.file else None
     if path is not None and (path.exists() or not path.parent.is_dir()):
         read(path)  # a file that can not be read is an error here, not an empty screen
     served = "TEXTUAL_DRIVER" in os.environ  # in a browser: the terminal is at the other end of the pipes
-    if not served and not all(stream is not None and stream.isatty() for stream in (sys.stdin, sys.stdout)):  # one may be closed
+    if not served and not all(
+        stream is not None and stream.isatty() for stream in (sys.stdin, sys.stdout)
+    ):  # one may be closed
         _refuse(path)
         return 2
     from assistant.app import run as open_session
@@ -86,19 +89,25 @@ def _refuse(path: Path | None) -> None:
         print(f"contralbero: the guided session needs a terminal; {hint}", file=sys.stderr)
 
 
-# `contralbero completion SHELL`: the script by which a shell completes commands, options and files; it asks the program at each Tab.
+# `contralbero completion SHELL`: the script by which a shell completes commands, options and files; it asks the program
+# at each Tab.
+
 
 def run_completion(asked: Namespace) -> int:
     try:
         from argcomplete.shell_integration import shellcode
     except ImportError:
-        print(Text("the script is that of argcomplete, which the extra `contralbero[completion]` installs"), file=sys.stderr)
+        print(
+            Text("the script is that of argcomplete, which the extra `contralbero[completion]` installs"),
+            file=sys.stderr,
+        )
         return 2
     print(shellcode(["contralbero"], shell=asked.shell))
     return 0
 
 
 # `contralbero schema`: the JSON Schema of a design file, by which editors complete and check it.
+
 
 def run_schema(asked: Namespace) -> int:
     text = json.dumps(schema(), ensure_ascii=False, indent=1) + "\n"

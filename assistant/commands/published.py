@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""`contralbero sources`: the register of publications and kinds of sources, and what of the program rests on one of them."""
+"""`contralbero sources`: the register of publications and kinds of sources, and what of the program rests on one of
+them."""
 
 import json
 import textwrap
@@ -47,7 +48,8 @@ def run_sources(asked: Namespace) -> int:
 
 
 def reference_lines(sources: Iterable[str]) -> Iterator[str]:
-    """The publications that sources name: what each is, how we know it, and what stands at the places that are cited."""
+    """The publications that sources name: what each is, how we know it, and what stands at the places that are
+    cited."""
     for name, (publication, places, known) in references(sources).items():
         yield from _wrapped(f"{name}: {publication.described(known)}")
         for place in places:
@@ -55,7 +57,9 @@ def reference_lines(sources: Iterable[str]) -> Iterator[str]:
 
 
 def _wrapped(line: str, indent: int = 4) -> list[str]:
-    return textwrap.wrap(line, WIDE, initial_indent=" " * indent, subsequent_indent=" " * (indent + 4), break_on_hyphens=False)
+    return textwrap.wrap(
+        line, WIDE, initial_indent=" " * indent, subsequent_indent=" " * (indent + 4), break_on_hyphens=False
+    )
 
 
 def _all(rows: Iterable[Publication]) -> Iterator[str]:
@@ -124,11 +128,16 @@ def _meant(word: str) -> Publication:
 
 def _json(row: Publication) -> dict[str, Any]:
     return {
-        "name": row.name, "title": row.title, "edition": row.edition, "status": row.status, "known": str(KNOWN[row.known]),
-        "known_at": {place: str(KNOWN[known]) for place, known in row.where.items()}, "title_from_memory": row.title_from_memory,
+        "name": row.name,
+        "title": row.title,
+        "edition": row.edition,
+        "status": row.status,
+        "known": str(KNOWN[row.known]),
+        "known_at": {place: str(KNOWN[known]) for place, known in row.where.items()},
+        "title_from_memory": row.title_from_memory,
         "status_from_memory": row.status_from_memory,
         "formulas": [name for name, _ in _users(row)],
-    }  # fmt: skip
+    }
 
 
 # `contralbero oils`: the oils that a design may name, and what is known of each of their values.
@@ -143,7 +152,9 @@ def run_oils(asked: Namespace) -> int:
 
         near = get_close_matches(asked.name, list(known), 1, 0.4)
         hint = Text('did you mean "{oil}"?', oil=near[0]) if near else Text("known are {oils}", oils=", ".join(known))
-        raise BadInput("contralbero oils", [InputError(0, "", f'"{asked.name}"', Text("is not known; {hint}", hint=hint))])
+        raise BadInput(
+            "contralbero oils", [InputError(0, "", f'"{asked.name}"', Text("is not known; {hint}", hint=hint))]
+        )
     tables = _list(known.values()) if asked.name is None else _one_oil(known[asked.name])
     if asked.json:
         import json
@@ -151,7 +162,11 @@ def run_oils(asked: Namespace) -> int:
         about: dict[str, Any] = {"schema": 1, "program": "contralbero", "version": VERSION}
         if asked.name is not None:
             about |= {"oil": asked.name, "source": known[asked.name].source}
-        print(json.dumps({**about, "tables": {table.id: table_json(table) for table in tables}}, ensure_ascii=False, indent=1))
+        print(
+            json.dumps(
+                {**about, "tables": {table.id: table_json(table) for table in tables}}, ensure_ascii=False, indent=1
+            )
+        )
         return 0
     for n, table in enumerate(tables):
         print(("\n" if n else "") + "\n".join(table_lines(table)))
@@ -161,11 +176,21 @@ def run_oils(asked: Namespace) -> int:
 def _list(known: Any) -> list[Table]:
     """All oils, a row each."""
     columns = (
-        (Text("Oil"), ""), (Text("Base"), ""), (Name("ν40"), "mm²/s"), (Name("ν100"), "mm²/s"), (Name("VI"), ""), (Name("ρ15"), "kg/m³"),
-        (Name("η40"), "mPa·s"), (Name("η100"), "mPa·s"), (Name("α40"), "1/GPa"), (Name("Λ"), ""), (Text("Confidence"), "at least"),
-    )  # fmt: skip
+        (Text("Oil"), ""),
+        (Text("Base"), ""),
+        (Name("ν40"), "mm²/s"),
+        (Name("ν100"), "mm²/s"),
+        (Name("VI"), ""),
+        (Name("ρ15"), "kg/m³"),
+        (Name("η40"), "mPa·s"),
+        (Name("η100"), "mPa·s"),
+        (Name("α40"), "1/GPa"),
+        (Name("Λ"), ""),
+        (Text("Confidence"), "at least"),
+    )
     note = Text(
-        "At 40, 100 and 15 °C. VI: viscosity index; α: rise of the viscosity with pressure; Λ: limiting shear stress over pressure. "
+        "At 40, 100 and 15 °C. VI: viscosity index; α: rise of the viscosity with pressure; Λ: limiting shear stress "
+        "over pressure. "
         "`contralbero oils NAME` tells where each value comes from."
     )
     return [Table("oils", Text("Oils that a design may name"), columns, tuple(_row(oil) for oil in known), note)]
@@ -176,11 +201,18 @@ def _row(oil: Oil) -> tuple[str | float | None, ...]:
     cold, hot = lubricant.at(40.0), lubricant.at(100.0)
     index = viscosity_index(lubricant.nu40, lubricant.nu100)
     return (
-        oil.name, oil.base, _shown(lubricant.nu40, "mm²/s"), _shown(lubricant.nu100, "mm²/s"),
-        index if index is None else float(round(index)), oil.rho15,
-        _shown(cold.mu, "mPa·s"), _shown(hot.mu, "mPa·s"), _shown(lubricant.alpha(cold.mu), "1/GPa"), lubricant.limiting_shear,
+        oil.name,
+        oil.base,
+        _shown(lubricant.nu40, "mm²/s"),
+        _shown(lubricant.nu100, "mm²/s"),
+        index if index is None else float(round(index)),
+        oil.rho15,
+        _shown(cold.mu, "mPa·s"),
+        _shown(hot.mu, "mPa·s"),
+        _shown(lubricant.alpha(cold.mu), "1/GPa"),
+        lubricant.limiting_shear,
         least_sure(oil)[0],
-    )  # fmt: skip
+    )
 
 
 def _one_oil(oil: Oil) -> list[Table]:
@@ -188,9 +220,16 @@ def _one_oil(oil: Oil) -> list[Table]:
     lubricant = Lubricant(oil)
     states = [(T, lubricant.at(T)) for T in TEMPERATURES]
     rows = tuple(
-        (T, _shown(s.nu, "mm²/s"), _shown(s.mu, "mPa·s"), _shown(s.rho, "kg/m³"), _shown(lubricant.alpha(s.mu), "1/GPa"),
-         round(lubricant.beta(T), 5)) for T, s in states
-    )  # fmt: skip
+        (
+            T,
+            _shown(s.nu, "mm²/s"),
+            _shown(s.mu, "mPa·s"),
+            _shown(s.rho, "kg/m³"),
+            _shown(lubricant.alpha(s.mu), "1/GPa"),
+            round(lubricant.beta(T), 5),
+        )
+        for T, s in states
+    )
     units = {"T": "°C", "ν": "mm²/s", "η": "mPa·s", "ρ": "kg/m³", "α": "1/GPa", "β": "1/K"}
     columns = tuple((Name(symbol), unit) for symbol, unit in units.items())
     index = viscosity_index(lubricant.nu40, lubricant.nu100)
@@ -209,6 +248,7 @@ def _shown(inside: float, unit: str) -> float:
 
 # `contralbero errata`: what is wrong in the documents that this program grew out of, with the right values computed.
 
+
 def run_errata(asked: Namespace) -> int:
     source = _document_meant(asked.source) if asked.source else ""
     found = list(misprints(source))
@@ -216,7 +256,13 @@ def run_errata(asked: Namespace) -> int:
         import json
 
         rows = [{**{f.name: getattr(one, f.name) for f in fields(Misprint)}, "command": one.command} for one in found]
-        print(json.dumps({"schema": 1, "program": "contralbero", "version": VERSION, "errata": rows}, ensure_ascii=False, indent=1))
+        print(
+            json.dumps(
+                {"schema": 1, "program": "contralbero", "version": VERSION, "errata": rows},
+                ensure_ascii=False,
+                indent=1,
+            )
+        )
     elif asked.markdown:
         print(markdown())
     else:
@@ -238,13 +284,24 @@ def _document_meant(word: str) -> str:
 
 
 def _lines(one: Misprint) -> list[str]:
-    at = f"{one.place}, line {one.lines}" if "," not in one.lines and "-" not in one.lines else f"{one.place}, lines {one.lines}"
-    shown = [f"  {one.about}  [{at}]", *_wrapped_erratum("printed", one.printed), *_wrapped_erratum("right", one.right), *_wrapped_erratum("", one.why)]
+    at = (
+        f"{one.place}, line {one.lines}"
+        if "," not in one.lines and "-" not in one.lines
+        else f"{one.place}, lines {one.lines}"
+    )
+    shown = [
+        f"  {one.about}  [{at}]",
+        *_wrapped_erratum("printed", one.printed),
+        *_wrapped_erratum("right", one.right),
+        *_wrapped_erratum("", one.why),
+    ]
     return [*shown, *([f"    {'':<8}> {one.command}"] if one.command else []), ""]
 
 
 def _wrapped_erratum(head: str, text: str) -> list[str]:
-    return textwrap.wrap(text, WIDE, initial_indent=f"    {head:<8}", subsequent_indent=" " * 12, break_long_words=False)
+    return textwrap.wrap(
+        text, WIDE, initial_indent=f"    {head:<8}", subsequent_indent=" " * 12, break_long_words=False
+    )
 
 
 def markdown() -> str:
@@ -252,14 +309,23 @@ def markdown() -> str:
     out = [
         "# Errors in the sources",
         "",
-        "What is wrong in the three documents that this program grew out of: what is printed, what is right, and why. Right numbers are",
-        "the program's own; the command below a row shows how each is worked out. Lines are those of the plain text of the document.",
+        "What is wrong in the three documents that this program grew out of: what is printed, what is right, and why. "
+        "Right numbers are",
+        "the program's own; the command below a row shows how each is worked out. Lines are those of the plain text "
+        "of the document.",
         "",
-        "The table behind this page is `calc/library/tables/errata.toml`; `contralbero errata --markdown > docs/errata.md` writes the page.",
+        "The table behind this page is `calc/library/tables/errata.toml`; `contralbero errata --markdown > "
+        "docs/errata.md` writes the page.",
     ]
     for name, title in documents().items():
         of_it = list(misprints(name))
-        out += ["", f"## {title} ({name}): {len(of_it)} errors", "", "| where | what | printed | right | why |", "|---|---|---|---|---|"]
+        out += [
+            "",
+            f"## {title} ({name}): {len(of_it)} errors",
+            "",
+            "| where | what | printed | right | why |",
+            "|---|---|---|---|---|",
+        ]
         for one in of_it:
             why = f"{one.why}<br>`{one.command}`" if one.command else one.why
             cells = f"{one.place}; {one.lines}", one.about, one.printed, one.right, why
@@ -269,19 +335,50 @@ def markdown() -> str:
 
 # `contralbero validate`: values of others beside ours, what is met and what is not.
 
+
 def run_validate(asked: Namespace) -> int:
     found, missed = rows(), list(unmet())
     failed = [row for row in found if row.verdict == "fail"]
     if asked.json:
         import json
 
-        print(json.dumps({"schema": 1, "program": "contralbero", "version": VERSION, "rows": [
-            {"kind": r.kind, "source": r.source, "what": r.what, "published": r.published, "ours": r.ours, "tolerance": r.tolerance,
-             "unit": r.unit, "deviation": r.deviation, "verdict": r.verdict} for r in found
-        ], "unmet": [
-            {"source": u.source, "what": u.what, "printed": u.printed, "ours": u.ours, "unit": u.unit, "deviation": u.deviation,
-             "why": u.why} for u in missed
-        ]}, ensure_ascii=False, indent=1))  # fmt: skip
+        print(
+            json.dumps(
+                {
+                    "schema": 1,
+                    "program": "contralbero",
+                    "version": VERSION,
+                    "rows": [
+                        {
+                            "kind": r.kind,
+                            "source": r.source,
+                            "what": r.what,
+                            "published": r.published,
+                            "ours": r.ours,
+                            "tolerance": r.tolerance,
+                            "unit": r.unit,
+                            "deviation": r.deviation,
+                            "verdict": r.verdict,
+                        }
+                        for r in found
+                    ],
+                    "unmet": [
+                        {
+                            "source": u.source,
+                            "what": u.what,
+                            "printed": u.printed,
+                            "ours": u.ours,
+                            "unit": u.unit,
+                            "deviation": u.deviation,
+                            "why": u.why,
+                        }
+                        for u in missed
+                    ],
+                },
+                ensure_ascii=False,
+                indent=1,
+            )
+        )
         return 1 if failed else 0
     for kind, of_kind in groupby(found, lambda row: row.kind):
         print(f"\n{VALIDATION_KINDS[kind]}\n{'─' * len(VALIDATION_KINDS[kind])}")

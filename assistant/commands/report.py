@@ -48,7 +48,16 @@ def run_report(asked: Namespace) -> int:
     except OSError as error:
         raise BadInput(
             str(target),
-            [InputError(0, "", "", Text("cannot be written: {reason}; choose another place with -o", reason=error.strerror or str(error)))],
+            [
+                InputError(
+                    0,
+                    "",
+                    "",
+                    Text(
+                        "cannot be written: {reason}; choose another place with -o", reason=error.strerror or str(error)
+                    ),
+                )
+            ],
         ) from None
     finally:
         gc.enable()
@@ -58,7 +67,8 @@ def run_report(asked: Namespace) -> int:
 
 
 def _front(source: Path, document: Document) -> bytes | None:
-    """The front beside a design that is one of its drives.  One that can not be read is said, and the report is written without it."""
+    """The front beside a design that is one of its drives.  One that can not be read is said, and the report is written
+    without it."""
     from calc.studies.drive.front import NAME, Broken, picked
 
     beside = source.with_name(NAME)
@@ -68,13 +78,20 @@ def _front(source: Path, document: Document) -> bytes | None:
         raw = read_file(beside, FRONT_BYTES)
         if picked(raw, document.data) is None:
             print(
-                Text("{file}: has no drive with the values of this design; the report says nothing of it", file=str(beside)),
+                Text(
+                    "{file}: has no drive with the values of this design; the report says nothing of it",
+                    file=str(beside),
+                ),
                 file=sys.stderr,
             )
             return None
     except (OSError, Broken) as error:
         print(
-            Text("{file}: {why}; the report says nothing of it", file=str(beside), why=getattr(error, "strerror", None) or str(error)),
+            Text(
+                "{file}: {why}; the report says nothing of it",
+                file=str(beside),
+                why=getattr(error, "strerror", None) or str(error),
+            ),
             file=sys.stderr,
         )
         return None
@@ -94,7 +111,9 @@ def _target(asked: Namespace, source: Path) -> tuple[str, Path]:
             reason = Text("is written as a PDF only: take --depth engineer, or leave --format out")
             raise BadInput("contralbero report", [InputError(0, "--depth", "audit", reason)])
         if missing := [package for package, module in PACKAGES.items() if find_spec(module) is None]:
-            reason = Text("needs {packages}: `pip install {packages}`; the PDF needs nothing more", packages=" ".join(missing))
+            reason = Text(
+                "needs {packages}: `pip install {packages}`; the PDF needs nothing more", packages=" ".join(missing)
+            )
             raise BadInput("contralbero report", [InputError(0, "--format", "docx", reason)])
     return kind, target or Path(f"{source.stem}.{kind}")
 
@@ -104,10 +123,13 @@ def _target(asked: Namespace, source: Path) -> tuple[str, Path]:
 MOST = 20  # differences that are listed
 LAST = {
     Verdict.IDENTICAL: "identical, byte for byte",
-    Verdict.SIGNED: "signed, or prepared for it: what this program writes, byte for byte, and after it fields that cover nothing",
+    Verdict.SIGNED: "signed, or prepared for it: what this program writes, byte for byte, and after it fields that "
+    "cover nothing",
     Verdict.COVERED: "covered: the field of a signature lies over what is printed",
-    Verdict.OTHER_VERSION: "another version: the same values, verdicts and texts; only the version that wrote it can call it identical",
-    Verdict.SAVED_ANEW: "saved anew: no difference was found, but the bytes are not this program's; ask for the report as it was written",
+    Verdict.OTHER_VERSION: "another version: the same values, verdicts and texts; only the version that wrote it can "
+    "call it identical",
+    Verdict.SAVED_ANEW: "saved anew: no difference was found, but the bytes are not this program's; ask for the "
+    "report as it was written",
     Verdict.DIFFERS: "differs",
 }
 TRUSTED = (Verdict.IDENTICAL, Verdict.SIGNED)
@@ -123,7 +145,10 @@ def run_verify(asked: Namespace) -> int:
 
     say(f"{path}: {found.design}")
     if found.version != VERSION:
-        say(f"written by version {found.version}; this is version {VERSION}: texts are compared, and what differs may come from that")
+        say(
+            f"written by version {found.version}; this is version {VERSION}: texts are compared, and what differs "
+            f"may come from that"
+        )
     for name in found.changed:
         say(f"the attachment {name} is not the one that the report was written with")
     for one in found.differences[: MOST if not asked.all else None]:
@@ -133,7 +158,10 @@ def run_verify(asked: Namespace) -> int:
     for number in found.signed:
         print(f"page {number} carries the field of a signature; what that shows is not the report's")
     if found.front:
-        print("what it says of the search for the whole drive is what the attachment front.json says; that is not searched again")
+        print(
+            "what it says of the search for the whole drive is what the attachment front.json says; that is not "
+            "searched again"
+        )
     print(LAST[found.verdict])
     return 0 if found.verdict in TRUSTED else 1
 
@@ -143,7 +171,10 @@ def _bytes(path: Path) -> bytes:
     try:
         return read_file(path, PDF_BYTES)
     except OSError as error:
-        reason = Text("cannot be read: {reason}; give a report that `contralbero report` wrote", reason=error.strerror or str(error))
+        reason = Text(
+            "cannot be read: {reason}; give a report that `contralbero report` wrote",
+            reason=error.strerror or str(error),
+        )
         raise BadInput(str(path), [InputError(0, "", "", reason)]) from None
 
 
@@ -199,7 +230,9 @@ def _drawing_errors(asked: Namespace, kind: str) -> list[InputError]:
         errors.append(InputError(0, "--transfer", "", Text("is for a table (--csv), not for .{kind}", kind=kind)))
     error = asked.chord_error
     if error is not None and not FINEST <= error <= COARSEST:
-        reason = Text("must lie between {finest} and {coarsest}", finest=Amount(FINEST), coarsest=Amount(COARSEST, "µm"))
+        reason = Text(
+            "must lie between {finest} and {coarsest}", finest=Amount(FINEST), coarsest=Amount(COARSEST, "µm")
+        )
         errors.append(InputError(0, "--chord-error", f"{error:g}", reason))
     return errors
 
@@ -209,5 +242,8 @@ def _drawing(asked: Namespace, document: Document, results: Results) -> str:
     if asked.gear is not None or asked.gears or draws_gears(results):
         return gears_text(document, results, asked.gear, asked.chord_error)
     if asked.chord_error is not None:
-        raise BadInput("contralbero export", [InputError(0, "--chord-error", "", Text("is for gears: ask for --gear WHEEL or --gears"))])
+        raise BadInput(
+            "contralbero export",
+            [InputError(0, "--chord-error", "", Text("is for gears: ask for --gear WHEEL or --gears"))],
+        )
     return drawing_text(document, results)

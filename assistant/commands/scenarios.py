@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""`contralbero scenarios`: a train under several conditions side by side, by the judged model and by the friction source's.
+"""`contralbero scenarios`: a train under several conditions side by side, by the judged model and by the friction
+source's.
 
-Without a file: the three scenarios of the gear friction thesis.  With -o, the curves of each design as CSV, and its report as PDF.
-"""
+Without a file: the three scenarios of the gear friction thesis.  With -o, the curves of each design as CSV, and its
+report as PDF."""
 
 import csv
 import sys
@@ -33,15 +34,30 @@ def run_scenarios(asked: Namespace) -> int:
     """Exit code 3 where a design has no solution; nothing is judged."""
     files = [Path(name) for name in asked.files] or list(SCENARIOS)
     solved = [(path, *_solved(path)) for path in files]
-    unsolved = [(path, outcome) for path, _, results in solved if (outcome := results.outcomes["friction"]).result is None]
-    found = [(path, document, results, f) for path, document, results in solved if (f := results.result(FrictionResult)) is not None]
+    unsolved = [
+        (path, outcome) for path, _, results in solved if (outcome := results.outcomes["friction"]).result is None
+    ]
+    found = [
+        (path, document, results, f)
+        for path, document, results in solved
+        if (f := results.result(FrictionResult)) is not None
+    ]
     shown = [(path, results.design.name, _tables(f, results.outcomes["friction"])) for path, _, results, f in found]
     written = _write(Path(asked.output), found) if asked.output else []
     if asked.json:
         import json
 
-        designs = [{"file": path.name, "name": name, "tables": {t.id: table_json(t) for t in made}} for path, name, made in shown]
-        print(json.dumps({"schema": 1, "program": "contralbero", "version": VERSION, "designs": designs}, ensure_ascii=False, indent=1))
+        designs = [
+            {"file": path.name, "name": name, "tables": {t.id: table_json(t) for t in made}}
+            for path, name, made in shown
+        ]
+        print(
+            json.dumps(
+                {"schema": 1, "program": "contralbero", "version": VERSION, "designs": designs},
+                ensure_ascii=False,
+                indent=1,
+            )
+        )
     else:
         for n, (_, name, made) in enumerate(shown):
             print(("\n" if n else "") + name)
@@ -77,7 +93,8 @@ def _write(folder: Path, found: list[tuple[Path, Document, Results, FrictionResu
         folder.mkdir(parents=True, exist_ok=True)
     except OSError as error:
         raise BadInput(
-            str(folder), [InputError(0, "-o", "", Text("is no folder to write to: {reason}", reason=error.strerror or str(error)))]
+            str(folder),
+            [InputError(0, "-o", "", Text("is no folder to write to: {reason}", reason=error.strerror or str(error)))],
         ) from None
     written: list[Path] = []
     inputs = [path for path, *_ in found]
@@ -85,7 +102,10 @@ def _write(folder: Path, found: list[tuple[Path, Document, Results, FrictionResu
         curves, report = folder / f"{path.stem}_curves.csv", folder / f"{path.stem}.pdf"
         for one in (curves, report):
             if one in written:
-                raise BadInput(str(one), [InputError(0, "-o", "", Text("would be written for two designs; give them different names"))])
+                raise BadInput(
+                    str(one),
+                    [InputError(0, "-o", "", Text("would be written for two designs; give them different names"))],
+                )
             spare(one, *inputs)
         write_asked(curves, curves_text(friction.scenarios or {}), inputs=inputs)
         with asked_for(report):
@@ -111,7 +131,9 @@ def curves_text(found: dict[str, Any]) -> str:
 
 # `contralbero replay`: run scripted designs and compare with what they expect.
 #
-# A replay may be a stranger's: the reports that it asks for are new files beside it, or take the place of reports of this program.
+# A replay may be a stranger's: the reports that it asks for are new files beside it, or take the place of reports of
+# this program.
+
 
 def run_replay(asked: Namespace) -> int:
     scripts = [replay.load(file) for file in asked.files]
@@ -144,7 +166,8 @@ def _report(document: Document, results: Results, path: Path) -> None:
 
 
 def _replaced(path: Path) -> bytes | None:
-    """The report that stands where one is to be written, None where nothing does.  Raises BadInput for anything else."""
+    """The report that stands where one is to be written, None where nothing does.  Raises BadInput for anything
+    else."""
     with asked_for(path):
         if not path.is_symlink() and not path.exists():
             return None
@@ -152,6 +175,9 @@ def _replaced(path: Path) -> bytes | None:
     from reports.verify.verify import is_report
 
     if path.is_symlink() or not is_report(raw):
-        reason = Text("is there, and is no report as this program writes it; a replay leaves it alone: move it away, or run it elsewhere")
+        reason = Text(
+            "is there, and is no report as this program writes it; a replay leaves it alone: move it away, or run it "
+            "elsewhere"
+        )
         raise BadInput(str(path), [InputError(0, "", "", reason)])
     return raw

@@ -84,13 +84,20 @@ class Progress:
         if self.first < 0:
             self.first = done
             if 0 < done < self.count:
-                print(Text("{done} of {count} designs are known from the run before", done=done, count=self.count), file=sys.stderr)
+                print(
+                    Text("{done} of {count} designs are known from the run before", done=done, count=self.count),
+                    file=sys.stderr,
+                )
             return
         if now - self.last < OFTEN or done <= self.first:
             return
         self.last = now
         left = f"{(self.count - done) * (now - self.begun) / (done - self.first):.0f}"
-        print(Text("{done} of {count} designs, {left} s left", done=done, count=self.count, left=left), file=sys.stderr, flush=True)
+        print(
+            Text("{done} of {count} designs, {left} s left", done=done, count=self.count, left=left),
+            file=sys.stderr,
+            flush=True,
+        )
 
 
 def _store(task: Sweep, folder: Path) -> InFolder:
@@ -115,7 +122,10 @@ def _to_file(task: Sweep, path: Path, file: str, processes: int, scheduler: str)
                 counts = write_csv(table, task.document, task.plan.inputs, store)
         write_file(path, draft, backup=True, inputs=[file])
     except KeyboardInterrupt:
-        print(Text("what is done is kept in {folder}: the same command goes on from there", folder=str(store.folder)), file=sys.stderr)
+        print(
+            Text("what is done is kept in {folder}: the same command goes on from there", folder=str(store.folder)),
+            file=sys.stderr,
+        )
         raise
     except OSError as error:
         reason = Text("cannot be written: {reason}", reason=error.strerror or str(error))
@@ -128,8 +138,12 @@ def _to_file(task: Sweep, path: Path, file: str, processes: int, scheduler: str)
 
 def _summary(counts: Counter[str], task: Sweep) -> str:
     """How many came out how, and what is not usual of the first design and the last."""
-    words = [f"{counts[v]} {sign(v)}" for v in ORDER if counts[v]] + ([f"{counts[NO_DESIGN]} no design"] if counts[NO_DESIGN] else [])
+    words = [f"{counts[v]} {sign(v)}" for v in ORDER if counts[v]] + (
+        [f"{counts[NO_DESIGN]} no design"] if counts[NO_DESIGN] else []
+    )
     ends = [*task.plan.rows(0, 1), *task.plan.rows(task.plan.count - 1, task.plan.count)]
-    odd = [one for end in designs(task.document, task.plan.inputs, ends) if isinstance(end, Design) for one in unusual(end)]
+    odd = [
+        one for end in designs(task.document, task.plan.inputs, ends) if isinstance(end, Design) for one in unusual(end)
+    ]
     furthest = {one.key: one for one in sorted(odd, key=lambda one: one.beyond)}
     return "\n".join(filter(None, (f"{counts.total()} designs: " + ", ".join(words), told([*furthest.values()]))))

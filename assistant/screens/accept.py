@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Accepting a finding: what is open stays open on purpose, with a reason that stands in the design and in the report."""
+"""Accepting a finding: what is open stays open on purpose, with a reason that stands in the design and in the
+report."""
 
 from collections.abc import Sequence
 
@@ -27,8 +28,17 @@ class Accept(Reason):
 
     def __init__(self, checks: Sequence[Check], say: Language) -> None:
         worst, others = checks[0], len(checks) - 1
-        what = Text("{check}: {value}, {limit}", check=worst.name, value=Amount(worst.value, worst.unit), limit=worst.limit_text())
-        more = plural("and {n} finding of the same cause", "and {n} findings of the same cause", n=others) if others else EMPTY
+        what = Text(
+            "{check}: {value}, {limit}",
+            check=worst.name,
+            value=Amount(worst.value, worst.unit),
+            limit=worst.limit_text(),
+        )
+        more = (
+            plural("and {n} finding of the same cause", "and {n} findings of the same cause", n=others)
+            if others
+            else EMPTY
+        )
         about = " ".join(part for part in (say(what), say(more)) if part)
         super().__init__(Text("Leave this open: why is it right?"), about, USUAL)
 
@@ -48,7 +58,8 @@ class AcceptActions:
             self._apply([f"accepted.{check.id}="], Text("Open again: {check}.", check=check.name))
         elif check.kind == "limit":
             why = Text(
-                "{check} is a limit, which nobody can accept: change what is near it or beyond. {key} offers what would help.",
+                "{check} is a limit, which nobody can accept: change what is near it or beyond. {key} offers what "
+                "would help.",
                 check=check.name,
                 key=host.app.shown_key("fix"),
             )
@@ -62,7 +73,9 @@ class AcceptActions:
     def _accepted(self, checks: Sequence[Check], reason: str | None) -> None:
         if reason is not None:
             changes = [assignment(f"accepted.{check.id}", reason) for check in checks]
-            self._apply(changes, Text("Accepted: {check}. It stands in the report with its reason.", check=checks[0].name))
+            self._apply(
+                changes, Text("Accepted: {check}. It stands in the report with its reason.", check=checks[0].name)
+            )
 
     def _apply(self, changes: Sequence[str], text: Text) -> None:
         self._host.session.apply(changes)

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The screen as it is always solved: in another thread, one solve at a time, the answer dropped if it comes too late."""
+"""The screen as it is always solved: in another thread, one solve at a time, the answer dropped if it comes too
+late."""
 
 import time
 from collections.abc import Callable
@@ -30,9 +31,12 @@ if TYPE_CHECKING:
 
 
 SLOW = 0.3  # a solve that takes longer dims what stands there; sooner it would only flicker
-PAUSE = 0.08  # seconds after a key until results are painted: the next key of who types on comes sooner, and need not wait for that
+# seconds after a key until results are painted: the next key of who types on comes sooner, and need not wait for that
+PAUSE = 0.08
 FRAMES = 0.04  # seconds in which the verdicts are painted, before anything else is done
-REST = 0.9  # seconds after a key in which whatever goes on behind the screen rests: what the key does needs the processor
+REST = (
+    0.9  # seconds after a key in which whatever goes on behind the screen rests: what the key does needs the processor
+)
 HIDDEN = 0.2  # seconds until a calculation that is not on the screen is written out
 SEEK = 1.0  # seconds from then until a remedy is looked for: a step of that can not be stopped half-way
 AHEAD = 0.4  # seconds after the last results until the calculations of the other steps are written out
@@ -50,7 +54,8 @@ class Page:
 
 
 def rest(host: Host) -> None:
-    """Asked in another thread, again and again, by what nobody waits for: between two lines a key may come, and need not wait."""
+    """Asked in another thread, again and again, by what nobody waits for: between two lines a key may come, and need
+    not wait."""
     time.sleep(0.0005)
     while host.is_attached and time.monotonic() < host.app.struck + REST:
         time.sleep(0.02)
@@ -61,7 +66,9 @@ class BackgroundSolve:
 
     def __init__(self, host: Host) -> None:
         self._host = host
-        self.remedies: dict[str, tuple[Results, NearestRemedy]] = {}  # step → its remedy, and the results that it is a remedy for
+        self.remedies: dict[
+            str, tuple[Results, NearestRemedy]
+        ] = {}  # step → its remedy, and the results that it is a remedy for
         self._sought: dict[str, Results] = {}  # step → the results that a remedy is or was looked for
         self.pages: dict[str, Page] = {}  # step → what was written of it last
         self._solving = False
@@ -140,7 +147,8 @@ class BackgroundSolve:
 
     # --- the calculation, written out
     def write_out(self) -> None:
-        """Show the calculation of the step: at once where it is written already, else as soon as another thread has written it.
+        """Show the calculation of the step: at once where it is written already, else as soon as another thread has
+        written it.
 
         One that is not on the screen is written a little later: what is there is painted first.
         """
@@ -166,7 +174,9 @@ class BackgroundSolve:
 
         worker = get_current_worker()
         host = self._host
-        self.write(results, step, lambda: worker.is_cancelled or not host.is_attached or host.session.results is not results)
+        self.write(
+            results, step, lambda: worker.is_cancelled or not host.is_attached or host.session.results is not results
+        )
         if not worker.is_cancelled:
             self._host.call_later(self._wrote_page, results)
 
@@ -189,7 +199,8 @@ class BackgroundSolve:
         return page if host.calculation.sheet is page.sheet else None
 
     def write(self, results: "Results", step: Step, stop: Callable[[], bool]) -> None:
-        """Write a step out and break it into rows, unless that is done; runs in any thread, until it is told to stop."""
+        """Write a step out and break it into rows, unless that is done; runs in any thread, until it is told to
+        stop."""
         from ..session.calculation import sheet
 
         outcome, say = results.outcomes[step.key], self._host.app.say
@@ -204,7 +215,13 @@ class BackgroundSolve:
                     return
                 except Exception as error:  # a line that can not be written must not stop the session
                     why = Name(
-                        say(Text("The calculation can not be written out: {kind}: {error}", kind=type(error).__name__, error=str(error)))
+                        say(
+                            Text(
+                                "The calculation can not be written out: {kind}: {error}",
+                                kind=type(error).__name__,
+                                error=str(error),
+                            )
+                        )
                     )
                     page = Page(outcome, say, outcome, CalculationSheet(notes=(why,)), ())
                 if stop():
@@ -228,7 +245,8 @@ class BackgroundSolve:
         self._ahead = self._host.set_timer(SEEK, self.seek_remedy)
 
     def _idle(self, results: "Results | None") -> bool:
-        """Whether nothing has happened since these results: what goes on behind the screen stops at the next key, to make room."""
+        """Whether nothing has happened since these results: what goes on behind the screen stops at the next key, to
+        make room."""
         host = self._host
         return host.is_attached and not self._solving and host.session.results is results and host.session.current
 
@@ -268,7 +286,8 @@ class BackgroundSolve:
         return known if results is not None and results is self._host.session.results else None
 
     def seek_remedy(self) -> None:
-        """Look for a remedy for each step that fails, while nothing else is to be done: it is there when the step is opened."""
+        """Look for a remedy for each step that fails, while nothing else is to be done: it is there when the step is
+        opened."""
         session = self._host.session
         results = session.results
         if results is None:
@@ -286,7 +305,9 @@ class BackgroundSolve:
 
         def progress(share: float, what: str) -> None:
             rest(self._host)
-            if worker.is_cancelled or not self._idle(results) or not self._host.is_current:  # a list of remedies has its own search
+            if (
+                worker.is_cancelled or not self._idle(results) or not self._host.is_current
+            ):  # a list of remedies has its own search
                 raise Cancelled
 
         try:

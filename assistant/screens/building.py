@@ -54,7 +54,9 @@ class Building:
             return
         if step and (reason := as_table(session.data.get("without")).get(step)):
             host.app.tell(Text("Left out: {reason}.", reason=str(reason)), "warning")
-        host.set_focus(host.form, scroll_visible=False)  # before the form is put in order, which would bring it back to a field
+        host.set_focus(
+            host.form, scroll_visible=False
+        )  # before the form is put in order, which would bring it back to a field
         host.edited()
 
     def leave_out(self, step: str) -> None:

@@ -89,7 +89,9 @@ class ComparisonList(ItemList):
         say = self.app.say
         if self.found is None or self.found.equal:
             text = say(
-                self.waiting if self.found is None else Text("The two designs are equal: no input, verdict, check or value differs.")
+                self.waiting
+                if self.found is None
+                else Text("The two designs are equal: no input, verdict, check or value differs.")
             )
             return [Item("", [Content(row) for row in wrap(text, width)])]
         told = sentences(self.found, self.names, self._sign)
@@ -103,14 +105,19 @@ class ComparisonList(ItemList):
                 continue
             set_ = Setter(in_language(part.table, say), width, say)
             items.append(Item("", [*gap, Content.styled(say(part.title), "bold underline"), *set_.head()]))
-            items += [self._item(part.section, id, str(row[2]), item) for id, row, item in zip(part.ids, part.table.rows, set_.items())]
+            items += [
+                self._item(part.section, id, str(row[2]), item)
+                for id, row, item in zip(part.ids, part.table.rows, set_.items())
+            ]
             if part.table.note:
                 items.append(Item("", [Content.styled(row, "dim") for row in wrap(say(part.table.note), width)]))
         return items
 
     def _item(self, section: str, id: str, now: str, item: Item) -> Item:
         """`now`: what the second design has, which is what is copied."""
-        rows = [self._coloured(row) for row in item.rows] if section in ("Conclusion", "Verdicts", "Checks") else item.rows
+        rows = (
+            [self._coloured(row) for row in item.rows] if section in ("Conclusion", "Verdicts", "Checks") else item.rows
+        )
         return Item(f"{section} {id}", rows, now, f"{id}: {item.line}")
 
     def _sign(self, verdict: str) -> str:
@@ -135,17 +142,27 @@ class ComparisonList(ItemList):
             parts.append(ComparisonPart("Conclusion", table.title, table, tuple(r.either.id for r in results)))
         if n:
             title = plural("{n} input differs", "{n} inputs differ", n=n)
-            parts.append(ComparisonPart("Inputs", title, input_table(found.inputs, names, ids=False), tuple(d.key for d in found.inputs)))
+            parts.append(
+                ComparisonPart(
+                    "Inputs", title, input_table(found.inputs, names, ids=False), tuple(d.key for d in found.inputs)
+                )
+            )
         else:
             parts.append(ComparisonPart("Inputs", Text("No input differs."), None))
         n = len(found.steps_moved)
         changes = plural("{n} step changes its verdict", "{n} steps change their verdict", n=n)
         title = changes if n else Text("No step changes its verdict")
-        parts.append(ComparisonPart("Verdicts", title, verdict_table(found, names, self._sign), tuple(v.step for v in found.verdicts)))
+        parts.append(
+            ComparisonPart(
+                "Verdicts", title, verdict_table(found, names, self._sign), tuple(v.step for v in found.verdicts)
+            )
+        )
         checks_moved, n = found.checks_moved, len(found.checks_moved)
         changes = plural("{n} check changes its verdict", "{n} checks change their verdict", n=n)
         title = changes if n else Text("No check changes its verdict")
-        parts.append(self._checks(title, checks_moved, roomy) if checks_moved else ComparisonPart("Checks", title, None))
+        parts.append(
+            self._checks(title, checks_moved, roomy) if checks_moved else ComparisonPart("Checks", title, None)
+        )
         lone = [d for d in found.checks if not d.both and d.worse]
         if lone:
             parts.append(
@@ -175,7 +192,11 @@ class ComparisonList(ItemList):
         if lone:
             parts.append(
                 self._checks(
-                    plural("{n} check stands in one design only, and passes", "{n} checks stand in one design only, and pass", n=len(lone)),
+                    plural(
+                        "{n} check stands in one design only, and passes",
+                        "{n} checks stand in one design only, and pass",
+                        n=len(lone),
+                    ),
                     lone,
                     roomy,
                 )
@@ -272,7 +293,10 @@ class CompareScreen(Once, Screen[str | None]):
         yield Static(id="compare-sections")
         yield ComparisonList()
         yield Static(id="compare-here")
-        keys = [Content.assemble((self.app.say(key), "bold $footer-key-foreground"), " ", self.app.say(word)) for key, word in KEYS]
+        keys = [
+            Content.assemble((self.app.say(key), "bold $footer-key-foreground"), " ", self.app.say(word))
+            for key, word in KEYS
+        ]
         yield Static(Content(" ") + Content("  ").join(keys), id="compare-keys")
 
     def on_mount(self) -> None:

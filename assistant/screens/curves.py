@@ -33,7 +33,8 @@ def found(leaves: tuple[Curve | Table, ...], typed: str) -> list[Curve | Table]:
 
 
 class CurveList(Once, ModalScreen[str | None]):
-    """Gives the id of what was chosen.  The words are typed and the list is moved through without a change of the focus."""
+    """Gives the id of what was chosen.  The words are typed and the list is moved through without a change of the
+    focus."""
 
     app: BaseApp
     BINDINGS: ClassVar[list[BindingType]] = [
@@ -83,7 +84,12 @@ class CurveList(Once, ModalScreen[str | None]):
                 made.append(Option(Content.styled(self.app.say(group), "bold"), disabled=True))
                 made += [self._option(leaf, width) for leaf in own]
         options.add_options(
-            made or [Option(Content.styled(self.app.say(Text("Nothing has these words in its title.")), "dim"), disabled=True)]
+            made
+            or [
+                Option(
+                    Content.styled(self.app.say(Text("Nothing has these words in its title.")), "dim"), disabled=True
+                )
+            ]
         )
         ids = [option.id for option in made]
         known = [id for id in ids if id is not None]
@@ -160,7 +166,9 @@ class CurveActions:
                 pane.choose(id)
                 self._moves.to_view("curve")
 
-        host.app.push_screen(CurveList(f"{host.number} {host.app.say(host.step.title)}", pane.leaves, pane.leaf.id), choose)
+        host.app.push_screen(
+            CurveList(f"{host.number} {host.app.say(host.step.title)}", pane.leaves, pane.leaf.id), choose
+        )
 
     def pixels(self) -> None:
         """The curve as the report has it, on a terminal that shows pixels."""

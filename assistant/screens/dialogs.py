@@ -19,7 +19,8 @@ from calc.sheet.text import Text
 
 from ..base_app import BaseApp
 
-# Closing a dialog once: Enter that repeats, or comes twice before the first is dealt with, must not close what is behind it.
+# Closing a dialog once: Enter that repeats, or comes twice before the first is dealt with, must not close what is
+# behind it.
 
 if TYPE_CHECKING:
     from textual.screen import Screen
@@ -42,7 +43,13 @@ class Choose(Once, ModalScreen[str | None]):
     BINDINGS: ClassVar[list[BindingType]] = [Binding("escape", "cancel", "Back", show=False)]
 
     def __init__(
-        self, words: tuple[str, ...], value: str, prompt: str, beside: Region, typed: str = "", said: Callable[[str], str] = str
+        self,
+        words: tuple[str, ...],
+        value: str,
+        prompt: str,
+        beside: Region,
+        typed: str = "",
+        said: Callable[[str], str] = str,
     ) -> None:
         """`said`: a word as people read it."""
         super().__init__()
@@ -85,7 +92,8 @@ class Choose(Once, ModalScreen[str | None]):
         low = [shown.lower() if word else "" for shown, word in zip(self.shown, self.words)]
         either = [f"{shown}\n{word.lower()}" for shown, word in zip(low, self.words)]  # or as the file has it
         found = next(
-            (n for n, w in enumerate(low) if w.startswith(self._typed)), next((n for n, w in enumerate(either) if self._typed in w), None)
+            (n for n, w in enumerate(low) if w.startswith(self._typed)),
+            next((n for n, w in enumerate(either) if self._typed in w), None),
         )
         if found is not None:
             self.query_one(OptionList).highlighted = found
@@ -142,7 +150,9 @@ class Reason(Once, ModalScreen[str | None]):
         elif reason := "".join(letter for letter in self.query_one(Input).value if letter.isprintable()).strip():
             self.dismiss(reason)
         else:
-            self.query_one(".wrong", Static).update(Content(self.app.say(Text("A reason is needed: it stands in the report."))))
+            self.query_one(".wrong", Static).update(
+                Content(self.app.say(Text("A reason is needed: it stands in the report.")))
+            )
 
     def on_option_list_option_selected(self, event: OptionList.OptionSelected) -> None:
         """By a click."""
@@ -172,6 +182,7 @@ class Reason(Once, ModalScreen[str | None]):
 
 
 # A question with two answers.
+
 
 class Ask(Once, ModalScreen[bool]):
     """`y` or Enter gives True, `n` or Esc False."""

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The whole drive: the front of all combinations that pass, as points and as a table, to walk along; the row under the cursor is solved and
-may be taken as one step of the undo."""
+"""The whole drive: the front of all combinations that pass, as points and as a table, to walk along; the row under the
+cursor is solved and may be taken as one step of the undo."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -39,7 +39,8 @@ LEFT = 9  # cells of the numbers beside the frame
 
 @dataclass(frozen=True)
 class Points:
-    """`x` and `y` of every drive by its number; `now`: of the design as it is, where it has them; `fails`: whether a limit of it does."""
+    """`x` and `y` of every drive by its number; `now`: of the design as it is, where it has them; `fails`: whether a
+    limit of it does."""
 
     across: str
     up: str
@@ -106,7 +107,8 @@ SHARE = 0.85  # of the progress, until all classes are done
 PROCESSES = 2
 TALL = 30  # rows of a screen with room for points and table
 HINT = Text(
-    "Enter takes the drive (undo takes it back) · x y axes · s sort · v points · = compares · < > largest seat · i what is searched · "
+    "Enter takes the drive (undo takes it back) · x y axes · s sort · v points · = compares · < > largest seat · i "
+    "what is searched · "
     "Esc back"
 )
 STOPS = Text("Esc keeps the front so far")
@@ -170,7 +172,9 @@ class Driving(Choosing):
             progress(SHARE + (1 - SHARE) * done / of, Text("{n} of {of} drives solved whole", n=done, of=of))
 
         def evolving(done: int, most: int, passing: int) -> None:
-            progress(done / most, Text("{done} of {most} solved, {passing} pass", done=done, most=most, passing=passing))
+            progress(
+                done / most, Text("{done} of {most} solved, {passing} pass", done=done, most=most, passing=passing)
+            )
 
         try:
             found = search(problem, PROCESSES, None, told, solving, stop=lambda: self._enough)
@@ -189,7 +193,9 @@ class Driving(Choosing):
         if why.always:
             return Text("every drive that was solved whole breaks {ids}", ids=", ".join(why.always))
         if why.lines:
-            ways = SEMICOLON.join([Text("{key} {change}", key=Name(line.key), change=line.change) for line in why.lines])
+            ways = SEMICOLON.join(
+                [Text("{key} {change}", key=Name(line.key), change=line.change) for line in why.lines]
+            )
             return Text("nothing passes; one of these alone would have to give way: {ways}", ways=ways)
         return Text("nothing passes")
 
@@ -203,15 +209,21 @@ class Driving(Choosing):
         whole = table(front, numbers)
         rows = sorted(whole.rows, key=lambda row: self._key(int(row[0])))  # type: ignore[arg-type]
         return Offer(
-            count=len(front.drives), table=lambda top: Table(whole.id, whole.title, whole.columns, tuple(rows[:top]), whole.note),
-            keys=self._changes, said=lambda n: Text("drive {n}", n=n), hint=HINT, summary=self._summary(),
-        )  # fmt: skip
+            count=len(front.drives),
+            table=lambda top: Table(whole.id, whole.title, whole.columns, tuple(rows[:top]), whole.note),
+            keys=self._changes,
+            said=lambda n: Text("drive {n}", n=n),
+            hint=HINT,
+            summary=self._summary(),
+        )
 
     @property
     def shown(self) -> list[int]:
         front = self.front
         drives = front.drives if front is not None else ()
-        return [n for n, one in enumerate(drives, 1) if self.widest is None or one.objectives["seat"] <= self.widest + 1e-9]
+        return [
+            n for n, one in enumerate(drives, 1) if self.widest is None or one.objectives["seat"] <= self.widest + 1e-9
+        ]
 
     def _key(self, n: int) -> tuple[float, int]:
         assert self.front is not None
@@ -249,7 +261,9 @@ class Driving(Choosing):
             return
         names = [front.problem.objectives[n % len(front.problem.objectives)] for n in self.axes]
         across, up = (f"{self.app.say(label(front.problem, name))}, {UNIT[name]}" for name in names)
-        drives = {n: (front.drives[n - 1].objectives[names[0]], front.drives[n - 1].objectives[names[1]]) for n in self.shown}
+        drives = {
+            n: (front.drives[n - 1].objectives[names[0]], front.drives[n - 1].objectives[names[1]]) for n in self.shown
+        }
         now, fails = self._now(names)
         self.query_one(Scatter).show(Points(across, up, drives, now, fails), self.number)
 
@@ -266,9 +280,12 @@ class Driving(Choosing):
             return None, False
         checks = list(results.checks())
         known = {
-            "power": power(results), "mass": mass(results), "margin": front.problem.margin(checks),
-            "seat": max(bearings.front.diameter, bearings.rear.diameter) * 1e3, "price": front.problem.price({}, None),
-        }  # fmt: skip
+            "power": power(results),
+            "mass": mass(results),
+            "margin": front.problem.margin(checks),
+            "seat": max(bearings.front.diameter, bearings.rear.diameter) * 1e3,
+            "price": front.problem.price({}, None),
+        }
         x, y = known[names[0]], known[names[1]]
         return ((x, y) if x is not None and y is not None else None), any(c.verdict == "fail" for c in checks)
 

@@ -63,7 +63,9 @@ class EditActions:
         if isinstance(field.box, Entry) and text != field.box.value:
             if text == host.session.text(field.place):
                 number = field.about.kind in ("number", "integer")
-                host.app.tell(Text("There is no step further.") if number else Text("A list, or a text, has no increment."))
+                host.app.tell(
+                    Text("There is no step further.") if number else Text("A list, or a text, has no increment.")
+                )
                 return
             field.box.value = text
             field.box.cursor_position = len(text)
@@ -99,7 +101,8 @@ class EditActions:
                 host.form.focus(scroll_visible=False)
 
     def remedies(self) -> None:
-        """List what would help against the finding under the cursor, else against the first of the step or the design."""
+        """List what would help against the finding under the cursor, else against the first of the step or the
+        design."""
         host, session = self._host, self._host.session
         if session.reasons() or not session.current:
             solving = session.failure or Text("It is still being solved.")
@@ -118,10 +121,15 @@ class EditActions:
         host, results = self._host, self._host.session.results
         if results is None:
             return None
-        if host.focused is host.checks and (here := next((c for c in results.checks() if c.id == host.checks.key), None)) is not None:
+        if (
+            host.focused is host.checks
+            and (here := next((c for c in results.checks() if c.id == host.checks.key), None)) is not None
+        ):
             return here
         for outcomes in ([results.outcomes[host.step.key]], [results.outcomes[step.key] for step in STEPS]):
-            if (stuck := next((outcome.key for outcome in outcomes if outcome.state == "no_solution"), None)) is not None:
+            if (
+                stuck := next((outcome.key for outcome in outcomes if outcome.state == "no_solution"), None)
+            ) is not None:
                 return stuck
             groups = grouped(c for outcome in outcomes for c in outcome.checks)
             if groups and groups[0][0].verdict in URGENT:
@@ -131,7 +139,11 @@ class EditActions:
     async def _remedied(self, generation: int, finding: Check | str, way: "RepairOption | None") -> None:
         host = self._host
         if way is not None and way.changes:
-            effect = Text("{check} {result}", check=finding.name, result=way.effect) if isinstance(finding, Check) else way.effect
+            effect = (
+                Text("{check} {result}", check=finding.name, result=way.effect)
+                if isinstance(finding, Check)
+                else way.effect
+            )
             result = Text("{change}: {result}. Undo takes it back.", change=way.words, result=effect)
             self._apply(way.changes, result)
         elif host.session.generation == generation:

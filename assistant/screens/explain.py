@@ -55,7 +55,12 @@ class ChainList(ItemList):
                 about = link.line.about
                 shown = say(about)
                 title = shown[:1].upper() + shown[1:]
-                items.append(Item("", [*([Content("")] if items else []), Content.styled(title, "bold")] if title else [Content("")]))
+                items.append(
+                    Item(
+                        "",
+                        [*([Content("")] if items else []), Content.styled(title, "bold")] if title else [Content("")],
+                    )
+                )
             formula, numbers, source = line_text(link.line, say, say.number)
             entry = SheetEntry(f"{len(self.links) - number}", link.line.about, formula, numbers, source)
             made = setter.entry(entry)
@@ -66,7 +71,9 @@ class ChainList(ItemList):
     def _sources(self, width: int) -> list[Item]:
         """What the publications behind the chain are, and how we know them."""
         say, rows = self.app.say, []
-        for name, (publication, _, known) in references(link.line.formula.source for link in reversed(self.links)).items():
+        for name, (publication, _, known) in references(
+            link.line.formula.source for link in reversed(self.links)
+        ).items():
             rows += wrap(f"  {name}: {say(publication.described(known))}", width, 6)
         head = [Content(""), Content.styled(say(Text("Sources")), "bold")]
         return [Item("", [*head, *(Content.styled(row, "dim") for row in rows)])] if rows else []
@@ -101,14 +108,18 @@ class Explain(Once, ModalScreen[str | None]):
         Binding("Y", "copy('line')", "Copy the line", show=False),
     ]
 
-    def __init__(self, session: Session, *, value: str = "", check: Check | None = None, line: Line | None = None) -> None:
+    def __init__(
+        self, session: Session, *, value: str = "", check: Check | None = None, line: Line | None = None
+    ) -> None:
         """What is explained: a value by its id, a check, or a line of the calculation."""
         super().__init__()
         assert session.results is not None
         self.session = session
         self.chains = Chains(session.results)
         self.check = check
-        self.verdict = judged(check, session.results.outcomes[check.id.partition(".")[0]].checks) if check is not None else ""
+        self.verdict = (
+            judged(check, session.results.outcomes[check.id.partition(".")[0]].checks) if check is not None else ""
+        )
         self.value = value or (self.chains.behind(check) or "" if check is not None else "")
         first = self.chains.of(self.value) if self.value else self.chains.to(line) if line is not None else []
         self.way: list[list[Link]] = [first]  # the chains that were walked through; the last is shown
@@ -134,7 +145,9 @@ class Explain(Once, ModalScreen[str | None]):
         rows: list[Content] = []
         if len(self.way) > 1:
             shown = links[-1].line
-            title = say(Text("{n} back: {what}", n=len(self.way) - 1, what=shown.about or Text("a line of the calculation")))
+            title = say(
+                Text("{n} back: {what}", n=len(self.way) - 1, what=shown.about or Text("a line of the calculation"))
+            )
             rows = [Content.styled(title, "bold")]
         else:
             rows = self._title()

@@ -67,7 +67,9 @@ class FileActions:
     def open(self) -> None:
         from .path_dialogs import OpenDialog, folder_of
 
-        self._host.app.push_screen(OpenDialog(self._session.memory, folder_of(self._session), self._session.path), self._opened)
+        self._host.app.push_screen(
+            OpenDialog(self._session.memory, folder_of(self._session), self._session.path), self._opened
+        )
 
     async def _opened(self, session: Session | None) -> None:
         if session is not None:
@@ -87,7 +89,8 @@ class FileActions:
         self._host.app.begin(engines=True)
 
     def restore(self, kept: Edits | None = None) -> None:
-        """Put back edits that were kept aside, by another session or for another version of the file: the last, or these."""
+        """Put back edits that were kept aside, by another session or for another version of the file: the last, or
+        these."""
         host = self._host
         if self._session.restore(kept):
             rebuilt(host)
@@ -149,7 +152,9 @@ class FileActions:
             place, reason = next(iter(self._session.reasons().items()))
             host.app.tell(
                 Text(
-                    "No report, export or replay while the input is not valid: {map} {reason}", map=".".join(map(str, place)), reason=reason
+                    "No report, export or replay while the input is not valid: {map} {reason}",
+                    map=".".join(map(str, place)),
+                    reason=reason,
                 ),
                 "error",
             )
@@ -181,15 +186,28 @@ class FileActions:
             from ..session.exporting import write_draft
 
             write_draft(path, draft, gears, progress, lang)
-            text, severity = Text("PDF report: {path}", path=path) if kind == "PDF" else Text("Exported: {path}", path=path), "information"
+            text, severity = (
+                Text("PDF report: {path}", path=path) if kind == "PDF" else Text("Exported: {path}", path=path),
+                "information",
+            )
         except Cancelled:  # the program ends
             return
         except ImportError as error:
-            text = Text("{name} can not be written: {name2} is not installed.", name=path.name, name2=error.name or error)
+            text = Text(
+                "{name} can not be written: {name2} is not installed.", name=path.name, name2=error.name or error
+            )
         except BadInput as bad:
-            text = Text("{name} can not be written: {what}", name=path.name, what="; ".join(f"{e.key}: {e.reason}" for e in bad.errors))
+            text = Text(
+                "{name} can not be written: {what}",
+                name=path.name,
+                what="; ".join(f"{e.key}: {e.reason}" for e in bad.errors),
+            )
         except Exception as error:  # whatever goes wrong on paper, the session goes on
-            text = Text("{name} can not be written: {getattr}", name=path.name, getattr=getattr(error, "strerror", None) or error)
+            text = Text(
+                "{name} can not be written: {getattr}",
+                name=path.name,
+                getattr=getattr(error, "strerror", None) or error,
+            )
         host.call_later(self._wrote, text, severity)
 
     def _show_progress(self, what: Text) -> None:
@@ -243,7 +261,9 @@ class FileActions:
             write_atomic(path, recording.text(results).encode("utf-8"), inputs=[draft.home])
         except Exception as error:  # the recording is not lost by it
             host.call_later(
-                self._wrote, Text("{name} can not be written, the recording goes on: {error}", name=path.name, error=str(error)), "error"
+                self._wrote,
+                Text("{name} can not be written, the recording goes on: {error}", name=path.name, error=str(error)),
+                "error",
             )
         else:
             host.call_later(self._wrote, Text("Replay: {path}", path=str(path)), "information", recording)

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Help: about the field or the check that has the focus and the keys that matter, on one page; behind it the screen and all keys."""
+"""Help: about the field or the check that has the focus and the keys that matter, on one page; behind it the screen and
+all keys."""
 
 from typing import ClassVar
 
@@ -27,21 +28,35 @@ from .host import Host
 
 SCREEN = (
     Text(
-        "Six steps lead from the engine to the friction of the train. Each has inputs, and from them checks, its calculation, and curves."
+        "Six steps lead from the engine to the friction of the train. Each has inputs, and from them checks, its "
+        "calculation, and curves."
     ),
-    Text("Everything is solved again while you type. Any step can be opened at any time; one that lacks numbers says what it waits for."),
+    Text(
+        "Everything is solved again while you type. Any step can be opened at any time; one that lacks numbers says "
+        "what it waits for."
+    ),
     Text(
         "A field takes 3,5 or 3.5, 1.2e-3, another unit behind the number (3.7 in, 58 psi, 43 Hz), "
         "and a list with semicolons (-167.5; 167.5)."
     ),
     Text("(auto) stands where the program chooses because a field is empty."),
     Text(
-        "What can not be understood, or is not allowed, stays in its field with the reason; the results stay those of the last valid input."
+        "What can not be understood, or is not allowed, stays in its field with the reason; the results stay those of "
+        "the last valid input."
     ),
-    Text("A limit passed over is a FAIL; a caution passed over, or a limit kept narrowly, a warn; advice a note; ? lacks a number."),
+    Text(
+        "A limit passed over is a FAIL; a caution passed over, or a limit kept narrowly, a warn; advice a note; ? "
+        "lacks a number."
+    ),
     Text("Enter on a check, a line or a value walks back through its formulas to the inputs."),
-    Text("Letters act as keys while no field is being edited: Esc leaves a field, or first takes back what is being typed."),
-    Text("← → read a curve off at a cursor, which stays where it is while the inputs change; a limit is a chain line with its name on it."),
+    Text(
+        "Letters act as keys while no field is being edited: Esc leaves a field, or first takes back what is being "
+        "typed."
+    ),
+    Text(
+        "← → read a curve off at a cursor, which stays where it is while the inputs change; a limit is a chain line "
+        "with its name on it."
+    ),
     Text("Edits are kept aside as you work and come back after a crash; nothing is in the file before you save."),
     Text("The same numbers on the command line: contralbero check, explain, report, set, replay."),
 )
@@ -58,7 +73,9 @@ TALL = 32  # rows of a screen on which each key has a row of its own
 
 KINDS = {
     "limit": Text("Limit: passed over it fails, and less than 5 % of margin is a warning."),
-    "caution": Text("Caution: the design holds, but a slightly different one might not; it can be accepted with a reason."),
+    "caution": Text(
+        "Caution: the design holds, but a slightly different one might not; it can be accepted with a reason."
+    ),
     "advice": Text("Advice: good practice or a possible improvement. Passed over it is a note."),
     "method": Text("Method: about the calculation, not the part. Passed over it is a note."),
 }
@@ -84,7 +101,9 @@ class HelpScreen(Once, ModalScreen[None]):
                 yield Static(Content("\n").join(self.about_here()), id="help-here")
             yield Static(self.wanted(), id="help-wanted")
             with VerticalScroll(id="help-all"):
-                yield Static(Content("\n").join([Content.styled(say(Text("This screen")), "bold"), *self.paragraphs(SCREEN)]))
+                yield Static(
+                    Content("\n").join([Content.styled(say(Text("This screen")), "bold"), *self.paragraphs(SCREEN)])
+                )
                 yield Static(self.keys())
             yield Static(id="help-foot")
 
@@ -101,7 +120,9 @@ class HelpScreen(Once, ModalScreen[None]):
             else Text("F1 once more: all keys   ↑ ↓ scroll   Esc closes")
         )
         self.query_one("#help-foot", Static).update(Content.styled(self.app.say(foot), "dim"))
-        self.set_focus(self.query_one("#help-all" if all else "#help-text"))  # now, and not after the keys that are waiting
+        self.set_focus(
+            self.query_one("#help-all" if all else "#help-text")
+        )  # now, and not after the keys that are waiting
 
     def action_turn(self) -> None:
         self.show_page(not self.query_one("#help-all").display)
@@ -135,13 +156,20 @@ class HelpScreen(Once, ModalScreen[None]):
         if not lines:
             step = work.step
             outcome = work.session.results.outcomes[step.key] if work.session.results is not None else None
-            lines = [Content.styled(say(Text("Step {n} of {count}: {title}", n=work.number, count=len(STEPS), title=step.title)), "bold")]
+            lines = [
+                Content.styled(
+                    say(Text("Step {n} of {count}: {title}", n=work.number, count=len(STEPS), title=step.title)), "bold"
+                )
+            ]
             texts = (*outcome.proposals, *outcome.notes) if outcome is not None else ()
             lines += [Content(f"· {say(text)}") for text in texts]
             if outcome is not None and outcome.reason:
                 lines.append(Content(say(outcome.reason)))
         guide = GUIDES[work.step.key]
-        lines += [Content(""), Content.styled(say(Text("In step {n}, {title}", n=work.number, title=work.step.title)), "bold")]
+        lines += [
+            Content(""),
+            Content.styled(say(Text("In step {n}, {title}", n=work.number, title=work.step.title)), "bold"),
+        ]
         for word, text in ((Text("Decide"), guide.decide), (Text("Good"), guide.good), (Text("Try"), guide.trying)):
             lines += [Content(row) for row in wrap(f"{say(word)}: {say(text)}", self.room, 2)]
         return lines
@@ -161,11 +189,17 @@ class HelpScreen(Once, ModalScreen[None]):
         if about.kind == "choice":
             lines.append(Content(say(Text("Allowed: {allowed}.", allowed=about.allowed()))))
         if about.optional:
-            lines.append(Content(say(Text("May be left empty: the program then chooses and says so, or leaves out what needs it."))))
+            lines.append(
+                Content(
+                    say(Text("May be left empty: the program then chooses and says so, or leaves out what needs it."))
+                )
+            )
         if remark := session.remark(place):
             lines.append(Content(say(Text(REMARKS.template, remarks=f"“{remark}”"))))
         if reason := session.reason(place):
-            lines.append(Content.styled(f"{self.app.signs.mark('invalid')} {say(reason)}", self.app.signs.style("invalid")))
+            lines.append(
+                Content.styled(f"{self.app.signs.mark('invalid')} {say(reason)}", self.app.signs.style("invalid"))
+            )
         return lines
 
     def about_heading(self, heading: ArrayHeading | TableHeading) -> list[Content]:
@@ -177,7 +211,9 @@ class HelpScreen(Once, ModalScreen[None]):
         lines.append(Content(self.app.say(heading.HELP)))
         if heading.reason:
             lines.append(
-                Content.styled(f"{self.app.signs.mark('invalid')} {self.app.say(heading.reason)}", self.app.signs.style("invalid"))
+                Content.styled(
+                    f"{self.app.signs.mark('invalid')} {self.app.say(heading.reason)}", self.app.signs.style("invalid")
+                )
             )
         return lines
 
@@ -202,7 +238,12 @@ class HelpScreen(Once, ModalScreen[None]):
             *(
                 [
                     Content(
-                        say(Text("Moved most by: {keys}", keys=COMMA.join(label_of(self.app.session.data, key) for key in check.moved_by)))
+                        say(
+                            Text(
+                                "Moved most by: {keys}",
+                                keys=COMMA.join(label_of(self.app.session.data, key) for key in check.moved_by),
+                            )
+                        )
                     )
                 ]
                 if check.moved_by
@@ -231,7 +272,9 @@ class HelpScreen(Once, ModalScreen[None]):
             for n, (key, action) in enumerate(actions):
                 told = Text("{title}. {help}", title=action.title, help=action.help)
                 rows = wrap(" " * (GROUP + KEY) + say(told), self.room, GROUP + KEY)
-                start = Content.assemble(("" if n else group, "$primary bold"), " " * (GROUP if n else 0), (f"{key:<{KEY}}", "bold"))
+                start = Content.assemble(
+                    ("" if n else group, "$primary bold"), " " * (GROUP if n else 0), (f"{key:<{KEY}}", "bold")
+                )
                 lines += [start + rows[0][GROUP + KEY :], *map(Content, rows[1:])]
         return Content("\n").join(lines)
 
@@ -241,11 +284,17 @@ class HelpScreen(Once, ModalScreen[None]):
         lines = [
             Content(""),
             Content.styled(self.app.say(Text("Keys")), "bold"),
-            Content.styled(f"{say(Text('anywhere')):<16}{say(Text('no field')):<{INDENT - 16}}{say(Text('does'))}", "dim"),
+            Content.styled(
+                f"{say(Text('anywhere')):<16}{say(Text('no field')):<{INDENT - 16}}{say(Text('does'))}", "dim"
+            ),
         ]
         for action in ACTIONS:
             mapped = self.app.key_map.get(action.id)
-            keys, letters = (key_names(mapped, say), "") if mapped else (key_names(action.keys, say), key_names(action.letters, say))
+            keys, letters = (
+                (key_names(mapped, say), "")
+                if mapped
+                else (key_names(action.keys, say), key_names(action.letters, say))
+            )
             lines.append(self.described(keys, letters, Text("{title}. {help}", title=action.title, help=action.help)))
         lines.append(self.described("Tab Shift+Tab", "", Text("Next, previous field or pane.")))
         lines.append(
@@ -253,12 +302,15 @@ class HelpScreen(Once, ModalScreen[None]):
                 "← →",
                 "",
                 Text(
-                    "On the heading of a list of elements: leaf through them; + adds one, so does Enter in an empty list; − takes it out."
+                    "On the heading of a list of elements: leaf through them; + adds one, so does Enter in an empty "
+                    "list; − takes it out."
                 ),
             )
         )
         lines.append(
-            self.described("+ −", "", Text("On the heading of a part that may be left out: adds it, as Enter does; takes it out."))
+            self.described(
+                "+ −", "", Text("On the heading of a part that may be left out: adds it, as Enter does; takes it out.")
+            )
         )
         return Content("\n").join(lines)
 

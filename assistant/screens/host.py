@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """What the parts of the main screen need of it.
 
-`Workbench` owns its parts (moves, edits, files, curves, readings, the background solve) and hands itself to each as a `Host`; a part
-that needs another part is given it.  So nothing below the workbench imports it.
-"""
+`Workbench` owns its parts (moves, edits, files, curves, readings, the background solve) and hands itself to each as a
+`Host`; a part that needs another part is given it.  So nothing below the workbench imports it."""
 
 from collections.abc import Callable
 from typing import Any, Protocol, TypeVar

@@ -30,8 +30,8 @@ class Lists:
             self._host.pane_named("calculation").set_title(right=source.position())
 
     async def chosen(self, event: ItemList.Chosen) -> None:
-        """A step is opened; a check and a line are explained, and a click on a check goes to its line; a value that was taken over leads to
-        its owner."""
+        """A step is opened; a check and a line are explained, and a click on a check goes to its line; a value that was
+        taken over leads to its owner."""
         source = event.source
         if event.key == READY:
             self._host.close_route()

@@ -48,7 +48,8 @@ class Moves:
             host.app.tell(FIRST)
 
     async def lead_on(self) -> None:
-        """The step after; where nothing is left to do in it, no field of it is edited, so that the next Enter leads on again."""
+        """The step after; where nothing is left to do in it, no field of it is edited, so that the next Enter leads on
+        again."""
         host = self._host
         before = host.step
         await self.turn_step(1)
@@ -79,7 +80,9 @@ class Moves:
         if here is not None and checks.has_focus:
             step, check = faults[(here + 1) % len(faults)]
         else:
-            step, check = next((f for f in faults if f[0] is host.step and f[1].verdict == faults[0][1].verdict), faults[0])
+            step, check = next(
+                (f for f in faults if f[0] is host.step and f[1].verdict == faults[0][1].verdict), faults[0]
+            )
         host.at_pane("checks")
         await host.open_step(step, stay=True)
         host.set_focus(checks)
@@ -146,7 +149,13 @@ class Moves:
     def turn_pane(self, by: int) -> None:
         """The next pane that is shown; narrow, the panes follow each other."""
         host = self._host
-        names = list(VIEWS) if not host.pane_layout.wide else ["steps", *VIEWS] if host.pane_layout.large else list(host.pane_layout.shown)
+        names = (
+            list(VIEWS)
+            if not host.pane_layout.wide
+            else ["steps", *VIEWS]
+            if host.pane_layout.large
+            else list(host.pane_layout.shown)
+        )
         here = names.index(host.pane_layout.pane) if host.pane_layout.pane in names else 0
         self.to_view(names[(here + by) % len(names)])
 
@@ -185,7 +194,8 @@ class Moves:
             host.set_focus(host.form, scroll_visible=False)
 
     async def go_on(self) -> None:
-        """Enter: choose in a list, go into the form, add an element, or on to the next field; from a finished step to the next."""
+        """Enter: choose in a list, go into the form, add an element, or on to the next field; from a finished step to
+        the next."""
         host = self._host
         if isinstance(host.focused, ItemList):
             host.focused.choose()

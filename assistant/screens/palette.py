@@ -31,7 +31,8 @@ from ..widgets.text import fit, folded, match
 from .path_dialogs import begin_with
 from .workbench import Workbench
 
-# What the palette finds: actions, steps, fields, checks, values, curves, engines to begin with, designs, colours and languages.
+# What the palette finds: actions, steps, fields, checks, values, curves, engines to begin with, designs, colours and
+# languages.
 
 Does = Callable[[], Awaitable[object] | object]
 HIDDEN = {"palette", "up", "down", "go_on", "leave", "more", "less"}  # of no use from a list
@@ -41,8 +42,8 @@ ACTION, FIELD, PLACE, OTHER = 1.0, 0.9, 0.8, 0.7  # what counts more where words
 
 @dataclass(frozen=True)
 class PaletteEntry:
-    """`title` and `help` in the user's language; `also`: what else finds it; `keys`: those of an action; `first`: shown before a word is
-    typed."""
+    """`title` and `help` in the user's language; `also`: what else finds it; `keys`: those of an action; `first`: shown
+    before a word is typed."""
 
     title: str
     help: str
@@ -62,7 +63,9 @@ def entries(app: BaseApp, work: Workbench | None) -> list[PaletteEntry]:
     others = [language(code) for code in LANGUAGES if code != app.say.code]
     found: list[PaletteEntry] = []
 
-    def add(title: Text, help: str, does: Does, *also: str, keys: str = "", weight: float = OTHER, first: bool = False) -> None:
+    def add(
+        title: Text, help: str, does: Does, *also: str, keys: str = "", weight: float = OTHER, first: bool = False
+    ) -> None:
         known = folded(" ".join([*(other(title) for other in others), *also]))
         found.append(PaletteEntry(app.say(title), app.say(help), does, known, keys, weight, first))
 
@@ -78,15 +81,31 @@ Add = Callable[..., None]
 def _actions(work: Workbench, add: Add) -> None:
     for action in ACTIONS:
         if action.id not in HIDDEN:
-            keys = " ".join(map(work.app.say, map(key_name, (work.app.key_map.get(action.id) or action.binding).split(",")[:2])))
+            keys = " ".join(
+                map(work.app.say, map(key_name, (work.app.key_map.get(action.id) or action.binding).split(",")[:2]))
+            )
             does = partial(work.run_action, action.does)
-            add(action.title, action.help, does, action.id.replace("_", " "), action.help, keys=keys, weight=ACTION, first=True)
+            add(
+                action.title,
+                action.help,
+                does,
+                action.id.replace("_", " "),
+                action.help,
+                keys=keys,
+                weight=ACTION,
+                first=True,
+            )
 
 
 def _designs(work: Workbench, add: Add) -> None:
     for kept in work.session.put_aside():
         title = Text("Put back unsaved edits of {when}", when=work.session.when(kept))
-        add(title, Text("Edits of this file that another session has kept."), partial(work.files.restore, kept), first=True)
+        add(
+            title,
+            Text("Edits of this file that another session has kept."),
+            partial(work.files.restore, kept),
+            first=True,
+        )
     for path in work.session.memory.recent():
         if path != work.session.path:
             title = Text("Open recent: {path}", path=str(path))
@@ -107,12 +126,20 @@ def _of_design() -> Iterator[tuple[str, Quantity]]:
         if about.table is None:
             yield str(top), about
         else:
-            yield from ((f"{top}.{key}", field.about) for key, field in keys(about.table).items() if field.about.table is None)
+            yield from (
+                (f"{top}.{key}", field.about) for key, field in keys(about.table).items() if field.about.table is None
+            )
 
 
 def _results(work: Workbench, add: Add) -> None:
     for check in work.session.results.checks() if work.session.results is not None else ():
-        add(Text("Check: {name}", name=check.name), Text("Goes to this check."), partial(to_check, work, check), check.id, weight=PLACE)
+        add(
+            Text("Check: {name}", name=check.name),
+            Text("Goes to this check."),
+            partial(to_check, work, check),
+            check.id,
+            weight=PLACE,
+        )
     for id, value in work.session.values().items():
         title = Text("Value: {label}  {key}", label=value.label, key=id)
         add(title, Text("Walks back through its formulas to the inputs."), partial(explain, work, id))
@@ -122,17 +149,36 @@ def _curves(work: Workbench, add: Add) -> None:
     for n, step in enumerate(STEPS, 1):
         page = work.background.pages.get(step.key)
         for leaf in page.leaves if page is not None else ():
-            title = Text("Curve: {title}", title=leaf.title) if isinstance(leaf, Curve) else Text("Table: {title}", title=leaf.title)
-            add(title, Text("In step {n}, {title}.", n=n, title=step.title), partial(to_curve, work, n, leaf.id), weight=PLACE)
+            title = (
+                Text("Curve: {title}", title=leaf.title)
+                if isinstance(leaf, Curve)
+                else Text("Table: {title}", title=leaf.title)
+            )
+            add(
+                title,
+                Text("In step {n}, {title}.", n=n, title=step.title),
+                partial(to_curve, work, n, leaf.id),
+                weight=PLACE,
+            )
 
 
 def _program(app: BaseApp, open: bool, add: Add) -> None:
     for id, engine in engines().items():
         title = Text("New from {engine}: {what}", engine=engine.name, what=engine.what)
-        add(title, Text("Begins a design with this engine."), partial(begin_with, app, id, engine.name), id, "engine motore")
+        add(
+            title,
+            Text("Begins a design with this engine."),
+            partial(begin_with, app, id, engine.name),
+            id,
+            "engine motore",
+        )
     for name in app.available_themes:
         does = partial(setattr, app, "theme", name)
-        add(Text("Theme: {name}", name=name), Text("Other colours; ansi-dark and ansi-light take those of the terminal"), does)
+        add(
+            Text("Theme: {name}", name=name),
+            Text("Other colours; ansi-dark and ansi-light take those of the terminal"),
+            does,
+        )
     for code, name in LANGUAGES.items():
         if code != app.say.code:
             title, help = Text("Language: {name}", name=name), Text("The session in this language")
@@ -197,7 +243,11 @@ class Palette(ModalScreen[None]):
         work = next((screen for screen in self.app.screen_stack if isinstance(screen, Workbench)), None)
         self._entries = entries(self.app, work)
         with Vertical(classes="dialog", id="palette"):
-            yield Input(placeholder=self.app.say(Text("what to do, or where to go: words in any order")), compact=True, id="words")
+            yield Input(
+                placeholder=self.app.say(Text("what to do, or where to go: words in any order")),
+                compact=True,
+                id="words",
+            )
             yield PaletteHit(id="found", compact=True)
             yield Static("", id="palette-help")
 
@@ -235,7 +285,11 @@ class Palette(ModalScreen[None]):
 
     def _show_help(self) -> None:
         at = self.query_one(PaletteHit).highlighted
-        told = self.rows[at].help if at is not None and at < len(self.rows) else self.app.say(Text("Nothing has these words."))
+        told = (
+            self.rows[at].help
+            if at is not None and at < len(self.rows)
+            else self.app.say(Text("Nothing has these words."))
+        )
         self.query_one("#palette-help", Static).update(Content.styled(told, "dim"))
 
     def on_option_list_option_highlighted(self, event: OptionList.OptionHighlighted) -> None:

@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Which panes are on the screen: beside each other, or one alone.
 
-Narrow, one at a time.  Wide, the steps, the inputs, the picture, and below the picture one of findings, calculation and curve.
-Very wide, the curve has a place of its own below the picture.
-"""
+Narrow, one at a time.  Wide, the steps, the inputs, the picture, and below the picture one of findings, calculation and
+curve. Very wide, the curve has a place of its own below the picture."""
 
 from textual.containers import Vertical
 from textual.content import Content
@@ -16,14 +15,19 @@ from calc.sheet.text import Text
 from ..widgets.curve_pane import CurvePane, Pane
 
 VIEWS = {
-    "inputs": Text("Inputs"), "picture": Text("Picture"), "checks": Text("Findings"), "calculation": Text("Calc"), "curve": Text("Plot"),
-}  # fmt: skip
+    "inputs": Text("Inputs"),
+    "picture": Text("Picture"),
+    "checks": Text("Findings"),
+    "calculation": Text("Calc"),
+    "curve": Text("Plot"),
+}
 PANES = ("steps", *VIEWS)
 TURNED = ("checks", "calculation", "curve")  # take turns in one place
 
 
 class PaneLayout:
-    """`pane` has, or had last, the focus; `turned`: the one of those that take turns; `large`: the pane stands alone on a wide screen."""
+    """`pane` has, or had last, the focus; `turned`: the one of those that take turns; `large`: the pane stands alone on
+    a wide screen."""
 
     def __init__(self, screen: Screen[None]) -> None:
         self._screen = screen
@@ -73,7 +77,8 @@ class PaneLayout:
         return names[(names.index(here) + 1) % len(names)] if here in names else names[0]
 
     def set_out(self, say: Language) -> None:
-        """Show the panes that belong on the screen.  Done here and not by the style sheet, which would restyle every field."""
+        """Show the panes that belong on the screen.  Done here and not by the style sheet, which would restyle every
+        field."""
         screen, single, shown = self._screen, self.single, self.shown
         for pane in screen.query(Pane):
             pane.display = pane.id in shown

@@ -27,8 +27,16 @@ from .dialogs import Once
 
 Found = TypeVar("Found")
 MOST = 200  # names in the list
-NO_PATH = (OSError, ValueError, RuntimeError)  # too long, with a sign that no name may have, of a user that there is not
-WIDEST, SHARE, FRAME = 110, 0.9, 9  # columns of a dialog, its share of the screen, and what frame and scroll bar take of it
+NO_PATH = (
+    OSError,
+    ValueError,
+    RuntimeError,
+)  # too long, with a sign that no name may have, of a user that there is not
+WIDEST, SHARE, FRAME = (
+    110,
+    0.9,
+    9,
+)  # columns of a dialog, its share of the screen, and what frame and scroll bar take of it
 
 
 class PathDialog(Once, ModalScreen[Found]):
@@ -96,7 +104,9 @@ class PathDialog(Once, ModalScreen[Found]):
         self._names = [path for _, path in rows]
         options = self.query_one("#names", OptionList)
         options.clear_options()
-        options.add_options([Option(Content.styled(shown, "" if path else "bold"), disabled=not path) for shown, path in rows])
+        options.add_options(
+            [Option(Content.styled(shown, "" if path else "bold"), disabled=not path) for shown, path in rows]
+        )
         options.display = bool(rows)
 
     def cut(self, path: str) -> str:
@@ -120,7 +130,9 @@ class PathDialog(Once, ModalScreen[Found]):
             path.resolve()
             self.take(path)
         except NO_PATH as error:
-            self.say(Text("No file can have this name: {reason}.", reason=getattr(error, "strerror", None) or str(error)))
+            self.say(
+                Text("No file can have this name: {reason}.", reason=getattr(error, "strerror", None) or str(error))
+            )
 
     def on_option_list_option_selected(self, event: OptionList.OptionSelected) -> None:
         event.stop()
@@ -198,7 +210,11 @@ class CompareWith(Once, ModalScreen[Chosen | None]):
             self.dismiss(of_session(self.session, other))
         except BadInput as bad:
             self.query_one("#wrong", Static).update(
-                Content(self.app.say(Text("This state was not valid:\n{errors}", errors=errors_text(bad, Text("the design")))))
+                Content(
+                    self.app.say(
+                        Text("This state was not valid:\n{errors}", errors=errors_text(bad, Text("the design")))
+                    )
+                )
             )
 
     def _found(self, chosen: Chosen | None) -> None:
@@ -233,7 +249,12 @@ class CompareFile(PathDialog[Chosen | None]):
         shipped = [path for path in shipped if str(path) not in self._names]
         self._names += [str(path) for path in shipped]
         options = self.query_one("#names", OptionList)
-        options.add_options([Option(Content(self.app.say(Text("{name}   (comes with the program)", name=path.name)))) for path in shipped])
+        options.add_options(
+            [
+                Option(Content(self.app.say(Text("{name}   (comes with the program)", name=path.name))))
+                for path in shipped
+            ]
+        )
         options.display = bool(self._names)
 
     def take(self, path: Path) -> None:
@@ -258,6 +279,7 @@ def errors_text(bad: BadInput, place: str) -> Text:
 
 
 # Dialogs that ask where to write.  A file that is there is overwritten only after a second Enter.
+
 
 class TargetDialog(PathDialog[Path | None]):
     """Gives the path of a file to write.  `own`: a file that may be overwritten without asking."""
@@ -329,10 +351,12 @@ class ExportDialog(TargetDialog):
     TITLE_TEXT = Text("Export")
     ENDINGS = (".dxf", ".csv", ".json", ".pdf")
     DRAWS_SHAFT = Text(
-        "The ending decides: .dxf draws the shaft (in step 5 the gears), .csv has the values, .json all results, .pdf is the report."
+        "The ending decides: .dxf draws the shaft (in step 5 the gears), .csv has the values, .json all results, .pdf "
+        "is the report."
     )
     DRAWS_GEARS = Text(
-        "The ending decides: .dxf draws the gears (in step 3 the shaft), .csv has the values, .json all results, .pdf is the report."
+        "The ending decides: .dxf draws the gears (in step 3 the shaft), .csv has the values, .json all results, .pdf "
+        "is the report."
     )
 
     def __init__(self, session: Session, gears: bool) -> None:
@@ -344,11 +368,13 @@ class ExportDialog(TargetDialog):
         if path.suffix.lower() in self.ENDINGS:
             return EMPTY
         return Text(
-            "The ending {ending} is not known: .dxf draws, .csv has the values, .json all results, .pdf is the report.", ending=path.suffix
+            "The ending {ending} is not known: .dxf draws, .csv has the values, .json all results, .pdf is the report.",
+            ending=path.suffix,
         )
 
 
 # Open another design.  A file that is none stays in the dialog, with the reason.
+
 
 class OpenDialog(PathDialog[Session | None]):
     """Gives the session of the design that was opened."""
@@ -379,6 +405,7 @@ class OpenDialog(PathDialog[Session | None]):
 
 # Asks what the file of a design that is begun is to be called.
 
+
 class NewDialog(TargetDialog):
     """Gives the path of a file that is not there yet."""
 
@@ -389,7 +416,9 @@ class NewDialog(TargetDialog):
         super().__init__(own_file(id, Path.cwd()))
 
     def wrong(self, path: Path) -> Text:
-        return Text("{name} is there already: open it, or give another name.", name=path.name) if path.exists() else EMPTY
+        return (
+            Text("{name} is there already: open it, or give another name.", name=path.name) if path.exists() else EMPTY
+        )
 
 
 def begin_with(app: BaseApp, id: str, engine: str, path: Path | None = None) -> None:

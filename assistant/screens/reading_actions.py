@@ -31,7 +31,11 @@ class ReadingActions:
         if not session.valid:
             place, reason = next(iter(session.reasons().items()))
             app.tell(
-                Text("Nothing to compare while the input is not valid: {key} {reason}", key=".".join(map(str, place)), reason=reason),
+                Text(
+                    "Nothing to compare while the input is not valid: {key} {reason}",
+                    key=".".join(map(str, place)),
+                    reason=reason,
+                ),
                 "error",
             )
             return
@@ -54,7 +58,9 @@ class ReadingActions:
             host.app.tell(WRITING)
             return
         if not subject:
-            host.app.tell(Text("There is nothing to explain here: go to a check, a line of the calculation or a value."))
+            host.app.tell(
+                Text("There is nothing to explain here: go to a check, a line of the calculation or a value.")
+            )
             return
         from .explain import Explain
 
@@ -77,7 +83,9 @@ class ReadingActions:
                 return {}
             index = page.sheet.line_of.get(check.id) if page is not None else None
             return {"check": check} | ({"line": lines[index]} if index is not None else {})
-        if isinstance(focused, Calculation) and page is not None:  # else those are lines of older results, as they are without a row to see
+        if (
+            isinstance(focused, Calculation) and page is not None
+        ):  # else those are lines of older results, as they are without a row to see
             numbers = [entry.number for entry in page.sheet.entries]
             return {"line": lines[numbers.index(focused.key)]} if focused.key in numbers else {}
         if isinstance(focused, TableList) and focused.table is not None and focused.table.id == VALUES:
@@ -104,7 +112,11 @@ class ReadingActions:
             text = getattr(focused.item, what) or focused.item.line
         elif host.pane_layout.pane == "curve" and (leaf := pane.leaf) is not None:
             reading = pane.reading
-            line = Text("{curve}: {reading}", curve=leaf.title, reading=reading.line) if reading is not None else leaf.title
+            line = (
+                Text("{curve}: {reading}", curve=leaf.title, reading=reading.line)
+                if reading is not None
+                else leaf.title
+            )
             text = host.app.say(reading.value if reading is not None and what == "value" else line)
         else:
             place = host.form.here() or host.form.last

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The closing page: the drive in one picture and ten numbers, what is assumed, accepted and not verified, and what is left to do."""
+"""The closing page: the drive in one picture and ten numbers, what is assumed, accepted and not verified, and what is
+left to do."""
 
 from collections import Counter
 from collections.abc import Iterator
@@ -29,7 +30,11 @@ from .edit_actions import EditActions
 from .file_actions import FileActions
 from .host import Host
 
-REPORT, EXPORT, DRIVE = "report", "export", "drive"  # what the page gives beside the key of a step and the id of a check
+REPORT, EXPORT, DRIVE = (
+    "report",
+    "export",
+    "drive",
+)  # what the page gives beside the key of a step and the id of a check
 PICTURE = (90, 14)  # cells of the picture at most
 ASSUMED = "assumed"
 
@@ -62,19 +67,29 @@ class Closing(ItemList):
         if self.session.results is None:
             return []
         say = self.app.say
-        told = [(say(word), say(value).replace("→", self.app.signs.mark("then"))) for word, value in main_numbers(self.session.results)]
+        told = [
+            (say(word), say(value).replace("→", self.app.signs.mark("then")))
+            for word, value in main_numbers(self.session.results)
+        ]
         if not told:
             return []
         for count in (3, 2, 1):
             deep = -(-len(told) // count)
             columns = [told[n : n + deep] for n in range(0, len(told), deep)]
-            cells = [(max(len(word) for word, _ in column) + 2, max(len(value) for _, value in column) + 4) for column in columns]
+            cells = [
+                (max(len(word) for word, _ in column) + 2, max(len(value) for _, value in column) + 4)
+                for column in columns
+            ]
             if sum(left + right for left, right in cells) <= width:
                 break
         rows = []
         for n in range(deep):
             row = [(*column[n], *size) for column, size in zip(columns, cells) if n < len(column)]
-            pieces = [piece for word, value, left, right in row for piece in ((pad(word, left), "dim"), (pad(value, right), "bold"))]
+            pieces = [
+                piece
+                for word, value, left, right in row
+                for piece in ((pad(word, left), "dim"), (pad(value, right), "bold"))
+            ]
             rows.append(Content.assemble(*pieces))
         return [Item("", rows)]
 
@@ -88,9 +103,11 @@ class Closing(ItemList):
         title, words, results = f"{n} {say(STEPS[n - 1].title)}", say(state.words), self.session.results
         decides = headline(results, state.key) if results is not None and state.state in OPEN else None
         row = Content.assemble(
-            (f"{self.app.signs.mark(state.state)} ", style), pad(title, 20), (pad(words, 24), style),
+            (f"{self.app.signs.mark(state.state)} ", style),
+            pad(title, 20),
+            (pad(words, 24), style),
             (fit(say(decides.text), max(4, width - 46)), "dim") if decides is not None else "",
-        )  # fmt: skip
+        )
         return Item(state.key, [row], line=f"{title}: {words}")
 
     def _said(self, width: int) -> Iterator[list[Item]]:
@@ -98,38 +115,71 @@ class Closing(ItemList):
         session, say = self.session, self.app.say
         outcomes = session.results.outcomes.values() if session.results is not None else ()
         checks = [check for outcome in outcomes for check in outcome.checks]
-        without = [(step, Text("{step}: {reason}", step=_title(step), reason=reason)) for step, reason in session.design.without]
+        without = [
+            (step, Text("{step}: {reason}", step=_title(step), reason=reason))
+            for step, reason in session.design.without
+        ]
         yield self._part(Text("left out ({n})", n=len(without)), without, width)
-        accepted = [(c.id, Text("{check}: {reason}", check=c.name, reason=c.accepted)) for c in checks if c.verdict == "accepted"]
+        accepted = [
+            (c.id, Text("{check}: {reason}", check=c.name, reason=c.accepted))
+            for c in checks
+            if c.verdict == "accepted"
+        ]
         yield self._part(Text("accepted ({n})", n=len(accepted)), accepted, width)
         unknown: dict[str, list[Check]] = {}  # the keys that are not given → what can not be judged without them
         for check in checks:
             if check.verdict == "not_verified":
                 unknown.setdefault(", ".join(check.missing), []).append(check)
         lacking = [
-            (mine[0].id, plural("{input} is not given: {check}", "{input} is not given: {check} and {more} more", n=len(mine),
-                                input=self._labels(mine[0].missing), check=mine[0].name, more=len(mine) - 1))
+            (
+                mine[0].id,
+                plural(
+                    "{input} is not given: {check}",
+                    "{input} is not given: {check} and {more} more",
+                    n=len(mine),
+                    input=self._labels(mine[0].missing),
+                    check=mine[0].name,
+                    more=len(mine) - 1,
+                ),
+            )
             for mine in unknown.values()
-        ]  # fmt: skip
+        ]
         yield self._part(Text("not verified ({n})", n=sum(map(len, unknown.values()))), lacking, width)
-        held = [outside(check, outcome.checks) for outcome in outcomes for check in outcome.checks if check.verdict == "pass"]
-        beyond = Counter(method for methods in held for method in methods)  # how many hold by a formula that it puts out of its range
+        held = [
+            outside(check, outcome.checks)
+            for outcome in outcomes
+            for check in outcome.checks
+            if check.verdict == "pass"
+        ]
+        beyond = Counter(
+            method for methods in held for method in methods
+        )  # how many hold by a formula that it puts out of its range
         stretched = [(method.id, Text("{what}: {n} of them", n=n, what=method.name)) for method, n in beyond.items()]
         yield self._part(Text("held by a formula outside its validity ({n})", n=sum(map(bool, held))), stretched, width)
         odd = [(one.key.partition(".")[0], one.words) for one in unusual(session.design)]
         yield self._part(Text("not usual ({n})", n=len(odd)), odd, width)
         values = session.values()
         measured = [
-            (row.step, Text("{what}: {value}", what=values[row.value].label if row.value in values else self._labels((row.value,)),
-                            value=Amount(row.is_, row.unit)))
+            (
+                row.step,
+                Text(
+                    "{what}: {value}",
+                    what=values[row.value].label if row.value in values else self._labels((row.value,)),
+                    value=Amount(row.is_, row.unit),
+                ),
+            )
             for row in session.design.measured
-        ]  # fmt: skip
+        ]
         yield self._part(Text("measured ({n})", n=len(measured)), measured, width)
         notes = [note for outcome in outcomes if outcome.state == "solved" for note in outcome.notes]
         if notes:
             fold = self.app.signs.mark("unfolded" if self.unfolded else "folded")
             head = Content.styled(f"{say(Text('assumed ({n})', n=len(notes)))} {fold}", "bold")
-            rows = [Content(f"{lead}{row}") for note in notes for lead, row in _bulleted(say(note), width)] if self.unfolded else []
+            rows = (
+                [Content(f"{lead}{row}") for note in notes for lead, row in _bulleted(say(note), width)]
+                if self.unfolded
+                else []
+            )
             yield [Item(ASSUMED, [head]), *([Item("", rows)] if rows else [])]
 
     def _labels(self, keys: tuple[str, ...]) -> Text:
@@ -139,7 +189,13 @@ class Closing(ItemList):
         if not rows:
             return []
         head = Item("", [Content.styled(self.app.say(title), "bold")])
-        return [head, *(Item(id, [Content(lead + row) for lead, row in _bulleted(self.app.say(text), width)]) for id, text in rows)]
+        return [
+            head,
+            *(
+                Item(id, [Content(lead + row) for lead, row in _bulleted(self.app.say(text), width)])
+                for id, text in rows
+            ),
+        ]
 
 
 def _bulleted(text: str, width: int) -> Iterator[tuple[str, str]]:
@@ -190,7 +246,8 @@ class ReadyScreen(Once, Screen[str | None]):
         yield Static(id="ready-title")
         yield Closing(self.session)
         keys = Text(
-            "{report} report · e export · t better drives · Enter goes there · Esc goes on editing", report=self.app.shown_key("report")
+            "{report} report · e export · t better drives · Enter goes there · Esc goes on editing",
+            report=self.app.shown_key("report"),
         )
         yield Static(Content.styled(f" {self.app.say(keys)}", "dim"), id="ready-keys")
 
@@ -202,8 +259,12 @@ class ReadyScreen(Once, Screen[str | None]):
         say, signs, states = self.app.say, self.app.signs, states_of(self.session)
         done = ready(states)
         if done:
-            corners = self.session.results is not None and any(c.id.endswith("_corner") for c in self.session.results.checks())
-            words = Text("every limit holds, at every corner of the tolerances") if corners else Text("every limit holds")
+            corners = self.session.results is not None and any(
+                c.id.endswith("_corner") for c in self.session.results.checks()
+            )
+            words = (
+                Text("every limit holds, at every corner of the tolerances") if corners else Text("every limit holds")
+            )
             if without := [_title(step) for step, _ in self.session.design.without]:
                 words = Text("every limit holds; left out: {steps}", steps=COMMA.join(without))
         else:

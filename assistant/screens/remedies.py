@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What would help against a finding: a list of remedies of different kinds, found one after the other while it stands there."""
+"""What would help against a finding: a list of remedies of different kinds, found one after the other while it stands
+there."""
 
 import csv
 import io
@@ -29,7 +30,11 @@ from .selection import TITLES, Searching
 
 # The list of remedies: number, kind, change, how far it comes, and what it does to the rest.
 
-SIGN = {ALL_CORNERS: "pass", AS_GIVEN: "pass", NEAR: "warn"}  # of the verdicts; one that breaks something else is a fail
+SIGN = {
+    ALL_CORNERS: "pass",
+    AS_GIVEN: "pass",
+    NEAR: "warn",
+}  # of the verdicts; one that breaks something else is a fail
 ROOMY = 96  # cells from which the change, the result and the rest stand beside each other
 GAP = 2
 
@@ -42,20 +47,29 @@ class WayList(ItemList):
         self.ways: tuple[RepairOption, ...] = ()
 
     def show(self, ways: tuple[RepairOption, ...]) -> None:
-        """The cursor stays on its remedy, which may have another number now; on the first row until it was moved from there."""
+        """The cursor stays on its remedy, which may have another number now; on the first row until it was moved from
+        there."""
         here, before = self.key if self.key != "1" else "", self.ways
         self.ways = ways
         self.rebuild()
-        if here and (now := next((n for n, way in enumerate(ways, 1) if way == before[int(here) - 1]), None)) is not None:
+        if (
+            here
+            and (now := next((n for n, way in enumerate(ways, 1) if way == before[int(here) - 1]), None)) is not None
+        ):
             self.go_to(str(now))
         elif ways:
             self.go_to("1")
 
     def build(self, width: int) -> list[Item]:
-        return [Item(str(n), self._columns(n, way, width), self.app.say(way.words), self._line(way)) for n, way in enumerate(self.ways, 1)]
+        return [
+            Item(str(n), self._columns(n, way, width), self.app.say(way.words), self._line(way))
+            for n, way in enumerate(self.ways, 1)
+        ]
 
     def _line(self, way: RepairOption) -> str:
-        return self.app.say(Text("{kind}: {change}; {result}", kind=way.kind, change=way.words, result=self.result(way)))
+        return self.app.say(
+            Text("{kind}: {change}; {result}", kind=way.kind, change=way.words, result=self.result(way))
+        )
 
     def result(self, way: RepairOption) -> Text:
         return Text("locked: {reason} (k unlocks)", reason=way.locked) if way.locked else way.effect
@@ -75,10 +89,18 @@ class WayList(ItemList):
             rows = []
             for i in range(max(map(len, columns))):
                 cells = [column[i] if i < len(column) else "" for column in columns]
-                rows.append(Content.assemble(
-                    start if i == 0 else " " * len(start), (pad(cells[0], kinds), "bold"), " " * GAP, pad(cells[1], sizes[0]), " " * GAP,
-                    (pad(cells[2], sizes[1]), style), " " * GAP, (cells[3], "dim"),
-                ))  # fmt: skip
+                rows.append(
+                    Content.assemble(
+                        start if i == 0 else " " * len(start),
+                        (pad(cells[0], kinds), "bold"),
+                        " " * GAP,
+                        pad(cells[1], sizes[0]),
+                        " " * GAP,
+                        (pad(cells[2], sizes[1]), style),
+                        " " * GAP,
+                        (cells[3], "dim"),
+                    )
+                )
             return rows
         lead = " " * len(start)
         first = wrap(result, width - len(start) - kinds - GAP, 2)
@@ -94,16 +116,41 @@ HINT = Text("Enter or the number of a row applies it · k locks the input · w w
 
 
 def table(ways: tuple[RepairOption, ...], say: Language) -> str:
-    """Remedies as comma-separated values: numbers and keys as the design file has them, words in the user's language."""
+    """Remedies as comma-separated values: numbers and keys as the design file has them, words in the user's
+    language."""
     file = io.StringIO()
     rows = csv.writer(file, lineterminator="\n")
-    rows.writerow(["kind", "change", "result", "passes", "locked", "set", "loss before W", "loss W", "mass before kg", "mass kg",
-                   "cold clearance um", *(step.key for step in STEPS)])  # fmt: skip
+    rows.writerow(
+        [
+            "kind",
+            "change",
+            "result",
+            "passes",
+            "locked",
+            "set",
+            "loss before W",
+            "loss W",
+            "mass before kg",
+            "mass kg",
+            "cold clearance um",
+            *(step.key for step in STEPS),
+        ]
+    )
     for way in ways:
         numbers = [*(way.power or ("", "")), *(way.mass or ("", "")), "" if way.cold is None else way.cold]
         verdicts = {key: now for key, _, now in way.verdicts}
-        rows.writerow([say(way.kind), say(way.words), say(way.effect), way.passes, way.locked, " ".join(way.changes), *numbers,
-                       *(verdicts.get(step.key, "") for step in STEPS)])  # fmt: skip
+        rows.writerow(
+            [
+                say(way.kind),
+                say(way.words),
+                say(way.effect),
+                way.passes,
+                way.locked,
+                " ".join(way.changes),
+                *numbers,
+                *(verdicts.get(step.key, "") for step in STEPS),
+            ]
+        )
     return file.getvalue()
 
 
@@ -146,8 +193,15 @@ class Remedies(Searching[RepairOption | None, RepairOption]):
         say, signs = self.app.say, self.app.signs
         check = self.finding
         if isinstance(check, str):
-            return Content.styled(f"{signs.mark('no_solution')} {say(Text('{step}: no solution', step=TITLES[check]))}", "bold")
-        text = Text("{check}: {value}, needs {limit}", check=check.name, value=Amount(check.value, check.unit), limit=check.limit_text())
+            return Content.styled(
+                f"{signs.mark('no_solution')} {say(Text('{step}: no solution', step=TITLES[check]))}", "bold"
+            )
+        text = Text(
+            "{check}: {value}, needs {limit}",
+            check=check.name,
+            value=Amount(check.value, check.unit),
+            limit=check.limit_text(),
+        )
         rows = wrap(f"{signs.mark(check.verdict)} {say(text)}", self.room, 2)
         return Content("\n").join([Content.styled(row, f"bold {signs.style(check.verdict)}") for row in rows])
 
@@ -212,7 +266,9 @@ class Remedies(Searching[RepairOption | None, RepairOption]):
         if way is None:
             return
         if way.locked:
-            self.app.tell(Text("{kind} is locked: {reason}. k unlocks it.", kind=way.kind, reason=way.locked), "warning")
+            self.app.tell(
+                Text("{kind} is locked: {reason}. k unlocks it.", kind=way.kind, reason=way.locked), "warning"
+            )
         else:
             self.dismiss(way)
 
@@ -225,7 +281,9 @@ class Remedies(Searching[RepairOption | None, RepairOption]):
         self.session.toggle_lock(key)
         locked = bool(self.session.lock_reason(key))
         what = named(self.session.document, key)
-        self.app.tell(Text("{input}: locked", input=what) if locked else Text("{input}: may be changed again", input=what))
+        self.app.tell(
+            Text("{input}: locked", input=what) if locked else Text("{input}: may be changed again", input=what)
+        )
         self.begin()
 
     def action_copy(self) -> None:

@@ -29,7 +29,9 @@ if TYPE_CHECKING:
 class ResultsView:
     def __init__(self, host: Host, background: BackgroundSolve, slopes: Slopes) -> None:
         self._host, self._background, self._slopes = host, background, slopes
-        self._unchosen: tuple[Results, Results] | None = None  # of a design without [imbalance]: its own results, and those with it
+        self._unchosen: tuple[Results, Results] | None = (
+            None  # of a design without [imbalance]: its own results, and those with it
+        )
 
     def show_remedy(self) -> None:
         host, session = self._host, self._host.session
@@ -73,7 +75,9 @@ class ResultsView:
         session, field = self._host.session, self._field
         lit = named_key(session.data, field.place) if field is not None else ""
         results = self._pictured()
-        self._host.query_one(Picture).show(self._host.step.key, results.design if results is not None else None, results, lit)
+        self._host.query_one(Picture).show(
+            self._host.step.key, results.design if results is not None else None, results, lit
+        )
 
     def _pictured(self) -> "Results | None":
         """The results; where it is asked which balancing, and none is chosen yet, with the usual counterweights."""
@@ -113,7 +117,10 @@ class ResultsView:
         elif isinstance(source, (ArrayHeading, TableHeading, Fold, Radio, Taken)):
             foot.show(*source.explained())
         elif source is not None and host.pane_layout.pane == "inputs":
-            foot.show(say(Text("No field is being edited")), say(Text("letters act as keys; Tab or ↓ goes back to the fields.")))
+            foot.show(
+                say(Text("No field is being edited")),
+                say(Text("letters act as keys; Tab or ↓ goes back to the fields.")),
+            )
         else:
             foot.show("", "")
 

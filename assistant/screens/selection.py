@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Choosing from a ranked table.  The search runs aside and can be stopped; of the row under the cursor the whole design is solved before
-it is taken, so that its price in the other steps is seen."""
+"""Choosing from a ranked table.  The search runs aside and can be stopped; of the row under the cursor the whole design
+is solved before it is taken, so that its price in the other steps is seen."""
 
 from collections import Counter
 from collections.abc import Iterable, Iterator
@@ -39,7 +39,8 @@ if TYPE_CHECKING:
     from calc.solve import Results
 
 
-# A dialog whose rows a long search finds in another thread: how far it is, what it gives, and what each row does to every step.
+# A dialog whose rows a long search finds in another thread: how far it is, what it gives, and what each row does to
+# every step.
 
 TITLES = {step.key: step.title for step in STEPS}
 
@@ -49,11 +50,14 @@ Found = TypeVar("Found")
 
 def mistakes_text(bad: BadInput) -> Text:
     """Every mistake with its key, in one row."""
-    return SEMICOLON.join(Text("{key}: {reason}", key=e.key, reason=e.reason) if e.key else e.reason for e in bad.errors)
+    return SEMICOLON.join(
+        Text("{key}: {reason}", key=e.key, reason=e.reason) if e.key else e.reason for e in bad.errors
+    )
 
 
 class Searching(Once, ModalScreen[Chosen], Generic[Chosen, Found]):
-    """Gives what was chosen.  `STATE`: the row that tells the search; `BAR`: cells of its progress; `BEHIND`: what stands behind that."""
+    """Gives what was chosen.  `STATE`: the row that tells the search; `BAR`: cells of its progress; `BEHIND`: what
+    stands behind that."""
 
     app: BaseApp
     STATE: ClassVar[str]
@@ -147,7 +151,9 @@ class Searching(Once, ModalScreen[Chosen], Generic[Chosen, Found]):
             if key in OPTIONAL and was == now == "not_asked":
                 continue
             arrow = f"{signs.mark(was)} {then} " if was != now else ""
-            part = Content.assemble(f"{say(TITLES[key])} {arrow}", (f"{signs.mark(now)} {signs.word(now)}", signs.style(now)))
+            part = Content.assemble(
+                f"{say(TITLES[key])} {arrow}", (f"{signs.mark(now)} {signs.word(now)}", signs.style(now))
+            )
             if row.cell_length + part.cell_length + 3 > self.room:
                 rows.append(row)
                 row = Content("")
@@ -164,7 +170,8 @@ class Searching(Once, ModalScreen[Chosen], Generic[Chosen, Found]):
         self.dismiss(None)
 
 
-# What was found, to choose from: the ranked tables of an offer below each other, of which each numbered row can be taken.
+# What was found, to choose from: the ranked tables of an offer below each other, of which each numbered row can be
+# taken.
 
 TOP = 40  # rows of a table
 
@@ -206,7 +213,13 @@ class OfferList(ItemList):
             rows = set_.items()
             for item, cells in zip(rows, table.rows):
                 first = cells[0] if numbered else None
-                key = f"{first:g}" if isinstance(first, (int, float)) else first if isinstance(first, str) and first.isdigit() else ""
+                key = (
+                    f"{first:g}"
+                    if isinstance(first, (int, float))
+                    else first
+                    if isinstance(first, str) and first.isdigit()
+                    else ""
+                )
                 items.append(Item("" if key in taken else key, item.rows, item.value, item.line))
                 taken.add(key)
             items += [Item("", item.rows) for item in rows[len(table.rows) :]]
@@ -362,7 +375,10 @@ class Choosing(Searching[tuple[str, ...] | None, Offer]):
         was = {key: before.outcomes[key].verdict for key in now} if before is not None else now
         counted = Counter(c.verdict for c in results.checks())
         were = Counter(c.verdict for c in before.checks()) if before is not None else counted
-        counts = ", ".join(f"{counted[v]} {signs.word(v)} ({self.app.say(Text('now {n}', n=were[v]))})" for v in ("fail", "warn", "pass"))
+        counts = ", ".join(
+            f"{counted[v]} {signs.word(v)} ({self.app.say(Text('now {n}', n=were[v]))})"
+            for v in ("fail", "warn", "pass")
+        )
         return [*self.verdict_rows(((key, was[key], now[key]) for key in now), "→"), Content.styled(counts, "dim")]
 
     # --- what the keys do

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""How far the inputs move a check, and what an input moves: asked for by what is shown, found in another thread, kept while it holds."""
+"""How far the inputs move a check, and what an input moves: asked for by what is shown, found in another thread, kept
+while it holds."""
 
 import math
 from collections.abc import Callable
@@ -47,7 +48,8 @@ class Slopes:
             self._soon("check", check.id)
 
     def of_key(self, key: str, then: Callable[[Text], None]) -> Text:
-        """What an input moves most, "film at the edge, front +0.45 µm per mm"; where it is not known it is looked for, and `then` told."""
+        """What an input moves most, "film at the edge, front +0.45 µm per mm"; where it is not known it is looked for,
+        and `then` told."""
         if (known := self._look_up(key)) is not None:
             return known
         if self._current:
@@ -72,7 +74,12 @@ class Slopes:
 
     def _begin(self, kind: str, name: str) -> None:
         host = self._host
-        if host.stands and self._wanted[kind] == name and self._current and (results := host.session.results) is not None:
+        if (
+            host.stands
+            and self._wanted[kind] == name
+            and self._current
+            and (results := host.session.results) is not None
+        ):
             host.in_thread(f"slopes of a {kind}", partial(self._find, name, host.session.document, results))
 
     def _find(self, name: str, document: "Document", results: "Results") -> None:
@@ -134,7 +141,9 @@ def of_input(data: "Table", key: str, moved: "tuple[tuple[Check, Effect], ...]")
         if check.kind == "limit" and effect.slope and any(f"{key}.".startswith(f"{one}.") for one in check.moved_by):
             seen.setdefault(check.cause or check.id, (check, effect))
     unit = quantity_of(data, key).unit
-    return SEMICOLON.join(slope(Small(check.name), one.slope or 0.0, check.unit, unit) for check, one in list(seen.values())[:MOST])
+    return SEMICOLON.join(
+        slope(Small(check.name), one.slope or 0.0, check.unit, unit) for check, one in list(seen.values())[:MOST]
+    )
 
 
 def slope(what: Text, slope: float, unit: str, of: str) -> Text:
@@ -143,7 +152,9 @@ def slope(what: Text, slope: float, unit: str, of: str) -> Text:
     if not LEAST <= abs(slope) < GREATEST:
         size = 10.0 ** -math.floor(math.log10(abs(slope)))
     per = Name(of) if size == 1 and of else Amount(size, of)
-    return Text("{what} {slope} per {per}", what=what, slope=Amount(float(f"{slope * size:.2g}"), unit, form="+.3g"), per=per)
+    return Text(
+        "{what} {slope} per {per}", what=what, slope=Amount(float(f"{slope * size:.2g}"), unit, form="+.3g"), per=per
+    )
 
 
 def _size(data: "Table", key: str) -> float:

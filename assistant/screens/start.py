@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The first screen: how to begin.  Words that are typed find an engine or a design; Enter begins with the row under the cursor."""
+"""The first screen: how to begin.  Words that are typed find an engine or a design; Enter begins with the row under the
+cursor."""
 
 import time
 from contextlib import suppress
@@ -32,16 +33,19 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
 
 
-# About the way to begin that is under the cursor: what an engine shakes with, what a design comes to.  Found out in another thread.
+# About the way to begin that is under the cursor: what an engine shakes with, what a design comes to.  Found out in
+# another thread.
 
 ABOUT_BEGINNING = {
     "open": Text("A design file, from any folder. Unsaved edits of it that were kept are put back."),
     "example": Text(
-        "The counter-shaft of a three-cylinder diesel as it was published, in all six steps. Look at what fails, and why. Nothing is "
+        "The counter-shaft of a three-cylinder diesel as it was published, in all six steps. Look at what fails, and "
+        "why. Nothing is "
         "written before you save, and then under a name of its own."
     ),
     "engine": Text(
-        "Enter asks for a name. Then come balancing, shaft, bearings, gears and friction, one question at a time; every number of the "
+        "Enter asks for a name. Then come balancing, shaft, bearings, gears and friction, one question at a time; "
+        "every number of the "
         "engine can be replaced by your own."
     ),
 }
@@ -67,7 +71,9 @@ class BeginDetail(VerticalScroll, can_focus=False):
         self.scroll_home(animate=False)
         self._draw()
         if row.key not in self._known and row.kind != "open":
-            self.run_worker(lambda: self._find_out(row), thread=True, exclusive=True, exit_on_error=False, group="begin")
+            self.run_worker(
+                lambda: self._find_out(row), thread=True, exclusive=True, exit_on_error=False, group="begin"
+            )
 
     def tell(self, text: Text) -> None:
         """Something to be said in its place."""
@@ -94,8 +100,14 @@ class BeginDetail(VerticalScroll, can_focus=False):
         gap = [Content("")] if wide else []
         lines = [Content.styled(line, "bold") for line in wrap(say(row.title), room)]
         if row.kind in ("engine", "file") and (wide or row.kind == "file"):
-            lines += [Content(line) for fact in filter(None, (row.about, row.size)) for line in wrap(say(fact), room)] + gap
-        about = [Content.styled(line, "dim") for line in wrap(say(ABOUT_BEGINNING[row.kind]), room)] if row.kind in ABOUT_BEGINNING else []
+            lines += [
+                Content(line) for fact in filter(None, (row.about, row.size)) for line in wrap(say(fact), room)
+            ] + gap
+        about = (
+            [Content.styled(line, "dim") for line in wrap(say(ABOUT_BEGINNING[row.kind]), room)]
+            if row.kind in ABOUT_BEGINNING
+            else []
+        )
         if about and row.kind != "engine":
             lines += [*about, *gap]
         if found is None and row.kind != "open":
@@ -138,7 +150,8 @@ class BeginDetail(VerticalScroll, can_focus=False):
 
 
 NOTHING = Text(
-    "Nothing is called so. For an engine of your own begin with one that has its layout: every number of it can be replaced. "
+    "Nothing is called so. For an engine of your own begin with one that has its layout: every number of it can be "
+    "replaced. "
     "Words that find one: inline, parallel, V, boxer, twin, diesel, petrol, own."
 )
 SPACES = 3  # cells before a row
@@ -151,7 +164,8 @@ class BeginningList(OptionList, can_focus=False):
 
 
 class Start(Screen[None]):
-    """`missing`: a file that was asked for and is not there, which an engine may begin.  `engines`: the cursor begins there."""
+    """`missing`: a file that was asked for and is not there, which an engine may begin.  `engines`: the cursor begins
+    there."""
 
     app: BaseApp
     HORIZONTAL_BREAKPOINTS = [(0, "-narrow"), (100, "-wide")]  # noqa: RUF012
@@ -177,11 +191,22 @@ class Start(Screen[None]):
         self.set_class(self.app.ascii, "-ascii")
         say = self.app.say
         self._groups = groups(self.memory, self.missing)
-        asks = Text("{name} is not there yet: which engine is it for?", name=self.missing.name) if self.missing is not None else None
-        yield Static(
-            Content.assemble((" Contralbero", "bold"), f"   {say(asks or Text('from an engine to a drive that holds'))}"), id="start-title"
+        asks = (
+            Text("{name} is not there yet: which engine is it for?", name=self.missing.name)
+            if self.missing is not None
+            else None
         )
-        yield Input(placeholder=say(Text("type to find an engine or a design: inline 3, boxer, own …")), compact=True, id="words")
+        yield Static(
+            Content.assemble(
+                (" Contralbero", "bold"), f"   {say(asks or Text('from an engine to a drive that holds'))}"
+            ),
+            id="start-title",
+        )
+        yield Input(
+            placeholder=say(Text("type to find an engine or a design: inline 3, boxer, own …")),
+            compact=True,
+            id="words",
+        )
         with Horizontal(id="start-body"):
             yield BeginningList(id="ways", compact=True)
             yield BeginDetail(self.memory)
@@ -239,9 +264,16 @@ class Start(Screen[None]):
         words = folded(self.query_one("#words", Input).value).split()
         self._rows = []
         options: list[Option] = []
-        width, tall = self.ways.size.width - SPACES - 1, self.ways.size.height > sum(len(rows) + 2 for _, rows in self._groups)
+        width, tall = (
+            self.ways.size.width - SPACES - 1,
+            self.ways.size.height > sum(len(rows) + 2 for _, rows in self._groups),
+        )
         for heading, rows in self._groups:
-            found = sorted(self._found(words, rows), key=lambda pair: -round(pair[0], 1)) if words else [(0.0, row) for row in rows]
+            found = (
+                sorted(self._found(words, rows), key=lambda pair: -round(pair[0], 1))
+                if words
+                else [(0.0, row) for row in rows]
+            )
             if found:
                 if options and tall:
                     self._rows.append(None)
@@ -253,7 +285,12 @@ class Start(Screen[None]):
         self.ways.add_options(options)
         stays = not words and before is not None and before in self._rows
         first = next(
-            (n for n, row in enumerate(self._rows) if row is not None and (words or not self.engines or row.kind == "engine")), None
+            (
+                n
+                for n, row in enumerate(self._rows)
+                if row is not None and (words or not self.engines or row.kind == "engine")
+            ),
+            None,
         )
         self.ways.highlighted = self._rows.index(before) if stays else first
         if not options:
@@ -267,7 +304,8 @@ class Start(Screen[None]):
                 yield score, row
 
     def _row(self, row: Beginning, width: int) -> Content:
-        """In columns where there is room: title, what it is, size, what shakes and the balancing; what is left out stands in the detail."""
+        """In columns where there is room: title, what it is, size, what shakes and the balancing; what is left out
+        stands in the detail."""
         say, signs = self.app.say, self.app.signs
         mark = Content.styled(f" {signs.mark('edited')} ", "dim") if row.edited else Content(" " * SPACES)
         found = self.query_one(BeginDetail).known(row)

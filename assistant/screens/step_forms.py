@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The forms of the steps, of which one is shown: those of further steps are made while nobody types, so that a step opens at once."""
+"""The forms of the steps, of which one is shown: those of further steps are made while nobody types, so that a step
+opens at once."""
 
 import time
 

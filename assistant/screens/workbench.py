@@ -53,11 +53,14 @@ HUGE = 170  # cells of a screen that has room for the findings beside the pictur
 
 
 class Workbench(Screen[None]):
-    """What is shown, and when it is shown anew.  Its parts do the rest: what the keys do, and how the design is solved behind it."""
+    """What is shown, and when it is shown anew.  Its parts do the rest: what the keys do, and how the design is solved
+    behind it."""
 
     app: BaseApp
     HORIZONTAL_BREAKPOINTS = [(0, "-tiny"), (60, "-narrow"), (100, "-wide"), (HUGE, "-huge")]  # noqa: RUF012
-    BINDINGS: ClassVar[list[BindingType]] = [Binding(a.binding, a.does, a.title, show=False, id=a.id) for a in ACTIONS if a.binding]
+    BINDINGS: ClassVar[list[BindingType]] = [
+        Binding(a.binding, a.does, a.title, show=False, id=a.id) for a in ACTIONS if a.binding
+    ]
     AUTO_FOCUS = ""
     # a change of the focus is drawn by the two widgets; the whole screen need not be
     focused: Reactive[Widget | None] = Reactive(None, repaint=False)
@@ -77,7 +80,9 @@ class Workbench(Screen[None]):
         self.building = Building(self, self.moves)
         self.results_view = ResultsView(self, self.background, self.slopes)
         self.lists = Lists(self, self.moves, self.readings, self.results_view)
-        self._actions = methods(self.moves, self.edits, self.files, self.curves, self.readings, AcceptActions(self), self.closing)
+        self._actions = methods(
+            self.moves, self.edits, self.files, self.curves, self.readings, AcceptActions(self), self.closing
+        )
         self.feedback = EditFeedback(self)
         self._composing = False
         self._begin(session)
@@ -89,13 +94,17 @@ class Workbench(Screen[None]):
     # --- the parts
     def compose(self) -> ComposeResult:
         # the classes that the width will give, before there is anything that would have to be styled anew
-        self.add_class(next(name for least, name in reversed(self.HORIZONTAL_BREAKPOINTS) if self.app.size.width >= least))
+        self.add_class(
+            next(name for least, name in reversed(self.HORIZONTAL_BREAKPOINTS) if self.app.size.width >= least)
+        )
         self.set_class(self.app.ascii, "-ascii")
         yield TopLine(self.session)
         yield StepBar(self.session)
         with Horizontal(id="body"):
             yield Pane(Text("Steps"), Steps(self.session), id="steps")
-            yield Pane(self._form_title(), Container(Form(self.step, self.session), id="forms"), FieldHelp(), id="inputs")
+            yield Pane(
+                self._form_title(), Container(Form(self.step, self.session), id="forms"), FieldHelp(), id="inputs"
+            )
             with Vertical(id="results"):
                 with Vertical(id="seen"):
                     yield Pane(Text("Picture"), Picture(), id="picture")

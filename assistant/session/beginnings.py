@@ -23,7 +23,8 @@ RECENT = 4  # designs that are listed beside the last one
 
 @dataclass(frozen=True)
 class Beginning:
-    """One way to begin.  `id`: of an engine, or a path.  `about` and `size` stand beside the title, `state` of a design with them."""
+    """One way to begin.  `id`: of an engine, or a path.  `about` and `size` stand beside the title, `state` of a design
+    with them."""
 
     kind: Literal["file", "engine", "open", "example"]
     id: str
@@ -45,7 +46,9 @@ def groups(memory: Memory, missing: Path | None = None) -> list[tuple[Text, list
         for id, engine in engines().items()
     ]
     begin = (Text("Begin with an engine: every number of it can be replaced by your own"), made)
-    example = Beginning("example", str(EXAMPLE), Text("The worked example"), Text("a published design that fails: see where, and why"))
+    example = Beginning(
+        "example", str(EXAMPLE), Text("The worked example"), Text("a published design that fails: see where, and why")
+    )
     if missing is not None:
         return [begin]
     designs = [_of_file(path, memory) for path in memory.recent()[: RECENT + 1]]
@@ -57,8 +60,14 @@ def groups(memory: Memory, missing: Path | None = None) -> list[tuple[Text, list
 def _of_file(path: Path, memory: Memory) -> Beginning:
     edited = bool(memory.kept(path))
     if not is_file(path):
-        return Beginning("file", str(path), path.name, Text("never saved, kept in {folder}", folder=shown(path.parent)), edited=True)
-    about = Text("edits not saved, in {folder}", folder=shown(path.parent)) if edited else Text("in {folder}", folder=shown(path.parent))
+        return Beginning(
+            "file", str(path), path.name, Text("never saved, kept in {folder}", folder=shown(path.parent)), edited=True
+        )
+    about = (
+        Text("edits not saved, in {folder}", folder=shown(path.parent))
+        if edited
+        else Text("in {folder}", folder=shown(path.parent))
+    )
     return Beginning("file", str(path), path.name, about, edited=edited)
 
 
@@ -87,7 +96,8 @@ def own_file(id: str, folder: Path) -> Path:
 
 
 def engine_only(id: str, path: Path) -> "Table":
-    """A design with nothing but an engine, both named like its file: its steps are built one by one, its numbers are replaced."""
+    """A design with nothing but an engine, both named like its file: its steps are built one by one, its numbers are
+    replaced."""
     engine = engines()[id]
     note = f"Begun with the data of {engine.name}: {engine.what}. They are from: {engine.source}."
     return {"schema": 1, "name": path.stem, "note": note, "engine": {**engine_table(id), "name": path.stem}}
@@ -95,7 +105,8 @@ def engine_only(id: str, path: Path) -> "Table":
 
 @dataclass(frozen=True)
 class Finding:
-    """What is known of a way to begin once it was solved, and its picture; of an engine what shakes and the balancing that it calls for."""
+    """What is known of a way to begin once it was solved, and its picture; of an engine what shakes and the balancing
+    that it calls for."""
 
     lines: tuple[Text, ...]
     sketch: "Sketch | None" = None
@@ -129,7 +140,10 @@ def _verdicts(results: "Results") -> list[Text]:
     cautions = sum(check.verdict in ("warn", "not_verified") for check in rows)
     said = [Text("No solution: {reason}", reason=reason) for reason in unsolved]
     said += [plural("It fails in {n} place:", "It fails in {n} places:", n=len(fails))] if fails else []
-    said += [Text("{name}: {value}, {limit}", name=c.name, value=Amount(c.value, c.unit), limit=c.limit_text()) for c in fails]
+    said += [
+        Text("{name}: {value}, {limit}", name=c.name, value=Amount(c.value, c.unit), limit=c.limit_text())
+        for c in fails
+    ]
     if not said:
         said = [Text("Every limit holds.")]
     return [*said, plural("{n} caution is open.", "{n} cautions are open.", n=cautions)] if cautions else said
@@ -144,6 +158,12 @@ def _shaking(id: str) -> Finding:
     document = Document({"schema": 1, "name": id, "engine": engine_table(id)})
     results = with_imbalance(document)
     best = next(one for one in options(document, results) if one.called_for)
-    lines = (Text("Shakes: {what}.", what=what_shakes(results)), Text("It calls for: {balancing}.", balancing=best.label), best.why)
+    lines = (
+        Text("Shakes: {what}.", what=what_shakes(results)),
+        Text("It calls for: {balancing}.", balancing=best.label),
+        best.why,
+    )
     engine = design(document).engine
-    return Finding(tuple(filter(None, lines)), icon(engine) if engine is not None else None, shakes_briefly(results), best.label)
+    return Finding(
+        tuple(filter(None, lines)), icon(engine) if engine is not None else None, shakes_briefly(results), best.label
+    )

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The calculation of a step made readable: its lines with what is judged by them, what the source has wrong, what is assumed.
+"""The calculation of a step made readable: its lines with what is judged by them, what the source has wrong, what is
+assumed.
 
 Written away from the screen, so that a long calculation can be prepared in another thread.
 """
@@ -28,7 +29,9 @@ class SheetEntry:
     formula: str
     numbers: str
     source: str
-    checks: tuple[tuple[Check, str], ...] = ()  # each with its verdict, or that it holds outside the validity of its formula
+    checks: tuple[
+        tuple[Check, str], ...
+    ] = ()  # each with its verdict, or that it holds outside the validity of its formula
     errata: tuple[Erratum, ...] = ()
 
     def text(self) -> str:
@@ -92,5 +95,10 @@ VALUES = "values"  # the table of all values of a step; the id of each stands in
 def values_table(outcome: Outcome[object], say: Language) -> Table:
     """Every value that a step publishes."""
     rows = tuple((v.label, v.shown, v.unit, v.id) for v in outcome.values())
-    table = Table(VALUES, Text("All values of this step"), ((Text("Value"), ""), (EMPTY, ""), (Text("Unit"), ""), (Name("id"), "")), rows)
+    table = Table(
+        VALUES,
+        Text("All values of this step"),
+        ((Text("Value"), ""), (EMPTY, ""), (Text("Unit"), ""), (Name("id"), "")),
+        rows,
+    )
     return in_language(table, say)

@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """A design under edit: what was typed, what it means, and what of it is not allowed.
 
-Every edit makes a new document that is checked whole.  What can not be understood, or is not allowed, stays visible in its
-field while the last valid design stays as it was.
-"""
+Every edit makes a new document that is checked whole.  What can not be understood, or is not allowed, stays visible in
+its field while the last valid design stays as it was."""
 
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, field, replace
@@ -25,6 +24,7 @@ from .recording import Recording
 
 # Changes of a design as `--set` takes them, KEY=VALUE: made all together, and told in words.
 
+
 def applied(document: Document, changes: Iterable[str]) -> Document:
     """The document with every change made.  Raises BadInput where a key is none."""
     for change in changes:
@@ -41,7 +41,13 @@ def told(document: Document, changes: Iterable[str]) -> Text:
             continue
         about, before = there
         texts.append(
-            Text("{label} ({key}) {before} → {value}", label=about.label, key=key, before=_part(before), value=_part(value, about.unit))
+            Text(
+                "{label} ({key}) {before} → {value}",
+                label=about.label,
+                key=key,
+                before=_part(before),
+                value=_part(value, about.unit),
+            )
         )
     return SEMICOLON.join(texts)
 
@@ -57,7 +63,8 @@ def locked_text(document: Document, changes: Iterable[str]) -> Text:
 
 
 def _different(document: Document, changes: Iterable[str]) -> Iterator[tuple[str, Any, tuple[Quantity, object] | None]]:
-    """Keys with their new values, each with its description and the value before; None of an element that only the changes make."""
+    """Keys with their new values, each with its description and the value before; None of an element that only the
+    changes make."""
     for key, value in map(parse_assignment, changes):
         try:
             there = quantity_of(document.data, key), value_at(document.data, key)
@@ -74,7 +81,11 @@ def _part(value: Any, unit: str = "") -> Part:
         return "(auto)"
     if isinstance(value, (int, float)) and not isinstance(value, bool):
         return Amount(value, unit, form="g" if isinstance(value, float) else "d")
-    text = SEMICOLON.join(Text("{item}", item=_part(item)) for item in value) if isinstance(value, list) else Name(str(value))
+    text = (
+        SEMICOLON.join(Text("{item}", item=_part(item)) for item in value)
+        if isinstance(value, list)
+        else Name(str(value))
+    )
     return Text("{text} {unit}", text=text, unit=unit) if unit else text
 
 
@@ -139,7 +150,8 @@ class Editing:
         return self.reasons().get(where, EMPTY)
 
     def reasons(self) -> dict[Place, Text]:
-        """Every field that is not accepted, with the reason; mistakes that belong to a table stand at the place of the table."""
+        """Every field that is not accepted, with the reason; mistakes that belong to a table stand at the place of the
+        table."""
         reasons: dict[Place, Text] = {}
         for error in self.errors:
             reasons.setdefault(error_place(self._state.data, error.key), error.reason)
@@ -155,7 +167,9 @@ class Editing:
         where = self.place(key)
         texts = {k: v for k, v in self._state.texts.items() if k != where}
         try:
-            gone = not text.strip() and optional_table(where) is not None  # such a table goes with its last key, so a key must go too
+            gone = (
+                not text.strip() and optional_table(where) is not None
+            )  # such a table goes with its last key, so a key must go too
             content = None if gone else numbers.value(text, described(where))
         except numbers.NotUnderstood as no:
             self._step(EditState(self._state.data, {**texts, where: (text, no.reason)}), where)
@@ -163,7 +177,11 @@ class Editing:
         old = self.value(where)
         if isinstance(content, list) and len(content) == 1 and old is not None and not isinstance(old, list):
             content = content[0]  # a list of one may stand in the file as a number
-        data = self._state.data if content == old and type(content) is not bool else changed(self._state.data, where, content)
+        data = (
+            self._state.data
+            if content == old and type(content) is not bool
+            else changed(self._state.data, where, content)
+        )
         self._step(EditState(without_empty(data, where), texts), where)
         return self.reason(where)
 
@@ -195,19 +213,25 @@ class Editing:
         self.seal()
 
     def put_table(self, where: Place, there: bool) -> None:
-        """Add a table that may be left out, with no key yet (what it needs is then reported as missing); or leave it out."""
+        """Add a table that may be left out, with no key yet (what it needs is then reported as missing); or leave it
+        out."""
         texts = {k: v for k, v in self._state.texts.items() if k[: len(where)] != where}
         self.seal()
         self._step(EditState(changed(self._state.data, where, {} if there else None), texts), where)
         self.seal()
 
     def apply(self, changes: Iterable[str]) -> None:
-        """Make several changes, each KEY=VALUE as `--set` takes it, as one step of the undo.  Raises BadInput where a key is none.
+        """Make several changes, each KEY=VALUE as `--set` takes it, as one step of the undo.  Raises BadInput where a
+        key is none.
 
         What was typed elsewhere, and not understood, stays.
         """
         data, before = applied(self.document, changes).data, self._state.data
-        texts = {where: text for where, text in self._state.texts.items() if content_at(data, where) == content_at(before, where)}
+        texts = {
+            where: text
+            for where, text in self._state.texts.items()
+            if content_at(data, where) == content_at(before, where)
+        }
         self.seal()
         self._step(EditState(data, texts), None)
         self.seal()
@@ -224,7 +248,8 @@ class Editing:
         self.seal()
 
     def plan(self, step: str, balancing: str = "") -> "BuildPlan":
-        """A step that the design does not have, or (`balancing`) crank and shaft of a balancing, built by the rules behind `new`.
+        """A step that the design does not have, or (`balancing`) crank and shaft of a balancing, built by the rules
+        behind `new`.
 
         Changes nothing, and so may run in another thread; `take` puts it in.
         """
@@ -236,7 +261,9 @@ class Editing:
         except (BadInput, NoSolution) as error:
             return BuildPlan(document.data, document.data, text_of(error))
         if step == "countershaft" and data == document.data:
-            return BuildPlan(data, data, Text("the balancing that was chosen has no shaft; the step Imbalance offers others"))
+            return BuildPlan(
+                data, data, Text("the balancing that was chosen has no shaft; the step Imbalance offers others")
+            )
         return BuildPlan(document.data, data)
 
     def take(self, plan: "BuildPlan") -> Text:
@@ -254,7 +281,9 @@ class Editing:
     def leave_out(self, step: str, reason: str) -> None:
         """Say that the design does without a step that it does not have."""
         without = self._state.data.get("without")
-        self._put(changed(self._state.data, ("without",), {**(without if isinstance(without, dict) else {}), step: reason}))
+        self._put(
+            changed(self._state.data, ("without",), {**(without if isinstance(without, dict) else {}), step: reason})
+        )
 
     def _put(self, data: Table) -> None:
         texts = {where: text for where, text in self._state.texts.items() if where[0] in data}
@@ -263,7 +292,8 @@ class Editing:
         self.seal()
 
     def undo(self) -> Place | None:
-        """Back by one step.  Gives the place that changed, () where it is no single one, None where there is nothing to undo."""
+        """Back by one step.  Gives the place that changed, () where it is no single one, None where there is nothing to
+        undo."""
         return self._travelled(self.history.undo)
 
     def redo(self) -> Place | None:

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What a design gives to other programs: its results as JSON or CSV, its shaft or its gears as a DXF drawing.  And its report."""
+"""What a design gives to other programs: its results as JSON or CSV, its shaft or its gears as a DXF drawing.  And its
+report."""
 
 import csv
 import json
@@ -21,22 +22,31 @@ if TYPE_CHECKING:
     from calc.gears.result import TrainResult
 
 KINDS = {"dxf": Text("a drawing of the shaft or of the gears"), "csv": Text("the values"), "json": Text("all results")}
-HOW = Text("give [[countershaft.sections]], or core_radius_mm with the sizes of the journals ([bearings], or [[countershaft.journals]])")
+HOW = Text(
+    "give [[countershaft.sections]], or core_radius_mm with the sizes of the journals ([bearings], or "
+    "[[countershaft.journals]])"
+)
 
 
-def write_draft(path: Path, draft: Draft, gears: bool = False, progress: Progress | None = None, lang: str = "en") -> None:
-    """Write the file that its ending says: the report as .pdf, else one of the kinds.  Raises BadInput, OSError, Cancelled."""
+def write_draft(
+    path: Path, draft: Draft, gears: bool = False, progress: Progress | None = None, lang: str = "en"
+) -> None:
+    """Write the file that its ending says: the report as .pdf, else one of the kinds.  Raises BadInput, OSError,
+    Cancelled."""
     document, results = draft.solved()
     if path.suffix.lower() == ".pdf":
         from reports.report import write
 
         write(document, results, document.raw, path, depth="engineer", lang=lang, progress=progress)
     else:
-        write_asked(path, exported(path.suffix.lower().removeprefix("."), document, results, gears), inputs=[document.place])
+        write_asked(
+            path, exported(path.suffix.lower().removeprefix("."), document, results, gears), inputs=[document.place]
+        )
 
 
 def exported(kind: str, document: Document, results: Results, gears: bool = False) -> str:
-    """The text of a file of this kind.  A drawing is that of the shaft; of the train where `gears` says so, or where there is no shaft.
+    """The text of a file of this kind.  A drawing is that of the shaft; of the train where `gears` says so, or where
+    there is no shaft.
 
     Raises BadInput where there is nothing to draw, with what to add.
     """
@@ -90,11 +100,19 @@ def drawing_text(document: Document, results: Results) -> str:
     if shaft is None:
         raise BadInput(
             document.place,
-            [InputError(0, "countershaft", "", Text("needed for a drawing: add [countershaft], and {how}; or [gears]", how=HOW))],
+            [
+                InputError(
+                    0,
+                    "countershaft",
+                    "",
+                    Text("needed for a drawing: add [countershaft], and {how}; or [gears]", how=HOW),
+                )
+            ],
         )
     if found.state != "solved":
         raise BadInput(
-            document.place, [InputError(0, "countershaft", "", Text("there is no shaft to draw: {reason}", reason=found.reason))]
+            document.place,
+            [InputError(0, "countershaft", "", Text("there is no shaft to draw: {reason}", reason=found.reason))],
         )
     from calc.countershaft.result import CountershaftResult
 
@@ -109,7 +127,8 @@ def drawing_text(document: Document, results: Results) -> str:
                     "countershaft",
                     "",
                     Text(
-                        "the shaft's outline is not known: {how}; `contralbero check {file} --step countershaft` tells more",
+                        "the shaft's outline is not known: {how}; `contralbero check {file} --step countershaft` "
+                        "tells more",
                         how=HOW,
                         file=document.place,
                     ),
@@ -149,13 +168,21 @@ def _train(document: Document, results: Results, wheel: str | None) -> "TrainRes
 
     train = results.result(TrainResult)
     if results.design.gears is None:
-        raise BadInput(document.place, [InputError(0, "gears", "", Text("needed for a drawing of the gears: add [gears]"))])
+        raise BadInput(
+            document.place, [InputError(0, "gears", "", Text("needed for a drawing of the gears: add [gears]"))]
+        )
     if train is None:
         reason = results.outcomes["gears"].reason
-        raise BadInput(document.place, [InputError(0, "gears", "", Text("there are no gears to draw: {reason}", reason=reason))])
+        raise BadInput(
+            document.place, [InputError(0, "gears", "", Text("there are no gears to draw: {reason}", reason=reason))]
+        )
     if wheel is not None and wheel not in train.wheels:
         raise BadInput(
             "contralbero export",
-            [InputError(0, "--gear", wheel, Text("is no wheel; the wheels are {wheels}", wheels=", ".join(train.wheels)))],
+            [
+                InputError(
+                    0, "--gear", wheel, Text("is no wheel; the wheels are {wheels}", wheels=", ".join(train.wheels))
+                )
+            ],
         )
     return train

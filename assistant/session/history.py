@@ -48,7 +48,8 @@ class History:
         self._editing = None
 
     def past(self) -> Iterator[tuple[Table, Table]]:
-        """The edits that can be taken back, the last first: the tables before and after each.  Nothing is taken back by this."""
+        """The edits that can be taken back, the last first: the tables before and after each.  Nothing is taken back by
+        this."""
         after = self.state
         for before, _ in reversed(self._undo):
             if before.data != after.data:
@@ -56,13 +57,16 @@ class History:
             after = before
 
     def undo(self) -> Place | None:
-        """Back by one step.  Gives the place that changed, () where it is no single one, None where there is nothing to undo."""
+        """Back by one step.  Gives the place that changed, () where it is no single one, None where there is nothing to
+        undo."""
         return self._travel(self._undo, self._redo)
 
     def redo(self) -> Place | None:
         return self._travel(self._redo, self._undo)
 
-    def _travel(self, back: list[tuple[EditState, Place | None]], forth: list[tuple[EditState, Place | None]]) -> Place | None:
+    def _travel(
+        self, back: list[tuple[EditState, Place | None]], forth: list[tuple[EditState, Place | None]]
+    ) -> Place | None:
         while back and back[-1][0] == self.state:
             back.pop()
         if not back:

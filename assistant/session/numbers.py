@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What a person types into a field, understood: `3,5` and `3.5`, `1.2e-3`, `3.7 in`, `92.4/2`, `3/8 in`, `-167.5; 167.5`.
+"""What a person types into a field, understood: `3,5` and `3.5`, `1.2e-3`, `3.7 in`, `92.4/2`, `3/8 in`, `-167.5;
+167.5`.
 
-The comma is a decimal sign, never a separator of thousands: `1,234.5` is refused with the reason, because a wrong guess would be
-a factor of a thousand.  The answer stands in the unit of the field, as the design file has it.
-"""
+The comma is a decimal sign, never a separator of thousands: `1,234.5` is refused with the reason, because a wrong guess
+would be a factor of a thousand.  The answer stands in the unit of the field, as the design file has it."""
 
 import math
 import re
@@ -26,7 +26,8 @@ LENGTH = {
 }
 PRESSURE = {
     "Pa": 1.0, "hPa": 1e2, "kPa": 1e3, "MPa": 1e6, "GPa": 1e9, "N/mm²": 1e6, "bar": 1e5, "mbar": 1e2, "atm": 101325.0,
-    "psi": POUND * GRAVITY / INCH**2, "ksi": 1000 * POUND * GRAVITY / INCH**2, "kgf/cm²": GRAVITY * 1e4, "at": GRAVITY * 1e4,
+    "psi": POUND * GRAVITY / INCH**2, "ksi": 1000 * POUND * GRAVITY / INCH**2,
+    "kgf/cm²": GRAVITY * 1e4, "at": GRAVITY * 1e4,
 }
 FORCE = {"N": 1.0, "daN": 10.0, "kN": 1e3, "kgf": GRAVITY, "lbf": POUND * GRAVITY}
 MASS = {"kg": 1.0, "g": 1e-3, "mg": 1e-6, "t": 1e3, "lb": POUND, "lbs": POUND, "oz": POUND / 16}
@@ -35,7 +36,9 @@ TORQUE = {
     "lbf·ft": POUND * GRAVITY * 12 * INCH, "lb·ft": POUND * GRAVITY * 12 * INCH,
     "lbf·in": POUND * GRAVITY * INCH, "lb·in": POUND * GRAVITY * INCH,
 }
-UNBALANCE = {"g·mm": 1e-6, "gmm": 1e-6, "g·cm": 1e-5, "kg·mm": 1e-3, "kgmm": 1e-3, "kg·m": 1.0, "oz·in": POUND / 16 * INCH}
+UNBALANCE = {
+    "g·mm": 1e-6, "gmm": 1e-6, "g·cm": 1e-5, "kg·mm": 1e-3, "kgmm": 1e-3, "kg·m": 1.0, "oz·in": POUND / 16 * INCH,
+}
 INERTIA = {"kg·mm²": 1e-6, "kgmm²": 1e-6, "kg·cm²": 1e-4, "kg·m²": 1.0, "kgm²": 1.0, "g·mm²": 1e-9}
 TURNS = {
     "rpm": 1 / 60, "1/min": 1 / 60, "min⁻¹": 1 / 60, "r/min": 1 / 60, "U/min": 1 / 60, "giri/min": 1 / 60,
@@ -81,7 +84,8 @@ UNIT_WORDS: dict[str, dict[str, Any]] = {
     "mPa·s": {"mPa·s": 1e-3, "Pa·s": 1.0, "cP": 1e-3, "P": 0.1},
     "mm²/s": {"mm²/s": 1e-6, "cSt": 1e-6, "St": 1e-4, "m²/s": 1.0},
     "N·rpm/mm": {"N·rpm/mm": 1000 / 60, "N·rpm/cm": 100 / 60},
-    "W": POWER, "kW": POWER, "J": {"J": 1.0, "kJ": 1e3, "N·m": 1.0, "Nm": 1.0, "W·h": 3600.0, "Wh": 3600.0, "kWh": 3.6e6},
+    "W": POWER, "kW": POWER,
+    "J": {"J": 1.0, "kJ": 1e3, "N·m": 1.0, "Nm": 1.0, "W·h": 3600.0, "Wh": 3600.0, "kWh": 3.6e6},
     "K": {"K": 1.0},
     "°C": CELSIUS,
     "10⁻⁶/K": {"10⁻⁶/K": 1e-6, "1e-6/K": 1e-6, "ppm/K": 1e-6, "µm/(m·K)": 1e-6, "1/K": 1.0},
@@ -173,7 +177,8 @@ def integer(text: str, about: Quantity) -> int:
 
 
 def series(text: str, about: Quantity) -> list[Any]:
-    """`-167.5; 167.5`.  Whole numbers, and a list in brackets as the design file has it, may have commas between them."""
+    """`-167.5; 167.5`.  Whole numbers, and a list in brackets as the design file has it, may have commas between
+    them."""
     bracketed = text.startswith("[") and text.endswith("]")
     body = text[1:-1].strip() if bracketed else text
     if ";" in body:
@@ -216,7 +221,9 @@ def _parts(text: str, about: Quantity) -> tuple[float, str]:
     if (worked := SUM.match(digits)) is not None and not POWER_OF_TEN.search(digits):
         return _Sum(worked["sum"], about).value(), behind or (worked["unit"] or "").strip()
     if GROUPED.match(digits):
-        raise NotUnderstood(Text("is ambiguous: the thousands are not separated here; write {number}", number=_ungrouped(digits)))
+        raise NotUnderstood(
+            Text("is ambiguous: the thousands are not separated here; write {number}", number=_ungrouped(digits))
+        )
     found = NUMBER.match(digits)
     if found is None:
         if digits.lower().lstrip("+-").startswith(("nan", "inf")):
@@ -231,7 +238,9 @@ class _Sum:
     """A little arithmetic: + - * / and brackets, by recursive descent."""
 
     def __init__(self, text: str, about: Quantity) -> None:
-        self._refused = NotUnderstood(Text("is no sum that can be worked out; needs {allowed}", allowed=about.allowed()))
+        self._refused = NotUnderstood(
+            Text("is no sum that can be worked out; needs {allowed}", allowed=about.allowed())
+        )
         self._tokens: list[str] = []
         end = 0
         while end < len(text.rstrip()):
@@ -299,7 +308,11 @@ def _converted(shown: float, word: str, about: Quantity) -> float:
     name = _unit(word, known)
     if name is None:
         others = [n for n in known if n and n != about.unit][:5]
-        allowed = Text("write {units} or no unit", units=", ".join([about.unit, *others])) if about.unit else Text("it has no unit")
+        allowed = (
+            Text("write {units} or no unit", units=", ".join([about.unit, *others]))
+            if about.unit
+            else Text("it has no unit")
+        )
         raise NotUnderstood(Text('"{word}" is no unit of this field; {allowed}', word=word, allowed=allowed))
     if name == about.unit:
         return shown
@@ -308,8 +321,11 @@ def _converted(shown: float, word: str, about: Quantity) -> float:
 
 
 def _unit(word: str, known: dict[str, Any]) -> str | None:
-    """The known unit that a word means: µ in either coding, ^2 for ², a dot, a star or a space for ·; any case where that is unique."""
-    plain = re.sub(r"\s*[·⋅*]\s*|(?<=[A-Za-z])\.(?=[A-Za-z])|(?<=[A-Za-z])[ -](?=[A-Za-z])", "·", word.replace("μ", "µ"))
+    """The known unit that a word means: µ in either coding, ^2 for ², a dot, a star or a space for ·; any case where
+    that is unique."""
+    plain = re.sub(
+        r"\s*[·⋅*]\s*|(?<=[A-Za-z])\.(?=[A-Za-z])|(?<=[A-Za-z])[ -](?=[A-Za-z])", "·", word.replace("μ", "µ")
+    )
     plain = plain.replace("^2", "²").replace("^3", "³").replace("^-1", "⁻¹").replace("min-1", "min⁻¹")
     plain = re.sub(r"(?<=m)2\b", "²", re.sub(r"(?<=m)3\b", "³", plain))
     if plain in known:

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Places in the tables of a design: names of keys and indices of arrays, which hold while an element is being renamed."""
+"""Places in the tables of a design: names of keys and indices of arrays, which hold while an element is being
+renamed."""
 
 from typing import Any
 
@@ -47,7 +48,11 @@ def without_empty(data: Table, where: Place) -> Table:
 def optional_table(where: Place) -> Place | None:
     """The innermost table around a place, inside its step, that may be left out."""
     for end in range(len(where) - 1, 1, -1):
-        if isinstance(where[end - 1], str) and described(where[:end]).kind == "table" and described(where[:end]).optional:
+        if (
+            isinstance(where[end - 1], str)
+            and described(where[:end]).kind == "table"
+            and described(where[:end]).optional
+        ):
             return where[:end]
     return None
 
@@ -97,7 +102,8 @@ def owner(where: Place) -> type:
 
 
 def label_of(data: Table, key: str) -> Text:
-    """What the form calls the input of a dotted key, in the middle of a sentence; and of what, where it is one of several."""
+    """What the form calls the input of a dotted key, in the middle of a sentence; and of what, where it is one of
+    several."""
     try:
         words, where = Small(quantity_of(data, key).label), address(data, key)
     except BadInput:  # the key of a table

@@ -21,7 +21,8 @@ NOTHING = 1e-9  # a value below is held to this, in its unit, instead
 
 
 class Recording:
-    """Follows the valid states of a design.  A state that is not valid is passed over: the next valid one takes its edits along."""
+    """Follows the valid states of a design.  A state that is not valid is passed over: the next valid one takes its
+    edits along."""
 
     def __init__(self, start: Table) -> None:
         self.start = start
@@ -87,7 +88,8 @@ def _row(key: str, row: Mapping[str, object]) -> str:
     return f"[[{key}]]\n" + tomli_w.dumps({key: row}).removeprefix(f"[{key}]\n")
 
 
-# --- steps ----------------------------------------------------------------------------------------------------------------
+# --- steps
+# ----------------------------------------------------------------------------------------------------------------
 @dataclass(frozen=True)
 class _Change:
     """One place that changes; None: what stood there is taken out."""
@@ -97,11 +99,14 @@ class _Change:
 
 
 def step(before: Table, after: Table) -> "Step":
-    """The step that leads from one design to another: key by key where that can be said, else the tables of whole steps."""
+    """The step that leads from one design to another: key by key where that can be said, else the tables of whole
+    steps."""
     small = _step(before, list(_changes(before, after)))
     if small is not None and _leads(before, small, after):
         return small
-    large = _step(before, [_Change((key,), after.get(key)) for key in {**before, **after} if before.get(key) != after.get(key)])
+    large = _step(
+        before, [_Change((key,), after.get(key)) for key in {**before, **after} if before.get(key) != after.get(key)]
+    )
     assert large is not None
     return large
 
@@ -176,9 +181,11 @@ def _names(here: Any, part: str | int) -> list[str]:
     return [name, str(part)] if isinstance(name, str) and name else [str(part)]
 
 
-# --- expectations -----------------------------------------------------------------------------------------------------------
+# --- expectations
+# -----------------------------------------------------------------------------------------------------------
 def expected(results: "Results") -> Iterator[dict[str, Any]]:
-    """What the replay is to come to: the verdict of every step, every check that fails, and the values that stand for the steps."""
+    """What the replay is to come to: the verdict of every step, every check that fails, and the values that stand for
+    the steps."""
     asked = results.design.asked()
     for one in asked:
         yield {"step": one.key, "verdict": results.outcomes[one.key].verdict}

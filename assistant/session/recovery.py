@@ -20,7 +20,8 @@ from .history import EditState
 from .places import Place, described
 from .saving import SaveError, differences, edited_text, fresh_text, write_atomic
 
-# Which sessions are at a design now: each holds a locked file of its own in the state folder, and the lock ends with its process.
+# Which sessions are at a design now: each holds a locked file of its own in the state folder, and the lock ends with
+# its process.
 
 PRESENCE_FOLDER = "open"
 
@@ -31,7 +32,8 @@ def design_key(path: Path) -> str:
 
 
 class Presence:
-    """A session at a design, until it leaves.  Where the system has no locks, or the folder can not be written, nobody sees it."""
+    """A session at a design, until it leaves.  Where the system has no locks, or the folder can not be written, nobody
+    sees it."""
 
     def __init__(self, state: Path, path: Path, session: str) -> None:
         self._file = state / PRESENCE_FOLDER / f"{design_key(path)}-{session}"
@@ -89,11 +91,11 @@ def state_dir() -> Path:
 
 @dataclass(frozen=True)
 class Edits:
-    """A design with edits that were never saved: its tables, when they were kept, and the hash of the file that they started from.
+    """A design with edits that were never saved: its tables, when they were kept, and the hash of the file that they
+    started from.
 
-    `typed`: entries that are not accepted, and so no part of the tables, as they stand in their fields.  `session`: who made them; two
-    sessions on one file keep what is theirs.
-    """
+    `typed`: entries that are not accepted, and so no part of the tables, as they stand in their fields.  `session`: who
+    made them; two sessions on one file keep what is theirs."""
 
     data: Table
     time: datetime
@@ -135,7 +137,8 @@ def not_accepted(valid: Table, state: EditState) -> dict[Place, str]:
 
 @dataclass(frozen=True)
 class Settings:
-    """What the user has chosen.  `theme`: the name of one of textual's; empty: its own choice.  `guide`: the forms say what to decide."""
+    """What the user has chosen.  `theme`: the name of one of textual's; empty: its own choice.  `guide`: the forms say
+    what to decide."""
 
     language: str = "en"
     theme: str = ""
@@ -143,7 +146,8 @@ class Settings:
 
 
 class Memory:
-    """The state folder.  A folder that can not be read is an empty one; one that can not be written says so by SaveError."""
+    """The state folder.  A folder that can not be read is an empty one; one that can not be written says so by
+    SaveError."""
 
     def __init__(self, folder: Path | None = None) -> None:
         self.folder = folder or state_dir()
@@ -174,7 +178,9 @@ class Memory:
         path = path.absolute()
         paths = [path, *(other for other in self._opened() if other != path)]
         with contextlib.suppress(SaveError, OSError, ValueError):  # a name that is no text in UTF-8 is not remembered
-            self._write(self.folder / "last", "\n".join(map(str, paths[: 3 * RECENT])))  # some may be back later: a drive
+            self._write(
+                self.folder / "last", "\n".join(map(str, paths[: 3 * RECENT]))
+            )  # some may be back later: a drive
 
     # --- unsaved edits
     def _file(self, path: Path, session: str) -> Path:
@@ -192,11 +198,15 @@ class Memory:
     def keep(self, path: Path, edits: Edits) -> None:
         """Put the edits of a session on a design aside.  Raises SaveError."""
         head = {
-            "path": str(path.absolute()), "sha256": edits.sha256, "time": edits.time.isoformat(timespec="seconds"),
+            "path": str(path.absolute()),
+            "sha256": edits.sha256,
+            "time": edits.time.isoformat(timespec="seconds"),
             "session": edits.session,
-        }  # fmt: skip
+        }
         typed = [{"place": list(where), "text": text} for where, text in edits.typed.items()]
-        self._write(self._file(path, edits.session), fresh_text({"unsaved": head, "typed": typed, "design": edits.data}))
+        self._write(
+            self._file(path, edits.session), fresh_text({"unsaved": head, "typed": typed, "design": edits.data})
+        )
         held = {self._file(path, session) for session in self.present(path)}
         for old in [file for file in self._files(path) if file not in held][KEPT:]:
             with contextlib.suppress(OSError):
@@ -281,7 +291,13 @@ def _read(file: Path) -> Edits | None:
         found = tomllib.loads(file.read_text(encoding="utf-8"))
         head = found["unsaved"]
         typed = {tuple(entry["place"]): str(entry["text"]) for entry in found.get("typed", [])}
-        return Edits(found["design"], datetime.fromisoformat(head["time"]), str(head["sha256"]), typed, str(head.get("session", "")))
+        return Edits(
+            found["design"],
+            datetime.fromisoformat(head["time"]),
+            str(head["sha256"]),
+            typed,
+            str(head.get("session", "")),
+        )
     except (OSError, ValueError, KeyError, TypeError, AttributeError):
         return None
 

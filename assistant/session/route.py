@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """The route through a design: the one question of each step, the few inputs that decide it, and the rest in folds.
 
-A pattern is the keys from the step on, without names or numbers of elements: `wheels.teeth`; that of a table stands for all in it.
-What no fold names is in the last one.
-"""
+A pattern is the keys from the step on, without names or numbers of elements: `wheels.teeth`; that of a table stands for
+all in it. What no fold names is in the last one."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -32,38 +31,46 @@ ROUTE: dict[str, Leg] = {
         Text("Which engine shakes?"),
         ("bore_mm", STROKE, "rod_length_mm", "piston_mass_g", "rated_speed_rpm", "cylinder_pitch_mm"),
         ((MORE, ()),
-         (Text("Cylinders, banks, cranks"), ("layout", "cylinders", "strokes", "firing_order", "crank_angles_deg", "bank_angle_deg",
-                                             "bank_of_cylinder", "axial_positions_mm", "cylinder_offset_mm", "crank_radii_mm")),
+         (Text("Cylinders, banks, cranks"), ("layout", "cylinders", "strokes", "firing_order", "crank_angles_deg",
+         "bank_angle_deg",
+                                             "bank_of_cylinder", "axial_positions_mm", "cylinder_offset_mm",
+                                             "crank_radii_mm")),
          (Text("Gas, bench, torque"), ("bench", "gas", "torque", "torque_period_deg", "throw"))),
         Text("build it by rules: an inline engine to begin with"),
     ),
     "imbalance": Leg(
         Text("Which balancing?"),
         ("crank_balance_fraction", "kinematics"),
-        ((MORE, ()), (Text("Bodies of the crank"), ("unbalances", "crank_bodies", "crank_bodies_throw_at_tdc", "bob_mode", "bob_mass_kg"))),
+        ((MORE, ()), (Text("Bodies of the crank"), ("unbalances", "crank_bodies", "crank_bodies_throw_at_tdc",
+        "bob_mode", "bob_mass_kg"))),
         Text("build it by rules: the balancing that the engine calls for"),
     ),
     "countershaft": Leg(
         Text("Which shaft: given masses, or sized in an envelope?"),
         ("mode", "outer_radius_mm", "core_radius_mm", "half_length_mm", "bearing_positions_mm", "masses"),
         ((MORE, ()), (Text("Support, drain, cost"),
-                      ("bolts", "support", "oil_drain", "further_drains", "cost", "parts", "scatter", "balance_grade", "holes"))),
+                      ("bolts", "support", "oil_drain", "further_drains", "cost", "parts", "scatter", "balance_grade",
+                      "holes"))),
         Text("build it by rules: a shaft sized for the balancing that was chosen"),
     ),
     "bearings": Leg(
         Text("Do the films carry, at every corner?"),
-        ("oil", "supply_temperature_C", *(f"{end}.{key}" for key in ("diameter_mm", "length_mm", "clearance_um", "clearance_factor")
+        ("oil", "supply_temperature_C", *(f"{end}.{key}" for key in ("diameter_mm", "length_mm", "clearance_um",
+        "clearance_factor")
                                           for end in ("front", "rear"))),
         ((MORE, ()), (Text("Materials and fits"),
-                      ("housing_material", "bush_material", "journal_material", "application", "journal_fit", "seat_fit", "roughness_ratio",
+                      ("housing_material", "bush_material", "journal_material", "application", "journal_fit",
+                      "seat_fit", "roughness_ratio",
                        "clearance_reference_temperature_C", "expansion_restraint"))),
         Text("build it by rules: bearings that pass"),
     ),
     "gears": Leg(
         Text("Which train turns it, without jamming?"),
         ("normal_module_mm", "helix_angle_deg", "face_width_mm", "wheels.name", "wheels.teeth", "wheels.profile_shift",
-         "wheels.span_allowance_um", "meshes.driver", "meshes.driven", "meshes.centre_distance_mm", "meshes.tolerance_um"),
-        ((MORE, ()), (Text("More of the wheels"), ("wheels",)), (Text("More of the meshes"), ("meshes", "neighbours", "walls"))),
+         "wheels.span_allowance_um", "meshes.driver", "meshes.driven", "meshes.centre_distance_mm",
+         "meshes.tolerance_um"),
+        ((MORE, ()), (Text("More of the wheels"), ("wheels",)), (Text("More of the meshes"), ("meshes", "neighbours",
+        "walls"))),
         Text("build it by rules: a train for the distance"),
     ),
     "friction": Leg(
@@ -77,7 +84,8 @@ ROUTE: dict[str, Leg] = {
         Text("What does the driver feel?"),
         ("mass_kg", "centre_of_gravity_mm", "inertia_kgm2", "idle_speed_rpm", "mounts.name", "mounts.position_mm",
          "mounts.stiffness_N_mm"),
-        ((MORE, ()), (Text("More of the mounts"), ("mounts",)), (Text("Frame, points, operations"), ("chassis", "points", "operation"))),
+        ((MORE, ()), (Text("More of the mounts"), ("mounts",)), (Text("Frame, points, operations"), ("chassis",
+        "points", "operation"))),
         Text("build it by rules: four mounts at the corners, masses assumed until they are weighed"),
     ),
 }  # fmt: skip
@@ -86,7 +94,10 @@ NOTE, DOCUMENT = ("note",), ("document",)  # in a fold behind those of its first
 FIRST = "engine"
 
 VEE = ("bank_angle_deg", "bank_of_cylinder")
-GIVEN, SIZED = ("masses",), ("outer_radius_mm", "core_radius_mm", "half_length_mm", "overdesign_percent", "radial_clearance_mm")
+GIVEN, SIZED = (
+    ("masses",),
+    ("outer_radius_mm", "core_radius_mm", "half_length_mm", "overdesign_percent", "radial_clearance_mm"),
+)
 
 
 def _only_of_other(key: str, other: str, usual: str) -> Callable[[Table], bool]:
@@ -103,9 +114,11 @@ IDLE: dict[tuple[str, str], Callable[[Table], bool]] = {
     ("bearings", "groove_arc_deg"): lambda step: step.get("supply") != "groove",
     ("bearings", "pocket_width_mm"): lambda step: step.get("supply") != "pocket",
     ("bearings", "pocket_length_mm"): lambda step: step.get("supply") != "pocket",
-    **{("bearings", f"axial_groove_{key}"): lambda step: step.get("supply") != "axial_groove"
-       for key in ("angles_deg", "width_mm", "length_mm")},
-}  # fmt: skip
+    **{
+        ("bearings", f"axial_groove_{key}"): lambda step: step.get("supply") != "axial_groove"
+        for key in ("angles_deg", "width_mm", "length_mm")
+    },
+}
 
 
 def path_of(place: Place) -> str:
@@ -155,7 +168,9 @@ def fold_at(step: str, place: Place) -> int | None:
     return None if len(place) < 2 else fold_of(step, path_of(place))
 
 
-# What guides through the steps: what is to be decided in each, what a good answer looks like, and what to try when a check fails.
+# What guides through the steps: what is to be decided in each, what a good answer looks like, and what to try when a
+# check fails.
+
 
 @dataclass(frozen=True)
 class Guide:
@@ -168,10 +183,15 @@ GUIDES: dict[str, Guide] = {
     "engine": Guide(
         Text("Which engine: layout, crank, masses of piston and rod, rated speed. Everything else follows from it."),
         Text("Masses as weighed, the rod's centre of gravity too."),
-        Text("Weigh instead of estimating. The firing order can be chosen from a table, the one that leaves least first."),
+        Text(
+            "Weigh instead of estimating. The firing order can be chosen from a table, the one that leaves least first."
+        ),
     ),
     "imbalance": Guide(
-        Text("How much of the reciprocating mass the crank's own counterweights carry, and so what is left for a counter-shaft."),
+        Text(
+            "How much of the reciprocating mass the crank's own counterweights carry, and so what is left for a "
+            "counter-shaft."
+        ),
         Text("Little left, by little mass: the row marked ◀ is what this engine calls for."),
         Text(
             "Second order is out of reach of one shaft: lighter pistons, a longer rod, two shafts at twice the speed, "
@@ -179,19 +199,25 @@ GUIDES: dict[str, Guide] = {
         ),
     ),
     "countershaft": Guide(
-        Text("The shaft that takes the rest: its masses, their radius, angle and place, where it is supported, and what it is made of."),
         Text(
-            "Nothing left of what it is to take, journals at less than {slope}, the first critical speed far above the running speed.",
+            "The shaft that takes the rest: its masses, their radius, angle and place, where it is supported, and "
+            "what it is made of."
+        ),
+        Text(
+            "Nothing left of what it is to take, journals at less than {slope}, the first critical speed far above "
+            "the running speed.",
             slope=Amount(SLOPE * 1e3, "mrad"),
         ),
         Text(
-            "Sectors further apart or further out save mass; a thicker core straightens the shaft. The lightest can be chosen from a table."
+            "Sectors further apart or further out save mass; a thicker core straightens the shaft. The lightest can "
+            "be chosen from a table."
         ),
     ),
     "bearings": Guide(
         Text("Length and clearance of the two bearings, oil and its supply, and on what the journals run."),
         Text(
-            "Length: {length}; clearance: {clearance}; a film that holds warm and at twice the load, and clearance left when cold.",
+            "Length: {length}; clearance: {clearance}; a film that holds warm and at twice the load, and clearance "
+            "left when cold.",
             length=USUAL_LENGTH,
             clearance=USUAL_CLEARANCE,
         ),
@@ -203,7 +229,8 @@ GUIDES: dict[str, Guide] = {
     "gears": Guide(
         Text("Teeth, profile shifts, centre distances and allowances of the train that drives the shaft."),
         Text(
-            "Backlash that stays above zero at every tolerance, cold and warm; contact ratio well above 1, no undercut, sliding "
+            "Backlash that stays above zero at every tolerance, cold and warm; contact ratio well above 1, no "
+            "undercut, sliding "
             "shared evenly."
         ),
         Text(
@@ -213,12 +240,21 @@ GUIDES: dict[str, Guide] = {
     ),
     "friction": Guide(
         Text("Roughness of the flanks, oil and its temperature: what the whole train costs the crank."),
-        Text("Some hundred watts at rated speed. Under so light a load rolling and the bearings lose more than the teeth rub away."),
-        Text("A thinner or warmer oil costs less in the meshes and thins the films of the bearings: watch step 4 while you change it."),
+        Text(
+            "Some hundred watts at rated speed. Under so light a load rolling and the bearings lose more than the "
+            "teeth rub away."
+        ),
+        Text(
+            "A thinner or warmer oil costs less in the meshes and thins the films of the bearings: watch step 4 while "
+            "you change it."
+        ),
     ),
     "mounting": Guide(
         Text("Mass, inertia and mounts of the engine, the frame below them, and where it is felt at which speeds."),
-        Text("All modes between the road's frequency and idle, roll and bounce pure. The shaft takes order 1; the firing torque stays."),
+        Text(
+            "All modes between the road's frequency and idle, roll and bounce pure. The shaft takes order 1; the "
+            "firing torque stays."
+        ),
         Text("Softer mounts, other ratios, an inclination: the search for mounts finds those that decouple the modes."),
     ),
 }
@@ -244,11 +280,22 @@ TAKEN: dict[str, tuple[str, ...]] = {
         "countershaft.moment_of_inertia",
         "bearings.housing_material",
     ),
-    "friction": ("bearings.oil", "bearings.supply_temperature_C", "bearings.front.friction_power", "bearings.rear.friction_power"),
+    "friction": (
+        "bearings.oil",
+        "bearings.supply_temperature_C",
+        "bearings.front.friction_power",
+        "bearings.rear.friction_power",
+    ),
 }
 
 # keys of text fields that hold a name from one of the catalogues
 NAMED = {
-    "oil": "oils", "material": "materials", "housing_material": "materials", "journal_material": "materials", "bush_material": "bushes",
-    "application": "applications", "support_material": "materials", "gear_material": "strength_classes",
-}  # fmt: skip
+    "oil": "oils",
+    "material": "materials",
+    "housing_material": "materials",
+    "journal_material": "materials",
+    "bush_material": "bushes",
+    "application": "applications",
+    "support_material": "materials",
+    "gear_material": "strength_classes",
+}

@@ -32,7 +32,8 @@ class SaveError(OSError):
 
 
 ORIGIN = re.compile(  # how a comment begins that says where a value comes from
-    r"(?:assumed|estimated|guessed|typical|measured|copied|read|taken|from|as (?:printed|stated|given|drawn|measured)|finite-element)\b",
+    r"(?:assumed|estimated|guessed|typical|measured|copied|read|taken|from|as (?:printed|stated|given|drawn|measured)"
+    r"|finite-element)\b",
     re.IGNORECASE,
 )
 REASONS = ("accepted", "without", "locked")  # tables of reasons by ids, which have dots of their own
@@ -42,13 +43,15 @@ class ChangedOnDisk(SaveError):
     """The file was changed by another program since it was read."""
 
 
-# --- text ---------------------------------------------------------------------------------------------------------------
+# --- text
+# ---------------------------------------------------------------------------------------------------------------
 def edited_text(text: str, changes: Mapping[str, Any] | Iterable[tuple[Place, Any]]) -> str:
-    """The TOML text with some keys changed: comments, order and spacing stay.  None takes a key out; a new key ends its table.
+    """The TOML text with some keys changed: comments, order and spacing stay.  None takes a key out; a new key ends its
+    table.
 
-    A comment that begins with where a value comes from says of another what it was: `# assumed: usual` → `# was 80.0, assumed: usual`.
-    A key is dotted, elements of arrays by name, else by index (`gears.wheels.shaft.teeth`), or a tuple of names and indices.
-    """
+    A comment that begins with where a value comes from says of another what it was: `# assumed: usual` → `# was 80.0,
+    assumed: usual`. A key is dotted, elements of arrays by name, else by index (`gears.wheels.shaft.teeth`), or a tuple
+    of names and indices."""
     import tomlkit
 
     mark = "\ufeff" if text.startswith("\ufeff") else ""
@@ -63,7 +66,10 @@ def edited_text(text: str, changes: Mapping[str, Any] | Iterable[tuple[Place, An
     made = tomlkit.dumps(document)
     if tomllib.loads(made) != wanted:
         raise SaveError(
-            Text("the text of the design file can not be edited in place; save it under another name, or simplify its notation")
+            Text(
+                "the text of the design file can not be edited in place; save it under another name, or simplify its "
+                "notation"
+            )
         )
     return mark + (made.replace("\n", "\r\n") if crlf else made)
 
@@ -84,7 +90,9 @@ def _place(data: Any, key: str) -> Place:
     here = data
     for part in key.split("."):
         if isinstance(here, list):
-            index = next((n for n, item in enumerate(here) if isinstance(item, dict) and item.get("name") == part), None)
+            index = next(
+                (n for n, item in enumerate(here) if isinstance(item, dict) and item.get("name") == part), None
+            )
             if index is None and part.isdigit() and int(part) <= len(here):
                 index = int(part)
             if index is None:
@@ -92,13 +100,16 @@ def _place(data: Any, key: str) -> Place:
             found.append(index)
             here = here[index] if index < len(here) else {}
         else:
-            found.append(int(part) if part.isdigit() and here == {} else part)  # no key is a number: an array that is not there yet
+            found.append(
+                int(part) if part.isdigit() and here == {} else part
+            )  # no key is a number: an array that is not there yet
             here = here.get(part, {}) if isinstance(here, dict) else {}
     return tuple(found)
 
 
 def _set(here: Any, place: Place, value: Any, kept: bool = False) -> None:
-    """Change one key of nested tables, of plain ones or (`kept`) of tomlkit's; tables on the way are made where they are missing."""
+    """Change one key of nested tables, of plain ones or (`kept`) of tomlkit's; tables on the way are made where they
+    are missing."""
     part: Any
     outer: Any = None
     last: Any = place[-1]
@@ -130,7 +141,8 @@ def _set(here: Any, place: Place, value: Any, kept: bool = False) -> None:
 
 
 def _said_of(old: Any, new: Any) -> str:
-    """What the comment of a value becomes beside another: where the old one came from does not hold of it, until it is back."""
+    """What the comment of a value becomes beside another: where the old one came from does not hold of it, until it is
+    back."""
     said = getattr(getattr(old, "trivia", None), "comment", "").lstrip("# \t")
     if said.startswith("was "):
         return said.removeprefix(f"was {new.as_string()}, ")
@@ -154,8 +166,15 @@ def _new_array(kept: bool) -> Any:
 
 
 def _in_the_style_of(old: Any, new: Any) -> Any:
-    """A whole number stays one where it was written so (55 and not 55.0); a table keeps the notation that tomlkit gives it."""
-    if isinstance(new, float) and new.is_integer() and abs(new) < 1e15 and isinstance(old, int) and not isinstance(old, bool):
+    """A whole number stays one where it was written so (55 and not 55.0); a table keeps the notation that tomlkit gives
+    it."""
+    if (
+        isinstance(new, float)
+        and new.is_integer()
+        and abs(new) < 1e15
+        and isinstance(old, int)
+        and not isinstance(old, bool)
+    ):
         return int(new)
     if isinstance(new, list) and isinstance(old, list) and all(isinstance(x, (int, float)) for x in new):
         return [_in_the_style_of(old[min(i, len(old) - 1)] if old else None, x) for i, x in enumerate(new)]
@@ -185,16 +204,24 @@ def _tables(value: Any) -> bool:
     return isinstance(value, list) and bool(value) and all(isinstance(item, dict) for item in value)
 
 
-# --- bytes --------------------------------------------------------------------------------------------------------------
+# --- bytes
+# --------------------------------------------------------------------------------------------------------------
 def spare(target: Path, *inputs: str | Path) -> None:
     """Raises BadInput where a command was asked to write over what it reads, before it does any work."""
     if any(same_file(target, one) for one in inputs):
-        raise BadInput(str(target), [InputError(0, "", "", Text("is an input of this very command; give another name with -o"))])
+        raise BadInput(
+            str(target), [InputError(0, "", "", Text("is an input of this very command; give another name with -o"))]
+        )
 
 
 def write_asked(
-    path: Path, text: str, backup: bool = True, inputs: Iterable[str | Path] = (), expected: bytes | None = None, new: bool = False
-) -> None:  # fmt: skip
+    path: Path,
+    text: str,
+    backup: bool = True,
+    inputs: Iterable[str | Path] = (),
+    expected: bytes | None = None,
+    new: bool = False,
+) -> None:
     """Write a file that a command was asked for.  Raises BadInput with the reason where it can not be written."""
     with asked_for(path):
         write_file(path, text.encode("utf-8"), backup=backup, inputs=inputs, expected=expected, new=new)
@@ -211,15 +238,22 @@ def asked_for(path: Path) -> Iterator[None]:
 
 
 def write_atomic(
-    path: Path, data: bytes, backup: bool = True, inputs: Iterable[Path] = (), expected: bytes | None = None, new: bool = False
-) -> None:  # fmt: skip
-    """Write a file of the session.  Raises SaveError with what to do, ChangedOnDisk where it has not the `expected` bytes any more."""
+    path: Path,
+    data: bytes,
+    backup: bool = True,
+    inputs: Iterable[Path] = (),
+    expected: bytes | None = None,
+    new: bool = False,
+) -> None:
+    """Write a file of the session.  Raises SaveError with what to do, ChangedOnDisk where it has not the `expected`
+    bytes any more."""
     try:
         write_file(path, data, backup=backup, inputs=inputs, expected=expected, new=new)
     except FileChanged:
         raise ChangedOnDisk(
             Text(
-                "{name} was changed by another program; save once more to overwrite it (the other version is kept as .bak)",
+                "{name} was changed by another program; save once more to overwrite it (the other version is kept as "
+                ".bak)",
                 name=path.name,
             )
         ) from None
@@ -245,9 +279,11 @@ def free_name(path: Path) -> Path:
 
 # A design as it stands at one moment of its editing, to be written out while the editing goes on.
 
+
 @dataclass(frozen=True)
 class Draft:
-    """`raw` and `saved`: the file as it is, and its tables; `data`: the tables as they are now.  `results`: where they are known."""
+    """`raw` and `saved`: the file as it is, and its tables; `data`: the tables as they are now.  `results`: where they
+    are known."""
 
     raw: bytes = field(repr=False)
     saved: Table = field(repr=False)
@@ -266,7 +302,8 @@ class Draft:
             return fresh_text(self.data).encode("utf-8"), False
 
     def solved(self) -> "tuple[Document, Results]":
-        """The document and its results, solved here where they are not known.  Raises RuntimeError with the program's mistake."""
+        """The document and its results, solved here where they are not known.  Raises RuntimeError with the program's
+        mistake."""
         document = parse(self.bytes()[0], str(self.home))
         if self.results is not None:
             return document, self.results

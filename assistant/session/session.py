@@ -34,9 +34,12 @@ if TYPE_CHECKING:
 
 
 class Session(Editing):
-    """One open design.  `path` is where it is saved to; None for the example, which gets a name of its own at the first save."""
+    """One open design.  `path` is where it is saved to; None for the example, which gets a name of its own at the first
+    save."""
 
-    def __init__(self, raw: bytes, origin: Path, *, memory: Memory | None = None, now: Callable[[], datetime] = datetime.now) -> None:
+    def __init__(
+        self, raw: bytes, origin: Path, *, memory: Memory | None = None, now: Callable[[], datetime] = datetime.now
+    ) -> None:
         super().__init__(raw, origin)
         self.memory = memory or Memory()
         self.now = now
@@ -54,17 +57,23 @@ class Session(Editing):
         self.opened = self.saved = self.document.data  # as it was read, and as its file is now
         self.id = token_hex(4)  # of what it keeps aside
         self._kept: Edits | None = None
-        self._taken: Edits | None = None  # edits of an earlier session that were put back, until they are kept as this one's
+        self._taken: Edits | None = (
+            None  # edits of an earlier session that were put back, until they are kept as this one's
+        )
         self._presence: Presence | None = None
         self._company: set[str] = set()  # other sessions on this file, as far as it was looked
         self._unwritten = False  # there is no file yet
-        self._stamp: tuple[int, int] | None = None  # when the file was changed and how long it is, as far as it was looked at
+        self._stamp: tuple[int, int] | None = (
+            None  # when the file was changed and how long it is, as far as it was looked at
+        )
 
     # --- opening
     @classmethod
-    def open(cls, path: Path | None, *, memory: Memory | None = None, now: Callable[[], datetime] = datetime.now) -> "Session":
-        """Open a design; without a path the last one, or the shipped example.  Edits that were never saved are put back, as one
-        step that can be undone.  Raises BadInput with every error of the file."""
+    def open(
+        cls, path: Path | None, *, memory: Memory | None = None, now: Callable[[], datetime] = datetime.now
+    ) -> "Session":
+        """Open a design; without a path the last one, or the shipped example.  Edits that were never saved are put
+        back, as one step that can be undone.  Raises BadInput with every error of the file."""
         memory = memory or Memory()
         wanted = path
         path = path or memory.last()
@@ -93,7 +102,9 @@ class Session(Editing):
         return cls(read(path).raw, path, memory=memory, now=now)
 
     @classmethod
-    def begin(cls, data: Table, path: Path, *, memory: Memory | None = None, now: Callable[[], datetime] = datetime.now) -> "Session":
+    def begin(
+        cls, data: Table, path: Path, *, memory: Memory | None = None, now: Callable[[], datetime] = datetime.now
+    ) -> "Session":
         """A design that has no file before it is saved.  Raises BadInput where the tables are no design."""
         session = cls(fresh_text(data).encode("utf-8"), path, memory=memory, now=now)
         session._unwritten = True
@@ -111,7 +122,9 @@ class Session(Editing):
             session._taken = kept
             if kept.typed:
                 session._step(kept.state(), None)
-            session.message = Text("{name} was never saved: this is how it was at {when}.", name=path.name, when=session.when(kept))
+            session.message = Text(
+                "{name} was never saved: this is how it was at {when}.", name=path.name, when=session.when(kept)
+            )
             return session
         return None
 
@@ -120,7 +133,11 @@ class Session(Editing):
 
     def put_aside(self) -> list[Edits]:
         """Unsaved edits of sessions on this file that have ended, the last first."""
-        return [kept for kept in self.memory.left(self.home) if kept.session != self.id and (kept.data != self.saved or kept.typed)]
+        return [
+            kept
+            for kept in self.memory.left(self.home)
+            if kept.session != self.id and (kept.data != self.saved or kept.typed)
+        ]
 
     def _put_back(self) -> None:
         """Edits that were kept when the program ended before they were saved."""
@@ -129,12 +146,15 @@ class Session(Editing):
             return
         if kept.sha256 != self.document.sha256:
             self.message = Text(
-                "Edits of {when} were not saved, but the file has changed since; they are kept: “Put back unsaved edits” in the palette.",
+                "Edits of {when} were not saved, but the file has changed since; they are kept: “Put back unsaved "
+                "edits” in the palette.",
                 when=self.when(kept),
             )
             return
         if self.restore(kept):
-            self.message = Text("Edits of {when} that were not saved are back. Undo returns to the file.", when=self.when(kept))
+            self.message = Text(
+                "Edits of {when} that were not saved are back. Undo returns to the file.", when=self.when(kept)
+            )
 
     def restore(self, kept: Edits | None = None) -> bool:
         """Put back edits that were kept, the last or these, as one step of the undo."""
@@ -191,7 +211,9 @@ class Session(Editing):
     def read_only(self) -> bool:
         """The file itself, or its folder, can not be written; a first save beside it would fail too."""
         target = Path(os.path.realpath(self.home))
-        return self.path is not None and not (os.access(target.parent, os.W_OK) and (os.access(target, os.W_OK) or not target.exists()))
+        return self.path is not None and not (
+            os.access(target.parent, os.W_OK) and (os.access(target, os.W_OK) or not target.exists())
+        )
 
     @property
     def current(self) -> bool:
@@ -206,8 +228,8 @@ class Session(Editing):
 
     # --- solving
     def job(self) -> Job | None:
-        """What is to be solved now; None where the results are up to date, or the input is not valid: then the last valid one counts,
-        which is solved if it never was."""
+        """What is to be solved now; None where the results are up to date, or the input is not valid: then the last
+        valid one counts, which is solved if it never was."""
         first = self.results is None and not self.failure
         if self.solved == self.generation or not (self.valid or first):
             return None
@@ -232,7 +254,8 @@ class Session(Editing):
 
     # --- keeping
     def draft(self, data: Table | None = None) -> Draft:
-        """The design as it would be saved now, or with these tables, to be written out in another thread while the editing goes on."""
+        """The design as it would be saved now, or with these tables, to be written out in another thread while the
+        editing goes on."""
         now = self._state.data
         results = self.results if self.current and (data is None or data == now) else None
         return Draft(self._raw, self.saved, now if data is None else data, self.home, results)
@@ -245,7 +268,8 @@ class Session(Editing):
         return raw
 
     def save(self, *, force: bool = False) -> Path:
-        """Save; the example under its own name in the current folder, never over another file.  Raises SaveError with what to do.
+        """Save; the example under its own name in the current folder, never over another file.  Raises SaveError with
+        what to do.
 
         `force` overwrites a file that another program has changed since it was read.
         """
@@ -254,7 +278,8 @@ class Session(Editing):
         return self._write(self.path, force=force)
 
     def save_as(self, path: Path) -> Path:
-        """Save under another name; the session goes on with that file.  A file that is there is overwritten, and kept as .bak."""
+        """Save under another name; the session goes on with that file.  A file that is there is overwritten, and kept
+        as .bak."""
         path = path.expanduser()
         if not path.suffix and not path.is_dir():
             path = path.with_suffix(".toml")
@@ -267,7 +292,9 @@ class Session(Editing):
     def _write(self, path: Path, *, force: bool = True, new: bool = False) -> Path:
         if not self.valid:
             where, reason = next(iter(self.reasons().items()))
-            raise SaveError(Text("not saved: {key} {reason}", key=".".join(map(str, where)) or Text("the design"), reason=reason))
+            raise SaveError(
+                Text("not saved: {key} {reason}", key=".".join(map(str, where)) or Text("the design"), reason=reason)
+            )
         raw, before = self.bytes(), self.home
         try:
             document = parse(raw, str(path))
@@ -307,13 +334,16 @@ class Session(Editing):
             return False
 
     def reload(self) -> bool:
-        """Take the file as it is now, as one step of the undo; False where that changes nothing.  Raises BadInput, and then takes nothing.
+        """Take the file as it is now, as one step of the undo; False where that changes nothing.  Raises BadInput, and
+        then takes nothing.
 
-        The edits stay behind the undo; saving them then overwrites what the other program wrote, with its comments kept.
-        """
+        The edits stay behind the undo; saving them then overwrites what the other program wrote, with its comments
+        kept."""
         path = self.path
         if path is None:
-            raise BadInput(self.name, [InputError(0, "", "", Text("is the shipped example, which has no file of its own yet"))])
+            raise BadInput(
+                self.name, [InputError(0, "", "", Text("is the shipped example, which has no file of its own yet"))]
+            )
         document = read(path)
         design(document)
         if document.raw == self._raw and not self.dirty:
@@ -331,12 +361,18 @@ class Session(Editing):
             state, data = self._state, self._valid
             typed = not_accepted(data, state)
             if data == self.saved and not typed and not self._unwritten:
-                if self._kept is not None or self._taken is not None:  # those of an earlier session, all of them taken back
+                if (
+                    self._kept is not None or self._taken is not None
+                ):  # those of an earlier session, all of them taken back
                     self._drop()
                     self.autosaved = None
                 return
             edits = Edits(data, self.now(), self.document.sha256, typed, self.id)
-            if self._kept is not None and (data, typed) == (self._kept.data, self._kept.typed) and self.memory.keeps(self.home, self._kept):
+            if (
+                self._kept is not None
+                and (data, typed) == (self._kept.data, self._kept.typed)
+                and self.memory.keeps(self.home, self._kept)
+            ):
                 return
             try:
                 self.memory.keep(self.home, edits)

@@ -26,7 +26,8 @@ class Job:
 
 @dataclass(frozen=True)
 class Answer:
-    """What a solve gave.  There are no results where it was stopped, or where `failure` says that the program itself went wrong."""
+    """What a solve gave.  There are no results where it was stopped, or where `failure` says that the program itself
+    went wrong."""
 
     generation: int
     results: "Results | None" = field(repr=False)

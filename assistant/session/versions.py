@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What a design can be compared with: its saved file, the design as it was opened, the states before each edit, another file."""
+"""What a design can be compared with: its saved file, the design as it was opened, the states before each edit, another
+file."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass, field, replace

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The calculation of a step: formula, numbers, value, source, line by line, as it was computed; then what is assumed."""
+"""The calculation of a step: formula, numbers, value, source, line by line, as it was computed; then what is
+assumed."""
 
 from collections.abc import Callable
 
@@ -38,7 +39,10 @@ class Typesetter:
         if sheet.errata:
             items.append(Item("", [Content(""), Content.styled(self.signs.say(Text("Errors of the sources")), "bold")]))
             items += [Item(f"erratum {n}", self._erratum(e, 0), line=e.why) for n, e in enumerate(sheet.errata)]
-        for title, kind, texts in ((Text("Proposed"), "proposal", sheet.proposals), (Text("Assumed"), "note", sheet.notes)):
+        for title, kind, texts in (
+            (Text("Proposed"), "proposal", sheet.proposals),
+            (Text("Assumed"), "note", sheet.notes),
+        ):
             if texts:
                 items.append(Item("", [Content(""), Content.styled(self.signs.say(title), "bold")]))
                 items += [
@@ -51,8 +55,11 @@ class Typesetter:
         width = self.width
         number = f"{entry.number:<5} "
         indent = len(number)
-        rows = [Content.assemble((number, "dim"), entry_rows[0].lstrip()) if n == 0 else Content(text)
-                for entry_rows in [wrap(" " * indent + entry.formula, width, indent + 2)] for n, text in enumerate(entry_rows)]  # fmt: skip
+        rows = [
+            Content.assemble((number, "dim"), entry_rows[0].lstrip()) if n == 0 else Content(text)
+            for entry_rows in [wrap(" " * indent + entry.formula, width, indent + 2)]
+            for n, text in enumerate(entry_rows)
+        ]
         before, equals, after = entry.numbers.rpartition("= ")
         numbers = before + equals + after.replace(" ", BOUND, 1)  # a number and its unit stay together
         rows += [Content(text) for text in wrap(" " * (indent + 2) + numbers, width, indent + 4)]
@@ -60,7 +67,9 @@ class Typesetter:
         for check, verdict in entry.checks:
             limit = signs.say(check.limit_text()).replace(" ", BOUND)
             text = f"{signs.mark(verdict)} {signs.word(verdict)}  {check.name} {limit}"
-            rows += [Content.styled(row, signs.style(verdict)) for row in wrap(" " * (indent + 2) + text, width, indent + 4)]
+            rows += [
+                Content.styled(row, signs.style(verdict)) for row in wrap(" " * (indent + 2) + text, width, indent + 4)
+            ]
         for erratum in entry.errata:
             rows += self._erratum(erratum, indent + 2)
         rows += [Content.styled(row, "dim") for row in wrap(" " * (indent + 2) + entry.source, width, indent + 2)]
@@ -85,7 +94,9 @@ class Calculation(ItemList):
     def __init__(self) -> None:
         super().__init__(id="calculation-list")
         self.sheet = CalculationSheet()
-        self._set: list[tuple[CalculationSheet, int, Signs, list[Item]]] = []  # the calculations set last, with the width and the signs
+        self._set: list[
+            tuple[CalculationSheet, int, Signs, list[Item]]
+        ] = []  # the calculations set last, with the width and the signs
 
     def show(self, sheet: CalculationSheet) -> None:
         if sheet is not self.sheet:
@@ -118,9 +129,15 @@ class Calculation(ItemList):
         parts = []
         if entries and self._first:
             top, bottom = round(self.scroll_y), round(self.scroll_y) + self.size.height
-            seen = [n for n, i in enumerate(entries, 1) if self._first[i] < bottom and self._first[i] + len(self.items[i].rows) > top]
+            seen = [
+                n
+                for n, i in enumerate(entries, 1)
+                if self._first[i] < bottom and self._first[i] + len(self.items[i].rows) > top
+            ]
             count = plural("{n} line", "{n} lines", n=len(entries))
-            parts.append(say(Text("{first}–{last} of {n}", first=seen[0], last=seen[-1], n=len(entries)) if seen else count))
+            parts.append(
+                say(Text("{first}–{last} of {n}", first=seen[0], last=seen[-1], n=len(entries)) if seen else count)
+            )
         errata = len(self.sheet.errata) + sum(len(e.errata) for e in self.sheet.entries)
         if errata:
             parts.append(say(plural("{n} erratum", "{n} errata", n=errata)))

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Sketches in character cells: braille lines, areas of half-blocks, words and dimensions that never run into each other.
+"""Sketches in character cells: braille lines, areas of half-blocks, words and dimensions that never run into each
+other.
 
-A sketch is fitted into its frame with all its words, to true scale: a dot is as wide as high.  What the edited field changes is lit; a
-part that fails has the colour of failure and its sign.
-"""
+A sketch is fitted into its frame with all its words, to true scale: a dot is as wide as high.  What the edited field
+changes is lit; a part that fails has the colour of failure and its sign."""
 
 import math
 from collections.abc import Iterable, Sequence
@@ -23,7 +23,8 @@ from .text import wrap
 
 # Dots of lines and halves of cells of areas, in a frame of character cells: the arithmetic below the canvas.
 #
-# A cell is twice as high as wide, and holds 2 by 4 square dots, or two square halves.  Places are in dots, down from the upper left.
+# A cell is twice as high as wide, and holds 2 by 4 square dots, or two square halves.  Places are in dots, down from
+# the upper left.
 
 Floats = npt.NDArray[np.float64]
 Integers = npt.NDArray[np.int64]
@@ -36,7 +37,8 @@ UPPER, LOWER = 0x2580, 0x2584  # half blocks
 
 
 class Raster:
-    """`roles`: how each cell of lines is drawn, a higher one over a lower one; `fill`: what is in each half of a cell, 0 nothing."""
+    """`roles`: how each cell of lines is drawn, a higher one over a lower one; `fill`: what is in each half of a cell,
+    0 nothing."""
 
     def __init__(self, columns: int, rows: int) -> None:
         self.columns, self.rows = columns, rows
@@ -62,7 +64,12 @@ class Raster:
             length = np.hypot(pieces[:, 0], pieces[:, 1])
             ways.append(np.cumsum(length) - length)
             keeps += [pattern] * len(pieces)
-        start, step, kinds, way = np.concatenate(starts), np.concatenate(steps), np.concatenate(roles), np.concatenate(ways)
+        start, step, kinds, way = (
+            np.concatenate(starts),
+            np.concatenate(steps),
+            np.concatenate(roles),
+            np.concatenate(ways),
+        )
         count = np.ceil(np.abs(step).max(axis=1)).astype(int) + 1
         of = np.repeat(np.arange(len(count)), count)
         t = (np.arange(len(of)) - np.repeat(np.cumsum(count) - count, count)) / np.maximum(count[of] - 1, 1)
@@ -114,9 +121,13 @@ def _direction(step: Floats) -> Integers:
     return np.where(slope < FLAT, 0, np.where(slope > STEEP, 1, leaning))
 
 
-# Where pictures lie in a frame of character cells: next to each other or above, each at the largest true scale with all its words.
+# Where pictures lie in a frame of character cells: next to each other or above, each at the largest true scale with all
+# its words.
 
-LEAST, SMALL = (14, 6), 0.5  # columns and rows, and share of its scale, below which a picture beside another one is left out
+LEAST, SMALL = (
+    (14, 6),
+    0.5,
+)  # columns and rows, and share of its scale, below which a picture beside another one is left out
 SMALLER = 0.97  # step of the scale at which the pictures are tried next to each other
 GAPS = 3, 1  # columns and rows between pictures
 RIGHT, CENTRE, LEFT = "left", "centre", "right"
@@ -140,7 +151,9 @@ class Spread:
     """What a picture spans: its points, and how many cells its words reach around theirs."""
 
     def __init__(self, sketch: Sketch, say: Language) -> None:
-        reaches: list[tuple[float, ...]] = [(*point, 0.3, 0.3, 0.15, 0.15) for mark in sketch.primitives for point in reach(mark)]
+        reaches: list[tuple[float, ...]] = [
+            (*point, 0.3, 0.3, 0.15, 0.15) for mark in sketch.primitives for point in reach(mark)
+        ]
         reaches += [reach for mark in sketch.primitives for reach in _word_reach(mark, say)]
         self.x, self.y, self.left, self.right, self.up, self.down = np.array(reaches or [(0.0,) * 6]).T
         self.sketch, self.title = sketch, bool(sketch.title)
@@ -151,9 +164,11 @@ class Spread:
         """Left, right, top and bottom in cells, at so many columns per metre."""
         across, upwards = self.x * scale, self.y * (scale / 2)
         return (
-            float((across - self.left).min()), float((across + self.right).max()),
-            float((upwards + self.up).max()), float((upwards - self.down).min()),
-        )  # fmt: skip
+            float((across - self.left).min()),
+            float((across + self.right).max()),
+            float((upwards + self.up).max()),
+            float((upwards - self.down).min()),
+        )
 
     def size(self, scale: float) -> tuple[float, float]:
         """Columns and rows."""
@@ -183,18 +198,23 @@ def _shrunk(at: Floats, before: Floats, behind: Floats, room: float, scale: floa
 
 
 def arranged(pictures: list[Spread], columns: int, rows: int) -> list[tuple[Spread, Frame]]:
-    """The pictures side by side or one above the other, whichever draws them larger; as many as are still large enough."""
+    """The pictures side by side or one above the other, whichever draws them larger; as many as are still large
+    enough."""
     while len(pictures) > 1:
-        ways = [way for way in (_shared(pictures, columns, rows, 0), _shared(pictures, columns, rows, 1)) if way is not None]
+        ways = [
+            way for way in (_shared(pictures, columns, rows, 0), _shared(pictures, columns, rows, 1)) if way is not None
+        ]
         if ways:
             return max(ways, key=lambda way: way[0])[1]
         pictures = pictures[:-1]
     return [(pictures[0], Frame(0, 0, columns, rows))]
 
 
-def _shared(pictures: list[Spread], columns: int, rows: int, way: int) -> tuple[float, list[tuple[Spread, Frame]]] | None:
-    """The frames side by side (`way` 0) or one above the other, and the share of the scale that each has of what it would have alone;
-    None where they get too small."""
+def _shared(
+    pictures: list[Spread], columns: int, rows: int, way: int
+) -> tuple[float, list[tuple[Spread, Frame]]] | None:
+    """The frames side by side (`way` 0) or one above the other, and the share of the scale that each has of what it
+    would have alone; None where they get too small."""
     gap = GAPS[way] * (len(pictures) - 1)
     room = (columns, rows)[way] - gap
     if room <= 0:
@@ -214,7 +234,8 @@ def _shared(pictures: list[Spread], columns: int, rows: int, way: int) -> tuple[
 
 
 class Fit:
-    """Where metres lie in a frame of cells: in its middle, at the largest true scale at which the picture and its words are within."""
+    """Where metres lie in a frame of cells: in its middle, at the largest true scale at which the picture and its words
+    are within."""
 
     def __init__(self, picture: Spread, frame: Frame) -> None:
         self.scale = picture.largest(frame.columns, frame.rows)  # columns per metre
@@ -268,9 +289,13 @@ HEAD, HEAD_ANGLE = 5.0, math.radians(25)  # dots; of an arrow
 PAPER = {True: 0x1A, False: 0xE8}  # grey of the background, dark or light, that the fill of areas is mixed with
 INK = {FAINT: 0x80, NORMAL: 0xB0}
 SHIFTS = sorted(
-    ((row, column) for row in range(-2, 3) for column in range(-6, 7)), key=lambda shift: (2 * abs(shift[0]) + abs(shift[1]), shift)
+    ((row, column) for row in range(-2, 3) for column in range(-6, 7)),
+    key=lambda shift: (2 * abs(shift[0]) + abs(shift[1]), shift),
 )  # how a word may be moved, in rows and columns
-ON_A_LINE, BESIDE_A_WORD = 1.0, 2.0  # what each cell of a line under a word, and a word right beside it, is worth in `SHIFTS`
+ON_A_LINE, BESIDE_A_WORD = (
+    1.0,
+    2.0,
+)  # what each cell of a line under a word, and a word right beside it, is worth in `SHIFTS`
 
 
 def draw(sketch: Sketch, columns: int, rows: int, signs: Signs, say: Language, lit: str = "") -> Content:
@@ -332,7 +357,11 @@ class Canvas:
                 row, column = fit.cell(mark.at)
                 text = words_of(mark, self.say) + (f" {self.signs.mark(mark.state)}" if mark.state else "")
                 wide = cell_len(text)
-                start = {RIGHT: column, CENTRE: round(fit.x + mark.at[0] * fit.scale - wide / 2), LEFT: column - wide + 1}[mark.side]
+                start = {
+                    RIGHT: column,
+                    CENTRE: round(fit.x + mark.at[0] * fit.scale - wide / 2),
+                    LEFT: column - wide + 1,
+                }[mark.side]
                 self._place(text, row, start, self.role(mark), frame)
         for dimension in dimensions:
             self._number(dimension, fit, frame)
@@ -360,7 +389,8 @@ class Canvas:
                 pass
 
     def _mark_states(self, sketch: Sketch, fit: Fit, frame: Frame) -> None:
-        """The sign of each part that fails, or of which is warned, at its upper right: one for all marks of one field or part.
+        """The sign of each part that fails, or of which is warned, at its upper right: one for all marks of one field
+        or part.
 
         Words have theirs behind them.
         """
@@ -379,13 +409,21 @@ class Canvas:
     def _dimension_line(self, mark: Dimension, fit: Fit) -> None:
         role = role if (role := self.role(mark)) != NORMAL else FAINT
         ascii = self.signs.ascii
-        (r0, c0), (r1, c1) = (fit.cell((mark.line[0], p[1]) if mark.upright else (p[0], mark.line[1])) for p in (mark.start, mark.end))
+        (r0, c0), (r1, c1) = (
+            fit.cell((mark.line[0], p[1]) if mark.upright else (p[0], mark.line[1])) for p in (mark.start, mark.end)
+        )
         if mark.upright:
             top, bottom = sorted((r0, r1))
             for row in range(top, bottom + 1):
                 alone = "|" if ascii else "↕"
                 end = "+" if ascii else "┬" if row == top else "┴"
-                self.put(row, c0, alone if top == bottom else end if row in (top, bottom) else "|" if ascii else "│", role, free=True)
+                self.put(
+                    row,
+                    c0,
+                    alone if top == bottom else end if row in (top, bottom) else "|" if ascii else "│",
+                    role,
+                    free=True,
+                )
         else:
             left, right = sorted((c0, c1))
             inner = ("-" if ascii else "─") * (right - left - 1)
@@ -396,7 +434,9 @@ class Canvas:
         """In a level line, or right of it where it is too short; beside an upright one."""
         text, role = words_of(mark, self.say), self.role(mark)
         wide = cell_len(text)
-        (r0, c0), (r1, c1) = (fit.cell((mark.line[0], p[1]) if mark.upright else (p[0], mark.line[1])) for p in (mark.start, mark.end))
+        (r0, c0), (r1, c1) = (
+            fit.cell((mark.line[0], p[1]) if mark.upright else (p[0], mark.line[1])) for p in (mark.start, mark.end)
+        )
         if mark.upright:
             self._place(text, (r0 + r1) // 2, c0 + 2 if mark.line[0] >= mark.start[0] else c0 - 1 - wide, role, frame)
         elif abs(c1 - c0) >= wide + 3:
@@ -409,13 +449,20 @@ class Canvas:
         """Write over lines, and over words too, or (`free`) only where none stand."""
         for letter in text:
             wide = cell_len(letter)
-            if 0 <= row < self.rows and 0 <= column and column + wide <= self.columns and wide and not (free and self.text[row, column]):
+            if (
+                0 <= row < self.rows
+                and 0 <= column
+                and column + wide <= self.columns
+                and wide
+                and not (free and self.text[row, column])
+            ):
                 self.text[row, column : column + wide] = [ord(letter), -1][:wide]
                 self.text_roles[row, column] = role
             column += wide
 
     def _place(self, text: str, row: int, column: int, role: int, frame: Frame) -> None:
-        """Write near a place where no other word stands, clear of lines if possible; not at all where there is no room."""
+        """Write near a place where no other word stands, clear of lines if possible; not at all where there is no
+        room."""
         top, bottom, left, right = frame.top, frame.top + frame.rows, frame.left, frame.left + frame.columns
         wide = cell_len(text)
         if wide > right - left:
@@ -468,7 +515,9 @@ class Canvas:
             places = (at + np.concatenate([[0], np.cumsum(code >= 0)])[ends]).tolist()
             for number, start, end in zip(look[ends[:-1]].tolist(), places, places[1:]):
                 if number:
-                    spans.append(Span(start, end, self._style(number // count**2, number // count % count, number % count)))
+                    spans.append(
+                        Span(start, end, self._style(number // count**2, number // count % count, number % count))
+                    )
             rows.append(letters)
             at += len(letters) + 1
         return Content("\n".join(rows), spans)
@@ -483,7 +532,11 @@ class Canvas:
         paper = PAPER[self.signs.dark]
         colour = _style(self.signs, role).rpartition("#")[2] if role > NORMAL else ""
         grey = INK[role] if role in INK else 0xB0
-        ink = [int(colour[n : n + 2], 16) for n in (0, 2, 4)] if len(colour) == 6 else [grey if self.signs.dark else 0xFF - grey] * 3
+        ink = (
+            [int(colour[n : n + 2], 16) for n in (0, 2, 4)]
+            if len(colour) == 6
+            else [grey if self.signs.dark else 0xFF - grey] * 3
+        )
         return "#" + "".join(f"{round(paper + (one - paper) * shade):02x}" for one in ink)
 
 
@@ -495,7 +548,9 @@ def _head(dots: Floats) -> Floats:
         return dots[-1:]
     way = math.atan2(-back[1], -back[0])
     length = min(HEAD, float(np.hypot(*back)))
-    barbs = [tip + length * np.array([math.cos(way + turn), math.sin(way + turn)]) for turn in (HEAD_ANGLE, -HEAD_ANGLE)]
+    barbs = [
+        tip + length * np.array([math.cos(way + turn), math.sin(way + turn)]) for turn in (HEAD_ANGLE, -HEAD_ANGLE)
+    ]
     return np.array([barbs[0], tip, barbs[1]])
 
 

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The findings of a step: those of one cause in a row, the worst first; what is under the cursor is told in full; what holds is folded."""
+"""The findings of a step: those of one cause in a row, the worst first; what is under the cursor is told in full; what
+holds is folded."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
@@ -108,13 +109,18 @@ class Checks(ItemList):
 
     @property
     def group(self) -> list[Check]:
-        """What is open under the cursor: all findings of the cause where they are folded behind the worst, else the one."""
+        """What is open under the cursor: all findings of the cause where they are folded behind the worst, else the
+        one."""
         check = self.check
         if check is None or self.outcome is None or (check.cause or check.id) in self.unfolded:
             return [check] if check is not None else []
         return [
             check,
-            *(c for c in self.outcome.checks if c is not check and c.open and c.kind in KINDS_SHOWN and cause(c) == cause(check)),
+            *(
+                c
+                for c in self.outcome.checks
+                if c is not check and c.open and c.kind in KINDS_SHOWN and cause(c) == cause(check)
+            ),
         ]
 
     def _by_id(self, id: str) -> Check | None:
@@ -190,7 +196,12 @@ class Checks(ItemList):
                 words, state = say(plural(count.one, count.template, n=len(mine))), "pass" if key == HOLD else "note"
                 fold = signs.mark("unfolded" if unfolded else "folded")
                 rows.append(
-                    CheckRow(key, head=Content.assemble((f"{signs.mark(state)} ", signs.style(state)), (words, "dim"), (f" {fold}", "dim")))
+                    CheckRow(
+                        key,
+                        head=Content.assemble(
+                            (f"{signs.mark(state)} ", signs.style(state)), (words, "dim"), (f" {fold}", "dim")
+                        ),
+                    )
                 )
                 rows += [CheckRow(c.id, c, inside=True) for c in mine] if unfolded else []
         return rows
@@ -219,7 +230,9 @@ class Checks(ItemList):
             content = self._title_rows(row, columns)
             if row.key == chosen:
                 content = [*content, *self._detail(row.check, width)]
-            items.append(Item(row.key, content, say.part(Amount(row.check.value, row.check.unit)), self._line(row.check)))
+            items.append(
+                Item(row.key, content, say.part(Amount(row.check.value, row.check.unit)), self._line(row.check))
+            )
         return items
 
     def _columns(self, rows: Sequence[CheckRow], width: int) -> CheckColumns:
@@ -261,7 +274,10 @@ class Checks(ItemList):
         style = signs.style(verdict)
         names = wrap(self._title(row), columns.name, 2 if row.inside else 0)
         loud = "bold" if check.verdict in ("fail", "not_verified") else "" if check.open else "dim"
-        parts: list[Content | tuple[str, str] | str] = [(pad(signs.mark(verdict), SIGN), style), (pad(names[0], columns.name), loud)]
+        parts: list[Content | tuple[str, str] | str] = [
+            (pad(signs.mark(verdict), SIGN), style),
+            (pad(names[0], columns.name), loud),
+        ]
         if columns.numbers:
             parts += [" " * GAP, (f"{say.number(short(check.value)):>{columns.value}}", loud)]
             parts += [" " * GAP, (f"{say(check.limit_text()):<{columns.limit}}", "dim")]
@@ -269,11 +285,18 @@ class Checks(ItemList):
         return [Content.assemble(*parts), *(Content.styled(" " * SIGN + name, loud) for name in names[1:])]
 
     def _detail(self, check: Check, width: int) -> list[Content]:
-        """What there is to know of a check: how far it is from its limit, why, what moves it, what would help, and where it comes from."""
+        """What there is to know of a check: how far it is from its limit, why, what moves it, what would help, and
+        where it comes from."""
         say, signs = self.app.say, self.app.signs
         room, indent = max(12, width - SIGN - 2), " " * (SIGN + 1)
-        held = Text("{value} of {limit}", value=Amount(check.value, digits=3), limit=Amount(check.nearest[1], check.unit, digits=3))
-        against = Text("{value}, needs {limit}", value=Amount(check.value, check.unit, digits=3), limit=check.limit_text())
+        held = Text(
+            "{value} of {limit}",
+            value=Amount(check.value, digits=3),
+            limit=Amount(check.nearest[1], check.unit, digits=3),
+        )
+        against = Text(
+            "{value}, needs {limit}", value=Amount(check.value, check.unit, digits=3), limit=check.limit_text()
+        )
         style, ratio = signs.style(check.verdict), share(check)
         first: list[Content | tuple[str, str] | str] = [indent, say(held if ratio is not None else against)]
         if ratio is not None:

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The curves and the tables of the step, one at a time.  The plotting library is loaded when there is something to plot, never
-before the first picture."""
+"""The curves and the tables of the step, one at a time.  The plotting library is loaded when there is something to
+plot, never before the first picture."""
 
 import re
 from collections.abc import Iterator
@@ -29,7 +29,8 @@ if TYPE_CHECKING:
     from .reading import Reader, Reading
 
 
-# What stands above a curve: its variant, its lines and limits, its axes; at the cursor what is read off.  As many rows as there are.
+# What stands above a curve: its variant, its lines and limits, its axes; at the cursor what is read off.  As many rows
+# as there are.
 
 GAP = "  "
 
@@ -51,10 +52,16 @@ class Legend:
             return self._fitted(parts, axes, width, most)
         state = [*self._state(keys=False), Content.styled(self.app.say(self.reading.at), "bold")]
         for parts, least in (
-            ([state, [*self._reads(), *self._chains(), *self._limits()]], 1),  # the limits have their names on their lines
-            ([state, [*self._reads()]], 0), ([state, [*self._reads(1)]], 0), ([state, [*self._reads(1, brief=True)]], 0),
-            ([state, [*self._reads(0)]], 0), ([state, [*self._reads(0, brief=True)]], 0),
-        ):  # fmt: skip
+            (
+                [state, [*self._reads(), *self._chains(), *self._limits()]],
+                1,
+            ),  # the limits have their names on their lines
+            ([state, [*self._reads()]], 0),
+            ([state, [*self._reads(1)]], 0),
+            ([state, [*self._reads(1, brief=True)]], 0),
+            ([state, [*self._reads(0)]], 0),
+            ([state, [*self._reads(0, brief=True)]], 0),
+        ):
             whole = all(part.cell_length <= width for group in parts for part in group)
             if whole and len(_flow(parts, width)) <= most - least:
                 break
@@ -91,7 +98,9 @@ class Legend:
         if sight.turns:
             turning = f"{key('crank_back')} {key('crank_on')}"
             how = " " + say(Text("{keys} after {leave}", keys=turning, leave=key("leave"))) if keys else ""
-            yield Content.assemble((say(Text("crank at {angle}", angle=Amount(sight.degrees, "°"))), "bold"), (how, "dim"))
+            yield Content.assemble(
+                (say(Text("crank at {angle}", angle=Amount(sight.degrees, "°"))), "bold"), (how, "dim")
+            )
 
     def _names(self) -> Iterator[Content]:
         series = self.sight.series
@@ -108,7 +117,9 @@ class Legend:
 
     def _how_to_read(self) -> Content:
         key = self.app.shown_key
-        return Content.styled(self.app.say(Text("{keys} name the bars", keys=f"{key('read_back')} {key('read')}")), "dim")
+        return Content.styled(
+            self.app.say(Text("{keys} name the bars", keys=f"{key('read_back')} {key('read')}")), "dim"
+        )
 
     def _mark(self, n: int) -> str:
         look = self.app.signs.look(n)
@@ -130,7 +141,9 @@ class Legend:
 
         signs, unit = self.app.signs, axis(self.sight.curve.y_label)[1]
         for name, limit in finite_limits(self.sight.curve):
-            yield Content.styled(f"{signs.limit().line_mark} {name} {self.app.say.part(Amount(limit, unit))}", signs.style("fail"))
+            yield Content.styled(
+                f"{signs.limit().line_mark} {name} {self.app.say.part(Amount(limit, unit))}", signs.style("fail")
+            )
 
     def _reads(self, distances: int = 9, *, brief: bool = False) -> Iterator[Content]:
         """What is read, with so many of the distances to limits; the series that was chosen stands out."""
@@ -144,7 +157,8 @@ class Legend:
 
 
 def _cut(axes: str, width: int) -> str:
-    """The names of the axes.  Where they are too long, what is explained in brackets goes first, and the last unit stays."""
+    """The names of the axes.  Where they are too long, what is explained in brackets goes first, and the last unit
+    stays."""
     if len(axes) <= width:
         return axes
     axes = re.sub(r" \([^()]*\)$", "", axes)
@@ -170,6 +184,7 @@ def _flow(groups: list[list[Content]], width: int) -> list[Content]:
 
 
 # A part of the screen with a title; the title says whether it has the focus.
+
 
 class Pane(Vertical):
     """`target` takes the focus for the pane."""
@@ -228,7 +243,8 @@ class Pane(Vertical):
 
 
 class CurvePane(Pane, can_focus=True):
-    """`variant` and `degrees` hold for all curves that have variants or vectors; `cursor` for the curve that is shown, as long as it is."""
+    """`variant` and `degrees` hold for all curves that have variants or vectors; `cursor` for the curve that is shown,
+    as long as it is."""
 
     app: BaseApp
     BINDINGS: ClassVar[list[BindingType]] = [Binding("space", "turn(1)", "Next curve", show=False)]
@@ -260,7 +276,8 @@ class CurvePane(Pane, can_focus=True):
 
     # --- what is shown
     def show(self, step: str, leaves: tuple[Curve | Table, ...], pending: bool = False) -> None:
-        """Other curves and tables; where the same one is shown as before, with other numbers, its cursor stays at its place.
+        """Other curves and tables; where the same one is shown as before, with other numbers, its cursor stays at its
+        place.
 
         `pending`: they are still being written out.
         """
@@ -273,7 +290,9 @@ class CurvePane(Pane, can_focus=True):
 
     @property
     def target(self) -> "CurvePane | TableList":
-        return self.list if self.list.display and isinstance(self.leaf, Table) else self  # the list of a table before is still there
+        return (
+            self.list if self.list.display and isinstance(self.leaf, Table) else self
+        )  # the list of a table before is still there
 
     @property
     def leaf(self) -> Curve | Table | None:
@@ -406,7 +425,9 @@ class CurvePane(Pane, can_focus=True):
             self.list.show(leaf)
             self._head()
         elif leaf is None:
-            self.set_title(Text("Curve"), say(Text("is being written out …")) if self.pending else say(Text("none in this step")))
+            self.set_title(
+                Text("Curve"), say(Text("is being written out …")) if self.pending else say(Text("none in this step"))
+            )
             self._write(Content(""))
         else:
             hints = (
@@ -453,7 +474,10 @@ class CurvePane(Pane, can_focus=True):
     def _head(self) -> None:
         rows = self.list.head
         if self.list.part:
-            rows = [Content.styled(self.app.say(Text("{columns}, ← → for the others", columns=self.list.part)), "dim"), *rows]
+            rows = [
+                Content.styled(self.app.say(Text("{columns}, ← → for the others", columns=self.list.part)), "dim"),
+                *rows,
+            ]
         self._write(Content("\n").join(Content.assemble(" ", row) for row in rows))
 
     def on_item_list_moved(self, event: ItemList.Moved) -> None:

@@ -20,8 +20,9 @@ from ..actions import BY_ID
 from ..base_app import BaseApp
 from .text import fit
 
-# Other keys are given to the part that has the focus, and wait there for their turn.  These move the focus before the next key is
-# looked at, so that of keys that come in one burst (a slow line, a busy machine) none ends up in the field that was left.
+# Other keys are given to the part that has the focus, and wait there for their turn.  These move the focus before the
+# next key is looked at, so that of keys that come in one burst (a slow line, a busy machine) none ends up in the field
+# that was left.
 LEAVING: tuple[Binding, ...] = (
     Binding("tab", "app.focus_next", "Next field", show=False, priority=True),
     Binding("shift+tab", "app.focus_previous", "Previous field", show=False, priority=True),
@@ -34,16 +35,21 @@ EDITS = {binding.key: binding.action for binding in Binding.make_bindings(Input.
 
 
 class Entry(Input):
-    """A one-row text input.  The first key replaces the text, as in a table; from then on it is being edited, and Esc takes it back.
+    """A one-row text input.  The first key replaces the text, as in a table; from then on it is being edited, and Esc
+    takes it back.
 
     `numeric`: no letter begins a number, so letters may be keys before anything is typed.
 
-    A form has thirty of them, so the text and the compact look are put in without waking up the watchers of `Input`, each of
-    which would style the field anew and report the first text as an edit.
-    """
+    A form has thirty of them, so the text and the compact look are put in without waking up the watchers of `Input`,
+    each of which would style the field anew and report the first text as an edit."""
 
-    BINDINGS: ClassVar[list[BindingType]] = [*LEAVING, Binding("enter", "accept", "Accept, go on", show=False, priority=True)]
-    virtual_size = Reactive(Size(0, 0), layout=False)  # the box keeps its size whatever is typed; nothing else has to move
+    BINDINGS: ClassVar[list[BindingType]] = [
+        *LEAVING,
+        Binding("enter", "accept", "Accept, go on", show=False, priority=True),
+    ]
+    virtual_size = Reactive(
+        Size(0, 0), layout=False
+    )  # the box keeps its size whatever is typed; nothing else has to move
 
     @dataclass
     class Began(Message):
@@ -79,7 +85,8 @@ class Entry(Input):
         self.virtual_size = Size(self.content_width, 1)
 
     async def _on_key(self, event: events.Key) -> None:
-        """Keys that edit act at once and not when they have come back from all parents: those that were struck later would come first."""
+        """Keys that edit act at once and not when they have come back from all parents: those that were struck later
+        would come first."""
         if event.key == LOCK and self.numeric and not self.editing:
             event.stop()
             event.prevent_default()
@@ -145,6 +152,7 @@ class Entry(Input):
 
 
 # One of several words, in one row.  Space, → or a letter opens the list, in which letters find a word; Enter goes on.
+
 
 class Choice(Widget, can_focus=True):
     """The arrows stay free for going from field to field.  `prompt` stands there while nothing is chosen."""
@@ -221,7 +229,9 @@ class Choice(Widget, can_focus=True):
         from ..screens.dialogs import Choose
 
         words = self.words if not self.value or self.value in self.words else (self.value, *self.words)
-        self.app.push_screen(Choose(words, self.value, self.prompt if self.optional else "", self.region, typed, self.said), self._chosen)
+        self.app.push_screen(
+            Choose(words, self.value, self.prompt if self.optional else "", self.region, typed, self.said), self._chosen
+        )
 
     async def _chosen(self, word: str | None) -> None:
         """Enter in the list takes the word and goes on."""

@@ -109,7 +109,10 @@ class Field(Widget):
 
     def _prompt(self) -> str:
         """What stands in an empty field."""
-        chosen = self.about.optional and self.place[:1] not in (DOCUMENT, NOTE)  # nobody chooses what a title block says
+        chosen = self.about.optional and self.place[:1] not in (
+            DOCUMENT,
+            NOTE,
+        )  # nobody chooses what a title block says
         return self.default or (AUTO if chosen else "" if self.row.required else self.app.say(Text("left out")))
 
     def compose(self) -> ComposeResult:
@@ -117,7 +120,8 @@ class Field(Widget):
 
     # --- the user
     def on_input_changed(self, event: Input.Changed) -> None:
-        """What is typed is passed on even where it is what the design has: an edit before it may still be on its way."""
+        """What is typed is passed on even where it is what the design has: an edit before it may still be on its
+        way."""
         event.stop()
         self.enter(event.value)
 
@@ -193,13 +197,19 @@ class Field(Widget):
         if self.reason or content is None:
             return (AUTO, "auto") if not self.reason and self.default and isinstance(self.box, Entry) else ("", "")
         typed = self.box.value if isinstance(self.box, Entry) else text
-        if isinstance(self.box, Entry) and self.box.has_focus and typed.strip() != text and not PLAIN.fullmatch(typed.strip()):
+        if (
+            isinstance(self.box, Entry)
+            and self.box.has_focus
+            and typed.strip() != text
+            and not PLAIN.fullmatch(typed.strip())
+        ):
             return f"= {text}", "muted"
         if self.editing and self.was and self.was != text:
             return self.app.say(Text("was {text}", text=Name(self.was))), "muted"
         if (usual := self.about.usual) and not all(usual[0] <= one <= usual[1] for one in _numbers(content)):
             return (
-                f"{self.app.signs.mark('warn')} {self.app.say(Text('{low}–{high}', low=Amount(usual[0]), high=Amount(usual[1])))}",
+                f"{self.app.signs.mark('warn')} "
+                f"{self.app.say(Text('{low}–{high}', low=Amount(usual[0]), high=Amount(usual[1])))}",
                 "warn",
             )
         if self.session.lock_reason(self.place):
@@ -212,7 +222,9 @@ class Field(Widget):
     def _rows(self, width: int) -> tuple[list[str], list[str]]:
         if self.cell:
             return [""], []
-        label = wrap(self.about.label, (LABEL_NARROW if width >= NARROW else LABEL) - 2)  # a blank before it and one behind
+        label = wrap(
+            self.about.label, (LABEL_NARROW if width >= NARROW else LABEL) - 2
+        )  # a blank before it and one behind
         mark = self.app.signs.mark("invalid")
         return label, wrap(f"{mark} {self.app.say(self.reason)}", width - 3, 2) if self.reason else []
 
@@ -242,9 +254,14 @@ class Field(Widget):
             note = "" if state == "auto" else fit(note, max(0, room - len(unit) - len(gap)))
         first = Content.assemble(
             (pad((signs.mark("editing") if self.editing else " ") + labels[0], label), "bold" if focused else ""),
-            (left, "dim"), " " * box, (right, "dim"), " ", (unit, "dim"), gap,
+            (left, "dim"),
+            " " * box,
+            (right, "dim"),
+            " ",
+            (unit, "dim"),
+            gap,
             (note, "italic dim" if state == "auto" else signs.style("warn") if state == "warn" else "dim"),
-        )  # fmt: skip
+        )
         lines = [first, *(Content(" " + text) for text in labels[1:])]
         lines += [Content.styled("  " + text, signs.style("invalid")) for text in errors]
         return Content("\n").join(lines)
@@ -260,7 +277,11 @@ class StrokeField(Field):
     @property
     def text(self) -> str:
         radius = self.content
-        return super().text if self.session.reason(RADIUS) or radius is None else numbers.written(float(f"{2 * radius:.12g}"), self.about)
+        return (
+            super().text
+            if self.session.reason(RADIUS) or radius is None
+            else numbers.written(float(f"{2 * radius:.12g}"), self.about)
+        )
 
     def meant(self, typed: str) -> str:
         try:
@@ -286,7 +307,8 @@ def default_of(row: FormRow) -> str:
 
 
 def stepped(session: Session, place: Place, default: str, by: int) -> str:
-    """The text of a number field one increment further; an increment that nobody gave is about a hundredth of the value."""
+    """The text of a number field one increment further; an increment that nobody gave is about a hundredth of the
+    value."""
     about = session.about(place)
     text = session.text(place)
     if about.kind not in ("number", "integer"):
@@ -318,7 +340,8 @@ def _increment(size: float) -> float:
     return float(max((n for n in (1, 2, 5, 10) if n * power <= size / 100 * 1.000001), default=1) * power)
 
 
-# Inputs of several elements side by side: the label, a box for each element, the unit, and under them why one is not accepted.
+# Inputs of several elements side by side: the label, a box for each element, the unit, and under them why one is not
+# accepted.
 
 APART = CELL + 2  # with its brackets
 UNIT = 5
@@ -365,7 +388,9 @@ class Cells(Widget):
         super().__init__()
         self.row = row
         self.fields = fields
-        fields[0].add_class("-first", update=False)  # a class: `:first-child` would have every field of the form styled twice
+        fields[0].add_class(
+            "-first", update=False
+        )  # a class: `:first-child` would have every field of the form styled twice
         self._errors: list[tuple[str, Text]] = []
 
     def compose(self) -> ComposeResult:

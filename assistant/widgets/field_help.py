@@ -13,7 +13,8 @@ from .text import fit, wrap
 
 
 def meaning(about: Quantity, say: Language, *, sourced: bool = True) -> str:
-    """What a quantity means and what is usual; `sourced`: with the source in brackets, behind the usual range or else the meaning."""
+    """What a quantity means and what is usual; `sourced`: with the source in brackets, behind the usual range or else
+    the meaning."""
     source = f" ({say(about.source)})" if sourced and about.source else ""
     said, usual = say(about.help), ""
     if about.usual:
@@ -60,7 +61,8 @@ class FieldHelp(Widget):
         self.moves = ""
 
     def show(self, title: str, text: str, rest: str = "", moves: str = "") -> None:
-        """`moves`, what the field moves, stands behind what it means and what is usual; `rest` where there is room for all of it."""
+        """`moves`, what the field moves, stands behind what it means and what is usual; `rest` where there is room for
+        all of it."""
         self.title, self.text, self.rest, self.moves = title, text, rest, moves
         self.refresh()
 
@@ -68,5 +70,7 @@ class FieldHelp(Widget):
         if not self.title:
             return Content("")
         said = ": ".join(filter(None, (self.title, " ".join(filter(None, (self.text, self.moves))))))
-        rows = foot(said, self.rest, f"  {self.app.say(Text('F1 more'))}", max(10, self.size.width - 2), self.size.height)
+        rows = foot(
+            said, self.rest, f"  {self.app.say(Text('F1 more'))}", max(10, self.size.width - 2), self.size.height
+        )
         return Content.styled("\n".join(" " + row for row in rows), "dim")

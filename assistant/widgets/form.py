@@ -36,7 +36,9 @@ from .radio import Balance, Radio, Todo
 from .rows import Asked, FormRow, routed
 from .text import fit, wrap
 
-# At the head of a form: the question of the step, and what a good answer looks like or, where a check fails, what to try.
+# At the head of a form: the question of the step, and what a good answer looks like or, where a check fails, what to
+# try.
+
 
 class GuideText(Static):
     app: BaseApp
@@ -77,7 +79,9 @@ class Taken(ItemList):
     def explained(self) -> tuple[str, str]:
         """What the foot of the form says about it."""
         say = self.app.say
-        return say(Text("From earlier steps")), say(Text("Enter, or typing a number, goes to the step that owns the value."))
+        return say(Text("From earlier steps")), say(
+            Text("Enter, or typing a number, goes to the step that owns the value.")
+        )
 
     def build(self, width: int) -> list[Item]:
         found = []
@@ -103,9 +107,13 @@ class Taken(ItemList):
             value = f"{text} {unit}".rstrip()
             room = max(1, min(18, width - label_width - len(origin) - 1))
             first = f"{labels[0]:<{label_width}}{fit(value, room):<{room}} {origin}"
-            found.append(Item(id, [Content.styled(row, "dim") for row in (first, *labels[1:])], value, f"{label} {value}"))
+            found.append(
+                Item(id, [Content.styled(row, "dim") for row in (first, *labels[1:])], value, f"{label} {value}")
+            )
         if found:
-            found.insert(0, Item("", [Content(""), Content.styled(self.app.say(Text("From earlier steps")), "bold dim")]))
+            found.insert(
+                0, Item("", [Content(""), Content.styled(self.app.say(Text("From earlier steps")), "bold dim")])
+            )
         return found
 
     def on_key(self, event: events.Key) -> None:
@@ -157,7 +165,11 @@ class FormParts:
 
     def heading(self, row: FormRow) -> Content:
         last = row.place[-1]
-        name = str((content_at(self._session.data, row.place) or {}).get("name", last + 1)) if isinstance(last, int) else row.about.label
+        name = (
+            str((content_at(self._session.data, row.place) or {}).get("name", last + 1))
+            if isinstance(last, int)
+            else row.about.label
+        )
         return Content.styled(f" {name}", "bold" if not isinstance(last, int) else "italic")
 
     def _widget(self, row: FormRow) -> Widget:
@@ -286,7 +298,8 @@ class Form(VerticalScroll, can_focus=True, inherit_bindings=False):
                 child.update(made, layout=False)
 
     def _settle(self) -> None:
-        """When the focus has left a field: fields of a table that lost its last key go, and folds with mistakes open."""
+        """When the focus has left a field: fields of a table that lost its last key go, and folds with mistakes
+        open."""
         if self.display and self.is_attached:
             self.refresh_fields(self.session.reasons())
 
@@ -312,7 +325,8 @@ class Form(VerticalScroll, can_focus=True, inherit_bindings=False):
             self.call_after_refresh(self.bring_into_view)
 
     def rebuild(self, focus: Place | None = None) -> None:
-        """Put the form in order: what goes is taken away, what is new is put in, and all else stays as it is, the focus too."""
+        """Put the form in order: what goes is taken away, what is new is put in, and all else stays as it is, the focus
+        too."""
         if focus is not None:
             self._wanted, self._back = focus, True
             self.screen.set_focus(self, scroll_visible=False)  # keys wait here
@@ -330,7 +344,9 @@ class Form(VerticalScroll, can_focus=True, inherit_bindings=False):
                 try:
                     with self.app.batch_update():
                         await self._put_in_order()
-                except asyncio.CancelledError:  # a part went while it was awaited: once more, unless all of the form goes
+                except (
+                    asyncio.CancelledError
+                ):  # a part went while it was awaited: once more, unless all of the form goes
                     cut += 1
                     if cut > 1 or not self.is_attached:
                         raise
@@ -394,7 +410,9 @@ class Form(VerticalScroll, can_focus=True, inherit_bindings=False):
                 found.append(child.box)
             elif isinstance(child, Cells):
                 found += [field.box for field in child.fields]
-            elif isinstance(child, (ArrayHeading, TableHeading, Fold, Radio)) or (isinstance(child, Taken) and child.items):
+            elif isinstance(child, (ArrayHeading, TableHeading, Fold, Radio)) or (
+                isinstance(child, Taken) and child.items
+            ):
                 found.append(child)
         return found
 
@@ -442,7 +460,11 @@ class Form(VerticalScroll, can_focus=True, inherit_bindings=False):
             self.opened.add(n)
             uncovered = True
         for end, part in enumerate(place):
-            if isinstance(part, int) and self.chosen.get(place[:end], 0) != part and (uncovered or place[:end] in stops):
+            if (
+                isinstance(part, int)
+                and self.chosen.get(place[:end], 0) != part
+                and (uncovered or place[:end] in stops)
+            ):
                 self.chosen[place[:end]] = part
                 uncovered = True
         return uncovered

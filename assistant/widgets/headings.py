@@ -26,11 +26,16 @@ from .text import fit, pad
 
 TALL = 30  # rows of a screen that has room for a table of the elements
 MOST = 8  # elements in it
-INDENT, GAP, LABEL = 3, 2, 12  # cells before its rows, between its columns, and of a label that is wider than what is below it
+INDENT, GAP, LABEL = (
+    3,
+    2,
+    12,
+)  # cells before its rows, between its columns, and of a label that is wider than what is below it
 
 
 class ArrayHeading(Widget, can_focus=True):
-    """`◂ 2 of 4: central ▸` of a long array, over a table of what its elements must have; `2` of a short one that stands there whole."""
+    """`◂ 2 of 4: central ▸` of a long array, over a table of what its elements must have; `2` of a short one that
+    stands there whole."""
 
     app: BaseApp
     BINDINGS: ClassVar[list[BindingType]] = [
@@ -41,7 +46,8 @@ class ArrayHeading(Widget, can_focus=True):
         Binding("minus,delete", "remove", "Remove the element", show=False),
     ]
     HELP = Text(
-        "+ (or Enter, while there is none) adds an element, like the last one; − takes out the one that is shown (the last of a short "
+        "+ (or Enter, while there is none) adds an element, like the last one; − takes out the one that is shown (the "
+        "last of a short "
         "list); ← → leafs through them."
     )
 
@@ -81,7 +87,9 @@ class ArrayHeading(Widget, can_focus=True):
         return not self.names()
 
     def names(self) -> list[str]:
-        return [str(item.get("name", n + 1)) for n, item in enumerate(content_at(self.session.data, self.row.place) or [])]
+        return [
+            str(item.get("name", n + 1)) for n, item in enumerate(content_at(self.session.data, self.row.place) or [])
+        ]
 
     def items(self) -> list[dict[str, object]]:
         """The elements of the table; none where they stand in the form themselves, or there is no room."""
@@ -92,16 +100,25 @@ class ArrayHeading(Widget, can_focus=True):
         """Their names, and what each must have beside it, below the labels."""
         assert self.row.about.table is not None
         known = {key: one.about for key, one in keys(self.row.about.table).items()}
-        columns = [key for key, about in known.items() if not about.optional and about.kind not in ("table", "tables") and key != "name"]
+        columns = [
+            key
+            for key, about in known.items()
+            if not about.optional and about.kind not in ("table", "tables") and key != "name"
+        ]
         if not (items := self.items()) or not columns:
             return []
         labels = [f"{self.app.say(known[key].label)} {known[key].unit}".rstrip() for key in columns]
-        return [("", *labels), *((name, *(self._written(item.get(key)) for key in columns)) for name, item in zip(self.names(), items))]
+        return [
+            ("", *labels),
+            *((name, *(self._written(item.get(key)) for key in columns)) for name, item in zip(self.names(), items)),
+        ]
 
     def _written(self, value: object) -> str:
         if isinstance(value, (list, tuple)):
             return " ".join(map(self._written, value))
-        return self.app.say.number(f"{value:g}".replace("-", "−")) if isinstance(value, (int, float)) else str(value or "")
+        return (
+            self.app.say.number(f"{value:g}".replace("-", "−")) if isinstance(value, (int, float)) else str(value or "")
+        )
 
     def get_content_height(self, container: Size, viewport: Size, width: int) -> int:
         return 1 + len(self.cells())
@@ -143,7 +160,9 @@ class ArrayHeading(Widget, can_focus=True):
                 self._link(after, "leaf(1)"),
             ]
         buttons: list[Content | str] = (
-            [self._link("+", "add"), " ", self._link(minus, "remove")] if names else [self._link(self.app.say(Text("+ add")), "add")]
+            [self._link("+", "add"), " ", self._link(minus, "remove")]
+            if names
+            else [self._link(self.app.say(Text("+ add")), "add")]
         )
         left = Content.assemble((" " + title, signs.style("invalid") if self.reason else "bold"), *middle)
         gap = max(1, self.size.width - left.cell_length - Content.assemble(*buttons).cell_length - 1)
@@ -180,6 +199,7 @@ class ArrayHeading(Widget, can_focus=True):
 
 # The heading of a table that may be left out: `Gas  + add` where it is, `Gas  −` above its fields where it is there.
 
+
 class TableHeading(Widget, can_focus=True):
     app: BaseApp
     BINDINGS: ClassVar[list[BindingType]] = [
@@ -188,7 +208,8 @@ class TableHeading(Widget, can_focus=True):
         Binding("minus,delete", "remove", "Remove the table", show=False),
     ]
     HELP = Text(
-        "This part may be left out. + or Enter adds it, its fields empty; − takes it out with all its fields. Undo takes either back."
+        "This part may be left out. + or Enter adds it, its fields empty; − takes it out with all its fields. Undo "
+        "takes either back."
     )
 
     @dataclass
@@ -254,6 +275,7 @@ class TableHeading(Widget, can_focus=True):
 
 # The heading of what is folded: `▸ More (18): cylinder offset, firing order, …`.  Enter or → opens it, ← closes it.
 
+
 class Fold(Widget, can_focus=True):
     app: BaseApp
     BINDINGS: ClassVar[list[BindingType]] = [
@@ -288,7 +310,12 @@ class Fold(Widget, can_focus=True):
 
     def _title(self) -> str:
         """How many inputs lie in it, and how many of them are left to the program."""
-        cells = (cell for row in self.row.inside for cell in (row.inside or (row,)) if cell.kind == "field" and cell.place[0] in ROUTE)
+        cells = (
+            cell
+            for row in self.row.inside
+            for cell in (row.inside or (row,))
+            if cell.kind == "field" and cell.place[0] in ROUTE
+        )
         assumed = sum(cell.about.optional and content_at(self.session.data, cell.place) is None for cell in cells)
         title = f"{self.row.about.label} ({len(self.row.inside)})"
         return f"{title}, {self.app.say(Text('assumed ({n})', n=assumed))}" if assumed and self.row.open else title

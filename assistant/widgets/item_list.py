@@ -159,7 +159,9 @@ class ItemList(ScrollView, can_focus=True, inherit_bindings=False):
         index = next((i for i, item in enumerate(self.items) if item.key == key), None)
         if not self.items or not self.size.height:
             self._wanted = (key, top)
-            self.cursor = self.cursor if index is None else index  # a key that comes before the list is shown is for that item
+            self.cursor = (
+                self.cursor if index is None else index
+            )  # a key that comes before the list is shown is for that item
             return True
         if index is not None:
             self._move(index, top=top)
@@ -254,5 +256,6 @@ class ItemList(ScrollView, can_focus=True, inherit_bindings=False):
 def _same(some: list[Item], others: list[Item]) -> bool:
     """The same rows in the same styles."""
     return len(some) == len(others) and all(
-        a.key == b.key and len(a.rows) == len(b.rows) and all(p.is_same(q) for p, q in zip(a.rows, b.rows)) for a, b in zip(some, others)
+        a.key == b.key and len(a.rows) == len(b.rows) and all(p.is_same(q) for p, q in zip(a.rows, b.rows))
+        for a, b in zip(some, others)
     )

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What matters most now: why an input is not accepted, what a step waits for, or a finding, that under the cursor or the worst."""
+"""What matters most now: why an input is not accepted, what a step waits for, or a finding, that under the cursor or
+the worst."""
 
 from typing import TYPE_CHECKING
 
@@ -62,7 +63,9 @@ class MessageLine(Widget):
             )
             if len(reasons) > 1:
                 text = Text("{mistake}  ({n} in all)", mistake=text, n=len(reasons))
-            return "invalid", step + say(Text("{mistake}. The results are those of the last valid input.", mistake=text))
+            return "invalid", step + say(
+                Text("{mistake}. The results are those of the last valid input.", mistake=text)
+            )
         if session.failure:
             return "fail", say(session.failure)
         if session.results is None:
@@ -75,7 +78,11 @@ class MessageLine(Widget):
             return judged(here, outcome.checks), self._check(here)
         states = states_of(session)
         todo = next((n for n, state in enumerate(states) if state.state == "todo"), None)
-        ahead = Text("Enter goes on: {n} {step} is to do.", n=todo + 1, step=STEPS[todo].title) if todo is not None else EMPTY
+        ahead = (
+            Text("Enter goes on: {n} {step} is to do.", n=todo + 1, step=STEPS[todo].title)
+            if todo is not None
+            else EMPTY
+        )
         checks = outcome.checks
         if ahead and outcome.verdict == "not_verified" and nothing_left(states, self.step):
             return "todo", say(ahead)
@@ -104,7 +111,12 @@ class MessageLine(Widget):
     def _check(self, check: Check) -> str:
         soft = check.kind in ("advice", "method")
         needs = Text("only just") if check.narrow else Text("should be") if soft else Text("needs")
-        parts = {"check": check.name, "value": Amount(check.value, check.unit), "needs": needs, "limit": check.limit_text()}
+        parts = {
+            "check": check.name,
+            "value": Amount(check.value, check.unit),
+            "needs": needs,
+            "limit": check.limit_text(),
+        }
         text = Text("{check} {value}, {needs} {limit}", **parts)
         return self.app.say(Text("{check}. {advice}", check=text, advice=check.advice) if check.advice else text)
 
@@ -202,16 +214,33 @@ class TopLine(Widget):
         state = self.state(short)
         room = max(8, width - end.cell_length - 2 - (0 if short else 15) - (len(state) + 2 if state else 0))
         start = Content.assemble(
-            ("" if short else " Contralbero   "), " " if short else "", (fit(session.name, room), "bold"), f" {state}" if state else "",
-        )  # fmt: skip
+            ("" if short else " Contralbero   "),
+            " " if short else "",
+            (fit(session.name, room), "bold"),
+            f" {state}" if state else "",
+        )
         return Content.assemble(start, " " * max(1, width - start.cell_length - end.cell_length), end)
 
 
 # The last row: the keys, as the table of actions and the user's key map have them.
 
-# What goes first where there is not room for all, after what does nothing here.  F4 leads to the curve, and narrow to every pane.
+# What goes first where there is not room for all, after what does nothing here.  F4 leads to the curve, and narrow to
+# every pane.
 SPARED = ("variant", "curve", "choose", "trouble")
-SPARED_NARROW = ("variant", "curve", "choose", "pane", "trouble", "quit", "undo", "save", "report", "palette", "fix", "back")
+SPARED_NARROW = (
+    "variant",
+    "curve",
+    "choose",
+    "pane",
+    "trouble",
+    "quit",
+    "undo",
+    "save",
+    "report",
+    "palette",
+    "fix",
+    "back",
+)
 
 
 class FooterLine(Widget):

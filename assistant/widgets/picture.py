@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The picture of a step: its sketch, drawn anew for each result, size and edited field, and turned with the crank where it can be."""
+"""The picture of a step: its sketch, drawn anew for each result, size and edited field, and turned with the crank where
+it can be."""
 
 import math
 from collections.abc import Callable
@@ -111,7 +112,9 @@ class Picture(Widget, can_focus=True):
             self._clock.pause()
 
 
-def sketch_of(step: str, design: Design | None, results: "Results | None", angle: float, view: int = 0) -> Sketch | Text:
+def sketch_of(
+    step: str, design: Design | None, results: "Results | None", angle: float, view: int = 0
+) -> Sketch | Text:
     """The sketch of a step at a crank angle, its picture `view` first, or what it waits for."""
     if not step or design is None:
         return EMPTY

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Figures as pixels, on a terminal that shows them: by the protocol of Kitty, of iTerm2, or as Sixel.
 
-The terminal is known by what it says of itself in the environment; nothing is asked of it, since an answer would come as keys.
-"""
+The terminal is known by what it says of itself in the environment; nothing is asked of it, since an answer would come
+as keys."""
 
 import base64
 import sys
@@ -26,7 +26,8 @@ LEVELS = 6  # of each of red, green and blue in a Sixel picture: 216 colours
 
 
 def protocol(environment: Mapping[str, str]) -> str:
-    """How this terminal shows pixels; empty where it does not say that it does, or where another program stands between."""
+    """How this terminal shows pixels; empty where it does not say that it does, or where another program stands
+    between."""
     asked = environment.get("CONTRALBERO_PIXELS", "")
     if asked in (KITTY, ITERM, SIXEL):
         return asked
@@ -72,7 +73,11 @@ def sixel(pixels: "NDArray[uint8]") -> Iterator[str]:
             bits = ((band == colour) * weights[: len(band), None]).sum(axis=0)
             ends = np.append(np.flatnonzero(np.diff(bits)) + 1, len(bits))
             counts = np.diff(ends, prepend=0)
-            yield f"#{colour}" + "".join(f"!{n}{chr(63 + bit)}" for n, bit in zip(counts.tolist(), bits[ends - 1].tolist())) + "$"
+            yield (
+                f"#{colour}"
+                + "".join(f"!{n}{chr(63 + bit)}" for n, bit in zip(counts.tolist(), bits[ends - 1].tolist()))
+                + "$"
+            )
         yield "-"
     yield "\x1b\\"
 

@@ -30,7 +30,12 @@ if TYPE_CHECKING:
 ROUND = 2.0  # how much higher than wide a cell of a terminal is
 ROOM = 0.04  # of the height, above and below
 DOTS = np.array([2.0, 4.0])  # of braille in a cell, across and down
-DASHES = ((1.0, 0.0), (4.0, 3.0), (1.0, 2.5), (7.0, 2.0, 1.0, 2.0))  # of each pattern, in dots: drawn, left out; the last a chain
+DASHES = (
+    (1.0, 0.0),
+    (4.0, 3.0),
+    (1.0, 2.5),
+    (7.0, 2.0, 1.0, 2.0),
+)  # of each pattern, in dots: drawn, left out; the last a chain
 MOST_DECIMALS = 9  # of a tick
 TURNS = 2  # cells after which lines that run over each other take turns
 EIGHTHS = " ▁▂▃▄▅▆▇█"
@@ -42,7 +47,10 @@ class Numbers(NumericAxisFormatter):
 
     def get_labels_for_ticks(self, ticks: Sequence[float]) -> list[str]:
         small = 1e-6 * max((abs(b - a) for a, b in pairwise(ticks)), default=max(map(abs, ticks), default=0.0))
-        decimals = next((n for n in range(MOST_DECIMALS) if all(abs(round(tick, n) - tick) <= small for tick in ticks)), MOST_DECIMALS)
+        decimals = next(
+            (n for n in range(MOST_DECIMALS) if all(abs(round(tick, n) - tick) <= small for tick in ticks)),
+            MOST_DECIMALS,
+        )
         return [f"{tick + 0.0:.{decimals}f}".replace("-", "−") for tick in ticks]
 
 
@@ -125,7 +133,8 @@ class Plot(PlotWidget, can_focus=False, inherit_bindings=False):
             self.draw(*self._shown, self.reading)
 
     def pointed_at(self, x: float, y: float) -> tuple[float, float, float, float] | None:
-        """A place of the screen in the numbers of the curve, and how far a cell reaches there; None outside the frame."""
+        """A place of the screen in the numbers of the curve, and how far a cell reaches there; None outside the
+        frame."""
         canvas, room = self.query_one("#plot", Canvas), self._scale_rectangle
         column, row = int(x) - canvas.region.x, int(y) - canvas.region.y
         if not room.area or not room.contains(column, row):
@@ -173,7 +182,9 @@ class Plot(PlotWidget, can_focus=False, inherit_bindings=False):
         y_low, y_high = even_low, even_high
         places = [x for x in places_of(curve) if x_low <= x <= x_high] if curve.bars else []
         round_ = axis(curve.x_label)[1] == "°" and not curve.equal
-        self.set_xticks(places if 0 < len(places) <= width // 3 else ticks(x_low, x_high, max(2, width // 7), degrees=round_))
+        self.set_xticks(
+            places if 0 < len(places) <= width // 3 else ticks(x_low, x_high, max(2, width // 7), degrees=round_)
+        )
         self.set_yticks(y_ticks)
         self.set_xlimits(x_low, x_high)
         self.set_ylimits(y_low, y_high)
@@ -209,8 +220,13 @@ class Plot(PlotWidget, can_focus=False, inherit_bindings=False):
             self._render_cursor(canvas, self.reading, style)
 
     def _render_x_ticks(self) -> None:
-        """Ticks with their numbers below; a number at the edge is moved in, and one that would run into another is left out."""
-        canvas, margin, room = self.query_one("#plot", Canvas), self.query_one("#margin-bottom", Canvas), self._scale_rectangle
+        """Ticks with their numbers below; a number at the edge is moved in, and one that would run into another is left
+        out."""
+        canvas, margin, room = (
+            self.query_one("#plot", Canvas),
+            self.query_one("#margin-bottom", Canvas),
+            self._scale_rectangle,
+        )
         margin.reset()
         axis_style, tick_style = (str(self.get_component_rich_style(f"plot--{part}")) for part in ("axis", "tick"))
         free, ticks_ = 0, [tick for tick in self._x_ticks or () if self._x_min <= tick <= self._x_max]
@@ -229,7 +245,8 @@ class Plot(PlotWidget, can_focus=False, inherit_bindings=False):
                 free = left + len(label) + 1
 
     def _name_limits(self, canvas: Canvas) -> None:
-        """The name of each limit on its line, or beside it, where it covers nothing else; as far to the right as may be."""
+        """The name of each limit on its line, or beside it, where it covers nothing else; as far to the right as may
+        be."""
         if self._shown is None:
             return
         (sight, signs), room = self._shown, self._scale_rectangle
@@ -318,7 +335,11 @@ class Plot(PlotWidget, can_focus=False, inherit_bindings=False):
             return
         cell = column, max(row, self._scale_rectangle.y)
         if self._scale_rectangle.contains(*cell):
-            canvas.set_pixel(*cell, self._shown[1].point(bars.number == reading.chosen), str(self.get_component_rich_style("plot--tick")))
+            canvas.set_pixel(
+                *cell,
+                self._shown[1].point(bars.number == reading.chosen),
+                str(self.get_component_rich_style("plot--tick")),
+            )
 
 
 def _along(points: Any, *pattern: float) -> list[tuple[float, float]]:
@@ -327,7 +348,9 @@ def _along(points: Any, *pattern: float) -> list[tuple[float, float]]:
     there = np.arange(0.0, way[-1], 0.5)
     if pattern:
         there = there[np.searchsorted(np.cumsum(pattern), there % sum(pattern), side="right") % 2 == 0]
-    return [(float(x), float(y)) for x, y in zip(np.interp(there, way, points[:, 0]), np.interp(there, way, points[:, 1]))]
+    return [
+        (float(x), float(y)) for x, y in zip(np.interp(there, way, points[:, 0]), np.interp(there, way, points[:, 1]))
+    ]
 
 
 def places_of(curve: Curve) -> list[float]:
@@ -340,7 +363,9 @@ def extent(curve: Curve) -> tuple[float, float, float, float]:
     xs: list[Any] = [s.x for s in curve.series]
     ys: list[Any] = [*(s.y for s in curve.series), [limit for _, limit in finite_limits(curve)]]
     if curve.equal:
-        tips = [z for chain in curve.turning for degrees in range(0, 360, TURN) for z in chain.at(math.radians(degrees))]
+        tips = [
+            z for chain in curve.turning for degrees in range(0, 360, TURN) for z in chain.at(math.radians(degrees))
+        ]
         xs, ys = [*xs, [z.imag for z in tips]], [*ys, [z.real for z in tips]]
     (x_low, x_high), (y_low, y_high) = _extent(xs), _extent(ys)
     if curve.bars:
@@ -355,7 +380,9 @@ def _extent(parts: Sequence[Any]) -> tuple[float, float]:
     return (float(values.min()), float(values.max())) if values.size else (math.nan, math.nan)
 
 
-def _round(x_low: float, x_high: float, y_low: float, y_high: float, width: int, height: int) -> tuple[float, float, float, float]:
+def _round(
+    x_low: float, x_high: float, y_low: float, y_high: float, width: int, height: int
+) -> tuple[float, float, float, float]:
     """Limits with which a circle is round; what lies at the right end has a cell of its own."""
     scale = max((x_high - x_low) / (width - 1), (y_high - y_low) / (height * ROUND)) or 1.0
     x, y = (x_low + x_high) / 2, (y_low + y_high) / 2

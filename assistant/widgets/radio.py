@@ -138,7 +138,11 @@ class Balance(Radio):
         items, made = [Item("", [*what])] if what else [], self.made()
         for one in self._known:
             left = [
-                say(Text("{before} → {after}", before=Amount(x.before, digits=3), after=Amount(x.after, x.unit, digits=3)))
+                say(
+                    Text(
+                        "{before} → {after}", before=Amount(x.before, digits=3), after=Amount(x.after, x.unit, digits=3)
+                    )
+                )
                 if x.before != x.after
                 else say(Text("{after}", after=Amount(x.after, x.unit, digits=3)))
                 for x in one.left

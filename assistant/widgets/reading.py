@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What is read off a curve at its cursor: the numbers, with their distances to the limits.  Knows neither screen nor plotting library."""
+"""What is read off a curve at its cursor: the numbers, with their distances to the limits.  Knows neither screen nor
+plotting library."""
 
 import math
 import re
@@ -15,14 +16,16 @@ from calc.sheet.number import DIGITS
 from calc.sheet.step import Curve, Series, Turning
 from calc.sheet.text import COMMA, EMPTY, SEMICOLON, Amount, Name, Text
 
-# What is seen of a curve: one of its variants, its vectors at one crank angle.  Knows neither screen nor plotting library.
+# What is seen of a curve: one of its variants, its vectors at one crank angle.  Knows neither screen nor plotting
+# library.
 
 TURN = 10  # degrees by which the crank is turned at a time
 
 
 @dataclass(frozen=True)
 class Cursor:
-    """Where a curve is read.  `place`: an x, or the parameter of a locus, or the number of a point; `line`: the series that was chosen."""
+    """Where a curve is read.  `place`: an x, or the parameter of a locus, or the number of a point; `line`: the series
+    that was chosen."""
 
     place: float
     line: int = 0
@@ -64,12 +67,14 @@ STEPS = 50  # about so many coarse steps lead from one end of a curve to the oth
 NOTHING = Name("–")  # no value here
 FINER = 10  # fine steps in a coarse one
 DUST = 1e-9  # of the largest number of a curve: less is rounding
-PLACES = "mm"  # a figure in true scale with this unit shows places; with another one it shows vectors, whose length is of interest
+# a figure in true scale with this unit shows places; with another one it shows vectors, whose length is of interest
+PLACES = "mm"
 
 
 @dataclass(frozen=True)
 class Read:
-    """One series at the cursor.  `brief`: the value where there is little room; `distances`: to each limit, the nearest first."""
+    """One series at the cursor.  `brief`: the value where there is little room; `distances`: to each limit, the nearest
+    first."""
 
     number: int
     label: str
@@ -82,7 +87,9 @@ class Read:
     @property
     def text(self) -> Text:
         """As it is copied."""
-        return COMMA.join((Text("{label} {value}", label=self.label, value=self.value) if self.label else self.value, *self.distances))
+        return COMMA.join(
+            (Text("{label} {value}", label=self.label, value=self.value) if self.label else self.value, *self.distances)
+        )
 
 
 @dataclass(frozen=True)
@@ -127,14 +134,17 @@ def largest_of(values: Any) -> float:
 
 
 class Digits:
-    """Numbers of one series, all with the same decimals: four significant digits for the largest of them, as everywhere."""
+    """Numbers of one series, all with the same decimals: four significant digits for the largest of them, as
+    everywhere."""
 
     def __init__(self, values: Any, dust: float = 0.0) -> None:
         largest = largest_of(values)
         if largest <= dust:  # nothing but rounding: written like what is beside it
             largest = dust / DUST
         self.plain = largest == 0 or 1e-2 <= largest < 1e5
-        self.decimals = min(DIGITS + 2, max(0, DIGITS - 1 - math.floor(math.log10(largest)))) if largest and self.plain else 0
+        self.decimals = (
+            min(DIGITS + 2, max(0, DIGITS - 1 - math.floor(math.log10(largest)))) if largest and self.plain else 0
+        )
 
     def write(self, value: float, unit: str = "") -> Amount:
         if not self.plain or not math.isfinite(value):
@@ -150,8 +160,8 @@ def fixed(value: float, decimals: int, unit: str = "") -> Amount:
 class Reader:
     """Reads one sight of a curve, and moves a cursor over it.
 
-    `kind`: "x" where every series is a function of x; "bars"; "along" where all series run along the same parameter; else "points".
-    """
+    `kind`: "x" where every series is a function of x; "bars"; "along" where all series run along the same parameter;
+    else "points"."""
 
     def __init__(self, sight: Sight) -> None:
         self.sight, self.curve = sight, sight.curve
@@ -164,15 +174,20 @@ class Reader:
             return ""
         if curve.bars:
             return "bars"
-        if curve.along is not None and all(len(s.x) == len(curve.along[1]) == len(x) for s, (x, _) in zip(self.sight.series, self.points)):
+        if curve.along is not None and all(
+            len(s.x) == len(curve.along[1]) == len(x) for s, (x, _) in zip(self.sight.series, self.points)
+        ):
             return "along"
-        rising = all(x.size < 2 or bool(np.all(np.diff(x) >= 0)) or bool(np.all(np.diff(x) <= 0)) for x, _ in self.points)
+        rising = all(
+            x.size < 2 or bool(np.all(np.diff(x) >= 0)) or bool(np.all(np.diff(x) <= 0)) for x, _ in self.points
+        )
         return "x" if rising and not curve.equal else "points"
 
     # --- where the cursor can stand
     @cached_property
     def stops(self) -> Any:
-        """The places of bars, the parameters of a locus, the numbers of the points of the chosen series; of a function its two ends."""
+        """The places of bars, the parameters of a locus, the numbers of the points of the chosen series; of a function
+        its two ends."""
         if self.kind == "along":
             assert self.curve.along is not None
             return np.asarray(self.curve.along[1], float)
@@ -209,7 +224,9 @@ class Reader:
             step = self.step / FINER if fine else self.step
             whole = cursor.place / step
             near = round(whole)
-            count = near + by if abs(whole - near) < 1e-6 else math.floor(whole) + by if by > 0 else math.ceil(whole) + by
+            count = (
+                near + by if abs(whole - near) < 1e-6 else math.floor(whole) + by if by > 0 else math.ceil(whole) + by
+            )
             return self.kept(replace(cursor, place=count * step))
         stops = self._stops(cursor)
         size = 1 if fine or self.kind == "bars" else max(1, len(stops) // STEPS)
@@ -235,7 +252,9 @@ class Reader:
             return self.kept(Cursor(x, near.number))
         if self.kind == "bars":
             return self.kept(Cursor(x))
-        away = [np.hypot((xs - x) / across, (ys - y) / up) if xs.size else np.array([math.inf]) for xs, ys in self.points]
+        away = [
+            np.hypot((xs - x) / across, (ys - y) / up) if xs.size else np.array([math.inf]) for xs, ys in self.points
+        ]
         line = min(range(len(away)), key=lambda n: float(away[n].min()))
         at = int(away[line].argmin())
         return Cursor(float(self.stops[at]) if self.kind == "along" else float(at), line)
@@ -258,7 +277,9 @@ class Reader:
             name, unit = axis(self.curve.x_label)
             decimals = max(0, -math.floor(math.log10(self.step / FINER) + 1e-9))
             at = _at_axis(name, fixed(x, decimals, unit))
-            return Reading(at, tuple(self._one(n, x, _at(points, x)) for n, points in enumerate(self.points)), x, cursor.line)
+            return Reading(
+                at, tuple(self._one(n, x, _at(points, x)) for n, points in enumerate(self.points)), x, cursor.line
+            )
         if self.kind == "bars":
             x = cursor.place
             found = ((n, ys[xs == x]) for n, (xs, ys) in enumerate(self.points))
@@ -273,7 +294,9 @@ class Reader:
         else:
             at = Text("point {n} of {count}", n=at_point + 1, count=int(self.points[cursor.line][0].size))
             lines = (cursor.line,)
-        reads = tuple(self._place(n, float(self.points[n][0][at_point]), float(self.points[n][1][at_point])) for n in lines)
+        reads = tuple(
+            self._place(n, float(self.points[n][0][at_point]), float(self.points[n][1][at_point])) for n in lines
+        )
         return Reading(at, reads, None, cursor.line)
 
     def _group(self, x: float) -> Text:
@@ -282,15 +305,25 @@ class Reader:
         if names and x == int(x) and 1 <= x <= len(names):
             group = names[int(x) - 1]
             number = str(group)[:1].isdigit()  # an order: two numbers beside each other say nothing
-            return Text("{what} {name}", what=self.curve.x_label, name=group) if number else Text("{n} {name}", n=int(x), name=group)
+            return (
+                Text("{what} {name}", what=self.curve.x_label, name=group)
+                if number
+                else Text("{n} {name}", n=int(x), name=group)
+            )
         name, unit = axis(self.curve.x_label)
         return _at_axis(name, Amount(x, unit))
 
     def _one(self, n: int, x: float, y: float) -> Read:
         digits, unit = self._digits[n], axis(self.curve.y_label)[1]
-        near = sorted((limit for limit in finite_limits(self.curve)), key=lambda limit: abs(y - limit[1])) if math.isfinite(y) else []
+        near = (
+            sorted((limit for limit in finite_limits(self.curve)), key=lambda limit: abs(y - limit[1]))
+            if math.isfinite(y)
+            else []
+        )
         brief, value = (Text("{y}", y=digits.write(y, shown)) if math.isfinite(y) else NOTHING for shown in ("", unit))
-        return Read(n, self.sight.series[n].label, x, y, value, brief, tuple(_distance(digits, y, *limit) for limit in near))
+        return Read(
+            n, self.sight.series[n].label, x, y, value, brief, tuple(_distance(digits, y, *limit) for limit in near)
+        )
 
     def _place(self, n: int, x: float, y: float) -> Read:
         (x_name, x_unit), (y_name, y_unit) = axis(self.curve.x_label), axis(self.curve.y_label)
@@ -314,7 +347,11 @@ def _distance(digits: Digits, y: float, name: str, limit: float) -> Text:
     away = digits.write(abs(y - limit))
     if not any(char in "123456789" for char in away.written()):
         return Text("on {name}", name=name)
-    return Text("{away} above {name}", away=away, name=name) if y > limit else Text("{away} below {name}", away=away, name=name)
+    return (
+        Text("{away} above {name}", away=away, name=name)
+        if y > limit
+        else Text("{away} below {name}", away=away, name=name)
+    )
 
 
 def finite_limits(curve: Curve) -> list[tuple[str, float]]:
@@ -348,7 +385,8 @@ DEGREES = (1, 2, 5, 10, 15, 30, 45, 60, 90, 180, 360)  # steps of an axis of ang
 
 
 def stand_below(names: Sequence[str], width: int) -> bool:
-    """Whether the names of the groups of a bar chart fit below them, in a plot of so many cells, its axis among them."""
+    """Whether the names of the groups of a bar chart fit below them, in a plot of so many cells, its axis among
+    them."""
     return bool(names) and max(map(cell_len, names)) < (width - AXIS) // len(names)
 
 

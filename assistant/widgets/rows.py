@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The rows of a form, read from the descriptions of the inputs and put into the order of the route; nothing here knows a screen.
+"""The rows of a form, read from the descriptions of the inputs and put into the order of the route; nothing here knows
+a screen.
 
-A table that may be left out has fields only where it is there.
-Elements stand side by side where they fit; else a short array stands there whole, and of a long one only one element does: its
-heading leafs through them.  The stroke is asked for in place of the crank radius, which is half of it.
-"""
+A table that may be left out has fields only where it is there. Elements stand side by side where they fit; else a short
+array stands there whole, and of a long one only one element does: its heading leafs through them.  The stroke is asked
+for in place of the crank radius, which is half of it."""
 
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
@@ -21,14 +21,16 @@ from ..session.route import DOCUMENT, FIRST, NAME, NOTE, ROUTE, STROKE, covers, 
 
 MOST = 12  # fields that an array of tables may have before it is shown one element at a time
 RADIUS: Place = ("engine", "crank_radius_mm")
-TWICE = Quantity("number", Text("Stroke"), "mm", above=0, help=Text("Twice the crank radius, which the design file has."))  # in no file
+TWICE = Quantity(
+    "number", Text("Stroke"), "mm", above=0, help=Text("Twice the crank radius, which the design file has.")
+)  # in no file
 
 
 @dataclass(frozen=True)
 class FormRow:
-    """`kind`: heading (of a sub-table, or of one element), option (heading of a sub-table that may be left out), array (heading of an
-    array of tables), columns (names of tables side by side), cells (one input of each of them), fold (heading of what is folded),
-    stroke or field."""
+    """`kind`: heading (of a sub-table, or of one element), option (heading of a sub-table that may be left out), array
+    (heading of an array of tables), columns (names of tables side by side), cells (one input of each of them), fold
+    (heading of what is folded), stroke or field."""
 
     kind: str
     place: Place
@@ -41,8 +43,9 @@ class FormRow:
 
 @dataclass(frozen=True)
 class Asked:
-    """`chosen`: which element of a long array is shown.  `held`: fields that stay although their table is not there: the one that is
-    being edited and has just been emptied, and those in which something is not accepted.  `side`: how many elements fit side by side."""
+    """`chosen`: which element of a long array is shown.  `held`: fields that stay although their table is not there:
+    the one that is being edited and has just been emptied, and those in which something is not accepted.  `side`: how
+    many elements fit side by side."""
 
     chosen: Mapping[Place, int]
     held: Sequence[Place] = ()
@@ -69,7 +72,9 @@ def routed(step: Step, data: Table, asked: Asked, opened: Collection[int]) -> li
     made += [row for group in deciding for row in group]
     for n, (title, _) in enumerate(leg.folds):
         if inside := in_fold[n]:
-            made.append(FormRow("fold", (step.key, f"+{n}"), Quantity("table", title), inside=tuple(inside), open=n in opened))
+            made.append(
+                FormRow("fold", (step.key, f"+{n}"), Quantity("table", title), inside=tuple(inside), open=n in opened)
+            )
             made += inside if n in opened else []
     return [*made, *_document(data, asked, opened)] if step.key == FIRST else made
 
@@ -105,12 +110,16 @@ def _rows(cls: type, data: Any, place: Place, asked: Asked, there: bool) -> Iter
         yield from _one(cls, key, data, place, asked, there, twins)
 
 
-def _one(cls: type, key: str, data: Any, place: Place, asked: Asked, there: bool, twins: list[str]) -> Iterator[FormRow]:
+def _one(
+    cls: type, key: str, data: Any, place: Place, asked: Asked, there: bool, twins: list[str]
+) -> Iterator[FormRow]:
     about, here = keys(cls)[key].about, (*place, key)
     content = data.get(key) if isinstance(data, dict) else None
     if key in twins and asked.side >= len(twins):
         if key == twins[0]:
-            yield from _side_by_side([(FormRow("heading", (*place, twin), keys(cls)[twin].about), data.get(twin)) for twin in twins])
+            yield from _side_by_side(
+                [(FormRow("heading", (*place, twin), keys(cls)[twin].about), data.get(twin)) for twin in twins]
+            )
     elif about.kind == "table":
         yield from _table(about, content, here, asked, there)
     elif about.kind == "tables":
@@ -126,7 +135,9 @@ def _side_by_side(tables: Sequence[tuple[FormRow, Any]]) -> Iterator[FormRow]:
     yield FormRow("columns", first.place, first.about, inside=tuple(heading for heading, _ in tables))
     for key, known in keys(first.about.table).items():
         about = known.about
-        cells = tuple(FormRow("field", (*heading.place, key), about, required=not about.optional) for heading, _ in tables)
+        cells = tuple(
+            FormRow("field", (*heading.place, key), about, required=not about.optional) for heading, _ in tables
+        )
         yield FormRow("cells", cells[0].place, about, inside=cells)
 
 
@@ -142,7 +153,9 @@ def _array(about: Quantity, content: list[Any], here: Place, asked: Asked) -> It
     flat = all(key.about.kind not in ("table", "tables") for key in keys(about.table).values())
     if flat and 1 < len(content) <= asked.side:
         yield FormRow("array", here, about)
-        yield from list(_side_by_side([(FormRow("heading", (*here, i), about), item) for i, item in enumerate(content)]))[1:]
+        yield from list(
+            _side_by_side([(FormRow("heading", (*here, i), about), item) for i, item in enumerate(content)])
+        )[1:]
         return
     long = len(content) > 1 and len(content) * len(keys(about.table)) > MOST
     shown = min(asked.chosen.get(here, 0), len(content) - 1) if long else None

@@ -8,48 +8,80 @@ from calc.sheet.check import SIGNS
 from calc.sheet.text import Text
 
 WORDS = {
-    "pass": Text("pass"), "warn": Text("warn"), "fail": Text("FAIL"), "note": Text("note"), "not_verified": Text("not verified"),
-    "accepted": Text("accepted"), "blocked": Text("waits"), "not_asked": Text("not used"), "no_solution": Text("NO SOLUTION"),
+    "pass": Text("pass"),
+    "warn": Text("warn"),
+    "fail": Text("FAIL"),
+    "note": Text("note"),
+    "not_verified": Text("not verified"),
+    "accepted": Text("accepted"),
+    "blocked": Text("waits"),
+    "not_asked": Text("not used"),
+    "no_solution": Text("NO SOLUTION"),
     "outside": Text("outside validity"),
-}  # fmt: skip
+}
 MARKS = SIGNS | {
     "outside": SIGNS["note"],
-    "invalid": "!", "edited": "●", "read_only": "▪", "solving": "◌", "cursor": "▸", "here": "◀", "from": "←", "yes": "✓", "more": "…",
+    "invalid": "!", "edited": "●", "read_only": "▪", "solving": "◌", "cursor": "▸", "here": "◀", "from": "←",
+    "yes": "✓", "more": "…",
     "then": "→", "recording": "●", "editing": "✎",
     "todo": "○", "needs": "!", "waits": "◌", "ready": "✓", "folded": "▸", "unfolded": "▾",
 }  # fmt: skip
 ASCII = {
-    "pass": "+", "warn": "!", "fail": "x", "note": "-", "not_verified": "?", "accepted": "+", "blocked": "o", "not_asked": ".",
+    "pass": "+", "warn": "!", "fail": "x", "note": "-", "not_verified": "?", "accepted": "+", "blocked": "o",
+    "not_asked": ".",
     "no_solution": "x", "outside": "-",
-    "invalid": "!", "edited": "*", "read_only": "#", "solving": "o", "cursor": ">", "here": "<", "from": "<-", "yes": "+", "more": "...",
+    "invalid": "!", "edited": "*", "read_only": "#", "solving": "o", "cursor": ">", "here": "<", "from": "<-",
+    "yes": "+", "more": "...",
     "then": "->", "recording": "@", "editing": "*",
     "todo": "o", "needs": "!", "waits": "o", "ready": "+", "folded": "...", "unfolded": ":",
 }  # fmt: skip
 
 # Okabe and Ito: told apart by nearly everybody; the darker ones for a light background
 DARK = {
-    "pass": "#56B4E9", "warn": "#E69F00", "fail": "#D55E00", "no_solution": "#D55E00", "invalid": "#E69F00", "not_verified": "#E69F00",
-    "needs": "#E69F00", "ready": "#56B4E9", "accepted": "#56B4E9", "lit": "#56B4E9",
-}  # fmt: skip
+    "pass": "#56B4E9",
+    "warn": "#E69F00",
+    "fail": "#D55E00",
+    "no_solution": "#D55E00",
+    "invalid": "#E69F00",
+    "not_verified": "#E69F00",
+    "needs": "#E69F00",
+    "ready": "#56B4E9",
+    "accepted": "#56B4E9",
+    "lit": "#56B4E9",
+}
 LIGHT = {
-    "pass": "#0072B2", "warn": "#8A5A00", "fail": "#B04A00", "no_solution": "#B04A00", "invalid": "#8A5A00", "not_verified": "#8A5A00",
-    "needs": "#8A5A00", "ready": "#0072B2", "accepted": "#0072B2", "lit": "#0072B2",
-}  # fmt: skip
+    "pass": "#0072B2",
+    "warn": "#8A5A00",
+    "fail": "#B04A00",
+    "no_solution": "#B04A00",
+    "invalid": "#8A5A00",
+    "not_verified": "#8A5A00",
+    "needs": "#8A5A00",
+    "ready": "#0072B2",
+    "accepted": "#0072B2",
+    "lit": "#0072B2",
+}
 BOLD = {"fail", "no_solution", "invalid", "needs", "lit"}
 MUTED = "dim"
 LINES_DARK = ("#56B4E9", "#E69F00", "#009E73", "#CC79A7", "#F0E442")
 LINES_LIGHT = ("#0072B2", "#8A5A00", "#007A5A", "#A04A7D", "#6E6700")
 
 LINES_GREY = ("#C0C0C0", "#808080")
-LINE_MARKS, BAR_MARKS = ("━", "╍", "┈"), "█▒░"  # whole, dashed, dotted; where the colours are used up, or there are none
-LIMIT, LIMIT_MARK = len(LINE_MARKS), "─·─"  # a chain line, which no series has; so that a limit is known without its colour
+LINE_MARKS, BAR_MARKS = (
+    ("━", "╍", "┈"),
+    "█▒░",
+)  # whole, dashed, dotted; where the colours are used up, or there are none
+LIMIT, LIMIT_MARK = (
+    len(LINE_MARKS),
+    "─·─",
+)  # a chain line, which no series has; so that a limit is known without its colour
 PLAIN_MARKS = "*x=o%&"
 
 
 @dataclass(frozen=True)
 class Look:
-    """How one line, or one set of bars, is told from the others.  `pattern`: 0 whole, 1 dashed, 2 dotted, 3 chain; `plain`: its character
-    where nothing finer can be drawn, else empty."""
+    """How one line, or one set of bars, is told from the others.  `pattern`: 0 whole, 1 dashed, 2 dotted, 3 chain;
+    `plain`: its character where nothing finer can be drawn, else empty."""
 
     colour: str
     pattern: int = 0
@@ -67,7 +99,9 @@ class Look:
 class Signs:
     """The signs as this terminal can show them, with words in the user's language and styles for its background."""
 
-    def __init__(self, ascii: bool = False, dark: bool = True, colour: bool = True, say: Language | None = None) -> None:
+    def __init__(
+        self, ascii: bool = False, dark: bool = True, colour: bool = True, say: Language | None = None
+    ) -> None:
         self.ascii, self.dark, self.colour = ascii, dark, colour
         self.say = say or language("en")
         self.marks = ASCII if ascii else MARKS
@@ -91,11 +125,15 @@ class Signs:
         """Of the n-th line, or set of bars, of a curve.  Without colours, grey and pattern change together."""
         lines = LINES_GREY if not self.colour else LINES_DARK if self.dark else LINES_LIGHT
         pattern = n // len(lines) if self.colour else n
-        return Look(lines[n % len(lines)], pattern % len(LINE_MARKS), PLAIN_MARKS[n % len(PLAIN_MARKS)] if self.ascii else "")
+        return Look(
+            lines[n % len(lines)], pattern % len(LINE_MARKS), PLAIN_MARKS[n % len(PLAIN_MARKS)] if self.ascii else ""
+        )
 
     def limit(self) -> Look:
         """Of a limit in a curve."""
-        return Look((DARK if self.dark else LIGHT)["fail"] if self.colour else "#FFFFFF", LIMIT, "-" if self.ascii else "")
+        return Look(
+            (DARK if self.dark else LIGHT)["fail"] if self.colour else "#FFFFFF", LIMIT, "-" if self.ascii else ""
+        )
 
     def point(self, chosen: bool) -> str:
         """Where the cursor stands on a line."""

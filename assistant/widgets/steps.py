@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The list of steps: sign, number and title, the state in words, the value that decides with its bar; at the end, whether all is ready."""
+"""The list of steps: sign, number and title, the state in words, the value that decides with its bar; at the end,
+whether all is ready."""
 
 from collections.abc import Sequence
 
@@ -24,7 +25,8 @@ INDENT = "  "
 
 
 def states_of(session: Session) -> tuple[StepState, ...]:
-    """The state of every step of a design under edit; where it could not be solved, results of an earlier design do not count."""
+    """The state of every step of a design under edit; where it could not be solved, results of an earlier design do not
+    count."""
     results = None if session.failure else session.results
     return readiness(session.data, results, map(_dotted, session.reasons()))
 
@@ -32,7 +34,9 @@ def states_of(session: Session) -> tuple[StepState, ...]:
 def nothing_left(states: Sequence[StepState], key: str) -> bool:
     """Whether nothing is left to do in a step, or what is waits for a later one."""
     n = next(n for n, state in enumerate(states) if state.key == key)
-    return states[n].done or (states[n].state == "not_verified" and any(later.state == "todo" for later in states[n + 1 :]))
+    return states[n].done or (
+        states[n].state == "not_verified" and any(later.state == "todo" for later in states[n + 1 :])
+    )
 
 
 def _dotted(place: Place) -> str:
@@ -64,17 +68,27 @@ class Steps(ItemList):
         style = signs.style(state.state)
         loud = style if state.state in ("needs", "fail", "not_verified", "warn") else "dim"
         rows = [
-            Content.assemble((signs.mark(state.state), style), " ", (title, "bold" if here else ""), gap, (end, "bold")),
+            Content.assemble(
+                (signs.mark(state.state), style), " ", (title, "bold" if here else ""), gap, (end, "bold")
+            ),
             Content.assemble(INDENT, (fit(say(state.words), room), loud)),
         ]
         results = self.session.results
-        shown = headline(results, state.key) if results is not None and state.state in ("fail", "not_verified", "warn", "ready") else None
+        shown = (
+            headline(results, state.key)
+            if results is not None and state.state in ("fail", "not_verified", "warn", "ready")
+            else None
+        )
         if shown is not None:
             long, brief = (say(text).replace("→", signs.mark("then")) for text in (shown.text, shown.brief))
             rows.append(Content(f"{INDENT}{long if len(long) <= room else fit(brief, room)}"))
             if shown.share is not None and shown.check is not None:
                 verdict = signs.style(shown.check.verdict)
-                rows.append(Content.assemble(INDENT, bar(shown.share, signs, verdict), (f" {say(shown.check.margin_text())}", verdict)))
+                rows.append(
+                    Content.assemble(
+                        INDENT, bar(shown.share, signs, verdict), (f" {say(shown.check.margin_text())}", verdict)
+                    )
+                )
         return rows
 
     def _ready(self, states: tuple[StepState, ...], width: int) -> list[Content]:

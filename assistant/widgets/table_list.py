@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A table of results as aligned columns.  The head stands still above the rows; what is too wide is leafed through by columns."""
+"""A table of results as aligned columns.  The head stands still above the rows; what is too wide is leafed through by
+columns."""
 
 from rich.cells import cell_len
 from textual.content import Content
@@ -32,7 +33,9 @@ class Setter:
         count = len(table.columns)
         cells = [[cell_text(row[i], say) for row in table.rows] for i in range(count)]
         self.numeric = [any(isinstance(row[i], (int, float)) for row in table.rows) for i in range(count)]
-        least = [max([cell_len(unit), *map(cell_len, column)], default=0) for (_, unit), column in zip(table.columns, cells)]
+        least = [
+            max([cell_len(unit), *map(cell_len, column)], default=0) for (_, unit), column in zip(table.columns, cells)
+        ]
         whole = [max(size, cell_len(label)) for size, (label, _) in zip(least, table.columns)]
         tight = [max([size, *map(cell_len, label.split())]) for size, (label, _) in zip(least, table.columns)]
         self.widths = whole if self._total(whole) <= width else tight
@@ -75,12 +78,18 @@ class Setter:
         made = []
         for text, i in zip(texts, self.columns):
             wide = self.widths[i]
-            made.append(f"{' ' * (wide - cell_len(text))}{text}" if self.numeric[i] and cell_len(text) <= wide else pad(text, wide))
+            made.append(
+                f"{' ' * (wide - cell_len(text))}{text}"
+                if self.numeric[i] and cell_len(text) <= wide
+                else pad(text, wide)
+            )
         return (" " * GAP).join(made).rstrip()
 
     def _block(self, texts: list[str], foot: bool = False) -> list[str]:
         """One row of cells that may be broken into several lines; the head stands on its foot."""
-        broken = [[fit(row, self.widths[i]) for row in wrap(text, self.widths[i])] for text, i in zip(texts, self.columns)]
+        broken = [
+            [fit(row, self.widths[i]) for row in wrap(text, self.widths[i])] for text, i in zip(texts, self.columns)
+        ]
         high = max(map(len, broken))
         filled = [[""] * (high - len(rows)) + rows if foot else rows + [""] * (high - len(rows)) for rows in broken]
         return [self._line([rows[n] for rows in filled]) for n in range(high)]
@@ -107,7 +116,8 @@ class Setter:
 
 
 class TableList(ItemList):
-    """The rows of a table; `head` is shown above them by the pane.  The key of an item is the table's id and the row's number."""
+    """The rows of a table; `head` is shown above them by the pane.  The key of an item is the table's id and the row's
+    number."""
 
     def __init__(self) -> None:
         super().__init__(id="table-list")

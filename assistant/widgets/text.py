@@ -73,7 +73,10 @@ START, BEGINNING, INSIDE, ELSEWHERE = (
     0.5,
     0.25,
 )  # a word that begins the title, a word of it, stands in it; or in what else is known
-WHOLE, EXACT = 0.1, 0.5  # more for a word that is not part of a longer one, and for a title that is nothing but the words
+WHOLE, EXACT = (
+    0.1,
+    0.5,
+)  # more for a word that is not part of a longer one, and for a title that is nothing but the words
 
 
 def folded(text: str) -> str:
@@ -103,7 +106,8 @@ def match(words: Sequence[str], title: str, *others: str) -> tuple[float, list[t
 
 
 def _stands(word: str, text: str) -> bool:
-    """Whether a word is in a text that is not shown; a number only by itself: the 4 of four cylinders is not that of a name."""
+    """Whether a word is in a text that is not shown; a number only by itself: the 4 of four cylinders is not that of a
+    name."""
     return re.search(rf"(?<![a-z0-9.]){word}(?![a-z0-9.])", text) is not None if word.isdecimal() else word in text
 
 
@@ -122,7 +126,8 @@ def _place(word: str, text: str) -> int | None:
     return first
 
 
-# A value held against its limit as a bar of a few cells: full at the limit, which has a mark where the value lies beyond it.
+# A value held against its limit as a bar of a few cells: full at the limit, which has a mark where the value lies
+# beyond it.
 
 CELLS = 8
 EIGHTHS = "▁▂▃▄▅▆▇"  # of the cell in which the value ends

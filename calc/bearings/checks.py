@@ -7,7 +7,7 @@ from functools import partial
 
 from ..library.catalogue import Oil
 from ..library.fits import clearance_limits, parse
-from ..library.journal_rules import (  # fmt: skip
+from ..library.journal_rules import (
     DESIGN_FACTOR,
     FINOTTI,
     FULL_FILM_FRICTION,
@@ -55,8 +55,16 @@ def oil_checks(inputs: BearingsInputs, oil: Oil) -> Iterator[Check]:
     limits = [T for T in (oil.pumping_limit, oil.pour_point) if T is not None]
     if limits:
         source = Text("given in the design") if oil.source == "the user" else Name(oil.source)
-        yield check("bearings.oil_pumping", Text("Lowest temperature, oil still pumped"), inputs.lowest_temperature, ">=", max(limits),
-            "°C", source, Text("An oil of a lower winter grade, or no start so cold."))  # fmt: skip
+        yield check(
+            "bearings.oil_pumping",
+            Text("Lowest temperature, oil still pumped"),
+            inputs.lowest_temperature,
+            ">=",
+            max(limits),
+            "°C",
+            source,
+            Text("An oil of a lower winter grade, or no start so cold."),
+        )
 
 
 def checks(place: str, r: BearingResult, slope: float) -> Iterator[Check]:
@@ -65,33 +73,104 @@ def checks(place: str, r: BearingResult, slope: float) -> Iterator[Check]:
     on, longer = partial(_on, place), partial(_longer, place, bearing)
     lands = supply.lands(inputs)
     groove = (inputs.groove_width or 0.0) if lands > 1 else 0.0
-    kreisle, oiled = Text("Kreisle, after Finotti 2013, 5.5.3: Rt of both surfaces, Rt = k·Ra"), LUBRICATIONS[inputs.lubrication]
-    yield on("film_edge", Text("Film at the edge"), r.film_edge, ">=", r.kreisle_film, "µm", kreisle,
-        Text("Lengthen the bearing, lower the clearance or the roughness, stiffen the shaft (slope), or take a thicker oil."))  # fmt: skip
-    yield on("film_double_load", Text("Film at twice the load"), r.film_double_load, ">=", r.trumpler_film, "µm",
+    kreisle, oiled = (
+        Text("Kreisle, after Finotti 2013, 5.5.3: Rt of both surfaces, Rt = k·Ra"),
+        LUBRICATIONS[inputs.lubrication],
+    )
+    yield on(
+        "film_edge",
+        Text("Film at the edge"),
+        r.film_edge,
+        ">=",
+        r.kreisle_film,
+        "µm",
+        kreisle,
+        Text(
+            "Lengthen the bearing, lower the clearance or the roughness, stiffen the shaft (slope), or take a thicker "
+            "oil."
+        ),
+    )
+    yield on(
+        "film_double_load",
+        Text("Film at twice the load"),
+        r.film_double_load,
+        ">=",
+        r.trumpler_film,
+        "µm",
         DESIGN_FACTOR,
-        Text("Lengthen the bearing (a few millimetres are enough), or lower the clearance."))  # fmt: skip
-    yield on("film_trumpler", Text("Film by Trumpler"), r.film, ">=", r.trumpler_film, "µm", TRUMPLER,
-        Text("Lengthen the bearing, lower the clearance, or take a thicker oil."))  # fmt: skip
+        Text("Lengthen the bearing (a few millimetres are enough), or lower the clearance."),
+    )
+    yield on(
+        "film_trumpler",
+        Text("Film by Trumpler"),
+        r.film,
+        ">=",
+        r.trumpler_film,
+        "µm",
+        TRUMPLER,
+        Text("Lengthen the bearing, lower the clearance, or take a thicker oil."),
+    )
     if r.thinnest_film is not None:
         slowest = Amount((r.speed_of_thinnest_film or 0.0) * 60)
-        title = Text("Film at the edge over the speeds, thinnest at {speed_of_thinnest_film} rpm", speed_of_thinnest_film=slowest)
+        title = Text(
+            "Film at the edge over the speeds, thinnest at {speed_of_thinnest_film} rpm", speed_of_thinnest_film=slowest
+        )
         edge = f.film_at_edge_of_another(h_x=r.thinnest_film, h_0=r.film, h_edge=r.film_edge)
-        yield on("film_edge_speeds", title, edge, ">=", r.kreisle_film, "µm", kreisle,
-            Text("As for the film at the edge; or keep away from this speed."))  # fmt: skip
-    yield on("temperature", Text("Outlet temperature"), r.outlet_temperature, "<=", inputs.outlet_temperature_limit, "°C",
+        yield on(
+            "film_edge_speeds",
+            title,
+            edge,
+            ">=",
+            r.kreisle_film,
+            "µm",
+            kreisle,
+            Text("As for the film at the edge; or keep away from this speed."),
+        )
+    yield on(
+        "temperature",
+        Text("Outlet temperature"),
+        r.outlet_temperature,
+        "<=",
+        inputs.outlet_temperature_limit,
+        "°C",
         Text("given in the design: its limit (the engine maker's manual, Finotti 2013, 5.5.1)"),
-        Text("More oil (larger hole, more pressure, more clearance) or cooler oil."))  # fmt: skip
-    yield on("temperature_trumpler", Text("Outlet temperature by Trumpler"), r.outlet_temperature, "<=", TRUMPLER_TEMPERATURE, "°C",
+        Text("More oil (larger hole, more pressure, more clearance) or cooler oil."),
+    )
+    yield on(
+        "temperature_trumpler",
+        Text("Outlet temperature by Trumpler"),
+        r.outlet_temperature,
+        "<=",
+        TRUMPLER_TEMPERATURE,
+        "°C",
         TRUMPLER + Text(", who rounds his 250 °F (121 °C)"),
-        Text("Acceptance rests on the engine maker's own limit; cooler supply oil would keep Trumpler's 120 °C."))  # fmt: skip
-    yield on("temperature_rise_usual", Text("Temperature rise, usual"), r.temperature_rise, "<=", RISE[1], "K",
-        Text("Finotti 2013, 5.5.2: 15 to 20 °C for conditions that stay"), Text("More oil, or a thinner one."))  # fmt: skip
+        Text("Acceptance rests on the engine maker's own limit; cooler supply oil would keep Trumpler's 120 °C."),
+    )
+    yield on(
+        "temperature_rise_usual",
+        Text("Temperature rise, usual"),
+        r.temperature_rise,
+        "<=",
+        RISE[1],
+        "K",
+        Text("Finotti 2013, 5.5.2: 15 to 20 °C for conditions that stay"),
+        Text("More oil, or a thinner one."),
+    )
     for key, title, p_limit in (
-        ("specific_load", Text("Specific load"), SPECIFIC_LOAD), ("specific_load_usual", Text("Specific load, usual"), USUAL_SPECIFIC_LOAD),
-    ):  # fmt: skip
-        yield on(key, title, r.specific_load, "<=", p_limit, "MPa", FINOTTI, Text("A larger journal helps as well."),
-            remedies=longer(r.specific_load / p_limit, groove))  # fmt: skip
+        ("specific_load", Text("Specific load"), SPECIFIC_LOAD),
+        ("specific_load_usual", Text("Specific load, usual"), USUAL_SPECIFIC_LOAD),
+    ):
+        yield on(
+            key,
+            title,
+            r.specific_load,
+            "<=",
+            p_limit,
+            "MPa",
+            FINOTTI,
+            Text("A larger journal helps as well."),
+            remedies=longer(r.specific_load / p_limit, groove),
+        )
     low, high = Amount(oiled.usual[0]), Amount(oiled.usual[1], "N·rpm/mm")
     row = Text("Finotti 2013, Table 3.1: {kind}, {low} to {high}", kind=oiled.title, low=low, high=high)
     if oiled.most is not None:
@@ -100,63 +179,190 @@ def checks(place: str, r: BearingResult, slope: float) -> Iterator[Check]:
     if oiled.most is not None:
         heat.append(("heat_index_usual", Text("Heat index, usual"), oiled.usual[1] * N_RPM_MM))
     for key, title, W_limit in heat:
-        yield on(key, title, r.heat_index, "<=", W_limit, "N·rpm/mm", row, Text("A longer bearing carries off more heat."),
-            remedies=longer(r.heat_index / W_limit))  # fmt: skip
-    yield on("clearance_cold", _when_cold(inputs), r.clearance_cold, ">", 0.0, "µm",
+        yield on(
+            key,
+            title,
+            r.heat_index,
+            "<=",
+            W_limit,
+            "N·rpm/mm",
+            row,
+            Text("A longer bearing carries off more heat."),
+            remedies=longer(r.heat_index / W_limit),
+        )
+    yield on(
+        "clearance_cold",
+        _when_cold(inputs),
+        r.clearance_cold,
+        ">",
+        0.0,
+        "µm",
         Text("physics: seizure of a journal that shrinks less than its seat"),
-        Text("The journal seizes when cold: more clearance, or a housing that expands like the journal."))  # fmt: skip
+        Text("The journal seizes when cold: more clearance, or a housing that expands like the journal."),
+    )
     for key, title, ratios, source in (
         ("length_ratio", Text("Length ratio l/d"), LENGTH_RATIO, FINOTTI),
         ("length_ratio_usual", Text("Length ratio l/d, usual"), USUAL_LENGTH_RATIO, Text("Finotti 2013, 5.5.2")),
     ):
-        yield on(key, title, r.length_ratio, "in", ratios, "", source, Text("Change length or diameter."),
-            remedies=_within(place, bearing, ratios, lands, groove))  # fmt: skip
-    yield on("film_band", Text("Place of the film in its band"), r.film_band, "in", (0.0, 1.0), "%", RAIMONDI_BOYD,
-        Text("Below 0 less clearance carries more and rubs less at the same film; above 100 % more clearance does."))  # fmt: skip
-    yield on("transition", Text("Speed above mixed friction"), r.duty.effective_speed, ">=", r.least_speed, "rpm",
-        Text(f.least_speed.source), Text("A thicker or cooler oil, or a lower specific load."))  # fmt: skip
-    yield on("mckee", Text("McKee number, cP·rpm/psi"), r.mckee_number, ">=", STABLE_FILM, "",
+        yield on(
+            key,
+            title,
+            r.length_ratio,
+            "in",
+            ratios,
+            "",
+            source,
+            Text("Change length or diameter."),
+            remedies=_within(place, bearing, ratios, lands, groove),
+        )
+    yield on(
+        "film_band",
+        Text("Place of the film in its band"),
+        r.film_band,
+        "in",
+        (0.0, 1.0),
+        "%",
+        RAIMONDI_BOYD,
+        Text("Below 0 less clearance carries more and rubs less at the same film; above 100 % more clearance does."),
+    )
+    yield on(
+        "transition",
+        Text("Speed above mixed friction"),
+        r.duty.effective_speed,
+        ">=",
+        r.least_speed,
+        "rpm",
+        Text(f.least_speed.source),
+        Text("A thicker or cooler oil, or a lower specific load."),
+    )
+    yield on(
+        "mckee",
+        Text("McKee number, cP·rpm/psi"),
+        r.mckee_number,
+        ">=",
+        STABLE_FILM,
+        "",
         Text("McKee & McKee 1932, after Finotti 2013, 5.4.1; 30 is the transition"),
-        Text("A thicker or cooler oil, or a lower specific load, for a stable film."))  # fmt: skip
+        Text("A thicker or cooler oil, or a lower specific load, for a stable film."),
+    )
     if r.routes_spread is not None:
-        yield on("routes_spread", Text("Spread of the routes"), r.routes_spread, "<=", SPREAD, "%",
-            Text("rule of this program: 15 % on the clearance as given and with the oil of the own solution"), _outside(r))  # fmt: skip
+        yield on(
+            "routes_spread",
+            Text("Spread of the routes"),
+            r.routes_spread,
+            "<=",
+            SPREAD,
+            "%",
+            Text("rule of this program: 15 % on the clearance as given and with the oil of the own solution"),
+            _outside(r),
+        )
     if (h_lim := least_film(bearing.diameter, r.surface_speed)) is not None:
-        yield on("film_edge_usual", Text("Film at the edge against h_lim"), r.film_edge, ">=", h_lim, "µm",
-            Text("ISO 7902-3, in its manner"), Text("Lengthen the bearing or lower the clearance."))  # fmt: skip
-    yield on("misalignment", Text("Slope over the length"), slope * bearing.length, "<=", 0.3 * r.film, "µm",
-        Text("rule of this program: 0.3·h₀"), Text("Stiffen the shaft between its bearings."))  # fmt: skip
-    yield on("friction_regime", Text("Coefficient of friction"), r.friction_coefficient, "in", FULL_FILM_FRICTION, "",
-        Text("Finotti 2013, 5.4.1: full film"), Text("Outside the usual range of a full film: look at film and clearance."))  # fmt: skip
+        yield on(
+            "film_edge_usual",
+            Text("Film at the edge against h_lim"),
+            r.film_edge,
+            ">=",
+            h_lim,
+            "µm",
+            Text("ISO 7902-3, in its manner"),
+            Text("Lengthen the bearing or lower the clearance."),
+        )
+    yield on(
+        "misalignment",
+        Text("Slope over the length"),
+        slope * bearing.length,
+        "<=",
+        0.3 * r.film,
+        "µm",
+        Text("rule of this program: 0.3·h₀"),
+        Text("Stiffen the shaft between its bearings."),
+    )
+    yield on(
+        "friction_regime",
+        Text("Coefficient of friction"),
+        r.friction_coefficient,
+        "in",
+        FULL_FILM_FRICTION,
+        "",
+        Text("Finotti 2013, 5.4.1: full film"),
+        Text("Outside the usual range of a full film: look at film and clearance."),
+    )
     if not r.seat.lubricant.constant:
-        yield on("viscosity_range", Text("Oil viscosity"), r.hot.oil.nu, "in", VISCOSITIES, "mm²/s",
-            LAW_RANGE, OTHER_OIL)  # fmt: skip
+        yield on(
+            "viscosity_range", Text("Oil viscosity"), r.hot.oil.nu, "in", VISCOSITIES, "mm²/s", LAW_RANGE, OTHER_OIL
+        )
     if (reach := r.seat.lubricant.reach) is not None:
-        yield on("oil_rows", Text("Film temperature within the rows of the oil"), r.hot.mean_temperature, "in", reach, "°C",
-            BEYOND_ROWS, MORE_ROWS)  # fmt: skip
+        yield on(
+            "oil_rows",
+            Text("Film temperature within the rows of the oil"),
+            r.hot.mean_temperature,
+            "in",
+            reach,
+            "°C",
+            BEYOND_ROWS,
+            MORE_ROWS,
+        )
     if r.seat.lubricant.polymer_thickened:
-        yield on("shear_rate", Text("Shear rate in the narrowest gap"), r.shear_rate, "<=", SHEAR_THINNING, "1/s",
+        yield on(
+            "shear_rate",
+            Text("Shear rate in the narrowest gap"),
+            r.shear_rate,
+            "<=",
+            SHEAR_THINNING,
+            "1/s",
             Text("rule of this program: onset of the thinning of polymer-thickened oils, from memory"),
-            Text("A multigrade oil loses up to {share} of its viscosity here, by which the film at the edge falls to {edge}: take the "
-                "viscosity at high shear (HTHS).", share=Amount(100 * LOST_BY_SHEAR, "%"),
-                edge=told_when_thinned(r)))  # fmt: skip
+            Text(
+                "A multigrade oil loses up to {share} of its viscosity here, by which the film at the edge falls to "
+                "{edge}: take the "
+                "viscosity at high shear (HTHS).",
+                share=Amount(100 * LOST_BY_SHEAR, "%"),
+                edge=told_when_thinned(r),
+            ),
+        )
     yield from _corner_checks(place, r)
     if (clearances := _fits(r)) is not None:
-        yield on("fit", Text("Clearance made by the fits"), r.clearance, "in", clearances, "µm", Text("ISO 286"),
-            Text("{journal_fit} in {seat_fit} makes other clearances: choose other fits, or leave the clearance out.",
-                journal_fit=inputs.journal_fit, seat_fit=inputs.seat_fit))  # fmt: skip
+        yield on(
+            "fit",
+            Text("Clearance made by the fits"),
+            r.clearance,
+            "in",
+            clearances,
+            "µm",
+            Text("ISO 286"),
+            Text(
+                "{journal_fit} in {seat_fit} makes other clearances: choose other fits, or leave the clearance out.",
+                journal_fit=inputs.journal_fit,
+                seat_fit=inputs.seat_fit,
+            ),
+        )
     if inputs.supply != "groove":
         widths = {"pocket": inputs.pocket_width, "axial_groove": inputs.axial_groove_length}
         width = widths.get(inputs.supply, inputs.hole_diameter) or 0.0
-        yield on("supply_range", Text("Width of the oil supply over the length"), width / bearing.length, "in", SUPPLY_WIDTH, "",
+        yield on(
+            "supply_range",
+            Text("Width of the oil supply over the length"),
+            width / bearing.length,
+            "in",
+            SUPPLY_WIDTH,
+            "",
             Text("Finotti 2013, Table 5.1 (DIN 31652-2): range of the supply factors"),
-            Text("Outside, the flow through the hole or pocket is not to be trusted."))  # fmt: skip
+            Text("Outside, the flow through the hole or pocket is not to be trusted."),
+        )
 
 
 def _on(
-    place: str, key: str, title: Text, value: float | None, sense: str, limit: float | tuple[float, float], unit: str, source: Text,
-    advice: Text, *, remedies: Callable[[], tuple[Remedy, ...]] | None = None,
-) -> Check:  # fmt: skip
+    place: str,
+    key: str,
+    title: Text,
+    value: float | None,
+    sense: str,
+    limit: float | tuple[float, float],
+    unit: str,
+    source: Text,
+    advice: Text,
+    *,
+    remedies: Callable[[], tuple[Remedy, ...]] | None = None,
+) -> Check:
     """A check on one bearing; a value that is None, since there is no film, keeps no limit."""
     name = Text("{what}, {place}", what=title, place=IN_WORDS[place])
     number = math.nan if value is None else value
@@ -176,7 +382,7 @@ def _longer(place: str, bearing: BearingInputs, times: float, bare: float = 0.0)
 
 def _within(
     place: str, bearing: BearingInputs, ratios: tuple[float, float], lands: int, groove: float
-) -> Callable[[], tuple[Remedy, ...]]:  # fmt: skip
+) -> Callable[[], tuple[Remedy, ...]]:
     """The nearest length with a ratio l/d between the two: of each land, where a groove parts the bearing."""
 
     def ways() -> tuple[Remedy, ...]:
@@ -214,12 +420,14 @@ def _outside(r: BearingResult) -> Text:
     """Which routes are further off than the spread allows, by how much and why."""
     far_off = [
         Text(
-            "{routes} is {film} % off: {reason}", routes=ROUTES[name][0], film=Amount(far * 100, form="+.0f"),
+            "{routes} is {film} % off: {reason}",
+            routes=ROUTES[name][0],
+            film=Amount(far * 100, form="+.0f"),
             reason=film_reason(name, r.side.films[name], r.side.ratio),
         )
         for name, far in r.side.compared.items()
         if abs(far) > SPREAD
-    ]  # fmt: skip
+    ]
     return SEMICOLON.join([*far_off, Text("the own solution of Reynolds' equation judges.")]) if far_off else EMPTY
 
 
@@ -227,16 +435,60 @@ def _corner_checks(place: str, r: BearingResult) -> Iterator[Check]:
     """The limits once more at the worst corner of the tolerances, given or assumed."""
     c, inputs = r.corners, r.seat.inputs
     for key, column, title, value, sense, limit, unit, source, advice in (
-        ("film_edge", "film_edge", Text("Film at the edge"), c.film_edge, ">=", r.kreisle_film, "µm",
-         Text("Kreisle, after Finotti 2013, 5.5.3"), Text("A longer bearing, closer fits or a smoother surface.")),
-        ("film_double_load", "film_double_load", Text("Film at twice the load"), c.film_double_load, ">=", r.trumpler_film, "µm",
-         DESIGN_FACTOR, Text("A longer bearing, or closer fits.")),
-        ("temperature", "outlet_temperature", Text("Outlet temperature"), c.outlet_temperature, "<=", inputs.outlet_temperature_limit,
-         "°C", Text("given in the design: its limit"), Text("More clearance at the tight end, or more oil.")),
-        ("clearance_cold", "clearance_cold", _when_cold(inputs), c.clearance_cold, ">", 0.0, "µm", Text("physics: seizure when cold"),
-         Text("More clearance, or closer fits.")),
-    ):  # fmt: skip
+        (
+            "film_edge",
+            "film_edge",
+            Text("Film at the edge"),
+            c.film_edge,
+            ">=",
+            r.kreisle_film,
+            "µm",
+            Text("Kreisle, after Finotti 2013, 5.5.3"),
+            Text("A longer bearing, closer fits or a smoother surface."),
+        ),
+        (
+            "film_double_load",
+            "film_double_load",
+            Text("Film at twice the load"),
+            c.film_double_load,
+            ">=",
+            r.trumpler_film,
+            "µm",
+            DESIGN_FACTOR,
+            Text("A longer bearing, or closer fits."),
+        ),
+        (
+            "temperature",
+            "outlet_temperature",
+            Text("Outlet temperature"),
+            c.outlet_temperature,
+            "<=",
+            inputs.outlet_temperature_limit,
+            "°C",
+            Text("given in the design: its limit"),
+            Text("More clearance at the tight end, or more oil."),
+        ),
+        (
+            "clearance_cold",
+            "clearance_cold",
+            _when_cold(inputs),
+            c.clearance_cold,
+            ">",
+            0.0,
+            "µm",
+            Text("physics: seizure when cold"),
+            Text("More clearance, or closer fits."),
+        ),
+    ):
         corner = c.worst(column)
-        yield _on(place, f"{key}_corner", Text("{title} at the worst corner", title=title), value, sense, limit, unit,
+        yield _on(
+            place,
+            f"{key}_corner",
+            Text("{title} at the worst corner", title=title),
+            value,
+            sense,
+            limit,
+            unit,
             Text("{source}; corner: {corner}", source=source, corner=corner),
-            Text("Worst corner: {corner}. {advice}", corner=corner, advice=advice))  # fmt: skip
+            Text("Worst corner: {corner}. {advice}", corner=corner, advice=advice),
+        )

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The corners of the tolerances: smallest and largest journal, smallest and largest seat, thinner and thicker oil, each solved."""
+"""The corners of the tolerances: smallest and largest journal, smallest and largest seat, thinner and thicker oil, each
+solved."""
 
 from dataclasses import replace
 from itertools import product
@@ -24,17 +25,25 @@ ENDS = (("smallest", -1), ("largest", 1))
 OILS = (("thinner", -1), ("thicker", 1))
 CORNERS = tuple(product(ENDS, ENDS, OILS))
 NAMES = (  # in the order of CORNERS, written out: adjectives are inflected in other languages
-    Text("smallest journal, smallest seat, thinner oil"), Text("smallest journal, smallest seat, thicker oil"),
-    Text("smallest journal, largest seat, thinner oil"), Text("smallest journal, largest seat, thicker oil"),
-    Text("largest journal, smallest seat, thinner oil"), Text("largest journal, smallest seat, thicker oil"),
-    Text("largest journal, largest seat, thinner oil"), Text("largest journal, largest seat, thicker oil"),
-)  # fmt: skip
+    Text("smallest journal, smallest seat, thinner oil"),
+    Text("smallest journal, smallest seat, thicker oil"),
+    Text("smallest journal, largest seat, thinner oil"),
+    Text("smallest journal, largest seat, thicker oil"),
+    Text("largest journal, smallest seat, thinner oil"),
+    Text("largest journal, smallest seat, thicker oil"),
+    Text("largest journal, largest seat, thinner oil"),
+    Text("largest journal, largest seat, thicker oil"),
+)
 COLUMNS = (
-    ("clearance", Text("g"), "µm", 1e-6), ("clearance_cold", Text("g cold"), "µm", 1e-6), ("clearance_hot", Text("g hot"), "µm", 1e-6),
-    ("film", Text("film"), "µm", 1e-6), ("film_edge", Text("at the edge"), "µm", 1e-6),
+    ("clearance", Text("g"), "µm", 1e-6),
+    ("clearance_cold", Text("g cold"), "µm", 1e-6),
+    ("clearance_hot", Text("g hot"), "µm", 1e-6),
+    ("film", Text("film"), "µm", 1e-6),
+    ("film_edge", Text("at the edge"), "µm", 1e-6),
     ("film_double_load", Text("twice the load"), "µm", 1e-6),
-    ("outlet_temperature", Text("T_out"), "°C", 1.0), ("friction_power", Text("P_f"), "W", 1.0),
-)  # fmt: skip
+    ("outlet_temperature", Text("T_out"), "°C", 1.0),
+    ("friction_power", Text("P_f"), "W", 1.0),
+)
 
 
 @result
@@ -57,7 +66,8 @@ class Corners:
 
 
 def limits(inputs: BearingsInputs, d: Metre, g: Metre) -> tuple[tuple[Metre, Metre], tuple[Metre, Metre]]:
-    """Lower and upper deviation of the journal, and of the seat.  Fits without a place lie about the middle of clearance `g`."""
+    """Lower and upper deviation of the journal, and of the seat.  Fits without a place lie about the middle of
+    clearance `g`."""
     journal, seat = parse(inputs.journal_fit), parse(inputs.seat_fit)
     if journal.letter is not None and seat.letter is not None:
         return deviations(journal, d), deviations(seat, d)
@@ -71,23 +81,28 @@ def widths(inputs: BearingsInputs, d: Metre) -> tuple[Metre, Metre]:
 
 
 def corner_points(seat: BearingCase, duty: OperatingPoint) -> tuple[BearingCase, OperatingPoint]:
-    """Eight corners at the load, then the eight at twice the load: clearance, viscosity factor and load of shape (16,)."""
+    """Eight corners at the load, then the eight at twice the load: clearance, viscosity factor and load of shape
+    (16,)."""
     g, factor = corner_values(seat)
     load = duty.load * np.repeat([1.0, 2.0], len(g))
-    return replace(seat, clearance=each(np.tile(g, 2)), viscosity_factor=each(np.tile(factor, 2))), replace(duty, load=each(load))
+    return replace(seat, clearance=each(np.tile(g, 2)), viscosity_factor=each(np.tile(factor, 2))), replace(
+        duty, load=each(load)
+    )
 
 
 def corner_values(seat: BearingCase) -> tuple[Array, Array]:
     """Clearance at the reference temperature and viscosity factor of each corner, shape (8,)."""
     journal, hole = limits(seat.inputs, seat.bearing.diameter, seat.clearance)
     g = [hole[s > 0] - journal[j > 0] for (_, j), (_, s), _ in CORNERS]
-    numbers = based_on(gathered(g), seat.clearance, seat.bearing.diameter, seat.inputs.seat_fit, seat.inputs.journal_fit)
+    numbers = based_on(
+        gathered(g), seat.clearance, seat.bearing.diameter, seat.inputs.seat_fit, seat.inputs.journal_fit
+    )
     return numbers, np.array([1 + o * seat.inputs.viscosity_tolerance for *_, (_, o) in CORNERS])
 
 
 def corners(seat: BearingCase, duty: OperatingPoint, slope: Radian, film: Film, bearing: str = "bearing") -> Corners:
-    """`film`: of the corner points.  The worst corner of the film, of twice the load and of the heat is solved once more, line by line,
-    under the name of the `bearing`."""
+    """`film`: of the corner points.  The worst corner of the film, of twice the load and of the heat is solved once
+    more, line by line, under the name of the `bearing`."""
     inputs, d, l = seat.inputs, seat.bearing.diameter, seat.bearing.length
     (ei, es), (EI, ES) = limits(inputs, d, seat.clearance)
     if _have_a_place(inputs):
@@ -104,9 +119,12 @@ def corners(seat: BearingCase, duty: OperatingPoint, slope: Radian, film: Film, 
         "clearance": g,
         "clearance_cold": many(replace(seat, clearance=each(g)).clearance_at(inputs.lowest_temperature)),
         "clearance_hot": np.where(np.isfinite(h_0[once]), many(film.clearance)[once], np.nan),
-        "film": h_0[once], "film_edge": h_0[once] - slope * l / 2, "film_double_load": h_0[twice],
-        "outlet_temperature": duty.supply_temperature + rise[once], "friction_power": many(film.friction_power)[once],
-    }  # fmt: skip
+        "film": h_0[once],
+        "film_edge": h_0[once] - slope * l / 2,
+        "film_double_load": h_0[twice],
+        "outlet_temperature": duty.supply_temperature + rise[once],
+        "friction_power": many(film.friction_power)[once],
+    }
 
     def solved(quantity: str, at: OperatingPoint, points: slice) -> Film | None:
         """The worst corner by lines of the calculation, at the rise that is known; None where it has no film."""
@@ -116,7 +134,9 @@ def corners(seat: BearingCase, duty: OperatingPoint, slope: Radian, film: Film, 
         (_, j), (_, s), (_, o) = CORNERS[worst]
         clearance = least if j > s else most if s > j else item(g[worst])
         factor = f.viscosity_factor(t_nu=inputs.viscosity_tolerance, o=float(o))
-        return closed(own_warm, replace(seat, clearance=clearance, viscosity_factor=factor), at, one(rise[points][worst]))
+        return closed(
+            own_warm, replace(seat, clearance=clearance, viscosity_factor=factor), at, one(rise[points][worst])
+        )
 
     with about(Text("{bearing}, thinnest corner", bearing=bearing)):
         thinnest = solved("film_edge", duty, once)
@@ -125,11 +145,22 @@ def corners(seat: BearingCase, duty: OperatingPoint, slope: Radian, film: Film, 
     with about(Text("{bearing}, hottest corner", bearing=bearing)):
         hottest = solved("outlet_temperature", duty, once)
     edge = None if thinnest is None else f.film_at_edge(h_0=thinnest.film, theta=slope, l=l)
-    outlet = None if hottest is None else f.outlet_temperature(T_in=duty.supply_temperature, Delta_T=hottest.temperature_rise)
+    outlet = (
+        None
+        if hottest is None
+        else f.outlet_temperature(T_in=duty.supply_temperature, Delta_T=hottest.temperature_rise)
+    )
     return Corners(
-        clearance_min=least, clearance_max=most, clearance_cold=replace(seat, clearance=least).clearance_at(inputs.lowest_temperature),
-        film=None if thinnest is None else thinnest.film, film_edge=edge, film_double_load=None if doubled is None else doubled.film,
-        outlet_temperature=outlet, names=NAMES, columns=columns)  # fmt: skip
+        clearance_min=least,
+        clearance_max=most,
+        clearance_cold=replace(seat, clearance=least).clearance_at(inputs.lowest_temperature),
+        film=None if thinnest is None else thinnest.film,
+        film_edge=edge,
+        film_double_load=None if doubled is None else doubled.film,
+        outlet_temperature=outlet,
+        names=NAMES,
+        columns=columns,
+    )
 
 
 def _worst(quantity: str, numbers: Array) -> int:
@@ -146,14 +177,26 @@ def corners_table(place: str, corners: Corners, inputs: BearingsInputs) -> Table
         number = float(corners.columns[name][row])
         return number / factor if np.isfinite(number) else None
 
-    where = Text(", as they make the clearance") if _have_a_place(inputs) else Text(" about the clearance at its reference temperature")
+    where = (
+        Text(", as they make the clearance")
+        if _have_a_place(inputs)
+        else Text(" about the clearance at its reference temperature")
+    )
     note = Text(
-        "Journal {journal_fit}, seat {seat_fit}{where}; oil ±{viscosity_tolerance} % of its viscosity.", journal_fit=inputs.journal_fit,
-        seat_fit=inputs.seat_fit, where=where, viscosity_tolerance=Amount(inputs.viscosity_tolerance * 100, form="g"))  # fmt: skip
-    return Table(f"corners_{place}", Text("Corners of the tolerances, {place} bearing", place=IN_WORDS[place]),
+        "Journal {journal_fit}, seat {seat_fit}{where}; oil ±{viscosity_tolerance} % of its viscosity.",
+        journal_fit=inputs.journal_fit,
+        seat_fit=inputs.seat_fit,
+        where=where,
+        viscosity_tolerance=Amount(inputs.viscosity_tolerance * 100, form="g"),
+    )
+    return Table(
+        f"corners_{place}",
+        Text("Corners of the tolerances, {place} bearing", place=IN_WORDS[place]),
         ((Text("corner"), ""), *((label, unit) for _, label, unit, _ in COLUMNS)),
         tuple((name, *(cell(key, i, factor) for key, _, _, factor in COLUMNS)) for i, name in enumerate(corners.names)),
-        note, (f"bearings.{place}.corners.",))  # fmt: skip
+        note,
+        (f"bearings.{place}.corners.",),
+    )
 
 
 def _have_a_place(inputs: BearingsInputs) -> bool:

@@ -17,8 +17,22 @@ from ..sheet.step import Curve, Series, axis_label
 from ..sheet.text import Amount, Name, Text
 from ..sheet.value import unlinked, untraced
 from .corners import corner_values
-from .film.reynolds import ECCENTRICITY_RANGE, LENGTH_RATIO_RANGE, FilmSolution, MisalignedFilm, solve_film, solve_misaligned
-from .film.table import ECCENTRICITIES, FilmRangeError, eccentricity_from, film_at, share_of_largest_load, share_of_least_friction
+from .film.reynolds import (
+    ECCENTRICITY_RANGE,
+    LENGTH_RATIO_RANGE,
+    FilmSolution,
+    MisalignedFilm,
+    solve_film,
+    solve_misaligned,
+)
+from .film.table import (
+    ECCENTRICITIES,
+    FilmRangeError,
+    eccentricity_from,
+    film_at,
+    share_of_largest_load,
+    share_of_least_friction,
+)
 from .inputs import IN_WORDS
 from .result import BearingResult
 from .routes.balance import balanced, settled
@@ -47,18 +61,33 @@ def _over_speed(place: str, r: BearingResult) -> Curve:
             (Text("thickest corner"), at_corners.max(axis=0)),
         )
         series += [Series(label, rpm[known], y[known]) for label, y in ends]
-    title = Text("Smallest film of the {place} bearing over speed, warm; corners of its tolerances at the edge", place=IN_WORDS[place])
-    return Curve(f"film_{place}", title, axis_label("speed", "rpm"), axis_label("h_0", "µm"), tuple(series),
-        limits=((Text("Kreisle"), r.kreisle_film * 1e6),), point=(r.duty.speed * 60, r.film_edge * 1e6),
-        fails=r.film_edge < r.kreisle_film, band=band)  # fmt: skip
+    title = Text(
+        "Smallest film of the {place} bearing over speed, warm; corners of its tolerances at the edge",
+        place=IN_WORDS[place],
+    )
+    return Curve(
+        f"film_{place}",
+        title,
+        axis_label("speed", "rpm"),
+        axis_label("h_0", "µm"),
+        tuple(series),
+        limits=((Text("Kreisle"), r.kreisle_film * 1e6),),
+        point=(r.duty.speed * 60, r.film_edge * 1e6),
+        fails=r.film_edge < r.kreisle_film,
+        band=band,
+    )
 
 
 def _films_at_corners(r: BearingResult) -> Array:
     """The smallest film at each corner of the tolerances and each speed; nan where there is none."""
     sweep, (g, factor) = r.sweep, corner_values(r.seat)
     count = len(sweep.speeds)
-    seat = replace(r.seat, clearance=each(np.repeat(np.asarray(g), count)), viscosity_factor=each(np.repeat(factor, count)))
-    speeds, temperatures, pressures = (np.tile(row, len(factor)) for row in (sweep.speeds, sweep.temperatures, sweep.pressures))
+    seat = replace(
+        r.seat, clearance=each(np.repeat(np.asarray(g), count)), viscosity_factor=each(np.repeat(factor, count))
+    )
+    speeds, temperatures, pressures = (
+        np.tile(row, len(factor)) for row in (sweep.speeds, sweep.temperatures, sweep.pressures)
+    )
     film = settled(seat, at_speeds(r.seat, sweep.rated, r.duty, speeds, temperatures, pressures)).film
     return many(film).reshape(len(factor), count)
 
@@ -83,15 +112,27 @@ def _over_clearance(place: str, r: BearingResult) -> Curve:
     )
     limits = ((Text("Kreisle"), r.kreisle_film * 1e6), (Text("Trumpler"), r.trumpler_film * 1e6))
     T_ref = Amount(r.seat.inputs.clearance_reference_temperature, form="g")
-    title = Text("Film of the {place} bearing over its clearance at {clearance_reference_temperature} °C", place=IN_WORDS[place],
-        clearance_reference_temperature=T_ref)  # fmt: skip
-    return Curve(f"film_over_clearance_{place}", title, axis_label("clearance", "µm"), axis_label("h", "µm"), series, limits=limits,
-        point=(r.clearance * 1e6, r.film_edge * 1e6), fails=r.film_edge < r.kreisle_film)  # fmt: skip
+    title = Text(
+        "Film of the {place} bearing over its clearance at {clearance_reference_temperature} °C",
+        place=IN_WORDS[place],
+        clearance_reference_temperature=T_ref,
+    )
+    return Curve(
+        f"film_over_clearance_{place}",
+        title,
+        axis_label("clearance", "µm"),
+        axis_label("h", "µm"),
+        series,
+        limits=limits,
+        point=(r.clearance * 1e6, r.film_edge * 1e6),
+        fails=r.film_edge < r.kreisle_film,
+    )
 
 
 # Charts of the literature on plain bearings, each with this design's own point: made when somebody looks.
 #
-# The pressure around, what clearance and length do, the chart of Raimondi and Boyd with its band, the friction over the duty, the oils.
+# The pressure around, what clearance and length do, the chart of Raimondi and Boyd with its band, the friction over the
+# duty, the oils.
 
 PUBLISHED_RATIOS = (1.0, 0.5, 0.25)  # l/d of the curves of 1958, beside the infinitely long bearing
 RATIOS = np.linspace(0.2, 1.2, 11)  # of the lengths that are tried
@@ -120,8 +161,8 @@ def charts(results: dict[str, BearingResult]) -> Iterator[Curve]:
 
 
 def _pressure(place: str, r: BearingResult) -> Iterator[Curve]:
-    """Around the middle plane, and along where it is largest: as designed, with the journal's slope, and parted by a groove around, where
-    each half carries half of the load."""
+    """Around the middle plane, and along where it is largest: as designed, with the journal's slope, and parted by a
+    groove around, where each half carries half of the load."""
     inputs, length = r.seat.inputs, r.seat.bearing.length * 1e3
     groove = (inputs.groove_width or 0.0) * 1e3 if lands(inputs) == 2 else 0.0
     films = {AS_DESIGNED: (_film(r.eccentricity, r.length_ratio), lands(inputs), length - groove)}
@@ -135,25 +176,43 @@ def _pressure(place: str, r: BearingResult) -> Iterator[Curve]:
     mean, where = (Text("specific load"), r.specific_load / 1e6), dict(place=IN_WORDS[place])
     around, along = [], []
     for label, (film, parts, bare) in films.items():
-        angle = np.degrees(film.theta - math.pi + film.attitude)  # from the load's direction, in the sense of the journal's rotation
+        angle = np.degrees(
+            film.theta - math.pi + film.attitude
+        )  # from the load's direction, in the sense of the journal's rotation
         around.append(Series(label, angle, film.pressure * scale))
-        z, p = np.append(-film.z[::-1], film.z[1:]), np.append(film.pressure_along[::-1], film.pressure_along[1:]) * scale
+        z, p = (
+            np.append(-film.z[::-1], film.z[1:]),
+            np.append(film.pressure_along[::-1], film.pressure_along[1:]) * scale,
+        )
         half_length = bare / 2 / parts
         middles = (0.0,) if parts == 1 else (half_length - length / 2, length / 2 - half_length)
         along.append(Series(label, np.concatenate([m + z * half_length for m in middles]), np.tile(p, parts)))
     if lands(inputs) == 1 and (sloping := _sloping(r)) is not None:
         slope = Amount((r.film - r.film_edge) / length * 2e6, "mrad", form=".2g")
-        along.insert(1, Series(Text("sloping, {slope}", slope=slope), sloping.z * length / 2, sloping.pressure_along * scale))
+        along.insert(
+            1, Series(Text("sloping, {slope}", slope=slope), sloping.z * length / 2, sloping.pressure_along * scale)
+        )
     title = Text("Film pressure around the {place} bearing, in the plane of its largest", **where)
-    yield Curve(f"pressure_around_{place}", title, axis_label("angle from the load", "°"), axis_label("p", "MPa"), tuple(around), (mean,))
+    yield Curve(
+        f"pressure_around_{place}",
+        title,
+        axis_label("angle from the load", "°"),
+        axis_label("p", "MPa"),
+        tuple(around),
+        (mean,),
+    )
     title = Text("Film pressure along the {place} bearing, where it is largest", **where)
     yield Curve(f"pressure_along_{place}", title, axis_label("z", "mm"), axis_label("p", "MPa"), tuple(along), (mean,))
 
 
 def _sloping(r: BearingResult) -> MisalignedFilm | None:
-    """The film that carries the same load with the journal's slope; None: it has none, or so much that an edge leaves the range."""
+    """The film that carries the same load with the journal's slope; None: it has none, or so much that an edge leaves
+    the range."""
     tilt = (r.film - r.film_edge) / (r.clearance_hot / 2)
-    low, high = tilt + ECCENTRICITY_RANGE[0], min(float(r.eccentricity), ECCENTRICITY_RANGE[1] - tilt)  # at the same ε it carries more
+    low, high = (
+        tilt + ECCENTRICITY_RANGE[0],
+        min(float(r.eccentricity), ECCENTRICITY_RANGE[1] - tilt),
+    )  # at the same ε it carries more
 
     def missing(eccentricity: float) -> float:
         return math.log(solve_misaligned(eccentricity, tilt, r.length_ratio).sommerfeld / r.sommerfeld)
@@ -164,7 +223,9 @@ def _sloping(r: BearingResult) -> MisalignedFilm | None:
 
 
 def _film(eccentricity: float, length_ratio: float) -> FilmSolution:
-    return solve_film(float(np.clip(eccentricity, *ECCENTRICITY_RANGE)), float(np.clip(length_ratio, *LENGTH_RATIO_RANGE)))
+    return solve_film(
+        float(np.clip(eccentricity, *ECCENTRICITY_RANGE)), float(np.clip(length_ratio, *LENGTH_RATIO_RANGE))
+    )
 
 
 def _clearance(place: str, r: BearingResult) -> Iterator[Curve]:
@@ -176,7 +237,9 @@ def _clearance(place: str, r: BearingResult) -> Iterator[Curve]:
         Series(Text("temperature rise"), r.clearance * SHARES * 1e6, first["temperature_rise"] / r.temperature_rise),
     )
     title = Text("What the clearance of the {place} bearing does", place=IN_WORDS[place])
-    yield Curve(f"clearance_effects_{place}", title, axis_label("clearance", "µm"), Text("over that of the design"), parts)
+    yield Curve(
+        f"clearance_effects_{place}", title, axis_label("clearance", "µm"), Text("over that of the design"), parts
+    )
 
 
 def _length(place: str, r: BearingResult) -> Iterator[Curve]:
@@ -187,7 +250,9 @@ def _length(place: str, r: BearingResult) -> Iterator[Curve]:
         d = math.sqrt(area / ratio)
         other = replace(unlinked(bearing), diameter=d, length=ratio * d, clearance=psi * d, clearance_factor=None)
         try:
-            film = balanced(own_warm, replace(unlinked(r.seat), bearing=other, clearance=psi * d), unlinked(r.duty), 1e-6)
+            film = balanced(
+                own_warm, replace(unlinked(r.seat), bearing=other, clearance=psi * d), unlinked(r.duty), 1e-6
+            )
             pressure = (film.largest_pressure or 0.0) / r.film_pressure_max
             found.append((ratio, film.film / r.film, pressure, film.temperature_rise / r.temperature_rise))
         except (NoSolution, ArithmeticError, ValueError):
@@ -200,8 +265,8 @@ def _length(place: str, r: BearingResult) -> Iterator[Curve]:
 
 
 def _allowable(place: str, r: BearingResult) -> Iterator[Curve]:
-    """The specific load at which the film at the edge is as thin as Kreisle lets it be, over the length of this journal, all else as
-    designed: parallel it rises with the length, a journal that slopes loses its edges."""
+    """The specific load at which the film at the edge is as thin as Kreisle lets it be, over the length of this
+    journal, all else as designed: parallel it rises with the length, a journal that slopes loses its edges."""
     bearing, inputs = unlinked(r.seat.bearing), r.seat.inputs
     d, count = bearing.diameter, lands(inputs)
     groove = (inputs.groove_width or 0.0) if count == 2 else 0.0
@@ -218,7 +283,11 @@ def _allowable(place: str, r: BearingResult) -> Iterator[Curve]:
     for label, theta in cases:
         edge = h_0 - theta * l / 2
         there = np.isfinite(edge)
-        p = [np.interp(-r.kreisle_film, -edge[on, j], LOADS[on], left=np.nan, right=np.nan) for j, on in enumerate(there.T) if on.any()]
+        p = [
+            np.interp(-r.kreisle_film, -edge[on, j], LOADS[on], left=np.nan, right=np.nan)
+            for j, on in enumerate(there.T)
+            if on.any()
+        ]
         series.append(Series(label, ratios[there.any(axis=0)], np.array(p) / 1e6))
     series.append(Series(AS_DESIGNED, np.array([r.length_ratio]), np.array([r.specific_load / 1e6])))
     title = Text("Specific load that the {place} bearing bears over its l/d", place=IN_WORDS[place])
@@ -237,7 +306,8 @@ def _raimondi_boyd(place: str, r: BearingResult) -> Iterator[Curve]:
 
 
 def _further_charts(place: str, r: BearingResult) -> Iterator[Curve]:
-    """The other charts of 1958: friction, flow, side flow and pressure over S, with the design's point on the line of its length."""
+    """The other charts of 1958: friction, flow, side flow and pressure over S, with the design's point on the line of
+    its length."""
     own = film_at(float(r.eccentricity), float(np.clip(r.length_ratio, *LENGTH_RATIO_RANGE)))
     where = dict(place=IN_WORDS[place])
     parts = (
@@ -246,7 +316,10 @@ def _further_charts(place: str, r: BearingResult) -> Iterator[Curve]:
         ("side_flow_ratio", Text("Q_s/Q"), Text("Raimondi and Boyd: side flow, {place} bearing", **where)),
         ("pressure_ratio", Text("p/p_max"), Text("Raimondi and Boyd: pressure, {place} bearing", **where)),
     )
-    films = {ratio: film_at(ECCENTRICITIES, ratio) for ratio in dict.fromkeys((*PUBLISHED_RATIOS, round(float(r.length_ratio), 4)))}
+    films = {
+        ratio: film_at(ECCENTRICITIES, ratio)
+        for ratio in dict.fromkeys((*PUBLISHED_RATIOS, round(float(r.length_ratio), 4)))
+    }
     for name, label, title in parts:
         scale = np.log10 if name == "friction" else np.asarray
         lines = [
@@ -261,7 +334,10 @@ def _further_charts(place: str, r: BearingResult) -> Iterator[Curve]:
 def _band() -> list[Series]:
     """Where the load is largest, and where the friction is least, for bearings of all lengths."""
     lengths, lines = np.linspace(PUBLISHED_RATIOS[-1], 1.5, 15), []
-    for share_of, label in ((share_of_largest_load, Text("largest load")), (share_of_least_friction, Text("least friction"))):
+    for share_of, label in (
+        (share_of_largest_load, Text("largest load")),
+        (share_of_least_friction, Text("least friction")),
+    ):
         share = np.array([share_of(b=float(length)) for length in lengths])
         S = film_at(np.clip(1 - share, *ECCENTRICITY_RANGE), lengths).sommerfeld
         lines.append(Series(label, np.log10(S), share))
@@ -269,7 +345,8 @@ def _band() -> list[Series]:
 
 
 def _duty(place: str, r: BearingResult) -> Iterator[Curve]:
-    """f over ZN/P: along the line of this bearing's relative clearance, down to where its film is as thin as its roughness."""
+    """f over ZN/P: along the line of this bearing's relative clearance, down to where its film is as thin as its
+    roughness."""
     film = film_at(ECCENTRICITIES, float(np.clip(r.length_ratio, *LENGTH_RATIO_RANGE)))
     thick = (1 - ECCENTRICITIES) * r.clearance_hot / 2 >= r.kreisle_film / 3
     zn_p = r.mckee_number * film.sommerfeld / r.sommerfeld
@@ -286,7 +363,9 @@ def _oils(r: BearingResult) -> Iterator[Curve]:
     own, known = r.seat.lubricant, oils()
     T = np.linspace(40.0, 150.0, 23)
     shown = {own.oil.name: own} | {name: Lubricant(known[name]) for name in OILS if name in known}
-    series = tuple(Series(Name(name), T, np.log10([oil.at(float(t)).nu * 1e6 for t in T])) for name, oil in shown.items())
+    series = tuple(
+        Series(Name(name), T, np.log10([oil.at(float(t)).nu * 1e6 for t in T])) for name, oil in shown.items()
+    )
     title = Text("Viscosity of the oil over its temperature")
     yield Curve("viscosity_of_oils", title, axis_label("temperature", "°C"), Text("lg ν, mm²/s"), series)
 

@@ -6,7 +6,7 @@ Sommerfeld's number stands in both of its forms, S = μ·n/(P·ψ²) and So = P�
 
 from ..sheet.formula import formula
 from ..sheet.functions import largest, modulus, pi, power, sin, sqrt
-from ..sheet.units import (  # fmt: skip
+from ..sheet.units import (
     Celsius,
     CubicMetrePerSecond,
     JoulePerKilogramKelvin,
@@ -112,11 +112,15 @@ def load_speed(i_F: Number, n_J: RevPerSecond) -> RevPerSecond:
 
 @formula(
     "g_T",
-    "physics: clearance at a temperature, by the expansion of seat and journal; χ, share of the housing's expansion held back by the block",
+    "physics: clearance at a temperature, by the expansion of seat and journal; χ, share of the housing's expansion "
+    "held back by the block",
     unit="µm",
 )
-def clearance_at(g: Metre, d: Metre, alpha_H: PerKelvin, chi: Number, alpha_J: PerKelvin, T: Celsius, T_ref: Celsius) -> Metre:
-    """The diametral clearance at a temperature from the one at its reference temperature; negative: the journal is seized.
+def clearance_at(
+    g: Metre, d: Metre, alpha_H: PerKelvin, chi: Number, alpha_J: PerKelvin, T: Celsius, T_ref: Celsius
+) -> Metre:
+    """The diametral clearance at a temperature from the one at its reference temperature; negative: the journal is
+    seized.
 
     >>> clearance_at(g=8.03e-05, d=0.0595, alpha_H=2.15e-05, chi=0, alpha_J=1.15e-05, T=120.9, T_ref=20)
     0.0001403355
@@ -134,7 +138,8 @@ def relative_clearance(g: Metre, d: Metre) -> Number:
 
 @formula("n_h", "ISO 7902-1: hydrodynamically effective speed of journal, bush and load vector", unit="rpm")
 def effective_speed(n_J: RevPerSecond, n_B: RevPerSecond, n_F: RevPerSecond) -> RevPerSecond:
-    """Zero where the load turns at half the journal's speed: no film is built up.  Load turning with the journal: as if it stood.
+    """Zero where the load turns at half the journal's speed: no film is built up.  Load turning with the journal: as if
+    it stood.
 
     >>> effective_speed(n_J=43.33, n_B=0, n_F=43.33)
     43.33
@@ -264,7 +269,12 @@ def temperature_rise(P_f: Watt, rho: KilogramPerMetre3, c_p: JoulePerKilogramKel
     return P_f / (rho * c_p * Q)
 
 
-@formula("p_max", "computed here: largest film pressure, from the table of Reynolds solutions", unit="MPa", names={"ratio": "(p/p_max)"})
+@formula(
+    "p_max",
+    "computed here: largest film pressure, from the table of Reynolds solutions",
+    unit="MPa",
+    names={"ratio": "(p/p_max)"},
+)
 def largest_pressure(p: Pascal, ratio: Number) -> Pascal:
     return p / ratio
 
@@ -274,7 +284,11 @@ def shear_rate(u: MetrePerSecond, h_0: Metre) -> RevPerSecond:
     return u / h_0
 
 
-@formula("n_0", "dynamics: the turning load grows with the square of the speed; the standing one is as large at this", unit="rpm")
+@formula(
+    "n_0",
+    "dynamics: the turning load grows with the square of the speed; the standing one is as large at this",
+    unit="rpm",
+)
 def speed_of_equal_loads(n: RevPerSecond, R_0: Newton, R: Newton) -> RevPerSecond:
     """Below it the load swings about the standing part instead of turning round."""
     return n * sqrt(R_0 / R)
@@ -285,12 +299,19 @@ def load_at_start(R_0: Newton, d: Metre, l: Metre) -> Pascal:
     return R_0 / (d * l)
 
 
-@formula("p_O", "hydrodynamics: short bearing, for the pressure's shape around the seat", unit="MPa", names={"largest": "(p_O/(μ·ω/ψ²))"})
+@formula(
+    "p_O",
+    "hydrodynamics: short bearing, for the pressure's shape around the seat",
+    unit="MPa",
+    names={"largest": "(p_O/(μ·ω/ψ²))"},
+)
 def short_bearing_pressure(mu: PascalSecond, omega: RadPerSecond, psi: Number, largest: Number) -> Pascal:
     return largest * mu * omega / psi**2
 
 
-@formula("k", "definition: factor of the viscosity at a corner of its tolerance; o is −1 where thinner, +1 where thicker")
+@formula(
+    "k", "definition: factor of the viscosity at a corner of its tolerance; o is −1 where thinner, +1 where thicker"
+)
 def viscosity_factor(t_nu: Number, o: Number) -> Number:
     return 1 + o * t_nu
 
@@ -300,7 +321,11 @@ def viscosity_at_corner(mu: PascalSecond, k: Number) -> PascalSecond:
     return k * mu
 
 
-@formula("F", "dynamics: load of eccentric masses, which grows with the square of the speed", names={"F": "F_rated", "n_0": "n_rated"})
+@formula(
+    "F",
+    "dynamics: load of eccentric masses, which grows with the square of the speed",
+    names={"F": "F_rated", "n_0": "n_rated"},
+)
 def load_at_speed(F: Newton, n: RevPerSecond, n_0: RevPerSecond) -> Newton:
     return F * (n / n_0) ** 2
 
@@ -315,7 +340,8 @@ def film_over_turn(h_0: Metre, a_n: Metre) -> Metre:
     return h_0 - a_n
 
 
-# --- what is judged -----------------------------------------------------------------------------------------------------
+# --- what is judged
+# -----------------------------------------------------------------------------------------------------
 @formula("h_edge", "geometry: film at the edge of a journal that stands at a slope in its seat", unit="µm")
 def film_at_edge(h_0: Metre, theta: Radian, l: Metre) -> Metre:
     """>>> film_at_edge(h_0=9.559e-06, theta=0.0001563, l=0.0275)
@@ -332,7 +358,11 @@ def film_at_edge_of_another(h_x: Metre, h_0: Metre, h_edge: Metre) -> Metre:
     return h_x - (h_0 - h_edge)
 
 
-@formula("h_K", "Kreisle, after Finotti 2013, 5.4.1 and 5.5.3: the film keeps the peaks Rt = k·Ra of both surfaces apart", unit="µm")
+@formula(
+    "h_K",
+    "Kreisle, after Finotti 2013, 5.4.1 and 5.5.3: the film keeps the peaks Rt = k·Ra of both surfaces apart",
+    unit="µm",
+)
 def kreisle_film(k_R: Number, Ra_1: Metre, Ra_2: Metre) -> Metre:
     """>>> kreisle_film(k_R=7.5, Ra_1=6e-07, Ra_2=6e-07)
     9e-06
@@ -348,7 +378,11 @@ def trumpler_film(d: Metre) -> Metre:
     return TRUMPLER_FILM + TRUMPLER_SLOPE * d
 
 
-@formula("n_T", "Finotti 2013, 5.5.3: transition to mixed friction, an empirical relation (1.7·10⁻⁹ m); Vogelpohl's", unit="rpm")
+@formula(
+    "n_T",
+    "Finotti 2013, 5.5.3: transition to mixed friction, an empirical relation (1.7·10⁻⁹ m); Vogelpohl's",
+    unit="rpm",
+)
 def transition_speed(p: Pascal, mu: PascalSecond, d: Metre) -> RevPerSecond:
     """>>> transition_speed(p=1043000, mu=0.007281, d=0.0595)
     4.092844...
@@ -358,22 +392,27 @@ def transition_speed(p: Pascal, mu: PascalSecond, d: Metre) -> RevPerSecond:
 
 @formula(
     "n_min",
-    "Finotti 2013, 5.5.3: n above 3·n_T below 3 m/s, above u·n_T from 3 to 10 m/s; held at 10 beyond, where no rule is given",
+    "Finotti 2013, 5.5.3: n above 3·n_T below 3 m/s, above u·n_T from 3 to 10 m/s; held at 10 beyond, where no rule "
+    "is given",
     unit="rpm",
 )
 def least_speed(k: Number, n_T: RevPerSecond) -> RevPerSecond:
     return k * n_T
 
 
-@formula("n_min", "rule of this program: the same rule without a limit above 10 m/s, where the source gives none", unit="rpm")
+@formula(
+    "n_min", "rule of this program: the same rule without a limit above 10 m/s, where the source gives none", unit="rpm"
+)
 def least_speed_uncapped(u: MetrePerSecond, n_T: RevPerSecond) -> RevPerSecond:
     return largest(u / ONE_METRE_PER_SECOND, 3.0) * n_T
 
 
 @formula(
-    "Δh/h", "definition: distance of a route's film from that of Reynolds' equation, the oil as warm", unit="%",
+    "Δh/h",
+    "definition: distance of a route's film from that of Reynolds' equation, the oil as warm",
+    unit="%",
     names={"reference": "h_R"},
-)  # fmt: skip
+)
 def film_deviation(h_0: Metre, reference: Metre) -> Number:
     return modulus(h_0 / reference - 1)
 

@@ -7,7 +7,15 @@ from math import pi
 
 from ..library import fits
 from ..library.catalogue import Oil
-from ..library.journal_rules import COOLED, LUBRICATIONS, SLOPE, SUPPLY_WIDTH, TRUMPLER_TEMPERATURE, USUAL_CLEARANCE, USUAL_LENGTH
+from ..library.journal_rules import (
+    COOLED,
+    LUBRICATIONS,
+    SLOPE,
+    SUPPLY_WIDTH,
+    TRUMPLER_TEMPERATURE,
+    USUAL_CLEARANCE,
+    USUAL_LENGTH,
+)
 from ..sheet.quantity import THUMB, choice, inputs, quantity, series, table, text
 from ..sheet.text import Amount, Text
 from .materials import DEFAULT_APPLICATION
@@ -15,11 +23,14 @@ from .materials import DEFAULT_APPLICATION
 PLACES = ("front", "rear")
 IN_WORDS = {"front": Text("front"), "rear": Text("rear")}  # the two bearings in words
 IN_TITLES = {"front": Text("Front"), "rear": Text("Rear")}  # at the beginning of a sentence
-LEAST_SPEED_SHARE = 0.02  # of the journal's speed: below, the load turns at half the speed of the surfaces; rule of this program
+LEAST_SPEED_SHARE = (
+    0.02  # of the journal's speed: below, the load turns at half the speed of the surfaces; rule of this program
+)
 
 
 class Assumed(str):
-    """Words that the program takes where a file says nothing: equal to none that a file gives, though these may read the same."""
+    """Words that the program takes where a file says nothing: equal to none that a file gives, though these may read
+    the same."""
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Assumed) and str.__eq__(self, other)
@@ -37,28 +48,85 @@ ASSUMED_FIT = Assumed("IT7")
 class BearingInputs:
     """One journal in its seat."""
 
-    diameter: float = quantity("Journal diameter", "mm", above=0, high=500, symbol="d", step=0.5, usual=(15, 120), source=THUMB,
-        help="Diameter of the journal; a larger one carries more and rubs more.")  # fmt: skip
-    length: float = quantity("Length", "mm", above=0, high=1000, symbol="l", step=0.5, source="Finotti 2013, 5.5.2",
-        help=Text("Along the shaft; {usual}. More length: lower specific load, thicker film.", usual=USUAL_LENGTH))  # fmt: skip
+    diameter: float = quantity(
+        "Journal diameter",
+        "mm",
+        above=0,
+        high=500,
+        symbol="d",
+        step=0.5,
+        usual=(15, 120),
+        source=THUMB,
+        help="Diameter of the journal; a larger one carries more and rubs more.",
+    )
+    length: float = quantity(
+        "Length",
+        "mm",
+        above=0,
+        high=1000,
+        symbol="l",
+        step=0.5,
+        source="Finotti 2013, 5.5.2",
+        help=Text("Along the shaft; {usual}. More length: lower specific load, thicker film.", usual=USUAL_LENGTH),
+    )
     clearance: float | None = quantity(
-        "Clearance (diametral)", "µm", default=None, low=0.1, high=5000, symbol="g", step=1,
-        source="Chirone & Vullo 1979, after Finotti 2013, Fig. 5.16; Finotti 2013, 5.5.2: ψ 1 ‰ very precise, 2 ‰ ordinary, 4 ‰ coarse",
+        "Clearance (diametral)",
+        "µm",
+        default=None,
+        low=0.1,
+        high=5000,
+        symbol="g",
+        step=1,
+        source="Chirone & Vullo 1979, after Finotti 2013, Fig. 5.16; Finotti 2013, 5.5.2: ψ 1 ‰ very precise, 2 ‰ "
+        "ordinary, 4 ‰ coarse",
         help=Text(
             "Bore minus journal at the reference temperature; {usual}. Left out: by clearance_factor or the fits.",
             usual=USUAL_CLEARANCE,
         ),
-    )  # fmt: skip
+    )
     clearance_factor: float | None = quantity(
-        "Clearance factor K", default=None, low=0.01, high=10, symbol="K", step=0.05, usual=(0.4, 0.8), source="Finotti 2013, 5.5.2",
-        help="Clearance g = K·d·u^¼ in mm, m and m/s.")  # fmt: skip
-    load: float | None = quantity("Load", "N", default=None, above=0, high=1e7, symbol="F", step=50,
-        help="Radial load on the journal. Left out: the reaction of the counter-shaft.")  # fmt: skip
+        "Clearance factor K",
+        default=None,
+        low=0.01,
+        high=10,
+        symbol="K",
+        step=0.05,
+        usual=(0.4, 0.8),
+        source="Finotti 2013, 5.5.2",
+        help="Clearance g = K·d·u^¼ in mm, m and m/s.",
+    )
+    load: float | None = quantity(
+        "Load",
+        "N",
+        default=None,
+        above=0,
+        high=1e7,
+        symbol="F",
+        step=50,
+        help="Radial load on the journal. Left out: the reaction of the counter-shaft.",
+    )
     journal_roughness: float = quantity(
-        "Roughness Ra, journal", "µm", low=0, high=50, symbol="Ra_1", step=0.1, usual=(0.1, 0.8), source=THUMB,
-        help="Mean roughness; the film must clear its peaks.")  # fmt: skip
-    housing_roughness: float = quantity("Roughness Ra, seat", "µm", low=0, high=50, symbol="Ra_2", step=0.1, usual=(0.1, 1.6), source=THUMB,
-        help="Mean roughness; the film must clear its peaks.")  # fmt: skip
+        "Roughness Ra, journal",
+        "µm",
+        low=0,
+        high=50,
+        symbol="Ra_1",
+        step=0.1,
+        usual=(0.1, 0.8),
+        source=THUMB,
+        help="Mean roughness; the film must clear its peaks.",
+    )
+    housing_roughness: float = quantity(
+        "Roughness Ra, seat",
+        "µm",
+        low=0,
+        high=50,
+        symbol="Ra_2",
+        step=0.1,
+        usual=(0.1, 1.6),
+        source=THUMB,
+        help="Mean roughness; the film must clear its peaks.",
+    )
 
     def problems(self) -> Iterable[tuple[str, Text]]:
         if self.clearance is not None and self.clearance_factor is not None:
@@ -73,98 +141,299 @@ class BearingsInputs:
 
     oil: str = text("Oil", help="A name from the table of oils or from [[oil]].")
     supply_temperature: float = quantity(
-        "Supply temperature", "°C", low=-40, high=200, symbol="T_in", step=1, usual=(70, 130), source=THUMB,
-        help="Of the oil in the gallery before the bearing.")  # fmt: skip
-    supply_pressure: float = quantity("Supply pressure", "bar", low=0, high=100, symbol="p_s", step=0.1, usual=(1, 6), source=THUMB,
-        help="Of the oil in the gallery, above ambient.")  # fmt: skip
-    supply: str = choice("Oil supply", "hole", "groove", "pocket", "shaft", "axial_groove",
-        help="hole, groove, pocket, axial_groove: in the seat. shaft: through holes in the journal, turning with the load.")  # fmt: skip
+        "Supply temperature",
+        "°C",
+        low=-40,
+        high=200,
+        symbol="T_in",
+        step=1,
+        usual=(70, 130),
+        source=THUMB,
+        help="Of the oil in the gallery before the bearing.",
+    )
+    supply_pressure: float = quantity(
+        "Supply pressure",
+        "bar",
+        low=0,
+        high=100,
+        symbol="p_s",
+        step=0.1,
+        usual=(1, 6),
+        source=THUMB,
+        help="Of the oil in the gallery, above ambient.",
+    )
+    supply: str = choice(
+        "Oil supply",
+        "hole",
+        "groove",
+        "pocket",
+        "shaft",
+        "axial_groove",
+        help="hole, groove, pocket, axial_groove: in the seat. shaft: through holes in the journal, turning with the "
+        "load.",
+    )
     hole_diameter: float | None = quantity(
-        "Oil hole diameter", "mm", default=None, low=0.1, high=200, symbol="d_H", source="DIN 31652-2",
+        "Oil hole diameter",
+        "mm",
+        default=None,
+        low=0.1,
+        high=200,
+        symbol="d_H",
+        source="DIN 31652-2",
         help=Text(
             "Diameter of the oil hole; {low} to {high} of the bearing's length.",
-            low=Amount(SUPPLY_WIDTH[0]), high=Amount(SUPPLY_WIDTH[1]),
+            low=Amount(SUPPLY_WIDTH[0]),
+            high=Amount(SUPPLY_WIDTH[1]),
         ),
-    )  # fmt: skip
+    )
     housing_material: str = text("Housing material", help="A name from the table of materials or from [[material]].")
     front: BearingInputs = table("Front bearing", BearingInputs)
     rear: BearingInputs = table("Rear bearing", BearingInputs)
-    groove_width: float | None = quantity("Groove width", "mm", default=None, low=0, high=500, symbol="b_G", source="DIN 31652-2",
-        help="Width of the oil groove along the shaft; it carries no load.")  # fmt: skip
+    groove_width: float | None = quantity(
+        "Groove width",
+        "mm",
+        default=None,
+        low=0,
+        high=500,
+        symbol="b_G",
+        source="DIN 31652-2",
+        help="Width of the oil groove along the shaft; it carries no load.",
+    )
     pocket_width: float | None = quantity(
-        "Pocket width", "mm", default=None, low=0.1, high=500, symbol="b_P", source="DIN 31652-2",
-        help=Text("Along the shaft; {low} to {high} of the bearing's length.", low=Amount(SUPPLY_WIDTH[0]), high=Amount(SUPPLY_WIDTH[1])),
-    )  # fmt: skip
+        "Pocket width",
+        "mm",
+        default=None,
+        low=0.1,
+        high=500,
+        symbol="b_P",
+        source="DIN 31652-2",
+        help=Text(
+            "Along the shaft; {low} to {high} of the bearing's length.",
+            low=Amount(SUPPLY_WIDTH[0]),
+            high=Amount(SUPPLY_WIDTH[1]),
+        ),
+    )
     groove_arc: tuple[float, ...] | None = series(
-        "Groove from and to", "°", default=None, count=(2, 2), low=0, high=360, symbol="delta_G", source="DIN 31652-2",
-        help="Angles from the load, 180 opposite to it. Left out: all round.")  # fmt: skip
+        "Groove from and to",
+        "°",
+        default=None,
+        count=(2, 2),
+        low=0,
+        high=360,
+        symbol="delta_G",
+        source="DIN 31652-2",
+        help="Angles from the load, 180 opposite to it. Left out: all round.",
+    )
     supply_angle: float = quantity(
-        "Angle from load to supply", "°", default=pi, low=0, high=180, symbol="delta", step=5, source="Finotti 2013, Table 5.1",
-        help="Where hole or pocket keeps its angle to the load: 180 opposite, 0 in the load zone.")  # fmt: skip
+        "Angle from load to supply",
+        "°",
+        default=pi,
+        low=0,
+        high=180,
+        symbol="delta",
+        step=5,
+        source="Finotti 2013, Table 5.1",
+        help="Where hole or pocket keeps its angle to the load: 180 opposite, 0 in the load zone.",
+    )
     pocket_length: float | None = quantity(
-        "Pocket length", "mm", default=None, low=0.1, high=500, symbol="l_P", help="Around the seat; the flow does not ask for it."
+        "Pocket length",
+        "mm",
+        default=None,
+        low=0.1,
+        high=500,
+        symbol="l_P",
+        help="Around the seat; the flow does not ask for it.",
     )
     axial_groove_angles: tuple[float, ...] | None = series(
-        "Axial grooves at", "°", default=None, count=(1, 4), low=0, high=360, symbol="delta_A",
-        help="Middles, from the load in the sense in which the film is dragged past it; [90, 270] for a split bearing.")  # fmt: skip
-    axial_groove_width: float | None = quantity("Axial groove width", "mm", default=None, low=0.1, high=500, symbol="w_A",
-        help="Around the seat; the film ends at its edges.")  # fmt: skip
-    axial_groove_length: float | None = quantity("Axial groove length", "mm", default=None, low=0.1, high=1000, symbol="l_A",
-        help="Along the shaft; shorter than the bearing, or the oil leaves at its ends.")  # fmt: skip
-    lubrication: str = choice("Lubrication", *LUBRICATIONS, default=COOLED, source="Finotti 2013, Table 3.1",
-        help="The row of the source's table that the heat index is held against: how the oil comes, and what cools.")  # fmt: skip
-    expansion_restraint: float = quantity("Expansion held back", default=0.0, low=0, high=1, symbol="chi", step=0.05,
-        help="Share of the housing's thermal expansion that the block holds back.")  # fmt: skip
+        "Axial grooves at",
+        "°",
+        default=None,
+        count=(1, 4),
+        low=0,
+        high=360,
+        symbol="delta_A",
+        help="Middles, from the load in the sense in which the film is dragged past it; [90, 270] for a split bearing.",
+    )
+    axial_groove_width: float | None = quantity(
+        "Axial groove width",
+        "mm",
+        default=None,
+        low=0.1,
+        high=500,
+        symbol="w_A",
+        help="Around the seat; the film ends at its edges.",
+    )
+    axial_groove_length: float | None = quantity(
+        "Axial groove length",
+        "mm",
+        default=None,
+        low=0.1,
+        high=1000,
+        symbol="l_A",
+        help="Along the shaft; shorter than the bearing, or the oil leaves at its ends.",
+    )
+    lubrication: str = choice(
+        "Lubrication",
+        *LUBRICATIONS,
+        default=COOLED,
+        source="Finotti 2013, Table 3.1",
+        help="The row of the source's table that the heat index is held against: how the oil comes, and what cools.",
+    )
+    expansion_restraint: float = quantity(
+        "Expansion held back",
+        default=0.0,
+        low=0,
+        high=1,
+        symbol="chi",
+        step=0.05,
+        help="Share of the housing's thermal expansion that the block holds back.",
+    )
     bush_material: str | None = text(
-        "Bush material", default=None, help="A name from the table of bearing materials. Left out: the journal runs on the housing itself."
+        "Bush material",
+        default=None,
+        help="A name from the table of bearing materials. Left out: the journal runs on the housing itself.",
     )
     journal_material: str | None = text("Journal material", default=None, help="Left out: that of the counter-shaft.")
-    application: str = text("Application", default=DEFAULT_APPLICATION, help="The row of the table of usual loads to be held against.")
+    application: str = text(
+        "Application", default=DEFAULT_APPLICATION, help="The row of the table of usual loads to be held against."
+    )
     clearance_reference_temperature: float = quantity(
-        "Clearance given at", "°C", default=20.0, low=-60, high=250, symbol="T_ref", source="ISO 1: 20 °C",
-        help="Temperature at which bore and journal have their measures.")  # fmt: skip
+        "Clearance given at",
+        "°C",
+        default=20.0,
+        low=-60,
+        high=250,
+        symbol="T_ref",
+        source="ISO 1: 20 °C",
+        help="Temperature at which bore and journal have their measures.",
+    )
     lowest_temperature: float = quantity(
-        "Lowest temperature", "°C", default=-20.0, low=-60, high=60, symbol="T_low", usual=(-40, 0), source=THUMB,
-        help="Cold start: the clearance must still be there.")  # fmt: skip
+        "Lowest temperature",
+        "°C",
+        default=-20.0,
+        low=-60,
+        high=60,
+        symbol="T_low",
+        usual=(-40, 0),
+        source=THUMB,
+        help="Cold start: the clearance must still be there.",
+    )
     outlet_temperature_limit: float = quantity(
-        "Outlet temperature limit", "°C", default=135.0, low=50, high=250, symbol="T_lim", usual=(TRUMPLER_TEMPERATURE, 135),
+        "Outlet temperature limit",
+        "°C",
+        default=135.0,
+        low=50,
+        high=250,
+        symbol="T_lim",
+        usual=(TRUMPLER_TEMPERATURE, 135),
         source="Finotti 2013, 5.5.1: Trumpler, engine manual",
-        help="Highest temperature of the oil that leaves.")  # fmt: skip
+        help="Highest temperature of the oil that leaves.",
+    )
     journal_fit: str = text(
-        "Journal fit", default=ASSUMED_FIT, help="ISO 286: f7 and the like, or a bare width, IT7. It opens the corners of the clearance."
+        "Journal fit",
+        default=ASSUMED_FIT,
+        help="ISO 286: f7 and the like, or a bare width, IT7. It opens the corners of the clearance.",
     )
     seat_fit: str = text("Seat fit", default=ASSUMED_FIT, help="ISO 286: H7 and the like, or a bare field, IT7.")
-    viscosity_tolerance: float = quantity("Viscosity tolerance ±", "%", default=0.1, low=0, high=50, symbol="t_nu", step=1, usual=(0, 10),
+    viscosity_tolerance: float = quantity(
+        "Viscosity tolerance ±",
+        "%",
+        default=0.1,
+        low=0,
+        high=50,
+        symbol="t_nu",
+        step=1,
+        usual=(0, 10),
         source="ISO 3448: a grade ±10 % at 40 °C",
-        help="How far the oil may be from its own viscosity.")  # fmt: skip
-    speed: float | None = quantity("Journal speed", "rpm", default=None, above=0, high=1e5, symbol="n", step=50,
-        help="Speed of the journal. Left out: that of the counter-shaft.")  # fmt: skip
-    load_speed_ratio: float = quantity("Speed of the load over the journal's", default=1.0, low=-10, high=10, symbol="i_F", step=0.5,
+        help="How far the oil may be from its own viscosity.",
+    )
+    speed: float | None = quantity(
+        "Journal speed",
+        "rpm",
+        default=None,
+        above=0,
+        high=1e5,
+        symbol="n",
+        step=50,
+        help="Speed of the journal. Left out: that of the counter-shaft.",
+    )
+    load_speed_ratio: float = quantity(
+        "Speed of the load over the journal's",
+        default=1.0,
+        low=-10,
+        high=10,
+        symbol="i_F",
+        step=0.5,
         source="ISO 7902-1",
-        help="1: the load turns with the shaft, as that of eccentric masses. 0: it stands. At ½ no film is built up.")  # fmt: skip
-    bush_speed_ratio: float = quantity("Speed of the bush over the journal's", default=0.0, low=-10, high=10, symbol="i_B", step=0.5,
+        help="1: the load turns with the shaft, as that of eccentric masses. 0: it stands. At ½ no film is built up.",
+    )
+    bush_speed_ratio: float = quantity(
+        "Speed of the bush over the journal's",
+        default=0.0,
+        low=-10,
+        high=10,
+        symbol="i_B",
+        step=0.5,
         source="ISO 7902-1",
-        help="How fast the bush turns with the journal; 0: the seat stands.")  # fmt: skip
-    speed_range: tuple[float, ...] | None = series("Speed range", "rpm", default=None, count=(2, 2), above=0, high=1e5, symbol="n",
-        help="From and to, at the design's oil supply. Left out: the engine's bench run, else 0.4 to 1 of the speed.")  # fmt: skip
+        help="How fast the bush turns with the journal; 0: the seat stands.",
+    )
+    speed_range: tuple[float, ...] | None = series(
+        "Speed range",
+        "rpm",
+        default=None,
+        count=(2, 2),
+        above=0,
+        high=1e5,
+        symbol="n",
+        help="From and to, at the design's oil supply. Left out: the engine's bench run, else 0.4 to 1 of the speed.",
+    )
     roughness_ratio: float = quantity(
-        "Rt/Ra", default=7.5, low=1, high=30, symbol="k_R", usual=(6, 7.5), source="Kreisle, after Finotti 2013, 5.5.3",
-        help="Peak-to-valley over mean roughness of both surfaces.")  # fmt: skip
+        "Rt/Ra",
+        default=7.5,
+        low=1,
+        high=30,
+        symbol="k_R",
+        usual=(6, 7.5),
+        source="Kreisle, after Finotti 2013, 5.5.3",
+        help="Peak-to-valley over mean roughness of both surfaces.",
+    )
     viscosity_law: str = choice(
-        "Viscosity law", "walther", "d341", default="walther", help="walther: ν + 0.6, as in the source. d341: ν + 0.7, ASTM D341."
+        "Viscosity law",
+        "walther",
+        "d341",
+        default="walther",
+        help="walther: ν + 0.6, as in the source. d341: ν + 0.7, ASTM D341.",
     )
     viscosity: float | None = quantity(
-        "Dynamic viscosity at every temperature", "mPa·s", default=None, above=0, high=1e6, symbol="mu_given",
-        help="Constant, as in textbooks (1 cP is 1 mPa·s, 1 µreyn 6.895), in the bearings only. Left out: by the oil's own law.",
-    )  # fmt: skip
+        "Dynamic viscosity at every temperature",
+        "mPa·s",
+        default=None,
+        above=0,
+        high=1e6,
+        symbol="mu_given",
+        help="Constant, as in textbooks (1 cP is 1 mPa·s, 1 µreyn 6.895), in the bearings only. Left out: by the "
+        "oil's own law.",
+    )
     slope: tuple[float, ...] | None = series(
-        "Slope of the journals", "mrad", default=None, count=(1, 2), low=0, high=20, symbol="theta", usual=(0, SLOPE * 1e3),
+        "Slope of the journals",
+        "mrad",
+        default=None,
+        count=(1, 2),
+        low=0,
+        high=20,
+        symbol="theta",
+        usual=(0, SLOPE * 1e3),
         source="Finotti 2013, 4.6 (in chapter 6)",
-        help="One, or [front, rear]. Left out: by bending, else 0.")  # fmt: skip
+        help="One, or [front, rear]. Left out: by bending, else 0.",
+    )
 
     def in_bearings(self, oil: Oil) -> Oil:
         """An oil as it is in the bearings: with their viscosity at every temperature, where that is given."""
-        return oil if self.viscosity is None else replace(oil, nu40=None, nu100=None, viscosities=(), viscosity=self.viscosity)
+        return (
+            oil
+            if self.viscosity is None
+            else replace(oil, nu40=None, nu100=None, viscosities=(), viscosity=self.viscosity)
+        )
 
     @property
     def fits_given(self) -> bool:
@@ -173,9 +442,12 @@ class BearingsInputs:
 
     def problems(self) -> Iterable[tuple[str, Text]]:
         needs = {
-            "hole": ("hole_diameter",), "shaft": ("hole_diameter",), "groove": ("groove_width",), "pocket": ("pocket_width",),
+            "hole": ("hole_diameter",),
+            "shaft": ("hole_diameter",),
+            "groove": ("groove_width",),
+            "pocket": ("pocket_width",),
             "axial_groove": ("axial_groove_angles", "axial_groove_width", "axial_groove_length"),
-        }  # fmt: skip
+        }
         for name in needs[self.supply]:
             if getattr(self, name) is None:
                 unit = "deg" if name.endswith("angles") else "mm"
@@ -184,22 +456,39 @@ class BearingsInputs:
             yield (
                 "load_speed_ratio",
                 Text(
-                    "the load would turn at half the speed of the surfaces, where no film is built up; must be away from "
+                    "the load would turn at half the speed of the surfaces, where no film is built up; must be away "
+                    "from "
                     "{bush_speed_ratio} by {least_speed_share} or more",
                     bush_speed_ratio=Amount((1 + self.bush_speed_ratio) / 2, form="g"),
                     least_speed_share=Amount(LEAST_SPEED_SHARE / 2, form="g"),
                 ),
             )
         if self.bush_speed_ratio == 1:
-            yield "bush_speed_ratio", Text("a bush that turns with the journal does not slide on it; anything but 1 is allowed")
+            yield (
+                "bush_speed_ratio",
+                Text("a bush that turns with the journal does not slide on it; anything but 1 is allowed"),
+            )
         if self.supply == "axial_groove" and self.load_speed_ratio != self.bush_speed_ratio:
-            yield "supply", Text("a load that sweeps over axial grooves has no steady film: they need load_speed_ratio = bush_speed_ratio")
-        if self.supply == "axial_groove" and self.axial_groove_angles is not None and self.axial_groove_width is not None:
+            yield (
+                "supply",
+                Text(
+                    "a load that sweeps over axial grooves has no steady film: they need load_speed_ratio = "
+                    "bush_speed_ratio"
+                ),
+            )
+        if (
+            self.supply == "axial_groove"
+            and self.axial_groove_angles is not None
+            and self.axial_groove_width is not None
+        ):
             for place, bearing in (("front", self.front), ("rear", self.rear)):
                 angles = sorted(angle % (2 * pi) for angle in self.axial_groove_angles)
                 apart = min(b - a for a, b in zip(angles, [*angles[1:], angles[0] + 2 * pi]))
                 if apart <= 2 * self.axial_groove_width / bearing.diameter:
-                    yield "axial_groove_angles_deg", Text("the grooves of the {place} bearing overlap", place=IN_WORDS[place])
+                    yield (
+                        "axial_groove_angles_deg",
+                        Text("the grooves of the {place} bearing overlap", place=IN_WORDS[place]),
+                    )
         if self.groove_arc is not None and self.groove_arc[0] >= self.groove_arc[1]:
             yield "groove_arc_deg", Text("must rise: from, to")
         if self.speed_range is not None and self.speed_range[0] >= self.speed_range[1]:
@@ -212,10 +501,19 @@ class BearingsInputs:
         for place, bearing in (("front", self.front), ("rear", self.rear)):
             if bearing.clearance is None and bearing.clearance_factor is None and not placed:
                 letters = Text("journal_fit and seat_fit with their letters (f7, H7)")
-                yield f"{place}.clearance_um", Text("give clearance_um or clearance_factor, or {letters}", letters=letters)
+                yield (
+                    f"{place}.clearance_um",
+                    Text("give clearance_um or clearance_factor, or {letters}", letters=letters),
+                )
             for name in ("hole_diameter", "groove_width", "pocket_width", "axial_groove_length"):
                 width = getattr(self, name)
                 if width is not None and width >= bearing.length:
                     length = Amount(bearing.length * 1e3, "mm")
-                    yield f"{name}_mm", Text("must be smaller than the length of the {place} bearing, {length}", place=IN_WORDS[place],
-                        length=length)  # fmt: skip
+                    yield (
+                        f"{name}_mm",
+                        Text(
+                            "must be smaller than the length of the {place} bearing, {length}",
+                            place=IN_WORDS[place],
+                            length=length,
+                        ),
+                    )

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """What stands still while the load turns, the shaft's weight and the force of its gear, and what it does to the film.
 
-Two answers: the film under the largest load of the turn as if it stayed, and the orbit that the journal makes about its place in the
-turning load's frame by the film's stiffness and damping, to first order.  The orbit may come closer: a force across the load
-pushes the journal along its seat, towards the narrowest film.  The thinner of the two is judged.
+Two answers: the film under the largest load of the turn as if it stayed, and the orbit that the journal makes about its
+place in the turning load's frame by the film's stiffness and damping, to first order.  The orbit may come closer: a
+force across the load pushes the journal along its seat, towards the narrowest film.  The thinner of the two is judged.
 """
 
 from collections.abc import Iterator
@@ -61,59 +61,86 @@ def _standing(one: BearingResult, R_0: float, place: str, notes: list[Text]) -> 
     try:
         film_peak = balanced(own_warm, one.seat, replace(one.duty, load=peak)).film
     except NoSolution as none:
-        words = Text("{place} bearing: no film is found for the largest load of the turn ({none}).", place=IN_TITLES[place], none=none.text)
+        words = Text(
+            "{place} bearing: no film is found for the largest load of the turn ({none}).",
+            place=IN_TITLES[place],
+            none=none.text,
+        )
         notes.append(words)
     if one.seat.inputs.load_speed_ratio == 1.0:
         equal = f.speed_of_equal_loads(n=one.duty.speed, R_0=R_0, R=one.load)
     if R_0 < SMALL * one.load:
         path = orbit(one.dynamics, R_0, one.attitude_angle, one.duty, one.seat)
         amplitude, film_orbit = path.amplitude, f.film_over_turn(h_0=one.film, a_n=path.film_loss)
-    return StandingResult(standing_load=R_0, load_peak=peak, film_load_peak=film_peak, film_orbit=film_orbit, orbit_amplitude=amplitude,
-        speed_of_equal_loads=equal, load_at_start=at_start)  # fmt: skip
+    return StandingResult(
+        standing_load=R_0,
+        load_peak=peak,
+        film_load_peak=film_peak,
+        film_orbit=film_orbit,
+        orbit_amplitude=amplitude,
+        speed_of_equal_loads=equal,
+        load_at_start=at_start,
+    )
 
 
 def _checks(place: str, one: BearingResult, part: StandingResult) -> Iterator[Check]:
     yield check(
-        f"bearings.{place}.start_load", Text("Specific load at the start, {place}", place=IN_WORDS[place]), part.load_at_start, "<=",
-        TRUMPLER_START_LOAD, "MPa",
+        f"bearings.{place}.start_load",
+        Text("Specific load at the start, {place}", place=IN_WORDS[place]),
+        part.load_at_start,
+        "<=",
+        TRUMPLER_START_LOAD,
+        "MPa",
         TRUMPLER + Text(": on the load at the start, here the standing part alone (his own 300 psi are 2.07 MPa)"),
         Text("A larger or longer journal."),
-    )  # fmt: skip
+    )
     thinnest = min((h for h in (part.film_load_peak, part.film_orbit) if h is not None), default=None)
     if thinnest is not None:
         edge = f.film_at_edge_of_another(h_x=thinnest, h_0=one.film, h_edge=one.film_edge)
-        yield check(f"bearings.{place}.film_edge_standing",
+        yield check(
+            f"bearings.{place}.film_edge_standing",
             Text("Film at the edge over a turn, with the standing load, {place}", place=IN_WORDS[place]),
-            edge, ">=", one.kreisle_film, "µm",
+            edge,
+            ">=",
+            one.kreisle_film,
+            "µm",
             Text("Kreisle, after Finotti 2013, 5.5.3, on the turning and the standing load together"),
-            Text("As for the film at the edge; the standing part is weight and gear force."))  # fmt: skip
+            Text("As for the film at the edge; the standing part is weight and gear force."),
+        )
 
 
 # The friction of a journal over a turn, where a standing load passes under the one that turns with it.
 #
-# The load of the moment runs from F − R_0 to F + R_0; to second order in R_0/F the mean over a turn needs the slope and the curvature of
-# the friction over the load, which the own solution gives at loads a little below and above.
+# The load of the moment runs from F − R_0 to F + R_0; to second order in R_0/F the mean over a turn needs the slope and
+# the curvature of the friction over the load, which the own solution gives at loads a little below and above.
 
 APART = 0.05  # of the load: how far below and above
 SECOND_ORDER = 0.5  # of the load: up to here a standing load counts as small
 
 
 @formula(
-    "P_f'", "mathematics: slope of the friction over the load, from the own solution beside it", shows="[P_f(1.05·F) − P_f(0.95·F)]/(0.1·F)"
+    "P_f'",
+    "mathematics: slope of the friction over the load, from the own solution beside it",
+    shows="[P_f(1.05·F) − P_f(0.95·F)]/(0.1·F)",
 )
 def slope(P_below: Watt, P_above: Watt, F: Newton) -> MetrePerSecond:
     return (P_above - P_below) / (2 * APART * F)
 
 
-@formula("F·P_f''", "mathematics: curvature of the friction, the same way", shows="[P_f(1.05·F) − 2·P_f(F) + P_f(0.95·F)]/(0.05²·F)")
+@formula(
+    "F·P_f''",
+    "mathematics: curvature of the friction, the same way",
+    shows="[P_f(1.05·F) − 2·P_f(F) + P_f(0.95·F)]/(0.05²·F)",
+)
 def curvature(P_below: Watt, P_f: Watt, P_above: Watt, F: Newton) -> MetrePerSecond:
     return (P_above - 2 * P_f + P_below) / (APART**2 * F)
 
 
 @formula(
-    "P_f", "mathematics: mean over a turn under turning and standing load, each moment as if it stayed; second order in R_0/F",
+    "P_f",
+    "mathematics: mean over a turn under turning and standing load, each moment as if it stayed; second order in R_0/F",
     names={"P": "P_f,F", "S": "P_f'", "K": "(F·P_f'')"},
-)  # fmt: skip
+)
 def over_a_turn(P: Watt, R_0: Newton, F: Newton, S: MetrePerSecond, K: MetrePerSecond) -> Watt:
     return P + R_0**2 / (4 * F) * (S + K)
 
@@ -132,7 +159,8 @@ class Response:
 
 
 def loads_beside(seat: BearingCase, duty: OperatingPoint) -> tuple[BearingCase, OperatingPoint]:
-    """A little less load, the load itself and a little more, along a last axis of their own; the duty's numbers may be arrays."""
+    """A little less load, the load itself and a little more, along a last axis of their own; the duty's numbers may be
+    arrays."""
     about = np.array((1 - APART, 1.0, 1 + APART))
     loads = (many(duty.load)[..., None] if np.ndim(duty.load) else duty.load) * about
     others = {name: each(many(x)[..., None]) if np.ndim(x) else x for name, x in vars(duty).items() if name != "load"}
@@ -140,13 +168,20 @@ def loads_beside(seat: BearingCase, duty: OperatingPoint) -> tuple[BearingCase, 
 
 
 def answered(film: Film, duty: OperatingPoint, friction_power: Watt | None = None) -> Response:
-    """The answer at a duty, from the films at `loads_beside`.  `friction_power`: at that duty, where it is known; nan: no film is found."""
+    """The answer at a duty, from the films at `loads_beside`.  `friction_power`: at that duty, where it is known; nan:
+    no film is found."""
     power = many(film.friction_power)
     below, at, above = (each(power[..., i]) if power.ndim > 1 else one(power[i]) for i in range(3))
     P_f = at if friction_power is None else friction_power
-    below, at, above = (based_on(P, friction_power, duty.load) for P in (below, at, above))  # found alike, of the same numbers
-    return Response(load=duty.load, friction_power=P_f, slope=slope(P_below=below, P_above=above, F=duty.load),
-        curvature=curvature(P_below=below, P_f=at, P_above=above, F=duty.load))  # fmt: skip
+    below, at, above = (
+        based_on(P, friction_power, duty.load) for P in (below, at, above)
+    )  # found alike, of the same numbers
+    return Response(
+        load=duty.load,
+        friction_power=P_f,
+        slope=slope(P_below=below, P_above=above, F=duty.load),
+        curvature=curvature(P_below=below, P_f=at, P_above=above, F=duty.load),
+    )
 
 
 def response(seat: BearingCase, duty: OperatingPoint, friction_power: Watt | None = None) -> Response:

@@ -23,7 +23,9 @@ class BearingMaterial:
 
     name: str = text("Name")
     title: str = text("What it is")
-    form: str = choice("Form", "bare", "shell", "solid", help="bare: the housing itself; shell: a thin lining on steel; solid: a bush.")
+    form: str = choice(
+        "Form", "bare", "shell", "solid", help="bare: the housing itself; shell: a thin lining on steel; solid: a bush."
+    )
     specific_load: Pascal | None = quantity("Allowable specific load", "MPa", default=None, above=0, symbol="p_zul")
     pv: PascalMetrePerSecond | None = quantity("Allowable p·v", "MPa·m/s", default=None, above=0, symbol="(p·v)_zul")
     temperature: Celsius | None = quantity("Highest temperature", "°C", default=None, symbol="T_zul")
@@ -113,4 +115,6 @@ def _unknown(name: str, known: list[str]) -> Text | None:
     from difflib import get_close_matches
 
     near = get_close_matches(name, known, n=1)
-    return Text("must be one of {known}", known=", ".join(known)) + (Text("; did you mean {near}?", near=near[0]) if near else "")
+    return Text("must be one of {known}", known=", ".join(known)) + (
+        Text("; did you mean {near}?", near=near[0]) if near else ""
+    )

@@ -19,24 +19,34 @@ from .routes.side_by_side import ROUTES
 from .suitability import fatigue_note
 
 TURNS = Text(
-    "The load turns with the shaft: in its frame the seat turns backwards, so Sommerfeld's number is that of a standing load, and the "
-    "narrowest film lies on the other side of the load. The journal is loaded on one fixed arc: there it wears, and is hottest."
+    "The load turns with the shaft: in its frame the seat turns backwards, so Sommerfeld's number is that of a "
+    "standing load, and the "
+    "narrowest film lies on the other side of the load. The journal is loaded on one fixed arc: there it wears, and "
+    "is hottest."
 )
 NO_RULE = 10.0  # m/s
 
 
-def notes(inputs: BearingsInputs, shaft: CountershaftResult | None, results: Mapping[str, BearingResult]) -> tuple[Text, ...]:
+def notes(
+    inputs: BearingsInputs, shaft: CountershaftResult | None, results: Mapping[str, BearingResult]
+) -> tuple[Text, ...]:
     return tuple(dict.fromkeys(note for note in _all_notes(inputs, shaft, results) if note))
 
 
-def _all_notes(inputs: BearingsInputs, shaft: CountershaftResult | None, results: Mapping[str, BearingResult]) -> Iterator[Text]:
+def _all_notes(
+    inputs: BearingsInputs, shaft: CountershaftResult | None, results: Mapping[str, BearingResult]
+) -> Iterator[Text]:
     yield _load(inputs)
     reference = f"{inputs.clearance_reference_temperature:g} °C"
-    yield Text("The clearance is taken as given at {reference} and judged at the film's mean temperature.", reference=reference)
+    yield Text(
+        "The clearance is taken as given at {reference} and judged at the film's mean temperature.", reference=reference
+    )
     if not inputs.fits_given:
         yield Text(
-            "No fits are given: the corners take IT7 for journal and seat, half of it to either side of the clearance, and the oil within "
-            "±{viscosity_tolerance} % of its viscosity. Corners that are assumed advise; those of journal_fit and seat_fit judge.",
+            "No fits are given: the corners take IT7 for journal and seat, half of it to either side of the "
+            "clearance, and the oil within "
+            "±{viscosity_tolerance} % of its viscosity. Corners that are assumed advise; those of journal_fit and "
+            "seat_fit judge.",
             viscosity_tolerance=Amount(inputs.viscosity_tolerance * 100, form="g"),
         )
     yield _slope(inputs, shaft)
@@ -45,39 +55,57 @@ def _all_notes(inputs: BearingsInputs, shaft: CountershaftResult | None, results
         yield rising_rows(r.seat.lubricant.oil) or EMPTY
     if thinned := {place: r for place, r in results.items() if r.seat.lubricant.polymer_thickened}:
         told = [
-            Text("{place} {film}, needs {least}", place=IN_WORDS[place], film=told_when_thinned(r),
-                least=Amount(r.kreisle_film * 1e6, "µm"))
+            Text(
+                "{place} {film}, needs {least}",
+                place=IN_WORDS[place],
+                film=told_when_thinned(r),
+                least=Amount(r.kreisle_film * 1e6, "µm"),
+            )
             for place, r in thinned.items()
-        ]  # fmt: skip
+        ]
         yield Text(
-            "The viscosity laws do not know the thinning of multigrade oils at high shear rate (25 to 30 % at 150 °C and 10⁶ 1/s). With "
+            "The viscosity laws do not know the thinning of multigrade oils at high shear rate (25 to 30 % at 150 °C "
+            "and 10⁶ 1/s). With "
             "{share} less the film at the edge is: {films}.",
-            share=Amount(100 * LOST_BY_SHEAR, "%"), films=SEMICOLON.join(told),
-        )  # fmt: skip
+            share=Amount(100 * LOST_BY_SHEAR, "%"),
+            films=SEMICOLON.join(told),
+        )
     if fast := [place for place, r in results.items() if r.surface_speed > NO_RULE]:
         yield Text(
-            "The journal's surface runs faster than 10 m/s at the {fast} bearing: the rule for the speed above mixed friction ends there. "
+            "The journal's surface runs faster than 10 m/s at the {fast} bearing: the rule for the speed above mixed "
+            "friction ends there. "
             "It is held at 10·n_T and, beside it, carried on as u·n_T.",
             fast=listed(IN_WORDS[place] for place in fast),
         )
     for place, r in results.items():
         bearing = IN_TITLES[place]
         for name, why in r.side.silent.items():
-            yield Text("{place} bearing: {routes} gives no value here ({why}).", place=bearing, routes=ROUTES[name][0], why=why)
+            yield Text(
+                "{place} bearing: {routes} gives no value here ({why}).", place=bearing, routes=ROUTES[name][0], why=why
+            )
         if r.film_double_load is None:
             yield Text("{place} bearing: no film carries twice the load.", place=bearing)
     surface = running_surface(inputs.bush_material, inputs.housing_material)
-    passes = abs(inputs.load_speed_ratio - inputs.bush_speed_ratio)  # of the load over a point of the seat, for one turn of the journal
+    passes = abs(
+        inputs.load_speed_ratio - inputs.bush_speed_ratio
+    )  # of the load over a point of the seat, for one turn of the journal
     if surface is None:
-        yield Text("What a journal may carry on bare {housing_material} is not known here.", housing_material=inputs.housing_material)
+        yield Text(
+            "What a journal may carry on bare {housing_material} is not known here.",
+            housing_material=inputs.housing_material,
+        )
     elif passes:
         for place, r in results.items():
             yield fatigue_note(place, surface, r.film_pressure_max, passes * r.duty.speed, None)
     yield from (r.sweep.why(place) for place, r in results.items())
     yield from (r.sweep.gaps(place) for place, r in results.items())
-    if any(r.sweep.bench and r.thinnest_film is not None and r.thinnest_film > r.film * (1 + 1e-6) for r in results.values()):
+    if any(
+        r.sweep.bench and r.thinnest_film is not None and r.thinnest_film > r.film * (1 + 1e-6)
+        for r in results.values()
+    ):
         yield Text(
-            "The film at the design's own supply is thinner than anywhere on the bench run, whose oil is cooler or whose load is smaller: "
+            "The film at the design's own supply is thinner than anywhere on the bench run, whose oil is cooler or "
+            "whose load is smaller: "
             "the design's supply is the harder case, and it is judged."
         )
 
@@ -88,48 +116,74 @@ def _load(inputs: BearingsInputs) -> Text:
     if inputs.load_speed_ratio == 0 and not inputs.bush_speed_ratio:
         return Text("The load stands still.")
     return Text(
-        "The load turns at {load_speed_ratio} times the journal's speed; the film is that of the speed |n_J + n_B − 2·n_F|.",
+        "The load turns at {load_speed_ratio} times the journal's speed; the film is that of the speed |n_J + n_B − "
+        "2·n_F|.",
         load_speed_ratio=Amount(inputs.load_speed_ratio, form="g"),
     )
 
 
 def _slope(inputs: BearingsInputs, shaft: CountershaftResult | None) -> Text:
     if inputs.slope is not None:
-        return Text("The slope of the journals is the one given here (slope_mrad), not that of the counter-shaft's bending.")
+        return Text(
+            "The slope of the journals is the one given here (slope_mrad), not that of the counter-shaft's bending."
+        )
     if shaft is not None and shaft.slope_front is not None:
-        return Text("The slope of the journals is that of the counter-shaft's bending, with the stiffness share of its sectors.")
-    return Text("No slope of the journals is given: it is taken as zero, and the film at the edge is that of the middle.")
+        return Text(
+            "The slope of the journals is that of the counter-shaft's bending, with the stiffness share of its sectors."
+        )
+    return Text(
+        "No slope of the journals is given: it is taken as zero, and the film at the edge is that of the middle."
+    )
 
 
 def _feed(inputs: BearingsInputs, results: Mapping[str, BearingResult]) -> Text:
     part = Text("shaft") if inputs.supply == "shaft" else Text("seat")
     if inputs.supply == "groove":
         if inputs.groove_arc is None:
-            return Text("The groove runs all round and parts the bearing into two lands; their oil comes by the supply pressure alone.")
+            return Text(
+                "The groove runs all round and parts the bearing into two lands; their oil comes by the supply "
+                "pressure alone."
+            )
         if supply.lands(inputs) == 2:
-            return Text("The load comes over the groove: the bearing is taken as two lands throughout, the lower bound of its film.")
-        return Text("The groove lies in the unloaded half and keeps its angle to the load: the film is that of the whole length.")
+            return Text(
+                "The load comes over the groove: the bearing is taken as two lands throughout, the lower bound of its "
+                "film."
+            )
+        return Text(
+            "The groove lies in the unloaded half and keeps its angle to the load: the film is that of the whole "
+            "length."
+        )
     if inputs.supply == "axial_groove":
         return Text(
-            "The film begins and ends at its axial grooves, which keep their angle to the load; the other methods do not know them."
+            "The film begins and ends at its axial grooves, which keep their angle to the load; the other methods do "
+            "not know them."
         )
     what = Text("pocket") if inputs.supply == "pocket" else Text("hole")
     if supply.keeps_its_angle(inputs):
         degrees = UNITS["°"].shown(inputs.supply_angle)
         angle = Amount(degrees, form=".0f")
-        note = Text("The {what} in the {part} keeps its angle to the load, {degrees}°.", what=what, part=part, degrees=angle)
-        return note + (Text(" It lies in the loaded half, where the film's pressure holds the oil back.") if degrees < 90 else "")
+        note = Text(
+            "The {what} in the {part} keeps its angle to the load, {degrees}°.", what=what, part=part, degrees=angle
+        )
+        return note + (
+            Text(" It lies in the loaded half, where the film's pressure holds the oil back.") if degrees < 90 else ""
+        )
     note = Text(
-        "The load sweeps over the {what} in the {part}: its flow is the mean over the turn, and not that of a place opposite the load.",
-        what=what, part=part)  # fmt: skip
+        "The load sweeps over the {what} in the {part}: its flow is the mean over the turn, and not that of a place "
+        "opposite the load.",
+        what=what,
+        part=part,
+    )
     arcs = COMMA.join(
         Text("{arc} {place}", arc=Amount(UNITS["°"].shown(r.feed_blocked_arc), "°", form=".0f"), place=IN_WORDS[place])
-        for place, r in results.items() if r.feed_blocked_arc
-    )  # fmt: skip
+        for place, r in results.items()
+        if r.feed_blocked_arc
+    )
     if not arcs:
         return note
     return note + Text(
-        " Over an arc of {arcs} the film's own pressure is above that of the supply, so that the true flow is smaller.", arcs=arcs
+        " Over an arc of {arcs} the film's own pressure is above that of the supply, so that the true flow is smaller.",
+        arcs=arcs,
     )
 
 
@@ -138,18 +192,34 @@ def errata(place: str, r: BearingResult) -> Iterator[Erratum]:
     if r.raimondi_boyd is not None and r.duty.supply_pressure > 0:
         given, hot, cold = (Amount(g * 1e6, form=".1f") for g in (r.clearance, r.clearance_hot, r.clearance_cold))
         expansion = Text(
-            "The thesis leaves thermal expansion out: its clearance of {clearance} µm becomes {clearance_hot} µm when warm and "
+            "The thesis leaves thermal expansion out: its clearance of {clearance} µm becomes {clearance_hot} µm when "
+            "warm and "
             "{clearance_cold} µm at the lowest temperature.",
-            clearance=given, clearance_hot=hot, clearance_cold=cold)  # fmt: skip
-        yield Erratum(f"bearings.{place}.film", Text("Smallest film, {place}", place=IN_WORDS[place]), r.raimondi_boyd.film * 1e6, "µm",
+            clearance=given,
+            clearance_hot=hot,
+            clearance_cold=cold,
+        )
+        yield Erratum(
+            f"bearings.{place}.film",
+            Text("Smallest film, {place}", place=IN_WORDS[place]),
+            r.raimondi_boyd.film * 1e6,
+            "µm",
             Text("method of Finotti 2013, 5.5.2, on the clearance as given"),
-            expansion + (Text(" Nor does it know that a groove parts the film.") if supply.lands(r.seat.inputs) == 2 else ""))  # fmt: skip
+            expansion
+            + (Text(" Nor does it know that a groove parts the film.") if supply.lands(r.seat.inputs) == 2 else ""),
+        )
     if r.falz is not None and 0.9 < r.falz.sommerfeld <= 1:
         with untraced():
             wrong = film_heavily_loaded(r.clearance, r.falz.sommerfeld, r.seat.bearing.length / r.seat.bearing.diameter)
         So = Amount(r.falz.sommerfeld, form=".3f")
         yield Erratum(
-            f"bearings.{place}.falz.film", Text("Film by Falz, {place}", place=IN_WORDS[place]), wrong * 1e6, "µm",
+            f"bearings.{place}.falz.film",
+            Text("Film by Falz, {place}", place=IN_WORDS[place]),
+            wrong * 1e6,
+            "µm",
             Text("method of Finotti 2013, 5.5.3: the branch of the first pass"),
-            Text("So = {sommerfeld} is below 1, but the thesis keeps the formula for So > 1 of its first pass.", sommerfeld=So),
-        )  # fmt: skip
+            Text(
+                "So = {sommerfeld} is below 1, but the thesis keeps the formula for So > 1 of its first pass.",
+                sommerfeld=So,
+            ),
+        )

@@ -43,11 +43,24 @@ class RouteResult:
 
 
 def route_result(film: Film | None) -> RouteResult | None:
-    return None if film is None else RouteResult(
-        film=film.film, eccentricity=film.eccentricity, sommerfeld=film.sommerfeld, friction_variable=film.friction_variable,
-        friction_coefficient=film.friction_coefficient, friction_power=film.friction_power, temperature_rise=film.temperature_rise,
-        oil_flow=film.oil_flow, side_flow=film.side_flow, supply_flow=film.supply_flow if film.side_flow is not None else None,
-        attitude_angle=film.attitude, film_pressure_max=film.largest_pressure)  # fmt: skip
+    return (
+        None
+        if film is None
+        else RouteResult(
+            film=film.film,
+            eccentricity=film.eccentricity,
+            sommerfeld=film.sommerfeld,
+            friction_variable=film.friction_variable,
+            friction_coefficient=film.friction_coefficient,
+            friction_power=film.friction_power,
+            temperature_rise=film.temperature_rise,
+            oil_flow=film.oil_flow,
+            side_flow=film.side_flow,
+            supply_flow=film.supply_flow if film.side_flow is not None else None,
+            attitude_angle=film.attitude,
+            film_pressure_max=film.largest_pressure,
+        )
+    )
 
 
 @result
@@ -57,9 +70,13 @@ class StandingResult:
     standing_load: Newton = value("Standing part of the load, at most", "N", "R_0")
     load_peak: Newton = value("Largest load over a turn", "N", "R_max")
     film_load_peak: Metre | None = value("Film under the largest load, as if it stayed", "µm", "h_R", default=None)
-    film_orbit: Metre | None = value("Smallest film over a turn, by the film's stiffness and damping", "µm", "h_orb", default=None)
+    film_orbit: Metre | None = value(
+        "Smallest film over a turn, by the film's stiffness and damping", "µm", "h_orb", default=None
+    )
     orbit_amplitude: Metre | None = value("Largest excursion of the journal over a turn", "µm", "a_o", default=None)
-    speed_of_equal_loads: RevPerSecond | None = value("Speed at which the turning load is as large", "rpm", "n_0", default=None)
+    speed_of_equal_loads: RevPerSecond | None = value(
+        "Speed at which the turning load is as large", "rpm", "n_0", default=None
+    )
     load_at_start: Pascal = value("Specific load at the start", "MPa", "p_0")
 
 
@@ -70,7 +87,9 @@ class BearingResult:
     film: Metre = value("Smallest film", "µm", "h_0")
     film_edge: Metre = value("Film at the bearing's edge", "µm", "h_edge")
     film_double_load: Metre | None = value("Film at twice the load", "µm", "h_2F", default=None)
-    speed_of_thinnest_film: RevPerSecond | None = value("Speed of the thinnest film over the speeds", "rpm", default=None)
+    speed_of_thinnest_film: RevPerSecond | None = value(
+        "Speed of the thinnest film over the speeds", "rpm", default=None
+    )
     thinnest_film: Metre | None = value("Thinnest film over the speeds", "µm", default=None)
     eccentricity: Number = value("Eccentricity ratio", "", "ε")
     film_share_least_friction: Number = value("Film over radial clearance at the least friction", "", "(h_0/c)_f")

@@ -1,14 +1,29 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The bearings as a sketch: each journal in its clearance, pressed down by its load, with film, pressure and feed around it.
+"""The bearings as a sketch: each journal in its clearance, pressed down by its load, with film, pressure and feed
+around it.
 
-The seats are to scale, the gap is drawn larger, as much in both bearings.  The frame stands with the load; the journal turns
-anticlockwise against it, so that the narrowest film lies past the load's line by the attitude angle.
-"""
+The seats are to scale, the gap is drawn larger, as much in both bearings.  The frame stands with the load; the journal
+turns anticlockwise against it, so that the narrowest film lies past the load's line by the attitude angle."""
 
 import math
 from collections.abc import Iterable, Iterator
 
-from ..draw.drawing import CONTEXT, OUTLINE, WORDS, Arc, Area, Mark, Point, Polyline, Sketch, Words, awaited, judged, round_outline, rounded
+from ..draw.drawing import (
+    CONTEXT,
+    OUTLINE,
+    WORDS,
+    Arc,
+    Area,
+    Mark,
+    Point,
+    Polyline,
+    Sketch,
+    Words,
+    awaited,
+    judged,
+    round_outline,
+    rounded,
+)
 from ..sheet.check import Check
 from ..sheet.step import Designed, Solved
 from ..sheet.text import Amount, Text
@@ -34,8 +49,15 @@ def sketch(design: Designed, results: Solved) -> Sketch:
         return awaited(outcome)
     checks = {check.id: check for check in outcome.checks}
     gap = rounded(min(GAP * r.seat.bearing.diameter / r.clearance_hot for r in found.bearings.values()))
-    notes = Text("gap × {factor}", factor=Amount(gap)), Text("the load points down"), Text("pressure in the shape of a short bearing")
-    front, *others = (Sketch(tuple(_bearing(place, r, inputs, gap, checks)), title=_title(place, r)) for place, r in found.bearings.items())
+    notes = (
+        Text("gap × {factor}", factor=Amount(gap)),
+        Text("the load points down"),
+        Text("pressure in the shape of a short bearing"),
+    )
+    front, *others = (
+        Sketch(tuple(_bearing(place, r, inputs, gap, checks)), title=_title(place, r))
+        for place, r in found.bearings.items()
+    )
     return Sketch(front.primitives, notes, title=front.title, beside=tuple(others))
 
 
@@ -48,29 +70,40 @@ def _at(radius: Metre, from_load: Radian, centre: Point = (0.0, 0.0)) -> Point:
     return centre[0] + radius * math.cos(DOWN + from_load), centre[1] + radius * math.sin(DOWN + from_load)
 
 
-def _bearing(place: str, r: BearingResult, inputs: BearingsInputs, gap: Number, checks: dict[str, Check]) -> Iterator[Mark]:
+def _bearing(
+    place: str, r: BearingResult, inputs: BearingsInputs, gap: Number, checks: dict[str, Check]
+) -> Iterator[Mark]:
     key = f"bearings.{place}"
     journal, c = r.seat.bearing.diameter / 2, r.clearance_hot / 2 * gap
     seat, centre = journal + c, _at(c * r.eccentricity, r.attitude_angle)
     size, clearance = f"{key}.diameter_mm", f"{key}.clearance_um {key}.clearance_factor"
     film = judged(checks.values(), f"{key}.film_edge")
-    yield Area(CONTEXT, (round_outline((0.0, 0.0), seat), round_outline(centre, journal)), 0.35, f"{clearance} bearings.oil")
+    yield Area(
+        CONTEXT, (round_outline((0.0, 0.0), seat), round_outline(centre, journal)), 0.35, f"{clearance} bearings.oil"
+    )
     yield Arc(OUTLINE, (0.0, 0.0), seat, key=clearance)
     yield Arc(OUTLINE, centre, journal, key=size)
     yield from _pressure(key, r, seat)
     yield from _feed(inputs, centre, journal, seat)
     narrow = r.attitude_angle
     yield Polyline(OUTLINE, (_at(0.78 * journal, narrow, centre), _at(seat, narrow)), key=_rough(key), state=film)
-    yield Polyline(OUTLINE, (_at(0.12 * journal, 0.0, centre), _at(0.72 * journal, 0.0, centre)), key=f"{key}.load_N", arrow=True)
-    load = Text("{load}", load=Amount(r.load / 1000, "kN", digits=2) if r.load >= 1000 else Amount(r.load, "N", digits=3))
+    yield Polyline(
+        OUTLINE, (_at(0.12 * journal, 0.0, centre), _at(0.72 * journal, 0.0, centre)), key=f"{key}.load_N", arrow=True
+    )
+    load = Text(
+        "{load}", load=Amount(r.load / 1000, "kN", digits=2) if r.load >= 1000 else Amount(r.load, "N", digits=3)
+    )
     yield Words(WORDS, (centre[0] - 0.12 * journal, centre[1] - 0.4 * journal), load, key=f"{key}.load_N", side="right")
     yield from _films(key, r, centre, journal, checks)
 
 
 def _films(key: str, r: BearingResult, centre: Point, journal: Metre, checks: dict[str, Check]) -> Iterator[Mark]:
     """The film at the edge against what it is to be, and that at twice the load where it is too thin."""
-    told = [(check, words) for id, words in FILMS
-        if (check := checks.get(f"{key}.{id}")) is not None and (id == "film_edge" or check.verdict == "fail")]  # fmt: skip
+    told = [
+        (check, words)
+        for id, words in FILMS
+        if (check := checks.get(f"{key}.{id}")) is not None and (id == "film_edge" or check.verdict == "fail")
+    ]
     for n, (check, words) in enumerate(told):
         limit = check.limit if isinstance(check.limit, float) else check.limit[0]
         text = Text(words.template, film=Amount(check.value, digits=2), asked=Amount(limit, digits=2))
@@ -108,17 +141,31 @@ def pressures(eccentricity: Number, attitude: Radian) -> list[tuple[Radian, Numb
 def _feed(inputs: BearingsInputs, centre: Point, journal: Metre, seat: Metre) -> Iterator[Mark]:
     """Where the oil comes in: outside the seat, or through the journal."""
     outer = seat * (1 + FEED)
-    where = "bearings.supply bearings.supply_angle_deg bearings.hole_diameter_mm bearings.pocket_length_mm bearings.axial_groove_angles_deg"
+    where = (
+        "bearings.supply bearings.supply_angle_deg bearings.hole_diameter_mm bearings.pocket_length_mm "
+        "bearings.axial_groove_angles_deg"
+    )
     if inputs.supply == "shaft":
         yield from _duct(_at(journal, math.pi, centre), _at(0.75 * journal, math.pi, centre), 0.08 * seat, where)
     elif inputs.supply == "groove":
         start, end = inputs.groove_arc or (0.0, 2 * math.pi)
-        yield Arc(OUTLINE, (0.0, 0.0), seat * 1.08, DOWN + start, DOWN + end, key="bearings.groove_width_mm bearings.groove_arc_deg")
+        yield Arc(
+            OUTLINE,
+            (0.0, 0.0),
+            seat * 1.08,
+            DOWN + start,
+            DOWN + end,
+            key="bearings.groove_width_mm bearings.groove_arc_deg",
+        )
     else:
         angles: Iterable[Radian] = (inputs.supply_angle,)
         if inputs.supply == "axial_groove":
             angles = inputs.axial_groove_angles or ()
-        wide = {"hole": inputs.hole_diameter, "pocket": inputs.pocket_length, "axial_groove": inputs.axial_groove_width}[inputs.supply]
+        wide = {
+            "hole": inputs.hole_diameter,
+            "pocket": inputs.pocket_length,
+            "axial_groove": inputs.axial_groove_width,
+        }[inputs.supply]
         for angle in angles:
             yield from _duct(_at(seat, angle), _at(outer, angle), max((wide or 0.0) / 2, 0.06 * seat), where)
 
@@ -127,7 +174,10 @@ def _duct(inner: Point, outer: Point, half: Metre, key: str) -> Iterator[Mark]:
     """A hole in the sheet's plane, its two sides, filled with oil."""
     length = math.dist(inner, outer)
     x, y = (inner[1] - outer[1]) / length * half, (outer[0] - inner[0]) / length * half
-    left, right = ((inner[0] + x, inner[1] + y), (outer[0] + x, outer[1] + y)), ((inner[0] - x, inner[1] - y), (outer[0] - x, outer[1] - y))
+    left, right = (
+        ((inner[0] + x, inner[1] + y), (outer[0] + x, outer[1] + y)),
+        ((inner[0] - x, inner[1] - y), (outer[0] - x, outer[1] - y)),
+    )
     yield Area(CONTEXT, ((*left, *reversed(right)),), 0.35, key)
     yield Polyline(OUTLINE, left, key=key)
     yield Polyline(OUTLINE, right, key=key)

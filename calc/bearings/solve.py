@@ -55,10 +55,15 @@ class BearingMaterials(NamedTuple):
 
 
 def solve(
-    bearings: BearingsInputs, shaft: CountershaftResult | None, engine: EngineInputs | None, solids: BearingMaterials, *,
+    bearings: BearingsInputs,
+    shaft: CountershaftResult | None,
+    engine: EngineInputs | None,
+    solids: BearingMaterials,
+    *,
     compared: bool = True,
-) -> Outcome[BearingsResult]:  # fmt: skip
-    """Front and rear bearing under the loads given, or the shaft's reactions, which turn with it and grow with its speed squared.
+) -> Outcome[BearingsResult]:
+    """Front and rear bearing under the loads given, or the shaft's reactions, which turn with it and grow with its
+    speed squared.
 
     `compared`: with the other routes to the film beside the one that judges.
     """
@@ -73,17 +78,25 @@ def solve(
             with about(Text("{place} bearing", place=IN_WORDS[place])):
                 bearing: BearingInputs = getattr(bearings, place)
                 clearance = clearance_of(bearings, bearing, speed)
-                seat = BearingCase(bearing, bearings, lubricant, clearance, solids.journal.expansion, solids.housing.expansion)
+                seat = BearingCase(
+                    bearing, bearings, lubricant, clearance, solids.journal.expansion, solids.housing.expansion
+                )
                 load, slope = _load(place, bearing, shaft), _slope(place, bearings, shaft)
                 results[place] = _bearing(place, seat, load, slope, speed, bench, compared=compared)
                 every += [*checks(place, results[place], slope), *_pairing(place, results[place])]
     every += _slopes_given(bearings, shaft, results)
     every += oil_checks(bearings, solids.oil)
-    return Outcome("bearings", result=BearingsResult(bearings=results), checks=tuple(every), lines=tuple(lines),
+    return Outcome(
+        "bearings",
+        result=BearingsResult(bearings=results),
+        checks=tuple(every),
+        lines=tuple(lines),
         curves=Later(lambda: (c for place, r in results.items() for c in curves(place, r))),
         tables=Later(lambda: _tables(bearings, results, speed)),
         errata=Later(lambda: (e for place, r in results.items() for e in errata(place, r))),
-        notes=Later(lambda: notes(bearings, shaft, results)), further=lambda: Further(curves=Later(lambda: _charts(results))))  # fmt: skip
+        notes=Later(lambda: notes(bearings, shaft, results)),
+        further=lambda: Further(curves=Later(lambda: _charts(results))),
+    )
 
 
 def _tables(bearings: BearingsInputs, results: dict[str, BearingResult], speed: RevPerSecond) -> Iterator[Table]:
@@ -109,8 +122,15 @@ def _pairing(place: str, r: BearingResult) -> Iterator[Check]:
     if surface is not None:
         yield from pairing_checks(place, surface, r.specific_load, r.pressure_velocity, r.outlet_temperature)
     yield from application_checks(
-        place, application(inputs.application), p=r.specific_load, pv=r.pressure_velocity, mu=r.hot.oil.mu, mu_n_over_p=r.duty_number,
-        psi=r.clearance / bearing.diameter, l_over_d=r.length_ratio)  # fmt: skip
+        place,
+        application(inputs.application),
+        p=r.specific_load,
+        pv=r.pressure_velocity,
+        mu=r.hot.oil.mu,
+        mu_n_over_p=r.duty_number,
+        psi=r.clearance / bearing.diameter,
+        l_over_d=r.length_ratio,
+    )
 
 
 def clearance_of(inputs: BearingsInputs, bearing: BearingInputs, speed: RevPerSecond) -> Metre:
@@ -118,7 +138,9 @@ def clearance_of(inputs: BearingsInputs, bearing: BearingInputs, speed: RevPerSe
     if bearing.clearance is not None:
         return bearing.clearance
     if bearing.clearance_factor is not None:
-        return f.clearance_by_factor(K=bearing.clearance_factor, d=bearing.diameter, u=f.surface_speed(d=bearing.diameter, n=speed))
+        return f.clearance_by_factor(
+            K=bearing.clearance_factor, d=bearing.diameter, u=f.surface_speed(d=bearing.diameter, n=speed)
+        )
     (ei, es), (EI, ES) = (
         tuple(based_on(x, fit, bearing.diameter) for x in deviations(parse(fit), bearing.diameter))
         for fit in (inputs.journal_fit, inputs.seat_fit)
@@ -144,21 +166,42 @@ def _slope(place: str, inputs: BearingsInputs, shaft: CountershaftResult | None)
     return 0.0 if slope is None else slope
 
 
-def _slopes_given(inputs: BearingsInputs, shaft: CountershaftResult | None, results: dict[str, BearingResult]) -> Iterator[Check]:
-    """Slopes that are given, held against those of the shaft as this design bends it: what stands on them stands on the given ones."""
-    if inputs.slope is None or shaft is None or shaft.bending is None or shaft.slope_front is None or shaft.slope_rear is None:
+def _slopes_given(
+    inputs: BearingsInputs, shaft: CountershaftResult | None, results: dict[str, BearingResult]
+) -> Iterator[Check]:
+    """Slopes that are given, held against those of the shaft as this design bends it: what stands on them stands on the
+    given ones."""
+    if (
+        inputs.slope is None
+        or shaft is None
+        or shaft.bending is None
+        or shaft.slope_front is None
+        or shaft.slope_rear is None
+    ):
         return  # where nothing bends, the shaft has its slopes from here
     for place, at, bent in (("front", 0, shaft.slope_front), ("rear", -1, shaft.slope_rear)):
         r = results[place]
         with untraced():
             edge = f.film_at_edge(h_0=r.film, theta=bent, l=r.seat.bearing.length)
         yield check(
-            f"bearings.{place}.slope_given", Text("Slope as given, {place}, against that of the shaft's bending", place=IN_WORDS[place]),
-            inputs.slope[at], ">=",
-            bent, "mrad", Text("elasticity: bending of the stepped shaft, with the stiffness share of its sectors"),
-            remedies=by_key(BearingsInputs, "bearings.slope_mrad", None,
-                effect=Text("then that of the bending: film at the edge {edge}, needs {least}",
-                    edge=Amount(edge * 1e6, "µm"), least=Amount(r.kreisle_film * 1e6, "µm"))))  # fmt: skip
+            f"bearings.{place}.slope_given",
+            Text("Slope as given, {place}, against that of the shaft's bending", place=IN_WORDS[place]),
+            inputs.slope[at],
+            ">=",
+            bent,
+            "mrad",
+            Text("elasticity: bending of the stepped shaft, with the stiffness share of its sectors"),
+            remedies=by_key(
+                BearingsInputs,
+                "bearings.slope_mrad",
+                None,
+                effect=Text(
+                    "then that of the bending: film at the edge {edge}, needs {least}",
+                    edge=Amount(edge * 1e6, "µm"),
+                    least=Amount(r.kreisle_film * 1e6, "µm"),
+                ),
+            ),
+        )
 
 
 def operating_point(inputs: BearingsInputs, load: float, speed: RevPerSecond) -> OperatingPoint:
@@ -166,13 +209,22 @@ def operating_point(inputs: BearingsInputs, load: float, speed: RevPerSecond) ->
     n_B = f.bush_speed(i_B=i_B, n_J=speed) if i_B else based_on(0.0, i_B)
     n_F = based_on(speed, speed, i_F) if i_F == 1 else f.load_speed(i_F=i_F, n_J=speed)
     n_h = f.effective_speed(n_J=speed, n_B=n_B, n_F=n_F)
-    slides = based_on(1.0, i_B, i_F) if n_F in (0.0, speed) and not n_B else f.sliding_ratio(n_J=speed, n_B=n_B, n_h=n_h)
+    slides = (
+        based_on(1.0, i_B, i_F) if n_F in (0.0, speed) and not n_B else f.sliding_ratio(n_J=speed, n_B=n_B, n_h=n_h)
+    )
     return OperatingPoint(load, speed, n_h, slides, inputs.supply_temperature, inputs.supply_pressure)
 
 
 def _bearing(
-    place: str, seat: BearingCase, load: float, slope: float, speed: RevPerSecond, bench: tuple[BenchPoint, ...], *, compared: bool
-) -> BearingResult:  # fmt: skip
+    place: str,
+    seat: BearingCase,
+    load: float,
+    slope: float,
+    speed: RevPerSecond,
+    bench: tuple[BenchPoint, ...],
+    *,
+    compared: bool,
+) -> BearingResult:
     inputs, bearing = seat.inputs, seat.bearing
     d, l = bearing.diameter, bearing.length
     i_B = inputs.bush_speed_ratio
@@ -193,7 +245,9 @@ def _bearing(
         uncapped = f.least_speed_uncapped(u=u, n_T=n_T)
         mckee = f.mckee_number(mu=hot.oil.mu, n_h=duty.effective_speed, p=p)
         number = film_duty(mu=hot.oil.mu, n_h=duty.effective_speed, p=p)
-        kreisle = f.kreisle_film(k_R=inputs.roughness_ratio, Ra_1=bearing.journal_roughness, Ra_2=bearing.housing_roughness)
+        kreisle = f.kreisle_film(
+            k_R=inputs.roughness_ratio, Ra_1=bearing.journal_roughness, Ra_2=bearing.housing_roughness
+        )
         trumpler = f.trumpler_film(d=d)
         outlet = f.outlet_temperature(T_in=inputs.supply_temperature, Delta_T=hot.temperature_rise)
         shear = f.shear_rate(u=u, h_0=hot.film)
@@ -222,20 +276,61 @@ def _bearing(
         thinnest = _thinnest(seat, duty, swept)
     routes = {name: route_result(side.films.get(name)) for name in ROUTES}
     return BearingResult(
-        film=hot.film, film_edge=edge, film_double_load=doubled.film if doubled else None, speed_of_thinnest_film=swept.thinnest_speed,
-        thinnest_film=None if thinnest is None else thinnest.film, eccentricity=hot.eccentricity, film_band=band,
-        film_share_largest_load=most, film_share_least_friction=least_friction, attitude_angle=hot.attitude or 0.0,
-        sommerfeld=hot.sommerfeld, friction_coefficient=hot.friction_coefficient, friction_power=hot.friction_power, oil_flow=hot.oil_flow,
-        side_flow=hot.side_flow, supply_flow=hot.supply_flow if hot.side_flow is not None else None, feed_blocked_arc=blocked,
-        temperature_rise=hot.temperature_rise, outlet_temperature=outlet, film_pressure_max=hot.largest_pressure or 0.0,
-        clearance=seat.clearance, clearance_hot=hot.clearance, clearance_cold=cold, relative_clearance=hot.relative_clearance, load=load,
-        specific_load=p, pressure_velocity=pv, heat_index=W, surface_speed=u, shear_rate=shear, length_ratio=ratio, transition_speed=n_T,
-        least_speed=least, least_speed_uncapped=uncapped, mckee_number=mckee, duty_number=number, kreisle_film=kreisle,
-        trumpler_film=trumpler, routes_spread=side.spread, reynolds=routes["reynolds"], raimondi_boyd=routes["raimondi_boyd"],
-        raimondi_boyd_own_flow=routes["raimondi_boyd_own_flow"], iso7902=routes["iso7902"], falz=routes["falz"],
+        film=hot.film,
+        film_edge=edge,
+        film_double_load=doubled.film if doubled else None,
+        speed_of_thinnest_film=swept.thinnest_speed,
+        thinnest_film=None if thinnest is None else thinnest.film,
+        eccentricity=hot.eccentricity,
+        film_band=band,
+        film_share_largest_load=most,
+        film_share_least_friction=least_friction,
+        attitude_angle=hot.attitude or 0.0,
+        sommerfeld=hot.sommerfeld,
+        friction_coefficient=hot.friction_coefficient,
+        friction_power=hot.friction_power,
+        oil_flow=hot.oil_flow,
+        side_flow=hot.side_flow,
+        supply_flow=hot.supply_flow if hot.side_flow is not None else None,
+        feed_blocked_arc=blocked,
+        temperature_rise=hot.temperature_rise,
+        outlet_temperature=outlet,
+        film_pressure_max=hot.largest_pressure or 0.0,
+        clearance=seat.clearance,
+        clearance_hot=hot.clearance,
+        clearance_cold=cold,
+        relative_clearance=hot.relative_clearance,
+        load=load,
+        specific_load=p,
+        pressure_velocity=pv,
+        heat_index=W,
+        surface_speed=u,
+        shear_rate=shear,
+        length_ratio=ratio,
+        transition_speed=n_T,
+        least_speed=least,
+        least_speed_uncapped=uncapped,
+        mckee_number=mckee,
+        duty_number=number,
+        kreisle_film=kreisle,
+        trumpler_film=trumpler,
+        routes_spread=side.spread,
+        reynolds=routes["reynolds"],
+        raimondi_boyd=routes["raimondi_boyd"],
+        raimondi_boyd_own_flow=routes["raimondi_boyd_own_flow"],
+        iso7902=routes["iso7902"],
+        falz=routes["falz"],
         short_bearing=routes["short_bearing"],
-        corners=at_worst, dynamics=moving, hot=hot, seat=seat, duty=duty, sweep=swept, side=side,
-        beside=beside, thinned=one(many(thinned.film)[0]))  # fmt: skip
+        corners=at_worst,
+        dynamics=moving,
+        hot=hot,
+        seat=seat,
+        duty=duty,
+        sweep=swept,
+        side=side,
+        beside=beside,
+        thinned=one(many(thinned.film)[0]),
+    )
 
 
 def _thinnest(seat: BearingCase, duty: OperatingPoint, swept: Sweep) -> Film | None:
@@ -243,17 +338,24 @@ def _thinnest(seat: BearingCase, duty: OperatingPoint, swept: Sweep) -> Film | N
     if swept.thinnest is None:
         return None
     n, T_in, p_s, rise = (
-        item(element(gathered(row), swept.thinnest)) for row in (swept.speeds, swept.temperatures, swept.pressures, swept.rises)
+        item(element(gathered(row), swept.thinnest))
+        for row in (swept.speeds, swept.temperatures, swept.pressures, swept.rises)
     )
     load = f.load_at_speed(F=duty.load, n=n, n_0=duty.speed) if seat.inputs.load_speed_ratio == TURNING else duty.load
     slower = replace(
-        duty, load=load, speed=n, effective_speed=based_on(duty.effective_speed * (n / duty.speed), duty.effective_speed, n, duty.speed),
-        supply_temperature=T_in, supply_pressure=p_s)  # fmt: skip
+        duty,
+        load=load,
+        speed=n,
+        effective_speed=based_on(duty.effective_speed * (n / duty.speed), duty.effective_speed, n, duty.speed),
+        supply_temperature=T_in,
+        supply_pressure=p_s,
+    )
     return closed(own_warm, seat, slower, rise)
 
 
 def _at_known_rise(seat: BearingCase, duty: OperatingPoint, known: Film) -> Film | None:
-    """The one film that is known, by lines of the calculation; None where no film carries the load: the check on it fails."""
+    """The one film that is known, by lines of the calculation; None where no film carries the load: the check on it
+    fails."""
     rise = one(many(known.temperature_rise)[0])
     return closed(own_warm, seat, duty, rise) if np.isfinite(rise) else None
 

@@ -43,9 +43,18 @@ class Sweep:
             return EMPTY
         low, high = (Amount(n * 60, form=".0f") for n in (min(missing), max(missing)))
         several = len(missing) > 1
-        span = Text("from {missing} to {missing2} rpm", missing=low, missing2=high) if several else Text("at {missing} rpm", missing=low)
-        return Text("At {count} of the speeds, {span}, no film of the {place} bearing is found: the thinnest is that of the others.",
-            count=len(missing), span=span, place=IN_WORDS[place])  # fmt: skip
+        span = (
+            Text("from {missing} to {missing2} rpm", missing=low, missing2=high)
+            if several
+            else Text("at {missing} rpm", missing=low)
+        )
+        return Text(
+            "At {count} of the speeds, {span}, no film of the {place} bearing is found: the thinnest is that of the "
+            "others.",
+            count=len(missing),
+            span=span,
+            place=IN_WORDS[place],
+        )
 
     def why(self, place: str) -> Text:
         """Why the thinnest film is not that of the highest speed; empty where it is."""
@@ -61,10 +70,14 @@ class Sweep:
         unloaded = Text(" (above the rated speed: run without load, it does not govern)") if above else ""
         return Text(
             "The {place} bearing's film is thinnest at {thinnest_speed} rpm, {thinnest_film} µm with oil of "
-            "{temperatures} °C, and not at {fastest}{unloaded}.", place=IN_WORDS[place],
+            "{temperatures} °C, and not at {fastest}{unloaded}.",
+            place=IN_WORDS[place],
             thinnest_speed=Amount(self.thinnest_speed * 60, form=".0f"),
-            thinnest_film=Amount(self.thinnest_film * 1e6, form=".2f"), temperatures=Amount(self.temperatures[here], form=".1f"),
-            fastest=fastest, unloaded=unloaded)  # fmt: skip
+            thinnest_film=Amount(self.thinnest_film * 1e6, form=".2f"),
+            temperatures=Amount(self.temperatures[here], form=".1f"),
+            fastest=fastest,
+            unloaded=unloaded,
+        )
 
 
 def sweep_points(
@@ -72,27 +85,31 @@ def sweep_points(
 ) -> tuple[BearingCase, OperatingPoint]:
     """Each row of the bench run and between them, or a range of speed with the design's oil supply.
 
-    A load that turns with the journal grows with the square of the speed, any other stays; the clearance is made once and warm at each
-    speed's temperature.
-    """
+    A load that turns with the journal grows with the square of the speed, any other stays; the clearance is made once
+    and warm at each speed's temperature."""
     speeds, temperatures, pressures = _rows(rated, bench, duty, seat.inputs)
     return seat, at_speeds(seat, rated, duty, speeds, temperatures, pressures)
 
 
 def at_speeds(
     seat: BearingCase, rated: float, duty: OperatingPoint, speeds: Array, temperatures: Array, pressures: Array
-) -> OperatingPoint:  # fmt: skip
+) -> OperatingPoint:
     """The same bearing at other speeds with the oil that is supplied there."""
     ratio = speeds / rated
     turns = seat.inputs.load_speed_ratio == TURNING
     return replace(
-        duty, load=each(duty.load * ratio**2) if turns else duty.load, speed=each(speeds),
-        effective_speed=each(duty.effective_speed * ratio), supply_temperature=each(temperatures), supply_pressure=each(pressures),
-    )  # fmt: skip
+        duty,
+        load=each(duty.load * ratio**2) if turns else duty.load,
+        speed=each(speeds),
+        effective_speed=each(duty.effective_speed * ratio),
+        supply_temperature=each(temperatures),
+        supply_pressure=each(pressures),
+    )
 
 
 def sweep(rated: float, inputs: BearingsInputs, bench: bool, at: OperatingPoint, film: Film) -> Sweep:
-    """`at`, `film`: the points.  Bench rows above the rated speed are run without load: they are shown, and do not govern."""
+    """`at`, `film`: the points.  Bench rows above the rated speed are run without load: they are shown, and do not
+    govern."""
     speeds, temperatures, pressures = many(at.speed), many(at.supply_temperature), many(at.supply_pressure)
     h_0, rises, power = many(film.film), many(film.temperature_rise), many(film.friction_power)
     governing = np.where(speeds <= (rated if inputs.speed_range is None else np.inf) * (1 + 1e-9), h_0, np.nan)
@@ -100,14 +117,28 @@ def sweep(rated: float, inputs: BearingsInputs, bench: bool, at: OperatingPoint,
     least = np.nanargmin(governing) if any_film else 0
     at_thinnest = based_on(item(element(speeds, least)), element(speeds, least), inputs.load_speed_ratio)
     return Sweep(
-        elements(speeds), elements(temperatures), elements(pressures), elements(rises), elements(h_0), elements(power),
-        one(least) if any_film else None, at_thinnest if any_film else None, one(element(governing, least)) if any_film else None, rated,
-        inputs.speed_range is None and bench)  # fmt: skip
+        elements(speeds),
+        elements(temperatures),
+        elements(pressures),
+        elements(rises),
+        elements(h_0),
+        elements(power),
+        one(least) if any_film else None,
+        at_thinnest if any_film else None,
+        one(element(governing, least)) if any_film else None,
+        rated,
+        inputs.speed_range is None and bench,
+    )
 
 
-def _rows(rated: float, bench: tuple[BenchPoint, ...], duty: OperatingPoint, inputs: BearingsInputs) -> tuple[Array, Array, Array]:
+def _rows(
+    rated: float, bench: tuple[BenchPoint, ...], duty: OperatingPoint, inputs: BearingsInputs
+) -> tuple[Array, Array, Array]:
     """Speeds in order, with the temperature and pressure of the oil supplied: three arrays of shape (n,)."""
-    of_rows = tuple(map(gathered, zip(*sorted((row.speed, row.oil_temperature, row.oil_pressure) for row in bench)))) or (np.zeros(0),) * 3
+    of_rows = (
+        tuple(map(gathered, zip(*sorted((row.speed, row.oil_temperature, row.oil_pressure) for row in bench))))
+        or (np.zeros(0),) * 3
+    )
     rows = np.stack(of_rows, 1)
     with_bench, under_load = inputs.speed_range is None and len(rows) > 0, rows[:, 0] <= rated * (1 + 1e-9)
     if with_bench and under_load.any():
@@ -123,12 +154,15 @@ def _rows(rated: float, bench: tuple[BenchPoint, ...], duty: OperatingPoint, inp
     speeds = based_on(np.linspace(low, high, STEPS_WITHOUT_BENCH), low, high)
     T_in, p_s = duty.supply_temperature, duty.supply_pressure
     own: list[Array] = [speeds, based_on(np.full(speeds.shape, T_in), T_in), based_on(np.full(speeds.shape, p_s), p_s)]
-    speeds, temperatures, pressures = (gathered([*alone, *row]) for alone, row in zip(own, of_rows)) if with_bench else own
+    speeds, temperatures, pressures = (
+        (gathered([*alone, *row]) for alone, row in zip(own, of_rows)) if with_bench else own
+    )
     return speeds, temperatures, pressures
 
 
 def _between(place: Array, numbers: Array) -> Array:
-    """Numbers of a row at whole and broken places, linear between, each with the links of those on either side of it."""
+    """Numbers of a row at whole and broken places, linear between, each with the links of those on either side of
+    it."""
     if has_lanes(numbers):
         return np.interp(place, np.arange(len(numbers)), numbers)
     parts = getattr(numbers, "parts", ())

@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Journal and seat as a pair: what the journal may run on, what such bearings usually carry, and what runs already.
 
-Handbook values give advice and never fail a design; the limits of a bearing stand in `checks`.  Read without numpy, so that a design's
-words can be checked before anything is solved.
-"""
+Handbook values give advice and never fail a design; the limits of a bearing stand in `checks`.  Read without numpy, so
+that a design's words can be checked before anything is solved."""
 
 from collections.abc import Iterable, Iterator, Mapping
 from typing import NamedTuple
@@ -31,7 +30,9 @@ from ..sheet.value import untraced
 from .inputs import IN_TITLES, IN_WORDS
 from .materials import SCALE, Application, BearingMaterial, bearing_materials, running_bearings
 
-# What the pairing of journal and seat is judged by: p·v, the share of what is allowed, the turns of the load, the duty of a full film.
+# What the pairing of journal and seat is judged by: p·v, the share of what is allowed, the turns of the load, the duty
+# of a full film.
+
 
 @formula("p·u", "definition of p·v: specific load times surface speed", unit="MPa·m/s")
 def load_times_speed(p: Pascal, u: MetrePerSecond) -> PascalMetrePerSecond:
@@ -53,17 +54,22 @@ def load_times_speed_share(pu: PascalMetrePerSecond, pv_zul: PascalMetrePerSecon
     return pu / pv_zul
 
 
-@formula("N_L", "kinematics: a load that turns with the shaft passes every point of the seat once a turn", names={"L": "L_h"})
+@formula(
+    "N_L", "kinematics: a load that turns with the shaft passes every point of the seat once a turn", names={"L": "L_h"}
+)
 def load_cycles(n: RevPerSecond, L: Second) -> Number:
     """How often each point of the seat sees the largest film pressure in a life."""
     return n * L
 
 
 @formula(
-    "μ·n/p", "Chirone & Vullo 1979, after Finotti 2013, Fig. 5.16: duty of a full film; a pure number with n in revolutions per second"
+    "μ·n/p",
+    "Chirone & Vullo 1979, after Finotti 2013, Fig. 5.16: duty of a full film; a pure number with n in revolutions "
+    "per second",
 )
 def film_duty(mu: PascalSecond, n_h: RevPerSecond, p: Pascal) -> Number:
-    """Not the source's 1.7·10⁻⁶, which it quotes for McKee's limit by a wrong conversion; 30 cP·rpm/psi are 7.25·10⁻⁸."""
+    """Not the source's 1.7·10⁻⁶, which it quotes for McKee's limit by a wrong conversion; 30 cP·rpm/psi are
+    7.25·10⁻⁸."""
     return mu * n_h / p
 
 
@@ -89,53 +95,108 @@ class Running(NamedTuple):
     temperature: Celsius
 
 
-# --- with or without a bush ---------------------------------------------------------------------------------------------
+# --- with or without a bush
+# ---------------------------------------------------------------------------------------------
 def checks(
-    place: str, material: BearingMaterial, p: Pascal, pv: PascalMetrePerSecond, T_hot: Celsius, hardness: Number | None = None
+    place: str,
+    material: BearingMaterial,
+    p: Pascal,
+    pv: PascalMetrePerSecond,
+    T_hot: Celsius,
+    hardness: Number | None = None,
 ) -> Iterator[Check]:
-    """Advice by the material's own row, where it has the number; p and p·u on the projected area, the journal's hardness in HB."""
+    """Advice by the material's own row, where it has the number; p and p·u on the projected area, the journal's
+    hardness in HB."""
     at, of = f"bearings.{place}.material", {"material": material.name, "place": IN_WORDS[place]}
     other, source = Text("another bearing material"), Text(material.source)
     rows = (
-        ("load", Text("Specific load allowed for {material}, {place}", **of), p, "<=", material.specific_load, "MPa",
-         Text("Lengthen the bearing, take a larger journal or {other}.", other=other)),
-        ("pv", Text("p·v allowed for {material}, {place}", **of), pv, "<=", material.pv, "MPa·m/s",
-         Text("Lengthen the bearing or take {other}. p·v stands for the heat of a poor film; with a full film the heat balance decides.",
-            other=other)),
-        ("temperature", Text("Temperature allowed for {material}, {place}", **of), T_hot, "<=", material.temperature, "°C",
-         Text("Cooler or more oil, or {other}.", other=other)),
-        ("hardness", Text("Hardness of the journal (HB) on {material}, {place}", **of), hardness, ">=", material.journal_hardness, "",
-         Text("Harden the journal.")),
-    )  # fmt: skip
+        (
+            "load",
+            Text("Specific load allowed for {material}, {place}", **of),
+            p,
+            "<=",
+            material.specific_load,
+            "MPa",
+            Text("Lengthen the bearing, take a larger journal or {other}.", other=other),
+        ),
+        (
+            "pv",
+            Text("p·v allowed for {material}, {place}", **of),
+            pv,
+            "<=",
+            material.pv,
+            "MPa·m/s",
+            Text(
+                "Lengthen the bearing or take {other}. p·v stands for the heat of a poor film; with a full film the "
+                "heat balance decides.",
+                other=other,
+            ),
+        ),
+        (
+            "temperature",
+            Text("Temperature allowed for {material}, {place}", **of),
+            T_hot,
+            "<=",
+            material.temperature,
+            "°C",
+            Text("Cooler or more oil, or {other}.", other=other),
+        ),
+        (
+            "hardness",
+            Text("Hardness of the journal (HB) on {material}, {place}", **of),
+            hardness,
+            ">=",
+            material.journal_hardness,
+            "",
+            Text("Harden the journal."),
+        ),
+    )
     for key, title, value, sense, limit, unit, advice in rows:
         if value is not None and limit is not None:
             yield check(f"{at}_{key}", title, value, sense, limit, unit, source, advice)
-    yield check(f"{at}_emergency_running", Text("Emergency running (1 poor to 4 excellent) of {material}, {place}", **of),
-        SCALE.index(material.emergency_running) + 1.0, ">=", SCALE.index(LEAST_WORD) + 1.0, "",
-        Text("{emergency_basis}; the scale and its limit: rule of this program", emergency_basis=material.emergency_basis),
-        _emergency_advice(material))  # fmt: skip
+    yield check(
+        f"{at}_emergency_running",
+        Text("Emergency running (1 poor to 4 excellent) of {material}, {place}", **of),
+        SCALE.index(material.emergency_running) + 1.0,
+        ">=",
+        SCALE.index(LEAST_WORD) + 1.0,
+        "",
+        Text(
+            "{emergency_basis}; the scale and its limit: rule of this program", emergency_basis=material.emergency_basis
+        ),
+        _emergency_advice(material),
+    )
 
 
 def _emergency_advice(material: BearingMaterial) -> Text:
     if material.form != "bare":
         return Text("A softer running surface, or an overlay; else filtered oil at every start.")
     return Text(
-        "Without a bush nothing forgives a broken film: a hardened, finely ground journal and clean oil at every start, or a lined shell "
+        "Without a bush nothing forgives a broken film: a hardened, finely ground journal and clean oil at every "
+        "start, or a lined shell "
         "(see the table with or without a bush)."
     )
 
 
 def fatigue_note(place: str, material: BearingMaterial, p_max: Pascal, n: RevPerSecond, life: Second | None) -> Text:
-    """How often the load that comes round at `n` presses on the seat, how hard, and what is known of the material's fatigue."""
+    """How often the load that comes round at `n` presses on the seat, how hard, and what is known of the material's
+    fatigue."""
 
     often = Text("{n} times an hour", n=Amount(n * 3600.0, digits=3))
     if life is not None:
         cycles = load_cycles(n=n, L=life)
-        often = Text("{cycles} times in {units} h", cycles=Amount(cycles, digits=3), units=Amount(UNITS["h"].shown(life)))
+        often = Text(
+            "{cycles} times in {units} h", cycles=Amount(cycles, digits=3), units=Amount(UNITS["h"].shown(life))
+        )
     return Text(
         "{place} bearing: the load passes every point of the seat ({title}), which sees the largest film "
-        "pressure, {units} MPa, once a round: {often}. Fatigue: {fatigue}.", place=IN_TITLES[place], title=material.title,
-        units=Amount(UNITS["MPa"].shown(p_max), digits=3), often=often, fatigue=material.fatigue)  # fmt: skip
+        "pressure, {units} MPa, once a round: {often}. Fatigue: {fatigue}.",
+        place=IN_TITLES[place],
+        title=material.title,
+        units=Amount(UNITS["MPa"].shown(p_max), digits=3),
+        often=often,
+        fatigue=material.fatigue,
+    )
 
 
 def table(bearings: Mapping[str, Running], chosen: str) -> Table:
@@ -148,23 +209,46 @@ def table(bearings: Mapping[str, Running], chosen: str) -> Table:
     rows: list[tuple[str | float | None, ...]] = []
     with untraced():
         for m in bearing_materials().values():
-            load = None if m.specific_load is None else max(load_share(p=b.p, p_zul=m.specific_load) for b in bearings.values())
+            load = (
+                None
+                if m.specific_load is None
+                else max(load_share(p=b.p, p_zul=m.specific_load) for b in bearings.values())
+            )
             pv = None if m.pv is None else max(load_times_speed_share(pu=b.pv, pv_zul=m.pv) for b in bearings.values())
             reserve = None if m.temperature is None else m.temperature - hottest
-            rows.append((
-                Text("{name}, chosen", name=m.name) if m.name == chosen else m.name, m.title, _shown(m.specific_load, "MPa"),
-                _shown(load, "%"), _shown(m.pv, "MPa·m/s"), _shown(pv, "%"), m.temperature, reserve, m.journal_hardness,
-                Text(m.emergency_running),
-            ))  # fmt: skip
+            rows.append(
+                (
+                    Text("{name}, chosen", name=m.name) if m.name == chosen else m.name,
+                    m.title,
+                    _shown(m.specific_load, "MPa"),
+                    _shown(load, "%"),
+                    _shown(m.pv, "MPa·m/s"),
+                    _shown(pv, "%"),
+                    m.temperature,
+                    reserve,
+                    m.journal_hardness,
+                    Text(m.emergency_running),
+                )
+            )
     columns = (
-        (Text("material"), ""), (Text("what it is"), ""), (Text("p allowed"), "MPa"), (Text("p used"), "%"),
-        (Text("p·v allowed"), "MPa·m/s"), (Text("p·v used"), "%"), (Text("up to"), "°C"), (Text("in reserve"), "K"),
-        (Text("journal, HB"), ""), (Text("emergency running"), ""),
-    )  # fmt: skip
+        (Text("material"), ""),
+        (Text("what it is"), ""),
+        (Text("p allowed"), "MPa"),
+        (Text("p used"), "%"),
+        (Text("p·v allowed"), "MPa·m/s"),
+        (Text("p·v used"), "%"),
+        (Text("up to"), "°C"),
+        (Text("in reserve"), "K"),
+        (Text("journal, HB"), ""),
+        (Text("emergency running"), ""),
+    )
     note = Text(
-        "Used: by the harder of the bearings. Handbook values at the lower end of their range; empty where no source was found. The "
-        "load allowed for the bare casting is the source's limit for its journals, not a value of the alloy. A bush buys a surface that "
-        "forgives a broken film and yields to dirt and edges. It adds no film; and a thin shell, while it is held tight, follows the "
+        "Used: by the harder of the bearings. Handbook values at the lower end of their range; empty where no source "
+        "was found. The "
+        "load allowed for the bare casting is the source's limit for its journals, not a value of the alloy. A bush "
+        "buys a surface that "
+        "forgives a broken film and yields to dirt and edges. It adds no film; and a thin shell, while it is held "
+        "tight, follows the "
         "housing, so that the warm clearance stays."
     )
     return Table("bushes", Text("With or without a bush"), columns, tuple(rows), note)
@@ -174,7 +258,8 @@ def _shown(inside: float | None, unit: str) -> float | None:
     return None if inside is None else UNITS[unit].shown(inside)
 
 
-# --- what runs already --------------------------------------------------------------------------------------------------
+# --- what runs already
+# --------------------------------------------------------------------------------------------------
 def reference_table(own: Iterable[Journal]) -> Table:
     """This design's journals beside those by which the source argues that steel may run in bare aluminium.
 
@@ -190,45 +275,103 @@ def reference_table(own: Iterable[Journal]) -> Table:
         ):
             p, u = f.specific_load(F=F, d=d, l=l), f.surface_speed(d=d, n=n)
             cells = (
-                (d, "mm"), (l, "mm"), (n, "rpm"), (F, "N"), (p, "MPa"), (f.heat_index(F=F, n=n, l=l), "N·rpm/mm"), (u, "m/s"),
+                (d, "mm"),
+                (l, "mm"),
+                (n, "rpm"),
+                (F, "N"),
+                (p, "MPa"),
+                (f.heat_index(F=F, n=n, l=l), "N·rpm/mm"),
+                (u, "m/s"),
                 (load_times_speed(p=p, u=u), "MPa·m/s"),
-            )  # fmt: skip
+            )
             rows.append((name, status, *(UNITS[unit].shown(float(x)) for x, unit in cells)))
     columns = (
-        (Text("journal"), ""), (Text("status"), ""), (Text("d"), "mm"), (Text("l"), "mm"), (Text("n"), "rpm"), (Text("F"), "N"),
-        (Text("p"), "MPa"), (Text("W"), "N·rpm/mm"), (Text("u"), "m/s"), (Text("p·u"), "MPa·m/s"),
-    )  # fmt: skip
+        (Text("journal"), ""),
+        (Text("status"), ""),
+        (Text("d"), "mm"),
+        (Text("l"), "mm"),
+        (Text("n"), "rpm"),
+        (Text("F"), "N"),
+        (Text("p"), "MPa"),
+        (Text("W"), "N·rpm/mm"),
+        (Text("u"), "m/s"),
+        (Text("p·u"), "MPa·m/s"),
+    )
     note = Text(
-        "The source argues that steel may run in bare aluminium here, since it does in the R754IE4. What the table shows: a like size of "
-        "load, p and W. What it does not: film, roughness and warm clearance, which are not in p and W. The centre journal of the R754IE4 "
-        "goes beyond the very limits it is quoted for (5 MPa and 500 000 N·rpm/mm): either they are no limits, or its load, here by the "
+        "The source argues that steel may run in bare aluminium here, since it does in the R754IE4. What the table "
+        "shows: a like size of "
+        "load, p and W. What it does not: film, roughness and warm clearance, which are not in p and W. The centre "
+        "journal of the R754IE4 "
+        "goes beyond the very limits it is quoted for (5 MPa and 500 000 N·rpm/mm): either they are no limits, or its "
+        "load, here by the "
         "three-moment equation on rigid supports in line, is not the true one."
     )
     return Table("running_bearings", Text("Journals in bare aluminium, and this design's"), columns, tuple(rows), note)
 
 
-# --- what is usual ------------------------------------------------------------------------------------------------------
+# --- what is usual
+# ------------------------------------------------------------------------------------------------------
 def application_checks(
-    place: str, row: Application, p: Pascal, pv: PascalMetrePerSecond, mu: PascalSecond, mu_n_over_p: Number, psi: Number, l_over_d: Number
+    place: str,
+    row: Application,
+    p: Pascal,
+    pv: PascalMetrePerSecond,
+    mu: PascalSecond,
+    mu_n_over_p: Number,
+    psi: Number,
+    l_over_d: Number,
 ) -> Iterator[Check]:
-    """Advice by what bearings of this application usually carry; nothing where the figure has a dash.  ψ as made, not warm."""
+    """Advice by what bearings of this application usually carry; nothing where the figure has a dash.  ψ as made, not
+    warm."""
     at, where, source = f"bearings.{place}", IN_WORDS[place], Text("{figure} ({row})", figure=FIGURE, row=row.title)
-    yield check(f"{at}.application_load", Text("Specific load of the application, {place}", place=where), p, "<=", row.specific_load_high,
-        "MPa", source, Text("Lengthen the bearing or take a larger journal."))  # fmt: skip
+    yield check(
+        f"{at}.application_load",
+        Text("Specific load of the application, {place}", place=where),
+        p,
+        "<=",
+        row.specific_load_high,
+        "MPa",
+        source,
+        Text("Lengthen the bearing or take a larger journal."),
+    )
     if row.pv is not None:
         title = Text("p·v of the application, {place}", place=where)
         yield check(f"{at}.application_pv", title, pv, "<=", row.pv, "MPa·m/s", source, Text("Lengthen the bearing."))
     if row.duty_low is not None:
         viscosity = Amount(UNITS["mPa·s"].shown(mu), digits=3)
-        yield check(f"{at}.application_duty", Text("µ·n/p of the application, {place}", place=where), mu_n_over_p, ">=", row.duty_low, "",
-            source, Text("A thicker or cooler oil than {units} mPa·s, or a lower specific load.", units=viscosity))  # fmt: skip
+        yield check(
+            f"{at}.application_duty",
+            Text("µ·n/p of the application, {place}", place=where),
+            mu_n_over_p,
+            ">=",
+            row.duty_low,
+            "",
+            source,
+            Text("A thicker or cooler oil than {units} mPa·s, or a lower specific load.", units=viscosity),
+        )
     if row.relative_clearance is not None:
-        yield check(f"{at}.clearance_usual", Text("Relative clearance as made, {place}", place=where), psi, "<=", row.relative_clearance,
-            "‰", source, Text("Less clearance, as long as the cold clearance stays."))  # fmt: skip
+        yield check(
+            f"{at}.clearance_usual",
+            Text("Relative clearance as made, {place}", place=where),
+            psi,
+            "<=",
+            row.relative_clearance,
+            "‰",
+            source,
+            Text("Less clearance, as long as the cold clearance stays."),
+        )
     if row.length_ratio_low is not None and row.length_ratio_high is not None:
         low, high = row.length_ratio_low, row.length_ratio_high
-        yield check(f"{at}.length_ratio_application", Text("Length ratio of the application, {place}", place=where), l_over_d, "in",
-            (low, high), "", source, _length_advice(low, high))  # fmt: skip
+        yield check(
+            f"{at}.length_ratio_application",
+            Text("Length ratio of the application, {place}", place=where),
+            l_over_d,
+            "in",
+            (low, high),
+            "",
+            source,
+            _length_advice(low, high),
+        )
 
 
 def _length_advice(low: float, high: float) -> Text:
@@ -238,5 +381,9 @@ def _length_advice(low: float, high: float) -> Text:
         return Text(
             "This rule ({span}) and the usual {usual_low} to {usual_high} (Finotti 2013, 5.5.2) exclude each other: "
             "one of the two is noted whatever the length. Short bearings suit a slope of the journal and a large oil "
-            "flow, long ones a thick film.", span=span, usual_low=Amount(usual_low), usual_high=Amount(usual_high))  # fmt: skip
+            "flow, long ones a thick film.",
+            span=span,
+            usual_low=Amount(usual_low),
+            usual_high=Amount(usual_high),
+        )
     return Text("A longer bearing on a smaller diameter, or the other way round.")

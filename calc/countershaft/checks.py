@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The checks of the counter-shaft: what it leaves, how it bends, whether it fits.  Those of its making stand with their subjects."""
+"""The checks of the counter-shaft: what it leaves, how it bends, whether it fits.  Those of its making stand with their
+subjects."""
 
 from collections.abc import Iterator
 
@@ -22,8 +23,9 @@ WEAKEST = 235e6  # Pa: proof stress of the weakest structural steel
 Journals = tuple[tuple[Metre, Metre], ...]
 
 
-def checks(shaft: CountershaftInputs, todo: ShaftTask, shaft_result: CountershaftResult, journals: Journals,
-    gear: Gear | None) -> Iterator[Check]:  # fmt: skip
+def checks(
+    shaft: CountershaftInputs, todo: ShaftTask, shaft_result: CountershaftResult, journals: Journals, gear: Gear | None
+) -> Iterator[Check]:
     """All checks of the step but those of its bending and its making."""
     yield from _residuals(shaft, todo, shaft_result)
     yield from _slopes(shaft_result)
@@ -36,18 +38,40 @@ def checks(shaft: CountershaftInputs, todo: ShaftTask, shaft_result: Countershaf
 def _residuals(shaft: CountershaftInputs, todo: ShaftTask, shaft_result: CountershaftResult) -> Iterator[Check]:
     """The couple and the force of the shaft's order that are left over."""
     each = Text("each of both shafts ") if shaft.pair == "yes" else Text("the shaft ")
-    aim_couple = Text("Aim at {couple} N·m at {direction}: the couple of {each}grows with mass, radius and arm.",
-        couple=Amount(todo.couple, form=".1f"), direction=_opposite(todo.C), each=each)  # fmt: skip
-    aim_force = Text("Aim at {f} N at {direction}: the force of {each}grows with mass and radius.", f=Amount(abs(todo.F), form=".0f"),
-        direction=_opposite(todo.F), each=each)  # fmt: skip
+    aim_couple = Text(
+        "Aim at {couple} N·m at {direction}: the couple of {each}grows with mass, radius and arm.",
+        couple=Amount(todo.couple, form=".1f"),
+        direction=_opposite(todo.C),
+        each=each,
+    )
+    aim_force = Text(
+        "Aim at {f} N at {direction}: the force of {each}grows with mass and radius.",
+        f=Amount(abs(todo.F), form=".0f"),
+        direction=_opposite(todo.F),
+        each=each,
+    )
     alike = Text("Balance the masses against each other (mass times radius), so that only a couple remains.")
     force = todo.force_may_be_left
     for key, word, limit, before, unit, source, advice in (
-        ("residual", Text("couple"), todo.may_leave, abs(todo.C) + abs(todo.C_against), "N·m",
-            Text("rule of this program: 5 % of the couple to be balanced, or of m·r·ω²·a where there is none"), aim_couple),
-        ("residual_force", Text("force"), force, abs(todo.F) + abs(todo.F_against), "N",
-            Text("rule of this program: 5 % of m·r·ω² of one cylinder"), aim_force if abs(todo.F) > force else alike),
-    ):  # fmt: skip
+        (
+            "residual",
+            Text("couple"),
+            todo.may_leave,
+            abs(todo.C) + abs(todo.C_against),
+            "N·m",
+            Text("rule of this program: 5 % of the couple to be balanced, or of m·r·ω²·a where there is none"),
+            aim_couple,
+        ),
+        (
+            "residual_force",
+            Text("force"),
+            force,
+            abs(todo.F) + abs(todo.F_against),
+            "N",
+            Text("rule of this program: 5 % of m·r·ω² of one cylinder"),
+            aim_force if abs(todo.F) > force else alike,
+        ),
+    ):
         left = getattr(shaft_result, f"residual_order_{todo.order}_{word}") or 0.0
         if shaft.pair != "yes" and str(word) in todo.out_of_reach:
             against = abs(todo.C_against if key == "residual" else todo.F_against)
@@ -55,16 +79,33 @@ def _residuals(shaft: CountershaftInputs, todo: ShaftTask, shaft_result: Counter
             advice = advice + SPACE + beyond if left - against > limit else beyond
         # shafts at twice crank speed are for comfort and often take a part only; they fail where they make it worse
         kind = "limit" if todo.order == 1 or left > max(before, limit) else "advice"
-        yield check(f"countershaft.{key}", Text("{words}-order {word} left over", words=WORDS[todo.order], word=word), left, "<=", limit,
-            unit, source, advice, kind=kind, value_id=f"countershaft.residual_order_{todo.order}_{word}")  # fmt: skip
+        yield check(
+            f"countershaft.{key}",
+            Text("{words}-order {word} left over", words=WORDS[todo.order], word=word),
+            left,
+            "<=",
+            limit,
+            unit,
+            source,
+            advice,
+            kind=kind,
+            value_id=f"countershaft.residual_order_{todo.order}_{word}",
+        )
 
 
 def _beyond(shaft: CountershaftInputs, against: Amount) -> Text:
     """What takes the part that turns against the shaft."""
     if shaft.speed_ratio == -1:
-        return Text("{against} turn against the shaft, and no mass on it takes them: that is for the counterweights of the crank "
-            "(see the imbalance).", against=against)  # fmt: skip
-    return Text("{against} turn against the shaft, and no mass on it takes them: a mirrored second shaft does (pair).", against=against)
+        return Text(
+            "{against} turn against the shaft, and no mass on it takes them: that is for the counterweights of the "
+            "crank "
+            "(see the imbalance).",
+            against=against,
+        )
+    return Text(
+        "{against} turn against the shaft, and no mass on it takes them: a mirrored second shaft does (pair).",
+        against=against,
+    )
 
 
 def _opposite(engine: complex) -> Amount:
@@ -75,36 +116,68 @@ def _opposite(engine: complex) -> Amount:
 def _slopes(shaft_result: CountershaftResult) -> Iterator[Check]:
     for place, slope in (("front", shaft_result.slope_front), ("rear", shaft_result.slope_rear)):
         if slope is not None:
-            yield check(f"countershaft.slope_{place}", Text("Slope of the {place} journal", place=Text(place)), slope, "<=", SLOPE, "mrad",
+            yield check(
+                f"countershaft.slope_{place}",
+                Text("Slope of the {place} journal", place=Text(place)),
+                slope,
+                "<=",
+                SLOPE,
+                "mrad",
                 Text("Finotti 2013, 4.6 (in chapter 6): target of the engine's maker"),
-                Text("A stiffer shaft between its bearings: a larger core, or a shorter span."))  # fmt: skip
+                Text("A stiffer shaft between its bearings: a larger core, or a shorter span."),
+            )
 
 
-def _envelope(shaft: CountershaftInputs, shaft_result: CountershaftResult, journals: Journals, gear: Gear | None) -> Iterator[Check]:
-    """Whether sectors and gear can be threaded in, and the sectors end before the journals begin; also where they can not be drawn."""
+def _envelope(
+    shaft: CountershaftInputs, shaft_result: CountershaftResult, journals: Journals, gear: Gear | None
+) -> Iterator[Check]:
+    """Whether sectors and gear can be threaded in, and the sectors end before the journals begin; also where they can
+    not be drawn."""
     seats, outline = shaft.bearing_positions, shaft_result.outline
     parts = [p for p in outline.pieces if p.what in ("sector", "full")] if outline is not None else []
-    radii = [p.outer_radius for p in parts if not any(p.start < z < p.end for z in seats)]  # those at a bearing are journals
+    radii = [
+        p.outer_radius for p in parts if not any(p.start < z < p.end for z in seats)
+    ]  # those at a bearing are journals
     R = max(radii, default=shaft.outer_radius)
     clearance = shaft.radial_clearance if shaft.radial_clearance is not None else 0.0 if shaft.mode == "size" else None
     if clearance is not None and R is not None:
         room = max(d for d, _ in journals) / 2 - R
         smaller = by_key(CountershaftInputs, "countershaft.outer_radius_mm", down(R + room - clearance), bound="<=")
-        yield check("countershaft.envelope", Text("Room around the sectors in the largest seat"), round(room, 9), ">=", clearance, "mm",
+        yield check(
+            "countershaft.envelope",
+            Text("Room around the sectors in the largest seat"),
+            round(room, 9),
+            ">=",
+            clearance,
+            "mm",
             Text("Finotti 2013, 4.1: the shaft is threaded in through its seat"),
             Text("A smaller outer radius takes longer or wider sectors; a larger journal helps as well."),
-            remedies=smaller if R == shaft.outer_radius else None)  # fmt: skip
+            remedies=smaller if R == shaft.outer_radius else None,
+        )
     if clearance is not None and gear is not None:
-        yield check("countershaft.gear_seat", Text("Room around the gear's tip in the front seat"),
-            round((journals[0][0] - gear.tip_diameter) / 2, 9), ">", 0.0, "mm",
+        yield check(
+            "countershaft.gear_seat",
+            Text("Room around the gear's tip in the front seat"),
+            round((journals[0][0] - gear.tip_diameter) / 2, 9),
+            ">",
+            0.0,
+            "mm",
             Text("Finotti 2013, 4.1: the gear goes through the front seat with the shaft"),
-            Text("A larger front journal, fewer teeth or a smaller module."))  # fmt: skip
+            Text("A larger front journal, fewer teeth or a smaller module."),
+        )
     if shaft.mode == "size" and shaft.half_length is not None:
         face = min(abs(z) - l / 2 for z, (_, l) in zip(seats, journals))
-        yield check("countershaft.envelope_length", Text("Room between the sectors and the nearest journal"),
-            round(face - shaft.half_length, 9), ">=", 0.0, "mm", Text("geometry: the sectors end where the journals begin"),
+        yield check(
+            "countershaft.envelope_length",
+            Text("Room between the sectors and the nearest journal"),
+            round(face - shaft.half_length, 9),
+            ">=",
+            0.0,
+            "mm",
+            Text("geometry: the sectors end where the journals begin"),
             Text("Or set the bearings further apart."),
-            remedies=by_key(CountershaftInputs, "countershaft.half_length_mm", down(face), bound="<="))  # fmt: skip
+            remedies=by_key(CountershaftInputs, "countershaft.half_length_mm", down(face), bound="<="),
+        )
 
 
 def _supports(shaft_result: CountershaftResult) -> Iterator[Check]:
@@ -115,9 +188,16 @@ def _supports(shaft_result: CountershaftResult) -> Iterator[Check]:
             ("heat_index", Text("Heat index"), support.heat_index, HEAT_INDEX, "N·rpm/mm"),
         ):
             if number is not None:
-                yield check(f"countershaft.support.{name}.{what}", Text("{label}, support {name}", label=label, name=name), number, "<=",
-                    limit, unit, Text("Finotti 2013, 3.2.3.1: the most that is accepted, with forced oil and cooling"),
-                    Text("A longer journal, or a larger one."))  # fmt: skip
+                yield check(
+                    f"countershaft.support.{name}.{what}",
+                    Text("{label}, support {name}", label=label, name=name),
+                    number,
+                    "<=",
+                    limit,
+                    unit,
+                    Text("Finotti 2013, 3.2.3.1: the most that is accepted, with forced oil and cooling"),
+                    Text("A longer journal, or a larger one."),
+                )
 
 
 def _outline(todo: ShaftTask, shaft_result: CountershaftResult) -> Iterator[Check]:
@@ -127,44 +207,118 @@ def _outline(todo: ShaftTask, shaft_result: CountershaftResult) -> Iterator[Chec
         return
     source = Text("rule of this program: within 5 %, else masses and sections are not of one shaft")
     advice = Text("Look at radii, half-angles, angles and places of the sections: the bending is that of the outline.")
-    yield check("countershaft.outline", Text("Couple of the given sections, off that of the masses"), couple, "<=",
-        LEFT_OVER * max(shaft_result.couple, todo.may_leave), "N·m", source, advice)  # fmt: skip
-    yield check("countershaft.outline_force", Text("Force of the given sections, off that of the masses"), force, "<=",
-        LEFT_OVER * max(shaft_result.force, todo.one_force), "N", source, advice)  # fmt: skip
+    yield check(
+        "countershaft.outline",
+        Text("Couple of the given sections, off that of the masses"),
+        couple,
+        "<=",
+        LEFT_OVER * max(shaft_result.couple, todo.may_leave),
+        "N·m",
+        source,
+        advice,
+    )
+    yield check(
+        "countershaft.outline_force",
+        Text("Force of the given sections, off that of the masses"),
+        force,
+        "<=",
+        LEFT_OVER * max(shaft_result.force, todo.one_force),
+        "N",
+        source,
+        advice,
+    )
 
 
 def bending_checks(bent: Bending, material: Material) -> Iterator[Check]:
     """Stress and speed of the shaft; the slopes are judged with the journals."""
-    yield check("countershaft.first_critical_speed", Text("First natural frequency of bending, as a speed"), bent.natural_frequency, ">=",
-        RIGID * bent.speed, "rpm",
-            Text("rule of this program: up to two thirds of it the shaft counts as rigid, as its balance tolerance takes it"),
-        Text("A stiffer or lighter shaft: larger core, shorter span."))  # fmt: skip
+    yield check(
+        "countershaft.first_critical_speed",
+        Text("First natural frequency of bending, as a speed"),
+        bent.natural_frequency,
+        ">=",
+        RIGID * bent.speed,
+        "rpm",
+        Text(
+            "rule of this program: up to two thirds of it the shaft counts as rigid, as its balance tolerance takes it"
+        ),
+        Text("A stiffer or lighter shaft: larger core, shorter span."),
+    )
     # the stresses are nominal: of the full sections, whatever their share in the stiffness
     proof, source = material.proof_stress, Text("elasticity, proof stress of {name}", name=material.name)
     advice = Text("A larger core where the moment is largest, or a shorter span.")
     name = Text("Largest bending stress, nominal")
     if proof is not None:
-        yield check("countershaft.bending_stress", name, bent.bending_stress, "<=", proof, "MPa",
-            Text("{source}; the stress stands still in the turning shaft", source=source), advice)  # fmt: skip
+        yield check(
+            "countershaft.bending_stress",
+            name,
+            bent.bending_stress,
+            "<=",
+            proof,
+            "MPa",
+            Text("{source}; the stress stands still in the turning shaft", source=source),
+            advice,
+        )
     elif material.kind == "steel":  # below the weakest any steel bears it, above it depends
-        yield check("countershaft.bending_stress", name, bent.bending_stress, "<=", WEAKEST, "MPa",
-            Text("rule of this program: as the weakest structural steels; the strength of {name} is not known", name=material.name),
-            Text("Give the strength of {name} as a [[material]] of the design.", name=material.name), kind="caution",
-            missing=() if bent.bending_stress <= WEAKEST else ("material.proof_stress_MPa",))  # fmt: skip
+        yield check(
+            "countershaft.bending_stress",
+            name,
+            bent.bending_stress,
+            "<=",
+            WEAKEST,
+            "MPa",
+            Text(
+                "rule of this program: as the weakest structural steels; the strength of {name} is not known",
+                name=material.name,
+            ),
+            Text("Give the strength of {name} as a [[material]] of the design.", name=material.name),
+            kind="caution",
+            missing=() if bent.bending_stress <= WEAKEST else ("material.proof_stress_MPa",),
+        )
     if proof is not None and bent.notch_stress is not None:
-        yield check("countershaft.notch_stress", Text("Bending stress at the fillet of a shoulder"), bent.notch_stress, "<=", proof, "MPa",
+        yield check(
+            "countershaft.notch_stress",
+            Text("Bending stress at the fillet of a shoulder"),
+            bent.notch_stress,
+            "<=",
+            proof,
+            "MPa",
             Text("{source}: above it the fillet yields locally", source=source),
-            Text("A larger fillet. {advice}", advice=advice))  # fmt: skip
+            Text("A larger fillet. {advice}", advice=advice),
+        )
     if bent.fatigue_safety is not None and (bears := fatigue.strength(material)) is not None:
-        yield check("countershaft.fatigue", Text("Safety of the fillet against fatigue"), bent.fatigue_safety, ">=", bears.safety, "",
-            Text("{fkm}: endless life, every run-up a cycle; weight and tooth force, which alternate, are left out", fkm=fatigue.FKM),
-            Text("A larger fillet. {advice}", advice=advice))  # fmt: skip
+        yield check(
+            "countershaft.fatigue",
+            Text("Safety of the fillet against fatigue"),
+            bent.fatigue_safety,
+            ">=",
+            bears.safety,
+            "",
+            Text(
+                "{fkm}: endless life, every run-up a cycle; weight and tooth force, which alternate, are left out",
+                fkm=fatigue.FKM,
+            ),
+            Text("A larger fillet. {advice}", advice=advice),
+        )
     if bent.step_over_fillet is not None:
-        yield check("countershaft.fillet", Text("Height of the governing shoulder over its fillet radius"), bent.step_over_fillet, "in",
-            notch.FIT, "", Text("range of the notch factor ({peterson})", peterson=notch.PETERSON),
-            Text("Outside it the notch stress is an extrapolation."))  # fmt: skip
+        yield check(
+            "countershaft.fillet",
+            Text("Height of the governing shoulder over its fillet radius"),
+            bent.step_over_fillet,
+            "in",
+            notch.FIT,
+            "",
+            Text("range of the notch factor ({peterson})", peterson=notch.PETERSON),
+            Text("Outside it the notch stress is an extrapolation."),
+        )
     if bent.fillet is not None and bent.fillet_room is not None:
-        yield check("countershaft.fillet_room", Text("Fillet radius in the gap between two shoulders"), bent.fillet, "<=",
-            round(bent.fillet_room, 9), "mm", Text("geometry: a fillet takes its radius of the length of the thinner piece"),
+        yield check(
+            "countershaft.fillet_room",
+            Text("Fillet radius in the gap between two shoulders"),
+            bent.fillet,
+            "<=",
+            round(bent.fillet_room, 9),
+            "mm",
+            Text("geometry: a fillet takes its radius of the length of the thinner piece"),
             Text("Or set the shoulders further apart."),
-            remedies=by_key(CountershaftInputs, "countershaft.fillet_radius_mm", down(bent.fillet_room), bound="<="))  # fmt: skip
+            remedies=by_key(CountershaftInputs, "countershaft.fillet_radius_mm", down(bent.fillet_room), bound="<="),
+        )

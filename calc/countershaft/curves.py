@@ -16,8 +16,11 @@ from .task import LEFT_OVER, WORDS, ShaftTask
 STACK = "bending"
 
 
-def curves(todo: ShaftTask, shaft: CountershaftResult, omega: RadPerSecond, positions: tuple[Metre, ...]) -> tuple[Curve, ...]:
-    """All figures of the step but those of its making; `omega` of the crank at rated speed, `positions` of the bearings."""
+def curves(
+    todo: ShaftTask, shaft: CountershaftResult, omega: RadPerSecond, positions: tuple[Metre, ...]
+) -> tuple[Curve, ...]:
+    """All figures of the step but those of its making; `omega` of the crank at rated speed, `positions` of the
+    bearings."""
     parts = (
         (Text("couple"), "N·m", todo.C, todo.C_against, shaft.couple_vector, todo.one_couple, todo.may_leave),
         (Text("force"), "N", todo.F, todo.F_against, shaft.force_vector, todo.one_force, LEFT_OVER * todo.one_force),
@@ -42,23 +45,40 @@ def _over_a_turn(order: int, word: Text, unit: str, like: complex, against: comp
     before, after = (against * other + vector * same for vector in (like, like + supplied))
     title = Text("{words}-order {word} before and after the counter-shaft", words=WORDS[order], word=word)
     series = Series(Text("before"), before.imag, before.real), Series(Text("after"), after.imag, after.real)
-    return Curve("residual" if word == "couple" else "residual_force", title, Text("horizontal, {unit}", unit=unit),
-        Text("vertical, {unit}", unit=unit), series, equal=True, along=(Text("crank angle, °"), degrees / order))  # fmt: skip
+    return Curve(
+        "residual" if word == "couple" else "residual_force",
+        title,
+        Text("horizontal, {unit}", unit=unit),
+        Text("vertical, {unit}", unit=unit),
+        series,
+        equal=True,
+        along=(Text("crank angle, °"), degrees / order),
+    )
 
 
 def _speeds(omega: RadPerSecond) -> tuple[Array, Array]:
-    """Crank speeds up to a tenth above rated [rpm], and the square of their ratio to it, by which all inertia forces grow."""
+    """Crank speeds up to a tenth above rated [rpm], and the square of their ratio to it, by which all inertia forces
+    grow."""
     share = np.linspace(0.0, 1.1, 45)
     return share * omega * 30 / np.pi, share**2
 
 
-def _over_speed(order: int, word: Text, unit: str, before: float, after: float, limit: float, omega: RadPerSecond) -> Curve:
-    """The peak of a turn over the speed range, without the shaft and with it; what may be left is judged at rated speed."""
+def _over_speed(
+    order: int, word: Text, unit: str, before: float, after: float, limit: float, omega: RadPerSecond
+) -> Curve:
+    """The peak of a turn over the speed range, without the shaft and with it; what may be left is judged at rated
+    speed."""
     rpm, square = _speeds(omega)
     title = Text("{words}-order {word} over the speed range, peak of a turn", words=WORDS[order], word=word)
     series = Series(Text("before"), rpm, before * square), Series(Text("after"), rpm, after * square)
-    return Curve(f"residual_{word}_over_speed", title, axis_label("crank speed", "rpm"), Text("{word}, {unit}", word=word, unit=unit),
-        series, limits=((Text("may be left at rated speed"), limit),))  # fmt: skip
+    return Curve(
+        f"residual_{word}_over_speed",
+        title,
+        axis_label("crank speed", "rpm"),
+        Text("{word}, {unit}", word=word, unit=unit),
+        series,
+        limits=((Text("may be left at rated speed"), limit),),
+    )
 
 
 def _reactions(shaft: CountershaftResult, omega: RadPerSecond) -> Curve:
@@ -73,11 +93,16 @@ def _reactions(shaft: CountershaftResult, omega: RadPerSecond) -> Curve:
 
 
 def _loaded(outline: Curve, bent: Bending, positions: tuple[Metre, ...]) -> Curve:
-    """The shaft with the resultants of its centrifugal load and what its bearings hold against them, in the plane of its couple."""
+    """The shaft with the resultants of its centrifugal load and what its bearings hold against them, in the plane of
+    its couple."""
     held = zip(positions, (bent.reactions * np.exp(-1j * bent.plane)).real.tolist())
-    loads = [DrawnLoad(Text("load"), z * 1e3, F) for z, F in bent.loads] + [DrawnLoad(Text("bearing"), z * 1e3, F, held=True) for z, F in held]
+    loads = [DrawnLoad(Text("load"), z * 1e3, F) for z, F in bent.loads] + [
+        DrawnLoad(Text("bearing"), z * 1e3, F, held=True) for z, F in held
+    ]
     title = Text("The shaft at rated speed: centrifugal load and reactions, shear, bending moment, deflection")
-    return Curve("loads", title, outline.x_label, outline.y_label, outline.series, stack=STACK, loads=tuple(loads), load_unit="N")
+    return Curve(
+        "loads", title, outline.x_label, outline.y_label, outline.series, stack=STACK, loads=tuple(loads), load_unit="N"
+    )
 
 
 def _bent(bent: Bending, positions: tuple[Metre, ...]) -> tuple[Curve, ...]:
@@ -92,8 +117,22 @@ def _bent(bent: Bending, positions: tuple[Metre, ...]) -> tuple[Curve, ...]:
     deflection, at = Text("Deflection line of the shaft at rated speed"), bent.largest_moment_z
     largest = float(np.interp(at, bent.moment_z, bent.moment))
     return (
-        Curve("shear_force", shear, from_middle, axis_label("shear", "N"), (Series(EMPTY, bent.shear_z * 1e3, bent.shear),), stack=STACK),
-        Curve("moment", moment, from_middle, axis_label("moment", "N·m"), (Series(EMPTY, bent.moment_z * 1e3, bent.moment),),
-            point=(at * 1e3, largest), stack=STACK),
+        Curve(
+            "shear_force",
+            shear,
+            from_middle,
+            axis_label("shear", "N"),
+            (Series(EMPTY, bent.shear_z * 1e3, bent.shear),),
+            stack=STACK,
+        ),
+        Curve(
+            "moment",
+            moment,
+            from_middle,
+            axis_label("moment", "N·m"),
+            (Series(EMPTY, bent.moment_z * 1e3, bent.moment),),
+            point=(at * 1e3, largest),
+            stack=STACK,
+        ),
         Curve("deflection", deflection, from_middle, axis_label("deflection", "µm"), lines, stack=STACK),
-    )  # fmt: skip
+    )

@@ -1,14 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
 """The shaft from its eccentric masses, in the order of Finotti 2013, 4.1.
 
-Vectors are complex numbers as in the imbalance step: real up, imaginary 90° further in the sense of crank rotation, cylinder 1 at
-TDC.  They turn with the shaft, against the crank.  z from mid-shaft, + towards the flywheel.
-"""
+Vectors are complex numbers as in the imbalance step: real up, imaginary 90° further in the sense of crank rotation,
+cylinder 1 at TDC.  They turn with the shaft, against the crank.  z from mid-shaft, + towards the flywheel."""
 
 from ..sheet.formula import formula
 from ..sheet.functions import argument, cis, conj, cos, joined, modulus, pi, resultant, sqrt, tan, total
 from ..sheet.text import Text
-from ..sheet.units import (  # fmt: skip
+from ..sheet.units import (
     Kilogram,
     KilogramMetre,
     Metre,
@@ -27,7 +26,12 @@ from ..sheet.units import (  # fmt: skip
 )
 
 TABLE_4_1 = Text("Finotti 2013, 4.1 (with ω², not ω as printed there)")
-MASSES = {"m": "m_i", "e": "e_i", "z": "z_i", "gamma": "φ_i"}  # of the shaft; z and φ alone are those of the crank's throws
+MASSES = {
+    "m": "m_i",
+    "e": "e_i",
+    "z": "z_i",
+    "gamma": "φ_i",
+}  # of the shaft; z and φ alone are those of the crank's throws
 
 
 @formula("F_S", TABLE_4_1, names=MASSES | {"omega": "ω_S"})
@@ -36,7 +40,11 @@ def shaft_force(omega: RadPerSecond, m: Kilogram, e: Metre, gamma: Radian) -> Ph
     return omega**2 * resultant(m * e * cis(gamma))
 
 
-@formula("F_i", "dynamics: centrifugal force of each eccentric mass; below zero for what is removed", names=MASSES | {"omega": "ω_S"})
+@formula(
+    "F_i",
+    "dynamics: centrifugal force of each eccentric mass; below zero for what is removed",
+    names=MASSES | {"omega": "ω_S"},
+)
 def mass_force(omega: RadPerSecond, m: Kilogram, e: Metre, gamma: Radian) -> PhasorNewton:
     return omega**2 * m * e * cis(gamma)
 
@@ -138,10 +146,14 @@ def residual_vector(C_like: PhasorNewtonMetre, C_S: PhasorNewtonMetre) -> Phasor
     return joined(C_like, C_S)
 
 
-@formula("C_left", "mathematics, largest couple of that order over a turn: the vectors of both senses in line",
-    names={"C_res": "C_res", "C_against": "C_against"})  # fmt: skip
+@formula(
+    "C_left",
+    "mathematics, largest couple of that order over a turn: the vectors of both senses in line",
+    names={"C_res": "C_res", "C_against": "C_against"},
+)
 def residual_couple(C_against: PhasorNewtonMetre, C_res: PhasorNewtonMetre) -> NewtonMetre:
-    """`C_against`: the engine's couple of that order that turns the other way, with a twin shaft what that leaves of it."""
+    """`C_against`: the engine's couple of that order that turns the other way, with a twin shaft what that leaves of
+    it."""
     return modulus(C_against) + modulus(C_res)
 
 
@@ -181,20 +193,30 @@ def couple_beyond(C_S: PhasorNewtonMetre, C_req: PhasorNewtonMetre) -> NewtonMet
     return modulus(C_S) * cos(argument(C_S) - argument(C_req)) - modulus(C_req)
 
 
-# --- what is asked of a shaft to be sized ----------------------------------------------------------------------------------
-@formula("U_req", "dynamics: opposite to the engine's force that turns like the shaft, which over-design exceeds", unit="kg·mm",
-    names={"F_like": "F", "omega": "ω_S"})  # fmt: skip
+# --- what is asked of a shaft to be sized
+# ----------------------------------------------------------------------------------
+@formula(
+    "U_req",
+    "dynamics: opposite to the engine's force that turns like the shaft, which over-design exceeds",
+    unit="kg·mm",
+    names={"F_like": "F", "omega": "ω_S"},
+)
 def asked_unbalance(x_o: Number, F_like: PhasorNewton, omega: RadPerSecond) -> PhasorKilogramMetre:
     return -(1 + x_o) * F_like / omega**2
 
 
-@formula("P_req", "dynamics: opposite to the engine's couple that turns like the shaft, which over-design exceeds", unit="kg·mm²",
-    names={"C_like": "C", "omega": "ω_S"})  # fmt: skip
+@formula(
+    "P_req",
+    "dynamics: opposite to the engine's couple that turns like the shaft, which over-design exceeds",
+    unit="kg·mm²",
+    names={"C_like": "C", "omega": "ω_S"},
+)
 def asked_product(x_o: Number, C_like: PhasorNewtonMetre, omega: RadPerSecond) -> PhasorKilogramMetre2:
     return -(1 + x_o) * C_like / omega**2
 
 
-# --- what stands still --------------------------------------------------------------------------------------------------------
+# --- what stands still
+# --------------------------------------------------------------------------------------------------------
 GEAR = Text("statics, components of the tooth force at the reference circle of a helical wheel")
 G: MetrePerSecond2 = 9.80665
 
@@ -251,7 +273,8 @@ def gear_axial(F_t: Newton, beta: Radian) -> Newton:
 
 @formula(
     "R_G,r",
-    "statics: levers of the tooth force about the front bearing; the thrust adds its tilting couple in the radial plane, "
+    "statics: levers of the tooth force about the front bearing; the thrust adds its tilting couple in the radial "
+    "plane, "
     "taken for the worse",
 )
 def gear_on_rear(F_t: Newton, F_r: Newton, F_a: Newton, d: Metre, z_G: Metre, z_f: Metre, z_r: Metre) -> Newton:
@@ -260,7 +283,8 @@ def gear_on_rear(F_t: Newton, F_r: Newton, F_a: Newton, d: Metre, z_G: Metre, z_
 
 @formula(
     "R_G,f",
-    "statics: levers of the tooth force about the rear bearing; the thrust adds its tilting couple in the radial plane, "
+    "statics: levers of the tooth force about the rear bearing; the thrust adds its tilting couple in the radial "
+    "plane, "
     "taken for the worse",
 )
 def gear_on_front(F_t: Newton, F_r: Newton, F_a: Newton, d: Metre, z_G: Metre, z_f: Metre, z_r: Metre) -> Newton:
@@ -277,7 +301,8 @@ def reaction_peak(R: Newton, R_0: Newton) -> Newton:
     return R + R_0
 
 
-# --- the support ------------------------------------------------------------------------------------------------------------
+# --- the support
+# ------------------------------------------------------------------------------------------------------------
 @formula("w", "Finotti 2013, 4.2: the support's outside stays, its seat grows", unit="mm", names={"w": "w_w"})
 def wall_beside(w: Metre, d: Metre, D_w: Metre) -> Metre:
     return w - (d - D_w) / 2

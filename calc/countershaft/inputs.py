@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The counter-rotating shaft: its eccentric masses or the envelope to size it in, its outline, its supports, its making."""
+"""The counter-rotating shaft: its eccentric masses or the envelope to size it in, its outline, its supports, its
+making."""
 
 import math
 from collections.abc import Iterable
@@ -22,10 +23,23 @@ class EccentricMass:
 
     name: str = text("Name")
     mass: float = quantity(
-        "Mass", "kg", low=0, high=1000, symbol="m_i", usual=(0.05, 20), source=THUMB, help="Mass of this eccentric part of the shaft."
+        "Mass",
+        "kg",
+        low=0,
+        high=1000,
+        symbol="m_i",
+        usual=(0.05, 20),
+        source=THUMB,
+        help="Mass of this eccentric part of the shaft.",
     )
-    radius: float = quantity("Radius of its centre of gravity", "mm", low=0, high=1000, symbol="e_i",
-        help="Distance of its centre of gravity from the shaft's axis.")  # fmt: skip
+    radius: float = quantity(
+        "Radius of its centre of gravity",
+        "mm",
+        low=0,
+        high=1000,
+        symbol="e_i",
+        help="Distance of its centre of gravity from the shaft's axis.",
+    )
     angle: float = quantity("Angle", "°", low=-720, high=720, symbol="phi_i", step=1, help=ANGLE)
     z: float = quantity("Position", "mm", low=-5000, high=5000, symbol="z_i", help=FROM_MID_SHAFT)
 
@@ -34,8 +48,14 @@ class EccentricMass:
 class Extra(EccentricMass):
     """An element beside the main masses: a hole in a journal (mass below zero), material ahead of the gear."""
 
-    mass: float = quantity("Mass", "kg", low=-1000, high=1000, symbol="m_i",
-        help="Mass of the element; below zero it is removed, as by a hole.")  # fmt: skip
+    mass: float = quantity(
+        "Mass",
+        "kg",
+        low=-1000,
+        high=1000,
+        symbol="m_i",
+        help="Mass of the element; below zero it is removed, as by a hole.",
+    )
 
 
 @inputs
@@ -44,12 +64,32 @@ class Section:
 
     from_: float = quantity("From", "mm", low=-5000, high=5000, help=FROM_MID_SHAFT)
     to: float = quantity("Up to", "mm", low=-5000, high=5000, help=FROM_MID_SHAFT)
-    outer_radius: float = quantity("Outer radius", "mm", above=0, high=1000, symbol="R",
-        help="Radius of the cylinder, or outer radius of the sector.")  # fmt: skip
-    core_radius: float | None = quantity("Core radius", "mm", default=None, low=0, high=1000, symbol="r_0",
-        help="Radius of the core inside a sector. Left out: 0.")  # fmt: skip
-    half_angle: float | None = quantity("Half-angle of the sector", "°", default=None, above=0, high=180, symbol="gamma",
-        help="Half of the angle that the sector spans. Left out: a full cylinder.")  # fmt: skip
+    outer_radius: float = quantity(
+        "Outer radius",
+        "mm",
+        above=0,
+        high=1000,
+        symbol="R",
+        help="Radius of the cylinder, or outer radius of the sector.",
+    )
+    core_radius: float | None = quantity(
+        "Core radius",
+        "mm",
+        default=None,
+        low=0,
+        high=1000,
+        symbol="r_0",
+        help="Radius of the core inside a sector. Left out: 0.",
+    )
+    half_angle: float | None = quantity(
+        "Half-angle of the sector",
+        "°",
+        default=None,
+        above=0,
+        high=180,
+        symbol="gamma",
+        help="Half of the angle that the sector spans. Left out: a full cylinder.",
+    )
     angle: float | None = quantity("Angle of the sector's middle", "°", default=None, low=-720, high=720, help=ANGLE)
 
     def problems(self) -> Iterable[tuple[str, Text]]:
@@ -69,87 +109,252 @@ class Section:
 class Journal:
     """The size of one journal, for a shaft whose bearings are not part of the design."""
 
-    diameter: float = quantity("Diameter", "mm", above=0, high=1000, symbol="d", usual=(15, 120), source=THUMB,
-        help="Diameter of the journal, for its specific load.")  # fmt: skip
-    length: float = quantity("Length", "mm", above=0, high=1000, symbol="l", source="Finotti 2013, 3.2.3.1",
-        help=Text("Length of the journal in its seat, {low} to {high} of its diameter.", low=Amount(LENGTH_RATIO[0]),
-            high=Amount(LENGTH_RATIO[1])))  # fmt: skip
+    diameter: float = quantity(
+        "Diameter",
+        "mm",
+        above=0,
+        high=1000,
+        symbol="d",
+        usual=(15, 120),
+        source=THUMB,
+        help="Diameter of the journal, for its specific load.",
+    )
+    length: float = quantity(
+        "Length",
+        "mm",
+        above=0,
+        high=1000,
+        symbol="l",
+        source="Finotti 2013, 3.2.3.1",
+        help=Text(
+            "Length of the journal in its seat, {low} to {high} of its diameter.",
+            low=Amount(LENGTH_RATIO[0]),
+            high=Amount(LENGTH_RATIO[1]),
+        ),
+    )
 
 
 @inputs
 class Holes:
     """Radial holes drilled into the eccentric masses to calibrate the shaft."""
 
-    diameter: float = quantity("Diameter", "mm", above=0, high=200, symbol="d_c", source="Finotti 2013, 4.1",
-        help="Diameter of a radial hole by which the shaft is calibrated.")  # fmt: skip
-    depth: float = quantity("Greatest depth", "mm", above=0, high=500, symbol="h_c", source="Finotti 2013, 4.1",
-        help="From the outer radius; the drill's cone is left out.")  # fmt: skip
-    count: int = integer("Holes on the whole shaft", low=1, high=1000, symbol="N_c", help="Shared evenly by the eccentric masses.")
+    diameter: float = quantity(
+        "Diameter",
+        "mm",
+        above=0,
+        high=200,
+        symbol="d_c",
+        source="Finotti 2013, 4.1",
+        help="Diameter of a radial hole by which the shaft is calibrated.",
+    )
+    depth: float = quantity(
+        "Greatest depth",
+        "mm",
+        above=0,
+        high=500,
+        symbol="h_c",
+        source="Finotti 2013, 4.1",
+        help="From the outer radius; the drill's cone is left out.",
+    )
+    count: int = integer(
+        "Holes on the whole shaft", low=1, high=1000, symbol="N_c", help="Shared evenly by the eccentric masses."
+    )
 
 
 @inputs
 class Scatter:
     """What production makes of the drawing: standard deviations."""
 
-    mass: float = quantity("Mass of each eccentric mass", "g", low=0, high=1e5, help="Standard deviation of the mass, for each by itself.")
-    radius: float = quantity("Radius of its centre of gravity", "mm", low=0, high=100,
-        help="Standard deviation of the radius, for each mass by itself.")  # fmt: skip
-    angle: float = quantity("Its angle", "°", low=0, high=90, help="Standard deviation of the angle, for each mass by itself.")
-    z: float = quantity("Its position", "mm", low=0, high=1000,
-        help="Standard deviation of the place along the shaft, for each mass by itself.")  # fmt: skip
-    timing: float = quantity("Timing of the whole shaft by its teeth", "°", default=0.0, low=0, high=90,
-        help="Standard deviation of an angle that is common to all its masses.")  # fmt: skip
-    shafts: int = integer("Shafts to try", default=10_000, low=100, high=1_000_000,
-        help="How many shafts are drawn by chance; more give steadier results.")  # fmt: skip
-    seed: int = integer("Seed of the random numbers", default=1, low=0, high=2**31, help="The same seed draws the same shafts again.")
+    mass: float = quantity(
+        "Mass of each eccentric mass", "g", low=0, high=1e5, help="Standard deviation of the mass, for each by itself."
+    )
+    radius: float = quantity(
+        "Radius of its centre of gravity",
+        "mm",
+        low=0,
+        high=100,
+        help="Standard deviation of the radius, for each mass by itself.",
+    )
+    angle: float = quantity(
+        "Its angle", "°", low=0, high=90, help="Standard deviation of the angle, for each mass by itself."
+    )
+    z: float = quantity(
+        "Its position",
+        "mm",
+        low=0,
+        high=1000,
+        help="Standard deviation of the place along the shaft, for each mass by itself.",
+    )
+    timing: float = quantity(
+        "Timing of the whole shaft by its teeth",
+        "°",
+        default=0.0,
+        low=0,
+        high=90,
+        help="Standard deviation of an angle that is common to all its masses.",
+    )
+    shafts: int = integer(
+        "Shafts to try",
+        default=10_000,
+        low=100,
+        high=1_000_000,
+        help="How many shafts are drawn by chance; more give steadier results.",
+    )
+    seed: int = integer(
+        "Seed of the random numbers", default=1, low=0, high=2**31, help="The same seed draws the same shafts again."
+    )
 
 
 @inputs
 class CountershaftInputs:
     """The shaft: its masses or its envelope, where it is carried, and how it is made and mounted."""
 
-    mode: str = choice("Mode", "given", "size", default="given",
-        help="given: the eccentric masses below are checked. size: the lightest pair of sectors in the envelope is found.")  # fmt: skip
+    mode: str = choice(
+        "Mode",
+        "given",
+        "size",
+        default="given",
+        help="given: the eccentric masses below are checked. size: the lightest pair of sectors in the envelope is "
+        "found.",
+    )
     material: str = text("Material", help="A name from the table of materials or from [[material]].")
-    speed_ratio: float = quantity("Speed ratio to the crank", default=-1.0, low=-2, high=2, symbol="i", source="Finotti 2013, 2.3.3",
-        help="−1: crank speed, opposite sense. 1, 2 and −2 for shafts without [bearings] and [gears].")  # fmt: skip
-    pair: str = choice("Twin shaft", "no", "yes", default="no",
-        help="yes: a mirrored second shaft turns at the opposite speed and carries as much.")  # fmt: skip
-    bearing_positions: tuple[float, ...] = series("Bearing positions", "mm", count=(2, 9), low=-5000, high=5000, symbol="z_B",
-        help="Middle of the journals from mid-shaft, front to rear; more than two: a beam on many supports.")  # fmt: skip
+    speed_ratio: float = quantity(
+        "Speed ratio to the crank",
+        default=-1.0,
+        low=-2,
+        high=2,
+        symbol="i",
+        source="Finotti 2013, 2.3.3",
+        help="−1: crank speed, opposite sense. 1, 2 and −2 for shafts without [bearings] and [gears].",
+    )
+    pair: str = choice(
+        "Twin shaft",
+        "no",
+        "yes",
+        default="no",
+        help="yes: a mirrored second shaft turns at the opposite speed and carries as much.",
+    )
+    bearing_positions: tuple[float, ...] = series(
+        "Bearing positions",
+        "mm",
+        count=(2, 9),
+        low=-5000,
+        high=5000,
+        symbol="z_B",
+        help="Middle of the journals from mid-shaft, front to rear; more than two: a beam on many supports.",
+    )
     axis: tuple[float, ...] | None = series(
-        "Axis from the crank's", "mm", default=None, count=(2, 2), low=-5000, high=5000, symbol="p_S",
-        help="[up, side], side 90° further in the sense of crank rotation. Beside the crank a force of the shaft raises a roll torque.",
-    )  # fmt: skip
+        "Axis from the crank's",
+        "mm",
+        default=None,
+        count=(2, 2),
+        low=-5000,
+        high=5000,
+        symbol="p_S",
+        help="[up, side], side 90° further in the sense of crank rotation. Beside the crank a force of the shaft "
+        "raises a roll torque.",
+    )
     masses: tuple[EccentricMass, ...] = tables("Eccentric masses", EccentricMass, default=())
     extras: tuple[Extra, ...] = tables("Further elements", Extra, default=())
     outer_radius: float | None = quantity(
-        "Outer radius of the sectors", "mm", default=None, above=0, high=1000, symbol="R", step=0.5, usual=(15, 120), source=THUMB,
-        help="What may still be threaded through the largest seat. Needed for mode size; else the largest journal less the clearance.",
-    )  # fmt: skip
-    core_radius: float | None = quantity("Core radius", "mm", default=None, low=0, high=1000, symbol="r_0", step=0.5,
-        usual=(6, 80), source=THUMB,
-        help="Radius of the shaft between and inside the sectors.")  # fmt: skip
-    half_length: float | None = quantity("Half-length", "mm", default=None, above=0, high=5000, symbol="z_max", step=1,
-        usual=(30, 600), source=THUMB,
-        help="Outer faces of the sectors from mid-shaft. Needed for mode size.")  # fmt: skip
-    overdesign: float = quantity("Couple beyond the required one", "%", default=0.0, low=-50, high=50, symbol="x_o", usual=(0, 5),
-        source="rule of this program, by the holes", help="Mode size: what drilling takes away again.")  # fmt: skip
+        "Outer radius of the sectors",
+        "mm",
+        default=None,
+        above=0,
+        high=1000,
+        symbol="R",
+        step=0.5,
+        usual=(15, 120),
+        source=THUMB,
+        help="What may still be threaded through the largest seat. Needed for mode size; else the largest journal "
+        "less the clearance.",
+    )
+    core_radius: float | None = quantity(
+        "Core radius",
+        "mm",
+        default=None,
+        low=0,
+        high=1000,
+        symbol="r_0",
+        step=0.5,
+        usual=(6, 80),
+        source=THUMB,
+        help="Radius of the shaft between and inside the sectors.",
+    )
+    half_length: float | None = quantity(
+        "Half-length",
+        "mm",
+        default=None,
+        above=0,
+        high=5000,
+        symbol="z_max",
+        step=1,
+        usual=(30, 600),
+        source=THUMB,
+        help="Outer faces of the sectors from mid-shaft. Needed for mode size.",
+    )
+    overdesign: float = quantity(
+        "Couple beyond the required one",
+        "%",
+        default=0.0,
+        low=-50,
+        high=50,
+        symbol="x_o",
+        usual=(0, 5),
+        source="rule of this program, by the holes",
+        help="Mode size: what drilling takes away again.",
+    )
     radial_clearance: float | None = quantity(
-        "Clearance for threading in", "mm", default=None, low=0, high=50, symbol="c_R", usual=(0.2, 5), source=THUMB,
-        help="Between sectors and largest seat. Left out: none asked; in mode given the shaft is not threaded through a seat.",
-    )  # fmt: skip
+        "Clearance for threading in",
+        "mm",
+        default=None,
+        low=0,
+        high=50,
+        symbol="c_R",
+        usual=(0.2, 5),
+        source=THUMB,
+        help="Between sectors and largest seat. Left out: none asked; in mode given the shaft is not threaded through "
+        "a seat.",
+    )
     sections: tuple[Section, ...] = tables("Outline for bending", Section, default=())
-    fillet_radius: float | None = quantity("Fillet at the shoulders", "mm", default=None, above=0, high=100, symbol="rho_f", usual=(0.5, 5),
-        source=THUMB, help="Its radius. Left out: no notch stress.")  # fmt: skip
-    sector_effectiveness: float = quantity("Stiffness share of the sectors", default=0.2, low=0.1, high=1, symbol="eta", step=0.05,
-        usual=(0.2, 0.4), source="Finotti 2013, 4.6 (in chapter 6), by fit to its slopes",
-        help="Of their full section; 1 is optimistic, 0.2 honest.")  # fmt: skip
-    gear_z: float | None = quantity("Middle of the gear", "mm", default=None, low=-5000, high=5000, symbol="z_G",
-        help="From mid-shaft, + towards the flywheel. Left out: ahead of the front journal, against it.")  # fmt: skip
+    fillet_radius: float | None = quantity(
+        "Fillet at the shoulders",
+        "mm",
+        default=None,
+        above=0,
+        high=100,
+        symbol="rho_f",
+        usual=(0.5, 5),
+        source=THUMB,
+        help="Its radius. Left out: no notch stress.",
+    )
+    sector_effectiveness: float = quantity(
+        "Stiffness share of the sectors",
+        default=0.2,
+        low=0.1,
+        high=1,
+        symbol="eta",
+        step=0.05,
+        usual=(0.2, 0.4),
+        source="Finotti 2013, 4.6 (in chapter 6), by fit to its slopes",
+        help="Of their full section; 1 is optimistic, 0.2 honest.",
+    )
+    gear_z: float | None = quantity(
+        "Middle of the gear",
+        "mm",
+        default=None,
+        low=-5000,
+        high=5000,
+        symbol="z_G",
+        help="From mid-shaft, + towards the flywheel. Left out: ahead of the front journal, against it.",
+    )
     journals: tuple[Journal, ...] = tables("Journals", Journal, default=())
-    balance_grade: str = choice("Balance quality grade", *GRADES, default="G6.3",
-        help="ISO 21940-11; crank drives of engines G16 (rigidly mounted) and G40.")  # fmt: skip
+    balance_grade: str = choice(
+        "Balance quality grade",
+        *GRADES,
+        default="G6.3",
+        help="ISO 21940-11; crank drives of engines G16 (rigidly mounted) and G40.",
+    )
     holes: Holes | None = table("Calibration holes", Holes, default=None)
     scatter: Scatter | None = table("Production scatter", Scatter, default=None)
     bolts: Bolts | None = table("Bolts of the support", Bolts, default=None)
@@ -157,7 +362,9 @@ class CountershaftInputs:
     oil_drain: OilDrain | None = table("Oil drain", OilDrain, default=None)
     further_drains: tuple[FurtherDrain, ...] = tables("Further oil drains", FurtherDrain, default=())
     cost: Cost | None = table("Cost", Cost, default=None)
-    parts: tuple[Part, ...] = tables("Parts of the assembly", Part, default=(), help="They are counted, for designs to be compared.")
+    parts: tuple[Part, ...] = tables(
+        "Parts of the assembly", Part, default=(), help="They are counted, for designs to be compared."
+    )
 
     def problems(self) -> Iterable[tuple[str, Text]]:
         if any(b <= a for a, b in pairwise(self.bearing_positions)):
@@ -165,10 +372,16 @@ class CountershaftInputs:
         if self.speed_ratio not in (-2.0, -1.0, 1.0, 2.0):
             yield "speed_ratio", Text("must be -1, 1, -2 or 2")
         if self.journals and len(self.journals) != len(self.bearing_positions):
-            yield "journals", Text("give one for each of the {count} bearing_positions_mm", count=len(self.bearing_positions))
+            yield (
+                "journals",
+                Text("give one for each of the {count} bearing_positions_mm", count=len(self.bearing_positions)),
+            )
         if self.holes is not None and self.outer_radius is not None and self.holes.depth >= self.outer_radius:
             R = _mm(self.outer_radius)
-            yield "holes.depth_mm", Text("must stay below outer_radius_mm, {outer_radius} mm: a hole ends before the axis", outer_radius=R)
+            yield (
+                "holes.depth_mm",
+                Text("must stay below outer_radius_mm, {outer_radius} mm: a hole ends before the axis", outer_radius=R),
+            )
         yield from self._envelope()
         yield from self._sections()
         yield from self._places()
@@ -177,10 +390,17 @@ class CountershaftInputs:
         if self.mode == "given" and not self.masses:
             yield "masses", Text("needs at least one [[countershaft.masses]]")
         if self.mode == "size" and len(self.bearing_positions) > 2:
-            yield "bearing_positions_mm", Text('give two with mode = "size": sectors that span a third bearing are not sized')
+            yield (
+                "bearing_positions_mm",
+                Text('give two with mode = "size": sectors that span a third bearing are not sized'),
+            )
         if self.mode == "size":
             needed = Text('needed with mode = "size"; `choose FILE countershaft` finds the envelope')
-            yield from ((f"{name}_mm", needed) for name in ("outer_radius", "core_radius", "half_length") if getattr(self, name) is None)
+            yield from (
+                (f"{name}_mm", needed)
+                for name in ("outer_radius", "core_radius", "half_length")
+                if getattr(self, name) is None
+            )
         if self.outer_radius is not None and self.core_radius is not None and self.core_radius >= self.outer_radius:
             yield "core_radius_mm", Text("must be smaller than outer_radius_mm")
 
@@ -199,7 +419,12 @@ class CountershaftInputs:
                 what = Text("crosses") if gap < 0 else Text("leaves a gap behind")
                 yield (
                     f"sections.{k}.from_mm",
-                    Text("{what} section {i}, which ends at {to} mm; the shaft is one piece", what=what, i=i, to=_mm(self.sections[i].to)),
+                    Text(
+                        "{what} section {i}, which ends at {to} mm; the shaft is one piece",
+                        what=what,
+                        i=i,
+                        to=_mm(self.sections[i].to),
+                    ),
                 )
 
     def _places(self) -> Iterable[tuple[str, Text]]:
@@ -210,8 +435,16 @@ class CountershaftInputs:
         if not self.sections:
             start, end = self.bearing_positions[0], self.bearing_positions[-1]
             where = Text("the span of the bearings")
-            hint = Text("; an overhung one needs [[countershaft.sections]] that reach it, or stands in [[countershaft.extras]]")
-            outside = Text("lies outside {where}, from {start} to {end} mm{hint}", where=where, start=_mm(start), end=_mm(end), hint=hint)
+            hint = Text(
+                "; an overhung one needs [[countershaft.sections]] that reach it, or stands in [[countershaft.extras]]"
+            )
+            outside = Text(
+                "lies outside {where}, from {start} to {end} mm{hint}",
+                where=where,
+                start=_mm(start),
+                end=_mm(end),
+                hint=hint,
+            )
             yield from ((key, outside) for key, z in masses if not start <= z <= end)
             return
         start, end = min(s.from_ for s in self.sections), max(s.to for s in self.sections)

@@ -14,12 +14,18 @@ SLOPES_GIVEN = Text("The slopes of the journals are those given in [bearings] (s
 
 def notes(shaft: CountershaftInputs, journals: tuple[tuple[Metre, Metre], ...]) -> Iterator[Text]:
     """What holds for every shaft; `journals`: (diameter, length) of each, empty where they are not known."""
-    yield Text("The middle of the shaft is taken as the middle of the engine; for a pure couple its place does not matter.")
     yield Text(
-        "The reactions turn with the shaft. Its weight and the gear force stand still: on two bearings they are given beside, where known."
+        "The middle of the shaft is taken as the middle of the engine; for a pure couple its place does not matter."
+    )
+    yield Text(
+        "The reactions turn with the shaft. Its weight and the gear force stand still: on two bearings they are given "
+        "beside, where known."
     )
     if shaft.mode == "given" and shaft.radial_clearance is None and journals:
-        yield Text("Whether the shaft can be threaded through its seats is not judged: give radial_clearance_mm where it has to be.")
+        yield Text(
+            "Whether the shaft can be threaded through its seats is not judged: give radial_clearance_mm where it has "
+            "to be."
+        )
 
 
 def size_notes(shaft: CountershaftInputs) -> Iterator[Text]:
@@ -34,22 +40,34 @@ def outline_note(sized: bool, gear: bool) -> Text:
     text = Text(" and the gear") if gear else ""
     if sized:
         return Text("The outline is put together from the sectors, the core, the journals{text}.", text=text)
-    return Text("The outline is put together: each eccentric mass as a sector of its mass, centre of gravity and place, "
-        "the core, the journals{text}; the true shape may be given as [[countershaft.sections]].", text=text)  # fmt: skip
+    return Text(
+        "The outline is put together: each eccentric mass as a sector of its mass, centre of gravity and place, "
+        "the core, the journals{text}; the true shape may be given as [[countershaft.sections]].",
+        text=text,
+    )
 
 
 def bending_notes(bent: Bending, steel: Material) -> Iterator[Text]:
     yield from bent.notes
-    yield Text("Bending stresses are nominal, of the full sections; sectors across the load's plane are bent as if they stood in it.")
+    yield Text(
+        "Bending stresses are nominal, of the full sections; sectors across the load's plane are bent as if they "
+        "stood in it."
+    )
     if steel.proof_stress is None:
         yield Text(
-            "No strength of {name} is known: its bending stress is held against the weakest steels; notch and fatigue are not verified.",
+            "No strength of {name} is known: its bending stress is held against the weakest steels; notch and fatigue "
+            "are not verified.",
             name=steel.name,
         )
 
 
 def supports_note(stepped: bool) -> Text:
     """How the reactions of more than two supports were found; `stepped`: by the bending of the outline."""
-    stiffness = Text("the stepped shaft, with the stiffness share of its sectors"), Text("a shaft of one stiffness throughout")
-    return Text("Supports: the reactions are those of {how}, on rigid supports in line; weight and gear force are left out.",
-        how=stiffness[0 if stepped else 1])  # fmt: skip
+    stiffness = (
+        Text("the stepped shaft, with the stiffness share of its sectors"),
+        Text("a shaft of one stiffness throughout"),
+    )
+    return Text(
+        "Supports: the reactions are those of {how}, on rigid supports in line; weight and gear force are left out.",
+        how=stiffness[0 if stepped else 1],
+    )

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """The shaft as a row of pieces, front to rear: what bends, what is drawn, what is weighed.
 
-Given as sections, or put together from the eccentric masses (or the sized sectors), the core, the journals and the gear.
-"""
+Given as sections, or put together from the eccentric masses (or the sized sectors), the core, the journals and the
+gear."""
 
 import math
 
@@ -36,7 +36,8 @@ from .inputs import CountershaftInputs, EccentricMass, Extra
 
 # The cross-section of the shaft: a core of radius r_0 and on it a sector of half-angle γ out to the radius R.
 #
-# Area and static moment are those of the sector alone, without the core; valid for 0 < γ ≤ π.  All formulas take arrays.
+# Area and static moment are those of the sector alone, without the core; valid for 0 < γ ≤ π.  All formulas take
+# arrays.
 
 SECTOR = Text("geometry of the circular sector between the radii r_0 and R")
 
@@ -119,12 +120,14 @@ def polar_moment(gamma: Radian, R: Metre, r_0: Metre) -> Metre4:
 
 PLAIN = 1e-9  # of the cubed radius: a static moment below it is none
 TOUCH = 1e-6  # m: pieces that meet within this are taken to touch
-THIN = 2e-3  # of the largest radius: a thinner piece joins nothing, and bending stiffnesses so far apart can not be reckoned with
+# of the largest radius: a thinner piece joins nothing, and bending stiffnesses so far apart can not be reckoned with
+THIN = 2e-3
 
 
 @record
 class Piece:
-    """A stretch of the shaft of one section; `half_angle` None: a full cylinder.  `what`: journal, gear, core, sector, full."""
+    """A stretch of the shaft of one section; `half_angle` None: a full cylinder.  `what`: journal, gear, core, sector,
+    full."""
 
     start: Metre
     end: Metre
@@ -190,7 +193,12 @@ def shaft_mass(rho: KilogramPerMetre3, A: SquareMetre, l: Metre, m: Kilogram) ->
     return rho * resultant(A * l) + resultant(m)
 
 
-@formula("z_S", "geometry: centre of gravity of the pieces and the further elements", unit="mm", names={"m": "m_i", "z_m": "z_i"})
+@formula(
+    "z_S",
+    "geometry: centre of gravity of the pieces and the further elements",
+    unit="mm",
+    names={"m": "m_i", "z_m": "z_i"},
+)
 def centre(rho: KilogramPerMetre3, A: SquareMetre, l: Metre, z: Metre, m: Kilogram, z_m: Metre, m_S: Kilogram) -> Metre:
     return (rho * resultant(A * l * z) + resultant(m * z_m)) / m_S
 
@@ -200,8 +208,12 @@ def pieces_inertia(rho: KilogramPerMetre3, I_p: Metre4, l: Metre) -> KilogramMet
     return rho * resultant(I_p * l)
 
 
-@formula("J_S", "geometry, moment of inertia about the axis: the pieces, and the further elements as points", unit="kg·mm²",
-    names={"m": "m_i", "e": "e_i"})  # fmt: skip
+@formula(
+    "J_S",
+    "geometry, moment of inertia about the axis: the pieces, and the further elements as points",
+    unit="kg·mm²",
+    names={"m": "m_i", "e": "e_i"},
+)
 def shaft_inertia(rho: KilogramPerMetre3, I_p: Metre4, l: Metre, m: Kilogram, e: Metre) -> KilogramMetre2:
     return rho * resultant(I_p * l) + resultant(m * e**2)
 
@@ -253,12 +265,22 @@ def middles(z_1: Metre, z_2: Metre) -> Metre:
     return (z_1 + z_2) / 2
 
 
-@formula("z_G", "rule of this program: the gear stands ahead of the front journal, against it", unit="mm", names={"l": "l_f", "b": "b_G"})
+@formula(
+    "z_G",
+    "rule of this program: the gear stands ahead of the front journal, against it",
+    unit="mm",
+    names={"l": "l_f", "b": "b_G"},
+)
 def gear_middle(z_f: Metre, l: Metre, b: Metre) -> Metre:
     return z_f - l / 2 - b / 2
 
 
-@formula("S_γ", "geometry: static moment of the sectors, each along its middle, cylinder 1 at TDC", unit="mm³", names={"gamma": "φ"})
+@formula(
+    "S_γ",
+    "geometry: static moment of the sectors, each along its middle, cylinder 1 at TDC",
+    unit="mm³",
+    names={"gamma": "φ"},
+)
 def directed_moment(S: CubicMetre, gamma: Radian) -> PhasorCubicMetre:
     return S * cis(gamma)
 
@@ -273,8 +295,11 @@ def outline(pieces: tuple[Piece, ...], derived: bool) -> Outline:
     """Pieces with the properties of their sections.  Raises NoOutline where one is too thin to join its neighbours."""
     thinnest, largest = (pick(pieces, key=lambda piece: piece.outer_radius) for pick in (min, max))
     if thinnest.outer_radius < THIN * largest.outer_radius:
-        reason = Text("{said} has a radius of {outer_radius} mm, too thin to join the shaft's parts", said=_stretch(thinnest),
-            outer_radius=Amount(thinnest.outer_radius * 1000.0, form=".3g"))  # fmt: skip
+        reason = Text(
+            "{said} has a radius of {outer_radius} mm, too thin to join the shaft's parts",
+            said=_stretch(thinnest),
+            outer_radius=Amount(thinnest.outer_radius * 1000.0, form=".3g"),
+        )
         raise NoOutline(reason, _too_thin(thinnest, largest))
     sectors = np.array([p.half_angle is not None for p in pieces])
     R, r_0 = column(pieces, "outer_radius"), column(pieces, "core_radius")
@@ -297,24 +322,39 @@ def outline(pieces: tuple[Piece, ...], derived: bool) -> Outline:
 
 
 def _too_thin(thinnest: Piece, largest: Piece) -> Check:
-    return check("countershaft.core", Text("Radius of {said}", said=_stretch(thinnest)), thinnest.outer_radius, ">=",
-        THIN * largest.outer_radius, "mm",
+    return check(
+        "countershaft.core",
+        Text("Radius of {said}", said=_stretch(thinnest)),
+        thinnest.outer_radius,
+        ">=",
+        THIN * largest.outer_radius,
+        "mm",
         Text("rule of this program: 0.2 % of the largest radius, below which nothing joins the shaft's parts"),
-        Text("A larger core."))  # fmt: skip
+        Text("A larger core."),
+    )
 
 
 def given(shaft: CountershaftInputs) -> Outline:
     """The outline of [[countershaft.sections]]."""
     rows = sorted(shaft.sections, key=lambda section: section.from_)
     pieces = (
-        Piece(r.from_, r.to, r.outer_radius, r.core_radius or 0.0, r.half_angle, r.angle or 0.0, "sector" if r.half_angle else "full")
+        Piece(
+            r.from_,
+            r.to,
+            r.outer_radius,
+            r.core_radius or 0.0,
+            r.half_angle,
+            r.angle or 0.0,
+            "sector" if r.half_angle else "full",
+        )
         for r in rows
     )
     return outline(tuple(pieces), derived=False)
 
 
 def sectors_of(masses: tuple[EccentricMass, ...], rho: KilogramPerMetre3, R: Metre, r_0: Metre) -> list[Piece]:
-    """Sectors that have the mass, the centre of gravity and the place of the masses.  Raises NoOutline where one has no such sector."""
+    """Sectors that have the mass, the centre of gravity and the place of the masses.  Raises NoOutline where one has no
+    such sector."""
     sectors = []
     for mass in masses:
         if not mass.mass:
@@ -322,28 +362,60 @@ def sectors_of(masses: tuple[EccentricMass, ...], rho: KilogramPerMetre3, R: Met
         with about(Text("sector of mass {name}", name=mass.name)):
             t = narrowness(e=mass.radius, R=R, r_0=r_0)
             if not 1e-6 < t < 1:
-                within = Text(" (it stays below {radius} mm)", radius=Amount(mass.radius / t * 1000.0, form=".4g")) if t else ""
-                place = Text("from {r_0} to {r} mm", r_0=Amount(r_0 * 1000.0, form="g"), r=Amount(R * 1000.0, form=".4g"))
-                reason = Text("mass {name}: no sector {place} has its centre of gravity at {radius} mm{within}", name=mass.name,
-                    place=place, radius=Amount(mass.radius * 1000.0, form="g"), within=within)  # fmt: skip
+                within = (
+                    Text(" (it stays below {radius} mm)", radius=Amount(mass.radius / t * 1000.0, form=".4g"))
+                    if t
+                    else ""
+                )
+                place = Text(
+                    "from {r_0} to {r} mm", r_0=Amount(r_0 * 1000.0, form="g"), r=Amount(R * 1000.0, form=".4g")
+                )
+                reason = Text(
+                    "mass {name}: no sector {place} has its centre of gravity at {radius} mm{within}",
+                    name=mass.name,
+                    place=place,
+                    radius=Amount(mass.radius * 1000.0, form="g"),
+                    within=within,
+                )
                 raise NoOutline(reason, _no_such_sector(mass, mass.radius / t if t else 0.0))
             gamma = half_angle(t=t)
             b = sector_length(m=mass.mass, rho=rho, A=sector_area(gamma=gamma, R=R, r_0=r_0))
-        sectors.append(Piece(*around(mass.z, b, Text("sector of mass {name}", name=mass.name)), R, r_0, gamma, mass.angle, "sector"))
+        sectors.append(
+            Piece(
+                *around(mass.z, b, Text("sector of mass {name}", name=mass.name)), R, r_0, gamma, mass.angle, "sector"
+            )
+        )
     return sectors
 
 
 def _no_such_sector(mass: EccentricMass, most: Metre) -> Check:
-    return check("countershaft.mass_shape", Text("Radius of the centre of gravity of mass {name}, as a sector", name=mass.name),
-        mass.radius, "<", most, "mm", SECTOR,
-        Text("Give the true shape as [[countershaft.sections]], or a larger outer radius: nothing of its bending is judged."),
-        missing=("countershaft.sections",))  # fmt: skip
+    return check(
+        "countershaft.mass_shape",
+        Text("Radius of the centre of gravity of mass {name}, as a sector", name=mass.name),
+        mass.radius,
+        "<",
+        most,
+        "mm",
+        SECTOR,
+        Text(
+            "Give the true shape as [[countershaft.sections]], or a larger outer radius: nothing of its bending is "
+            "judged."
+        ),
+        missing=("countershaft.sections",),
+    )
 
 
-def assembled(shaft: CountershaftInputs, sectors: list[Piece], journals: tuple[tuple[Metre, Metre], ...],
-    gear: tuple[Metre, Metre] | None) -> Outline:  # fmt: skip
-    """Sectors, journals and gear (diameter, length of each), joined by the core.  Raises NoOutline where two of them cross."""
-    return _joined(_solid(shaft, sectors, journals, gear), shaft.core_radius or 0.0, shaft.bearing_positions, shaft.extras)
+def assembled(
+    shaft: CountershaftInputs,
+    sectors: list[Piece],
+    journals: tuple[tuple[Metre, Metre], ...],
+    gear: tuple[Metre, Metre] | None,
+) -> Outline:
+    """Sectors, journals and gear (diameter, length of each), joined by the core.  Raises NoOutline where two of them
+    cross."""
+    return _joined(
+        _solid(shaft, sectors, journals, gear), shaft.core_radius or 0.0, shaft.bearing_positions, shaft.extras
+    )
 
 
 def known(shaft: CountershaftInputs, R: Metre | None, journals: tuple[tuple[Metre, Metre], ...]) -> tuple[Metre, Metre]:
@@ -351,17 +423,32 @@ def known(shaft: CountershaftInputs, R: Metre | None, journals: tuple[tuple[Metr
     r_0 = shaft.core_radius
     if R is None or r_0 is None or not journals:
         there = (("core_radius_mm", r_0 is not None), ("outer_radius_mm", R is not None))
-        missing = [name for name, given in (*there, (Text("[bearings] or [[countershaft.journals]]"), bool(journals))) if not given]
+        missing = [
+            name
+            for name, given in (*there, (Text("[bearings] or [[countershaft.journals]]"), bool(journals)))
+            if not given
+        ]
         raise NoOutline(Text("give [[countershaft.sections]], or {missing}", missing=Text(" and ").join(missing)))
     if r_0 >= R:
         core, outer = Amount(r_0 * 1000.0, form=".4g"), Amount(R * 1000.0, form=".4g")
-        raise NoOutline(Text("the core of radius {r_0} mm is not smaller than the outer radius of the sectors, {r} mm", r_0=core, r=outer))
+        raise NoOutline(
+            Text(
+                "the core of radius {r_0} mm is not smaller than the outer radius of the sectors, {r} mm",
+                r_0=core,
+                r=outer,
+            )
+        )
     return R, r_0
 
 
-def _solid(shaft: CountershaftInputs, sectors: list[Piece], journals: tuple[tuple[Metre, Metre], ...],
-    gear: tuple[Metre, Metre] | None) -> list[Piece]:  # fmt: skip
-    """Sectors, journals and gear, front to rear.  A gear without a place stands ahead of the front journal, against it."""
+def _solid(
+    shaft: CountershaftInputs,
+    sectors: list[Piece],
+    journals: tuple[tuple[Metre, Metre], ...],
+    gear: tuple[Metre, Metre] | None,
+) -> list[Piece]:
+    """Sectors, journals and gear, front to rear.  A gear without a place stands ahead of the front journal, against
+    it."""
     positions = shaft.bearing_positions
     solid = list(sectors)
     for n, (z, (d, l)) in enumerate(zip(positions, journals)):
@@ -379,7 +466,8 @@ def _turned(z: Metre, d: Metre, l: Metre, what: str, subject: Text) -> Piece:
 
 
 def _joined(solid: list[Piece], r_0: Metre, positions: tuple[Metre, ...], extras: tuple[Extra, ...]) -> Outline:
-    """The solid pieces with core between them, and a stub around each overhung element that reaches as far beyond as before it."""
+    """The solid pieces with core between them, and a stub around each overhung element that reaches as far beyond as
+    before it."""
     start, end = min(solid[0].start, positions[0]), max(solid[-1].end, positions[-1])
     for z in (extra.z for extra in extras):
         start, end = min(start, 2 * z - start), max(end, 2 * z - end)
@@ -387,7 +475,10 @@ def _joined(solid: list[Piece], r_0: Metre, positions: tuple[Metre, ...], extras
     here = start
     for piece in solid:
         if piece.start < here - TOUCH:
-            raise NoOutline(Text("{said} crosses {said2}", said=_stretch(piece), said2=_stretch(pieces[-1])), _crossing(pieces[-1], piece))
+            raise NoOutline(
+                Text("{said} crosses {said2}", said=_stretch(piece), said2=_stretch(pieces[-1])),
+                _crossing(pieces[-1], piece),
+            )
         if piece.start > here + TOUCH:
             pieces.append(Piece(here, piece.start, r_0, 0.0, None, 0.0, "core"))
         pieces.append(piece)
@@ -398,15 +489,24 @@ def _joined(solid: list[Piece], r_0: Metre, positions: tuple[Metre, ...], extras
 
 
 def _crossing(first: Piece, second: Piece) -> Check:
-    return check("countershaft.crossing", Text("Overlap of {said} and {said2}", said=_stretch(first), said2=_stretch(second)),
-        min(first.end, second.end) - second.start, "<=", 0.0, "mm",
+    return check(
+        "countershaft.crossing",
+        Text("Overlap of {said} and {said2}", said=_stretch(first), said2=_stretch(second)),
+        min(first.end, second.end) - second.start,
+        "<=",
+        0.0,
+        "mm",
         Text("two pieces of one shaft stand side by side; each eccentric mass as a sector out to the outer radius"),
-        Text("Move them apart, widen the envelope, or give the true shape as [[countershaft.sections]]."))  # fmt: skip
+        Text("Move them apart, widen the envelope, or give the true shape as [[countershaft.sections]]."),
+    )
 
 
 def _stretch(piece: Piece) -> Text:
     return Text(
-        "the {what} from {start} to {end} mm", what=Text(piece.what), start=Amount(piece.start * 1000.0), end=Amount(piece.end * 1000.0)
+        "the {what} from {start} to {end} mm",
+        what=Text(piece.what),
+        start=Amount(piece.start * 1000.0),
+        end=Amount(piece.end * 1000.0),
     )
 
 
@@ -439,20 +539,29 @@ def turning_inertia(shape: Outline, rho: KilogramPerMetre3, extras: tuple[Eccent
 
 
 @formula("F_O", "dynamics: force of the pieces of the outline and the further elements", names={"omega": "ω_S"})
-def outline_force(omega: RadPerSecond, rho: KilogramPerMetre3, S: PhasorCubicMetre, l: Metre, F_x: PhasorNewton) -> PhasorNewton:
+def outline_force(
+    omega: RadPerSecond, rho: KilogramPerMetre3, S: PhasorCubicMetre, l: Metre, F_x: PhasorNewton
+) -> PhasorNewton:
     return omega**2 * rho * resultant(S * l) + F_x
 
 
 @formula(
-    "C_O", "dynamics: couple of the pieces of the outline and the further elements, their unbalance times position", names={"omega": "ω_S"}
+    "C_O",
+    "dynamics: couple of the pieces of the outline and the further elements, their unbalance times position",
+    names={"omega": "ω_S"},
 )
-def outline_couple(omega: RadPerSecond, rho: KilogramPerMetre3, S: PhasorCubicMetre, l: Metre, z: Metre,
-    C_x: PhasorNewtonMetre) -> PhasorNewtonMetre:  # fmt: skip
+def outline_couple(
+    omega: RadPerSecond, rho: KilogramPerMetre3, S: PhasorCubicMetre, l: Metre, z: Metre, C_x: PhasorNewtonMetre
+) -> PhasorNewtonMetre:
     return omega**2 * rho * resultant(S * l * z) + C_x
 
 
-def vectors_of(shape: Outline, rho: KilogramPerMetre3, omega: RadPerSecond, F_x: complex, C_x: complex) -> tuple[complex, complex]:
+def vectors_of(
+    shape: Outline, rho: KilogramPerMetre3, omega: RadPerSecond, F_x: complex, C_x: complex
+) -> tuple[complex, complex]:
     """Force and couple of the outline about mid-shaft, with those of the further elements."""
     S = each(shape.moment)
     l, z = _extent(shape)
-    return outline_force(omega=omega, rho=rho, S=S, l=l, F_x=F_x), outline_couple(omega=omega, rho=rho, S=S, l=l, z=z, C_x=C_x)
+    return outline_force(omega=omega, rho=rho, S=S, l=l, F_x=F_x), outline_couple(
+        omega=omega, rho=rho, S=S, l=l, z=z, C_x=C_x
+    )

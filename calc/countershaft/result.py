@@ -4,7 +4,7 @@
 from typing import TYPE_CHECKING
 
 from ..sheet.quantity import Stated, group, result, value
-from ..sheet.units import (  # fmt: skip
+from ..sheet.units import (
     Kilogram,
     KilogramMetre,
     KilogramMetre2,
@@ -82,14 +82,20 @@ class CountershaftResult:
     mass: Kilogram | None = value("Mass of the whole shaft", "kg", "m_S", default=None)
     centre_of_gravity: Metre | None = value("its centre of gravity from mid-shaft", "mm", "z_S", default=None)
     moment_of_inertia: KilogramMetre2 | None = value("Moment of inertia about its axis", "kg·mm²", "J_S", default=None)
-    outline_force_deviation: Newton | None = value("Force of the given sections, off the masses'", "N", "ΔF_O", default=None)
-    outline_couple_deviation: NewtonMetre | None = value("Couple of the given sections, off the masses'", "N·m", "ΔC_O", default=None)
+    outline_force_deviation: Newton | None = value(
+        "Force of the given sections, off the masses'", "N", "ΔF_O", default=None
+    )
+    outline_couple_deviation: NewtonMetre | None = value(
+        "Couple of the given sections, off the masses'", "N·m", "ΔC_O", default=None
+    )
     standing: Standing | None = group(spread=True, default=None)
     slope_front: Radian | None = value("Slope of the front journal", "mrad", "θ_f", default=None)
     slope_rear: Radian | None = value("Slope of the rear journal", "mrad", "θ_r", default=None)
     slope_front_stiff: Radian | None = value("Slope of the front journal, full stiffness", "mrad", "θ_f", default=None)
     slope_rear_stiff: Radian | None = value("Slope of the rear journal, full stiffness", "mrad", "θ_r", default=None)
-    first_critical_speed: RevPerSecond | None = value("First bending critical speed (natural frequency)", "rpm", "n_1", default=None)
+    first_critical_speed: RevPerSecond | None = value(
+        "First bending critical speed (natural frequency)", "rpm", "n_1", default=None
+    )
     first_critical_speed_stiff: RevPerSecond | None = value("the same, full stiffness", "rpm", "n_1", default=None)
     first_critical_speed_without_rotary: RevPerSecond | None = value(
         "the first without rotary inertia, as other programs have it", "rpm", "n_1", default=None

@@ -1,15 +1,15 @@
 # SPDX-License-Identifier: Apache-2.0
 """The counter-shaft as a sketch: from the side with its supports and its bending line, and its masses from the front.
 
-From the side the first mass is up, as on the drawing; from the front cylinder 1 stands at TDC and the crank turns clockwise.
-"""
+From the side the first mass is up, as on the drawing; from the front cylinder 1 stands at TDC and the crank turns
+clockwise."""
 
 import math
 from collections.abc import Iterable, Iterator
 
 import numpy as np
 
-from ..draw.drawing import (  # fmt: skip
+from ..draw.drawing import (
     AXIS,
     CONTEXT,
     DIMENSIONS,
@@ -43,9 +43,17 @@ from .result import CountershaftResult
 from .sizing.sectors import SizedSector
 
 STEP = "countershaft"
-MASSES, OUTER, CORE, LENGTH = f"{STEP}.masses", f"{STEP}.outer_radius_mm", f"{STEP}.core_radius_mm", f"{STEP}.half_length_mm"
+MASSES, OUTER, CORE, LENGTH = (
+    f"{STEP}.masses",
+    f"{STEP}.outer_radius_mm",
+    f"{STEP}.core_radius_mm",
+    f"{STEP}.half_length_mm",
+)
 POSITIONS, HOLES, GEAR = f"{STEP}.bearing_positions_mm", f"{STEP}.holes", f"{STEP}.gear_z_mm"
-JOURNALS = f"{STEP}.journals bearings.front.diameter_mm bearings.front.length_mm bearings.rear.diameter_mm bearings.rear.length_mm"
+JOURNALS = (
+    f"{STEP}.journals bearings.front.diameter_mm bearings.front.length_mm bearings.rear.diameter_mm "
+    f"bearings.rear.length_mm"
+)
 SHADES = {"sector": 0.5, "journal": 0.25, "gear": 0.25, "full": 0.25, "core": 0.12}
 EXAGGERATED: Number = 1000.0  # of the bending line, or a power of ten beside it
 SEEN = 0.05, 1.2  # of the largest radius: within this the bending line is to stay
@@ -57,7 +65,8 @@ CORNERS = 24  # of half a sector
 
 @record
 class View:
-    """What of the shaft is drawn: its pieces, or where its outline is not known its journals and masses; `up`: what is drawn up."""
+    """What of the shaft is drawn: its pieces, or where its outline is not known its journals and masses; `up`: what is
+    drawn up."""
 
     shaft: CountershaftInputs
     pieces: tuple[Piece, ...]
@@ -80,16 +89,24 @@ def sketch(design: Designed, results: Solved) -> Sketch:
     if shaft is None or not isinstance(found, CountershaftResult):
         return awaited(outcome)
     checks = tuple(outcome.checks)
-    masses = judged(checks, *(f"{STEP}.{id}" for id in ("residual", "residual_force", "envelope", "envelope_length", "outline_force")))
+    masses = judged(
+        checks,
+        *(f"{STEP}.{id}" for id in ("residual", "residual_force", "envelope", "envelope_length", "outline_force")),
+    )
     if found.outline is not None:
         view, notes = _shaped(shaft, found.outline, masses), [Text("lengths in mm")]
     elif found.sector:
-        view, notes = _envelope(shaft, tuple(found.sector.values()), masses), [Text("lengths in mm"), Text("without its journals")]
+        view, notes = (
+            _envelope(shaft, tuple(found.sector.values()), masses),
+            [Text("lengths in mm"), Text("without its journals")],
+        )
     elif shaft.masses:
         view, notes = _points(shaft, masses), [Text("lengths in mm"), Text("masses as points")]
     else:
         return Sketch(notes=(Text("The picture waits for the masses of the shaft."),))
-    side: list[Mark] = [Polyline(AXIS, ((view.start - SUPPORT * view.length, 0.0), (view.end + SUPPORT * view.length, 0.0)))]
+    side: list[Mark] = [
+        Polyline(AXIS, ((view.start - SUPPORT * view.length, 0.0), (view.end + SUPPORT * view.length, 0.0)))
+    ]
     side += _side(view, found.outline)
     side += _supports(view, checks)
     side += _dimensions(view)
@@ -112,7 +129,10 @@ def _envelope(shaft: CountershaftInputs, sectors: tuple[SizedSector, ...], state
     start, end = shaft.bearing_positions[0], shaft.bearing_positions[-1]
     R, r_0 = shaft.outer_radius or 0.0, shaft.core_radius or 0.0
     heavy = sorted((one for one in sectors if one.half_angle), key=lambda one: one.z)
-    pieces = [Piece(one.z - one.length / 2, one.z + one.length / 2, R, r_0, one.half_angle, one.angle, "sector") for one in heavy]
+    pieces = [
+        Piece(one.z - one.length / 2, one.z + one.length / 2, R, r_0, one.half_angle, one.angle, "sector")
+        for one in heavy
+    ]
     edges = [start, *(edge for piece in pieces for edge in (piece.start, piece.end)), end]
     pieces += [Piece(a, b, r_0, 0.0, None, 0.0, "core") for a, b in zip(edges[::2], edges[1::2]) if b > a]
     return View(shaft, tuple(pieces), heavy[0].angle if heavy else 0.0, R, start, end, state)
@@ -125,9 +145,20 @@ def _points(shaft: CountershaftInputs, state: State) -> View:
         Piece(z - journal.length / 2, z + journal.length / 2, journal.diameter / 2, 0.0, None, 0.0, "journal")
         for z, journal in zip(shaft.bearing_positions, shaft.journals)
     )
-    start, end = min((*places, *(piece.start for piece in journals))), max((*places, *(piece.end for piece in journals)))
+    start, end = (
+        min((*places, *(piece.start for piece in journals))),
+        max((*places, *(piece.end for piece in journals))),
+    )
     largest = max(mass.radius for mass in shaft.masses) * (1 + POINT)
-    return View(shaft, journals, shaft.masses[0].angle, max(largest, *(p.outer_radius for p in journals), 0.0), start, end, state)
+    return View(
+        shaft,
+        journals,
+        shaft.masses[0].angle,
+        max(largest, *(p.outer_radius for p in journals), 0.0),
+        start,
+        end,
+        state,
+    )
 
 
 def _mass_keys(view: View, piece: Piece) -> str:
@@ -186,24 +217,37 @@ def _dimensions(view: View) -> Iterator[Mark]:
     for a, b in zip(shaft.bearing_positions, shaft.bearing_positions[1:]):
         yield Dimension(DIMENSIONS, (a, low), (b, low), (a, low), key=POSITIONS, label=_mm(b - a))
     if shaft.half_length is not None:
-        yield Dimension(DIMENSIONS, (0.0, high), (shaft.half_length, high), (0.0, high), key=LENGTH, label=_mm(shaft.half_length))
+        yield Dimension(
+            DIMENSIONS, (0.0, high), (shaft.half_length, high), (0.0, high), key=LENGTH, label=_mm(shaft.half_length)
+        )
     elif len(shaft.masses) <= FEW:
         for mass in shaft.masses:
             if mass.z:
                 yield Dimension(
-                    DIMENSIONS, (0.0, high), (mass.z, high), (0.0, high), key=f"{MASSES}.{mass.name}.z_mm", label=_mm(mass.z)
-                )  # fmt: skip
+                    DIMENSIONS,
+                    (0.0, high),
+                    (mass.z, high),
+                    (0.0, high),
+                    key=f"{MASSES}.{mass.name}.z_mm",
+                    label=_mm(mass.z),
+                )
     largest = max((p for p in view.pieces if p.what == "sector"), key=lambda p: p.outer_radius, default=None)
     if largest is not None:
         x = view.end + 2 * SUPPORT * view.length
         yield Dimension(
-            DIMENSIONS, (largest.end, 0.0), (largest.end, largest.outer_radius), (x, 0.0), upright=True, key=OUTER,
+            DIMENSIONS,
+            (largest.end, 0.0),
+            (largest.end, largest.outer_radius),
+            (x, 0.0),
+            upright=True,
+            key=OUTER,
             label=Text("R {radius}", radius=Amount(largest.outer_radius * 1000)),
-        )  # fmt: skip
+        )
 
 
 def _holes(view: View, holes: Holes, state: State) -> Iterator[Mark]:
-    """The holes of each sector that is seen from outside, evenly along it: their depth is true, their places are not given."""
+    """The holes of each sector that is seen from outside, evenly along it: their depth is true, their places are not
+    given."""
     sectors = [piece for piece in view.pieces if piece.what == "sector"]
     for piece in sectors:
         count = max(1, round(holes.count / len(sectors)))
@@ -216,8 +260,11 @@ def _holes(view: View, holes: Holes, state: State) -> Iterator[Mark]:
             z, half = piece.start + (n + 0.5) / count * piece.length, holes.diameter / 2
             bottom = rim - way * holes.depth
             yield Polyline(
-                OUTLINE, ((z - half, rim), (z - half, bottom), (z + half, bottom), (z + half, rim)), key=HOLES, state=state
-            )  # fmt: skip
+                OUTLINE,
+                ((z - half, rim), (z - half, bottom), (z + half, bottom), (z + half, rim)),
+                key=HOLES,
+                state=state,
+            )
 
 
 def _bent(view: View, bending: Bending, checks: Iterable[Check]) -> tuple[list[Mark], Number] | None:
@@ -231,7 +278,9 @@ def _bent(view: View, bending: Bending, checks: Iterable[Check]) -> tuple[list[M
         factor /= 10
     while most * factor < SEEN[0] * view.radius:
         factor *= 10
-    state = judged(checks, f"{STEP}.bending_stress", f"{STEP}.first_critical_speed", f"{STEP}.slope_front", f"{STEP}.slope_rear")
+    state = judged(
+        checks, f"{STEP}.bending_stress", f"{STEP}.first_critical_speed", f"{STEP}.slope_front", f"{STEP}.slope_rear"
+    )
     points = tuple(zip(bending.z.tolist(), (sag * factor).tolist()))
     marks: list[Mark] = [Polyline(HIDDEN, points, key=f"{STEP}.sector_effectiveness", state=state)]
     worn = judged(checks, f"{STEP}.fatigue", f"{STEP}.notch_stress")
@@ -250,7 +299,12 @@ def _end_view(view: View) -> Iterator[Mark]:
     told: set[tuple[Metre, Metre, Radian, Radian]] = set()
     for piece in sectors:
         assert piece.half_angle is not None
-        size = round(piece.outer_radius, 4), round(piece.core_radius, 4), round(piece.half_angle, 2), round(piece.angle, 4)
+        size = (
+            round(piece.outer_radius, 4),
+            round(piece.core_radius, 4),
+            round(piece.half_angle, 2),
+            round(piece.angle, 4),
+        )
         if size in told:
             continue
         told.add(size)

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The counter-shaft, given or sized: its couple, what it leaves of the imbalance, what its supports carry, how it bends and is made."""
+"""The counter-shaft, given or sized: its couple, what it leaves of the imbalance, what its supports carry, how it bends
+and is made."""
 
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
@@ -19,7 +20,16 @@ from ..sheet.linked_array import column, elements, item
 from ..sheet.quantity import Described, Stated
 from ..sheet.step import Curve, Outcome
 from ..sheet.text import Amount, Name, Text
-from ..sheet.units import CubicMetrePerSecond, Metre, MetrePerSecond, MetrePerSecond2, Number, Radian, RadPerSecond, SquareMetrePerSecond
+from ..sheet.units import (
+    CubicMetrePerSecond,
+    Metre,
+    MetrePerSecond,
+    MetrePerSecond2,
+    Number,
+    Radian,
+    RadPerSecond,
+    SquareMetrePerSecond,
+)
 from ..sheet.value import about, based_on, trace
 from . import formulas as f
 from .bending.shaft import Bending, bending
@@ -38,12 +48,19 @@ if TYPE_CHECKING:
     from .sizing.sectors import Sized
 
 
-def solve(shaft: CountershaftInputs, imbalance: ImbalanceResult, omega: RadPerSecond, materials: Mapping[str, Material], journals: Journals,
-    gear: Gear | None, slopes: tuple[float, ...] | None = None) -> Outcome[CountershaftResult]:  # fmt: skip
+def solve(
+    shaft: CountershaftInputs,
+    imbalance: ImbalanceResult,
+    omega: RadPerSecond,
+    materials: Mapping[str, Material],
+    journals: Journals,
+    gear: Gear | None,
+    slopes: tuple[float, ...] | None = None,
+) -> Outcome[CountershaftResult]:
     """Check a shaft against what the engine asks for, or size it first.
 
-    `omega` is the crank's rated angular speed; `journals` are those of [bearings] or of the shaft itself, empty where they are not known;
-    `slopes` are those of the journals where they are given, for a shaft whose outline is not known.
+    `omega` is the crank's rated angular speed; `journals` are those of [bearings] or of the shaft itself, empty where
+    they are not known; `slopes` are those of the journals where they are given, for a shaft whose outline is not known.
     """
     todo = task(shaft, imbalance)
     steel = materials[shaft.material]
@@ -61,9 +78,14 @@ def solve(shaft: CountershaftInputs, imbalance: ImbalanceResult, omega: RadPerSe
         F_S, C_S = _supplied(masses, shaft.extras, omega_S)
         result = _balance(shaft, todo, masses, F_S, C_S, omega_S)
         if sized is not None:
-            result = replace(result, sector_half_angle=sized.sector_half_angle, sector_length=sized.sector_length,
-                utilisation=sized.utilisation, sector_mass=max(sized.front.mass, sized.rear.mass),
-                sector={"front": sized.front, "rear": sized.rear})  # fmt: skip
+            result = replace(
+                result,
+                sector_half_angle=sized.sector_half_angle,
+                sector_length=sized.sector_length,
+                utilisation=sized.utilisation,
+                sector_mass=max(sized.front.mass, sized.rear.mass),
+                sector={"front": sized.front, "rear": sized.rear},
+            )
         outline = _outline(shaft, masses, sized, R, steel, journals, gear, to)
         bent = None
         if outline is not None:
@@ -73,27 +95,51 @@ def solve(shaft: CountershaftInputs, imbalance: ImbalanceResult, omega: RadPerSe
             result = replace(result, outline=outline, mass=m_S, centre_of_gravity=z_S, moment_of_inertia=J_S)
             if not outline.derived:
                 result = _beside(result, points, outline, steel, F_S, C_S)
-            bent = bending(outline, steel, omega_S, shaft.bearing_positions, points, shaft.sector_effectiveness, shaft.fillet_radius)
+            bent = bending(
+                outline,
+                steel,
+                omega_S,
+                shaft.bearing_positions,
+                points,
+                shaft.sector_effectiveness,
+                shaft.fillet_radius,
+            )
             result = _with_bending(result, bent, steel, to, certain=sized is not None or not outline.derived)
         elif slopes:
             result = replace(result, slope_front=slopes[0], slope_rear=slopes[-1])
             to.notes.append(SLOPES_GIVEN)
         result = _with_supports(shaft, masses, journals, result, bent, to)
         result = making(shaft, todo, masses, result, R, materials, journals, to)
-    return Outcome("countershaft", result=result, checks=(*checks(shaft, todo, result, journals, gear), *to.checks), lines=tuple(lines),
-        curves=Later(partial(_curves, todo, result, omega, shaft.bearing_positions)) + to.curves, tables=to.tables,
-        notes=Later(lambda: (*notes(shaft, journals), *to.notes)))  # fmt: skip
+    return Outcome(
+        "countershaft",
+        result=result,
+        checks=(*checks(shaft, todo, result, journals, gear), *to.checks),
+        lines=tuple(lines),
+        curves=Later(partial(_curves, todo, result, omega, shaft.bearing_positions)) + to.curves,
+        tables=to.tables,
+        notes=Later(lambda: (*notes(shaft, journals), *to.notes)),
+    )
 
 
-def _curves(todo: ShaftTask, shaft: CountershaftResult, omega: RadPerSecond, positions: tuple[Metre, ...]) -> tuple[Curve, ...]:
+def _curves(
+    todo: ShaftTask, shaft: CountershaftResult, omega: RadPerSecond, positions: tuple[Metre, ...]
+) -> tuple[Curve, ...]:
     from .curves import curves  # which a check does not draw
 
     return curves(todo, shaft, omega, positions)
 
 
-def _sized(shaft: CountershaftInputs, todo: ShaftTask, omega: RadPerSecond, steel: Material, materials: Mapping[str, Material],
-    journals: Journals, to: Gathered) -> "Sized | None":  # fmt: skip
-    """The lightest pair of sectors in the envelope, where that is asked.  Raises NoSolution where the envelope can not hold it."""
+def _sized(
+    shaft: CountershaftInputs,
+    todo: ShaftTask,
+    omega: RadPerSecond,
+    steel: Material,
+    materials: Mapping[str, Material],
+    journals: Journals,
+    to: Gathered,
+) -> "Sized | None":
+    """The lightest pair of sectors in the envelope, where that is asked.  Raises NoSolution where the envelope can not
+    hold it."""
     if shaft.mode != "size" or shaft.outer_radius is None or shaft.core_radius is None or shaft.half_length is None:
         return None
     from .sizing.choices import front_curve, named
@@ -118,12 +164,23 @@ def _room(shaft: CountershaftInputs, journals: Journals) -> str:
         return ""
     seat = max(d for d, _ in journals) / 2 - (shaft.radial_clearance or 0.0)
     face = min(abs(z) - l / 2 for z, (_, l) in zip(shaft.bearing_positions, journals))
-    return Text(" (the journals as they are leave an outer radius of {seat} mm and a half-length of {face} mm)",
-        seat=Amount(seat * 1000.0, form=".4g"), face=Amount(face * 1000.0, form=".4g"))  # fmt: skip
+    return Text(
+        " (the journals as they are leave an outer radius of {seat} mm and a half-length of {face} mm)",
+        seat=Amount(seat * 1000.0, form=".4g"),
+        face=Amount(face * 1000.0, form=".4g"),
+    )
 
 
-def _outline(shaft: CountershaftInputs, masses: tuple[EccentricMass, ...], sized: "Sized | None", R: Metre | None, steel: Material,
-    journals: Journals, gear: Gear | None, to: Gathered) -> Outline | None:  # fmt: skip
+def _outline(
+    shaft: CountershaftInputs,
+    masses: tuple[EccentricMass, ...],
+    sized: "Sized | None",
+    R: Metre | None,
+    steel: Material,
+    journals: Journals,
+    gear: Gear | None,
+    to: Gathered,
+) -> Outline | None:
     """The shaft's outline, given or put together; None where it can not be, and a note says why."""
     try:
         if shaft.sections and sized is None:
@@ -138,38 +195,65 @@ def _outline(shaft: CountershaftInputs, masses: tuple[EccentricMass, ...], sized
         outline = assembled(shaft, sectors, journals, (gear.diameter, gear.face_width) if gear else None)
     except NoOutline as none:
         to.checks += [none.broken] if none.broken is not None else []
-        to.notes.append(Text("Mass, balance tolerance, bending and critical speed are not computed: {none}.", none=none.reason))
+        to.notes.append(
+            Text("Mass, balance tolerance, bending and critical speed are not computed: {none}.", none=none.reason)
+        )
         return None
     to.notes.append(outline_note(sized is not None, gear is not None))
     return outline
 
 
-def _beside(result: CountershaftResult, points: tuple[EccentricMass, ...], outline: Outline, steel: Material, F_S: complex,
-    C_S: complex) -> CountershaftResult:  # fmt: skip
+def _beside(
+    result: CountershaftResult,
+    points: tuple[EccentricMass, ...],
+    outline: Outline,
+    steel: Material,
+    F_S: complex,
+    C_S: complex,
+) -> CountershaftResult:
     """The same result with how far the given sections are from the given masses: both must be one shaft."""
     with about(Text("given sections")):
         F_x, C_x = _of(points, result.omega) if points else (0j, 0j)
         F_O, C_O = vectors_of(outline, steel.density, result.omega, F_x, C_x)
-        return replace(result, outline_force_deviation=f.force_deviation(F_O=F_O, F_S=F_S),
-            outline_couple_deviation=f.couple_deviation(C_O=C_O, C_S=C_S))  # fmt: skip
+        return replace(
+            result,
+            outline_force_deviation=f.force_deviation(F_O=F_O, F_S=F_S),
+            outline_couple_deviation=f.couple_deviation(C_O=C_O, C_S=C_S),
+        )
 
 
-def _with_bending(result: CountershaftResult, bent: Bending, steel: Material, to: Gathered, certain: bool) -> CountershaftResult:
+def _with_bending(
+    result: CountershaftResult, bent: Bending, steel: Material, to: Gathered, certain: bool
+) -> CountershaftResult:
     """The same result with the slopes of its outer journals and its first critical speed.
 
-    `certain`: the outline is the designer's or this program's own; else the gaps between its pieces are no more than assumed.
-    """
+    `certain`: the outline is the designer's or this program's own; else the gaps between its pieces are no more than
+    assumed."""
     to.checks += [c for c in bending_checks(bent, steel) if certain or c.id != "countershaft.fillet_room"]
     to.notes += bending_notes(bent, steel)
-    return replace(result, bending=bent, slope_front=item(bent.slopes[0]), slope_rear=item(bent.slopes[-1]),
-        slope_front_stiff=item(bent.slopes_stiff[0]), slope_rear_stiff=item(bent.slopes_stiff[-1]),
-        first_critical_speed=bent.natural_frequency, first_critical_speed_stiff=bent.natural_frequency_stiff,
-        first_critical_speed_without_rotary=bent.natural_frequency_without_rotary)  # fmt: skip
+    return replace(
+        result,
+        bending=bent,
+        slope_front=item(bent.slopes[0]),
+        slope_rear=item(bent.slopes[-1]),
+        slope_front_stiff=item(bent.slopes_stiff[0]),
+        slope_rear_stiff=item(bent.slopes_stiff[-1]),
+        first_critical_speed=bent.natural_frequency,
+        first_critical_speed_stiff=bent.natural_frequency_stiff,
+        first_critical_speed_without_rotary=bent.natural_frequency_without_rotary,
+    )
 
 
-def _with_supports(shaft: CountershaftInputs, masses: tuple[EccentricMass, ...], journals: Journals, result: CountershaftResult,
-    bent: Bending | None, to: Gathered) -> CountershaftResult:  # fmt: skip
-    """The same result support by support, where there are more than two or the journals are the shaft's own; else [bearings] has them."""
+def _with_supports(
+    shaft: CountershaftInputs,
+    masses: tuple[EccentricMass, ...],
+    journals: Journals,
+    result: CountershaftResult,
+    bent: Bending | None,
+    to: Gathered,
+) -> CountershaftResult:
+    """The same result support by support, where there are more than two or the journals are the shaft's own; else
+    [bearings] has them."""
     positions = shaft.bearing_positions
     if len(positions) == 2 and not shaft.journals:
         return result
@@ -195,7 +279,9 @@ def _with_supports(shaft: CountershaftInputs, masses: tuple[EccentricMass, ...],
     return replace(result, support=support, reaction_front=outer[0].reaction, reaction_rear=outer[-1].reaction)
 
 
-def _supplied(masses: tuple[EccentricMass, ...], extras: tuple[Extra, ...], omega: RadPerSecond) -> tuple[complex, complex]:
+def _supplied(
+    masses: tuple[EccentricMass, ...], extras: tuple[Extra, ...], omega: RadPerSecond
+) -> tuple[complex, complex]:
     """The force and the couple of the shaft, cylinder 1 at TDC."""
     if not extras:
         return _of(masses, omega)
@@ -226,8 +312,14 @@ def _moments(masses: tuple[EccentricMass, ...], omega: RadPerSecond) -> dict[str
     }
 
 
-def _balance(shaft: CountershaftInputs, todo: ShaftTask, masses: tuple[EccentricMass, ...], F_S: complex, C_S: complex,
-    omega: RadPerSecond) -> CountershaftResult:  # fmt: skip
+def _balance(
+    shaft: CountershaftInputs,
+    todo: ShaftTask,
+    masses: tuple[EccentricMass, ...],
+    F_S: complex,
+    C_S: complex,
+    omega: RadPerSecond,
+) -> CountershaftResult:
     """What the shaft supplies, what is left, and what two supports carry."""
     z_f, z_r = shaft.bearing_positions[0], shaft.bearing_positions[-1]
     couple, phase, force = f.couple(C_S=C_S), f.couple_phase(C_S=C_S), f.force(F_S=F_S)
@@ -241,20 +333,35 @@ def _balance(shaft: CountershaftInputs, todo: ShaftTask, masses: tuple[Eccentric
     R_r = f.reaction_rear(C_S=C_S, z_f=z_f, F_S=F_S, z_r=z_r)
     R_f = f.reaction_front(F_S=F_S, R_r=R_r)
     first = todo.order == 1
-    return CountershaftResult(couple=couple, couple_phase=phase, mass_moment=_moments(masses, omega),
-        residual_order_1_couple=C_left if first else None, residual_order_1_force=F_left if first else None,
+    return CountershaftResult(
+        couple=couple,
+        couple_phase=phase,
+        mass_moment=_moments(masses, omega),
+        residual_order_1_couple=C_left if first else None,
+        residual_order_1_force=F_left if first else None,
         residual_order_2_couple=None if first else C_left,
-        residual_order_2_force=None if first else F_left, static_unbalance=f.static_unbalance(F_S=force, omega=omega), force=force,
-        reaction_front=f.reaction(R=R_f), reaction_rear=f.reaction(R=R_r), support={}, couple_against=based_on(abs(C_against), C_against),
+        residual_order_2_force=None if first else F_left,
+        static_unbalance=f.static_unbalance(F_S=force, omega=omega),
+        force=force,
+        reaction_front=f.reaction(R=R_f),
+        reaction_rear=f.reaction(R=R_r),
+        support={},
+        couple_against=based_on(abs(C_against), C_against),
         eccentric_mass=f.eccentric_mass(m=column(masses, "mass")),
-        roll_torque=None if shaft.axis is None or shaft.pair == "yes" else roll_torque(p=based_on(complex(*shaft.axis), shaft.axis), F=F_S),
-        force_vector=F_S, couple_vector=C_S, omega=omega)  # fmt: skip
+        roll_torque=None
+        if shaft.axis is None or shaft.pair == "yes"
+        else roll_torque(p=based_on(complex(*shaft.axis), shaft.axis), F=F_S),
+        force_vector=F_S,
+        couple_vector=C_S,
+        omega=omega,
+    )
 
 
 # Whether the oil of the bearings leaves by the support's drains while the machine stands tilted.
 #
-# The passage to a drain loses of its slope what the machine tilts.  What runs off by the rest is that of a half-full pipe of its narrowest
-# bore, with the oil as it leaves the bearings; cold, it runs off far slower, and the film carries out as much.
+# The passage to a drain loses of its slope what the machine tilts.  What runs off by the rest is that of a half-full
+# pipe of its narrowest bore, with the oil as it leaves the bearings; cold, it runs off far slower, and the film carries
+# out as much.
 
 G: MetrePerSecond2 = 9.80665
 PIPE = Text("physics, steady flow down a half-full pipe, whose hydraulic diameter is its bore")
@@ -265,14 +372,19 @@ def laminar_speed(theta: Radian, d: Metre, nu: SquareMetrePerSecond) -> MetrePer
     return G * sin(theta) * d**2 / (32 * nu)
 
 
-@formula("v_t", Text("{pipe}: turbulent, smooth wall, coefficient of friction 0.316/Re^0.25 (Blasius)", pipe=PIPE),
-    names={"theta": "θ_d", "d": "d_d", "G": "g"})  # fmt: skip
+@formula(
+    "v_t",
+    Text("{pipe}: turbulent, smooth wall, coefficient of friction 0.316/Re^0.25 (Blasius)", pipe=PIPE),
+    names={"theta": "θ_d", "d": "d_d", "G": "g"},
+)
 def turbulent_speed(theta: Radian, d: Metre, nu: SquareMetrePerSecond) -> MetrePerSecond:
     return power(2 * G * sin(theta) * power(d, 5 / 4) / (0.316 * power(nu, 1 / 4)), 4 / 7)
 
 
 @formula(
-    "Q_d", "rule of this program: half full, since air has to come back the same way; of both frictions the larger", names={"d": "d_d"}
+    "Q_d",
+    "rule of this program: half full, since air has to come back the same way; of both frictions the larger",
+    names={"d": "d_d"},
 )
 def run_off(d: Metre, v_l: MetrePerSecond, v_t: MetrePerSecond) -> CubicMetrePerSecond:
     return pi / 8 * d**2 * smallest(v_l, v_t)
@@ -284,16 +396,23 @@ def oil_taken(x_f: Number, Q_f: CubicMetrePerSecond, x_r: Number, Q_r: CubicMetr
 
 
 def with_oil(outcome: Outcome[CountershaftResult], bearings: "BearingsResult | None") -> Outcome[CountershaftResult]:
-    """The same outcome with the bearings' oil against what runs off, of each drain whose bore is given and that has a slope left."""
+    """The same outcome with the bearings' oil against what runs off, of each drain whose bore is given and that has a
+    slope left."""
     shaft = outcome.result
     if shaft is None or bearings is None:
         return outcome
     with trace() as lines:
         drain = _with_oil(shaft.drain, bearings) if shaft.drain is not None else None
         further = {name: _with_oil(one, bearings) for name, one in (shaft.further_drains or {}).items()}
-    found = [named(made, name) for name, one in {"": drain, **further}.items() if one is not None for made in _checks(one)]
+    found = [
+        named(made, name) for name, one in {"": drain, **further}.items() if one is not None for made in _checks(one)
+    ]
     result = replace(shaft, drain=drain, further_drains=further or None)
-    return replace(outcome, result=result, checks=(*outcome.checks, *found), lines=(*outcome.lines, *lines)) if found else outcome
+    return (
+        replace(outcome, result=result, checks=(*outcome.checks, *found), lines=(*outcome.lines, *lines))
+        if found
+        else outcome
+    )
 
 
 def _with_oil(one: DrainResult, bearings: "BearingsResult") -> DrainResult:
@@ -310,6 +429,13 @@ def _with_oil(one: DrainResult, bearings: "BearingsResult") -> DrainResult:
 
 def _checks(one: DrainResult) -> Iterator[Check]:
     if one.drain_flow is not None and one.drain_run_off is not None:
-        yield check(f"{one.drain.id}.run_off", Text("Oil of the bearings that the drain takes"), one.drain_flow, "<=", one.drain_run_off,
-            "L/min", Text("rule of this program: it must run off by itself, by the slope that the machine's tilt leaves"),
-            Text("A wider bore, a steeper passage, or a drain more. Cold oil runs off far slower."))  # fmt: skip
+        yield check(
+            f"{one.drain.id}.run_off",
+            Text("Oil of the bearings that the drain takes"),
+            one.drain_flow,
+            "<=",
+            one.drain_run_off,
+            "L/min",
+            Text("rule of this program: it must run off by itself, by the slope that the machine's tilt leaves"),
+            Text("A wider bore, a steeper passage, or a drain more. Cold oil runs off far slower."),
+        )

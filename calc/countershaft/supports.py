@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """The reactions of a shaft on any number of supports.
 
-Clapeyron's three moments: constant bending stiffness over the whole length, supports rigid and in line, point loads, shear left out.  Loads
-and reactions are complex and turn with the shaft.  A moment is positive where a load in the positive direction makes it so between two
-supports, so that the moments over inner supports come out below zero (hogging).
-"""
+Clapeyron's three moments: constant bending stiffness over the whole length, supports rigid and in line, point loads,
+shear left out.  Loads and reactions are complex and turn with the shaft.  A moment is positive where a load in the
+positive direction makes it so between two supports, so that the moments over inner supports come out below zero
+(hogging)."""
 
 from dataclasses import replace
 from typing import NamedTuple, cast
@@ -25,15 +25,20 @@ from .outline import middles
 from .result import CountershaftResult, Standing
 
 CLAPEYRON = Text(
-    "statics: bending moments over the supports, by Clapeyron's three moments (Finotti 2013, 3.2.3.1, for two spans; here any number)"
+    "statics: bending moments over the supports, by Clapeyron's three moments (Finotti 2013, 3.2.3.1, for two spans; "
+    "here any number)"
 )
 
 
-@formula("M_i", CLAPEYRON,
+@formula(
+    "M_i",
+    CLAPEYRON,
     shows="M_1·L_1 + 2·M_2·(L_1 + L_2) + M_3·L_2 = −Σ F·a·(L_1² − a²)/L_1 − Σ F·b·(L_2² − b²)/L_2; "
-    "M = −Σ F·a over the outer supports, a the distance of the loads beyond them")  # fmt: skip
+    "M = −Σ F·a over the outer supports, a the distance of the loads beyond them",
+)
 def support_moments(F: PhasorNewton, z: Metre, z_s: Metre) -> PhasorNewtonMetre:
-    """Bending moments over the supports at z_s, from loads F at z: all arrays.  a is counted from the support away, b likewise."""
+    """Bending moments over the supports at z_s, from loads F at z: all arrays.  a is counted from the support away, b
+    likewise."""
     load, place, support = _arrays(F, z, z_s)
     n, L = support.size, np.diff(support)
     first, last = place < support[0], place > support[-1]
@@ -54,8 +59,12 @@ def support_moments(F: PhasorNewton, z: Metre, z_s: Metre) -> PhasorNewtonMetre:
     return cast(PhasorNewtonMetre, M)
 
 
-@formula("R_i", "statics: reactions of the supports, from the equilibrium of each span after Clapeyron",
-    shows="−(Σ F·b/L on the span behind + Σ F·a/L on the span ahead + moments' differences over the spans + overhung loads)")  # fmt: skip
+@formula(
+    "R_i",
+    "statics: reactions of the supports, from the equilibrium of each span after Clapeyron",
+    shows="−(Σ F·b/L on the span behind + Σ F·a/L on the span ahead + moments' differences over the spans + overhung "
+    "loads)",
+)
 def support_reactions(F: PhasorNewton, z: Metre, z_s: Metre, M: PhasorNewtonMetre) -> PhasorNewton:
     """Forces of the supports on the shaft, from the loads and the moments over the supports: all arrays."""
     load, place, support = _arrays(F, z, z_s)
@@ -80,9 +89,15 @@ def reactions(F: PhasorNewton, z: Metre, positions: tuple[Metre, ...]) -> Comple
     Raises NoSolution for less than two supports or two in one place.
     """
     if len(positions) < 2 or np.any(np.diff(positions) <= 0):
-        raise NoSolution(Text("reactions of the shaft's supports"),
-            Text("{count} supports at {what} mm", count=len(positions), what=', '.join(f'{p * 1000.0:g}' for p in positions)),
-            Text("Give at least two bearing_positions_mm that rise from front to rear."))  # fmt: skip
+        raise NoSolution(
+            Text("reactions of the shaft's supports"),
+            Text(
+                "{count} supports at {what} mm",
+                count=len(positions),
+                what=", ".join(f"{p * 1000.0:g}" for p in positions),
+            ),
+            Text("Give at least two bearing_positions_mm that rise from front to rear."),
+        )
     z_s = each(positions)
     return phasors(support_reactions(F=F, z=z, z_s=z_s, M=support_moments(F=F, z=z, z_s=z_s)))
 
@@ -92,13 +107,16 @@ def _arrays(F: PhasorNewton, z: Metre, z_s: Metre) -> tuple[ComplexArray, Array,
 
 
 def _spans(place: Array, support: Array) -> tuple[IndexArray, Array, Array, BoolArray]:
-    """Of each load between the outer supports: its span, and its distances from the support ahead of it and from that behind it."""
+    """Of each load between the outer supports: its span, and its distances from the support ahead of it and from that
+    behind it."""
     inside = (place >= support[0]) & (place <= support[-1])
     span = np.clip(np.searchsorted(support, place[inside], side="right") - 1, 0, support.size - 2)
     return span, place[inside] - support[span], support[span + 1] - place[inside], inside
 
 
-# What stands still while the shaft turns: its weight and the force of its gear, on two bearings, beside the turning reactions.
+# What stands still while the shaft turns: its weight and the force of its gear, on two bearings, beside the turning
+# reactions.
+
 
 class Gear(NamedTuple):
     """The wheel on the shaft, by its reference circle; `z`: its middle from mid-shaft."""
@@ -117,9 +135,16 @@ class ShaftDrive(NamedTuple):
     speed: RevPerSecond
 
 
-def standing(reactions: tuple[Newton, Newton], positions: tuple[Metre, ...], weight: tuple[Newton, Newton, Newton] | None,
-    gear: Gear | None, z_G: Metre | None, drive: ShaftDrive | None) -> Standing:  # fmt: skip
-    """`reactions` turn with the shaft; `weight`: of the shaft, on its front and on its rear bearing; `drive` at its gear."""
+def standing(
+    reactions: tuple[Newton, Newton],
+    positions: tuple[Metre, ...],
+    weight: tuple[Newton, Newton, Newton] | None,
+    gear: Gear | None,
+    z_G: Metre | None,
+    drive: ShaftDrive | None,
+) -> Standing:
+    """`reactions` turn with the shaft; `weight`: of the shaft, on its front and on its rear bearing; `drive` at its
+    gear."""
     gear_forces: dict[str, Newton] = {}
     on_front: Newton = 0.0
     on_rear: Newton = 0.0
@@ -137,14 +162,20 @@ def standing(reactions: tuple[Newton, Newton], positions: tuple[Metre, ...], wei
         return Standing()
     front, rear = f.stationary(G_B=G_f, R_G=on_front), f.stationary(G_B=G_r, R_G=on_rear)
     return Standing(
-        **gear_forces, weight=G_S, weight_front=None if weight is None else G_f, weight_rear=None if weight is None else G_r,
-        stationary_front=front, stationary_rear=rear, reaction_front_peak=f.reaction_peak(R=reactions[0], R_0=front),
+        **gear_forces,
+        weight=G_S,
+        weight_front=None if weight is None else G_f,
+        weight_rear=None if weight is None else G_r,
+        stationary_front=front,
+        stationary_rear=rear,
+        reaction_front_peak=f.reaction_peak(R=reactions[0], R_0=front),
         reaction_rear_peak=f.reaction_peak(R=reactions[1], R_0=rear),
-    )  # fmt: skip
+    )
 
 
-def with_standing(outcome: Outcome[CountershaftResult], shaft: CountershaftInputs, gear: Gear | None,
-    drive: ShaftDrive | None) -> Outcome[CountershaftResult]:  # fmt: skip
+def with_standing(
+    outcome: Outcome[CountershaftResult], shaft: CountershaftInputs, gear: Gear | None, drive: ShaftDrive | None
+) -> Outcome[CountershaftResult]:
     """The same outcome with its weight and its gear's force on the bearings; on two bearings only."""
     if len(shaft.bearing_positions) != 2:
         return outcome
@@ -153,7 +184,9 @@ def with_standing(outcome: Outcome[CountershaftResult], shaft: CountershaftInput
     return replace(outcome, result=replace(outcome.solution, standing=stands), lines=(*outcome.lines, *lines))
 
 
-def standing_of(result: CountershaftResult, shaft: CountershaftInputs, gear: Gear | None, drive: ShaftDrive | None) -> Standing:
+def standing_of(
+    result: CountershaftResult, shaft: CountershaftInputs, gear: Gear | None, drive: ShaftDrive | None
+) -> Standing:
     """What stands still on the two bearings of a solved shaft; the power of its drive may be an array."""
     z_f, z_r = shaft.bearing_positions
     weight = None
@@ -171,4 +204,6 @@ def gear_place(shaft: CountershaftInputs, result: CountershaftResult, gear: Gear
         return None
     if shaft.gear_z is not None or result.outline is None:
         return shaft.gear_z if shaft.gear_z is not None else shaft.bearing_positions[0]
-    return next((middles(z_1=p.start, z_2=p.end) for p in result.outline.pieces if p.what == "gear"), shaft.bearing_positions[0])
+    return next(
+        (middles(z_1=p.start, z_2=p.end) for p in result.outline.pieces if p.what == "gear"), shaft.bearing_positions[0]
+    )

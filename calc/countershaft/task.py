@@ -14,7 +14,8 @@ WORDS = {1: Text("First"), 2: Text("Second")}
 
 @record
 class ShaftTask:
-    """The engine's vectors of one order, cylinder 1 at TDC: those that turn like the shaft, and those that turn against it.
+    """The engine's vectors of one order, cylinder 1 at TDC: those that turn like the shaft, and those that turn against
+    it.
 
     `one_force`, `one_couple`: m·r·ω² of one cylinder, and over one pitch, by which what is left is judged.
     """
@@ -29,7 +30,8 @@ class ShaftTask:
 
     @property
     def may_leave(self) -> NewtonMetre:
-        """The couple that a good shaft may leave: a share of the one to be balanced, or of m·r·ω²·a where there is none."""
+        """The couple that a good shaft may leave: a share of the one to be balanced, or of m·r·ω²·a where there is
+        none."""
         whole = self.couple or self.one_couple
         return based_on(LEFT_OVER * whole, whole)
 
@@ -40,7 +42,8 @@ class ShaftTask:
 
     @property
     def out_of_reach(self) -> frozenset[str]:
-        """Of couple and force those of which more turns against the shaft than may be left: no mass of a single shaft takes it."""
+        """Of couple and force those of which more turns against the shaft than may be left: no mass of a single shaft
+        takes it."""
         against = (("couple", self.C_against, self.may_leave), ("force", self.F_against, self.force_may_be_left))
         return frozenset(word for word, vector, limit in against if abs(vector) > limit)
 

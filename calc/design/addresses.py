@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Dotted keys of a design: where one stands in the tables of a file, what is known of it, and how a value is put there."""
+"""Dotted keys of a design: where one stands in the tables of a file, what is known of it, and how a value is put
+there."""
 
 import re
 import tomllib
@@ -17,7 +18,8 @@ Table = dict[str, object]  # of a TOML document; what stands under a key is narr
 
 
 def address(data: Table, key: str, whole: bool = False) -> tuple[str | int, ...]:
-    """Where a dotted key stands in the data: elements of arrays by name, else by index.  Raises BadInput with the nearest key.
+    """Where a dotted key stands in the data: elements of arrays by name, else by index.  Raises BadInput with the
+    nearest key.
 
     With `whole` the key may be that of a table, which else has to be one of a value in it.
     """
@@ -27,25 +29,36 @@ def address(data: Table, key: str, whole: bool = False) -> tuple[str | int, ...]
     parts = key.split(".")
     for i, part in enumerate(parts):
         if isinstance(here, list):
-            index = next((n for n, item in enumerate(here) if isinstance(item, dict) and item.get("name") == part), None)
+            index = next(
+                (n for n, item in enumerate(here) if isinstance(item, dict) and item.get("name") == part), None
+            )
             if index is None and part.isascii() and part.isdigit() and int(part[:9]) < len(here):
                 index = int(part)
             if index is None:
                 names = ", ".join(str(item.get("name", n)) for n, item in enumerate(here) if isinstance(item, dict))
-                raise _no_such(key, Text('there is no element "{part}"; there are {names}', part=part, names=names or "none"))
+                raise _no_such(
+                    key, Text('there is no element "{part}"; there are {names}', part=part, names=names or "none")
+                )
             found.append(index)
             here = here[index]
             continue
         if isinstance(here, tuple):  # a list of numbers, by place
             if not (part.isascii() and part.isdigit() and int(part[:9]) < len(here)) or i + 1 < len(parts):
                 raise _no_such(
-                    key, Text("has {count} numbers; name one by its place, from 0 to {count2}", count=len(here), count2=len(here) - 1)
+                    key,
+                    Text(
+                        "has {count} numbers; name one by its place, from 0 to {count2}",
+                        count=len(here),
+                        count2=len(here) - 1,
+                    ),
                 )
             found.append(int(part))
             break
         known = keys(cls) if cls is not None else {}
         if part not in known:
-            raise _no_such(key, unknown(part, known) if known else Text('"{parts}" has no parts', parts=".".join(parts[:i])))
+            raise _no_such(
+                key, unknown(part, known) if known else Text('"{parts}" has no parts', parts=".".join(parts[:i]))
+            )
         found.append(part)
         about = known[part].about
         cls = about.table
@@ -78,7 +91,13 @@ def value_at(data: Table, key: str, whole: bool = False) -> object:
     """The value at a dotted key as it stands in the file, None where it is left out; with `whole` a table too."""
     here: object = data
     for part in address(data, key, whole):
-        here = here[part] if isinstance(here, list) and isinstance(part, int) else here.get(part) if isinstance(here, dict) else None
+        here = (
+            here[part]
+            if isinstance(here, list) and isinstance(part, int)
+            else here.get(part)
+            if isinstance(here, dict)
+            else None
+        )
     return here
 
 
@@ -88,7 +107,8 @@ def as_table(content: object) -> Table:
 
 
 def as_list(content: object) -> list[object]:
-    """What stands in a document as a list: of one, where it is a number or a word alone; empty where there is nothing."""
+    """What stands in a document as a list: of one, where it is a number or a word alone; empty where there is
+    nothing."""
     return content if isinstance(content, list) else [] if content is None else [content]
 
 
@@ -103,7 +123,11 @@ def _changed(here: object, where: tuple[str | int, ...], value: object) -> objec
     first, rest = where[0], where[1:]
     if isinstance(here, list):
         gone = not rest and value is None
-        return [_changed(item, rest, value) if n == first else item for n, item in enumerate(here) if not (gone and n == first)]
+        return [
+            _changed(item, rest, value) if n == first else item
+            for n, item in enumerate(here)
+            if not (gone and n == first)
+        ]
     made = dict(as_table(here))
     if rest or value is not None:
         made[str(first)] = _changed(made.get(str(first), {}), rest, value)
@@ -177,32 +201,56 @@ DASH = Text(" – ")
 def described(design: Design) -> Iterator[tuple[Text, Text]]:
     """A title and a line of words for each step that the design has, and for the load case."""
     if (engine := design.engine) is not None:
-        yield TITLES["engine"], Text(
-            "{name}: {layout}, {cylinders}, four-stroke, bore {bore}, stroke {stroke}" if engine.strokes == 4
-            else "{name}: {layout}, {cylinders}, two-stroke, bore {bore}, stroke {stroke}",
-            name=Name(engine.name), layout=LAYOUTS.get(engine.layout, Name(engine.layout)),
-            cylinders=plural("{n} cylinder", "{n} cylinders", n=engine.cylinders), bore=_mm(engine.bore),
-            stroke=_mm(stroke(L=engine.rod_length, r=engine.crank_radius, d=engine.cylinder_offset)),
-        )  # fmt: skip
+        yield (
+            TITLES["engine"],
+            Text(
+                "{name}: {layout}, {cylinders}, four-stroke, bore {bore}, stroke {stroke}"
+                if engine.strokes == 4
+                else "{name}: {layout}, {cylinders}, two-stroke, bore {bore}, stroke {stroke}",
+                name=Name(engine.name),
+                layout=LAYOUTS.get(engine.layout, Name(engine.layout)),
+                cylinders=plural("{n} cylinder", "{n} cylinders", n=engine.cylinders),
+                bore=_mm(engine.bore),
+                stroke=_mm(stroke(L=engine.rod_length, r=engine.crank_radius, d=engine.cylinder_offset)),
+            ),
+        )
     if (shaft := design.countershaft) is not None:
         front, rear = shaft.bearing_positions[0], shaft.bearing_positions[-1]
-        yield TITLES["countershaft"], Text(
-            "{material}, {ratio} × crank speed, bearings {span} apart, outer radius {radius}" if shaft.outer_radius is not None
-            else "{material}, {ratio} × crank speed, bearings {span} apart",
-            material=Name(shaft.material), ratio=Amount(shaft.speed_ratio), span=_mm(rear - front), radius=_mm(shaft.outer_radius or 0.0),
-        )  # fmt: skip
+        yield (
+            TITLES["countershaft"],
+            Text(
+                "{material}, {ratio} × crank speed, bearings {span} apart, outer radius {radius}"
+                if shaft.outer_radius is not None
+                else "{material}, {ratio} × crank speed, bearings {span} apart",
+                material=Name(shaft.material),
+                ratio=Amount(shaft.speed_ratio),
+                span=_mm(rear - front),
+                radius=_mm(shaft.outer_radius or 0.0),
+            ),
+        )
     if (bearings := design.bearings) is not None:
         yield (
             TITLES["bearings"],
-            Text("front {front}, rear {rear}; oil {oil}", front=_size(bearings.front), rear=_size(bearings.rear), oil=Name(bearings.oil)),
+            Text(
+                "front {front}, rear {rear}; oil {oil}",
+                front=_size(bearings.front),
+                rear=_size(bearings.rear),
+                oil=Name(bearings.oil),
+            ),
         )
     if (gears := design.gears) is not None:
         teeth = DASH.join(Text("{name} {teeth}", name=Name(wheel.name), teeth=wheel.teeth) for wheel in gears.wheels)
-        yield TITLES["gears"], Text(
-            "{teeth}; module {module}, pressure angle {alpha}, helix {beta}, face width {width}",
-            teeth=teeth, module=_mm(gears.module),
-            alpha=_degrees(gears.pressure_angle), beta=_degrees(gears.helix_angle), width=_mm(gears.face_width),
-        )  # fmt: skip
+        yield (
+            TITLES["gears"],
+            Text(
+                "{teeth}; module {module}, pressure angle {alpha}, helix {beta}, face width {width}",
+                teeth=teeth,
+                module=_mm(gears.module),
+                alpha=_degrees(gears.pressure_angle),
+                beta=_degrees(gears.helix_angle),
+                width=_mm(gears.face_width),
+            ),
+        )
     if load := COMMA.join(_load_case(design)):
         yield Text("Load case"), load
 

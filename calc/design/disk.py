@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Files that the program reads and writes: regular ones, read up to a limit, written whole or not at all, one writer at a time.
+"""Files that the program reads and writes: regular ones, read up to a limit, written whole or not at all, one writer at
+a time.
 
 What is in the way is an OSError whose `strerror` says it, a Text where the words are this program's.
 """
@@ -33,7 +34,8 @@ class FileChanged(OSError):
     """Another program has changed the file since it was read."""
 
 
-# --- reading ----------------------------------------------------------------------------------------------------------------
+# --- reading
+# ----------------------------------------------------------------------------------------------------------------
 def read_file(path: Path | str, most: int) -> bytes:
     """The bytes of a regular file that has at most so many."""
     try:
@@ -61,7 +63,9 @@ def _no_name() -> OSError:
 
 def bare_name(name: str) -> bool:
     """Whether this is the mere name of a file, on any system, and none that hides."""
-    return 0 < len(name) <= LONGEST_NAME and not NOT_BARE & set(name) and name.isprintable() and not name.startswith(".")
+    return (
+        0 < len(name) <= LONGEST_NAME and not NOT_BARE & set(name) and name.isprintable() and not name.startswith(".")
+    )
 
 
 def same_file(a: Path | str, b: Path | str) -> bool:
@@ -71,16 +75,22 @@ def same_file(a: Path | str, b: Path | str) -> bool:
     return False
 
 
-# --- writing ----------------------------------------------------------------------------------------------------------------
+# --- writing
+# ----------------------------------------------------------------------------------------------------------------
 def write_file(
-    path: Path | str, data: bytes | Path, *, backup: bool = False, inputs: Iterable[Path | str] = (), expected: bytes | None = None,
+    path: Path | str,
+    data: bytes | Path,
+    *,
+    backup: bool = False,
+    inputs: Iterable[Path | str] = (),
+    expected: bytes | None = None,
     new: bool = False,
-) -> Path:  # fmt: skip
-    """Write a file so that at every moment the old or the new one is whole.  A link is followed, the rights of the old file are kept.
-    `data`: what it is to hold, or a file that holds it.
+) -> Path:
+    """Write a file so that at every moment the old or the new one is whole.  A link is followed, the rights of the old
+    file are kept. `data`: what it is to hold, or a file that holds it.
 
-    `backup` keeps the old file as `NAME.bak`.  `inputs` are read by the same command and never written over.  `expected`: the bytes that
-    the file must still have, if it is there (Changed).  `new`: there must be no such file.
+    `backup` keeps the old file as `NAME.bak`.  `inputs` are read by the same command and never written over.
+    `expected`: the bytes that the file must still have, if it is there (Changed).  `new`: there must be no such file.
     """
     with _writing(path) as target:
         for name in (target, _backup(target)) if backup else (target,):
@@ -96,7 +106,8 @@ def write_file(
 
 
 def edit_file(path: Path | str, most: int, change: Callable[[bytes], bytes]) -> bytes:
-    """Read, change and write a file with no other writer in between; the old one is kept as `NAME.bak`.  Gives what was written."""
+    """Read, change and write a file with no other writer in between; the old one is kept as `NAME.bak`.  Gives what was
+    written."""
     with _writing(path) as target:
         old = _standing(target)
         data = change(read_file(target, most))
@@ -167,7 +178,9 @@ def _replace(target: Path, data: bytes | Path, old: os.stat_result | None, backu
 
 def _put(draft: Path, data: bytes | Path, old: os.stat_result | None) -> None:
     """A file that lies on the disk when this returns, with the rights of the old one or those of the umask."""
-    handle = os.open(draft, os.O_WRONLY | os.O_CREAT | os.O_EXCL | BINARY, 0o666 if old is None else stat.S_IMODE(old.st_mode))
+    handle = os.open(
+        draft, os.O_WRONLY | os.O_CREAT | os.O_EXCL | BINARY, 0o666 if old is None else stat.S_IMODE(old.st_mode)
+    )
     with open(handle, "wb") as file:
         if old is not None:
             with suppress(OSError):
@@ -199,10 +212,12 @@ def _sync_folder(folder: Path) -> None:
             os.close(handle)
 
 
-# --- one at a time ------------------------------------------------------------------------------------------------------------
+# --- one at a time
+# ------------------------------------------------------------------------------------------------------------
 @contextmanager
 def locked(folder: Path) -> Iterator[bool]:
-    """No other run of this program writes in the folder meanwhile.  False where the system has no such lock; a killed run's is free."""
+    """No other run of this program writes in the folder meanwhile.  False where the system has no such lock; a killed
+    run's is free."""
     try:
         handle = os.open(folder, os.O_RDONLY)
     except OSError:  # what is wrong with it, the writing says
@@ -227,7 +242,8 @@ def _lock(handle: int) -> bool:
 
 
 def lock(handle: int) -> bool:
-    """Take the lock of an open file or folder, which ends with it.  False where there are no locks; BlockingIOError: another has it."""
+    """Take the lock of an open file or folder, which ends with it.  False where there are no locks; BlockingIOError:
+    another has it."""
     if sys.platform == "win32":
         return False
     try:
@@ -243,6 +259,8 @@ def _sweep(folder: Path, alone: bool) -> None:
     """Take away the drafts of killed runs: under the lock every one is; else those of yesterday."""
     with suppress(OSError), os.scandir(folder) as entries:
         for entry in entries:
-            if DRAFT.match(entry.name) and (alone or entry.stat(follow_symlinks=False).st_mtime < time.time() - FORGOTTEN):
+            if DRAFT.match(entry.name) and (
+                alone or entry.stat(follow_symlinks=False).st_mtime < time.time() - FORGOTTEN
+            ):
                 with suppress(OSError):
                     os.unlink(entry.path)

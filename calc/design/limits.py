@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""How large, how deep and how long at most: what the program reads, computes and waits for.  SECURITY.md prints these tables."""
+"""How large, how deep and how long at most: what the program reads, computes and waits for.  SECURITY.md prints these
+tables."""
 
 from ..sheet.errors import SHOWN_ERRORS
 

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Inputs that no remedy and no search may change: those of the table [locked], where there is none the oil, which is the engine's.
+"""Inputs that no remedy and no search may change: those of the table [locked], where there is none the oil, which is
+the engine's.
 
 What was measured, and what the user accepted, nothing changes but the user.
 """
@@ -10,7 +11,10 @@ from ..sheet.errors import BadInput
 from ..sheet.text import Text
 from .addresses import Table, address, value_at
 
-USUAL: Mapping[str, Text] = {"bearings.oil": Text("the oil is the engine's"), "friction.oil": Text("the oil is the engine's")}
+USUAL: Mapping[str, Text] = {
+    "bearings.oil": Text("the oil is the engine's"),
+    "friction.oil": Text("the oil is the engine's"),
+}
 GIVEN = {"measured": Text("it was measured"), "accepted": Text("it is the user's word")}
 
 

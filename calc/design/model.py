@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A design: the Inputs of its steps in order.  A further step is one new folder, two adjacent lines here and its call in solve.py."""
+"""A design: the Inputs of its steps in order.  A further step is one new folder, two adjacent lines here and its call
+in solve.py."""
 
 from collections.abc import Collection, Iterable, Mapping
 
@@ -27,13 +28,29 @@ STEPS = (
         "imbalance",
         Text("Imbalance"),
         ImbalanceInputs,
-        ("imbalance.required_couple", "imbalance.required_force", "imbalance.order_2.force_peak", "imbalance.order_2.couple_peak"),
+        (
+            "imbalance.required_couple",
+            "imbalance.required_force",
+            "imbalance.order_2.force_peak",
+            "imbalance.order_2.couple_peak",
+        ),
     ),
-    Step("countershaft", Text("Counter-shaft"), CountershaftInputs, ("countershaft.couple", "countershaft.mass", "countershaft.force")),
+    Step(
+        "countershaft",
+        Text("Counter-shaft"),
+        CountershaftInputs,
+        ("countershaft.couple", "countershaft.mass", "countershaft.force"),
+    ),
     Step("bearings", Text("Bearings"), BearingsInputs, FILMS),
     Step("gears", Text("Gears"), GearsInputs, ("gears.phase_error", "gears.residual_couple")),
     Step("friction", Text("Friction"), FrictionInputs, ("friction.total_loss", "friction.crank_torque")),
-    Step("mounting", Text("Mounting"), MountingInputs, ("mounting.frequency.roll", "mounting.frequency.bounce"), optional=True),
+    Step(
+        "mounting",
+        Text("Mounting"),
+        MountingInputs,
+        ("mounting.frequency.roll", "mounting.frequency.bounce"),
+        optional=True,
+    ),
 )
 OPTIONAL = {step.key for step in STEPS if step.optional}  # of which nothing is said in a design without them
 
@@ -61,19 +78,26 @@ class Design:
     mounting: MountingInputs | None = table("Mounting", MountingInputs, default=None)
 
     accepted: tuple[tuple[str, str], ...] = reasons(
-        "Accepted findings", help="Ids of checks that are left open, each with the reason; a limit can be accepted by nobody."
+        "Accepted findings",
+        help="Ids of checks that are left open, each with the reason; a limit can be accepted by nobody.",
     )
 
     without: tuple[tuple[str, str], ...] = reasons(
-        "Steps left out", help="Steps that this design does without, each with the reason: an idler shared with the pump, no shaft needed."
+        "Steps left out",
+        help="Steps that this design does without, each with the reason: an idler shared with the pump, no shaft "
+        "needed.",
     )
     locked: tuple[tuple[str, str], ...] = reasons(
         "Locked inputs",
-        help="Keys that no remedy and no search may change, each with the reason. Left out: the oil, which is the engine's.",
+        help="Keys that no remedy and no search may change, each with the reason. Left out: the oil, which is the "
+        "engine's.",
     )
 
     optimise: OptimiseInputs | None = table(
-        "Search for whole drives", OptimiseInputs, default=None, help="What `contralbero design` varies and wants; no step asks for it."
+        "Search for whole drives",
+        OptimiseInputs,
+        default=None,
+        help="What `contralbero design` varies and wants; no step asks for it.",
     )
 
     measured: tuple[Measured, ...] = tables(
@@ -116,7 +140,10 @@ class Design:
     def problems(self) -> Iterable[tuple[str, Text]]:
         """What only the whole design can show: (key, reason)."""
         if not self.asked():
-            yield "", Text("no step is asked: give at least one of the tables ") + ", ".join(f"[{s.key}]" for s in STEPS)
+            yield (
+                "",
+                Text("no step is asked: give at least one of the tables ") + ", ".join(f"[{s.key}]" for s in STEPS),
+            )
         yield from said_twice(self.document, self._former)
         for id, _ in self.accepted:
             if is_limit(id):
@@ -126,15 +153,24 @@ class Design:
                 yield f"locked.{key}", wrong
         for step, _ in self.without:
             if step not in {one.key for one in STEPS}:
-                yield f"without.{step}", Text("is no step; there are {steps}", steps=", ".join(one.key for one in STEPS))
+                yield (
+                    f"without.{step}",
+                    Text("is no step; there are {steps}", steps=", ".join(one.key for one in STEPS)),
+                )
             elif getattr(self, step) is not None:
                 yield f"without.{step}", Text("is a step of this design: take the table out, or this line")
         for n, row in enumerate(self.measured):
             if row.step not in {step.key for step in STEPS}:
                 steps = ", ".join(step.key for step in STEPS)
-                yield f"measured.{n}.value", Text("must be the id of a value or the key of an input of a step: {steps}", steps=steps)
+                yield (
+                    f"measured.{n}.value",
+                    Text("must be the id of a value or the key of an input of a step: {steps}", steps=steps),
+                )
             if row.speed is not None and self.engine is None:
-                yield f"measured.{n}.speed_rpm", Text("is that of the engine: leave it out where there is no [engine] table")
+                yield (
+                    f"measured.{n}.speed_rpm",
+                    Text("is that of the engine: leave it out where there is no [engine] table"),
+                )
         for key, name, known in self._names():
             if name is not None and name not in known:
                 yield key, _unknown_name(name, known)
@@ -160,10 +196,18 @@ class Design:
         if self.friction is not None and self.bearings is not None:
             for i, scenario in enumerate(self.friction.scenarios):
                 if scenario.power is not None:
-                    yield f"friction.scenarios.{i}.power_kW", Text("leave it out: the losses of the [bearings] say what the train carries")
+                    yield (
+                        f"friction.scenarios.{i}.power_kW",
+                        Text("leave it out: the losses of the [bearings] say what the train carries"),
+                    )
         if self.gears is not None and self.engine is None and self.gears.speed is None:
             yield "gears.speed_rpm", Text("needed where there is no [engine] table to take it from")
-        if self.gears is not None and self.engine is None and self.gears.speed_irregularity and self.gears.irregularity_order is None:
+        if (
+            self.gears is not None
+            and self.engine is None
+            and self.gears.speed_irregularity
+            and self.gears.irregularity_order is None
+        ):
             yield "gears.irregularity_order", Text("needed where there is no [engine] table whose firing order it is")
         if self.friction is not None and self.gears is not None and self.bearings is None and self.gears.power is None:
             yield "gears.power_kW", Text("needed where there is no [bearings] table whose loss the train carries")
@@ -180,22 +224,36 @@ class Design:
             yield "mounting.idle_speed_rpm", Text("must stay below the rated speed, {rated}", rated=rated)
         if own.cylinder_spread is not None and len(own.cylinder_spread) not in (1, self.engine.cylinders):
             count, n = len(own.cylinder_spread), self.engine.cylinders
-            yield "mounting.cylinder_spread_percent", Text("has {count} entries; needs one, or one per cylinder, {n}", count=count, n=n)
+            yield (
+                "mounting.cylinder_spread_percent",
+                Text("has {count} entries; needs one, or one per cylinder, {n}", count=count, n=n),
+            )
         gas = self.engine.gas
         for i, row in enumerate(own.operation):
             if row.has_gas and (gas is None or gas.pressure):
-                yield f"mounting.operation.{i}", Text("its pressures need [engine.gas] with a peak pressure, of which they are changes")
+                yield (
+                    f"mounting.operation.{i}",
+                    Text("its pressures need [engine.gas] with a peak pressure, of which they are changes"),
+                )
         if own.torque_path == "off_body" and own.output_torque is None and gas is None:
             yield "mounting.output_torque_Nm", Text("needed where no [engine.gas] gives the mean torque")
 
     def _gear_places(self) -> Iterable[tuple[str, Text]]:
         """Positions count from the crank's axis, on which the first driver stands where the engine drives it."""
         own = self.gears
-        if own is None or self.engine is None or (own.speed is not None and own.speed != self.engine.rated_speed) or not own.meshes:
+        if (
+            own is None
+            or self.engine is None
+            or (own.speed is not None and own.speed != self.engine.rated_speed)
+            or not own.meshes
+        ):
             return
         for i, wheel in enumerate(own.wheels):
             if wheel.name == own.meshes[0].driver and wheel.position is not None and any(wheel.position):
-                yield f"gears.wheels.{i}.position_mm", Text("must be [0, 0]: it stands on the crank, from whose axis positions count")
+                yield (
+                    f"gears.wheels.{i}.position_mm",
+                    Text("must be [0, 0]: it stands on the crank, from whose axis positions count"),
+                )
 
     def _gear_materials(self) -> Iterable[tuple[str, Text]]:
         wheels = self.gears.wheels if self.gears is not None else ()
@@ -227,12 +285,17 @@ class Design:
     def _countershaft(self, shaft: CountershaftInputs) -> Iterable[tuple[str, Text]]:
         if self.bearings is not None:
             if len(shaft.bearing_positions) > 2:
-                yield "countershaft.bearing_positions_mm", Text("[bearings] has a front and a rear one: give two, or the sizes as journals")
+                yield (
+                    "countershaft.bearing_positions_mm",
+                    Text("[bearings] has a front and a rear one: give two, or the sizes as journals"),
+                )
             if shaft.journals:
                 yield "countershaft.journals", Text("are those of [bearings]; leave them out here, or [bearings]")
         if shaft.speed_ratio != -1 and (self.bearings is not None or self.gears is not None):
             yield "countershaft.speed_ratio", Text("must be -1 where [bearings] or [gears] carry the shaft")
-        lengths = [j.length for j in shaft.journals] or ([self.bearings.front.length, self.bearings.rear.length] if self.bearings else [])
+        lengths = [j.length for j in shaft.journals] or (
+            [self.bearings.front.length, self.bearings.rear.length] if self.bearings else []
+        )
         places = shaft.bearing_positions
         for i, (a, b, l_a, l_b) in enumerate(zip(places, places[1:], lengths, lengths[1:])):
             if b - a < (l_a + l_b) / 2 - 1e-9:
@@ -244,7 +307,11 @@ class Design:
             start, end = min(s.from_ for s in shaft.sections), max(s.to for s in shaft.sections)
             for i, (z, l) in enumerate(zip(shaft.bearing_positions, lengths)):
                 if z - l / 2 < start - 1e-9 or z + l / 2 > end + 1e-9:
-                    reach = Text("from {start} to {end} mm", start=Amount(start * 1000.0, form="g"), end=Amount(end * 1000.0, form="g"))
+                    reach = Text(
+                        "from {start} to {end} mm",
+                        start=Amount(start * 1000.0, form="g"),
+                        end=Amount(end * 1000.0, form="g"),
+                    )
                     yield (
                         f"countershaft.bearing_positions_mm.{i}",
                         Text(
@@ -267,14 +334,20 @@ class Design:
                 yield "bearings.journal_material", Text("needed where there is no [countershaft] table to take it from")
             for place in ("front", "rear"):
                 if getattr(own, place).load is None:
-                    yield f"bearings.{place}.load_N", Text("needed where there is no [countershaft] table whose reactions it carries")
+                    yield (
+                        f"bearings.{place}.load_N",
+                        Text("needed where there is no [countershaft] table whose reactions it carries"),
+                    )
         elif self.engine is not None and own.speed is not None and own.speed != self.engine.rated_speed:
             for place in ("front", "rear"):
                 if getattr(own, place).load is None:
                     at = Text("{rated_speed} rpm", rated_speed=Amount(self.engine.rated_speed * 60, form="g"))
                     yield (
                         "bearings.speed_rpm",
-                        Text("the shaft's reactions are those of {at}; leave it out, or give load_N of front and rear", at=at),
+                        Text(
+                            "the shaft's reactions are those of {at}; leave it out, or give load_N of front and rear",
+                            at=at,
+                        ),
                     )
                     break
 
@@ -286,7 +359,9 @@ class Design:
             yield "countershaft.material", self.countershaft.material, solids
             if self.countershaft.support is not None:
                 yield "countershaft.support.material", self.countershaft.support.material, solids
-            for i, other in enumerate(self.countershaft.cost.alternatives if self.countershaft.cost is not None else ()):
+            for i, other in enumerate(
+                self.countershaft.cost.alternatives if self.countershaft.cost is not None else ()
+            ):
                 yield f"countershaft.cost.alternatives.{i}.material", other.material, solids
         if self.bearings is not None:
             yield "bearings.oil", self.bearings.oil, known_oils
@@ -302,13 +377,16 @@ class Design:
             for i, scenario in enumerate(self.friction.scenarios):
                 yield f"friction.scenarios.{i}.oil", scenario.oil, known_oils
             wheels = [wheel.name for wheel in self.gears.wheels] if self.gears is not None else []
-            for kind in ("seals", "rolling_bearings", "plain_bearings", "dips", "jets", "other_losses") if wheels else ():
+            for kind in (
+                ("seals", "rolling_bearings", "plain_bearings", "dips", "jets", "other_losses") if wheels else ()
+            ):
                 for i, entry in enumerate(getattr(self.friction, kind)):
                     yield f"friction.{kind}.{i}.wheel", entry.wheel, wheels
 
 
 def _no_key(key: str) -> Text | None:
-    """Why a key is none of a design.  Elements of arrays are not looked for: one may come and go while its lock stays."""
+    """Why a key is none of a design.  Elements of arrays are not looked for: one may come and go while its lock
+    stays."""
     cls: type | None = Design
     parts = iter(key.split("."))
     for part in parts:

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Document control: number, people, revision and change record of a design, as the title block of its report prints them.
+"""Document control: number, people, revision and change record of a design, as the title block of its report prints
+them.
 
 [document]
 number = "CS-0042"
@@ -63,7 +64,9 @@ class DocumentControl:
     prepared: Signature | None = table("Prepared", Signature, default=None)
     checked: Signature | None = table("Checked", Signature, default=None)
     approved: Signature | None = table("Approved", Signature, default=None)
-    changes: tuple[Change, ...] = tables("Change record", Change, default=(), help="One row for each revision, the oldest first.")
+    changes: tuple[Change, ...] = tables(
+        "Change record", Change, default=(), help="One row for each revision, the oldest first."
+    )
 
     def problems(self) -> Iterable[tuple[str, Text]]:
         if not self.logo:
@@ -71,7 +74,10 @@ class DocumentControl:
         if not bare_name(self.logo):
             yield "logo", Text("must be the bare name of a file beside the design, like logo.png")
         elif not self.logo.lower().endswith(".png"):
-            yield "logo", Text("must be a PNG file (.png); other pictures, SVG among them, are not drawn: export it as PNG")
+            yield (
+                "logo",
+                Text("must be a PNG file (.png); other pictures, SVG among them, are not drawn: export it as PNG"),
+            )
 
     def signatures(self) -> list[tuple[str, Signature]]:
         """Who signs, in order, by the keys of the table."""
@@ -87,7 +93,12 @@ class DocumentControl:
 
 
 # Where the keys at the top of old files stand now
-FORMER = {"author": ("prepared", "name"), "date": ("prepared", "date"), "checker": ("checked", "name"), "revision": ("revision", "")}
+FORMER = {
+    "author": ("prepared", "name"),
+    "date": ("prepared", "date"),
+    "checker": ("checked", "name"),
+    "revision": ("revision", ""),
+}
 
 
 def control(own: DocumentControl | None, former: Mapping[str, str]) -> DocumentControl:
@@ -108,10 +119,17 @@ def said_twice(own: DocumentControl | None, former: Mapping[str, str]) -> Iterab
     for key, (place, part) in FORMER.items():
         there = getattr(own, place, None)
         if former[key] and (getattr(there, part, "") if part else there):
-            yield key, Text("stands as {place} too; keep that and leave this out", place=".".join(filter(None, ("document", place, part))))
+            yield (
+                key,
+                Text(
+                    "stands as {place} too; keep that and leave this out",
+                    place=".".join(filter(None, ("document", place, part))),
+                ),
+            )
 
 
-# [optimise]: what `contralbero design` may vary, what it must keep, and what it wants.  No step asks for it; all of it may be left out.
+# [optimise]: what `contralbero design` may vary, what it must keep, and what it wants.  No step asks for it; all of it
+# may be left out.
 
 OBJECTIVES = ("power", "mass", "seat", "price", "margin")
 MOST = ("power_W", "mass_kg", "seat_mm", "price_EUR")
@@ -125,8 +143,12 @@ class Price:
     """What one choice adds to the price of a piece."""
 
     what: str = choice("What", *PRICED)
-    value: list[Any] = open_("Which", help='["IT6", "IT7"] of fits, [0.4, 0.6] of surfaces (journal, seat, µm), ["20CrNi4"] of materials.')
-    piece: float = quantity("Added to a piece", "€", low=-1e6, high=1e6, help="What this choice adds to the price of one piece.")
+    value: list[Any] = open_(
+        "Which", help='["IT6", "IT7"] of fits, [0.4, 0.6] of surfaces (journal, seat, µm), ["20CrNi4"] of materials.'
+    )
+    piece: float = quantity(
+        "Added to a piece", "€", low=-1e6, high=1e6, help="What this choice adds to the price of one piece."
+    )
 
 
 @inputs
@@ -139,22 +161,36 @@ class CyclePoint:
 
 @inputs
 class OptimiseInputs:
-    """The search for whole drives: objectives, ranges, requirements and prices, each with a rule of this program where it is left out."""
+    """The search for whole drives: objectives, ranges, requirements and prices, each with a rule of this program where
+    it is left out."""
 
     objectives: list[str] | None = open_(
         "Objectives", default=None, help="Any of power, mass, seat, price, margin. Left out: all that are known."
     )
     rows: int = integer("Drives that are solved whole and saved", default=60, low=1, high=2000)
-    seed: int = integer("Seed", default=1, low=0, high=2**31, help="Of the search without proof; the other has no chance in it.")
-    limits: list[str] | None = open_("Findings that are limits here", default=None, help='Ids of checks, * for any: "bearings.*_corner".')
+    seed: int = integer(
+        "Seed", default=1, low=0, high=2**31, help="Of the search without proof; the other has no chance in it."
+    )
+    limits: list[str] | None = open_(
+        "Findings that are limits here", default=None, help='Ids of checks, * for any: "bearings.*_corner".'
+    )
     waive: list[str] | None = open_("Findings of the usual list that are none here", default=None)
-    vary: dict[str, Any] | None = open_("What is varied", default=None,
-        help="By key a list, or numbers from, to and step; a key that is not named follows a rule of this program.")  # fmt: skip
-    most: dict[str, float] | None = open_("Most of an objective", default=None, help="seat_mm, mass_kg, power_W, price_EUR.")
+    vary: dict[str, Any] | None = open_(
+        "What is varied",
+        default=None,
+        help="By key a list, or numbers from, to and step; a key that is not named follows a rule of this program.",
+    )
+    most: dict[str, float] | None = open_(
+        "Most of an objective", default=None, help="seat_mm, mass_kg, power_W, price_EUR."
+    )
     least: dict[str, float] | None = open_("Least of an objective", default=None, help="margin_percent.")
     price: tuple[Price, ...] = tables("Prices", Price, default=())
-    cycle: tuple[CyclePoint, ...] = tables("Duty cycle", CyclePoint, default=(),
-        help="Speeds with their hours, over which the power is a mean. Left out: the power at the rated speed.")  # fmt: skip
+    cycle: tuple[CyclePoint, ...] = tables(
+        "Duty cycle",
+        CyclePoint,
+        default=(),
+        help="Speeds with their hours, over which the power is a mean. Left out: the power at the rated speed.",
+    )
 
     def problems(self) -> Iterable[tuple[str, Text]]:
         for name in ("objectives", "limits", "waive"):
@@ -217,12 +253,15 @@ def _number(x: object) -> bool:
 # uncertainty = 0.05                     # in the same unit
 # note = "bench, 12 October"
 
+
 @inputs
 class Measured:
     """One row of [[measured]]."""
 
     value: str = text("Value", help="The id of a value, as `check --all` prints it, or the key of an input.")
-    speed: float | None = quantity("Speed", "rpm", above=0, high=30000, default=None, help="Left out: the design's own speed.")
+    speed: float | None = quantity(
+        "Speed", "rpm", above=0, high=30000, default=None, help="Left out: the design's own speed."
+    )
     is_: float = quantity("Measured", help="In the unit of the row.")
     unit: str = text("Unit", default="", help="That in which the value is shown.")
     uncertainty: float | None = quantity("Uncertainty", low=0, default=None, help="In the unit of the row.")

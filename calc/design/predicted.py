@@ -15,20 +15,28 @@ from .other_tables import Measured
 
 Values = dict[str, Published]
 COLUMNS = (
-    (Text("Value"), ""), (Text("Speed"), "rpm"), (Text("Measured"), ""), (Text("Uncertainty"), ""), (Text("Predicted"), ""),
-    (Text("Unit"), ""), (Text("Deviation"), "%"), (Text("Verdict"), ""),
-)  # fmt: skip
+    (Text("Value"), ""),
+    (Text("Speed"), "rpm"),
+    (Text("Measured"), ""),
+    (Text("Uncertainty"), ""),
+    (Text("Predicted"), ""),
+    (Text("Unit"), ""),
+    (Text("Deviation"), "%"),
+    (Text("Verdict"), ""),
+)
 TITLE = Text("Measured beside predicted")
 NO_VALUE = Text("this design has no such value")
 NOT_THERE = Text("is not known at this speed")
 NOTE = Text(
-    "Deviation: predicted less measured, over measured. Inside: within the uncertainty of the measurement. At another speed the design is "
+    "Deviation: predicted less measured, over measured. Inside: within the uncertainty of the measurement. At another "
+    "speed the design is "
     "solved again with its clearances as they are, and with the oil of the bench run at that speed where there is one."
 )
 
 
 class Predicted:
-    """What a design gives at the speeds of its measurements, each solved once.  `at` solves a design and gives its values."""
+    """What a design gives at the speeds of its measurements, each solved once.  `at` solves a design and gives its
+    values."""
 
     def __init__(self, design: Design, values: Values, at: Callable[[Design], Values]) -> None:
         self._design, self._values, self._at = design, values, at
@@ -39,12 +47,18 @@ class Predicted:
         speed, engine = row.speed, self._design.engine
         if speed is None or engine is None or speed == engine.rated_speed:
             return _predicted(row, self._design, self._values)
-        if row.value not in self._values and _input(self._design, row.value) is not None and not _of_bench(row.value, self._design, speed):
+        if (
+            row.value not in self._values
+            and _input(self._design, row.value) is not None
+            and not _of_bench(row.value, self._design, speed)
+        ):
             return None, Text("is an input of no speed of its own: leave speed_rpm out")
         if speed not in self._solved:
             other = at_speed(self._design, speed, self._values)
             self._solved[speed] = other, self._at(other)
-        if row.value in self._values and row.value not in self._solved[speed][1]:  # no film, or a share of the rated power
+        if (
+            row.value in self._values and row.value not in self._solved[speed][1]
+        ):  # no film, or a share of the rated power
             return None, NOT_THERE
         return _predicted(row, *self._solved[speed])
 
@@ -55,7 +69,9 @@ class Predicted:
         return None if speed is None else speed * 60
 
 
-def with_measured(design: Design, outcomes: dict[str, Outcome[object]], predicted: Callable[[], Predicted]) -> dict[str, Outcome[object]]:
+def with_measured(
+    design: Design, outcomes: dict[str, Outcome[object]], predicted: Callable[[], Predicted]
+) -> dict[str, Outcome[object]]:
     """The outcomes, each with a table of what was measured of it, made when it is looked at."""
     for key in {row.step for row in design.measured} & outcomes.keys():
         outcome, rows = outcomes[key], [row for row in design.measured if row.step == key]
@@ -133,7 +149,9 @@ BENCH = {"bearings.supply_temperature_C": "oil_temperature", "bearings.supply_pr
 def _of_bench(address: str, design: Design, speed: float) -> bool:
     """Whether the engine's bench run says what an input is at a speed."""
     bench = design.engine.bench if design.engine is not None else ()
-    return address in BENCH and bool(bench) and min(row.speed for row in bench) <= speed <= max(row.speed for row in bench)
+    return (
+        address in BENCH and bool(bench) and min(row.speed for row in bench) <= speed <= max(row.speed for row in bench)
+    )
 
 
 def at_speed(design: Design, speed: float, values: Values) -> Design:
@@ -159,4 +177,8 @@ def at_speed(design: Design, speed: float, values: Values) -> Design:
 
 def _as_made(side: BearingInputs, clearance: Published | None) -> BearingInputs:
     """A bearing whose clearance does not follow the speed."""
-    return side if side.clearance_factor is None or clearance is None else replace(side, clearance=clearance.inside, clearance_factor=None)
+    return (
+        side
+        if side.clearance_factor is None or clearance is None
+        else replace(side, clearance=clearance.inside, clearance_factor=None)
+    )

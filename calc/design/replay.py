@@ -17,7 +17,8 @@ from .disk import bare_name
 from .toml_file import Document, design, read
 
 STEP = Text(
-    'must be set = "KEY", to = VALUE, or unset = "KEY", or set = { "KEY" = VALUE, … } and unset = ["KEY", …] for several at once, '
+    'must be set = "KEY", to = VALUE, or unset = "KEY", or set = { "KEY" = VALUE, … } and unset = ["KEY", …] for '
+    "several at once, "
     'or undo = true, or report = "out.pdf"'
 )
 KINDS = ("reference", "recorded")
@@ -40,10 +41,23 @@ class Step(TypedDict, total=False):
     report: str
 
 
-Expect = TypedDict("Expect", {
-    "value": str, "check": str, "step": str, "is": float, "unit": str, "rel": float, "abs": float, "verdict": str, "kind": str,
-    "source": str, "after": int,
-}, total=False)  # fmt: skip
+Expect = TypedDict(
+    "Expect",
+    {
+        "value": str,
+        "check": str,
+        "step": str,
+        "is": float,
+        "unit": str,
+        "rel": float,
+        "abs": float,
+        "verdict": str,
+        "kind": str,
+        "source": str,
+        "after": int,
+    },
+    total=False,
+)
 
 
 @dataclass(frozen=True)
@@ -109,7 +123,12 @@ def load(path: Path | str) -> Script:
     elif isinstance(given, str):
         start = read(path.parent / given)
     elif isinstance(given, dict):
-        start = Document(given, raw.place, {k.removeprefix("design."): n for k, n in raw.lines.items() if k.startswith("design.")}, raw.raw)
+        start = Document(
+            given,
+            raw.place,
+            {k.removeprefix("design."): n for k, n in raw.lines.items() if k.startswith("design.")},
+            raw.raw,
+        )
     else:
         error("design", Text("is missing; needs the path of a design file, or a whole [design] table"))
     if not expects and "expect" not in data:
@@ -134,7 +153,11 @@ def _check_step(key: str, row: Table, error: Complain) -> None:
     if wrong or not isinstance(name, str) or row.get("undo", True) is not True:
         error(key, STEP)
     elif not bare_name(name) or not name.lower().endswith(".pdf"):
-        error(f"{key}.report", Text("must be the bare name of a PDF file, which is written beside the replay, like out.pdf"), name)
+        error(
+            f"{key}.report",
+            Text("must be the bare name of a PDF file, which is written beside the replay, like out.pdf"),
+            name,
+        )
 
 
 def _check_expect(key: str, row: Table, steps: int, error: Complain) -> None:
@@ -190,14 +213,16 @@ def target(script: Script, step: Step) -> Path:
 
 
 def changes(step: Step) -> list[tuple[str, object]]:
-    """What one step changes, in the order in which it is done: keys that it takes out (None), then keys that it sets."""
+    """What one step changes, in the order in which it is done: keys that it takes out (None), then keys that it
+    sets."""
     gone, given = step.get("unset", []), step.get("set", {})
     taken = [(key, None) for key in ([gone] if isinstance(gone, str) else gone)]
     return [*taken, *([(given, step["to"])] if isinstance(given, str) else given.items())]
 
 
 def played(document: Document, step: Step) -> Document:
-    """The document with the changes of one step.  Raises BadInput where there is no such key; the design is not checked."""
+    """The document with the changes of one step.  Raises BadInput where there is no such key; the design is not
+    checked."""
     for key, value in changes(step):
         if value is None and value_at(document.data, key, whole=True) is None:
             raise BadInput(document.place, [InputError(0, key, "", Text("is not there, so it can not be taken out"))])

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The JSON Schema of a design file, from the descriptions of its inputs: editors complete and check designs by it while they are written.
+"""The JSON Schema of a design file, from the descriptions of its inputs: editors complete and check designs by it while
+they are written.
 
 It says what one key alone may be; what several say together only `contralbero check` knows.
 """
@@ -21,7 +22,11 @@ def _table(cls: type) -> dict[str, Any]:
     """One table: its keys in their order, no others."""
     known = keys(cls)
     required = [key for key, one in known.items() if not one.about.optional]
-    made: dict[str, Any] = {"type": "object", "additionalProperties": False, "properties": {k: _key(one.about) for k, one in known.items()}}
+    made: dict[str, Any] = {
+        "type": "object",
+        "additionalProperties": False,
+        "properties": {k: _key(one.about) for k, one in known.items()},
+    }
     return made | ({"required": required} if required else {})
 
 
@@ -32,10 +37,16 @@ def _key(about: Quantity) -> dict[str, Any]:
             return said | _number(about)
         case "series" | "integers":
             low, high = about.count or (0, None)
-            many = {"type": "array", "items": _number(about), "minItems": max(low, 1)} | ({"maxItems": high} if high is not None else {})
-            return said | ({"anyOf": [many, _number(about)]} if low <= 1 else many)  # one number is read as a list of one
+            many = {"type": "array", "items": _number(about), "minItems": max(low, 1)} | (
+                {"maxItems": high} if high is not None else {}
+            )
+            return said | (
+                {"anyOf": [many, _number(about)]} if low <= 1 else many
+            )  # one number is read as a list of one
         case "choice":
-            numbers = [float(one) for one in about.choices if one.replace(".", "", 1).isdigit()]  # 8.8 may stand without quotes
+            numbers = [
+                float(one) for one in about.choices if one.replace(".", "", 1).isdigit()
+            ]  # 8.8 may stand without quotes
             return said | {"enum": [*about.choices, *numbers]}
         case "table":
             assert about.table is not None

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What one step hands to another: numbers that stand in one table of a design, or in one result, and are needed in the next."""
+"""What one step hands to another: numbers that stand in one table of a design, or in one result, and are needed in the
+next."""
 
 from math import hypot
 from typing import TYPE_CHECKING
@@ -44,7 +45,8 @@ def first_speed(design: Design) -> float | None:
 
 
 def rated_power(design: Design) -> float | None:
-    """What the losses are a share of: None where the train turns at a speed of its own, at which the engine's power is not known."""
+    """What the losses are a share of: None where the train turns at a speed of its own, at which the engine's power is
+    not known."""
     own_speed = design.gears is not None and design.gears.speed is not None
     return design.engine.rated_power if design.engine is not None and not own_speed else None
 
@@ -69,7 +71,8 @@ def shaft_axis(design: Design) -> complex | None:
 
 
 def journals(design: Design) -> tuple[tuple[float, float], ...]:
-    """Diameter and length of the shaft's journals, front to rear: its own, or those of the bearings; empty where they are not known."""
+    """Diameter and length of the shaft's journals, front to rear: its own, or those of the bearings; empty where they
+    are not known."""
     if design.countershaft is not None and design.countershaft.journals:
         return tuple((j.diameter, j.length) for j in design.countershaft.journals)
     own = design.bearings
@@ -85,11 +88,14 @@ def shaft_gear(design: Design, train: TrainResult | None) -> Gear | None:
 
 
 def bearing_materials(design: Design, own: BearingsInputs) -> BearingMaterials:
-    """The oil of the bearings, and what journals and housing are made of; journals that are not given are those of the shaft."""
+    """The oil of the bearings, and what journals and housing are made of; journals that are not given are those of the
+    shaft."""
     shaft = design.countershaft.material if design.countershaft is not None else ""
     solids = design.materials
     return BearingMaterials(
-        oil=own.in_bearings(design.oils[own.oil]), journal=solids[own.journal_material or shaft], housing=solids[own.housing_material]
+        oil=own.in_bearings(design.oils[own.oil]),
+        journal=solids[own.journal_material or shaft],
+        housing=solids[own.housing_material],
     )
 
 
@@ -102,11 +108,16 @@ def mesh_oil(design: Design) -> MeshOil | None:
         temperature = there.supply_temperature
     if name is None or temperature is None:
         return None
-    return MeshOil(oil=design.oils[name], viscosity_law=there.viscosity_law if there is not None else "walther", temperature=temperature)
+    return MeshOil(
+        oil=design.oils[name],
+        viscosity_law=there.viscosity_law if there is not None else "walther",
+        temperature=temperature,
+    )
 
 
 def power(own: GearsInputs, f: Outcome[FrictionResult]) -> Power | None:
-    """The power that loads the teeth: the given one, else that of each mesh in the closed balance; None where neither is known."""
+    """The power that loads the teeth: the given one, else that of each mesh in the closed balance; None where neither
+    is known."""
     if own.power is not None:
         return Power(own.power)
     return Power({key: mesh.power_in for key, mesh in f.result.meshes.items()}) if f.result is not None else None
@@ -120,7 +131,9 @@ def not_rated(f: Outcome[FrictionResult]) -> Text:
     return Text("Not rated: {titles} gives no power: {reason}.", titles=title, reason=f.reason)
 
 
-def on_shaft(design: Design, shaft: Outcome[CountershaftResult], journals: Outcome[BearingsResult], gear: Gear | None) -> OnShaft | None:
+def on_shaft(
+    design: Design, shaft: Outcome[CountershaftResult], journals: Outcome[BearingsResult], gear: Gear | None
+) -> OnShaft | None:
     """The counter-shaft's journals at the end of the train; None where there are none."""
     if journals.result is None:
         return None
@@ -138,8 +151,11 @@ def shaft_drive(design: Design, train: TrainResult | None, f: Outcome[FrictionRe
     return ShaftDrive(power, speed) if power is not None and speed else None
 
 
-def irregularity(design: Design, engine: Outcome[EngineResult], shaft: Outcome[CountershaftResult]) -> Irregularity | None:
-    """How unevenly the first driver turns: given, else by the engine's torque on its flywheel; None where neither is known."""
+def irregularity(
+    design: Design, engine: Outcome[EngineResult], shaft: Outcome[CountershaftResult]
+) -> Irregularity | None:
+    """How unevenly the first driver turns: given, else by the engine's torque on its flywheel; None where neither is
+    known."""
     own, crank = design.gears, design.engine
     speed = first_speed(design)
     if own is None or speed is None:
@@ -165,7 +181,9 @@ def _swing(engine: Outcome[EngineResult], crank: EngineInputs | None, speed: flo
     highest, mean, lowest = torque.torque_highest, torque.mean_torque, torque.torque_lowest
     if highest is None or mean is None or lowest is None:
         return None
-    return Swing(highest=highest, mean=mean, lowest=lowest, inertia=crank.flywheel_inertia, ratio=speed / crank.rated_speed)
+    return Swing(
+        highest=highest, mean=mean, lowest=lowest, inertia=crank.flywheel_inertia, ratio=speed / crank.rated_speed
+    )
 
 
 def eccentric(design: Design) -> float | None:
@@ -175,7 +193,8 @@ def eccentric(design: Design) -> float | None:
 
 
 def gear_end(design: Design, shaft: Outcome[CountershaftResult]) -> str | None:
-    """At which journal the shaft's gear stands: where it is given, else as its outline is put together; None: not known."""
+    """At which journal the shaft's gear stands: where it is given, else as its outline is put together; None: not
+    known."""
     given = design.countershaft
     z = given.gear_z if given is not None else None
     if z is None and shaft.result is not None and shaft.result.outline is not None:
@@ -195,9 +214,12 @@ def shaft_in_train(design: Design, shaft: Outcome[CountershaftResult]) -> ShaftI
     """What the place of the train has to know of the shaft on its last wheel."""
     sizes = journals(design)
     return ShaftInTrain(
-        axis=shaft_axis(design), eccentric=eccentric(design), journals=(sizes[0][0], sizes[-1][0]) if sizes else None,
-        gear_end=gear_end(design, shaft), couple=shaft.result.couple if shaft.result is not None else None,
-    )  # fmt: skip
+        axis=shaft_axis(design),
+        eccentric=eccentric(design),
+        journals=(sizes[0][0], sizes[-1][0]) if sizes else None,
+        gear_end=gear_end(design, shaft),
+        couple=shaft.result.couple if shaft.result is not None else None,
+    )
 
 
 def around_gears(design: Design, engine: Outcome[EngineResult], shaft: Outcome[CountershaftResult]) -> Surroundings:
@@ -206,12 +228,16 @@ def around_gears(design: Design, engine: Outcome[EngineResult], shaft: Outcome[C
     lubricant = Lubricant(oil.oil, oil.viscosity_law) if oil is not None else None
     Ra = design.friction.flank_roughness if design.friction is not None else None
     return Surroundings(
-        uneven=irregularity(design, engine, shaft), lubricant=lubricant, oil_temperature=oil.temperature if oil is not None else None,
+        uneven=irregularity(design, engine, shaft),
+        lubricant=lubricant,
+        oil_temperature=oil.temperature if oil is not None else None,
         flank_ra=(Ra[0], Ra[-1]) if Ra else None,
-    )  # fmt: skip
+    )
 
 
-def shaft_on_engine(design: Design, shaft: Outcome[CountershaftResult], train: Outcome[TrainResult]) -> "ShaftOnEngine | None":
+def shaft_on_engine(
+    design: Design, shaft: Outcome[CountershaftResult], train: Outcome[TrainResult]
+) -> "ShaftOnEngine | None":
     """The counter-shaft as the engine's mounts see it; None where there is none."""
     from ..mounting.drive import ShaftOnEngine  # which most designs do not need
 
@@ -219,13 +245,19 @@ def shaft_on_engine(design: Design, shaft: Outcome[CountershaftResult], train: O
     if own is None or result is None:
         return None
     return ShaftOnEngine(
-        own.speed_ratio, result.force_vector, result.couple_vector, own.pair == "yes", own.axis, shaft_errors(design, result, train.result),
+        own.speed_ratio,
+        result.force_vector,
+        result.couple_vector,
+        own.pair == "yes",
+        own.axis,
+        shaft_errors(design, result, train.result),
         shaft_teeth(design),
-    )  # fmt: skip
+    )
 
 
 def shaft_errors(design: Design, shaft: CountershaftResult, train: TrainResult | None) -> tuple[float, float] | None:
-    """Error of the couple and of the angle of a shaft as it scatters: given, else what 95 % of the shafts stay below; None: not known."""
+    """Error of the couple and of the angle of a shaft as it scatters: given, else what 95 % of the shafts stay below;
+    None: not known."""
     given, scatter = design.mounting, shaft.scatter
     if given is None:
         return None

@@ -25,9 +25,11 @@ from .disk import read_file
 from .limits import DESIGN_BYTES, DESIGN_DEPTH, DESIGN_ENTRIES
 from .model import Design
 
-# A look over the text of a design before it is taken apart: where each key stands, and that it is neither too deep nor too long.
+# A look over the text of a design before it is taken apart: where each key stands, and that it is neither too deep nor
+# too long.
 #
-# Every letter is looked at once, whatever stands there; what takes a TOML text apart may take the square of the time for a hostile one.
+# Every letter is looked at once, whatever stands there; what takes a TOML text apart may take the square of the time
+# for a hostile one.
 
 STRING = r'''"""(?:[^"\\]|\\(?:.|\Z)|"(?!""))*+(?:"{3,5})?|"(?:[^"\\\n]|\\[^\n])*+"?'''
 LITERAL = r"""'''(?:[^']|'(?!''))*+(?:'{3,5})?|'[^'\n]*+'?"""
@@ -48,7 +50,8 @@ class Beyond(ValueError):
 
 
 def key_lines(text: str) -> dict[str, int]:
-    """The line of every key and table of a TOML text; elements of arrays of tables by index (`gears.wheels.0.teeth`).  Raises Beyond."""
+    """The line of every key and table of a TOML text; elements of arrays of tables by index (`gears.wheels.0.teeth`).
+    Raises Beyond."""
     return _scanned(text).found
 
 
@@ -163,7 +166,8 @@ class Document:
 
     @cached_property
     def remarks(self) -> dict[str, str]:
-        """The comments beside keys in the file, by these keys, elements of arrays by index; none beside what has been changed since."""
+        """The comments beside keys in the file, by these keys, elements of arrays by index; none beside what has been
+        changed since."""
         text = self.raw.decode("utf-8-sig", "replace")
         said = {key: words for key, words in remarks(text).items() if key in self.lines}
         if 0 not in self.lines.values():
@@ -172,12 +176,19 @@ class Document:
         return {key: words for key, words in said.items() if same_content(file, self.data, key)}
 
     def with_value(self, key: str, value: object) -> "Document":
-        """The same document with one key changed (`bearings.front.length_mm`, `gears.wheels.shaft.teeth`); None takes it out.
+        """The same document with one key changed (`bearings.front.length_mm`, `gears.wheels.shaft.teeth`); None takes
+        it out.
 
         A table, or an element of an array of tables, is changed whole by a table, an array by a list of tables.
         """
-        whole = value is None or isinstance(value, dict) or (isinstance(value, list) and all(isinstance(item, dict) for item in value))
-        return replace(self, data=changed(self.data, address(self.data, key, whole), value), lines={**self.lines, key: 0})
+        whole = (
+            value is None
+            or isinstance(value, dict)
+            or (isinstance(value, list) and all(isinstance(item, dict) for item in value))
+        )
+        return replace(
+            self, data=changed(self.data, address(self.data, key, whole), value), lines={**self.lines, key: 0}
+        )
 
 
 def same_content(a: Table, b: Table, key: str) -> bool:
@@ -200,7 +211,8 @@ Sound = tuple[Document, Design]  # a document without errors, and the design tha
 Like = tuple[Any, Any]  # a table, or an array of tables, without errors, and what was read of it
 
 
-# --- reading --------------------------------------------------------------------------------------------------------------
+# --- reading
+# --------------------------------------------------------------------------------------------------------------
 def read(path: Path | str) -> Document:
     """Read a design file.  Raises BadInput where it is no TOML text; what it says is not yet checked."""
     place = str(path)
@@ -219,11 +231,15 @@ def parse(raw: bytes, place: str) -> Document:
         return BadInput(place, [InputError(line, "", "", reason)])
 
     if len(raw) > DESIGN_BYTES:
-        raise refuse(Text("is {count} bytes long; a design file has at most {most}", count=len(raw), most=f"{DESIGN_BYTES:,}"))
+        raise refuse(
+            Text("is {count} bytes long; a design file has at most {most}", count=len(raw), most=f"{DESIGN_BYTES:,}")
+        )
     try:
         text = raw.decode("utf-8-sig")
     except UnicodeDecodeError as error:
-        raise refuse(Text("is not text in UTF-8; a design is a TOML text file"), raw[: error.start].count(b"\n") + 1) from None
+        raise refuse(
+            Text("is not text in UTF-8; a design is a TOML text file"), raw[: error.start].count(b"\n") + 1
+        ) from None
     if not text.strip():
         raise refuse(Text("is empty; `contralbero new FILE` writes a complete design"))
     try:
@@ -235,10 +251,14 @@ def parse(raw: bytes, place: str) -> Document:
         at = re.search(r"at line (\d+)", str(error))
         line = int(at[1]) if at else text.count("\n") + 1
         comma = COMMA.search(text.splitlines()[line - 1]) if line <= len(text.splitlines()) else None
-        hint = Text("; decimals are written with a point: {comma}", comma=comma[0].replace(",", ".")) if comma else EMPTY
+        hint = (
+            Text("; decimals are written with a point: {comma}", comma=comma[0].replace(",", ".")) if comma else EMPTY
+        )
         if str(error).startswith(("Cannot overwrite", "Cannot declare")):
             hint += Text("; what stands on this line stands above already: leave only one of the two")
-        raise refuse(Text("is not TOML: {sub}{hint}", sub=re.sub(" *[(]at .*[)]", "", str(error)), hint=hint), line) from None
+        raise refuse(
+            Text("is not TOML: {sub}{hint}", sub=re.sub(" *[(]at .*[)]", "", str(error)), hint=hint), line
+        ) from None
     except ValueError as error:  # a number of 5000 digits
         raise refuse(Text("is not a design: ") + str(error)) from None
     return Document(data, place, lines, raw)
@@ -249,12 +269,22 @@ COMMA = re.compile(r"-?\d+,\d+")  # a decimal comma, which TOML does not know
 
 # What stands for a wrong or missing value while the rest of the document is checked: no comparison with it holds.
 PLACEHOLDER: Table = {
-    "number": math.nan, "integer": math.nan, "text": "", "date": "", "choice": "", "series": (), "integers": (), "table": None,
-    "tables": (), "reasons": (), "open": None,
-}  # fmt: skip
+    "number": math.nan,
+    "integer": math.nan,
+    "text": "",
+    "date": "",
+    "choice": "",
+    "series": (),
+    "integers": (),
+    "table": None,
+    "tables": (),
+    "reasons": (),
+    "open": None,
+}
 
 
-# --- checking ---------------------------------------------------------------------------------------------------------------
+# --- checking
+# ---------------------------------------------------------------------------------------------------------------
 class _Reader:
     """Walks a document along the Inputs classes and collects every error."""
 
@@ -276,11 +306,12 @@ class _Reader:
         return self.document.lines.get(key, 1) if key else 1
 
     def inputs(self, cls: type[T], data: Table, prefix: str, address: str = "", like: Like | None = None) -> T:
-        """One Inputs object.  Where something in it is wrong, a placeholder stands there, so that the rest is still checked.
+        """One Inputs object.  Where something in it is wrong, a placeholder stands there, so that the rest is still
+        checked.
 
-        `prefix` is its key with elements of arrays by index, `address` that with their names: by it explain says where a number stands.
-        `like`: a table without errors in the same place, and what was read of it: what both have, the very same, is taken over.
-        """
+        `prefix` is its key with elements of arrays by index, `address` that with their names: by it explain says where
+        a number stands. `like`: a table without errors in the same place, and what was read of it: what both have, the
+        very same, is taken over."""
         kind: type = cls
         known, values = keys(kind), Table()
         for key in data:
@@ -293,7 +324,9 @@ class _Reader:
                 values[about.attribute] = getattr(like[1], about.attribute)
             elif key in data:
                 there = None if like is None else (like[0].get(key), getattr(like[1], about.attribute))
-                values[about.attribute] = self.value(about.about, data[key], join(prefix, key), join(address, key), there)
+                values[about.attribute] = self.value(
+                    about.about, data[key], join(prefix, key), join(address, key), there
+                )
             elif about.field.default is not MISSING:
                 values[about.attribute] = _keyed(about.about, about.field.default, join(address, key))
             elif not about.about.optional:
@@ -348,15 +381,27 @@ class _Reader:
     def number(self, about: Quantity, value: object, key: str) -> object:
         whole = about.kind in ("integer", "integers")
         if isinstance(value, bool) or not isinstance(value, (int, float)) or (whole and isinstance(value, float)):
-            point = Text("; write {value}", value=value.replace(",", ".")) if isinstance(value, str) and COMMA.fullmatch(value) else ""
-            return self.error(key, value, Text("must be {allowed}{point}", allowed=about.allowed(), point=point), "number")
+            point = (
+                Text("; write {value}", value=value.replace(",", "."))
+                if isinstance(value, str) and COMMA.fullmatch(value)
+                else ""
+            )
+            return self.error(
+                key, value, Text("must be {allowed}{point}", allowed=about.allowed(), point=point), "number"
+            )
         if value and not SMALLEST <= abs(value) <= LARGEST:
             allowed = about.allowed()
             if abs(value) > 1e300 or value != value:
                 return self.error(key, value, Text("must be {allowed}, and finite", allowed=allowed), "number")
-            return self.error(key, value, Text("must be {allowed}, and 0 or of a size from 1e-30 to 1e30", allowed=allowed), "number")
+            return self.error(
+                key, value, Text("must be {allowed}, and 0 or of a size from 1e-30 to 1e30", allowed=allowed), "number"
+            )
         low, high, above = about.low, about.high, about.above
-        if (low is not None and value < low) or (high is not None and value > high) or (above is not None and value <= above):
+        if (
+            (low is not None and value < low)
+            or (high is not None and value > high)
+            or (above is not None and value <= above)
+        ):
             why = Text("; {negative}", negative=about.negative) if about.negative and value < 0 else ""
             return self.error(key, value, Text("must be {allowed}{why}", allowed=about.allowed(), why=why), "number")
         return value if whole else about.units.inside(float(value))
@@ -379,11 +424,17 @@ class _Reader:
             return self.error(key, value, Text("is empty; needs {allowed}", allowed=about.allowed()), "series")
         return tuple(self.number(about, item, key) for item in items)
 
-    def tables(self, about: Quantity, value: object, key: str, address: str, like: object = None, read: Sequence[object] = ()) -> object:
+    def tables(
+        self, about: Quantity, value: object, key: str, address: str, like: object = None, read: Sequence[object] = ()
+    ) -> object:
         if not isinstance(value, list) or not all(isinstance(item, dict) for item in value):
             return self.error(key, value, Text("must be an array of tables: [[") + key + "]]", "tables")
         names = [item.get("name") for item in value]
-        before = list(zip(like, read)) if isinstance(like, list) and [item.get("name") for item in like] == names else [None] * len(value)
+        before = (
+            list(zip(like, read))
+            if isinstance(like, list) and [item.get("name") for item in like] == names
+            else [None] * len(value)
+        )
         made: tuple[object, ...] = tuple(
             self.inputs(about.table, item, f"{key}.{i}", f"{address}.{i if name is None else name}", known)  # type: ignore[arg-type]
             for i, (item, name, known) in enumerate(zip(value, names, before))
@@ -393,7 +444,11 @@ class _Reader:
         for i, name in enumerate(names):
             if isinstance(name, str):
                 if addressed and not NAME.match(name):
-                    self.error(f"{key}.{i}.name", name, Text("must be made of letters, digits and -, since the element is addressed by it"))
+                    self.error(
+                        f"{key}.{i}.name",
+                        name,
+                        Text("must be made of letters, digits and -, since the element is addressed by it"),
+                    )
                 if name in seen:
                     self.error(f"{key}.{i}.name", name, Text("stands twice; every element needs a name of its own"))
                 seen.add(name)
@@ -417,8 +472,11 @@ def is_day(words: str) -> bool:
 
 
 def _keyed(about: Quantity, value: object, address: str) -> object:
-    """A number, or a word that may choose numbers, with the key that it stands under; what only names or tells something has none."""
-    if about.kind in ("text", "choice") and (not value or address.rpartition(".")[2] in ("name", "note", "source", "label")):
+    """A number, or a word that may choose numbers, with the key that it stands under; what only names or tells
+    something has none."""
+    if about.kind in ("text", "choice") and (
+        not value or address.rpartition(".")[2] in ("name", "note", "source", "label")
+    ):
         return value
     return linked(value, address)
 
@@ -426,7 +484,13 @@ def _keyed(about: Quantity, value: object, address: str) -> object:
 def _plain(data: object, key: str) -> object:
     """What stands at a key below this table, if it is a number or a word; else None."""
     for part in key.split("."):
-        here = data.get(part) if isinstance(data, dict) else data[int(part)] if isinstance(data, list) and part.isdigit() else None
+        here = (
+            data.get(part)
+            if isinstance(data, dict)
+            else data[int(part)]
+            if isinstance(data, list) and part.isdigit()
+            else None
+        )
         data = here
     return data if isinstance(data, (int, float, str)) else None
 

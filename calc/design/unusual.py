@@ -16,7 +16,8 @@ SHOWN = 4
 
 @record
 class Unusual:
-    """One input: its key, and the number furthest outside, in the unit of `about`, as the range is; `beyond`: by so many ranges."""
+    """One input: its key, and the number furthest outside, in the unit of `about`, as the range is; `beyond`: by so
+    many ranges."""
 
     key: str
     about: Quantity
@@ -29,8 +30,11 @@ class Unusual:
         low, high = self.usual
         return Text(
             "{input} {value} (usual {low} to {high})",
-            input=called(self.key, self.about), value=Amount(self.number, self.about.unit), low=Amount(low), high=Amount(high),
-        )  # fmt: skip
+            input=called(self.key, self.about),
+            value=Amount(self.number, self.about.unit),
+            low=Amount(low),
+            high=Amount(high),
+        )
 
 
 def unusual(design: Design, steps: Iterable[str] = KEYS) -> list[Unusual]:

@@ -7,7 +7,24 @@ from dataclasses import replace
 
 from ..sheet.text import Amount, Name, Text
 from ..sheet.units import UNITS, Metre, Radian
-from .drawing import CUT, DIMENSION, HATCH, TABLE, TEXT, Arc, Box, Dimension, Hatch, Ink, Point, Polyline, Side, Words, moved, reach
+from .drawing import (
+    CUT,
+    DIMENSION,
+    HATCH,
+    TABLE,
+    TEXT,
+    Arc,
+    Box,
+    Dimension,
+    Hatch,
+    Ink,
+    Point,
+    Polyline,
+    Side,
+    Words,
+    moved,
+    reach,
+)
 from .lettering import arrow, room, shortened, strokes, width
 
 LETTER, TITLE = 2.5, 3.5  # heights of capitals, ISO 3098
@@ -16,7 +33,8 @@ _MM = 1e-3
 
 
 class Leaf:
-    """Marks about an origin of their own.  All lengths are millimetres on the paper; the marks themselves are in metres."""
+    """Marks about an origin of their own.  All lengths are millimetres on the paper; the marks themselves are in
+    metres."""
 
     def __init__(self) -> None:
         self.marks: list[Ink] = []
@@ -30,7 +48,9 @@ class Leaf:
     def arc(self, layer: str, centre: Point, radius: float, start: float = 0.0, end: float = 2 * math.pi) -> None:
         self.marks.append(Arc(layer, _metres(centre), radius * _MM, start, end))
 
-    def words(self, text: str, x: float, y: float, side: Side = "left", height: float = LETTER, layer: str = TEXT) -> None:
+    def words(
+        self, text: str, x: float, y: float, side: Side = "left", height: float = LETTER, layer: str = TEXT
+    ) -> None:
         if text:
             self.marks.append(Words(layer, (x * _MM, y * _MM), text, height * _MM, side=side))
 
@@ -41,11 +61,23 @@ class Leaf:
     def hatch(self, *outlines: Iterable[Point]) -> None:
         self.marks.append(Hatch(HATCH, tuple(tuple(map(_metres, outline)) for outline in outlines), SPACING * _MM))
 
-    def dimension(self, start: Point, end: Point, line: float, label: str, *, upright: bool = False, shift: float = 0.0) -> None:
+    def dimension(
+        self, start: Point, end: Point, line: float, label: str, *, upright: bool = False, shift: float = 0.0
+    ) -> None:
         """A distance along the sheet, or up it; `line`: where its dimension line lies across that."""
         at = (line, start[1]) if upright else (start[0], line)
-        self.marks.append(Dimension(DIMENSION, _metres(start), _metres(end), _metres(at), LETTER * _MM, upright, shift=shift * _MM,
-            label=Name(label)))  # fmt: skip
+        self.marks.append(
+            Dimension(
+                DIMENSION,
+                _metres(start),
+                _metres(end),
+                _metres(at),
+                LETTER * _MM,
+                upright,
+                shift=shift * _MM,
+                label=Name(label),
+            )
+        )
 
     def table(self, rows: list[tuple[str, ...]], columns: tuple[float, ...], head: str = "", row: float = 5.0) -> None:
         """Ruled rows below the origin, the first column's words on its left; a head stands above them."""
@@ -96,7 +128,8 @@ def _metres(point: Point) -> Point:
     return point[0] * _MM, point[1] * _MM
 
 
-# Signs of a drawing: a diameter on its shelf, a surface's roughness (ISO 21920-1), the ends of a cutting plane (ISO 128-3).
+# Signs of a drawing: a diameter on its shelf, a surface's roughness (ISO 21920-1), the ends of a cutting plane (ISO
+# 128-3).
 
 SLOPE = math.tan(math.pi / 3)
 SHORT_LEG, LONG_LEG = 3.5, 7.0  # heights of the two legs of the sign of a surface
@@ -178,7 +211,9 @@ def angle(leaf: Leaf, centre: Point, inner: float, at: float, start: float, end:
     middle = (start + end) / 2
     x, y = _polar(centre, at + 1.5 * GAP, middle)
     wide = width(label, LETTER)
-    leaf.words(label, x + math.cos(middle) * wide / 2, y + (math.sin(middle) - 1) * LETTER / 2, "centre", layer=DIMENSION)
+    leaf.words(
+        label, x + math.cos(middle) * wide / 2, y + (math.sin(middle) - 1) * LETTER / 2, "centre", layer=DIMENSION
+    )
 
 
 def _polar(centre: Point, radius: float, angle: float) -> Point:

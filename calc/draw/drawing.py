@@ -1,10 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """What a drawing is made of, whatever it shows: lines, arcs, areas, words and dimensions, each on a layer.
 
-The sheet's first axis runs to the right, its second up, both in metres.  `key`: the field of the design that a primitive shows (a key of
-a table stands for all its fields; several stand with spaces between them), which is lit while it is edited; `state`: the verdict of the
-part that it shows, "fail", "warn" or nothing.
-"""
+The sheet's first axis runs to the right, its second up, both in metres.  `key`: the field of the design that a
+primitive shows (a key of a table stands for all its fields; several stand with spaces between them), which is lit while
+it is edited; `state`: the verdict of the part that it shows, "fail", "warn" or nothing."""
 
 import math
 from collections.abc import Callable, Iterable
@@ -23,7 +22,8 @@ Box = tuple[Metre, Metre, Metre, Metre]  # left, bottom, right, top
 State = Literal["", "warn", "fail"]
 Side = Literal["left", "centre", "right"]
 
-# Layers of sketches that are drawn other than plain: context is faint, axes are faint chain lines, what is hidden is faint and dashed
+# Layers of sketches that are drawn other than plain: context is faint, axes are faint chain lines, what is hidden is
+# faint and dashed
 OUTLINE, CONTEXT, AXIS, HIDDEN, DIMENSIONS, WORDS = "OUTLINE", "CONTEXT", "AXIS", "HIDDEN", "DIMENSIONS", "TEXT"
 
 
@@ -54,7 +54,8 @@ class Arc:
 
 @record
 class Area:
-    """What is filled within closed outlines: what lies in two of them, as the hole of a ring, stays empty.  `shade`: how strongly."""
+    """What is filled within closed outlines: what lies in two of them, as the hole of a ring, stays empty.  `shade`:
+    how strongly."""
 
     layer: str
     outlines: tuple[tuple[Point, ...], ...]
@@ -88,7 +89,8 @@ class Hatch:
 
 @record
 class Dimension:
-    """The distance of two points, to the right or (`upright`) upwards, on a line through `line`; its number is put aside by `shift`.
+    """The distance of two points, to the right or (`upright`) upwards, on a line through `line`; its number is put
+    aside by `shift`.
 
     `label`: what stands there in place of the distance in millimetres.
     """
@@ -113,11 +115,11 @@ Ink = Mark | Hatch  # of drawing sheets
 
 @record
 class Sketch:
-    """A picture of a few strokes.  `notes`: what is not to scale, in words ("gap × 400").  `turning`: it depends on the crank's angle.
+    """A picture of a few strokes.  `notes`: what is not to scale, in words ("gap × 400").  `turning`: it depends on the
+    crank's angle.
 
-    `beside`: further pictures next to it, each with its own scale, the ones that are missed least last; `title` stands above each.
-    `views`: how many of them may come first, one after the other.
-    """
+    `beside`: further pictures next to it, each with its own scale, the ones that are missed least last; `title` stands
+    above each. `views`: how many of them may come first, one after the other."""
 
     primitives: tuple[Mark, ...] = ()
     notes: tuple[Text, ...] = ()
@@ -172,7 +174,9 @@ def _changed(mark: Ink, to: Callable[[Point], Point], by: float) -> Ink:
         case Area():
             return replace(mark, outlines=tuple(tuple(map(to, outline)) for outline in mark.outlines))
         case Hatch():
-            return replace(mark, outlines=tuple(tuple(map(to, outline)) for outline in mark.outlines), spacing=by * mark.spacing)
+            return replace(
+                mark, outlines=tuple(tuple(map(to, outline)) for outline in mark.outlines), spacing=by * mark.spacing
+            )
         case Words():
             return replace(mark, at=to(mark.at), height=by * mark.height)
         case Dimension():
@@ -193,8 +197,8 @@ def rectangle(left: Metre, bottom: Metre, right: Metre, top: Metre) -> tuple[Poi
 
 # The layers of a drawing sheet: how wide the lines of each are, of which dashes, and in which colour of a CAD program.
 #
-# Line widths 0.5 and 0.25 mm are a line group of ISO 128-2; the frame's 0.7 mm is that of ISO 5457.  Dashes are millimetres on the paper,
-# above 0 drawn and below 0 left out.
+# Line widths 0.5 and 0.25 mm are a line group of ISO 128-2; the frame's 0.7 mm is that of ISO 5457.  Dashes are
+# millimetres on the paper, above 0 drawn and below 0 left out.
 
 VISIBLE, EDGE, HIDDEN_EDGE, CENTRE, HATCH, DIMENSION = "VISIBLE", "EDGE", "HIDDEN", "CENTRE", "HATCH", "DIMENSION"
 CUT, TEXT, TABLE, FRAME = "CUT", "TEXT", "TABLE", "FRAME"
@@ -253,10 +257,12 @@ def _crossings(outline: list[Point], level: float) -> list[float]:
         ax + (bx - ax) * (level - ay) / (by - ay)
         for (ax, ay), (bx, by) in pairwise([*outline, outline[0]])
         if (ay <= level) != (by <= level)
-    ]  # fmt: skip
+    ]
 
 
-# What the sketches of several steps ask for: the verdict of a part, a round exaggeration, and the picture of what is not known yet.
+# What the sketches of several steps ask for: the verdict of a part, a round exaggeration, and the picture of what is
+# not known yet.
+
 
 class Awaited(Protocol):
     """The outcome of a step, solved or not."""

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""How much room letters need on a drawing sheet, so that what is written is placed before anybody knows with which letters.
+"""How much room letters need on a drawing sheet, so that what is written is placed before anybody knows with which
+letters.
 
-The widths are those of DejaVu Sans, in which the report letters its drawings, in heights of a capital letter; those of CAD programs are
-narrower.
-"""
+The widths are those of DejaVu Sans, in which the report letters its drawings, in heights of a capital letter; those of
+CAD programs are narrower."""
 
 from functools import cache
 
@@ -13,9 +13,12 @@ from .drawing import DIMENSION, Area, Box, Dimension, Point, Polyline, Words
 BELOW = 0.33  # of the height of a capital: how far letters reach below their line
 WIDE = 1.4  # of what is not in the table
 GROUPS = {
-    0.4: "'ijlì", 0.43: "IJ", 0.46: " ,.·", 0.49: "/:;\\|", 0.52: "-f", 0.55: "()[]t", 0.58: "!r²³", 0.67: '"', 0.7: "*_`°–", 0.73: "s",
-    0.76: "?z", 0.79: "Lc", 0.82: "Fk", 0.85: "PTYovxy⌀γò", 0.88: "EaehnuèéàùΣ", 0.91: "$0123456789KSbdgpq{}µβ", 0.94: "αφ",
-    0.97: "ABCRVXZΔ", 1.03: "U", 1.06: "HN", 1.09: "&DGOQØ", 1.15: "w", 1.18: "#+<=>^~±×−≤≥ω", 1.21: "M", 1.33: "%", 1.36: "m½",
+    0.4: "'ijlì", 0.43: "IJ", 0.46: " ,.·", 0.49: "/:;\\|", 0.52: "-f", 0.55: "()[]t", 0.58: "!r²³", 0.67: '"',
+    0.7: "*_`°–", 0.73: "s",
+    0.76: "?z", 0.79: "Lc", 0.82: "Fk", 0.85: "PTYovxy⌀γò", 0.88: "EaehnuèéàùΣ", 0.91: "$0123456789KSbdgpq{}µβ",
+    0.94: "αφ",
+    0.97: "ABCRVXZΔ", 1.03: "U", 1.06: "HN", 1.09: "&DGOQØ", 1.15: "w", 1.18: "#+<=>^~±×−≤≥ω", 1.21: "M", 1.33: "%",
+    1.36: "m½",
     1.39: "@W…",
 }  # fmt: skip
 
@@ -61,7 +64,8 @@ def wrapped(text: str, height: float, most: float) -> list[str]:
     return [*lines, line] if line else lines
 
 
-# A dimension in strokes, as ISO 129-1 has it: two extension lines, the dimension line with its arrows, and the number above it.
+# A dimension in strokes, as ISO 129-1 has it: two extension lines, the dimension line with its arrows, and the number
+# above it.
 
 ARROW = 1.2  # all in heights of a letter: length of an arrow,
 HALF_ARROW = 0.16  # half of its width,
@@ -81,13 +85,20 @@ def strokes(dimension: Dimension) -> tuple[Stroke, ...]:
     number = written(dimension)
     middle, half = (a + b) / 2 + dimension.shift, width(number, h) / 2
     tail = TAIL * ARROW * h if outside(b - a, h) else 0.0
-    reach = [min(a - tail, middle - half) if dimension.shift or tail else a, max(b + tail, middle + half) if dimension.shift or tail else b]
+    reach = [
+        min(a - tail, middle - half) if dimension.shift or tail else a,
+        max(b + tail, middle + half) if dimension.shift or tail else b,
+    ]
     way = -1.0 if tail else 1.0
     made: list[Stroke] = []
     for point in (first, last):
         start, sign = point[1 - n], 1.0 if level > point[1 - n] else -1.0
         if abs(level - start) > OFF * h:
-            made.append(Polyline(DIMENSION, (_at(point[n], start + sign * OFF * h, n), _at(point[n], level + sign * BEYOND * h, n))))
+            made.append(
+                Polyline(
+                    DIMENSION, (_at(point[n], start + sign * OFF * h, n), _at(point[n], level + sign * BEYOND * h, n))
+                )
+            )
     made += [Polyline(DIMENSION, (_at(reach[0], level, n), _at(reach[1], level, n)))]
     made += [arrow(_at(a, level, n), _at(-way, 0.0, n), h), arrow(_at(b, level, n), _at(way, 0.0, n), h)]
     above = level - OFF * h if dimension.upright else level + OFF * h
@@ -113,7 +124,11 @@ def arrow(tip: Point, direction: Point, height: Metre) -> Area:
     """A filled arrow that ends in `tip`; `direction` is of length 1."""
     (x, y), (u, v) = tip, direction
     back, half = ARROW * height, HALF_ARROW * height
-    corners = (tip, (x - back * u - half * v, y - back * v + half * u), (x - back * u + half * v, y - back * v - half * u))
+    corners = (
+        tip,
+        (x - back * u - half * v, y - back * v + half * u),
+        (x - back * u + half * v, y - back * v - half * u),
+    )
     return Area(DIMENSION, (corners,), 1.0)
 
 

@@ -16,12 +16,14 @@ from ..sheet.units import UNITS, Metre, Radian
 from .drawing import Point, Polyline, Primitive
 
 LAYER_OF = {"sector": "SECTORS", "journal": "JOURNALS", "gear": "GEAR"}  # what a piece is → where its own shape stands
-LETTER = 0.01  # rule of this program: letters are a hundredth of the shaft's length high, and all distances multiples of that
+# rule of this program: letters are a hundredth of the shaft's length high, and all distances multiples of that
+LETTER = 0.01
 FINE = 5e-5  # m: a shorter piece is what rounding leaves between two others; it is not drawn, and they meet
 FLAT = 1e-9  # rad and shares of a radius: below it an edge is seen from its end
 
 
-# --- shapes -------------------------------------------------------------------------------------------------------------
+# --- shapes
+# -------------------------------------------------------------------------------------------------------------
 def drawn(outline: Outline) -> list[Piece]:
     """The pieces that a drawing shows: each ends where the next begins."""
     return [piece for piece in outline.pieces if piece.length > FINE]
@@ -78,14 +80,18 @@ def axis(outline: Outline) -> tuple[Point, Point]:
 
 
 def edges(piece: Piece, up: Radian) -> list[tuple[Point, Point]]:
-    """The edges of a sector that are seen inside its silhouette: those of its two flat faces with its outside and with its core."""
+    """The edges of a sector that are seen inside its silhouette: those of its two flat faces with its outside and with
+    its core."""
     if piece.half_angle is None or math.pi - piece.half_angle < FLAT:
         return []
     seen_edges = []
     high, low = reach(piece, up)
     for side in (1.0, -1.0):
         angle = piece.angle - up + side * piece.half_angle
-        near, faces = math.sin(angle) > FLAT, side * math.cos(angle) > FLAT  # on the side of who looks; turned towards them
+        near, faces = (
+            math.sin(angle) > FLAT,
+            side * math.cos(angle) > FLAT,
+        )  # on the side of who looks; turned towards them
         for radius, seen in ((piece.outer_radius, near), (piece.core_radius, near and faces)):
             y = radius * math.cos(angle)
             if seen and radius and -low + TOUCH < y < high - TOUCH:
@@ -96,26 +102,38 @@ def edges(piece: Piece, up: Radian) -> list[tuple[Point, Point]]:
 def shaft_drawing(outline: Outline, positions: tuple[Metre, ...]) -> tuple[Primitive, ...]:
     """The side view without dimensions; `positions`: mid-planes of the supports.
 
-    The layer OUTLINE holds the silhouette of the whole shaft, the others the shapes of their pieces again, so that each is whole by itself.
-    """
+    The layer OUTLINE holds the silhouette of the whole shaft, the others the shapes of their pieces again, so that each
+    is whole by itself."""
     up = upwards(outline)
     shapes: list[Primitive] = [Polyline("OUTLINE", silhouette(outline), True), Polyline("AXIS", axis(outline))]
     for piece in outline.pieces:
         if (layer := LAYER_OF.get(piece.what)) is not None:
             high, low = reach(piece, up)
-            shapes.append(Polyline(layer, ((piece.start, -low), (piece.end, -low), (piece.end, high), (piece.start, high)), True))
+            shapes.append(
+                Polyline(layer, ((piece.start, -low), (piece.end, -low), (piece.end, high), (piece.start, high)), True)
+            )
             shapes += [Polyline(layer, edge) for edge in edges(piece, up)]
     return (*shapes, *(Polyline("SUPPORTS", mark, True) for mark in support_marks(outline, positions)))
 
 
-# --- the screen's and the report's ---------------------------------------------------------------------------------------
+# --- the screen's and the report's
+# ---------------------------------------------------------------------------------------
 def outline_curve(outline: Outline, positions: tuple[Metre, ...]) -> Curve:
     """The side view as a curve in true scale: the points of the drawing, in mm."""
     names = (Text("front support"), *(Text("support {n}", n=n) for n in range(2, len(positions))), Text("rear support"))
-    series = [_series(Text("outline"), (*silhouette(outline), silhouette(outline)[0])), _series(Text("axis"), axis(outline))]
+    series = [
+        _series(Text("outline"), (*silhouette(outline), silhouette(outline)[0])),
+        _series(Text("axis"), axis(outline)),
+    ]
     series += [_series(name, (*mark, mark[0])) for name, mark in zip(names, support_marks(outline, positions))]
-    return Curve("outline", Text("Outline of the shaft"), axis_label("z", "mm"), axis_label("up: first eccentric mass", "mm"),
-        tuple(series), equal=True)  # fmt: skip
+    return Curve(
+        "outline",
+        Text("Outline of the shaft"),
+        axis_label("z", "mm"),
+        axis_label("up: first eccentric mass", "mm"),
+        tuple(series),
+        equal=True,
+    )
 
 
 def _series(label: Text, points: tuple[Point, ...]) -> Series:

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What stands beside the views: the data of the teeth (ISO 1340, symbols of ISO 21771), balancing (ISO 21940-11), masses, notes."""
+"""What stands beside the views: the data of the teeth (ISO 1340, symbols of ISO 21771), balancing (ISO 21940-11),
+masses, notes."""
 
 import math
 from collections.abc import Iterator, Mapping
@@ -21,7 +22,8 @@ from ..solve import Results
 from .annotations import ALIKE, Say, alone, degrees, deviated, millimetres, number
 from .shaft_outline import drawn
 
-# What of a solved design stands on the drawing of its shaft: its pieces with their sizes, and what the design does not say.
+# What of a solved design stands on the drawing of its shaft: its pieces with their sizes, and what the design does not
+# say.
 
 GIVEN = ("journal", "gear", "full")  # pieces whose length and diameter the design gives
 
@@ -61,7 +63,9 @@ def turned(results: Results, solved: CountershaftResult) -> list[TurnedPiece]:
         if piece.what == "gear" and wheel is not None:
             radius, label = wheel.tip_diameter / 2, tips(wheel)
         elif piece.what in GIVEN:
-            label, texture = _cylinder(results, piece, next((z for z in shaft.bearing_positions if start <= z <= end), None))
+            label, texture = _cylinder(
+                results, piece, next((z for z in shaft.bearing_positions if start <= z <= end), None)
+            )
         made.append(TurnedPiece(piece, start, end, radius, label, texture))
     return made
 
@@ -91,7 +95,9 @@ def _cylinder(results: Results, piece: Piece, support: Metre | None) -> tuple[Te
         named = Text("{size} {field}", size=size, field=str(field)) if field.letter else size
         size = deviated(named, *deviations(field, 2 * piece.outer_radius))
     bearing = {shaft.bearing_positions[0]: own.front, shaft.bearing_positions[-1]: own.rear}.get(support)
-    return size, None if bearing is None else Text("Ra {ra}", ra=number(UNITS["µm"].shown(bearing.journal_roughness), 2))
+    return size, None if bearing is None else Text(
+        "Ra {ra}", ra=number(UNITS["µm"].shown(bearing.journal_roughness), 2)
+    )
 
 
 def missing(results: Results) -> Iterator[Text]:
@@ -140,7 +146,10 @@ def _teeth(train: TrainResult, wheel: WheelResult, gears: GearsInputs) -> Iterat
     yield Text("Number of teeth"), Text("{z}", z=wheel.teeth)
     yield Text("Normal pressure angle"), degrees(s.alpha_n, SIZE)
     if s.beta:
-        yield Text("Helix angle, hand"), Text("{angle}, {hand}", angle=degrees(s.beta, SIZE), hand=HANDS[gears.hands()[wheel.name]])
+        yield (
+            Text("Helix angle, hand"),
+            Text("{angle}, {hand}", angle=degrees(s.beta, SIZE), hand=HANDS[gears.hands()[wheel.name]]),
+        )
     yield (
         Text("Tool: addendum, tip radius"),
         Text("{h} / {rho} modules", h=number(s.h_aP0, SIZE), rho=number(s.rho_aP0, SIZE)),
@@ -187,18 +196,29 @@ def _flanks(friction: FrictionInputs, train: TrainResult, wheel: str) -> float |
     Ra = friction.flank_roughness
     if len(Ra) == 1:
         return Ra[0]
-    return next((Ra[0] if mesh.driver == wheel else Ra[1] for mesh in train.meshes.values() if wheel in (mesh.driver, mesh.driven)), None)
+    return next(
+        (
+            Ra[0] if mesh.driver == wheel else Ra[1]
+            for mesh in train.meshes.values()
+            if wheel in (mesh.driver, mesh.driven)
+        ),
+        None,
+    )
 
 
 def balance_rows(results: Results, solved: CountershaftResult, say: Say) -> Rows:
-    """The grade, the speed that it is for, and what it permits in each plane; empty where the mass of the shaft is not known."""
+    """The grade, the speed that it is for, and what it permits in each plane; empty where the mass of the shaft is not
+    known."""
     permitted, shaft = solved.tolerance, results.design.countershaft
     if permitted is None or shaft is None:
         return []
     front, rear = shaft.bearing_positions[0], shaft.bearing_positions[-1]
     rows = (
         (Text("Quality grade, {iso}", iso=ISO), Text("{grade}", grade=shaft.balance_grade)),
-        (Text("at the service speed"), Text("{n} rpm", n=number(UNITS["rpm"].shown(abs(solved.omega) / (2 * math.pi)), 0))),
+        (
+            Text("at the service speed"),
+            Text("{n} rpm", n=number(UNITS["rpm"].shown(abs(solved.omega) / (2 * math.pi)), 0)),
+        ),
         (Text("Permitted residual unbalance"), _unbalance(permitted.residual_unbalance_permitted)),
         (Text("in plane I, z {z}", z=millimetres(front)), _unbalance(permitted.residual_unbalance_permitted_front)),
         (Text("in plane II, z {z}", z=millimetres(rear)), _unbalance(permitted.residual_unbalance_permitted_rear)),
@@ -215,10 +235,21 @@ def _unbalance(U: KilogramMetre) -> Text:
 def mass_rows(results: Results, solved: CountershaftResult, say: Say) -> Rows:
     """The eccentric masses as they are meant: the shaft is out of balance on purpose."""
     shaft = results.design.countershaft
-    masses = dict(solved.sector) if solved.sector else {mass.name: mass for mass in shaft.masses} if shaft is not None else {}
+    masses = (
+        dict(solved.sector)
+        if solved.sector
+        else {mass.name: mass for mass in shaft.masses}
+        if shaft is not None
+        else {}
+    )
     rows: Rows = [(say(Text("Mass")), say(Text("m, kg")), say(Text("e, mm")), say(Text("at")), say(Text("z, mm")))]
     for name, mass in masses.items():
-        cells = number(mass.mass, 3), millimetres(mass.radius, 3), degrees(mass.angle % (2 * math.pi)), millimetres(mass.z, 2)
+        cells = (
+            number(mass.mass, 3),
+            millimetres(mass.radius, 3),
+            degrees(mass.angle % (2 * math.pi)),
+            millimetres(mass.z, 2),
+        )
         rows.append((say(Name(name)), *(say(cell if isinstance(cell, Text) else alone(cell)) for cell in cells)))
     return rows if len(rows) > 1 else []
 
@@ -229,21 +260,36 @@ def notes(results: Results, solved: CountershaftResult, up: float, data: Mapping
     assert shaft is not None
     yield Text("Dimensions in mm. z from mid-shaft, to the right towards the flywheel.")
     yield Text(
-        "Views along the axis look towards the flywheel; the crank turns clockwise there. Up is {angle} from up with cylinder 1 at TDC, in "
-        "the sense of crank rotation.", angle=degrees(up % (2 * math.pi)),
-    )  # fmt: skip
+        "Views along the axis look towards the flywheel; the crank turns clockwise there. Up is {angle} from up with "
+        "cylinder 1 at TDC, in "
+        "the sense of crank rotation.",
+        angle=degrees(up % (2 * math.pi)),
+    )
     if solved.outline is not None and solved.outline.derived:
-        yield Text("Sectors follow from mass and centre of gravity of the eccentric masses; shoulders are put together from the design.")
+        yield Text(
+            "Sectors follow from mass and centre of gravity of the eccentric masses; shoulders are put together from "
+            "the design."
+        )
     if solved.tolerance is not None:
-        yield Text("The residual unbalance is measured against the masses in the table, which are out of balance on purpose.")
+        yield Text(
+            "The residual unbalance is measured against the masses in the table, which are out of balance on purpose."
+        )
     if shaft.holes is not None:
-        yield Text("{n} holes ⌀{d}, at most {h} deep, radial, evenly in the eccentric masses, drilled as the balancing asks.",
-            n=shaft.holes.count, d=millimetres(shaft.holes.diameter), h=millimetres(shaft.holes.depth))  # fmt: skip
+        yield Text(
+            "{n} holes ⌀{d}, at most {h} deep, radial, evenly in the eccentric masses, drilled as the balancing asks.",
+            n=shaft.holes.count,
+            d=millimetres(shaft.holes.diameter),
+            h=millimetres(shaft.holes.depth),
+        )
     if shaft.fillet_radius is not None:
         yield Text("Fillets at the shoulders R{radius}.", radius=millimetres(shaft.fillet_radius))
     if (own := results.design.bearings) is not None and (clearances := _clearances(results)) is not None:
-        yield Text("Diametral clearance of the journals in their bearings at {T} °C: {front} µm front, {rear} µm rear.",
-            T=number(UNITS["°C"].shown(own.clearance_reference_temperature), 1), front=clearances[0], rear=clearances[1])  # fmt: skip
+        yield Text(
+            "Diametral clearance of the journals in their bearings at {T} °C: {front} µm front, {rear} µm rear.",
+            T=number(UNITS["°C"].shown(own.clearance_reference_temperature), 1),
+            front=clearances[0],
+            rear=clearances[1],
+        )
     yield from chosen(data)
     yield Text("Not given by the design: {what}.", what=COMMA.join(missing(results)))
 
@@ -255,14 +301,17 @@ def _clearances(results: Results) -> tuple[Amount, Amount] | None:
 
 
 DEFAULTS = {
-    "countershaft.balance_grade": Text("the grade of balancing"), "gears.accuracy_grade": Text("the accuracy grade of the teeth"),
+    "countershaft.balance_grade": Text("the grade of balancing"),
+    "gears.accuracy_grade": Text("the accuracy grade of the teeth"),
     "gears.ball_diameter_mm": Text("the measuring ball"),
-}  # fmt: skip
+}
 
 
 def chosen(data: Mapping[str, object] | None, step: str = "") -> Iterator[Text]:
     """What the program has put in where the file leaves it out; `step`: of one step only."""
-    if data is not None and (assumed := [text for key, text in DEFAULTS.items() if key.startswith(step) and not _given(data, key)]):
+    if data is not None and (
+        assumed := [text for key, text in DEFAULTS.items() if key.startswith(step) and not _given(data, key)]
+    ):
         yield Text("Chosen by the program, not by the design: {what}.", what=COMMA.join(assumed))
 
 

@@ -73,7 +73,10 @@ def rows(spans: Sequence[Span], height: float) -> list[DimensionRow]:
             for level in range(len(spans) + 1)
             for shift in shifts
         )
-        placed[n] = next((row for row in found if _clear(row, list(placed.values()), later, height)), DimensionRow(spans[n], len(spans) + 1, 0.0))
+        placed[n] = next(
+            (row for row in found if _clear(row, list(placed.values()), later, height)),
+            DimensionRow(spans[n], len(spans) + 1, 0.0),
+        )
     return [placed[n] for n in range(len(spans))]
 
 
@@ -125,15 +128,20 @@ class Shelf:
 Place = tuple[float, bool]  # height of a shelf, and whether its words stand to the right of its line
 
 
-def shelves(asked: Sequence[Shelf], bottom: float, step: float, limits: tuple[float, float], taken: Sequence[Box]) -> list[Place]:
-    """Where each shelf stands: its words towards the middle, else outwards; where that can not be, all to the right, as stairs.
+def shelves(
+    asked: Sequence[Shelf], bottom: float, step: float, limits: tuple[float, float], taken: Sequence[Box]
+) -> list[Place]:
+    """Where each shelf stands: its words towards the middle, else outwards; where that can not be, all to the right, as
+    stairs.
 
     `bottom`: the lowest shelf; `limits` to the left and the right; `taken`: where nothing may stand.
     """
     middle = sum(limits) / 2
     inner_first = sorted(range(len(asked)), key=lambda n: abs(asked[n].x - middle))
     heights = [bottom + step * level for level in range(LEVELS)]
-    ways = {n: [(y, right) for right in (asked[n].x <= middle, asked[n].x > middle) for y in heights] for n in inner_first}
+    ways = {
+        n: [(y, right) for right in (asked[n].x <= middle, asked[n].x > middle) for y in heights] for n in inner_first
+    }
     found = _placed(asked, inner_first, ways, limits, taken)
     if found is None:
         right_first = sorted(inner_first, key=lambda n: -asked[n].x)
@@ -143,9 +151,14 @@ def shelves(asked: Sequence[Shelf], bottom: float, step: float, limits: tuple[fl
 
 
 def _placed(
-    asked: Sequence[Shelf], order: Sequence[int], ways: Mapping[int, Sequence[Place]], limits: tuple[float, float], taken: Sequence[Box]
+    asked: Sequence[Shelf],
+    order: Sequence[int],
+    ways: Mapping[int, Sequence[Place]],
+    limits: tuple[float, float],
+    taken: Sequence[Box],
 ) -> dict[int, Place] | None:
-    """The first way of each shelf that is free, in that order; one that has no place yet keeps all above it free for its line."""
+    """The first way of each shelf that is free, in that order; one that has no place yet keeps all above it free for
+    its line."""
     found: dict[int, Place] = {}
     boxes = list(taken)
     for n in order:
@@ -154,8 +167,13 @@ def _placed(
         for y, right in ways[n]:
             shelf = asked[n]
             left = shelf.x if right else shelf.x - shelf.wide
-            box, line = (left, y - CLEAR, left + shelf.wide, y + shelf.high), (shelf.x - CLEAR, shelf.foot, shelf.x + CLEAR, y)
-            crossed = any(_overlap(box, one) or _overlap(line, one) for one in boxes) or any(_overlap(box, one) for one in lines)
+            box, line = (
+                (left, y - CLEAR, left + shelf.wide, y + shelf.high),
+                (shelf.x - CLEAR, shelf.foot, shelf.x + CLEAR, y),
+            )
+            crossed = any(_overlap(box, one) or _overlap(line, one) for one in boxes) or any(
+                _overlap(box, one) for one in lines
+            )
             if limits[0] <= left and left + shelf.wide <= limits[1] and not crossed:
                 found[n] = y, right
                 boxes.append(box)
@@ -169,7 +187,8 @@ def _overlap(a: Box, b: Box) -> bool:
     return a[0] < b[2] and b[0] < a[2] and a[1] < b[3] and b[1] < a[3]
 
 
-# Where two pieces of a shaft meet: the parts of the line between them that are seen, where one of them steps back behind the other.
+# Where two pieces of a shaft meet: the parts of the line between them that are seen, where one of them steps back
+# behind the other.
 
 SAME = 1e-7  # m: surfaces closer than this go on into one another
 
@@ -203,7 +222,8 @@ def _corners(piece: TurnedPiece, up: Radian) -> list[Metre]:
 
 
 def _depth(piece: TurnedPiece, y: Metre, up: Radian) -> Metre:
-    """How near its surface comes to who looks, counted from the axis, at a height; far behind where it does not reach so high."""
+    """How near its surface comes to who looks, counted from the axis, at a height; far behind where it does not reach
+    so high."""
     R, r, faces = piece.radius, piece.piece.core_radius, _faces(piece, up)
     if not faces:
         return math.sqrt(R * R - y * y) if abs(y) < R else -math.inf
@@ -234,7 +254,9 @@ ROOM = 60.0  # beyond the view, for labels
 class SideView:
     """Draws one shaft in one scale; z runs to the right from mid-shaft, the direction `up` upwards."""
 
-    def __init__(self, pieces: list[TurnedPiece], positions: tuple[Metre, ...], up: Radian, scale: float, say: Say) -> None:
+    def __init__(
+        self, pieces: list[TurnedPiece], positions: tuple[Metre, ...], up: Radian, scale: float, say: Say
+    ) -> None:
         self.pieces, self.positions, self.up, self.say = pieces, positions, up, say
         self.by = scale * 1e3
         self.reaches = [self._reach(piece) for piece in pieces]
@@ -242,7 +264,8 @@ class SideView:
         self.left, self.right = self.by * pieces[0].start, self.by * pieces[-1].end
 
     def draw(self, letters: dict[str, Metre], gear: Metre | None) -> Leaf:
-        """`letters`: the cutting planes and where they are; `gear`: the reference diameter of the wheel on the shaft."""
+        """`letters`: the cutting planes and where they are; `gear`: the reference diameter of the wheel on the
+        shaft."""
         leaf = Leaf()
         self._shape(leaf)
         if gear is not None:
@@ -260,7 +283,8 @@ class SideView:
         high, low = reach(piece.piece, self.up)
         return self.by * high, self.by * low
 
-    # --- the shape ------------------------------------------------------------------------------------------------------
+    # --- the shape
+    # ------------------------------------------------------------------------------------------------------
     def _shape(self, leaf: Leaf) -> None:
         above: list[Point] = []
         below: list[Point] = []
@@ -288,16 +312,22 @@ class SideView:
 
     def _across(self, z: Metre) -> float:
         """How far the shaft reaches from its axis at a place."""
-        return max((max(r) for piece, r in zip(self.pieces, self.reaches) if piece.start <= z <= piece.end), default=0.0)
+        return max(
+            (max(r) for piece, r in zip(self.pieces, self.reaches) if piece.start <= z <= piece.end), default=0.0
+        )
 
     def _cuts(self, leaf: Leaf, letters: dict[str, Metre]) -> list[Box]:
         boxes = []
         for letter, z in letters.items():
-            high, low = next((r for piece, r in zip(self.pieces, self.reaches) if piece.start <= z <= piece.end), (self.top, -self.low))
+            high, low = next(
+                (r for piece, r in zip(self.pieces, self.reaches) if piece.start <= z <= piece.end),
+                (self.top, -self.low),
+            )
             boxes += cutting_plane(leaf, letter, self.by * z, high, -low)
         return boxes
 
-    # --- what is measured -----------------------------------------------------------------------------------------------
+    # --- what is measured
+    # -----------------------------------------------------------------------------------------------
     def _diameters(self, leaf: Leaf, marks: list[Box]) -> None:
         """A shelf for each diameter, its line across the piece with an arrow at either side."""
         asked, words = [], []
@@ -317,16 +347,21 @@ class SideView:
             shelf(leaf, (one.x, -one.foot), y, right, label, texture)
 
     def _lengths(self, leaf: Leaf) -> None:
-        """Every piece, the distances of the supports, and the whole; what follows from the others stands in brackets."""
+        """Every piece, the distances of the supports, and the whole; what follows from the others stands in
+        brackets."""
         asked = [(piece.start, piece.end) for piece in self.pieces] + list(pairwise(self.positions))
         if len(self.pieces) > 1:
             asked.append((self.pieces[0].start, self.pieces[-1].end))
         sizes = [alone(rounded(b - a)) for a, b in asked]
-        labels = [self.say(Text("({size})", size=size) if n in self._closing() else size) for n, size in enumerate(sizes)]
+        labels = [
+            self.say(Text("({size})", size=size) if n in self._closing() else size) for n, size in enumerate(sizes)
+        ]
         spans = [Span(self.by * a, self.by * b, width(label, LETTER)) for (a, b), label in zip(asked, labels)]
         for span, label, row in zip(spans, labels, rows(spans, LETTER)):
             y = self.low - FIRST - MARKS * bool(self._eccentric) - NEXT * row.level
-            leaf.dimension((span.start, self._foot(span.start)), (span.end, self._foot(span.end)), y, label, shift=row.shift)
+            leaf.dimension(
+                (span.start, self._foot(span.start)), (span.end, self._foot(span.end)), y, label, shift=row.shift
+            )
 
     @property
     def _eccentric(self) -> bool:
@@ -343,5 +378,7 @@ class SideView:
         z = x / self.by
         if any(abs(z - position) < 1e-9 for position in self.positions):
             return -self._across(z) - 2
-        lows = [low for piece, (_, low) in zip(self.pieces, self.reaches) if piece.start - 1e-9 <= z <= piece.end + 1e-9]
+        lows = [
+            low for piece, (_, low) in zip(self.pieces, self.reaches) if piece.start - 1e-9 <= z <= piece.end + 1e-9
+        ]
         return -max(lows, default=0.0)

@@ -17,7 +17,18 @@ from . import annotations as signs
 from .annotations import TITLE, Leaf, Say, degrees, millimetres, number, rounded
 from .drawing import CENTRE, EDGE, VISIBLE, Point
 from .shaft_outline import FLAT, upwards
-from .sheet_data import PART_DRAWING, TurnedPiece, balance_rows, chosen, gear_rows, mass_rows, notes, shaft_wheel, tips, turned
+from .sheet_data import (
+    PART_DRAWING,
+    TurnedPiece,
+    balance_rows,
+    chosen,
+    gear_rows,
+    mass_rows,
+    notes,
+    shaft_wheel,
+    tips,
+    turned,
+)
 from .side_view import OVER, SideView
 from .workshop_sheet import COLUMNS, DrawnPart, WorkshopSheet, composed, tables
 
@@ -41,7 +52,13 @@ def kinds(pieces: list[TurnedPiece]) -> dict[str, TurnedPiece]:
     for one in pieces:
         piece = one.piece
         if piece.half_angle is not None:
-            size = (piece.outer_radius, piece.core_radius, piece.half_angle, math.cos(piece.angle), math.sin(piece.angle))
+            size = (
+                piece.outer_radius,
+                piece.core_radius,
+                piece.half_angle,
+                math.cos(piece.angle),
+                math.sin(piece.angle),
+            )
             found.setdefault(tuple(round(x, 6) for x in size), one)
     return dict(zip("ABCDEFGHJKLMNPQRSTUVWXYZ", found.values()))
 
@@ -70,7 +87,8 @@ def section(letter: str, piece: Piece, up: Radian, scale: float, say: Say) -> Le
 
 
 def _sized(leaf: Leaf, R: float, r: float, middle: Radian, half: Radian, labels: tuple[str, str], say: Say) -> None:
-    """Both radii and the angle; the radii on the side where the angle's arc is not, so of a wide sector the angle is that of its gap."""
+    """Both radii and the angle; the radii on the side where the angle's arc is not, so of a wide sector the angle is
+    that of its gap."""
     outer, core = labels
     centre, back = (0.0, 0.0), R + OVER_OUTLINE + BEHIND
     if half <= WIDEST:
@@ -147,21 +165,33 @@ APART = 8.0  # one view from another
 
 
 def shaft_sheet(results: Results, say: Say = str, data: Mapping[str, object] | None = None) -> WorkshopSheet | None:
-    """The drawing of the counter-shaft; None where its outline is not known.  `data`: of the design's file, for what it leaves out."""
+    """The drawing of the counter-shaft; None where its outline is not known.  `data`: of the design's file, for what it
+    leaves out."""
     solved, shaft = results.result(CountershaftResult), results.design.countershaft
     if solved is None or shaft is None or solved.outline is None:
         return None
     mass = say(Text("{m} kg", m=number(solved.mass, 2))) if solved.mass is not None else ""
     wheel = shaft_wheel(results)
-    beside = tables((
-        (say(Text("Gear data: {name}", name=wheel.name)) if wheel else EMPTY, gear_rows(results, wheel, say) if wheel else [], COLUMNS),
-        (say(Text("Balancing")), balance_rows(results, solved, say), COLUMNS),
-        (say(Text("Eccentric masses, cylinder 1 at TDC")), mass_rows(results, solved, say), MASS_COLUMNS),
-    ))  # fmt: skip
+    beside = tables(
+        (
+            (
+                say(Text("Gear data: {name}", name=wheel.name)) if wheel else EMPTY,
+                gear_rows(results, wheel, say) if wheel else [],
+                COLUMNS,
+            ),
+            (say(Text("Balancing")), balance_rows(results, solved, say), COLUMNS),
+            (say(Text("Eccentric masses, cylinder 1 at TDC")), mass_rows(results, solved, say), MASS_COLUMNS),
+        )
+    )
     return composed(
-        DrawnPart(title=results.design.name, material=shaft.material, mass=mass), lambda scale: _shaft_views(results, solved, scale, say), beside,
-        notes(results, solved, upwards(solved.outline), data), results.design.control, say, PART_DRAWING,
-    )  # fmt: skip
+        DrawnPart(title=results.design.name, material=shaft.material, mass=mass),
+        lambda scale: _shaft_views(results, solved, scale, say),
+        beside,
+        notes(results, solved, upwards(solved.outline), data),
+        results.design.control,
+        say,
+        PART_DRAWING,
+    )
 
 
 def _shaft_views(results: Results, solved: CountershaftResult, scale: float, say: Say) -> Leaf:
@@ -190,7 +220,8 @@ def _shaft_views(results: Results, solved: CountershaftResult, scale: float, say
     return views
 
 
-# The sheets of the wheels of a train, as ISO 2203 draws gears: cut along the axis, the teeth not cut, and seen from the front.
+# The sheets of the wheels of a train, as ISO 2203 draws gears: cut along the axis, the teeth not cut, and seen from the
+# front.
 
 OVER_WHEEL = 4.0  # an axis beyond what it is the axis of
 LINE, NEXT = 10.0, 9.0  # from the view to its first dimension, and on to the next
@@ -205,13 +236,18 @@ def wheel_sheets(results: Results, say: Say = str, data: Mapping[str, object] | 
     bores = {one.name: one.bore_diameter for one in gears.wheels}
     return [
         composed(
-            DrawnPart(title=f"{results.design.name}: {wheel.name}", material=wheel.material, sheet=f"{n}/{len(train.wheels)}"),
+            DrawnPart(
+                title=f"{results.design.name}: {wheel.name}", material=wheel.material, sheet=f"{n}/{len(train.wheels)}"
+            ),
             lambda scale, wheel=wheel: _wheel_views(wheel, bores[wheel.name], scale, say),  # type: ignore[misc]
             tables([(say(Text("Gear data: {name}", name=wheel.name)), gear_rows(results, wheel, say), COLUMNS)]),
-            _notes(bores[wheel.name], data), results.design.control, say, PART_DRAWING,
+            _notes(bores[wheel.name], data),
+            results.design.control,
+            say,
+            PART_DRAWING,
         )
         for n, wheel in enumerate(train.wheels.values(), 1)
-    ]  # fmt: skip
+    ]
 
 
 def _wheel_views(wheel: WheelResult, bore: Metre | None, scale: float, say: Say) -> Leaf:
@@ -236,7 +272,9 @@ def _wheel_views(wheel: WheelResult, bore: Metre | None, scale: float, say: Say)
     leaf.line(CENTRE, (-OVER_WHEEL, 0.0), (b + OVER_WHEEL, 0.0))
     leaf.dimension((0.0, -tip), (b, -tip), -tip - LINE, say(Text("{size}", size=rounded(wheel.face_width))))
     if bore is not None:
-        leaf.dimension((0.0, -inner), (0.0, inner), -LINE, say(Text("⌀{diameter}", diameter=millimetres(bore))), upright=True)
+        leaf.dimension(
+            (0.0, -inner), (0.0, inner), -LINE, say(Text("⌀{diameter}", diameter=millimetres(bore))), upright=True
+        )
     leaf.dimension((0.0, -tip), (0.0, tip), -LINE - NEXT * bool(inner), say(tips(wheel)), upright=True)
     x = b + WHEEL_VIEWS_APART + tip
     for radius, layer in ((tip, VISIBLE), (pitch, CENTRE), (root, EDGE), (inner, VISIBLE)):
@@ -251,5 +289,10 @@ def _notes(bore: Metre | None, data: Mapping[str, object] | None) -> Iterator[Te
     yield Text("Dimensions in mm. Teeth by the table; the diameter of the tips as drawn.")
     yield from chosen(data, "gears")
     lacking = [Text("bore and hub") if bore is None else Text("fit of the bore, hub")]
-    lacking += [Text("heat treatment"), Text("general and geometrical tolerances"), Text("roughness elsewhere"), Text("chamfers")]
+    lacking += [
+        Text("heat treatment"),
+        Text("general and geometrical tolerances"),
+        Text("roughness elsewhere"),
+        Text("chamfers"),
+    ]
     yield Text("Not given by the design: {what}.", what=COMMA.join(lacking))

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The sheet itself: an A3 page with frame, centring marks and grid references as ISO 5457 has them, and the title block of ISO 7200."""
+"""The sheet itself: an A3 page with frame, centring marks and grid references as ISO 5457 has them, and the title block
+of ISO 7200."""
 
 import itertools
 from collections.abc import Callable, Iterable, Sequence
@@ -54,25 +55,50 @@ def _fields(middle: float, first: float, last: float) -> list[tuple[float, float
 
 
 def title_block(leaf: Leaf, control: DocumentControl, title: str, kind: str, facts: dict[str, str], say: Say) -> None:
-    """Who owns, drew, checked and approved what; `facts`: scale, material, mass.  What is left empty is filled in by hand."""
+    """Who owns, drew, checked and approved what; `facts`: scale, material, mass.  What is left empty is filled in by
+    hand."""
     by = dict(control.signatures())
     dates = [by[key].date for key in ("approved", "checked", "prepared") if by[key].date]
     rows: Sequence[tuple[float, list[tuple[float, str, str]]]] = (
-        (11.0, [(46.0, say(Text("Legal owner")), control.company), (58.0, say(Text("Project")), control.project),
-            (40.0, say(Text("Customer")), control.customer), (18.0, say(Text("Scale")), facts["scale"]), (18.0, "", "")]),
+        (
+            11.0,
+            [
+                (46.0, say(Text("Legal owner")), control.company),
+                (58.0, say(Text("Project")), control.project),
+                (40.0, say(Text("Customer")), control.customer),
+                (18.0, say(Text("Scale")), facts["scale"]),
+                (18.0, "", ""),
+            ],
+        ),
         (13.0, [(120.0, say(Text("Title")), title), (60.0, say(Text("Number")), control.number)]),
-        (11.0, [(42.0, say(Text("Material")), facts["material"]), (40.0, say(Text("Mass, as calculated")), facts["mass"]),
-            (38.0, say(Text("Document type")), kind), (34.0, say(Text("Date of issue")), dates[0] if dates else ""),
-            (26.0, say(Text("Revision")), control.revision)]),
-        (11.0, [(54.0, say(Text("Prepared")), by["prepared"].name), (54.0, say(Text("Checked")), by["checked"].name),
-            (54.0, say(Text("Approved")), by["approved"].name), (18.0, say(Text("Sheet")), facts["sheet"])]),
-    )  # fmt: skip
+        (
+            11.0,
+            [
+                (42.0, say(Text("Material")), facts["material"]),
+                (40.0, say(Text("Mass, as calculated")), facts["mass"]),
+                (38.0, say(Text("Document type")), kind),
+                (34.0, say(Text("Date of issue")), dates[0] if dates else ""),
+                (26.0, say(Text("Revision")), control.revision),
+            ],
+        ),
+        (
+            11.0,
+            [
+                (54.0, say(Text("Prepared")), by["prepared"].name),
+                (54.0, say(Text("Checked")), by["checked"].name),
+                (54.0, say(Text("Approved")), by["approved"].name),
+                (18.0, say(Text("Sheet")), facts["sheet"]),
+            ],
+        ),
+    )
     leaf.box(VISIBLE, BLOCK_LEFT, LOW, RIGHT, BLOCK_TOP)
     y = BLOCK_TOP
     for high, cells in rows:
         x = BLOCK_LEFT
         for wide, label, value in cells:
-            size = next((h for h in (HEAD, TITLE) if h <= high - LETTER - 3 * PAD and width(value, h) <= wide - 2 * PAD), LETTER)
+            size = next(
+                (h for h in (HEAD, TITLE) if h <= high - LETTER - 3 * PAD and width(value, h) <= wide - 2 * PAD), LETTER
+            )
             leaf.words(shortened(label, LETTER, wide - 2 * PAD), x + PAD, y - PAD - LETTER, layer=TABLE)
             leaf.words(shortened(value, size, wide - 2 * PAD), x + PAD, y - high + PAD, height=size)
             if x > BLOCK_LEFT:
@@ -85,17 +111,21 @@ def title_block(leaf: Leaf, control: DocumentControl, title: str, kind: str, fac
 
 
 def first_angle(leaf: Leaf, x: float, y: float) -> None:
-    """The symbol of first-angle projection, ISO 5456-2: a cone from its side, and behind it as seen from its narrow end."""
+    """The symbol of first-angle projection, ISO 5456-2: a cone from its side, and behind it as seen from its narrow
+    end."""
     small, large, long = 1.25, 2.5, 5.0
     side = x - 8.0
-    leaf.line(VISIBLE, (side, y - small), (side + long, y - large), (side + long, y + large), (side, y + small), closed=True)
+    leaf.line(
+        VISIBLE, (side, y - small), (side + long, y - large), (side + long, y + large), (side, y + small), closed=True
+    )
     leaf.arc(VISIBLE, (x + 3.5, y), small)
     leaf.arc(VISIBLE, (x + 3.5, y), large)
     leaf.line(EDGE, (side - 1.0, y), (x + 7.0, y))
     leaf.line(EDGE, (x + 3.5, y - large - 1.0), (x + 3.5, y + large + 1.0))
 
 
-# A sheet put together: the views in the largest scale of ISO 5455 that the paper has room for, tables and notes beside them.
+# A sheet put together: the views in the largest scale of ISO 5455 that the paper has room for, tables and notes beside
+# them.
 
 SCALES = ((2, 1), (1, 1), (1, 2), (1, 5), (1, 10), (1, 20))
 COLUMNS = (68.0, 44.0)  # of a table: what, and how much
@@ -106,7 +136,8 @@ LINE = 4.2  # from one line of a note to the next
 
 @record
 class WorkshopSheet:
-    """A drawing on its paper: every mark where it stands, in metres from the lower left corner.  `scale`: of the views, paper over part."""
+    """A drawing on its paper: every mark where it stands, in metres from the lower left corner.  `scale`: of the views,
+    paper over part."""
 
     title: str
     scale: float
@@ -124,7 +155,13 @@ class DrawnPart:
 
 
 def composed(
-    part: DrawnPart, views: Callable[[float], Leaf], tables: Leaf, notes: Iterable[Text], control: DocumentControl, say: Say, kind: Text
+    part: DrawnPart,
+    views: Callable[[float], Leaf],
+    tables: Leaf,
+    notes: Iterable[Text],
+    control: DocumentControl,
+    say: Say,
+    kind: Text,
 ) -> WorkshopSheet:
     """`views`: drawn in a scale, wherever they stand; `kind`: of the document."""
     noted = _noted(notes, say)

@@ -16,59 +16,104 @@ EVEN = math.radians(1.0)  # a firing interval may be so far from the even one
 
 
 def checks(engine: EngineInputs, e: EngineResult, turning: TorqueResult) -> tuple[Check, ...]:
-    assert e.firing_interval is not None and e.firing_interval_shortest is not None and e.firing_interval_longest is not None
+    assert (
+        e.firing_interval is not None
+        and e.firing_interval_shortest is not None
+        and e.firing_interval_longest is not None
+    )
     uneven = max(e.firing_interval_longest - e.firing_interval, e.firing_interval - e.firing_interval_shortest)
-    uneven = based_on(uneven if uneven > DUST * TURN else 0.0, e.firing_interval, e.firing_interval_longest, e.firing_interval_shortest)
-    usual = Text("Finotti 2013, 2.1, and mechanics textbook, 48.3.3: usual 0.22 to 0.30; Finotti 2013, 2.2.4: 0.2 to 0.3")
-    lam = max((one.lambda_ for one in (e.cylinder or {}).values()), default=e.lambda_, key=lambda one: abs(one - sum(CRANK_RATIO) / 2))
+    uneven = based_on(
+        uneven if uneven > DUST * TURN else 0.0,
+        e.firing_interval,
+        e.firing_interval_longest,
+        e.firing_interval_shortest,
+    )
+    usual = Text(
+        "Finotti 2013, 2.1, and mechanics textbook, 48.3.3: usual 0.22 to 0.30; Finotti 2013, 2.2.4: 0.2 to 0.3"
+    )
+    lam = max(
+        (one.lambda_ for one in (e.cylinder or {}).values()),
+        default=e.lambda_,
+        key=lambda one: abs(one - sum(CRANK_RATIO) / 2),
+    )
     longer = (
         Text("A rod longer than usual: less second order, but a heavier rod and a taller engine.")
         if lam < CRANK_RATIO[0]
         else Text(
-            "A longer rod lowers λ and with it every second-order force and couple. The range is a guide, no limit: the R753IE4 of "
+            "A longer rod lowers λ and with it every second-order force and couple. The range is a guide, no limit: "
+            "the R753IE4 of "
             "Finotti 2013, 2.5.3.1, lies above it with 0.3282."
         )
     )
     rule = Text("rule of this program: even firing within 1° (Finotti 2013, 2.4: interval 180°·strokes/N)")
-    advice = Text("This crank fires unevenly: the torque pulsates at lower orders. Crank angles that follow from a firing order are even.")
+    advice = Text(
+        "This crank fires unevenly: the torque pulsates at lower orders. Crank angles that follow from a firing order "
+        "are even."
+    )
     gas: list[Check] = []
     if turning.indicated_work is not None:
         gas.append(
             check(
-                "engine.gas.work", Text("Indicated work of a cycle"), turning.indicated_work, ">", 0.0, "J",
+                "engine.gas.work",
+                Text("Indicated work of a cycle"),
+                turning.indicated_work,
+                ">",
+                0.0,
+                "J",
                 Text("energy: an engine gives work"),
-                Text("The gas takes more work than it gives: look at peak pressure and compression ratio, or at the table of pressure."),
+                Text(
+                    "The gas takes more work than it gives: look at peak pressure and compression ratio, or at the "
+                    "table of pressure."
+                ),
             )
-        )  # fmt: skip
+        )
     if turning.indicated_mean_pressure is not None and e.brake_mean_pressure is not None:
         gas.append(
             check(
-                "engine.rated_power", Text("Brake mean effective pressure, against the indicated one"), e.brake_mean_pressure, "<=",
-                turning.indicated_mean_pressure, "bar", Text("energy: a crank gives no more than its gas"),
-                Text("Correct the rated power, or the gas: what the crank gives is what the gas gives less the friction."),
+                "engine.rated_power",
+                Text("Brake mean effective pressure, against the indicated one"),
+                e.brake_mean_pressure,
+                "<=",
+                turning.indicated_mean_pressure,
+                "bar",
+                Text("energy: a crank gives no more than its gas"),
+                Text(
+                    "Correct the rated power, or the gas: what the crank gives is what the gas gives less the friction."
+                ),
             )
-        )  # fmt: skip
+        )
     if engine.gas is not None and engine.gas.pressure and turning.cycle is not None:
         _, gap = widest_gap(turning.cycle.corners, turning.cycle.length)
         gap = based_on(gap, turning.cycle.corners)
         gas.append(
             check(
-                "engine.gas.gap", Text("Largest gap in the table of indicated pressure"), gap, "<=", WIDE, "°",
+                "engine.gas.gap",
+                Text("Largest gap in the table of indicated pressure"),
+                gap,
+                "<=",
+                WIDE,
+                "°",
                 Text("rule of this program: a straight line is taken across a gap"),
                 Text("Give points at least every 60° of the whole cycle."),
             )
-        )  # fmt: skip
+        )
     if turning.speed_irregularity is not None:
         gas.append(
             check(
-                "engine.speed_irregularity", Text("Speed irregularity"), turning.speed_irregularity, "<=", IRREGULAR, "",
+                "engine.speed_irregularity",
+                Text("Speed irregularity"),
+                turning.speed_irregularity,
+                "<=",
+                IRREGULAR,
+                "",
                 Text(
-                    "rule of this program after machine handbooks, from memory: ΔE = J·ω²·δ_s holds for small δ_s; running drives are kept "
+                    "rule of this program after machine handbooks, from memory: ΔE = J·ω²·δ_s holds for small δ_s; "
+                    "running drives are kept "
                     "well below 1/20"
                 ),
                 Text("A larger inertia of the flywheel lowers it in proportion."),
             )
-        )  # fmt: skip
+        )
     return (
         *gas,
         check("engine.crank.lambda_usual", Text("Crank ratio λ"), lam, "in", CRANK_RATIO, "", usual, longer),

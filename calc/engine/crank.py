@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Where the throws stand: crank angles, axial positions and banks of any engine, or of many engines that differ in their numbers."""
+"""Where the throws stand: crank angles, axial positions and banks of any engine, or of many engines that differ in
+their numbers."""
 
 import math
 from dataclasses import replace
@@ -16,8 +17,9 @@ from .inputs import EngineInputs, usual_order
 
 # Firing: the order from the crank, the crank's use by an order, and how even the intervals are.
 #
-# A cylinder fires at one of its top dead centres.  Angles are crank angles after the firing of cylinder 1, over the working cycle:
-# 720° of a four-stroke engine, 360° of a two-stroke.  An offset cylinder shifts every dead centre alike and changes nothing here.
+# A cylinder fires at one of its top dead centres.  Angles are crank angles after the firing of cylinder 1, over the
+# working cycle: 720° of a four-stroke engine, 360° of a two-stroke.  An offset cylinder shifts every dead centre alike
+# and changes nothing here.
 
 TURN = 2 * math.pi
 DUST = 1e-9  # of a turn: two dead centres nearer than this are one
@@ -25,7 +27,8 @@ DUST = 1e-9  # of a turn: two dead centres nearer than this are one
 
 @record
 class Firing:
-    """`order` of the cylinders, numbered from 1; `angles` one per cylinder [rad]; `intervals` in the order, the last one to cylinder 1.
+    """`order` of the cylinders, numbered from 1; `angles` one per cylinder [rad]; `intervals` in the order, the last
+    one to cylinder 1.
 
     `chosen`: what the crank and the order leave open, and how it was taken.
     """
@@ -66,14 +69,16 @@ def most_even(phi: Array, psi: Array, strokes: int, usual: tuple[int, ...] = ())
     """The most even of all firings that a crank allows; among equals the usual one, or else the first by number."""
     found = evenest(phi, psi, strokes, usual)
     said = Text(
-        "The firing order is chosen: one of {count} equally even ways in which this crank can fire; give firing_order for another.",
+        "The firing order is chosen: one of {count} equally even ways in which this crank can fire; give firing_order "
+        "for another.",
         count=len(found),
     )
     return replace(found[0], chosen=said if len(found) > 1 else EMPTY)
 
 
 def evenest(phi: Array, psi: Array, strokes: int, usual: tuple[int, ...] = ()) -> list[Firing]:
-    """All the equally most even firings of a crank.  A four-stroke cylinder may fire at either of its two dead centres in the cycle."""
+    """All the equally most even firings of a crank.  A four-stroke cylinder may fire at either of its two dead centres
+    in the cycle."""
     cycle = strokes * math.pi
     n = phi.size
     ways = (strokes // 2) ** (n - 1)
@@ -110,7 +115,9 @@ def places_in_order(order: Number) -> Number:
 
 
 @formula(
-    "z", "definition: equal pitch, counted from mid-engine towards the flywheel", shows="z from the cylinders' places times the pitch a"
+    "z",
+    "definition: equal pitch, counted from mid-engine towards the flywheel",
+    shows="z from the cylinders' places times the pitch a",
 )
 def axial_positions(k: Number, a: Metre) -> Metre:
     row = many(k)
@@ -120,10 +127,11 @@ def axial_positions(k: Number, a: Metre) -> Metre:
 
 @record
 class Crank:
-    """One entry per cylinder, along the last axis: φ angle of its throw from throw 1 [rad], z axial position [m], ψ direction of its bank.
+    """One entry per cylinder, along the last axis: φ angle of its throw from throw 1 [rad], z axial position [m], ψ
+    direction of its bank.
 
-    `theta_0` is the angle of throw 1 from up while cylinder 1 stands at its TDC.  `chosen` says what the program decided.
-    """
+    `theta_0` is the angle of throw 1 from up while cylinder 1 stands at its TDC.  `chosen` says what the program
+    decided."""
 
     phi: Array
     z: Array
@@ -135,15 +143,20 @@ class Crank:
 def crank(engine: EngineInputs, tdc_angle: Radian) -> Crank:
     """The crank of an engine from its crank angles, or from the firing order of an evenly firing engine.
 
-    Angles lead cylinder 1 in the sense of rotation; z = 0 is mid-engine, + towards the flywheel.  Numbers of the engine may be arrays,
-    an engine each; crank angles and axial positions then have the cylinders along their last axis.
-    """
+    Angles lead cylinder 1 in the sense of rotation; z = 0 is mid-engine, + towards the flywheel.  Numbers of the engine
+    may be arrays, an engine each; crank angles and axial positions then have the cylinders along their last axis."""
     n = engine.cylinders
     chosen: list[Text] = []
     bank = _banks(engine)
     if engine.layout != "inline" and engine.bank_of_cylinder is None:
         banks = ", ".join(map(str, bank.tolist()))
-        chosen.append(Text("Banks {banks} taken for cylinders 1 to {n}, in turn, since bank_of_cylinder is not given.", banks=banks, n=n))
+        chosen.append(
+            Text(
+                "Banks {banks} taken for cylinders 1 to {n}, in turn, since bank_of_cylinder is not given.",
+                banks=banks,
+                n=n,
+            )
+        )
     given = 0.0 if engine.bank_angle is None else engine.bank_angle
     opening = math.pi if engine.layout == "boxer" else column(given)
     psi: Array = np.where(bank == 1, opening / 2, -opening / 2) if engine.layout != "inline" else np.zeros(n)
@@ -152,11 +165,15 @@ def crank(engine: EngineInputs, tdc_angle: Radian) -> Crank:
         given_phi: Array = np.asarray(engine.crank_angles)
         phi = based_on(given_phi - given_phi[..., :1], engine.crank_angles)
         if np.any(given_phi[..., 0]):
-            chosen.append(Text("The crank angles are counted from cylinder 1: that of its throw is taken off all of them."))
+            chosen.append(
+                Text("The crank angles are counted from cylinder 1: that of its throw is taken off all of them.")
+            )
     else:
         order = engine.firing_order or usual_order(n, engine.strokes) or tuple(range(1, n + 1))
         if engine.firing_order is None and n > 2:
-            chosen.append(Text("Firing order {map} chosen: {why}.", map="-".join(map(str, order)), why=_why(n, engine.strokes)))
+            chosen.append(
+                Text("Firing order {map} chosen: {why}.", map="-".join(map(str, order)), why=_why(n, engine.strokes))
+            )
         given_order: Array = based_on(np.asarray(order), order)
         phi = many(throw_angles(psi=each(psi), i=places_in_order(order=each(given_order)), strokes=engine.strokes, N=n))
     if engine.axial_positions is not None:
@@ -184,8 +201,8 @@ def firing(engine: EngineInputs, throws: Crank) -> Firing:
 def sharing(engine: EngineInputs, throws: Crank) -> BoolArray:
     """Which cylinders (second axis) run on the crankpin of each (first axis), itself too.
 
-    Two share a pin where they stand in different banks, at one angle of throw and less than half a pitch apart, at one radius.
-    """
+    Two share a pin where they stand in different banks, at one angle of throw and less than half a pitch apart, at one
+    radius."""
     n = engine.cylinders
     if engine.layout == "inline":
         return np.eye(n, dtype=bool)
@@ -204,7 +221,8 @@ def pin_of_cylinder(engine: EngineInputs, throws: Crank) -> IndexArray:
 
 
 def column(x: float) -> float:
-    """The number of each engine as a column, so that it meets the cylinders or crank angles of a row; a single number as it is."""
+    """The number of each engine as a column, so that it meets the cylinders or crank angles of a row; a single number
+    as it is."""
     return each(many(x)[..., None]) if isinstance(x, np.ndarray) else x
 
 
@@ -241,5 +259,7 @@ def not_fired(engine: EngineInputs) -> Text:
         return EMPTY
     best = "-".join(map(str, firing(replace(engine, firing_order=None), throws).order))
     return Text(
-        "these crank angles can not fire in it within one cycle; they fire {best}: correct one of the two, or leave one out", best=best
+        "these crank angles can not fire in it within one cycle; they fire {best}: correct one of the two, or leave "
+        "one out",
+        best=best,
     )

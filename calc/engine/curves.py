@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The figures of the crank train: the piston's way, speed and acceleration over a turn, and the forces of one cylinder."""
+"""The figures of the crank train: the piston's way, speed and acceleration over a turn, and the forces of one
+cylinder."""
 
 import numpy as np
 
@@ -14,8 +15,11 @@ ANGLE = axis_label("crank angle α", "°")
 FORMS = (Text("exact"), Text("two terms"))
 
 
-def curves(r: Metre, omega: RadPerSecond, lam: Number, delta: Number, M_alt: Kilogram, harmonics: tuple[complex, ...]) -> tuple[Curve, ...]:
-    """Way, speed and acceleration, exact beside the two terms of the textbooks, and what one cylinder puts on the block.
+def curves(
+    r: Metre, omega: RadPerSecond, lam: Number, delta: Number, M_alt: Kilogram, harmonics: tuple[complex, ...]
+) -> tuple[Curve, ...]:
+    """Way, speed and acceleration, exact beside the two terms of the textbooks, and what one cylinder puts on the
+    block.
 
     `harmonics`: of a/(ω²·r), from order 1.
     """
@@ -25,19 +29,30 @@ def curves(r: Metre, omega: RadPerSecond, lam: Number, delta: Number, M_alt: Kil
         beta = f.rod_angle(lam=lam, alpha=alpha, delta=delta)
         motions = (
             (
-                "acceleration", Text("Piston acceleration over one turn"), axis_label("a", "m/s²"), r * omega**2,
+                "acceleration",
+                Text("Piston acceleration over one turn"),
+                axis_label("a", "m/s²"),
+                r * omega**2,
                 f.relative_acceleration(alpha=alpha, beta=beta, lam=lam),
                 f.relative_acceleration_two_term(alpha=alpha, lam=lam, delta=delta),
             ),
             (
-                "speed", Text("Piston speed over one turn"), axis_label("v", "m/s"), r * omega,
-                f.relative_speed(alpha=alpha, beta=beta), f.relative_speed_two_term(alpha=alpha, lam=lam, delta=delta),
+                "speed",
+                Text("Piston speed over one turn"),
+                axis_label("v", "m/s"),
+                r * omega,
+                f.relative_speed(alpha=alpha, beta=beta),
+                f.relative_speed_two_term(alpha=alpha, lam=lam, delta=delta),
             ),
             (
-                "path", Text("Way of the piston from TDC over one turn"), axis_label("x", "mm"), r * 1e3,
-                f.relative_path(alpha=alpha, beta=beta, lam=lam, delta=delta), f.relative_path_two_term(alpha=alpha, lam=lam, delta=delta),
+                "path",
+                Text("Way of the piston from TDC over one turn"),
+                axis_label("x", "mm"),
+                r * 1e3,
+                f.relative_path(alpha=alpha, beta=beta, lam=lam, delta=delta),
+                f.relative_path_two_term(alpha=alpha, lam=lam, delta=delta),
             ),
-        )  # fmt: skip
+        )
     degrees = np.degrees(points)
     drawn = [
         Curve(id, title, ANGLE, label, tuple(Series(words, degrees, many(y * scale)) for words, y in zip(FORMS, forms)))
@@ -48,8 +63,14 @@ def curves(r: Metre, omega: RadPerSecond, lam: Number, delta: Number, M_alt: Kil
 
 def _forces(alpha: Array, relative: Array, scale: Newton, harmonics: tuple[complex, ...]) -> Curve:
     """The inertia force of one cylinder's reciprocating mass on the block: the first two orders, and all of them."""
-    orders = (Series(Text("order {n}", n=n), np.degrees(alpha), scale * (harmonics[n - 1] * np.exp(1j * n * alpha)).real) for n in (1, 2))
+    orders = (
+        Series(Text("order {n}", n=n), np.degrees(alpha), scale * (harmonics[n - 1] * np.exp(1j * n * alpha)).real)
+        for n in (1, 2)
+    )
     return Curve(
-        "cylinder_forces", Text("Inertia forces of one cylinder over one turn"), ANGLE, axis_label("force on the block, outwards", "N"),
+        "cylinder_forces",
+        Text("Inertia forces of one cylinder over one turn"),
+        ANGLE,
+        axis_label("force on the block, outwards", "N"),
         (*orders, Series(Text("all orders"), np.degrees(alpha), scale * relative)),
-    )  # fmt: skip
+    )

@@ -1,11 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """The pressure in a cylinder over its cycle, and the forces on its piston.
 
-ε is the crank angle after the TDC at which the cylinder fires, from 0 up to the cycle: 720° of a four-stroke engine, 360° of a
-two-stroke.  α = φ₀ + ε is the crank angle from the cylinder's axis, x the piston's way from TDC.  Pressures are absolute; forces are
-positive towards the crank.  The simple cycle: compression from BDC, the peak at TDC and held for a while, expansion to BDC; a
-four-stroke engine exhausts and draws in at constant pressures between.
-"""
+ε is the crank angle after the TDC at which the cylinder fires, from 0 up to the cycle: 720° of a four-stroke engine,
+360° of a two-stroke.  α = φ₀ + ε is the crank angle from the cylinder's axis, x the piston's way from TDC.  Pressures
+are absolute; forces are positive towards the crank.  The simple cycle: compression from BDC, the peak at TDC and held
+for a while, expansion to BDC; a four-stroke engine exhausts and draws in at constant pressures between."""
 
 import math
 
@@ -27,7 +26,8 @@ WIDE = math.radians(60.0)  # a gap between the points of a table that is worth a
 PANEL = math.radians(1.0)  # of the integration over a cycle, with its middle
 
 
-# --- motion ---------------------------------------------------------------------------------------------------------------
+# --- motion
+# ---------------------------------------------------------------------------------------------------------------
 @formula(
     "ε_k",
     "kinematics: crank angle after the firing of the cylinder, within its cycle",
@@ -44,18 +44,31 @@ def crank_angle(phi_0: Radian, epsilon: Radian) -> Radian:
     return phi_0 + epsilon
 
 
-@formula("x", "Finotti 2013, eq. 2.7, its bracket corrected: way of the piston from TDC, with offset", unit="mm", names={"lam": "λ"})
+@formula(
+    "x",
+    "Finotti 2013, eq. 2.7, its bracket corrected: way of the piston from TDC, with offset",
+    unit="mm",
+    names={"lam": "λ"},
+)
 def piston_way(r: Metre, lam: Number, phi_0: Radian, alpha: Radian, beta: Radian) -> Metre:
     return r * joined((1 + 1 / lam) * cos(phi_0) - cos(alpha), -(cos(beta) / lam))
 
 
-@formula("ε_BDC", "kinematics, dead centres of the offset slider-crank: crank angle from TDC to BDC", names={"lam": "λ"})
+@formula(
+    "ε_BDC", "kinematics, dead centres of the offset slider-crank: crank angle from TDC to BDC", names={"lam": "λ"}
+)
 def dead_centre_angle(delta: Number, lam: Number) -> Radian:
     return pi + asin(delta / (1 - lam)) - asin(delta / (1 + lam))
 
 
-# --- pressure ---------------------------------------------------------------------------------------------------------------
-@formula("h_c", "definition of the compression ratio: height of the clearance volume on the bore", unit="mm", names={"eps_c": "ε_c"})
+# --- pressure
+# ---------------------------------------------------------------------------------------------------------------
+@formula(
+    "h_c",
+    "definition of the compression ratio: height of the clearance volume on the bore",
+    unit="mm",
+    names={"eps_c": "ε_c"},
+)
 def clearance_height(s: Metre, eps_c: Number) -> Metre:
     return s / (eps_c - 1)
 
@@ -70,17 +83,31 @@ def compression(p_in: Pascal, h_c: Metre, s: Metre, x: Metre, n_c: Number) -> Pa
     return p_in * power((h_c + s) / (h_c + x), n_c)
 
 
-@formula("p_2", Text("{seiliger}: polytropic expansion from the end of constant pressure, x_p", seiliger=SEILIGER), unit="bar")
+@formula(
+    "p_2",
+    Text("{seiliger}: polytropic expansion from the end of constant pressure, x_p", seiliger=SEILIGER),
+    unit="bar",
+)
 def expansion(p_max: Pascal, h_c: Metre, x_p: Metre, x: Metre, n_e: Number) -> Pascal:
     return p_max * power((h_c + x_p) / (h_c + x), n_e)
 
 
 @formula(
-    "p", Text("{seiliger}, gas exchange at constant pressure", seiliger=SEILIGER), unit="bar",
+    "p",
+    Text("{seiliger}, gas exchange at constant pressure", seiliger=SEILIGER),
+    unit="bar",
     shows="p_max up to ε_p, p_2 up to BDC, then p_ex and p_in for a stroke each (four-stroke), p_1 from BDC to TDC",
-)  # fmt: skip
+)
 def mixed_cycle(
-    epsilon: Radian, p_1: Pascal, p_2: Pascal, p_max: Pascal, eps_p: Radian, eps_bdc: Radian, p_ex: Pascal, p_in: Pascal, cycle: Radian
+    epsilon: Radian,
+    p_1: Pascal,
+    p_2: Pascal,
+    p_max: Pascal,
+    eps_p: Radian,
+    eps_bdc: Radian,
+    p_ex: Pascal,
+    p_in: Pascal,
+    cycle: Radian,
 ) -> Pascal:
     ends = [epsilon <= eps_p, epsilon <= eps_bdc, epsilon < cycle - TURN, epsilon <= cycle - TURN + eps_bdc]
     found: Array = np.select(ends, [p_max, p_2, p_ex, p_in], p_1)
@@ -88,7 +115,10 @@ def mixed_cycle(
 
 
 @formula(
-    "p", "given in the design: indicated pressure", unit="bar", shows="linear between the points of the table, which closes over the cycle"
+    "p",
+    "given in the design: indicated pressure",
+    unit="bar",
+    shows="linear between the points of the table, which closes over the cycle",
 )
 def table_pressure(epsilon: Radian, angles: Radian, pressures: Pascal, cycle: Radian) -> Pascal:
     found: Array = np.interp(many(epsilon), many(angles), many(pressures), period=cycle)
@@ -113,7 +143,8 @@ class MixedCycle:
 
 @record
 class Cycle:
-    """The gas of one cylinder.  `corners`: the angles ε where the pressure jumps or bends, `given`: a table's points, or a mixed cycle."""
+    """The gas of one cylinder.  `corners`: the angles ε where the pressure jumps or bends, `given`: a table's points,
+    or a mixed cycle."""
 
     length: Radian
     crankcase: Pascal
@@ -123,14 +154,23 @@ class Cycle:
     compression_end: Pascal | None = None
 
     def pressure(self, epsilon: Radian, x: Metre) -> Pascal:
-        """The pressure at crank angles after firing, from 0 up to the cycle, where the piston's way is x: numbers or arrays."""
+        """The pressure at crank angles after firing, from 0 up to the cycle, where the piston's way is x: numbers or
+        arrays."""
         g = self.given
         if isinstance(g, tuple):
             return table_pressure(epsilon=epsilon, angles=each(g[0]), pressures=each(g[1]), cycle=self.length)
         p_1 = compression(p_in=g.p_in, h_c=g.h_c, s=g.s, x=x, n_c=g.n_c)
         p_2 = expansion(p_max=g.p_max, h_c=g.h_c, x_p=g.x_p, x=x, n_e=g.n_e)
         return mixed_cycle(
-            epsilon=epsilon, p_1=p_1, p_2=p_2, p_max=g.p_max, eps_p=g.eps_p, eps_bdc=g.eps_bdc, p_ex=g.p_ex, p_in=g.p_in, cycle=self.length
+            epsilon=epsilon,
+            p_1=p_1,
+            p_2=p_2,
+            p_max=g.p_max,
+            eps_p=g.eps_p,
+            eps_bdc=g.eps_bdc,
+            p_ex=g.p_ex,
+            p_in=g.p_in,
+            cycle=self.length,
         )
 
 
@@ -140,7 +180,8 @@ def widest_gap(corners: Array, length: Radian) -> tuple[Radian, Radian]:
     return float(corners[gap.argmax()]), float(gap.max())
 
 
-# --- forces on the piston, and what they do at the crank ------------------------------------------------------------------------
+# --- forces on the piston, and what they do at the crank
+# ------------------------------------------------------------------------
 @formula("F_G", "Finotti 2013, 2.2: gas force, crankcase pressure under the piston")
 def gas_force(p: Pascal, p_case: Pascal, D: Metre) -> Newton:
     return (p - p_case) * pi / 4 * D**2
@@ -151,17 +192,23 @@ def inertia_force(M_alt: Kilogram, omega: RadPerSecond, r: Metre, a_rel: Number)
     return -M_alt * omega**2 * r * a_rel
 
 
-@formula("T_k", "Finotti 2013, 2.2.1: couple F·r·[sin α + λ·sin α·cos α/√(1 − λ²·sin² α)], its last term corrected; with offset F·dx/dα")
+@formula(
+    "T_k",
+    "Finotti 2013, 2.2.1: couple F·r·[sin α + λ·sin α·cos α/√(1 − λ²·sin² α)], its last term corrected; with offset "
+    "F·dx/dα",
+)
 def torque_of(F: Newton, r: Metre, v_rel: Number) -> NewtonMetre:
     return F * r * v_rel
 
 
-# --- over the cycle ---------------------------------------------------------------------------------------------------------
+# --- over the cycle
+# ---------------------------------------------------------------------------------------------------------
 def points(cycle: Cycle, fires: Array) -> Array:
-    """Crank angles over the cycle of the whole engine: edges of panels, which meet every corner of every cylinder, and their middles.
+    """Crank angles over the cycle of the whole engine: edges of panels, which meet every corner of every cylinder, and
+    their middles.
 
-    The torque is continuous even where the pressure jumps, since it does so at dead centres: Simpson's rule holds on every panel.
-    """
+    The torque is continuous even where the pressure jumps, since it does so at dead centres: Simpson's rule holds on
+    every panel."""
     corners = np.mod(cycle.corners[:, None] + fires, cycle.length)
     edges = np.sort(np.concatenate([np.linspace(0.0, cycle.length, round(cycle.length / PANEL) + 1), corners.ravel()]))
     edges = edges[np.append(True, np.diff(edges) > DUST)]
@@ -171,7 +218,8 @@ def points(cycle: Cycle, fires: Array) -> Array:
 
 
 def running(epsilon: Array, y: Array) -> Array:
-    """The integral of y from the first of the points up to each: parabolas over the panels, exact as Simpson's rule at their edges."""
+    """The integral of y from the first of the points up to each: parabolas over the panels, exact as Simpson's rule at
+    their edges."""
     half = np.diff(epsilon[::2]) / 2
     before, middle, after = y[:-1:2], y[1::2], y[2::2]
     steps = np.empty(y.size - 1)

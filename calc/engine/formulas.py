@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """The slider-crank and its masses, in the order of Finotti 2013, chapter 2.
 
-λ = r/L and δ = d/L must satisfy λ + |δ| < 1.  α is the crank angle from the cylinder's axis, in the sense of rotation; the piston
-stands at TDC at α = φ₀.  Acceleration is positive towards the crank at TDC, as the derivative of the way from TDC.
-"""
+λ = r/L and δ = d/L must satisfy λ + |δ| < 1.  α is the crank angle from the cylinder's axis, in the sense of rotation;
+the piston stands at TDC at α = φ₀.  Acceleration is positive towards the crank at TDC, as the derivative of the way
+from TDC."""
 
 from collections.abc import Iterator
 from dataclasses import replace
@@ -36,7 +36,9 @@ def rod_reciprocating_mass(M_B: Kilogram, X_2: Metre, L: Metre) -> Kilogram:
 
 
 @formula(
-    "M_ra", "Finotti 2013, 2.2.2, its list (the text above it says two thirds): one third of the rod where its CG is not known", unit="g"
+    "M_ra",
+    "Finotti 2013, 2.2.2, its list (the text above it says two thirds): one third of the rod where its CG is not known",
+    unit="g",
 )
 def rod_reciprocating_mass_by_thirds(M_B: Kilogram) -> Kilogram:
     return M_B / 3
@@ -176,12 +178,20 @@ def relative_acceleration_two_term(alpha: Radian, lam: Number, delta: Number) ->
     return cos(alpha) + delta * sin(alpha) + lam * cos(2 * alpha)
 
 
-@formula("α_min", "mathematics: crank angle of the smallest acceleration", shows="where a/(ω²·r) is smallest; at λ > ¼ before BDC")
+@formula(
+    "α_min",
+    "mathematics: crank angle of the smallest acceleration",
+    shows="where a/(ω²·r) is smallest; at λ > ¼ before BDC",
+)
 def angle_of_smallest(a_rel: Number, alpha: Radian) -> Radian:
     return alpha
 
 
-@formula("α_v", "crank angle of the largest speed (Finotti 2013, 2.1: there of two terms)", shows="where |v|/(ω·r) is largest")
+@formula(
+    "α_v",
+    "crank angle of the largest speed (Finotti 2013, 2.1: there of two terms)",
+    shows="where |v|/(ω·r) is largest",
+)
 def angle_of_fastest(v_rel: Number, alpha: Radian) -> Radian:
     return alpha
 
@@ -196,11 +206,14 @@ def piston_speed(v_rel: Number, omega: RadPerSecond, r: Metre) -> MetrePerSecond
     return v_rel * omega * r
 
 
-# The masses that move with a cylinder: by its piston and rod, or as they are given, one for all or one for each; and what else differs.
+# The masses that move with a cylinder: by its piston and rod, or as they are given, one for all or one for each; and
+# what else differs.
+
 
 @record
 class Unlike:
-    """What cylinders have that are not alike: arrays, (cylinders,), of what differs, and one number of what does not."""
+    """What cylinders have that are not alike: arrays, (cylinders,), of what differs, and one number of what does
+    not."""
 
     reciprocating: Kilogram
     rotating: Kilogram
@@ -215,18 +228,28 @@ def alone(engine: EngineInputs) -> Iterator[EngineInputs]:
     for k, r in enumerate(engine.crank_radii or ()):
         alternating, rotating = engine.reciprocating_masses, engine.rotating_masses
         yield replace(
-            engine, layout="inline", cylinders=1, firing_order=None, crank_angles=None, axial_positions=None, bank_angle=None,
-            bank_of_cylinder=None, crank_radius=r, crank_radii=None, rated_power=None,
+            engine,
+            layout="inline",
+            cylinders=1,
+            firing_order=None,
+            crank_angles=None,
+            axial_positions=None,
+            bank_angle=None,
+            bank_of_cylinder=None,
+            crank_radius=r,
+            crank_radii=None,
+            rated_power=None,
             reciprocating_masses=None if alternating is None else alternating[k % len(alternating) :][:1],
             rotating_masses=None if rotating is None else rotating[k % len(rotating) :][:1],
-        )  # fmt: skip
+        )
 
 
 def masses(engine: EngineInputs) -> tuple[Kilogram, Kilogram, tuple[Kilogram, Kilogram]]:
-    """Reciprocating and rotating mass of a cylinder, and those of each: where they differ, the first two are their means.
+    """Reciprocating and rotating mass of a cylinder, and those of each: where they differ, the first two are their
+    means.
 
-    A reciprocating mass that is given has its share of the rod in it; what rotates of a rod that is given beside it counts all the same.
-    """
+    A reciprocating mass that is given has its share of the rod in it; what rotates of a rod that is given beside it
+    counts all the same."""
     rod = None
     if engine.rod_mass is not None and engine.rod_cg_to_big_end is None:
         rod = rod_reciprocating_mass_by_thirds(M_B=engine.rod_mass)
@@ -242,7 +265,9 @@ def masses(engine: EngineInputs) -> tuple[Kilogram, Kilogram, tuple[Kilogram, Ki
         if engine.rod_mass is not None and rod is not None:
             rotating = rotating_mass(M_shell=engine.crankpin_bearing_mass, M_B=engine.rod_mass, M_ra=rod)
     if not engine.unlike_masses:
-        M_alt = given_reciprocating_mass(M_given=reciprocating[0]) if isinstance(reciprocating, tuple) else reciprocating
+        M_alt = (
+            given_reciprocating_mass(M_given=reciprocating[0]) if isinstance(reciprocating, tuple) else reciprocating
+        )
         by_rod = engine.rotating_masses is None and rod is not None
         M_rot = _one(rotating)
         M_rot = M_rot if by_rod else given_rotating_mass(M_given=M_rot)

@@ -20,9 +20,16 @@ class PressurePoint:
     """One row of a table of indicated pressure."""
 
     angle: float = quantity(
-        "Crank angle", "°", low=-360, high=720, symbol="epsilon", help="Crank angle after the TDC at which this cylinder fires."
+        "Crank angle",
+        "°",
+        low=-360,
+        high=720,
+        symbol="epsilon",
+        help="Crank angle after the TDC at which this cylinder fires.",
     )
-    pressure: float = quantity("Pressure", "bar", low=0, high=1000, symbol="p", help="Pressure in the cylinder at this angle, absolute.")
+    pressure: float = quantity(
+        "Pressure", "bar", low=0, high=1000, symbol="p", help="Pressure in the cylinder at this angle, absolute."
+    )
 
 
 @inputs
@@ -30,37 +37,90 @@ class GasInputs:
     """The gas of one cylinder over its cycle; all cylinders have the same.  Pressures are absolute."""
 
     peak_pressure: float | None = quantity(
-        "Peak pressure", "bar", default=None, above=0, high=1000, symbol="p_max", usual=(40, 220), source=THUMB,
+        "Peak pressure",
+        "bar",
+        default=None,
+        above=0,
+        high=1000,
+        symbol="p_max",
+        usual=(40, 220),
+        source=THUMB,
         help="Highest in the mixed (Sabathé) cycle, absolute.",
-    )  # fmt: skip
+    )
     compression_ratio: float | None = quantity(
-        "Compression ratio", default=None, above=1, high=50, symbol="epsilon_c", usual=(7, 23), source=THUMB,
+        "Compression ratio",
+        default=None,
+        above=1,
+        high=50,
+        symbol="epsilon_c",
+        usual=(7, 23),
+        source=THUMB,
         help="Largest over smallest volume of a cylinder.",
-    )  # fmt: skip
+    )
     intake_pressure: float | None = quantity(
-        "Intake pressure", "bar", default=None, above=0, high=100, symbol="p_in", usual=(0.3, 3.5), source=THUMB,
+        "Intake pressure",
+        "bar",
+        default=None,
+        above=0,
+        high=100,
+        symbol="p_in",
+        usual=(0.3, 3.5),
+        source=THUMB,
         help="Absolute, as compression begins. Left out: 1.0 bar.",
-    )  # fmt: skip
+    )
     exhaust_pressure: float | None = quantity(
-        "Exhaust pressure", "bar", default=None, above=0, high=100, symbol="p_ex", usual=(1, 4), source=THUMB,
+        "Exhaust pressure",
+        "bar",
+        default=None,
+        above=0,
+        high=100,
+        symbol="p_ex",
+        usual=(1, 4),
+        source=THUMB,
         help="In a four-stroke's exhaust, absolute. Left out: 1.1 bar.",
-    )  # fmt: skip
+    )
     crankcase_pressure: float | None = quantity(
-        "Crankcase pressure", "bar", default=None, low=0, high=100, symbol="p_case", usual=(0.8, 1.5), source=THUMB,
+        "Crankcase pressure",
+        "bar",
+        default=None,
+        low=0,
+        high=100,
+        symbol="p_case",
+        usual=(0.8, 1.5),
+        source=THUMB,
         help="Absolute, under the piston. Left out: 1.0 bar.",
-    )  # fmt: skip
+    )
     compression_exponent: float | None = quantity(
-        "Compression exponent", default=None, low=1, high=2, symbol="n_c", usual=(1.25, 1.4), source=THUMB,
+        "Compression exponent",
+        default=None,
+        low=1,
+        high=2,
+        symbol="n_c",
+        usual=(1.25, 1.4),
+        source=THUMB,
         help="Of the polytropic compression. Left out: 1.35.",
-    )  # fmt: skip
+    )
     expansion_exponent: float | None = quantity(
-        "Expansion exponent", default=None, low=1, high=2, symbol="n_e", usual=(1.2, 1.35), source=THUMB,
+        "Expansion exponent",
+        default=None,
+        low=1,
+        high=2,
+        symbol="n_e",
+        usual=(1.2, 1.35),
+        source=THUMB,
         help="Of the polytropic expansion. Left out: 1.28.",
-    )  # fmt: skip
+    )
     constant_pressure_angle: float | None = quantity(
-        "Peak pressure held for", "°", default=None, low=0, high=90, symbol="epsilon_p", usual=(0, 30), source=THUMB,
+        "Peak pressure held for",
+        "°",
+        default=None,
+        low=0,
+        high=90,
+        symbol="epsilon_p",
+        usual=(0, 30),
+        source=THUMB,
         help="Crank angle after TDC. Left out: 10°.",
-    )  # fmt: skip
+    )
     pressure: tuple[PressurePoint, ...] = tables(
         "Indicated pressure",
         PressurePoint,
@@ -71,11 +131,14 @@ class GasInputs:
     def problems(self) -> Iterable[tuple[str, Text]]:
         """What no single field can show: (key, reason)."""
         of_the_cycle = (
-            ("peak_pressure_bar", self.peak_pressure), ("compression_ratio", self.compression_ratio),
-            ("intake_pressure_bar", self.intake_pressure), ("exhaust_pressure_bar", self.exhaust_pressure),
-            ("compression_exponent", self.compression_exponent), ("expansion_exponent", self.expansion_exponent),
+            ("peak_pressure_bar", self.peak_pressure),
+            ("compression_ratio", self.compression_ratio),
+            ("intake_pressure_bar", self.intake_pressure),
+            ("exhaust_pressure_bar", self.exhaust_pressure),
+            ("compression_exponent", self.compression_exponent),
+            ("expansion_exponent", self.expansion_exponent),
             ("constant_pressure_angle_deg", self.constant_pressure_angle),
-        )  # fmt: skip
+        )
         if self.pressure:
             yield from (
                 (key, Text("belongs to the simple cycle; the pressure table says it all: leave one of the two out"))
@@ -95,7 +158,10 @@ class GasInputs:
             return
         for key, given in of_the_cycle[:2]:
             if given is None:
-                yield key, Text("is missing; give peak pressure and compression ratio, or a table [[engine.gas.pressure]]")
+                yield (
+                    key,
+                    Text("is missing; give peak pressure and compression ratio, or a table [[engine.gas.pressure]]"),
+                )
         if self.peak_pressure is None or self.compression_ratio is None:
             return
         n_c = COMPRESSION if self.compression_exponent is None else self.compression_exponent
@@ -103,7 +169,10 @@ class GasInputs:
         if self.peak_pressure <= end:
             yield (
                 "peak_pressure_bar",
-                Text("must exceed the pressure at the end of compression, {end} bar", end=Amount(end / 100000.0, form=".4g")),
+                Text(
+                    "must exceed the pressure at the end of compression, {end} bar",
+                    end=Amount(end / 100000.0, form=".4g"),
+                ),
             )
 
 
@@ -119,13 +188,16 @@ def cycle_problems(gas: GasInputs, strokes: int) -> Iterator[tuple[str, Text]]:
 
 
 def _doubled(gas: GasInputs, length: float) -> Iterator[tuple[str, Text]]:
-    """Points of the table that fall on one crank angle of the cycle; those of a two-stroke that do so in 720° as well are named once."""
+    """Points of the table that fall on one crank angle of the cycle; those of a two-stroke that do so in 720° as well
+    are named once."""
     if length < 4 * pi and any(True for _ in _doubled(gas, 4 * pi)):
         return
     order = sorted((point.angle % length, i) for i, point in enumerate(gas.pressure))
     pressure = [point.pressure for point in gas.pressure]
     for (here, one), (there, other) in zip(order, [*order[1:], *((a + length, i) for a, i in order[:1])]):
-        if there - here < SAME_ANGLE and one != other and pressure[one] != pressure[other]:  # a closed cycle ends as it began
+        if (
+            there - here < SAME_ANGLE and one != other and pressure[one] != pressure[other]
+        ):  # a closed cycle ends as it began
             first, second = sorted((one, other))
             yield (
                 f"pressure.{second}.angle_deg",

@@ -10,9 +10,11 @@ from .gas import GasInputs, cycle_problems
 
 # What a crank throw is described by.
 
+
 @inputs
 class ThrowInputs:
-    """One throw of the crank between its two main journals; all throws have the same.  Pin and journals are solid and round."""
+    """One throw of the crank between its two main journals; all throws have the same.  Pin and journals are solid and
+    round."""
 
     pin_diameter: float = quantity(
         "Crankpin diameter",
@@ -65,10 +67,19 @@ class ThrowInputs:
         help="Thickness of a web along the crank axis.",
     )
     fillet_radius: float | None = quantity(
-        "Fillet radius", "mm", default=None, above=0, high=500, symbol="rho", usual=(1, 8), source=THUMB,
+        "Fillet radius",
+        "mm",
+        default=None,
+        above=0,
+        high=500,
+        symbol="rho",
+        usual=(1, 8),
+        source=THUMB,
         help="Radius from pin and journal to the web. Left out: no notch stress.",
-    )  # fmt: skip
-    material: str = text("Material", help="A name from the table of materials or from [[material]]; its proof stress is the limit.")
+    )
+    material: str = text(
+        "Material", help="A name from the table of materials or from [[material]]; its proof stress is the limit."
+    )
 
 
 # A torque over the crank angle that is given as a diagram, in place of the gas.
@@ -81,11 +92,17 @@ SAME_ANGLE = 1e-9  # rad
 class TorquePoint:
     """One row of a torque diagram."""
 
-    angle: float = quantity("Crank angle", "°", low=-1440, high=1440, symbol="epsilon", help="After the firing of cylinder 1.")
-    torque: float = quantity("Torque", "N·m", low=-1e9, high=1e9, symbol="T", help="Of the whole engine on its crank, + in its sense.")
+    angle: float = quantity(
+        "Crank angle", "°", low=-1440, high=1440, symbol="epsilon", help="After the firing of cylinder 1."
+    )
+    torque: float = quantity(
+        "Torque", "N·m", low=-1e9, high=1e9, symbol="T", help="Of the whole engine on its crank, + in its sense."
+    )
 
 
-def diagram_problems(rows: tuple[TorquePoint, ...], period: float | None, strokes: int, gas: bool) -> Iterator[tuple[str, Text]]:
+def diagram_problems(
+    rows: tuple[TorquePoint, ...], period: float | None, strokes: int, gas: bool
+) -> Iterator[tuple[str, Text]]:
     """What is wrong with a torque diagram, with keys of [engine]."""
     if not rows:
         if period is not None:
@@ -94,7 +111,10 @@ def diagram_problems(rows: tuple[TorquePoint, ...], period: float | None, stroke
     if gas:
         yield "torque", Text("the gas gives the torque already: leave out [[engine.torque]] or [engine.gas]")
     if len(rows) < FEWEST_ROWS:
-        yield "torque", Text("has {count} rows; needs at least {fewest} over its period", count=len(rows), fewest=FEWEST_ROWS)
+        yield (
+            "torque",
+            Text("has {count} rows; needs at least {fewest} over its period", count=len(rows), fewest=FEWEST_ROWS),
+        )
     length = period if period is not None else strokes * pi
     shown = Amount(length / pi * 180, form="g")
     for i, row in enumerate(rows):
@@ -104,7 +124,10 @@ def diagram_problems(rows: tuple[TorquePoint, ...], period: float | None, stroke
                 Text("must be above that of the row before; a jump takes two rows, a hundredth of a degree apart"),
             )
     if rows[-1].angle - rows[0].angle > length + SAME_ANGLE:
-        yield f"torque.{len(rows) - 1}.angle_deg", Text("lies more than the period of {length}° behind the first row", length=shown)
+        yield (
+            f"torque.{len(rows) - 1}.angle_deg",
+            Text("lies more than the period of {length}° behind the first row", length=shown),
+        )
     elif abs(rows[-1].angle - rows[0].angle - length) <= SAME_ANGLE and rows[-1].torque != rows[0].torque:
         yield (
             f"torque.{len(rows) - 1}.torque_Nm",
@@ -112,19 +135,41 @@ def diagram_problems(rows: tuple[TorquePoint, ...], period: float | None, stroke
         )
 
 
-CRANK_RATIO = (0.22, 0.30)  # usual λ; Finotti 2013, 2.1, and the mechanics textbook, 48.3.3; Finotti 2013, 2.2.4, has 0.2 to 0.3
+CRANK_RATIO = (
+    0.22,
+    0.30,
+)  # usual λ; Finotti 2013, 2.1, and the mechanics textbook, 48.3.3; Finotti 2013, 2.2.4, has 0.2 to 0.3
 
-# Firing orders of inline engines: usual ones, else of all (above nine cylinders: of symmetrical cranks) the one that leaves least.
+# Firing orders of inline engines: usual ones, else of all (above nine cylinders: of symmetrical cranks) the one that
+# leaves least.
 FOUR_STROKE = {
-    1: (1,), 2: (1, 2), 3: (1, 3, 2), 4: (1, 3, 4, 2), 5: (1, 2, 4, 5, 3), 6: (1, 5, 3, 6, 2, 4), 7: (1, 2, 4, 6, 7, 5, 3),
-    8: (1, 6, 2, 5, 8, 3, 7, 4), 9: (1, 2, 4, 6, 8, 9, 7, 5, 3), 10: (1, 2, 3, 4, 5, 10, 9, 8, 7, 6),
-    11: (1, 2, 4, 6, 8, 10, 11, 9, 7, 5, 3), 12: (1, 2, 3, 4, 5, 6, 12, 11, 10, 9, 8, 7),
-}  # fmt: skip
+    1: (1,),
+    2: (1, 2),
+    3: (1, 3, 2),
+    4: (1, 3, 4, 2),
+    5: (1, 2, 4, 5, 3),
+    6: (1, 5, 3, 6, 2, 4),
+    7: (1, 2, 4, 6, 7, 5, 3),
+    8: (1, 6, 2, 5, 8, 3, 7, 4),
+    9: (1, 2, 4, 6, 8, 9, 7, 5, 3),
+    10: (1, 2, 3, 4, 5, 10, 9, 8, 7, 6),
+    11: (1, 2, 4, 6, 8, 10, 11, 9, 7, 5, 3),
+    12: (1, 2, 3, 4, 5, 6, 12, 11, 10, 9, 8, 7),
+}
 TWO_STROKE = {
-    1: (1,), 2: (1, 2), 3: (1, 3, 2), 4: (1, 3, 4, 2), 5: (1, 5, 2, 3, 4), 6: (1, 6, 2, 4, 3, 5), 7: (1, 7, 2, 5, 4, 3, 6),
-    8: (1, 8, 2, 6, 4, 5, 3, 7), 9: (1, 9, 2, 7, 4, 5, 6, 3, 8), 10: (1, 9, 4, 7, 2, 10, 3, 5, 6, 8),
-    11: (1, 11, 2, 9, 4, 7, 6, 5, 8, 3, 10), 12: (1, 11, 9, 4, 2, 12, 7, 5, 3, 10, 8, 6),
-}  # fmt: skip
+    1: (1,),
+    2: (1, 2),
+    3: (1, 3, 2),
+    4: (1, 3, 4, 2),
+    5: (1, 5, 2, 3, 4),
+    6: (1, 6, 2, 4, 3, 5),
+    7: (1, 7, 2, 5, 4, 3, 6),
+    8: (1, 8, 2, 6, 4, 5, 3, 7),
+    9: (1, 9, 2, 7, 4, 5, 6, 3, 8),
+    10: (1, 9, 4, 7, 2, 10, 3, 5, 6, 8),
+    11: (1, 11, 2, 9, 4, 7, 6, 5, 8, 3, 10),
+    12: (1, 11, 9, 4, 2, 12, 7, 5, 3, 10, 8, 6),
+}
 
 
 def usual_order(cylinders: int, strokes: int) -> tuple[int, ...] | None:
@@ -136,15 +181,29 @@ def usual_order(cylinders: int, strokes: int) -> tuple[int, ...] | None:
 class BenchPoint:
     """One row of a bench run: the main gallery's oil at a speed."""
 
-    speed: float = quantity("Speed", "rpm", low=1, high=30000, symbol="n", help="Speed of the crank in this row of the bench run.")
+    speed: float = quantity(
+        "Speed", "rpm", low=1, high=30000, symbol="n", help="Speed of the crank in this row of the bench run."
+    )
     oil_temperature: float = quantity(
-        "Oil temperature", "°C", low=-40, high=200, symbol="T_in", usual=(60, 140), source=THUMB,
+        "Oil temperature",
+        "°C",
+        low=-40,
+        high=200,
+        symbol="T_in",
+        usual=(60, 140),
+        source=THUMB,
         help="Oil in the main gallery at this speed.",
-    )  # fmt: skip
+    )
     oil_pressure: float = quantity(
-        "Oil pressure", "bar", low=0, high=100, symbol="p_s", usual=(1, 6), source=THUMB,
+        "Oil pressure",
+        "bar",
+        low=0,
+        high=100,
+        symbol="p_s",
+        usual=(1, 6),
+        source=THUMB,
         help="Oil in the main gallery at this speed, above ambient.",
-    )  # fmt: skip
+    )
 
 
 @inputs
@@ -153,39 +212,82 @@ class EngineInputs:
 
     name: str = text("Engine", help="A name for screen and report.")
     layout: str = choice("Layout", "inline", "vee", "boxer", help="Vee and boxer need crank angles or a firing order.")
-    cylinders: int = integer("Cylinders", low=1, high=16, symbol="N", help="Number of cylinders, counted from the timing side.")
+    cylinders: int = integer(
+        "Cylinders", low=1, high=16, symbol="N", help="Number of cylinders, counted from the timing side."
+    )
     strokes: int = integer("Strokes", low=2, high=4, step=2, help="4 for a four-stroke, 2 for a two-stroke engine.")
     bore: float = quantity(
-        "Bore", "mm", above=0, high=1000, symbol="D", usual=(50, 150), source=THUMB,
+        "Bore",
+        "mm",
+        above=0,
+        high=1000,
+        symbol="D",
+        usual=(50, 150),
+        source=THUMB,
         help="Diameter of the cylinders, on which the gas presses.",
-    )  # fmt: skip
+    )
     crank_radius: float = quantity(
-        "Crank radius", "mm", above=0, high=1000, symbol="r", usual=(20, 90), source=THUMB,
+        "Crank radius",
+        "mm",
+        above=0,
+        high=1000,
+        symbol="r",
+        usual=(20, 90),
+        source=THUMB,
         help="Half the stroke: from the crank's axis to the pin's.",
-    )  # fmt: skip
+    )
     rod_length: float = quantity(
-        "Rod length", "mm", above=0, high=4000, symbol="L", usual=(80, 300), source=THUMB,
+        "Rod length",
+        "mm",
+        above=0,
+        high=4000,
+        symbol="L",
+        usual=(80, 300),
+        source=THUMB,
         help=Text(
             "Between centres. λ = r/L is usually {low} to {high}; a longer rod lowers the second order.",
-            low=Amount(CRANK_RATIO[0]), high=Amount(CRANK_RATIO[1]),
+            low=Amount(CRANK_RATIO[0]),
+            high=Amount(CRANK_RATIO[1]),
         ),
-    )  # fmt: skip
+    )
     cylinder_pitch: float = quantity(
-        "Cylinder pitch", "mm", above=0, high=2000, symbol="a", usual=(35, 200), source=THUMB,
+        "Cylinder pitch",
+        "mm",
+        above=0,
+        high=2000,
+        symbol="a",
+        usual=(35, 200),
+        source=THUMB,
         help="Distance of neighbouring cylinders; every couple is proportional to it.",
-    )  # fmt: skip
+    )
     cylinder_offset: float = quantity(
-        "Cylinder offset", "mm", default=0.0, low=-500, high=500, symbol="d", source="Finotti 2013, 2.1",
+        "Cylinder offset",
+        "mm",
+        default=0.0,
+        low=-500,
+        high=500,
+        symbol="d",
+        source="Finotti 2013, 2.1",
         help="Cylinder axis to crank axis; positive moves TDC to later crank angles. Usual up to 0.045 rod lengths.",
-    )  # fmt: skip
+    )
     bank_angle: float | None = quantity(
-        "Bank angle", "°", default=None, low=0, high=180, symbol="V", usual=(45, 180), source=THUMB,
+        "Bank angle",
+        "°",
+        default=None,
+        low=0,
+        high=180,
+        symbol="V",
+        usual=(45, 180),
+        source=THUMB,
         help="Between the banks of a vee engine; a boxer has 180°.",
-    )  # fmt: skip
+    )
     firing_order: tuple[int, ...] | None = integers(
-        "Firing order", default=None, low=1, source="Finotti 2013, 2.4",
+        "Firing order",
+        default=None,
+        low=1,
+        source="Finotti 2013, 2.4",
         help="Cylinder numbers, 1 first. The crank angles of an evenly firing engine follow from it.",
-    )  # fmt: skip
+    )
     crank_angles: tuple[float, ...] | None = series(
         "Crank angles",
         "°",
@@ -196,39 +298,95 @@ class EngineInputs:
         help="One per cylinder, of the pin it runs on; positive leads cylinder 1.",
     )
     axial_positions: tuple[float, ...] | None = series(
-        "Axial positions", "mm", default=None, low=-5000, high=5000, symbol="z", help="One per cylinder, + towards the flywheel."
+        "Axial positions",
+        "mm",
+        default=None,
+        low=-5000,
+        high=5000,
+        symbol="z",
+        help="One per cylinder, + towards the flywheel.",
     )
     bank_of_cylinder: tuple[int, ...] | None = integers(
-        "Bank of each cylinder", default=None, low=0, high=1, help="The bank of each cylinder, 0 or 1; bank 0 stands at −V/2."
+        "Bank of each cylinder",
+        default=None,
+        low=0,
+        high=1,
+        help="The bank of each cylinder, 0 or 1; bank 0 stands at −V/2.",
     )
     crank_radii: tuple[float, ...] | None = series(
-        "Crank radii", "mm", default=None, above=0, high=1000, symbol="r_k",
-        help="One per cylinder, where they differ; the first is the crank radius. Left out: all cylinders have that one.",
-    )  # fmt: skip
+        "Crank radii",
+        "mm",
+        default=None,
+        above=0,
+        high=1000,
+        symbol="r_k",
+        help="One per cylinder, where they differ; the first is the crank radius. Left out: all cylinders have that "
+        "one.",
+    )
     piston_mass: float | None = quantity(
-        "Piston mass", "g", default=None, above=0, high=1e5, symbol="M_P", usual=(150, 2000), source=THUMB,
+        "Piston mass",
+        "g",
+        default=None,
+        above=0,
+        high=1e5,
+        symbol="M_P",
+        usual=(150, 2000),
+        source=THUMB,
         help="Mass of one piston with rings, pin and circlips.",
-    )  # fmt: skip
+    )
     rod_mass: float | None = quantity(
-        "Rod mass", "g", default=None, low=0, high=1e5, symbol="M_B", usual=(200, 2000), source=THUMB,
+        "Rod mass",
+        "g",
+        default=None,
+        low=0,
+        high=1e5,
+        symbol="M_B",
+        usual=(200, 2000),
+        source=THUMB,
         help="Mass of one rod with bush and screws, without big-end shells.",
-    )  # fmt: skip
+    )
     rod_cg_to_big_end: float | None = quantity(
-        "Rod CG to big end", "mm", default=None, low=0, high=4000, symbol="X_2", usual=(20, 120), source=THUMB,
-        help="Centre of gravity of the rod from its big end. Left out: one third of the rod reciprocates, two thirds rotate.",
-    )  # fmt: skip
+        "Rod CG to big end",
+        "mm",
+        default=None,
+        low=0,
+        high=4000,
+        symbol="X_2",
+        usual=(20, 120),
+        source=THUMB,
+        help="Centre of gravity of the rod from its big end. Left out: one third of the rod reciprocates, two thirds "
+        "rotate.",
+    )
     crankpin_bearing_mass: float = quantity(
-        "Big-end shells", "g", default=0.0, low=0, high=1e5, symbol="M_shell", usual=(0, 500), source=THUMB,
+        "Big-end shells",
+        "g",
+        default=0.0,
+        low=0,
+        high=1e5,
+        symbol="M_shell",
+        usual=(0, 500),
+        source=THUMB,
         help="Mass of the shells of one big end; they rotate with the pin.",
-    )  # fmt: skip
+    )
     reciprocating_masses: tuple[float, ...] | None = series(
-        "Reciprocating masses", "kg", default=None, above=0, high=1e6, symbol="M_alt",
+        "Reciprocating masses",
+        "kg",
+        default=None,
+        above=0,
+        high=1e6,
+        symbol="M_alt",
         help="One for all cylinders, or one per cylinder. Left out: piston and the rod's share.",
-    )  # fmt: skip
+    )
     rotating_masses: tuple[float, ...] | None = series(
-        "Rotating masses", "kg", default=None, low=0, high=1e6, symbol="M_rot",
-        help="At the crank radius: one for all cylinders, or one per cylinder. Left out: the rod's share and the shells.",
-    )  # fmt: skip
+        "Rotating masses",
+        "kg",
+        default=None,
+        low=0,
+        high=1e6,
+        symbol="M_rot",
+        help="At the crank radius: one for all cylinders, or one per cylinder. Left out: the rod's share and the "
+        "shells.",
+    )
     rated_speed: float = quantity(
         "Rated speed",
         "rpm",
@@ -240,30 +398,60 @@ class EngineInputs:
         help="The speed at which forces and bearings are judged.",
     )
     rated_power: float | None = quantity(
-        "Rated power", "kW", default=None, above=0, high=1e5, symbol="P_e", usual=(2, 600), source=THUMB,
-        help="Brake power at rated speed: gives the brake mean effective pressure, and the share of it that the train's losses take.",
-    )  # fmt: skip
+        "Rated power",
+        "kW",
+        default=None,
+        above=0,
+        high=1e5,
+        symbol="P_e",
+        usual=(2, 600),
+        source=THUMB,
+        help="Brake power at rated speed: gives the brake mean effective pressure, and the share of it that the "
+        "train's losses take.",
+    )
     flywheel_inertia: float | None = quantity(
-        "Inertia of the flywheel", "kg·m²", default=None, above=0, high=1e5, symbol="J", usual=(0.005, 10), source=THUMB,
+        "Inertia of the flywheel",
+        "kg·m²",
+        default=None,
+        above=0,
+        high=1e5,
+        symbol="J",
+        usual=(0.005, 10),
+        source=THUMB,
         help="Moment of inertia of the flywheel; with the gas it gives the speed irregularity.",
-    )  # fmt: skip
-    bench: tuple[BenchPoint, ...] = tables("Bench run", BenchPoint, default=(), help="Oil in the main gallery over speed.")
+    )
+    bench: tuple[BenchPoint, ...] = tables(
+        "Bench run", BenchPoint, default=(), help="Oil in the main gallery over speed."
+    )
 
-    gas: GasInputs | None = table("Gas", GasInputs, default=None, help="Pressure in the cylinders: torque over the cycle.")
+    gas: GasInputs | None = table(
+        "Gas", GasInputs, default=None, help="Pressure in the cylinders: torque over the cycle."
+    )
     torque: tuple[TorquePoint, ...] = tables(
-        "Torque over the crank angle", TorquePoint, default=(),
+        "Torque over the crank angle",
+        TorquePoint,
+        default=(),
         help="The turning-moment diagram of the whole engine, in place of the gas; straight lines between its rows.",
-    )  # fmt: skip
+    )
     torque_period: float | None = quantity(
-        "Period of the torque", "°", default=None, above=0, high=1440, symbol="epsilon_T",
+        "Period of the torque",
+        "°",
+        default=None,
+        above=0,
+        high=1440,
+        symbol="epsilon_T",
         help="After which the diagram repeats itself. Left out: the cycle, 720° of a four-stroke engine.",
-    )  # fmt: skip
-    throw: ThrowInputs | None = table("Crank throw", ThrowInputs, default=None, help="Pin, journal and web: stresses of the crank.")
+    )
+    throw: ThrowInputs | None = table(
+        "Crank throw", ThrowInputs, default=None, help="Pin, journal and web: stresses of the crank."
+    )
 
     @property
     def unlike_masses(self) -> bool:
         """Whether the masses differ from cylinder to cylinder."""
-        return any(masses is not None and len(set(masses)) > 1 for masses in (self.reciprocating_masses, self.rotating_masses))
+        return any(
+            masses is not None and len(set(masses)) > 1 for masses in (self.reciprocating_masses, self.rotating_masses)
+        )
 
     @property
     def unlike_radii(self) -> bool:
@@ -285,7 +473,10 @@ class EngineInputs:
         if self.gas is not None:
             yield from ((f"gas.{key}", reason) for key, reason in cycle_problems(self.gas, self.strokes))
         if self.crank_radius + abs(self.cylinder_offset) >= self.rod_length:
-            yield "rod_length_mm", Text("must be longer than crank radius plus cylinder offset: the crank could not turn")
+            yield (
+                "rod_length_mm",
+                Text("must be longer than crank radius plus cylinder offset: the crank could not turn"),
+            )
         for k, radius in enumerate(self.crank_radii or (), 1):
             if radius >= self.rod_length:
                 mm = Amount(radius * 1e3, form="g")
@@ -298,15 +489,25 @@ class EngineInputs:
         if n != n:  # not given as a number: nothing to compare with
             return
         for key, given in (
-            ("firing_order", self.firing_order), ("crank_angles_deg", self.crank_angles), ("crank_radii_mm", self.crank_radii),
-            ("axial_positions_mm", self.axial_positions), ("bank_of_cylinder", self.bank_of_cylinder),
-        ):  # fmt: skip
+            ("firing_order", self.firing_order),
+            ("crank_angles_deg", self.crank_angles),
+            ("crank_radii_mm", self.crank_radii),
+            ("axial_positions_mm", self.axial_positions),
+            ("bank_of_cylinder", self.bank_of_cylinder),
+        ):
             if given is not None and len(given) != n:
                 yield key, Text("has {count} entries; needs one per cylinder, {n}", count=len(given), n=n)
-        if self.firing_order is not None and len(self.firing_order) == n and sorted(self.firing_order) != list(range(1, n + 1)):
+        if (
+            self.firing_order is not None
+            and len(self.firing_order) == n
+            and sorted(self.firing_order) != list(range(1, n + 1))
+        ):
             yield "firing_order", Text("must name each cylinder from 1 to {n} once", n=n)
         if self.crank_angles is None and self.firing_order is None and (self.layout != "inline" or n > 12):
-            yield "crank_angles_deg", Text("needed here: give the crank angles, or the firing order of an evenly firing engine")
+            yield (
+                "crank_angles_deg",
+                Text("needed here: give the crank angles, or the firing order of an evenly firing engine"),
+            )
         if self.layout != "vee" and self.bank_angle:
             yield "bank_angle_deg", Text("belongs to a vee engine; leave it out")
         if self.layout == "vee" and self.bank_angle is None:
@@ -322,28 +523,51 @@ class EngineInputs:
             for key, given in (("piston_mass_g", self.piston_mass), ("rod_mass_g", self.rod_mass)):
                 if given is None:
                     allowed = keys(EngineInputs)[key].about.allowed()
-                    yield key, Text("is missing; needs {allowed}, or reciprocating_masses_kg instead of piston and rod", allowed=allowed)
+                    yield (
+                        key,
+                        Text(
+                            "is missing; needs {allowed}, or reciprocating_masses_kg instead of piston and rod",
+                            allowed=allowed,
+                        ),
+                    )
         elif self.piston_mass is not None:
             yield "piston_mass_g", Text("reciprocating_masses_kg has its mass already; leave one of the two out")
         if self.rotating_masses is not None and self.crankpin_bearing_mass:
             yield "crankpin_bearing_mass_g", Text("rotating_masses_kg has its mass already; leave one of the two out")
-        for key, masses in (("reciprocating_masses_kg", self.reciprocating_masses), ("rotating_masses_kg", self.rotating_masses)):
+        for key, masses in (
+            ("reciprocating_masses_kg", self.reciprocating_masses),
+            ("rotating_masses_kg", self.rotating_masses),
+        ):
             if masses is not None and len(masses) not in (1, self.cylinders) and self.cylinders == self.cylinders:
-                yield key, Text("has {count} entries; needs one, or one per cylinder, {n}", count=len(masses), n=self.cylinders)
+                yield (
+                    key,
+                    Text(
+                        "has {count} entries; needs one, or one per cylinder, {n}", count=len(masses), n=self.cylinders
+                    ),
+                )
         if self.unlike and self.throw is not None:
             yield (
                 "throw",
-                Text("its stresses are those of a crank whose cylinders are alike: leave it out where masses or radii differ"),
+                Text(
+                    "its stresses are those of a crank whose cylinders are alike: leave it out where masses or radii "
+                    "differ"
+                ),
             )
 
     def _radius_problems(self) -> Iterable[tuple[str, Text]]:
         """Crank radii that differ, and what then has no one answer for all cylinders."""
         if self.crank_radii is not None and self.crank_radii[:1] != (self.crank_radius,):
             mm = Amount(self.crank_radius * 1e3, form="g")
-            yield "crank_radii_mm", Text("must begin with crank_radius_mm, {mm} mm, which is that of cylinder 1: change both", mm=mm)
+            yield (
+                "crank_radii_mm",
+                Text("must begin with crank_radius_mm, {mm} mm, which is that of cylinder 1: change both", mm=mm),
+            )
         if not self.unlike_radii:
             return
         if self.gas is not None:
             yield "gas", Text("its pressure is that of cylinders of one stroke: leave it out where crank radii differ")
         if self.cylinder_offset:
-            yield "cylinder_offset_mm", Text("must be 0 where crank radii differ: each cylinder's dead centre would stand elsewhere")
+            yield (
+                "cylinder_offset_mm",
+                Text("must be 0 where crank radii differ: each cylinder's dead centre would stand elsewhere"),
+            )

@@ -29,7 +29,8 @@ def notes(engine: EngineInputs, e: EngineResult, fires: Firing) -> tuple[Text, .
     if e.cylinder is not None:
         notes.append(
             Text(
-                "The crank radii differ: crank ratio, stroke and harmonics, speed and acceleration of the piston, and its figures, are "
+                "The crank radii differ: crank ratio, stroke and harmonics, speed and acceleration of the piston, and "
+                "its figures, are "
                 "those of cylinder 1; those of each stand under its number. The torque is that of all."
             )
         )

@@ -2,7 +2,7 @@
 """What the engine gives: masses, kinematics and harmonics, the torque about its crank, the stresses of a throw."""
 
 from ..sheet.quantity import Stated, group, result, value
-from ..sheet.units import (  # fmt: skip
+from ..sheet.units import (
     CubicMetre,
     Kilogram,
     Metre,
@@ -50,7 +50,8 @@ class Rod:
 
 @result
 class Position(Rod):
-    """The governing throw at one crank angle.  `radial_force` and `tangential_force` are those of all rods on the pin."""
+    """The governing throw at one crank angle.  `radial_force` and `tangential_force` are those of all rods on the
+    pin."""
 
     reaction_front: Newton = value("Reaction of the front main journal", "N", "R_f")
     reaction_rear: Newton = value("Reaction of the rear main journal", "N", "R_r")
@@ -80,9 +81,13 @@ class TorqueResult:
 
     inertia_torque_peak: NewtonMetre = value("Largest inertia torque, by amount", "N·m", "T_I")
     inertia_torque: dict[str, Stated] = group()
-    reaction_inertia_peak: NewtonMetre = value("Largest torque reaction of the inertia forces on the block, by amount", "N·m", "T_RI")
+    reaction_inertia_peak: NewtonMetre = value(
+        "Largest torque reaction of the inertia forces on the block, by amount", "N·m", "T_RI"
+    )
     reaction_inertia: dict[str, Stated] = group()
-    reaction_peak: NewtonMetre | None = value("Largest torque reaction on the block, by amount", "N·m", "T_R", default=None)
+    reaction_peak: NewtonMetre | None = value(
+        "Largest torque reaction on the block, by amount", "N·m", "T_R", default=None
+    )
     gas_torque_peak: NewtonMetre | None = value("Largest gas torque, by amount", "N·m", "T_G", default=None)
     torque_peak: NewtonMetre | None = value("Largest torque, by amount", "N·m", "T_max", default=None)
     torque_peak_angle: Radian | None = value("its crank angle after the firing of cylinder 1", "°", default=None)

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The engine as a sketch: its crank from the front with a cylinder of each bank, the row of cylinders, the firing order around a clock.
+"""The engine as a sketch: its crank from the front with a cylinder of each bank, the row of cylinders, the firing order
+around a clock.
 
 The crank turns clockwise, cylinder 1 stands at its TDC.  In the row the second bank of a vee or a boxer is folded down.
 """
@@ -7,7 +8,7 @@ The crank turns clockwise, cylinder 1 stands at its TDC.  In the row the second 
 import math
 from collections.abc import Iterable, Iterator
 
-from ..draw.drawing import (  # fmt: skip
+from ..draw.drawing import (
     AXIS,
     CONTEXT,
     DIMENSIONS,
@@ -30,7 +31,12 @@ from ..sheet.units import Metre, Radian
 from .crank import Crank, Firing, crank, firing
 from .inputs import EngineInputs
 
-BORE, RADIUS, ROD, PITCH = "engine.bore_mm", "engine.crank_radius_mm", "engine.rod_length_mm", "engine.cylinder_pitch_mm"
+BORE, RADIUS, ROD, PITCH = (
+    "engine.bore_mm",
+    "engine.crank_radius_mm",
+    "engine.rod_length_mm",
+    "engine.cylinder_pitch_mm",
+)
 THROWS, ORDER, BANKS = "engine.crank_angles_deg", "engine.firing_order", "engine.bank_angle_deg"
 # of the bore; the engine says nothing of them: a piston's height below and above its pin, and the room above it
 SKIRT, CROWN, HEAD = 0.3, 0.3, 0.06
@@ -133,7 +139,10 @@ def _end_view(engine: EngineInputs, throws: list[Throw]) -> Iterator[Mark]:
         bottom, top = throw.dead[0] - SKIRT * bore, throw.dead[1] + (CROWN + HEAD) * bore
         block = ((x - bore / 2, bottom), (x - bore / 2, top), (x + bore / 2, top), (x + bore / 2, bottom))
         yield Polyline(CONTEXT, tuple(_turned(corner, bank) for corner in block), key=BORE)
-        crown = [_turned(corner, bank) for corner in rectangle(x - bore / 2, y - SKIRT * bore, x + bore / 2, y + CROWN * bore)]
+        crown = [
+            _turned(corner, bank)
+            for corner in rectangle(x - bore / 2, y - SKIRT * bore, x + bore / 2, y + CROWN * bore)
+        ]
         yield Area(OUTLINE, (tuple(crown),), key=BORE)
         yield Polyline(OUTLINE, tuple(crown), closed=True, key=BORE)
         yield Polyline(OUTLINE, (_turned(throw.pin, bank), _turned(throw.piston, bank)), key=ROD)
@@ -150,18 +159,28 @@ def _dimensions(engine: EngineInputs, throw: Throw) -> Iterator[Mark]:
     top = high + (CROWN + HEAD) * bore
     yield Dimension(
         DIMENSIONS, (x - bore / 2, top), (x + bore / 2, top), (x, top + 0.18 * bore), key=BORE, label=_number("D", bore)
-    )  # fmt: skip
+    )
     right = x + bore / 2
     crown = CROWN * bore
     yield Dimension(
-        DIMENSIONS, (right, low + crown), (right, high + crown), (right + 0.25 * bore, y), upright=True, key=RADIUS,
+        DIMENSIONS,
+        (right, low + crown),
+        (right, high + crown),
+        (right + 0.25 * bore, y),
+        upright=True,
+        key=RADIUS,
         label=_number("s", high - low),
-    )  # fmt: skip
+    )
     left = min(x - bore / 2, -engine.crank_radius)
     yield Dimension(
-        DIMENSIONS, (throw.pin[0], throw.pin[1]), (x, y), (left - 0.25 * bore, y), upright=True, key=ROD,
+        DIMENSIONS,
+        (throw.pin[0], throw.pin[1]),
+        (x, y),
+        (left - 0.25 * bore, y),
+        upright=True,
+        key=ROD,
         label=_number("L", engine.rod_length),
-    )  # fmt: skip
+    )
 
 
 def _bank_angle(engine: EngineInputs, throws: list[Throw]) -> Iterator[Mark]:
@@ -171,7 +190,9 @@ def _bank_angle(engine: EngineInputs, throws: list[Throw]) -> Iterator[Mark]:
     for side in (-half, half):
         yield Polyline(AXIS, ((0.0, 0.0), _from_up(1.06 * reach, side)), key=BANKS)
     yield Arc(CONTEXT, (0.0, 0.0), around, math.pi / 2 - half, math.pi / 2 + half, key=BANKS)
-    yield Words(WORDS, (0.0, 1.1 * around), Text("{angle}", angle=Amount(math.degrees(2 * half), "°")), key=BANKS, side="centre")
+    yield Words(
+        WORDS, (0.0, 1.1 * around), Text("{angle}", angle=Amount(math.degrees(2 * half), "°")), key=BANKS, side="centre"
+    )
 
 
 # --- the row
@@ -185,11 +206,19 @@ def _row(engine: EngineInputs, throws: list[Throw]) -> Sketch:
         pin, piston = up * throw.pin[1], up * throw.piston[1]
         crown = rectangle(z - bore / 2, piston - up * SKIRT * bore, z + bore / 2, piston + up * CROWN * bore)
         marks += [
-            Polyline(CONTEXT, ((z - bore / 2, bottom), (z - bore / 2, top), (z + bore / 2, top), (z + bore / 2, bottom)), key=BORE),
+            Polyline(
+                CONTEXT,
+                ((z - bore / 2, bottom), (z - bore / 2, top), (z + bore / 2, top), (z + bore / 2, bottom)),
+                key=BORE,
+            ),
             Area(OUTLINE, (crown,), key=BORE),
             Polyline(OUTLINE, crown, closed=True, key=BORE),
             Polyline(OUTLINE, ((z, pin), (z, piston - up * SKIRT * bore)), key=ROD),
-            Polyline(OUTLINE, ((z - bore / 5, 0.0), (z - bore / 5, pin), (z + bore / 5, pin), (z + bore / 5, 0.0)), key=RADIUS),
+            Polyline(
+                OUTLINE,
+                ((z - bore / 5, 0.0), (z - bore / 5, pin), (z + bore / 5, pin), (z + bore / 5, 0.0)),
+                key=RADIUS,
+            ),
             Words(WORDS, (z, piston), str(throw.number), side="centre"),
         ]
     first, last = min(t.z for t in throws) - 0.65 * bore, max(t.z for t in throws) + 0.65 * bore
@@ -198,8 +227,15 @@ def _row(engine: EngineInputs, throws: list[Throw]) -> Sketch:
     if len(one) > 1:
         below = -1.25 * r if -1 not in folded.values() else -max(t.dead[1] for t in throws) - 0.6 * bore
         marks.append(
-            Dimension(DIMENSIONS, (one[0], 0.0), (one[1], 0.0), (one[0], below), key=PITCH, label=_number("a", one[1] - one[0]))
-        )  # fmt: skip
+            Dimension(
+                DIMENSIONS,
+                (one[0], 0.0),
+                (one[1], 0.0),
+                (one[0], below),
+                key=PITCH,
+                label=_number("a", one[1] - one[0]),
+            )
+        )
     return Sketch(tuple(marks), title=Text("from the side"))
 
 

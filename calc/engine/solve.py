@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The engine: masses, kinematics and the harmonics of the piston's acceleration, firing, and the torque about its crank."""
+"""The engine: masses, kinematics and the harmonics of the piston's acceleration, firing, and the torque about its
+crank."""
 
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
@@ -32,9 +33,14 @@ ORDERS = range(1, 9)
 TURNED = "inertia_torque"  # the figure of the inertia torque, where that of the whole is given
 
 
-@formula("c_n", "Fourier analysis of the exact acceleration over one turn (Finotti 2013, 2.1, exact form)", shows="c_1 … c_8 of a/(ω²·r)")
+@formula(
+    "c_n",
+    "Fourier analysis of the exact acceleration over one turn (Finotti 2013, 2.1, exact form)",
+    shows="c_1 … c_8 of a/(ω²·r)",
+)
 def harmonics(a: Number) -> PhasorNumber:
-    """a/(ω² r) = Re Σ c_n e^{inα}: the complex amplitudes of orders 1 to 8, from equally spaced points over one turn (last axis)."""
+    """a/(ω² r) = Re Σ c_n e^{inα}: the complex amplitudes of orders 1 to 8, from equally spaced points over one turn
+    (last axis)."""
     points = many(a)
     spectrum: ComplexArray = np.fft.rfft(points)[..., 1 : len(ORDERS) + 1] * 2 / points.shape[-1]
     real, imag = (np.where(np.abs(part) < 1e-12, 0.0, part) for part in (spectrum.real, spectrum.imag))
@@ -62,14 +68,17 @@ def shortest_interval(gaps: Radian, phi: Radian) -> Radian:
 
 
 @formula(
-    "Δ_max", "kinematics, crank angles between one firing and the next, over the working cycle", shows="the longest of the firing intervals"
+    "Δ_max",
+    "kinematics, crank angles between one firing and the next, over the working cycle",
+    shows="the longest of the firing intervals",
 )
 def longest_interval(gaps: Radian, phi: Radian) -> Radian:
     return float(np.max(gaps))
 
 
 def _peak(y: Array) -> tuple[Number, Radian]:
-    """The largest value over a turn and its angle: the best of the points, then Newton's method on their Fourier series."""
+    """The largest value over a turn and its angle: the best of the points, then Newton's method on their Fourier
+    series."""
     size = y.shape[-1]
     n = np.arange(size // 2 + 1)
     c = np.fft.rfft(y) * np.where((n == 0) | (n == size // 2), 1.0, 2.0) / size
@@ -82,13 +91,18 @@ def _peak(y: Array) -> tuple[Number, Radian]:
     return (each(highest), each(at % (2 * np.pi))) if y.ndim > 1 else (one(highest), one(at) % (2 * np.pi))
 
 
-@formula("max", "mathematics: largest value over the turn", shows="the largest of the points, refined on their Fourier series")
+@formula(
+    "max",
+    "mathematics: largest value over the turn",
+    shows="the largest of the points, refined on their Fourier series",
+)
 def turn_highest(y: Number) -> Number:
     return _peak(many(y))[0]
 
 
 def _fastest(y: Array) -> tuple[Number, Radian]:
-    """The largest magnitude over a turn and its angle; of two alike the first.  An offset makes one of the two strokes the quicker."""
+    """The largest magnitude over a turn and its angle; of two alike the first.  An offset makes one of the two strokes
+    the quicker."""
     (down, at_down), (up, at_up) = _peak(y), _peak(-y)
     first = down >= up * (1 - 1e-12)
     if isinstance(down, float):
@@ -96,12 +110,20 @@ def _fastest(y: Array) -> tuple[Number, Radian]:
     return each(np.where(first, down, up)), each(np.where(first, at_down, at_up))
 
 
-@formula("max", "mathematics: largest magnitude over the turn", shows="the largest magnitude of the points, refined on their series")
+@formula(
+    "max",
+    "mathematics: largest magnitude over the turn",
+    shows="the largest magnitude of the points, refined on their series",
+)
 def turn_fastest(y: Number) -> Number:
     return _fastest(many(y))[0]
 
 
-@formula("min", "mathematics: smallest value over the turn", shows="the smallest of the points, refined on their Fourier series")
+@formula(
+    "min",
+    "mathematics: smallest value over the turn",
+    shows="the smallest of the points, refined on their Fourier series",
+)
 def turn_lowest(y: Number) -> Number:
     return -_peak(many(-y))[0]
 
@@ -138,15 +160,34 @@ def values(engine: EngineInputs) -> EngineResult:
     unlike = Unlike(*of_each, engine.crank_radius, lam, c_n, two_term) if engine.unlike else None
     if unlike is not None and cylinders:
         unlike = replace(
-            unlike, radius=each(gathered(engine.crank_radii or ())), lambda_=each(gathered(one.lambda_ for one in cylinders)),
-            harmonics=_beside(one.harmonics for one in cylinders), two_term=_beside(one.two_term for one in cylinders),
-        )  # fmt: skip
+            unlike,
+            radius=each(gathered(engine.crank_radii or ())),
+            lambda_=each(gathered(one.lambda_ for one in cylinders)),
+            harmonics=_beside(one.harmonics for one in cylinders),
+            two_term=_beside(one.two_term for one in cylinders),
+        )
     return EngineResult(
-        reciprocating_mass=reciprocating, rotating_mass=rotating, lambda_=lam, delta=delta, angular_speed=omega, tdc_angle=phi_0,
-        stroke=stroke, displacement=volume, mean_piston_speed=mean_speed, brake_mean_pressure=p_me, piston_speed_max=fastest,
-        piston_speed_max_angle=at_fastest, acceleration_max=a_max, acceleration_min=a_min, acceleration_min_angle=at_lowest,
-        crank=crank(engine, phi_0), unlike=unlike, harmonics=c_n, two_term=two_term, cylinder=_named(cylinders) if cylinders else None,
-    )  # fmt: skip
+        reciprocating_mass=reciprocating,
+        rotating_mass=rotating,
+        lambda_=lam,
+        delta=delta,
+        angular_speed=omega,
+        tdc_angle=phi_0,
+        stroke=stroke,
+        displacement=volume,
+        mean_piston_speed=mean_speed,
+        brake_mean_pressure=p_me,
+        piston_speed_max=fastest,
+        piston_speed_max_angle=at_fastest,
+        acceleration_max=a_max,
+        acceleration_min=a_min,
+        acceleration_min_angle=at_lowest,
+        crank=crank(engine, phi_0),
+        unlike=unlike,
+        harmonics=c_n,
+        two_term=two_term,
+        cylinder=_named(cylinders) if cylinders else None,
+    )
 
 
 def _alone(number: int, cylinder: EngineInputs) -> EngineResult:
@@ -162,11 +203,15 @@ def _beside(of_each: Iterable[tuple[complex, ...]]) -> tuple[complex, ...]:
 def _named(cylinders: Iterable[EngineResult]) -> dict[str, Cylinder]:
     return {
         str(k): Cylinder(
-            lambda_=one.lambda_, stroke=one.stroke, mean_piston_speed=one.mean_piston_speed, piston_speed_max=one.piston_speed_max,
-            acceleration_max=one.acceleration_max, acceleration_min=one.acceleration_min,
+            lambda_=one.lambda_,
+            stroke=one.stroke,
+            mean_piston_speed=one.mean_piston_speed,
+            piston_speed_max=one.piston_speed_max,
+            acceleration_max=one.acceleration_max,
+            acceleration_min=one.acceleration_min,
         )
         for k, one in enumerate(cylinders, 1)
-    }  # fmt: skip
+    }
 
 
 def solve(engine: EngineInputs, materials: Mapping[str, Material] | None = None) -> Outcome[EngineResult]:
@@ -185,19 +230,27 @@ def solve(engine: EngineInputs, materials: Mapping[str, Material] | None = None)
             named = _harmonics(e)
         stressed, strength, more, tables = _throw(engine, e, fires, turning, materials or {})
     e = replace(
-        e, firing_interval=interval, firing_interval_shortest=shortest, firing_interval_longest=longest, torque=turning, throw=stressed,
+        e,
+        firing_interval=interval,
+        firing_interval_shortest=shortest,
+        firing_interval_longest=longest,
+        torque=turning,
+        throw=stressed,
         harmonic=named,
-    )  # fmt: skip
+    )
 
     def drawn() -> tuple[Curve, ...]:
         return train.curves(engine.crank_radius, e.angular_speed, e.lambda_, e.delta, e.reciprocating_mass, e.harmonics)
 
     return Outcome(
-        "engine", result=e, checks=(*checks(engine, e, turning), *strength), lines=tuple(lines),
+        "engine",
+        result=e,
+        checks=(*checks(engine, e, turning), *strength),
+        lines=tuple(lines),
         curves=Later(lambda: (*drawn(), *curves)),
         tables=Later(lambda: (_crank_table(engine, e, fires), *tables)),
         notes=(*notes(engine, e, fires), *assumed, *more),
-    )  # fmt: skip
+    )
 
 
 def _given_torque(
@@ -208,7 +261,9 @@ def _given_torque(
 
     cycle = based_on(engine.strokes * np.pi, engine.strokes)
     period = engine.torque_period if engine.torque_period is not None else cycle
-    found, curve, repeats = torque_diagram.solve_diagram(engine.torque, period, e.angular_speed, engine.flywheel_inertia)
+    found, curve, repeats = torque_diagram.solve_diagram(
+        engine.torque, period, e.angular_speed, engine.flywheel_inertia
+    )
     return replace(turning, **found), (curve, replace(turned, id=TURNED)), (note, repeats)
 
 
@@ -231,9 +286,12 @@ def harmonic_amplitude(c_n: PhasorNumber) -> Number:
 def _harmonics(e: EngineResult) -> dict[str, Stated]:
     """The orders of the piston's acceleration over ω²·r, those that there are."""
     return {
-        f"order_{n}": Stated(Described(Text("Piston acceleration over ω²·r, order {n}", n=n), "", f"c_{n}"), harmonic_amplitude(c_n=c))
-        for n, c in zip(ORDERS, e.harmonics) if c
-    }  # fmt: skip
+        f"order_{n}": Stated(
+            Described(Text("Piston acceleration over ω²·r, order {n}", n=n), "", f"c_{n}"), harmonic_amplitude(c_n=c)
+        )
+        for n, c in zip(ORDERS, e.harmonics)
+        if c
+    }
 
 
 def _crank_table(engine: EngineInputs, e: EngineResult, fires: Firing) -> Table:
@@ -243,17 +301,31 @@ def _crank_table(engine: EngineInputs, e: EngineResult, fires: Firing) -> Table:
     radii = engine.crank_radii or ()
     rows = tuple(
         (
-            float(k + 1), float(degrees[0][k]), float(degrees[1][k]), float(pin[k] + 1), *(float(r) * 1e3 for r in radii[k : k + 1]),
-            float(e.crank.z[k]) * 1e3, float(degrees[2][k]),
+            float(k + 1),
+            float(degrees[0][k]),
+            float(degrees[1][k]),
+            float(pin[k] + 1),
+            *(float(r) * 1e3 for r in radii[k : k + 1]),
+            float(e.crank.z[k]) * 1e3,
+            float(degrees[2][k]),
         )
         for k in range(engine.cylinders)
-    )  # fmt: skip
+    )
     return Table(
-        "crank", Text("The crank and its cylinders"),
+        "crank",
+        Text("The crank and its cylinders"),
         (
-            (Text("cylinder"), ""), (Text("bank"), "°"), (Text("throw"), "°"), (Text("pin"), ""), *(((Text("r"), "mm"),) if radii else ()),
-            (Text("z"), "mm"), (Text("fires at"), "°"),
+            (Text("cylinder"), ""),
+            (Text("bank"), "°"),
+            (Text("throw"), "°"),
+            (Text("pin"), ""),
+            *(((Text("r"), "mm"),) if radii else ()),
+            (Text("z"), "mm"),
+            (Text("fires at"), "°"),
         ),
         rows,
-        Text("Bank from up, throw from that of cylinder 1, both in the sense of rotation; z from mid-engine towards the flywheel."),
-    )  # fmt: skip
+        Text(
+            "Bank from up, throw from that of cylinder 1, both in the sense of rotation; z from mid-engine towards "
+            "the flywheel."
+        ),
+    )

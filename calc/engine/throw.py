@@ -1,10 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """The crank throw at the two positions that size it: the largest tangential force, and top dead centre at firing.
 
-Every cylinder is looked at in both; the one with the largest nominal stress governs and is shown.  The torque of the throws in front of
-it (towards the free end) passes through.  Signs: forces are positive towards the crank, tangential in the sense of rotation, radial
-towards the crank axis.
-"""
+Every cylinder is looked at in both; the one with the largest nominal stress governs and is shown.  The torque of the
+throws in front of it (towards the free end) passes through.  Signs: forces are positive towards the crank, tangential
+in the sense of rotation, radial towards the crank axis."""
 
 import math
 from collections.abc import Mapping
@@ -23,13 +22,25 @@ from . import cycle as c
 from . import formulas as f
 from . import throw_strength as t
 from .crank import sharing
-from .cycle import TURN, WIDE, Cycle, MixedCycle, clearance_height, compression_end, crank_angle, dead_centre_angle, piston_way, widest_gap
+from .cycle import (
+    TURN,
+    WIDE,
+    Cycle,
+    MixedCycle,
+    clearance_height,
+    compression_end,
+    crank_angle,
+    dead_centre_angle,
+    piston_way,
+    widest_gap,
+)
 from .gas import COMPRESSION, CRANKCASE, EXHAUST, EXPANSION, HELD, INTAKE, GasInputs
 from .inputs import EngineInputs, ThrowInputs
 from .result import CrankSection, EngineResult, Position, Rod, ThrowResult
 from .throw_strength import Forces, Notch, check_of, judged
 
 # The gas of an engine's cylinders: its cycle from what the design says, and what is taken for numbers left out.
+
 
 def prepare(engine: EngineInputs, e: EngineResult, gas: GasInputs) -> Cycle:
     """The cycle of an engine's cylinders, with what was taken for numbers left out."""
@@ -89,7 +100,9 @@ SAME_STRESS = 1e-9
 class _Throw:
     """One engine's throws: what the scan and the traced call have in common.  Works on floats as on arrays."""
 
-    def __init__(self, engine: EngineInputs, e: EngineResult, fires: Array, cycle: Cycle | None, throw: ThrowInputs) -> None:
+    def __init__(
+        self, engine: EngineInputs, e: EngineResult, fires: Array, cycle: Cycle | None, throw: ThrowInputs
+    ) -> None:
         self.engine, self.e, self.fires, self.cycle, self.throw = engine, e, fires, cycle, throw
         self.length = cycle.length if cycle else TURN
         self.load = (
@@ -127,38 +140,57 @@ class _Throw:
             F = t.piston_force(F_G=F_G, F_I=F_I)
         S = t.rod_force(F=F, beta=beta)
         return Rod(
-            crank_angle=own, gas_force=F_G, inertia_force=F_I, piston_force=F, rod_force=S, side_thrust=t.side_thrust(F=F, beta=beta),
+            crank_angle=own,
+            gas_force=F_G,
+            inertia_force=F_I,
+            piston_force=F,
+            rod_force=S,
+            side_thrust=t.side_thrust(F=F, beta=beta),
             tangential_force=t.tangential_force(F=F, v_rel=v_rel),
-            radial_force=t.radial_force(S=S, alpha=alpha, beta=beta, M_rot=e.rotating_mass, r=engine.crank_radius, omega=e.angular_speed),
-        )  # fmt: skip
+            radial_force=t.radial_force(
+                S=S, alpha=alpha, beta=beta, M_rot=e.rotating_mass, r=engine.crank_radius, omega=e.angular_speed
+            ),
+        )
 
     def sections(self, F_t: Newton, F_r: Newton, T_v: NewtonMetre) -> tuple[Newton, CrankSection, CrankSection]:
         """Reaction, and the stresses of pin and journal, from the forces on the pin and the torque from in front."""
         throw, r = self.throw, self.engine.crank_radius
         R = t.reaction(F_t=F_t, F_r=F_r)
         pin = self.stresses(
-            "pin", throw.pin_diameter, t.pin_bending(R=R, L=self.span), t.pin_torsion(F_t=F_t, r=r, T_v=T_v),
+            "pin",
+            throw.pin_diameter,
+            t.pin_bending(R=R, L=self.span),
+            t.pin_torsion(F_t=F_t, r=r, T_v=T_v),
             t.pin_fillet_bending(R=R, l_j=throw.journal_length, t_w=throw.web_thickness) if self.notch else None,
-        )  # fmt: skip
+        )
         at_edge = t.journal_bending(R=R, l_j=throw.journal_length)
-        journal = self.stresses("journal", throw.journal_diameter, at_edge, t.journal_torsion(F_t=F_t, r=r, T_v=T_v), at_edge)
+        journal = self.stresses(
+            "journal", throw.journal_diameter, at_edge, t.journal_torsion(F_t=F_t, r=r, T_v=T_v), at_edge
+        )
         return R, pin, journal
 
-    def stresses(self, place: str, d: Metre, M: NewtonMetre, T: NewtonMetre, M_fillet: NewtonMetre | None) -> CrankSection:
+    def stresses(
+        self, place: str, d: Metre, M: NewtonMetre, T: NewtonMetre, M_fillet: NewtonMetre | None
+    ) -> CrankSection:
         sigma, tau = t.bending_stress(M=M, d=d), t.torsion_stress(T=T, d=d)
         notch = None
         if place in self.notch and M_fillet is not None:
             _, K_b, K_t = self.notch[place]
-            notch = t.notch_stress(K_b=K_b, sigma=sigma if M_fillet is M else t.bending_stress(M=M_fillet, d=d), K_t=K_t, tau=tau)
+            notch = t.notch_stress(
+                K_b=K_b, sigma=sigma if M_fillet is M else t.bending_stress(M=M_fillet, d=d), K_t=K_t, tau=tau
+            )
         nominal = t.von_mises(sigma=sigma, tau=tau)
-        return CrankSection(bending_moment=M, torsion=T, bending_stress=sigma, torsion_stress=tau, von_mises=nominal, notch_stress=notch)
+        return CrankSection(
+            bending_moment=M, torsion=T, bending_stress=sigma, torsion_stress=tau, von_mises=nominal, notch_stress=notch
+        )
 
 
 def pins(engine: EngineInputs, e: EngineResult) -> tuple[BoolArray, BoolArray]:
-    """Which cylinders (second axis) run on the pin of each (first axis), itself too; and which stand on throws in front of it.
+    """Which cylinders (second axis) run on the pin of each (first axis), itself too; and which stand on throws in front
+    of it.
 
-    Of two throws at one place along the crank, those of a split pin, the one with the lower cylinder number is taken to lie in front.
-    """
+    Of two throws at one place along the crank, those of a split pin, the one with the lower cylinder number is taken to
+    lie in front."""
     z = e.crank.z
     number = np.arange(z.size)
     apart = z[None, :] - z[:, None]
@@ -168,9 +200,14 @@ def pins(engine: EngineInputs, e: EngineResult) -> tuple[BoolArray, BoolArray]:
 
 
 def solve(
-    engine: EngineInputs, e: EngineResult, firing: Array, gas: GasInputs | None, throw: ThrowInputs, materials: Mapping[str, Material],
+    engine: EngineInputs,
+    e: EngineResult,
+    firing: Array,
+    gas: GasInputs | None,
+    throw: ThrowInputs,
+    materials: Mapping[str, Material],
     cycle: Cycle | None = None,
-) -> tuple[ThrowResult, tuple[Check, ...], tuple[Text, ...], tuple[Table, ...]]:  # fmt: skip
+) -> tuple[ThrowResult, tuple[Check, ...], tuple[Text, ...], tuple[Table, ...]]:
     """The governing throw of one engine at rated speed.
 
     `firing` as for the torque.  `cycle`: the gas as the torque prepared it, so that one chain of lines leads to both.
@@ -188,15 +225,28 @@ def solve(
     at = zip(POSITIONS.values(), (based_on(float(angles[0, k]), *crank.load), item(firing[k])))
     largest, top = [_position(crank, k, epsilon, shared[k], in_front[k], words) for words, epsilon in at]
     material = materials.get(throw.material)
-    tired = judged(_forces_over_the_cycle(crank, shared, in_front), crank.notch, throw, engine.crank_radius, material, crank.load)
+    tired = judged(
+        _forces_over_the_cycle(crank, shared, in_front), crank.notch, throw, engine.crank_radius, material, crank.load
+    )
     pin, journal = (crank.notch.get(place, (None, None, None)) for place in PLACES)
     result = ThrowResult(
-        cylinder=based_on(k + 1, *crank.load, engine.cylinder_pitch, throw), span=crank.span,
-        notch_bending_pin=pin[1], notch_torsion_pin=pin[2], notch_bending_journal=journal[1], notch_torsion_journal=journal[2],
-        largest_tangential=largest, top_dead_centre=top, fatigue=tired,
-    )  # fmt: skip
+        cylinder=based_on(k + 1, *crank.load, engine.cylinder_pitch, throw),
+        span=crank.span,
+        notch_bending_pin=pin[1],
+        notch_torsion_pin=pin[2],
+        notch_bending_journal=journal[1],
+        notch_torsion_journal=journal[2],
+        largest_tangential=largest,
+        top_dead_centre=top,
+        fatigue=tired,
+    )
     fatigue_check = () if tired is None else (check_of(tired, PLACES[tired.place]),)
-    return result, (*_checks(crank, worst, material), *fatigue_check), _notes(crank, result, shared[k], material), _tables(result, worst)
+    return (
+        result,
+        (*_checks(crank, worst, material), *fatigue_check),
+        _notes(crank, result, shared[k], material),
+        _tables(result, worst),
+    )
 
 
 def _over_the_cycle(crank: _Throw) -> Array:
@@ -209,7 +259,11 @@ def _forces_over_the_cycle(crank: _Throw, shared: BoolArray, in_front: BoolArray
     with untraced():
         rods = crank.rod(each(crank.fires), each(_over_the_cycle(crank)[:, None]))
     tangential = many(rods.tangential_force)
-    return tangential @ shared.T, many(rods.radial_force) @ shared.T, tangential @ in_front.T * crank.engine.crank_radius
+    return (
+        tangential @ shared.T,
+        many(rods.radial_force) @ shared.T,
+        tangential @ in_front.T * crank.engine.crank_radius,
+    )
 
 
 def _positions(crank: _Throw, shared: BoolArray) -> Array:
@@ -224,7 +278,8 @@ def _positions(crank: _Throw, shared: BoolArray) -> Array:
 
 
 def _stress_of_all(crank: _Throw, shared: BoolArray, in_front: BoolArray, angles: Array) -> Array:
-    """Von Mises stress by position, cylinder and place: pin and journal nominal, then at their fillets (NaN where these are not given)."""
+    """Von Mises stress by position, cylinder and place: pin and journal nominal, then at their fillets (NaN where these
+    are not given)."""
     rods = crank.rod(each(crank.fires), each(angles[:, :, None]))
     F_t, F_r = (np.einsum("pkj,kj->pk", part, shared) for part in (rods.tangential_force, rods.radial_force))
     T_v = np.einsum("pkj,kj->pk", rods.tangential_force, in_front) * crank.engine.crank_radius
@@ -251,13 +306,24 @@ def _position(crank: _Throw, k: int, epsilon: float, shared: BoolArray, in_front
     with about(Text("throw of cylinder {k}, {words}", k=k + 1, words=words)):
         R, pin, journal = crank.sections(F_t, F_r, T_v)
     return Position(
-        crank_angle=rod.crank_angle, gas_force=rod.gas_force, inertia_force=rod.inertia_force, piston_force=rod.piston_force,
-        rod_force=rod.rod_force, side_thrust=rod.side_thrust, tangential_force=F_t, radial_force=F_r,
-        reaction_front=R, reaction_rear=R, torque_in_front=T_v, pin=pin, journal=journal,
-    )  # fmt: skip
+        crank_angle=rod.crank_angle,
+        gas_force=rod.gas_force,
+        inertia_force=rod.inertia_force,
+        piston_force=rod.piston_force,
+        rod_force=rod.rod_force,
+        side_thrust=rod.side_thrust,
+        tangential_force=F_t,
+        radial_force=F_r,
+        reaction_front=R,
+        reaction_rear=R,
+        torque_in_front=T_v,
+        pin=pin,
+        journal=journal,
+    )
 
 
-# --- what is said about it --------------------------------------------------------------------------------------------------
+# --- what is said about it
+# --------------------------------------------------------------------------------------------------
 def _checks(crank: _Throw, worst: Array, material: Material | None) -> tuple[Check, ...]:
     """Each place by the largest stress that it has on any throw, in either position."""
     found: list[Check] = []
@@ -266,11 +332,16 @@ def _checks(crank: _Throw, worst: Array, material: Material | None) -> tuple[Che
     if crank.engine.cylinders > 1:
         found.append(
             check(
-                "engine.throw.span", Text("Distance of the main journals over the cylinder pitch"), crank.span / pitch, "in", SPAN, "",
+                "engine.throw.span",
+                Text("Distance of the main journals over the cylinder pitch"),
+                crank.span / pitch,
+                "in",
+                SPAN,
+                "",
                 Text("rule of this program: a main journal between any two throws"),
                 Text("Journal length, both webs and pin length make the span; the stresses are proportional to it."),
             )
-        )  # fmt: skip
+        )
     limit = material.proof_stress if material else None
     proof = Text("elasticity, proof stress of {material}", material=throw.material)
     for i, (place, part) in enumerate(PLACES.items()):
@@ -278,53 +349,83 @@ def _checks(crank: _Throw, worst: Array, material: Material | None) -> tuple[Che
         if limit is not None:
             found.append(
                 check(
-                    f"engine.throw.stress_{place}", Text("Von Mises stress of the {part}, nominal", part=part), nominal, "<=", limit,
+                    f"engine.throw.stress_{place}",
+                    Text("Von Mises stress of the {part}, nominal", part=part),
+                    nominal,
+                    "<=",
+                    limit,
                     "MPa",
-                    proof, Text("A larger diameter: the stress falls with its cube."),
+                    proof,
+                    Text("A larger diameter: the stress falls with its cube."),
                 )
-            )  # fmt: skip
+            )
         if limit is not None and place in crank.notch:
             found.append(
                 check(
-                    f"engine.throw.notch_stress_{place}", Text("Von Mises stress at the fillet of the {part}", part=part), notch, "<=",
-                    limit, "MPa",
+                    f"engine.throw.notch_stress_{place}",
+                    Text("Von Mises stress at the fillet of the {part}", part=part),
+                    notch,
+                    "<=",
+                    limit,
+                    "MPa",
                     Text("{proof}: above it the fillet yields locally", proof=proof),
                     Text("A larger fillet, or a larger diameter."),
                 )
-            )  # fmt: skip
+            )
         if place in crank.notch:
             found.append(
                 check(
-                    f"engine.throw.fillet_{place}", Text("Fillet radius over diameter of the {part}", part=part), crank.notch[place][0],
-                    "in", FIT, "",
-                    Text("range of the notch factors ({notch})", notch=t.NOTCH), Text("Outside it the notch stress is an extrapolation."),
+                    f"engine.throw.fillet_{place}",
+                    Text("Fillet radius over diameter of the {part}", part=part),
+                    crank.notch[place][0],
+                    "in",
+                    FIT,
+                    "",
+                    Text("range of the notch factors ({notch})", notch=t.NOTCH),
+                    Text("Outside it the notch stress is an extrapolation."),
                 )
-            )  # fmt: skip
+            )
     return tuple(found)
 
 
 def _notes(crank: _Throw, result: ThrowResult, shared: BoolArray, material: Material | None) -> tuple[Text, ...]:
     k = int(result.cylinder)
-    notes = [] if crank.engine.cylinders == 1 else [Text("Throw: that of cylinder {k} governs; each was looked at in both positions.", k=k)]
+    notes = (
+        []
+        if crank.engine.cylinders == 1
+        else [Text("Throw: that of cylinder {k} governs; each was looked at in both positions.", k=k)]
+    )
     partners = [int(j) + 1 for j in np.flatnonzero(shared) if j + 1 != k]
     if partners:
         notes.append(
-            Text("Throw: cylinder {map} runs on the same pin; both rods are taken to act at its middle.", map=", ".join(map(str, partners)))
+            Text(
+                "Throw: cylinder {map} runs on the same pin; both rods are taken to act at its middle.",
+                map=", ".join(map(str, partners)),
+            )
         )
     if crank.cycle is None:
         notes.append(Text("Throw: no gas is given; it is loaded by inertia alone."))
     else:
-        notes.append(Text("Throw: judged at rated speed; at low speed no inertia force relieves the gas force at top dead centre."))
+        notes.append(
+            Text(
+                "Throw: judged at rated speed; at low speed no inertia force relieves the gas force at top dead centre."
+            )
+        )
     if material is None or material.proof_stress is None:
         notes.append(
-            Text("Throw: the proof stress of {material} is not known, so its stresses are not judged.", material=crank.throw.material)
+            Text(
+                "Throw: the proof stress of {material} is not known, so its stresses are not judged.",
+                material=crank.throw.material,
+            )
         )
     notes += [
         Text(
-            "Throw: pin and web masses are taken as counterweighted; what the counterweights take off the journals beyond that is left out."
+            "Throw: pin and web masses are taken as counterweighted; what the counterweights take off the journals "
+            "beyond that is left out."
         ),
         Text(
-            "Throw: solid round sections between two simple supports; shear, the webs and the neighbouring throws' stiffness are left out."
+            "Throw: solid round sections between two simple supports; shear, the webs and the neighbouring throws' "
+            "stiffness are left out."
         ),
         EMPTY
         if result.fatigue is not None
@@ -333,7 +434,8 @@ def _notes(crank: _Throw, result: ThrowResult, shared: BoolArray, material: Mate
     if crank.notch:
         notes.append(
             Text(
-                "Throw: the notch factors are those of a round shaft with a shoulder of twice its diameter, which a web is not; "
+                "Throw: the notch factors are those of a round shaft with a shoulder of twice its diameter, which a "
+                "web is not; "
                 "below ρ/d 0.03 published fits of them lie 10 % and more apart."
             )
         )
@@ -346,43 +448,81 @@ def _tables(result: ThrowResult, worst: Array) -> tuple[Table, ...]:
     names = ("F_G", "F_I", "F", "S", "N", "F_t", "F_r", "R_f", "R_r")
     forces = tuple(
         (
-            words, math.degrees(p.crank_angle), p.gas_force, p.inertia_force, p.piston_force, p.rod_force, p.side_thrust,
-            p.tangential_force, p.radial_force, p.reaction_front, p.reaction_rear, p.torque_in_front,
+            words,
+            math.degrees(p.crank_angle),
+            p.gas_force,
+            p.inertia_force,
+            p.piston_force,
+            p.rod_force,
+            p.side_thrust,
+            p.tangential_force,
+            p.radial_force,
+            p.reaction_front,
+            p.reaction_rear,
+            p.torque_in_front,
         )
         for words, p in positions
-    )  # fmt: skip
+    )
     stresses = tuple(
         (
-            Text("{place}, {position}", place=PLACES[place], position=words), s.bending_moment, s.torsion,
-            s.bending_stress / mega, s.torsion_stress / mega, s.von_mises / mega,
+            Text("{place}, {position}", place=PLACES[place], position=words),
+            s.bending_moment,
+            s.torsion,
+            s.bending_stress / mega,
+            s.torsion_stress / mega,
+            s.von_mises / mega,
             None if s.notch_stress is None else s.notch_stress / mega,
         )
-        for words, p in positions for place, s in (("pin", p.pin), ("journal", p.journal))
-    )  # fmt: skip
+        for words, p in positions
+        for place, s in (("pin", p.pin), ("journal", p.journal))
+    )
     found = [
         Table(
-            "throw_forces", Text("Forces on the throw of cylinder {cylinder}", cylinder=cylinder),
-            ((Text("position"), ""), (Text("ε_k"), "°"), *((Name(name), "N") for name in names), (Name("T_v"), "N·m")), forces,
-            Text("Gas, inertia, piston, rod, side thrust, tangential and radial force (towards the crank axis), reactions of the journals, "
-            "torque from the throws in front."),
+            "throw_forces",
+            Text("Forces on the throw of cylinder {cylinder}", cylinder=cylinder),
+            ((Text("position"), ""), (Text("ε_k"), "°"), *((Name(name), "N") for name in names), (Name("T_v"), "N·m")),
+            forces,
+            Text(
+                "Gas, inertia, piston, rod, side thrust, tangential and radial force (towards the crank axis), "
+                "reactions of the journals, "
+                "torque from the throws in front."
+            ),
             covers=("engine.throw.largest_tangential.",),
         ),
         Table(
-            "throw_stresses", Text("Stresses of the throw of cylinder {cylinder}", cylinder=cylinder),
-            ((Text("section"), ""), (Text("M"), "N·m"), (Text("T"), "N·m"), (Text("σ"), "MPa"), (Text("τ"), "MPa"), (Text("σ_v"), "MPa"),
-                (Text("σ_vk"), "MPa")), stresses,
+            "throw_stresses",
+            Text("Stresses of the throw of cylinder {cylinder}", cylinder=cylinder),
+            (
+                (Text("section"), ""),
+                (Text("M"), "N·m"),
+                (Text("T"), "N·m"),
+                (Text("σ"), "MPa"),
+                (Text("τ"), "MPa"),
+                (Text("σ_v"), "MPa"),
+                (Text("σ_vk"), "MPa"),
+            ),
+            stresses,
             Text("σ_v nominal; σ_vk at the fillet, where its radius is given."),
             covers=("engine.throw.top_dead_centre.",),
         ),
-    ]  # fmt: skip
+    ]
     if worst.shape[1] > 1:
         found.append(
             Table(
-                "throws", Text("Nominal von Mises stress of every throw"),
-                ((Text("throw"), ""), (Text("pin, F_t"), "MPa"), (Text("journal, F_t"), "MPa"), (Text("pin, TDC"), "MPa"),
-                    (Text("journal, TDC"), "MPa")),
-                tuple((Text("cylinder {k}", k=k + 1), *(float(s) / mega for s in worst[:, k, :2].ravel())) for k in range(worst.shape[1])),
+                "throws",
+                Text("Nominal von Mises stress of every throw"),
+                (
+                    (Text("throw"), ""),
+                    (Text("pin, F_t"), "MPa"),
+                    (Text("journal, F_t"), "MPa"),
+                    (Text("pin, TDC"), "MPa"),
+                    (Text("journal, TDC"), "MPa"),
+                ),
+                tuple(
+                    (Text("cylinder {k}", k=k + 1), *(float(s) / mega for s in worst[:, k, :2].ravel()))
+                    for k in range(worst.shape[1])
+                ),
                 Text("At its largest tangential force (F_t) and at its firing (TDC)."),
             )
-        )  # fmt: skip
+        )
     return tuple(found)

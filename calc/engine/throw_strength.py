@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """The forces on one crankpin, what the two main journals beside it carry, and the stresses.
 
-Tangential: in the sense of rotation.  Radial: positive towards the crank axis.  The pin is loaded at its middle and the throw rests on the
-middles of its two journals, which the textbooks take as simple supports.
-"""
+Tangential: in the sense of rotation.  Radial: positive towards the crank axis.  The pin is loaded at its middle and the
+throw rests on the middles of its two journals, which the textbooks take as simple supports."""
 
 import numpy as np
 
@@ -24,7 +23,8 @@ BEAM = Text("statics, simply supported throw, pin loaded at its middle (mechanic
 NOTCH = Text("Norton, app. of stress-concentration factors, after Peterson: shouldered round shaft, D/d = 2")
 
 
-# --- forces -----------------------------------------------------------------------------------------------------------------
+# --- forces
+# -----------------------------------------------------------------------------------------------------------------
 @formula("F", Text("{rod}: force on the piston", rod=ROD))
 def piston_force(F_G: Newton, F_I: Newton) -> Newton:
     return F_G + F_I
@@ -65,7 +65,8 @@ def torque_in_front(F_t: Newton, r: Metre) -> NewtonMetre:
     return total(F_t) * r
 
 
-# --- moments ----------------------------------------------------------------------------------------------------------------
+# --- moments
+# ----------------------------------------------------------------------------------------------------------------
 @formula("L", Text("{beam}: distance of the journals' middles", beam=BEAM), unit="mm")
 def span(l_j: Metre, t_w: Metre, l_p: Metre) -> Metre:
     return l_j + 2 * t_w + l_p
@@ -86,7 +87,12 @@ def journal_bending(R: Newton, l_j: Metre) -> NewtonMetre:
     return R * l_j / 2
 
 
-@formula("T_p", Text("{beam}: torsion of the pin, by the front journal's reaction and the torque from the throws in front", beam=BEAM))
+@formula(
+    "T_p",
+    Text(
+        "{beam}: torsion of the pin, by the front journal's reaction and the torque from the throws in front", beam=BEAM
+    ),
+)
 def pin_torsion(F_t: Newton, r: Metre, T_v: NewtonMetre) -> NewtonMetre:
     return F_t * r / 2 + T_v
 
@@ -96,7 +102,8 @@ def journal_torsion(F_t: Newton, r: Metre, T_v: NewtonMetre) -> NewtonMetre:
     return F_t * r + T_v
 
 
-# --- stresses ---------------------------------------------------------------------------------------------------------------
+# --- stresses
+# ---------------------------------------------------------------------------------------------------------------
 @formula("σ", "elasticity: elementary bending of a solid round section, nominal", unit="MPa")
 def bending_stress(M: NewtonMetre, d: Metre) -> Pascal:
     return 32 * M / (pi * d**3)
@@ -134,20 +141,33 @@ def notch_stress(K_b: Number, sigma: Pascal, K_t: Number, tau: Pascal) -> Pascal
 
 # Endless life of the throws: the fillets of pin and journal over the whole cycle, all around their circumference.
 #
-# In the frame that turns with the throw the radial and the tangential force keep their planes, so that each point of a fillet has a stress
-# of its own over the cycle.  The amplitudes of bending and torsion are added as if they came at once, which is on the safe side.
+# In the frame that turns with the throw the radial and the tangential force keep their planes, so that each point of a
+# fillet has a stress of its own over the cycle.  The amplitudes of bending and torsion are added as if they came at
+# once, which is on the safe side.
 
-Forces = tuple[Array, Array, Array]  # tangential, radial, and the torque from in front: (angles over the cycle, cylinders)
+Forces = tuple[
+    Array, Array, Array
+]  # tangential, radial, and the torque from in front: (angles over the cycle, cylinders)
 Notch = dict[str, tuple[Number, Number, Number]]
 AROUND = 24  # points of a fillet over half of its circumference; the other half has the same with the other sign
 
 
-@formula("σ_a", "statics: bending and torsion by von Mises", shows="√(σ_a² + 3·τ_a²) of the amplitudes, worst point", unit="MPa")
+@formula(
+    "σ_a",
+    "statics: bending and torsion by von Mises",
+    shows="√(σ_a² + 3·τ_a²) of the amplitudes, worst point",
+    unit="MPa",
+)
 def amplitude(sigma: Pascal, tau: Pascal) -> Pascal:
     return sqrt(sigma**2 + 3 * tau**2)
 
 
-@formula("σ_m", "statics: bending and torsion by von Mises; pressure counts as none", shows="√(σ_m² + 3·τ_m²) there", unit="MPa")
+@formula(
+    "σ_m",
+    "statics: bending and torsion by von Mises; pressure counts as none",
+    shows="√(σ_m² + 3·τ_m²) there",
+    unit="MPa",
+)
 def mean(sigma: Pascal, tau: Pascal) -> Pascal:
     return sqrt(sigma**2 + 3 * tau**2)
 
@@ -186,15 +206,22 @@ def judged(
         a, m = amplitude(sigma=sigma_a, tau=tau_a), mean(sigma=sigma_m, tau=tau_m)
         equal = fatigue.equivalent_amplitude(sigma_a=a, sigma_m=m, M=bears.sensitivity)
         return ThrowFatigue(
-            fatigue_amplitude=a, fatigue_mean=m, fatigue_equivalent=equal, fatigue_strength=bears.bearable,
-            fatigue_safety=fatigue.safety(sigma_A=bears.bearable, sigma_eq=equal), place=place, cylinder=k + 1, wanted=bears.safety,
-        )  # fmt: skip
+            fatigue_amplitude=a,
+            fatigue_mean=m,
+            fatigue_equivalent=equal,
+            fatigue_strength=bears.bearable,
+            fatigue_safety=fatigue.safety(sigma_A=bears.bearable, sigma_eq=equal),
+            place=place,
+            cylinder=k + 1,
+            wanted=bears.safety,
+        )
 
 
 def _worst(
     place: str, factors: tuple[Number, Number, Number], forces: Forces, throw: ThrowInputs, r: Metre, M: Number
 ) -> tuple[float, str, int, tuple[float, float, float, float]]:
-    """Of one place: the largest equivalent amplitude, its cylinder from 0, and amplitudes and means of bending and torsion there."""
+    """Of one place: the largest equivalent amplitude, its cylinder from 0, and amplitudes and means of bending and
+    torsion there."""
     F_t, F_r, T_v = map(each, forces)
     pin = place == "pin"
     arm = throw.journal_length / 2 + (throw.web_thickness if pin else 0.0)
@@ -207,7 +234,10 @@ def _worst(
     around = np.arange(AROUND) * np.pi / AROUND
     sigma = radial[..., None] * np.cos(around) + tangential[..., None] * np.sin(around)  # (angles, cylinders, around)
     sigma_a, tau_a = np.ptp(sigma, 0) / 2, (np.ptp(tau, 0) / 2)[:, None]
-    sigma_m, tau_m = np.abs(sigma.max(0) + sigma.min(0)) / 2, np.abs(tau.max(0) + tau.min(0))[:, None] / 2  # the point opposite is pulled
+    sigma_m, tau_m = (
+        np.abs(sigma.max(0) + sigma.min(0)) / 2,
+        np.abs(tau.max(0) + tau.min(0))[:, None] / 2,
+    )  # the point opposite is pulled
     a, m = amplitude(sigma=each(sigma_a), tau=each(tau_a)), mean(sigma=each(sigma_m), tau=each(tau_m))
     equal = many(fatigue.equivalent_amplitude(sigma_a=a, sigma_m=m, M=M))
     k, point = np.unravel_index(int(equal.argmax()), equal.shape)
@@ -218,7 +248,12 @@ def _worst(
 def check_of(found: ThrowFatigue, part: Text) -> Check:
     """The safety of the worst fillet, `part` its place in words."""
     return check(
-        "engine.throw.fatigue", Text("Safety of the throws against fatigue, fillet of the {part}", part=part), found.fatigue_safety, ">=",
-        found.wanted, "", Text("{fkm}: endless life at rated speed", fkm=fatigue.FKM),
+        "engine.throw.fatigue",
+        Text("Safety of the throws against fatigue, fillet of the {part}", part=part),
+        found.fatigue_safety,
+        ">=",
+        found.wanted,
+        "",
+        Text("{fkm}: endless life at rated speed", fkm=fatigue.FKM),
         Text("A larger fillet, a larger diameter; rolling or hardening the fillets, which is not counted here."),
-    )  # fmt: skip
+    )

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """The torque about the crank: of the inertia forces always, of the gas where a cycle or an indicated pressure is given.
 
-Torque is positive in the sense of rotation.  The block feels the opposite, and with an offset cylinder the moment of the inertia force,
-which acts along the cylinder's axis, at the distance d from the crank's.  ε is the crank angle after the firing of cylinder 1.
-Cylinder k then stands ε − f_k after its own firing, which is the same as α_k = θ + φ_k − ψ_k with θ the angle of throw 1 from up.
-"""
+Torque is positive in the sense of rotation.  The block feels the opposite, and with an offset cylinder the moment of
+the inertia force, which acts along the cylinder's axis, at the distance d from the crank's.  ε is the crank angle after
+the firing of cylinder 1. Cylinder k then stands ε − f_k after its own firing, which is the same as α_k = θ + φ_k − ψ_k
+with θ the angle of throw 1 from up."""
 
 import math
 from dataclasses import replace
@@ -44,6 +44,7 @@ from .throw import prepare
 
 # What a torque over the crank angle gives, whether of the gas or of a diagram.
 
+
 @formula("T_hi", "mathematics: largest of the points of the cycle, its corners among them", shows="largest T(ε)")
 def highest(T: NewtonMetre) -> NewtonMetre:
     return float(many(T).max())
@@ -76,7 +77,8 @@ DRAWN = math.radians(1.0)
 WORK = Text("energy, indicated work of the cycle: virtual work of the gas force")
 
 
-# --- formulas ---------------------------------------------------------------------------------------------------------------
+# --- formulas
+# ---------------------------------------------------------------------------------------------------------------
 @formula("T_I", "mathematics, sum over the cylinders: torque of the inertia forces")
 def inertia_torque(T_k: NewtonMetre) -> NewtonMetre:
     return resultant(T_k)
@@ -98,10 +100,13 @@ def whole_torque(T_G: NewtonMetre, T_I: NewtonMetre) -> NewtonMetre:
 
 
 @formula(
-    "T_R", "dynamics, moment of momentum of piston and crank: reaction on the block, with the inertia force on the offset cylinder's axis"
+    "T_R",
+    "dynamics, moment of momentum of piston and crank: reaction on the block, with the inertia force on the offset "
+    "cylinder's axis",
 )
 def reaction(T: NewtonMetre, d: Metre, F_I: Newton) -> NewtonMetre:
-    """`T` on the crank, `F_I` towards the crank along the axis of the cylinder, which lies d further in the sense of rotation."""
+    """`T` on the crank, `F_I` towards the crank along the axis of the cylinder, which lies d further in the sense of
+    rotation."""
     return -T + d * F_I
 
 
@@ -109,8 +114,9 @@ def reaction(T: NewtonMetre, d: Metre, F_I: Newton) -> NewtonMetre:
     "t_n",
     "mathematics, Fourier analysis of one cylinder's inertia torque, each cylinder turned by its firing angle "
     "(two terms: Den Hartog, ch. 5)",
-    shows="t_1 … t_8 of T_k over one turn, times Σ e^(−i·n·f_k)", names={"fires": "f"},
-)  # fmt: skip
+    shows="t_1 … t_8 of T_k over one turn, times Σ e^(−i·n·f_k)",
+    names={"fires": "f"},
+)
 def torque_harmonics(T_k: NewtonMetre, fires: Radian) -> PhasorNewtonMetre:
     """Complex amplitudes of orders 1 to 8, from equally spaced points over one turn."""
     return _turned_harmonics(T_k, fires)
@@ -124,9 +130,11 @@ def _turned_harmonics(T_k: NewtonMetre, fires: Radian) -> PhasorNewtonMetre:
 
 
 @formula(
-    "t_n", "mathematics: Fourier analysis of the inertia torque of each cylinder, turned by its firing angle",
-    shows="Σ e^(−i·n·f_k)·t_1 … t_8 of T_k over one turn", names={"fires": "f"},
-)  # fmt: skip
+    "t_n",
+    "mathematics: Fourier analysis of the inertia torque of each cylinder, turned by its firing angle",
+    shows="Σ e^(−i·n·f_k)·t_1 … t_8 of T_k over one turn",
+    names={"fires": "f"},
+)
 def torque_harmonics_of_unlike(T_k: NewtonMetre, fires: Radian) -> PhasorNewtonMetre:
     """`T_k`: at the points of a turn, of each cylinder from its own dead centre."""
     return _turned_harmonics(T_k, fires)
@@ -154,23 +162,30 @@ def mean_torque(N: Number, W_i: NewtonMetre, strokes: Number) -> NewtonMetre:
 
 
 @formula(
-    "ΔE", "dynamics, flywheel: largest fluctuation of the energy about its mean course",
+    "ΔE",
+    "dynamics, flywheel: largest fluctuation of the energy about its mean course",
     shows="max − min over the cycle of ∫(T − T_m)dε",
-)  # fmt: skip
+)
 def energy_fluctuation(epsilon: Radian, T: NewtonMetre, T_m: NewtonMetre) -> NewtonMetre:
     energy = c.running(many(epsilon), many(T - T_m))
     return c.highest(many(epsilon), energy)[1] + c.highest(many(epsilon), -energy)[1]
 
 
-# --- torque at any crank angles ---------------------------------------------------------------------------------------------
+# --- torque at any crank angles
+# ---------------------------------------------------------------------------------------------
 @overload
-def at(engine: EngineInputs, e: EngineResult, gas: None, fires: Radian, epsilon: Radian) -> tuple[None, NewtonMetre, Newton]: ...
+def at(
+    engine: EngineInputs, e: EngineResult, gas: None, fires: Radian, epsilon: Radian
+) -> tuple[None, NewtonMetre, Newton]: ...
 @overload
-def at(engine: EngineInputs, e: EngineResult, gas: Cycle, fires: Radian, epsilon: Radian) -> tuple[NewtonMetre, NewtonMetre, Newton]: ...
+def at(
+    engine: EngineInputs, e: EngineResult, gas: Cycle, fires: Radian, epsilon: Radian
+) -> tuple[NewtonMetre, NewtonMetre, Newton]: ...
 def at(
     engine: EngineInputs, e: EngineResult, gas: Cycle | None, fires: Radian, epsilon: Radian
 ) -> tuple[NewtonMetre | None, NewtonMetre, Newton]:
-    """Gas torque (None without gas), inertia torque and inertia force of each cylinder (last axis) at crank angles ε."""
+    """Gas torque (None without gas), inertia torque and inertia force of each cylinder (last axis) at crank angles
+    ε."""
     length = gas.length if gas else TURN
     M_alt, r, lam = e.reciprocating_mass, engine.crank_radius, e.lambda_
     if e.unlike is not None and np.ndim(fires):  # of one cylinder the mean mass, where they differ
@@ -192,12 +207,21 @@ def at(
 def solve(
     engine: EngineInputs, e: EngineResult, firing: Array, gas: GasInputs | None, flywheel_inertia: KilogramMetre2 | None
 ) -> tuple[TorqueResult, Many[Curve], tuple[Text, ...]]:
-    """The torque of one engine.  `firing`: the crank angles, after cylinder 1's, at which the cylinders fire [rad], over the cycle."""
+    """The torque of one engine.  `firing`: the crank angles, after cylinder 1's, at which the cylinders fire [rad],
+    over the cycle."""
     inertia, curve = _inertia(engine, e, firing)
-    notes = [Text("The torque reaction on the block is no matter of balancing: no masses on crank or shafts change it in the mean.")]
+    notes = [
+        Text(
+            "The torque reaction on the block is no matter of balancing: no masses on crank or shafts change it in "
+            "the mean."
+        )
+    ]
     if engine.cylinder_offset:
         notes.append(
-            Text("With the offset the inertia force, on the cylinder's axis, adds its moment about the crank's to the torque reaction.")
+            Text(
+                "With the offset the inertia force, on the cylinder's axis, adds its moment about the crank's to the "
+                "torque reaction."
+            )
         )
     if gas is None:
         notes.append(Text("No gas is given: the torque is that of the inertia forces alone."))
@@ -208,14 +232,18 @@ def solve(
     notes.append(Text("The torque is the indicated one: friction, valve gear and auxiliaries are not taken off."))
     if flywheel_inertia is not None:
         notes.append(
-            Text("Beside the flywheel's the inertia of the crank train is neglected; the load takes the mean torque all the time.")
+            Text(
+                "Beside the flywheel's the inertia of the crank train is neglected; the load takes the mean torque "
+                "all the time."
+            )
         )
     result = _gas(engine, e, firing, cycle, flywheel_inertia, inertia)
     return result, Later(lambda: _curves(engine, e, firing, cycle, result)), tuple(notes)
 
 
 def _inertia(engine: EngineInputs, e: EngineResult, firing: Array) -> tuple[TorqueResult, Curve]:
-    """Harmonics, peak and curve of the inertia torque, which is the same turn by turn: from one cylinder, or each, over a turn."""
+    """Harmonics, peak and curve of the inertia torque, which is the same turn by turn: from one cylinder, or each, over
+    a turn."""
     epsilon = np.arange(POINTS + 1, dtype=float) * (TURN / POINTS)
     d, fires = engine.cylinder_offset, each(firing)
     with about(Text("inertia torque of one cylinder")):
@@ -233,7 +261,11 @@ def _inertia(engine: EngineInputs, e: EngineResult, firing: Array) -> tuple[Torq
 
     whole, block = together(one), together(on_block)
     with about(Text("largest inertia torque")):
-        peak = amount(T=inertia_torque(T_k=at(engine, e, None, fires, based_on(c.first_highest(epsilon, c.amounts(whole)), one))[1]))
+        peak = amount(
+            T=inertia_torque(
+                T_k=at(engine, e, None, fires, based_on(c.first_highest(epsilon, c.amounts(whole)), one))[1]
+            )
+        )
     with about(Text("largest torque reaction of the inertia forces")):
         _, T_I, F_I = at(engine, e, None, fires, based_on(c.first_highest(epsilon, c.amounts(block)), on_block))
         peak_block = amount(T=reaction(T=inertia_torque(T_k=T_I), d=d, F_I=inertia_sum(F_k=F_I)))
@@ -244,15 +276,24 @@ def _inertia(engine: EngineInputs, e: EngineResult, firing: Array) -> tuple[Torq
         t_block = _harmonics(on_block, fires)
         block_orders = _amplitudes(t_block, Text("Torque reaction of the inertia forces"), "T_RI,")
     curve = Curve(
-        "torque", Text("Inertia torque about the crank over one turn"), axis_label("crank angle after TDC of cylinder 1", "°"),
+        "torque",
+        Text("Inertia torque about the crank over one turn"),
+        axis_label("crank angle after TDC of cylinder 1", "°"),
         axis_label("T", "N·m"),
-        (Series(Text("on the crank"), np.degrees(epsilon[::2]), whole[::2]),
-            Series(Text("on the block"), np.degrees(epsilon[::2]), block[::2])),
-    )  # fmt: skip
+        (
+            Series(Text("on the crank"), np.degrees(epsilon[::2]), whole[::2]),
+            Series(Text("on the block"), np.degrees(epsilon[::2]), block[::2]),
+        ),
+    )
     return TorqueResult(
-        inertia_torque_peak=peak, inertia_torque=orders, harmonics=elements(t),
-        reaction_inertia_peak=peak_block, reaction_inertia=block_orders, reaction_harmonics=elements(t_block), cycle=None,
-    ), curve  # fmt: skip
+        inertia_torque_peak=peak,
+        inertia_torque=orders,
+        harmonics=elements(t),
+        reaction_inertia_peak=peak_block,
+        reaction_inertia=block_orders,
+        reaction_harmonics=elements(t_block),
+        cycle=None,
+    ), curve
 
 
 def _harmonics(T_k: NewtonMetre, fires: Radian) -> ComplexArray:
@@ -261,14 +302,21 @@ def _harmonics(T_k: NewtonMetre, fires: Radian) -> ComplexArray:
 
 def _amplitudes(t: ComplexArray, words: str, symbol: str) -> dict[str, Stated]:
     return {
-        f"order_{n}": Stated(Described(Text("{words}, order {n}", words=words, n=n), "N·m", f"{symbol}{n}"),
-            harmonic_amplitude(t_n=t_n))
-        for n, t_n in enumerate(elements(t), 1) if abs(t_n) > SMALL * abs(t).max()
-    }  # fmt: skip
+        f"order_{n}": Stated(
+            Described(Text("{words}, order {n}", words=words, n=n), "N·m", f"{symbol}{n}"), harmonic_amplitude(t_n=t_n)
+        )
+        for n, t_n in enumerate(elements(t), 1)
+        if abs(t_n) > SMALL * abs(t).max()
+    }
 
 
 def _gas(
-    engine: EngineInputs, e: EngineResult, firing: Array, cycle: Cycle, flywheel_inertia: float | None, inertia: TorqueResult
+    engine: EngineInputs,
+    e: EngineResult,
+    firing: Array,
+    cycle: Cycle,
+    flywheel_inertia: float | None,
+    inertia: TorqueResult,
 ) -> TorqueResult:
     """What the gas gives beside the inertia forces: work, peaks, mean and fluctuation."""
     fires, points = each(firing), c.points(cycle, firing)
@@ -300,20 +348,35 @@ def _gas(
     with about(Text("all cylinders over the cycle")):
         T_hi, T_lo = highest(T=whole), lowest(T=whole)
     Delta_E = energy_fluctuation(epsilon=epsilon, T=whole, T_m=T_m)
-    uneven = None if flywheel_inertia is None else speed_irregularity(Delta_E=Delta_E, J=flywheel_inertia, omega=e.angular_speed)
+    uneven = (
+        None
+        if flywheel_inertia is None
+        else speed_irregularity(Delta_E=Delta_E, J=flywheel_inertia, omega=e.angular_speed)
+    )
     return replace(
-        inertia, reaction_peak=peak_block, gas_torque_peak=peak_gas, torque_peak=peak, torque_peak_angle=best,
-        compression_end_pressure=cycle.compression_end, indicated_work=W_i,
-        indicated_mean_pressure=mean_pressure(W_i=W_i, N=engine.cylinders, V_h=e.displacement), mean_torque=T_m,
-        indicated_power=indicated_power(T_m=T_m, omega=e.angular_speed), energy_fluctuation=Delta_E,
-        torque_highest=T_hi, torque_lowest=T_lo, speed_irregularity=uneven, cycle=cycle,
-    )  # fmt: skip
+        inertia,
+        reaction_peak=peak_block,
+        gas_torque_peak=peak_gas,
+        torque_peak=peak,
+        torque_peak_angle=best,
+        compression_end_pressure=cycle.compression_end,
+        indicated_work=W_i,
+        indicated_mean_pressure=mean_pressure(W_i=W_i, N=engine.cylinders, V_h=e.displacement),
+        mean_torque=T_m,
+        indicated_power=indicated_power(T_m=T_m, omega=e.angular_speed),
+        energy_fluctuation=Delta_E,
+        torque_highest=T_hi,
+        torque_lowest=T_lo,
+        speed_irregularity=uneven,
+        cycle=cycle,
+    )
 
 
 def _angle_of_peak(
     engine: EngineInputs, e: EngineResult, cycle: Cycle, fires: Radian, epsilon: Array, torque: Array, *, inertia: bool
 ) -> float:
-    """Where the amount of the gas torque, or of the whole, is largest: between the points, or at a corner that is one of them."""
+    """Where the amount of the gas torque, or of the whole, is largest: between the points, or at a corner that is one
+    of them."""
     size = c.amounts(torque)
     between = c.first_highest(epsilon, size)
     with untraced():
@@ -322,8 +385,11 @@ def _angle_of_peak(
     return between if found >= size.max() else float(epsilon[size.argmax()])
 
 
-# --- curves -----------------------------------------------------------------------------------------------------------------
-def _curves(engine: EngineInputs, e: EngineResult, firing: Array, cycle: Cycle, result: TorqueResult) -> tuple[Curve, ...]:
+# --- curves
+# -----------------------------------------------------------------------------------------------------------------
+def _curves(
+    engine: EngineInputs, e: EngineResult, firing: Array, cycle: Cycle, result: TorqueResult
+) -> tuple[Curve, ...]:
     epsilon = np.arange(round(cycle.length / DRAWN) + 1, dtype=float) * DRAWN
     degrees = np.degrees(epsilon)
     with untraced():
@@ -335,14 +401,18 @@ def _curves(engine: EngineInputs, e: EngineResult, firing: Array, cycle: Cycle, 
         p = many(cycle.pressure(each(epsilon), x))
     assert result.mean_torque is not None
     torque = Curve(
-        "torque", Text("Torque about the crank over the cycle"), axis_label("crank angle after the firing of cylinder 1", "°"),
+        "torque",
+        Text("Torque about the crank over the cycle"),
+        axis_label("crank angle after the firing of cylinder 1", "°"),
         axis_label("T", "N·m"),
         (
-            Series(Text("gas"), degrees, T_G), Series(Text("inertia"), degrees, T_I), Series(Text("total"), degrees, T_G + T_I),
+            Series(Text("gas"), degrees, T_G),
+            Series(Text("inertia"), degrees, T_I),
+            Series(Text("total"), degrees, T_G + T_I),
             Series(Text("on the block"), degrees, on_block),
         ),
         limits=((Text("mean"), result.mean_torque),),
-    )  # fmt: skip
+    )
     pressure = Curve(
         "pressure",
         Text("Pressure in a cylinder over its cycle"),
@@ -353,7 +423,8 @@ def _curves(engine: EngineInputs, e: EngineResult, firing: Array, cycle: Cycle, 
     return torque, pressure
 
 
-# What a torque diagram gives: mean, extremes and fluctuation of the energy; straight lines between its rows, closed over its period.
+# What a torque diagram gives: mean, extremes and fluctuation of the energy; straight lines between its rows, closed
+# over its period.
 
 AREA = Text("mathematics: area of the torque diagram over its period, straight lines between its rows")
 
@@ -377,7 +448,9 @@ def mean(angles: Radian, T: NewtonMetre, period: Radian) -> NewtonMetre:
     return float(np.sum((torque[1:] + torque[:-1]) * np.diff(epsilon)) / 2 / period)
 
 
-@formula("ΔE", AREA, shows="max − min over the period of ∫(T − T_m)dε, which is largest and smallest where T passes T_m")
+@formula(
+    "ΔE", AREA, shows="max − min over the period of ∫(T − T_m)dε, which is largest and smallest where T passes T_m"
+)
 def fluctuation(angles: Radian, T: NewtonMetre, T_m: NewtonMetre, period: Radian) -> NewtonMetre:
     epsilon, torque = closed(angles, T, period)
     over = torque - T_m
@@ -402,7 +475,9 @@ def closed(angles: Radian, T: NewtonMetre, period: Radian) -> tuple[Array, Array
     return epsilon, torque
 
 
-def solve_diagram(rows: tuple[TorquePoint, ...], period: Radian, omega: RadPerSecond, J: KilogramMetre2 | None) -> tuple[OfDiagram, Curve, Text]:
+def solve_diagram(
+    rows: tuple[TorquePoint, ...], period: Radian, omega: RadPerSecond, J: KilogramMetre2 | None
+) -> tuple[OfDiagram, Curve, Text]:
     """Values, figure and note of a torque diagram; `J`: of the flywheel."""
     angles = each(gathered(row.angle for row in rows))
     T = each(gathered(row.torque for row in rows))
@@ -411,16 +486,26 @@ def solve_diagram(rows: tuple[TorquePoint, ...], period: Radian, omega: RadPerSe
     T_highest, T_lowest = highest(T=T), lowest(T=T)
     largest = int(np.argmax(np.abs(np.asarray(T))))
     found = OfDiagram(
-        torque_peak=amount(T=rows[largest].torque), torque_peak_angle=place(epsilon=rows[largest].angle),
-        mean_torque=T_m, indicated_power=indicated_power(T_m=T_m, omega=omega), energy_fluctuation=Delta_E,
-        torque_highest=T_highest, torque_lowest=T_lowest,
+        torque_peak=amount(T=rows[largest].torque),
+        torque_peak_angle=place(epsilon=rows[largest].angle),
+        mean_torque=T_m,
+        indicated_power=indicated_power(T_m=T_m, omega=omega),
+        energy_fluctuation=Delta_E,
+        torque_highest=T_highest,
+        torque_lowest=T_lowest,
         speed_irregularity=None if J is None else speed_irregularity(Delta_E=Delta_E, J=J, omega=omega),
-    )  # fmt: skip
+    )
     epsilon, torque = closed(angles, T, period)
     curve = Curve(
-        "torque", Text("Torque about the crank as given"), axis_label("crank angle after the firing of cylinder 1", "°"),
-        axis_label("T", "N·m"), (Series(Text("total"), np.degrees(epsilon), torque),), limits=((Text("mean"), T_m),),
-    )  # fmt: skip
-    repeats = Text("The torque is that of the diagram as given, of gas and inertia together, which repeats every {length}°.",
-        length=Amount(math.degrees(period), form="g"))  # fmt: skip
+        "torque",
+        Text("Torque about the crank as given"),
+        axis_label("crank angle after the firing of cylinder 1", "°"),
+        axis_label("T", "N·m"),
+        (Series(Text("total"), np.degrees(epsilon), torque),),
+        limits=((Text("mean"), T_m),),
+    )
+    repeats = Text(
+        "The torque is that of the diagram as given, of gas and inertia together, which repeats every {length}°.",
+        length=Amount(math.degrees(period), form="g"),
+    )
     return found, curve, repeats

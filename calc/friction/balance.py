@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
 """The friction of all meshes and the power balance of the train, closed.
 
-The counter-shaft needs the power of its bearings; each mesh towards the crank adds what it loses at the power that it takes in.
-A design without counter-shaft gives the power that the first driver puts into its mesh, and the balance runs the other way.
+The counter-shaft needs the power of its bearings; each mesh towards the crank adds what it loses at the power that it
+takes in. A design without counter-shaft gives the power that the first driver puts into its mesh, and the balance runs
+the other way.
 
-`Drive` is the train at its speed with its oil, one operating point or many at once; `closed` finds the powers, `balance` traces them.
-"""
+`Drive` is the train at its speed with its oil, one operating point or many at once; `closed` finds the powers,
+`balance` traces them."""
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
@@ -34,18 +35,21 @@ from .mesh.path import driver_speed, transverse_force
 from .models import spread_of
 from .result import FrictionResult, JournalResult, MeshResult, carbon_dioxide, fuel, torque
 
-# How the power flows through the train: from what its last wheel must deliver up to the first driver, or the other way round.
+# How the power flows through the train: from what its last wheel must deliver up to the first driver, or the other way
+# round.
 #
-# A mesh that must put out P_out takes in P_in = P_out + P_loss(P_in).  A wheel needs what its meshes take in, its own losses, and
-# what else it drives.  Meshes are listed along the flow; a wheel may drive several.
+# A mesh that must put out P_out takes in P_in = P_out + P_loss(P_in).  A wheel needs what its meshes take in, its own
+# losses, and what else it drives.  Meshes are listed along the flow; a wheel may drive several.
 #
-# What a wheel needs may itself follow from the power: the force of the teeth loads the bearings of the idlers and the journals of the
-# counter-shaft.  All of it is one fixed point, of one operating point or of many at once.
+# What a wheel needs may itself follow from the power: the force of the teeth loads the bearings of the idlers and the
+# journals of the counter-shaft.  All of it is one fixed point, of one operating point or of many at once.
 
 TOLERANCE = 1e-9  # of the power
 PASSES = 40
 MORE_POWER = Text("give more gears.power_kW, less speed, a narrower face, or a thinner oil")
-LEFT: Number = 1e-2  # of the power: what a jump of the loss may leave between the power that loads a mesh and the one it takes in
+LEFT: Number = (
+    1e-2  # of the power: what a jump of the loss may leave between the power that loads a mesh and the one it takes in
+)
 FINE = 1e-9  # of the power: steps below it say nothing about a slope
 
 Loss = Callable[[str, Watt], Watt]
@@ -63,7 +67,9 @@ def power_out(P_in: Watt, P_VZ: Watt) -> Watt:
 
 
 @formula(
-    "P_in", "conservation of energy: what the mesh before passes on, less what the wheel between them needs itself", names={"P": "P_Σ"}
+    "P_in",
+    "conservation of energy: what the mesh before passes on, less what the wheel between them needs itself",
+    names={"P": "P_Σ"},
 )
 def passed_on(P_out: Watt, P: Watt) -> Watt:
     return P_out - P
@@ -78,7 +84,8 @@ def delivered(P_out: Watt, P: Watt) -> Watt:
     return P_out - P
 
 
-# --- what a wheel needs ------------------------------------------------------------------------------------------------------
+# --- what a wheel needs
+# ------------------------------------------------------------------------------------------------------
 @formula("P_Σ", "mathematics: sum over what the wheel needs, one after the other", names={"P": "P_Σ,0"})
 def and_need(P: Watt, P_i: Watt) -> Watt:
     return P + P_i
@@ -94,10 +101,11 @@ def with_mesh(P: Watt, P_in: Watt) -> Watt:
     return P + P_in
 
 
-# --- the fixed point ---------------------------------------------------------------------------------------------------------
+# --- the fixed point
+# ---------------------------------------------------------------------------------------------------------
 class Guess:
-    """The power of one mesh: P solves P = P_out + P_loss(P), the loss taken as a straight line through the last two passes, and after
-    the first through none at no power."""
+    """The power of one mesh: P solves P = P_out + P_loss(P), the loss taken as a straight line through the last two
+    passes, and after the first through none at no power."""
 
     def __init__(self) -> None:
         self.P: Watt | None = None
@@ -120,12 +128,12 @@ class Guess:
 
 
 def upstream(meshes: Mapping[str, MeshGeometry], loss: Loss, needs: Needs) -> dict[str, Watt]:
-    """The power that loads each mesh; `needs` tells what each wheel needs besides its meshes, at the powers of the pass before.
+    """The power that loads each mesh; `needs` tells what each wheel needs besides its meshes, at the powers of the pass
+    before.
 
-    Where a position changes its regime the loss jumps by what it rolls, and P = P_in may fall into the jump, which no power solves; then
-    the last pass stands if it is within 1 %, and a note says so.  The balance loses nothing by that: P_in always is P_out plus the
-    loss that is published.
-    """
+    Where a position changes its regime the loss jumps by what it rolls, and P = P_in may fall into the jump, which no
+    power solves; then the last pass stands if it is within 1 %, and a note says so.  The balance loses nothing by that:
+    P_in always is P_out plus the loss that is published."""
     guesses = {name: Guess() for name in meshes}
     loads: dict[str, Watt] = {}
     with untraced():
@@ -163,10 +171,14 @@ def downstream(meshes: Mapping[str, MeshGeometry], loss: Loss, needs: Needs, P: 
             if all(np.all(np.abs(loads[name] - before.get(name, np.nan)) <= TOLERANCE * P) for name in meshes):
                 return loads
             before = loads
-    raise NoSolution(Text("power balance of the train"), Text("not settled after {passes} passes", passes=PASSES), MORE_POWER)
+    raise NoSolution(
+        Text("power balance of the train"), Text("not settled after {passes} passes", passes=PASSES), MORE_POWER
+    )
 
 
-def _powers_down(meshes: Mapping[str, MeshGeometry], loss: Loss, needed: Mapping[str, Watt], P: Watt) -> dict[str, Watt]:
+def _powers_down(
+    meshes: Mapping[str, MeshGeometry], loss: Loss, needed: Mapping[str, Watt], P: Watt
+) -> dict[str, Watt]:
     wheel = next(iter(meshes.values())).driver.name
     loads: dict[str, Watt] = {}
     for name, mesh in meshes.items():
@@ -174,7 +186,9 @@ def _powers_down(meshes: Mapping[str, MeshGeometry], loss: Loss, needed: Mapping
             branches = Text("the train branches, and the power of its first driver does not say how it divides")
             raise NoSolution(Text("mesh {title}", title=mesh.title), branches, Text("give one chain of wheels"))
         if np.any(P <= 0):
-            nothing = Text("{min} W come in: what lies before it loses more than it gets", min=Amount(float(np.min(P)), form=".4g"))
+            nothing = Text(
+                "{min} W come in: what lies before it loses more than it gets", min=Amount(float(np.min(P)), form=".4g")
+            )
             raise NoSolution(Text("mesh {title}: power", title=mesh.title), nothing, MORE_POWER)
         loads[name] = require(mesh.power, P)
         wheel = mesh.driven.name
@@ -204,7 +218,8 @@ def shaft_loss(shaft: Shaft, P: Watt | None) -> Watt:
 
 @record
 class TrainDrive:
-    """A train at its speed with its oil: everything but the powers.  Many operating points: arrays, see `mesh.geometry.column`."""
+    """A train at its speed with its oil: everything but the powers.  Many operating points: arrays, see
+    `mesh.geometry.column`."""
 
     friction: FrictionInputs
     meshes: Meshes
@@ -239,16 +254,28 @@ class TrainDrive:
 
 
 def drive(
-    friction: FrictionInputs, meshes: Meshes, lubricant: Lubricant, T_oil: Celsius, first_speed: RevPerSecond, shaft: Shaft | None,
-    forces: Forces | None = None, lubrication: str = "spray", Lambda: Number | None = None, thickening: Number | None = None,
-    compared: bool = True, **fineness: int,
-) -> TrainDrive:  # fmt: skip
-    """A train at its speed.  `forces` of the teeth on each wheel, from powers of the meshes and speeds; left out, the largest they can be.
+    friction: FrictionInputs,
+    meshes: Meshes,
+    lubricant: Lubricant,
+    T_oil: Celsius,
+    first_speed: RevPerSecond,
+    shaft: Shaft | None,
+    forces: Forces | None = None,
+    lubrication: str = "spray",
+    Lambda: Number | None = None,
+    thickening: Number | None = None,
+    compared: bool = True,
+    **fineness: int,
+) -> TrainDrive:
+    """A train at its speed.  `forces` of the teeth on each wheel, from powers of the meshes and speeds; left out, the
+    largest they can be.
 
     `Lambda` and `thickening` as `oil_at` takes them, of many operating points as columns.
     """
     if not meshes:
-        raise NoSolution(Text("power balance of the train"), Text("there is no mesh"), Text("give at least one [[gears.meshes]]"))
+        raise NoSolution(
+            Text("power balance of the train"), Text("there is no mesh"), Text("give at least one [[gears.meshes]]")
+        )
     T_b = column(require_temperature(T_oil if friction.bulk_temperature is None else friction.bulk_temperature))
     with about(Text("oil")):
         oil = oil_at(lubricant, T_b, Lambda, thickening)
@@ -259,9 +286,18 @@ def drive(
         with about(Text("mesh {title}", title=mesh.title)):
             cases[name] = case(friction, mesh, oil, wheels[mesh.driver.name].speed, warming, **fineness)
     return TrainDrive(
-        friction=friction, meshes=meshes, cases=cases, wheels=wheels, lubricant=lubricant, T_oil=T_oil, oil=oil, shaft=shaft,
-        forces=forces or partial(most_force, meshes), lubrication=lubrication, compared=compared,
-    )  # fmt: skip
+        friction=friction,
+        meshes=meshes,
+        cases=cases,
+        wheels=wheels,
+        lubricant=lubricant,
+        T_oil=T_oil,
+        oil=oil,
+        shaft=shaft,
+        forces=forces or partial(most_force, meshes),
+        lubrication=lubrication,
+        compared=compared,
+    )
 
 
 def require_temperature(T: Celsius) -> Celsius:
@@ -269,7 +305,9 @@ def require_temperature(T: Celsius) -> Celsius:
     if not np.all(good):
         wrong = float(np.ravel(T)[int(np.argmin(np.ravel(good)))])
         raise NoSolution(
-            Text("temperature of the oil"), Text("is {wrong} °C", wrong=Amount(wrong)), Text("a temperature of a liquid oil is needed")
+            Text("temperature of the oil"),
+            Text("is {wrong} °C", wrong=Amount(wrong)),
+            Text("a temperature of a liquid oil is needed"),
         )
     return T
 
@@ -285,7 +323,8 @@ def most_force(meshes: Meshes, loads: Mapping[str, Watt], speeds: Mapping[str, R
     return found
 
 
-# --- the powers --------------------------------------------------------------------------------------------------------------
+# --- the powers
+# --------------------------------------------------------------------------------------------------------------
 def loads_of(d: TrainDrive, power: Watt | None = None) -> tuple[dict[str, Watt], dict[str, Watt]]:
     """The power that loads each mesh, and what each wheel needs besides its meshes.
 
@@ -299,7 +338,9 @@ def loads_of(d: TrainDrive, power: Watt | None = None) -> tuple[dict[str, Watt],
         for name, wheel in d.wheels.items():
             needed[name] = sum(wheel.parts()) + (bearings[name][1] if name in bearings else 0.0)
         if d.shaft is not None:
-            needed[d.last] += require(Text("losses of the counter-shaft's bearings"), shaft_loss(d.shaft, before), zero=True)
+            needed[d.last] += require(
+                Text("losses of the counter-shaft's bearings"), shaft_loss(d.shaft, before), zero=True
+            )
         return dict(needed)
 
     if d.shaft is None:
@@ -330,9 +371,10 @@ def losses_of(d: TrainDrive, power: Watt | None = None) -> Losses:
         bearings = d.bearings(loads)
         wheels = sum(sum(wheel.parts()) for wheel in d.wheels.values()) + sum(P for _, P in bearings.values())
         return Losses(
-            mesh=sum(d.loss(name, P) for name, P in loads.items()), wheels=wheels,
+            mesh=sum(d.loss(name, P) for name, P in loads.items()),
+            wheels=wheels,
             journals=0.0 if d.shaft is None else shaft_loss(d.shaft, needed[d.last]),
-        )  # fmt: skip
+        )
 
 
 def total_losses(d: TrainDrive, power: Watt | None = None) -> Watt:
@@ -351,7 +393,9 @@ def balance(d: TrainDrive, power: Watt | None = None) -> FrictionResult:
         loads = {name: based_on(P, *of) for name, P in loads.items()}
     bearings = d.bearings(loads)
     wheels = {
-        name: replace(wheel, bearing_force=bearings[name][0], bearing_loss=bearings[name][1]) if name in bearings else wheel
+        name: replace(wheel, bearing_force=bearings[name][0], bearing_loss=bearings[name][1])
+        if name in bearings
+        else wheel
         for name, wheel in d.wheels.items()
     }
     for name, wheel in wheels.items():
@@ -387,10 +431,26 @@ def balance(d: TrainDrive, power: Watt | None = None) -> FrictionResult:
         m_B = None if b_e is None else fuel(b_e=b_e, P=P)
         m_CO2 = None if m_B is None else carbon_dioxide(e_CO2=d.friction.co2_per_fuel, m_B=m_B)
     return FrictionResult(
-        meshes=meshes, wheels=wheels, journals=journals, oil_viscosity=d.oil.eta_0, bearing_loss=P_B, mesh_loss=P_VZ, windage_loss=P_W,
-        churning_loss=P_C, thrown_oil_loss=P_J, seal_loss=P_D, wheel_bearing_loss=P_L, other_loss=P_X, total_loss=P, crank_power=P_1,
-        crank_torque=T_1, delivered_power=P_2, fuel=m_B, co2=m_CO2, residual=based_on(P_1 - P - (P_2 or 0.0), P_1, P, P_2),
-    )  # fmt: skip
+        meshes=meshes,
+        wheels=wheels,
+        journals=journals,
+        oil_viscosity=d.oil.eta_0,
+        bearing_loss=P_B,
+        mesh_loss=P_VZ,
+        windage_loss=P_W,
+        churning_loss=P_C,
+        thrown_oil_loss=P_J,
+        seal_loss=P_D,
+        wheel_bearing_loss=P_L,
+        other_loss=P_X,
+        total_loss=P,
+        crank_power=P_1,
+        crank_torque=T_1,
+        delivered_power=P_2,
+        fuel=m_B,
+        co2=m_CO2,
+        residual=based_on(P_1 - P - (P_2 or 0.0), P_1, P, P_2),
+    )
 
 
 @formula(
@@ -414,20 +474,26 @@ def _total(adding: Callable[..., Watt], parts: Sequence[Watt | None]) -> Watt | 
 
 
 def _up(d: TrainDrive, needed: Mapping[str, Watt], loads: Mapping[str, Watt]) -> tuple[dict[str, MeshResult], Watt]:
-    """Every mesh at its load once more, with its lines, from the last to the first; and the power at the first driver."""
+    """Every mesh at its load once more, with its lines, from the last to the first; and the power at the first
+    driver."""
     carried = dict(needed)
     found: dict[str, MeshResult] = {}
     for name, mesh in reversed(list(d.meshes.items())):
         with about(Text("mesh {title}", title=mesh.title)):
             P_out = carried[mesh.driven.name]
-            found[name] = converged(closing_power, loads[name], partial(_mesh, d, name, P_out=P_out), lambda one: one.power_in)
+            found[name] = converged(
+                closing_power, loads[name], partial(_mesh, d, name, P_out=P_out), lambda one: one.power_in
+            )
         with about(Text("wheel {name}", name=mesh.driver.name)):
             carried[mesh.driver.name] = with_mesh(P=carried[mesh.driver.name], P_in=found[name].power_in)
     return {name: found[name] for name in d.meshes}, carried[d.first]
 
 
-def _down(d: TrainDrive, needed: Mapping[str, Watt], loads: Mapping[str, Watt]) -> tuple[dict[str, MeshResult], Watt, Watt]:
-    """The same along the flow, of one chain whose first mesh has the power that is given; and what is delivered at its end."""
+def _down(
+    d: TrainDrive, needed: Mapping[str, Watt], loads: Mapping[str, Watt]
+) -> tuple[dict[str, MeshResult], Watt, Watt]:
+    """The same along the flow, of one chain whose first mesh has the power that is given; and what is delivered at its
+    end."""
     found: dict[str, MeshResult] = {}
     P = loads[next(iter(d.meshes))]
     with about(Text("wheel {first}", first=d.first)):
@@ -456,20 +522,37 @@ def _mesh(d: TrainDrive, name: str, P: Watt, P_out: Watt | None) -> MeshResult:
     z_1, z_2, way = mesh.driver.teeth, mesh.driven.teeth, c.path
     if way.epsilon_alpha < 2:
         H_V = ohlendorf_loss_factor(
-            eps_1=way.epsilon_1, eps_2=way.epsilon_2, eps_alpha=way.epsilon_alpha, z_1=z_1, z_2=z_2, beta_b=mesh.base_helix_angle
-        )  # fmt: skip
+            eps_1=way.epsilon_1,
+            eps_2=way.epsilon_2,
+            eps_alpha=way.epsilon_alpha,
+            z_1=z_1,
+            z_2=z_2,
+            beta_b=mesh.base_helix_angle,
+        )
     else:
         H_V = ohlendorf_loss_factor_high(eps_alpha=way.epsilon_alpha, z_1=z_1, z_2=z_2, beta_b=mesh.base_helix_angle)
     beside = None
     if d.compared or not regimes:
-        with about(Text("mesh {title}, {text}", title=mesh.title, text=Text("source model") if regimes else Text("by regime"))):
+        with about(
+            Text("mesh {title}, {text}", title=mesh.title, text=Text("source model") if regimes else Text("by regime"))
+        ):
             beside = solve_mesh(c, P, not regimes)
     with about(Text("mesh {title}, regressions", title=mesh.title)):
         schlenk, niemann, xu_kahraman, benedict_kelley = published = regressions.beside(c, P, H_V)
         losses = [judged.loss, *(one.loss for one in (beside, *published) if one is not None)]
         apart = spread_of(losses) if d.compared else None
     return MeshResult(
-        judged=judged, model_spread=apart, power_in=P_in, power_out=P_out, ohlendorf_loss_factor=H_V, bulk_rise=rise,
-        source=beside if regimes else judged, by_regime=None if regimes else beside, case=c, schlenk=schlenk, niemann=niemann,
-        xu_kahraman=xu_kahraman, benedict_kelley=benedict_kelley,
-    )  # fmt: skip
+        judged=judged,
+        model_spread=apart,
+        power_in=P_in,
+        power_out=P_out,
+        ohlendorf_loss_factor=H_V,
+        bulk_rise=rise,
+        source=beside if regimes else judged,
+        by_regime=None if regimes else beside,
+        case=c,
+        schlenk=schlenk,
+        niemann=niemann,
+        xu_kahraman=xu_kahraman,
+        benedict_kelley=benedict_kelley,
+    )

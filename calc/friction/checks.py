@@ -36,13 +36,19 @@ def outcome(d: TrainDrive, result: FrictionResult, lines: list[Line]) -> Outcome
     """A closed balance with its checks, curves, errata and notes."""
     friction = d.friction
     return Outcome(
-        "friction", result=result, lines=tuple(lines), checks=(*checks(friction, result), *_oil_range(d.oil)),
-        curves=Later(partial(curves.curves, result, d)), errata=Later(lambda: errata(friction, result, d.oil)),
-        notes=Later(partial(notes.notes, friction, result, d.oil)), tables=Later(partial(curves.tables, result, d)),
-    )  # fmt: skip
+        "friction",
+        result=result,
+        lines=tuple(lines),
+        checks=(*checks(friction, result), *_oil_range(d.oil)),
+        curves=Later(partial(curves.curves, result, d)),
+        errata=Later(lambda: errata(friction, result, d.oil)),
+        notes=Later(partial(notes.notes, friction, result, d.oil)),
+        tables=Later(partial(curves.tables, result, d)),
+    )
 
 
-# --- checks ----------------------------------------------------------------------------------------------------------------
+# --- checks
+# ----------------------------------------------------------------------------------------------------------------
 def checks(friction: FrictionInputs, result: FrictionResult) -> tuple[Check, ...]:
     balance = check(
         "friction.train.balance",
@@ -66,7 +72,9 @@ def checks(friction: FrictionInputs, result: FrictionResult) -> tuple[Check, ...
 def _models(result: FrictionResult) -> Check:
     """How many of the published regressions hold for every mesh."""
     meshes = result.meshes.values()
-    outside = [name for name in MODELS if any(one is None or one.outside for one in (m.published_models[name] for m in meshes))]
+    outside = [
+        name for name in MODELS if any(one is None or one.outside for one in (m.published_models[name] for m in meshes))
+    ]
     return check(
         "friction.train.models",
         Text("Published regressions inside their range at every mesh"),
@@ -76,21 +84,39 @@ def _models(result: FrictionResult) -> Check:
         "",
         Text("ranges of Schlenk 1994, Niemann & Winter, Xu and Kahraman 2005, Benedict and Kelley 1961"),
         Text(
-            "Outside: {authors}. The tables of the models say by what. Their losses are extrapolations; nothing is judged by them.",
+            "Outside: {authors}. The tables of the models say by what. Their losses are extrapolations; nothing is "
+            "judged by them.",
             authors=SEMICOLON.join(MODELS[name].authors for name in outside) if outside else Text("none"),
         ),
     )
 
 
 def _oil_range(oil: Oil) -> Iterator[Check]:
-    """Whether the oil's own table of viscosities, where it has one, reaches to its temperature, and whether its law does."""
+    """Whether the oil's own table of viscosities, where it has one, reaches to its temperature, and whether its law
+    does."""
     nu = oil.lubricant.nu(oil.T_m)
     if not (oil.lubricant.constant or oils.VISCOSITIES[0] <= nu <= oils.VISCOSITIES[1]):
-        yield check("friction.train.viscosity_range", Text("Oil viscosity"), nu, "in", oils.VISCOSITIES, "mm²/s",
-            oils.LAW_RANGE, oils.OTHER_OIL)  # fmt: skip
+        yield check(
+            "friction.train.viscosity_range",
+            Text("Oil viscosity"),
+            nu,
+            "in",
+            oils.VISCOSITIES,
+            "mm²/s",
+            oils.LAW_RANGE,
+            oils.OTHER_OIL,
+        )
     if (reach := oil.lubricant.reach) is not None:
-        yield check("friction.train.oil_rows", Text("Oil temperature within the rows of the oil"), oil.T_m, "in", reach, "°C",
-            oils.BEYOND_ROWS, oils.MORE_ROWS)  # fmt: skip
+        yield check(
+            "friction.train.oil_rows",
+            Text("Oil temperature within the rows of the oil"),
+            oil.T_m,
+            "in",
+            reach,
+            "°C",
+            oils.BEYOND_ROWS,
+            oils.MORE_ROWS,
+        )
 
 
 def _delivers(power: float) -> Check:
@@ -102,7 +128,10 @@ def _delivers(power: float) -> Check:
         0.0,
         "W",
         Text("conservation of energy"),
-        Text("Windage, other losses and the meshes eat all of the power: give more power, or less speed, mist or face width."),
+        Text(
+            "Windage, other losses and the meshes eat all of the power: give more power, or less speed, mist or face "
+            "width."
+        ),
     )
 
 
@@ -111,7 +140,9 @@ def _beside(id: str, mesh: MeshResult, inside: dict[str, Watt]) -> Check:
     P_s = mesh.judged.sliding_loss
     factors = {name: factor_apart(P_1=P_s, P_2=P) for name, P in inside.items()}
     worst = max(factors, key=lambda name: factors[name])
-    each = Text("; ").join(Text("{authors} {P_of} W", authors=MODELS[name].authors, P_of=Amount(P)) for name, P in inside.items())
+    each = Text("; ").join(
+        Text("{authors} {P_of} W", authors=MODELS[name].authors, P_of=Amount(P)) for name, P in inside.items()
+    )
     return check(
         f"{id}.models",
         Text("Sliding loss as judged against published models inside their range, {title}", title=mesh.case.mesh.title),
@@ -120,12 +151,17 @@ def _beside(id: str, mesh: MeshResult, inside: dict[str, Watt]) -> Check:
         APART,
         "",
         Text("rule of this program; published models of tooth friction differ by as much among themselves"),
-        Text("Factor of the farthest. Judged: {P_s} W; {each}. Take the loss as known to this factor.", P_s=Amount(P_s), each=each),
-    )  # fmt: skip
+        Text(
+            "Factor of the farthest. Judged: {P_s} W; {each}. Take the loss as known to this factor.",
+            P_s=Amount(P_s),
+            each=each,
+        ),
+    )
 
 
 def _of_mesh(id: str, friction: FrictionInputs, mesh: MeshResult) -> Iterator[Check]:
-    """One limit, that power comes out at all; else advice: where the model leaves its range, and what the flanks would like."""
+    """One limit, that power comes out at all; else advice: where the model leaves its range, and what the flanks would
+    like."""
     yield check(
         f"{id}.power_out",
         Text("Mesh {title} passes on more than nothing", title=mesh.case.mesh.title),
@@ -161,7 +197,11 @@ def _of_mesh(id: str, friction: FrictionInputs, mesh: MeshResult) -> Iterator[Ch
         Text("AGMA 925-A03: mixed friction below about 1"),
         Text("The flanks touch: smoother flanks, thicker or cooler oil, more speed."),
     )
-    inside = {name: one.loss for name, one in mesh.published_models.items() if one is not None and not one.outside and one.loss > 0}
+    inside = {
+        name: one.loss
+        for name, one in mesh.published_models.items()
+        if one is not None and not one.outside and one.loss > 0
+    }
     elastic = by_regime(mesh).lead_at_pitch >= 1  # all of them come from loaded teeth and discs, whose films are EHL
     if inside and elastic and mesh.judged.sliding_loss > 0:
         yield _beside(id, mesh, inside)
@@ -211,7 +251,8 @@ def _of_mesh(id: str, friction: FrictionInputs, mesh: MeshResult) -> Iterator[Ch
         )
 
 
-# --- where the source is wrong ---------------------------------------------------------------------------------------------
+# --- where the source is wrong
+# ---------------------------------------------------------------------------------------------
 def errata(friction: FrictionInputs, result: FrictionResult, oil: Oil) -> tuple[Erratum, ...]:
     meshes = [e for name, mesh in result.meshes.items() for e in _of_source(f"friction.{name}", friction, mesh)]
     name, mesh = next(iter(result.meshes.items()))
@@ -241,7 +282,8 @@ def _of_source(id: str, friction: FrictionInputs, mesh: MeshResult) -> Iterator[
             "µm",
             Text("method of the {thesis}, 4.3", thesis=THESIS),
             Text(
-                "The source takes the EHL formula everywhere. At this load the flanks stay round and the oil as thin as without pressure: "
+                "The source takes the EHL formula everywhere. At this load the flanks stay round and the oil as thin "
+                "as without pressure: "
                 "the rigid isoviscous film is thicker, and it costs rolling power that the source does not count."
             ),
         )
@@ -256,13 +298,16 @@ def _of_source(id: str, friction: FrictionInputs, mesh: MeshResult) -> Iterator[
             "",
             Text("method of the {thesis}, section on mixed lubrication", thesis=THESIS),
             Text(
-                "Peaks that rub as those of rollers do, and too many of them: measured gears have half of that and less, and so has the "
+                "Peaks that rub as those of rollers do, and too many of them: measured gears have half of that and "
+                "less, and so has the "
                 "paper that the source follows (Arana, Larrañaga and Ulacia 2018: 0.065 to 0.07 where it takes 0.135)."
             ),
         )
     try:
         elliptical = solve_mesh(c, P, False, ELLIPTICAL)
-    except NoSolution:  # the thinner film of the source can get too hot where the right one does not: then it has no value
+    except (
+        NoSolution
+    ):  # the thinner film of the source can get too hot where the right one does not: then it has no value
         elliptical = None
     if elliptical is not None:
         yield Erratum(
@@ -271,7 +316,10 @@ def _of_source(id: str, friction: FrictionInputs, mesh: MeshResult) -> Iterator[
             elliptical.loss,
             "W",
             Text("method of the {thesis}, eq. 26", thesis=THESIS),
-            Text("The printed exponent of the materials parameter, 0.53, belongs to elliptical contacts; line contacts have 0.56."),
+            Text(
+                "The printed exponent of the materials parameter, 0.53, belongs to elliptical contacts; line contacts "
+                "have 0.56."
+            ),
         )
     if friction.load_sharing == "linear":
         share = np.where(np.asarray(c.path.carried) < 1, 0.99, 1.0)

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Tables and curves of solved friction: where the power goes, the models side by side, the oil, what happens along the path, and over λ."""
+"""Tables and curves of solved friction: where the power goes, the models side by side, the oil, what happens along the
+path, and over λ."""
 
 import math
 from collections.abc import Iterator
@@ -23,11 +24,14 @@ from .mesh.traction import eyring_stress, roelands_index, slope_under_pressure
 from .result import FrictionResult, MeshResult, by_regime
 
 
-# --- tables ----------------------------------------------------------------------------------------------------------------
+# --- tables
+# ----------------------------------------------------------------------------------------------------------------
 def tables(result: FrictionResult, d: TrainDrive) -> tuple[Table, ...]:
     """Where the power goes; the models of every mesh; what is known of the oil."""
     models = (
-        compared.table(name, mesh.case.mesh.title, by_regime(mesh), mesh.source, mesh.ohlendorf_loss_factor, mesh.published_models)
+        compared.table(
+            name, mesh.case.mesh.title, by_regime(mesh), mesh.source, mesh.ohlendorf_loss_factor, mesh.published_models
+        )
         for name, mesh in result.meshes.items()
         if mesh.source is not None
     )
@@ -41,11 +45,19 @@ def _where(r: FrictionResult) -> Table:
     rows.append((Text("all losses"), r.total_loss, 100.0))
     left_out = sum(mesh.judged.rolling_estimate or 0.0 for mesh in r.meshes.values())
     note = (
-        Text("Not counted: rolling of EHL films, by Goksem and Hargreaves about {left_out} W.", left_out=Amount(left_out))
+        Text(
+            "Not counted: rolling of EHL films, by Goksem and Hargreaves about {left_out} W.", left_out=Amount(left_out)
+        )
         if left_out
         else EMPTY
     )
-    return Table("balance", Text("Where the power goes"), ((Text("Loss"), ""), (Text("P"), "W"), (Text("share"), "%")), tuple(rows), note)
+    return Table(
+        "balance",
+        Text("Where the power goes"),
+        ((Text("Loss"), ""), (Text("P"), "W"), (Text("share"), "%")),
+        tuple(rows),
+        note,
+    )
 
 
 def _parts(r: FrictionResult) -> list[tuple[Text, float]]:
@@ -57,16 +69,23 @@ def _parts(r: FrictionResult) -> list[tuple[Text, float]]:
             (Text("mesh {title}, sliding", title=title), m.sliding_loss),
             (Text("mesh {title}, rolling (bound)", title=title), m.rolling_loss or None),
         ]
-    found += [(Text("journal {place} of the counter-shaft", place=IN_WORDS[place]), j.friction_power) for place, j in r.journals.items()]
     found += [
-        (Text("windage"), r.windage_loss), (Text("churning"), r.churning_loss), (Text("oil thrown onto wheels"), r.thrown_oil_loss),
-        (Text("shaft seals"), r.seal_loss), (Text("bearings of the wheels"), r.wheel_bearing_loss),
+        (Text("journal {place} of the counter-shaft", place=IN_WORDS[place]), j.friction_power)
+        for place, j in r.journals.items()
+    ]
+    found += [
+        (Text("windage"), r.windage_loss),
+        (Text("churning"), r.churning_loss),
+        (Text("oil thrown onto wheels"), r.thrown_oil_loss),
+        (Text("shaft seals"), r.seal_loss),
+        (Text("bearings of the wheels"), r.wheel_bearing_loss),
         (Text("other losses"), r.other_loss or None),
-    ]  # fmt: skip
+    ]
     return [(name, P) for name, P in found if P is not None]
 
 
-# --- curves ----------------------------------------------------------------------------------------------------------------
+# --- curves
+# ----------------------------------------------------------------------------------------------------------------
 def curves(result: FrictionResult, d: TrainDrive) -> tuple[Curve, ...]:
     names, powers = zip(*_parts(result))
     labels = Text(", ").join(f"{i} {name}" for i, name in enumerate(names, 1))
@@ -80,13 +99,19 @@ def curves(result: FrictionResult, d: TrainDrive) -> tuple[Curve, ...]:
         bars=True,
         names=names,
     )
-    return (bars, *(c for name, mesh in result.meshes.items() for c in (*_curves(name, mesh), *_stribeck(name, mesh))), _shear(d))
+    return (
+        bars,
+        *(c for name, mesh in result.meshes.items() for c in (*_curves(name, mesh), *_stribeck(name, mesh))),
+        _shear(d),
+    )
 
 
 def way(mesh: MeshResult) -> Text:
     """The label of the path, with its points."""
     letters = "ABCDE" if mesh.case.mesh.spur else "ACE"
-    marks = ", ".join(f"{letter} {x * 1e3:.2f}" for letter, x in zip("ABCDE", mesh.case.path.marks) if letter in letters)
+    marks = ", ".join(
+        f"{letter} {x * 1e3:.2f}" for letter, x in zip("ABCDE", mesh.case.path.marks) if letter in letters
+    )
     return Text("x from T₁, mm ({marks})", marks=marks)
 
 
@@ -101,7 +126,11 @@ def _curves(name: str, mesh: MeshResult) -> Iterator[Curve]:
 
     roughness = ((Text("combined roughness"), mesh.case.surfaces.sigma * 1e6),)
     yield Curve(
-        f"{name}.friction", Text("{title}: coefficient of friction along the line of action", title=title), x_label, Text("μ"), lines("mu")
+        f"{name}.friction",
+        Text("{title}: coefficient of friction along the line of action", title=title),
+        x_label,
+        Text("μ"),
+        lines("mu"),
     )
     yield Curve(
         f"{name}.film",
@@ -126,9 +155,13 @@ def _curves(name: str, mesh: MeshResult) -> Iterator[Curve]:
         lines("T_f"),
     )
     yield Curve(
-        f"{name}.deborah", Text("{title}: Deborah number along the line of action", title=title), x_label, Text("lg De"),
-        tuple(replace(line, y=np.log10(line.y)) for line in lines("De")), ((Text("Eyring's law holds below"), 0.0),),
-    )  # fmt: skip
+        f"{name}.deborah",
+        Text("{title}: Deborah number along the line of action", title=title),
+        x_label,
+        Text("lg De"),
+        tuple(replace(line, y=np.log10(line.y)) for line in lines("De")),
+        ((Text("Eyring's law holds below"), 0.0),),
+    )
 
 
 PACES = np.geomspace(1 / 64, 4.0, 33)  # of the speed of the design
@@ -142,10 +175,14 @@ def _stribeck(name: str, mesh: MeshResult) -> Iterator[Curve]:
         found = solve_mesh(at, each(PACES * m.load), mesh.by_regime is None)
     except NoSolution:
         return
-    line = Series(Text("torque of the design, other speeds"), np.log10(found.lambda_min), np.asarray(found.friction_mean))
+    line = Series(
+        Text("torque of the design, other speeds"), np.log10(found.lambda_min), np.asarray(found.friction_mean)
+    )
     own = Series(Text("as designed"), np.log10([m.lambda_min]), np.array([m.friction_mean]))
     boundary, full = (Amount(math.log10(lam), form=".2f") for lam in MIXED)
-    over = Text("lg of the smallest λ (boundary below {boundary}, full film above {full})", boundary=boundary, full=full)
+    over = Text(
+        "lg of the smallest λ (boundary below {boundary}, full film above {full})", boundary=boundary, full=full
+    )
     title = Text("Mesh {title}: mean friction over λ (Stribeck)", title=c.mesh.title)
     yield Curve(f"{name}.stribeck", title, over, Text("μ_m"), (line, own))
 
@@ -160,7 +197,13 @@ def _shear(d: TrainDrive) -> Curve:
         if s.roelands and s.relieved:
             alpha = slope_under_pressure(alpha_f=alpha, Z=roelands_index(alpha_f=alpha, eta_f=eta), p_m=each(p))
         tau = eyring_stress(Lambda=oil.Lambda, alpha_f=alpha)
-        lines.append(Series(Text("Eyring stress at {T}", T=Amount(T, "°C")), p * 1e-9, np.broadcast_to(tau, p.shape) * 1e-6))
+        lines.append(
+            Series(Text("Eyring stress at {T}", T=Amount(T, "°C")), p * 1e-9, np.broadcast_to(tau, p.shape) * 1e-6)
+        )
     return Curve(
-        "shear", Text("Shear stress that the oil bears over pressure"), axis_label("p", "GPa"), axis_label("τ", "MPa"), tuple(lines)
+        "shear",
+        Text("Shear stress that the oil bears over pressure"),
+        axis_label("p", "GPa"),
+        axis_label("τ", "MPa"),
+        tuple(lines),
     )

@@ -8,9 +8,14 @@ from ..sheet.text import Text
 
 # Types of rolling bearings whose factors are known (`losses/rolling_bearings.py`).
 BEARING_TYPES = (
-    "deep-groove-ball", "angular-contact-ball", "self-aligning-ball", "cylindrical-roller", "needle-roller", "spherical-roller",
+    "deep-groove-ball",
+    "angular-contact-ball",
+    "self-aligning-ball",
+    "cylindrical-roller",
+    "needle-roller",
+    "spherical-roller",
     "tapered-roller",
-)  # fmt: skip
+)
 
 
 CARRIED = Text("Left out: the wheel that the name begins with (crank-seal), else the last of the train.")
@@ -18,7 +23,7 @@ CARRIED = Text("Left out: the wheel that the name begins with (crank-seal), else
 SKF_SERIES = {
     "deep-groove-ball": ("2", "3", "42", "43", "60", "630", "62", "622", "63", "623", "64", "160", "161", "618", "619"),
     "cylindrical-roller": ("4", "22"),
-}  # fmt: skip
+}
 
 
 @inputs
@@ -27,7 +32,9 @@ class OtherLoss:
 
     name: str = text("Name")
     wheel: str | None = text("Wheel that carries it", default=None, help=CARRIED)
-    power: float = quantity("Power", "W", low=0, high=1e6, symbol="P", help="Power that is lost there, known from elsewhere.")
+    power: float = quantity(
+        "Power", "W", low=0, high=1e6, symbol="P", help="Power that is lost there, known from elsewhere."
+    )
 
 
 @inputs
@@ -36,10 +43,18 @@ class Seal:
 
     name: str = text("Name")
     wheel: str | None = text("Wheel that carries it", default=None, help=CARRIED)
-    diameter: float = quantity("Shaft diameter", "mm", above=0, high=1000, symbol="d_sh", help="Diameter of the shaft under the lip.")
-    count: int = integer("Seals of this size", default=1, low=1, high=20, help="How many such seals the wheel's shaft has.")
+    diameter: float = quantity(
+        "Shaft diameter", "mm", above=0, high=1000, symbol="d_sh", help="Diameter of the shaft under the lip."
+    )
+    count: int = integer(
+        "Seals of this size", default=1, low=1, high=20, help="How many such seals the wheel's shaft has."
+    )
     method: str = choice(
-        "Method", "simrit", "linke", default="simrit", help="simrit: by diameter and speed. linke: also by the oil and its temperature."
+        "Method",
+        "simrit",
+        "linke",
+        default="simrit",
+        help="simrit: by diameter and speed. linke: also by the oil and its temperature.",
     )
 
 
@@ -52,14 +67,28 @@ class RollingBearing:
     kind: str = choice("Type", *BEARING_TYPES, default="deep-groove-ball")
     bore: float = quantity("Bore", "mm", above=0, high=1000, symbol="d", help="Inner diameter of the bearing.")
     outside_diameter: float = quantity(
-        "Outside diameter", "mm", above=0, high=2000, symbol="D", help="Outer diameter of the bearing; with the bore it gives the mean one."
+        "Outside diameter",
+        "mm",
+        above=0,
+        high=2000,
+        symbol="D",
+        help="Outer diameter of the bearing; with the bore it gives the mean one.",
     )
     load: float | None = quantity(
-        "Radial load of all of them together", "N", default=None, low=0, high=1e6, symbol="F",
+        "Radial load of all of them together",
+        "N",
+        default=None,
+        low=0,
+        high=1e6,
+        symbol="F",
         help="What they carry together. Left out: by the teeth of its wheel.",
-    )  # fmt: skip
+    )
     count: int = integer(
-        "Bearings that share the load", default=1, low=1, high=8, help="How many they are, sharing the radial load evenly."
+        "Bearings that share the load",
+        default=1,
+        low=1,
+        high=8,
+        help="How many they are, sharing the radial load evenly.",
     )
     method: str = choice("Method", "palmgren", "skf", default="palmgren", help="skf: needs the series.")
     series: str | None = text("Series", default=None, help='For SKF\'s model: "60", "62", "63" …')
@@ -72,14 +101,25 @@ class RollingBearing:
         help="By Palmgren: mist half of a bath, a jet twice. By SKF: mist starves more.",
     )
     f_0: float | None = quantity(
-        "Factor f_0", default=None, low=0, high=50, symbol="f_0", usual=(0.5, 24),
+        "Factor f_0",
+        default=None,
+        low=0,
+        high=50,
+        symbol="f_0",
+        usual=(0.5, 24),
         source="Palmgren 1957, by type and lubrication",
         help="For the loss without load. Left out: by type and lubrication.",
-    )  # fmt: skip
+    )
     f_1: float | None = quantity(
-        "Factor f_1", default=None, low=0, high=0.05, symbol="f_1", usual=(0.0001, 0.002), source="Palmgren 1957, by type",
+        "Factor f_1",
+        default=None,
+        low=0,
+        high=0.05,
+        symbol="f_1",
+        usual=(0.0001, 0.002),
+        source="Palmgren 1957, by type",
         help="For the loss by the load. Left out: by the type.",
-    )  # fmt: skip
+    )
 
     def problems(self) -> Iterable[tuple[str, Text]]:
         if self.outside_diameter <= self.bore:
@@ -89,9 +129,14 @@ class RollingBearing:
             told = (
                 Text("give one of {rows}", rows=rows)
                 if known
-                else Text("SKF's constants could be read for {skf_series} only", skf_series=Text(" and ").join(SKF_SERIES))
+                else Text(
+                    "SKF's constants could be read for {skf_series} only", skf_series=Text(" and ").join(SKF_SERIES)
+                )
             )
-            yield "series", Text('method = "skf" needs the series of the bearing: {told}; or take method = "palmgren"', told=told)
+            yield (
+                "series",
+                Text('method = "skf" needs the series of the bearing: {told}; or take method = "palmgren"', told=told),
+            )
 
 
 @inputs
@@ -100,13 +145,26 @@ class PlainBearing:
 
     name: str = text("Name")
     wheel: str | None = text("Wheel that carries it", default=None, help=CARRIED)
-    diameter: float = quantity("Diameter", "mm", above=0, high=1000, symbol="d", help="Diameter of the pin in the bush.")
+    diameter: float = quantity(
+        "Diameter", "mm", above=0, high=1000, symbol="d", help="Diameter of the pin in the bush."
+    )
     length: float = quantity("Length", "mm", above=0, high=1000, symbol="l", help="Length of the bush along its pin.")
     clearance: float = quantity(
-        "Diametral clearance when running", "µm", above=0, high=5000, symbol="g", help="Bore of the bush minus pin, both warm."
+        "Diametral clearance when running",
+        "µm",
+        above=0,
+        high=5000,
+        symbol="g",
+        help="Bore of the bush minus pin, both warm.",
     )
     load: float | None = quantity(
-        "Load", "N", default=None, low=0, high=1e6, symbol="F", help="Force of the wheel on its pin. Left out: by the teeth of its wheel."
+        "Load",
+        "N",
+        default=None,
+        low=0,
+        high=1e6,
+        symbol="F",
+        help="Force of the wheel on its pin. Left out: by the teeth of its wheel.",
     )
 
 
@@ -117,13 +175,23 @@ class Dip:
     name: str = text("Name")
     wheel: str | None = text("Wheel that carries it", default=None, help=CARRIED)
     depth: float = quantity(
-        "Depth of its lowest tooth below the oil at rest", "mm", above=0, high=2000, symbol="h", source="Changenet et al. 2011",
+        "Depth of its lowest tooth below the oil at rest",
+        "mm",
+        above=0,
+        high=2000,
+        symbol="h",
+        source="Changenet et al. 2011",
         help="How deep the wheel dips while the oil is at rest.",
-    )  # fmt: skip
+    )
     oil_volume: float = quantity(
-        "Oil in the sump", "L", above=0, high=1000, symbol="V_0", source="Changenet et al. 2011",
+        "Oil in the sump",
+        "L",
+        above=0,
+        high=1000,
+        symbol="V_0",
+        source="Changenet et al. 2011",
         help="Volume of the oil into which the wheel dips.",
-    )  # fmt: skip
+    )
 
 
 @inputs
@@ -133,11 +201,22 @@ class Jet:
     name: str = text("Name")
     wheel: str | None = text("Wheel that carries it", default=None, help=CARRIED)
     flow: float = quantity(
-        "Flow", "L/min", above=0, high=1000, symbol="Q", source="Butsch 1989, ISO/TR 14179-2",
+        "Flow",
+        "L/min",
+        above=0,
+        high=1000,
+        symbol="Q",
+        source="Butsch 1989, ISO/TR 14179-2",
         help="Oil that strikes the wheel and is carried along.",
-    )  # fmt: skip
+    )
     jet_speed: float = quantity(
-        "Speed of the jet along the teeth", "m/s", default=0.0, low=-200, high=200, symbol="v_j", help="Positive: the way the teeth go."
+        "Speed of the jet along the teeth",
+        "m/s",
+        default=0.0,
+        low=-200,
+        high=200,
+        symbol="v_j",
+        help="Positive: the way the teeth go.",
     )
 
 
@@ -148,18 +227,39 @@ class Scenario:
     name: str = text("Name")
     oil: str | None = text("Oil", default=None)
     oil_temperature: float | None = quantity(
-        "Oil temperature", "°C", default=None, low=-40, high=200, symbol="T_oil", step=5, usual=(40, 130), source=THUMB,
+        "Oil temperature",
+        "°C",
+        default=None,
+        low=-40,
+        high=200,
+        symbol="T_oil",
+        step=5,
+        usual=(40, 130),
+        source=THUMB,
         help="Of the teeth; replaces a measured bulk temperature.",
-    )  # fmt: skip
+    )
     load_sharing: str | None = choice("Load sharing", "linear", "smooth", default=None)
     flank_roughness: tuple[float, ...] | None = series(
-        "Flank roughness Ra", "µm", count=(1, 2), default=None, above=0, high=20, symbol="Ra", usual=(0.1, 2), source=THUMB,
+        "Flank roughness Ra",
+        "µm",
+        count=(1, 2),
+        default=None,
+        above=0,
+        high=20,
+        symbol="Ra",
+        usual=(0.1, 2),
+        source=THUMB,
         help="Mean roughness, one for both or [driver, driven].",
-    )  # fmt: skip
+    )
     power: float | None = quantity(
-        "Power of the first driver", "kW", default=None, above=0, high=1e5, symbol="P",
+        "Power of the first driver",
+        "kW",
+        default=None,
+        above=0,
+        high=1e5,
+        symbol="P",
         help="What goes into the first driver of a design without counter-shaft.",
-    )  # fmt: skip
+    )
 
 
 @inputs
@@ -167,75 +267,169 @@ class FrictionInputs:
     """Oil, flanks and load sharing of the meshes."""
 
     oil: str | None = text(
-        "Oil", default=None, help="Of teeth and wheels. Left out: that of the bearings, which alone sets the journals' friction."
+        "Oil",
+        default=None,
+        help="Of teeth and wheels. Left out: that of the bearings, which alone sets the journals' friction.",
     )
     oil_temperature: float | None = quantity(
-        "Oil temperature", "°C", default=None, low=-40, high=200, symbol="T_oil", step=5, usual=(40, 130), source=THUMB,
+        "Oil temperature",
+        "°C",
+        default=None,
+        low=-40,
+        high=200,
+        symbol="T_oil",
+        step=5,
+        usual=(40, 130),
+        source=THUMB,
         help="Of teeth and wheels. Left out: the bearings' supply temperature.",
-    )  # fmt: skip
+    )
     bulk_temperature: float | None = quantity(
-        "Bulk temperature", "°C", default=None, low=-40, high=300, symbol="T_b", usual=(40, 150), source=THUMB,
+        "Bulk temperature",
+        "°C",
+        default=None,
+        low=-40,
+        high=300,
+        symbol="T_b",
+        usual=(40, 150),
+        source=THUMB,
         help="Of the teeth, measured. Left out: by the next key.",
-    )  # fmt: skip
+    )
     bulk: str = choice(
-        "Bulk temperature without measurement", "oil", "estimated", default="oil",
+        "Bulk temperature without measurement",
+        "oil",
+        "estimated",
+        default="oil",
         help="oil: that of the oil. estimated: above it by the loss of the mesh itself (ISO/TR 15144-1).",
-    )  # fmt: skip
+    )
     tip_relief_factor: float = quantity(
-        "Tip relief factor of that estimate", default=1.0, low=1, high=10, symbol="X_Ca", source="ISO/TR 15144-1",
+        "Tip relief factor of that estimate",
+        default=1.0,
+        low=1,
+        high=10,
+        symbol="X_Ca",
+        source="ISO/TR 15144-1",
         help="How much tip relief shares the load more evenly; 1: no tip relief.",
-    )  # fmt: skip
+    )
     body_resistance: tuple[float, ...] | None = series(
-        "Thermal resistance of the wheels' bodies", "K/W", count=(1, 2), default=None, low=0, high=1000, symbol="M",
+        "Thermal resistance of the wheels' bodies",
+        "K/W",
+        count=(1, 2),
+        default=None,
+        low=0,
+        high=1000,
+        symbol="M",
         source="Olver 1991, Olver and Spikes 1998",
-        help="From flank to where the bulk temperature is known. One for both, or [driver, driven]. Left out: not counted.",
-    )  # fmt: skip
+        help="From flank to where the bulk temperature is known. One for both, or [driver, driven]. Left out: not "
+        "counted.",
+    )
     flank_roughness: tuple[float, ...] = series(
-        "Flank roughness Ra", "µm", count=(1, 2), above=0, high=20, symbol="Ra", usual=(0.1, 2), source=THUMB,
+        "Flank roughness Ra",
+        "µm",
+        count=(1, 2),
+        above=0,
+        high=20,
+        symbol="Ra",
+        usual=(0.1, 2),
+        source=THUMB,
         help="Mean roughness, one for both or [driver, driven].",
-    )  # fmt: skip
+    )
     load_sharing: str = choice(
-        "Load sharing", "linear", "smooth", default="linear", help="linear: flanks as generated. smooth: both tips relieved."
+        "Load sharing",
+        "linear",
+        "smooth",
+        default="linear",
+        help="linear: flanks as generated. smooth: both tips relieved.",
     )
     load_share: str = choice(
-        "Load share of the roughness", "zhu-hu", "castro-seabra", "olver-spikes", "doleschel", "thesis", default="zhu-hu",
-        help="How much of the load rides on the peaks where the film is thin. The friction source's model always takes the thesis'.",
-    )  # fmt: skip
+        "Load share of the roughness",
+        "zhu-hu",
+        "castro-seabra",
+        "olver-spikes",
+        "doleschel",
+        "thesis",
+        default="zhu-hu",
+        help="How much of the load rides on the peaks where the film is thin. The friction source's model always "
+        "takes the thesis'.",
+    )
     solid_friction: float | None = quantity(
-        "Friction of peaks", default=None, low=0, high=1, symbol="mu_s", step=0.005, usual=(0.05, 0.15),
+        "Friction of peaks",
+        default=None,
+        low=0,
+        high=1,
+        symbol="mu_s",
+        step=0.005,
+        usual=(0.05, 0.15),
         source="gear friction thesis, 4.2: 0.08 to 0.135; Arana, Larrañaga and Ulacia 2018: 0.065 to 0.07, lubricated",
         help="Where flanks touch. Left out: 0.08; the source's 0.135.",
-    )  # fmt: skip
+    )
     pressure_law: str | None = choice(
-        "Viscosity under pressure", "barus", "roelands", default=None,
+        "Viscosity under pressure",
+        "barus",
+        "roelands",
+        default=None,
         help="Roelands' is milder above some 0.5 GPa. Left out: Roelands, and Barus in the friction source's model.",
-    )  # fmt: skip
+    )
     film: str = choice(
-        "Film that is judged", "judged", "source", default="judged",
-        help="judged: by lubrication regime and lubricated peaks, with rolling loss. source: the friction source's model, EHL everywhere.",
-    )  # fmt: skip
+        "Film that is judged",
+        "judged",
+        "source",
+        default="judged",
+        help="judged: by lubrication regime and lubricated peaks, with rolling loss. source: the friction source's "
+        "model, EHL everywhere.",
+    )
     mist_density: float = quantity(
-        "Density of the oil mist", "kg/m³", default=24.0, low=0.1, high=1000, symbol="rho_m", usual=(1.2, 50),
+        "Density of the oil mist",
+        "kg/m³",
+        default=24.0,
+        low=0.1,
+        high=1000,
+        symbol="rho_m",
+        usual=(1.2, 50),
         source="rule of this program; tests of Anderson and Loewenthal: 24",
         help="Governs the windage; air alone has 1.2.",
-    )  # fmt: skip
+    )
     specific_fuel_consumption: float | None = quantity(
-        "Specific fuel consumption", "g/kWh", default=None, above=0, high=2000, symbol="b_e", usual=(190, 350), source=THUMB,
+        "Specific fuel consumption",
+        "g/kWh",
+        default=None,
+        above=0,
+        high=2000,
+        symbol="b_e",
+        usual=(190, 350),
+        source=THUMB,
         help="What the engine burns for its power.",
-    )  # fmt: skip
+    )
     co2_per_fuel: float = quantity(
-        "CO₂ per fuel, by mass", default=3.17, above=0, high=5, symbol="e_CO2", usual=(2.7, 3.2),
+        "CO₂ per fuel, by mass",
+        default=3.17,
+        above=0,
+        high=5,
+        symbol="e_CO2",
+        usual=(2.7, 3.2),
         source="physics: carbon share, natural gas to diesel",
         help="Of complete combustion; diesel, petrol 3.17.",
-    )  # fmt: skip
-    map_temperatures: tuple[float, ...] | None = series(
-        "Oil temperatures of the map", "°C", count=(1, 8), default=None, low=-40, high=200,
-        help="Of losses over speed. Left out: four from 40 K below the oil's to 10 K above.",
-    )  # fmt: skip
-    map_speeds: tuple[float, ...] | None = series(
-        "Speeds of the map", "rpm", count=(2, 2), default=None, above=0, high=1e5, help="Lowest and highest, of the first driver."
     )
-    seals: tuple[Seal, ...] = tables("Shaft seals", Seal, default=(), help="The wheel that the name begins with carries it, else the last.")
+    map_temperatures: tuple[float, ...] | None = series(
+        "Oil temperatures of the map",
+        "°C",
+        count=(1, 8),
+        default=None,
+        low=-40,
+        high=200,
+        help="Of losses over speed. Left out: four from 40 K below the oil's to 10 K above.",
+    )
+    map_speeds: tuple[float, ...] | None = series(
+        "Speeds of the map",
+        "rpm",
+        count=(2, 2),
+        default=None,
+        above=0,
+        high=1e5,
+        help="Lowest and highest, of the first driver.",
+    )
+    seals: tuple[Seal, ...] = tables(
+        "Shaft seals", Seal, default=(), help="The wheel that the name begins with carries it, else the last."
+    )
     rolling_bearings: tuple[RollingBearing, ...] = tables("Rolling bearings of wheels", RollingBearing, default=())
     plain_bearings: tuple[PlainBearing, ...] = tables("Plain bearings of idlers", PlainBearing, default=())
     dips: tuple[Dip, ...] = tables("Wheels that dip into oil", Dip, default=())
@@ -246,18 +440,24 @@ class FrictionInputs:
         default=(),
         help='What is known otherwise; the wheel that the name begins with carries it ("idler-pump"), else the last.',
     )
-    scenarios: tuple[Scenario, ...] = tables("Scenarios", Scenario, default=(), help="The same train under other conditions, side by side.")
+    scenarios: tuple[Scenario, ...] = tables(
+        "Scenarios", Scenario, default=(), help="The same train under other conditions, side by side."
+    )
 
     def problems(self) -> Iterable[tuple[str, Text]]:
         if self.bulk == "estimated" and self.bulk_temperature is not None:
-            yield "bulk_temperature_C", Text('leave it out where bulk = "estimated": it is measured or estimated, not both')
+            yield (
+                "bulk_temperature_C",
+                Text('leave it out where bulk = "estimated": it is measured or estimated, not both'),
+            )
 
 
 Carried = OtherLoss | Seal | RollingBearing | PlainBearing | Dip | Jet  # by a wheel
 
 
 def carrier(entry: Carried, wheels: Iterable[str], last: str) -> str:
-    """The wheel that carries a loss: told, or whose name it has, or begins with before a separator ("idler-seal"); else the last wheel."""
+    """The wheel that carries a loss: told, or whose name it has, or begins with before a separator ("idler-seal"); else
+    the last wheel."""
     if entry.wheel is not None:
         return entry.wheel
     loss = entry.name

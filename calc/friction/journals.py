@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The journals of the counter-shaft at the end of the train: their friction follows from the power that the shaft's gear takes in.
+"""The journals of the counter-shaft at the end of the train: their friction follows from the power that the shaft's
+gear takes in.
 
-The eccentric masses load them with a force that turns; weight and gear force stand still.  The friction of the turning load is that of the
-bearings step; what the standing part adds over a turn closes with the power of the train, which makes the gear force.
-"""
+The eccentric masses load them with a force that turns; weight and gear force stand still.  The friction of the turning
+load is that of the bearings step; what the standing part adds over a turn closes with the power of the train, which
+makes the gear force."""
 
 from dataclasses import replace
 from typing import NamedTuple
@@ -41,7 +42,11 @@ class OnShaft(NamedTuple):
         return self.shaft is not None and self.inputs is not None and len(self.inputs.bearing_positions) == 2
 
 
-@formula("P_B", "mathematics: sum of both journals' friction, as judged", names={"P_front": "P_f,front", "P_rear": "P_f,rear"})
+@formula(
+    "P_B",
+    "mathematics: sum of both journals' friction, as judged",
+    names={"P_front": "P_f,front", "P_rear": "P_f,rear"},
+)
 def bearing_loss(P_front: Watt, P_rear: Watt) -> Watt:
     return P_front + P_rear
 
@@ -51,12 +56,15 @@ class Journals:
 
     def __init__(self, on: OnShaft, responses: dict[str, Response], speed: RevPerSecond) -> None:
         self.on, self.responses, self.speed = on, responses, speed
-        self.unsteady = {place: not np.all(np.isfinite(r.slope + r.curvature)) for place, r in responses.items()}  # at some point
+        self.unsteady = {
+            place: not np.all(np.isfinite(r.slope + r.curvature)) for place, r in responses.items()
+        }  # at some point
 
     def only(self, some: BoolArray) -> "Journals":
         """Some of many operating points."""
         parts = {
-            place: Response(**{name: x[some] if np.ndim(x) else x for name, x in vars(r).items()}) for place, r in self.responses.items()
+            place: Response(**{name: x[some] if np.ndim(x) else x for name, x in vars(r).items()})
+            for place, r in self.responses.items()
         }
         return Journals(self.on, parts, each(many(self.speed)[some]))
 
@@ -94,7 +102,8 @@ class Journals:
             if one.standing_load is not None and self.unsteady[place]:
                 said.append(
                     Text(
-                        "{place} journal: no film is found 5 % beside its load; its friction is that of the turning load.",
+                        "{place} journal: no film is found 5 % beside its load; its friction is that of the turning "
+                        "load.",
                         place=IN_TITLES[place],
                     )
                 )
@@ -127,7 +136,8 @@ def journals_of(on: OnShaft) -> Journals:
 
 
 def journals_at(on: OnShaft, ratio: float, T: Celsius, lubricant: Lubricant | None = None) -> Journals:
-    """At speeds `ratio` times that of the design, loads that turn growing with its square, and supply temperatures T, one each or arrays.
+    """At speeds `ratio` times that of the design, loads that turn growing with its square, and supply temperatures T,
+    one each or arrays.
 
     `lubricant`: left out, that of the bearings.
     """
@@ -136,9 +146,12 @@ def journals_at(on: OnShaft, ratio: float, T: Celsius, lubricant: Lubricant | No
         for place, one in on.bearings.bearings.items():
             turns = one.seat.inputs.load_speed_ratio == TURNING
             duty = replace(
-                one.duty, load=one.duty.load * (ratio**2 if turns else ratio**0), speed=one.duty.speed * ratio,
-                effective_speed=one.duty.effective_speed * ratio, supply_temperature=T,
-            )  # fmt: skip
+                one.duty,
+                load=one.duty.load * (ratio**2 if turns else ratio**0),
+                speed=one.duty.speed * ratio,
+                effective_speed=one.duty.effective_speed * ratio,
+                supply_temperature=T,
+            )
             seat = one.seat if lubricant is None else replace(one.seat, lubricant=lubricant)
             responses[place], speed = response(seat, duty), duty.speed
     return Journals(on, responses, speed)

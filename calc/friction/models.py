@@ -6,8 +6,8 @@ Niemann and Winter, Michaelis: the same in the form of ISO/TR 15144-1 and ISO/TR
 Xu and Kahraman: local, from many runs of a mixed EHL solver with one gear oil.
 Benedict and Kelley: local, from disc tests of 1961; kept within 0.01 and 0.2.
 
-A train that only drives a counter-shaft carries far less than any of them was fitted to; each says whether it is inside its range.
-"""
+A train that only drives a counter-shaft carries far less than any of them was fitted to; each says whether it is inside
+its range."""
 
 from functools import reduce
 
@@ -29,7 +29,6 @@ from .mesh.loss import mean_friction as mean_friction_of
 from .mesh.path import array, line_load, transverse_force
 
 # mypy: disable-error-code="no-any-return"
-
 
 
 MILLIPASCAL_SECOND: PascalSecond = 1e-3
@@ -56,44 +55,64 @@ XU = Text("Xu and Kahraman 2005")
     "Schlenk 1994, ISO/TR 14179-2",
     names={"v_SumC": "v_Σ,C", "rho_C": "ρ_n,C"},
 )
-def schlenk(w_t: NewtonPerMetre, v_SumC: MetrePerSecond, rho_C: Metre, eta_0: PascalSecond, Ra: Metre, X_L: Number) -> Number:
+def schlenk(
+    w_t: NewtonPerMetre, v_SumC: MetrePerSecond, rho_C: Metre, eta_0: PascalSecond, Ra: Metre, X_L: Number
+) -> Number:
     """>>> schlenk(w_t=150000, v_SumC=5.19, rho_C=0.006201, eta_0=0.007413, Ra=8e-07, X_L=1)
     0.05587357...
     """
     return (
-        0.048 * (w_t / NEWTON_PER_MILLIMETRE / (v_SumC / METRE_PER_SECOND * rho_C / MILLIMETRE)) ** 0.2
-        * (eta_0 / MILLIPASCAL_SECOND) ** -0.05 * (Ra / MICROMETRE) ** 0.25 * X_L
-    )  # fmt: skip
+        0.048
+        * (w_t / NEWTON_PER_MILLIMETRE / (v_SumC / METRE_PER_SECOND * rho_C / MILLIMETRE)) ** 0.2
+        * (eta_0 / MILLIPASCAL_SECOND) ** -0.05
+        * (Ra / MICROMETRE) ** 0.25
+        * X_L
+    )
 
 
 @formula("f", Text("{xu}: exponent", xu=XU), names={"S": "SR", "sigma": "σ"})
 def xu_kahraman_exponent(S: Number, p_H: Pascal, eta_0: PascalSecond, sigma: Metre) -> Number:
     return (
-        -8.916465 - 0.354068 * S * p_H / GIGAPASCAL * log10(eta_0 / MILLIPASCAL_SECOND)
-        + 2.812084 * exp(-S * p_H / GIGAPASCAL * log10(eta_0 / MILLIPASCAL_SECOND)) + 0.620305 * exp(sigma / MICROMETRE)
-    )  # fmt: skip
+        -8.916465
+        - 0.354068 * S * p_H / GIGAPASCAL * log10(eta_0 / MILLIPASCAL_SECOND)
+        + 2.812084 * exp(-S * p_H / GIGAPASCAL * log10(eta_0 / MILLIPASCAL_SECOND))
+        + 0.620305 * exp(sigma / MICROMETRE)
+    )
 
 
 @formula("μ_XK", XU, names={"S": "SR"})
 def xu_kahraman(f: Number, p_H: Pascal, S: Number, u_e: MetrePerSecond, eta_0: PascalSecond, R: Metre) -> Number:
     return (
-        exp(f) * (p_H / GIGAPASCAL) ** 1.03303 * S**1.036077 * (u_e / METRE_PER_SECOND) ** -0.100601
-        * (eta_0 / MILLIPASCAL_SECOND) ** 0.752755 * (R / ONE_METRE) ** -0.390958
-    )  # fmt: skip
+        exp(f)
+        * (p_H / GIGAPASCAL) ** 1.03303
+        * S**1.036077
+        * (u_e / METRE_PER_SECOND) ** -0.100601
+        * (eta_0 / MILLIPASCAL_SECOND) ** 0.752755
+        * (R / ONE_METRE) ** -0.390958
+    )
 
 
 @formula("μ_BK", "Benedict and Kelley 1961; kept within 0.01 and 0.2", names={"V_T": "V_Σ"})
 def benedict_kelley(w: NewtonPerMetre, eta_0: PascalSecond, V_s: MetrePerSecond, V_T: MetrePerSecond) -> Number:
     return smallest(
         largest(
-            0.0127 * log10(
-                29.66 * w / NEWTON_PER_METRE
-                / (eta_0 / MILLIPASCAL_SECOND * largest(V_s, SLOWEST) / METRE_PER_SECOND * (V_T / METRE_PER_SECOND) ** 2)
+            0.0127
+            * log10(
+                29.66
+                * w
+                / NEWTON_PER_METRE
+                / (
+                    eta_0
+                    / MILLIPASCAL_SECOND
+                    * largest(V_s, SLOWEST)
+                    / METRE_PER_SECOND
+                    * (V_T / METRE_PER_SECOND) ** 2
+                )
             ),
             0.01,
         ),
         0.2,
-    )  # fmt: skip
+    )
 
 
 @formula("w_t", "ISO/TR 13989-2:2000 (1): line load of the friction, no less than 150 N/mm", unit="N/mm")
@@ -125,22 +144,37 @@ def beside(c: MeshCase, P: Watt, H_V: Number) -> tuple[Regression, Regression, R
     return of_schlenk(c, P, H_V), of_niemann(c, P, H_V), of_xu_kahraman(c, P), of_benedict_kelley(c, P)
 
 
-# --- with the loss factor of Ohlendorf, for which they were made ----------------------------------------------------------------
+# --- with the loss factor of Ohlendorf, for which they were made
+# ----------------------------------------------------------------
 def of_schlenk(c: MeshCase, P: Watt, H_V: Number) -> Regression:
     u_C, R_C, w_bt = c.path.at_pitch_point(c.motion.u_e), c.path.at_pitch_point(c.motion.R), _line_load(c, P)
     mu_m = schlenk(
-        w_t=counted_line_load(w_bt=w_bt), v_SumC=sum_of_speeds(v_C=u_C), rho_C=R_C, eta_0=flat(_eta(c)), Ra=flat(c.Ra), X_L=_X_L(c)
+        w_t=counted_line_load(w_bt=w_bt),
+        v_SumC=sum_of_speeds(v_C=u_C),
+        rho_C=R_C,
+        eta_0=flat(_eta(c)),
+        Ra=flat(c.Ra),
+        X_L=_X_L(c),
     )
-    return Regression(friction_mean=mu_m, loss=loss_of_mean_friction(P=P, mu_m=mu_m, H_V=H_V), outside=_outside_tests(c, w_bt, u_C))
+    return Regression(
+        friction_mean=mu_m, loss=loss_of_mean_friction(P=P, mu_m=mu_m, H_V=H_V), outside=_outside_tests(c, w_bt, u_C)
+    )
 
 
 def of_niemann(c: MeshCase, P: Watt, H_V: Number) -> Regression:
     u_C, R_C, w_bt = c.path.at_pitch_point(c.motion.u_e), c.path.at_pitch_point(c.motion.R), _line_load(c, P)
     mu_m = mean_friction(
-        w_t=counted_line_load(w_bt=w_bt), K_Bgamma=1.0, v_SumC=sum_of_speeds(v_C=u_C), rho_nC=R_C, eta=flat(_eta(c)),
-        X_R=roughness_factor(Ra=flat(c.Ra), rho_nC=R_C), X_L=_X_L(c),
-    )  # fmt: skip
-    return Regression(friction_mean=mu_m, loss=loss_of_mean_friction(P=P, mu_m=mu_m, H_V=H_V), outside=_outside_tests(c, w_bt, u_C))
+        w_t=counted_line_load(w_bt=w_bt),
+        K_Bgamma=1.0,
+        v_SumC=sum_of_speeds(v_C=u_C),
+        rho_nC=R_C,
+        eta=flat(_eta(c)),
+        X_R=roughness_factor(Ra=flat(c.Ra), rho_nC=R_C),
+        X_L=_X_L(c),
+    )
+    return Regression(
+        friction_mean=mu_m, loss=loss_of_mean_friction(P=P, mu_m=mu_m, H_V=H_V), outside=_outside_tests(c, w_bt, u_C)
+    )
 
 
 def _eta(c: MeshCase) -> PascalSecond:
@@ -157,17 +191,26 @@ def _X_L(c: MeshCase) -> Number:
 def _outside_tests(c: MeshCase, w_bt: NewtonPerMetre, u_C: MetrePerSecond) -> Text:
     """Line load from 150 N/mm, sum of the speeds from 1 m/s, pitch line up to 50 m/s."""
     found = []
-    v_t = u_C * c.mesh.centre_distance / c.path.C_F  # C rolls with the part of the pitch line's speed along the line of action
+    v_t = (
+        u_C * c.mesh.centre_distance / c.path.C_F
+    )  # C rolls with the part of the pitch line's speed along the line of action
     if np.any(w_bt < LOWEST_LINE_LOAD):
         found.append(Text("line load {min} N/mm, tests from 150", min=Amount(one(np.min(w_bt)) / 1000.0)))
     if np.any(2 * u_C < 1.0):
         found.append(Text("sum of speeds {min} m/s, tests from 1", min=Amount(2 * one(np.min(u_C)))))
     if np.any(v_t > FASTEST):
-        found.append(Text("pitch line {max} m/s, tests up to {fastest}", max=Amount(one(np.max(v_t))), fastest=Amount(FASTEST, form="g")))
+        found.append(
+            Text(
+                "pitch line {max} m/s, tests up to {fastest}",
+                max=Amount(one(np.max(v_t))),
+                fastest=Amount(FASTEST, form="g"),
+            )
+        )
     return SEMICOLON.join(found) if found else EMPTY
 
 
-# --- integrated along the path --------------------------------------------------------------------------------------------------
+# --- integrated along the path
+# --------------------------------------------------------------------------------------------------
 def of_xu_kahraman(c: MeshCase, P: Watt) -> Regression | None:
     """None where it runs away: flanks so rough that its exponential does, or pressures far outside its runs."""
     sigma = c.surfaces.sigma
@@ -215,7 +258,9 @@ def _line_load(c: MeshCase, P: Watt) -> NewtonPerMetre:
 
 
 def _load(c: MeshCase, P: Watt) -> tuple[NewtonPerMetre, NewtonPerMetre]:
-    return line_load(c.mesh, c.path, transverse_force(P=column(P), omega_1=c.motion.omega_1, r_b1=c.mesh.driver.base_radius))
+    return line_load(
+        c.mesh, c.path, transverse_force(P=column(P), omega_1=c.motion.omega_1, r_b1=c.mesh.driver.base_radius)
+    )
 
 
 def _summed(c: MeshCase, P: Watt, w: NewtonPerMetre, mu: Number, outside: Text) -> Regression:
@@ -247,13 +292,17 @@ MODELS = {
     "schlenk": Model(Text("Schlenk"), OHLENDORF, TESTS),
     "niemann": Model(Text("Niemann and Winter, Michaelis"), OHLENDORF, TESTS),
     "xu_kahraman": Model(
-        Text("Xu and Kahraman"), INTEGRATED,
-        Text("{runs} to {runs2} MPa, roughness to {smooth} µm (from memory); one gear oil, 75W-90",
-            runs=Amount(RUNS[0] / 1000000.0, form="g"), runs2=Amount(RUNS[1] / 1000000.0, form="g"),
-            smooth=Amount(SMOOTH * 1000000.0, form="g")),
+        Text("Xu and Kahraman"),
+        INTEGRATED,
+        Text(
+            "{runs} to {runs2} MPa, roughness to {smooth} µm (from memory); one gear oil, 75W-90",
+            runs=Amount(RUNS[0] / 1000000.0, form="g"),
+            runs2=Amount(RUNS[1] / 1000000.0, form="g"),
+            smooth=Amount(SMOOTH * 1000000.0, form="g"),
+        ),
     ),
     "benedict_kelley": Model(Text("Benedict and Kelley"), INTEGRATED, Text("μ from 0.01 to 0.2 (held there)")),
-}  # fmt: skip
+}
 
 
 @formula("P_max/P_min", "definition: the largest loss of all models over the smallest")
@@ -274,16 +323,27 @@ def spread_of(losses: list[Watt]) -> Number | None:
 
 def table(
     key: str, title: str, by_regime: MeshLoss, source: MeshLoss, H_V: Number, published: dict[str, Regression | None]
-) -> Table:  # fmt: skip
+) -> Table:
     """`key` of the mesh; the own models integrate with the local film."""
     rigid = by_regime.lead_at_pitch < 1
     rows: list[tuple[str | float | None, ...]] = [
-        (Text("by regime, integrated"), by_regime.loss, by_regime.friction_mean, by_regime.loss_factor,
-            Text("any load; rolling an upper bound"), ""),
-        (Text("EHL film, integrated (source)"), source.loss, source.friction_mean, source.loss_factor,
+        (
+            Text("by regime, integrated"),
+            by_regime.loss,
+            by_regime.friction_mean,
+            by_regime.loss_factor,
+            Text("any load; rolling an upper bound"),
+            "",
+        ),
+        (
+            Text("EHL film, integrated (source)"),
+            source.loss,
+            source.friction_mean,
+            source.loss_factor,
             Text("EHL film thicker than a rigid one"),
-         Text("outside: a rigid isoviscous film governs") if rigid else ""),
-    ]  # fmt: skip
+            Text("outside: a rigid isoviscous film governs") if rigid else "",
+        ),
+    ]
     for name, model in MODELS.items():
         one, named = published[name], Text("{authors} {how}", authors=model.authors, how=model.how)
         if one is None:
@@ -291,10 +351,27 @@ def table(
             continue
         H = H_V if model.how is OHLENDORF else by_regime.loss_factor
         rows.append(
-            (named, one.loss, one.friction_mean, H, model.range, Text("outside: {outside}", outside=one.outside) if one.outside else "")
+            (
+                named,
+                one.loss,
+                one.friction_mean,
+                H,
+                model.range,
+                Text("outside: {outside}", outside=one.outside) if one.outside else "",
+            )
         )
-    columns = ((Text("Model"), ""), (Text("P_VZ"), "W"), (Text("μ_m"), ""), (Text("H"), ""), (Text("Range"), ""), (Text("Here"), ""))
-    note = Text("μ_m is that of sliding; the first line also counts rolling in its loss. Only the first two know the local film.")
+    columns = (
+        (Text("Model"), ""),
+        (Text("P_VZ"), "W"),
+        (Text("μ_m"), ""),
+        (Text("H"), ""),
+        (Text("Range"), ""),
+        (Text("Here"), ""),
+    )
+    note = Text(
+        "μ_m is that of sliding; the first line also counts rolling in its loss. Only the first two know the local "
+        "film."
+    )
     return Table(
         f"models_{key}",
         Text("Mesh {title}: models of friction side by side", title=title),

@@ -17,13 +17,19 @@ __all__ = ["schlenk", "solve_loss"]
 
 
 def solve_loss(
-    pair: TrainResult, *, power: Watt, speed: RevPerSecond, oil: str | Oil, temperature: Celsius, flank_roughness: Metre = 0.8e-6
+    pair: TrainResult,
+    *,
+    power: Watt,
+    speed: RevPerSecond,
+    oil: str | Oil,
+    temperature: Celsius,
+    flank_roughness: Metre = 0.8e-6,
 ) -> MeshLoss:
-    """The loss of the first mesh of a train (`gears.solve_pair` makes one of two wheels), whose teeth have the oil's temperature.
+    """The loss of the first mesh of a train (`gears.solve_pair` makes one of two wheels), whose teeth have the oil's
+    temperature.
 
-    `power` into the driver, `speed` of the driver in revolutions per second; these two and `temperature` may be arrays of one length,
-    an operating point each: so are the results then.  `flank_roughness`: Ra of both flanks.
-    """
+    `power` into the driver, `speed` of the driver in revolutions per second; these two and `temperature` may be arrays
+    of one length, an operating point each: so are the results then.  `flank_roughness`: Ra of both flanks."""
     mesh = next(iter(meshes_of(pair, materials()).values()))
     lubricant = Lubricant(oils()[oil] if isinstance(oil, str) else oil)
     inputs = FrictionInputs(flank_roughness=(flank_roughness,))

@@ -66,7 +66,8 @@ def by_regime(mesh: MeshResult) -> MeshLoss:
 
 @result
 class JournalResult:
-    """One journal of the counter-shaft in the balance: its friction over a turn, with what stands still beside the turning load."""
+    """One journal of the counter-shaft in the balance: its friction over a turn, with what stands still beside the
+    turning load."""
 
     standing_load: Newton | None = value("Standing load of the journal: weight and gear force", "N", "R_0")
     friction_power: Watt = value("Friction of the journal over a turn", "W", "P_f")

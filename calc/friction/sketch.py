@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Where the watts go, as a sketch: what the train takes in flows to the right and parts into its losses, as wide as they are large."""
+"""Where the watts go, as a sketch: what the train takes in flows to the right and parts into its losses, as wide as
+they are large."""
 
 import math
 from collections.abc import Iterator
@@ -45,15 +46,21 @@ def sketch(design: Designed, results: Solved) -> Sketch:
     losses = _together(meshes, found.total_loss)
     losses += [
         Loss(
-            Text("{place} bearing", place=IN_WORDS[place]), journal.friction_power, f"bearings.{place}", judged(checks, f"friction.{place}")
+            Text("{place} bearing", place=IN_WORDS[place]),
+            journal.friction_power,
+            f"bearings.{place}",
+            judged(checks, f"friction.{place}"),
         )
         for place, journal in found.journals.items()
     ]
     losses += [
-        Loss(Text("windage"), found.windage_loss), Loss(Text("churning"), found.churning_loss or 0.0),
-        Loss(Text("oil thrown on"), found.thrown_oil_loss or 0.0), Loss(Text("shaft seals"), found.seal_loss or 0.0),
-        Loss(Text("wheel bearings"), found.wheel_bearing_loss or 0.0), Loss(Text("others"), found.other_loss),
-    ]  # fmt: skip
+        Loss(Text("windage"), found.windage_loss),
+        Loss(Text("churning"), found.churning_loss or 0.0),
+        Loss(Text("oil thrown on"), found.thrown_oil_loss or 0.0),
+        Loss(Text("shaft seals"), found.seal_loss or 0.0),
+        Loss(Text("wheel bearings"), found.wheel_bearing_loss or 0.0),
+        Loss(Text("others"), found.other_loss),
+    ]
     shown = _shown(losses, found.total_loss)
     if not shown:
         return Sketch(notes=(Text("Nothing is lost."),))
@@ -98,7 +105,9 @@ def _flow(losses: list[Loss], total: Watt) -> Iterator[Mark]:
 def _band(start: Number, end: Number) -> tuple[Point, ...]:
     """An edge of a flow: straight at first, then in a smooth curve to where it ends."""
     ways = [n / CORNERS for n in range(CORNERS + 1)]
-    bend = ((STRAIGHT + (WIDE - STRAIGHT) * way, start + (end - start) * (1 - math.cos(math.pi * way)) / 2) for way in ways)
+    bend = (
+        (STRAIGHT + (WIDE - STRAIGHT) * way, start + (end - start) * (1 - math.cos(math.pi * way)) / 2) for way in ways
+    )
     return (0.0, start), *bend
 
 

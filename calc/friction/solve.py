@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The friction step: the meshes from the geometry of the train, the losses of all that turns, the closed power balance."""
+"""The friction step: the meshes from the geometry of the train, the losses of all that turns, the closed power
+balance."""
 
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
@@ -34,13 +35,22 @@ def meshes_of(train: TrainResult, materials: Mapping[str, Material]) -> dict[str
     """The meshes of a train along the flow of power, with what friction needs of them."""
     wheels = {
         name: WheelGeometry(
-            name=name, teeth=w.teeth, reference_radius=_half(w.pitch_diameter), base_radius=_half(w.base_diameter),
-            tip_radius=_half(w.tip_diameter), face_width=w.face_width, E=materials[w.material].E, poisson=materials[w.material].poisson,
+            name=name,
+            teeth=w.teeth,
+            reference_radius=_half(w.pitch_diameter),
+            base_radius=_half(w.base_diameter),
+            tip_radius=_half(w.tip_diameter),
+            face_width=w.face_width,
+            E=materials[w.material].E,
+            poisson=materials[w.material].poisson,
         )
         for name, w in train.wheels.items()
-    }  # fmt: skip
+    }
     beta_b = train.system.base_helix_angle
-    return {key: MeshGeometry(wheels[m.driver], wheels[m.driven], m.centre_distance, beta_b) for key, m in train.meshes.items()}
+    return {
+        key: MeshGeometry(wheels[m.driver], wheels[m.driven], m.centre_distance, beta_b)
+        for key, m in train.meshes.items()
+    }
 
 
 def _half(diameter: Metre) -> Metre:
@@ -48,7 +58,8 @@ def _half(diameter: Metre) -> Metre:
 
 
 def forces_of(gears: GearsInputs, train: TrainResult) -> Forces:
-    """The forces of the teeth on the axis of each wheel as the train stands, from powers of the meshes and speeds of the wheels."""
+    """The forces of the teeth on the axis of each wheel as the train stands, from powers of the meshes and speeds of
+    the wheels."""
 
     def forces(loads: Mapping[str, Watt], speeds: Mapping[str, RevPerSecond]) -> Mapping[str, Newton]:
         torques = {key: torque(P=loads.get(key, 0.0), n=speeds[mesh.driver]) for key, mesh in train.meshes.items()}
@@ -66,10 +77,19 @@ class MeshOil(NamedTuple):
 
 
 def solve(
-    friction: FrictionInputs, gears: GearsInputs, train: TrainResult, on: OnShaft | None, first_speed: RevPerSecond, oil: MeshOil,
-    materials: Mapping[str, Material], oils: Mapping[str, Oil], *, compared: bool = True,
-) -> Outcome[FrictionResult]:  # fmt: skip
-    """Losses of all meshes and the closed power balance.  `on` None: a train alone, whose first driver's power is given.
+    friction: FrictionInputs,
+    gears: GearsInputs,
+    train: TrainResult,
+    on: OnShaft | None,
+    first_speed: RevPerSecond,
+    oil: MeshOil,
+    materials: Mapping[str, Material],
+    oils: Mapping[str, Oil],
+    *,
+    compared: bool = True,
+) -> Outcome[FrictionResult]:
+    """Losses of all meshes and the closed power balance.  `on` None: a train alone, whose first driver's power is
+    given.
 
     `compared`: with the source's model beside the one that judges.
     """
@@ -79,9 +99,16 @@ def solve(
             lubricant = Lubricant(oil.oil, oil.viscosity_law)
         journals = journals_of(on) if on is not None else None
         d = drive(
-            friction, meshes, lubricant, oil.temperature, first_speed, journals, forces_of(gears, train), gears.lubrication,
+            friction,
+            meshes,
+            lubricant,
+            oil.temperature,
+            first_speed,
+            journals,
+            forces_of(gears, train),
+            gears.lubrication,
             compared=compared,
-        )  # fmt: skip
+        )
     power = gears.power if on is None else None
     outcome = closed(d, power)
     result = outcome.solution
@@ -97,9 +124,13 @@ def solve(
         yield from _notes(gears, on is not None)
 
     return replace(
-        outcome, result=result, lines=(*lines, *outcome.lines), notes=outcome.notes + Later(notes),
-        further=partial(further, d, result, power, on), key_curves=Later(lambda: (_open_constants(d, result, power)[0],)),
-    )  # fmt: skip
+        outcome,
+        result=result,
+        lines=(*lines, *outcome.lines),
+        notes=outcome.notes + Later(notes),
+        further=partial(further, d, result, power, on),
+        key_curves=Later(lambda: (_open_constants(d, result, power)[0],)),
+    )
 
 
 def closed(d: TrainDrive, power: Watt | None = None) -> Outcome[FrictionResult]:
@@ -133,8 +164,10 @@ def further(d: TrainDrive, result: FrictionResult, power: Watt | None, on: OnSha
         found = result.scenarios or {}
         ways = {key: curves.way(mesh) for key, mesh in result.meshes.items()}
         return Further(
-            curves=(*of_map, bars, *scenarios.curves(found, ways)), tables=(*of_fuel, table, *scenarios.tables(result)), notes=missing
-        )  # fmt: skip
+            curves=(*of_map, bars, *scenarios.curves(found, ways)),
+            tables=(*of_fuel, table, *scenarios.tables(result)),
+            notes=missing,
+        )
 
 
 def _open_constants(d: TrainDrive, result: FrictionResult, power: Watt | None) -> tuple[Curve, Table]:
@@ -148,7 +181,10 @@ def _notes(gears: GearsInputs, closed: bool) -> tuple[Text, ...]:
     """What the given power means."""
     if not closed:
         return (
-            Text("The power at the first driver is gears.power_kW, which its first mesh takes in, plus its own windage and other losses."),
+            Text(
+                "The power at the first driver is gears.power_kW, which its first mesh takes in, plus its own windage "
+                "and other losses."
+            ),
         )
     if gears.power is not None:
         return (Text("gears.power_kW rates the teeth only; the losses are those of the closed balance."),)

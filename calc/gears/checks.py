@@ -36,9 +36,11 @@ def checks(gears: GearsInputs, train: TrainResult) -> tuple[Check, ...]:
     return tuple(judged)
 
 
-# --- the train -------------------------------------------------------------------------------------------------------------
+# --- the train
+# -------------------------------------------------------------------------------------------------------------
 def speed_ratio(train: TrainResult, wanted: Number, crank: float | None = None) -> Check:
-    """Whether the last wheel turns as the shaft must: its speed over that of the first driver, as far as it is off the wanted one."""
+    """Whether the last wheel turns as the shaft must: its speed over that of the first driver, as far as it is off the
+    wanted one."""
     along = list(train.meshes.values())
     first, last = train.wheels[along[0].driver], train.wheels[along[-1].driven]
     way = [*(train.wheels[train.meshes[key].driver] for key in way_to(last.name, train.meshes)), last]
@@ -47,36 +49,72 @@ def speed_ratio(train: TrainResult, wanted: Number, crank: float | None = None) 
     teeth, needed = " → ".join(f"{wheel.name} {wheel.teeth}" for wheel in way), first.teeth * driven_by / abs(wanted)
     enough = Text("{needed} teeth", needed=Amount(needed, form="g"))
     if needed != round(needed):
-        enough = Text("{driven_by} times the teeth of {name}", driven_by=Amount(driven_by / abs(wanted), form="g"), name=first.name)
+        enough = Text(
+            "{driven_by} times the teeth of {name}",
+            driven_by=Amount(driven_by / abs(wanted), form="g"),
+            name=first.name,
+        )
     to = first.name if driven_by == 1.0 else Text("the crank")
     keys = tuple(f"gears.wheels.{wheel.name}.teeth" for wheel in reversed(way))
     off, shown = abs(ratio - wanted), Amount(ratio, form="+.6g")
-    name = Text("Speed ratio {name} to {to}, {ratio}: off the wanted {wanted} by", name=last.name, to=to, ratio=shown,
-        wanted=Amount(wanted, form="+g"))  # fmt: skip
-    source = Text("kinematics, counter-rotating shaft: product of the tooth ratios {wanted} and {parity} number of meshes",
-        wanted=Amount(abs(wanted), form="g"), parity=parity)  # fmt: skip
-    advice = Text("The teeth {teeth} give {ratio} by {count} meshes: give {name} {enough} and {parity} number of meshes "
-        "from {name2} to {name}.", teeth=teeth, ratio=shown, count=len(way) - 1, name=last.name, enough=enough, parity=parity,
-        name2=first.name)  # fmt: skip
-    return check("gears.train.speed_ratio", name, off if off > DUST else 0.0, "<=", SAME_RATIO, "", source, advice, moved_by=keys)
+    name = Text(
+        "Speed ratio {name} to {to}, {ratio}: off the wanted {wanted} by",
+        name=last.name,
+        to=to,
+        ratio=shown,
+        wanted=Amount(wanted, form="+g"),
+    )
+    source = Text(
+        "kinematics, counter-rotating shaft: product of the tooth ratios {wanted} and {parity} number of meshes",
+        wanted=Amount(abs(wanted), form="g"),
+        parity=parity,
+    )
+    advice = Text(
+        "The teeth {teeth} give {ratio} by {count} meshes: give {name} {enough} and {parity} number of meshes "
+        "from {name2} to {name}.",
+        teeth=teeth,
+        ratio=shown,
+        count=len(way) - 1,
+        name=last.name,
+        enough=enough,
+        parity=parity,
+        name2=first.name,
+    )
+    return check(
+        "gears.train.speed_ratio", name, off if off > DUST else 0.0, "<=", SAME_RATIO, "", source, advice, moved_by=keys
+    )
 
 
-# --- meshes ----------------------------------------------------------------------------------------------------------------
-def _backlash(system: ToothSystem, given: Mesh, index: int, mesh: MeshResult, driver: WheelResult, driven: WheelResult) -> Check:
+# --- meshes
+# ----------------------------------------------------------------------------------------------------------------
+def _backlash(
+    system: ToothSystem, given: Mesh, index: int, mesh: MeshResult, driver: WheelResult, driven: WheelResult
+) -> Check:
     closest = mesh.centre_distance - mesh.centre_tolerance  # where the slope is least: what it asks for is enough
     touching = (driver.base_diameter + driven.base_diameter) / 2
     slope = 2 * math.sqrt(1 - (touching / closest) ** 2) * math.cos(system.base_helix_angle)
-    return check(f"gears.{given.key}.backlash", Text("Smallest backlash {pair} by its tolerances", pair=mesh.title), mesh.backlash_min,
-        ">=", 0.0, "µm", Text("geometry: teeth must not jam at any combination of the tolerances; without runout, all at 20 °C"),
-        Text("Thinner teeth or a smaller centre tolerance give more."), index=index,
-        remedies=lambda: freed((driver, driven), given, index, mesh.centre_tolerance, -mesh.backlash_min, slope))  # fmt: skip
+    return check(
+        f"gears.{given.key}.backlash",
+        Text("Smallest backlash {pair} by its tolerances", pair=mesh.title),
+        mesh.backlash_min,
+        ">=",
+        0.0,
+        "µm",
+        Text("geometry: teeth must not jam at any combination of the tolerances; without runout, all at 20 °C"),
+        Text("Thinner teeth or a smaller centre tolerance give more."),
+        index=index,
+        remedies=lambda: freed((driver, driven), given, index, mesh.centre_tolerance, -mesh.backlash_min, slope),
+    )
 
 
 def _contact(id: str, index: int, mesh: MeshResult) -> list[Check]:
     name, eps_alpha = Text("Transverse contact ratio {pair}", pair=mesh.title), mesh.transverse_contact_ratio
     advice = Text("Cut less off the tips, bring the wheels closer together, or take more teeth of a smaller module.")
-    hands_over = Text("{practice}: above 1 each pair hands over to the next, 0.1 for tolerances; the overlap of a helix is not counted",
-        practice=p.PRACTICE)  # fmt: skip
+    hands_over = Text(
+        "{practice}: above 1 each pair hands over to the next, 0.1 for tolerances; the overlap of a helix is not "
+        "counted",
+        practice=p.PRACTICE,
+    )
     usual = Text("{name}, usual", name=name)
     checks = [
         check(f"{id}.contact_ratio", name, eps_alpha, ">=", p.CONTACT_RATIO, "", hands_over, advice),
@@ -85,15 +123,32 @@ def _contact(id: str, index: int, mesh: MeshResult) -> list[Check]:
     if mesh.transverse_contact_ratio_min is not None:
         least = Text("{name}, shortest tips, widest centres", name=name)
         checks.append(
-            check(f"{id}.contact_ratio_least", least, mesh.transverse_contact_ratio_min, ">=", 1.0, "", AT_THE_END, advice, index=index)
+            check(
+                f"{id}.contact_ratio_least",
+                least,
+                mesh.transverse_contact_ratio_min,
+                ">=",
+                1.0,
+                "",
+                AT_THE_END,
+                advice,
+                index=index,
+            )
         )
     return checks
 
 
 def _clearance(
-    system: ToothSystem, id: str, index: int, mesh: MeshResult, cuts: Mapping[str, Metre], driver: WheelResult, driven: WheelResult
+    system: ToothSystem,
+    id: str,
+    index: int,
+    mesh: MeshResult,
+    cuts: Mapping[str, Metre],
+    driver: WheelResult,
+    driven: WheelResult,
 ) -> list[Check]:
-    """Tip clearance and start of contact of the tighter wheel, and of the pair at the end of the tolerances where they are given."""
+    """Tip clearance and start of contact of the tighter wheel, and of the pair at the end of the tolerances where they
+    are given."""
     at_root = {"driver": mesh.tip_clearance_driver, "driven": mesh.tip_clearance_driven}
     above = {"driver": mesh.form_margin_driver, "driven": mesh.form_margin_driven}
     low, tight = min(at_root, key=at_root.__getitem__), min(above, key=above.__getitem__)
@@ -105,32 +160,92 @@ def _clearance(
     def shorter() -> tuple[Remedy, ...]:
         return (remedy(*(_cut(tip, cuts, missing) for tip in tips)),) if missing else ()
 
-    clearance, start = Text("Tip clearance {pair}", pair=mesh.title), Text("Start of contact above the fillet {pair}", pair=mesh.title)
+    clearance, start = (
+        Text("Tip clearance {pair}", pair=mesh.title),
+        Text("Start of contact above the fillet {pair}", pair=mesh.title),
+    )
     tool = Text("A tool with a larger addendum helps as well.")
     works_low = Text(
-        "The tip of {mate} works low on {wheel}: cut it as far as the contact ratio allows; a tool with a larger addendum or more teeth "
-        "help as well.", mate=mate.name, wheel=own.name,
-    )  # fmt: skip
+        "The tip of {mate} works low on {wheel}: cut it as far as the contact ratio allows; a tool with a larger "
+        "addendum or more teeth "
+        "help as well.",
+        mate=mate.name,
+        wheel=own.name,
+    )
     checks = [
-        check(f"{id}.tip_clearance", clearance, at_root[low], ">=", usual, "mm", _modules(p.TIP_CLEARANCE), tool,
-            value_id=f"{id}.tip_clearance_{low}", remedies=shorter),
-        check(f"{id}.interference", start, above[tight], ">=", needed, "mm", Text("{iso}: (d_Nf − d_Ff)/2", iso=ISO), works_low,
-            value_id=f"{id}.form_margin_{tight}", remedies=lambda: _eased(mesh, own, mate, cuts, needed)),
-        check(f"{id}.interference_usual", Text("{start}, usual", start=start), above[tight], ">=", enough, "mm",
-            _modules(p.USUAL_ABOVE_FILLET), works_low, value_id=f"{id}.form_margin_{tight}",
-            remedies=lambda: _eased(mesh, own, mate, cuts, enough)),
-    ]  # fmt: skip
+        check(
+            f"{id}.tip_clearance",
+            clearance,
+            at_root[low],
+            ">=",
+            usual,
+            "mm",
+            _modules(p.TIP_CLEARANCE),
+            tool,
+            value_id=f"{id}.tip_clearance_{low}",
+            remedies=shorter,
+        ),
+        check(
+            f"{id}.interference",
+            start,
+            above[tight],
+            ">=",
+            needed,
+            "mm",
+            Text("{iso}: (d_Nf − d_Ff)/2", iso=ISO),
+            works_low,
+            value_id=f"{id}.form_margin_{tight}",
+            remedies=lambda: _eased(mesh, own, mate, cuts, needed),
+        ),
+        check(
+            f"{id}.interference_usual",
+            Text("{start}, usual", start=start),
+            above[tight],
+            ">=",
+            enough,
+            "mm",
+            _modules(p.USUAL_ABOVE_FILLET),
+            works_low,
+            value_id=f"{id}.form_margin_{tight}",
+            remedies=lambda: _eased(mesh, own, mate, cuts, enough),
+        ),
+    ]
     if mesh.tip_clearance_min is not None:
-        checks.append(check(f"{id}.tip_clearance_least", Text("{clearance}, longest tips and closest centres", clearance=clearance),
-            mesh.tip_clearance_min, ">=", 0.0, "mm", AT_THE_END, tool, index=index, remedies=shorter))  # fmt: skip
+        checks.append(
+            check(
+                f"{id}.tip_clearance_least",
+                Text("{clearance}, longest tips and closest centres", clearance=clearance),
+                mesh.tip_clearance_min,
+                ">=",
+                0.0,
+                "mm",
+                AT_THE_END,
+                tool,
+                index=index,
+                remedies=shorter,
+            )
+        )
     if mesh.form_margin_min is not None:
-        checks.append(check(f"{id}.interference_least", Text("{start}, longest tips and closest centres", start=start),
-            mesh.form_margin_min, ">=", needed, "mm", AT_THE_END, works_low, index=index,
-            remedies=lambda: _eased(mesh, own, mate, cuts, needed)))  # fmt: skip
+        checks.append(
+            check(
+                f"{id}.interference_least",
+                Text("{start}, longest tips and closest centres", start=start),
+                mesh.form_margin_min,
+                ">=",
+                needed,
+                "mm",
+                AT_THE_END,
+                works_low,
+                index=index,
+                remedies=lambda: _eased(mesh, own, mate, cuts, needed),
+            )
+        )
     return checks
 
 
-def _eased(mesh: MeshResult, own: WheelResult, mate: WheelResult, cuts: Mapping[str, Metre], enough: float) -> tuple[Remedy, ...]:
+def _eased(
+    mesh: MeshResult, own: WheelResult, mate: WheelResult, cuts: Mapping[str, Metre], enough: float
+) -> tuple[Remedy, ...]:
     """How much of the mate's tip has to go, so that it arrives far enough above the fillet."""
     reach = own.form_diameter / 2 + enough
     rho = math.sqrt(max(reach**2 - (own.base_diameter / 2) ** 2, 0.0))
@@ -141,29 +256,57 @@ def _eased(mesh: MeshResult, own: WheelResult, mate: WheelResult, cuts: Mapping[
 
 def _cut(wheel: str, cuts: Mapping[str, Metre], more: float) -> Change:
     """`more` off its tip, in mm, beside what is cut already."""
-    return change(Wheel, f"gears.wheels.{wheel}.tip_shortening_mm", round(cuts[wheel] * 1e3 + more, 6), place=wheel, bound=">=")
+    return change(
+        Wheel, f"gears.wheels.{wheel}.tip_shortening_mm", round(cuts[wheel] * 1e3 + more, 6), place=wheel, bound=">="
+    )
 
 
 def _modules(limit: Number) -> Text:
     return Text("{practice}: {limit} m_n", practice=p.PRACTICE, limit=Amount(limit, form="g"))
 
 
-# --- wheels ----------------------------------------------------------------------------------------------------------------
+# --- wheels
+# ----------------------------------------------------------------------------------------------------------------
 def _tooth(system: ToothSystem, wheel: WheelResult) -> list[Check]:
     name = wheel.name
     s_an, value_id = wheel.tip_thickness_normal, f"gears.{name}.tip_thickness_normal"
     if wheel.tip_thickness_normal_min is not None:
         s_an, value_id = wheel.tip_thickness_normal_min, f"{value_id}_min"
     return [
-        check(f"gears.{name}.undercut", Text("Profile shift of {name} against undercut", name=name), wheel.profile_shift, ">=",
-            wheel.undercut_limit, "", ISO, Text("More teeth, or a tool with a smaller addendum, help as well."),
-            remedies=lambda: _shifted(wheel)),
-        check(f"gears.{name}.tip_thickness", Text("Normal tip thickness of {name}", name=name), s_an, ">=", p.TIP_THICKNESS * system.m_n,
-            "mm", _modules(p.TIP_THICKNESS), Text("Cut the tip, or give a smaller profile shift."), value_id=value_id),
-        check(f"gears.{name}.tip_thickness_hardened", Text("Tip thickness of {name}, if case-hardened", name=name), s_an, ">=",
-            p.TIP_THICKNESS_HARDENED * system.m_n, "mm", Text("{modules} if case-hardened", modules=_modules(p.TIP_THICKNESS_HARDENED)),
-            Text("A thin tip hardens through: cut it, or give less shift."), value_id=value_id),
-    ]  # fmt: skip
+        check(
+            f"gears.{name}.undercut",
+            Text("Profile shift of {name} against undercut", name=name),
+            wheel.profile_shift,
+            ">=",
+            wheel.undercut_limit,
+            "",
+            ISO,
+            Text("More teeth, or a tool with a smaller addendum, help as well."),
+            remedies=lambda: _shifted(wheel),
+        ),
+        check(
+            f"gears.{name}.tip_thickness",
+            Text("Normal tip thickness of {name}", name=name),
+            s_an,
+            ">=",
+            p.TIP_THICKNESS * system.m_n,
+            "mm",
+            _modules(p.TIP_THICKNESS),
+            Text("Cut the tip, or give a smaller profile shift."),
+            value_id=value_id,
+        ),
+        check(
+            f"gears.{name}.tip_thickness_hardened",
+            Text("Tip thickness of {name}, if case-hardened", name=name),
+            s_an,
+            ">=",
+            p.TIP_THICKNESS_HARDENED * system.m_n,
+            "mm",
+            Text("{modules} if case-hardened", modules=_modules(p.TIP_THICKNESS_HARDENED)),
+            Text("A thin tip hardens through: cut it, or give less shift."),
+            value_id=value_id,
+        ),
+    ]
 
 
 def _shifted(wheel: WheelResult) -> tuple[Remedy, ...]:

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The figures of a gear train: every mesh with tip circles and path of contact, one tooth of each wheel of one mesh, sliding."""
+"""The figures of a gear train: every mesh with tip circles and path of contact, one tooth of each wheel of one mesh,
+sliding."""
 
 import numpy as np
 
@@ -12,14 +13,18 @@ from .profile.outline import Outline, Regions, regions, repeated, whole_tooth
 from .result import MeshResult, TrainResult, WheelResult
 
 MM = 1e3
-TEETH, TEETH_BETWEEN = range(-2, 3), range(-2, 2)  # the teeth that are drawn of the driver, and of the driven wheel around them
+TEETH, TEETH_BETWEEN = (
+    range(-2, 3),
+    range(-2, 2),
+)  # the teeth that are drawn of the driver, and of the driven wheel around them
 DRAWN = 1e-3  # chord error of a figure in modules, rule of this program: finer than a line is wide
 ARC = 41  # points of a tip circle, which is drawn over two pitches
 ALONG = 61  # points of a curve of sliding
 
 
 def curves(train: TrainResult, mesh_key: str | None = None) -> tuple[Curve, ...]:
-    """First one mesh: profiles in mesh, sliding (of all meshes, this one first), one tooth of each of its wheels; then the other meshes.
+    """First one mesh: profiles in mesh, sliding (of all meshes, this one first), one tooth of each of its wheels; then
+    the other meshes.
 
     `mesh_key` "driver_driven"; left out, the mesh with the least backlash, which is the one to look at.
     """
@@ -37,9 +42,8 @@ def pitch_point_view(
 ) -> tuple[Outline, Outline]:
     """Teeth of both wheels around the pitch point at the origin, driver below; x to the right, y up.
 
-    With `roll` 0 a tooth of the driver stands in the middle of a space of the driven wheel; `roll` turns the driver, anticlockwise.
-    Without allowances and at the centre distance without backlash both flanks of that tooth touch.
-    """
+    With `roll` 0 a tooth of the driver stands in the middle of a space of the driven wheel; `roll` turns the driver,
+    anticlockwise. Without allowances and at the centre distance without backlash both flanks of that tooth touch."""
     (driver, own), (driven, mate) = below, above
     turned = 1j * np.exp(1j * roll)
     under = repeated(whole_tooth(own), driver.teeth, TEETH) * turned - 1j * mesh.working_diameter_driver / 2
@@ -52,15 +56,30 @@ def _in_mesh(train: TrainResult, key: str, flanks: dict[str, Regions]) -> Curve:
     mesh = train.meshes[key]
     driver, driven = train.wheels[mesh.driver], train.wheels[mesh.driven]
     below, above = pitch_point_view(mesh, (driver, flanks[driver.name]), (driven, flanks[driven.name]))
-    return Curve(f"profile_{key}", Text("Tooth profiles in mesh, {pair}", pair=mesh.title), axis_label("x", "mm"), axis_label("y", "mm"),
-        (_line(Name(mesh.driver), below), _line(Name(mesh.driven), above),
-            _line(Text("tip circle of {driver}", driver=mesh.driver), _tips(driver, -1j * mesh.working_diameter_driver / 2)),
-            _line(Text("tip circle of {driven}", driven=mesh.driven), _tips(driven, 1j * mesh.working_diameter_driven / 2)),
-            _line(Text("path of contact"), _path(mesh, driver, driven))), equal=True)  # fmt: skip
+    return Curve(
+        f"profile_{key}",
+        Text("Tooth profiles in mesh, {pair}", pair=mesh.title),
+        axis_label("x", "mm"),
+        axis_label("y", "mm"),
+        (
+            _line(Name(mesh.driver), below),
+            _line(Name(mesh.driven), above),
+            _line(
+                Text("tip circle of {driver}", driver=mesh.driver),
+                _tips(driver, -1j * mesh.working_diameter_driver / 2),
+            ),
+            _line(
+                Text("tip circle of {driven}", driven=mesh.driven), _tips(driven, 1j * mesh.working_diameter_driven / 2)
+            ),
+            _line(Text("path of contact"), _path(mesh, driver, driven)),
+        ),
+        equal=True,
+    )
 
 
 def _tips(wheel: WheelResult, centre: complex) -> Outline:
-    """The tip circle from a pitch before the pitch point to a pitch behind it, which is more than the path of contact takes."""
+    """The tip circle from a pitch before the pitch point to a pitch behind it, which is more than the path of contact
+    takes."""
     pitch = 2 * np.pi / wheel.teeth
     towards = -centre / abs(centre)
     arc: Outline = centre + towards * wheel.tip_diameter / 2 * np.exp(1j * np.linspace(-pitch, pitch, ARC))
@@ -68,7 +87,8 @@ def _tips(wheel: WheelResult, centre: complex) -> Outline:
 
 
 def _path(mesh: MeshResult, driver: WheelResult, driven: WheelResult) -> Outline:
-    """From the driven wheel's tip to the driver's, on the common tangent of the base circles; the driver turns clockwise."""
+    """From the driven wheel's tip to the driver's, on the common tangent of the base circles; the driver turns
+    clockwise."""
     ends = np.array([mesh.sap_curvature_driver, mesh.line_of_action - mesh.sap_curvature_driven])
     path: Outline = (ends - _pitch_point(mesh, driver, driven)) * np.exp(1j * mesh.working_pressure_angle)
     return path
@@ -85,17 +105,28 @@ def _line(label: Text, points: Outline) -> Series:
 
 def _tooth(name: str, flank: Regions) -> Curve:
     """One whole tooth, upright: the regions of its right flank, and its left flank as one line."""
-    parts = ((Text("root"), flank.root), (Text("fillet"), flank.fillet), (Text("involute"), flank.involute), (Text("tip"), flank.tip))
+    parts = (
+        (Text("root"), flank.root),
+        (Text("fillet"), flank.fillet),
+        (Text("involute"), flank.involute),
+        (Text("tip"), flank.tip),
+    )
     right = [1j * radius * np.exp(-1j * angle) for _, (radius, angle) in parts]
     series = [_line(label, points) for (label, _), points in zip(parts, right)]
     series.append(_line(Text("other flank"), -np.concatenate(right).conj()))
     return Curve(
-        f"tooth_{name}", Text("One tooth of {name}", name=name), axis_label("x", "mm"), axis_label("y", "mm"), tuple(series), equal=True
+        f"tooth_{name}",
+        Text("One tooth of {name}", name=name),
+        axis_label("x", "mm"),
+        axis_label("y", "mm"),
+        tuple(series),
+        equal=True,
     )
 
 
 def _sliding(train: TrainResult, keys: list[str]) -> Curve:
-    """ζ of both wheels along the path of contact, over its way from the pitch point; each mesh is a variant, if there are several."""
+    """ζ of both wheels along the path of contact, over its way from the pitch point; each mesh is a variant, if there
+    are several."""
     titles = [Name(train.meshes[key].title) for key in keys]
     variants = tuple(titles) if len(keys) > 1 else ()
     series = []

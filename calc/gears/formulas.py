@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """External helical involute wheels and their pairs: one function per equation.
 
-Index n: normal section, t: transverse section, w: working circle, b: base circle, a: tip, f: root, F: form circle, N: contact
-with the mate.  x is the shift coefficient without backlash, in normal modules; 1 is the driver, 2 the driven wheel.  ρ is the
-radius of curvature of the flank, which is also the place on the line of action, from the point where it touches the base circle.
-"""
+Index n: normal section, t: transverse section, w: working circle, b: base circle, a: tip, f: root, F: form circle, N:
+contact with the mate.  x is the shift coefficient without backlash, in normal modules; 1 is the driver, 2 the driven
+wheel.  ρ is the radius of curvature of the flank, which is also the place on the line of action, from the point where
+it touches the base circle."""
 
 import math
 
@@ -20,7 +20,8 @@ from ..sheet.units import Metre, Number, Radian, RevPerSecond
 ISO = Text("ISO 21771:2007")
 
 
-# --- the tooth system, common to all wheels of a train ------------------------------------------------------------------
+# --- the tooth system, common to all wheels of a train
+# ------------------------------------------------------------------
 @formula("m_t", Text("{iso}: transverse module", iso=ISO), unit="mm")
 def transverse_module(m_n: Metre, beta: Radian) -> Metre:
     """>>> transverse_module(m_n=0.002, beta=0.3825)
@@ -60,7 +61,11 @@ def base_pitch(m_t: Metre, alpha_t: Radian) -> Metre:
 
 @formula(
     "h_fP",
-    Text("{iso}: dedendum of the finished teeth; a tool that leaves stock on the flanks is held back from the root by q/sin α_n", iso=ISO),
+    Text(
+        "{iso}: dedendum of the finished teeth; a tool that leaves stock on the flanks is held back from the root by "
+        "q/sin α_n",
+        iso=ISO,
+    ),
 )
 def finished_dedendum(h_aP0: Number, q: Metre, m_n: Metre, alpha_n: Radian) -> Number:
     return h_aP0 - q / (m_n * sin(alpha_n))
@@ -73,7 +78,8 @@ def residual_undercut(pr_P0: Metre, q: Metre) -> Metre:
 
 @formula(
     "u_c",
-    "geometry, straight-sided tool with round corners: half distance of the corner centres, transverse; must not be negative",
+    "geometry, straight-sided tool with round corners: half distance of the corner centres, transverse; must not be "
+    "negative",
     unit="mm",
 )
 def tool_corner_position(
@@ -82,7 +88,8 @@ def tool_corner_position(
     return pi * m_t / 4 - (h_fP - rho_aP0) * m_n * tan(alpha_t) - (rho_aP0 * m_n - s_pr) / (cos(alpha_n) * cos(beta))
 
 
-# --- one wheel -------------------------------------------------------------------------------------------------------------
+# --- one wheel
+# -------------------------------------------------------------------------------------------------------------
 @formula("d", Text("{iso}: reference diameter", iso=ISO), unit="mm")
 def reference_diameter(z: Number, m_t: Metre) -> Metre:
     """>>> reference_diameter(z=25, m_t=0.00215579)
@@ -123,7 +130,9 @@ def undercut_limit(h_fP: Number, rho_aP0: Number, alpha_n: Radian, z: Number, al
     return h_fP - rho_aP0 * (1 - sin(alpha_n)) - z * sin(alpha_t) ** 2 / (2 * cos(beta))
 
 
-@formula("h_F", Text("{iso}: depth of the end of the tool's straight flank below the reference circle", iso=ISO), unit="mm")
+@formula(
+    "h_F", Text("{iso}: depth of the end of the tool's straight flank below the reference circle", iso=ISO), unit="mm"
+)
 def straight_flank_depth(m_n: Metre, h_fP: Number, rho_aP0: Number, alpha_n: Radian, x: Number) -> Metre:
     return m_n * (h_fP - rho_aP0 * (1 - sin(alpha_n)) - x)
 
@@ -178,7 +187,9 @@ def curvature_at(d_y: Metre, d_b: Metre) -> Metre:
     return sqrt(d_y**2 - d_b**2) / 2
 
 
-@formula("d_y", Text("{iso}: circle on which the flank has a radius of curvature", iso=ISO), unit="mm", names={"rho": "ρ_y"})
+@formula(
+    "d_y", Text("{iso}: circle on which the flank has a radius of curvature", iso=ISO), unit="mm", names={"rho": "ρ_y"}
+)
 def diameter_at(d_b: Metre, rho: Metre) -> Metre:
     return sqrt(d_b**2 + 4 * rho**2)
 
@@ -193,7 +204,8 @@ def speed_ratio(n_last: RevPerSecond, n_1: RevPerSecond) -> Number:
     return n_last / n_1
 
 
-# --- a pair: centre distance and shifts ------------------------------------------------------------------------------------
+# --- a pair: centre distance and shifts
+# ------------------------------------------------------------------------------------
 @formula("α_wt", Text("{iso}: working transverse pressure angle", iso=ISO))
 def working_pressure_angle(d_b1: Metre, d_b2: Metre, a_w: Metre) -> Radian:
     """>>> working_pressure_angle(d_b1=0.07225, d_b2=0.07827, a_w=0.08056)
@@ -233,7 +245,11 @@ def no_shift() -> Number:
 
 
 @formula(
-    "j_bn", Text("{iso}: normal backlash that is left where the driven wheel has less shift than meshes without; exact", iso=ISO), unit="µm"
+    "j_bn",
+    Text(
+        "{iso}: normal backlash that is left where the driven wheel has less shift than meshes without; exact", iso=ISO
+    ),
+    unit="µm",
 )
 def backlash_of_shifts(m_n: Metre, alpha_n: Radian, x_0: Number, x_2: Number) -> Metre:
     """`x_0`: the driven wheel's shift that leaves no backlash at this centre distance.
@@ -314,7 +330,8 @@ def standard_tip_shortening(x_1: Number, x_2: Number, m_n: Metre, a_w: Metre, d_
     return (x_1 + x_2) * m_n - joined(a_w, -(d_1 + d_2) / 2)
 
 
-# --- a pair: contact -------------------------------------------------------------------------------------------------------
+# --- a pair: contact
+# -------------------------------------------------------------------------------------------------------
 @formula("c", Text("{iso}: tip clearance at the root of the wheel", iso=ISO), unit="mm")
 def tip_clearance(a_w: Metre, d_f: Metre, d_am: Metre) -> Metre:
     """>>> tip_clearance(a_w=0.065813, d_f=0.048307, d_am=0.081657)
@@ -331,8 +348,12 @@ def line_of_action(a_w: Metre, alpha_wt: Radian) -> Metre:
     return a_w * sin(alpha_wt)
 
 
-@formula("ρ_A", Text("{iso}: start of the active profile, where the mate's tip arrives or the fillet ends", iso=ISO), unit="mm",
-    names={"T": "T_1T_2"})  # fmt: skip
+@formula(
+    "ρ_A",
+    Text("{iso}: start of the active profile, where the mate's tip arrives or the fillet ends", iso=ISO),
+    unit="mm",
+    names={"T": "T_1T_2"},
+)
 def start_of_active_profile(T: Metre, rho_am: Metre, rho_F: Metre) -> Metre:
     return largest(T - rho_am, rho_F)
 
@@ -363,7 +384,12 @@ def total_contact_ratio(eps_alpha: Number, eps_beta: Number) -> Number:
     return eps_alpha + eps_beta
 
 
-@formula("ρ_B", Text("{iso}: lowest point of single contact; exists where 1 ≤ ε_α < 2", iso=ISO), unit="mm", names={"T": "T_1T_2"})
+@formula(
+    "ρ_B",
+    Text("{iso}: lowest point of single contact; exists where 1 ≤ ε_α < 2", iso=ISO),
+    unit="mm",
+    names={"T": "T_1T_2"},
+)
 def lowest_single_contact(T: Metre, rho_Am: Metre, p_bt: Metre) -> Metre:
     """One base pitch before the end of contact, which is where the mate's begins."""
     return T - rho_Am - p_bt
@@ -375,7 +401,11 @@ def highest_single_contact(rho_A: Metre, p_bt: Metre) -> Metre:
     return rho_A + p_bt
 
 
-@formula("ζ", Text("{iso}: specific sliding, negative below the working circle", iso=ISO), names={"T": "T_1T_2", "rho": "ρ_y"})
+@formula(
+    "ζ",
+    Text("{iso}: specific sliding, negative below the working circle", iso=ISO),
+    names={"T": "T_1T_2", "rho": "ρ_y"},
+)
 def specific_sliding(T: Metre, rho: Metre, z: Number, z_m: Number) -> Number:
     """>>> specific_sliding(T=0.02417, rho=0.005132, z=25, z_m=36)
     -1.576156...

@@ -11,14 +11,18 @@ from typing import ClassVar
 from ..sheet.quantity import THUMB, choice, inputs, integer, keys, quantity, series, tables, text
 from ..sheet.text import Text
 
-# What a wheel of the train is described by: its teeth, their allowances, what was measured on them, its body and material.
+# What a wheel of the train is described by: its teeth, their allowances, what was measured on them, its body and
+# material.
 
 INTERNAL = Text(
-    "internal gears are not computed: contact, interference, the form of the root and its strength are those of two external wheels here; "
+    "internal gears are not computed: contact, interference, the form of the root and its strength are those of two "
+    "external wheels here; "
     "external wheels have 5 teeth or more and a positive centre distance"
 )
 
-REFUSED = dict.fromkeys(("internal", "internal_teeth", "ring", "ring_gear", "annulus"), INTERNAL)  # keys that others have for them
+REFUSED = dict.fromkeys(
+    ("internal", "internal_teeth", "ring", "ring_gear", "annulus"), INTERNAL
+)  # keys that others have for them
 
 
 @inputs
@@ -28,71 +32,233 @@ class Wheel:
     REFUSED: ClassVar[dict[str, Text]] = REFUSED
 
     name: str = text("Name")
-    teeth: int = integer("Teeth", low=5, high=1000, symbol="z", usual=(17, 100), source=THUMB, negative=INTERNAL,
-        help="Number of teeth; few of them are undercut.")  # fmt: skip
-    profile_shift: float | None = quantity("Profile shift coefficient", default=None, low=-3, high=3, symbol="x", step=0.01,
-        usual=(-0.5, 1), source=THUMB, help="In modules. Left out: by centre distance, like wheel, or 0.")  # fmt: skip
-    tip_shortening: float = quantity("Tip cut (radial)", "mm", default=0.0, low=0, high=50, symbol="k", source="Finotti 2013, 4.5.1",
-        help="Off the tip radius; eases the mate's dedendum.")  # fmt: skip
-    face_width: float | None = quantity("Face width", "mm", default=None, low=0.1, high=2000, symbol="b",
-        help="Width of this wheel. Left out: that of the train.")  # fmt: skip
-    hand: str | None = choice("Hand of the helix", "left", "right", default=None,
-        help="Hands alternate. Left out: the first driver is right-handed.")  # fmt: skip
+    teeth: int = integer(
+        "Teeth",
+        low=5,
+        high=1000,
+        symbol="z",
+        usual=(17, 100),
+        source=THUMB,
+        negative=INTERNAL,
+        help="Number of teeth; few of them are undercut.",
+    )
+    profile_shift: float | None = quantity(
+        "Profile shift coefficient",
+        default=None,
+        low=-3,
+        high=3,
+        symbol="x",
+        step=0.01,
+        usual=(-0.5, 1),
+        source=THUMB,
+        help="In modules. Left out: by centre distance, like wheel, or 0.",
+    )
+    tip_shortening: float = quantity(
+        "Tip cut (radial)",
+        "mm",
+        default=0.0,
+        low=0,
+        high=50,
+        symbol="k",
+        source="Finotti 2013, 4.5.1",
+        help="Off the tip radius; eases the mate's dedendum.",
+    )
+    face_width: float | None = quantity(
+        "Face width",
+        "mm",
+        default=None,
+        low=0.1,
+        high=2000,
+        symbol="b",
+        help="Width of this wheel. Left out: that of the train.",
+    )
+    hand: str | None = choice(
+        "Hand of the helix",
+        "left",
+        "right",
+        default=None,
+        help="Hands alternate. Left out: the first driver is right-handed.",
+    )
     material: str = text("Material", default="steel", help="By which it yields and expands.")
-    span_teeth: int | None = integer("Teeth spanned", default=None, low=1, high=200, symbol="K", source="ISO 21771",
-        help="Teeth over which the span is measured. Left out: the best number.")  # fmt: skip
-    span_allowance: tuple[float, ...] | None = series("Allowance of the span", "µm", default=None, count=(2, 2), low=-5000, high=5000,
-        symbol="E_W", usual=(-50, -20), source="Finotti 2013, 4.5.1", help="[upper, lower] of W: −20, −30 shaved, −40, −50 hobbed."
-    )  # fmt: skip
-    tip_diameter_tolerance: tuple[float, ...] | None = series("Tolerance of the tip diameter", "µm", default=None, count=(2, 2), low=-5000,
-        high=5000, usual=(-100, 0), source="Finotti 2013, 4.5.2", help="[upper, lower] of the tip diameter.")  # fmt: skip
-    root_diameter_tolerance: tuple[float, ...] | None = series("Tolerance of the root diameter", "µm", default=None, count=(2, 2),
-        low=-5000, high=5000, usual=(-300, 0), source="Finotti 2013, 4.5.2", help="[upper, lower], beside the span's allowance."
-    )  # fmt: skip
-    runout: float | None = quantity("Runout of the teeth", "µm", default=None, low=0, high=2000, symbol="F_r", usual=(5, 80), source=THUMB,
-        help="Over a turn; half of it to each side of the centre.")  # fmt: skip
-    measured_span: float | None = quantity("Measured span", "mm", default=None, above=0, high=5000, symbol="W", source="ISO 21771",
-        help="Over the teeth spanned; gives the tooth that was made.")  # fmt: skip
-    measured_over_balls: float | None = quantity("Measured size over balls", "mm", default=None, above=0, high=10000, symbol="M_dK",
-        source="ISO 21771", help="Over two balls of gears.ball_diameter_mm; gives the tooth that was made.")  # fmt: skip
-    measured_over_pins: float | None = quantity("Measured size over pins", "mm", default=None, above=0, high=10000, symbol="M_dR",
-        source="ISO 21771", help="Between faces parallel to the axis: two opposite pins, of an odd helical wheel three.")  # fmt: skip
-    measured_chordal_thickness: float | None = quantity("Measured chordal thickness", "mm", default=None, above=0, high=500, symbol="s_c",
-        source="ISO 21771", help="Normal, at the height above the chord.")  # fmt: skip
-    position: tuple[float, ...] | None = series("Position of its axis", "mm", default=None, count=(2, 2), low=-5000, high=5000,
-        help="[up, side] from the crank's axis, side: 90° on in the sense of crank rotation. Left out: from two neighbours, if it can be."
-    )  # fmt: skip
-    bore_diameter: float | None = quantity("Bore", "mm", default=None, above=0, high=2000, symbol="d_i",
-        help="Diameter of the bore of the body, for its inertia. Left out: a solid disc.")  # fmt: skip
-    rim_thickness: float | None = quantity("Rim thickness", "mm", default=None, above=0, high=500, symbol="s_R", source="ISO 6336-3",
-        help="Below the root circle; from 1.2 tooth depths on it costs no strength. Left out: a solid body.")  # fmt: skip
-    gear_material: str | None = text("Strength class", default=None,
-        help="A row of the table of ISO 6336-5; left out: case-hardened steel, and said so.")  # fmt: skip
+    span_teeth: int | None = integer(
+        "Teeth spanned",
+        default=None,
+        low=1,
+        high=200,
+        symbol="K",
+        source="ISO 21771",
+        help="Teeth over which the span is measured. Left out: the best number.",
+    )
+    span_allowance: tuple[float, ...] | None = series(
+        "Allowance of the span",
+        "µm",
+        default=None,
+        count=(2, 2),
+        low=-5000,
+        high=5000,
+        symbol="E_W",
+        usual=(-50, -20),
+        source="Finotti 2013, 4.5.1",
+        help="[upper, lower] of W: −20, −30 shaved, −40, −50 hobbed.",
+    )
+    tip_diameter_tolerance: tuple[float, ...] | None = series(
+        "Tolerance of the tip diameter",
+        "µm",
+        default=None,
+        count=(2, 2),
+        low=-5000,
+        high=5000,
+        usual=(-100, 0),
+        source="Finotti 2013, 4.5.2",
+        help="[upper, lower] of the tip diameter.",
+    )
+    root_diameter_tolerance: tuple[float, ...] | None = series(
+        "Tolerance of the root diameter",
+        "µm",
+        default=None,
+        count=(2, 2),
+        low=-5000,
+        high=5000,
+        usual=(-300, 0),
+        source="Finotti 2013, 4.5.2",
+        help="[upper, lower], beside the span's allowance.",
+    )
+    runout: float | None = quantity(
+        "Runout of the teeth",
+        "µm",
+        default=None,
+        low=0,
+        high=2000,
+        symbol="F_r",
+        usual=(5, 80),
+        source=THUMB,
+        help="Over a turn; half of it to each side of the centre.",
+    )
+    measured_span: float | None = quantity(
+        "Measured span",
+        "mm",
+        default=None,
+        above=0,
+        high=5000,
+        symbol="W",
+        source="ISO 21771",
+        help="Over the teeth spanned; gives the tooth that was made.",
+    )
+    measured_over_balls: float | None = quantity(
+        "Measured size over balls",
+        "mm",
+        default=None,
+        above=0,
+        high=10000,
+        symbol="M_dK",
+        source="ISO 21771",
+        help="Over two balls of gears.ball_diameter_mm; gives the tooth that was made.",
+    )
+    measured_over_pins: float | None = quantity(
+        "Measured size over pins",
+        "mm",
+        default=None,
+        above=0,
+        high=10000,
+        symbol="M_dR",
+        source="ISO 21771",
+        help="Between faces parallel to the axis: two opposite pins, of an odd helical wheel three.",
+    )
+    measured_chordal_thickness: float | None = quantity(
+        "Measured chordal thickness",
+        "mm",
+        default=None,
+        above=0,
+        high=500,
+        symbol="s_c",
+        source="ISO 21771",
+        help="Normal, at the height above the chord.",
+    )
+    position: tuple[float, ...] | None = series(
+        "Position of its axis",
+        "mm",
+        default=None,
+        count=(2, 2),
+        low=-5000,
+        high=5000,
+        help="[up, side] from the crank's axis, side: 90° on in the sense of crank rotation. Left out: from two "
+        "neighbours, if it can be.",
+    )
+    bore_diameter: float | None = quantity(
+        "Bore",
+        "mm",
+        default=None,
+        above=0,
+        high=2000,
+        symbol="d_i",
+        help="Diameter of the bore of the body, for its inertia. Left out: a solid disc.",
+    )
+    rim_thickness: float | None = quantity(
+        "Rim thickness",
+        "mm",
+        default=None,
+        above=0,
+        high=500,
+        symbol="s_R",
+        source="ISO 6336-3",
+        help="Below the root circle; from 1.2 tooth depths on it costs no strength. Left out: a solid body.",
+    )
+    gear_material: str | None = text(
+        "Strength class",
+        default=None,
+        help="A row of the table of ISO 6336-5; left out: case-hardened steel, and said so.",
+    )
     quality: str = choice("Material quality", "ML", "MQ", "ME", default="MQ", help="Of ISO 6336-5.")
-    hardness: float | None = quantity("Surface hardness", "HV", default=None, above=0, high=1200, symbol="HV", usual=(115, 900),
-        source="ISO 6336-5:2016, Table 1", help="For classes whose strength depends on it.")  # fmt: skip
+    hardness: float | None = quantity(
+        "Surface hardness",
+        "HV",
+        default=None,
+        above=0,
+        high=1200,
+        symbol="HV",
+        usual=(115, 900),
+        source="ISO 6336-5:2016, Table 1",
+        help="For classes whose strength depends on it.",
+    )
 
     def problems(self) -> Iterable[tuple[str, Text]]:
         for key, limits in (
-            ("span_allowance_um", self.span_allowance), ("tip_diameter_tolerance_um", self.tip_diameter_tolerance),
+            ("span_allowance_um", self.span_allowance),
+            ("tip_diameter_tolerance_um", self.tip_diameter_tolerance),
             ("root_diameter_tolerance_um", self.root_diameter_tolerance),
-        ):  # fmt: skip
+        ):
             if limits is not None and len(limits) == 2 and limits[0] < limits[1]:
                 yield key, Text("is [upper, lower]: the first must not be below the second")
 
 
 # What a mesh is described by: its two wheels, their centre distance, and the parts that make its tolerance.
 
+
 @inputs
 class Contributor:
     """One part of the chain between two centres."""
 
     name: str = text("Name")
-    field: float = quantity("Field", "mm", low=0, high=10, symbol="T", usual=(0.01, 0.1), source=THUMB,
-        help="Its whole width, as on the drawing.")  # fmt: skip
-    kind: str = choice("Kind", "position", "fit", "runout", "radial", default="position",
-        help="position: diameter of its zone. fit: largest clearance, diametral. runout: over a turn. radial: whole width of a shift."
-    )  # fmt: skip
+    field: float = quantity(
+        "Field",
+        "mm",
+        low=0,
+        high=10,
+        symbol="T",
+        usual=(0.01, 0.1),
+        source=THUMB,
+        help="Its whole width, as on the drawing.",
+    )
+    kind: str = choice(
+        "Kind",
+        "position",
+        "fit",
+        "runout",
+        "radial",
+        default="position",
+        help="position: diameter of its zone. fit: largest clearance, diametral. runout: over a turn. radial: whole "
+        "width of a shift.",
+    )
 
 
 @inputs
@@ -103,20 +269,74 @@ class Mesh:
 
     driver: str = text("Driver", help="The wheel nearer to the crank.")
     driven: str = text("Driven", help="The wheel that it drives.")
-    centre_distance: float | None = quantity("Centre distance", "mm", default=None, above=0, high=5000, symbol="a_w", source="ISO 21771",
-        negative=INTERNAL, help="Distance of the two axes. Left out: without backlash, from the profile shifts.")  # fmt: skip
-    tolerance: float | None = quantity("Tolerance of the centre distance (±)", "µm", default=None, low=0, high=5000, symbol="T_a",
-        usual=(10, 100), source=THUMB, help="Half the field, to either side.")  # fmt: skip
-    contributors: tuple[float, ...] | None = series("Contributors to the tolerance", "mm", default=None, low=0, high=10, usual=(0.01, 0.1),
-        source=THUMB, help="Fields of the parts; half their root of squares.")  # fmt: skip
-    support_share: float | None = quantity("Share of the support", default=None, low=0, high=1, symbol="lambda_S",
-        help="Share of the distance that gears.support_material spans; the housing spans the rest.")  # fmt: skip
-    mesh_misalignment: float | None = quantity("Mesh misalignment by manufacture", "µm", default=None, low=0, high=500, symbol="f_ma",
-        usual=(0, 30), source=THUMB, help="Over the face width. Left out: by the accuracy grade.")  # fmt: skip
-    shaft_deflection: float | None = quantity("Misalignment by bending", "µm", default=None, low=0, high=500, symbol="f_sh", usual=(0, 30),
-        source=THUMB, help="Over the face width. Left out: none.")  # fmt: skip
-    stack: tuple[Contributor, ...] = tables("Parts between the centres", Contributor, default=(),
-        help="Each with its kind: worst case, root of squares and by chance, side by side.")  # fmt: skip
+    centre_distance: float | None = quantity(
+        "Centre distance",
+        "mm",
+        default=None,
+        above=0,
+        high=5000,
+        symbol="a_w",
+        source="ISO 21771",
+        negative=INTERNAL,
+        help="Distance of the two axes. Left out: without backlash, from the profile shifts.",
+    )
+    tolerance: float | None = quantity(
+        "Tolerance of the centre distance (±)",
+        "µm",
+        default=None,
+        low=0,
+        high=5000,
+        symbol="T_a",
+        usual=(10, 100),
+        source=THUMB,
+        help="Half the field, to either side.",
+    )
+    contributors: tuple[float, ...] | None = series(
+        "Contributors to the tolerance",
+        "mm",
+        default=None,
+        low=0,
+        high=10,
+        usual=(0.01, 0.1),
+        source=THUMB,
+        help="Fields of the parts; half their root of squares.",
+    )
+    support_share: float | None = quantity(
+        "Share of the support",
+        default=None,
+        low=0,
+        high=1,
+        symbol="lambda_S",
+        help="Share of the distance that gears.support_material spans; the housing spans the rest.",
+    )
+    mesh_misalignment: float | None = quantity(
+        "Mesh misalignment by manufacture",
+        "µm",
+        default=None,
+        low=0,
+        high=500,
+        symbol="f_ma",
+        usual=(0, 30),
+        source=THUMB,
+        help="Over the face width. Left out: by the accuracy grade.",
+    )
+    shaft_deflection: float | None = quantity(
+        "Misalignment by bending",
+        "µm",
+        default=None,
+        low=0,
+        high=500,
+        symbol="f_sh",
+        usual=(0, 30),
+        source=THUMB,
+        help="Over the face width. Left out: none.",
+    )
+    stack: tuple[Contributor, ...] = tables(
+        "Parts between the centres",
+        Contributor,
+        default=(),
+        help="Each with its kind: worst case, root of squares and by chance, side by side.",
+    )
 
     @property
     def key(self) -> str:
@@ -145,8 +365,12 @@ class Neighbour:
     """Something round beside the wheels: a screw, an oil gallery, a hub."""
 
     name: str = text("Name")
-    position: tuple[float, ...] = series("Position", "mm", count=(2, 2), low=-5000, high=5000, help="[up, side] from the crank's axis.")
-    radius: float = quantity("Radius", "mm", above=0, high=5000, symbol="r", help="Radius of the round thing that the wheels must clear.")
+    position: tuple[float, ...] = series(
+        "Position", "mm", count=(2, 2), low=-5000, high=5000, help="[up, side] from the crank's axis."
+    )
+    radius: float = quantity(
+        "Radius", "mm", above=0, high=5000, symbol="r", help="Radius of the round thing that the wheels must clear."
+    )
 
 
 @inputs
@@ -154,8 +378,12 @@ class Wall:
     """A straight wall beside the wheels: a cover, a rib."""
 
     name: str = text("Name")
-    from_: tuple[float, ...] = series("From", "mm", count=(2, 2), low=-5000, high=5000, help="[up, side] from the crank's axis.")
-    to: tuple[float, ...] = series("Up to", "mm", count=(2, 2), low=-5000, high=5000, help="[up, side] from the crank's axis.")
+    from_: tuple[float, ...] = series(
+        "From", "mm", count=(2, 2), low=-5000, high=5000, help="[up, side] from the crank's axis."
+    )
+    to: tuple[float, ...] = series(
+        "Up to", "mm", count=(2, 2), low=-5000, high=5000, help="[up, side] from the crank's axis."
+    )
 
     def problems(self) -> Iterable[tuple[str, Text]]:
         if self.from_ == self.to:
@@ -166,73 +394,312 @@ class Wall:
 class GearsInputs:
     """The tool, the wheels and the meshes along the flow of power."""
 
-    normal_module: float | None = quantity("Normal module", "mm", default=None, above=0, high=100, symbol="m_n", step=0.25, usual=(1, 5),
-        source=THUMB, help="Pitch over π, normal to the teeth. Left out: by transverse_module_mm.")  # fmt: skip
-    transverse_module: float | None = quantity("Transverse module", "mm", default=None, above=0, high=100, symbol="m_t", step=0.25,
-        usual=(1, 5), source=THUMB, help="Pitch over π, square to the axes; instead of the normal one.")  # fmt: skip
-    pressure_angle: float = quantity("Pressure angle (normal)", "°", low=10, high=35, symbol="alpha_n", default=math.radians(20),
-        usual=(14.5, 25), source=THUMB, help="Of the tool, normal to the teeth; 20° is common.")  # fmt: skip
-    helix_angle: float = quantity("Helix angle", "°", low=0, high=35, symbol="beta", default=0.0, usual=(0, 30), source=THUMB,
-        help="At the reference circle; 0: spur wheels.")  # fmt: skip
-    face_width: float = quantity("Face width", "mm", low=0.1, high=2000, symbol="b", usual=(5, 80), source=THUMB,
-        help="Of all wheels that give none of their own; often 6 to 12 modules.")  # fmt: skip
-    tool_addendum: float = quantity("Tool addendum", default=1.25, low=0.5, high=3, symbol="h_aP0", step=0.05, usual=(1.2, 1.5),
-        source=THUMB, help="In modules; makes the root.")  # fmt: skip
-    tool_tip_radius: float = quantity("Tool tip radius", default=0.38, low=0, high=1, symbol="rho_aP0", step=0.02, usual=(0.2, 0.4),
-        source=THUMB, help="In modules; makes the fillet.")  # fmt: skip
-    protuberance: float = quantity("Protuberance of the tool", "mm", default=0.0, low=0, high=10, symbol="pr_P0", usual=(0, 0.4),
-        source=THUMB, help="How far its tip stands out of its flank.")  # fmt: skip
-    stock: float = quantity("Stock left on the flanks", "mm", default=0.0, low=0, high=10, symbol="q", usual=(0, 0.3), source=THUMB,
-        help="Left normal to the flank, to be shaved or ground.")  # fmt: skip
-    ball_diameter: float | None = quantity("Measuring ball", "mm", default=None, above=0, high=200, symbol="D_M",
+    normal_module: float | None = quantity(
+        "Normal module",
+        "mm",
+        default=None,
+        above=0,
+        high=100,
+        symbol="m_n",
+        step=0.25,
+        usual=(1, 5),
+        source=THUMB,
+        help="Pitch over π, normal to the teeth. Left out: by transverse_module_mm.",
+    )
+    transverse_module: float | None = quantity(
+        "Transverse module",
+        "mm",
+        default=None,
+        above=0,
+        high=100,
+        symbol="m_t",
+        step=0.25,
+        usual=(1, 5),
+        source=THUMB,
+        help="Pitch over π, square to the axes; instead of the normal one.",
+    )
+    pressure_angle: float = quantity(
+        "Pressure angle (normal)",
+        "°",
+        low=10,
+        high=35,
+        symbol="alpha_n",
+        default=math.radians(20),
+        usual=(14.5, 25),
+        source=THUMB,
+        help="Of the tool, normal to the teeth; 20° is common.",
+    )
+    helix_angle: float = quantity(
+        "Helix angle",
+        "°",
+        low=0,
+        high=35,
+        symbol="beta",
+        default=0.0,
+        usual=(0, 30),
+        source=THUMB,
+        help="At the reference circle; 0: spur wheels.",
+    )
+    face_width: float = quantity(
+        "Face width",
+        "mm",
+        low=0.1,
+        high=2000,
+        symbol="b",
+        usual=(5, 80),
+        source=THUMB,
+        help="Of all wheels that give none of their own; often 6 to 12 modules.",
+    )
+    tool_addendum: float = quantity(
+        "Tool addendum",
+        default=1.25,
+        low=0.5,
+        high=3,
+        symbol="h_aP0",
+        step=0.05,
+        usual=(1.2, 1.5),
+        source=THUMB,
+        help="In modules; makes the root.",
+    )
+    tool_tip_radius: float = quantity(
+        "Tool tip radius",
+        default=0.38,
+        low=0,
+        high=1,
+        symbol="rho_aP0",
+        step=0.02,
+        usual=(0.2, 0.4),
+        source=THUMB,
+        help="In modules; makes the fillet.",
+    )
+    protuberance: float = quantity(
+        "Protuberance of the tool",
+        "mm",
+        default=0.0,
+        low=0,
+        high=10,
+        symbol="pr_P0",
+        usual=(0, 0.4),
+        source=THUMB,
+        help="How far its tip stands out of its flank.",
+    )
+    stock: float = quantity(
+        "Stock left on the flanks",
+        "mm",
+        default=0.0,
+        low=0,
+        high=10,
+        symbol="q",
+        usual=(0, 0.3),
+        source=THUMB,
+        help="Left normal to the flank, to be shaved or ground.",
+    )
+    ball_diameter: float | None = quantity(
+        "Measuring ball",
+        "mm",
+        default=None,
+        above=0,
+        high=200,
+        symbol="D_M",
         source="DIN 3977",
-        help="Diameter of the ball or pin. Left out: for each wheel the preferred one that touches nearest to the middle of its flank."
-    )  # fmt: skip
-    iso_6336_edition: int = integer("ISO 6336 edition", default=2006, low=2006, high=2019, source="ISO 6336",
-        help="The edition of ISO 6336 that rates the teeth, 2006 or 2019.")  # fmt: skip
-    application_factor: float | None = quantity("Application factor", default=None, low=1, high=5, symbol="K_A", step=0.05,
-        usual=(1, 2.25), source="ISO 6336-6", help="For shocks. Left out: 1.25, or 1 with known irregularity.")  # fmt: skip
-    accuracy_grade: int = integer("Accuracy grade (ISO 1328-1)", default=7, low=1, high=11, symbol="A", usual=(5, 9),
-        source="ISO 1328-1, and rule of thumb", help="Smaller is finer: 5 ground, 7 shaved, 9 hobbed.")  # fmt: skip
-    life: float | None = quantity("Life", "h", default=None, above=0, high=1e6, symbol="L_h", usual=(500, 30000), source=THUMB,
-        help="Hours at this load. Left out: without end.")  # fmt: skip
-    tip_relief: float | None = quantity("Tip relief", "µm", default=None, low=0, high=500, symbol="C_a", usual=(0, 50), source=THUMB,
-        help="Ground off the tips. Left out: what running in makes.")  # fmt: skip
-    flank_rz: float | None = quantity("Flank roughness Rz", "µm", default=None, above=0, high=100, symbol="Rz_H", usual=(1, 16),
-        source=THUMB, help="Peak to valley. Left out: six times Ra of step 6, else 4.")  # fmt: skip
-    root_rz: float = quantity("Root roughness Rz", "µm", default=16e-6, above=0, high=200, symbol="Rz_F", usual=(1, 40),
-        source="ISO 6336-3, range of Y_RrelT", help="Of the fillets, for the strength of the root.")  # fmt: skip
-    scuffing_load_stage: float | None = quantity("FZG load stage of the oil", default=None, low=1, high=14, symbol="S_FZG", usual=(8, 14),
-        source=THUMB, help="By test A/8.3/90. Left out: stage 10 is assumed.")  # fmt: skip
-    permissible_film: float | None = quantity("Permissible specific film", default=None, above=0, high=10, symbol="lambda_GFP",
-        usual=(0.06, 0.6), source="ISO/TR 15144-1, Annex A", help="λ_GFP by a test of the oil. Left out: 0.3.")  # fmt: skip
-    lubrication: str = choice("Lubrication", "spray", "dip", "submerged", default="spray", help="How the oil comes to the teeth.")
-    housing_material: str | None = text("Housing material", default=None,
-        help="Between the centres. Left out: that of the bearings, else as the wheels.")  # fmt: skip
-    support_material: str | None = text("Support material", default=None, help="Of the part of a centre distance that a support spans.")
-    lowest_temperature: float = quantity("Lowest temperature", "°C", default=-30.0, low=-60, high=60, symbol="T_min", usual=(-40, 0),
-        source=THUMB, help="Of all parts in a cold start.")  # fmt: skip
-    running_temperature: float = quantity("Running temperature of the housing", "°C", default=100.0, low=0, high=200, symbol="T_H",
-        usual=(60, 120), source=THUMB, help="At which the warm backlash is taken.")  # fmt: skip
-    wheels_warmer: float = quantity("Wheels warmer than the housing", "K", default=20.0, low=0, high=150, symbol="Delta_T", usual=(0, 40),
-        source=THUMB, help="They then take backlash away.")  # fmt: skip
-    speed: float | None = quantity("Speed of the first driver", "rpm", default=None, above=0, high=100000, symbol="n",
-        help="How fast the first driver turns. Left out: the crank's rated speed.")  # fmt: skip
-    power: float | None = quantity("Power of the first driver", "kW", default=None, above=0, high=1e5, symbol="P",
-        help="What the train takes in at the first driver. Left out: from the closed power balance.")  # fmt: skip
-    speed_irregularity: float | None = quantity("Irregularity of the first driver's speed", default=None, low=0, high=1, symbol="delta_s",
-        step=0.005, usual=(0, 0.05), source="rule of thumb, by machine handbooks from memory",
-        help="Swing over mean. Left out: the engine's.")  # fmt: skip
-    irregularity_order: float | None = quantity("Order of the irregularity", default=None, above=0, high=50, symbol="i",
-        help="How often a turn of the first driver it swings. Left out: the engine's firing order.")  # fmt: skip
-    tooth_angle: float = quantity("Tooth of the first driver", "°", default=0.0, low=-360, high=360, symbol="gamma_1",
-        help="Direction of the middle of one of its teeth, cylinder 1 at TDC, from up in the sense of crank rotation.")  # fmt: skip
-    source_sheet: str = choice("Sheet to compare with", "none", "finotti", default="none",
-        help="finotti: what the calculation sheet of Finotti 2013 gives, with what is wrong in it.")  # fmt: skip
+        help="Diameter of the ball or pin. Left out: for each wheel the preferred one that touches nearest to the "
+        "middle of its flank.",
+    )
+    iso_6336_edition: int = integer(
+        "ISO 6336 edition",
+        default=2006,
+        low=2006,
+        high=2019,
+        source="ISO 6336",
+        help="The edition of ISO 6336 that rates the teeth, 2006 or 2019.",
+    )
+    application_factor: float | None = quantity(
+        "Application factor",
+        default=None,
+        low=1,
+        high=5,
+        symbol="K_A",
+        step=0.05,
+        usual=(1, 2.25),
+        source="ISO 6336-6",
+        help="For shocks. Left out: 1.25, or 1 with known irregularity.",
+    )
+    accuracy_grade: int = integer(
+        "Accuracy grade (ISO 1328-1)",
+        default=7,
+        low=1,
+        high=11,
+        symbol="A",
+        usual=(5, 9),
+        source="ISO 1328-1, and rule of thumb",
+        help="Smaller is finer: 5 ground, 7 shaved, 9 hobbed.",
+    )
+    life: float | None = quantity(
+        "Life",
+        "h",
+        default=None,
+        above=0,
+        high=1e6,
+        symbol="L_h",
+        usual=(500, 30000),
+        source=THUMB,
+        help="Hours at this load. Left out: without end.",
+    )
+    tip_relief: float | None = quantity(
+        "Tip relief",
+        "µm",
+        default=None,
+        low=0,
+        high=500,
+        symbol="C_a",
+        usual=(0, 50),
+        source=THUMB,
+        help="Ground off the tips. Left out: what running in makes.",
+    )
+    flank_rz: float | None = quantity(
+        "Flank roughness Rz",
+        "µm",
+        default=None,
+        above=0,
+        high=100,
+        symbol="Rz_H",
+        usual=(1, 16),
+        source=THUMB,
+        help="Peak to valley. Left out: six times Ra of step 6, else 4.",
+    )
+    root_rz: float = quantity(
+        "Root roughness Rz",
+        "µm",
+        default=16e-6,
+        above=0,
+        high=200,
+        symbol="Rz_F",
+        usual=(1, 40),
+        source="ISO 6336-3, range of Y_RrelT",
+        help="Of the fillets, for the strength of the root.",
+    )
+    scuffing_load_stage: float | None = quantity(
+        "FZG load stage of the oil",
+        default=None,
+        low=1,
+        high=14,
+        symbol="S_FZG",
+        usual=(8, 14),
+        source=THUMB,
+        help="By test A/8.3/90. Left out: stage 10 is assumed.",
+    )
+    permissible_film: float | None = quantity(
+        "Permissible specific film",
+        default=None,
+        above=0,
+        high=10,
+        symbol="lambda_GFP",
+        usual=(0.06, 0.6),
+        source="ISO/TR 15144-1, Annex A",
+        help="λ_GFP by a test of the oil. Left out: 0.3.",
+    )
+    lubrication: str = choice(
+        "Lubrication", "spray", "dip", "submerged", default="spray", help="How the oil comes to the teeth."
+    )
+    housing_material: str | None = text(
+        "Housing material",
+        default=None,
+        help="Between the centres. Left out: that of the bearings, else as the wheels.",
+    )
+    support_material: str | None = text(
+        "Support material", default=None, help="Of the part of a centre distance that a support spans."
+    )
+    lowest_temperature: float = quantity(
+        "Lowest temperature",
+        "°C",
+        default=-30.0,
+        low=-60,
+        high=60,
+        symbol="T_min",
+        usual=(-40, 0),
+        source=THUMB,
+        help="Of all parts in a cold start.",
+    )
+    running_temperature: float = quantity(
+        "Running temperature of the housing",
+        "°C",
+        default=100.0,
+        low=0,
+        high=200,
+        symbol="T_H",
+        usual=(60, 120),
+        source=THUMB,
+        help="At which the warm backlash is taken.",
+    )
+    wheels_warmer: float = quantity(
+        "Wheels warmer than the housing",
+        "K",
+        default=20.0,
+        low=0,
+        high=150,
+        symbol="Delta_T",
+        usual=(0, 40),
+        source=THUMB,
+        help="They then take backlash away.",
+    )
+    speed: float | None = quantity(
+        "Speed of the first driver",
+        "rpm",
+        default=None,
+        above=0,
+        high=100000,
+        symbol="n",
+        help="How fast the first driver turns. Left out: the crank's rated speed.",
+    )
+    power: float | None = quantity(
+        "Power of the first driver",
+        "kW",
+        default=None,
+        above=0,
+        high=1e5,
+        symbol="P",
+        help="What the train takes in at the first driver. Left out: from the closed power balance.",
+    )
+    speed_irregularity: float | None = quantity(
+        "Irregularity of the first driver's speed",
+        default=None,
+        low=0,
+        high=1,
+        symbol="delta_s",
+        step=0.005,
+        usual=(0, 0.05),
+        source="rule of thumb, by machine handbooks from memory",
+        help="Swing over mean. Left out: the engine's.",
+    )
+    irregularity_order: float | None = quantity(
+        "Order of the irregularity",
+        default=None,
+        above=0,
+        high=50,
+        symbol="i",
+        help="How often a turn of the first driver it swings. Left out: the engine's firing order.",
+    )
+    tooth_angle: float = quantity(
+        "Tooth of the first driver",
+        "°",
+        default=0.0,
+        low=-360,
+        high=360,
+        symbol="gamma_1",
+        help="Direction of the middle of one of its teeth, cylinder 1 at TDC, from up in the sense of crank rotation.",
+    )
+    source_sheet: str = choice(
+        "Sheet to compare with",
+        "none",
+        "finotti",
+        default="none",
+        help="finotti: what the calculation sheet of Finotti 2013 gives, with what is wrong in it.",
+    )
     wheels: tuple[Wheel, ...] = tables("Wheels", Wheel)
     meshes: tuple[Mesh, ...] = tables("Meshes", Mesh)
-    neighbours: tuple[Neighbour, ...] = tables("Neighbours", Neighbour, default=(),
-        help="Screws, oil galleries: the wheels must clear them.")  # fmt: skip
+    neighbours: tuple[Neighbour, ...] = tables(
+        "Neighbours", Neighbour, default=(), help="Screws, oil galleries: the wheels must clear them."
+    )
     walls: tuple[Wall, ...] = tables("Walls", Wall, default=(), help="Covers, ribs: the wheels must clear them.")
 
     @property
@@ -245,15 +712,24 @@ class GearsInputs:
     def problems(self) -> Iterable[tuple[str, Text]]:
         if self.normal_module is None and self.transverse_module is None:
             allowed = keys(GearsInputs)["normal_module_mm"].about.allowed()
-            yield "normal_module_mm", Text("is missing; needs {allowed}, or transverse_module_mm instead", allowed=allowed)
+            yield (
+                "normal_module_mm",
+                Text("is missing; needs {allowed}, or transverse_module_mm instead", allowed=allowed),
+            )
         if self.normal_module is not None and self.transverse_module is not None:
-            yield "transverse_module_mm", Text("normal_module_mm gives it already, with the helix angle; leave one of the two out")
+            yield (
+                "transverse_module_mm",
+                Text("normal_module_mm gives it already, with the helix angle; leave one of the two out"),
+            )
         if self.iso_6336_edition not in (2006, 2019):
             yield "iso_6336_edition", Text("must be 2006 or 2019")
         if not self.meshes:
             yield "meshes", Text("needs at least one [[gears.meshes]]")
         for i, wheel in enumerate(self.wheels):
-            for key, size in (("measured_over_balls_mm", wheel.measured_over_balls), ("measured_over_pins_mm", wheel.measured_over_pins)):
+            for key, size in (
+                ("measured_over_balls_mm", wheel.measured_over_balls),
+                ("measured_over_pins_mm", wheel.measured_over_pins),
+            ):
                 if size is not None and self.ball_diameter is None:
                     yield f"wheels.{i}.{key}", Text("needs gears.ball_diameter_mm, the ball or pin that was used")
             if wheel.measured_span is not None and wheel.span_teeth is None:
@@ -272,9 +748,15 @@ class GearsInputs:
         for i, mesh in enumerate(self.meshes):
             for key, name in (("driver", mesh.driver), ("driven", mesh.driven)):
                 if name not in names:
-                    yield f"meshes.{i}.{key}", Text('there is no wheel "{name}"; the wheels are {names}', name=name, names=", ".join(names))
+                    yield (
+                        f"meshes.{i}.{key}",
+                        Text('there is no wheel "{name}"; the wheels are {names}', name=name, names=", ".join(names)),
+                    )
             if i and mesh.driver not in driven | {self.meshes[0].driver}:
-                yield f"meshes.{i}.driver", Text("must be driven by an earlier mesh: meshes are listed along the flow of power")
+                yield (
+                    f"meshes.{i}.driver",
+                    Text("must be driven by an earlier mesh: meshes are listed along the flow of power"),
+                )
             if mesh.driven in driven | {self.meshes[0].driver}:
                 yield f"meshes.{i}.driven", Text("is driven already: each wheel has one driver")
             driven.add(mesh.driven)
@@ -283,7 +765,8 @@ class GearsInputs:
                 yield f"wheels.{i}.name", Text('no mesh uses the wheel "{name}"', name=name)
 
     def hands(self) -> dict[str, str]:
-        """The hand of every helical wheel: they alternate from the first that is given, else the first driver is right-handed."""
+        """The hand of every helical wheel: they alternate from the first that is given, else the first driver is
+        right-handed."""
         if not self.helix_angle or not self.meshes:
             return {}
         turned = {self.meshes[0].driver: 0}
@@ -299,4 +782,7 @@ class GearsInputs:
         hands = self.hands()
         for i, wheel in enumerate(self.wheels):
             if wheel.hand is not None and wheel.hand != hands.get(wheel.name, wheel.hand):
-                yield f"wheels.{i}.hand", Text("must be {hands}: the hands of a train alternate", hands=hands[wheel.name])
+                yield (
+                    f"wheels.{i}.hand",
+                    Text("must be {hands}: the hands of a train alternate", hands=hands[wheel.name]),
+                )

@@ -15,12 +15,24 @@ def notes(gears: GearsInputs, train: Train, result: TrainResult) -> tuple[Text, 
     """What `settle` chose, what is not given of the backlash, and what holds for all wheels."""
     notes = list(train.notes)
     notes += _not_given(result)
-    notes.append(Text("backlash_min and backlash_max hold at 20 °C without runout; cold, warm and with runout have values of their own."))
+    notes.append(
+        Text(
+            "backlash_min and backlash_max hold at 20 °C without runout; cold, warm and with runout have values of "
+            "their own."
+        )
+    )
     if gears.ball_diameter is None:
         notes.append(
-            Text("Measuring ball: not given; chosen: for each wheel the preferred one that touches nearest to the middle of its flank.")
+            Text(
+                "Measuring ball: not given; chosen: for each wheel the preferred one that touches nearest to the "
+                "middle of its flank."
+            )
         )
-    notes.append(Text("The standard tip shortening k*·m_n is shown, not applied: only the tip cut that is given shortens a wheel."))
+    notes.append(
+        Text(
+            "The standard tip shortening k*·m_n is shown, not applied: only the tip cut that is given shortens a wheel."
+        )
+    )
     return tuple(notes)
 
 
@@ -35,18 +47,24 @@ def _not_given(result: TrainResult) -> Iterator[Text]:
         if not toleranced and not thinned:
             yield plural(
                 "Mesh {pairs}: neither tolerance nor allowance is given: its backlash is 0.",
-                "Meshes {pairs}: neither tolerance nor allowance is given: their backlash is 0.", n=n, pairs=pairs,
-            )  # fmt: skip
+                "Meshes {pairs}: neither tolerance nor allowance is given: their backlash is 0.",
+                n=n,
+                pairs=pairs,
+            )
         elif not toleranced:
             yield plural(
                 "Mesh {pairs}: no tolerance of the centre distance is given: it is taken as exact.",
-                "Meshes {pairs}: no tolerance of the centre distance is given: it is taken as exact.", n=n, pairs=pairs,
-            )  # fmt: skip
+                "Meshes {pairs}: no tolerance of the centre distance is given: it is taken as exact.",
+                n=n,
+                pairs=pairs,
+            )
         elif not thinned:
             yield plural(
                 "Mesh {pairs}: no allowance of the span is given: the teeth are taken without thinning.",
-                "Meshes {pairs}: no allowance of the span is given: the teeth are taken without thinning.", n=n, pairs=pairs,
-            )  # fmt: skip
+                "Meshes {pairs}: no allowance of the span is given: the teeth are taken without thinning.",
+                n=n,
+                pairs=pairs,
+            )
 
 
 def errata(result: TrainResult) -> tuple[Erratum, ...]:
@@ -55,10 +73,21 @@ def errata(result: TrainResult) -> tuple[Erratum, ...]:
     first = drivers[0]
     return tuple(
         Erratum(
-            f"gears.{wheel.name}.speed", Text("Speed of {name} by the sheet of Finotti 2013", name=wheel.name),
-            math.copysign(first.speed, wheel.speed) * 60, "rpm", Text("method of Finotti 2013, Tables 4.5 and 4.6"),
-            Text("The sheet enters the speed of the train's first wheel for {name} too; with {teeth} teeth against {teeth2} it turns at "
-                "{speed} rpm.", name=wheel.name, teeth=wheel.teeth, teeth2=first.teeth, speed=Amount(abs(wheel.speed) * 60, form=".1f")),
+            f"gears.{wheel.name}.speed",
+            Text("Speed of {name} by the sheet of Finotti 2013", name=wheel.name),
+            math.copysign(first.speed, wheel.speed) * 60,
+            "rpm",
+            Text("method of Finotti 2013, Tables 4.5 and 4.6"),
+            Text(
+                "The sheet enters the speed of the train's first wheel for {name} too; with {teeth} teeth against "
+                "{teeth2} it turns at "
+                "{speed} rpm.",
+                name=wheel.name,
+                teeth=wheel.teeth,
+                teeth2=first.teeth,
+                speed=Amount(abs(wheel.speed) * 60, form=".1f"),
+            ),
         )
-        for wheel in drivers if wheel.teeth != first.teeth
-    )  # fmt: skip
+        for wheel in drivers
+        if wheel.teeth != first.teeth
+    )

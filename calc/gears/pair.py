@@ -13,7 +13,9 @@ from .practice import above_fillet, mm
 from .result import MeshResult, ToothSystem, WheelResult
 
 
-def solve_mesh(system: ToothSystem, mesh: Mesh, place: str, a_w: Metre, driver: WheelResult, driven: WheelResult) -> MeshResult:
+def solve_mesh(
+    system: ToothSystem, mesh: Mesh, place: str, a_w: Metre, driver: WheelResult, driven: WheelResult
+) -> MeshResult:
     z_1, z_2 = driver.teeth, driven.teeth
     with about(Text("mesh {pair}", pair=mesh.title)):
         alpha_wt = f.working_pressure_angle(driver.base_diameter, driven.base_diameter, a_w)
@@ -23,25 +25,49 @@ def solve_mesh(system: ToothSystem, mesh: Mesh, place: str, a_w: Metre, driver: 
         path = f.path_of_contact(T, rho_A1, rho_A2)
         if path <= 0:
             raise NoSolution(
-                Text("{place}.centre_distance_mm = {a_w}: the flanks of {driver} and {driven} do not reach each other", place=place,
-                    a_w=mm(a_w, ".6g"), driver=mesh.driver, driven=mesh.driven),
-                advice=Text("the tips reach {tip_diameter} mm together; bring the wheels closer, cut less off the tips, or give larger "
-                    "profile shifts", tip_diameter=mm((driver.tip_diameter + driven.tip_diameter) / 2, ".4f")),
-            )  # fmt: skip
+                Text(
+                    "{place}.centre_distance_mm = {a_w}: the flanks of {driver} and {driven} do not reach each other",
+                    place=place,
+                    a_w=mm(a_w, ".6g"),
+                    driver=mesh.driver,
+                    driven=mesh.driven,
+                ),
+                advice=Text(
+                    "the tips reach {tip_diameter} mm together; bring the wheels closer, cut less off the tips, or "
+                    "give larger "
+                    "profile shifts",
+                    tip_diameter=mm((driver.tip_diameter + driven.tip_diameter) / 2, ".4f"),
+                ),
+            )
         eps_alpha = f.transverse_contact_ratio(path, system.base_pitch)
         b = min(driver.face_width, driven.face_width)
         eps_beta = f.overlap_ratio(b, system.beta, system.m_n)
-        d_1, d_2, x_1, x_2 = driver.reference_diameter, driven.reference_diameter, driver.profile_shift, driven.profile_shift
+        d_1, d_2, x_1, x_2 = (
+            driver.reference_diameter,
+            driven.reference_diameter,
+            driver.profile_shift,
+            driven.profile_shift,
+        )
         tolerance = centre_tolerance(mesh)
         values: dict[str, float] = dict(
-            centre_distance=a_w, working_pressure_angle=alpha_wt,
-            working_helix_angle=f.working_helix_angle(system.base_helix_angle, alpha_wt), working_module=f.working_module(a_w, z_1, z_2),
-            centre_modification=f.centre_modification(a_w, d_1, d_2, system.m_n), shift_sum=f.sum_of_shifts(x_1, x_2),
+            centre_distance=a_w,
+            working_pressure_angle=alpha_wt,
+            working_helix_angle=f.working_helix_angle(system.base_helix_angle, alpha_wt),
+            working_module=f.working_module(a_w, z_1, z_2),
+            centre_modification=f.centre_modification(a_w, d_1, d_2, system.m_n),
+            shift_sum=f.sum_of_shifts(x_1, x_2),
             standard_tip_shortening=f.standard_tip_shortening(x_1, x_2, system.m_n, a_w, d_1, d_2),
-            transverse_contact_ratio=eps_alpha, overlap_ratio=eps_beta, total_contact_ratio=f.total_contact_ratio(eps_alpha, eps_beta),
-            face_width=b, line_of_action=T, centre_tolerance=tolerance,
-        )  # fmt: skip
-        for end, own, mate, starts in (("driver", driver, driven, (rho_A1, rho_A2)), ("driven", driven, driver, (rho_A2, rho_A1))):
+            transverse_contact_ratio=eps_alpha,
+            overlap_ratio=eps_beta,
+            total_contact_ratio=f.total_contact_ratio(eps_alpha, eps_beta),
+            face_width=b,
+            line_of_action=T,
+            centre_tolerance=tolerance,
+        )
+        for end, own, mate, starts in (
+            ("driver", driver, driven, (rho_A1, rho_A2)),
+            ("driven", driven, driver, (rho_A2, rho_A1)),
+        ):
             sizes = _side(system, a_w, alpha_wt, T, own, mate, *starts, 1 <= eps_alpha < 2)
             values |= {f"{name}_{end}": size for name, size in sizes.items()}
     if tolerance or driver.tip_diameter_min is not None or driven.tip_diameter_min is not None:
@@ -55,18 +81,31 @@ def solve_mesh(system: ToothSystem, mesh: Mesh, place: str, a_w: Metre, driver: 
 
 
 def _side(
-    system: ToothSystem, a_w: Metre, alpha_wt: Radian, T: Metre, own: WheelResult, mate: WheelResult, start: Metre, end: Metre, single: bool
+    system: ToothSystem,
+    a_w: Metre,
+    alpha_wt: Radian,
+    T: Metre,
+    own: WheelResult,
+    mate: WheelResult,
+    start: Metre,
+    end: Metre,
+    single: bool,
 ) -> dict[str, float]:
-    """What a mesh makes of one of its wheels.  `start`, `end`: ρ_A of the wheel and of its mate; `single`: there is single contact."""
+    """What a mesh makes of one of its wheels.  `start`, `end`: ρ_A of the wheel and of its mate; `single`: there is
+    single contact."""
     z, z_m, d_w = own.teeth, mate.teeth, f.working_diameter(a_w, own.teeth, mate.teeth)
     sizes = {
-        "working_diameter": d_w, "sap_diameter": f.diameter_at(own.base_diameter, start), "sap_curvature": start,
-        "working_thickness": f.thickness_at(d_w, own.reference_thickness, own.reference_diameter, system.transverse_pressure_angle,
-            alpha_wt),
+        "working_diameter": d_w,
+        "sap_diameter": f.diameter_at(own.base_diameter, start),
+        "sap_curvature": start,
+        "working_thickness": f.thickness_at(
+            d_w, own.reference_thickness, own.reference_diameter, system.transverse_pressure_angle, alpha_wt
+        ),
         "form_margin": above_fillet(own.base_diameter, T, mate.tip_curvature, own.form_diameter),
         "tip_clearance": f.tip_clearance(a_w, own.root_diameter, mate.tip_diameter),
-        "specific_sliding": f.specific_sliding(T, start, z, z_m), "specific_sliding_tip": f.specific_sliding(T, own.tip_curvature, z, z_m),
-    }  # fmt: skip
+        "specific_sliding": f.specific_sliding(T, start, z, z_m),
+        "specific_sliding_tip": f.specific_sliding(T, own.tip_curvature, z, z_m),
+    }
     if single:
         rho_B = f.lowest_single_contact(T, end, system.base_pitch)
         sizes["specific_sliding_lpstc"] = f.specific_sliding(T, rho_B, z, z_m)
@@ -75,17 +114,23 @@ def _side(
     return sizes
 
 
-def _least_contact(system: ToothSystem, a_w: Metre, tolerance: Metre, wheels: tuple[WheelResult, WheelResult]) -> Number:
+def _least_contact(
+    system: ToothSystem, a_w: Metre, tolerance: Metre, wheels: tuple[WheelResult, WheelResult]
+) -> Number:
     """ε_α with the shortest tips at the widest centre distance."""
     a = widest(a_w, tolerance) if tolerance else a_w
     T = f.line_of_action(a, f.working_pressure_angle(wheels[0].base_diameter, wheels[1].base_diameter, a))
-    rho_a = [w.tip_curvature if w.tip_diameter_min is None else f.curvature_at(w.tip_diameter_min, w.base_diameter) for w in wheels]
+    rho_a = [
+        w.tip_curvature if w.tip_diameter_min is None else f.curvature_at(w.tip_diameter_min, w.base_diameter)
+        for w in wheels
+    ]
     starts = [f.start_of_active_profile(T, rho_a[1 - i], w.form_curvature) for i, w in enumerate(wheels)]
     return f.transverse_contact_ratio(f.path_of_contact(T, *starts), system.base_pitch)
 
 
 def _closest(a_w: Metre, tolerance: Metre, wheels: tuple[WheelResult, WheelResult]) -> dict[str, Metre]:
-    """Clearance and start of contact where the tips are longest, the roots and fillets highest, and the centres closest."""
+    """Clearance and start of contact where the tips are longest, the roots and fillets highest, and the centres
+    closest."""
     a = narrowest(a_w, tolerance) if tolerance else a_w
     if a <= (wheels[0].base_diameter + wheels[1].base_diameter) / 2:
         return {}  # which the backlash says
@@ -107,9 +152,21 @@ def _start(wheel: WheelResult, mate: WheelResult, T: Metre) -> Metre:
         return rho_A
     largest = f.diameter_at(mate.base_diameter, T)
     raise NoSolution(
-        Text("wheels {name} and {name2}: the tip of {name2} reaches {tip_curvature} mm past the point where the line of action touches "
-            "the base circle of {name}", name=wheel.name, name2=mate.name, tip_curvature=mm(mate.tip_curvature - T, ".4g")),
-        advice=Text("cut the tip of {name} ({tip_diameter} mm) below {largest} mm by gears.wheels.{name}.tip_shortening_mm, give {name2} "
-            "more profile shift, or set the wheels further apart", name=mate.name, tip_diameter=mm(mate.tip_diameter, ".4f"),
-            largest=mm(largest, ".4f"), name2=wheel.name),
-    )  # fmt: skip
+        Text(
+            "wheels {name} and {name2}: the tip of {name2} reaches {tip_curvature} mm past the point where the line "
+            "of action touches "
+            "the base circle of {name}",
+            name=wheel.name,
+            name2=mate.name,
+            tip_curvature=mm(mate.tip_curvature - T, ".4g"),
+        ),
+        advice=Text(
+            "cut the tip of {name} ({tip_diameter} mm) below {largest} mm by gears.wheels.{name}.tip_shortening_mm, "
+            "give {name2} "
+            "more profile shift, or set the wheels further apart",
+            name=mate.name,
+            tip_diameter=mm(mate.tip_diameter, ".4f"),
+            largest=mm(largest, ".4f"),
+            name2=wheel.name,
+        ),
+    )

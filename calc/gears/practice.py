@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What the teeth of cylindrical gears have to keep: the limits by which the checks judge and the search for shifts chooses.
+"""What the teeth of cylindrical gears have to keep: the limits by which the checks judge and the search for shifts
+chooses.
 
 Lengths are in normal modules.  Where there are two, the first is hard and the other usual.
 """
@@ -21,8 +22,13 @@ ABOVE_FILLET, USUAL_ABOVE_FILLET = 0.0, 0.1
 TIP_CLEARANCE, USUAL_TIP_CLEARANCE = 0.15, 0.2  # the second: what the search for shifts keeps
 
 
-@formula("c_F", "ISO 21771:2007: how far above the fillet contact begins", unit="mm",
-    shows="(d_N − d_Ff)/2, d_N where the tip of the mate arrives", names={"T": "T_1T_2"})  # fmt: skip
+@formula(
+    "c_F",
+    "ISO 21771:2007: how far above the fillet contact begins",
+    unit="mm",
+    shows="(d_N − d_Ff)/2, d_N where the tip of the mate arrives",
+    names={"T": "T_1T_2"},
+)
 def above_fillet(d_b: Metre, T: Metre, rho_a: Metre, d_Ff: Metre) -> Metre:
     """Numbers or arrays; ρ_a: curvature at the mate's tip.
 

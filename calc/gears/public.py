@@ -31,11 +31,20 @@ def solve_pair(
 ) -> TrainResult:
     """Geometry, measures and contact of two wheels: `wheels["driver"]`, `wheels["driven"]`, `meshes["driver_driven"]`.
 
-    What is left out of profile shifts and centre distance follows from the others; without any of them the shifts are 0, and without a
-    distance there is no backlash.  Tool sizes in modules; `speed` of the driver.  Raises NoSolution where the teeth cannot be made.
-    """
-    wheels = tuple(Wheel(name=name, teeth=z, profile_shift=x) for name, z, x in zip(("driver", "driven"), teeth, profile_shift))
-    train = GearsInputs(normal_module=normal_module, pressure_angle=pressure_angle, helix_angle=helix_angle, face_width=face_width,
-        tool_addendum=tool_addendum, tool_tip_radius=tool_tip_radius, wheels=wheels,
-        meshes=(Mesh(driver="driver", driven="driven", centre_distance=centre_distance),))  # fmt: skip
+    What is left out of profile shifts and centre distance follows from the others; without any of them the shifts are
+    0, and without a distance there is no backlash.  Tool sizes in modules; `speed` of the driver.  Raises NoSolution
+    where the teeth cannot be made."""
+    wheels = tuple(
+        Wheel(name=name, teeth=z, profile_shift=x) for name, z, x in zip(("driver", "driven"), teeth, profile_shift)
+    )
+    train = GearsInputs(
+        normal_module=normal_module,
+        pressure_angle=pressure_angle,
+        helix_angle=helix_angle,
+        face_width=face_width,
+        tool_addendum=tool_addendum,
+        tool_tip_radius=tool_tip_radius,
+        wheels=wheels,
+        meshes=(Mesh(driver="driver", driven="driven", centre_distance=centre_distance),),
+    )
     return geometry(train, speed).solution

@@ -33,7 +33,8 @@ class ToothSystem:
 
 @record
 class End:
-    """The tooth at one end of its allowance: generating shift, thickness at the reference circle, seat of the measuring ball."""
+    """The tooth at one end of its allowance: generating shift, thickness at the reference circle, seat of the measuring
+    ball."""
 
     x_E: Number
     s_t: Metre
@@ -63,12 +64,16 @@ class WheelResult:
     tip_thickness: Metre = value("Tooth thickness at the tip, transverse", "mm", "s_at")
     form_thickness: Metre = value("Tooth thickness at the form circle, transverse", "mm", "s_Ff")
     tip_thickness_normal: Metre = value("Tooth thickness at the tip, normal", "mm", "s_an")
-    tip_thickness_normal_min: Metre | None = value("Tooth thickness at the tip, normal, thinnest tooth", "mm", "s_an", default=None)
+    tip_thickness_normal_min: Metre | None = value(
+        "Tooth thickness at the tip, normal, thinnest tooth", "mm", "s_an", default=None
+    )
     speed: RevPerSecond = value("Speed (+: in the sense of the first driver)", "rpm", "n")
     span_teeth: Number = value("Teeth spanned", "", "K")
     span: dict[str, Stated] = group(spread=True)
     ideal_ball: Metre = value("Ball that touches in the middle of the flank", "mm", "D_y")
-    preferred_ball: Metre | None = value("Preferred ball or pin nearest to the middle of the flank", "mm", "D_M", default=None)
+    preferred_ball: Metre | None = value(
+        "Preferred ball or pin nearest to the middle of the flank", "mm", "D_M", default=None
+    )
     ball_diameter: Metre = value("Measuring ball", "mm", "D_M")
     over_balls: Metre | None = value("Size over balls", "mm", "M", default=None)
     over_balls_min: Metre | None = value("Size over balls, thinnest tooth", "mm", "M", default=None)
@@ -130,17 +135,25 @@ class MeshResult:
     hpstc_diameter_driven: Metre | None = value("Highest single contact, driven", "mm", "d_D2", default=None)
     tip_clearance_driver: Metre = value("Tip clearance at the driver's root", "mm", "c_1")
     tip_clearance_driven: Metre = value("Tip clearance at the driven wheel's root", "mm", "c_2")
-    tip_clearance_min: Metre | None = value("Tip clearance, longest tips and closest centres", "mm", "c_min", default=None)
+    tip_clearance_min: Metre | None = value(
+        "Tip clearance, longest tips and closest centres", "mm", "c_min", default=None
+    )
     specific_sliding_driver: Number = value("Specific sliding at the start of contact, driver", "", "ζ_A1")
     specific_sliding_driven: Number = value("Specific sliding at the start of contact, driven", "", "ζ_A2")
     specific_sliding_tip_driver: Number = value("Specific sliding at the end of contact, driver", "", "ζ_E1")
     specific_sliding_tip_driven: Number = value("Specific sliding at the end of contact, driven", "", "ζ_E2")
-    specific_sliding_lpstc_driver: Number | None = value("Specific sliding at the lowest single contact, driver", "", "ζ_B1", default=None)
-    specific_sliding_lpstc_driven: Number | None = value("Specific sliding at the lowest single contact, driven", "", "ζ_B2", default=None)
+    specific_sliding_lpstc_driver: Number | None = value(
+        "Specific sliding at the lowest single contact, driver", "", "ζ_B1", default=None
+    )
+    specific_sliding_lpstc_driven: Number | None = value(
+        "Specific sliding at the lowest single contact, driven", "", "ζ_B2", default=None
+    )
     backlash_min: Metre = value("Smallest backlash, normal", "µm", "j_bn,min")
     backlash_nominal: Metre = value("Backlash at mid-tolerance, normal", "µm", "j_bn")
     backlash_max: Metre = value("Largest backlash, normal", "µm", "j_bn,max")
-    penetration: Metre | None = value("Depth of the outlines inside each other, without backlash", "µm", "δ_p", default=None)
+    penetration: Metre | None = value(
+        "Depth of the outlines inside each other, without backlash", "µm", "δ_p", default=None
+    )
     rating: MeshRating | None = group(spread=True, default=None)
     driver: str
     driven: str
@@ -160,7 +173,9 @@ class MeshResult:
 def working_circles(meshes: Mapping[str, MeshResult], wheel: str) -> list[tuple[str, Metre, MeshResult]]:
     """The mates of a wheel, each with the wheel's working diameter towards it and their mesh."""
     drives = [(mesh.driven, mesh.working_diameter_driver, mesh) for mesh in meshes.values() if mesh.driver == wheel]
-    return drives + [(mesh.driver, mesh.working_diameter_driven, mesh) for mesh in meshes.values() if mesh.driven == wheel]
+    return drives + [
+        (mesh.driver, mesh.working_diameter_driven, mesh) for mesh in meshes.values() if mesh.driven == wheel
+    ]
 
 
 @result

@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The gear train as a sketch: its wheels where they stand, and beside them the teeth of the mesh with the least backlash.
+"""The gear train as a sketch: its wheels where they stand, and beside them the teeth of the mesh with the least
+backlash.
 
-Up is up from the crank's axis, the crank turns clockwise.  Where the places of the axes are not known the wheels stand in a row.
-"""
+Up is up from the crank's axis, the crank turns clockwise.  Where the places of the axes are not known the wheels stand
+in a row."""
 
 from collections.abc import Iterable, Iterator, Mapping
 
-from ..draw.drawing import (  # fmt: skip
+from ..draw.drawing import (
     AXIS,
     CONTEXT,
     DIMENSIONS,
@@ -87,7 +88,7 @@ def _point(at: complex) -> Point:
 # --- the train
 def _train(
     gears: GearsInputs, train: TrainResult, centres: Mapping[str, complex], checks: tuple[Check, ...], placed: bool
-) -> Iterator[Mark]:  # fmt: skip
+) -> Iterator[Mark]:
     jams = {key: judged(checks, *(f"gears.{key}.{id}" for id in JAMS)) for key in train.meshes}
     for name, wheel in train.wheels.items():
         at, key, tip = _point(centres[name]), f"gears.wheels.{name}", wheel.tip_diameter / 2
@@ -96,7 +97,13 @@ def _train(
         yield Area(CONTEXT, (round_outline(at, tip),), 0.3, key, state)
         yield Arc(OUTLINE, at, pitch, key=f"{key} gears.normal_module_mm", state=state)
         yield Words(WORDS, at, Name(name), key=key, side="centre")
-        yield Words(CONTEXT, (at[0], at[1] - BELOW * tip), Text("z {teeth}", teeth=wheel.teeth), key=f"{key}.teeth", side="centre")
+        yield Words(
+            CONTEXT,
+            (at[0], at[1] - BELOW * tip),
+            Text("z {teeth}", teeth=wheel.teeth),
+            key=f"{key}.teeth",
+            side="centre",
+        )
     for n, (key, mesh) in enumerate(train.meshes.items()):
         if jams[key]:
             yield from _jam(mesh, centres, f"gears.meshes.{n}", jams[key])
@@ -108,7 +115,9 @@ def _train(
 def _jam(mesh: MeshResult, centres: Mapping[str, complex], key: str, state: State) -> Iterator[Mark]:
     """A ring around the pitch point of a mesh whose teeth have no room."""
     first, second = centres[mesh.driver], centres[mesh.driven]
-    at = first + (second - first) * mesh.working_diameter_driver / (mesh.working_diameter_driver + mesh.working_diameter_driven)
+    at = first + (second - first) * mesh.working_diameter_driver / (
+        mesh.working_diameter_driver + mesh.working_diameter_driven
+    )
     radius = 0.12 * mesh.centre_distance
     yield Arc(OUTLINE, _point(at), radius, key=key, state=state)
 
@@ -143,9 +152,8 @@ def _obstacles(gears: GearsInputs) -> Iterator[Mark]:
 def _teeth(train: TrainResult, key: str, checks: Iterable[Check]) -> tuple[Sketch, Number]:
     """Teeth of both wheels at the pitch point, the driver's thinned by the backlash, and how much that is exaggerated.
 
-    The backlash is that in the middle of the tolerances, or the smallest where that fails.  The flanks that carry touch, the gap is behind
-    them.  Backlash below zero shows as teeth that run into each other.
-    """
+    The backlash is that in the middle of the tolerances, or the smallest where that fails.  The flanks that carry
+    touch, the gap is behind them.  Backlash below zero shows as teeth that run into each other."""
     mesh, system = train.meshes[key], train.system
     driver, driven = train.wheels[mesh.driver], train.wheels[mesh.driven]
     state = judged(checks, *(f"gears.{key}.{id}" for id in JAMS))
@@ -154,8 +162,9 @@ def _teeth(train: TrainResult, key: str, checks: Iterable[Check]) -> tuple[Sketc
     drawn = factor * gap
     shift = generating_shift(driver.profile_shift, -drawn, system.m_n, system.alpha_n)
     flanks: tuple[Regions, ...] = (
-        regions(system, driver, FINE * system.m_n, shift), regions(system, driven, FINE * system.m_n),
-    )  # fmt: skip
+        regions(system, driver, FINE * system.m_n, shift),
+        regions(system, driven, FINE * system.m_n),
+    )
     roll = -_behind(drawn, driver)
     under, over = pitch_point_view(mesh, (driver, flanks[0]), (driven, flanks[1]), roll)
     at = f"gears.meshes.{list(train.meshes).index(key)}"
@@ -176,7 +185,8 @@ def _teeth(train: TrainResult, key: str, checks: Iterable[Check]) -> tuple[Sketc
 
 
 def _behind(drawn: Metre, driver: WheelResult) -> Number:
-    """How far the driver turns until its flanks touch: half of the backlash along the line of action; not at all into the mate."""
+    """How far the driver turns until its flanks touch: half of the backlash along the line of action; not at all into
+    the mate."""
     return max(0.0, drawn) / driver.base_diameter
 
 

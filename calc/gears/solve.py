@@ -53,13 +53,15 @@ BACKLASH = TrainPart("backlash", Text("backlash over parts and temperature"))
 LAYOUT = TrainPart("layout", Text("layout of the train"))
 RATING = TrainPart("rating", Text("rating of the teeth"))
 NOT_RATED = Text(
-    "Not rated yet: no torque is known. Bearings and friction give it by their power balance, or the power given here; stresses, "
+    "Not rated yet: no torque is known. Bearings and friction give it by their power balance, or the power given "
+    "here; stresses, "
     "safeties and forces on the axes have no values."
 )
 
 
 def geometry(gears: GearsInputs, first_speed: RevPerSecond) -> Outcome[TrainResult]:
-    """Shifts, circles, measures, contact and backlash of the whole train, turning.  `first_speed` is that of the first driver.
+    """Shifts, circles, measures, contact and backlash of the whole train, turning.  `first_speed` is that of the first
+    driver.
 
     Raises NoSolution where wheels of these numbers can not be made, or can not mesh.
     """
@@ -71,9 +73,14 @@ def at_rest(gears: GearsInputs) -> Outcome[TrainResult]:
     with trace() as lines:
         system = tooth_system(gears)
         train = settle(gears, system)
-        wheels = {w.name: solve_wheel(gears, system, w, train.shifts[w.name], train.d[w.name], train.d_b[w.name]) for w in gears.wheels}
+        wheels = {
+            w.name: solve_wheel(gears, system, w, train.shifts[w.name], train.d[w.name], train.d_b[w.name])
+            for w in gears.wheels
+        }
         meshes = {
-            mesh.key: solve_mesh(system, mesh, f"gears.meshes.{i}", train.distances[mesh.key], wheels[mesh.driver], wheels[mesh.driven])
+            mesh.key: solve_mesh(
+                system, mesh, f"gears.meshes.{i}", train.distances[mesh.key], wheels[mesh.driver], wheels[mesh.driven]
+            )
             for i, mesh in enumerate(gears.meshes)
         }
         last = gears.meshes[-1].driven
@@ -91,9 +98,14 @@ def at_rest(gears: GearsInputs) -> Outcome[TrainResult]:
         depths = penetrations(result)
     result = replace(result, meshes={key: replace(mesh, penetration=depths[key]) for key, mesh in meshes.items()})
     finite(result, "gears", EXTREME)
-    return Outcome("gears", result=result, checks=(*checks(gears, result), *measured, *profile_checks(result, depths)),
-        lines=tuple(lines), tables=Later(lambda: (table() for table in spans)),
-        notes=Later(lambda: (*notes(gears, train, result), *profile_notes(result))))  # fmt: skip
+    return Outcome(
+        "gears",
+        result=result,
+        checks=(*checks(gears, result), *measured, *profile_checks(result, depths)),
+        lines=tuple(lines),
+        tables=Later(lambda: (table() for table in spans)),
+        notes=Later(lambda: (*notes(gears, train, result), *profile_notes(result))),
+    )
 
 
 def turning(outcome: Outcome[TrainResult], gears: GearsInputs, first_speed: RevPerSecond) -> Outcome[TrainResult]:
@@ -106,7 +118,7 @@ def turning(outcome: Outcome[TrainResult], gears: GearsInputs, first_speed: RevP
     still = outcome.solution
     result = replace(
         still, wheels={name: replace(wheel, speed=n[name]) for name, wheel in still.wheels.items()}, speed_ratio=ratio
-    )  # fmt: skip
+    )
     wrong = Later(lambda: errata(result) if gears.source_sheet == "finotti" else ())
     return replace(outcome, result=result, lines=(*outcome.lines, *lines), errata=outcome.errata + wrong)
 
@@ -114,13 +126,21 @@ def turning(outcome: Outcome[TrainResult], gears: GearsInputs, first_speed: RevP
 def with_play(
     outcome: Outcome[TrainResult], gears: GearsInputs, materials: Mapping[str, Material], housing: str | None
 ) -> Outcome[TrainResult]:
-    """What the backlash becomes over parts, chance, runout and temperature.  `housing`: the material between the centres."""
+    """What the backlash becomes over parts, chance, runout and temperature.  `housing`: the material between the
+    centres."""
     with trace() as lines:
         played = play(gears, outcome.solution, materials, housing)
     beside: Outcome[object] = Outcome(
-        "gears", checks=played.checks, lines=tuple(lines), curves=Later(played.curves), tables=Later(played.tables), notes=played.notes
+        "gears",
+        checks=played.checks,
+        lines=tuple(lines),
+        curves=Later(played.curves),
+        tables=Later(played.tables),
+        notes=played.notes,
     )
-    return replace(_joined(outcome, beside), result=replace(outcome.solution, play=played.meshes, train_play=played.train))
+    return replace(
+        _joined(outcome, beside), result=replace(outcome.solution, play=played.meshes, train_play=played.train)
+    )
 
 
 def with_layout(outcome: Outcome[TrainResult], gears: GearsInputs, shaft: ShaftInTrain) -> Outcome[TrainResult]:
@@ -155,16 +175,31 @@ def without(outcome: Outcome[TrainResult], part: TrainPart, reason: Text) -> Out
 
 def not_rated(outcome: Outcome[TrainResult], why: Text) -> Outcome[TrainResult]:
     """The same outcome without its safeties, which no power is known for."""
-    open_ = check("gears.train.rating", Text("Safeties of the teeth"), math.nan, ">=", 0.0, "",
+    open_ = check(
+        "gears.train.rating",
+        Text("Safeties of the teeth"),
+        math.nan,
+        ">=",
+        0.0,
+        "",
         Text("rule of this program: without a torque no tooth is rated"),
-        why, missing=("gears.power_kW",))  # fmt: skip
+        why,
+        missing=("gears.power_kW",),
+    )
     return replace(outcome, checks=(*outcome.checks, open_), notes=(*outcome.notes, why))
 
 
 def _joined(first: Outcome[TrainResult], second: Outcome[object]) -> Outcome[TrainResult]:
     """The first outcome with everything that stands beside the result of the second."""
-    return replace(first, checks=first.checks + second.checks, lines=first.lines + second.lines, curves=first.curves + second.curves,
-        tables=first.tables + second.tables, errata=first.errata + second.errata, notes=first.notes + second.notes)  # fmt: skip
+    return replace(
+        first,
+        checks=first.checks + second.checks,
+        lines=first.lines + second.lines,
+        curves=first.curves + second.curves,
+        tables=first.tables + second.tables,
+        errata=first.errata + second.errata,
+        notes=first.notes + second.notes,
+    )
 
 
 def residual_couple(outcome: Outcome[TrainResult], couple: NewtonMetre) -> NewtonMetre:
@@ -178,11 +213,16 @@ def with_residual_couple(outcome: Outcome[TrainResult], couple: NewtonMetre) -> 
     with trace() as lines, about(Text("train, by its backlash")):
         left = residual_couple(outcome, couple)
         whole = with_couple(train.train_play, couple) if train.train_play is not None else None
-    return replace(outcome, result=replace(train, residual_couple=left, train_play=whole), lines=outcome.lines + tuple(lines))
+    return replace(
+        outcome, result=replace(train, residual_couple=left, train_play=whole), lines=outcome.lines + tuple(lines)
+    )
 
 
-def with_speed_ratio(outcome: Outcome[TrainResult], wanted: Number, engine: EngineInputs | None = None) -> Outcome[TrainResult]:
-    """The same outcome with the check that its last wheel turns as the shaft must; `wanted` −1: as fast as the crank, the other way.
+def with_speed_ratio(
+    outcome: Outcome[TrainResult], wanted: Number, engine: EngineInputs | None = None
+) -> Outcome[TrainResult]:
+    """The same outcome with the check that its last wheel turns as the shaft must; `wanted` −1: as fast as the crank,
+    the other way.
 
     Without an `engine` the first driver is taken to turn as the crank does.
     """

@@ -38,7 +38,8 @@ class _Bare:
 
 
 def solve_wheel(gears: GearsInputs, system: ToothSystem, wheel: Wheel, x: Number, d: Metre, d_b: Metre) -> WheelResult:
-    """All values of one wheel, at rest.  A tooth that can not be is no solution; one that is only poor is for the checks to judge."""
+    """All values of one wheel, at rest.  A tooth that can not be is no solution; one that is only poor is for the
+    checks to judge."""
     bare = _Bare(system, wheel, x, d, d_b)
     alpha_t, alpha_n = system.transverse_pressure_angle, system.alpha_n
     with about(Text("wheel {name}", name=wheel.name)):
@@ -54,7 +55,9 @@ def solve_wheel(gears: GearsInputs, system: ToothSystem, wheel: Wheel, x: Number
         alpha_m = _mid_flank(bare, d_a, d_Ff)
         chord = m.virtual_teeth(wheel.teeth, system.beta)
         psi = m.half_tooth_angle(chord, x, alpha_n)
-        K = wheel.span_teeth or m.whole_span_teeth(m.span_teeth(wheel.teeth, alpha_m, system.base_helix_angle, alpha_t, x, alpha_n))
+        K = wheel.span_teeth or m.whole_span_teeth(
+            m.span_teeth(wheel.teeth, alpha_m, system.base_helix_angle, alpha_t, x, alpha_n)
+        )
         W_K = m.span(system.m_n, alpha_n, K, wheel.teeth, alpha_t, x)
         ideal = m.ball_for_contact(s_t, d, alpha_t, wheel.teeth, d_b, system.base_helix_angle, alpha_m)
         preferred = preferred_ball(system, wheel.teeth, s_t, d, d_b, (d_Ff, d_a), d_f, ideal)
@@ -68,16 +71,44 @@ def solve_wheel(gears: GearsInputs, system: ToothSystem, wheel: Wheel, x: Number
         rho_a, rho_F = f.curvature_at(d_a, d_b), f.curvature_at(d_Ff, d_b)
         ends, limits = _limits(bare, ball if place is not None else None, x_min, d_a)
         return WheelResult(
-            tooth_depth=h, pointed_diameter=pointed, profile_shift=x, undercut_limit=x_min, reference_diameter=d,
-            base_diameter=d_b, tip_diameter=d_a, root_diameter=d_f, form_diameter=d_Ff, tip_thickness=s_at, tip_thickness_normal=s_an,
-            form_thickness=s_f, speed=0.0, span_teeth=K, span=_span(wheel, round(K), W_K), ideal_ball=ideal,
-            preferred_ball=preferred, ball_diameter=ball,
-            ball_given=gears.ball_diameter is not None, over_balls=M, chordal_thickness=s_c, chordal_height=h_c,
-            name=wheel.name, teeth=wheel.teeth, face_width=wheel.face_width or gears.face_width, material=wheel.material,
-            allowance=_allowance(wheel), reference_thickness=s_t, span_length=W_K, tip_curvature=rho_a,
-            form_curvature=rho_F, virtual_teeth=chord, seat=place,
-            ends=ends, measures=None, **limits, **_tips(wheel, d_a),
-        )  # fmt: skip
+            tooth_depth=h,
+            pointed_diameter=pointed,
+            profile_shift=x,
+            undercut_limit=x_min,
+            reference_diameter=d,
+            base_diameter=d_b,
+            tip_diameter=d_a,
+            root_diameter=d_f,
+            form_diameter=d_Ff,
+            tip_thickness=s_at,
+            tip_thickness_normal=s_an,
+            form_thickness=s_f,
+            speed=0.0,
+            span_teeth=K,
+            span=_span(wheel, round(K), W_K),
+            ideal_ball=ideal,
+            preferred_ball=preferred,
+            ball_diameter=ball,
+            ball_given=gears.ball_diameter is not None,
+            over_balls=M,
+            chordal_thickness=s_c,
+            chordal_height=h_c,
+            name=wheel.name,
+            teeth=wheel.teeth,
+            face_width=wheel.face_width or gears.face_width,
+            material=wheel.material,
+            allowance=_allowance(wheel),
+            reference_thickness=s_t,
+            span_length=W_K,
+            tip_curvature=rho_a,
+            form_curvature=rho_F,
+            virtual_teeth=chord,
+            seat=place,
+            ends=ends,
+            measures=None,
+            **limits,
+            **_tips(wheel, d_a),
+        )
 
 
 def _form_diameter(bare: _Bare, x: Number, x_min: Number) -> Metre:
@@ -92,28 +123,43 @@ def _form_diameter(bare: _Bare, x: Number, x_min: Number) -> Metre:
 def _must_be_a_tooth(wheel: Wheel, x: Number, d_a: Metre, d_f: Metre, d_Ff: Metre) -> None:
     follows, k = wheel.profile_shift is None, wheel.tip_shortening
     origin = Text(" (it follows from the train)") if follows else ""
-    place = Text("gears.wheels.{name}.profile_shift = {x}{origin}", name=wheel.name, x=Amount(x, form=".6g"), origin=origin)
+    place = Text(
+        "gears.wheels.{name}.profile_shift = {x}{origin}", name=wheel.name, x=Amount(x, form=".6g"), origin=origin
+    )
     if d_f <= 0:
         raise NoSolution(
-            Text("{place}: the tool would cut through the centre of the wheel (root diameter {d_f} mm)", place=place, d_f=mm(d_f, ".4g")),
+            Text(
+                "{place}: the tool would cut through the centre of the wheel (root diameter {d_f} mm)",
+                place=place,
+                d_f=mm(d_f, ".4g"),
+            ),
             advice=Text("give more teeth, a larger shift, or a smaller gears.tool_addendum"),
-        )  # fmt: skip
+        )
     if d_a <= d_Ff:
         cut = Text(" and the tip cut {tip_shortening} mm", tip_shortening=mm(k, "g")) if k else ""
         better = Text("{text} profile shift", text=Text("less") if x > 0 else Text("more"))
         if follows:
             centres = Text("bring the centres closer") if x > 0 else Text("set the centres further apart")
             better += Text(": it follows, so {text} or shift its mate", text=centres)
-        advice = Text("give {better}; or ", better=better) + (Text("a smaller tip_shortening_mm") if k else Text("more teeth"))
+        advice = Text("give {better}; or ", better=better) + (
+            Text("a smaller tip_shortening_mm") if k else Text("more teeth")
+        )
         raise NoSolution(
-            Text("{place}{cut}: the tip circle ({d_a} mm) lies inside the form circle ({d_ff} mm), no involute flank is left", place=place,
-                cut=cut, d_a=mm(d_a, ".4f"), d_ff=mm(d_Ff, ".4f")),
+            Text(
+                "{place}{cut}: the tip circle ({d_a} mm) lies inside the form circle ({d_ff} mm), no involute flank "
+                "is left",
+                place=place,
+                cut=cut,
+                d_a=mm(d_a, ".4f"),
+                d_ff=mm(d_Ff, ".4f"),
+            ),
             advice=advice,
-        )  # fmt: skip
+        )
 
 
 def _mid_flank(bare: _Bare, d_a: Metre, d_Ff: Metre) -> Radian:
-    """Pressure angle where spans and balls are meant to touch: at d + 2·x·m_n, or halfway up the flank where that is not on it."""
+    """Pressure angle where spans and balls are meant to touch: at d + 2·x·m_n, or halfway up the flank where that is
+    not on it."""
     d_V = based_on(bare.d + 2 * bare.x * bare.system.m_n, bare.d, bare.x, bare.system.m_n)
     return f.pressure_angle_at(bare.d_b, d_V if d_Ff < d_V < d_a else based_on((d_Ff + d_a) / 2, d_Ff, d_a))
 
@@ -129,7 +175,9 @@ def _span(wheel: Wheel, K: int, W_K: Metre) -> dict[str, Stated]:
         sizes["_min"] = (Text(", smallest"), m.span_with_allowance(W_K, lower))
         sizes["_max"] = (Text(", largest"), m.span_with_allowance(W_K, upper))
     return {
-        f"span_{K}{end}": Stated(Described(Text("Span over {k} teeth{said}", k=K, said=end_of_it), "mm", f"W_{K}"), size)
+        f"span_{K}{end}": Stated(
+            Described(Text("Span over {k} teeth{said}", k=K, said=end_of_it), "mm", f"W_{K}"), size
+        )
         for end, (end_of_it, size) in sizes.items()
     }
 
@@ -148,7 +196,9 @@ def _tips(wheel: Wheel, d_a: Metre) -> dict[str, Metre]:
     return {"tip_diameter_min": f.with_tolerance(d=d_a, T=lower), "tip_diameter_max": f.with_tolerance(d=d_a, T=upper)}
 
 
-def _limits(bare: _Bare, ball: Metre | None, x_min: Number, d_a: Metre) -> tuple[dict[str, End] | None, dict[str, Metre | None]]:
+def _limits(
+    bare: _Bare, ball: Metre | None, x_min: Number, d_a: Metre
+) -> tuple[dict[str, End] | None, dict[str, Metre | None]]:
     """The sizes at both ends of the allowance; `ball` None: no ball fits."""
     s, z, d, roots = bare.system, bare.wheel.teeth, bare.d, bare.wheel.root_diameter_tolerance
     if (allowance := _allowance(bare.wheel)) is None:
@@ -159,7 +209,13 @@ def _limits(bare: _Bare, ball: Metre | None, x_min: Number, d_a: Metre) -> tuple
     ends: dict[str, End] = {}
     sizes: dict[str, Metre | None] = {}
     for end, E_W, T in zip(("max", "min"), allowance, roots or (None, None)):
-        with about(Text("wheel {name}, {text} tooth", name=bare.wheel.name, text=Text("thickest") if end == "max" else Text("thinnest"))):
+        with about(
+            Text(
+                "wheel {name}, {text} tooth",
+                name=bare.wheel.name,
+                text=Text("thickest") if end == "max" else Text("thinnest"),
+            )
+        ):
             x_E = m.generating_shift(bare.x, E_W, s.m_n, s.alpha_n)
             s_t = f.reference_thickness(s.m_n, x_E, s.alpha_n, s.beta)
             d_f = f.root_diameter(d, s.m_n, x_E, s.h_fP)
@@ -190,8 +246,12 @@ def _must_stay_a_tooth(bare: _Bare, E_W: Metre, s_t: Metre, d_f: Metre, d_Ff: Me
         )
     form = mm(d_Ff, ".4f")
     if d_Ff >= d_a:
-        outside = Text("{place}: the form circle ({d_ff} mm) of such teeth lies outside the tip circle ({d_a} mm)", place=place, d_ff=form,
-            d_a=mm(d_a, ".4f"))  # fmt: skip
+        outside = Text(
+            "{place}: the form circle ({d_ff} mm) of such teeth lies outside the tip circle ({d_a} mm)",
+            place=place,
+            d_ff=form,
+            d_a=mm(d_a, ".4f"),
+        )
         raise NoSolution(outside, advice=advice)
     with untraced():
         at_form = f.thickness_at(d_Ff, s_t, bare.d, s.transverse_pressure_angle, f.pressure_angle_at(bare.d_b, d_Ff))
@@ -202,6 +262,7 @@ def _must_stay_a_tooth(bare: _Bare, E_W: Metre, s_t: Metre, d_f: Metre, d_Ff: Me
 
 # The bodies of the wheels: what each weighs.
 
+
 @formula("m_W", "geometry: disc of the reference diameter, open inside its rim or its bore")
 def wheel_mass(rho: KilogramPerMetre3, b: Metre, d: Metre, d_i: Metre) -> Kilogram:
     """>>> wheel_mass(rho=7860, b=0.015, d=0.054, d_i=0.0)
@@ -210,7 +271,9 @@ def wheel_mass(rho: KilogramPerMetre3, b: Metre, d: Metre, d_i: Metre) -> Kilogr
     return pi / 4 * rho * b * (d**2 - d_i**2)
 
 
-def with_masses(outcome: Outcome[TrainResult], gears: GearsInputs, materials: Mapping[str, Material]) -> Outcome[TrainResult]:
+def with_masses(
+    outcome: Outcome[TrainResult], gears: GearsInputs, materials: Mapping[str, Material]
+) -> Outcome[TrainResult]:
     """The same outcome with the mass of each wheel."""
     train = outcome.solution
     wheels = {}
@@ -219,6 +282,8 @@ def with_masses(outcome: Outcome[TrainResult], gears: GearsInputs, materials: Ma
             wheel = train.wheels[own.name]
             with about(Text("wheel {name}, mass", name=own.name)):
                 inside = inner_diameter(wheel.root_diameter, own.bore_diameter, own.rim_thickness)
-                m = wheel_mass(rho=materials[wheel.material].density, b=wheel.face_width, d=wheel.reference_diameter, d_i=inside)
+                m = wheel_mass(
+                    rho=materials[wheel.material].density, b=wheel.face_width, d=wheel.reference_diameter, d_i=inside
+                )
             wheels[own.name] = replace(wheel, mass=m)
     return replace(outcome, result=replace(train, wheels=wheels), lines=(*outcome.lines, *lines))

@@ -13,7 +13,9 @@ from .shaft_pair import roll_checks
 
 FIRST, SECOND = 0.05, 0.5  # shares of one cylinder's first- and second-order force that a good balance may leave
 TURNED = math.radians(0.01)
-OWN = Text("rule of this program: 5 % (order 1) or 50 % of λ (order 2) of m·r·ω² of one cylinder, couples over one pitch")
+OWN = Text(
+    "rule of this program: 5 % (order 1) or 50 % of λ (order 2) of m·r·ω² of one cylinder, couples over one pitch"
+)
 
 
 def checks(result: ImbalanceResult, lam: Number, kappa: Number, rho: Number, shaft: bool) -> tuple[Check, ...]:
@@ -23,10 +25,13 @@ def checks(result: ImbalanceResult, lam: Number, kappa: Number, rho: Number, sha
     """
     force, couple = result.one_force, result.one_couple
     first, second = result.orders["order_1"], result.orders["order_2"]
-    forward = Text("A backward shaft can not take it: balance half of the reciprocating mass on the crank (fraction 0.5).")
+    forward = Text(
+        "A backward shaft can not take it: balance half of the reciprocating mass on the crank (fraction 0.5)."
+    )
     if abs(rho - 1) > 1e-9:
         forward = Text(
-            "A backward shaft can not take it: balance the rotating masses whole and half of the reciprocating mass on the crank "
+            "A backward shaft can not take it: balance the rotating masses whole and half of the reciprocating mass "
+            "on the crank "
             "(rotating_balance_fraction 1, crank_balance_fraction 0.5)."
         )
     elif (turned := _turned(result)) > TURNED and abs(kappa - 0.5) < 1e-9:
@@ -36,9 +41,13 @@ def checks(result: ImbalanceResult, lam: Number, kappa: Number, rho: Number, sha
         )
     phase = Amount(round(degrees(result.required_couple_phase), 3), "°")
     counter = Text(
-        "One shaft at −ω takes it: {required_couple} N·m at {phase}", required_couple=Amount(result.required_couple), phase=phase
+        "One shaft at −ω takes it: {required_couple} N·m at {phase}",
+        required_couple=Amount(result.required_couple),
+        phase=phase,
     ) + (Text("; add [countershaft].") if not shaft else ".")
-    backward = Text("A shaft at −ω with this force, in the plane of the engine's middle, takes it; it may carry the couple as well.")
+    backward = Text(
+        "A shaft at −ω with this force, in the plane of the engine's middle, takes it; it may carry the couple as well."
+    )
     shafts = result.remedy.get("second_order_shafts")
     two = (
         Text(
@@ -53,14 +62,44 @@ def checks(result: ImbalanceResult, lam: Number, kappa: Number, rho: Number, sha
         return check(f"imbalance.{name}", label, value, "<=", limit, unit, OWN, what)
 
     alone = (
-        advice("order_1.backward", Text("First-order couple turning backward"), first.couple_backward, FIRST * couple, "N·m", counter),
-        advice("order_1.backward_force", Text("First-order force turning backward"), first.force_backward, FIRST * force, "N", backward),
+        advice(
+            "order_1.backward",
+            Text("First-order couple turning backward"),
+            first.couple_backward,
+            FIRST * couple,
+            "N·m",
+            counter,
+        ),
+        advice(
+            "order_1.backward_force",
+            Text("First-order force turning backward"),
+            first.force_backward,
+            FIRST * force,
+            "N",
+            backward,
+        ),
     )
     return (
         *(() if shaft else alone),
-        advice("order_1.forward", Text("First-order couple turning forward"), first.couple_forward, FIRST * couple, "N·m", forward),
-        advice("order_1.forward_force", Text("First-order force turning forward"), first.force_forward, FIRST * force, "N", forward),
-        advice("order_2.couple", Text("Second-order couple left"), second.couple_peak, SECOND * lam * couple, "N·m", two),
+        advice(
+            "order_1.forward",
+            Text("First-order couple turning forward"),
+            first.couple_forward,
+            FIRST * couple,
+            "N·m",
+            forward,
+        ),
+        advice(
+            "order_1.forward_force",
+            Text("First-order force turning forward"),
+            first.force_forward,
+            FIRST * force,
+            "N",
+            forward,
+        ),
+        advice(
+            "order_2.couple", Text("Second-order couple left"), second.couple_peak, SECOND * lam * couple, "N·m", two
+        ),
         advice("order_2.force", Text("Second-order force left"), second.force_peak, SECOND * lam * force, "N", two),
         *roll_checks(result.shaft_pair),
         *_crank_checks(result),
@@ -103,33 +142,51 @@ def _crank_checks(result: ImbalanceResult) -> tuple[Check, ...]:
         if webs.permitted_unbalance is not None and webs.drilled_mass is None:
             made.append(
                 check(
-                    "imbalance.crank.residual", Text("Static unbalance of the crank {bobs}", bobs=bobs), state.unbalance, "<=",
-                    webs.permitted_unbalance, "kg·mm", Text("ISO 21940-11, permissible residual unbalance, of the mass that is listed"),
-                    Text("The balancing machine has it drilled out: give drill_radius_mm, and the webs to drill are found."),
+                    "imbalance.crank.residual",
+                    Text("Static unbalance of the crank {bobs}", bobs=bobs),
+                    state.unbalance,
+                    "<=",
+                    webs.permitted_unbalance,
+                    "kg·mm",
+                    Text("ISO 21940-11, permissible residual unbalance, of the mass that is listed"),
+                    Text(
+                        "The balancing machine has it drilled out: give drill_radius_mm, and the webs to drill are "
+                        "found."
+                    ),
                 )
-            )  # fmt: skip
+            )
     if webs.unbalances_couple_left is not None:
         made.append(
             check(
-                "imbalance.unbalances.couple_left", Text("Wanted couple that pulley and flywheel leave"), webs.unbalances_couple_left, "<=",
-                FIRST * couple, "N·m", OWN,
+                "imbalance.unbalances.couple_left",
+                Text("Wanted couple that pulley and flywheel leave"),
+                webs.unbalances_couple_left,
+                "<=",
+                FIRST * couple,
+                "N·m",
+                OWN,
                 Text("Their unbalances together must supply missing_forward_couple at missing_forward_couple_phase."),
             )
-        )  # fmt: skip
+        )
     if webs.pin_deviation is not None:
         made.append(
             check(
-                "imbalance.crank.throws", Text("Pins of the crank's bodies against the throws"), webs.pin_deviation, "<=", math.radians(2),
+                "imbalance.crank.throws",
+                Text("Pins of the crank's bodies against the throws"),
+                webs.pin_deviation,
+                "<=",
+                math.radians(2),
                 "°",
                 Text("rule of this program: within 2°"),
                 Text("Look at crank_bodies_throw_at_tdc, and at x (up) and y (in the sense of rotation) of the pins."),
             )
-        )  # fmt: skip
+        )
     return tuple(made)
 
 
 def proposals(result: ImbalanceResult, lam: Number, kappa: Number, rho: Number, shaft: bool) -> tuple[Text, ...]:
-    """The remedies that the residuals of this engine call for, and why: from the engine without any share on the crank."""
+    """The remedies that the residuals of this engine call for, and why: from the engine without any share on the
+    crank."""
     F_f, F_b, C_f, C_b = (abs(v) for v in result.orders["order_1"].unbalanced)
     F_p, F_m, C_p, C_m = (abs(v) for v in result.orders["order_2"].vectors)
     first = FIRST * result.one_force, FIRST * result.one_couple
@@ -137,7 +194,11 @@ def proposals(result: ImbalanceResult, lam: Number, kappa: Number, rho: Number, 
     said = []
     turns_forward, turns_backward = _what(F_f, C_f, *first), _what(F_b, C_b, *first)
     if turns_forward:
-        done = Text("as designed") if abs(kappa - 0.5) < 1e-9 else Text("the design has {kappa}", kappa=Amount(kappa, form="g"))
+        done = (
+            Text("as designed")
+            if abs(kappa - 0.5) < 1e-9
+            else Text("the design has {kappa}", kappa=Amount(kappa, form="g"))
+        )
         said.append(
             Text(
                 "Counterweights on the crank for half of the reciprocating mass (crank_balance_fraction 0.5; {done}), "
@@ -151,69 +212,93 @@ def proposals(result: ImbalanceResult, lam: Number, kappa: Number, rho: Number, 
     if turns_backward:
         done = Text(" (as designed)") if shaft else EMPTY
         text = plural(
-            "One shaft at −1 times crank speed{done}, because {turns_backward} of first order turns backward, and nothing on the crank can "
+            "One shaft at −1 times crank speed{done}, because {turns_backward} of first order turns backward, and "
+            "nothing on the crank can "
             "take it.",
-            "One shaft at −1 times crank speed{done}, because {turns_backward} of first order turn backward, and nothing on the crank can "
+            "One shaft at −1 times crank speed{done}, because {turns_backward} of first order turn backward, and "
+            "nothing on the crank can "
             "take it.",
-            n=_count(turns_backward), done=done, turns_backward=turns_backward,
-        )  # fmt: skip
+            n=_count(turns_backward),
+            done=done,
+            turns_backward=turns_backward,
+        )
         if (roll := result.remedy["backward_shaft"].roll_torque_at_100_mm) is not None and F_b > first[0]:
             text += Text(
-                " It carries a force: each 100 mm beside the crank's axis cost a roll torque of {roll} N·m; two shafts at ±1 cost none.",
+                " It carries a force: each 100 mm beside the crank's axis cost a roll torque of {roll} N·m; two "
+                "shafts at ±1 cost none.",
                 roll=Amount(roll),
             )
         said.append(text)
     plus, minus = _what(F_p, C_p, *second), _what(F_m, C_m, *second)
     shafts = result.remedy.get("second_order_shafts")
-    if (plus or minus) and shafts is not None:  # of a crank that is all but nought, little of λ counts, and no shaft is made for it
+    if (
+        plus or minus
+    ) and shafts is not None:  # of a crank that is all but nought, little of λ counts, and no shaft is made for it
         both = _what(F_p + F_m, C_p + C_m, *second)
         left = plural(
             "{both} of second order is left at the peak; neither the crank nor a shaft at crank speed changes it.",
             "{both} of second order are left at the peak; neither the crank nor a shaft at crank speed changes it.",
-            n=_count(both), both=both,
-        )  # fmt: skip
+            n=_count(both),
+            both=both,
+        )
         speed = _one_speed(shafts.shafts)
         said.append(
             Text("Two shafts at ±2 times crank speed, where the comfort is worth it, because {left}", left=left)
             if speed is None
-            else Text("One shaft at {speed} times crank speed, where the comfort is worth it, because {left}", speed=speed, left=left)
+            else Text(
+                "One shaft at {speed} times crank speed, where the comfort is worth it, because {left}",
+                speed=speed,
+                left=left,
+            )
         )
-    if result.webs is not None and result.webs.missing_forward_couple is not None and result.webs.unbalances_couple is None:
+    if (
+        result.webs is not None
+        and result.webs.missing_forward_couple is not None
+        and result.webs.unbalances_couple is None
+    ):
         missing = _what(result.webs.missing_forward_force or 0.0, result.webs.missing_forward_couple, *first)
         if missing:
             direction = Amount(round(degrees(result.webs.missing_forward_couple_phase or 0.0), 3), "°")
             said.append(
                 Text(
                     "Unbalances on pulley and flywheel that supply {missing} (the couple at {direction}), because the "
-                    "crank's own webs lack it for the share {kappa}; give them as [[imbalance.unbalances]] to see what is "
+                    "crank's own webs lack it for the share {kappa}; give them as [[imbalance.unbalances]] to see "
+                    "what is "
                     "left.",
                     missing=missing,
                     direction=direction,
                     kappa=Amount(kappa, form="g"),
                 )
             )
-    return tuple(said) or (Text("No remedy is called for: neither order 1 nor order 2 leaves a force or couple that counts."),)
+    return tuple(said) or (
+        Text("No remedy is called for: neither order 1 nor order 2 leaves a force or couple that counts."),
+    )
 
 
 def _taken(result: ImbalanceResult, rho: Number, least: tuple[float, float]) -> Text:
-    """What the half on the crank takes: all, or what an offset cylinder leaves, whose force does not stand opposite the pin."""
+    """What the half on the crank takes: all, or what an offset cylinder leaves, whose force does not stand opposite the
+    pin."""
     left = (a + b / 2 for a, b in zip(result.orders["order_1"].unbalanced[0::2], result.whole))
     rest = _what(*(abs(x) for x in left), *(limit / 50 for limit in least))
     if not rest:
         return Text("take all")
     if abs(rho - 1) > 1e-9:
         share = Amount(rho, form="g")
-        return Text("take all but {rest} (the rotating masses are balanced to a share of {share} only)", rest=rest, share=share)
+        return Text(
+            "take all but {rest} (the rotating masses are balanced to a share of {share} only)", rest=rest, share=share
+        )
     turned = Amount(degrees(_turned(result)), "°")
     return Text(
-        "take all but {rest} (the offset turns it by {turned} from the pins; counterweights turned as far take that too)",
+        "take all but {rest} (the offset turns it by {turned} from the pins; counterweights turned as far take that "
+        "too)",
         rest=rest,
         turned=turned,
     )
 
 
 def _turned(result: ImbalanceResult) -> float:
-    """The angle between the forward vector of first order and the pins' own [rad]: an offset cylinder's force leads or lags its crank."""
+    """The angle between the forward vector of first order and the pins' own [rad]: an offset cylinder's force leads or
+    lags its crank."""
     F_f, _, C_f, _ = result.orders["order_1"].unbalanced
     vector, pins = max(((F_f, result.whole[0]), (C_f, result.whole[1])), key=lambda pair: abs(pair[1]))
     return abs(argument(-vector * pins.conjugate()))

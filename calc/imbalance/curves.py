@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The figures of this step, without and with the counter-shaft: loci with their turning vectors, bars over the orders, a whole turn."""
+"""The figures of this step, without and with the counter-shaft: loci with their turning vectors, bars over the orders,
+a whole turn."""
 
 from collections.abc import Iterable, Mapping, Sequence
 
@@ -28,7 +29,8 @@ MISTIMING = {
 
 
 def pictures(result: ImbalanceResult, shaft: Shaft | None = None) -> tuple[Curve, ...]:
-    """All figures.  Without a shaft of the design an ideal one stands for it: it takes all of first order that turns backward."""
+    """All figures.  Without a shaft of the design an ideal one stands for it: it takes all of first order that turns
+    backward."""
     vectors = {int(name.rpartition("_")[2]): order.vectors for name, order in result.orders.items()}
     with_ = Text("with the counter-shaft") if shaft is not None else Text("with an ideal counter-shaft")
     supplied = shaft if shaft is not None else (-vectors[1][1], -vectors[1][3])
@@ -36,9 +38,16 @@ def pictures(result: ImbalanceResult, shaft: Shaft | None = None) -> tuple[Curve
     made: list[Curve] = []
     for kind, symbol, unit, at in KINDS:
         one = result.one_couple if kind == "couple" else result.one_force
-        if max(abs(v) for pair in (vectors, after) for order in pair.values() for v in order[at : at + 2]) <= DRAWN * one:
+        if (
+            max(abs(v) for pair in (vectors, after) for order in pair.values() for v in order[at : at + 2])
+            <= DRAWN * one
+        ):
             continue
-        both = ((WITHOUT, vectors), (with_, after)) if any(abs(v) > DUST * one for v in vectors[1][at : at + 2]) else ((EMPTY, vectors),)
+        both = (
+            ((WITHOUT, vectors), (with_, after))
+            if any(abs(v) > DUST * one for v in vectors[1][at : at + 2])
+            else ((EMPTY, vectors),)
+        )
         variants = tuple(name for name, _ in both) if len(both) > 1 else ()
         made += [
             _locus(kind, symbol, unit, at, both, variants, supplied[at // 2], one),
@@ -52,8 +61,11 @@ def pictures(result: ImbalanceResult, shaft: Shaft | None = None) -> tuple[Curve
     return tuple(made)
 
 
-def _locus(kind: str, symbol: str, unit: str, at: int, both: Both, variants: tuple[Text, ...], supplied: complex, one: float) -> Curve:
-    """The path of the lowest order that there is and of all orders together, and the vectors that draw the first of these."""
+def _locus(
+    kind: str, symbol: str, unit: str, at: int, both: Both, variants: tuple[Text, ...], supplied: complex, one: float
+) -> Curve:
+    """The path of the lowest order that there is and of all orders together, and the vectors that draw the first of
+    these."""
     before = both[0][1]
     shown = next((n for n in sorted(before) if max(abs(v) for v in before[n][at : at + 2]) > DUST * one), 1)
     index = str(shown).translate(SUBSCRIPTS)
@@ -72,12 +84,20 @@ def _locus(kind: str, symbol: str, unit: str, at: int, both: Both, variants: tup
         if variant and variant != WITHOUT:
             parts.append((Text("counter-shaft"), supplied, -1))
         if parts := [part for part in parts if abs(part[1]) > DUST * one]:
-            chains.append(Turning(tuple(p[0] for p in parts), tuple(p[1] for p in parts), tuple(p[2] for p in parts), variant))
+            chains.append(
+                Turning(tuple(p[0] for p in parts), tuple(p[1] for p in parts), tuple(p[2] for p in parts), variant)
+            )
     return Curve(
-        "locus" if kind == "couple" else "locus_force", LOCUS[kind], Text("horizontal, {unit}", unit=unit),
+        "locus" if kind == "couple" else "locus_force",
+        LOCUS[kind],
+        Text("horizontal, {unit}", unit=unit),
         Text("vertical, {unit}", unit=unit),
-        tuple(series), equal=True, variants=variants, turning=tuple(chains), along=(Text("crank angle, °"), degrees),
-    )  # fmt: skip
+        tuple(series),
+        equal=True,
+        variants=variants,
+        turning=tuple(chains),
+        along=(Text("crank angle, °"), degrees),
+    )
 
 
 def _path(vectors: Mapping[int, Vectors], orders: Iterable[int], at: int, theta: Array) -> ComplexArray:
@@ -117,8 +137,13 @@ def _turn(kind: str, symbol: str, unit: str, at: int, both: Both, variants: tupl
         ]
     turn = Text("crank angle from TDC of cylinder 1, °")
     return Curve(
-        f"{kind}s", TURN[kind], turn, Text("{symbol}, {unit}", symbol=symbol, unit=unit), tuple(series), variants=variants,
-    )  # fmt: skip
+        f"{kind}s",
+        TURN[kind],
+        turn,
+        Text("{symbol}, {unit}", symbol=symbol, unit=unit),
+        tuple(series),
+        variants=variants,
+    )
 
 
 def _mistiming(kind: str, axis: Text, whole: float) -> Curve:
@@ -134,7 +159,8 @@ def _mistiming(kind: str, axis: Text, whole: float) -> Curve:
 
 
 def remedy_table(result: ImbalanceResult, kappa: float, rho: float = 1.0, shaft: Shaft | None = None) -> Table:
-    """What is left of orders 1 and 2 before and after each remedy; `rho`: the share of the rotating masses that is balanced."""
+    """What is left of orders 1 and 2 before and after each remedy; `rho`: the share of the rotating masses that is
+    balanced."""
     first, second = result.orders["order_1"], result.orders["order_2"]
     F_2, C_2 = second.force_peak, second.couple_peak
 
@@ -160,19 +186,34 @@ def remedy_table(result: ImbalanceResult, kappa: float, rho: float = 1.0, shaft:
             continue  # the crank as designed
         needs = SEMICOLON.join(filter(None, (_needs(part) for part in remedy.shafts.values())))
         left = remedy.order_1_force, remedy.order_1_couple, remedy.order_2_force, remedy.order_2_couple
-        rows.append((remedy.title, needs, *left, remedy.roll_torque if remedy.roll_torque is not None else remedy.roll_torque_at_100_mm))
+        rows.append(
+            (
+                remedy.title,
+                needs,
+                *left,
+                remedy.roll_torque if remedy.roll_torque is not None else remedy.roll_torque_at_100_mm,
+            )
+        )
     return Table(
-        "remedies", Text("Before and after each remedy"),
+        "remedies",
+        Text("Before and after each remedy"),
         (
-            (Text("remedy"), ""), (Text("shafts"), ""), (Text("F order 1"), "N"), (Text("C order 1"), "N·m"), (Text("F order 2"), "N"),
+            (Text("remedy"), ""),
+            (Text("shafts"), ""),
+            (Text("F order 1"), "N"),
+            (Text("C order 1"), "N·m"),
+            (Text("F order 2"), "N"),
             (Text("C order 2"), "N·m"),
             (Text("roll torque"), "N·m"),
         ),
         tuple(rows),
-        Text("Peaks over the turn. Shafts by unbalance U (force) and unbalance times arm U·Δz (couple), directions with cylinder 1 at TDC. "
-        "Roll torque of a single shaft that carries a force: where its place is not given, 100 mm beside the crank."),
+        Text(
+            "Peaks over the turn. Shafts by unbalance U (force) and unbalance times arm U·Δz (couple), directions "
+            "with cylinder 1 at TDC. "
+            "Roll torque of a single shaft that carries a force: where its place is not given, 100 mm beside the crank."
+        ),
         covers=("imbalance.remedy.",),
-    )  # fmt: skip
+    )
 
 
 def _needs(part: BalanceShaft) -> Text:
@@ -191,4 +232,6 @@ def _needs(part: BalanceShaft) -> Text:
                     phase=Amount(round(np.degrees(phase), 6), "°"),
                 )
             )
-    return Text("{speed}: {what}", speed=Amount(part.speed_ratio, form="+g"), what=COMMA.join(words)) if words else EMPTY
+    return (
+        Text("{speed}: {what}", speed=Amount(part.speed_ratio, form="+g"), what=COMMA.join(words)) if words else EMPTY
+    )

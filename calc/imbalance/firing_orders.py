@@ -29,11 +29,10 @@ ALL, SOME = 9, 12  # cylinders up to which every order is tried, and up to which
 class FiringOrder:
     """An order, its crank angles [rad], and the peaks it leaves with the share on the crank that the design has.
 
-    `left` is what the orders are ranked by: the peaks of the forces, and of the couples over one pitch, of all harmonic orders together
-    with half of the reciprocating mass on the crank, which takes of order 1 what it can.  `neighbours`: how often two cylinders beside each
-    other, which load the same main bearing, fire in turn; `same_half`: how often two of one half of the engine (of one bank) do, which draw
-    from the same end of a manifold.
-    """
+    `left` is what the orders are ranked by: the peaks of the forces, and of the couples over one pitch, of all harmonic
+    orders together with half of the reciprocating mass on the crank, which takes of order 1 what it can.  `neighbours`:
+    how often two cylinders beside each other, which load the same main bearing, fire in turn; `same_half`: how often
+    two of one half of the engine (of one bank) do, which draw from the same end of a manifold."""
 
     order: tuple[int, ...]
     crank_angles: Array
@@ -52,13 +51,14 @@ def firing_orders(imbalance: ImbalanceInputs, engine: EngineInputs, e: EngineRes
 
     Ranked by what is left, then by bearings and intake; orders of one crank stand together.
 
-    From ten to twelve cylinders only the cranks that are built are tried: symmetrical inline ones, and common or opposed pins of two banks.
-    Raises NoSolution for more.
-    """
+    From ten to twelve cylinders only the cranks that are built are tried: symmetrical inline ones, and common or
+    opposed pins of two banks. Raises NoSolution for more."""
     n = engine.cylinders
     orders = np.array(list(_orders(engine)), dtype=np.intp)
     place = np.argsort(orders, axis=1)  # of each cylinder in the order
-    throws = n // 2 if engine.strokes == 4 and n % 2 == 0 else n  # places so far apart share a crank angle: they are a turn apart
+    throws = (
+        n // 2 if engine.strokes == 4 and n % 2 == 0 else n
+    )  # places so far apart share a crank angle: they are a turn apart
     keys = np.zeros(len(orders), dtype=np.int64)
     for k in range(n):
         keys = keys * n + place[:, k] % throws
@@ -69,34 +69,46 @@ def firing_orders(imbalance: ImbalanceInputs, engine: EngineInputs, e: EngineRes
         if imbalance.crank_balance_fraction == 0.5
         else _left(replace(imbalance, crank_balance_fraction=0.5), engine, e, place[first].astype(float))[0]
     )
-    left: Array = sum((many(o.force_peak + o.couple_peak / engine.cylinder_pitch) for o in best.values()), np.zeros(len(first)))
+    left: Array = sum(
+        (many(o.force_peak + o.couple_peak / engine.cylinder_pitch) for o in best.values()), np.zeros(len(first))
+    )
     one, two = found[1], found[2]
     beside, half = _in_turn(engine, orders)
     mild = [(int(b), int(h)) for b, h in zip(beside, half)]
     mildest = dict(sorted(zip(which.tolist(), mild), reverse=True))  # of the orders of each crank
     ranked = sorted(
-        range(len(orders)), key=lambda i: (float(f"{left[which[i]]:.6e}"), mildest[which[i]], which[i], mild[i], tuple(orders[i]))
+        range(len(orders)),
+        key=lambda i: (float(f"{left[which[i]]:.6e}"), mildest[which[i]], which[i], mild[i], tuple(orders[i])),
     )
     return [
         FiringOrder(
-            order=tuple(orders[i].tolist()), crank_angles=angles[j], force_1=float(many(one.force_peak)[j]),
-            couple_1_forward=float(many(one.couple_forward)[j]), couple_1_backward=float(many(one.couple_backward)[j]),
-            force_2=float(many(two.force_peak)[j]), couple_2=float(many(two.couple_peak)[j]), left=float(left[j]),
-            neighbours=int(beside[i]), same_half=int(half[i]),
+            order=tuple(orders[i].tolist()),
+            crank_angles=angles[j],
+            force_1=float(many(one.force_peak)[j]),
+            couple_1_forward=float(many(one.couple_forward)[j]),
+            couple_1_backward=float(many(one.couple_backward)[j]),
+            force_2=float(many(two.force_peak)[j]),
+            couple_2=float(many(two.couple_peak)[j]),
+            left=float(left[j]),
+            neighbours=int(beside[i]),
+            same_half=int(half[i]),
         )
         for i, j in ((i, which[i]) for i in ranked)
-    ]  # fmt: skip
+    ]
 
 
 def _in_turn(engine: EngineInputs, orders: IndexArray) -> tuple[IndexArray, IndexArray]:
-    """Of each order, how often neighbours, and cylinders of one half or bank, fire one after the other (Finotti 2013, 2.3.4)."""
+    """Of each order, how often neighbours, and cylinders of one half or bank, fire one after the other (Finotti 2013,
+    2.3.4)."""
     fired = orders - 1
     if engine.cylinders < 2:
         return np.zeros(len(fired), int), np.zeros(len(fired), int)
     place = places(engine)[fired]
     after = np.roll(place, -1, axis=1)
     if engine.layout == "inline":
-        side, side_after = (np.sign(2 * x - np.max(place)) for x in (place, after))  # the middle one of an odd number is of neither
+        side, side_after = (
+            np.sign(2 * x - np.max(place)) for x in (place, after)
+        )  # the middle one of an odd number is of neither
     else:
         bank = np.array(engine.bank_of_cylinder or tuple(c % 2 for c in range(engine.cylinders)))[fired]
         side, side_after = 2 * bank - 1, np.roll(2 * bank - 1, -1, axis=1)
@@ -107,14 +119,21 @@ def _orders(engine: EngineInputs) -> Iterable[tuple[int, ...]]:
     n = engine.cylinders
     if n <= ALL:
         return ((1, *rest) for rest in permutations(range(2, n + 1)))
-    found = [] if n > SOME else list(_symmetric(n, engine.strokes)) if engine.layout == "inline" else list(_paired(engine))
+    found = (
+        [] if n > SOME else list(_symmetric(n, engine.strokes)) if engine.layout == "inline" else list(_paired(engine))
+    )
     if not found:
         raise NoSolution(
             Text("firing orders of {n} cylinders in this layout are not listed", n=n),
-            Text("every order is tried for up to {all} cylinders; up to {some} those of symmetrical inline cranks, and of two banks on "
-                 "common (boxer: opposed) pins, where these fire evenly", all=ALL, some=SOME),
+            Text(
+                "every order is tried for up to {all} cylinders; up to {some} those of symmetrical inline cranks, and "
+                "of two banks on "
+                "common (boxer: opposed) pins, where these fire evenly",
+                all=ALL,
+                some=SOME,
+            ),
             Text("give the crank angles or one firing order; `check` shows what it leaves"),
-        )  # fmt: skip
+        )
     return found
 
 
@@ -146,9 +165,8 @@ def _paired(engine: EngineInputs) -> Iterator[tuple[int, ...]]:
 def _symmetric(n: int, strokes: int) -> Iterator[tuple[int, ...]]:
     """Orders of inline cranks whose ends mirror each other.
 
-    Four strokes and n even: the throws k and n + 1 − k at one angle.  Else they stand mirrored at an axis: their places add up to the
-    same number.
-    """
+    Four strokes and n even: the throws k and n + 1 − k at one angle.  Else they stand mirrored at an axis: their places
+    add up to the same number."""
     pairs = n // 2
     in_line = strokes == 4 and n % 2 == 0
     for whole in (pairs,) if in_line else range(1, n, 1 if n % 2 else 2):
@@ -168,40 +186,64 @@ def _symmetric(n: int, strokes: int) -> Iterator[tuple[int, ...]]:
                 yield tuple(int(k) + 1 for k in np.argsort(place))
 
 
-def _left(imbalance: ImbalanceInputs, engine: EngineInputs, e: EngineResult, place: Array) -> tuple[dict[int, Order], Array]:
+def _left(
+    imbalance: ImbalanceInputs, engine: EngineInputs, e: EngineResult, place: Array
+) -> tuple[dict[int, Order], Array]:
     """All harmonic orders of many cranks at once, and their crank angles."""
     layout = crank(replace(engine, crank_angles=None, firing_order=tuple(range(1, engine.cylinders + 1))), e.tdc_angle)
     with untraced():
         angles = many(throw_angles(psi=each(layout.psi), i=each(place), strokes=engine.strokes, N=engine.cylinders))
         every = replace(e, crank=replace(layout, phi=angles))
         judged = harmonics(e, imbalance.kinematics)
-        return {n: order(n, c_n, imbalance, engine, every) for n, c_n in enumerate(judged, 1) if np.any(c_n) or n <= 2}, angles
+        return {
+            n: order(n, c_n, imbalance, engine, every) for n, c_n in enumerate(judged, 1) if np.any(c_n) or n <= 2
+        }, angles
 
 
 COLUMNS = (
-    (Text("order"), ""), (Text("crank angles"), "°"), (Text("pins"), ""), (Text("F order 1"), "N"), (Name("C₁⁺"), "N·m"),
-    (Name("C₁⁻"), "N·m"), (Text("F order 2"), "N"), (Text("C order 2"), "N·m"), (Text("neighbours"), ""), (Text("same half"), ""),
-)  # fmt: skip
+    (Text("order"), ""),
+    (Text("crank angles"), "°"),
+    (Text("pins"), ""),
+    (Text("F order 1"), "N"),
+    (Name("C₁⁺"), "N·m"),
+    (Name("C₁⁻"), "N·m"),
+    (Text("F order 2"), "N"),
+    (Text("C order 2"), "N·m"),
+    (Text("neighbours"), ""),
+    (Text("same half"), ""),
+)
 TITLE = Text("Evenly firing orders, the one that leaves least first")
 RANKED = Text(
-    "Ranked by the forces, and the couples over one pitch, of all orders with half of the reciprocating mass on the crank; of equal ones "
-    "first where neighbours (their main bearing), then where cylinders of one half or bank (their intake), fire in turn least often."
+    "Ranked by the forces, and the couples over one pitch, of all orders with half of the reciprocating mass on the "
+    "crank; of equal ones "
+    "first where neighbours (their main bearing), then where cylinders of one half or bank (their intake), fire in "
+    "turn least often."
 )
 
 
 def orders_table(found: list[FiringOrder], most: int, design: FiringOrder, engine: EngineInputs) -> Table:
     """The best orders, each with its number in the ranking, under the design as it is."""
     rows = (("", *_row(design, engine)), *((float(n), *_row(one, engine)) for n, one in enumerate(found[:most], 1)))
-    shown = plural("{shown} of {n} order, under the design as it is.", "{shown} of {n} orders, under the design as it is.",
-                   n=len(found), shown=len(rows) - 1)  # fmt: skip
+    shown = plural(
+        "{shown} of {n} order, under the design as it is.",
+        "{shown} of {n} orders, under the design as it is.",
+        n=len(found),
+        shown=len(rows) - 1,
+    )
     return Table("firing_orders", TITLE, ((Text("no."), ""), *COLUMNS), rows, SPACE.join((shown, RANKED)))
 
 
 def cranks_table(found: list[FiringOrder], engine: EngineInputs, most: int = 12) -> Table:
     """The best cranks, each with the best of the orders that it can fire in."""
-    cranks = [one for n, one in enumerate(found) if n == 0 or not np.allclose(found[n - 1].crank_angles, one.crank_angles)]
-    note = Text("{n} orders on {cranks} different cranks; of each crank the best order.", n=len(found), cranks=len(cranks))
-    return Table("firing_orders", TITLE, COLUMNS, tuple(_row(one, engine) for one in cranks[:most]), SPACE.join((note, RANKED)))
+    cranks = [
+        one for n, one in enumerate(found) if n == 0 or not np.allclose(found[n - 1].crank_angles, one.crank_angles)
+    ]
+    note = Text(
+        "{n} orders on {cranks} different cranks; of each crank the best order.", n=len(found), cranks=len(cranks)
+    )
+    return Table(
+        "firing_orders", TITLE, COLUMNS, tuple(_row(one, engine) for one in cranks[:most]), SPACE.join((note, RANKED))
+    )
 
 
 def as_designed(imbalance: ImbalanceInputs, engine: EngineInputs, e: EngineResult) -> FiringOrder:
@@ -213,16 +255,31 @@ def as_designed(imbalance: ImbalanceInputs, engine: EngineInputs, e: EngineResul
     fires = firing(engine, e.crank).order
     beside, half = _in_turn(engine, np.array([fires], dtype=np.intp))
     return FiringOrder(
-        order=fires, crank_angles=e.crank.phi, force_1=one.force_peak, couple_1_forward=one.couple_forward,
-        couple_1_backward=one.couple_backward, force_2=two.force_peak, couple_2=two.couple_peak, left=float("nan"),
-        neighbours=int(beside[0]), same_half=int(half[0]),
-    )  # fmt: skip
+        order=fires,
+        crank_angles=e.crank.phi,
+        force_1=one.force_peak,
+        couple_1_forward=one.couple_forward,
+        couple_1_backward=one.couple_backward,
+        force_2=two.force_peak,
+        couple_2=two.couple_peak,
+        left=float("nan"),
+        neighbours=int(beside[0]),
+        same_half=int(half[0]),
+    )
 
 
 def _row(one: FiringOrder, engine: EngineInputs) -> tuple[str | float, ...]:
     throws = crank(replace(engine, crank_angles=tuple(one.crank_angles.tolist()), firing_order=None), 0.0)
     pins = float(pin_of_cylinder(engine, throws).max() + 1)
-    peaks = one.force_1, one.couple_1_forward, one.couple_1_backward, one.force_2, one.couple_2, float(one.neighbours), float(one.same_half)
+    peaks = (
+        one.force_1,
+        one.couple_1_forward,
+        one.couple_1_backward,
+        one.force_2,
+        one.couple_2,
+        float(one.neighbours),
+        float(one.same_half),
+    )
     return ("-".join(map(str, one.order)), crank_words(one.crank_angles), pins, *peaks)
 
 

@@ -1,15 +1,14 @@
 # SPDX-License-Identifier: Apache-2.0
 """Inertia forces and couples as vectors that turn with (⁺) and against (⁻) the crank at n times its speed.
 
-A vector is a complex number: real up, imaginary 90° further in the sense of crank rotation, taken while cylinder 1 stands at TDC.
-Forces act from the moving parts on the block; a couple is Σ z·F, positive = rear force up.  φ are the throws, ψ the banks, θ₀ the
-angle of throw 1 at that moment, c_n the harmonics of a/(ω² r).
-"""
+A vector is a complex number: real up, imaginary 90° further in the sense of crank rotation, taken while cylinder 1
+stands at TDC. Forces act from the moving parts on the block; a couple is Σ z·F, positive = rear force up.  φ are the
+throws, ψ the banks, θ₀ the angle of throw 1 at that moment, c_n the harmonics of a/(ω² r)."""
 
 from ..sheet.formula import formula
 from ..sheet.functions import argument, cis, conj, joined, modulus, pi, resultant, sin
 from ..sheet.text import Text
-from ..sheet.units import (  # fmt: skip
+from ..sheet.units import (
     Kilogram,
     KilogramMetre,
     KilogramMetre2,
@@ -43,30 +42,50 @@ def force_backward(
 
 @formula("C_n⁺", Text("{vectors}: couple of an order that turns forward", vectors=VECTORS), names={"m": "M_alt"})
 def couple_forward(
-    omega: RadPerSecond, m: Kilogram, r: Metre, c_n: PhasorNumber, n: Number, theta_0: Radian, z: Metre, psi: Radian, phi: Radian
+    omega: RadPerSecond,
+    m: Kilogram,
+    r: Metre,
+    c_n: PhasorNumber,
+    n: Number,
+    theta_0: Radian,
+    z: Metre,
+    psi: Radian,
+    phi: Radian,
 ) -> PhasorNewtonMetre:
     return 0.5 * omega**2 * m * r * c_n * cis(n * theta_0) * resultant(z * cis(psi) * cis(n * (phi - psi)))
 
 
 @formula("C_n⁻", Text("{vectors}: couple of an order that turns backward", vectors=VECTORS), names={"m": "M_alt"})
 def couple_backward(
-    omega: RadPerSecond, m: Kilogram, r: Metre, c_n: PhasorNumber, n: Number, theta_0: Radian, z: Metre, psi: Radian, phi: Radian
+    omega: RadPerSecond,
+    m: Kilogram,
+    r: Metre,
+    c_n: PhasorNumber,
+    n: Number,
+    theta_0: Radian,
+    z: Metre,
+    psi: Radian,
+    phi: Radian,
 ) -> PhasorNewtonMetre:
     return 0.5 * omega**2 * m * r * conj(c_n) * cis(-n * theta_0) * resultant(z * cis(psi) * cis(-n * (phi - psi)))
 
 
 @formula(
     "F_κ",
-    "Finotti 2013, 2.3.2: couple of the counterweights that carry the share κ of the reciprocating masses, opposite the pins",
+    "Finotti 2013, 2.3.2: couple of the counterweights that carry the share κ of the reciprocating masses, opposite "
+    "the pins",
     names={"m": "M_alt"},
 )
-def counterweight_force(kappa: Number, omega: RadPerSecond, m: Kilogram, r: Metre, theta_0: Radian, phi: Radian) -> PhasorNewton:
+def counterweight_force(
+    kappa: Number, omega: RadPerSecond, m: Kilogram, r: Metre, theta_0: Radian, phi: Radian
+) -> PhasorNewton:
     return -kappa * omega**2 * m * r * cis(theta_0) * resultant(cis(phi))
 
 
 @formula(
     "C_κ",
-    "Finotti 2013, 2.3.2: couple of the counterweights that carry the share κ of the reciprocating masses, opposite the pins",
+    "Finotti 2013, 2.3.2: couple of the counterweights that carry the share κ of the reciprocating masses, opposite "
+    "the pins",
     names={"m": "M_alt"},
 )
 def counterweight_couple(
@@ -75,12 +94,20 @@ def counterweight_couple(
     return -kappa * omega**2 * m * r * cis(theta_0) * resultant(z * cis(phi))
 
 
-@formula("F_rot", "dynamics: centrifugal force of what the crank's counterweights leave of the rotating masses", names={"rho": "κ_rot"})
-def rotating_force(rho: Number, omega: RadPerSecond, M_rot: Kilogram, r: Metre, theta_0: Radian, phi: Radian) -> PhasorNewton:
+@formula(
+    "F_rot",
+    "dynamics: centrifugal force of what the crank's counterweights leave of the rotating masses",
+    names={"rho": "κ_rot"},
+)
+def rotating_force(
+    rho: Number, omega: RadPerSecond, M_rot: Kilogram, r: Metre, theta_0: Radian, phi: Radian
+) -> PhasorNewton:
     return (1 - rho) * omega**2 * M_rot * r * cis(theta_0) * resultant(cis(phi))
 
 
-@formula("C_rot", "dynamics: couple of what the crank's counterweights leave of the rotating masses", names={"rho": "κ_rot"})
+@formula(
+    "C_rot", "dynamics: couple of what the crank's counterweights leave of the rotating masses", names={"rho": "κ_rot"}
+)
 def rotating_couple(
     rho: Number, omega: RadPerSecond, M_rot: Kilogram, r: Metre, theta_0: Radian, z: Metre, phi: Radian
 ) -> PhasorNewtonMetre:
@@ -99,7 +126,8 @@ def with_rotating_couple(C_1: PhasorNewtonMetre, C_rot: PhasorNewtonMetre) -> Ph
 
 @formula(
     "F_1⁺,κ",
-    "mathematics: force of order 1 that turns forward, with the counterweights; they change neither F_1⁻ nor a higher order",
+    "mathematics: force of order 1 that turns forward, with the counterweights; they change neither F_1⁻ nor a higher "
+    "order",
     names={"F_1": "F_1⁺"},
 )
 def remaining_force(F_1: PhasorNewton, F_kappa: PhasorNewton) -> PhasorNewton:
@@ -108,64 +136,99 @@ def remaining_force(F_1: PhasorNewton, F_kappa: PhasorNewton) -> PhasorNewton:
 
 @formula(
     "C_1⁺,κ",
-    "mathematics: couple of order 1 that turns forward, with the counterweights; they change neither C_1⁻ nor a higher order",
+    "mathematics: couple of order 1 that turns forward, with the counterweights; they change neither C_1⁻ nor a "
+    "higher order",
     names={"C_1": "C_1⁺"},
 )
 def remaining_couple(C_1: PhasorNewtonMetre, C_kappa: PhasorNewtonMetre) -> PhasorNewtonMetre:
     return joined(C_1, C_kappa)
 
 
-@formula("F_V", "geometry, ellipse of two counter-turning vectors: largest vertical component", names={"F_f": "F⁺", "F_b": "F⁻"})
+@formula(
+    "F_V",
+    "geometry, ellipse of two counter-turning vectors: largest vertical component",
+    names={"F_f": "F⁺", "F_b": "F⁻"},
+)
 def force_peak_vertical(F_f: PhasorNewton, F_b: PhasorNewton) -> Newton:
     return modulus(joined(F_f, conj(F_b)))
 
 
-@formula("F_H", "geometry, ellipse of two counter-turning vectors: largest horizontal component", names={"F_f": "F⁺", "F_b": "F⁻"})
+@formula(
+    "F_H",
+    "geometry, ellipse of two counter-turning vectors: largest horizontal component",
+    names={"F_f": "F⁺", "F_b": "F⁻"},
+)
 def force_peak_horizontal(F_f: PhasorNewton, F_b: PhasorNewton) -> Newton:
     return modulus(joined(F_f, -conj(F_b)))
 
 
-@formula("C_V", "geometry, ellipse of two counter-turning vectors: largest vertical component", names={"C_f": "C⁺", "C_b": "C⁻"})
+@formula(
+    "C_V",
+    "geometry, ellipse of two counter-turning vectors: largest vertical component",
+    names={"C_f": "C⁺", "C_b": "C⁻"},
+)
 def couple_peak_vertical(C_f: PhasorNewtonMetre, C_b: PhasorNewtonMetre) -> NewtonMetre:
     return modulus(joined(C_f, conj(C_b)))
 
 
-@formula("C_H", "geometry, ellipse of two counter-turning vectors: largest horizontal component", names={"C_f": "C⁺", "C_b": "C⁻"})
+@formula(
+    "C_H",
+    "geometry, ellipse of two counter-turning vectors: largest horizontal component",
+    names={"C_f": "C⁺", "C_b": "C⁻"},
+)
 def couple_peak_horizontal(C_f: PhasorNewtonMetre, C_b: PhasorNewtonMetre) -> NewtonMetre:
     return modulus(joined(C_f, -conj(C_b)))
 
 
-@formula("F_max", "geometry, ellipse of two counter-turning vectors: half its long axis", names={"F_f": "F⁺", "F_b": "F⁻"})
+@formula(
+    "F_max", "geometry, ellipse of two counter-turning vectors: half its long axis", names={"F_f": "F⁺", "F_b": "F⁻"}
+)
 def force_peak(F_f: PhasorNewton, F_b: PhasorNewton) -> Newton:
     return modulus(F_f) + modulus(F_b)
 
 
-@formula("F_min", "geometry, ellipse of two counter-turning vectors: half its short axis", names={"F_f": "F⁺", "F_b": "F⁻"})
+@formula(
+    "F_min", "geometry, ellipse of two counter-turning vectors: half its short axis", names={"F_f": "F⁺", "F_b": "F⁻"}
+)
 def force_least(F_f: PhasorNewton, F_b: PhasorNewton) -> Newton:
     return modulus(joined(modulus(F_f), -modulus(F_b)))
 
 
-@formula("∠F_max", "geometry, ellipse of two counter-turning vectors: direction of its long axis from up", names={"F_f": "F⁺", "F_b": "F⁻"})
+@formula(
+    "∠F_max",
+    "geometry, ellipse of two counter-turning vectors: direction of its long axis from up",
+    names={"F_f": "F⁺", "F_b": "F⁻"},
+)
 def force_axis(F_f: PhasorNewton, F_b: PhasorNewton) -> Radian:
     return argument(F_f * F_b) / 2
 
 
-@formula("C_max", "geometry, ellipse of two counter-turning vectors: half its long axis", names={"C_f": "C⁺", "C_b": "C⁻"})
+@formula(
+    "C_max", "geometry, ellipse of two counter-turning vectors: half its long axis", names={"C_f": "C⁺", "C_b": "C⁻"}
+)
 def couple_peak(C_f: PhasorNewtonMetre, C_b: PhasorNewtonMetre) -> NewtonMetre:
     return modulus(C_f) + modulus(C_b)
 
 
-@formula("C_min", "geometry, ellipse of two counter-turning vectors: half its short axis", names={"C_f": "C⁺", "C_b": "C⁻"})
+@formula(
+    "C_min", "geometry, ellipse of two counter-turning vectors: half its short axis", names={"C_f": "C⁺", "C_b": "C⁻"}
+)
 def couple_least(C_f: PhasorNewtonMetre, C_b: PhasorNewtonMetre) -> NewtonMetre:
     return modulus(joined(modulus(C_f), -modulus(C_b)))
 
 
-@formula("∠C_max", "geometry, ellipse of two counter-turning vectors: direction of its long axis from up", names={"C_f": "C⁺", "C_b": "C⁻"})
+@formula(
+    "∠C_max",
+    "geometry, ellipse of two counter-turning vectors: direction of its long axis from up",
+    names={"C_f": "C⁺", "C_b": "C⁻"},
+)
 def couple_axis(C_f: PhasorNewtonMetre, C_b: PhasorNewtonMetre) -> Radian:
     return argument(C_f * C_b) / 2
 
 
-@formula("C_S", "Finotti 2013, 2.5.3.3: the shaft opposes the backward couple of the first order", names={"C_b": "C_1⁻"})
+@formula(
+    "C_S", "Finotti 2013, 2.5.3.3: the shaft opposes the backward couple of the first order", names={"C_b": "C_1⁻"}
+)
 def required_couple(C_b: PhasorNewtonMetre) -> PhasorNewtonMetre:
     return -C_b
 
@@ -198,9 +261,13 @@ def unbalance_product(C_S: NewtonMetre, omega: RadPerSecond) -> KilogramMetre2:
     return C_S / omega**2
 
 
-@formula("C_2,F", "Finotti 2013, 2.5.3.4 (wrong: it leaves out the share that the crank balances, which order 2 does not know)")
+@formula(
+    "C_2,F",
+    "Finotti 2013, 2.5.3.4 (wrong: it leaves out the share that the crank balances, which order 2 does not know)",
+)
 def second_order_couple_of_finotti(kappa: Number, C_2: NewtonMetre) -> NewtonMetre:
-    """The thesis takes the mass that is not balanced on the crank, (1 − κ)·M_alt; the full reciprocating mass acts at order 2."""
+    """The thesis takes the mass that is not balanced on the crank, (1 − κ)·M_alt; the full reciprocating mass acts at
+    order 2."""
     return (1 - kappa) * C_2
 
 
@@ -212,7 +279,9 @@ def couple_per_degree(C_S: NewtonMetre) -> NewtonMetre:
     return 2 * C_S * sin(pi / 360)
 
 
-@formula("ΔC/tooth", "mathematics, exact difference of two vectors one tooth of the shaft's wheel apart", names={"z": "z_w"})
+@formula(
+    "ΔC/tooth", "mathematics, exact difference of two vectors one tooth of the shaft's wheel apart", names={"z": "z_w"}
+)
 def couple_per_tooth(C_S: NewtonMetre, z: Number) -> NewtonMetre:
     return 2 * C_S * sin(pi / z)
 
@@ -232,6 +301,8 @@ def force_per_degree(F_S: Newton) -> Newton:
     return 2 * F_S * sin(pi / 360)
 
 
-@formula("ΔF/tooth", "mathematics, exact difference of two vectors one tooth of the shaft's wheel apart", names={"z": "z_w"})
+@formula(
+    "ΔF/tooth", "mathematics, exact difference of two vectors one tooth of the shaft's wheel apart", names={"z": "z_w"}
+)
 def force_per_tooth(F_S: Newton, z: Number) -> Newton:
     return 2 * F_S * sin(pi / z)

@@ -13,11 +13,20 @@ class Unbalance:
     """An unbalance that turns with the crank: of the pulley, the flywheel …"""
 
     name: str = text("Name")
-    unbalance: float = quantity("Unbalance", "kg·mm", low=0, high=1e6, symbol="U", help="Mass times the radius of its centre of gravity.")
-    angle: float = quantity(
-        "Angle", "°", low=-720, high=720, symbol="gamma", help="With cylinder 1 at TDC, from up, in the sense of rotation."
+    unbalance: float = quantity(
+        "Unbalance", "kg·mm", low=0, high=1e6, symbol="U", help="Mass times the radius of its centre of gravity."
     )
-    z: float = quantity("Position", "mm", low=-5000, high=5000, symbol="z", help="From mid-engine, + towards the flywheel.")
+    angle: float = quantity(
+        "Angle",
+        "°",
+        low=-720,
+        high=720,
+        symbol="gamma",
+        help="With cylinder 1 at TDC, from up, in the sense of rotation.",
+    )
+    z: float = quantity(
+        "Position", "mm", low=-5000, high=5000, symbol="z", help="From mid-engine, + towards the flywheel."
+    )
 
 
 @inputs
@@ -27,13 +36,24 @@ class CrankBody:
     name: str = text("Name", help="Letters, digits and -.")
     mass: float = quantity("Mass", "kg", low=0, high=1000, symbol="m", help="Mass of this web, counterweight or pin.")
     x: float = quantity(
-        "Centre of gravity, up", "mm", low=-1000, high=1000, symbol="x",
+        "Centre of gravity, up",
+        "mm",
+        low=-1000,
+        high=1000,
+        symbol="x",
         help="Height of its centre of gravity, with the throw named above at TDC.",
-    )  # fmt: skip
-    y: float = quantity(
-        "Centre of gravity, side", "mm", low=-1000, high=1000, symbol="y", help="90° further in the sense of crank rotation."
     )
-    z: float = quantity("Position", "mm", low=-5000, high=5000, symbol="z", help="From mid-engine, + towards the flywheel.")
+    y: float = quantity(
+        "Centre of gravity, side",
+        "mm",
+        low=-1000,
+        high=1000,
+        symbol="y",
+        help="90° further in the sense of crank rotation.",
+    )
+    z: float = quantity(
+        "Position", "mm", low=-5000, high=5000, symbol="z", help="From mid-engine, + towards the flywheel."
+    )
     pin: int | None = integer(
         "Crankpin", default=None, low=1, high=16, help="The number of the pin that this body is: a bob is added to it."
     )
@@ -44,13 +64,27 @@ class ImbalanceInputs:
     """What the crank takes of the reciprocating masses, and the kinematics that are judged."""
 
     crank_balance_fraction: float = quantity(
-        "Share balanced on the crank", default=0.5, low=-1, high=2, symbol="kappa", step=0.05, usual=(0, 1), source="Finotti 2013, 2.3.2",
+        "Share balanced on the crank",
+        default=0.5,
+        low=-1,
+        high=2,
+        symbol="kappa",
+        step=0.05,
+        usual=(0, 1),
+        source="Finotti 2013, 2.3.2",
         help="Of the reciprocating mass; at ½ one shaft takes the rest.",
-    )  # fmt: skip
+    )
     rotating_balance_fraction: float = quantity(
-        "Rotating share balanced", default=1.0, low=0, high=2, symbol="kappa_rot", step=0.05, usual=(0.5, 1),
-        source=THUMB, help="Of the rotating masses, by the crank's counterweights.",
-    )  # fmt: skip
+        "Rotating share balanced",
+        default=1.0,
+        low=0,
+        high=2,
+        symbol="kappa_rot",
+        step=0.05,
+        usual=(0.5, 1),
+        source=THUMB,
+        help="Of the rotating masses, by the crank's counterweights.",
+    )
     kinematics: str = choice(
         "Kinematics",
         "exact",
@@ -59,24 +93,53 @@ class ImbalanceInputs:
         help="exact: harmonics of the true slider-crank. two_term: cos α + λ cos 2α, as in the textbooks.",
     )
     counterweight_span: float | None = quantity(
-        "Counterweights apart", "mm", default=None, above=0, high=10000, symbol="l", source="Finotti 2013, 2.4",
+        "Counterweights apart",
+        "mm",
+        default=None,
+        above=0,
+        high=10000,
+        symbol="l",
+        source="Finotti 2013, 2.4",
         help="Axial distance of two counterweights about mid-engine.",
-    )  # fmt: skip
+    )
     counterweight_radius: float | None = quantity(
-        "Radius of the counterweights", "mm", default=None, above=0, high=1000, symbol="r_cw", source="Finotti 2013, 2.4",
+        "Radius of the counterweights",
+        "mm",
+        default=None,
+        above=0,
+        high=1000,
+        symbol="r_cw",
+        source="Finotti 2013, 2.4",
         help="Radius of their centres of gravity from the crank's axis.",
-    )  # fmt: skip
+    )
     forward_shaft_axis: tuple[float, ...] | None = series(
-        "Axis of the forward balance shaft", "mm", default=None, count=(2, 2), low=-5000, high=5000, symbol="p_f",
-        help="[up, side] from the crank's, side 90° further in the sense of crank rotation: of the shaft of a pair that turns "
+        "Axis of the forward balance shaft",
+        "mm",
+        default=None,
+        count=(2, 2),
+        low=-5000,
+        high=5000,
+        symbol="p_f",
+        help="[up, side] from the crank's, side 90° further in the sense of crank rotation: of the shaft of a pair "
+        "that turns "
         "with the crank. At unequal heights the pair raises a roll torque.",
-    )  # fmt: skip
+    )
     backward_shaft_axis: tuple[float, ...] | None = series(
-        "Axis of the backward balance shaft", "mm", default=None, count=(2, 2), low=-5000, high=5000, symbol="p_b",
+        "Axis of the backward balance shaft",
+        "mm",
+        default=None,
+        count=(2, 2),
+        low=-5000,
+        high=5000,
+        symbol="p_b",
         help="[up, side] from the crank's: of the shaft of a pair that turns against the crank.",
-    )  # fmt: skip
+    )
     shaft_pair_order: int = integer(
-        "Order of the pair", default=2, low=1, high=2, help="Of the two shafts at these axes: 1 turns at ±1, 2 at ±2 times crank speed."
+        "Order of the pair",
+        default=2,
+        low=1,
+        high=2,
+        help="Of the two shafts at these axes: 1 turns at ±1, 2 at ±2 times crank speed.",
     )
     crank_bodies_throw_at_tdc: int = integer(
         "Throw up in the list of bodies",
@@ -86,22 +149,42 @@ class ImbalanceInputs:
         help="The cylinder whose throw stands up while the bodies' x and y are given.",
     )
     bob_mode: str = choice(
-        "Bob masses", "equal", "per_pin", "least_squares", default="equal",
-        help="equal: one mass that takes the couple across the throw that stands up. per_pin: the smallest change from it that takes "
+        "Bob masses",
+        "equal",
+        "per_pin",
+        "least_squares",
+        default="equal",
+        help="equal: one mass that takes the couple across the throw that stands up. per_pin: the smallest change "
+        "from it that takes "
         "the whole couple. least_squares: least static unbalance and couple over pitch.",
-    )  # fmt: skip
+    )
     bob_mass: float | None = quantity(
-        "Bob mass as stated", "kg", default=None, low=0, high=100, symbol="m_b", source="Finotti 2013, 2.6",
+        "Bob mass as stated",
+        "kg",
+        default=None,
+        low=0,
+        high=100,
+        symbol="m_b",
+        source="Finotti 2013, 2.6",
         help="On each pin, on the balancing machine; left out, it is computed.",
-    )  # fmt: skip
+    )
     drill_radius: float | None = quantity(
-        "Radius of the balancing holes", "mm", default=None, low=5, high=1000, symbol="r_d", source="Finotti 2013, 2.6",
+        "Radius of the balancing holes",
+        "mm",
+        default=None,
+        low=5,
+        high=1000,
+        symbol="r_d",
+        source="Finotti 2013, 2.6",
         help="From the crank's axis to the middle of what is drilled out of a web: given, the webs to drill are found.",
-    )  # fmt: skip
+    )
     crank_balance_grade: str = choice(
-        "Balance quality grade of the crank", *GRADES, default="G16",
-        help="ISO 21940-11; crank drives of engines G16 (rigidly mounted) and G40. Judged where the bodies of the crank are given.",
-    )  # fmt: skip
+        "Balance quality grade of the crank",
+        *GRADES,
+        default="G16",
+        help="ISO 21940-11; crank drives of engines G16 (rigidly mounted) and G40. Judged where the bodies of the "
+        "crank are given.",
+    )
     unbalances: tuple[Unbalance, ...] = tables(
         "Unbalances on the crank",
         Unbalance,
@@ -109,7 +192,10 @@ class ImbalanceInputs:
         help="Of pulley and flywheel: they answer the question what the crank itself lacks.",
     )
     crank_bodies: tuple[CrankBody, ...] = tables(
-        "Bodies of the crank", CrankBody, default=(), help="Webs and pins: what bobs does the crank need on the balancing machine?"
+        "Bodies of the crank",
+        CrankBody,
+        default=(),
+        help="Webs and pins: what bobs does the crank need on the balancing machine?",
     )
 
     def problems(self) -> Iterable[tuple[str, Text]]:
@@ -118,7 +204,10 @@ class ImbalanceInputs:
             ("counterweight_span_mm", self.counterweight_span, self.counterweight_radius),
         ):
             if given is None and other is not None:
-                yield key, Text("needed with the other of the two: span and radius give the masses of the counterweights")
+                yield (
+                    key,
+                    Text("needed with the other of the two: span and radius give the masses of the counterweights"),
+                )
         for key, axis, beside in (
             ("forward_shaft_axis_mm", self.forward_shaft_axis, self.backward_shaft_axis),
             ("backward_shaft_axis_mm", self.backward_shaft_axis, self.forward_shaft_axis),
@@ -127,9 +216,15 @@ class ImbalanceInputs:
                 yield key, Text("needed with the other of the two: the places of both shafts give the roll of the pair")
         pins = [body.pin for body in self.crank_bodies if isinstance(body.pin, int)]
         if self.crank_bodies and not pins:
-            yield "crank_bodies", Text("at least one body must say which crankpin it is (pin = 1): the bobs are put there")
+            yield (
+                "crank_bodies",
+                Text("at least one body must say which crankpin it is (pin = 1): the bobs are put there"),
+            )
         if sorted(pins) != list(range(1, len(pins) + 1)):
             yield (
                 "crank_bodies",
-                Text("the pins must be numbered from 1 without gaps, each once; they are {map}", map=", ".join(map(str, pins))),
+                Text(
+                    "the pins must be numbered from 1 without gaps, each once; they are {map}",
+                    map=", ".join(map(str, pins)),
+                ),
             )

@@ -20,7 +20,9 @@ MIDDLE = Text(
 )
 
 
-def notes(imbalance: ImbalanceInputs, engine: EngineInputs, found: ImbalanceResult, bobs: Iterable[Text]) -> tuple[Text, ...]:
+def notes(
+    imbalance: ImbalanceInputs, engine: EngineInputs, found: ImbalanceResult, bobs: Iterable[Text]
+) -> tuple[Text, ...]:
     """`bobs`: what is told of the bobs of the balancing machine."""
     undrilled = imbalance.drill_radius is not None and (found.webs is None or found.webs.drilled_mass is None)
     drilling = (UNDRILLED,) if undrilled else ()
@@ -36,9 +38,16 @@ def notes(imbalance: ImbalanceInputs, engine: EngineInputs, found: ImbalanceResu
 def errata(imbalance: ImbalanceInputs, result: ImbalanceResult) -> tuple[Erratum, ...]:
     """Where the thesis goes wrong that this chain follows: for designs with its kind of shaft."""
     second = result.orders.get("order_2")
-    if second is None or second.two_term is None or not second.two_term.couple_peak_vertical or not imbalance.crank_balance_fraction:
+    if (
+        second is None
+        or second.two_term is None
+        or not second.two_term.couple_peak_vertical
+        or not imbalance.crank_balance_fraction
+    ):
         return ()
-    theirs = f.second_order_couple_of_finotti(kappa=imbalance.crank_balance_fraction, C_2=second.two_term.couple_peak_vertical)
+    theirs = f.second_order_couple_of_finotti(
+        kappa=imbalance.crank_balance_fraction, C_2=second.two_term.couple_peak_vertical
+    )
     return (
         Erratum(
             "imbalance.order_2.couple_peak_vertical",
@@ -47,7 +56,8 @@ def errata(imbalance: ImbalanceInputs, result: ImbalanceResult) -> tuple[Erratum
             "N·m",
             Text("method of Finotti 2013, 2.5.3.4"),
             Text(
-                "The source takes only the mass that is not balanced on the crank. Counterweights turn at crank speed and leave order 2 "
+                "The source takes only the mass that is not balanced on the crank. Counterweights turn at crank speed "
+                "and leave order 2 "
                 "untouched: the whole reciprocating mass acts."
             ),
         ),

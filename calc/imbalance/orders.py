@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Forces and couples of one order, of one engine or of many: their vectors, the ellipses these draw, and their peaks."""
+"""Forces and couples of one order, of one engine or of many: their vectors, the ellipses these draw, and their
+peaks."""
 
 from collections.abc import Callable
 
@@ -20,11 +21,11 @@ DUST = 1e-9  # of one cylinder's m·r·ω²: so little is not worth a figure
 
 @result
 class Order:
-    """One order: the vectors turning with and against the crank at n times its speed, after the crank's own counterweights.
+    """One order: the vectors turning with and against the crank at n times its speed, after the crank's own
+    counterweights.
 
-    Peak, least and axis are half the long axis, half the short axis and the direction of the long axis of the ellipse that the
-    two vectors draw; a circle has no axis.
-    """
+    Peak, least and axis are half the long axis, half the short axis and the direction of the long axis of the ellipse
+    that the two vectors draw; a circle has no axis."""
 
     force_forward: Newton = value("Force turning forward", "N", "F⁺")
     force_forward_phase: Radian = value("its phase", "°")
@@ -45,12 +46,15 @@ class Order:
     couple_least: NewtonMetre = value("Smallest couple over the turn", "N·m", "C_min")
     couple_axis: Radian | None = value("Direction of the largest couple", "°", "∠C_max")
     vectors: tuple[complex, complex, complex, complex]  # F⁺ F⁻ C⁺ C⁻
-    unbalanced: tuple[complex, complex, complex, complex]  # the same with no share of the reciprocating masses on the crank
+    unbalanced: tuple[
+        complex, complex, complex, complex
+    ]  # the same with no share of the reciprocating masses on the crank
     two_term: "Order | None" = group(default=None)
 
 
 def order(n: int, c_n: complex, imbalance: ImbalanceInputs, engine: EngineInputs, e: EngineResult) -> Order:
-    """Order n of engines whose crank carries a share of the reciprocating and rotating masses; `c_n`: the harmonic of a/(ω² r)."""
+    """Order n of engines whose crank carries a share of the reciprocating and rotating masses; `c_n`: the harmonic of
+    a/(ω² r)."""
     alike, (m, M_rot) = e.unlike is None, u.masses(e)
     omega, r, theta_0 = e.angular_speed, u.radius(engine, e), e.crank.theta_0
     phi, z, psi = each(e.crank.phi), each(e.crank.z), each(e.crank.psi)  # arrays enter the formulas here
@@ -66,8 +70,12 @@ def order(n: int, c_n: complex, imbalance: ImbalanceInputs, engine: EngineInputs
             C_rot = (f.rotating_couple if alike else u.rotating_couple)(rho, omega, M_rot, r, theta_0, z, phi)
             C_f0 = f.with_rotating_couple(C_1=C_f, C_rot=C_rot)
         F_f0, C_f0 = based_on(F_f0, F_f0, rho), based_on(C_f0, C_f0, rho)
-        F_f = f.remaining_force(F_f0, (f.counterweight_force if alike else u.counterweight_force)(kappa, omega, m, r, theta_0, phi))
-        C_f = f.remaining_couple(C_f0, (f.counterweight_couple if alike else u.counterweight_couple)(kappa, omega, m, r, theta_0, z, phi))
+        F_f = f.remaining_force(
+            F_f0, (f.counterweight_force if alike else u.counterweight_force)(kappa, omega, m, r, theta_0, phi)
+        )
+        C_f = f.remaining_couple(
+            C_f0, (f.counterweight_couple if alike else u.counterweight_couple)(kappa, omega, m, r, theta_0, z, phi)
+        )
     return Order(
         force_forward=f.force_length(F=F_f),
         force_forward_phase=f.force_direction(F=F_f),

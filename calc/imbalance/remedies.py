@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """What each remedy needs, and what it leaves: counterweights on the crank, and shafts that turn with or against it.
 
-The counterweights of the crank take any share of what turns forward at crank speed.  A shaft at i times crank speed takes the one
-vector that turns like it; its unbalance takes the force, unbalance times arm the couple.  Two shafts at ±i beside the cylinders'
-plane, at the same distance (Lanchester), raise no roll torque; a single one that carries a force does.
-"""
+The counterweights of the crank take any share of what turns forward at crank speed.  A shaft at i times crank speed
+takes the one vector that turns like it; its unbalance takes the force, unbalance times arm the couple.  Two shafts at
+±i beside the cylinders' plane, at the same distance (Lanchester), raise no roll torque; a single one that carries a
+force does."""
 
 from dataclasses import replace
 
@@ -15,7 +15,7 @@ from ..sheet.formula import formula
 from ..sheet.functions import argument, cis, joined, modulus, resultant
 from ..sheet.quantity import group, result, value
 from ..sheet.text import Amount, Text
-from ..sheet.units import (  # fmt: skip
+from ..sheet.units import (
     Kilogram,
     KilogramMetre,
     KilogramMetre2,
@@ -85,11 +85,17 @@ def force_left(F_f: PhasorNewton, S_f: PhasorNewton, F_b: PhasorNewton, S_b: Pha
     "geometry, sum of engine and shafts: half the long axis of the ellipse",
     names={"C_f": "C⁺", "C_b": "C⁻", "S_f": "C_S⁺", "S_b": "C_S⁻"},
 )
-def couple_left(C_f: PhasorNewtonMetre, S_f: PhasorNewtonMetre, C_b: PhasorNewtonMetre, S_b: PhasorNewtonMetre) -> NewtonMetre:
+def couple_left(
+    C_f: PhasorNewtonMetre, S_f: PhasorNewtonMetre, C_b: PhasorNewtonMetre, S_b: PhasorNewtonMetre
+) -> NewtonMetre:
     return modulus(joined(C_f, S_f)) + modulus(joined(C_b, S_b))
 
 
-@formula("T_roll", "mathematics, amplitude of Im(p̄·F): a force that turns about an axis beside the crank's", names={"p": "p_S"})
+@formula(
+    "T_roll",
+    "mathematics, amplitude of Im(p̄·F): a force that turns about an axis beside the crank's",
+    names={"p": "p_S"},
+)
 def roll_torque(p: PhasorMetre, F: PhasorNewton) -> NewtonMetre:
     """The torque about the crank's axis of a force that turns about the axis at p (real up, imaginary to the side)."""
     return modulus(p) * modulus(F)
@@ -109,7 +115,8 @@ def equivalent_mass_of_shares(rho: Number, M_rot: Kilogram, kappa: Number, M_alt
 
 
 def crank_masses(imbalance: ImbalanceInputs, e: EngineResult) -> Kilogram:
-    """What the crank's counterweights carry of each cylinder: one mass for all, or one for each where they differ, (…, cylinders)."""
+    """What the crank's counterweights carry of each cylinder: one mass for all, or one for each where they differ, (…,
+    cylinders)."""
     M_alt, M_rot = u.masses(e)
     rho, kappa = imbalance.rotating_balance_fraction, imbalance.crank_balance_fraction
     if np.any(rho != 1):
@@ -122,14 +129,23 @@ def crank_unbalance(M_eq: Kilogram, r: Metre, theta_0: Radian, phi: Radian) -> P
     return M_eq * r * cis(theta_0) * resultant(cis(phi))
 
 
-@formula("U·z_cr", "mathematics: sum of the crankpins' equivalent masses, about mid-engine (Finotti 2013, 2.4)", unit="kg·mm²")
+@formula(
+    "U·z_cr",
+    "mathematics: sum of the crankpins' equivalent masses, about mid-engine (Finotti 2013, 2.4)",
+    unit="kg·mm²",
+)
 def crank_product(M_eq: Kilogram, r: Metre, theta_0: Radian, z: Metre, phi: Radian) -> PhasorKilogramMetre2:
     return M_eq * r * cis(theta_0) * resultant(z * cis(phi))
 
 
-@formula("U_cw", "dynamics: two counterweights a span l apart, against force and couple of the crankpins (Finotti 2013, 2.4)", unit="kg·mm")
+@formula(
+    "U_cw",
+    "dynamics: two counterweights a span l apart, against force and couple of the crankpins (Finotti 2013, 2.4)",
+    unit="kg·mm",
+)
 def counterweight(U: PhasorKilogramMetre, P: PhasorKilogramMetre2, l: Metre, side: Number) -> PhasorKilogramMetre:
-    """The unbalance of the rear (side +1) or front (side −1) counterweight; U and P of all crankpins about the middle of the span."""
+    """The unbalance of the rear (side +1) or front (side −1) counterweight; U and P of all crankpins about the middle
+    of the span."""
     return -(U / 2 + side * P / l)
 
 
@@ -145,7 +161,8 @@ def counterweight_direction(U_cw: PhasorKilogramMetre) -> Radian:
 
 @result
 class BalanceShaft:
-    """What one shaft of a remedy carries; directions with cylinder 1 at TDC, from up, in the sense of crank rotation."""
+    """What one shaft of a remedy carries; directions with cylinder 1 at TDC, from up, in the sense of crank
+    rotation."""
 
     speed_ratio: Number = value("Speed ratio to the crank", "", "i")
     unbalance: KilogramMetre | None = value("Unbalance", "kg·mm", "U", default=None)
@@ -166,7 +183,9 @@ class BalancingRemedy:
     order_2_force: Newton = value("Second-order force left, peak", "N", "F_2")
     order_2_couple: NewtonMetre = value("Second-order couple left, peak", "N·m", "C_2")
     roll_torque: NewtonMetre | None = value("Roll torque of the shaft beside the crank", "N·m", "T_roll", default=None)
-    roll_torque_at_100_mm: NewtonMetre | None = value("Roll torque with the shaft 100 mm beside the crank", "N·m", default=None)
+    roll_torque_at_100_mm: NewtonMetre | None = value(
+        "Roll torque with the shaft 100 mm beside the crank", "N·m", default=None
+    )
 
 
 @result
@@ -182,17 +201,24 @@ NONE: Vectors = (0j, 0j, 0j, 0j)
 
 
 def remedies(
-    omega: RadPerSecond, kappa: Number, first: Vectors, second: Vectors, whole: tuple[complex, complex],
-    one_force: Newton, one_couple: NewtonMetre, axis: complex | None,
-) -> dict[str, BalancingRemedy]:  # fmt: skip
+    omega: RadPerSecond,
+    kappa: Number,
+    first: Vectors,
+    second: Vectors,
+    whole: tuple[complex, complex],
+    one_force: Newton,
+    one_couple: NewtonMetre,
+    axis: complex | None,
+) -> dict[str, BalancingRemedy]:
     """Every remedy that has something to take.
 
-    `first` and `second` are the vectors F⁺ F⁻ C⁺ C⁻ of the engine whose rotating masses alone are balanced; `whole` force and couple
-    of crank counterweights for the whole reciprocating mass; `kappa` the share that the design's crank carries; `axis`
-    where a single shaft stands [m], real up, imaginary to the side, None where not known.
-    """
+    `first` and `second` are the vectors F⁺ F⁻ C⁺ C⁻ of the engine whose rotating masses alone are balanced; `whole`
+    force and couple of crank counterweights for the whole reciprocating mass; `kappa` the share that the design's crank
+    carries; `axis` where a single shaft stands [m], real up, imaginary to the side, None where not known."""
 
-    def shaft(i: int, F: PhasorNewton, C: PhasorNewtonMetre) -> tuple[BalanceShaft | None, PhasorNewton, PhasorNewtonMetre]:
+    def shaft(
+        i: int, F: PhasorNewton, C: PhasorNewtonMetre
+    ) -> tuple[BalanceShaft | None, PhasorNewton, PhasorNewtonMetre]:
         """The shaft at i times crank speed that takes F and C, and what it supplies."""
         found = BalanceShaft(speed_ratio=float(i))
         F_S = C_S = 0j
@@ -215,8 +241,13 @@ def remedies(
     at_one: Vectors = (forward_F, backward_F, forward_C, backward_C)
     at_two: Vectors = (plus_F, minus_F, plus_C, minus_C)
 
-    def remedy(title: Text, share: Number, one: Vectors, two: Vectors, **shafts: BalanceShaft | None) -> BalancingRemedy:
-        left_f, left_c = joined(F_f, share * whole[0]), joined(C_f, share * whole[1])  # the crank acts on what turns forward only
+    def remedy(
+        title: Text, share: Number, one: Vectors, two: Vectors, **shafts: BalanceShaft | None
+    ) -> BalancingRemedy:
+        left_f, left_c = (
+            joined(F_f, share * whole[0]),
+            joined(C_f, share * whole[1]),
+        )  # the crank acts on what turns forward only
         left_f, left_c = based_on(left_f, F_f, share, whole[0]), based_on(left_c, C_f, share, whole[1])
         with about(title):
             single = one[1] if shafts.get("backward") and not shafts.get("forward") and np.any(one[1]) else None
@@ -237,7 +268,9 @@ def remedies(
         one_shaft = (0j, backward_F, 0j, backward_C)
         found["backward_shaft"] = remedy(Text("the same, and one shaft at −1"), 0.5, one_shaft, NONE, backward=backward)
     if forward and backward:
-        found["first_order_pair"] = remedy(Text("two shafts at ±1"), 0.0, at_one, NONE, forward=forward, backward=backward)
+        found["first_order_pair"] = remedy(
+            Text("two shafts at ±1"), 0.0, at_one, NONE, forward=forward, backward=backward
+        )
     if plus or minus:
         how = Text("two shafts at ±2") if plus and minus else Text("one shaft at {what}2", what="+" if plus else "−")
         found["second_order_shafts"] = remedy(
@@ -245,14 +278,25 @@ def remedies(
         )
         if backward:
             found["crank_and_shafts"] = remedy(
-                Text("half on the crank, one shaft at −1, {how}", how=how), 0.5, (0j, backward_F, 0j, backward_C), at_two,
-                backward=backward, forward_2=plus, backward_2=minus,
-            )  # fmt: skip
+                Text("half on the crank, one shaft at −1, {how}", how=how),
+                0.5,
+                (0j, backward_F, 0j, backward_C),
+                at_two,
+                backward=backward,
+                forward_2=plus,
+                backward_2=minus,
+            )
         if forward and backward:
             found["four_shafts"] = remedy(
-                Text("two shafts at ±1, {how}", how=how), 0.0, at_one, at_two,
-                forward=forward, backward=backward, forward_2=plus, backward_2=minus,
-            )  # fmt: skip
+                Text("two shafts at ±1, {how}", how=how),
+                0.0,
+                at_one,
+                at_two,
+                forward=forward,
+                backward=backward,
+                forward_2=plus,
+                backward_2=minus,
+            )
     return found
 
 
@@ -269,5 +313,7 @@ def counterweights(
     for name, side in (("front", -1.0), ("rear", 1.0)):
         with about(Text("{name} counterweight", name=name)):
             U_cw = counterweight(U=U, P=P, l=span, side=side)
-            found[name] = Counterweight(mass=counterweight_mass(U_cw=U_cw, r_cw=radius), angle=counterweight_direction(U_cw=U_cw))
+            found[name] = Counterweight(
+                mass=counterweight_mass(U_cw=U_cw, r_cw=radius), angle=counterweight_direction(U_cw=U_cw)
+            )
     return found

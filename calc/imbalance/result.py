@@ -22,9 +22,13 @@ class ImbalanceResult:
     required_force_phase: Radian | None = value("its phase, cylinder 1 at TDC", "°", default=None)
     required_unbalance: KilogramMetre | None = value("Unbalance of the counter-shaft", "kg·mm", "U", default=None)
     mistiming_force_per_degree: Newton | None = value("Force left per degree of mistiming", "N", default=None)
-    mistiming_force_per_tooth: Newton | None = value("Force left per tooth of mistiming at the shaft's wheel", "N", default=None)
+    mistiming_force_per_tooth: Newton | None = value(
+        "Force left per tooth of mistiming at the shaft's wheel", "N", default=None
+    )
     mistiming_per_degree: NewtonMetre = value("Couple left per degree of mistiming", "N·m")
-    mistiming_per_tooth: NewtonMetre | None = value("Couple left per tooth of mistiming at the shaft's wheel", "N·m", default=None)
+    mistiming_per_tooth: NewtonMetre | None = value(
+        "Couple left per tooth of mistiming at the shaft's wheel", "N·m", default=None
+    )
     remedy: dict[str, BalancingRemedy] = group()
     shaft_pair: ShaftPair | None = group(default=None)
     counterweight: dict[str, Counterweight] | None = group(default=None)

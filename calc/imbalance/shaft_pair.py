@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Two balance shafts where they stand: the roll that their forces raise about the crank's axis, beside that of the inertia forces.
+"""Two balance shafts where they stand: the roll that their forces raise about the crank's axis, beside that of the
+inertia forces.
 
-Two equal shafts at ±n, mirrored at the cylinders' plane, raise none.  At unequal heights their sideways forces, opposite and equal,
-make a moment; placed well it stands against the torque reaction of order n (the Silent Shaft of Mitsubishi).
-"""
+Two equal shafts at ±n, mirrored at the cylinders' plane, raise none.  At unequal heights their sideways forces,
+opposite and equal, make a moment; placed well it stands against the torque reaction of order n (the Silent Shaft of
+Mitsubishi)."""
 
 import math
 from collections.abc import Iterator
@@ -30,11 +31,13 @@ def shaft_force(F: PhasorNewton) -> Newton:
 
 @formula(
     "T_S",
-    "statics: moment about the crank's axis of two forces that turn about axes beside it, one with and one against the crank",
+    "statics: moment about the crank's axis of two forces that turn about axes beside it, one with and one against "
+    "the crank",
     names={"p_f": "p⁺", "p_b": "p⁻", "F_f": "F_S⁺", "F_b": "F_S⁻"},
 )
 def pair_moment(p_f: PhasorMetre, F_f: PhasorNewton, p_b: PhasorMetre, F_b: PhasorNewton) -> PhasorNewtonMetre:
-    """The moment on the block is Re(T_S·e^(inε)), positive in the sense of crank rotation; Im(p̄·F) is that of one force F at p.
+    """The moment on the block is Re(T_S·e^(inε)), positive in the sense of crank rotation; Im(p̄·F) is that of one
+    force F at p.
 
     Two equal shafts of F/2 each, one higher by Δh:
 
@@ -55,7 +58,9 @@ def roll_phase(T_S: PhasorNewtonMetre) -> Radian:
 
 
 @formula(
-    "T_RI+S", "mathematics: sum of the shafts' moment and the torque reaction of the inertia forces of that order", names={"t_n": "t_RI,n"}
+    "T_RI+S",
+    "mathematics: sum of the shafts' moment and the torque reaction of the inertia forces of that order",
+    names={"t_n": "t_RI,n"},
 )
 def roll_together(T_S: PhasorNewtonMetre, t_n: PhasorNewtonMetre) -> PhasorNewtonMetre:
     return joined(T_S, t_n)
@@ -69,7 +74,8 @@ def height_difference(h_f: Metre, h_b: Metre) -> Metre:
 @formula(
     "Δh_0",
     Text(
-        "mathematics: least amount of a sum, the moment being linear in the height difference (two terms, inline four: the rod length; "
+        "mathematics: least amount of a sum, the moment being linear in the height difference (two terms, inline "
+        "four: the rod length; "
         "idea of unequal heights: Nakamura 1976, from memory)"
     ),
     names={"T": "T_RI+S", "F_f": "F_S⁺", "F_b": "F_S⁻"},
@@ -91,11 +97,14 @@ class ShaftPair:
     reaction: NewtonMetre = value("Torque reaction of the inertia forces, that order", "N·m", "T_RI,n")
     reaction_phase: Radian = value("its phase, cylinder 1 at TDC", "°")
     roll_left: NewtonMetre = value("Roll left of both", "N·m", "T_left")
-    height_difference_of_least_roll: Metre | None = value("Height difference of the least roll", "mm", "Δh_0", default=None)
+    height_difference_of_least_roll: Metre | None = value(
+        "Height difference of the least roll", "mm", "Δh_0", default=None
+    )
 
 
 def shaft_pair(imbalance: ImbalanceInputs, e: EngineResult, remedy: dict[str, BalancingRemedy]) -> ShaftPair | None:
-    """The pair against the order asked for, at the places given; None where none is given, or where the pair carries no force."""
+    """The pair against the order asked for, at the places given; None where none is given, or where the pair carries no
+    force."""
     forward, backward, n = imbalance.forward_shaft_axis, imbalance.backward_shaft_axis, imbalance.shaft_pair_order
     name, *sides = PAIRS[n]
     if forward is None or backward is None or e.torque is None or name not in remedy:
@@ -107,7 +116,9 @@ def shaft_pair(imbalance: ImbalanceInputs, e: EngineResult, remedy: dict[str, Ba
         p_f, p_b = (based_on(complex(*place), place) for place in (forward, backward))
         F_f, F_b = based_on(F_f, F_f, n), based_on(F_b, F_b, n)
         Dh = height_difference(h_f=based_on(forward[0], forward, n), h_b=backward[0])
-        return _pair(p_f, F_f, p_b, F_b, Dh, based_on(e.torque.reaction_harmonics[n - 1], e.torque.reaction_harmonics[n - 1], n))
+        return _pair(
+            p_f, F_f, p_b, F_b, Dh, based_on(e.torque.reaction_harmonics[n - 1], e.torque.reaction_harmonics[n - 1], n)
+        )
 
 
 def _force(shaft: BalanceShaft | None, omega: RadPerSecond) -> PhasorNewton:
@@ -116,7 +127,9 @@ def _force(shaft: BalanceShaft | None, omega: RadPerSecond) -> PhasorNewton:
     return supplied_force(i=shaft.speed_ratio, omega=omega, U=shaft.unbalance, gamma=shaft.unbalance_phase)
 
 
-def _pair(p_f: PhasorMetre, F_f: PhasorNewton, p_b: PhasorMetre, F_b: PhasorNewton, Dh: Metre, t_n: PhasorNewtonMetre) -> ShaftPair:
+def _pair(
+    p_f: PhasorMetre, F_f: PhasorNewton, p_b: PhasorMetre, F_b: PhasorNewton, Dh: Metre, t_n: PhasorNewtonMetre
+) -> ShaftPair:
     T_S = pair_moment(p_f=p_f, F_f=F_f, p_b=p_b, F_b=F_b)
     T = roll_together(T_S=T_S, t_n=t_n)
     sways = abs(F_f + F_b.conjugate()) > 1e-9 * abs(F_f)  # else a height difference raises no moment
@@ -137,21 +150,37 @@ def roll_checks(pair: ShaftPair | None) -> Iterator[Check]:
     """Whether the places of the shafts make the roll worse than it is without them."""
     if pair is not None:
         yield check(
-            "imbalance.shaft_pair.roll", Text("Roll with the pair of shafts"), pair.roll_left, "<=", pair.reaction, "N·m",
-            Text("rule of this program: the places of the shafts should not add to the torque reaction of the inertia forces"),
-            Text("At equal heights and distances the pair adds nothing; the shaft that turns with the crank belongs higher than the other "
-                "where the height difference of the least roll is positive."),
-        )  # fmt: skip
+            "imbalance.shaft_pair.roll",
+            Text("Roll with the pair of shafts"),
+            pair.roll_left,
+            "<=",
+            pair.reaction,
+            "N·m",
+            Text(
+                "rule of this program: the places of the shafts should not add to the torque reaction of the inertia "
+                "forces"
+            ),
+            Text(
+                "At equal heights and distances the pair adds nothing; the shaft that turns with the crank belongs "
+                "higher than the other "
+                "where the height difference of the least roll is positive."
+            ),
+        )
 
 
 def roll_notes(imbalance: ImbalanceInputs, pair: ShaftPair | None) -> tuple[Text, ...]:
     """What is said of the roll about the crank's axis."""
     if pair is not None:  # the table tells it
         return ()
-    reaction = Text("The torque reaction about the crank's axis can not be balanced by masses: the engine step reports it.")
+    reaction = Text(
+        "The torque reaction about the crank's axis can not be balanced by masses: the engine step reports it."
+    )
     if imbalance.forward_shaft_axis is None:
         return (reaction,)
-    without = Text("No pair of shafts carries a force of order {n} here: their places raise no roll torque.", n=imbalance.shaft_pair_order)
+    without = Text(
+        "No pair of shafts carries a force of order {n} here: their places raise no roll torque.",
+        n=imbalance.shaft_pair_order,
+    )
     return without, reaction
 
 
@@ -160,18 +189,41 @@ def pair_table(pair: ShaftPair, n: int, remedy: dict[str, BalancingRemedy]) -> T
     whole = remedy[PAIRS[n][0]]
     best = pair.height_difference_of_least_roll
     return Table(
-        "shaft_pair", Text("Two balance shafts at their places"),
+        "shaft_pair",
+        Text("Two balance shafts at their places"),
         (
-            (Text("shafts at"), ""), (Text("force forward"), "N"), (Text("force backward"), "N"), (Text("force left"), "N"),
-            (Text("Δh"), "mm"), (Text("roll of the shafts"), "N·m"), (Text("phase"), "°"),
-            (Text("roll of inertia"), "N·m"), (Text("phase"), "°"), (Text("roll left"), "N·m"), (Text("Δh of least roll"), "mm"),
+            (Text("shafts at"), ""),
+            (Text("force forward"), "N"),
+            (Text("force backward"), "N"),
+            (Text("force left"), "N"),
+            (Text("Δh"), "mm"),
+            (Text("roll of the shafts"), "N·m"),
+            (Text("phase"), "°"),
+            (Text("roll of inertia"), "N·m"),
+            (Text("phase"), "°"),
+            (Text("roll left"), "N·m"),
+            (Text("Δh of least roll"), "mm"),
         ),
-        ((
-            f"±{n}", pair.force_forward, pair.force_backward, whole.order_1_force if n == 1 else whole.order_2_force,
-            pair.height_difference * 1e3, pair.roll_torque, math.degrees(pair.roll_torque_phase),
-            pair.reaction, math.degrees(pair.reaction_phase), pair.roll_left, None if best is None else best * 1e3,
-        ),),
-        Text("Roll about the crank's axis on the block, T·cos(n·ε + phase), positive in the sense of rotation; ε from TDC of cylinder 1. "
-        "Δh: the shaft that turns with the crank over the other. The gas torque is not in it: what is best under load lies elsewhere."),
+        (
+            (
+                f"±{n}",
+                pair.force_forward,
+                pair.force_backward,
+                whole.order_1_force if n == 1 else whole.order_2_force,
+                pair.height_difference * 1e3,
+                pair.roll_torque,
+                math.degrees(pair.roll_torque_phase),
+                pair.reaction,
+                math.degrees(pair.reaction_phase),
+                pair.roll_left,
+                None if best is None else best * 1e3,
+            ),
+        ),
+        Text(
+            "Roll about the crank's axis on the block, T·cos(n·ε + phase), positive in the sense of rotation; ε from "
+            "TDC of cylinder 1. "
+            "Δh: the shaft that turns with the crank over the other. The gas torque is not in it: what is best under "
+            "load lies elsewhere."
+        ),
         covers=("imbalance.shaft_pair.",),
-    )  # fmt: skip
+    )

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What shakes the engine, as a sketch: the force or the couple of an order over a turn, bare and as designed, at one crank angle.
+"""What shakes the engine, as a sketch: the force or the couple of an order over a turn, bare and as designed, at one
+crank angle.
 
-The arms of a picture are newtons or newton metres in place of metres; it says how many.  Up is up, the crank turns clockwise.
-"""
+The arms of a picture are newtons or newton metres in place of metres; it says how many.  Up is up, the crank turns
+clockwise."""
 
 import cmath
 import math
@@ -81,7 +82,9 @@ def _shaft(design: Designed, results: Solved, kind: str, order: int) -> tuple[Ve
     return VectorPair(order, forward, backward), "fail" if verdict == "fail" else "warn" if verdict == "warn" else ""
 
 
-def _picture(bare: VectorPair, crank: VectorPair, shaft: VectorPair | None, state: State, angle: Radian) -> Iterator[Mark]:
+def _picture(
+    bare: VectorPair, crank: VectorPair, shaft: VectorPair | None, state: State, angle: Radian
+) -> Iterator[Mark]:
     """Loci and vectors around the origin, and what they are on their right."""
     reach = max(bare.peak, crank.peak)
     for x, y in ((0.05, 0.0), (0.0, 0.05)):

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Forces and couples of orders 1 to 8, what the crank takes of them, what the counter-shaft must supply, and what other remedies would."""
+"""Forces and couples of orders 1 to 8, what the crank takes of them, what the counter-shaft must supply, and what other
+remedies would."""
 
 from collections.abc import Iterator
 from dataclasses import replace
@@ -35,12 +36,17 @@ ALWAYS = (1, 2, 4, 6)  # orders that are shown even where they are zero
 
 
 def values(
-    imbalance: ImbalanceInputs, engine: EngineInputs, e: EngineResult, shaft_teeth: int | None = None, axis: complex | None = None
+    imbalance: ImbalanceInputs,
+    engine: EngineInputs,
+    e: EngineResult,
+    shaft_teeth: int | None = None,
+    axis: complex | None = None,
 ) -> ImbalanceResult:
-    """Every number of this step.  Numbers of the engine, and the share on the crank, may be arrays, an engine each: so are the results.
+    """Every number of this step.  Numbers of the engine, and the share on the crank, may be arrays, an engine each: so
+    are the results.
 
-    `shaft_teeth`: of the wheel on the counter-shaft; `axis`: where the shaft stands [m], real up, imaginary to the side.
-    """
+    `shaft_teeth`: of the wheel on the counter-shaft; `axis`: where the shaft stands [m], real up, imaginary to the
+    side."""
     orders: dict[str, Order] = {}
     kappa = imbalance.crank_balance_fraction
     judged = u.harmonics(e, imbalance.kinematics)
@@ -78,7 +84,9 @@ def values(
     weights = None
     if imbalance.counterweight_span is not None and imbalance.counterweight_radius is not None:
         pins = crank_masses(imbalance, e), r, crank.theta_0, phi, z
-        weights = counterweights(*pins, imbalance.counterweight_span, imbalance.counterweight_radius, e.unlike is not None)
+        weights = counterweights(
+            *pins, imbalance.counterweight_span, imbalance.counterweight_radius, e.unlike is not None
+        )
     with about(Text("throws by themselves")):
         bare = throws(kappa, engine, e)
     found = remedies(e.angular_speed, kappa, first.unbalanced, second.vectors, whole, one_force, one_couple, axis)
@@ -172,10 +180,14 @@ def solve(
 
 
 def with_shaft(outcome: Outcome[ImbalanceResult], shaft: Shaft, imbalance: ImbalanceInputs) -> Outcome[ImbalanceResult]:
-    """The same outcome, its figures and its table of remedies with the design's own counter-shaft: force and couple, cylinder 1 at TDC."""
+    """The same outcome, its figures and its table of remedies with the design's own counter-shaft: force and couple,
+    cylinder 1 at TDC."""
     found = outcome.solution
     tables = Later(
-        lambda: (remedy_table(found, imbalance.crank_balance_fraction, imbalance.rotating_balance_fraction, shaft), *outcome.tables[1:])
+        lambda: (
+            remedy_table(found, imbalance.crank_balance_fraction, imbalance.rotating_balance_fraction, shaft),
+            *outcome.tables[1:],
+        )
     )
     others = Later(lambda: (curve for curve in outcome.curves if curve.id.startswith("polygon")))
     return replace(outcome, curves=Later(lambda: (*pictures(found, shaft), *others)), tables=tables)

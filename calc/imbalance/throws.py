@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The throws by themselves: the centrifugal force of each, their polygons of forces and couples, and the balance of six systems.
+"""The throws by themselves: the centrifugal force of each, their polygons of forces and couples, and the balance of six
+systems.
 
-Vectors as in `formulas`: real up, imaginary 90° further in the sense of crank rotation, cylinder 1 at TDC, z from mid-engine.  A couple
-lies in the plane of its throw; turned by 90° it is the vector of the moment that the textbooks draw.
-"""
+Vectors as in `formulas`: real up, imaginary 90° further in the sense of crank rotation, cylinder 1 at TDC, z from
+mid-engine.  A couple lies in the plane of its throw; turned by 90° it is the vector of the moment that the textbooks
+draw."""
 
 from collections.abc import Mapping
 
@@ -46,7 +47,11 @@ def couple_together(F_c: Newton, z: Metre, phi: Radian) -> NewtonMetre:
     return modulus(resultant(F_c * z * cis(phi)))
 
 
-@formula("M_rot,ne", "Finotti 2013, 2.5.3.1: rotating mass not balanced: what the crank carries beyond the rotating mass", unit="g")
+@formula(
+    "M_rot,ne",
+    "Finotti 2013, 2.5.3.1: rotating mass not balanced: what the crank carries beyond the rotating mass",
+    unit="g",
+)
 def rotating_not_balanced(M_eq: Kilogram, M_rot: Kilogram) -> Kilogram:
     return M_eq - M_rot
 
@@ -63,8 +68,12 @@ class Throws:
     force: Newton = value("Centrifugal force of one throw's rotating mass", "N", "F_c")
     force_together: Newton = value("Centrifugal forces of all throws together", "N", "ΣF_c")
     couple_together: NewtonMetre = value("Centrifugal couple of all throws", "N·m", "ΣM_c")
-    rotating_not_balanced: Kilogram = value("Mass that a throw's counterweight has beyond the rotating one", "g", "M_rot,ne")
-    reciprocating_not_balanced: Kilogram = value("Reciprocating mass that the crank leaves, per cylinder", "g", "M_alt,ne")
+    rotating_not_balanced: Kilogram = value(
+        "Mass that a throw's counterweight has beyond the rotating one", "g", "M_rot,ne"
+    )
+    reciprocating_not_balanced: Kilogram = value(
+        "Reciprocating mass that the crank leaves, per cylinder", "g", "M_alt,ne"
+    )
     force_not_balanced: Newton = value("Centrifugal force of that mass, one throw", "N", "F_c")
     couple_not_balanced: NewtonMetre = value("Centrifugal couple of that mass, all throws", "N·m", "ΣM_c")
 
@@ -80,28 +89,42 @@ def throws(kappa: Number, engine: EngineInputs, e: EngineResult) -> Throws:
     if e.unlike is not None:  # `one` and `more` are then those of the means
         (M_a, M_r), r = masses(e), radius(engine, e)
         every = centrifugal(m=M_r, omega=omega, r=r)
-        rest = centrifugal(m=rotating_not_balanced(M_eq=equivalent_mass(M_rot=M_r, kappa=kappa, M_alt=M_a), M_rot=M_r), omega=omega, r=r)
+        rest = centrifugal(
+            m=rotating_not_balanced(M_eq=equivalent_mass(M_rot=M_r, kappa=kappa, M_alt=M_a), M_rot=M_r),
+            omega=omega,
+            r=r,
+        )
     return Throws(
-        force=one, force_together=together(F_c=every, phi=phi), couple_together=couple_together(F_c=every, z=z, phi=phi),
-        rotating_not_balanced=beyond, reciprocating_not_balanced=reciprocating_not_balanced(M_alt=M_alt, M_rot=M_rot, M_eq=M_eq),
-        force_not_balanced=more, couple_not_balanced=couple_together(F_c=rest, z=z, phi=phi),
-    )  # fmt: skip
+        force=one,
+        force_together=together(F_c=every, phi=phi),
+        couple_together=couple_together(F_c=every, z=z, phi=phi),
+        rotating_not_balanced=beyond,
+        reciprocating_not_balanced=reciprocating_not_balanced(M_alt=M_alt, M_rot=M_rot, M_eq=M_eq),
+        force_not_balanced=more,
+        couple_not_balanced=couple_together(F_c=rest, z=z, phi=phi),
+    )
 
 
 def polygons(engine: EngineInputs, e: EngineResult, found: Throws) -> tuple[Curve, ...]:
-    """The vectors of the cylinders tip to tail: a closed polygon is balanced.  Inline also those of second order, at double angles."""
+    """The vectors of the cylinders tip to tail: a closed polygon is balanced.  Inline also those of second order, at
+    double angles."""
     crank = e.crank
     if engine.cylinders < 2 or not found.force:
         return ()
     (M_alt, M_rot), r, c_2 = masses(e), radius(engine, e), harmonics(e, "exact")[1]
-    first = (found.force if e.unlike is None else M_rot * r * e.angular_speed**2) * np.exp(1j * (crank.theta_0 + crank.phi))
+    first = (found.force if e.unlike is None else M_rot * r * e.angular_speed**2) * np.exp(
+        1j * (crank.theta_0 + crank.phi)
+    )
     kinds = [(Text("throws: rotating masses, and order 1"), first)]
     if not np.ptp(crank.psi) and np.any(c_2):
         second = M_alt * r * e.angular_speed**2 * c_2
         kinds.append((Text("double angles: order 2"), second * np.exp(2j * (crank.theta_0 + crank.phi))))
     forces = "polygon_forces", Text("Polygon of the cylinders' forces, cylinder 1 at TDC"), "N"
     couples = "polygon_couples", Text("Polygon of the cylinders' couples about mid-engine, cylinder 1 at TDC"), "N·m"
-    drawn = _polygon(*forces, [(name, vectors) for name, vectors in kinds]), _polygon(*couples, [(n, v * crank.z) for n, v in kinds])
+    drawn = (
+        _polygon(*forces, [(name, vectors) for name, vectors in kinds]),
+        _polygon(*couples, [(n, v * crank.z) for n, v in kinds]),
+    )
     return tuple(curve for curve in drawn if curve.series)
 
 
@@ -120,12 +143,19 @@ def _polygon(id: str, title: Text, unit: str, kinds: list[tuple[Text, ComplexArr
             series.append(Series(Text("resultant"), ends.imag, ends.real, variant))
     variants = tuple(variant for variant, _ in kinds) if len(kinds) > 1 else ()
     return Curve(
-        id, title, Text("horizontal, {unit}", unit=unit), Text("vertical, {unit}", unit=unit), tuple(series), equal=True, variants=variants
+        id,
+        title,
+        Text("horizontal, {unit}", unit=unit),
+        Text("vertical, {unit}", unit=unit),
+        tuple(series),
+        equal=True,
+        variants=variants,
     )
 
 
 def verdict(found: Throws, engine: EngineInputs, rho: Number) -> Text:
-    """Static and dynamic balance of the throws by themselves: whether the crank needs counterweights for its rotating masses.
+    """Static and dynamic balance of the throws by themselves: whether the crank needs counterweights for its rotating
+    masses.
 
     `rho`: the share of these masses that the counterweights are taken to carry.
     """
@@ -133,28 +163,56 @@ def verdict(found: Throws, engine: EngineInputs, rho: Number) -> Text:
     static = found.force_together <= SMALL * found.force
     dynamic = found.couple_together <= SMALL * found.force * engine.cylinder_pitch
     if static and dynamic:
-        return Text("The bare throws are balanced statically and dynamically: their rotating masses need no counterweights.")
-    only = Text(" To a share of {rho} only (rotating_balance_fraction).", rho=Amount(rho, form="g")) if abs(rho - 1) > 1e-9 else EMPTY
+        return Text(
+            "The bare throws are balanced statically and dynamically: their rotating masses need no counterweights."
+        )
+    only = (
+        Text(" To a share of {rho} only (rotating_balance_fraction).", rho=Amount(rho, form="g"))
+        if abs(rho - 1) > 1e-9
+        else EMPTY
+    )
     if static:
-        return Text(
-            "The bare throws are balanced statically, not dynamically: counterweights must take a couple of {couple} N·m of the rotating "
-            "masses, and are taken to do so.", couple=couple,
-        ) + only  # fmt: skip
+        return (
+            Text(
+                "The bare throws are balanced statically, not dynamically: counterweights must take a couple of "
+                "{couple} N·m of the rotating "
+                "masses, and are taken to do so.",
+                couple=couple,
+            )
+            + only
+        )
     if dynamic:
-        return Text(
-            "The bare throws are not balanced statically: counterweights must take a force of {force} N of the rotating masses, and are "
-            "taken to do so.", force=force,
-        ) + only  # fmt: skip
-    return Text(
-        "The bare throws are balanced neither statically nor dynamically: counterweights must take a force of {force} N and a couple of "
-        "{couple} N·m of the rotating masses, and are taken to do so.", force=force, couple=couple,
-    ) + only  # fmt: skip
+        return (
+            Text(
+                "The bare throws are not balanced statically: counterweights must take a force of {force} N of the "
+                "rotating masses, and are "
+                "taken to do so.",
+                force=force,
+            )
+            + only
+        )
+    return (
+        Text(
+            "The bare throws are balanced neither statically nor dynamically: counterweights must take a force of "
+            "{force} N and a couple of "
+            "{couple} N·m of the rotating masses, and are taken to do so.",
+            force=force,
+            couple=couple,
+        )
+        + only
+    )
 
 
 def systems_table(
-    found: Throws, orders: Mapping[str, Order], one_force: Newton, one_couple: NewtonMetre, engine: EngineInputs, e: EngineResult
+    found: Throws,
+    orders: Mapping[str, Order],
+    one_force: Newton,
+    one_couple: NewtonMetre,
+    engine: EngineInputs,
+    e: EngineResult,
 ) -> Table:
-    """The six systems of forces and couples of this engine with nothing balanced: which are balanced by themselves, and why."""
+    """The six systems of forces and couples of this engine with nothing balanced: which are balanced by themselves, and
+    why."""
     crank, lam = e.crank, measures(engine, e)[1]
     first, second = orders["order_1"].unbalanced, orders["order_2"].vectors
     closed, mirrored = found.force_together <= SMALL * found.force, _mirrored(crank)
@@ -162,39 +220,66 @@ def systems_table(
     as_throws = Text("like those of the rotating masses") if inline else Text("by throws and banks together")
     rows = (
         (
-            Text("centrifugal forces"), found.force_together, found.force, True,
-            Text("the polygon of their vectors closes"), Text("the polygon of their vectors stays open"),
+            Text("centrifugal forces"),
+            found.force_together,
+            found.force,
+            True,
+            Text("the polygon of their vectors closes"),
+            Text("the polygon of their vectors stays open"),
         ),
         (
-            Text("couples of the centrifugal forces"), found.couple_together, found.force * engine.cylinder_pitch, False,
-            Text("the throws mirror each other about mid-engine") if mirrored else Text("the polygon of their couples closes"),
-            Text("the throws have no plane of symmetry across the axis") if closed else Text("about mid-engine; a force is left as well"),
+            Text("couples of the centrifugal forces"),
+            found.couple_together,
+            found.force * engine.cylinder_pitch,
+            False,
+            Text("the throws mirror each other about mid-engine")
+            if mirrored
+            else Text("the polygon of their couples closes"),
+            Text("the throws have no plane of symmetry across the axis")
+            if closed
+            else Text("about mid-engine; a force is left as well"),
         ),
         (Text("forces of order 1"), abs(first[0]) + abs(first[1]), one_force, True, as_throws, as_throws),
         (Text("couples of order 1"), abs(first[2]) + abs(first[3]), one_couple, False, as_throws, as_throws),
         (
-            Text("forces of order 2"), abs(second[0]) + abs(second[1]), lam * one_force, True,
-            Text("the polygon of the doubled angles closes"), Text("the polygon of the doubled angles stays open"),
+            Text("forces of order 2"),
+            abs(second[0]) + abs(second[1]),
+            lam * one_force,
+            True,
+            Text("the polygon of the doubled angles closes"),
+            Text("the polygon of the doubled angles stays open"),
         ),
         (
-            Text("couples of order 2"), abs(second[2]) + abs(second[3]), lam * one_couple, False,
+            Text("couples of order 2"),
+            abs(second[2]) + abs(second[3]),
+            lam * one_couple,
+            False,
             Text("the polygon of couples at the doubled angles closes"),
             Text("the polygon of couples at the doubled angles stays open"),
         ),
-    )  # fmt: skip
+    )
     return Table(
-        "systems", Text("The six systems with nothing balanced"),
-        ((Text("system"), ""), (Text("force"), "N"), (Text("couple"), "N·m"), (Text("state"), ""), (Text("because"), "")),
+        "systems",
+        Text("The six systems with nothing balanced"),
+        (
+            (Text("system"), ""),
+            (Text("force"), "N"),
+            (Text("couple"), "N·m"),
+            (Text("state"), ""),
+            (Text("because"), ""),
+        ),
         tuple(
             (
-                name, amount if is_force else None, None if is_force else amount,
+                name,
+                amount if is_force else None,
+                None if is_force else amount,
                 Text("balanced by themselves") if amount <= SMALL * one else Text("not balanced"),
                 why if amount <= SMALL * one else why_not,
             )
             for name, amount, one, is_force, why, why_not in rows
         ),
         Text("Peaks over the turn; balanced: within 5 % of one cylinder's, the couple over one pitch."),
-    )  # fmt: skip
+    )
 
 
 def _mirrored(crank: Crank) -> bool:

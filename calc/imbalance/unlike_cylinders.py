@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The sums over the cylinders where their masses or crank radii differ: those of `formulas.py`, `remedies.py` and `webs.py`, each inside.
+"""The sums over the cylinders where their masses or crank radii differ: those of `formulas.py`, `remedies.py` and
+`webs.py`, each inside.
 
-Names and parameters are theirs; m, M_rot, M_eq, r and c_n may have an entry for every cylinder.  Textbooks: vector sums of m·r and
-m·r·z, such as Khurmi and Gupta, Theory of Machines, Balancing of Rotating Masses, and of Reciprocating ones.
+Names and parameters are theirs; m, M_rot, M_eq, r and c_n may have an entry for every cylinder.  Textbooks: vector sums
+of m·r and m·r·z, such as Khurmi and Gupta, Theory of Machines, Balancing of Rotating Masses, and of Reciprocating ones.
 """
 
 import numpy as np
@@ -12,7 +13,7 @@ from ..engine.result import EngineResult
 from ..sheet.formula import formula
 from ..sheet.functions import cis, conj, resultant
 from ..sheet.text import Text
-from ..sheet.units import (  # fmt: skip
+from ..sheet.units import (
     Kilogram,
     Metre,
     Number,
@@ -28,7 +29,8 @@ from ..sheet.value import based_on
 
 VECTORS = Text("Finotti 2013, 2.2.3 and 2.4")  # here for any order, throws, banks, masses and radii
 SHARE = Text(
-    "Finotti 2013, 2.3.3: the share κ of the reciprocating masses, each carried by a counterweight opposite its pin and at its radius"
+    "Finotti 2013, 2.3.3: the share κ of the reciprocating masses, each carried by a counterweight opposite its pin "
+    "and at its radius"
 )
 PINS = Text("Finotti 2013, 2.4: sum over the crankpins, here each with its own mass and radius")
 BOBS = Text("Finotti 2013, 2.6: what the bobs lack of the equivalent masses, here each with its own mass and radius")
@@ -74,20 +76,38 @@ def force_backward(
 
 @formula("C_n⁺", Text("{vectors}: couple of an order that turns forward", vectors=VECTORS))
 def couple_forward(
-    omega: RadPerSecond, m: Kilogram, r: Metre, c_n: PhasorNumber, n: Number, theta_0: Radian, z: Metre, psi: Radian, phi: Radian
+    omega: RadPerSecond,
+    m: Kilogram,
+    r: Metre,
+    c_n: PhasorNumber,
+    n: Number,
+    theta_0: Radian,
+    z: Metre,
+    psi: Radian,
+    phi: Radian,
 ) -> PhasorNewtonMetre:
     return 0.5 * omega**2 * cis(n * theta_0) * resultant(m * r * c_n * z * cis(psi) * cis(n * (phi - psi)))
 
 
 @formula("C_n⁻", Text("{vectors}: couple of an order that turns backward", vectors=VECTORS))
 def couple_backward(
-    omega: RadPerSecond, m: Kilogram, r: Metre, c_n: PhasorNumber, n: Number, theta_0: Radian, z: Metre, psi: Radian, phi: Radian
+    omega: RadPerSecond,
+    m: Kilogram,
+    r: Metre,
+    c_n: PhasorNumber,
+    n: Number,
+    theta_0: Radian,
+    z: Metre,
+    psi: Radian,
+    phi: Radian,
 ) -> PhasorNewtonMetre:
     return 0.5 * omega**2 * cis(-n * theta_0) * resultant(m * r * conj(c_n) * z * cis(psi) * cis(-n * (phi - psi)))
 
 
 @formula("F_κ", SHARE)
-def counterweight_force(kappa: Number, omega: RadPerSecond, m: Kilogram, r: Metre, theta_0: Radian, phi: Radian) -> PhasorNewton:
+def counterweight_force(
+    kappa: Number, omega: RadPerSecond, m: Kilogram, r: Metre, theta_0: Radian, phi: Radian
+) -> PhasorNewton:
     return -kappa * omega**2 * cis(theta_0) * resultant(m * r * cis(phi))
 
 
@@ -99,7 +119,9 @@ def counterweight_couple(
 
 
 @formula("F_rot", PINS, names={"rho": "κ_rot"})
-def rotating_force(rho: Number, omega: RadPerSecond, M_rot: Kilogram, r: Metre, theta_0: Radian, phi: Radian) -> PhasorNewton:
+def rotating_force(
+    rho: Number, omega: RadPerSecond, M_rot: Kilogram, r: Metre, theta_0: Radian, phi: Radian
+) -> PhasorNewton:
     return (1 - rho) * omega**2 * cis(theta_0) * resultant(M_rot * r * cis(phi))
 
 
@@ -122,7 +144,15 @@ def crank_product(M_eq: Kilogram, r: Metre, theta_0: Radian, z: Metre, phi: Radi
 
 @formula("U·z", BOBS, unit="kg·mm²", names={"r_p": "r_P", "z_p": "z_P", "phi_p": "φ_P"})
 def lacking_product(
-    r: Metre, theta_0: Radian, M_eq: Kilogram, z: Metre, phi: Radian, m_b: Kilogram, r_p: Metre, z_p: Metre, phi_p: Radian
+    r: Metre,
+    theta_0: Radian,
+    M_eq: Kilogram,
+    z: Metre,
+    phi: Radian,
+    m_b: Kilogram,
+    r_p: Metre,
+    z_p: Metre,
+    phi_p: Radian,
 ) -> PhasorKilogramMetre2:
     return cis(theta_0) * (resultant(M_eq * r * z * cis(phi)) - resultant(m_b * r_p * z_p * cis(phi_p)))
 

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The crank on the balancing machine: its webs and pins, the bobs that it needs, and the couple that pulley and flywheel must supply.
+"""The crank on the balancing machine: its webs and pins, the bobs that it needs, and the couple that pulley and
+flywheel must supply.
 
-x is up and y 90° further in the sense of rotation while the throw named in the design stands up; z from mid-engine.  As complex numbers
-p = x + i·y: static unbalance S = Σ m·p, couple product C = Σ m·p·z.
-"""
+x is up and y 90° further in the sense of rotation while the throw named in the design stands up; z from mid-engine.  As
+complex numbers p = x + i·y: static unbalance S = Σ m·p, couple product C = Σ m·p·z."""
 
 import math
 from collections.abc import Iterable
@@ -47,26 +47,36 @@ from .inputs import ImbalanceInputs
 from .orders import DUST
 from .remedies import crank_masses
 
-# Which webs of the crank to drill, by how many grams and where: what the screen of a balancing machine says (Finotti 2013, 2.6).
+# Which webs of the crank to drill, by how many grams and where: what the screen of a balancing machine says (Finotti
+# 2013, 2.6).
 #
-# A web is drilled away from its pin only, within `WITHIN` of the direction opposite to it: that is a rule of this program.  A mass along
-# any direction there is the sum of shares along the two ends of that range, so that the least mass that leaves neither force nor couple is
-# the best corner of a small linear programme.
+# A web is drilled away from its pin only, within `WITHIN` of the direction opposite to it: that is a rule of this
+# program.  A mass along any direction there is the sum of shares along the two ends of that range, so that the least
+# mass that leaves neither force nor couple is the best corner of a small linear programme.
 
 WITHIN = math.radians(75.0)  # to either side of the direction opposite to the pin
 MOST = 16  # webs of which the best choice is looked for
 UNDRILLED = Text(
-    "Which webs to drill is not found: it takes the bodies of the crank with at least two webs, and an unbalance that holes within "
-    "{degrees}° of the side away from the pins can take; else bobs or webs must change.", degrees=round(math.degrees(WITHIN)),
-)  # fmt: skip
+    "Which webs to drill is not found: it takes the bodies of the crank with at least two webs, and an unbalance that "
+    "holes within "
+    "{degrees}° of the side away from the pins can take; else bobs or webs must change.",
+    degrees=round(math.degrees(WITHIN)),
+)
 SOURCE = Text(
-    "Finotti 2013, 2.6: the machine says which webs to drill and how much; here the least mass in all that leaves S = 0 and C = 0"
+    "Finotti 2013, 2.6: the machine says which webs to drill and how much; here the least mass in all that leaves S = "
+    "0 and C = 0"
 )
 
 
-@formula("U_k", SOURCE, shows="least Σ|U_k|/r_d with ΣU_k = S, ΣU_k·z_k = C, U_k on the web's side away from its pin", unit="kg·mm")
+@formula(
+    "U_k",
+    SOURCE,
+    shows="least Σ|U_k|/r_d with ΣU_k = S, ΣU_k·z_k = C, U_k on the web's side away from its pin",
+    unit="kg·mm",
+)
 def removed(S: PhasorKilogramMetre, C: PhasorKilogramMetre2, z: Metre, psi: Radian) -> PhasorKilogramMetre:
-    """The unbalance to take away at every web; ψ are the directions opposite to the pins.  No numbers where it can not be done."""
+    """The unbalance to take away at every web; ψ are the directions opposite to the pins.  No numbers where it can not
+    be done."""
     ends = np.concatenate([np.exp(1j * (psi - WITHIN)), np.exp(1j * (psi + WITHIN))])
     places = np.tile(np.asarray(many(z)), 2)
     arm = float(np.max(np.abs(places))) or 1.0
@@ -112,7 +122,8 @@ class WebDrilling:
 def drilling(
     imbalance: ImbalanceInputs, S: complex, C: complex, p: ComplexArray, z: Array
 ) -> tuple[dict[str, WebDrilling] | None, Kilogram | None]:
-    """The webs to drill, by name and together, for a crank with the unbalance S and the couple product C; none where it can not be done.
+    """The webs to drill, by name and together, for a crank with the unbalance S and the couple product C; none where it
+    can not be done.
 
     `p`, `z`: centres of gravity of the bodies.
     """
@@ -161,7 +172,8 @@ def crank_mass(m: Kilogram, m_b: Kilogram) -> Kilogram:
     names={"C": "P_U", "G": "G_U"},
 )
 def equal_bob(C: PhasorKilogramMetre2, G: PhasorSquareMetre) -> Kilogram:
-    """`C` of the bare crank; `G` of the same mass on every pin, per kilogram: sum of p·z.  Imaginary: across the throw that stands up."""
+    """`C` of the bare crank; `G` of the same mass on every pin, per kilogram: sum of p·z.  Imaginary: across the throw
+    that stands up."""
     return -imag(C) / imag(G)
 
 
@@ -172,15 +184,23 @@ def equal_bob(C: PhasorKilogramMetre2, G: PhasorSquareMetre) -> Kilogram:
     unit="g",
 )
 def bobs_per_pin(m_b: Kilogram, C: PhasorKilogramMetre2, G: PhasorSquareMetre) -> Kilogram:
-    """One bob per pin.  For three throws the middle pin, which has no arm, keeps the common one.  `G`: p·z of each pin."""
+    """One bob per pin.  For three throws the middle pin, which has no arm, keeps the common one.  `G`: p·z of each
+    pin."""
     rows = np.array([np.real(G), np.imag(G)])
     left = C + m_b * np.sum(G)
     change: Array = np.linalg.lstsq(rows, -np.array([left.real, left.imag]), rcond=1e-9)[0]
     return each(m_b + change)
 
 
-@formula("m_j", "mathematics: least squares of static unbalance and of couple over pitch", shows="least |S|² + |P_U|²/a² over m", unit="g")
-def bobs_by_least_squares(S: PhasorKilogramMetre, C: PhasorKilogramMetre2, p: PhasorMetre, G: PhasorSquareMetre, a: Metre) -> Kilogram:
+@formula(
+    "m_j",
+    "mathematics: least squares of static unbalance and of couple over pitch",
+    shows="least |S|² + |P_U|²/a² over m",
+    unit="g",
+)
+def bobs_by_least_squares(
+    S: PhasorKilogramMetre, C: PhasorKilogramMetre2, p: PhasorMetre, G: PhasorSquareMetre, a: Metre
+) -> Kilogram:
     """One bob per pin; `p` and `G` = p·z of each pin."""
     rows = np.array([np.real(p), np.imag(p), np.real(G) / a, np.imag(G) / a])
     target = np.array([S.real, S.imag, C.real / a, C.imag / a])
@@ -188,7 +208,9 @@ def bobs_by_least_squares(S: PhasorKilogramMetre, C: PhasorKilogramMetre2, p: Ph
     return each(found)
 
 
-@formula("Δφ", "mathematics: largest angle between a pin as listed and its throw", shows="the largest of |arg(p·e^(−i·φ))|")
+@formula(
+    "Δφ", "mathematics: largest angle between a pin as listed and its throw", shows="the largest of |arg(p·e^(−i·φ))|"
+)
 def pin_deviation(p: PhasorMetre, phi: Radian) -> Radian:
     """`phi` of every pin from the throw that stands up; a pin without radius has no direction and is left out."""
     listed = phasors(p)
@@ -228,16 +250,26 @@ def couple_at(P: PhasorKilogramMetre2, omega: RadPerSecond) -> NewtonMetre:
 def lacking_product(
     r: Metre, theta_0: Radian, M_eq: Kilogram, z: Metre, phi: Radian, m_b: Kilogram, z_p: Metre, phi_p: Radian
 ) -> PhasorKilogramMetre2:
-    """`M_eq` of every cylinder at z, φ less the bobs `m_b`, for which the crank's own webs are balanced, of every pin at z_P, φ_P."""
+    """`M_eq` of every cylinder at z, φ less the bobs `m_b`, for which the crank's own webs are balanced, of every pin
+    at z_P, φ_P."""
     return r * cis(theta_0) * (M_eq * resultant(z * cis(phi)) - resultant(m_b * z_p * cis(phi_p)))
 
 
-@formula("U", "mathematics, what the bobs lack of the equivalent masses (Finotti 2013, 2.6)", unit="kg·mm", names={"phi_p": "φ_P"})
-def lacking_unbalance(r: Metre, theta_0: Radian, M_eq: Kilogram, phi: Radian, m_b: Kilogram, phi_p: Radian) -> PhasorKilogramMetre:
+@formula(
+    "U",
+    "mathematics, what the bobs lack of the equivalent masses (Finotti 2013, 2.6)",
+    unit="kg·mm",
+    names={"phi_p": "φ_P"},
+)
+def lacking_unbalance(
+    r: Metre, theta_0: Radian, M_eq: Kilogram, phi: Radian, m_b: Kilogram, phi_p: Radian
+) -> PhasorKilogramMetre:
     return r * cis(theta_0) * (M_eq * resultant(cis(phi)) - resultant(m_b * cis(phi_p)))
 
 
-@formula("C_pf", "dynamics: couple that pulley and flywheel must supply, opposite to what is lacking", names={"P": "U·z"})
+@formula(
+    "C_pf", "dynamics: couple that pulley and flywheel must supply, opposite to what is lacking", names={"P": "U·z"}
+)
 def wanted_couple(P: PhasorKilogramMetre2, omega: RadPerSecond) -> PhasorNewtonMetre:
     return -(omega**2) * P
 
@@ -285,21 +317,30 @@ class WebsResult:
     crank: dict[str, CrankState] | None = group(default=None)
     drill: dict[str, WebDrilling] | None = group(default=None)
     drilled_mass: Kilogram | None = value("Mass to drill out of the crank in all", "g", default=None)
-    permitted_unbalance: KilogramMetre | None = value("Permitted residual unbalance of the crank", "kg·mm", "U_per", default=None)
+    permitted_unbalance: KilogramMetre | None = value(
+        "Permitted residual unbalance of the crank", "kg·mm", "U_per", default=None
+    )
     pin_deviation: Radian | None = value("Largest angle between a pin of the bodies and its throw", "°", default=None)
     equivalent_mass: Kilogram | None = value("Equivalent mass of a cylinder", "g", "M_eq", default=None)
-    missing_forward_couple: NewtonMetre | None = value("Couple that pulley and flywheel must supply", "N·m", "C_pf", default=None)
+    missing_forward_couple: NewtonMetre | None = value(
+        "Couple that pulley and flywheel must supply", "N·m", "C_pf", default=None
+    )
     missing_forward_couple_phase: Radian | None = value("its direction, cylinder 1 at TDC", "°", default=None)
-    missing_forward_force: Newton | None = value("Force that pulley and flywheel must supply", "N", "F_pf", default=None)
+    missing_forward_force: Newton | None = value(
+        "Force that pulley and flywheel must supply", "N", "F_pf", default=None
+    )
     unbalances_couple: NewtonMetre | None = value("Couple of the given unbalances", "N·m", "C_U", default=None)
     unbalances_couple_phase: Radian | None = value("its direction, cylinder 1 at TDC", "°", default=None)
     unbalances_force: Newton | None = value("Force of the given unbalances", "N", "F_U", default=None)
-    unbalances_couple_left: NewtonMetre | None = value("Wanted couple that the unbalances leave", "N·m", "C_left", default=None)
+    unbalances_couple_left: NewtonMetre | None = value(
+        "Wanted couple that the unbalances leave", "N·m", "C_left", default=None
+    )
 
 
 @together_or_singly
 def webs(imbalance: ImbalanceInputs, engine: EngineInputs, e: EngineResult) -> WebsResult | None:
-    """The balance of the crank's own bodies; None where the design says nothing of them.  Speed and masses may be arrays."""
+    """The balance of the crank's own bodies; None where the design says nothing of them.  Speed and masses may be
+    arrays."""
     if not imbalance.crank_bodies and imbalance.bob_mass is None and not imbalance.unbalances:
         return None
     omega = e.angular_speed
@@ -321,28 +362,36 @@ def webs(imbalance: ImbalanceInputs, engine: EngineInputs, e: EngineResult) -> W
                 P, U = lacking_product(r, *of, z, phi, bob, z_p, phi_p), lacking_unbalance(r, *of, phi, bob, phi_p)
             else:
                 r_p = each(many(r)[first]) if np.ndim(r) else r
-                P, U = u.lacking_product(r, *of, z, phi, bob, r_p, z_p, phi_p), u.lacking_unbalance(r, *of, phi, bob, r_p, phi_p)
+                P, U = (
+                    u.lacking_product(r, *of, z, phi, bob, r_p, z_p, phi_p),
+                    u.lacking_unbalance(r, *of, phi, bob, r_p, phi_p),
+                )
             wanted = wanted_couple(P=P, omega=omega)
             found = replace(
-                found, equivalent_mass=M_eq if e.unlike is None or not np.ndim(M_eq) else None,
-                missing_forward_couple=f.couple_length(C=wanted), missing_forward_couple_phase=f.couple_direction(C=wanted),
+                found,
+                equivalent_mass=M_eq if e.unlike is None or not np.ndim(M_eq) else None,
+                missing_forward_couple=f.couple_length(C=wanted),
+                missing_forward_couple_phase=f.couple_direction(C=wanted),
                 missing_forward_force=f.force_length(F=wanted_force(U=U, omega=omega)),
-            )  # fmt: skip
+            )
     if imbalance.unbalances:
         U_u, gamma, z = (column(imbalance.unbalances, name) for name in ("unbalance", "angle", "z"))
         with about(Text("unbalances on the crank")):
             C_U = couple_of_unbalances(omega=omega, U=U_u, z=z, gamma=gamma)
             F_U = force_of_unbalances(omega=omega, U=U_u, gamma=gamma)
             found = replace(
-                found, unbalances_couple=f.couple_length(C=C_U), unbalances_couple_phase=f.couple_direction(C=C_U),
+                found,
+                unbalances_couple=f.couple_length(C=C_U),
+                unbalances_couple_phase=f.couple_direction(C=C_U),
                 unbalances_force=f.force_length(F=F_U),
                 unbalances_couple_left=None if wanted is None else couple_not_supplied(C_pf=wanted, C_U=C_U),
-            )  # fmt: skip
+            )
     return found
 
 
 class _Machine:
-    """The crank on the balancing machine: its bodies as arrays, what they sum up to, and the bobs by every mode that has an answer."""
+    """The crank on the balancing machine: its bodies as arrays, what they sum up to, and the bobs by every mode that
+    has an answer."""
 
     def __init__(self, imbalance: ImbalanceInputs, engine: EngineInputs) -> None:
         self.m, x, y, self.z = (column(imbalance.crank_bodies, name) for name in ("mass", "x", "y", "z"))
@@ -360,7 +409,9 @@ class _Machine:
             common = equal_bob(C=C_0, G=together)
             self.modes["equal"] = based_on(np.full(self.pins.size, common), common)
             self.modes["per_pin"] = many(bobs_per_pin(m_b=common, C=C_0, G=each(G)))
-        self.modes["least_squares"] = many(bobs_by_least_squares(S=S_0, C=C_0, p=each(p_pin), G=each(G), a=engine.cylinder_pitch))
+        self.modes["least_squares"] = many(
+            bobs_by_least_squares(S=S_0, C=C_0, p=each(p_pin), G=each(G), a=engine.cylinder_pitch)
+        )
         self.mode = imbalance.bob_mode if imbalance.bob_mode in self.modes else "least_squares"
 
     def with_bobs(self, bobs: Array) -> tuple[complex, complex]:
@@ -371,7 +422,9 @@ class _Machine:
         return unbalance(each(m), each(p)), product(each(m), each(p), each(z))
 
 
-def _bodies(machine: _Machine, imbalance: ImbalanceInputs, engine: EngineInputs, e: EngineResult) -> tuple[WebsResult, Kilogram]:
+def _bodies(
+    machine: _Machine, imbalance: ImbalanceInputs, engine: EngineInputs, e: EngineResult
+) -> tuple[WebsResult, Kilogram]:
     """The crank bare, with the bobs as stated, and with those found; and the masses of these."""
     masses = machine.modes[machine.mode]
     states = {"bare": _state(*machine.bare, imbalance, e)}
@@ -386,7 +439,9 @@ def _bodies(machine: _Machine, imbalance: ImbalanceInputs, engine: EngineInputs,
     if imbalance.bob_mass is None:
         m_b, turned_with = masses, balanced
     crank = e.crank
-    throw = based_on(crank.phi - crank.phi[imbalance.crank_bodies_throw_at_tdc - 1], crank.phi, imbalance.crank_bodies_throw_at_tdc)
+    throw = based_on(
+        crank.phi - crank.phi[imbalance.crank_bodies_throw_at_tdc - 1], crank.phi, imbalance.crank_bodies_throw_at_tdc
+    )
     first = distinct(pin_of_cylinder(engine, crank))[1]
     deviation = pin_deviation(p=each(machine.p[machine.pins]), phi=each(throw[first]))
     bobs = {
@@ -399,7 +454,12 @@ def _bodies(machine: _Machine, imbalance: ImbalanceInputs, engine: EngineInputs,
         m_S = crank_mass(m=machine.m, m_b=each(m_b))
         U_per = permitted_unbalance(G=grade_number(grade=grade), m_S=m_S, omega=e.angular_speed)
     return WebsResult(
-        crank=states, bob_mass=bobs, pin_deviation=deviation, drill=drill, drilled_mass=drilled, permitted_unbalance=U_per
+        crank=states,
+        bob_mass=bobs,
+        pin_deviation=deviation,
+        drill=drill,
+        drilled_mass=drilled,
+        permitted_unbalance=U_per,
     ), each(masses)
 
 
@@ -420,17 +480,24 @@ def _state(S: complex, C: complex, imbalance: ImbalanceInputs, e: EngineResult) 
     )
 
 
-def bob_table(imbalance: ImbalanceInputs, engine: EngineInputs, e: EngineResult) -> tuple[tuple[Table, ...], tuple[Text, ...]]:
-    """The crank without bobs, with the stated ones, and with those of every mode, side by side; and what is to be said of them."""
+def bob_table(
+    imbalance: ImbalanceInputs, engine: EngineInputs, e: EngineResult
+) -> tuple[tuple[Table, ...], tuple[Text, ...]]:
+    """The crank without bobs, with the stated ones, and with those of every mode, side by side; and what is to be said
+    of them."""
     if not imbalance.crank_bodies:
         return (), ()
     words = {"equal": Text("equal"), "per_pin": Text("per pin"), "least_squares": Text("least squares")}
     with untraced():
         machine = _Machine(imbalance, engine)
         count = machine.pins.size
-        rows: list[tuple[Text, Iterable[float | None], tuple[complex, complex]]] = [(Text("bare"), [None] * count, machine.bare)]
+        rows: list[tuple[Text, Iterable[float | None], tuple[complex, complex]]] = [
+            (Text("bare"), [None] * count, machine.bare)
+        ]
         if imbalance.bob_mass is not None:
-            rows.append((Text("as stated"), [imbalance.bob_mass] * count, machine.with_bobs(np.full(count, imbalance.bob_mass))))
+            rows.append(
+                (Text("as stated"), [imbalance.bob_mass] * count, machine.with_bobs(np.full(count, imbalance.bob_mass)))
+            )
         for mode, bobs in machine.modes.items():
             title = Text("{mode} (chosen)", mode=words[mode]) if mode == machine.mode else words[mode]
             rows.append((title, bobs, machine.with_bobs(bobs)))
@@ -438,26 +505,44 @@ def bob_table(imbalance: ImbalanceInputs, engine: EngineInputs, e: EngineResult)
         "bobs",
         Text("The crank on the balancing machine"),
         (
-            (Text("bobs"), ""), *((Text("pin {j}", j=j + 1), "g") for j in range(count)), (Text("S up"), "kg·mm"),
+            (Text("bobs"), ""),
+            *((Text("pin {j}", j=j + 1), "g") for j in range(count)),
+            (Text("S up"), "kg·mm"),
             (Text("S side"), "kg·mm"),
             (Text("C up"), "kg·mm²"),
-            (Text("C side"), "kg·mm²"), (Text("C at rated speed"), "N·m"),
+            (Text("C side"), "kg·mm²"),
+            (Text("C at rated speed"), "N·m"),
         ),
         tuple(
             (
-                name, *(None if bob is None else float(bob) * 1e3 for bob in bobs), S.real * 1e3, S.imag * 1e3, C.real * 1e6, C.imag * 1e6,
+                name,
+                *(None if bob is None else float(bob) * 1e3 for bob in bobs),
+                S.real * 1e3,
+                S.imag * 1e3,
+                C.real * 1e6,
+                C.imag * 1e6,
                 abs(C) * e.angular_speed**2,
             )
             for name, bobs, (S, C) in rows
         ),
-        Text("Throw {crank_bodies_throw_at_tdc} up; side: 90° further in the sense of rotation; z towards the flywheel.",
-            crank_bodies_throw_at_tdc=imbalance.crank_bodies_throw_at_tdc),
-    )  # fmt: skip
+        Text(
+            "Throw {crank_bodies_throw_at_tdc} up; side: 90° further in the sense of rotation; z towards the flywheel.",
+            crank_bodies_throw_at_tdc=imbalance.crank_bodies_throw_at_tdc,
+        ),
+    )
     notes = []
     if machine.mode != imbalance.bob_mode:
-        notes.append(Text("Equal bobs have no couple across the throw that stands up: the bobs are found by least squares instead."))
+        notes.append(
+            Text(
+                "Equal bobs have no couple across the throw that stands up: the bobs are found by least squares "
+                "instead."
+            )
+        )
     if min(machine.modes[machine.mode]) < 0:
         notes.append(
-            Text("A bob comes out negative: the webs are too light for it there; the crank can not be balanced by bobs of this kind.")
+            Text(
+                "A bob comes out negative: the webs are too light for it there; the crank can not be balanced by bobs "
+                "of this kind."
+            )
         )
     return (table,), tuple(notes)

@@ -1,2 +1,3 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What a designer looks up: oils, materials, publications, fits, fatigue, contact, and the tables that they stand in."""
+"""What a designer looks up: oils, materials, publications, fits, fatigue, contact, and the tables that they stand
+in."""

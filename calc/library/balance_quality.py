@@ -9,7 +9,9 @@ ISO = Text("ISO 21940-11")
 GRADES = ("G0.4", "G1", "G2.5", "G6.3", "G16", "G40", "G100", "G250", "G630", "G1600", "G4000")
 
 
-@formula("U_per", Text("{iso}: permissible residual unbalance, from G = e_per·ω", iso=ISO), unit="g·mm", names={"G": "G_Q"})
+@formula(
+    "U_per", Text("{iso}: permissible residual unbalance, from G = e_per·ω", iso=ISO), unit="g·mm", names={"G": "G_Q"}
+)
 def permitted_unbalance(G: MetrePerSecond, m_S: Kilogram, omega: RadPerSecond) -> KilogramMetre:
     """>>> permitted_unbalance(G=0.0063, m_S=9.034, omega=272.3)
     0.0002090128...

@@ -17,7 +17,11 @@ from ..sheet.value import Link, linked
 
 T = TypeVar("T")
 TABLES = Path(__file__).parent / "tables"
-BESIDE = ("specific_heat_J_kgK", "elongation_percent", "hardness_HB")  # keys of a table's row that stand there for the reader only
+BESIDE = (
+    "specific_heat_J_kgK",
+    "elongation_percent",
+    "hardness_HB",
+)  # keys of a table's row that stand there for the reader only
 
 
 @record
@@ -55,43 +59,79 @@ class ViscosityRow:
 
 @inputs
 class Oil:
-    """A lubricant by its viscosity and density; the values by which it acts in a gear mesh follow from its base, or are given.
+    """A lubricant by its viscosity and density; the values by which it acts in a gear mesh follow from its base, or are
+    given.
 
-    The viscosity is given in one of three ways: at 40 and at 100 °C, in rows over the temperature, or as one number for all of them.
-    """
+    The viscosity is given in one of three ways: at 40 and at 100 °C, in rows over the temperature, or as one number for
+    all of them."""
 
     name: str = text("Name")
     nu40: float | None = quantity(
-        "Kinematic viscosity at 40 °C", "mm²/s", default=None, low=1, high=1e5, symbol="nu_40",
+        "Kinematic viscosity at 40 °C",
+        "mm²/s",
+        default=None,
+        low=1,
+        high=1e5,
+        symbol="nu_40",
         help="With that at 100 °C. Left out: viscosities, or viscosity_mPas.",
-    )  # fmt: skip
+    )
     nu100: float | None = quantity(
-        "Kinematic viscosity at 100 °C", "mm²/s", default=None, low=1, high=1e4, symbol="nu_100",
+        "Kinematic viscosity at 100 °C",
+        "mm²/s",
+        default=None,
+        low=1,
+        high=1e4,
+        symbol="nu_100",
         help="With that at 40 °C. Left out: viscosities, or viscosity_mPas.",
-    )  # fmt: skip
+    )
     rho15: float = quantity("Density at 15 °C", "kg/m³", low=600, high=1300, symbol="rho_15")
     base: str = choice("Base stock", "mineral", "PAO", "PAG", "ester", "MIL-L-7808", "MIL-L-23699")
     conductivity: float = quantity("Thermal conductivity", "W/(m·K)", default=0.14, low=0.05, high=1.0, symbol="k_f")
     limiting_shear: float | None = quantity(
-        "Limiting shear stress over pressure", default=None, above=0, high=0.3, symbol="Lambda", help="Left out: that of the base stock."
+        "Limiting shear stress over pressure",
+        default=None,
+        above=0,
+        high=0.3,
+        symbol="Lambda",
+        help="Left out: that of the base stock.",
     )
     pressure_viscosity_40: float | None = quantity(
-        "Pressure-viscosity coefficient at 40 °C", "1/GPa", default=None, above=0, high=100, symbol="alpha_40",
+        "Pressure-viscosity coefficient at 40 °C",
+        "1/GPa",
+        default=None,
+        above=0,
+        high=100,
+        symbol="alpha_40",
         help="Left out: by the base stock. Given: the base stock says only how it changes with the viscosity.",
-    )  # fmt: skip
+    )
     viscosity: float | None = quantity(
-        "Dynamic viscosity at every temperature", "mPa·s", default=None, above=0, high=1e6, symbol="mu",
+        "Dynamic viscosity at every temperature",
+        "mPa·s",
+        default=None,
+        above=0,
+        high=1e6,
+        symbol="mu",
         help="Constant, as in textbooks; instead of the viscosities at 40 and 100 °C.",
-    )  # fmt: skip
+    )
     viscosities: tuple[ViscosityRow, ...] = tables(
-        "Dynamic viscosity over temperature", ViscosityRow, default=(),
-        help="Rows of rising temperature, instead of the viscosities at 40 and 100 °C. Walther's line joins each to the next.",
-    )  # fmt: skip
+        "Dynamic viscosity over temperature",
+        ViscosityRow,
+        default=(),
+        help="Rows of rising temperature, instead of the viscosities at 40 and 100 °C. Walther's line joins each to "
+        "the next.",
+    )
     pumping_limit: float | None = quantity(
-        "Borderline pumping temperature", "°C", default=None, low=-80, high=50, symbol="T_BP",
+        "Borderline pumping temperature",
+        "°C",
+        default=None,
+        low=-80,
+        high=50,
+        symbol="T_BP",
         help="Below it a pump does not get the oil to the bearings.",
-    )  # fmt: skip
-    pour_point: float | None = quantity("Pour point", "°C", default=None, low=-80, high=50, symbol="T_PP", help="Below it the oil stands.")
+    )
+    pour_point: float | None = quantity(
+        "Pour point", "°C", default=None, low=-80, high=50, symbol="T_PP", help="Below it the oil stands."
+    )
     printed: tuple[PrintedViscosity, ...] = tables("Viscosities printed elsewhere", PrintedViscosity, default=())
     source: str = text("Source", default="the user")
     claims: tuple[Claim, ...] = ()  # of an oil of the table: where each value comes from
@@ -112,10 +152,18 @@ class Oil:
         first, *others = [key for key, given in ways.items() if given] or [""]
         if not first:
             for key in ("nu40_mm2_s", "nu100_mm2_s"):
-                yield key, Text("is missing; needs the viscosities at 40 and 100 °C, or viscosity_mPas, or rows of viscosities")
+                yield (
+                    key,
+                    Text(
+                        "is missing; needs the viscosities at 40 and 100 °C, or viscosity_mPas, or rows of viscosities"
+                    ),
+                )
             return
         for key in others:
-            yield key, Text("the viscosity of this oil is given by {first} already; leave one of the two out", first=first)
+            yield (
+                key,
+                Text("the viscosity of this oil is given by {first} already; leave one of the two out", first=first),
+            )
         if ways["nu40_mm2_s"]:
             if self.nu40 is None:
                 yield "nu40_mm2_s", Text("is missing; needed with the viscosity at 100 °C")
@@ -129,7 +177,10 @@ class Oil:
                 if (wrong := line_problem(self.nu40, self.nu100)) is not None:
                     yield "nu100_mm2_s", wrong
         if len(self.viscosities) == 1:
-            yield "viscosities", Text("has one row; needs two or more, or viscosity_mPas for one viscosity at every temperature")
+            yield (
+                "viscosities",
+                Text("has one row; needs two or more, or viscosity_mPas for one viscosity at every temperature"),
+            )
         for i, (row, after) in enumerate(zip(self.viscosities, self.viscosities[1:]), 1):
             if after.temperature <= row.temperature:
                 yield f"viscosities.{i}.temperature_C", Text("must be above that of the row before")
@@ -164,17 +215,37 @@ class Material:
     poisson: float = quantity("Poisson's ratio", default=0.3, low=0.0, high=0.49, symbol="nu")
     density: float = quantity("Density", "kg/m³", low=500, high=25000, symbol="rho")
     expansion: float = quantity("Thermal expansion", "10⁻⁶/K", low=0, high=100, symbol="alpha")
-    proof_stress: float | None = quantity("Proof stress", "MPa", default=None, above=0, high=10000, symbol="R_p", help="Rp0.2, tension.")
-    tensile_strength: float | None = quantity("Tensile strength", "MPa", default=None, above=0, high=10000, symbol="R_m")
-    kind: str = choice("Kind", "steel", "ductile iron", "grey iron", "aluminium", "other", default="other",
-        help="For its fatigue; other: it is not judged.")  # fmt: skip
-    alternating_strength: float | None = quantity("Alternating strength", "MPa", default=None, above=0, high=10000, symbol="sigma_W",
-        help="Of a smooth, polished specimen, endless life. Left out: by its kind from the tensile strength.")  # fmt: skip
+    proof_stress: float | None = quantity(
+        "Proof stress", "MPa", default=None, above=0, high=10000, symbol="R_p", help="Rp0.2, tension."
+    )
+    tensile_strength: float | None = quantity(
+        "Tensile strength", "MPa", default=None, above=0, high=10000, symbol="R_m"
+    )
+    kind: str = choice(
+        "Kind",
+        "steel",
+        "ductile iron",
+        "grey iron",
+        "aluminium",
+        "other",
+        default="other",
+        help="For its fatigue; other: it is not judged.",
+    )
+    alternating_strength: float | None = quantity(
+        "Alternating strength",
+        "MPa",
+        default=None,
+        above=0,
+        high=10000,
+        symbol="sigma_W",
+        help="Of a smooth, polished specimen, endless life. Left out: by its kind from the tensile strength.",
+    )
     source: str = text("Source", default="the user")
 
 
 def _row(cls: type[T], row: dict[str, object]) -> T:
-    """One row in SI.  A value may stand with its confidence and source: `{ is = 93.27, confidence = "high", source = "…" }`."""
+    """One row in SI.  A value may stand with its confidence and source: `{ is = 93.27, confidence = "high", source =
+    "…" }`."""
     kind: type = cls
     known, claims = keys(kind), []
     values: dict[str, object] = {}
@@ -198,7 +269,9 @@ def rows_of(file: str, cls: type, only: str = "") -> dict[str, object]:
     """The rows of a table by their names; `only`: one of them, which spares the reading of the others."""
     text = (TABLES / file).read_text(encoding="utf-8")
     if only:
-        text = "".join("[[row]]" + row for row in text.split("[[row]]")[1:] if row.lstrip().startswith(f'name = "{only}"\n'))
+        text = "".join(
+            "[[row]]" + row for row in text.split("[[row]]")[1:] if row.lstrip().startswith(f'name = "{only}"\n')
+        )
     return {row["name"]: _row(cls, row) for row in tomllib.loads(text)["row"]}
 
 
@@ -213,7 +286,9 @@ class CatalogueRows(Mapping[str, T]):
 
     def __getitem__(self, name: str) -> T:
         if name not in self.made:
-            self.made.setdefault(name, _row(self.cls, tomllib.loads(self.texts[name])))  # one object, whichever thread comes first
+            self.made.setdefault(
+                name, _row(self.cls, tomllib.loads(self.texts[name]))
+            )  # one object, whichever thread comes first
         return self.made[name]
 
     def __contains__(self, name: object) -> bool:

@@ -1,15 +1,27 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What loss and warmth of a whole mesh follow from by the standards: roughness, mean friction, loss factor, bulk temperature."""
+"""What loss and warmth of a whole mesh follow from by the standards: roughness, mean friction, loss factor, bulk
+temperature."""
 
 from typing import Annotated
 
 from ..sheet.formula import formula
 from ..sheet.functions import cos, modulus, pi, sqrt
 from ..sheet.text import Text
-from ..sheet.units import Celsius, Kelvin, Metre, MetrePerSecond, NewtonPerMetre, Number, Pascal, PascalSecond, Radian, RevPerSecond, Watt
+from ..sheet.units import (
+    Celsius,
+    Kelvin,
+    Metre,
+    MetrePerSecond,
+    NewtonPerMetre,
+    Number,
+    Pascal,
+    PascalSecond,
+    Radian,
+    RevPerSecond,
+    Watt,
+)
 
 # mypy: disable-error-code="no-any-return"
-
 
 
 WattPerSquareMetre = Annotated[float, "W/m²"]
@@ -23,8 +35,8 @@ MILLIPASCAL_SECOND: PascalSecond = 1e-3
 KILOWATT_PER_SQUARE_MILLIMETRE: WattPerSquareMetre = 1e9
 RISE: Kelvin = 7400.0
 
-# Lubricant factor of the friction, ISO/TR 15144-1:2014, Table 3, the same in ISO/TR 13989-1, as in public code; it knows phosphate esters
-# only (1.3): other esters count as mineral oil by a rule of this program.
+# Lubricant factor of the friction, ISO/TR 15144-1:2014, Table 3, the same in ISO/TR 13989-1, as in public code; it
+# knows phosphate esters only (1.3): other esters count as mineral oil by a rule of this program.
 LUBRICANT_FACTOR = {"mineral": 1.0, "PAO": 0.8, "PAG": 0.7}
 # Lubrication factor X_S, ISO/TR 13989-1:2000 (22) and ISO/TR 15144-1:2014 (84), from memory.
 LUBRICATION_FACTOR = {"spray": 1.2, "dip": 1.0, "submerged": 0.2}
@@ -54,12 +66,21 @@ def roughness_factor(Ra: Metre, rho_nC: Metre) -> Number:
     names={"v_SumC": "v_Σ,C", "rho_nC": "ρ_n,C", "eta": "η_oil", "K_Bgamma": "K_Bγ"},
 )
 def mean_friction(
-    w_t: NewtonPerMetre, K_Bgamma: Number, v_SumC: MetrePerSecond, rho_nC: Metre, eta: PascalSecond, X_R: Number, X_L: Number
+    w_t: NewtonPerMetre,
+    K_Bgamma: Number,
+    v_SumC: MetrePerSecond,
+    rho_nC: Metre,
+    eta: PascalSecond,
+    X_R: Number,
+    X_L: Number,
 ) -> Number:
     return (
-        0.045 * (w_t / NEWTON_PER_MILLIMETRE * K_Bgamma / (v_SumC / METRE_PER_SECOND * rho_nC / MILLIMETRE)) ** 0.2
-        * (eta / MILLIPASCAL_SECOND) ** -0.05 * X_R * X_L
-    )  # fmt: skip
+        0.045
+        * (w_t / NEWTON_PER_MILLIMETRE * K_Bgamma / (v_SumC / METRE_PER_SECOND * rho_nC / MILLIMETRE)) ** 0.2
+        * (eta / MILLIPASCAL_SECOND) ** -0.05
+        * X_R
+        * X_L
+    )
 
 
 @formula(
@@ -69,7 +90,9 @@ def mean_friction(
         iso=ISO,
     ),
 )
-def ohlendorf_loss_factor(eps_1: Number, eps_2: Number, eps_alpha: Number, z_1: Number, z_2: Number, beta_b: Radian) -> Number:
+def ohlendorf_loss_factor(
+    eps_1: Number, eps_2: Number, eps_alpha: Number, z_1: Number, z_2: Number, beta_b: Radian
+) -> Number:
     return (eps_1**2 + eps_2**2 + 1 - eps_alpha) * (1 / z_1 + 1 / z_2) * pi / cos(beta_b)
 
 
@@ -94,7 +117,9 @@ HERTZ = Text("Hertz 1881, line contact")
 
 
 @formula(
-    "E_r", Text("{hertz}; ISO/TR 15144-1:2014 (6), ISO/TR 13989-1:2000 (A.10): reduced modulus of elasticity", hertz=HERTZ), unit="GPa"
+    "E_r",
+    Text("{hertz}; ISO/TR 15144-1:2014 (6), ISO/TR 13989-1:2000 (A.10): reduced modulus of elasticity", hertz=HERTZ),
+    unit="GPa",
 )
 def reduced_modulus(nu_1: Number, E_1: Pascal, nu_2: Number, E_2: Pascal) -> Pascal:
     """>>> reduced_modulus(nu_1=0.3, E_1=206000000000.0, nu_2=0.3, E_2=206000000000.0)
@@ -123,9 +148,10 @@ def mean_pressure(p_H: Pascal) -> Pascal:
 
 # The points on the path of contact, and what the two flanks are and do there.
 #
-# A place is told by ρ_1, the radius of curvature of the driver's flank in the transverse section: 0 where the line of action touches its
-# base circle, T_1T_2 at that of the driven wheel.  A: contact begins; B: the pair before leaves; C: pitch point; D: the next pair comes;
-# E: contact ends.  The pair is loaded alone from B to D.  Speeds are those of the transverse section, as ISO and AGMA use them.
+# A place is told by ρ_1, the radius of curvature of the driver's flank in the transverse section: 0 where the line of
+# action touches its base circle, T_1T_2 at that of the driven wheel.  A: contact begins; B: the pair before leaves; C:
+# pitch point; D: the next pair comes; E: contact ends.  The pair is loaded alone from B to D.  Speeds are those of the
+# transverse section, as ISO and AGMA use them.
 
 GEOMETRY = Text("ISO 21771:2007")
 
@@ -141,13 +167,21 @@ def sole_contact_ends(rho_A: Metre, p_bt: Metre) -> Metre:
 
 
 @formula(
-    "ρ_C", Text("{geometry}: the driver's radius of curvature at the pitch point", geometry=GEOMETRY), unit="mm", names={"T": "T_1T_2"}
+    "ρ_C",
+    Text("{geometry}: the driver's radius of curvature at the pitch point", geometry=GEOMETRY),
+    unit="mm",
+    names={"T": "T_1T_2"},
 )
 def pitch_point(T: Metre, z_1: Number, z_2: Number) -> Metre:
     return T * z_1 / (z_1 + z_2)
 
 
-@formula("ρ_2", Text("{geometry}: radius of curvature of the driven flank", geometry=GEOMETRY), unit="mm", names={"T": "T_1T_2"})
+@formula(
+    "ρ_2",
+    Text("{geometry}: radius of curvature of the driven flank", geometry=GEOMETRY),
+    unit="mm",
+    names={"T": "T_1T_2"},
+)
 def driven_curvature(T: Metre, rho_1: Metre) -> Metre:
     return T - rho_1
 
@@ -160,17 +194,23 @@ def relative_radius(rho_1: Metre, rho_2: Metre) -> Metre:
     return rho_1 * rho_2 / (rho_1 + rho_2)
 
 
-@formula("ρ_n", "ISO/TR 15144-1:2014 (45), AGMA 925-A03: relative radius of curvature, normal to the contact line", unit="mm")
+@formula(
+    "ρ_n", "ISO/TR 15144-1:2014 (45), AGMA 925-A03: relative radius of curvature, normal to the contact line", unit="mm"
+)
 def normal_relative_radius(rho_rel: Metre, beta_b: Radian) -> Metre:
     return rho_rel / cos(beta_b)
 
 
-@formula("v_r", "ISO/TR 15144-1:2014 (14), (15), AGMA 925-A03: rolling speed of a flank, along itself", names={"rho": "ρ_y"})
+@formula(
+    "v_r", "ISO/TR 15144-1:2014 (14), (15), AGMA 925-A03: rolling speed of a flank, along itself", names={"rho": "ρ_y"}
+)
 def rolling_speed(n: RevPerSecond, rho: Metre) -> MetrePerSecond:
     return 2 * pi * modulus(n) * rho
 
 
-@formula("ε_1", "ISO/TR 15144-1:2014: contact ratio of the driver's addendum, recess", names={"rho_E": "ρ_E", "rho_C": "ρ_C"})
+@formula(
+    "ε_1", "ISO/TR 15144-1:2014: contact ratio of the driver's addendum, recess", names={"rho_E": "ρ_E", "rho_C": "ρ_C"}
+)
 def recess_contact_ratio(rho_E: Metre, rho_C: Metre, p_bt: Metre) -> Number:
     return (rho_E - rho_C) / p_bt
 

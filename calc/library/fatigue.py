@@ -1,10 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """Endless life at a fillet: the elastic stress there by amplitude and mean, against what the material bears.
 
-After the FKM guideline (analytical strength assessment), reduced to what is known of a design: alternating strength from the tensile
-strength, roughness, mean stress; without the support of the steep gradient at a fillet, without size and hardened layers.  On the safe
-side for steel.  Its constants are given from memory.
-"""
+After the FKM guideline (analytical strength assessment), reduced to what is known of a design: alternating strength
+from the tensile strength, roughness, mean stress; without the support of the steep gradient at a fillet, without size
+and hardened layers.  On the safe side for steel.  Its constants are given from memory."""
 
 from ..sheet.formula import formula
 from ..sheet.functions import log10, smallest, sqrt
@@ -19,8 +18,8 @@ ROUGHNESS = 6.3  # µm: Rz of a turned fillet, rule of this program
 
 @record
 class Kind:
-    """Constants of a kind of metal: alternating over tensile strength; mean-stress sensitivity a·R_m + b; roughness a_R and the tensile
-    strength R_N at which it begins [Pa]; the safety to be kept, higher for castings."""
+    """Constants of a kind of metal: alternating over tensile strength; mean-stress sensitivity a·R_m + b; roughness a_R
+    and the tensile strength R_N at which it begins [Pa]; the safety to be kept, higher for castings."""
 
     ratio: Number
     a: PerPascal
@@ -38,8 +37,16 @@ KINDS = {
 }
 
 
-@formula("σ_W", Text("{fkm}: alternating strength of forged or case-hardened steel 0.40, ductile iron 0.34, grey iron and cast aluminium "
-    "0.30 of the tensile one", fkm=FKM), unit="MPa")  # fmt: skip
+@formula(
+    "σ_W",
+    Text(
+        "{fkm}: alternating strength of forged or case-hardened steel 0.40, ductile iron 0.34, grey iron and cast "
+        "aluminium "
+        "0.30 of the tensile one",
+        fkm=FKM,
+    ),
+    unit="MPa",
+)
 def alternating_strength(f_W: Number, R_m: Pascal) -> Pascal:
     """>>> alternating_strength(f_W=0.40, R_m=1026e6)
     410400000.0
@@ -68,9 +75,15 @@ def bearable(K_R: Number, sigma_W: Pascal) -> Pascal:
     return K_R * sigma_W
 
 
-@formula("σ_eq", Text("{fkm}: alternating stress as hard as amplitude and mean together", fkm=FKM), unit="MPa", names={"M": "M_σ"})
+@formula(
+    "σ_eq",
+    Text("{fkm}: alternating stress as hard as amplitude and mean together", fkm=FKM),
+    unit="MPa",
+    names={"M": "M_σ"},
+)
 def equivalent_amplitude(sigma_a: Pascal, sigma_m: Pascal, M: Number) -> Pascal:
-    """`sigma_m` is not below zero: a mean pressure is given no credit.  The second line holds from a mean as large as the amplitude."""
+    """`sigma_m` is not below zero: a mean pressure is given no credit.  The second line holds from a mean as large as
+    the amplitude."""
     return smallest(sigma_a + M * sigma_m, (sigma_a + M / 3 * sigma_m) * (1 + M) / (1 + M / 3))
 
 
@@ -112,9 +125,9 @@ def strength(material: Material) -> Strength | None:
 
 # Notch factors: how far the elastic stress at a fillet exceeds the nominal one.
 #
-# Shouldered round shaft in bending, after the curves that Pilkey fitted to Peterson's charts.  The nominal stress is that of the smaller
-# diameter, σ = 32·M/(π·d³).  Valid for 0.1 ≤ t/r ≤ 20, t the height of the shoulder; at t/r = 2 the two
-# fits lie 0.1 to 1.4 % apart up to 2t/D = 0.7, 3 % at 0.9.
+# Shouldered round shaft in bending, after the curves that Pilkey fitted to Peterson's charts.  The nominal stress is
+# that of the smaller diameter, σ = 32·M/(π·d³).  Valid for 0.1 ≤ t/r ≤ 20, t the height of the shoulder; at t/r = 2 the
+# two fits lie 0.1 to 1.4 % apart up to 2t/D = 0.7, 3 % at 0.9.
 
 PETERSON = Text("Pilkey, chart 3.10: shouldered round shaft, bending")
 FIT = (0.1, 20.0)  # of t/r
@@ -135,22 +148,26 @@ def relative_step(D: Metre, d: Metre) -> Number:
 def low_shoulder(x: Number, y: Number) -> Number:
     """x = t/r from 0.1 to 2, y = 2t/D."""
     return (
-        0.947 + 1.206 * sqrt(x) - 0.131 * x
+        0.947
+        + 1.206 * sqrt(x)
+        - 0.131 * x
         + (0.022 - 3.405 * sqrt(x) + 0.915 * x) * y
         + (0.869 + 1.777 * sqrt(x) - 0.555 * x) * y**2
         + (-0.810 + 0.422 * sqrt(x) - 0.260 * x) * y**3
-    )  # fmt: skip
+    )
 
 
 @formula("K_t", Text("{peterson}, t/r from 2 to 20", peterson=PETERSON), names={"x": "ξ", "y": "ζ"})
 def high_shoulder(x: Number, y: Number) -> Number:
     """x = t/r from 2 to 20, y = 2t/D."""
     return (
-        1.232 + 0.832 * sqrt(x) - 0.008 * x
+        1.232
+        + 0.832 * sqrt(x)
+        - 0.008 * x
         + (-3.813 + 0.968 * sqrt(x) - 0.260 * x) * y
         + (7.423 - 4.868 * sqrt(x) + 0.869 * x) * y**2
         + (-3.839 + 3.070 * sqrt(x) - 0.600 * x) * y**3
-    )  # fmt: skip
+    )
 
 
 @formula("σ_k", "elasticity: elastic stress at the fillet, notch factor times nominal stress", unit="MPa")
@@ -162,7 +179,8 @@ def notch_stress(K_t: Number, sigma: Pascal) -> Pascal:
 
 
 def shoulder_bending(D: Metre, d: Metre, r: Metre) -> tuple[Number, Number]:
-    """t/r and K_t of a shoulder from the diameter D down to d.  Outside `FIT` the factor is an extrapolation: the caller says so."""
+    """t/r and K_t of a shoulder from the diameter D down to d.  Outside `FIT` the factor is an extrapolation: the
+    caller says so."""
     x = step_over_fillet(D=D, d=d, r=r)
     y = relative_step(D=D, d=d)
     return x, low_shoulder(x=x, y=y) if x <= BRANCH else high_shoulder(x=x, y=y)

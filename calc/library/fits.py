@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """Limits and fits by ISO 286: what H7, f7 or IT7 mean for a diameter, as far as journals and their seats use them.
 
-A field with a place ("H7", "e8") lies where its letter says; "IT7" is a width alone and lies half above and half below the given size.
-Range: up to 500 mm, IT1 to IT16, holes C to H and JS, shafts c to h and js.  The numbers are the published ones (`tables/iso_286.toml`).
-"""
+A field with a place ("H7", "e8") lies where its letter says; "IT7" is a width alone and lies half above and half below
+the given size. Range: up to 500 mm, IT1 to IT16, holes C to H and JS, shafts c to h and js.  The numbers are the
+published ones (`tables/iso_286.toml`)."""
 
 import re
 import tomllib
@@ -15,14 +15,18 @@ from ..sheet.record import record
 from ..sheet.text import Text
 from ..sheet.units import UNITS, Metre
 
-SOURCE = Text("ISO 286-1:2010, tables of standard tolerances and fundamental deviations (as reprinted in public tables)")
+SOURCE = Text(
+    "ISO 286-1:2010, tables of standard tolerances and fundamental deviations (as reprinted in public tables)"
+)
 SHAFTS = ("c", "d", "e", "f", "g", "h", "js")
 HOLES = ("C", "D", "E", "F", "G", "H", "JS")
 GRADES = range(1, 17)
 LARGEST = 500.0  # mm
 COARSE_ABOVE = 1.0  # mm: up to here ISO 286 gives no IT14 and coarser
 ALLOWED = {
-    "": Text('a class like "H7" (holes C to H, JS), "f7" (shafts c to h, js), or a width alone like "IT7"; IT1 to IT16'),
+    "": Text(
+        'a class like "H7" (holes C to H, JS), "f7" (shafts c to h, js), or a width alone like "IT7"; IT1 to IT16'
+    ),
     "shaft": Text('a shaft\'s class like "f7" (c to h, js), or a width alone like "IT7"; IT1 to IT16'),
     "hole": Text('a hole\'s class like "H7" (C to H, JS), or a width alone like "IT7"; IT1 to IT16'),
 }
@@ -68,7 +72,8 @@ def tolerance(grade: int, diameter: Metre) -> Metre:
 
 
 def deviations(field: ToleranceField, diameter: Metre) -> tuple[Metre, Metre]:
-    """Lower and upper deviation from the nominal size; of a width alone, and of js and JS, half of it below and half above."""
+    """Lower and upper deviation from the nominal size; of a width alone, and of js and JS, half of it below and half
+    above."""
     width = _tolerance_um(field.grade, diameter)
     letter = (field.letter or "js").lower()
     if letter == "js":
@@ -81,12 +86,15 @@ def deviations(field: ToleranceField, diameter: Metre) -> tuple[Metre, Metre]:
 
 
 def clearance_limits(journal: ToleranceField, seat: ToleranceField, diameter: Metre) -> tuple[Metre, Metre]:
-    """Least and greatest change of the clearance by both fields: least hole less largest shaft, and the other way round.
+    """Least and greatest change of the clearance by both fields: least hole less largest shaft, and the other way
+    round.
 
-    Two widths alone: the band about the nominal clearance.  Two classes with a place on the same nominal size: the clearance itself.
-    """
+    Two widths alone: the band about the nominal clearance.  Two classes with a place on the same nominal size: the
+    clearance itself."""
     (smallest, largest), (bore, widest) = deviations(journal, diameter), deviations(seat, diameter)
-    return (round(bore * _UM, 6) - round(largest * _UM, 6)) / _UM, (round(widest * _UM, 6) - round(smallest * _UM, 6)) / _UM
+    return (round(bore * _UM, 6) - round(largest * _UM, 6)) / _UM, (
+        round(widest * _UM, 6) - round(smallest * _UM, 6)
+    ) / _UM
 
 
 def _tolerance_um(grade: int, diameter: Metre) -> float:
@@ -94,7 +102,9 @@ def _tolerance_um(grade: int, diameter: Metre) -> float:
         raise ValueError(f"IT{grade}: allowed are IT1 to IT16")
     at = _range(_row("", "up_to_mm"), diameter)
     if grade >= 14 and UNITS["mm"].shown(diameter) <= COARSE_ABOVE:
-        raise ValueError(f"IT{grade} at {UNITS['mm'].shown(diameter):g} mm: ISO 286 has IT14 and coarser only above 1 mm")
+        raise ValueError(
+            f"IT{grade} at {UNITS['mm'].shown(diameter):g} mm: ISO 286 has IT14 and coarser only above 1 mm"
+        )
     return _row("tolerance_um", f"IT{grade}")[at]
 
 

@@ -8,21 +8,31 @@ from ..sheet.units import Celsius, Kelvin, MetrePerSecond, NewtonPerMetreSecond,
 
 FINOTTI = Text("Finotti 2013, 3.2.3.1")
 TRUMPLER = Text("Trumpler, after Finotti 2013, 5.5.1")
-DESIGN_FACTOR = Text("Trumpler, after Shigley, 12-7 (not in Finotti 2013, 5.5.1): a design factor of 2 on the running load")
+DESIGN_FACTOR = Text(
+    "Trumpler, after Shigley, 12-7 (not in Finotti 2013, 5.5.1): a design factor of 2 on the running load"
+)
 
 SPECIFIC_LOAD: Pascal = 5e6  # the most that is accepted
 USUAL_SPECIFIC_LOAD: Pascal = 2e6
 RISE: tuple[Kelvin, Kelvin] = (15.0, 20.0)  # of the oil, for conditions that stay; Finotti 2013, 5.5.2
 LENGTH_RATIO: tuple[Number, Number] = (0.2, 1.0)
 USUAL_LENGTH_RATIO: tuple[Number, Number] = (0.25, 0.75)  # Finotti 2013, 5.5.2
-RELATIVE_CLEARANCE: Number = 1e-3  # as made; Chirone & Vullo 1979, after Finotti 2013, Fig. 5.16: in all rows that have a figure
-SUPPLY_WIDTH: tuple[Number, Number] = (0.05, 0.7)  # of hole or pocket over the length; DIN 31652-2: range of the supply factors
+RELATIVE_CLEARANCE: Number = (
+    1e-3  # as made; Chirone & Vullo 1979, after Finotti 2013, Fig. 5.16: in all rows that have a figure
+)
+SUPPLY_WIDTH: tuple[Number, Number] = (
+    0.05,
+    0.7,
+)  # of hole or pocket over the length; DIN 31652-2: range of the supply factors
 TRUMPLER_TEMPERATURE: Celsius = 120.0  # as Finotti 2013, 5.5.1, prints it; Trumpler himself has 250 °F, 121 °C
 TRUMPLER_START_LOAD: Pascal = 2e6  # as Finotti 2013, 5.5.1, prints it; Trumpler himself has 300 psi, 2.07 MPa
 FULL_FILM_FRICTION: tuple[Number, Number] = (0.002, 0.012)  # Finotti 2013, 5.4.1
 SLOPE: Radian = 0.25e-3  # Finotti 2013, 4.6 (in chapter 6): target of the engine's maker
 STABLE_FILM: Number = 150.0  # McKee & McKee 1932, cP·rpm/psi
-SPEED_FACTOR: tuple[Number, Number] = (3.0, 10.0)  # least speed over that of transition: the surface speed in m/s, within these
+SPEED_FACTOR: tuple[Number, Number] = (
+    3.0,
+    10.0,
+)  # least speed over that of transition: the surface speed in m/s, within these
 
 
 def speed_factor(u: MetrePerSecond) -> Number:
@@ -33,7 +43,8 @@ def speed_factor(u: MetrePerSecond) -> Number:
 
 
 class Lubrication(NamedTuple):
-    """A row of Finotti 2013, Table 3.1 (its text's lines 1375 to 1383): the heat index that a kind of lubrication bears, in N·rpm/mm."""
+    """A row of Finotti 2013, Table 3.1 (its text's lines 1375 to 1383): the heat index that a kind of lubrication
+    bears, in N·rpm/mm."""
 
     title: Text
     usual: tuple[int, int]
@@ -49,8 +60,12 @@ COOLED = "forced_cooled"  # what a design has that says nothing
 LUBRICATIONS = {
     "grease": Lubrication(Text("coarse work, grease by a nipple or wick, still air"), (15_000, 20_000)),
     "ring": Lubrication(Text("fine work, plenty of oil by a ring or the like, still air"), (30_000, 40_000)),
-    "ring_moving_air": Lubrication(Text("fine work, plenty of oil by a ring or the like, moving air"), (60_000, 70_000)),
-    "ring_fast_air": Lubrication(Text("plenty of oil by a ring or the like, in a fast stream of air"), (100_000, 200_000)),
+    "ring_moving_air": Lubrication(
+        Text("fine work, plenty of oil by a ring or the like, moving air"), (60_000, 70_000)
+    ),
+    "ring_fast_air": Lubrication(
+        Text("plenty of oil by a ring or the like, in a fast stream of air"), (100_000, 200_000)
+    ),
     "forced": Lubrication(Text("fine work, plenty of forced oil, still air"), (60_000, 70_000)),
     COOLED: Lubrication(Text("fine work, forced oil and cooling"), (150_000, 240_000), 500_000),
 }

@@ -8,7 +8,7 @@ from typing import cast
 import numpy as np
 
 from ..sheet.record import record
-from ..sheet.units import (  # fmt: skip
+from ..sheet.units import (
     Celsius,
     JoulePerKilogramKelvin,
     KilogramPerMetre3,
@@ -54,9 +54,8 @@ class OilState:
 class Lubricant:
     """An oil with its viscosity law, ready to be asked at any temperature (°C; scalar or array).
 
-    The law is Walther's line through the viscosities at 40 and 100 °C, or such a line between each two rows of the oil's own table, the
-    outermost ones carried on beyond it, or one viscosity at every temperature.
-    """
+    The law is Walther's line through the viscosities at 40 and 100 °C, or such a line between each two rows of the
+    oil's own table, the outermost ones carried on beyond it, or one viscosity at every temperature."""
 
     of_numbers = True  # for `unlinked`
 
@@ -70,10 +69,15 @@ class Lubricant:
             self.C_1 = viscosity_slope(nu_100=oil.nu100, nu_40=oil.nu40, c=self.c)
             self.C_2 = viscosity_intercept(nu_40=oil.nu40, c=self.c, C_1=self.C_1)
         elif oil.viscosities:
-            rows = [(row_viscosity(mu_i=row.viscosity, rho_15=oil.rho15, T_i=row.temperature), row.temperature) for row in oil.viscosities]
+            rows = [
+                (row_viscosity(mu_i=row.viscosity, rho_15=oil.rho15, T_i=row.temperature), row.temperature)
+                for row in oil.viscosities
+            ]
             self.lines = tuple(self._line(*one, *other) for one, other in pairwise(rows))
 
-    def _line(self, nu_1: SquareMetrePerSecond, T_1: Celsius, nu_2: SquareMetrePerSecond, T_2: Celsius) -> tuple[Number, Number]:
+    def _line(
+        self, nu_1: SquareMetrePerSecond, T_1: Celsius, nu_2: SquareMetrePerSecond, T_2: Celsius
+    ) -> tuple[Number, Number]:
         C_1 = slope_between(nu_1=nu_1, T_1=T_1, nu_2=nu_2, T_2=T_2, c=self.c)
         return intercept_through(nu_1=nu_1, T_1=T_1, c=self.c, C_1=C_1), C_1
 
@@ -90,7 +94,8 @@ class Lubricant:
 
     @property
     def polymer_thickened(self) -> bool:
-        """Whether its viscosity line is as flat as that of a multigrade oil; not known where the viscosity is one for all temperatures."""
+        """Whether its viscosity line is as flat as that of a multigrade oil; not known where the viscosity is one for
+        all temperatures."""
         if self.lines:
             low, high = (self.nu(T) for T in (40.0, 100.0))
             return viscosity_slope(nu_100=high, nu_40=low, c=self.c) > POLYMER_THICKENED

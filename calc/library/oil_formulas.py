@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The laws of an oil over temperature: viscosity by Walther's line, density, specific heat, pressure-viscosity coefficient.
+"""The laws of an oil over temperature: viscosity by Walther's line, density, specific heat, pressure-viscosity
+coefficient.
 
-Temperatures in °C.  Validity: 2 to 1e5 mm²/s, from 0 °C to about 40 K above the hotter of the two given points (140 °C); the
-thinning of multigrade oils at high shear rate is not part of these laws.
-"""
+Temperatures in °C.  Validity: 2 to 1e5 mm²/s, from 0 °C to about 40 K above the hotter of the two given points (140
+°C); the thinning of multigrade oils at high shear rate is not part of these laws."""
 
 from typing import cast
 
@@ -33,13 +33,19 @@ CP_1: JoulePerKilogramKelvin = 4.6
 MILLIPASCAL_SECOND: PascalSecond = 1e-3
 LOWEST, HIGHEST = 2e-6, 0.1  # m²/s: where the viscosity laws hold
 ADDED = {"walther": 0.6, "d341": 0.7}  # the constant under the double logarithm
-POLYMER_THICKENED = -3.3  # slope of the viscosity line: flatter is a multigrade; rule of this program, tells those of its table apart
-FLATTEST, STEEPEST = 1.0, 6.0  # slopes of viscosity lines, either sign; silicones have about 1.3, polyphenyl ethers 4.7 (from memory)
+POLYMER_THICKENED = (
+    -3.3
+)  # slope of the viscosity line: flatter is a multigrade; rule of this program, tells those of its table apart
+FLATTEST, STEEPEST = (
+    1.0,
+    6.0,
+)  # slopes of viscosity lines, either sign; silicones have about 1.3, polyphenyl ethers 4.7 (from memory)
 
 
 @formula(
     "ν",
-    "Finotti 2013, 5.3: kinematic viscosity, Walther's lg lg(ν + c_ν) = C_2 + C_1·lg T from two points; c_ν = 0.6 there, 0.7 in ASTM D341",
+    "Finotti 2013, 5.3: kinematic viscosity, Walther's lg lg(ν + c_ν) = C_2 + C_1·lg T from two points; c_ν = 0.6 "
+    "there, 0.7 in ASTM D341",
     unit="mm²/s",
     names={"T": "T_oil", "c": "c_ν"},
 )
@@ -50,7 +56,11 @@ def kinematic_viscosity(C_2: Number, C_1: Number, T: Celsius, c: Number) -> Squa
     return (10 ** (10 ** (C_2 + C_1 * log10((T + ZERO_CELSIUS) / ONE_KELVIN))) - c) * CENTISTOKE
 
 
-@formula("ρ", "linear in temperature; reproduces the densities of Finotti 2013, 5.5.3, to their last digit", names={"T": "T_oil"})
+@formula(
+    "ρ",
+    "linear in temperature; reproduces the densities of Finotti 2013, 5.5.3, to their last digit",
+    names={"T": "T_oil"},
+)
 def density(rho_15: KilogramPerMetre3, T: Celsius) -> KilogramPerMetre3:
     """>>> density(rho_15=860, T=120.9)
     800.8019
@@ -58,7 +68,11 @@ def density(rho_15: KilogramPerMetre3, T: Celsius) -> KilogramPerMetre3:
     return rho_15 * (1 - SLOPE * (T - REFERENCE))
 
 
-@formula("c_p", "linear in temperature, identified from the tables without a number of Finotti 2013, 5.5.2 and 5.5.3", names={"T": "T_oil"})
+@formula(
+    "c_p",
+    "linear in temperature, identified from the tables without a number of Finotti 2013, 5.5.2 and 5.5.3",
+    names={"T": "T_oil"},
+)
 def specific_heat(T: Celsius) -> JoulePerKilogramKelvin:
     return CP_0 + CP_1 * T / ONE_KELVIN
 
@@ -101,16 +115,19 @@ def implied_viscosity(mu: PascalSecond, rho: KilogramPerMetre3) -> SquareMetrePe
     return mu / rho
 
 
-@formula("β_T", "mathematics, derivative of the viscosity and density laws: −d ln μ/dT", names={"T": "T_oil", "c": "c_ν"})
+@formula(
+    "β_T", "mathematics, derivative of the viscosity and density laws: −d ln μ/dT", names={"T": "T_oil", "c": "c_ν"}
+)
 def temperature_coefficient(C_1: Number, nu: SquareMetrePerSecond, c: Number, T: Celsius) -> PerKelvin:
-    return SLOPE / (1 - SLOPE * (T - REFERENCE)) - ln(10.0) * C_1 * log10(nu / CENTISTOKE + c) * (1 + c * CENTISTOKE / nu) / (
-        T + ZERO_CELSIUS
-    )
+    return SLOPE / (1 - SLOPE * (T - REFERENCE)) - ln(10.0) * C_1 * log10(nu / CENTISTOKE + c) * (
+        1 + c * CENTISTOKE / nu
+    ) / (T + ZERO_CELSIUS)
 
 
 @formula(
     "β_T",
-    "rule of this program: where the rows of an oil rise with temperature, which no oil does, the viscosity counts as constant",
+    "rule of this program: where the rows of an oil rise with temperature, which no oil does, the viscosity counts as "
+    "constant",
     names={"beta": "β_T"},
 )
 def not_rising(beta: PerKelvin) -> PerKelvin:
@@ -123,15 +140,26 @@ def not_rising(beta: PerKelvin) -> PerKelvin:
     names={"nu_40": "ν_40", "nu_100": "ν_100", "c": "c_ν"},
 )
 def viscosity_slope(nu_100: SquareMetrePerSecond, nu_40: SquareMetrePerSecond, c: Number) -> Number:
-    return (log10(log10(nu_100 / CENTISTOKE + c)) - log10(log10(nu_40 / CENTISTOKE + c))) / (log10(373.15) - log10(313.15))
+    return (log10(log10(nu_100 / CENTISTOKE + c)) - log10(log10(nu_40 / CENTISTOKE + c))) / (
+        log10(373.15) - log10(313.15)
+    )
 
 
-@formula("C_2", "mathematics: intercept of the viscosity line through the point at 40 °C", names={"nu_40": "ν_40", "c": "c_ν"})
+@formula(
+    "C_2",
+    "mathematics: intercept of the viscosity line through the point at 40 °C",
+    names={"nu_40": "ν_40", "c": "c_ν"},
+)
 def viscosity_intercept(nu_40: SquareMetrePerSecond, c: Number, C_1: Number) -> Number:
     return log10(log10(nu_40 / CENTISTOKE + c)) - C_1 * log10(313.15)
 
 
-@formula("ν_i", "definition of kinematic viscosity: a row of the oil's own table", unit="mm²/s", names={"mu_i": "μ_i", "T_i": "T_i"})
+@formula(
+    "ν_i",
+    "definition of kinematic viscosity: a row of the oil's own table",
+    unit="mm²/s",
+    names={"mu_i": "μ_i", "T_i": "T_i"},
+)
 def row_viscosity(mu_i: PascalSecond, rho_15: KilogramPerMetre3, T_i: Celsius) -> SquareMetrePerSecond:
     """>>> row_viscosity(mu_i=0.12858, rho_15=850.5, T_i=40.0)
     0.000153678...
@@ -140,8 +168,12 @@ def row_viscosity(mu_i: PascalSecond, rho_15: KilogramPerMetre3, T_i: Celsius) -
 
 
 @formula("C_1", "mathematics: slope of the viscosity line between two rows of the oil's own table", names={"c": "c_ν"})
-def slope_between(nu_1: SquareMetrePerSecond, T_1: Celsius, nu_2: SquareMetrePerSecond, T_2: Celsius, c: Number) -> Number:
-    return (log10(log10(nu_2 / CENTISTOKE + c)) - log10(log10(nu_1 / CENTISTOKE + c))) / log10((T_2 + ZERO_CELSIUS) / (T_1 + ZERO_CELSIUS))
+def slope_between(
+    nu_1: SquareMetrePerSecond, T_1: Celsius, nu_2: SquareMetrePerSecond, T_2: Celsius, c: Number
+) -> Number:
+    return (log10(log10(nu_2 / CENTISTOKE + c)) - log10(log10(nu_1 / CENTISTOKE + c))) / log10(
+        (T_2 + ZERO_CELSIUS) / (T_1 + ZERO_CELSIUS)
+    )
 
 
 @formula("C_2", "mathematics: intercept of the viscosity line through a row of the oil's own table", names={"c": "c_ν"})
@@ -150,7 +182,8 @@ def intercept_through(nu_1: SquareMetrePerSecond, T_1: Celsius, c: Number, C_1: 
 
 
 def line_problem(nu40: SquareMetrePerSecond, nu100: SquareMetrePerSecond) -> Text | None:
-    """Why the line through an oil's viscosities at 40 and 100 °C can be that of no liquid lubricant; None where it can."""
+    """Why the line through an oil's viscosities at 40 and 100 °C can be that of no liquid lubricant; None where it
+    can."""
     c = ADDED["walther"]
     slope = -viscosity_slope(nu_100=nu100, nu_40=nu40, c=c)
     if FLATTEST <= slope <= STEEPEST:
@@ -173,13 +206,15 @@ def line_problem(nu40: SquareMetrePerSecond, nu100: SquareMetrePerSecond) -> Tex
     )
 
 
-# The viscosity index: how little an oil thins with heat, beside two series of reference oils of the same viscosity at 100 °C.
+# The viscosity index: how little an oil thins with heat, beside two series of reference oils of the same viscosity at
+# 100 °C.
 
 SQUARE_MILLIMETRE_PER_SECOND: SquareMetrePerSecond = 1e-6
 LOWEST_AT_100 = 2e-6  # m²/s at 100 °C: below it the index is not defined
 
-# ASTM D2270, X2: L = a·Y² + b·Y + c, H = d·Y² + e·Y + f, up to Y mm²/s at 100 °C; from memory, held against its table by the tests.  From
-# 55 to 70 mm²/s the last row, which the standard has for what is above 70, is within 0.3 % of the table.
+# ASTM D2270, X2: L = a·Y² + b·Y + c, H = d·Y² + e·Y + f, up to Y mm²/s at 100 °C; from memory, held against its table
+# by the tests.  From 55 to 70 mm²/s the last row, which the standard has for what is above 70, is within 0.3 % of the
+# table.
 REFERENCE_OILS = (
     (3.8, 1.14673, 1.7576, -0.109, 0.84155, 1.5521, -0.077),
     (4.4, 3.38095, -15.4952, 33.196, 0.78571, 1.7929, -0.183),
@@ -199,7 +234,13 @@ REFERENCE_OILS = (
 )
 
 
-@formula("L", "ASTM D2270, X2: oil of index 0 with the same viscosity at 100 °C", shows="by rows", unit="mm²/s", names={"nu_100": "ν_100"})
+@formula(
+    "L",
+    "ASTM D2270, X2: oil of index 0 with the same viscosity at 100 °C",
+    shows="by rows",
+    unit="mm²/s",
+    names={"nu_100": "ν_100"},
+)
 def of_index_0(nu_100: SquareMetrePerSecond) -> SquareMetrePerSecond:
     Y = nu_100 / SQUARE_MILLIMETRE_PER_SECOND
     a, b, c = next(row[1:4] for row in REFERENCE_OILS if row[0] >= Y)
@@ -207,7 +248,11 @@ def of_index_0(nu_100: SquareMetrePerSecond) -> SquareMetrePerSecond:
 
 
 @formula(
-    "H", "ASTM D2270, X2: oil of index 100 with the same viscosity at 100 °C", shows="by rows", unit="mm²/s", names={"nu_100": "ν_100"}
+    "H",
+    "ASTM D2270, X2: oil of index 100 with the same viscosity at 100 °C",
+    shows="by rows",
+    unit="mm²/s",
+    names={"nu_100": "ν_100"},
 )
 def of_index_100(nu_100: SquareMetrePerSecond) -> SquareMetrePerSecond:
     Y = nu_100 / SQUARE_MILLIMETRE_PER_SECOND

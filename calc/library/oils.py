@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What is known of an oil: each value with source and confidence, and printed viscosities held against the oil's own law.
+"""What is known of an oil: each value with source and confidence, and printed viscosities held against the oil's own
+law.
 
-A printed dynamic viscosity is kept where it is within 5 % of the law through the oil's two kinematic viscosities and its density; else it
-is rejected, and the reason is found from the numbers: what it implies, its SAE grade, its neighbours, and what is printed for other oils.
-"""
+A printed dynamic viscosity is kept where it is within 5 % of the law through the oil's two kinematic viscosities and
+its density; else it is rejected, and the reason is found from the numbers: what it implies, its SAE grade, its
+neighbours, and what is printed for other oils."""
 
 from collections.abc import Iterator
 from dataclasses import replace
@@ -45,7 +46,8 @@ class JudgedValue:
 
 @record
 class JudgedViscosity:
-    """One printed viscosity beside the law.  `implied`: its kinematic viscosity; `grade`: the SAE grade of that, at 100 °C only."""
+    """One printed viscosity beside the law.  `implied`: its kinematic viscosity; `grade`: the SAE grade of that, at 100
+    °C only."""
 
     temperature: Celsius
     printed: PascalSecond
@@ -64,7 +66,8 @@ class JudgedViscosity:
         return Text("kept") if self.kept else Text("rejected")
 
 
-# --- values ----------------------------------------------------------------------------------------------------------------
+# --- values
+# ----------------------------------------------------------------------------------------------------------------
 def judged_values(oil: Oil) -> tuple[JudgedValue, ...]:
     """Every value of an oil; what the oil does not have itself is that of its base stock."""
     return (*_own(oil), *_of_base(oil))
@@ -116,7 +119,13 @@ def least_sure(oil: Oil) -> tuple[Text, tuple[str, ...]]:
 def values_table(oil: Oil) -> Table:
     """Every value of an oil with its source and confidence."""
     rows = tuple((v.label, v.value, v.unit, v.confidence, v.source) for v in judged_values(oil))
-    columns = ((Text("Value"), ""), (Text("Number"), ""), (Text("Unit"), ""), (Text("Confidence"), ""), (Text("Source"), ""))
+    columns = (
+        (Text("Value"), ""),
+        (Text("Number"), ""),
+        (Text("Unit"), ""),
+        (Text("Confidence"), ""),
+        (Text("Source"), ""),
+    )
     return Table("oil", Text("Oil {name}: what is known of it", name=oil.name), columns, rows)
 
 
@@ -124,14 +133,19 @@ def rising_rows(oil: Oil) -> Text | None:
     """Where the viscosity rises with the temperature in an oil's own table; None where it falls throughout."""
     rises = [
         Text("from {T} to {warmer} °C", T=Amount(one.temperature, form="g"), warmer=Amount(other.temperature, form="g"))
-        for one, other in zip(oil.viscosities, oil.viscosities[1:]) if other.viscosity > one.viscosity
-    ]  # fmt: skip
-    said = Text("The viscosity of {oil} rises {where}, though oil thins with heat: a misprint? It is taken as given.", oil=oil.name,
-        where=COMMA.join(rises))  # fmt: skip
+        for one, other in zip(oil.viscosities, oil.viscosities[1:])
+        if other.viscosity > one.viscosity
+    ]
+    said = Text(
+        "The viscosity of {oil} rises {where}, though oil thins with heat: a misprint? It is taken as given.",
+        oil=oil.name,
+        where=COMMA.join(rises),
+    )
     return said if rises else None
 
 
-# --- printed viscosities ---------------------------------------------------------------------------------------------------
+# --- printed viscosities
+# ---------------------------------------------------------------------------------------------------
 def printed_at(oil: Oil, T: Celsius) -> PrintedViscosity | None:
     """What is printed for an oil at a temperature."""
     return next((one for one in oil.printed if abs(one.temperature - T) < 1e-9), None)
@@ -158,7 +172,13 @@ def _reasons(lubricant: Lubricant, one: PrintedViscosity, implied: SquareMetrePe
     own = lubricant.nu40 if T == 40 else lubricant.nu100 if T == 100 else lubricant.nu(T)
     implies = Text("implies {nu} mm²/s at {T} °C", nu=_mm2_s(implied), T=Amount(T, form="g"))
     if T == 100 and grade(implied) != grade(own):
-        yield Text("{implies}, {grade}; the oil has {nu}, {own}", implies=implies, grade=grade(implied), nu=_mm2_s(own), own=grade(own))
+        yield Text(
+            "{implies}, {grade}; the oil has {nu}, {own}",
+            implies=implies,
+            grade=grade(implied),
+            nu=_mm2_s(own),
+            own=grade(own),
+        )
     else:
         parts = dict(implies=implies, times=Amount(implied / own, digits=2), nu=_mm2_s(own))
         yield (
@@ -193,16 +213,23 @@ def _between(lubricant: Lubricant, one: PrintedViscosity) -> Iterator[Text]:
     ends = [printed_at(oil, 40.0), printed_at(oil, 100.0)]
     if one.temperature in (40, 100) or ends[0] is None or ends[1] is None or oil.nu40 is None:
         return
-    nu40, nu100 = (implied_viscosity(mu=end.viscosity, rho=lubricant.at(end.temperature).rho) for end in ends if end is not None)
+    nu40, nu100 = (
+        implied_viscosity(mu=end.viscosity, rho=lubricant.at(end.temperature).rho) for end in ends if end is not None
+    )
     other = replace(oil, nu40=nu40, nu100=nu100)
     if not LOWEST / 2 < nu100 < nu40 or line_problem(nu40, nu100) is not None:
         return
     there = Lubricant(other, lubricant.law).at(one.temperature).mu
     agrees = abs(one.viscosity / there - 1) <= KEPT
     yield (
-        Text("lies on the line through the values printed at 40 and 100 °C, which has {mu}, and shares their fault", mu=_mPas(there))
+        Text(
+            "lies on the line through the values printed at 40 and 100 °C, which has {mu}, and shares their fault",
+            mu=_mPas(there),
+        )
         if agrees
-        else Text("not on the line through the values printed at 40 and 100 °C, which has {mu}, either", mu=_mPas(there))
+        else Text(
+            "not on the line through the values printed at 40 and 100 °C, which has {mu}, either", mu=_mPas(there)
+        )
     )
 
 
@@ -226,9 +253,17 @@ def printed_table(lubricant: Lubricant) -> Table | None:
     """The printed viscosities of an oil beside its law; None where there are none."""
     shown, percent = UNITS["mPa·s"].shown, UNITS["%"].shown
     rows = tuple(
-        (v.temperature, shown(v.printed), round(shown(v.law), 3), round(percent(v.deviation), 1), round(UNITS["mm²/s"].shown(v.implied), 2),
-         v.verdict, v.reason) for v in printed_viscosities(lubricant)
-    )  # fmt: skip
+        (
+            v.temperature,
+            shown(v.printed),
+            round(shown(v.law), 3),
+            round(percent(v.deviation), 1),
+            round(UNITS["mm²/s"].shown(v.implied), 2),
+            v.verdict,
+            v.reason,
+        )
+        for v in printed_viscosities(lubricant)
+    )
     columns = (
         (Text("T"), "°C"),
         (Text("Printed"), "mPa·s"),
@@ -238,22 +273,35 @@ def printed_table(lubricant: Lubricant) -> Table | None:
         (Text("Verdict"), ""),
         (Text("Reason"), ""),
     )
-    note = Text("Kept: within {kept} % of the law through the oil's viscosities at 40 and 100 °C and its density.", kept=Amount(KEPT * 100))
+    note = Text(
+        "Kept: within {kept} % of the law through the oil's viscosities at 40 and 100 °C and its density.",
+        kept=Amount(KEPT * 100),
+    )
     return (
-        Table("oil_printed", Text("Oil {name}: viscosities printed elsewhere", name=lubricant.oil.name), columns, rows, note)
+        Table(
+            "oil_printed",
+            Text("Oil {name}: viscosities printed elsewhere", name=lubricant.oil.name),
+            columns,
+            rows,
+            note,
+        )
         if rows
         else None
     )
 
 
 def errata(lubricant: Lubricant, T: Celsius, about: str, source: Text = EMPTY) -> tuple[Erratum, ...]:
-    """What is printed for an oil at this temperature, where it is rejected; `about`: the value that is judged instead."""
+    """What is printed for an oil at this temperature, where it is rejected; `about`: the value that is judged
+    instead."""
     return tuple(
         Erratum(
-            about, Text("Viscosity of the oil at {temperature} °C", temperature=Amount(v.temperature, form="g")),
-            UNITS["mPa·s"].shown(v.printed), "mPa·s",
+            about,
+            Text("Viscosity of the oil at {temperature} °C", temperature=Amount(v.temperature, form="g")),
+            UNITS["mPa·s"].shown(v.printed),
+            "mPa·s",
             source or Text("printed viscosity; {source}", source=lubricant.oil.source),
             Text("The printed value {reason}.", reason=v.reason),
         )
-        for v in printed_viscosities(lubricant) if not v.kept and abs(v.temperature - T) < 1e-9
-    )  # fmt: skip
+        for v in printed_viscosities(lubricant)
+        if not v.kept and abs(v.temperature - T) < 1e-9
+    )

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The register of sources: the publications that formulas, limits and tables cite, and how we know what each of them says.
+"""The register of sources: the publications that formulas, limits and tables cite, and how we know what each of them
+says.
 
-A source is one line: "Finotti 2013, 4.1: cost of the first year", "ISO 898-1: nominal stress area", or, where it names no publication
-first, a kind and what follows: "geometry: sector and core", "rule of this program: …".  `resolved` tells what stands behind it.
-"""
+A source is one line: "Finotti 2013, 4.1: cost of the first year", "ISO 898-1: nominal stress area", or, where it names
+no publication first, a kind and what follows: "geometry: sector and core", "rule of this program: …".  `resolved` tells
+what stands behind it."""
 
 import re
 import tomllib
@@ -91,18 +92,22 @@ class Publication:
         return Text("{status} as far as we remember", status=status) if self.status_from_memory else status
 
     def described(self, known: Sequence[Text] = ()) -> Text:
-        """Title, edition, status and how we know, on one line.  `known`: of the places that are meant, where not of the whole."""
+        """Title, edition, status and how we know, on one line.  `known`: of the places that are meant, where not of the
+        whole."""
         line = Text(
-            "{title} ({edition}); {status}; {known}", title=self.title, edition=self.edition, status=self.status_text,
+            "{title} ({edition}); {status}; {known}",
+            title=self.title,
+            edition=self.edition,
+            status=self.status_text,
             known=SEMICOLON.join(known or [KNOWN[self.known]]),
-        )  # fmt: skip
+        )
         return Text("{described}; its title from memory", described=line) if self.title_from_memory else line
 
 
 @record
 class Citation:
-    """A publication that a source names.  `name`: as it stands there, a standard perhaps with its year; `clause`: what follows it, up to
-    the next publication.
+    """A publication that a source names.  `name`: as it stands there, a standard perhaps with its year; `clause`: what
+    follows it, up to the next publication.
 
     `places`: those of them that the publication has, by their numbers; `lost`: places that it has not.
     """
@@ -128,7 +133,8 @@ class Origin:
 
     @property
     def found(self) -> bool:
-        """Whether the register has it: a kind or a publication, nothing unknown, and a place of what was read as a whole."""
+        """Whether the register has it: a kind or a publication, nothing unknown, and a place of what was read as a
+        whole."""
         placed = all(not c.lost and (c.places or not c.publication.places) for c in self.citations)
         return bool(self.kind or self.citations) and not self.unknown and placed
 
@@ -148,7 +154,8 @@ def publication(name: str) -> Publication | None:
 
 
 def cited(source: str) -> str:
-    """The publication of the register that a source names first, with the year of a standard if it gives one; empty where it names none."""
+    """The publication of the register that a source names first, with the year of a standard if it gives one; empty
+    where it names none."""
     name = _names().search(source)
     return name[0] if name is not None else ""
 
@@ -162,7 +169,9 @@ def resolved(source: str) -> Origin:
     citations = tuple(_citation(match[0], source[match.end() : end]) for match, end in zip(names, ends))
     rest = _names().sub("", source)
     unknown = tuple(dict.fromkeys(match[0] for match in LIKELY.finditer(rest)))
-    return Origin(kind=next((kind for kind in KINDS if _begins(source, kind)), ""), citations=citations, unknown=unknown)
+    return Origin(
+        kind=next((kind for kind in KINDS if _begins(source, kind)), ""), citations=citations, unknown=unknown
+    )
 
 
 def _begins(source: str, kind: str) -> bool:
@@ -177,9 +186,12 @@ def _citation(name: str, clause: str) -> Citation:
         return Citation(name=name, publication=found, clause=clause, places=(), lost=())
     numbers = _numbered(re.split(r"[:;]", clause, maxsplit=1)[0])
     return Citation(
-        name=name, publication=found, clause=clause, places=tuple(n for n in numbers if n in found.places),
+        name=name,
+        publication=found,
+        clause=clause,
+        places=tuple(n for n in numbers if n in found.places),
         lost=tuple(n for n in numbers if n not in found.places),
-    )  # fmt: skip
+    )
 
 
 def _numbered(clause: str) -> list[str]:
@@ -198,13 +210,15 @@ def _numbered(clause: str) -> list[str]:
 
 # A place: a section, a table, a figure, an equation or a chapter.  A number alone has a point in it.
 PLACE = re.compile(
-    r"(?:\b(Tables?|Figs?\.|Figures?|eqs?\.|ch\.|chapter) ?)?(?<![\w.·])(?!0)(\d+(?:[.-]\d+)*)(?![\w·]|\.\d| ?(?:mm|N|MPa|kg|%|°|µm|m\b))"
+    r"(?:\b(Tables?|Figs?\.|Figures?|eqs?\.|ch\.|chapter) ?)?(?<![\w.·])(?!0)(\d+(?:[.-]\d+)*)"
+    r"(?![\w·]|\.\d| ?(?:mm|N|MPa|kg|%|°|µm|m\b))"
 )
 # What looks like a publication: names and a year, or a standard with its number.
 LIKELY = re.compile(
     r"\b(?!(?:Jan|Feb|Mar|Apr|May|Jun|Jul|Aug|Sep|Oct|Nov|Dec)\b)"
     r"[A-Z][\w.’'-]+(?:(?: |, | & |/| and )(?:[A-Z][\w.’'-]*|et al\.))*,? (?:18|19|20)\d\d\b"
-    r"|\b(?:ISO|DIN|AGMA|VDI|FVA|ASTM|API|BS|EN|IACS|JIS|UNI|NASA|NACA)(?:/(?:TR|TS))?[ -](?:ISO |EN |UR |TR |TN |TP|Report )?"
+    r"|\b(?:ISO|DIN|AGMA|VDI|FVA|ASTM|API|BS|EN|IACS|JIS|UNI|NASA|NACA)(?:/(?:TR|TS))?"
+    r"[ -](?:ISO |EN |UR |TR |TN |TP|Report )?"
     r"[A-Z]?-?\d+(?:-[A-Z]?\d+)*(?::\d{4})?|\bSAE J\d+"
 )
 
@@ -217,7 +231,8 @@ def _names() -> re.Pattern[str]:
 
 
 def references(sources: Iterable[str]) -> dict[str, tuple[Publication, list[str], list[Text]]]:
-    """The publications that sources name, in the order in which they first do: the row, its places that are cited, how we know them."""
+    """The publications that sources name, in the order in which they first do: the row, its places that are cited, how
+    we know them."""
     found: dict[str, tuple[Publication, list[str], list[Text]]] = {}
     for source in sources:
         for citation in resolved(source).citations:

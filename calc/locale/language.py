@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A language: called with a text of the program, it gives that text in its own words and writes its numbers in its own way."""
+"""A language: called with a text of the program, it gives that text in its own words and writes its numbers in its own
+way."""
 
 import re
 from dataclasses import fields, replace
@@ -28,7 +29,8 @@ NO_NUMBER = Text("no value")
 
 
 class Language:
-    """English is the language without a catalogue.  `missing`: templates that were asked for and are not in the catalogue."""
+    """English is the language without a catalogue.  `missing`: templates that were asked for and are not in the
+    catalogue."""
 
     def __init__(self, code: str, catalogue: "NullTranslations | None" = None) -> None:
         self.code = code
@@ -42,11 +44,16 @@ class Language:
         template = self._template(text)
         if template is None:
             return str(text)
-        told = template.format_map({name: self.part(part) for name, part in text.parts.items()}) if text.parts else template
+        told = (
+            template.format_map({name: self.part(part) for name, part in text.parts.items()})
+            if text.parts
+            else template
+        )
         return told[:1].lower() + told[1:] if isinstance(text, Small) else told
 
     def halves(self, text: Text) -> tuple[str, str]:
-        """A Text in front of and behind the first comma of its template ("front bearing", "twice the load"); names keep their commas."""
+        """A Text in front of and behind the first comma of its template ("front bearing", "twice the load"); names keep
+        their commas."""
         template = self._template(text) if self._catalogue is not None else text.template
         front, _, behind = (text.template if template is None else template).partition(", ")
         told = {name: self.part(part) for name, part in text.parts.items()}
@@ -61,18 +68,24 @@ class Language:
         return self.number(english(part))
 
     def number(self, written: str) -> str:
-        """A number that is written in English (`short`), as this language writes it: decimal comma, thin spaces between thousands."""
+        """A number that is written in English (`short`), as this language writes it: decimal comma, thin spaces between
+        thousands."""
         if self._catalogue is None:
             return written
         return self(NO_NUMBER) if written == NO_NUMBER else NUMERAL.sub(_numeral, written)
 
     def _template(self, text: Text) -> str | None:
-        """The template in this language; None where the catalogue lacks it.  One without words of its own is the same everywhere."""
+        """The template in this language; None where the catalogue lacks it.  One without words of its own is the same
+        everywhere."""
         assert self._catalogue is not None
         template = text.template
         if text.one:
-            told = self._catalogue.ngettext(text.one, template, round(text.number) if text.number == round(text.number) else 2)
-            known = told is not text.one and told is not template  # one's plural may be spelt as English spells the other
+            told = self._catalogue.ngettext(
+                text.one, template, round(text.number) if text.number == round(text.number) else 2
+            )
+            known = (
+                told is not text.one and told is not template
+            )  # one's plural may be spelt as English spells the other
         else:
             told = self._catalogue.gettext(template) if template else template
             known = told is not template  # gettext hands back what it does not know
@@ -103,19 +116,23 @@ def language(code: str) -> Language:
 
 # What a step gave, with its texts in another language.  Numbers, ids, symbols and names are those of the original.
 #
-# The lines of the calculation stay the same objects, since the links of its numbers lead to them: whoever shows a line says its texts.
+# The lines of the calculation stay the same objects, since the links of its numbers lead to them: whoever shows a line
+# says its texts.
 
 T = TypeVar("T")
 SPOKEN = frozenset({Quantity, Curve, Erratum, DrawnLoad, Series, Table, Turning})  # records that hold texts
 
 
 def said(outcome: Outcome[object], say: Language) -> Outcome[object]:
-    """The outcome in a language.  What is made only when it is asked for (`further`) is left out: pass `outcome.whole`."""
+    """The outcome in a language.  What is made only when it is asked for (`further`) is left out: pass
+    `outcome.whole`."""
     if say.code == "en":
         return outcome
     left = ("result", "lines", "key_curves")
     spoken = {f.name: in_language(getattr(outcome, f.name), say) for f in fields(Outcome) if f.name not in left}
-    return replace(outcome, **spoken | {"further": None}, key_curves=Later(lambda: in_language(tuple(outcome.key_curves), say)))
+    return replace(
+        outcome, **spoken | {"further": None}, key_curves=Later(lambda: in_language(tuple(outcome.key_curves), say))
+    )
 
 
 def in_language(thing: T, say: Language) -> T:
@@ -133,7 +150,10 @@ def _said(thing: object, say: Language) -> object:
         return tuple([_said(part, say) for part in thing])
     if type(thing) is Check:
         return replace(
-            thing, name=in_language(thing.name, say), source=in_language(thing.source, say), advice=in_language(thing.advice, say)
+            thing,
+            name=in_language(thing.name, say),
+            source=in_language(thing.source, say),
+            advice=in_language(thing.advice, say),
         )
     if kind in SPOKEN:
         return kind(**{name: _said(getattr(thing, name), say) for name in _names(kind)})

@@ -1,2 +1,3 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The engine on its mounts: what the driver, the frame and the engine itself feel, without and with the counter-shaft."""
+"""The engine on its mounts: what the driver, the frame and the engine itself feel, without and with the
+counter-shaft."""

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The engine as a rigid body: its inertia, given or estimated, and the axis about which the torque of the crank turns it."""
+"""The engine as a rigid body: its inertia, given or estimated, and the axis about which the torque of the crank turns
+it."""
 
 import numpy as np
 
@@ -13,14 +14,20 @@ BOX, LEAST, MOST = 0.7, 0.5, 0.9  # of a full box: own assumption
 DOFS = ("bounce", "lateral", "fore_aft", "yaw", "pitch", "roll")
 
 
-@formula("J", "definition of the inertia tensor about the centre of gravity", shows="diagonal J_x, J_y, J_z beside −∫xy dm …", unit="kg·m²")
+@formula(
+    "J",
+    "definition of the inertia tensor about the centre of gravity",
+    shows="diagonal J_x, J_y, J_z beside −∫xy dm …",
+    unit="kg·m²",
+)
 def inertia_tensor(J: KilogramMetre2, J_c: KilogramMetre2) -> KilogramMetre2:
     return each(tensor(J, J_c))  # type: ignore[arg-type]
 
 
 @formula(
     "J",
-    "assumed: a share c of a full box of the overall dimensions; two public engines of 123 and 164 kg lie within 0.5 … 0.9",
+    "assumed: a share c of a full box of the overall dimensions; two public engines of 123 and 164 kg lie within 0.5 "
+    "… 0.9",
     shows="c·m·(b² + c²)/12 for each axis",
     unit="kg·m²",
 )
@@ -47,7 +54,9 @@ def mass_matrix(m: Kilogram, J: KilogramMetre2) -> Kilogram:
     return each(M)
 
 
-@formula("e_T", "dynamics: axis about which a free body turns under a torque about the crank", shows="J⁻¹·e_z, of length 1")
+@formula(
+    "e_T", "dynamics: axis about which a free body turns under a torque about the crank", shows="J⁻¹·e_z, of length 1"
+)
 def roll_axis(J: KilogramMetre2) -> Number:
     found = np.linalg.solve(np.asarray(J), np.array([0.0, 0.0, 1.0]))
     axis: Array = found / np.linalg.norm(found)

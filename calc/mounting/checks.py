@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The checks of the mounts: whether they hold the engine, give too much, isolate, keep the modes apart, and what a person has of it."""
+"""The checks of the mounts: whether they hold the engine, give too much, isolate, keep the modes apart, and what a
+person has of it."""
 
 import math
 from collections.abc import Iterator, Sequence
@@ -25,12 +26,17 @@ COMFORT = Text("ISO 2631-1, annex C: not uncomfortable")
 def exposure_checks(result: MountingResult) -> Iterator[Check]:
     day = (result.exposure or {}).get(result.own, {})
     limits = table()["exposure"]
-    for id, words in (("whole_body", Text("Daily exposure of the whole body")), ("hand_arm", Text("Daily exposure of hand and arm"))):
+    for id, words in (
+        ("whole_body", Text("Daily exposure of the whole body")),
+        ("hand_arm", Text("Daily exposure of hand and arm")),
+    ):
         if result.exposure is None or (id not in day and not _asked(result, id)):
             continue
         a = day[id].number if id in day else math.nan
         value_id = f"mounting.exposure.{result.own}.{id}"
-        yield check(f"mounting.exposure.{id}", words, a, "<=", limits[f"{id}_limit"], "m/s²", DIRECTIVE, value_id=value_id)
+        yield check(
+            f"mounting.exposure.{id}", words, a, "<=", limits[f"{id}_limit"], "m/s²", DIRECTIVE, value_id=value_id
+        )
         yield check(
             f"mounting.exposure.{id}_action",
             Text("{words}, action value", words=words),
@@ -49,7 +55,9 @@ def _asked(result: MountingResult, id: str) -> bool:
 
 
 def severity_checks(mounting: MountingInputs, engine: EngineInputs, result: MountingResult) -> Iterator[Check]:
-    judged = scope(mounting.application, mounting.power or engine.rated_power, engine.rated_speed, mounting.machine_class)
+    judged = scope(
+        mounting.application, mounting.power or engine.rated_power, engine.rated_speed, mounting.machine_class
+    )
     machine = [point.name for point in mounting.points if point.on == "engine" and point.role == "machine"]
     for name in result.speeds:
         for point in machine:
@@ -95,7 +103,9 @@ def comfort_checks(mounting: MountingInputs, result: MountingResult) -> Iterator
     limit = next(row["above_m_s2"] for row in table()["comfort"] if row["above_m_s2"])
     for name in result.speeds if seats else ():
         levels = [(result.leaf(f"{name}.{result.own}.{seat}.weighted"), seat) for seat in seats]
-        a, seat = max(((math.nan if a is None else a, seat) for a, seat in levels), key=lambda row: (row[0] != row[0], row[0]))
+        a, seat = max(
+            ((math.nan if a is None else a, seat) for a, seat in levels), key=lambda row: (row[0] != row[0], row[0])
+        )
         yield check(
             f"mounting.{name}.comfort",
             Text("Weighted acceleration at {seat}, {name}", seat=Name(seat), name=Name(name)),
@@ -108,7 +118,8 @@ def comfort_checks(mounting: MountingInputs, result: MountingResult) -> Iterator
         )
 
 
-# The checks of the modes: whether they lie below what drives the engine, above the road, apart from each other and from operations.
+# The checks of the modes: whether they lie below what drives the engine, above the road, apart from each other and from
+# operations.
 
 RULE = Text("rule of this program: mounts of a multi-cylinder engine in practice")
 ISOLATION = Text("dynamics of vibration isolation: it begins √2 above a mode")
@@ -121,7 +132,11 @@ def mode_checks(mounting: MountingInputs, result: MountingResult) -> Iterator[Ch
     for dof in DOFS:
         f = result.frequency[dof].number
         if ceiling is not None:
-            limit = based_on(ceiling.lowest_order * float(mounting.idle_speed) / math.sqrt(2.0), ceiling.lowest_order, mounting.idle_speed)
+            limit = based_on(
+                ceiling.lowest_order * float(mounting.idle_speed) / math.sqrt(2.0),
+                ceiling.lowest_order,
+                mounting.idle_speed,
+            )
             yield check(
                 f"mounting.separation.{dof}",
                 Text("Mode {dof} below what drives it at idle", dof=DOF_WORDS[dof]),
@@ -173,10 +188,16 @@ def window_advice(result: MountingResult) -> Text:
         return Text("")
     low, high = result.window.lowest_factor, ceiling.highest_factor
     if low <= high:
-        return Text("All stiffnesses times {low} to {high} would do.", low=Amount(low, digits=3), high=Amount(high, digits=3))
-    ratio, least = Amount(result.window.spread, digits=3), Amount(result.window.spread * math.sqrt(high / low), digits=3)
+        return Text(
+            "All stiffnesses times {low} to {high} would do.", low=Amount(low, digits=3), high=Amount(high, digits=3)
+        )
+    ratio, least = (
+        Amount(result.window.spread, digits=3),
+        Amount(result.window.spread * math.sqrt(high / low), digits=3),
+    )
     return Text(
-        "No one factor of all stiffnesses does: the modes lie {ratio} apart and may lie {least} apart; spread the mounts, tilt them, "
+        "No one factor of all stiffnesses does: the modes lie {ratio} apart and may lie {least} apart; spread the "
+        "mounts, tilt them, "
         "or change their ratios: `choose FILE mounting` searches.",
         ratio=ratio,
         least=least,
@@ -207,7 +228,12 @@ def critical_checks(mounting: MountingInputs, engine: EngineInputs, result: Moun
         n, dof, order = min(rows, key=lambda row: abs(row[0] / float(speed) - 1))
         yield check(
             f"mounting.critical.{name}",
-            Text("Nearest critical speed at {name}: {dof}, order {order}", name=Name(name), dof=DOF_WORDS[dof], order=Amount(order)),
+            Text(
+                "Nearest critical speed at {name}: {dof}, order {order}",
+                name=Name(name),
+                dof=DOF_WORDS[dof],
+                order=Amount(order),
+            ),
             based_on(abs(n / float(speed) - 1), result.frequency[dof].number, speed),
             ">=",
             APART,

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Figures of the mounts: the level of a seat over speed, orders beside each other with and without the shaft, forces of the mounts."""
+"""Figures of the mounts: the level of a seat over speed, orders beside each other with and without the shaft, forces of
+the mounts."""
 
 import numpy as np
 
@@ -26,7 +27,9 @@ def seat_over_speed(result: MountingResult) -> tuple[Curve, ...]:
     )
     found = []
     for seat, c in result.courses.items():
-        series = tuple(Series(VARIANT_WORDS[variant], c.speeds * 60, c.total[v]) for v, variant in enumerate(c.variants))
+        series = tuple(
+            Series(VARIANT_WORDS[variant], c.speeds * 60, c.total[v]) for v, variant in enumerate(c.variants)
+        )
         found.append(
             Curve(
                 f"seat_{seat}",
@@ -62,7 +65,15 @@ def orders_at(result: MountingResult) -> tuple[Curve, ...]:
                 speed=Amount(speed * 60, "rpm", digits=4),
             )
             found.append(
-                Curve(f"orders_{seat}_{operation}", title, Text("order"), axis_label("a_w", "m/s²"), series, bars=True, names=names)
+                Curve(
+                    f"orders_{seat}_{operation}",
+                    title,
+                    Text("order"),
+                    axis_label("a_w", "m/s²"),
+                    series,
+                    bars=True,
+                    names=names,
+                )
             )
     return tuple(found)
 
@@ -82,10 +93,19 @@ def forces(result: MountingResult) -> Curve:
         for variant in ("half", "shaft")
         if variant in result.drive.variants
     )
-    return Curve("mount_forces", Text("Forces of the mounts"), Text("mount"), axis_label("F", "N"), series, bars=True, names=names)
+    return Curve(
+        "mount_forces",
+        Text("Forces of the mounts"),
+        Text("mount"),
+        axis_label("F", "N"),
+        series,
+        bars=True,
+        names=names,
+    )
 
 
 # Tables of the mounts, and the data of pictures: modes in space, and the map of speed and order.
+
 
 def tables(mounting: MountingInputs, result: MountingResult) -> tuple[Table, ...]:
     """What is felt, the modes with their energies, the mounts at rest."""
@@ -119,7 +139,10 @@ def felt_table(mounting: MountingInputs, result: MountingResult) -> Table:
         Text("What is felt"),
         columns,
         tuple(rows),
-        Text("Root mean squares of all orders. Half over shaft gives three ratios at every operation, and never one for the engine."),
+        Text(
+            "Root mean squares of all orders. Half over shaft gives three ratios at every operation, and never one "
+            "for the engine."
+        ),
     )
 
 
@@ -139,20 +162,28 @@ def mode_table(result: MountingResult) -> Table:
         )
         for i in range(6)
     )
-    columns = ((Text("mode"), ""), (Text("frequency"), "Hz"), (Text("loss"), ""), *((DOF_WORDS[dof], "%") for dof in DOFS))
+    columns = (
+        (Text("mode"), ""),
+        (Text("frequency"), "Hz"),
+        (Text("loss"), ""),
+        *((DOF_WORDS[dof], "%") for dof in DOFS),
+    )
     return Table(
         "modes",
         Text("Modes of the engine on rigid ground and their energies"),
         columns,
         rows,
-        Text("Rows and columns add up to 100 %; a single entry may be negative where the body has products of inertia."),
+        Text(
+            "Rows and columns add up to 100 %; a single entry may be negative where the body has products of inertia."
+        ),
     )
 
 
 def rest_table(mounting: MountingInputs, result: MountingResult) -> Table:
     """Mount by mount what it carries and how far it gives."""
     rows = tuple(
-        (Name(mount.name), result.static[mount.name].load * 1.0, result.static[mount.name].deflection * 1e3) for mount in mounting.mounts
+        (Name(mount.name), result.static[mount.name].load * 1.0, result.static[mount.name].deflection * 1e3)
+        for mount in mounting.mounts
     )
     columns = ((Text("mount"), ""), (Text("carries"), "N"), (Text("gives"), "mm"))
     return Table("rest", Text("Mounts under the weight"), columns, rows, covers=("mounting.static.",))
@@ -177,7 +208,8 @@ class ModePicture:
 
 
 def mode_pictures(mounting: MountingInputs, result: MountingResult) -> tuple[ModePicture, ...]:
-    """All six, slowest first.  The box is that of the dimensions, else what the mounts and points of the engine span."""
+    """All six, slowest first.  The box is that of the dimensions, else what the mounts and points of the engine
+    span."""
     corners = box(mounting)
     centre = np.asarray(mounting.centre_of_gravity)
     mounts = np.array([mount.position for mount in mounting.mounts])
@@ -216,7 +248,9 @@ def operating_shape(mounting: MountingInputs, result: MountingResult, operation:
 
 def box(mounting: MountingInputs) -> Array:
     """Eight corners about the engine."""
-    places = [mount.position for mount in mounting.mounts] + [point.position for point in mounting.points if point.on == "engine"]
+    places = [mount.position for mount in mounting.mounts] + [
+        point.position for point in mounting.points if point.on == "engine"
+    ]
     low, high = np.min(places, axis=0), np.max(places, axis=0)
     if mounting.dimensions is not None:
         centre, half = np.asarray(mounting.centre_of_gravity), np.asarray(mounting.dimensions) / 2

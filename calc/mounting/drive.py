@@ -26,7 +26,8 @@ from . import excitation as x
 from .excitation import Moving, index, integer, moving, turning_wrench
 from .inputs import GAS, VARIANT_WORDS, MountingInputs, Operation
 
-# The gas torque of one cylinder, order by order, at as many speeds as are asked for: the pressures go linearly from speed to speed.
+# The gas torque of one cylinder, order by order, at as many speeds as are asked for: the pressures go linearly from
+# speed to speed.
 
 INSIDE = 1e-9  # rad: a sample so near to the end of the held pressure belongs to it
 BEYOND = 1e-9  # of a speed: so little outside of the nodes is none
@@ -34,7 +35,8 @@ BEYOND = 1e-9  # of a speed: so little outside of the nodes is none
 
 @record
 class Basis:
-    """What 1 Pa does over the parts of the cycle for every order, and at each sample up to BDC (orders twice, cosines over sines, …)."""
+    """What 1 Pa does over the parts of the cycle for every order, and at each sample up to BDC (orders twice, cosines
+    over sines, …)."""
 
     epsilon: Array  # (samples up to BDC,)
     held: Array  # constant pressure
@@ -45,7 +47,9 @@ class Basis:
         """Held pressure up to each of these samples, and expansion from there to BDC (speeds, orders)."""
         ends, _, which = distinct(np.concatenate([until, [self.epsilon.size]]))
         starts = np.concatenate([[0], ends[:-1]])
-        held, fallen = (np.cumsum(np.add.reduceat(part, starts, axis=1), axis=1).T for part in (self.held, self.expanding))
+        held, fallen = (
+            np.cumsum(np.add.reduceat(part, starts, axis=1), axis=1).T for part in (self.held, self.expanding)
+        )
         at = which[:-1]
         return _together(held[at]), _together(fallen[which[-1]] - fallen[at])
 
@@ -57,7 +61,8 @@ def _together(parts: Array) -> ComplexArray:
 
 
 def basis(engine: EngineInputs, e: EngineResult, cycle: Cycle, n: Array) -> Basis:
-    """Of the mixed cycle of an engine; the samples are evenly spaced over the working cycle, its parts follow each other."""
+    """Of the mixed cycle of an engine; the samples are evenly spaced over the working cycle, its parts follow each
+    other."""
     g = cycle.given
     assert isinstance(g, MixedCycle)
     epsilon, arm, way = _arms(engine, e, cycle)
@@ -94,7 +99,9 @@ def _arms(engine: EngineInputs, e: EngineResult, cycle: Cycle) -> tuple[Array, A
         beta = kinematics.rod_angle(lam=e.lambda_, alpha=alpha, delta=e.delta)
         v_rel = many(kinematics.relative_speed(alpha=alpha, beta=beta))
         way = many(c.piston_way(r=engine.crank_radius, lam=e.lambda_, phi_0=e.tdc_angle, alpha=alpha, beta=beta))
-        arm = many(c.torque_of(F=c.gas_force(p=1.0, p_case=0.0, D=engine.bore), r=engine.crank_radius, v_rel=each(v_rel)))
+        arm = many(
+            c.torque_of(F=c.gas_force(p=1.0, p_case=0.0, D=engine.bore), r=engine.crank_radius, v_rel=each(v_rel))
+        )
     return epsilon, arm * (2.0 / x.SAMPLES), way
 
 
@@ -107,7 +114,8 @@ def of_table(engine: EngineInputs, e: EngineResult, cycle: Cycle, n: Array) -> C
 
 @record
 class Nodes:
-    """The speeds at which the gas is given, ascending, and the cycle at each; one node where it is the same everywhere."""
+    """The speeds at which the gas is given, ascending, and the cycle at each; one node where it is the same
+    everywhere."""
 
     speeds: Array
     cycles: tuple[Cycle, ...]
@@ -157,7 +165,12 @@ def harmonics(engine: EngineInputs, e: EngineResult, at: Nodes, speeds: Array, *
     of = [part for _, g in cycles for part in (g.p_max, g.p_in, g.p_ex, g.eps_p, g.x_p, g.h_c, g.n_c, g.n_e)]
     return phasors(
         x.one_cylinder(
-            basis=each(parts), p_max=based_on(each(p_max), *of), p_2=each(p_2), p_ex=each(p_ex), p_in=each(p_in), p_case=each(p_case)
+            basis=each(parts),
+            p_max=based_on(each(p_max), *of),
+            p_2=each(p_2),
+            p_ex=each(p_ex),
+            p_in=each(p_in),
+            p_case=each(p_case),
         )
     )
 
@@ -168,10 +181,11 @@ PURE = 1e-6  # of a couple: smaller forces beside it are dust
 
 @record
 class ShaftOnEngine:
-    """The counter-shaft as the mounts see it: at `ratio` times crank speed, F_S and C_S with cylinder 1 at TDC at rated speed.
+    """The counter-shaft as the mounts see it: at `ratio` times crank speed, F_S and C_S with cylinder 1 at TDC at rated
+    speed.
 
-    `errors`: of a shaft as it scatters, of its couple s and its angle δ, None where nothing is known; `teeth`: of its wheel.
-    """
+    `errors`: of a shaft as it scatters, of its couple s and its angle δ, None where nothing is known; `teeth`: of its
+    wheel."""
 
     ratio: float
     force: complex
@@ -193,10 +207,11 @@ class ShaftOnEngine:
 
 @record
 class EngineWrenches:
-    """`inertia`: forces and moments of the masses at rated speed about the centre of gravity (variants, orders, 6), torque included.
+    """`inertia`: forces and moments of the masses at rated speed about the centre of gravity (variants, orders, 6),
+    torque included.
 
-    `gas`: of one cylinder at which speeds; None where it is not given.  `apart`: the order in which the variants differ, by index.
-    """
+    `gas`: of one cylinder at which speeds; None where it is not given.  `apart`: the order in which the variants
+    differ, by index."""
 
     engine: EngineInputs
     e: EngineResult
@@ -210,7 +225,9 @@ class EngineWrenches:
     r_G: Array
     apart: tuple[int, ...]
     of_shaft: float  # the order of the shaft; 1 where there is none
-    first_order: dict[str, float]  # half over each variant with the shaft, where the order of the shaft is a pure couple
+    first_order: dict[
+        str, float
+    ]  # half over each variant with the shaft, where the order of the shaft is a pure couple
 
     def torque(self, speeds: Array) -> ComplexArray:
         """Order by order on the crank (speeds, orders): gas and inertia."""
@@ -219,12 +236,17 @@ class EngineWrenches:
         of_masses = based_on(of_masses, self.torque_of_masses, self.e.angular_speed, speeds)
         return phasors(
             x.all_cylinders(
-                t_one=each(one), t_inertia=each(of_masses), spread=each(self.spread), fires=each(self.fires), n=each(self.orders)
+                t_one=each(one),
+                t_inertia=each(of_masses),
+                spread=each(self.spread),
+                fires=each(self.fires),
+                n=each(self.orders),
             )
         )
 
     def strengths(self, wrench: ComplexArray | None, rho: float) -> Array:
-        """How strong each order is with half on the crank, of a wrench (orders, variants, 6); None: of the masses alone, without torque.
+        """How strong each order is with half on the crank, of a wrench (orders, variants, 6); None: of the masses
+        alone, without torque.
 
         `rho`: radius of gyration, by which a force is compared with a moment.
         """
@@ -258,7 +280,11 @@ class EngineWrenches:
 
 
 def drive(
-    mounting: MountingInputs, engine: EngineInputs, e: EngineResult, imbalance: ImbalanceResult, shaft: ShaftOnEngine | None
+    mounting: MountingInputs,
+    engine: EngineInputs,
+    e: EngineResult,
+    imbalance: ImbalanceResult,
+    shaft: ShaftOnEngine | None,
 ) -> EngineWrenches:
     n = x.orders_of(engine.strokes)
     fires = firing(engine, e.crank)
@@ -300,7 +326,8 @@ def drive(
 
 
 def _first_order(n: Array, half: Moving, shaft: ShaftOnEngine | None) -> dict[str, float]:
-    """How much less there is of the shaft's order at every place, where it is a couple that turns backward and nothing else."""
+    """How much less there is of the shaft's order at every place, where it is a couple that turns backward and nothing
+    else."""
     if shaft is None or shaft.pair or shaft.ratio > 0:
         return {}
     i = index(n, round(-shaft.ratio))
@@ -308,12 +335,18 @@ def _first_order(n: Array, half: Moving, shaft: ShaftOnEngine | None) -> dict[st
     if not C_b or max(abs(F_f), abs(F_b), abs(C_f)) > PURE * abs(C_b):
         return {}
     left = C_b + shaft.couple
-    found = {"shaft": x.couple_ratio(C=based_on(C_b, half[3]), C_left=based_on(left, half[3], shaft.couple))} if left else {}
+    found = (
+        {"shaft": x.couple_ratio(C=based_on(C_b, half[3]), C_left=based_on(left, half[3], shaft.couple))}
+        if left
+        else {}
+    )
     others = {name: given for name, given in shaft.deviations().items() if name != "shaft" and any(given)}
     return found | {name: x.first_order_ratio(s=s, delta=delta) for name, (s, delta) in others.items()}
 
 
-def _with_shaft(n: Array, half: Moving, roll: ComplexArray, shaft: ShaftOnEngine, s: Number, delta: Radian) -> tuple[Moving, ComplexArray]:
+def _with_shaft(
+    n: Array, half: Moving, roll: ComplexArray, shaft: ShaftOnEngine, s: Number, delta: Radian
+) -> tuple[Moving, ComplexArray]:
     """The same vectors with those of the shaft at its order, and with the roll of its force."""
     i, backward = index(n, round(abs(shaft.ratio))), shaft.ratio < 0
     sides = [(shaft.force, shaft.couple, backward, 1.0)]

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """What drives the body: forces and moments of every order about the crank's origin, as real phasors of x, y and z.
 
-a(t) = Re{â·e^{inωt}}, t = 0 at the firing TDC of cylinder 1; n in halves for a four-stroke engine.  A vector of the imbalance step that
-turns backward enters conjugated: without that the vertical couple of a three-cylinder would lie flat.
-"""
+a(t) = Re{â·e^{inωt}}, t = 0 at the firing TDC of cylinder 1; n in halves for a four-stroke engine.  A vector of the
+imbalance step that turns backward enters conjugated: without that the vertical couple of a three-cylinder would lie
+flat."""
 
 import numpy as np
 
@@ -31,7 +31,8 @@ def order_word(n: float) -> str:
     return f"{n:g}".replace(".", "_")
 
 
-# --- vectors that turn ------------------------------------------------------------------------------------------------------
+# --- vectors that turn
+# ------------------------------------------------------------------------------------------------------
 @formula("X̂", REAL, names={"p": "F⁺", "m": "F⁻"})
 def vertical(p: PhasorNewton, m: PhasorNewton) -> PhasorNewton:
     """Of the vectors that turn forward and backward, real up."""
@@ -44,24 +45,39 @@ def horizontal(p: PhasorNewton, m: PhasorNewton) -> PhasorNewton:
 
 
 @formula(
-    "M̂_x", "statics: a force to the side, towards the flywheel, turns the engine against its vertical axis", names={"p": "C⁺", "m": "C⁻"}
+    "M̂_x",
+    "statics: a force to the side, towards the flywheel, turns the engine against its vertical axis",
+    names={"p": "C⁺", "m": "C⁻"},
 )
 def moment_about_x(p: PhasorNewtonMetre, m: PhasorNewtonMetre) -> PhasorNewtonMetre:
     return 1j * (p - conj(m))
 
 
-@formula("M̂_y", "statics: a force upward, towards the flywheel, turns the engine about its lateral axis", names={"p": "C⁺", "m": "C⁻"})
+@formula(
+    "M̂_y",
+    "statics: a force upward, towards the flywheel, turns the engine about its lateral axis",
+    names={"p": "C⁺", "m": "C⁻"},
+)
 def moment_about_y(p: PhasorNewtonMetre, m: PhasorNewtonMetre) -> PhasorNewtonMetre:
     return p + conj(m)
 
 
-# --- the counter-shaft --------------------------------------------------------------------------------------------------------
-@formula("F_S,δ", "kinematics: a shaft that turns backward and is late by δ; in e^(−iωt) a lag is e^(+iδ)", names={"delta": "δ_S"})
+# --- the counter-shaft
+# --------------------------------------------------------------------------------------------------------
+@formula(
+    "F_S,δ",
+    "kinematics: a shaft that turns backward and is late by δ; in e^(−iωt) a lag is e^(+iδ)",
+    names={"delta": "δ_S"},
+)
 def late_force(F_S: PhasorNewton, delta: Radian) -> PhasorNewton:
     return F_S * cis(delta)
 
 
-@formula("C_S,δ", "kinematics: a shaft that turns backward and is late by δ, its couple too large by s", names={"s": "s_C", "delta": "δ_S"})
+@formula(
+    "C_S,δ",
+    "kinematics: a shaft that turns backward and is late by δ, its couple too large by s",
+    names={"s": "s_C", "delta": "δ_S"},
+)
 def late_couple(C_S: PhasorNewtonMetre, s: Number, delta: Radian) -> PhasorNewtonMetre:
     return C_S * (1 + s) * cis(delta)
 
@@ -85,14 +101,18 @@ def couple_ratio(C: PhasorNewtonMetre, C_left: PhasorNewtonMetre) -> Number:
     return modulus(C) / modulus(C_left)
 
 
-# --- torque of the gas ----------------------------------------------------------------------------------------------------------
+# --- torque of the gas
+# ----------------------------------------------------------------------------------------------------------
 @formula(
     "t_n",
     "mathematics: Fourier analysis of the gas torque of one cylinder over its working cycle",
     shows="2/N·Σ T_k(ε_j)·e^(−i·n·ε_j), N = 7200; T_k of the mixed cycle as the engine has it",
 )
-def one_cylinder(basis: NewtonMetre, p_max: Newton, p_2: Newton, p_ex: Newton, p_in: Newton, p_case: Newton) -> PhasorNewtonMetre:
-    """The torque is linear in the pressures: `basis` holds what each of them does, so that many speeds cost no more than one."""
+def one_cylinder(
+    basis: NewtonMetre, p_max: Newton, p_2: Newton, p_ex: Newton, p_in: Newton, p_case: Newton
+) -> PhasorNewtonMetre:
+    """The torque is linear in the pressures: `basis` holds what each of them does, so that many speeds cost no more
+    than one."""
     at = np.asarray(basis)
     parts = np.stack(np.broadcast_arrays(p_max, p_2, p_ex, p_in, p_case), -1)[..., None]
     found: ComplexArray = np.sum(parts * at, -2)
@@ -101,11 +121,14 @@ def one_cylinder(basis: NewtonMetre, p_max: Newton, p_2: Newton, p_ex: Newton, p
 
 @formula(
     "t_n",
-    "mathematics: the cylinders one after the other, the gas torque of each with its spread ε_k, the inertia torque alike",
+    "mathematics: the cylinders one after the other, the gas torque of each with its spread ε_k, the inertia torque "
+    "alike",
     shows="Σ_k t_G,n·(1 + ε_k)·e^(−i·n·f_k) + t_I,n",
     names={"fires": "f"},
 )
-def all_cylinders(t_one: PhasorNewtonMetre, t_inertia: PhasorNewtonMetre, spread: Number, fires: Radian, n: Number) -> PhasorNewtonMetre:
+def all_cylinders(
+    t_one: PhasorNewtonMetre, t_inertia: PhasorNewtonMetre, spread: Number, fires: Radian, n: Number
+) -> PhasorNewtonMetre:
     turned = np.exp(-1j * np.asarray(n)[:, None] * many(fires))
     sums = (turned * (1 + np.asarray(spread))).sum(-1)
     sums[np.abs(sums) < 1e-12 * turned.shape[1]] = 0.0
@@ -119,7 +142,8 @@ def amplitude(t_n: PhasorNewtonMetre) -> NewtonMetre:
     return modulus(t_n)
 
 
-# --- about the centre of gravity --------------------------------------------------------------------------------------------------
+# --- about the centre of gravity
+# --------------------------------------------------------------------------------------------------
 @formula("M̂_G", "statics: the same force and moment about the centre of gravity", shows="M̂ − r_G × F̂")
 def about_gravity(F: PhasorNewton, M: PhasorNewtonMetre, r_G: Metre) -> PhasorNewtonMetre:
     return each(phasors(M) - np.cross(np.asarray(r_G), phasors(F)))
@@ -165,4 +189,6 @@ def turning_wrench(moving: Moving, roll: ComplexArray) -> ComplexArray:
     X, Y = vertical(p=F_f, m=F_b), horizontal(p=F_f, m=F_b)
     M_x, M_y = moment_about_x(p=C_f, m=C_b), moment_about_y(p=C_f, m=C_b)
     zero = np.zeros(roll.size, dtype=complex)
-    return based_on(np.stack([phasors(X), phasors(Y), zero, phasors(M_x), phasors(M_y), roll], -1), X, Y, M_x, M_y, roll)
+    return based_on(
+        np.stack([phasors(X), phasors(Y), zero, phasors(M_x), phasors(M_y), roll], -1), X, Y, M_x, M_y, roll
+    )

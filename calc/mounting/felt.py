@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What a person has of it: the level of every seat over speed, where it is largest, at critical speeds, and over a day."""
+"""What a person has of it: the level of every seat over speed, where it is largest, at critical speeds, and over a
+day."""
 
 from collections.abc import Sequence
 
@@ -34,8 +35,11 @@ def grid(mounting: MountingInputs, driven: EngineWrenches) -> Array:
 Crossing = tuple[str, str, float]  # mode, order, speed
 
 
-def courses(mounting: MountingInputs, s: System, driven: EngineWrenches, more: Sequence[float]) -> tuple[dict[str, Course], Course | None]:
-    """The level of each seat over speed, and that of the first one at further speeds: all in one, since their torque is one."""
+def courses(
+    mounting: MountingInputs, s: System, driven: EngineWrenches, more: Sequence[float]
+) -> tuple[dict[str, Course], Course | None]:
+    """The level of each seat over speed, and that of the first one at further speeds: all in one, since their torque is
+    one."""
     seats = [point for point in mounting.points if point.role == "seat"]
     if not seats:
         return {}, None
@@ -43,7 +47,10 @@ def courses(mounting: MountingInputs, s: System, driven: EngineWrenches, more: S
     at = np.append(speeds, more)
     torque = driven.torque(at)
     n = len(speeds)
-    found = {seat.name: course(s, driven, seat, at if i == 0 else speeds, torque if i == 0 else torque[:n]) for i, seat in enumerate(seats)}
+    found = {
+        seat.name: course(s, driven, seat, at if i == 0 else speeds, torque if i == 0 else torque[:n])
+        for i, seat in enumerate(seats)
+    }
     first = found[seats[0].name]
     return {**found, seats[0].name: first.part(slice(0, n))}, first.part(slice(n, None))
 
@@ -78,15 +85,19 @@ def top(n: Array, a: Array) -> tuple[float, float]:
     return float(n[i]), float(a[i])
 
 
-def crossings(mounting: MountingInputs, driven: EngineWrenches, existing: Sequence[int], frequency: dict[str, Stated]) -> list[Crossing]:
+def crossings(
+    mounting: MountingInputs, driven: EngineWrenches, existing: Sequence[int], frequency: dict[str, Stated]
+) -> list[Crossing]:
     """Speeds between idle and rated at which an order that exists meets a mode."""
     idle, rated = float(mounting.idle_speed), float(driven.engine.rated_speed)
     low, high = CRITICAL
     orders = [float(driven.orders[i]) for i in existing if low <= driven.orders[i] <= high]
     rows = [
         (dof, f"order_{order_word(i)}", aids.critical_speed(f=frequency[dof].number, i=i))
-        for dof in DOFS for i in orders if idle <= frequency[dof].number / i <= rated
-    ]  # fmt: skip
+        for dof in DOFS
+        for i in orders
+        if idle <= frequency[dof].number / i <= rated
+    ]
     return rows
 
 
@@ -104,7 +115,8 @@ def critical(rows: Sequence[Crossing], at: Course | None) -> Tree:
 
 
 def exposure(mounting: MountingInputs, result: MountingResult) -> Tree | None:
-    """The daily exposure of each variant by the engine alone: the worst seat, the worst hand; None where no hours are given."""
+    """The daily exposure of each variant by the engine alone: the worst seat, the worst hand; None where no hours are
+    given."""
     rows = [(i, hours) for i, (_, hours) in enumerate(result.speeds.values()) if hours]
     if not rows:
         return None

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The engine as a rigid body on its mounts: what it weighs, what it stands on, where it is felt and at which speeds it runs."""
+"""The engine as a rigid body on its mounts: what it weighs, what it stands on, where it is felt and at which speeds it
+runs."""
 
 import math
 from collections.abc import Iterable, Iterator
@@ -16,7 +17,8 @@ DUST = 1e-9  # of the sum of two principal moments: a thin disc has exactly the 
 
 
 def tensor(diagonal: tuple[float, ...], coupling: tuple[float, ...] | None, integral: bool = False) -> Array:
-    """The tensor from its diagonal and [J_xy, J_yz, J_zx]; `integral`: these are given as ∫xy dm, with the other sign."""
+    """The tensor from its diagonal and [J_xy, J_yz, J_zx]; `integral`: these are given as ∫xy dm, with the other
+    sign."""
     xy, yz, zx = coupling if coupling is not None else (0.0, 0.0, 0.0)
     off = np.array([[0.0, xy, zx], [xy, 0.0, yz], [zx, yz, 0.0]])
     found: Array = np.diag(np.asarray(diagonal, dtype=float)) + (-off if integral else off)
@@ -35,8 +37,13 @@ def problem(diagonal: tuple[float, ...], coupling: tuple[float, ...] | None, int
         return None
     moments = COMMA.join(Text("{J}", J=Amount(x, form=".4g")) for x in (first, second, third))
     if first <= 0:
-        return Text("no body has it: its principal moments are {moments} kg·m², and each must be above 0", moments=moments)
-    return Text("no body has it: of its principal moments {moments} kg·m² the largest exceeds the sum of the others", moments=moments)
+        return Text(
+            "no body has it: its principal moments are {moments} kg·m², and each must be above 0", moments=moments
+        )
+    return Text(
+        "no body has it: of its principal moments {moments} kg·m² the largest exceeds the sum of the others",
+        moments=moments,
+    )
 
 
 # What an engine stands on: its mounts, and the frame of the machine below them.
@@ -49,9 +56,15 @@ class Mobility:
     """One row of a measured mobility of the foundation: velocity over force, complex, in engine axes."""
 
     frequency: float = quantity("Frequency", "Hz", above=0, high=10000, symbol="f", help="Rising from row to row.")
-    x: tuple[float, ...] = series("Mobility up", "mm/s/N", default=(0.0, 0.0), count=(2, 2), help="[real, imaginary part].")
-    y: tuple[float, ...] = series("Mobility to the side", "mm/s/N", default=(0.0, 0.0), count=(2, 2), help="[real, imaginary part].")
-    z: tuple[float, ...] = series("Mobility fore and aft", "mm/s/N", default=(0.0, 0.0), count=(2, 2), help="[real, imaginary part].")
+    x: tuple[float, ...] = series(
+        "Mobility up", "mm/s/N", default=(0.0, 0.0), count=(2, 2), help="[real, imaginary part]."
+    )
+    y: tuple[float, ...] = series(
+        "Mobility to the side", "mm/s/N", default=(0.0, 0.0), count=(2, 2), help="[real, imaginary part]."
+    )
+    z: tuple[float, ...] = series(
+        "Mobility fore and aft", "mm/s/N", default=(0.0, 0.0), count=(2, 2), help="[real, imaginary part]."
+    )
 
 
 @inputs
@@ -87,10 +100,17 @@ class Mount:
         symbol="eta",
         usual=(0.03, 0.2),
         source=THUMB,
-        help="Natural rubber of 40, 50, 60, 70 Shore A: about 0.05, 0.08, 0.12, 0.16. Left out: 0.1, or none beside damping.",
+        help="Natural rubber of 40, 50, 60, 70 Shore A: about 0.05, 0.08, 0.12, 0.16. Left out: 0.1, or none beside "
+        "damping.",
     )
     damping: float | None = quantity(
-        "Viscous damping", "N·s/mm", default=None, low=0, high=1e4, symbol="c", help="Along each own axis, instead of a loss factor."
+        "Viscous damping",
+        "N·s/mm",
+        default=None,
+        low=0,
+        high=1e4,
+        symbol="c",
+        help="Along each own axis, instead of a loss factor.",
     )
     turned: tuple[float, ...] | None = series(
         "Turned by",
@@ -119,7 +139,12 @@ class Mount:
         help="Below the mount, along the mount's own axes; one number for all three.",
     )
     foundation_loss: float | None = quantity(
-        "Foundation's loss factor", default=None, low=0, high=10, symbol="eta_f", help="Of the foundation itself; left out: 0."
+        "Foundation's loss factor",
+        default=None,
+        low=0,
+        high=10,
+        symbol="eta_f",
+        help="Of the foundation itself; left out: 0.",
     )
     mobility: tuple[Mobility, ...] = tables(
         "Foundation's mobility",
@@ -145,7 +170,10 @@ class Mount:
         if self.loss_factor is not None and self.damping is not None:
             yield "damping_Ns_mm", Text("excludes loss_factor; leave one of the two out")
         if self.frequency_dependence == "fractional" and self.damping is not None:
-            yield "frequency_dependence", Text("fractional goes with a loss factor, not with damping_Ns_mm; leave one of the two out")
+            yield (
+                "frequency_dependence",
+                Text("fractional goes with a loss factor, not with damping_Ns_mm; leave one of the two out"),
+            )
         yield from loss_problems(self.loss_factor, "loss_factor")
         yield from loss_problems(self.foundation_loss, "foundation_loss")
         if self.foundation is None and self.foundation_loss is not None:
@@ -169,13 +197,24 @@ class Support:
         "Dynamic stiffness", "N/mm", count=(3, 3), above=0, high=1e9, symbol="k", help="Along its own axes."
     )
     loss_factor: float | None = quantity(
-        "Loss factor", default=None, low=0, high=10, symbol="eta", help="Of the support; left out: 0.1, or none beside damping."
+        "Loss factor",
+        default=None,
+        low=0,
+        high=10,
+        symbol="eta",
+        help="Of the support; left out: 0.1, or none beside damping.",
     )
     damping: float | None = quantity(
         "Viscous damping", "N·s/mm", default=None, low=0, high=1e4, symbol="c", help="Instead of a loss factor."
     )
     turned: tuple[float, ...] | None = series(
-        "Turned by", "°", default=None, count=(3, 3), low=-360, high=360, help="[a, b, c] about the fixed axes: first x, then y, then z."
+        "Turned by",
+        "°",
+        default=None,
+        count=(3, 3),
+        low=-360,
+        high=360,
+        help="[a, b, c] about the fixed axes: first x, then y, then z.",
     )
 
     @property
@@ -193,15 +232,21 @@ class Move:
     """How far a place moves in a mode of the frame of unit modal mass."""
 
     name: str = text("Mount, point or support", help="Its name.")
-    move: tuple[float, ...] = series("Moves by", count=(3, 3), low=-100, high=100, symbol="phi", help="In engine axes, in 1/√kg.")
+    move: tuple[float, ...] = series(
+        "Moves by", count=(3, 3), low=-100, high=100, symbol="phi", help="In engine axes, in 1/√kg."
+    )
 
 
 @inputs
 class FrameMode:
     """A mode of the elastic frame, to unit modal mass.  A place that its shape does not name does not move in it."""
 
-    frequency: float = quantity("Frequency", "Hz", above=0, high=1000, symbol="f", help="Of the frame without the engine.")
-    loss_factor: float = quantity("Loss factor", default=0.05, low=0, high=10, symbol="eta", help="Of the mode; left out: 0.05.")
+    frequency: float = quantity(
+        "Frequency", "Hz", above=0, high=1000, symbol="f", help="Of the frame without the engine."
+    )
+    loss_factor: float = quantity(
+        "Loss factor", default=0.05, low=0, high=10, symbol="eta", help="Of the mode; left out: 0.05."
+    )
     shape: tuple[Move, ...] = tables("Shape", Move)
 
     def problems(self) -> Iterable[tuple[str, Text]]:
@@ -213,12 +258,26 @@ class Chassis:
     """The frame of the machine: a second rigid body on its own supports, and what it bends by."""
 
     mass: float = quantity("Mass", "kg", above=0, high=1e7, symbol="m_c", help="Without the engine.")
-    centre_of_gravity: tuple[float, ...] = series("Centre of gravity", "mm", count=(3, 3), low=-20000, high=20000, help=PLACE)
+    centre_of_gravity: tuple[float, ...] = series(
+        "Centre of gravity", "mm", count=(3, 3), low=-20000, high=20000, help=PLACE
+    )
     inertia: tuple[float, ...] = series(
-        "Inertia", "kg·m²", count=(3, 3), above=0, high=1e9, symbol="J_c", help="About the axes through its centre of gravity."
+        "Inertia",
+        "kg·m²",
+        count=(3, 3),
+        above=0,
+        high=1e9,
+        symbol="J_c",
+        help="About the axes through its centre of gravity.",
     )
     inertia_coupling: tuple[float, ...] | None = series(
-        "Coupling entries", "kg·m²", default=None, count=(3, 3), low=-1e9, high=1e9, help="[J_xy, J_yz, J_zx] of the tensor, −∫xy dm."
+        "Coupling entries",
+        "kg·m²",
+        default=None,
+        count=(3, 3),
+        low=-1e9,
+        high=1e9,
+        help="[J_xy, J_yz, J_zx] of the tensor, −∫xy dm.",
     )
     supports: tuple[Support, ...] = tables("Supports", Support)
     modes: tuple[FrameMode, ...] = tables("Modes of the frame", FrameMode, default=())
@@ -264,7 +323,9 @@ class Operation:
 
     name: str = text("Name", help="Letters, digits and -.")
     speed: float = quantity("Speed", "rpm", above=0, high=30000, symbol="n", help="Of the crank.")
-    hours: float | None = quantity("Hours a day", default=None, low=0, high=DAY, symbol="T", help="For the daily exposure.")
+    hours: float | None = quantity(
+        "Hours a day", default=None, low=0, high=DAY, symbol="T", help="For the daily exposure."
+    )
     peak_pressure: float | None = quantity(
         "Peak pressure",
         "bar",
@@ -336,8 +397,12 @@ RESERVED = (
 class MountingInputs:
     """Mass, inertia and mounts of the engine; below them the ground or a frame."""
 
-    mass: float = quantity("Mass", "kg", above=0, high=1e6, symbol="m", help="Engine with liquids, flywheel, and what is bolted to it.")
-    centre_of_gravity: tuple[float, ...] = series("Centre of gravity", "mm", count=(3, 3), low=-10000, high=10000, symbol="r_G", help=PLACE)
+    mass: float = quantity(
+        "Mass", "kg", above=0, high=1e6, symbol="m", help="Engine with liquids, flywheel, and what is bolted to it."
+    )
+    centre_of_gravity: tuple[float, ...] = series(
+        "Centre of gravity", "mm", count=(3, 3), low=-10000, high=10000, symbol="r_G", help=PLACE
+    )
     inertia: tuple[float, ...] | None = series(
         "Inertia",
         "kg·m²",
@@ -375,10 +440,22 @@ class MountingInputs:
         help="[up, side, along the crank]: for an estimate of the inertia where it is not known.",
     )
     idle_speed: float = quantity(
-        "Idle speed", "rpm", above=0, high=30000, symbol="n_idle", usual=(500, 1800), source=THUMB, help="At which isolation is judged."
+        "Idle speed",
+        "rpm",
+        above=0,
+        high=30000,
+        symbol="n_idle",
+        usual=(500, 1800),
+        source=THUMB,
+        help="At which isolation is judged.",
     )
     up: tuple[float, ...] = series(
-        "Direction upward", default=(1.0, 0.0, 0.0), count=(3, 3), low=-1, high=1, help="In engine axes; weight acts against it."
+        "Direction upward",
+        default=(1.0, 0.0, 0.0),
+        count=(3, 3),
+        low=-1,
+        high=1,
+        help="In engine axes; weight acts against it.",
     )
     forward: tuple[float, ...] = series(
         "Direction forward", default=(0.0, 0.0, 1.0), count=(3, 3), low=-1, high=1, help="In engine axes, of the seat."
@@ -401,7 +478,9 @@ class MountingInputs:
         default="construction-machine",
         help="Decides which standards for machines apply.",
     )
-    machine_class: int | None = integer("Machine class", default=None, low=1, high=7, help="Of ISO 10816-6; left out: no verdict.")
+    machine_class: int | None = integer(
+        "Machine class", default=None, low=1, high=7, help="Of ISO 10816-6; left out: no verdict."
+    )
     power: float | None = quantity(
         "Power", "kW", default=None, above=0, high=1e6, help="For the scope of the standards; left out: the rated one."
     )
@@ -422,7 +501,12 @@ class MountingInputs:
         help="Where it leaves the body; left out: the mean torque of the gas.",
     )
     output_ratio: float = quantity(
-        "Ratio of the output", default=1.0, low=-1000, high=1000, symbol="i_out", help="Torque of the output over that of the crank."
+        "Ratio of the output",
+        default=1.0,
+        low=-1000,
+        high=1000,
+        symbol="i_out",
+        help="Torque of the output over that of the crank.",
     )
     cylinder_spread: tuple[float, ...] | None = series(
         "Spread of the cylinders",
@@ -455,7 +539,9 @@ class MountingInputs:
     road_frequency: float = quantity(
         "Road frequency", "Hz", default=6.0, low=0, high=1000, symbol="f_road", help="No mode should lie below it."
     )
-    rigid_up_to: float = quantity("Rigid up to", "Hz", default=120.0, above=0, high=10000, help="Above it engine or frame bend.")
+    rigid_up_to: float = quantity(
+        "Rigid up to", "Hz", default=120.0, above=0, high=10000, help="Above it engine or frame bend."
+    )
     seat_transmissibility: tuple[float, ...] = series(
         "Transmissibility of the seat",
         default=(1.0, 1.0, 1.0),
@@ -497,7 +583,6 @@ class MountingInputs:
         if self.inertia is None and self.inertia_coupling is not None:
             yield "inertia_coupling_kgm2", Text("needs inertia_kgm2, whose coupling it is")
         if self.inertia is not None:
-
             if (reason := problem(self.inertia, self.inertia_coupling, self.integral)) is not None:
                 yield "inertia_kgm2", reason
 
@@ -520,7 +605,10 @@ class MountingInputs:
             taken.add(point.name)
         for i, support in enumerate(self.chassis.supports if self.chassis is not None else ()):
             if support.name in taken:
-                yield f"chassis.supports.{i}.name", Text("is that of a mount or point; every place needs a name of its own")
+                yield (
+                    f"chassis.supports.{i}.name",
+                    Text("is that of a mount or point; every place needs a name of its own"),
+                )
             taken.add(support.name)
         for i, row in enumerate(self.operation):
             if row.name in RESERVED:
@@ -536,7 +624,9 @@ def _no_place(name: str, places: Iterable[str]) -> Text:
 
     near = get_close_matches(name, list(places), 1)
     unknown = Text("is no mount, point or support")
-    return unknown + (Text('; did you mean "{near}"?', near=near[0]) if near else Text("; there are ") + ", ".join(places))
+    return unknown + (
+        Text('; did you mean "{near}"?', near=near[0]) if near else Text("; there are ") + ", ".join(places)
+    )
 
 
 # What the ways of balancing an engine on its mounts, and its motions, are called.

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What a steady state is where it is looked at: displacement, velocity, acceleration, what people feel, the forces of the mounts."""
+"""What a steady state is where it is looked at: displacement, velocity, acceleration, what people feel, the forces of
+the mounts."""
 
 import math
 from functools import cache
@@ -53,17 +54,29 @@ def _rms(x: float) -> float:
     return each(found) if found.ndim else float(found)
 
 
-@formula("s", "mathematics: root of the sum of squares of three axes", unit="mm", names={"x": "s_x", "y": "s_y", "z": "s_z"})
+@formula(
+    "s", "mathematics: root of the sum of squares of three axes", unit="mm", names={"x": "s_x", "y": "s_y", "z": "s_z"}
+)
 def total_displacement(x: Metre, y: Metre, z: Metre) -> Metre:
     return sqrt(x**2 + y**2 + z**2)
 
 
-@formula("v", "mathematics: root of the sum of squares of three axes", unit="mm/s", names={"x": "v_x", "y": "v_y", "z": "v_z"})
+@formula(
+    "v",
+    "mathematics: root of the sum of squares of three axes",
+    unit="mm/s",
+    names={"x": "v_x", "y": "v_y", "z": "v_z"},
+)
 def total_velocity(x: MetrePerSecond, y: MetrePerSecond, z: MetrePerSecond) -> MetrePerSecond:
     return sqrt(x**2 + y**2 + z**2)
 
 
-@formula("a", "mathematics: root of the sum of squares of three axes", unit="m/s²", names={"x": "a_x", "y": "a_y", "z": "a_z"})
+@formula(
+    "a",
+    "mathematics: root of the sum of squares of three axes",
+    unit="m/s²",
+    names={"x": "a_x", "y": "a_y", "z": "a_z"},
+)
 def total_acceleration(x: MetrePerSecond2, y: MetrePerSecond2, z: MetrePerSecond2) -> MetrePerSecond2:
     return sqrt(x**2 + y**2 + z**2)
 
@@ -81,7 +94,12 @@ def force_sum(F: Newton) -> Newton:
     return each(found) if found.ndim else float(found)
 
 
-@formula("δ_peak", "kinematics: largest over the cycle and the three own axes", shows="max over ε of |Re Σ δ̂_n·e^(inε)|", unit="mm")
+@formula(
+    "δ_peak",
+    "kinematics: largest over the cycle and the three own axes",
+    shows="max over ε of |Re Σ δ̂_n·e^(inε)|",
+    unit="mm",
+)
 def deflection_peak(delta: Metre) -> Metre:
     """Of lines of orders 1, 2, … of the cycle (…, axes, orders)."""
     found = peaks(np.asarray(delta)).max(-1)
@@ -90,7 +108,8 @@ def deflection_peak(delta: Metre) -> Metre:
 
 @formula(
     "T_M",
-    "definition of the transmissibility: what the mounts pass on about the centre of gravity over what drives the engine",
+    "definition of the transmissibility: what the mounts pass on about the centre of gravity over what drives the "
+    "engine",
     names={"M": "M̂_G"},
 )
 def moment_transmissibility(M_t: NewtonMetre, M: NewtonMetre) -> Number:
@@ -140,9 +159,9 @@ def seat_axes(mounting: MountingInputs) -> Array:
 class Levels:
     """All lines of some speeds (speeds, variants, …, orders): what everything that is published is taken from.
 
-    `motion`: displacement, velocity and acceleration of the points (speeds, variants, points, 3 kinds, 3 axes, orders); `felt`: weighted
-    acceleration of seats and hands in their axes, by name; `force` and `deflection`: of the mounts (speeds, variants, mounts, 3, orders).
-    """
+    `motion`: displacement, velocity and acceleration of the points (speeds, variants, points, 3 kinds, 3 axes, orders);
+    `felt`: weighted acceleration of seats and hands in their axes, by name; `force` and `deflection`: of the mounts
+    (speeds, variants, mounts, 3, orders)."""
 
     speeds: Array
     frequency: Array  # (speeds, orders), Hz
@@ -172,7 +191,11 @@ def levels(s: System, drive: EngineWrenches, speeds: Array, torque: ComplexArray
     u = _ordered(np.einsum("pac,fvc->fvpa", P, np.asarray(r.q)), S)
     w = (2j * math.pi * np.asarray(speeds)[:, None] * drive.orders)[:, None, None, None, :]
     motion = np.stack([u, w * u, w * w * u], axis=3)
-    felt = {point.name: _felt(s.mounting, point, motion[:, :, i, 2]) for i, point in enumerate(points) if point.role != "machine"}
+    felt = {
+        point.name: _felt(s.mounting, point, motion[:, :, i, 2])
+        for i, point in enumerate(points)
+        if point.role != "machine"
+    }
     f = Omega.reshape(S, O) / (2 * math.pi)
     weight = {point.name: point_weights(point, f) for point in points if point.role != "machine"}
     F_t, M_t = (part.reshape(S, O, V, 3).swapaxes(1, 2) for part in transmitted(s, r))
@@ -197,25 +220,32 @@ def _ordered(x: ComplexArray, S: int) -> ComplexArray:
 
 
 def _felt(mounting: MountingInputs, point: Point, a: ComplexArray) -> ComplexArray:
-    """The acceleration (…, 3, orders) in the axes in which a person has it: of a seat behind its own transmissibility."""
+    """The acceleration (…, 3, orders) in the axes in which a person has it: of a seat behind its own
+    transmissibility."""
     if point.role == "hand":
         return a
-    turned: ComplexArray = np.einsum("ij,...jo->...io", seat_axes(mounting) * np.asarray(mounting.seat_transmissibility)[:, None], a)
+    turned: ComplexArray = np.einsum(
+        "ij,...jo->...io", seat_axes(mounting) * np.asarray(mounting.seat_transmissibility)[:, None], a
+    )
     return np.ascontiguousarray(turned)
 
 
 def point_weights(point: Point, f: Array) -> Array:
     """(speeds, 1, 3, orders)."""
     names = ("Wh", "Wh", "Wh") if point.role == "hand" else ("Wd", "Wd", "Wk")
-    by = {name: weighting.weights(name, f) for name in dict.fromkeys(names)}  # in their order, which that of traced lines follows
+    by = {
+        name: weighting.weights(name, f) for name in dict.fromkeys(names)
+    }  # in their order, which that of traced lines follows
     return np.stack([by[name] for name in names], axis=1)[:, None]
 
 
 # The level of a seat over speed, every variant of the balancing.
 
+
 @record
 class Course:
-    """The level of one seat over speed: (variants, speeds) all orders together, and each order of `half` and `shaft` (speeds, orders)."""
+    """The level of one seat over speed: (variants, speeds) all orders together, and each order of `half` and `shaft`
+    (speeds, orders)."""
 
     speeds: Array
     orders: Array
@@ -231,24 +261,34 @@ class Course:
 
 
 def course(s: System, drive: EngineWrenches, point: Point, speeds: Array, torque: ComplexArray) -> Course:
-    """What a seat feels over speed.  Variants differ in the orders of the shaft alone, so only these are solved for each; orders that
-    nothing drives are not solved at all."""
+    """What a seat feels over speed.  Variants differ in the orders of the shaft alone, so only these are solved for
+    each; orders that nothing drives are not solved at all."""
     wrench, half = drive.wrench(speeds, torque), drive.variants.index("half")
     driven = sorted({*np.flatnonzero(np.asarray(wrench[:, :, half]).any(axis=(0, 2))).tolist(), *drive.apart})
     apart = [driven.index(n) for n in drive.apart]
     of_half, of_each = np.asarray(wrench[:, driven, half : half + 1]), np.asarray(wrench[:, list(drive.apart)])
-    common, own = _weighted(s, point, np.asarray(speeds)[:, None] * drive.orders[driven], (of_half, of_each), (slice(None), apart))
+    common, own = _weighted(
+        s, point, np.asarray(speeds)[:, None] * drive.orders[driven], (of_half, of_each), (slice(None), apart)
+    )
     squares = np.zeros((len(speeds), len(drive.variants), drive.orders.size))
     squares[:, :, driven] = common[:, None, :, 0] ** 2
     squares[:, :, list(drive.apart)] = np.swapaxes(own, 1, 2) ** 2
     by_order = {name: np.sqrt(squares[:, i]) for i, name in enumerate(drive.variants) if name in ("half", "shaft")}
     return Course(
-        np.asarray(speeds), drive.orders, drive.variants, np.sqrt(squares.sum(-1)).T, by_order, (s.source, wrench, point.position)
+        np.asarray(speeds),
+        drive.orders,
+        drive.variants,
+        np.sqrt(squares.sum(-1)).T,
+        by_order,
+        (s.source, wrench, point.position),
     )
 
 
-def _weighted(s: System, point: Point, f: Array, wrenches: tuple[ComplexArray, ...], orders: tuple[slice | list[int], ...]) -> list[Array]:
-    """Root mean square, weighted, all three axes, of each of some wrenches (speeds, its orders, variants); `f`: (speeds, orders)."""
+def _weighted(
+    s: System, point: Point, f: Array, wrenches: tuple[ComplexArray, ...], orders: tuple[slice | list[int], ...]
+) -> list[Array]:
+    """Root mean square, weighted, all three axes, of each of some wrenches (speeds, its orders, variants); `f`:
+    (speeds, orders)."""
     Omega, P = 2 * math.pi * f, _felt_rows(s, point)
     sizes = point_weights(point, f)[:, 0].swapaxes(1, 2) * (Omega**2)[:, :, None]  # (speeds, orders, 3)
     found = []
@@ -256,7 +296,9 @@ def _weighted(s: System, point: Point, f: Array, wrenches: tuple[ComplexArray, .
         _, whole = s.mount_stiffness(Omega.ravel()[:1])
         d = decomposed(s.stiffness(whole, Omega.ravel()[:1])[0], s.M)
         gains = gain(d.values, Omega.ravel()).reshape(*f.shape, -1)
-        moved = [((one @ d.left.T) * gains[:, which, None, :]) @ (P @ d.right).T for one, which in zip(wrenches, orders)]
+        moved = [
+            ((one @ d.left.T) * gains[:, which, None, :]) @ (P @ d.right).T for one, which in zip(wrenches, orders)
+        ]
     else:
         moved = [
             (respond_at(s, Omega[:, which].ravel(), one.reshape(-1, *one.shape[2:])) @ P.T).reshape(*one.shape[:3], 3)

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What is published of the modes: frequencies, energies, the torque roll axis, the window of stiffness, mounts that could lean."""
+"""What is published of the modes: frequencies, energies, the torque roll axis, the window of stiffness, mounts that
+could lean."""
 
 import math
 
@@ -23,7 +24,8 @@ from .modes import Modes
 from .result import Ceiling, Focal, Mode, RollAxis, Tree, Window, described
 from .system import System
 
-# Aids to the design of mounts: the window of stiffness, mounts leaning towards each other, the symmetric four in closed form.
+# Aids to the design of mounts: the window of stiffness, mounts leaning towards each other, the symmetric four in closed
+# form.
 
 NOTICED = 0.01  # of the strongest order: weaker ones are no excitation
 SAME = 1e-6  # m, or of a stiffness: mounts that mirror each other
@@ -55,7 +57,8 @@ def excitation_frequency(i: Number, n: RevPerSecond) -> Hertz:
     return i * n
 
 
-# --- two mounts that lean towards each other ---------------------------------------------------------------------------------
+# --- two mounts that lean towards each other
+# ---------------------------------------------------------------------------------
 FOCAL = "geometry of two inclined mounts, elastic centre: lateral force that turns nothing (recomputed)"
 
 
@@ -109,7 +112,8 @@ def _mirrored(one: Mount, other: Mount) -> bool:
     return abs(a + d) < EVEN and abs(b - e) < EVEN and abs(c + f) < EVEN
 
 
-# --- the symmetric four --------------------------------------------------------------------------------------------------------
+# --- the symmetric four
+# --------------------------------------------------------------------------------------------------------
 @formula("f_bounce", "Harris, Shock and vibration handbook, ch. 3: four upright mounts", unit="Hz")
 def four_bounce(k_x: NewtonPerMetre, m: Kilogram) -> Hertz:
     return sqrt(4 * k_x / m) / (2 * pi)
@@ -134,9 +138,11 @@ def four_coupled(k: NewtonPerMetre, k_x: NewtonPerMetre, h: Metre, a: Metre, m: 
     return each(found)
 
 
-# --- excitation ----------------------------------------------------------------------------------------------------------------
+# --- excitation
+# ----------------------------------------------------------------------------------------------------------------
 def lowest_order(orders: Array, wrench: ComplexArray, rho: float) -> float | None:
-    """The lowest order that counts, of the wrench about the centre of gravity (orders, 6); None where nothing drives the engine."""
+    """The lowest order that counts, of the wrench about the centre of gravity (orders, 6); None where nothing drives
+    the engine."""
     sizes = strength(wrench[:, :3], wrench[:, 3:], rho)
     counts = np.flatnonzero(sizes > NOTICED * sizes.max(initial=0.0))
     return float(orders[counts[0]]) if counts.size else None
@@ -171,10 +177,18 @@ def matrices(mounting: MountingInputs, free: System, J: float) -> Matrices:
 
 def of_modes(m: Matrices) -> dict[str, Mode]:
     """Mode by mode, slowest first."""
-    squares, losses = elements(many(modes.eigenvalues(K=m.K, M=m.M))), elements(many(modes.mode_loss(K_loss=m.K_loss, K=m.K, M=m.M)))
+    squares, losses = (
+        elements(many(modes.eigenvalues(K=m.K, M=m.M))),
+        elements(many(modes.mode_loss(K_loss=m.K_loss, K=m.K, M=m.M))),
+    )
     E = m.energies
-    shares = {i: {dof: Stated(described(SHARE[dof], "%", "E"), E[j][i]) for j, dof in enumerate(DOFS)} for i in range(6)}
-    return {f"mode_{i + 1}": Mode(frequency=modes.frequency(omega2=squares[i]), loss_factor=losses[i], share=shares[i]) for i in range(6)}
+    shares = {
+        i: {dof: Stated(described(SHARE[dof], "%", "E"), E[j][i]) for j, dof in enumerate(DOFS)} for i in range(6)
+    }
+    return {
+        f"mode_{i + 1}": Mode(frequency=modes.frequency(omega2=squares[i]), loss_factor=losses[i], share=shares[i])
+        for i in range(6)
+    }
 
 
 SHARE = {dof: Text("Energy of the mode in {dof}", dof=words) for dof, words in DOF_WORDS.items()}
@@ -189,7 +203,10 @@ def _of(x: float, *place: int) -> float:
 
 def frequencies(m: Matrices, one: dict[str, Mode]) -> dict[str, Stated]:
     """By the coordinate that a mode is named after, which is not its number."""
-    return {dof: Stated(described(NAMED[dof], "Hz", "f"), one[f"mode_{m.found.of[i] + 1}"].frequency) for i, dof in enumerate(DOFS)}
+    return {
+        dof: Stated(described(NAMED[dof], "Hz", "f"), one[f"mode_{m.found.of[i] + 1}"].frequency)
+        for i, dof in enumerate(DOFS)
+    }
 
 
 def energies(m: Matrices) -> dict[str, Stated]:
@@ -199,9 +216,12 @@ def energies(m: Matrices) -> dict[str, Stated]:
 def roll_axis(m: Matrices) -> RollAxis:
     e_T, shares = body.roll_axis(J=m.J), modes.roll_shares(K=m.K, M=m.M)
     along = {
-        axis: Stated(described(Text("Torque roll axis along {axis}", axis=axis), "", "e_T"), _of(e_T, i)) for i, axis in enumerate("xyz")
+        axis: Stated(described(Text("Torque roll axis along {axis}", axis=axis), "", "e_T"), _of(e_T, i))
+        for i, axis in enumerate("xyz")
     }
-    return RollAxis(angle=body.roll_axis_angle(e_T=e_T), decoupling=_of(shares, int(np.argmax(np.asarray(shares)))), direction=along)
+    return RollAxis(
+        angle=body.roll_axis_angle(e_T=e_T), decoupling=_of(shares, int(np.argmax(np.asarray(shares)))), direction=along
+    )
 
 
 def with_chassis(whole: System) -> Tree:

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The modes of the engine on rigid ground: frequencies, where their energy stands, their names; and how an engine is free that has none."""
+"""The modes of the engine on rigid ground: frequencies, where their energy stands, their names; and how an engine is
+free that has none."""
 
 import math
 from functools import cache
@@ -55,10 +56,14 @@ def shapes(K: NewtonPerMetre, M: Kilogram) -> Number:
 
 
 @formula(
-    "E", "definition of the kinetic energy of a mode in a coordinate: its share of the whole, φᵀ·M·φ = 1", unit="%", names={"p": "(M·φ)"}
+    "E",
+    "definition of the kinetic energy of a mode in a coordinate: its share of the whole, φᵀ·M·φ = 1",
+    unit="%",
+    names={"p": "(M·φ)"},
 )
 def energy(phi: Number, p: Number) -> Number:
-    """Over the coordinates and over the modes it sums to 1; it may be negative where the body has products of inertia."""
+    """Over the coordinates and over the modes it sums to 1; it may be negative where the body has products of
+    inertia."""
     return phi * p
 
 
@@ -69,7 +74,12 @@ def mode_loss(K_loss: NewtonPerMetre, K: NewtonPerMetre, M: Kilogram) -> Number:
     return each(found)
 
 
-@formula("s_i", "dynamics: share of a mode in the motion under a torque about the crank", shows="(φ_iᵀ·M·q_T)²/(q_Tᵀ·M·q_T)", unit="%")
+@formula(
+    "s_i",
+    "dynamics: share of a mode in the motion under a torque about the crank",
+    shows="(φ_iᵀ·M·q_T)²/(q_Tᵀ·M·q_T)",
+    unit="%",
+)
 def roll_shares(K: NewtonPerMetre, M: Kilogram) -> Number:
     mass = np.asarray(M)
     _, phi = eigen(np.asarray(K), mass)
@@ -94,7 +104,8 @@ def assignments() -> IndexArray:
 
 
 def named(E: Array) -> IndexArray:
-    """For each coordinate the mode that has its name: the assignment with the largest sum of energies.  `E`: (…, coordinates, modes)."""
+    """For each coordinate the mode that has its name: the assignment with the largest sum of energies.  `E`: (…,
+    coordinates, modes)."""
     ways = assignments()
     sums = E[..., np.arange(6), ways].sum(-1)
     best: IndexArray = ways[sums.argmax(-1)]

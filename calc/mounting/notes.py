@@ -22,7 +22,8 @@ def honest(result: MountingResult) -> Text:
     """What the shaft takes and what it leaves, in a sentence with its numbers."""
     if not result.has_shaft:
         return Text(
-            "No shaft: with half on the crank the orders {orders} drive the engine, the strongest at {operation} is {strongest}.",
+            "No shaft: with half on the crank the orders {orders} drive the engine, the strongest at {operation} is "
+            "{strongest}.",
             orders=Text(", ").join(_orders(result)),
             operation=Name(next(iter(result.speeds))),
             strongest=_strongest(result),
@@ -48,11 +49,17 @@ def _leaves(result: MountingResult) -> Text:
         if n not in (taken, firing) and size > NOTICED * masses.max()
     ]
     if result.drive.nodes is None:
-        return Text("order {n} stays, and the gas is not given.", n=Amount(max(others)[1])) if others else Text("the gas is not given.")
+        return (
+            Text("order {n} stays, and the gas is not given.", n=Amount(max(others)[1]))
+            if others
+            else Text("the gas is not given.")
+        )
     if not others:
         return Text("the firing torque of order {firing}, which one feels at idle, stays.", firing=Amount(firing))
     return Text(
-        "the firing torque of order {firing}, which one feels at idle, and order {n} stay.", firing=Amount(firing), n=Amount(max(others)[1])
+        "the firing torque of order {firing}, which one feels at idle, and order {n} stay.",
+        firing=Amount(firing),
+        n=Amount(max(others)[1]),
     )
 
 
@@ -88,7 +95,9 @@ def _strengths(result: MountingResult, *, of_masses: bool = False) -> Array:
 
 def _orders(result: MountingResult) -> list[Text]:
     sizes = _strengths(result)
-    return [Text("{n}", n=Amount(float(n))) for n, size in zip(result.drive.orders, sizes) if size > NOTICED * sizes.max()]
+    return [
+        Text("{n}", n=Amount(float(n))) for n, size in zip(result.drive.orders, sizes) if size > NOTICED * sizes.max()
+    ]
 
 
 def _strongest(result: MountingResult) -> Amount:
@@ -102,18 +111,24 @@ def _level(a: float) -> Amount:
     return Amount(a, digits=3)
 
 
-def notes(mounting: MountingInputs, engine: EngineInputs, result: MountingResult, shaft: ShaftOnEngine | None) -> Iterator[Text]:
+def notes(
+    mounting: MountingInputs, engine: EngineInputs, result: MountingResult, shaft: ShaftOnEngine | None
+) -> Iterator[Text]:
     """The scope of the standards first."""
-    yield from scope(mounting.application, mounting.power or engine.rated_power, engine.rated_speed, mounting.machine_class).sentences
+    yield from scope(
+        mounting.application, mounting.power or engine.rated_power, engine.rated_speed, mounting.machine_class
+    ).sentences
     yield Text("The daily exposure is the engine's share only: travel over ground dominates the true one.")
     yield from _worse(result)
     yield from _assumed(mounting, engine, result, shaft)
     yield Text(
-        "Not counted: valve gear, fan, fuel pump, the couple of the rods, whip of the crank, the gyroscopic couple (about 2 % at order 1), "
+        "Not counted: valve gear, fan, fuel pump, the couple of the rods, whip of the crank, the gyroscopic couple "
+        "(about 2 % at order 1), "
         "start and stop, which sweep through the modes."
     )
     yield Text(
-        "The engine is a rigid body, rubber is linear: its stiffness does not fall with amplitude (Payne effect), and what the weight "
+        "The engine is a rigid body, rubber is linear: its stiffness does not fall with amplitude (Payne effect), and "
+        "what the weight "
         "itself adds to the stiffness, {share} of that against tilting, is left out.",
         share=Amount(100 * preload(mounting, result.stiffness[0]), "%", digits=2),
     )
@@ -136,7 +151,8 @@ def _worse(result: MountingResult) -> Iterator[Text]:
             half, with_it = (result.leaf(f"{name}.{one}.force_sum") for one in ("half", variant))
             if half is not None and with_it is not None and with_it > half * (1 + NONE_BELOW):
                 yield Text(
-                    "{words} makes it worse at {name}, {speed}: the forces in the mounts rise from {half} to {with_it}.",
+                    "{words} makes it worse at {name}, {speed}: "
+                    "the forces in the mounts rise from {half} to {with_it}.",
                     words=words,
                     name=Name(name),
                     speed=Amount(speed * 60, "rpm"),
@@ -146,37 +162,55 @@ def _worse(result: MountingResult) -> Iterator[Text]:
 
 
 VARIANTS = {
-    "shaft": Text("The shaft"), "scatter": Text("The shaft as it scatters"), "tooth": Text("The shaft one tooth late"),
-}  # fmt: skip
+    "shaft": Text("The shaft"),
+    "scatter": Text("The shaft as it scatters"),
+    "tooth": Text("The shaft one tooth late"),
+}
 
 
-def _assumed(mounting: MountingInputs, engine: EngineInputs, result: MountingResult, shaft: ShaftOnEngine | None) -> Iterator[Text]:
+def _assumed(
+    mounting: MountingInputs, engine: EngineInputs, result: MountingResult, shaft: ShaftOnEngine | None
+) -> Iterator[Text]:
     nodes = result.drive.nodes
     if nodes is None:
-        yield Text("Without [engine.gas] only the masses drive the engine: the strongest excitation at idle is missing.")
+        yield Text(
+            "Without [engine.gas] only the masses drive the engine: the strongest excitation at idle is missing."
+        )
     else:
         outside = [Name(name) for name, (speed, _) in result.speeds.items() if nodes.outside(speed)]
         if outside:
-            yield Text("Outside of the speeds whose gas is given the nearest of them holds: {names}.", names=Text(", ").join(outside))
+            yield Text(
+                "Outside of the speeds whose gas is given the nearest of them holds: {names}.",
+                names=Text(", ").join(outside),
+            )
         if engine.gas is not None and engine.gas.pressure:
             yield Text("The table of pressures holds at every speed.")
     if mounting.inertia is None:
         yield Text(
-            "The inertia is that of {share} of a full box of the overall dimensions: own assumption, 50 to 90 % are shown as well.",
+            "The inertia is that of {share} of a full box of the overall dimensions: own assumption, 50 to 90 % are "
+            "shown as well.",
             share=Amount(70, "%"),
         )
     if mounting.cylinder_spread is not None and len(mounting.cylinder_spread) == 1 and engine.cylinders > 1:
-        yield Text("The spread of the cylinders is drawn once: evenly spaced quantiles of a normal distribution, in firing order.")
+        yield Text(
+            "The spread of the cylinders is drawn once: evenly spaced quantiles of a normal distribution, in firing "
+            "order."
+        )
     if shaft is not None:
         if shaft.axis is None and abs(shaft.force) > 0:
-            yield Text("No axis_mm of the counter-shaft is given: its force is taken to act at the crank, and rolls nothing.")
+            yield Text(
+                "No axis_mm of the counter-shaft is given: its force is taken to act at the crank, and rolls nothing."
+            )
         if shaft.errors is not None and mounting.late is None and mounting.scatter_couple is None:
-            yield Text("The shaft as it scatters: 95 % of its errors by [countershaft.scatter] and the free turn of the train.")
+            yield Text(
+                "The shaft as it scatters: 95 % of its errors by [countershaft.scatter] and the free turn of the train."
+            )
         if shaft.errors is None:
             yield Text("How the shaft scatters is not known: give late_deg and scatter_couple_percent.")
     if any(mount.mobility for mount in mounting.mounts):
         yield Text(
-            "Each foot moves by its own mobility; what one foot does to another is not counted. The modes are those on rigid ground."
+            "Each foot moves by its own mobility; what one foot does to another is not counted. The modes are those "
+            "on rigid ground."
         )
     if any(mount.dynamic_ratio < 1 for mount in mounting.mounts):
         yield Text("A dynamic ratio below 1 is unusual: rubber is stiffer when it vibrates.")
@@ -185,11 +219,13 @@ def _assumed(mounting: MountingInputs, engine: EngineInputs, result: MountingRes
     beyond = [f for f in result.levels.frequency.ravel() if f > mounting.rigid_up_to]
     if beyond:
         yield Text(
-            "Orders above {limit} are computed, and shown, but engine and frame bend there.", limit=Amount(mounting.rigid_up_to, "Hz")
+            "Orders above {limit} are computed, and shown, but engine and frame bend there.",
+            limit=Amount(mounting.rigid_up_to, "Hz"),
         )
     mixed = [result.mode_data.words(i) for i in range(6) if result.mode_data.words(i).template.startswith("mixed")]
     if mixed:
         yield Text("Modes that are hardly what their name says: {mixed}.", mixed=Text("; ").join(mixed))
     yield Text(
-        "From memory: the grades of severity (medium confidence) and their classes (low), the perception and comfort of ISO 2631-1 (high)."
+        "From memory: the grades of severity (medium confidence) and their classes (low), the perception and comfort "
+        "of ISO 2631-1 (high)."
     )

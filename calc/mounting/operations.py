@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Operation by operation: torque, levels at the points, forces of the mounts, transmissibility, and what the shaft takes off them."""
+"""Operation by operation: torque, levels at the points, forces of the mounts, transmissibility, and what the shaft
+takes off them."""
 
 import math
 from collections.abc import Sequence
@@ -43,14 +44,21 @@ BY_ORDER = ("half", "shaft")  # variants whose orders are shown one by one
 
 
 def operations(
-    driven: EngineWrenches, lines: Levels, s: System, rows: Sequence[tuple[str, float, float]], torque: ComplexArray, there: list[int]
+    driven: EngineWrenches,
+    lines: Levels,
+    s: System,
+    rows: Sequence[tuple[str, float, float]],
+    torque: ComplexArray,
+    there: list[int],
 ) -> Tree:
     """Everything that stands below the name of an operation."""
     tree: Tree = {name: {} for name, _, _ in rows}
     points, mounts = s.mounting.points, s.mounting.mounts
     _torque(tree, driven, rows, torque, there)
     for p, point in enumerate(points):
-        found = _points(driven, lines, p, point.name, _felt(driven, lines, point.name, there) if point.role != "machine" else None)
+        found = _points(
+            driven, lines, p, point.name, _felt(driven, lines, point.name, there) if point.role != "machine" else None
+        )
         for (name, _, _), of_operation in zip(rows, found):
             for variant, level in zip(driven.variants, of_operation):
                 tree[name].setdefault(variant, {})[point.name] = level
@@ -67,15 +75,24 @@ def existing(driven: EngineWrenches, lines: Levels) -> list[int]:
     return [int(i) for i in np.flatnonzero(sizes > l.NONE_BELOW * sizes.max(initial=0.0))]
 
 
-def _torque(tree: Tree, driven: EngineWrenches, rows: Sequence[tuple[str, float, float]], torque: ComplexArray, there: list[int]) -> None:
+def _torque(
+    tree: Tree, driven: EngineWrenches, rows: Sequence[tuple[str, float, float]], torque: ComplexArray, there: list[int]
+) -> None:
     about = described(Text("Torque on the crank, this order"), "N·m", "T_n")
     for (name, _, _), t in zip(rows, np.asarray(torque).tolist()):
         for i in there:
             if t[i]:
-                put(tree[name], ("torque", f"order_{order_word(driven.orders[i])}"), about, x.amplitude(t_n=based_on(t[i], torque)))
+                put(
+                    tree[name],
+                    ("torque", f"order_{order_word(driven.orders[i])}"),
+                    about,
+                    x.amplitude(t_n=based_on(t[i], torque)),
+                )
 
 
-def _points(driven: EngineWrenches, lines: Levels, point: int, name: str, felt: "Felt | None") -> list[list[PointLevel]]:
+def _points(
+    driven: EngineWrenches, lines: Levels, point: int, name: str, felt: "Felt | None"
+) -> list[list[PointLevel]]:
     """The levels at a point (operations, variants)."""
     numbers, source = [], (lines.source, lines.places[name])
     banded = np.sqrt((np.abs(np.where(lines.band, lines.motion, 0.0)[:, :, point]) ** 2).sum(-1) / 2)
@@ -87,7 +104,10 @@ def _points(driven: EngineWrenches, lines: Levels, point: int, name: str, felt: 
         numbers += [felt.whole, *along_last(felt.axes)]
     return [
         [
-            PointLevel(**dict(zip(SHOWN, map(there, (x[i][v] for x in numbers)))), orders=felt.orders(i, v) if felt is not None else None)
+            PointLevel(
+                **dict(zip(SHOWN, map(there, (x[i][v] for x in numbers)))),
+                orders=felt.orders(i, v) if felt is not None else None,
+            )
             for v in range(len(driven.variants))
         ]
         for i in range(len(lines.speeds))
@@ -96,7 +116,8 @@ def _points(driven: EngineWrenches, lines: Levels, point: int, name: str, felt: 
 
 @record
 class Felt:
-    """What is felt at a seat or at a hand: (operations, variants), its axes along the last, and each order of some variants."""
+    """What is felt at a seat or at a hand: (operations, variants), its axes along the last, and each order of some
+    variants."""
 
     whole: Nested
     axes: Nested
@@ -107,7 +128,9 @@ class Felt:
     def orders(self, i: int, v: int) -> dict[str, OrderLevel] | None:
         if v not in self.shown:
             return None
-        return {word: OrderLevel(weighted=there(x)) for word, x in zip(self.words, self.by_order[i][self.shown.index(v)])}
+        return {
+            word: OrderLevel(weighted=there(x)) for word, x in zip(self.words, self.by_order[i][self.shown.index(v)])
+        }
 
 
 def _felt(driven: EngineWrenches, lines: Levels, name: str, existing: list[int]) -> Felt:
@@ -117,7 +140,9 @@ def _felt(driven: EngineWrenches, lines: Levels, name: str, existing: list[int])
     shown = _shown(driven)
     sizes = np.linalg.norm(W * a, axis=-2).max((0, 1))
     existing = [n for n in existing if not sizes[n] < FELT * sizes.max()]
-    apart = [np.moveaxis(x[:, shown][..., existing], -1, 2)[..., None] for x in (W, a)]  # (operations, variants, orders, axes, 1)
+    apart = [
+        np.moveaxis(x[:, shown][..., existing], -1, 2)[..., None] for x in (W, a)
+    ]  # (operations, variants, orders, axes, 1)
     by_order = joined(weighting.total_value, mapped(weighting.weighted, *apart, source=source))
     return Felt(joined(weighting.total_value, along), along, by_order, shown, _words(driven, existing))
 
@@ -131,7 +156,12 @@ def _words(driven: EngineWrenches, existing: list[int]) -> list[str]:
 
 
 def _mounts(
-    tree: Tree, driven: EngineWrenches, lines: Levels, rows: Sequence[tuple[str, float, float]], names: list[str], existing: list[int]
+    tree: Tree,
+    driven: EngineWrenches,
+    lines: Levels,
+    rows: Sequence[tuple[str, float, float]],
+    names: list[str],
+    existing: list[int],
 ) -> None:
     F, shown, words = lines.force, _shown(driven), _words(driven, existing)
     whole = mapped(l.force, F.reshape(*F.shape[:3], -1), source=lines.source)
@@ -146,11 +176,15 @@ def _mounts(
                 parts = None
                 if v in shown:
                     parts = {word: OrderForce(force=there(x)) for word, x in zip(words, one[i][shown.index(v)][j])}
-                here[mount] = MountLevel(force=there(whole[i][v][j]), deflection_peak=there(peaks[i][v][j]), orders=parts)
+                here[mount] = MountLevel(
+                    force=there(whole[i][v][j]), deflection_peak=there(peaks[i][v][j]), orders=parts
+                )
             put(here, ("force_sum",), together, sums[i][v])
 
 
-def _transmissibility(tree: Tree, driven: EngineWrenches, lines: Levels, rows: Sequence[tuple[str, float, float]], there: list[int]) -> None:
+def _transmissibility(
+    tree: Tree, driven: EngineWrenches, lines: Levels, rows: Sequence[tuple[str, float, float]], there: list[int]
+) -> None:
     """With half on the crank: with the shaft the first order is a residue, and its ratio no property of the mounts."""
     v = driven.variants.index("half")
     wrench = np.asarray(lines.wrench)[:, :, v]
@@ -165,16 +199,23 @@ def _transmissibility(tree: Tree, driven: EngineWrenches, lines: Levels, rows: S
         for n in there:
             way = ("half", f"order_{order_word(driven.orders[n])}")
             if M[n] > l.NONE_BELOW * M.max():
-                T = l.moment_transmissibility(M_t=based_on(float(M_t[n]), lines.source), M=based_on(float(M[n]), lines.wrench))
+                T = l.moment_transmissibility(
+                    M_t=based_on(float(M_t[n]), lines.source), M=based_on(float(M[n]), lines.wrench)
+                )
                 put(tree[name], (*way, "transmissibility_moment"), about[0], T)
                 put(tree[name], (*way, "isolation"), isolation, based_on(1 - T, T))
             if F[n] > l.NONE_BELOW * F.max():
-                T = l.force_transmissibility(F_t=based_on(float(F_t[n]), lines.source), F=based_on(float(F[n]), lines.wrench))
+                T = l.force_transmissibility(
+                    F_t=based_on(float(F_t[n]), lines.source), F=based_on(float(F[n]), lines.wrench)
+                )
                 put(tree[name], (*way, "transmissibility_force"), about[1], T)
 
 
-def _ratios(tree: Tree, driven: EngineWrenches, rows: Sequence[tuple[str, float, float]], points: tuple[Point, ...]) -> None:
-    """Half over shaft at the first seat, at the first point of the engine and in the mounts: three numbers, never one."""
+def _ratios(
+    tree: Tree, driven: EngineWrenches, rows: Sequence[tuple[str, float, float]], points: tuple[Point, ...]
+) -> None:
+    """Half over shaft at the first seat, at the first point of the engine and in the mounts: three numbers, never
+    one."""
     if "shaft" not in driven.variants:
         return
     seat = next((point.name for point in points if point.role == "seat"), None)
@@ -183,7 +224,9 @@ def _ratios(tree: Tree, driven: EngineWrenches, rows: Sequence[tuple[str, float,
     if seat is not None:
         asked.append(("felt_seat", seat, "weighted", described(Text("Felt at the seat, half over shaft"), "", "q_S")))
     if engine is not None:
-        asked.append(("felt_engine", engine, "velocity", described(Text("Felt at the engine, half over shaft"), "", "q_S")))
+        asked.append(
+            ("felt_engine", engine, "velocity", described(Text("Felt at the engine, half over shaft"), "", "q_S"))
+        )
     for name, _, _ in rows:
         half, shaft = tree[name]["half"], tree[name]["shaft"]
         for id, place, kind, about in asked:
@@ -198,15 +241,22 @@ def _ratio(half: float | None, shaft: float | None) -> float | None:
 
 
 def felt_order_1(driven: EngineWrenches) -> Tree | None:
-    """The same at every place, of a pure couple: what the shaft's own error leaves of first order; none of one without error."""
+    """The same at every place, of a pure couple: what the shaft's own error leaves of first order; none of one without
+    error."""
     tree: Tree = {}
     for name in ("shaft", "scatter", "tooth"):
         if name in driven.variants and (ratio := driven.first_order.get(name)) is not None:
-            put(tree, (name,), described(Text("First order felt, half over {variant}", variant=VARIANT_WORDS[name]), "", "q_S,1"), ratio)
+            put(
+                tree,
+                (name,),
+                described(Text("First order felt, half over {variant}", variant=VARIANT_WORDS[name]), "", "q_S,1"),
+                ratio,
+            )
     return tree or None
 
 
-# Transfer functions: how every point moves under unit forces and moments at the engine's centre of gravity, over frequency.
+# Transfer functions: how every point moves under unit forces and moments at the engine's centre of gravity, over
+# frequency.
 
 LOWEST, HIGHEST, STEP = 0.5, 200.0, 0.5  # Hz
 DRIVES = ("F_x [N]", "F_y [N]", "F_z [N]", "M_x [N·m]", "M_y [N·m]", "M_z [N·m]")
@@ -224,7 +274,12 @@ def transfer_functions(result: MountingResult, f: Array) -> ComplexArray:
 def rows(result: MountingResult) -> tuple[tuple[str, ...], list[list[float]]]:
     """Header and rows of a file: frequency, then real and imaginary part of each function, in mm."""
     f = np.arange(LOWEST, HIGHEST + STEP / 2, STEP)
-    names = [f"{point.name}.{axis} [mm] / {drive}" for point in result.system.mounting.points for axis in "xyz" for drive in DRIVES]
+    names = [
+        f"{point.name}.{axis} [mm] / {drive}"
+        for point in result.system.mounting.points
+        for axis in "xyz"
+        for drive in DRIVES
+    ]
     header = ("frequency [Hz]", *(f"{name} {part}" for name in names for part in ("re", "im")))
     H = transfer_functions(result, f).reshape(f.size, -1) * 1e3
     both = np.stack([H.real, H.imag], -1).reshape(f.size, -1)

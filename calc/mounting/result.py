@@ -22,7 +22,8 @@ from .system import System
 
 @record
 class Rest:
-    """`deflection`: along own axes (mounts, 3), of the weight; `by_torque`: of 1 N·m about the crank; `load`: upward (mounts,)."""
+    """`deflection`: along own axes (mounts, 3), of the weight; `by_torque`: of 1 N·m about the crank; `load`: upward
+    (mounts,)."""
 
     deflection: Array
     by_torque: Array
@@ -70,7 +71,8 @@ class Ceiling:
 
 @result
 class Window:
-    """By which factor all stiffnesses may be changed: not below the road's frequency, not above what isolates at idle."""
+    """By which factor all stiffnesses may be changed: not below the road's frequency, not above what isolates at
+    idle."""
 
     lowest_factor: Number = value("Lowest factor of all stiffnesses, by the road", "", "s_low")
     spread: Number = value("Spread of the modes, highest over lowest", "", "f_max/f_min")
@@ -80,7 +82,8 @@ class Window:
 
 @result
 class Focal:
-    """Two mounts that mirror each other: how they would have to lean for the engine to turn about its centre of gravity."""
+    """Two mounts that mirror each other: how they would have to lean for the engine to turn about its centre of
+    gravity."""
 
     angle: Radian | None = value("Inclination that decouples roll from lateral", "°", "φ", default=None)
     reach: Metre = value("Highest elastic centre that an inclination gives", "mm", "a_max")
@@ -102,7 +105,8 @@ class OrderForce:
 
 @result
 class PointLevel:
-    """All orders together at a point, rms; the weighted ones at seats and hands.  None: an undamped resonance is hit."""
+    """All orders together at a point, rms; the weighted ones at seats and hands.  None: an undamped resonance is
+    hit."""
 
     displacement: Metre | None = value("Displacement, rms", "mm", "s", default=None)
     displacement_x: Metre | None = value("Displacement along x, rms", "mm", "s_x", default=None)
@@ -175,7 +179,8 @@ class MountingResult:
         return number
 
 
-# From arrays to published numbers: one line of the calculation for each where lines are wanted, one call for all where not.
+# From arrays to published numbers: one line of the calculation for each where lines are wanted, one call for all where
+# not.
 
 Nested = Any  # lists of lists of floats, as deep as the arrays have axes before those that the formula takes
 
@@ -185,7 +190,9 @@ def mapped(formula: Callable[..., Any], *given: Any, source: object, axes: int =
     if recorder.get() is None:
         return np.asarray(formula(*given)).tolist()
     if given[0].ndim == axes:
-        return formula(*(based_on(np.ascontiguousarray(x), source) if i == len(given) - 1 else x for i, x in enumerate(given)))
+        return formula(
+            *(based_on(np.ascontiguousarray(x), source) if i == len(given) - 1 else x for i, x in enumerate(given))
+        )
     return [mapped(formula, *parts, source=source, axes=axes) for parts in zip(*given)]
 
 

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Mounts to choose from: stiffness, shear ratio and inclination of the front and of the rear ones, which decouple the modes best.
+"""Mounts to choose from: stiffness, shear ratio and inclination of the front and of the rear ones, which decouple the
+modes best.
 
-A candidate keeps all modes between the road's frequency and what isolates at idle; of those that do, the one counts whose modes are
-purest.  The lattice of whole steps and the way through it are those of every search of the program (`sheet/search.py`).
-"""
+A candidate keeps all modes between the road's frequency and what isolates at idle; of those that do, the one counts
+whose modes are purest.  The lattice of whole steps and the way through it are those of every search of the program
+(`sheet/search.py`)."""
 
 import math
 from dataclasses import replace
@@ -67,7 +68,8 @@ class Candidate:
 
 
 def room(mounting: MountingInputs, result: MountingResult) -> MountRoom:
-    """Raises NoSolution where nothing drives the engine, or where no frequency is left between the road's and what drives it."""
+    """Raises NoSolution where nothing drives the engine, or where no frequency is left between the road's and what
+    drives it."""
     ceiling = result.window.shaft if result.has_shaft else result.window.half
     if ceiling is None:
         raise NoSolution(Text("there is nothing to isolate from"), Text("no order drives the engine"))
@@ -80,7 +82,9 @@ def room(mounting: MountingInputs, result: MountingResult) -> MountRoom:
         )
     places = np.array([mount.position for mount in mounting.mounts])
     grounds = [mount.foundation for mount in mounting.mounts]
-    ground = np.array([np.full(3, np.inf) if one is None else np.broadcast_to(np.asarray(one, dtype=float), (3,)) for one in grounds])
+    ground = np.array(
+        [np.full(3, np.inf) if one is None else np.broadcast_to(np.asarray(one, dtype=float), (3,)) for one in grounds]
+    )
     middle = float((places[:, 2].min() + places[:, 2].max()) / 2)
     return MountRoom(
         result.system.between[:, :, :6],
@@ -95,7 +99,8 @@ def room(mounting: MountingInputs, result: MountingResult) -> MountRoom:
 
 
 def evaluated(at: MountRoom, points: Array) -> tuple[Array, Array, Array, Array]:
-    """Of many candidates (n, 6 in steps): margin, what is missed of the targets, frequencies and energies of the named modes."""
+    """Of many candidates (n, 6 in steps): margin, what is missed of the targets, frequencies and energies of the named
+    modes."""
     x = points.reshape(len(points), 2, 3) * STEPS
     mine = x[:, at.rear.astype(int)]  # (n, mounts, 3)
     k, s, phi = mine[..., 0], mine[..., 1], -at.side * mine[..., 2]
@@ -127,7 +132,9 @@ def _indicator() -> Array:
     return found
 
 
-def choices(mounting: MountingInputs, result: MountingResult, progress: Progress | None = None) -> tuple[MountRoom, tuple[Candidate, ...]]:
+def choices(
+    mounting: MountingInputs, result: MountingResult, progress: Progress | None = None
+) -> tuple[MountRoom, tuple[Candidate, ...]]:
     """The best of each start, each once: those inside the window first, the purest modes first."""
     at = room(mounting, result)
     low, high = np.tile(LOW, 2), np.tile(HIGH, 2)
@@ -141,7 +148,10 @@ def choices(mounting: MountingInputs, result: MountingResult, progress: Progress
         tell(progress, n / len(STARTS), Text("start {n} of {count}", n=n + 1, count=len(STARTS)))
         best, _, _ = narrowed(evaluate, low, high, np.tile(start, 2), np.full(6, FIRST_STEP), SIDE)
         margin, missed, f, E = evaluated(at, best[None])
-        found.setdefault(tuple(best.tolist()), Candidate(best.reshape(2, 3) * STEPS, f[0], E[0], float(missed[0]), bool(margin[0] >= 0)))
+        found.setdefault(
+            tuple(best.tolist()),
+            Candidate(best.reshape(2, 3) * STEPS, f[0], E[0], float(missed[0]), bool(margin[0] >= 0)),
+        )
     return at, tuple(sorted(found.values(), key=lambda one: (not one.inside, one.missed, -float(one.energies.min()))))
 
 
@@ -152,7 +162,9 @@ def changes(one: Candidate, mounting: MountingInputs, at: MountRoom) -> Changes:
     for mount in made.mounts:
         assert mount.turned is not None
         found[f"mounting.mounts.{mount.name}.stiffness_N_mm"] = [round(k / 1e3, 6) for k in mount.stiffness]
-        found[f"mounting.mounts.{mount.name}.turned_deg"] = [round(math.degrees(angle), 6) + 0.0 for angle in mount.turned]
+        found[f"mounting.mounts.{mount.name}.turned_deg"] = [
+            round(math.degrees(angle), 6) + 0.0 for angle in mount.turned
+        ]
     return found
 
 
@@ -188,7 +200,8 @@ def table(found: tuple[Candidate, ...], at: MountRoom, top: int) -> Table:
         columns,
         rows,
         Text(
-            "Static stiffness in compression, shear over compression, inclination inwards; all modes from {low} to {high}: the road's, and "
+            "Static stiffness in compression, shear over compression, inclination inwards; all modes from {low} to "
+            "{high}: the road's, and "
             "what isolates at idle.",
             low=Amount(at.lowest, "Hz"),
             high=Amount(at.highest, "Hz", digits=3),

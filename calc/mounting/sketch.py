@@ -1,12 +1,27 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The modes of the engine on its mounts: a box on its mounts at rest and as it moves, looked at from the side and a little from above."""
+"""The modes of the engine on its mounts: a box on its mounts at rest and as it moves, looked at from the side and a
+little from above."""
 
 import math
 from collections.abc import Iterator
 
 import numpy as np
 
-from ..draw.drawing import AXIS, CONTEXT, OUTLINE, WORDS, Arc, Mark, Point, Polyline, Sketch, State, Words, awaited, judged
+from ..draw.drawing import (
+    AXIS,
+    CONTEXT,
+    OUTLINE,
+    WORDS,
+    Arc,
+    Mark,
+    Point,
+    Polyline,
+    Sketch,
+    State,
+    Words,
+    awaited,
+    judged,
+)
 from ..sheet.arrays import Array
 from ..sheet.step import Designed, Solved
 from ..sheet.text import Amount, Name, Text
@@ -16,12 +31,28 @@ from .inputs import MountingInputs
 from .result import MountingResult
 
 DOT, CROSS, SWING = 0.02, 0.04, 0.16  # of the box's diagonal: a mount, the cross of the centre, the largest move
-BACK = 0.5 * np.array([math.cos(math.radians(35.0)), math.sin(math.radians(35.0))])  # where what lies to the side is drawn
-EDGES = ((0, 1), (0, 2), (0, 4), (1, 3), (1, 5), (2, 3), (2, 6), (3, 7), (4, 5), (4, 6), (5, 7), (6, 7))  # of the corners of `box`
+BACK = 0.5 * np.array(
+    [math.cos(math.radians(35.0)), math.sin(math.radians(35.0))]
+)  # where what lies to the side is drawn
+EDGES = (
+    (0, 1),
+    (0, 2),
+    (0, 4),
+    (1, 3),
+    (1, 5),
+    (2, 3),
+    (2, 6),
+    (3, 7),
+    (4, 5),
+    (4, 6),
+    (5, 7),
+    (6, 7),
+)  # of the corners of `box`
 
 
 def sketch(design: Designed, results: Solved, angle: Radian = 0.0, view: int = 0) -> Sketch:
-    """The modes beside each other, that of `view` first, at a phase: 0 is the end of the swing.  To the right: along the crank."""
+    """The modes beside each other, that of `view` first, at a phase: 0 is the end of the swing.  To the right: along
+    the crank."""
     outcome = results.outcomes["mounting"]
     if design.mounting is None or not isinstance(outcome.result, MountingResult):
         return awaited(outcome)
@@ -29,7 +60,8 @@ def sketch(design: Designed, results: Solved, angle: Radian = 0.0, view: int = 0
     states = {mount.name: judged(checks, f"mounting.{mount.name}.deflection") for mount in design.mounting.mounts}
     modes = mode_pictures(design.mounting, outcome.result)
     first, *others = [
-        Sketch(tuple(_marks(design.mounting, mode, states, angle)), turning=True, title=_title(n, mode)) for n, mode in _from(modes, view)
+        Sketch(tuple(_marks(design.mounting, mode, states, angle)), turning=True, title=_title(n, mode))
+        for n, mode in _from(modes, view)
     ]
     note = Text("thin: at rest; dots: mounts, cross: centre of gravity, line through it: torque roll axis")
     return Sketch(first.primitives, (note,), turning=True, title=first.title, beside=tuple(others), views=len(modes))
@@ -41,7 +73,9 @@ def _from(modes: tuple[ModePicture, ...], view: int) -> list[tuple[int, ModePict
 
 
 def _title(n: int, mode: ModePicture) -> Text:
-    return Text("mode {n}: {words}, {frequency}", n=n, words=mode.words, frequency=Amount(mode.frequency, "Hz", digits=4))
+    return Text(
+        "mode {n}: {words}, {frequency}", n=n, words=mode.words, frequency=Amount(mode.frequency, "Hz", digits=4)
+    )
 
 
 def _marks(mounting: MountingInputs, mode: ModePicture, states: dict[str, State], angle: Radian) -> Iterator[Mark]:
@@ -57,7 +91,9 @@ def _marks(mounting: MountingInputs, mode: ModePicture, states: dict[str, State]
         yield Arc(OUTLINE, at, DOT * size, key=f"mounting.mounts.{i}", state=states[mount.name])
     for mount, at in zip(mounting.mounts, _seen(mode.mounts)):
         if states[mount.name]:
-            yield Words(WORDS, (at[0], at[1] - 4 * DOT * size), Name(mount.name), state=states[mount.name], side="centre")
+            yield Words(
+                WORDS, (at[0], at[1] - 4 * DOT * size), Name(mount.name), state=states[mount.name], side="centre"
+            )
     along = 0.25 * size * mode.roll_axis
     yield Polyline(AXIS, tuple(_seen(np.array([mode.centre - along, mode.centre + along]))))
     ((x, y),) = _seen(mode.centre[None, :])

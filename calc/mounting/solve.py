@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The engine on its mounts: modes, statics, and what is felt at every operation without a shaft, with one, and with one that is off."""
+"""The engine on its mounts: modes, statics, and what is felt at every operation without a shaft, with one, and with one
+that is off."""
 
 from dataclasses import replace
 from functools import partial
@@ -28,7 +29,11 @@ from .system import system
 
 
 def solve(
-    mounting: MountingInputs, engine: EngineInputs, e: EngineResult, imbalance: ImbalanceResult, shaft: ShaftOnEngine | None
+    mounting: MountingInputs,
+    engine: EngineInputs,
+    e: EngineResult,
+    imbalance: ImbalanceResult,
+    shaft: ShaftOnEngine | None,
 ) -> Outcome[MountingResult]:
     """`shaft`: the counter-shaft as designed, None where there is none."""
     with trace() as lines:
@@ -92,9 +97,14 @@ def values(mounting: MountingInputs, driven: EngineWrenches, J: float) -> Mounti
 
 
 def _over_boxes(
-    mounting: MountingInputs, engine: EngineInputs, driven: EngineWrenches, result: MountingResult, found: tuple[Check, ...]
+    mounting: MountingInputs,
+    engine: EngineInputs,
+    driven: EngineWrenches,
+    result: MountingResult,
+    found: tuple[Check, ...],
 ) -> tuple[MountingResult, tuple[Check, ...]]:
-    """With the range of every frequency, and with the check of the verdicts that hang on the estimate of the inertia."""
+    """With the range of every frequency, and with the check of the verdicts that hang on the estimate of the
+    inertia."""
     from .checks import inertia_check
 
     with untraced():

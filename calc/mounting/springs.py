@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The stiffness of mounts and supports: dynamic, with loss, turned, on a foundation that gives; at rest, real, or at a frequency."""
+"""The stiffness of mounts and supports: dynamic, with loss, turned, on a foundation that gives; at rest, real, or at a
+frequency."""
 
 import math
 
@@ -30,7 +31,9 @@ def damped(k: NewtonPerMetre, Omega: RadPerSecond, c: NewtonSecondPerMetre) -> P
 
 
 @formula(
-    "α", "mathematics, causality: the exponent with which a stiffness of constant loss factor rises over frequency", shows="2/π·arctan η"
+    "α",
+    "mathematics, causality: the exponent with which a stiffness of constant loss factor rises over frequency",
+    shows="2/π·arctan η",
 )
 def exponent(eta: Number) -> Number:
     return 2 / math.pi * math.atan(eta)

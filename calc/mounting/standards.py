@@ -13,9 +13,20 @@ from ..sheet.formula import formula
 from ..sheet.functions import largest, modulus, sqrt
 from ..sheet.record import record
 from ..sheet.text import Text
-from ..sheet.units import Hertz, Metre, MetrePerSecond, MetrePerSecond2, Number, PhasorHertz, PhasorNumber, RevPerSecond, Watt
+from ..sheet.units import (
+    Hertz,
+    Metre,
+    MetrePerSecond,
+    MetrePerSecond2,
+    Number,
+    PhasorHertz,
+    PhasorNumber,
+    RevPerSecond,
+    Watt,
+)
 
-# What standards say of vibration, from `calc/library/tables/vibration.toml`; each row there names its source and how sure it is.
+# What standards say of vibration, from `calc/library/tables/vibration.toml`; each row there names its source and how
+# sure it is.
 
 TABLE = Path(__file__).parents[1] / "library" / "tables" / "vibration.toml"
 
@@ -46,24 +57,29 @@ def weighting(name: str) -> Filter:
 
 
 NOT_ROAD = Text(
-    'ISO 10816-6 "does not apply to machines installed in road vehicles (e.g. trucks, passenger cars, self-propelling construction '
+    'ISO 10816-6 "does not apply to machines installed in road vehicles (e.g. trucks, passenger cars, self-propelling '
+    "construction "
     'machinery and tractors)": the grade is information, no verdict.'
 )
 NOT_SMALL = Text("ISO 10816-6 is for reciprocating machines above 100 kW: the grade is information, no verdict.")
 NOT_BOTH = Text(
-    'ISO 10816-6 is for reciprocating machines above 100 kW and "does not apply to machines installed in road vehicles (e.g. trucks, '
-    'passenger cars, self-propelling construction machinery and tractors)": this engine is out twice; the grade is information, no verdict.'
+    'ISO 10816-6 is for reciprocating machines above 100 kW and "does not apply to machines installed in road '
+    "vehicles (e.g. trucks, "
+    'passenger cars, self-propelling construction machinery and tractors)": this engine is out twice; the grade is '
+    "information, no verdict."
 )
 WITHIN = Text("ISO 10816-6 applies: a reciprocating machine above 100 kW that stands in no road vehicle.")
 NO_CLASS = Text("No machine_class is given: the grade is not judged.")
 COMPRESSORS = Text(
-    "ISO 20816-8 is for reciprocating compressor systems on rigid foundations, drivers excluded: it never applies to an engine."
+    "ISO 20816-8 is for reciprocating compressor systems on rigid foundations, drivers excluded: it never applies to "
+    "an engine."
 )
 GENERAL = Text("ISO 20816-1 is the general part and has no limits for engines.")
 SET = Text("ISO 8528-9 applies to the engine of this generating set: 0.72 mm, 45 mm/s, 28 m/s², rms.")
 SET_NOT_PRINTED = Text("ISO 8528-9 prints no limits for a generating set of this speed and power: not asked.")
 LOWER_BOUND = Text(
-    "The model sees only what the rigid body does of the 2 to 1000 Hz that severity is measured over: its grade is a lower bound."
+    "The model sees only what the rigid body does of the 2 to 1000 Hz that severity is measured over: its grade is a "
+    "lower bound."
 )
 ROAD = ("construction-machine", "tractor", "road")
 SMALLEST = 100e3  # W
@@ -98,7 +114,9 @@ def _printed(rpm: float, kW: float) -> bool:
 
 
 @formula(
-    "grade", "ISO 10816-6:1995, table 1 (from memory)", shows="the highest that displacement, velocity or acceleration of any axis asks for"
+    "grade",
+    "ISO 10816-6:1995, table 1 (from memory)",
+    shows="the highest that displacement, velocity or acceleration of any axis asks for",
 )
 def grade(s: Metre, v: MetrePerSecond, a: MetrePerSecond2) -> Number:
     """Of each axis along the last one; the largest counts."""
@@ -107,7 +125,8 @@ def grade(s: Metre, v: MetrePerSecond, a: MetrePerSecond2) -> Number:
     limits = 1e-3 * 10.0 ** (first + step * np.arange(len(grades) - 1))
     two_pi = 2 * np.pi
     sizes = np.maximum(
-        np.maximum(np.asarray(v), np.asarray(s) * two_pi * t["corner_low_Hz"]), np.asarray(a) / (two_pi * t["corner_high_Hz"])
+        np.maximum(np.asarray(v), np.asarray(s) * two_pi * t["corner_low_Hz"]),
+        np.asarray(a) / (two_pi * t["corner_high_Hz"]),
     )
     worst = sizes.max(-1)
     found = np.where(np.isfinite(worst), grades[np.searchsorted(limits, worst * (1 - 1e-12))], np.nan)
@@ -126,9 +145,11 @@ def zone_limit(machine_class: int) -> float:
     return float(next(row["limits"][0] for row in table()["severity_class"] if row["class"] == machine_class))
 
 
-# What people feel of a vibration: the weightings of ISO 2631-1 and ISO 5349-1 as transfer functions, at the frequency of each line.
+# What people feel of a vibration: the weightings of ISO 2631-1 and ISO 5349-1 as transfer functions, at the frequency
+# of each line.
 #
-# They are never taken from the tables of third-octaves: one of these has 0.212 for W_d at 10 Hz, where the function gives 0.2017.
+# They are never taken from the tables of third-octaves: one of these has 0.212 for W_d at 10 Hz, where the function
+# gives 0.2017.
 
 ISO = "ISO 8041: transfer functions of the frequency weightings"
 
@@ -189,7 +210,10 @@ def whole_body(a: MetrePerSecond2, T: Number) -> MetrePerSecond2:
 
 
 @formula(
-    "A(8)", "Directive 2002/44/EC, annex A with ISO 5349-1: total value of a day, referred to 8 h", unit="m/s²", shows="√(Σ a_v²·T/8 h)"
+    "A(8)",
+    "Directive 2002/44/EC, annex A with ISO 5349-1: total value of a day, referred to 8 h",
+    unit="m/s²",
+    shows="√(Σ a_v²·T/8 h)",
 )
 def hand_arm(a: MetrePerSecond2, T: Number) -> MetrePerSecond2:
     return float(np.sqrt(np.sum(np.square(a) * np.asarray(T)) / 8))

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The engine at rest on its mounts: how far they give, what they carry, and how far it rolls under a torque that leaves it."""
+"""The engine at rest on its mounts: how far they give, what they carry, and how far it rolls under a torque that leaves
+it."""
 
 import numpy as np
 
@@ -60,7 +61,9 @@ def at_rest(mounting: MountingInputs, s: System) -> Rest:
     delta = own_deflection(q_s=q, B=between, R=each(s.axes))
     by_torque = own_deflection(q_s=q_T, B=between, R=each(s.axes))
     carried = load(k=each(k), delta_s=delta, R=each(s.axes), up=each(up))
-    return Rest(np.asanyarray(delta), np.asanyarray(by_torque), np.asanyarray(carried), np.asanyarray(q), np.asanyarray(q_T))
+    return Rest(
+        np.asanyarray(delta), np.asanyarray(by_torque), np.asanyarray(carried), np.asanyarray(q), np.asanyarray(q_T)
+    )
 
 
 @formula("M_out", "statics: mean torque that the mounts carry where it leaves the body")
@@ -95,9 +98,13 @@ def published(mounting: MountingInputs, rest: Rest, out: tuple[float, ...]) -> T
 
 
 def preload(mounting: MountingInputs, K: Array) -> float:
-    """What the weight itself adds to the stiffness against tilting, m·g·h over the lesser of the two; it is left out of the model."""
+    """What the weight itself adds to the stiffness against tilting, m·g·h over the lesser of the two; it is left out of
+    the model."""
     up = np.asarray(mounting.up, dtype=float) / np.linalg.norm(mounting.up)
-    above = [abs(float((np.asarray(mounting.centre_of_gravity) - np.asarray(mount.position)) @ up)) for mount in mounting.mounts]
+    above = [
+        abs(float((np.asarray(mounting.centre_of_gravity) - np.asarray(mount.position)) @ up))
+        for mount in mounting.mounts
+    ]
     level = np.eye(3) - np.outer(up, up)
     _, least, _ = np.linalg.eigvalsh(level @ K[3:, 3:] @ level)  # the first: about up, which the weight leaves alone
     return float(mounting.mass) * GRAVITY * max(above) / float(least)

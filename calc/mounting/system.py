@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Engine and frame as one system: its matrices, the displacement of every place, and its steady state under harmonic wrenches.
+"""Engine and frame as one system: its matrices, the displacement of every place, and its steady state under harmonic
+wrenches.
 
 Coordinates: the six of the engine's centre of gravity, then the six of the chassis and one for each mode of the frame.
 """
@@ -22,7 +23,8 @@ RESONANT = 1e-12  # of an eigenvalue: an undamped resonance is hit
 
 @record
 class System:
-    """`between`: how each mount is deflected (mounts, 3, coordinates), engine side less frame side, in engine axes; `axes`: R of each."""
+    """`between`: how each mount is deflected (mounts, 3, coordinates), engine side less frame side, in engine axes;
+    `axes`: R of each."""
 
     mounting: MountingInputs
     size: int
@@ -78,7 +80,9 @@ def system(mounting: MountingInputs, J: Array, *, frame: bool = True) -> System:
         if chassis is not None:
             between[j, :, 6:] = -_on_frame(chassis, mount.name, mount.position)
     if chassis is not None:
-        M[6:12, 6:12] = np.asarray(mass_matrix(m=chassis.mass, J=each(tensor(chassis.inertia, chassis.inertia_coupling))))
+        M[6:12, 6:12] = np.asarray(
+            mass_matrix(m=chassis.mass, J=each(tensor(chassis.inertia, chassis.inertia_coupling)))
+        )
         for i, mode in enumerate(modes):
             static_frame[12 + i, 12 + i] = (2 * math.pi * mode.frequency) ** 2 * (1 + 1j * mode.loss_factor)
         for j, support in enumerate(supports):
@@ -98,7 +102,9 @@ def _without_frame(mounting: MountingInputs) -> MountingInputs:
 def _on_frame(chassis: Chassis, name: str, position: tuple[float, ...]) -> Array:
     """How a place of the frame moves with the chassis and its modes."""
     rigid = displacement(np.asarray(position) - np.asarray(chassis.centre_of_gravity))
-    shapes = [next((place.move for place in mode.shape if place.name == name), (0.0, 0.0, 0.0)) for mode in chassis.modes]
+    shapes = [
+        next((place.move for place in mode.shape if place.name == name), (0.0, 0.0, 0.0)) for mode in chassis.modes
+    ]
     return np.hstack([rigid, np.array(shapes, dtype=float).reshape(-1, 3).T])
 
 
@@ -115,7 +121,8 @@ def moves(s: System, point: Point) -> Array:
 
 @formula("q̂", "dynamics: steady state of a linear system under harmonic wrenches", shows="(K* − Ω²·M)⁻¹·f̂")
 def steady_state(K: PhasorNewtonPerMetre, M: Kilogram, f: PhasorNewton, Omega: RadPerSecond) -> PhasorMetre:
-    """`f`: (frequencies, cases, 6) on the engine; `K`: one matrix, or one for each frequency.  None of a resonance without loss."""
+    """`f`: (frequencies, cases, 6) on the engine; `K`: one matrix, or one for each frequency.  None of a resonance
+    without loss."""
     stiff, mass, force, w = phasors(K), np.asarray(M), phasors(f), np.asarray(Omega)
     if stiff.ndim == 2:
         return each(_by_modes(stiff, mass, force, w))
@@ -168,8 +175,8 @@ def _by_modes(K: ComplexArray, M: Array, f: ComplexArray, Omega: Array) -> Compl
 
 @record
 class Response:
-    """q̂ (frequencies, cases, coordinates), and the forces of the mounts on the frame (mounts, frequencies, cases, 3) in engine axes,
-    with their own deflections along their own axes."""
+    """q̂ (frequencies, cases, coordinates), and the forces of the mounts on the frame (mounts, frequencies, cases, 3)
+    in engine axes, with their own deflections along their own axes."""
 
     Omega: Array
     q: ComplexArray

@@ -21,7 +21,8 @@ def each(x: "Array | IndexArray | tuple[float, ...]") -> float: ...
 @overload
 def each(x: ComplexArray) -> complex: ...
 def each(x: object) -> object:
-    """An array where a formula takes one number: the door by which arrays enter formulas, which are written and typed for numbers."""
+    """An array where a formula takes one number: the door by which arrays enter formulas, which are written and typed
+    for numbers."""
     return x
 
 
@@ -51,7 +52,8 @@ def element(x: "Array | tuple[float, ...]", at: Any) -> float:
 
 
 def most(x: Any) -> float:
-    """The largest of all numbers, those of many designs too: what says whether an iteration is at its end everywhere."""
+    """The largest of all numbers, those of many designs too: what says whether an iteration is at its end
+    everywhere."""
     return float(_all(x).max()) if hasattr(x, "ndim") else cast(float, x)
 
 
@@ -67,7 +69,8 @@ def _all(x: object) -> Any:
 
 
 def distinct(x: "NDArray[S]") -> "tuple[NDArray[S], IndexArray, IndexArray]":
-    """The numbers of a one-dimensional array that differ, ascending; where each stands first; and which of them each element is.
+    """The numbers of a one-dimensional array that differ, ascending; where each stands first; and which of them each
+    element is.
 
     As `numpy.unique`, which brings in a tenth of a start-up more of numpy.
     """

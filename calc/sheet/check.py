@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A check: a value against its limit, with kind, cause, margin, verdict, source, what moves it and what would make it hold."""
+"""A check: a value against its limit, with kind, cause, margin, verdict, source, what moves it and what would make it
+hold."""
 
 import math
 import re
@@ -15,25 +16,28 @@ from .text import EMPTY, SEMICOLON, Amount, Text
 from .units import UNITS
 from .value import link_of, linked
 
-# The table of all checks: of which kind each is and why, what it shares its cause with, which value it judges and what moves it.
+# The table of all checks: of which kind each is and why, what it shares its cause with, which value it judges and what
+# moves it.
 #
-# It is a table to be read, `calc/library/tables/checks.md`; the letters in its ids stand for elements that have names of their own.
+# It is a table to be read, `calc/library/tables/checks.md`; the letters in its ids stand for elements that have names
+# of their own.
 
 TABLE = Path(__file__).parents[1] / "library" / "tables" / "checks.md"
 KINDS = ("limit", "caution", "advice", "method")  # from what must hold to what concerns the calculation alone
 ELEMENTS = ("B", "M", "N", "W")  # a bearing, a mesh, any element, a wheel
-LETTER = re.compile(r"(?<![^.|])(?:[BMNW#]|DRIVER|DRIVEN)(?![^.|])|(?<=_)W(?![^|])")  # in ids side by side, with | between them
+LETTER = re.compile(
+    r"(?<![^.|])(?:[BMNW#]|DRIVER|DRIVEN)(?![^.|])|(?<=_)W(?![^|])"
+)  # in ids side by side, with | between them
 
 
 @record
 class CheckRule:
     """One row: for one check, or for all checks of its pattern.
 
-    `kinds`: the first, unless the site says another of them.  `demand`: value and limit are demand and capacity.  `exact`: the limit is
-    one that the designer has chosen, and may be used up.  `value`, `limit`: ids of
-    the value that is judged and of that which it is held against; empty: it has none.  `moved_by`: keys of the inputs that move it most,
-    in the order in which a designer uses them; the key of a table stands for the numbers in it.
-    """
+    `kinds`: the first, unless the site says another of them.  `demand`: value and limit are demand and capacity.
+    `exact`: the limit is one that the designer has chosen, and may be used up.  `value`, `limit`: ids of the value that
+    is judged and of that which it is held against; empty: it has none.  `moved_by`: keys of the inputs that move it
+    most, in the order in which a designer uses them; the key of a table stands for the numbers in it."""
 
     id: str
     kinds: tuple[str, ...]
@@ -62,7 +66,8 @@ def _rule(id: str, kind: str, cause: str, value: str, limit: str, moved_by: str,
 
 @cache
 def _by_end() -> dict[tuple[str, int, str], list[tuple[CheckRule, list[str]]]]:
-    """The rules and the parts of their ids by step, number of parts and last part; of several, those with fewer letters first."""
+    """The rules and the parts of their ids by step, number of parts and last part; of several, those with fewer letters
+    first."""
     found: dict[tuple[str, int, str], list[tuple[CheckRule, list[str]]]] = {}
     parted = [(rule, rule.id.split(".")) for rule in rules()]
     for rule, parts in sorted(parted, key=lambda one: sum(part in ELEMENTS for part in one[1])):
@@ -72,7 +77,8 @@ def _by_end() -> dict[tuple[str, int, str], list[tuple[CheckRule, list[str]]]]:
 
 @cache
 def rule_of(id: str, index: int | None = None) -> CheckRule:
-    """The row of a check with its own elements in place of the letters.  `index`: of the mesh in its array (`#` of the keys).
+    """The row of a check with its own elements in place of the letters.  `index`: of the mesh in its array (`#` of the
+    keys).
 
     Raises KeyError where there is none: every check has its row.
     """
@@ -112,7 +118,8 @@ def is_limit(id: str) -> bool:
 
 
 def _names(pattern: list[str], parts: list[str]) -> dict[str, str] | None:
-    """The elements that the letters of a pattern stand for in an id; None where it is not of this pattern.  A mesh is two names with _."""
+    """The elements that the letters of a pattern stand for in an id; None where it is not of this pattern.  A mesh is
+    two names with _."""
     names: dict[str, str] = {}
     for letter, part in zip(pattern, parts):
         if letter in ELEMENTS:
@@ -140,28 +147,45 @@ def _filled(rule: CheckRule, names: dict[str, str], index: int | None) -> CheckR
 
 THIN_MARGIN = 0.05  # a limit that holds by less than this is a warning
 SIGNS = {
-    "pass": "✓", "warn": "▲", "fail": "✗", "note": "•", "not_verified": "?", "accepted": "✓", "blocked": "○", "not_asked": "·",
+    "pass": "✓",
+    "warn": "▲",
+    "fail": "✗",
+    "note": "•",
+    "not_verified": "?",
+    "accepted": "✓",
+    "blocked": "○",
+    "not_asked": "·",
     "no_solution": "✗",
-}  # fmt: skip
-ORDER = ("not_asked", "pass", "accepted", "note", "warn", "not_verified", "blocked", "fail", "no_solution")  # from good to bad
+}
+ORDER = (
+    "not_asked",
+    "pass",
+    "accepted",
+    "note",
+    "warn",
+    "not_verified",
+    "blocked",
+    "fail",
+    "no_solution",
+)  # from good to bad
 URGENT = ("fail", "not_verified", "warn")  # verdicts that somebody has to look at
 STEP_STATES = ("not_asked", "pass", "warn", "not_verified", "blocked", "fail", "no_solution")
 
 
 @record
 class Check:
-    """`value` and `limit` stand in the shown unit.  `sense` is ">=", ">", "<=", "<" or "in" (limit is then (low, high)).
+    """`value` and `limit` stand in the shown unit.  `sense` is ">=", ">", "<=", "<" or "in" (limit is then (low,
+    high)).
 
-    `kind`, as CONTRACT 3b has them: a "limit" that is passed over is a fail, and one that holds by less than 5 % a warning; a "caution"
-    that is passed over is a warning; "advice" and "method" (about the calculation, not the part) are notes.
-    `cause`: the id of the check, or of the group, that it is shown under.  `value_id`, `limit_id`: the value that is judged, and the one
-    that it is held against.  `moved_by`: keys of the inputs that move it most, in the order in which a designer uses them; the key of a
-    table stands for the numbers in it.
-    `exact`: the limit, where it is not 0, is one that the designer has chosen and may be used up.
-    `missing`: keys that are not given and without which it can not be judged: it stands on what the program takes for them.
-    `advice`: what to do: the remedies, in the labels and units of the fields, and what is no value of a key.  `accepted`: the reason that
-    the user gave for leaving it open.
-    """
+    `kind`, as CONTRACT 3b has them: a "limit" that is passed over is a fail, and one that holds by less than 5 % a
+    warning; a "caution" that is passed over is a warning; "advice" and "method" (about the calculation, not the part)
+    are notes. `cause`: the id of the check, or of the group, that it is shown under.  `value_id`, `limit_id`: the value
+    that is judged, and the one that it is held against.  `moved_by`: keys of the inputs that move it most, in the order
+    in which a designer uses them; the key of a table stands for the numbers in it. `exact`: the limit, where it is not
+    0, is one that the designer has chosen and may be used up. `missing`: keys that are not given and without which it
+    can not be judged: it stands on what the program takes for them. `advice`: what to do: the remedies, in the labels
+    and units of the fields, and what is no value of a key.  `accepted`: the reason that the user gave for leaving it
+    open."""
 
     id: str
     name: Text
@@ -183,7 +207,10 @@ class Check:
     accepted: str = ""
 
     def __str__(self) -> str:
-        return f"{SIGNS[self.verdict]} {self.name}: {Amount(self.value, self.unit)} ({self.limit_text()}, {self.margin_text()})"
+        return (
+            f"{SIGNS[self.verdict]} {self.name}: {Amount(self.value, self.unit)} ({self.limit_text()}, "
+            f"{self.margin_text()})"
+        )
 
     @property
     def nearest(self) -> tuple[float, float]:
@@ -196,7 +223,8 @@ class Check:
 
     @cached_property
     def margin(self) -> float:
-        """Distance to the nearest limit over |limit|, negative when passed over; for a limit of 0 the distance itself."""
+        """Distance to the nearest limit over |limit|, negative when passed over; for a limit of 0 the distance
+        itself."""
         gap, limit = self.nearest
         return gap / abs(limit) if limit else gap
 
@@ -274,23 +302,40 @@ def check(
 ) -> Check:
     """A check from numbers in SI: value and limit are turned into the shown unit here and nowhere else.
 
-    Kind, cause, the value that is judged and what moves it are those of its row in `calc/library/tables/checks.md`.  `kind`: where the row has two.
-    `advice`: what could be done beside the remedies.  `index`: of the mesh in its array, for the keys of the row.  `value_id`, `moved_by`:
-    where the site knows them better than the row.  `remedies` are made only where it does not hold.
-    """
+    Kind, cause, the value that is judged and what moves it are those of its row in `calc/library/tables/checks.md`.
+    `kind`: where the row has two. `advice`: what could be done beside the remedies.  `index`: of the mesh in its array,
+    for the keys of the row.  `value_id`, `moved_by`: where the site knows them better than the row.  `remedies` are
+    made only where it does not hold."""
     rule = rule_of(id, index)
     shown = UNITS[unit].shown
     bound = (shown(limit[0]), shown(limit[1])) if isinstance(limit, tuple) else linked(shown(limit), link_of(limit))
     several = has_lanes(value, limit)  # of many designs, which are judged one by one: nobody reads remedies
     number = shown(value) if several or math.isfinite(value) else value
     made = Check(
-        id, name, linked(number, link_of(value)), bound, sense, unit, source, advice,
-        kind if kind in rule.kinds else rule.kinds[0], rule.cause,
-        rule.value if value_id is None else value_id, rule.limit, rule.moved_by if moved_by is None else moved_by, (), missing,
-        rule.demand, rule.exact,
-    )  # fmt: skip
+        id,
+        name,
+        linked(number, link_of(value)),
+        bound,
+        sense,
+        unit,
+        source,
+        advice,
+        kind if kind in rule.kinds else rule.kinds[0],
+        rule.cause,
+        rule.value if value_id is None else value_id,
+        rule.limit,
+        rule.moved_by if moved_by is None else moved_by,
+        (),
+        missing,
+        rule.demand,
+        rule.exact,
+    )
     ways = () if remedies is None or several or made.holds else remedies()
-    return replace(made, remedies=ways, advice=Text(" ").join([sentence(ways), advice] if advice else [sentence(ways)])) if ways else made
+    return (
+        replace(made, remedies=ways, advice=Text(" ").join([sentence(ways), advice] if advice else [sentence(ways)]))
+        if ways
+        else made
+    )
 
 
 def worst(verdicts: Iterable[str]) -> str:
@@ -299,19 +344,22 @@ def worst(verdicts: Iterable[str]) -> str:
 
 
 def step_verdict(checks: Iterable[Check]) -> str:
-    """Of a step: fail if a limit fails, not_verified if one can not be judged, warn if a caution is open or a limit holds narrowly."""
+    """Of a step: fail if a limit fails, not_verified if one can not be judged, warn if a caution is open or a limit
+    holds narrowly."""
     return worst("warn" if c.verdict == "not_verified" and c.kind != "limit" else c.verdict for c in checks)
 
 
 def grouped(checks: Iterable[Check]) -> list[tuple[Check, ...]]:
     """Checks under their causes, the worst kind and verdict first; within a group the worst first.
 
-    A group stands where its worst check does.  Checks of one kind and verdict keep their order, the limit that is missed furthest first.
-    """
+    A group stands where its worst check does.  Checks of one kind and verdict keep their order, the limit that is
+    missed furthest first."""
     groups: dict[str, list[Check]] = {}
     for one in checks:
         groups.setdefault(one.cause or one.id, []).append(one)
-    return sorted((tuple(sorted(group, key=severity)) for group in groups.values()), key=lambda group: severity(group[0])[:3])
+    return sorted(
+        (tuple(sorted(group, key=severity)) for group in groups.values()), key=lambda group: severity(group[0])[:3]
+    )
 
 
 def with_it(checks: Sequence[Check], most: int = 3) -> Text:
@@ -321,11 +369,19 @@ def with_it(checks: Sequence[Check], most: int = 3) -> Text:
 
 def named(checks: Sequence[Check], most: int = 3) -> Text:
     """Checks by name and margin; of more than `most` the rest as a number."""
-    first = SEMICOLON.join(Text("{name} ({margin})", name=check.name, margin=check.margin_text()) for check in checks[:most])
+    first = SEMICOLON.join(
+        Text("{name} ({margin})", name=check.name, margin=check.margin_text()) for check in checks[:most]
+    )
     return first if len(checks) <= most else Text("{names}; {more} more", names=first, more=len(checks) - most)
 
 
 def severity(check: Check) -> tuple[bool, int, int, float]:
-    """What sorts checks: open ones before those that hold or are accepted, then by kind, then the worst verdict first."""
+    """What sorts checks: open ones before those that hold or are accepted, then by kind, then the worst verdict
+    first."""
     margin = check.margin
-    return not check.open, KINDS.index(check.kind), -ORDER.index(check.verdict), margin if margin == margin else -math.inf
+    return (
+        not check.open,
+        KINDS.index(check.kind),
+        -ORDER.index(check.verdict),
+        margin if margin == margin else -math.inf,
+    )

@@ -6,11 +6,12 @@ import re
 from .record import record
 from .text import EMPTY, SEMICOLON, Name, Text, plural
 
-# Text of the user, made harmless where it leaves the program: what a terminal would obey, or nobody would see, is written out.
+# Text of the user, made harmless where it leaves the program: what a terminal would obey, or nobody would see, is
+# written out.
 #
-# A character is written as JSON writes it (`\\u202e`), so that a JSON text stays the same object.  What is written out: control characters,
-# marks that turn the direction of the text, spaces and fillers without a width, line ends of Unicode, tags, halves of surrogate pairs (bytes
-# of a file name that are no text).
+# A character is written as JSON writes it (`\\u202e`), so that a JSON text stays the same object.  What is written out:
+# control characters, marks that turn the direction of the text, spaces and fillers without a width, line ends of
+# Unicode, tags, halves of surrogate pairs (bytes of a file name that are no text).
 
 UNSEEN = (
     "\x7f-\x9f\xad\u034f\u061c\u115f\u1160\u17b4\u17b5\u180b-\u180f\u200b-\u200f\u2028-\u202e\u2060-\u206f\u3164\ud800-\udfff\ufeff\uffa0"
@@ -21,7 +22,8 @@ IN_LINES = re.compile(f"[\x00-\x08\x0b-\x1f{UNSEEN}]")
 
 
 def visible(text: str, *, lines: bool = False) -> str:
-    """The text with what can not be seen in it written out.  `lines`: it is a text of the program, whose line ends and tabs are meant."""
+    """The text with what can not be seen in it written out.  `lines`: it is a text of the program, whose line ends and
+    tabs are meant."""
     hidden = IN_LINES if lines else IN_A_LINE
     return hidden.sub(_written, text) if hidden.search(text) else text
 
@@ -50,13 +52,16 @@ class InputError:
 
 
 class BadInput(Exception):
-    """All mistakes of one reading, in the order of their lines; its words are those of the first, and how many more there are."""
+    """All mistakes of one reading, in the order of their lines; its words are those of the first, and how many more
+    there are."""
 
     def __init__(self, place: str, errors: list[InputError]) -> None:
         self.place = place
         self.errors = sorted(errors, key=lambda e: e.line)
         rest = len(errors) - SHOWN_ERRORS
-        more = [plural("{place}: {n} more mistake", "{place}: {n} more mistakes", rest, place=place)] if rest > 0 else []
+        more = (
+            [plural("{place}: {n} more mistake", "{place}: {n} more mistakes", rest, place=place)] if rest > 0 else []
+        )
         super().__init__("\n".join([*(e.text(place) for e in self.errors[:SHOWN_ERRORS]), *more]))
 
 

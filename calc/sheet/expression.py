@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """A recorded line made readable, from the formula's own `return` expression.
 
-`expression(formula)` turns the function's syntax tree into a small neutral tree of `Expr`; `text()` writes such a tree for a
-terminal, the report typesets the same tree.  Loaded only when something is shown.
-"""
+`expression(formula)` turns the function's syntax tree into a small neutral tree of `Expr`; `text()` writes such a tree
+for a terminal, the report typesets the same tree.  Loaded only when something is shown."""
 
 import ast
 import math
@@ -18,20 +17,24 @@ from .text import COMMA, EMPTY, Name, Text, with_unit
 from .units import UNITS
 from .value import Equation, Line
 
-# With how many digits the numbers of a substitution have to be written, so that who works it out again finds the value beside it.
+# With how many digits the numbers of a substitution have to be written, so that who works it out again finds the value
+# beside it.
 #
-# A value has four digits.  Its arguments have four as well, and more where they are needed: where a difference takes the first ones away,
-# where a power multiplies a rounding, where the value lies near the middle between two numbers of four digits.
+# A value has four digits.  Its arguments have four as well, and more where they are needed: where a difference takes
+# the first ones away, where a power multiplies a rounding, where the value lies near the middle between two numbers of
+# four digits.
 
 MOST = 12  # digits of an argument
 NOUGHT = 5e-4  # in the shown unit: what is found again in place of 0
 
 
-def digits_that_close(formula: Equation, arguments: Mapping[str, object], value: object, factor: float) -> dict[str, int]:
+def digits_that_close(
+    formula: Equation, arguments: Mapping[str, object], value: object, factor: float
+) -> dict[str, int]:
     """Digits by argument.  `value`: what the arguments gave, in SI; `factor`: its shown unit in SI.
 
-    Four for all where that is enough; else the least number with which all of them give the value, then as few as each one needs.
-    """
+    Four for all where that is enough; else the least number with which all of them give the value, then as few as each
+    one needs."""
     given = {name: x for name, x in arguments.items() if _is_written(x)}
     digits = dict.fromkeys(arguments, DIGITS)
     if not isinstance(value, (float, complex)) or not math.isfinite(abs(value)):
@@ -40,7 +43,9 @@ def digits_that_close(formula: Equation, arguments: Mapping[str, object], value:
 
     def close() -> bool:
         try:
-            again = formula.function(**{**arguments, **{name: all_rounded(x, digits[name]) for name, x in given.items()}})
+            again = formula.function(
+                **{**arguments, **{name: all_rounded(x, digits[name]) for name, x in given.items()}}
+            )
             return isinstance(again, (int, float, complex)) and bool(_same(again / factor, target))
         except (ValueError, ZeroDivisionError, OverflowError, TypeError):
             return False
@@ -50,7 +55,9 @@ def digits_that_close(formula: Equation, arguments: Mapping[str, object], value:
         if close():
             break
     else:
-        return dict.fromkeys(arguments, DIGITS)  # an algorithm of its own, or a list too long to be written: no digits help
+        return dict.fromkeys(
+            arguments, DIGITS
+        )  # an algorithm of its own, or a list too long to be written: no digits help
     for name in given:
         for fewer in range(DIGITS, digits[name]):
             kept, digits[name] = digits[name], fewer
@@ -70,9 +77,14 @@ def _is_written(x: object) -> bool:
 
 
 def _same(again: complex, value: float | complex) -> bool:
-    """Whether a number that is worked out again lies within half a unit of the last digit with which the value is written."""
+    """Whether a number that is worked out again lies within half a unit of the last digit with which the value is
+    written."""
     if isinstance(value, complex):
-        turned = math.degrees(math.atan2(again.imag, again.real) - math.atan2(value.imag, value.real)) if value and again else 0.0
+        turned = (
+            math.degrees(math.atan2(again.imag, again.real) - math.atan2(value.imag, value.real))
+            if value and again
+            else 0.0
+        )
         angle = math.degrees(math.atan2(value.imag, value.real))
         return _near(abs(again), abs(value)) and _near(angle + math.remainder(turned, 360), angle)
     return _near(again, value)
@@ -89,22 +101,41 @@ def _unit(shown: float) -> float:
 
 
 GREEK = dict(
-    alpha="α", beta="β", gamma="γ", delta="δ", epsilon="ε", eps="ε", zeta="ζ", eta="η", theta="θ", kappa="κ", lam="λ", mu="μ", nu="ν",
-    xi="ξ", pi="π", rho="ρ", sigma="σ", tau="τ", phi="φ", chi="χ", psi="ψ", omega="ω", Delta="Δ", Lambda="Λ", Phi="Φ", Psi="Ψ", Omega="Ω",
+    alpha="α", beta="β", gamma="γ", delta="δ", epsilon="ε", eps="ε", zeta="ζ", eta="η", theta="θ", kappa="κ", lam="λ",
+    mu="μ", nu="ν",
+    xi="ξ", pi="π", rho="ρ", sigma="σ", tau="τ", phi="φ", chi="χ", psi="ψ", omega="ω", Delta="Δ", Lambda="Λ", Phi="Φ",
+    Psi="Ψ", Omega="Ω",
     Sigma="Σ", Gamma="Γ",
 ) | {"lambda": "λ"}  # fmt: skip
 NO_ANGLE = 1e-12  # rad: what a sine of π has left
 WRITTEN = 10  # digits of a number that stands in a formula itself: as it is written there
 ENOUGH = 5  # digits of a constant that has no end: 30° in radians
 BINARY = {ast.Add: "add", ast.Sub: "sub", ast.Mult: "mul", ast.Div: "div", ast.Pow: "pow"}
-CALLS = {"sqrt": "sqrt", "total": "sum", "along": "sum", "resultant": "sum", "cis": "cis", "modulus": "abs", "abs": "abs"}
+CALLS = {
+    "sqrt": "sqrt",
+    "total": "sum",
+    "along": "sum",
+    "resultant": "sum",
+    "cis": "cis",
+    "modulus": "abs",
+    "abs": "abs",
+}
 CALLS |= {"imag": "Im", "largest": "max", "smallest": "min"}
-CALLS |= {"argument": "arg", "asin": "arcsin", "acos": "arccos", "atan": "arctan", "log10": "lg", "asinh": "arsinh", "log1p": "ln1p"}
+CALLS |= {
+    "argument": "arg",
+    "asin": "arcsin",
+    "acos": "arccos",
+    "atan": "arctan",
+    "log10": "lg",
+    "asinh": "arsinh",
+    "log1p": "ln1p",
+}
 
 
 @record
 class Expr:
-    """A node: `head` is number, symbol (both with their text in `name`), add, sub, mul, div, pow, neg, sqrt, sum, cis, abs or call."""
+    """A node: `head` is number, symbol (both with their text in `name`), add, sub, mul, div, pow, neg, sqrt, sum, cis,
+    abs or call."""
 
     head: str
     args: tuple["Expr", ...] = ()
@@ -126,7 +157,8 @@ def symbol(identifier: str) -> str:
 
 @cache
 def expression(formula: Equation) -> Expr | None:
-    """The tree of the return expression; None where the source text is not at hand or the formula stands for an algorithm."""
+    """The tree of the return expression; None where the source text is not at hand or the formula stands for an
+    algorithm."""
     if formula.shows:
         return None
     found = definition(formula.function)
@@ -192,10 +224,12 @@ def substituted(tree: Expr, numbers: Mapping[str, str]) -> Expr:
     return Expr(tree.head, tuple(substituted(a, numbers) for a in tree.args), tree.name)
 
 
-# --- one recorded line, ready to be shown --------------------------------------------------------------------------------
+# --- one recorded line, ready to be shown
+# --------------------------------------------------------------------------------
 @record
 class Shown:
-    """A line made readable: the two trees (None for an algorithm, whose words stand in `shows`), the value with its unit, the source."""
+    """A line made readable: the two trees (None for an algorithm, whose words stand in `shows`), the value with its
+    unit, the source."""
 
     symbol: str
     formula: Expr | None
@@ -290,7 +324,9 @@ def show(line: Line, at: tuple[int, ...] | None = None) -> Shown:
     if tree is not None:
         known = units(formula)
         digits = digits_that_close(formula, arguments, value, _result_unit(formula)[1])
-        texts = {formula.names.get(k, symbol(k)): _argument(v, known.get(k, ""), digits[k]) for k, v in arguments.items()}
+        texts = {
+            formula.names.get(k, symbol(k)): _argument(v, known.get(k, ""), digits[k]) for k, v in arguments.items()
+        }
         numbers = substituted(tree, texts)
     shows = formula.shows
     if tree is None and not shows:
@@ -303,7 +339,8 @@ def show(line: Line, at: tuple[int, ...] | None = None) -> Shown:
     return Shown(symbol_of(line), tree, numbers, shows, *_result(formula, value), formula.source, line.about, where)
 
 
-# --- for the terminal ------------------------------------------------------------------------------------------------------
+# --- for the terminal
+# ------------------------------------------------------------------------------------------------------
 def plain(name: str) -> str:
     """A symbol for a terminal: digits below the line, letters after an underscore."""
     base, _, index = name.partition("_")
@@ -311,10 +348,18 @@ def plain(name: str) -> str:
 
 
 RANK = {"add": 1, "sub": 1, "mul": 2, "div": 2, "neg": 2.5, "pow": 4, "cis": 4, "sqrt": 4.5, "sum": 4.5}
-SPELT: dict[str, tuple[str, *tuple[float, ...]]] = {  # how a node is written, and the rank below which each of its parts is bracketed
-    "add": ("{} + {}", 1, 1), "sub": ("{} − {}", 1, 1.5), "mul": ("{}·{}", 2, 2.2), "div": ("{}/{}", 2, 2.5), "neg": ("−{}", 2.5),
-    "cis": ("e^(i·{})", 2.2), "sum": ("Σ({})", 0), "abs": ("|{}|", 0),
-}  # fmt: skip
+SPELT: dict[
+    str, tuple[str, *tuple[float, ...]]
+] = {  # how a node is written, and the rank below which each of its parts is bracketed
+    "add": ("{} + {}", 1, 1),
+    "sub": ("{} − {}", 1, 1.5),
+    "mul": ("{}·{}", 2, 2.2),
+    "div": ("{}/{}", 2, 2.5),
+    "neg": ("−{}", 2.5),
+    "cis": ("e^(i·{})", 2.2),
+    "sum": ("Σ({})", 0),
+    "abs": ("|{}|", 0),
+}
 
 
 def text(tree: Expr, outer: float = 0) -> str:
@@ -350,14 +395,18 @@ def respelled(tree: Expr, number: Callable[[str], str]) -> Expr:
 
 
 def line_text(line: Line, say: Callable[[str], str] = str, number: Callable[[str], str] = str) -> tuple[str, str, str]:
-    """A line for a terminal: the formula, the substitution with its value, the source; `say` and `number` put its words and its numbers
-    into a language."""
+    """A line for a terminal: the formula, the substitution with its value, the source; `say` and `number` put its words
+    and its numbers into a language."""
     shown = show(line)
     result = with_unit(number(shown.value), shown.unit) + (f"   ({say(shown.where)})" if shown.where else "")
     head = plain(shown.symbol)
     if shown.formula is None or shown.numbers is None:
         return f"{head}: {say(shown.shows)}", f"= {result}", say(shown.source)
-    return f"{head} = {number(_written(line.formula))}", f"= {number(text(shown.numbers))} = {result}", say(shown.source)
+    return (
+        f"{head} = {number(_written(line.formula))}",
+        f"= {number(text(shown.numbers))} = {result}",
+        say(shown.source),
+    )
 
 
 @cache

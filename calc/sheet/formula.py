@@ -5,11 +5,10 @@
     def specific_load(F: Newton, d: Metre, l: Metre) -> Pascal:
         return F / (d * l)
 
-Calling it returns the number, or the array.  `help(specific_load)` shows its signature with units, its expression, its source and what
-its docstring adds, an example above all.  Inside `with trace()` the call is recorded as well, and what it returns is linked to the
-recorded line (`value.py`).  How a line is rendered from its own return expression stands in `expression.py`, which nothing needs before
-something is shown.
-"""
+Calling it returns the number, or the array.  `help(specific_load)` shows its signature with units, its expression, its
+source and what its docstring adds, an example above all.  Inside `with trace()` the call is recorded as well, and what
+it returns is linked to the recorded line (`value.py`).  How a line is rendered from its own return expression stands in
+`expression.py`, which nothing needs before something is shown."""
 
 import ast
 import inspect
@@ -47,7 +46,14 @@ class Formula(Generic[P, R]):
     __name__: str
 
     def __init__(
-        self, function: Callable[P, R], symbol: str, source: str, shows: str, unit: str, governs: str, names: dict[str, str]
+        self,
+        function: Callable[P, R],
+        symbol: str,
+        source: str,
+        shows: str,
+        unit: str,
+        governs: str,
+        names: dict[str, str],
     ) -> None:
         self.function, self.symbol, self._source, self._shows = function, symbol, source, shows
         self.unit, self.governs, self.names = unit, governs, names
@@ -90,7 +96,8 @@ def units(formula: Equation) -> dict[str, str]:
 
 
 def described(formula: Equation) -> str:
-    """What `help` shows: call and result with their units in SI ("-": none), the expression or the algorithm, the source, the docstring."""
+    """What `help` shows: call and result with their units in SI ("-": none), the expression or the algorithm, the
+    source, the docstring."""
     known = {name: unit or "-" for name, unit in units(formula).items()}
     arguments = ", ".join(f"{name}: {known.get(name, '-')}" for name in formula.parameters)
     shown = f"   (shown in {formula.unit})" if formula.unit else ""
@@ -110,8 +117,8 @@ def _returned(function: Callable[..., object]) -> str:
 def definition(function: Callable[..., object]) -> ast.FunctionDef | None:
     """The source of a function, parsed; None where it is not at hand.
 
-    At the top of a module a function ends where the next line begins at its left; that is found ten times as quickly as by `inspect`.
-    """
+    At the top of a module a function ends where the next line begins at its left; that is found ten times as quickly as
+    by `inspect`."""
     code = function.__code__
     rows = linecache.getlines(code.co_filename, function.__globals__)[code.co_firstlineno - 1 :]
     if rows and not rows[0][0].isspace():
@@ -132,14 +139,22 @@ FORMULAS: dict[str, Formula[..., object]] = {}  # every formula of the program: 
 
 
 def formula(
-    symbol: str, source: str, *, shows: str = "", unit: str = "", governs: str = "max", names: dict[str, str] | None = None
+    symbol: str,
+    source: str,
+    *,
+    shows: str = "",
+    unit: str = "",
+    governs: str = "max",
+    names: dict[str, str] | None = None,
 ) -> Callable[[Callable[P, R]], Formula[P, R]]:
     """Make a function a formula.  Raises ValueError at import where symbol or source is missing.
 
     `names` gives a parameter another symbol than its own name (`{"eps": "ε"}` is not needed: Greek names are known).
     """
     if not symbol.strip() or len(source.strip()) < 8:
-        raise ValueError(f"formula {symbol!r}: a formula needs a symbol and a source (author or standard, year, clause)")
+        raise ValueError(
+            f"formula {symbol!r}: a formula needs a symbol and a source (author or standard, year, clause)"
+        )
 
     def decorate(function: "Callable[P, R]") -> "Formula[P, R]":  # as words: a thousand times evaluated they take 5 ms
         made = Formula(function, symbol, source, shows, unit, governs, names or {})

@@ -10,7 +10,6 @@ from typing import TypeVar, cast
 
 import numpy as np
 
-from . import linked_array
 from .arrays import ComplexArray, has_lanes, one, phasors
 from .lanes import point_by_point
 from .value import LinkedFloat
@@ -26,7 +25,9 @@ def _several(x: object) -> bool:
 
 def _both(scalar: Callable[[float], float], vector: Callable[[float], float]) -> Callable[[float], float]:
     def function(x: float) -> float:
-        return scalar(x) if type(x) is float or type(x) is LinkedFloat else vector(x)  # no numpy number: it has other last digits
+        return (
+            scalar(x) if type(x) is float or type(x) is LinkedFloat else vector(x)
+        )  # no numpy number: it has other last digits
 
     function.__name__ = scalar.__name__
     return function
@@ -77,7 +78,9 @@ def argument(z: complex) -> float:
     """
     dust = 1e-12 * abs(z)
     if _several(z):
-        return cast(float, np.arctan2(np.where(abs(z.imag) > dust, z.imag, 0.0), np.where(abs(z.real) > dust, z.real, 0.0)))
+        return cast(
+            float, np.arctan2(np.where(abs(z.imag) > dust, z.imag, 0.0), np.where(abs(z.real) > dust, z.real, 0.0))
+        )
     return math.atan2(z.imag if abs(z.imag) > dust else 0.0, z.real if abs(z.real) > dust else 0.0)
 
 
@@ -154,12 +157,12 @@ def rss(x: float) -> float:
 
 # The zero of a function in a bracket.  Ours because scipy.optimize costs half a second of import.
 
+
 def root(function: Callable[[float], float], a: float, b: float, *, tolerance: float = 1e-12) -> float:
     """The zero of `function` between two points of opposite sign, by Brent's method (Brent 1973, ch. 4).
 
-    A jump through zero counts as a zero.  `tolerance` is relative to the larger end of the bracket.  Raises ValueError where the
-    signs do not differ.
-    """
+    A jump through zero counts as a zero.  `tolerance` is relative to the larger end of the bracket.  Raises ValueError
+    where the signs do not differ."""
     f_a, f_b = function(a), function(b)
     if f_a * f_b > 0 or f_a != f_a or f_b != f_b:
         raise ValueError(f"no change of sign between {a:g} and {b:g}")
@@ -217,5 +220,7 @@ def erf(x: float) -> float:
     t = place - k
     left, right = _VALUE[k], _VALUE[k + 1]
     rise = right - left
-    between = left + t * (_SLOPE[k] + t * (3 * rise - 2 * _SLOPE[k] - _SLOPE[k + 1] + t * (_SLOPE[k] + _SLOPE[k + 1] - 2 * rise)))
+    between = left + t * (
+        _SLOPE[k] + t * (3 * rise - 2 * _SLOPE[k] - _SLOPE[k + 1] + t * (_SLOPE[k] + _SLOPE[k + 1] - 2 * rise))
+    )
     return np.copysign(np.where(np.isnan(size), size, between), x)  # type: ignore[return-value]

@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: Apache-2.0
 """One number of many designs at once: `Lanes` stands where a formula, or a whole step, has a float.
 
-A lane is a design.  Arithmetic and numpy's functions work lane by lane; an array that a design has (the points of a path, the corners of
-its tolerances) is an array in every lane, and a plain array is the same in all.  So a step that is written for one design solves many,
-in one pass through its code, and a lane never sees another.
+A lane is a design.  Arithmetic and numpy's functions work lane by lane; an array that a design has (the points of a
+path, the corners of its tolerances) is an array in every lane, and a plain array is the same in all.  So a step that is
+written for one design solves many, in one pass through its code, and a lane never sees another.
 
-What decides about the way through the code has to be one thing in all lanes: where a condition, or a number that counts, differs,
-`Diverged` is raised with the lanes that go one way, and who called solves the two parts each for itself (`calc/studies/sweep/run.py`).  What
-lanes can not do (become one float where they differ, a key of a dict, a plain array) is an error, never a mixture of designs.
-"""
+What decides about the way through the code has to be one thing in all lanes: where a condition, or a number that
+counts, differs, `Diverged` is raised with the lanes that go one way, and who called solves the two parts each for
+itself (`calc/studies/sweep/run.py`).  What lanes can not do (become one float where they differ, a key of a dict, a
+plain array) is an error, never a mixture of designs."""
 
 from __future__ import annotations
 
@@ -28,7 +28,9 @@ from .later import Later
 from .parts import alike
 from .text import EMPTY, Text
 
-HANDLED: dict[object, Callable[..., Any]] = {}  # by the function of numpy, or its name where importing it would cost a start-up time
+HANDLED: dict[
+    object, Callable[..., Any]
+] = {}  # by the function of numpy, or its name where importing it would cost a start-up time
 
 
 class Diverged(Exception):
@@ -40,7 +42,8 @@ class Diverged(Exception):
 
 
 class Lanes:
-    """`data`: an array whose first axis runs over the lanes; `shape`, `ndim` and `size` are those of what one lane has."""
+    """`data`: an array whose first axis runs over the lanes; `shape`, `ndim` and `size` are those of what one lane
+    has."""
 
     __slots__ = ("data",)
     __hash__ = None  # type: ignore[assignment]  # no key of a cache: it is equal to nothing once and for all
@@ -48,7 +51,8 @@ class Lanes:
     def __init__(self, data: Any) -> None:
         self.data = data
 
-    # --- what one lane has ---------------------------------------------------------------------------------------------------
+    # --- what one lane has
+    # ---------------------------------------------------------------------------------------------------
     @property
     def shape(self) -> tuple[int, ...]:
         return cast("tuple[int, ...]", self.data.shape[1:])
@@ -109,7 +113,9 @@ class Lanes:
         return Lanes(self.data.reshape(len(self.data), -1))
 
     def reshape(self, *shape: Any) -> Lanes:
-        return Lanes(self.data.reshape(len(self.data), *(shape[0] if len(shape) == 1 and isinstance(shape[0], tuple) else shape)))
+        return Lanes(
+            self.data.reshape(len(self.data), *(shape[0] if len(shape) == 1 and isinstance(shape[0], tuple) else shape))
+        )
 
     def any(self, axis: Any = None) -> Lanes:
         return cast(Lanes, np.any(self, axis))
@@ -136,7 +142,8 @@ class Lanes:
         """The elements of what each lane has."""
         return [one.tolist() for one in self] if self.ndim else self
 
-    # --- one way for all -----------------------------------------------------------------------------------------------------
+    # --- one way for all
+    # -----------------------------------------------------------------------------------------------------
     def __bool__(self) -> bool:
         return bool(self._alike(self.data != 0))
 
@@ -170,7 +177,8 @@ class Lanes:
 
     __str__ = __repr__ = lambda self: "…"
 
-    # --- arithmetic ----------------------------------------------------------------------------------------------------------
+    # --- arithmetic
+    # ----------------------------------------------------------------------------------------------------------
     def __array_ufunc__(self, ufunc: Any, method: str, *inputs: Any, **kwargs: Any) -> Any:
         if method == "reduce":
             return reduced(ufunc.reduce, *inputs, **{"axis": 0, **kwargs})
@@ -226,7 +234,24 @@ def _operator(name: str) -> None:
         setattr(Lanes, f"__r{name}__", right)
 
 
-for _name in ("add", "sub", "mul", "truediv", "floordiv", "mod", "pow", "and", "or", "xor", "lt", "le", "gt", "ge", "eq", "ne"):
+for _name in (
+    "add",
+    "sub",
+    "mul",
+    "truediv",
+    "floordiv",
+    "mod",
+    "pow",
+    "and",
+    "or",
+    "xor",
+    "lt",
+    "le",
+    "gt",
+    "ge",
+    "eq",
+    "ne",
+):
     _operator(_name)
 
 
@@ -250,14 +275,18 @@ def deep(data: Any, points: int) -> Any:
 def scattered(there: BoolArray, one: Any, other: Any) -> Lanes:
     """An array of the elements of `one` where `there` is true, and those of `other` elsewhere."""
     count = count_of((one, other)) or 1
-    parts = [rows(x, count, (size,)).reshape(count, size) for x, size in ((one, int(there.sum())), (other, int((~there).sum())))]
+    parts = [
+        rows(x, count, (size,)).reshape(count, size)
+        for x, size in ((one, int(there.sum())), (other, int((~there).sum())))
+    ]
     found = np.empty((count, there.size), dtype=np.result_type(*parts))
     found[:, there], found[:, ~there] = parts
     return Lanes(found)
 
 
 def rows(x: Any, count: int, shape: tuple[int, ...]) -> Array:
-    """What a number or an array is in every lane and at every point of a shape, one lane after the other as one flat array."""
+    """What a number or an array is in every lane and at every point of a shape, one lane after the other as one flat
+    array."""
     data = deep(x.data if type(x) is Lanes else np.asarray(x)[None], len(shape))
     return np.broadcast_to(data, (count, *shape)).ravel()
 
@@ -279,7 +308,8 @@ def with_all_lanes(parts: Sequence[Any]) -> list[Any]:
 
 
 def parted(x: Any) -> Any:
-    """The same numbers, where all of them are there; designs without one (nan) go apart.  Raises NoSolution where none is."""
+    """The same numbers, where all of them are there; designs without one (nan) go apart.  Raises NoSolution where none
+    is."""
     missing = np.isnan(x.data).reshape(len(x.data), -1).any(1)
     if missing.all():
         raise NoSolution(EMPTY, EMPTY, EMPTY)  # each alone says why
@@ -309,6 +339,7 @@ def reduced(reduce: Any, x: Any, axis: Any = None, **kwargs: Any) -> Any:
 # The functions of numpy that take lanes: each works lane by lane, on the points that a lane has.
 #
 # One that does not stand here refuses lanes, which is an error and then another way (`abreast.py`).
+
 
 def _handles(function: Any) -> Callable[[Callable[..., Any]], Callable[..., Any]]:
     def put(handler: Callable[..., Any]) -> Callable[..., Any]:
@@ -435,9 +466,9 @@ def _array_equal(a: Any, b: Any) -> bool:
 
 # Records of many designs as one record whose numbers are lanes, and back.
 #
-# What is the same in all designs stays as it is.  Numbers that differ become lanes; anything else that differs (a count, a choice, a part
-# that only some have) makes the designs go apart: `Diverged`.  Words may differ, since nobody reads them: those of the first stand.  What
-# is made when it is asked for can not be asked.
+# What is the same in all designs stays as it is.  Numbers that differ become lanes; anything else that differs (a
+# count, a choice, a part that only some have) makes the designs go apart: `Diverged`.  Words may differ, since nobody
+# reads them: those of the first stand.  What is made when it is asked for can not be asked.
 
 T = TypeVar("T")
 R = TypeVar("R")
@@ -496,11 +527,15 @@ def _merged(xs: list[Any]) -> Any:
         _apart([x == first for x in xs])
         return first
     names = _fields(first)
-    return _made(kind, {name: first.__dict__[name] if name in WORDS else _merged([x.__dict__[name] for x in xs]) for name in names})
+    return _made(
+        kind,
+        {name: first.__dict__[name] if name in WORDS else _merged([x.__dict__[name] for x in xs]) for name in names},
+    )
 
 
 def _of_one_alone(*_: object, **__: object) -> NoReturn:
-    """In place of what a design makes of its own numbers when it is asked, a figure or a sentence: many are not asked."""
+    """In place of what a design makes of its own numbers when it is asked, a figure or a sentence: many are not
+    asked."""
     raise TypeError("the designs have one each")
 
 
@@ -511,13 +546,15 @@ def lane(x: T, k: int) -> T:
 
 
 class Singly:
-    """What was found design by design in a pass: of every lane the calls of each function, with what they were given and what they gave."""
+    """What was found design by design in a pass: of every lane the calls of each function, with what they were given
+    and what they gave."""
 
     def __init__(self, found: Sequence[Mapping[str, Found]]) -> None:
         self.found = [dict(of_lane) for of_lane in found]
 
     def result(self, k: int, function: Callable[..., Any], given: tuple[Any, ...]) -> Any:
-        """What a function gives one of the designs, or the exception that says why it gives nothing; known where it was asked before."""
+        """What a function gives one of the designs, or the exception that says why it gives nothing; known where it was
+        asked before."""
         calls = self.found[k].setdefault(function.__qualname__, [])
         for before, result in calls:
             if alike(before, given):
@@ -532,7 +569,7 @@ class Singly:
         calls.append((given, result))
         return result
 
-    def some(self, which: Any) -> "Singly":
+    def some(self, which: Any) -> Singly:
         """The same of some of the designs, which go the same way once more."""
         return Singly([of_lane for of_lane, there in zip(self.found, which) if there])
 
@@ -551,7 +588,8 @@ def designs_abreast(singly: Singly) -> Iterator[None]:
 
 
 def design_by_design(function: Callable[P, R]) -> Callable[P, R]:
-    """A function that asks too much of its numbers (an order of places, a search) for lanes: it is called for each design."""
+    """A function that asks too much of its numbers (an order of places, a search) for lanes: it is called for each
+    design."""
 
     @wraps(function)
     def called(*args: P.args, **kwargs: P.kwargs) -> R:
@@ -569,7 +607,8 @@ def design_by_design(function: Callable[P, R]) -> Callable[P, R]:
 
 
 def together_or_singly(function: Callable[P, R]) -> Callable[P, R]:
-    """A function that takes the lanes of most of its numbers: where it fails with those of others, it is called for each design."""
+    """A function that takes the lanes of most of its numbers: where it fails with those of others, it is called for
+    each design."""
 
     @wraps(function)
     def called(*args: P.args, **kwargs: P.kwargs) -> R:
@@ -586,7 +625,8 @@ def together_or_singly(function: Callable[P, R]) -> Callable[P, R]:
 
 
 def point_by_point(function: Callable[P, R]) -> Callable[P, R]:
-    """A function whose arguments, by their places, may be arrays of points that have nothing to do with each other: lanes are more."""
+    """A function whose arguments, by their places, may be arrays of points that have nothing to do with each other:
+    lanes are more."""
 
     @wraps(function)
     def called(*args: P.args, **kwargs: P.kwargs) -> R:

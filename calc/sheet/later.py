@@ -25,9 +25,8 @@ DEATH_SIGNAL = 1  # PR_SET_PDEATHSIG of prctl(2)
 def aside(work: Callable[[], T]) -> Callable[[], T]:
     """Begin `work`; what is returned waits for its result, which has to be data that pickle knows.
 
-    It gives what `work` gives, only sooner: where this process can not be copied (it has other threads, there is one core) or the copy
-    comes to nothing, it is the work itself, done when it is asked for.
-    """
+    It gives what `work` gives, only sooner: where this process can not be copied (it has other threads, there is one
+    core) or the copy comes to nothing, it is the work itself, done when it is asked for."""
 
     def ready() -> Callable[[None], T]:
         return lambda nothing: work()
@@ -38,9 +37,8 @@ def aside(work: Callable[[], T]) -> Callable[[], T]:
 def prepared(ready: Callable[[], Callable[[G], T]]) -> Callable[[G], Callable[[], T]]:
     """A copy of this process that makes itself `ready` for work before it is known what the work is about.
 
-    What is returned is to be called once.  It begins the work on what it is given, data that pickle knows too, and returns what waits for
-    the result as `aside` does.  Whatever a copy is at, it ends with this process.
-    """
+    What is returned is to be called once.  It begins the work on what it is given, data that pickle knows too, and
+    returns what waits for the result as `aside` does.  Whatever a copy is at, it ends with this process."""
     if sys.platform != "linux" or threading.active_count() > 1 or len(os.sched_getaffinity(0)) < 2:
         return lambda given: lambda: ready()(given)
     (orders, ordering), (reading, writing) = os.pipe(), os.pipe()
@@ -79,7 +77,8 @@ def prepared(ready: Callable[[], Callable[[G], T]]) -> Callable[[G], Callable[[]
 
 
 def _ends_with(process: int) -> bool:
-    """Have the system end this process with the one that it is a copy of, however that ends; gives whether that is there still."""
+    """Have the system end this process with the one that it is a copy of, however that ends; gives whether that is
+    there still."""
     with suppress(ImportError, OSError, AttributeError):  # then it ends when its work is done
         import ctypes
 
@@ -99,7 +98,8 @@ def _serve(ready: Callable[[], Callable[[Any], Any]], orders: int, writing: int)
 
 
 class Later(Sequence[T]):
-    """A sequence that `make` gives at the first look.  What can not be made of the numbers (an overflow in a figure) is not there."""
+    """A sequence that `make` gives at the first look.  What can not be made of the numbers (an overflow in a figure) is
+    not there."""
 
     def __init__(self, make: Callable[[], Iterable[T]]) -> None:
         self._make = make
@@ -115,9 +115,9 @@ class Later(Sequence[T]):
             return ()
 
     def meanwhile(self) -> None:
-        """Begin to make it in a copy of this process, where it is not made yet; whoever looks at it may have to wait."""
+        """Begin to make it in a copy of this process, where it is not made yet; whoever looks at it may have to
+        wait."""
         if "made" not in vars(self):
-
             make = self._make
             self._make = aside(lambda: Later(make).made)
 

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Names that a package offers and loads only when they are asked for (PEP 562), so that importing the package costs nothing."""
+"""Names that a package offers and loads only when they are asked for (PEP 562), so that importing the package costs
+nothing."""
 
 from collections.abc import Callable, Collection
 from importlib import import_module

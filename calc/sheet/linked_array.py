@@ -16,7 +16,8 @@ N = TypeVar("N", float, complex)
 
 
 class LinkedArray(np.ndarray):
-    """An array with its link, and where it was gathered from single numbers, the link of each (`parts`, along the first axis).
+    """An array with its link, and where it was gathered from single numbers, the link of each (`parts`, along the first
+    axis).
 
     An element or a part that is taken out keeps the link; what is computed with it is a plain array.
     """
@@ -68,15 +69,25 @@ def _as_linked(x: "Array") -> LinkedArray:
     return x.view(LinkedArray)
 
 
-KINDS.update({
-    np.float64: LinkedScalar, LinkedScalar: LinkedScalar, np.complex128: LinkedComplexScalar, LinkedComplexScalar: LinkedComplexScalar,
-    np.ndarray: _as_linked, LinkedArray: _as_linked,
-})  # fmt: skip
+KINDS.update(
+    {
+        np.float64: LinkedScalar,
+        LinkedScalar: LinkedScalar,
+        np.complex128: LinkedComplexScalar,
+        LinkedComplexScalar: LinkedComplexScalar,
+        np.ndarray: _as_linked,
+        LinkedArray: _as_linked,
+    }
+)
 
 
-PLAIN.update({
-    LinkedScalar: lambda x: np.float64(float(x)), LinkedComplexScalar: lambda x: np.complex128(complex(x)), LinkedArray: np.asarray,
-})  # fmt: skip
+PLAIN.update(
+    {
+        LinkedScalar: lambda x: np.float64(float(x)),
+        LinkedComplexScalar: lambda x: np.complex128(complex(x)),
+        LinkedArray: np.asarray,
+    }
+)
 
 
 def linked_array(x: "Array", link: Link | None, parts: tuple[Link | None, ...]) -> "Array":
@@ -109,8 +120,11 @@ def column(parts: Iterable[object], name: str) -> Any:  # a door: an array, and 
 def where(there: "BoolArray", one: "float | Array", other: "Array") -> "Array": ...
 @overload
 def where(there: "BoolArray", one: "complex | ComplexArray", other: "ComplexArray") -> "ComplexArray": ...
-def where(there: "BoolArray", one: "complex | Array | ComplexArray", other: "Array | ComplexArray") -> "Array | ComplexArray":
-    """An array of the elements of `one` where `there` is true, and those of `other` elsewhere: both only as long as they are needed."""
+def where(
+    there: "BoolArray", one: "complex | Array | ComplexArray", other: "Array | ComplexArray"
+) -> "Array | ComplexArray":
+    """An array of the elements of `one` where `there` is true, and those of `other` elsewhere: both only as long as
+    they are needed."""
     if has_lanes(one, other):  # of many designs
         from .lanes import scattered
 

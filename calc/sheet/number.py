@@ -83,6 +83,7 @@ def several(values: Iterable[complex], digits: int = DIGITS) -> str:
 
 # How a record prints itself: in one line (`repr`), or as a table of label, value and unit (`print`).
 
+
 class _Brief(Repr):
     """Values cut short; of a record inside another only its class, so that a tree of thousands costs nothing."""
 
@@ -96,14 +97,20 @@ BRIEF.maxother = BRIEF.maxstring = 48  # characters of one value in a line
 
 
 def line(record: object) -> str:
-    """`BearingInputs(diameter=0.0595, length=0.0275, …)`: what differs from its default, in SI, long values cut short."""
+    """`BearingInputs(diameter=0.0595, length=0.0275, …)`: what differs from its default, in SI, long values cut
+    short."""
     kind: type = type(record)
-    shown = (f"{f.name}={BRIEF.repr(getattr(record, f.name))}" for f in fields(kind) if not _is(getattr(record, f.name), f.default))
+    shown = (
+        f"{f.name}={BRIEF.repr(getattr(record, f.name))}"
+        for f in fields(kind)
+        if not _is(getattr(record, f.name), f.default)
+    )
     return f"{kind.__name__}({', '.join(shown)})"
 
 
 def table(record: object) -> str:
-    """A row for each field that is set: its label (its name, where it has none), the value in the unit in which it is shown, the unit.
+    """A row for each field that is set: its label (its name, where it has none), the value in the unit in which it is
+    shown, the unit.
 
     Of results only what they publish stands in it.
     """
@@ -121,7 +128,9 @@ def aligned(title: str, rows: Iterator[tuple[str, str, str]]) -> str:
 def _rows(label: str, content: object, unit: str, indent: str) -> Iterator[tuple[str, str, str]]:
     if content is None or (isinstance(content, tuple | str) and not content):
         return
-    if (about := getattr(content, "about", None)) is not None and hasattr(content, "number"):  # a result named at run time
+    if (about := getattr(content, "about", None)) is not None and hasattr(
+        content, "number"
+    ):  # a result named at run time
         yield f"{indent}{about.label}", brief(content.number, UNITS[about.unit].factor), about.unit
     elif isinstance(content, dict) or hasattr(content, "__dataclass_fields__"):
         yield f"{indent}{label}", "", ""
@@ -139,11 +148,14 @@ def _inside(content: object, indent: str) -> Iterator[tuple[str, str, str]]:
     known = fields(kind)
     for f in [f for f in known if f.metadata] or known:
         about = f.metadata.get("value") or f.metadata.get("quantity")
-        yield from _rows(about.label if about else f.name, getattr(content, f.name), about.unit if about else "", indent)
+        yield from _rows(
+            about.label if about else f.name, getattr(content, f.name), about.unit if about else "", indent
+        )
 
 
 def brief(content: object, factor: float = 1.0) -> str:
-    """Numbers in the shown unit with six digits, of long lists the ends, of arrays the shape, of records in a list their class."""
+    """Numbers in the shown unit with six digits, of long lists the ends, of arrays the shape, of records in a list
+    their class."""
     if hasattr(content, "shape") and content.shape:
         return f"array{content.shape}"
     if isinstance(content, tuple | list):

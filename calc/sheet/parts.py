@@ -22,11 +22,12 @@ class Enough(Exception):
 
 
 class Parts:
-    """`part("engine", engine.solve, …)` calls `engine.solve(…)`; the type checker holds the arguments against its signature.
+    """`part("engine", engine.solve, …)` calls `engine.solve(…)`; the type checker holds the arguments against its
+    signature.
 
-    `titles`: of the steps by key, in their order; `before`: what an earlier solve kept; `stop` is asked before each part whether nobody
-    waits for the results any more, then Cancelled is raised; `enough` after each part whether its outcome decides all that is asked.
-    """
+    `titles`: of the steps by key, in their order; `before`: what an earlier solve kept; `stop` is asked before each
+    part whether nobody waits for the results any more, then Cancelled is raised; `enough` after each part whether its
+    outcome decides all that is asked."""
 
     def __init__(
         self,
@@ -41,7 +42,8 @@ class Parts:
         self.last: dict[str, Outcome[object]] = {}
 
     def __call__(self, key: str, function: Callable[P, Outcome[R]], /, *args: P.args, **kwargs: P.kwargs) -> Outcome[R]:
-        """The outcome of a part of the step `key`; where it finds no solution, or its arithmetic breaks down, an outcome that says so."""
+        """The outcome of a part of the step `key`; where it finds no solution, or its arithmetic breaks down, an
+        outcome that says so."""
         if self.stop():
             raise Cancelled
         name, arguments = f"{key}.{function.__name__}", (*args, *kwargs.values())
@@ -63,27 +65,35 @@ class Parts:
         return outcome
 
     def absent(self, key: str, inputs: object, after: tuple[Outcome[object], ...]) -> Outcome[Never]:
-        """The outcome of a step that is not called: not asked where it has no inputs, else blocked by those of `after` without result."""
+        """The outcome of a step that is not called: not asked where it has no inputs, else blocked by those of `after`
+        without result."""
         if inputs is None:
             return Outcome(key, "not_asked")
         late = {outcome.key: outcome.state for outcome in after if outcome.state != "solved"}
         waiting = [
-            Text("{step} (not given: add the table [{key}])", step=title, key=other) if late[other] == "not_asked" else title
-            for other, title in self.titles.items() if other in late
-        ]  # fmt: skip
+            Text("{step} (not given: add the table [{key}])", step=title, key=other)
+            if late[other] == "not_asked"
+            else title
+            for other, title in self.titles.items()
+            if other in late
+        ]
         return Outcome(key, "blocked", reason=Text("waits for {waiting}", waiting=Text(" and ").join(waiting)))
 
 
 def _same(known: tuple[object, ...], arguments: tuple[object, ...]) -> bool:
-    """Inputs are compared by value, results by identity (they hold arrays), records that are put together for a call part by part."""
+    """Inputs are compared by value, results by identity (they hold arrays), records that are put together for a call
+    part by part."""
     try:
-        return len(known) == len(arguments) and all(a is b or bool(a == b) or alike(a, b) for a, b in zip(known, arguments))
+        return len(known) == len(arguments) and all(
+            a is b or bool(a == b) or alike(a, b) for a, b in zip(known, arguments)
+        )
     except ValueError:
         return False
 
 
 def alike(a: object, b: object) -> bool:
-    """Two records of the same parts.  A number is the same where its line is: nothing that is kept leads back to lines of before."""
+    """Two records of the same parts.  A number is the same where its line is: nothing that is kept leads back to lines
+    of before."""
     if a is b:
         return True
     if type(a) is not type(b) or callable(a) or getattr(a, "link", None) != getattr(b, "link", None):

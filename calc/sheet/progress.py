@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""How a long search says how far it is.  Who listens may raise `Cancelled` from the call, which ends the search there and then."""
+"""How a long search says how far it is.  Who listens may raise `Cancelled` from the call, which ends the search there
+and then."""
 
 import time
 from collections.abc import Callable
@@ -22,7 +23,8 @@ def part(progress: Progress | None, start: float, end: float) -> Progress | None
 
 
 def at_most(seconds: float) -> Progress:
-    """A progress that ends the search after so many seconds of computing, however busy the machine is with other things."""
+    """A progress that ends the search after so many seconds of computing, however busy the machine is with other
+    things."""
     ends = time.process_time() + seconds
 
     def told(share: float, what: str) -> None:
@@ -33,7 +35,8 @@ def at_most(seconds: float) -> Progress:
 
 
 def rising(progress: Progress | None) -> Progress | None:
-    """The same, never falling back: where a search turns to what it has left aside, it stands until it is beyond what it was."""
+    """The same, never falling back: where a search turns to what it has left aside, it stands until it is beyond what
+    it was."""
     if progress is None:
         return None
     top = 0.0

@@ -2,9 +2,8 @@
 """What is said about a number once: its label, unit, range and help.
 
 A field of an Inputs class is made by `quantity()` or one of its sisters, a field of a result by `value()`.  The design
-file, `--set`, the form, the report and the JSON all read this one description.  An input with a `default` may be left out: None (no
-tables: ()) means "choose for me"; the type checker reads the same word.
-"""
+file, `--set`, the form, the report and the JSON all read this one description.  An input with a `default` may be left
+out: None (no tables: ()) means "choose for me"; the type checker reads the same word."""
 
 from collections.abc import Iterator
 from dataclasses import MISSING, Field, dataclass, field, fields
@@ -19,13 +18,15 @@ from .units import UNITS, Unit
 T = TypeVar("T")
 
 REQUIRED: Any = MISSING  # no default, in place of one of any type
-THUMB = Text("rule of thumb, no published source")  # the source of a usual range that practice knows and no book behind this program states
+THUMB = Text(
+    "rule of thumb, no published source"
+)  # the source of a usual range that practice knows and no book behind this program states
 
 
 @record
 class Quantity:
-    """The description of one input.  `kind` is one of number, integer, text, date, choice, series, integers, table, tables,
-    reasons, open."""
+    """The description of one input.  `kind` is one of number, integer, text, date, choice, series, integers, table,
+    tables, reasons, open."""
 
     kind: str
     label: Text
@@ -80,16 +81,20 @@ class Quantity:
         elif self.low is not None:
             bounds.append(Text("{low} or more", low=low))
         elif self.high is not None:
-            bounds.append(Text("up to {high}", high=high) if self.above is None else Text("and up to {high}", high=high))
+            bounds.append(
+                Text("up to {high}", high=high) if self.above is None else Text("and up to {high}", high=high)
+            )
         if self.unit:
             bounds.append(Text("{unit}", unit=self.unit) if len(bounds) > 1 else Text("in {unit}", unit=self.unit))
         return SPACE.join(bounds)
 
 
 NOUNS = {
-    "number": Text("a number"), "integer": Text("a whole number"),
-    "series": Text("a list of numbers"), "integers": Text("a list of whole numbers"),
-}  # fmt: skip
+    "number": Text("a number"),
+    "integer": Text("a whole number"),
+    "series": Text("a list of numbers"),
+    "integers": Text("a list of whole numbers"),
+}
 
 
 class _Numbers(TypedDict, total=False):
@@ -113,18 +118,38 @@ class Said(_Numbers, total=False):
 
 
 def _make(
-    kind: str, label: str, unit: str, default: T, *, help: str = "", source: str = "", negative: str = "",
-    choices: tuple[str, ...] = (), table: type | None = None, free: bool = False, **said: Unpack[_Numbers],
-) -> T:  # fmt: skip
+    kind: str,
+    label: str,
+    unit: str,
+    default: T,
+    *,
+    help: str = "",
+    source: str = "",
+    negative: str = "",
+    choices: tuple[str, ...] = (),
+    table: type | None = None,
+    free: bool = False,
+    **said: Unpack[_Numbers],
+) -> T:
     what = Quantity(
-        kind, Text(label), unit, optional=default is not MISSING, help=Text(help), source=Text(source), negative=Text(negative),
-        choices=choices, table=table, free=free, **said,
-    )  # fmt: skip
+        kind,
+        Text(label),
+        unit,
+        optional=default is not MISSING,
+        help=Text(help),
+        source=Text(source),
+        negative=Text(negative),
+        choices=choices,
+        table=table,
+        free=free,
+        **said,
+    )
     return field(default=default, kw_only=True, metadata={"quantity": what})
 
 
 def quantity(label: str, unit: str = "", *, default: T = REQUIRED, **said: Unpack[Said]) -> T:
-    """A number.  `low`, `high`, `above`, `usual`, `default` of the description are in the shown unit, except `default` (SI)."""
+    """A number.  `low`, `high`, `above`, `usual`, `default` of the description are in the shown unit, except `default`
+    (SI)."""
     return _make("number", label, unit, default, **said)
 
 
@@ -200,10 +225,13 @@ def unknown(key: str, known: dict[str, Key]) -> Text:
     from difflib import get_close_matches
 
     near = get_close_matches(key, list(known), 1, 0.5)
-    return Text("is not known") + (Text('; did you mean "{near}"?', near=near[0]) if near else Text("; known here are ") + ", ".join(known))
+    return Text("is not known") + (
+        Text('; did you mean "{near}"?', near=near[0]) if near else Text("; known here are ") + ", ".join(known)
+    )
 
 
-# --- results ------------------------------------------------------------------------------------------------------------
+# --- results
+# ------------------------------------------------------------------------------------------------------------
 @record
 class Described:
     """The description of one result: its label, the unit it is shown in, its symbol, the name that its field had."""
@@ -216,7 +244,8 @@ class Described:
 
 @record
 class Stated:
-    """One result whose name is known only at run time (`span_6`, `root_stress_idler`): its description and its number, in SI."""
+    """One result whose name is known only at run time (`span_6`, `root_stress_idler`): its description and its number,
+    in SI."""
 
     about: Described
     number: float
@@ -241,13 +270,14 @@ class Published:
 
 
 def value(label: str, unit: str = "", symbol: str = "", *, default: T = REQUIRED, former: str = "") -> T:
-    """A field of a result, in SI; `None` means that there is no such value in this design.  `former`: the name that it had."""
+    """A field of a result, in SI; `None` means that there is no such value in this design.  `former`: the name that it
+    had."""
     return field(default=default, kw_only=True, metadata={"value": Described(Text(label), unit, symbol, former)})
 
 
 def group(*, spread: bool = False, default: T = REQUIRED, former: str = "") -> T:
-    """A field that holds further results or a dict of them.  `spread`: its own name is left out of the address.  `former`: the name
-    that it had."""
+    """A field that holds further results or a dict of them.  `spread`: its own name is left out of the address.
+    `former`: the name that it had."""
     return field(default=default, kw_only=True, metadata={"group": spread, "former": former})
 
 
@@ -270,7 +300,8 @@ def inputs(cls: type[T]) -> type[T]:
 
 @cache
 def _shown(cls: type) -> tuple[tuple[str, Described | None, bool, str], ...]:
-    """The fields of a class of results that are shown: a value's description, or whether a group is spread and the name that it had."""
+    """The fields of a class of results that are shown: a value's description, or whether a group is spread and the name
+    that it had."""
     found = []
     for f in fields(cls):
         about, spread = f.metadata.get("value"), f.metadata.get("group")
@@ -300,7 +331,9 @@ def _gather(result: object, found: list[float]) -> None:
                 found.append(content) if about is not None else _gather(content, found)
 
 
-def published(result: object, prefix: str, formerly: str = "", wanted: frozenset[str] = frozenset()) -> Iterator[Published]:
+def published(
+    result: object, prefix: str, formerly: str = "", wanted: frozenset[str] = frozenset()
+) -> Iterator[Published]:
     """All values of a result with their addresses, in the order in which they are declared.
 
     `formerly`: the prefix that they had.  `wanted`: only the values at these addresses; none: all.
@@ -324,7 +357,12 @@ def published(result: object, prefix: str, formerly: str = "", wanted: frozenset
         if about is not None:
             id = f"{prefix}.{name.rstrip('_')}"
             if not wanted or id in wanted:
-                yield _published(id, about, content, f"{before}.{about.former or name.rstrip('_')}" if formerly or about.former else "")
+                yield _published(
+                    id,
+                    about,
+                    content,
+                    f"{before}.{about.former or name.rstrip('_')}" if formerly or about.former else "",
+                )
         elif spread:
             yield from published(content, prefix, formerly, wanted)
         else:

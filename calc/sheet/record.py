@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """`@record`: a frozen dataclass whose methods are shared.
 
-The standard library compiles six methods for every frozen dataclass, 1.4 ms a class: a third of the start-up of a program with eighty.
-`fields`, `replace` and `is_dataclass` work as ever; two records are equal only where they are the same object.  A record prints itself
-as a table of label, value and unit; a keyword that it does not know is named in the error, with the nearest that it knows.
-"""
+The standard library compiles six methods for every frozen dataclass, 1.4 ms a class: a third of the start-up of a
+program with eighty. `fields`, `replace` and `is_dataclass` work as ever; two records are equal only where they are the
+same object.  A record prints itself as a table of label, value and unit; a keyword that it does not know is named in
+the error, with the nearest that it knows."""
 
 from collections.abc import Callable, Container, Iterable
 from dataclasses import MISSING, Field, FrozenInstanceError, dataclass, field
@@ -17,7 +17,9 @@ T = TypeVar("T")
 
 @dataclass_transform(frozen_default=True, eq_default=False, field_specifiers=(field,))
 def record(cls: type[T]) -> type[T]:
-    cls.__doc__ = cls.__doc__ or cls.__name__  # else the library writes one from the signature, half a millisecond a class
+    cls.__doc__ = (
+        cls.__doc__ or cls.__name__
+    )  # else the library writes one from the signature, half a millisecond a class
     made = dataclass(init=False, repr=False, eq=False)(cls)
     made.__init__ = _init(made.__dataclass_fields__)  # type: ignore[attr-defined, method-assign]
     made.__setattr__ = made.__delattr__ = _refuse  # type: ignore[method-assign]
@@ -37,7 +39,9 @@ def _init(fields: dict[str, Field[object]]) -> Callable[..., None]:
         if placed:
             first = dict(zip(known, placed))
             if len(placed) > len(known) or not first.keys().isdisjoint(given):
-                raise TypeError(f"{type(self).__name__}: too many values, or one of them twice; it takes {', '.join(known)}")
+                raise TypeError(
+                    f"{type(self).__name__}: too many values, or one of them twice; it takes {', '.join(known)}"
+                )
             given = first | given if given else first
         values = given if len(given) == len(known) else defaults | given
         for name, make in factories.items():

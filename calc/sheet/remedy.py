@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What would make a check hold, as data: new values of keys, and what they do.  The advice of a check is rendered from it."""
+"""What would make a check hold, as data: new values of keys, and what they do.  The advice of a check is rendered from
+it."""
 
 import json
 import math
@@ -12,14 +13,17 @@ from .record import record
 from .text import EMPTY, Amount, Text, alternatives, listed
 
 BOUNDS = {
-    "": Text("{label} {value}"), ">=": Text("{label} at least {value}"), "<=": Text("{label} at most {value}"),
+    "": Text("{label} {value}"),
+    ">=": Text("{label} at least {value}"),
+    "<=": Text("{label} at most {value}"),
     "left out": Text("{label} left out"),
-}  # fmt: skip
+}
 
 
 @record
 class Change:
-    """One key with the value that it would have, in the unit of the key; None: left out.  `words`: in the field's own label and unit."""
+    """One key with the value that it would have, in the unit of the key; None: left out.  `words`: in the field's own
+    label and unit."""
 
     key: str
     value: object
@@ -38,8 +42,8 @@ class Remedy:
 def change(inputs: type, key: str, value: object, *, place: str = "", bound: str = "") -> Change:
     """A change of `key`, the last part of which is a field of the class `inputs`.
 
-    `place`: the element that has the key, as the user names it.  `bound`: ">=" or "<=" where more, or less, does as well.
-    """
+    `place`: the element that has the key, as the user names it.  `bound`: ">=" or "<=" where more, or less, does as
+    well."""
     about = keys(inputs)[key.rpartition(".")[2]].about
     label = Text("{label} of {place}", label=Text(about.label), place=place) if place else Text(about.label)
     template = BOUNDS["left out" if value is None else bound].template
@@ -48,7 +52,9 @@ def change(inputs: type, key: str, value: object, *, place: str = "", bound: str
 
 def _written(value: object, unit: str) -> Text | Amount:
     if isinstance(value, (list, tuple)):
-        return Text("[{values}] {unit}", values=Text("; ").join([Text("{x}", x=Amount(x, digits=6)) for x in value]), unit=unit)
+        return Text(
+            "[{values}] {unit}", values=Text("; ").join([Text("{x}", x=Amount(x, digits=6)) for x in value]), unit=unit
+        )
     return Amount(value, unit, digits=6) if isinstance(value, (int, float)) else Text("{value}", value=str(value))
 
 
@@ -67,7 +73,7 @@ def sentence(remedies: tuple[Remedy, ...]) -> Text:
 
 def by_key(
     inputs: type, key: str, value: object, *, place: str = "", bound: str = "", effect: Text = EMPTY
-) -> Callable[[], tuple[Remedy, ...]]:  # fmt: skip
+) -> Callable[[], tuple[Remedy, ...]]:
     """What makes the remedy of one key, when it is wanted."""
     return lambda: (remedy(change(inputs, key, value, place=place, bound=bound), effect=effect),)
 
@@ -114,7 +120,8 @@ def assignments(changes: Mapping[str, object]) -> list[str]:
 
 
 def applied(inputs: T, changes: Mapping[str, object], prefix: str = "") -> T:
-    """An Inputs record with numbers, words and sub-tables changed, as if its file had been; `prefix`: its own key with a dot behind."""
+    """An Inputs record with numbers, words and sub-tables changed, as if its file had been; `prefix`: its own key with
+    a dot behind."""
     cls: type = type(inputs)
     known, made = keys(cls), dict[str, object]()
     for key, value in changes.items():

@@ -4,8 +4,10 @@
 It knows nothing of engines.  A step says its variables (multiples of a step), its limits (those of its own
 checks) and what it wants least of.  Candidates come in two kinds, and each has its evaluation:
 
-- many at once, as arrays: `judged` puts a limit on all of them, `least` and `first` choose, `stretch` and `narrowed` find how far it goes;
-- one after the other, where each costs a whole solution: `first_good`, `smallest` and `least_whole` try as few as they can, stop at the
+- many at once, as arrays: `judged` puts a limit on all of them, `least` and `first` choose, `stretch` and `narrowed`
+  find how far it goes;
+- one after the other, where each costs a whole solution: `first_good`, `smallest` and `least_whole` try as few as they
+  can, stop at the
   first limit that fails, and keep to a `Budget`.
 """
 
@@ -28,7 +30,8 @@ R = TypeVar("R")
 DUST = 1e-9  # of the limit: a margin that is negative by rounding only
 
 
-# --- candidates ------------------------------------------------------------------------------------------------------------
+# --- candidates
+# ------------------------------------------------------------------------------------------------------------
 def multiples(step: float, low: float, high: float, own: Iterable[float] = ()) -> Array:
     """Whole multiples of a step from `low` to `high`, in order; shape (n,).
 
@@ -44,7 +47,10 @@ def multiples(step: float, low: float, high: float, own: Iterable[float] = ()) -
 def allowed(about: Quantity, numbers: Iterable[float]) -> bool:
     """Whether the ends of an input allow these numbers, in its own unit."""
     low, high, above = about.low, about.high, about.above
-    return not any((low is not None and x < low) or (high is not None and x > high) or (above is not None and x <= above) for x in numbers)
+    return not any(
+        (low is not None and x < low) or (high is not None and x > high) or (above is not None and x <= above)
+        for x in numbers
+    )
 
 
 def rounded(low: float, high: float) -> float:
@@ -53,7 +59,11 @@ def rounded(low: float, high: float) -> float:
         unit = 10.0**-digits
         n = math.floor(high / unit + 1e-9) if high > low else math.ceil(high / unit - 1e-9)
         x = round(n * unit, max(digits, 0))
-        if (low < x <= high * (1 + 1e-12)) if high > low else (high * (1 - 1e-12) <= x < low if high > 0 else high <= x < low):
+        if (
+            (low < x <= high * (1 + 1e-12))
+            if high > low
+            else (high * (1 - 1e-12) <= x < low if high > 0 else high <= x < low)
+        ):
             return x
     return high
 
@@ -64,14 +74,16 @@ def beside(number: float, step: float) -> tuple[float, float]:
     return round(below * step, 12), round(above * step, 12)
 
 
-# --- many candidates at once -----------------------------------------------------------------------------------------------
+# --- many candidates at once
+# -----------------------------------------------------------------------------------------------
 FAR = 8  # grids of one step that follow their best point before it is taken to be far
 
 
 @record
 class Judged:
-    """One limit on any number of candidates: value, limit and margin, arrays of one shape (or numbers).  `margin` is that of a check, −∞
-    where there is no number.  `rule`: whatever the step calls the limit by; `where`: what governs it, in the step's own terms."""
+    """One limit on any number of candidates: value, limit and margin, arrays of one shape (or numbers).  `margin` is
+    that of a check, −∞ where there is no number.  `rule`: whatever the step calls the limit by; `where`: what governs
+    it, in the step's own terms."""
 
     rule: Any  # the step's own class, as `where`
     value: Array
@@ -80,7 +92,9 @@ class Judged:
     where: Any = None
 
 
-def judged(rule: object, value: Array, limit: float | tuple[float, float] | Array, sense: str = ">=", where: object = None) -> Judged:
+def judged(
+    rule: object, value: Array, limit: float | tuple[float, float] | Array, sense: str = ">=", where: object = None
+) -> Judged:
     """`value` against `limit` (a number, (low, high), or one for each candidate), both in one unit."""
     if isinstance(limit, tuple):
         low, high = limit
@@ -105,7 +119,8 @@ def governing(limits: Iterable[Judged], index: int) -> Judged:
 
 
 def first(kept: BoolArray, *wanted: Array) -> tuple[np.intp, ...] | None:
-    """The index of the candidate that is kept with the least of what is wanted, and of equal ones the least of the next; None: none is."""
+    """The index of the candidate that is kept with the least of what is wanted, and of equal ones the least of the
+    next; None: none is."""
     if not kept.any():
         return None
     orders = [np.where(kept, numbers, np.inf).ravel() for numbers in reversed(wanted)]
@@ -125,13 +140,13 @@ def stretch(kept: BoolArray, i: int) -> tuple[int, int] | None:
 
 def narrowed(
     evaluate: Callable[[Array], tuple[Array, Array]], low: Array, high: Array, centre: Array, step: Array, side: int
-) -> tuple[Array, float, float]:  # fmt: skip
-    """The best point of a lattice of whole numbers between `low` and `high` (each of shape (axes,)), its margin and what is wanted.
+) -> tuple[Array, float, float]:
+    """The best point of a lattice of whole numbers between `low` and `high` (each of shape (axes,)), its margin and
+    what is wanted.
 
-    A grid of `side` points an axis (odd) follows its best point until it stays, then halves its step, down to 1; where that point is far it
-    doubles its step.  `evaluate` gives margins and what is wanted least of points of shape (n, axes); where no point keeps the limits the
-    largest margin is sought.
-    """
+    A grid of `side` points an axis (odd) follows its best point until it stays, then halves its step, down to 1; where
+    that point is far it doubles its step.  `evaluate` gives margins and what is wanted least of points of shape (n,
+    axes); where no point keeps the limits the largest margin is sought."""
     followed = 0
     offsets = np.stack(np.meshgrid(*[np.arange(side) - side // 2] * len(low), indexing="ij"), -1).reshape(-1, len(low))
     while True:
@@ -150,12 +165,14 @@ def narrowed(
 
 
 def least_wanted(wanted: Array, margin: Array) -> int:
-    """The index of the candidate that keeps every limit with the least of what is wanted; where none does, the one that misses by least."""
+    """The index of the candidate that keeps every limit with the least of what is wanted; where none does, the one that
+    misses by least."""
     kept = margin >= 0
     return int(np.argmin(np.where(kept, wanted, np.inf))) if kept.any() else int(np.argmax(margin))
 
 
-# --- one candidate after the other -----------------------------------------------------------------------------------------
+# --- one candidate after the other
+# -----------------------------------------------------------------------------------------
 @dataclass
 class Budget:
     """How many candidates may still be evaluated whole: all parts of a search share one."""
@@ -180,8 +197,12 @@ class Trial(Generic[R]):
 
 
 def first_good(
-    candidates: Iterable[T], evaluate: Callable[[T], Trial[R]], progress: Progress | None = None, what: str = "", most: int | None = None
-) -> Trial[R]:  # fmt: skip
+    candidates: Iterable[T],
+    evaluate: Callable[[T], Trial[R]],
+    progress: Progress | None = None,
+    what: str = "",
+    most: int | None = None,
+) -> Trial[R]:
     """The first of rank 0, else the first of the least rank; where all fail, with the reason of the last.
 
     `most`: how many are tried.
@@ -201,7 +222,8 @@ def first_good(
 
 
 def smallest(holds: Callable[[float], bool], guesses: Iterable[float], halvings: int) -> tuple[float, float] | None:
-    """Of changes that help the more the larger they are: the largest that is known not to help, and the smallest that does.
+    """Of changes that help the more the larger they are: the largest that is known not to help, and the smallest that
+    does.
 
     `guesses`, the smallest first, until one helps; the stretch below it is then halved.  None: no guess helps.
     """

@@ -24,9 +24,9 @@ R = TypeVar("R", covariant=True)  # a step's class of results
 
 @record
 class Step:
-    """One of the steps: its key in the file, its title, the class of its inputs.  Of `headlines`, ids of values, the first that a design
-    has and that is not 0 stands for the step, the first two where there is a line for them.  `optional`: nothing is missing in a design
-    without it."""
+    """One of the steps: its key in the file, its title, the class of its inputs.  Of `headlines`, ids of values, the
+    first that a design has and that is not 0 stands for the step, the first two where there is a line for them.
+    `optional`: nothing is missing in a design without it."""
 
     key: str
     title: Text
@@ -35,7 +35,8 @@ class Step:
     optional: bool = False
 
     def heads(self, values: Mapping[str, Published]) -> list[Published]:
-        """The values that stand for the step, of those that there are; what is 0 stands for nothing where another is not."""
+        """The values that stand for the step, of those that there are; what is 0 stands for nothing where another is
+        not."""
         found = [values[id] for id in self.headlines if id in values]
         return [value for value in found if value.shown] or found
 
@@ -47,7 +48,8 @@ def axis_label(label: str, unit: str) -> Text:
 
 @record
 class Series:
-    """One line of a curve, in shown units.  `variant`: the one of the curve's variants that it belongs to; empty: all of them."""
+    """One line of a curve, in shown units.  `variant`: the one of the curve's variants that it belongs to; empty: all
+    of them."""
 
     label: Text
     x: Array  # (points,)
@@ -57,7 +59,8 @@ class Series:
 
 @record
 class Turning:
-    """Vectors set tip to tail, each turning at `orders` times the crank's speed (negative: backward).  Their end runs along a locus.
+    """Vectors set tip to tail, each turning at `orders` times the crank's speed (negative: backward).  Their end runs
+    along a locus.
 
     Real is up, imaginary is to the right: 90° further in the sense of crank rotation.
     """
@@ -77,7 +80,8 @@ class Turning:
 
 @record
 class DrawnLoad:
-    """A force across what a curve draws, up where it is above nought; `held`: by a support, which pushes, where others pull."""
+    """A force across what a curve draws, up where it is above nought; `held`: by a support, which pushes, where others
+    pull."""
 
     label: Text
     x: float
@@ -89,15 +93,13 @@ class DrawnLoad:
 class Curve:
     """Data with labels and limit lines; terminal and paper draw the same object.
 
-    `equal`: both axes in true scale.  `bars`: the series are groups of bars at their x; with `names` the groups at 1, 2, … have these, and
-    paper lays them on their side.  `variants`: the terminal shows one of them at
-    a time, paper all.  `turning`: the vectors whose ends draw the loci.
-    `point`: where the design stands on it, and `fails`: whether it is on the wrong side of a limit there.
-    `band`: its last two series are the edges of a band, which paper fills.
-    `stack`: curves of one stack stand on paper over each other as one figure, along one x.
-    `loads`: forces across it, which paper draws as arrows; `load_unit`: what they are in.
-    `along`: what all series run along, where it is not x, as of loci: its label and its value at each of their points.
-    """
+    `equal`: both axes in true scale.  `bars`: the series are groups of bars at their x; with `names` the groups at 1,
+    2, … have these, and paper lays them on their side.  `variants`: the terminal shows one of them at a time, paper
+    all.  `turning`: the vectors whose ends draw the loci. `point`: where the design stands on it, and `fails`: whether
+    it is on the wrong side of a limit there. `band`: its last two series are the edges of a band, which paper fills.
+    `stack`: curves of one stack stand on paper over each other as one figure, along one x. `loads`: forces across it,
+    which paper draws as arrows; `load_unit`: what they are in. `along`: what all series run along, where it is not x,
+    as of loci: its label and its value at each of their points."""
 
     id: str
     title: Text
@@ -121,10 +123,11 @@ class Curve:
 
 @record
 class Table:
-    """A table of results that belong side by side.  `columns`: (label, unit); cells are Texts, names, numbers in it, or None (empty).
+    """A table of results that belong side by side.  `columns`: (label, unit); cells are Texts, names, numbers in it, or
+    None (empty).
 
-    `covers`: values whose ids begin with one of these stand in the table; the report's results leave them out, audit excepted.
-    """
+    `covers`: values whose ids begin with one of these stand in the table; the report's results leave them out, audit
+    excepted."""
 
     id: str
     title: Text
@@ -247,7 +250,8 @@ class Solved(Protocol):
 
 
 def accepted(outcomes: Iterable[Outcome[object]], reasons: tuple[tuple[str, str], ...]) -> dict[str, Outcome[object]]:
-    """The outcomes by their keys, with the checks that the user accepts by id and reason; what there is to say of an entry is a note."""
+    """The outcomes by their keys, with the checks that the user accepts by id and reason; what there is to say of an
+    entry is a note."""
     found = {outcome.key: outcome for outcome in outcomes}
     if not reasons:
         return found
@@ -273,8 +277,14 @@ def _of_accepted(checks: tuple[Check, ...], reasons: dict[str, str]) -> list[Tex
     """What there is to say of what is accepted."""
     verdicts = {c.id: c.verdict for c in checks}
     notes = [no_such_check(id) + "." for id in reasons if id not in verdicts]
-    notes += [Text("Accepted without need, since it holds: {id}.", id=id) for id in reasons if verdicts.get(id) == "pass"]
-    notes += [Text("A limit, which nobody can accept: {id}.", id=c.id) for c in checks if c.id in reasons and c.kind == "limit"]
+    notes += [
+        Text("Accepted without need, since it holds: {id}.", id=id) for id in reasons if verdicts.get(id) == "pass"
+    ]
+    notes += [
+        Text("A limit, which nobody can accept: {id}.", id=c.id)
+        for c in checks
+        if c.id in reasons and c.kind == "limit"
+    ]
     return notes
 
 

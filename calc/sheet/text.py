@@ -3,14 +3,15 @@
 
     Text("Film at the edge, {place}", place=bearing.name)
 
-A `Text` is its own English sentence (a `str`), so that it is compared, sorted and printed like one, and it keeps what it was made
-from, so that a language can say it in its own words (`calc.locale`): the template is looked up, the parts are put in.  A part that
-is a `Text` is said in the language too, a number is written as the language writes numbers, and any other string is a name that the
-user or a table gave (a wheel, a bearing, a file, an oil) and is never translated.
+A `Text` is its own English sentence (a `str`), so that it is compared, sorted and printed like one, and it keeps what
+it was made from, so that a language can say it in its own words (`calc.locale`): the template is looked up, the parts
+are put in.  A part that is a `Text` is said in the language too, a number is written as the language writes numbers,
+and any other string is a name that the user or a table gave (a wheel, a bearing, a file, an oil) and is never
+translated.
 
-What is added to a Text, or joined by one, stays data.  An f-string, `replace` or `lower` makes a plain string of it, which no
-language finds again; the fields that hold sentences are annotated `Text`, so that the type checker refuses those.
-"""
+What is added to a Text, or joined by one, stays data.  An f-string, `replace` or `lower` makes a plain string of it,
+which no language finds again; the fields that hold sentences are annotated `Text`, so that the type checker refuses
+those."""
 
 from collections.abc import Iterable, Mapping
 from typing import TypeVar
@@ -77,7 +78,13 @@ class Text(str):
     def __add__(self, other: str) -> "Text":
         if not other:
             return self
-        return _text(Text, "{a}{b}", {"a": self, "b": other}) if self else other if isinstance(other, Text) else Name(other)
+        return (
+            _text(Text, "{a}{b}", {"a": self, "b": other})
+            if self
+            else other
+            if isinstance(other, Text)
+            else Name(other)
+        )
 
     def __radd__(self, other: str) -> "Text":
         return _text(Text, "{a}{b}", {"a": other, "b": self}) if other else self

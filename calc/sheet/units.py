@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Units: as types inside the formulas, as suffixes of the keys at the border.
 
-Inside the program every number is in SI (temperatures in °C, speeds in revolutions per second).  A `Unit` says how such a
-number is shown and which ending its key has in a design file: `mm` → `bore_mm`.
-"""
+Inside the program every number is in SI (temperatures in °C, speeds in revolutions per second).  A `Unit` says how such
+a number is shown and which ending its key has in a design file: `mm` → `bore_mm`."""
 
 from typing import Annotated, TypeVar
 
@@ -11,7 +10,8 @@ from .arrays import Array, has_lanes
 
 A = TypeVar("A", float, Array)
 
-# --- units as types: a float to the type checker, a unit to the formula -------------------------------------------------
+# --- units as types: a float to the type checker, a unit to the formula
+# -------------------------------------------------
 Number = Annotated[float, ""]
 Metre = Annotated[float, "m"]
 SquareMetre = Annotated[float, "m²"]
@@ -81,7 +81,8 @@ class Unit:
         return inside / self.factor
 
     def inside(self, shown: float) -> float:
-        """The SI number; by a division where the factor is a whole part (mm, µm, rpm), which keeps the last digit right."""
+        """The SI number; by a division where the factor is a whole part (mm, µm, rpm), which keeps the last digit
+        right."""
         parts = 1 / self.factor
         return shown / round(parts) if parts > 1 and abs(parts - round(parts)) < 1e-6 * parts else shown * self.factor
 

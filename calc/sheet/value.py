@@ -1,14 +1,15 @@
 # SPDX-License-Identifier: Apache-2.0
 """A number that knows where it came from.
 
-A `Link` says so: the `Line` of the formula that returned the number, the key of the design file that it stands under, or several of
-these where a number was chosen or put together from others.  The number itself is a float (complex, int, str, array) like any other,
-equal to it, shown, hashed and pickled like it; arithmetic outside of a formula gives a plain number again.
+A `Link` says so: the `Line` of the formula that returned the number, the key of the design file that it stands under,
+or several of these where a number was chosen or put together from others.  The number itself is a float (complex, int,
+str, array) like any other, equal to it, shown, hashed and pickled like it; arithmetic outside of a formula gives a
+plain number again.
 
-    linked(x, link)            x with this link
-    based_on(x, a, b, …)       x, found from a, b, … by a solver, a search or plain arithmetic: linked to all that they are linked to
-    link_of(x)                 the link; of a tuple, a dict or a record those of all that is in it; None where there is none
-    gathered([a, b, …])        a numpy array of numbers that keeps their links, element by element (in linked_array.py)
+    linked(x, link)            x with this link based_on(x, a, b, …)       x, found from a, b, … by a solver, a search
+    or plain arithmetic: linked to all that they are linked to link_of(x)                 the link; of a tuple, a dict
+    or a record those of all that is in it; None where there is none gathered([a, b, …])        a numpy array of numbers
+    that keeps their links, element by element (in linked_array.py)
 """
 
 from collections.abc import Callable, Iterable, Mapping
@@ -44,8 +45,8 @@ class Equation(Protocol):
 class Line:
     """One evaluation of a formula, which nothing changes.  Screen, paper and JSON render this object and nothing else.
 
-    `about`: whose calculation this is ("front bearing", "mesh 36–39").  A line is equal to no other, whatever that one gave.
-    """
+    `about`: whose calculation this is ("front bearing", "mesh 36–39").  A line is equal to no other, whatever that one
+    gave."""
 
     __slots__ = ("about", "arguments", "formula", "value")
 
@@ -63,7 +64,9 @@ class _Setting(Generic[T]):
 
     __slots__ = ("_token", "value", "variable")
 
-    def __init__(self, variable: ContextVar[Any], value: T) -> None:  # Any: the variable holds more types than this one value
+    def __init__(
+        self, variable: ContextVar[Any], value: T
+    ) -> None:  # Any: the variable holds more types than this one value
         self.variable, self.value = variable, value
 
     def __enter__(self) -> T:
@@ -147,7 +150,10 @@ class LinkedStr(str):
 KINDS: dict[type, Callable[..., Any]] = {float: LinkedFloat, complex: LinkedComplex, int: LinkedInt, str: LinkedStr}
 KINDS |= {kind: kind for kind in KINDS.values()}  # type: ignore[misc]
 UNLINKED = {float, int, str, complex, bool, type(None)}
-PLAIN: dict[type, Callable[..., object]] = {LinkedFloat: float, LinkedComplex: complex}  # a linked number → the same without its link
+PLAIN: dict[type, Callable[..., object]] = {
+    LinkedFloat: float,
+    LinkedComplex: complex,
+}  # a linked number → the same without its link
 
 
 def linked(x: T, link: Link | None) -> T:
@@ -216,7 +222,9 @@ def based_on(x: T, *sources: object) -> T:
     if not recording.get():
         return x
     number = linked(x, joined_links(map(link_of, sources)))
-    if getattr(number, "parts", None) is not None:  # an array: element by element, where all that it was made of knows its elements
+    if (
+        getattr(number, "parts", None) is not None
+    ):  # an array: element by element, where all that it was made of knows its elements
         parts = [getattr(source, "parts", ()) for source in sources if link_of(source) is not None]
         if parts and all(len(one) == len(x) for one in parts):  # type: ignore[arg-type]
             number.parts = tuple(map(joined_links, zip(*parts)))  # type: ignore[attr-defined]
@@ -224,10 +232,11 @@ def based_on(x: T, *sources: object) -> T:
 
 
 def converged(formula: Equation, x: T, last: Callable[[T], R], closes: Callable[[R], object]) -> R:
-    """The last pass of an iteration on x, recorded: x has a line of its own, made of all that enters the pass from outside.
+    """The last pass of an iteration on x, recorded: x has a line of its own, made of all that enters the pass from
+    outside.
 
-    `formula` says in words how x was found; `last` makes the pass; `closes` takes out of its result what had to agree with x.
-    """
+    `formula` says in words how x was found; `last` makes the pass; `closes` takes out of its result what had to agree
+    with x."""
     lines = recorder.get()
     if lines is None:
         return last(x)

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Two designs side by side: the inputs that differ, the verdicts of the steps, and the checks and values that differ.
 
-Nothing is solved here.  A and B change places without changing what is found: every measure of a difference is symmetric.
-"""
+Nothing is solved here.  A and B change places without changing what is found: every measure of a difference is
+symmetric."""
 
 import math
 from collections.abc import Iterable, Iterator
@@ -24,14 +24,27 @@ if TYPE_CHECKING:
 # The inputs that differ between two design files, key by key.
 
 LAST = (  # stand behind what is calculated with
-    "accepted", "without", "locked", "oil", "material", "schema", "name", "note", "author", "checker", "revision", "date", "document",
-)  # fmt: skip
+    "accepted",
+    "without",
+    "locked",
+    "oil",
+    "material",
+    "schema",
+    "name",
+    "note",
+    "author",
+    "checker",
+    "revision",
+    "date",
+    "document",
+)
 T = TypeVar("T")
 
 
 @dataclass(frozen=True)
 class InputDifference:
-    """One key, as the two files have it; None: left out.  A table that only one of them has is one difference, and so is an element."""
+    """One key, as the two files have it; None: left out.  A table that only one of them has is one difference, and so
+    is an element."""
 
     key: str  # elements of arrays by name, else by index, as everywhere
     label: Text
@@ -46,7 +59,8 @@ class InputDifference:
 
 
 def inputs(a: Table, b: Table) -> list[InputDifference]:
-    """The keys that differ between the tables of two design files: the steps in their order, then what only names or explains."""
+    """The keys that differ between the tables of two design files: the steps in their order, then what only names or
+    explains."""
     found = list(_keys(Design, a, b, ""))
     return sorted(found, key=lambda d: LAST.index(d.step) + 1 if d.step in LAST else 0)
 
@@ -91,9 +105,13 @@ def _elements(about: Quantity, a: list[object], b: list[object], here: str, with
     for name in united(mine, theirs):
         one, other = mine.get(name), theirs.get(name)
         if one is not None and other is not None:
-            yield from _keys(about.table, one, other, f"{here}.{name}.", _called(one) if _called(one) == _called(other) else "")
+            yield from _keys(
+                about.table, one, other, f"{here}.{name}.", _called(one) if _called(one) == _called(other) else ""
+            )
         else:
-            yield InputDifference(f"{here}.{name}", Text("{label}: {name}", label=about.label, name=name), "", one, other, within)
+            yield InputDifference(
+                f"{here}.{name}", Text("{label}: {name}", label=about.label, name=name), "", one, other, within
+            )
 
 
 def _named(items: list[object]) -> dict[str, Table]:
@@ -114,15 +132,18 @@ def united(a: Iterable[T], b: Iterable[T]) -> list[T]:
 
 
 EQUAL = Text("The two designs are equal: no input, verdict, check or value differs.")
-SAME = 1e-6  # results that differ by less, of the larger one, are the same: iterations end somewhere, and nobody reads further
-NOTHING = 1e-13  # what is less than this share of the largest number of its unit in its step is what is left of a sum that is zero
+# results that differ by less, of the larger one, are the same: iterations end somewhere, and nobody reads further
+SAME = 1e-6
+# what is less than this share of the largest number of its unit in its step is what is left of a sum that is zero
+NOTHING = 1e-13
 RANKS = (*ORDER[: ORDER.index("note")], "outside", *ORDER[ORDER.index("note") :])  # of the verdicts, from good to bad
 NOTABLE = 1e-3  # a key result that differs by less is neither better nor worse
 
 
 @dataclass(frozen=True)
 class Judged:
-    """The verdict of a step, and how many of its checks stand behind it; `unaccepted`: its verdict if nothing were accepted."""
+    """The verdict of a step, and how many of its checks stand behind it; `unaccepted`: its verdict if nothing were
+    accepted."""
 
     verdict: str
     fail: int
@@ -187,7 +208,13 @@ class CheckDifference:
     @property
     def accepted(self) -> bool:
         """Found of one kind in both, whatever its size; somebody accepts it, or does not any more."""
-        return self.moved and self.a is not None and self.b is not None and self.a.finding == self.b.finding and not self.beyond
+        return (
+            self.moved
+            and self.a is not None
+            and self.b is not None
+            and self.a.finding == self.b.finding
+            and not self.beyond
+        )
 
     @property
     def beyond(self) -> bool:
@@ -244,11 +271,14 @@ class KeyResult:
 
 @dataclass(frozen=True)
 class Comparison:
-    """What differs.  Checks and values: step by step, first those of both designs by the size of the difference, then those of one."""
+    """What differs.  Checks and values: step by step, first those of both designs by the size of the difference, then
+    those of one."""
 
     inputs: tuple[InputDifference, ...]
     verdicts: tuple[StepVerdicts, ...]  # of every step
-    checks: tuple[CheckDifference, ...]  # of a step those first whose verdict has moved; of those of one design those that do not pass
+    checks: tuple[
+        CheckDifference, ...
+    ]  # of a step those first whose verdict has moved; of those of one design those that do not pass
     values: tuple[ValueDifference, ...]
     results: tuple[KeyResult, ...] = ()  # of either design, whether they differ or not
     unusual: tuple[Text, Text] = (EMPTY, EMPTY)  # the inputs of A and of B that are not usual
@@ -295,13 +325,17 @@ class Comparison:
 def compare(a: Table, b: Table, results_a: "Results", results_b: "Results", same: float = SAME) -> Comparison:
     """Compare two designs: the tables of their files, and what they gave."""
     return Comparison(
-        tuple(inputs(a, b)), tuple(_verdicts(results_a, results_b)), tuple(_checks(results_a, results_b, same)),
-        tuple(_values(results_a, results_b, same)), tuple(_key_results(results_a, results_b)),
+        tuple(inputs(a, b)),
+        tuple(_verdicts(results_a, results_b)),
+        tuple(_checks(results_a, results_b, same)),
+        tuple(_values(results_a, results_b, same)),
+        tuple(_key_results(results_a, results_b)),
         (told(unusual(results_a.design)), told(unusual(results_b.design))),
-    )  # fmt: skip
+    )
 
 
-# --- results ----------------------------------------------------------------------------------------------------------------
+# --- results
+# ----------------------------------------------------------------------------------------------------------------
 def _verdicts(a: "Results", b: "Results") -> Iterator[StepVerdicts]:
     for step in STEPS:
         yield StepVerdicts(step.key, step.title, _judged(a, step.key), _judged(b, step.key))
@@ -310,7 +344,11 @@ def _verdicts(a: "Results", b: "Results") -> Iterator[StepVerdicts]:
 def _judged(results: "Results", step: str) -> Judged:
     outcome = results.outcomes[step]
     verdicts = [check.verdict for check in outcome.checks]
-    unaccepted = step_verdict(replace(check, accepted="") for check in outcome.checks) if outcome.state == "solved" else outcome.verdict
+    unaccepted = (
+        step_verdict(replace(check, accepted="") for check in outcome.checks)
+        if outcome.state == "solved"
+        else outcome.verdict
+    )
     return Judged(outcome.verdict, verdicts.count("fail"), verdicts.count("warn"), outcome.reason, unaccepted)
 
 
@@ -372,12 +410,18 @@ def _values(a: "Results", b: "Results", same: float) -> list[ValueDifference]:
 
 def _key_results(a: "Results", b: "Results") -> Iterator[KeyResult]:
     mine, theirs = a.values(), b.values()
-    floors = {s.key: size_of_nothing((v.unit, v.shown) for r in (a, b) for v in r.outcomes[s.key].values()) for s in STEPS}
+    floors = {
+        s.key: size_of_nothing((v.unit, v.shown) for r in (a, b) for v in r.outcomes[s.key].values()) for s in STEPS
+    }
     ours, others = key_results(mine), key_results(theirs)
     for pattern in ours | others:
         one, other = ours.get(pattern), others.get(pattern)
         floor = floors[pattern.partition(".")[0]]
-        size = relative(one.shown, other.shown, floor.get(one.unit, 0.0)) if one is not None and other is not None else math.inf
+        size = (
+            relative(one.shown, other.shown, floor.get(one.unit, 0.0))
+            if one is not None and other is not None
+            else math.inf
+        )
         yield KeyResult(one, other, is_least(pattern), size)
 
 
@@ -385,7 +429,9 @@ def _is_phase(id: str, unit: str) -> bool:
     return unit == "°" and id.endswith("_phase")
 
 
-def _turned(a: Published, b: Published, mine: dict[str, Published], theirs: dict[str, Published], floors: dict[str, float]) -> float:
+def _turned(
+    a: Published, b: Published, mine: dict[str, Published], theirs: dict[str, Published], floors: dict[str, float]
+) -> float:
     """Between two phases: the shorter way round, of half a turn.  Vectors of no length have none."""
     lengths = [vectors[vector] for vectors in (mine, theirs) if (vector := a.id.removesuffix("_phase")) in vectors]
     if lengths and all(abs(v.shown) <= floors[v.unit] for v in lengths):
@@ -408,7 +454,8 @@ def size_of_nothing(numbers: Iterable[tuple[str, float]]) -> dict[str, float]:
 
 
 def relative(a: float, b: float, floor: float = 0.0) -> float:
-    """How much two numbers differ, of the larger one: 0 where they are equal, or both nothing; 2 where only the sign differs."""
+    """How much two numbers differ, of the larger one: 0 where they are equal, or both nothing; 2 where only the sign
+    differs."""
     if a == b or (math.isnan(a) and math.isnan(b)):
         return 0.0
     if not (math.isfinite(a) and math.isfinite(b)):

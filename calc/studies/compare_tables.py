@@ -13,7 +13,18 @@ from ..sheet.check import ORDER, Check
 from ..sheet.number import short
 from ..sheet.step import Table
 from ..sheet.text import COMMA, EMPTY, SEMICOLON, Amount, Name, Text, plural
-from .compare import NOTABLE, RANKS, CheckDifference, Comparison, InputDifference, Judged, KeyResult, StepVerdicts, ValueDifference, turn
+from .compare import (
+    NOTABLE,
+    RANKS,
+    CheckDifference,
+    Comparison,
+    InputDifference,
+    Judged,
+    KeyResult,
+    StepVerdicts,
+    ValueDifference,
+    turn,
+)
 
 DIGITS, MOST_DIGITS = 4, 12
 LEFT_OUT = Text("left out")
@@ -22,9 +33,11 @@ Names = tuple[str, str]
 Sign = Callable[[str], str]  # how a verdict is written
 
 
-# --- inputs -----------------------------------------------------------------------------------------------------------------
+# --- inputs
+# -----------------------------------------------------------------------------------------------------------------
 def input_table(found: Sequence[InputDifference], names: Names, *, ids: bool = True, full: bool = False) -> Table:
-    """`ids`: by their keys, which say the unit too, else by their labels.  `full`: tables that only one design has are written out."""
+    """`ids`: by their keys, which say the unit too, else by their labels.  `full`: tables that only one design has are
+    written out."""
     if ids:
         by_key = tuple((d.key, *input_texts(d, full=full)) for d in found)
         return Table("inputs", Text("Inputs that differ"), columns((Text("Key"), ""), names), by_key)
@@ -43,7 +56,9 @@ def _content(content: object, missing: Text, full: bool) -> Text:
         return missing
     if isinstance(content, dict):
         if full:
-            return COMMA.join(Text("{key} = {value}", key=key, value=_content(item, missing, full)) for key, item in content.items())
+            return COMMA.join(
+                Text("{key} = {value}", key=key, value=_content(item, missing, full)) for key, item in content.items()
+            )
         return plural("{n} key", "{n} keys", n=len(content))
     if isinstance(content, list):
         if content and isinstance(content[0], dict):
@@ -69,7 +84,8 @@ def named(id: str, label: Text, *, step: bool = False, within: str = "") -> Text
     return Text("{label} ({where})", label=label, where=COMMA.join(parts)) if parts else label
 
 
-# --- verdicts and checks ----------------------------------------------------------------------------------------------------
+# --- verdicts and checks
+# ----------------------------------------------------------------------------------------------------
 def verdict_table(compared: Comparison, names: Names, sign: Sign) -> Table:
     rows = tuple((v.title, judged_text(v.a, sign), judged_text(v.b, sign)) for v in compared.verdicts)
     return Table("verdicts", Text("Verdicts of the steps"), columns((Text("Step"), ""), names), rows)
@@ -86,7 +102,9 @@ def judged_text(judged: Judged, sign: Sign) -> Text:
     return Text("{verdict}: {warn} warn", verdict=verdict, warn=judged.warn) if judged.warn else verdict
 
 
-def check_table(found: Sequence[CheckDifference], names: Names, sign: Sign, *, ids: bool = True, margins: bool = True) -> Table:
+def check_table(
+    found: Sequence[CheckDifference], names: Names, sign: Sign, *, ids: bool = True, margins: bool = True
+) -> Table:
     """`ids`: checks by their ids, else by their names."""
     rows = []
     for d in found:
@@ -119,11 +137,15 @@ def limit_text(d: CheckDifference) -> Text:
     """The limit; where it has moved, both."""
     there = [c for c in (d.a, d.b) if c is not None]
     mixed = len({c.kind for c in there}) > 1
-    texts = [Text("{limit} (advice)", limit=c.limit_text()) if mixed and c.kind == "advice" else c.limit_text() for c in there]
+    texts = [
+        Text("{limit} (advice)", limit=c.limit_text()) if mixed and c.kind == "advice" else c.limit_text()
+        for c in there
+    ]
     return texts[0] if len(set(texts)) == 1 else Text("{before} → {after}", before=texts[0], after=texts[1])
 
 
-# --- values -----------------------------------------------------------------------------------------------------------------
+# --- values
+# -----------------------------------------------------------------------------------------------------------------
 def value_table(step: str, title: Text, found: Sequence[ValueDifference], names: Names, *, ids: bool = True) -> Table:
     """The values of one step; `ids`: by their ids with the labels last, else by their labels."""
     rows = []
@@ -183,7 +205,8 @@ def sentences(found: Comparison, names: Names, sign: Sign) -> list[Text]:
     made = [_whole(found, names, sign)]
     if found.steps_moved:
         steps = [
-            Text("{step} {before} → {after}", step=v.title, before=sign(v.a.verdict), after=sign(v.b.verdict)) for v in found.steps_moved
+            Text("{step} {before} → {after}", step=v.title, before=sign(v.a.verdict), after=sign(v.b.verdict))
+            for v in found.steps_moved
         ]
         made.append(Text("Steps: {moves}.", moves=COMMA.join(steps)))
     if not both:
@@ -242,9 +265,11 @@ def _moves(some: Sequence[CheckDifference], sign: Sign) -> Text:
     return COMMA.join(Text("{before} → {after} {n}", before=sign(a), after=sign(b), n=counts[a, b]) for a, b in ordered)
 
 
-# --- the two tables ---------------------------------------------------------------------------------------------------------
+# --- the two tables
+# ---------------------------------------------------------------------------------------------------------
 def moved(found: Comparison) -> list[CheckDifference]:
-    """The limits and cautions whose verdict moved, what got worse first, and those of one design only that do not pass."""
+    """The limits and cautions whose verdict moved, what got worse first, and those of one design only that do not
+    pass."""
     return sorted((d for d in (*found.checks_moved, *found.checks_lone) if _hard(d)), key=_urgency)
 
 
@@ -260,7 +285,13 @@ def moved_table(found: Comparison, names: Names, sign: Sign, most: int = 0) -> T
     left = len(rows) - len(shown)
     note = plural("{n} more limit or caution moved.", "{n} more limits or cautions moved.", n=left) if left else EMPTY
     head = (*check_columns(names), (EMPTY, ""))
-    return Table("moved", Text("Limits and cautions that moved"), head, tuple((*check_row(d, sign), _way(d)) for d in shown), note)
+    return Table(
+        "moved",
+        Text("Limits and cautions that moved"),
+        head,
+        tuple((*check_row(d, sign), _way(d)) for d in shown),
+        note,
+    )
 
 
 def _urgency(d: CheckDifference) -> tuple[int, int, bool]:

@@ -49,7 +49,12 @@ def wheels(results: Results) -> Table | None:
     data = {name: dict(data_table(train, name, gears)) for name in train.wheels}
     labels = dict.fromkeys(label for rows in data.values() for label in rows)
     rows = tuple((label, *(rows.get(label, NONE) for rows in data.values())) for label in labels)
-    return Table("drawing_data", Text("Data of the wheels, lengths in mm"), ((EMPTY, ""), *((Name(name), "") for name in data)), rows)
+    return Table(
+        "drawing_data",
+        Text("Data of the wheels, lengths in mm"),
+        ((EMPTY, ""), *((Name(name), "") for name in data)),
+        rows,
+    )
 
 
 def train(results: Results) -> tuple[Primitive, ...]:

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""How far the inputs that move a check move it: the sign and the size of each effect, by solving the design again with a small change."""
+"""How far the inputs that move a check move it: the sign and the size of each effect, by solving the design again with
+a small change."""
 
 import math
 from collections.abc import Callable, Iterable
@@ -19,9 +20,9 @@ KINDS = ("number", "integer", "series")
 
 @record
 class Effect:
-    """What one unit more of a key does to a check, in the check's unit: to its value (`slope`), and to the distance from its limit (`gain`,
-    positive: it is kept more widely).  Of a list all numbers are moved.  None: it was not moved, or it is no number, is not given, or the
-    design has no solution then."""
+    """What one unit more of a key does to a check, in the check's unit: to its value (`slope`), and to the distance
+    from its limit (`gain`, positive: it is kept more widely).  Of a list all numbers are moved.  None: it was not
+    moved, or it is no number, is not given, or the design has no solution then."""
 
     key: str
     slope: float | None
@@ -34,14 +35,17 @@ def effects(
 ) -> dict[str, tuple[Effect, ...]]:
     """For each check what the inputs do that move it most, in the order of use.  `document` is that of the results.
 
-    Of checks with one cause the worst says which inputs are moved, `most` of them.  Each is moved once, and only what depends on it is
-    solved again.  `stop` as of a solve.
-    """
+    Of checks with one cause the worst says which inputs are moved, `most` of them.  Each is moved once, and only what
+    depends on it is solved again.  `stop` as of a solve."""
     known = dict(quantities(document.data))
     wanted = list(checks)
     moved: dict[str, Moved] = {}
     for group in grouped(wanted):
-        numbers = [key for key in _keys(group[0], known) if known[key].kind in KINDS and value_at(document.data, key) is not None]
+        numbers = [
+            key
+            for key in _keys(group[0], known)
+            if known[key].kind in KINDS and value_at(document.data, key) is not None
+        ]
         for key in numbers[:most]:
             if key not in moved:
                 moved[key] = _moved(document, results, key, known[key], stop)
@@ -80,15 +84,23 @@ def _effect(check: Check, key: str, about: Quantity, moved: Moved) -> Effect:
     if moved is None or check.id not in moved[1]:
         return Effect(key, None, None, unit)
     change, after = moved[0], moved[1][check.id]
-    return Effect(key, _finite((after.value - check.value) / change), _finite((after.nearest[0] - check.nearest[0]) / change), unit)
+    return Effect(
+        key,
+        _finite((after.value - check.value) / change),
+        _finite((after.nearest[0] - check.nearest[0]) / change),
+        unit,
+    )
 
 
 def _finite(number: float) -> float | None:
     return number if math.isfinite(number) else None
 
 
-def moved_by(document: Document, results: Results, key: str, stop: Callable[[], bool] = bool) -> tuple[tuple[Check, Effect], ...]:
-    """What one input moves: every check, with the effect of one unit more; first those whose margin it moves most, of what there is."""
+def moved_by(
+    document: Document, results: Results, key: str, stop: Callable[[], bool] = bool
+) -> tuple[tuple[Check, Effect], ...]:
+    """What one input moves: every check, with the effect of one unit more; first those whose margin it moves most, of
+    what there is."""
     about = dict(quantities(document.data)).get(key)
     if about is None or about.kind not in KINDS or value_at(document.data, key) is None:
         return ()

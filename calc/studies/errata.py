@@ -19,7 +19,8 @@ DIGITS = 4  # of a right number: as many as the documents print
 
 @record
 class Misprint:
-    """One error of a source.  `design` and `value`: where this program has the right number; `sum`: arithmetic that shows it."""
+    """One error of a source.  `design` and `value`: where this program has the right number; `sum`: arithmetic that
+    shows it."""
 
     source: str
     place: str  # section, equation, table or figure
@@ -51,9 +52,18 @@ def misprints(source: str = "") -> Iterator[Misprint]:
 
 
 def _misprint(
-    source: str, place: str, lines: str, about: str, printed: str, why: str, right: str = "", design: str = "", value: str = "",
-    sum: str = "", unit: str = "",
-) -> Misprint:  # fmt: skip
+    source: str,
+    place: str,
+    lines: str,
+    about: str,
+    printed: str,
+    why: str,
+    right: str = "",
+    design: str = "",
+    value: str = "",
+    sum: str = "",
+    unit: str = "",
+) -> Misprint:
     numbers = {}
     if sum:
         numbers["sum"] = with_unit(short(worked_out(sum), DIGITS), unit)
@@ -65,7 +75,8 @@ def _misprint(
 
 
 def worked_out(arithmetic: str) -> float:
-    """The value of a row's `sum`.  The table is part of the program, so it may be evaluated; it knows `math` and nothing else."""
+    """The value of a row's `sum`.  The table is part of the program, so it may be evaluated; it knows `math` and
+    nothing else."""
     return float(eval(arithmetic, {"__builtins__": {}}, vars(math)))
 
 

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The chain of recorded lines that leads to a value: its links (`sheet/value.py`) followed back to the inputs, and nothing else."""
+"""The chain of recorded lines that leads to a value: its links (`sheet/value.py`) followed back to the inputs, and
+nothing else."""
 
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, is_dataclass
@@ -20,13 +21,16 @@ class Link:
 
 
 def chain(results: Results, value_id: str) -> list[Link]:
-    """The lines that lead to a value, each behind those that it needs; empty for a value taken straight from an input."""
+    """The lines that lead to a value, each behind those that it needs; empty for a value taken straight from an
+    input."""
     return Chains(results).of(value_id)
 
 
 def origin(results: Results, value_id: str) -> str | None:
     """The key of a value that is an input itself, or that a name brings in."""
-    return next((leaf for leaf in leaves(link_of(results.traced().values()[value_id].inside)) if isinstance(leaf, str)), None)
+    return next(
+        (leaf for leaf in leaves(link_of(results.traced().values()[value_id].inside)) if isinstance(leaf, str)), None
+    )
 
 
 def needs(line: Line) -> tuple[list[Line], list[str]]:
@@ -59,12 +63,18 @@ class Chains:
         """The value that a check is on; None where it judges none that is published."""
         if check.value_id in self.values:
             return check.value_id
-        return next((self.value_of[leaf] for leaf in self.judged(check) if isinstance(leaf, Line) and leaf in self.value_of), None)
+        return next(
+            (self.value_of[leaf] for leaf in self.judged(check) if isinstance(leaf, Line) and leaf in self.value_of),
+            None,
+        )
 
     def of_check(self, check: Check) -> tuple[list[Link], list[str]]:
-        """The chain of the number that a check judges, published or not, and the inputs that it is taken from straight away."""
+        """The chain of the number that a check judges, published or not, and the inputs that it is taken from straight
+        away."""
         found = self.judged(check)
-        return self._links([leaf for leaf in found if isinstance(leaf, Line)]), [leaf for leaf in found if isinstance(leaf, str)]
+        return self._links([leaf for leaf in found if isinstance(leaf, Line)]), [
+            leaf for leaf in found if isinstance(leaf, str)
+        ]
 
     def judged(self, check: Check) -> tuple[Line | str, ...]:
         """The lines that gave the number which a check judges, and the inputs that it was taken from."""
@@ -101,7 +111,8 @@ def _ordered(lines: list[Line]) -> Iterator[Line]:
 
 
 def shortened(inputs: Iterable[str], design: Design) -> list[str]:
-    """Keys to be listed: those of one number of all elements of an array of tables as one, `countershaft.masses.*.mass_kg`."""
+    """Keys to be listed: those of one number of all elements of an array of tables as one,
+    `countershaft.masses.*.mass_kg`."""
     keys = dict.fromkeys(inputs)
     for columns in _columns(design):
         if len(columns) > 1 and all(key in keys for key, _ in columns):
@@ -118,7 +129,10 @@ def _columns(inputs: object, prefix: str = "") -> Iterator[list[tuple[str, str]]
             yield from _columns(content, here)
         elif key.about.kind == "tables" and content:
             for part in keys_of(_class(content[0])).values():
-                yield [(f"{here}.{getattr(one, 'name', i)}.{part.key}", f"{here}.*.{part.key}") for i, one in enumerate(content)]
+                yield [
+                    (f"{here}.{getattr(one, 'name', i)}.{part.key}", f"{here}.*.{part.key}")
+                    for i, one in enumerate(content)
+                ]
 
 
 def _class(inputs: object) -> type:

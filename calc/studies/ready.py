@@ -17,26 +17,51 @@ if TYPE_CHECKING:
 
 
 WORDS = {
-    "film_edge": Text("film"), "film_double_load": Text("film, 2 F"), "film_edge_trumpler": Text("film"),
-    "clearance_cold": Text("cold gap"), "temperature": Text("oil"), "temperature_rise": Text("oil rise"),
-    "specific_load": Text("load"), "heat_index": Text("heat"),
-    "transition": Text("speed"), "length_ratio": Text("length ratio"), "slope_front": Text("slope"), "slope_rear": Text("slope"),
-    "bending_stress": Text("stress"), "residual": Text("couple left"), "residual_force": Text("force left"), "envelope": Text("radius"),
-    "envelope_length": Text("length"), "first_critical_speed": Text("critical speed"), "backlash": Text("backlash"),
-    "backlash_cold": Text("cold backlash"), "backlash_warm": Text("warm backlash"),
-    "backlash_warming": Text("backlash, warming up"), "backlash_runout": Text("backlash"),
-    "contact_ratio": Text("contact"), "safety_contact": Text("S_H"), "safety_bending": Text("S_F"), "clearance": Text("wall"),
-    "tip_clearance_least": Text("tip gap"), "stress_pin": Text("pin"), "stress_journal": Text("journal"), "rated_power": Text("power"),
-}  # fmt: skip
+    "film_edge": Text("film"),
+    "film_double_load": Text("film, 2 F"),
+    "film_edge_trumpler": Text("film"),
+    "clearance_cold": Text("cold gap"),
+    "temperature": Text("oil"),
+    "temperature_rise": Text("oil rise"),
+    "specific_load": Text("load"),
+    "heat_index": Text("heat"),
+    "transition": Text("speed"),
+    "length_ratio": Text("length ratio"),
+    "slope_front": Text("slope"),
+    "slope_rear": Text("slope"),
+    "bending_stress": Text("stress"),
+    "residual": Text("couple left"),
+    "residual_force": Text("force left"),
+    "envelope": Text("radius"),
+    "envelope_length": Text("length"),
+    "first_critical_speed": Text("critical speed"),
+    "backlash": Text("backlash"),
+    "backlash_cold": Text("cold backlash"),
+    "backlash_warm": Text("warm backlash"),
+    "backlash_warming": Text("backlash, warming up"),
+    "backlash_runout": Text("backlash"),
+    "contact_ratio": Text("contact"),
+    "safety_contact": Text("S_H"),
+    "safety_bending": Text("S_F"),
+    "clearance": Text("wall"),
+    "tip_clearance_least": Text("tip gap"),
+    "stress_pin": Text("pin"),
+    "stress_journal": Text("journal"),
+    "rated_power": Text("power"),
+}
 """Short words of checks, by the last part of their ids."""
 
-DECIDE = {"countershaft": ("slope_front", "slope_rear"), "bearings": ("film_edge", "film_double_load", "film_edge_trumpler")}
+DECIDE = {
+    "countershaft": ("slope_front", "slope_rear"),
+    "bearings": ("film_edge", "film_double_load", "film_edge_trumpler"),
+}
 """Where no limit is open, the nearest of these stands for its step."""
 
 
 @record
 class Headline:
-    """`brief`: the same in fewer cells.  `share`: the value over the limit, 1 at it; None where there is none to hold it against."""
+    """`brief`: the same in fewer cells.  `share`: the value over the limit, 1 at it; None where there is none to hold
+    it against."""
 
     text: Text
     brief: Text
@@ -45,7 +70,8 @@ class Headline:
 
 
 def headline(results: "Results", key: str) -> Headline | None:
-    """What stands for a step: of the limits that are open the worst, else what the step gives, else the nearest of its limits."""
+    """What stands for a step: of the limits that are open the worst, else what the step gives, else the nearest of its
+    limits."""
     outcome = results.outcomes[key]
     if outcome.state != "solved":
         return None
@@ -67,9 +93,13 @@ def of_check(check: Check) -> Headline:
     """`film 7.41 of 9 µm`."""
     word, limit = WORDS.get(check.id.rpartition(".")[2], check.name), check.nearest[1]
     if not limit:
-        long, brief = (Text("{word} {value}", word=word, value=Amount(check.value, check.unit, digits=digits)) for digits in (3, 2))
+        long, brief = (
+            Text("{word} {value}", word=word, value=Amount(check.value, check.unit, digits=digits)) for digits in (3, 2)
+        )
         return Headline(long, brief, None, check)
-    (value, of), (value_brief, of_brief) = ((Amount(check.value, digits=n), Amount(limit, check.unit, digits=n)) for n in (3, 2))
+    (value, of), (value_brief, of_brief) = (
+        (Amount(check.value, digits=n), Amount(limit, check.unit, digits=n)) for n in (3, 2)
+    )
     long = Text("{word} {value} of {limit}", word=word, value=value, limit=of)
     brief = Text("{word} {value}/{limit}", word=word, value=value_brief, limit=of_brief)
     return Headline(long, brief, share(check), check)
@@ -137,7 +167,9 @@ def _friction(results: "Results", values: Values) -> Text | None:
 def _mounting(results: "Results", values: Values) -> Text | None:
     """What the first seat has at the first operation, half on the crank and with the shaft."""
     mounting = results.design.mounting
-    seat = next((point.name for point in mounting.points if point.role == "seat"), None) if mounting is not None else None
+    seat = (
+        next((point.name for point in mounting.points if point.role == "seat"), None) if mounting is not None else None
+    )
     if mounting is None or seat is None:
         return None
     first = mounting.operation[0].name if mounting.operation else "idle"
@@ -150,8 +182,12 @@ def _mounting(results: "Results", values: Values) -> Text | None:
 
 
 GIVES: Mapping[str, Callable[["Results", Values], Text | None]] = {
-    "engine": _engine, "imbalance": _imbalance, "gears": _gears, "friction": _friction, "mounting": _mounting,
-}  # fmt: skip
+    "engine": _engine,
+    "imbalance": _imbalance,
+    "gears": _gears,
+    "friction": _friction,
+    "mounting": _mounting,
+}
 
 
 # --- the whole drive
@@ -180,7 +216,9 @@ def main_numbers(results: "Results") -> tuple[tuple[Text, Text], ...]:
     ]
     front, rear = values.get("bearings.front.film_edge"), values.get("bearings.rear.film_edge")
     if front is not None and rear is not None:
-        films = Text("{front} / {rear}", front=Amount(front.shown, digits=3), rear=Amount(rear.shown, rear.unit, digits=3))
+        films = Text(
+            "{front} / {rear}", front=Amount(front.shown, digits=3), rear=Amount(rear.shown, rear.unit, digits=3)
+        )
         found.append((Text("films at the edge"), films))
     wheels = [wheel.name for wheel in design.gears.wheels] if design.gears is not None else []
     found.append((Text("oil leaves with"), extreme(max, "outlet_temperature")))
@@ -190,7 +228,11 @@ def main_numbers(results: "Results") -> tuple[tuple[Text, Text], ...]:
     if (loss := shown("friction.total_loss")) is not None:
         rpm = Amount(design.engine.rated_speed * 60, "rpm", form=".0f") if design.engine is not None else None
         found.append((Text("loss"), Text("{loss} at {speed}", loss=loss, speed=rpm) if rpm is not None else loss))
-    return tuple((word, value if isinstance(value, Text) else Text("{value}", value=value)) for word, value in found if value is not None)
+    return tuple(
+        (word, value if isinstance(value, Text) else Text("{value}", value=value))
+        for word, value in found
+        if value is not None
+    )
 
 
 # How far a design is: the state of each of its steps, and whether it is ready.
@@ -201,7 +243,8 @@ OPEN = ("fail", "not_verified", "warn")
 
 @record
 class StepState:
-    """`state`: todo, needs (inputs), waits (for another step, or for the solver), fail, not_verified, warn, ready, not_asked.
+    """`state`: todo, needs (inputs), waits (for another step, or for the solver), fail, not_verified, warn, ready,
+    not_asked.
 
     `count`: the inputs that are needed, or the findings that are open, those of one cause counted once.
     """
@@ -217,7 +260,8 @@ class StepState:
 
 
 def readiness(data: Table, results: "Results | None", wrong: Iterable[str] = ()) -> tuple[StepState, ...]:
-    """The state of every step.  `data`: the tables of the design; `wrong`: keys of inputs that are missing or not understood.
+    """The state of every step.  `data`: the tables of the design; `wrong`: keys of inputs that are missing or not
+    understood.
 
     Those of the design itself, of its name or of what is measured, count with the first step, in which they are asked.
     """
@@ -266,7 +310,8 @@ KINDS = (
 
 
 def open_causes(causes: Iterable[Sequence[Check]]) -> dict[str, int]:
-    """How many causes have a limit that fails, one that can not be judged, or a caution that is open; each counts as its worst."""
+    """How many causes have a limit that fails, one that can not be judged, or a caution that is open; each counts as
+    its worst."""
     counts = dict.fromkeys(OPEN, 0)
     for group in causes:
         worst = group[0]
@@ -288,7 +333,9 @@ class Tally:
     @property
     def words(self) -> tuple[tuple[str, Text], ...]:
         """`1 limit fails`, `2 cautions`, each with its state; then how many steps are ready."""
-        found = [(state, plural(words.one, words.template, n=n)) for state, words in KINDS if (n := getattr(self, state))]
+        found = [
+            (state, plural(words.one, words.template, n=n)) for state, words in KINDS if (n := getattr(self, state))
+        ]
         steps = Text("ready") if self.ready == self.of else Text("ready {n} of {count}", n=self.ready, count=self.of)
         return (*found, ("ready" if self.ready == self.of else "todo", steps))
 
@@ -300,6 +347,9 @@ def tally(states: Sequence[StepState], results: "Results | None") -> Tally:
     lost = sum(outcome.state == "no_solution" for outcome in checks)
     asked = [state for state in states if state.state != "not_asked"]
     return Tally(
-        sum(n["fail"] for n in open_) + lost, sum(n["not_verified"] for n in open_), sum(n["warn"] for n in open_),
-        sum(state.state == "ready" for state in asked), len(asked),
-    )  # fmt: skip
+        sum(n["fail"] for n in open_) + lost,
+        sum(n["not_verified"] for n in open_),
+        sum(n["warn"] for n in open_),
+        sum(state.state == "ready" for state in asked),
+        len(asked),
+    )

@@ -18,7 +18,9 @@ if TYPE_CHECKING:
 
 DESIGNS = Path(__file__).parents[2] / "designs"
 EXAMPLE = DESIGNS / "r753ie4_gamma.toml"
-SCENARIOS = tuple(DESIGNS / f"thesis_{name}.toml" for name in ("temperatures", "oils", "tip_relief"))  # of the gear friction thesis
+SCENARIOS = tuple(
+    DESIGNS / f"thesis_{name}.toml" for name in ("temperatures", "oils", "tip_relief")
+)  # of the gear friction thesis
 
 
 class _Row(TypedDict, total=False):
@@ -42,7 +44,10 @@ class ShippedEngine:
 
 def engines() -> dict[str, ShippedEngine]:
     """The shipped engines by their id, the example first."""
-    return {name: ShippedEngine(str(_engine(row)["name"]), Text(row["what"]), row["source"]) for name, row in _rows().items()}
+    return {
+        name: ShippedEngine(str(_engine(row)["name"]), Text(row["what"]), row["source"])
+        for name, row in _rows().items()
+    }
 
 
 def engine_inputs(name: str) -> "EngineInputs":
@@ -60,7 +65,8 @@ def engine_inputs(name: str) -> "EngineInputs":
 
 
 def engine_design(name: str) -> str:
-    """The text of a design for a shipped engine: ready, with a shaft where first order asks for one at −1, else without, and why."""
+    """The text of a design for a shipped engine: ready, with a shaft where first order asks for one at −1, else
+    without, and why."""
     row = _rows()[name]
     if "design" in row:
         return (DESIGNS / row["design"]).read_text(encoding="utf-8")
@@ -71,7 +77,9 @@ def engine_design(name: str) -> str:
     from .starter.build import begun  # numpy, which a list of the engines does not need
 
     document = parse(_text(title, "", body).encode("utf-8"), name)
-    words = dict(what=row["what"], source=row["source"])  # no number of what shakes: it would stay when the engine is edited
+    words = dict(
+        what=row["what"], source=row["source"]
+    )  # no number of what shakes: it would stay when the engine is edited
     note = Text("{what}. Data: {source}. What rules of this program have added is marked as assumed.", **words)
     return _text(title, note, body + begun(document))
 

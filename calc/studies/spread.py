@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Numbered pieces of work over processes, or over the workers of a dask scheduler; what a lost worker had is done again by another.
+"""Numbered pieces of work over processes, or over the workers of a dask scheduler; what a lost worker had is done again
+by another.
 
 A piece keeps no state and gives the same wherever it runs; the pieces come back in any order.
 """
@@ -27,8 +28,9 @@ ANSWER = 10  # s, until which a scheduler must be there
 
 def spread(
     work: Callable[[A, int], R], what: A, waiting: Sequence[int], processes: int = 1, scheduler: str = ""
-) -> Iterator[tuple[int, R]]:  # fmt: skip
-    """`work(what, n)` for every number that waits, begun in that order, each as it is done.  `scheduler`: the address of a dask one."""
+) -> Iterator[tuple[int, R]]:
+    """`work(what, n)` for every number that waits, begun in that order, each as it is done.  `scheduler`: the address
+    of a dask one."""
     if scheduler:
         return _farmed(work, what, waiting, scheduler)
     if processes <= 1 or len(waiting) <= 1:
@@ -77,7 +79,8 @@ def _undisturbed() -> Iterator[None]:
 
 
 def _begin() -> None:
-    """In a new worker: Ctrl-C is for the program that started it, and with that, however it ends, the worker ends too."""
+    """In a new worker: Ctrl-C is for the program that started it, and with that, however it ends, the worker ends
+    too."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     if (parent := parent_process()) is not None:
         threading.Thread(target=_end_with, args=(parent.sentinel,), daemon=True).start()
@@ -89,7 +92,8 @@ def _end_with(sentinel: int) -> None:
 
 
 def _track() -> None:
-    """Start the tracker of multiprocessing with a true stderr: a screen's own has no file behind it, and none can then be started."""
+    """Start the tracker of multiprocessing with a true stderr: a screen's own has no file behind it, and none can then
+    be started."""
     if sys.__stderr__ is None:
         return
     with redirect_stderr(sys.__stderr__):
@@ -101,11 +105,15 @@ def _farmed(work: Callable[[A, int], R], what: A, waiting: Sequence[int], addres
     try:
         dask: Any = import_module("distributed")
     except ImportError:
-        raise NoSolution(Text("a scheduler needs dask.distributed, which the extra `contralbero[farm]` installs")) from None
+        raise NoSolution(
+            Text("a scheduler needs dask.distributed, which the extra `contralbero[farm]` installs")
+        ) from None
     try:
         client = dask.Client(address, timeout=ANSWER)
     except (OSError, ValueError) as error:
-        raise NoSolution(Text("no scheduler answers at {address}", address=address), Text("{why}", why=str(error))) from None
+        raise NoSolution(
+            Text("no scheduler answers at {address}", address=address), Text("{why}", why=str(error))
+        ) from None
     with client:
         futures = {client.submit(work, what, n, retries=LOSSES, pure=False): n for n in waiting}
         for future in dask.as_completed(list(futures)):
@@ -114,6 +122,8 @@ def _farmed(work: Callable[[A, int], R], what: A, waiting: Sequence[int], addres
             except (CancelledError, dask.KilledWorker) as error:
                 lost = Text("the scheduler at {address}, or too many of its workers, went away", address=address)
                 raise NoSolution(
-                    lost, Text("{why}", why=str(error).split("\n")[0]), Text("the same command goes on from what is done")
+                    lost,
+                    Text("{why}", why=str(error).split("\n")[0]),
+                    Text("the same command goes on from what is done"),
                 ) from None
             yield futures.pop(future), result

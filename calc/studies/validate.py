@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Values of others beside ours: the cases of tables/validation.toml, and the charts of Raimondi & Boyd.
 
-Three kinds apart: printed in a source, worked out from a source's numbers (or by another program), measured by others.  What the
-sources print and this program does not give is told with its reason.
-"""
+Three kinds apart: printed in a source, worked out from a source's numbers (or by another program), measured by others.
+What the sources print and this program does not give is told with its reason."""
 
 import tomllib
 from collections.abc import Iterator
@@ -30,11 +29,30 @@ VALIDATION_KINDS = {
 }
 
 
-Expect = TypedDict("Expect", {"value": str, "what": str, "is": float, "unit": str, "abs": float, "rel": float}, total=False)
-Case = TypedDict("Case", {  # a design, a film by S and length_ratio, or an oil, and what its source has
-    "source": str, "kind": str, "expect": list[Expect], "design": str | Table, "set": Table, "why": str, "S": float, "length_ratio": float,
-    "nu_40": float, "nu_100": float, "law": str, "temperature": float, "is": float, "abs": float, "rel": float,
-}, total=False)  # fmt: skip
+Expect = TypedDict(
+    "Expect", {"value": str, "what": str, "is": float, "unit": str, "abs": float, "rel": float}, total=False
+)
+Case = TypedDict(
+    "Case",
+    {  # a design, a film by S and length_ratio, or an oil, and what its source has
+        "source": str,
+        "kind": str,
+        "expect": list[Expect],
+        "design": str | Table,
+        "set": Table,
+        "why": str,
+        "S": float,
+        "length_ratio": float,
+        "nu_40": float,
+        "nu_100": float,
+        "law": str,
+        "temperature": float,
+        "is": float,
+        "abs": float,
+        "rel": float,
+    },
+    total=False,
+)
 
 
 @dataclass(frozen=True)
@@ -121,7 +139,9 @@ def _case(case: Case, designs: dict[str, Table]) -> Iterator[ValidationRow]:
         tolerance = max(expect.get("abs", 0.0), abs(published) * expect.get("rel", 0.0))
         found = values.get(expect["value"])
         ours = found.shown if found is not None and found.unit == expect.get("unit", "") else float("nan")
-        yield ValidationRow(case["kind"], case["source"], expect["value"], published, ours, tolerance, expect.get("unit", ""))
+        yield ValidationRow(
+            case["kind"], case["source"], expect["value"], published, ours, tolerance, expect.get("unit", "")
+        )
 
 
 def _film(case: Case) -> Iterator[ValidationRow]:
@@ -140,7 +160,15 @@ def _oil(case: Case) -> ValidationRow:
     oil = Oil(name="oil", nu40=case["nu_40"] * 1e-6, nu100=case["nu_100"] * 1e-6, rho15=900.0, base="mineral")
     ours = Lubricant(oil, case["law"]).at(case["temperature"]).nu / UNITS["mm²/s"].factor
     what = f"ν at {case['temperature']:g} °C of {case['nu_40']:g} and {case['nu_100']:g} mm²/s"
-    return ValidationRow(case["kind"], case["source"], what, case["is"], ours, max(case.get("abs", 0.0), case["is"] * case.get("rel", 0.0)), "mm²/s")
+    return ValidationRow(
+        case["kind"],
+        case["source"],
+        what,
+        case["is"],
+        ours,
+        max(case.get("abs", 0.0), case["is"] * case.get("rel", 0.0)),
+        "mm²/s",
+    )
 
 
 def _solved(document: Document) -> Results:
@@ -157,7 +185,15 @@ def _raimondi_boyd() -> Iterator[ValidationRow]:
         ours = film_at(eps, ratio)
         at = f"at ε = {eps:g}, l/d = {ratio:g}"
         yield ValidationRow("printed", source, f"S {at}", row["S"], ours.sommerfeld, 0.02 * row["S"], "")
-        yield ValidationRow("printed", source, f"(r/c)·f {at}", row["friction_variable"], ours.friction, 0.01 * row["friction_variable"], "")
+        yield ValidationRow(
+            "printed",
+            source,
+            f"(r/c)·f {at}",
+            row["friction_variable"],
+            ours.friction,
+            0.01 * row["friction_variable"],
+            "",
+        )
         yield ValidationRow("printed", source, f"Q/(r·c·n·l) {at}", row["flow"], ours.flow, 0.005 * row["flow"], "")
         inverted = eccentricity_from(row["S"], ratio)
         yield ValidationRow("printed", source, f"ε at S = {row['S']:g}, l/d = {ratio:g}", eps, inverted, 0.01, "")

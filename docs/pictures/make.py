@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """The pictures of the documents, from the program itself: `python docs/pictures/make.py`.
 
-The session as it stands on a terminal (SVG), and the first page of a report (PNG; needs pypdfium2, of the extra `docx`).
-"""
+The session as it stands on a terminal (SVG), and the first page of a report (PNG; needs pypdfium2, of the extra
+`docx`)."""
 
 import asyncio
 import subprocess
@@ -38,7 +38,11 @@ def page(target: Path) -> None:
     with tempfile.TemporaryDirectory() as folder:
         report = Path(folder) / "report.pdf"
         design = ROOT / "designs" / "r753ie4_gamma.toml"
-        subprocess.run([sys.executable, "-m", "assistant", "report", design, "--depth", "summary", "-o", report], check=True, cwd=ROOT)
+        subprocess.run(
+            [sys.executable, "-m", "assistant", "report", design, "--depth", "summary", "-o", report],
+            check=True,
+            cwd=ROOT,
+        )
         pypdfium2.PdfDocument(report)[0].render(scale=1.2, grayscale=True).to_pil().save(target, optimize=True)
 
 

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The chapter of a step in the engineer's report: findings, their proofs, what holds, key values, and what it stands on."""
+"""The chapter of a step in the engineer's report: findings, their proofs, what holds, key values, and what it stands
+on."""
 
 from __future__ import annotations
 
@@ -32,16 +33,26 @@ Parts = tuple[tuple[str, Callable[[], list[Block]]], ...]
 def chapter_parts(context: Context, number: int, step: Step, outcome: Outcome[object], figures: list[Block]) -> Parts:
     """The parts of a chapter in their order, each by the word that heads it."""
     proven = {check.id for proof in proofs(context, outcome.checks) for check in proof.checks}
-    values = [value for id, value in context.values.items() if id == value.id and id.startswith(f"{step.key}.") and is_key_value(id)]
+    values = [
+        value
+        for id, value in context.values.items()
+        if id == value.id and id.startswith(f"{step.key}.") and is_key_value(id)
+    ]
     parts: Parts = (
         ("verdicts_of", lambda: finding_blocks(context, outcome)),
         ("proofs", lambda: proof_blocks(context, number, step, outcome)),
-        ("kept_checks", lambda: kept_blocks(context, [check for check in outcome.checks if check.holds and check.id not in proven])),
+        (
+            "kept_checks",
+            lambda: kept_blocks(context, [check for check in outcome.checks if check.holds and check.id not in proven]),
+        ),
         ("key_values", lambda: value_blocks(context, outcome, values)),
         ("figures", lambda: figures),
         ("tables", lambda: table_blocks(context, [t for t in outcome.tables if t.id in TABLES])),
         ("inputs", lambda: input_blocks(context, step)),
-        ("notes", lambda: remarks(context, step.key) + [b for note in outcome.notes for b in bullet(note, NOTE, gap=0.7)]),
+        (
+            "notes",
+            lambda: remarks(context, step.key) + [b for note in outcome.notes for b in bullet(note, NOTE, gap=0.7)],
+        ),
     )
     if not outcome.reason:
         return parts
@@ -65,7 +76,8 @@ def finding_blocks(context: Context, outcome: Outcome[object]) -> list[Block]:
 
 
 def kept_blocks(context: Context, checks: list[Check]) -> list[Block]:
-    """What holds and is not proven: twins on one line, by the one that comes closest to its limit; of advice and method the number."""
+    """What holds and is not proven: twins on one line, by the one that comes closest to its limit; of advice and method
+    the number."""
     twins: dict[str, list[Check]] = {}
     hard = [check for check in checks if check.kind in ("limit", "caution")]
     for check in hard:
@@ -104,6 +116,7 @@ def _columns(context: Context, checks: Iterable[Check]) -> tuple[Column, ...]:
 
 
 # Every traced line of a step as it was computed, in its order: what the audit has.
+
 
 def derivation(context: Context, step: Step, traced: list[Line]) -> list[Block]:
     """The blocks of the formulas of a step."""

@@ -49,11 +49,15 @@ def counted(context: Context, checks: Sequence[Check]) -> str:
         return context.words["no_checks"]
     states = [context.state(check) for check in checks]
     words = context.text(
-        "count", fail=states.count("fail"), open=states.count("not_verified"),
+        "count",
+        fail=states.count("fail"),
+        open=states.count("not_verified"),
         warnings=plural("{n} warning", "{n} warnings", n=states.count("warn")),
-        notes=plural("{n} note", "{n} notes", n=states.count("note")), accepted=states.count("accepted"), passed=states.count("pass"),
+        notes=plural("{n} note", "{n} notes", n=states.count("note")),
+        accepted=states.count("accepted"),
+        passed=states.count("pass"),
         checks=plural("{n} check", "{n} checks", n=len(checks)),
-    )  # fmt: skip
+    )
     return f"{words}; {context.text('counted_outside', n=outside)}" if (outside := states.count("outside")) else words
 
 
@@ -68,7 +72,8 @@ def check_blocks(context: Context, checks: Sequence[Check]) -> list[Block]:
 
 
 def attention_blocks(context: Context, checks: Iterable[Check]) -> list[Block]:
-    """What fails, is not verified or warns, the worst first, each cause by its worst check; then what the user accepted.
+    """What fails, is not verified or warns, the worst first, each cause by its worst check; then what the user
+    accepted.
 
     Causes with the same advice stand together, and it under the last of them.
     """
@@ -108,13 +113,18 @@ def _check_table(context: Context, rows: list[Row], gap: float, checks: Sequence
     w = context.words
     wide = LONG_VERDICT if any(c.verdict in LONG for c in checks) else VERDICT
     columns = (
-        Column(w["verdict"], width=wide), Column(w["check"]), Column(w["value"], "r"), Column(w["limit"], "r"), Column(w["margin"], "r")
-    )  # fmt: skip
+        Column(w["verdict"], width=wide),
+        Column(w["check"]),
+        Column(w["value"], "r"),
+        Column(w["limit"], "r"),
+        Column(w["margin"], "r"),
+    )
     return table(columns, rows, gap=gap) if rows else []
 
 
 def errata_blocks(context: Context, errata: Iterable[Erratum], *, short: bool = False) -> list[Block]:
-    """Where a source is wrong: its value beside ours, and why; `short`: the reason once for all that have it, in its first sentence."""
+    """Where a source is wrong: its value beside ours, and why; `short`: the reason once for all that have it, in its
+    first sentence."""
     w = context.words
     together: dict[str, list[Erratum]] = {}
     for n, erratum in enumerate(errata):
@@ -122,12 +132,21 @@ def errata_blocks(context: Context, errata: Iterable[Erratum], *, short: bool = 
     rows: list[Row] = []
     for why, some in together.items():
         for e in some:
-            under = "" if short and e is not some[-1] else f"{why}. [{e.source}]" if short else f"{e.why} [{e.source}] {e.about}"
+            under = (
+                ""
+                if short and e is not some[-1]
+                else f"{why}. [{e.source}]"
+                if short
+                else f"{e.why} [{e.source}] {e.about}"
+            )
             rows.append(_erratum_row(context, e, under))
     last = max(50.0, longest(w["deviation"], HEADER))
     columns = (
-        Column(w["quantity"]), Column(w["source_value"], "r"), Column(w["our_value"], "r"), Column(w["deviation"], "r", width=last)
-    )  # fmt: skip
+        Column(w["quantity"]),
+        Column(w["source_value"], "r"),
+        Column(w["our_value"], "r"),
+        Column(w["deviation"], "r", width=last),
+    )
     return table(columns, rows) if rows else []
 
 

@@ -39,7 +39,8 @@ class ContentsEntry:
 
 
 def contents_blocks(context: Context, entries: list[ContentsEntry], names: list[str]) -> list[Block]:
-    """One row a section: its title, its parts with their pages, its own page.  Like parts stand below each other; everything is a link.
+    """One row a section: its title, its parts with their pages, its own page.  Like parts stand below each other;
+    everything is a link.
 
     `names`: the parts that there may be, in their order.
     """
@@ -117,16 +118,20 @@ def _page(names: list[str], rows: int) -> Block:
     return Block(rows * NOTE.leading, draw)
 
 
-# The register of the publications that a report stands on: title, edition, status, how we know them; and what no publication says.
+# The register of the publications that a report stands on: title, edition, status, how we know them; and what no
+# publication says.
 
-STANDARD = re.compile(r"(?:ISO|DIN|AGMA|VDI|FVA|ASTM|API|BS|EN|IACS|JIS|UNI)\b")  # what the name of a standard begins with
+STANDARD = re.compile(
+    r"(?:ISO|DIN|AGMA|VDI|FVA|ASTM|API|BS|EN|IACS|JIS|UNI)\b"
+)  # what the name of a standard begins with
 NAME, STATUS, KNOWN = 74.0, 78.0, 72.0  # widths beside the title
 REMEMBERED = " *"  # behind what we have from memory
 
 
 @dataclass(slots=True)
 class _Reference:
-    """A publication of the list: its clauses, the steps that use it, how we know what is used; each in the order in which it comes."""
+    """A publication of the list: its clauses, the steps that use it, how we know what is used; each in the order in
+    which it comes."""
 
     publication: Publication
     clauses: dict[str, None] = field(default_factory=dict)
@@ -135,7 +140,8 @@ class _Reference:
 
 
 def source_blocks(context: Context) -> list[Block]:
-    """The publications behind all that was calculated; in the audit with their clauses, and the rules that no publication says."""
+    """The publications behind all that was calculated; in the audit with their clauses, and the rules that no
+    publication says."""
     w = context.words
     published: dict[str, _Reference] = {}
     own: dict[str, None] = {}
@@ -154,7 +160,9 @@ def source_blocks(context: Context) -> list[Block]:
     ordered = dict(sorted(published.items(), key=lambda item: (item[0].casefold(), item[0])))
     if not ordered and not (context.audit and own):
         return []
-    made = paragraph(w["sources_note"] if context.audit else w["sources_rest"], NOTE, gap=1.0) + _register(context, ordered)
+    made = paragraph(w["sources_note"] if context.audit else w["sources_rest"], NOTE, gap=1.0) + _register(
+        context, ordered
+    )
     if not context.audit:
         return made
     for name, of_it in ordered.items():
@@ -168,7 +176,8 @@ def source_blocks(context: Context) -> list[Block]:
 
 
 def _register(context: Context, published: dict[str, _Reference]) -> list[Block]:
-    """Standards, then other publications: what each is, its edition, whether it is current, and how we know what it says."""
+    """Standards, then other publications: what each is, its edition, whether it is current, and how we know what it
+    says."""
     w = context.words
     rows: list[Row] = []
     for standard, title in ((True, w["standards"]), (False, w["literature"])):

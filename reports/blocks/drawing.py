@@ -107,7 +107,8 @@ def _chords(arc: Arc) -> tuple[Point, ...]:
     return tuple((x + r * math.cos(turn), y + r * math.sin(turn)) for turn in turns)
 
 
-# The chapter of a drive picked from a front: what was searched, where it stands, what each objective costs there, what binds it.
+# The chapter of a drive picked from a front: what was searched, where it stands, what each objective costs there, what
+# binds it.
 
 BINDING = 6  # limits with the least margins
 
@@ -124,8 +125,13 @@ def drive_blocks(context: Context, one: Picked, figure: list[Block]) -> list[Blo
     """Everything of the chapter below its title."""
     say = context.say
     proof = proof_of(one.proved, one.combinations, one.done, one.classes)
-    intro = Text("Drive {n} of {count} that were solved whole; {combinations} combinations were searched. {proof}",
-        n=one.number, count=len(one.rows), combinations=power_of_ten(one.combinations), proof=proof)  # fmt: skip
+    intro = Text(
+        "Drive {n} of {count} that were solved whole; {combinations} combinations were searched. {proof}",
+        n=one.number,
+        count=len(one.rows),
+        combinations=power_of_ten(one.combinations),
+        proof=proof,
+    )
     made = paragraph(say(intro), BODY)
     made += heading(say(Text("What was varied")), SECTION, gap=8.5, after=1.0)
     made += [block for line in ranges(one.sizes, one.choices) for block in bullet(say(line))]
@@ -149,8 +155,14 @@ def _curve(one: Picked) -> Curve:
     line = one.line("mass", "power")
     mass, power = (one.mine[one.names.index(name)] for name in ("mass", "power"))
     front = Series(Text("no drive is lighter with less power"), line[:, 0], line[:, 1])
-    return Curve("drive_front", Text("Front of power and mass; the point is this drive"), Text("shaft, kg"), Text("power at the crank, W"),
-        (front,), point=(float(mass), float(power)))  # fmt: skip
+    return Curve(
+        "drive_front",
+        Text("Front of power and mass; the point is this drive"),
+        Text("shaft, kg"),
+        Text("power at the crank, W"),
+        (front,),
+        point=(float(mass), float(power)),
+    )
 
 
 def _neighbours(one: Picked) -> Table:
@@ -162,16 +174,19 @@ def _neighbours(one: Picked) -> Table:
 
 def _costs(one: Picked) -> list[Table]:
     rows: list[tuple[str | float | None, ...]] = [
-        (Text("{gain} of {wanted}", gain=Amount(gain, UNITS[wanted][0]), wanted=LABELS[wanted]),
-         Text("{loss} of {paid}", loss=Amount(loss, UNITS[paid][0]), paid=LABELS[paid]),
-         Text("{slope}", slope=Amount(loss / gain, f"{UNITS[paid][0]}/{UNITS[wanted][0]}")))
+        (
+            Text("{gain} of {wanted}", gain=Amount(gain, UNITS[wanted][0]), wanted=LABELS[wanted]),
+            Text("{loss} of {paid}", loss=Amount(loss, UNITS[paid][0]), paid=LABELS[paid]),
+            Text("{slope}", slope=Amount(loss / gain, f"{UNITS[paid][0]}/{UNITS[wanted][0]}")),
+        )
         for wanted, gain, paid, loss in one.costs()
-    ]  # fmt: skip
+    ]
     if not rows:
         return []
     columns = ((Text("better by"), ""), (Text("costs"), ""), (Text("that is"), ""))
     note = Text(
-        "From this drive to the next one along the front of each two objectives, whatever the others then are; only where it stands on it."
+        "From this drive to the next one along the front of each two objectives, whatever the others then are; only "
+        "where it stands on it."
     )
     return [Table("drive_costs", Text("What each objective costs in another"), columns, tuple(rows), note)]
 
@@ -180,7 +195,9 @@ def _binding(context: Context, one: Picked) -> list[Check]:
     """The limits of this drive with the least margins, findings that were limits of the search among them."""
 
     def binds(check: Check) -> bool:
-        asked = any(fnmatchcase(check.id, p) for p in one.limits) and not any(fnmatchcase(check.id, p) for p in one.waived)
+        asked = any(fnmatchcase(check.id, p) for p in one.limits) and not any(
+            fnmatchcase(check.id, p) for p in one.waived
+        )
         return (check.kind == "limit" or asked) and check.verdict != "not_verified" and check.margin == check.margin
 
     found = [check for check in context.results.checks() if binds(check)]

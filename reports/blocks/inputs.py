@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The inputs of a step as tables: single quantities in rows, like parts (front and rear, wheels) in columns beside each other."""
+"""The inputs of a step as tables: single quantities in rows, like parts (front and rear, wheels) in columns beside each
+other."""
 
 from __future__ import annotations
 
@@ -28,21 +29,28 @@ from .values import paired_table
 
 ACROSS = 5  # parts beside each other
 FLAT = 8  # a list of parts with at most so many quantities stands one part a row
-LEFT_OUT = re.compile(r"\b(?:Left out|Se omess[oaei]): ")  # how a help begins to say, in each language, what the program does then
+LEFT_OUT = re.compile(
+    r"\b(?:Left out|Se omess[oaei]): "
+)  # how a help begins to say, in each language, what the program does then
 REMARK = 300  # characters of a comment that are printed
-ASSUMED = re.compile(r"(?:assum|estimat|guess|ipo[tz]|suppost|stima)", re.IGNORECASE)  # how a comment begins, by which a reader knows it
+ASSUMED = re.compile(
+    r"(?:assum|estimat|guess|ipo[tz]|suppost|stima)", re.IGNORECASE
+)  # how a comment begins, by which a reader knows it
 LONG, ENDS = 6, 2  # of a list with more parts so many of either end are shown, unless everything is asked for
 
 
 def exact(value: Any, *, rounded: bool = False) -> str:
-    """A number as the file gives it, with a true minus and powers of ten; `rounded`: without the last digits of a conversion."""
+    """A number as the file gives it, with a true minus and powers of ten; `rounded`: without the last digits of a
+    conversion."""
     if isinstance(value, bool):
         return str(value).lower()
     if isinstance(value, (list, tuple)):
         return "; ".join(exact(v, rounded=rounded) for v in value)
     if not isinstance(value, (int, float)):
         return str(value)
-    mantissa, _, power = (f"{value + 0:.12g}" if rounded else repr(value + 0)).partition("e")  # + 0: minus nought is nought
+    mantissa, _, power = (f"{value + 0:.12g}" if rounded else repr(value + 0)).partition(
+        "e"
+    )  # + 0: minus nought is nought
     written = mantissa.replace("-", "−")
     return f"{written}·10{str(int(power)).translate(SUPERSCRIPTS)}" if power else written
 
@@ -123,23 +131,32 @@ class _Tables:
             if given.left_out:
                 self.left_out.append(_left_out(key, self.say))
                 continue
-            rows.append((
-                self.say(key.about.label), _symbol(self.context, key.about), self.value(given), key.about.unit,
-                Cell(f"{prefix}.{key.key}", KEY),
-            ))  # fmt: skip
+            rows.append(
+                (
+                    self.say(key.about.label),
+                    _symbol(self.context, key.about),
+                    self.value(given),
+                    key.about.unit,
+                    Cell(f"{prefix}.{key.key}", KEY),
+                )
+            )
         if rows and not self.all:
             self.blocks += paired_table(self.context, title, [row[:4] for row in rows])
         elif rows:
             w = self.words
             columns = (
-                Column(w["quantity"], width=138.0), Column(w["symbol"], width=42.0), Column(w["value"], "r", width=104.0),
-                Column(w["unit"], width=40.0), Column(w["key"]),
-            )  # fmt: skip
+                Column(w["quantity"], width=138.0),
+                Column(w["symbol"], width=42.0),
+                Column(w["value"], "r", width=104.0),
+                Column(w["unit"], width=40.0),
+                Column(w["key"]),
+            )
             self.blocks += named_table(title, columns, rows)
         self.inside(inner, data, prefix)
 
     def inside(self, inner: list[Key], data: dict[str, Any], prefix: str, whose: str = "") -> None:
-        """Tables in a table: neighbours of one class stand beside each other.  `whose`: the part that they belong to."""
+        """Tables in a table: neighbours of one class stand beside each other.  `whose`: the part that they belong
+        to."""
 
         def title(key: Key) -> str:
             return f"{self.say(key.about.label)}: {whose}" if whose else self.say(key.about.label)
@@ -249,7 +266,8 @@ def input_blocks(context: Context, step: Step) -> list[Block]:
 
 
 def remarks(context: Context, *tables: str) -> list[Block]:
-    """What the author of the design says in the file beside the keys of tables; without an audit only what is assumed."""
+    """What the author of the design says in the file beside the keys of tables; without an audit only what is
+    assumed."""
     said: dict[str, list[str]] = {}  # a comment → the keys beside which it stands
     for key, words in context.document.remarks.items():
         if key.partition(".")[0] in tables and (context.audit or ASSUMED.match(words)):
@@ -269,12 +287,15 @@ def _called(context: Context, key: str) -> str:
             called[-1] = _part_name(here, int(part))
             continue
         known, here = keys(cls).get(part), here.get(part) if isinstance(here, dict) else None
-        called.append(part if known is None else context.say(known.about.label))  # a table of free form has keys of its own
+        called.append(
+            part if known is None else context.say(known.about.label)
+        )  # a table of free form has keys of its own
         cls = known.about.table or cls if known is not None else cls
     return ", ".join(reversed(called[1:] or called))
 
 
-# --- oils and materials -----------------------------------------------------------------------------------------------------
+# --- oils and materials
+# -----------------------------------------------------------------------------------------------------
 def used_materials(context: Context) -> tuple[list[Any], list[Any]]:
     """The oils and materials that the design names, in the order of their first naming."""
     design = context.design
@@ -304,7 +325,11 @@ def used_materials(context: Context) -> tuple[list[Any], list[Any]]:
 
 def material_blocks(context: Context) -> list[Block]:
     oils, materials = used_materials(context)
-    return [*_catalogue(context, "oil", oils), *_catalogue(context, "material", materials), *remarks(context, "oil", "material")]
+    return [
+        *_catalogue(context, "oil", oils),
+        *_catalogue(context, "material", materials),
+        *remarks(context, "oil", "material"),
+    ]
 
 
 def _catalogue(context: Context, kind: str, entries: Sequence[Any]) -> list[Block]:
@@ -313,7 +338,9 @@ def _catalogue(context: Context, kind: str, entries: Sequence[Any]) -> list[Bloc
     numbers = [
         key
         for key in keys(entries[0].__class__).values()
-        if key.key not in ("name", "source") and key.about.kind != "tables" and any(getattr(e, key.attribute) is not None for e in entries)
+        if key.key not in ("name", "source")
+        and key.about.kind != "tables"
+        and any(getattr(e, key.attribute) is not None for e in entries)
     ]
     head = [Column(context.words[kind])]
     for key in numbers:
@@ -329,6 +356,8 @@ def _catalogue(context: Context, kind: str, entries: Sequence[Any]) -> list[Bloc
                 cells.append("–")
             else:
                 said = isinstance(known, str)
-                cells.append(context.say(_written(key.about, known)) if said else context.say.number(exact(known, rounded=True)))
+                cells.append(
+                    context.say(_written(key.about, known)) if said else context.say.number(exact(known, rounded=True))
+                )
         rows.append(cells)
     return table(head, rows, gap=6.0)

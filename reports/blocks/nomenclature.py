@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The nomenclature at the end: every symbol of a chapter with its meaning, its unit and the first page on which it stands.
+"""The nomenclature at the end: every symbol of a chapter with its meaning, its unit and the first page on which it
+stands.
 
 Symbols are noted as they are set, in formulas, tables of values and inputs; nothing is listed by hand.
 """
@@ -33,52 +34,67 @@ if TYPE_CHECKING:
 # What a formula gives, in words, where its source says no more than where it is from; by the name of its function.
 
 BY_NAME: dict[str, Text] = {
-    "angular_speed": Text("Angular speed"), "attitude": Text("Attitude angle"), "attitude_angle": Text("Attitude angle"),
-    "attitude_slope": Text("Change of the attitude angle with the eccentricity"), "base_pitch": Text("Transverse base pitch"),
+    "angular_speed": Text("Angular speed"), "attitude": Text("Attitude angle"),
+    "attitude_angle": Text("Attitude angle"),
+    "attitude_slope": Text("Change of the attitude angle with the eccentricity"), "base_pitch": Text("Transverse base "
+                                                                                                     "pitch"),
     "bearings": Text("Bearings of all wheels"), "bearings_on_wheel": Text("Bearings of a wheel"),
     "benedict_kelley": Text("Coefficient of friction by Benedict and Kelley"),
-    "brake_mean_pressure": Text("Brake mean effective pressure"), "by_length_ratio": Text("Value between two length ratios"),
+    "brake_mean_pressure": Text("Brake mean effective pressure"), "by_length_ratio": Text("Value between two length "
+                                                                                          "ratios"),
     "c_xx": Text("Damping of the film, along the load"), "c_xy": Text("Damping of the film, coupled"),
     "c_yy": Text("Damping of the film, across the load"), "churning": Text("Churning of all wheels"),
     "churning_on_wheel": Text("Churning of a wheel"), "coefficient_C": Text("Coefficient of the approximation"),
-    "coefficient_E": Text("Coefficient of the approximation"), "coefficient_F": Text("Coefficient of the approximation"),
-    "coefficient_G": Text("Coefficient of the approximation"), "coefficient_H": Text("Coefficient of the approximation"),
+    "coefficient_E": Text("Coefficient of the approximation"),
+    "coefficient_F": Text("Coefficient of the approximation"),
+    "coefficient_G": Text("Coefficient of the approximation"),
+    "coefficient_H": Text("Coefficient of the approximation"),
     "contact_length": Text("Length of the contact lines"), "couple": Text("Length of the couple"),
     "couple_direction": Text("Direction of the couple"), "couple_length": Text("Length of the couple"),
-    "couple_per_degree": Text("Change of the couple over one degree"), "couple_per_tooth": Text("Change of the couple over one tooth"),
+    "couple_per_degree": Text("Change of the couple over one degree"), "couple_per_tooth": Text("Change of the couple "
+                                                                                                "over one tooth"),
     "couple_phase": Text("Direction of the couple"), "crank_angle": Text("Crank angle"),
     "damping_xx": Text("Dimensionless damping, along the load"), "damping_xy": Text("Dimensionless damping, coupled"),
-    "damping_yy": Text("Dimensionless damping, across the load"), "density": Text("Density"), "direction": Text("Direction"),
+    "damping_yy": Text("Dimensionless damping, across the load"), "density": Text("Density"),
+    "direction": Text("Direction"),
     "displacement": Text("Displacement"), "displacement_of_unlike": Text("Displacement"),
     "driven_speed": Text("Speed of the driven wheel"), "driver_speed": Text("Speed of the driver"),
     "dynamic_stiffness": Text("Dynamic stiffness"), "dynamic_viscosity": Text("Dynamic viscosity"),
     "eccentricity": Text("Eccentricity ratio"), "eccentricity_of_film": Text("Eccentricity ratio"),
     "eccentricity_of_relative_film": Text("Eccentricity ratio"), "efficiency": Text("Efficiency"),
-    "ehl_rolling_power": Text("Rolling power of the film, per width"), "exponent": Text("Exponent of the viscosity index"),
+    "ehl_rolling_power": Text("Rolling power of the film, per width"), "exponent": Text("Exponent of the viscosity "
+                                                                                        "index"),
     "film": Text("Smallest film"), "film_elastic_piezoviscous": Text("Dimensionless film, elastic and piezoviscous"),
     "film_heavily_loaded": Text("Smallest film"), "film_lightly_loaded": Text("Smallest film"),
     "flash_temperature": Text("Flash temperature"), "force": Text("Length of the force"),
     "force_direction": Text("Direction of the force"), "force_length": Text("Length of the force"),
-    "force_per_degree": Text("Change of the force over one degree"), "force_per_tooth": Text("Change of the force over one tooth"),
+    "force_per_degree": Text("Change of the force over one degree"), "force_per_tooth": Text("Change of the force "
+                                                                                             "over one tooth"),
     "frequency": Text("Natural frequency"), "friction_coefficient": Text("Coefficient of friction"),
     "friction_exponent": Text("Exponent of the friction"), "friction_variable": Text("Friction variable"),
-    "front_length": Text("Length of the front sector"), "front_unbalance": Text("Unbalance of the front sector"), "fuel": Text("Fuel"),
+    "front_length": Text("Length of the front sector"), "front_unbalance": Text("Unbalance of the front sector"),
+    "fuel": Text("Fuel"),
     "gear_axial": Text("Axial force of the teeth"), "gear_radial": Text("Radial force of the teeth"),
-    "gear_tangential": Text("Tangential force of the teeth"), "grade": Text("Grade"), "half_angle": Text("Half of the sector's angle"),
+    "gear_tangential": Text("Tangential force of the teeth"), "grade": Text("Grade"),
+    "half_angle": Text("Half of the sector's angle"),
     "harmonics": Text("Harmonics of the acceleration"), "implied_viscosity": Text("Kinematic viscosity"),
-    "index_above_100": Text("Viscosity index"), "index_up_to_100": Text("Viscosity index"), "indicated_power": Text("Indicated power"),
+    "index_above_100": Text("Viscosity index"), "index_up_to_100": Text("Viscosity index"),
+    "indicated_power": Text("Indicated power"),
     "inertia_tensor": Text("Inertia tensor"), "lacking_product": Text("Unbalance times arm that is lacking"),
     "lacking_unbalance": Text("Unbalance that is lacking"), "largest_moment": Text("Largest bending moment"),
     "length_ratio": Text("Length ratio"), "line_load_of": Text("Line load"),
-    "load_slope": Text("Change of the load with the eccentricity"), "log_sommerfeld": Text("Logarithm of Sommerfeld's number"),
+    "load_slope": Text("Change of the load with the eccentricity"), "log_sommerfeld": Text("Logarithm of Sommerfeld's "
+                                                                                           "number"),
     "longest_interval": Text("Longest firing interval"), "loss_of_mean_friction": Text("Loss of the mesh"),
     "mass_moment": Text("Moment of a mass"), "mean_friction": Text("Mean coefficient of friction"),
     "mean_pressure": Text("Indicated mean pressure"), "mean_stress_factor": Text("Mean stress factor"),
     "mirrored_couple": Text("Couple of the mirrored shaft"), "mirrored_force": Text("Force of the mirrored shaft"),
     "mixed_cycle": Text("Pressure in the cylinder"), "mode_loss": Text("Loss factor of a mode"),
-    "moment_place": Text("Place of the largest moment"), "narrow_helical_share": Text("Load share of narrow helical wheels"),
+    "moment_place": Text("Place of the largest moment"), "narrow_helical_share": Text("Load share of narrow helical "
+                                                                                      "wheels"),
     "natural_frequency": Text("First natural frequency of bending"),
-    "natural_frequency_without_rotary": Text("First natural frequency of bending"), "nearest_preferred": Text("Measuring piece"),
+    "natural_frequency_without_rotary": Text("First natural frequency of bending"),
+    "nearest_preferred": Text("Measuring piece"),
     "normal_module": Text("Normal module"), "other_losses": Text("Other losses"),
     "other_losses_on_wheel": Text("Other losses of a wheel"), "over_pins_opposite": Text("Size over pins"),
     "pair_half_angle": Text("Half of the sectors' angle"), "pair_length": Text("Length of each sector"),
@@ -91,12 +107,16 @@ BY_NAME: dict[str, Text] = {
     "rear_unbalance": Text("Unbalance of the rear sector"), "relative_clearance": Text("Relative clearance"),
     "relative_film": Text("Relative film"), "relative_flow": Text("Relative flow"),
     "relative_path": Text("Way of the piston over the crank radius"),
-    "relative_path_two_term": Text("Way of the piston over the crank radius"), "relative_side_flow": Text("Relative side flow"),
-    "revolutions": Text("Speed"), "rounded": Text("Tolerance, rounded"), "schlenk": Text("Mean coefficient of friction by Schlenk"),
-    "seals": Text("Seals of all wheels"), "seals_on_wheel": Text("Seals of a wheel"), "sector_area": Text("Area of the sector"),
+    "relative_path_two_term": Text("Way of the piston over the crank radius"),
+    "relative_side_flow": Text("Relative side flow"),
+    "revolutions": Text("Speed"), "rounded": Text("Tolerance, rounded"), "schlenk": Text("Mean coefficient of "
+                                                                                         "friction by Schlenk"),
+    "seals": Text("Seals of all wheels"), "seals_on_wheel": Text("Seals of a wheel"),
+    "sector_area": Text("Area of the sector"),
     "shaft_couple": Text("Couple of the shaft"), "shaft_force": Text("Force of the shaft"),
     "shaft_product": Text("Unbalance times arm of the shaft"), "shaft_unbalance": Text("Unbalance of the shaft"),
-    "share_below_zero": Text("Share of the trains that jam"), "share_of_largest_load": Text("Relative film of the largest load"),
+    "share_below_zero": Text("Share of the trains that jam"), "share_of_largest_load": Text("Relative film of the "
+                                                                                            "largest load"),
     "share_of_least_friction": Text("Relative film of the least friction"), "shear_modulus": Text("Shear modulus"),
     "sheared_share": Text("Sheared share of the gap"), "shortest_interval": Text("Shortest firing interval"),
     "shoulder_moment": Text("Bending moment at the shoulder"), "side_flow_din": Text("Side flow"),
@@ -105,10 +125,14 @@ BY_NAME: dict[str, Text] = {
     "solid_share_by_square": Text("Share of the load on the roughness"), "sommerfeld": Text("Sommerfeld number"),
     "specific_heat": Text("Specific heat"), "stiffness_xx": Text("Dimensionless stiffness, along the load"),
     "stiffness_xy": Text("Dimensionless stiffness, coupled"), "stiffness_yx": Text("Dimensionless stiffness, coupled"),
-    "stiffness_yy": Text("Dimensionless stiffness, across the load"), "supply_factor": Text("Factor of the supply flow"),
-    "supply_flow": Text("Supply flow"), "surface_speed": Text("Surface speed"), "tangent_angle": Text("Angle of the tangent at the root"),
+    "stiffness_yy": Text("Dimensionless stiffness, across the load"),
+    "supply_factor": Text("Factor of the supply flow"),
+    "supply_flow": Text("Supply flow"), "surface_speed": Text("Surface speed"), "tangent_angle": Text("Angle of the "
+                                                                                                      "tangent at the "
+                                                                                                      "root"),
     "thrown_oil": Text("Thrown oil of all wheels"), "thrown_oil_on_wheel": Text("Thrown oil of a wheel"),
-    "tool_corner_angle": Text("Angle of the tool's corner"), "torque": Text("Torque"), "transmitted_power": Text("Power"),
+    "tool_corner_angle": Text("Angle of the tool's corner"), "torque": Text("Torque"),
+    "transmitted_power": Text("Power"),
     "unbalance_left": Text("Unbalance left for the sectors"), "unbalance_length": Text("Length of the unbalance"),
     "velocity_coefficient": Text("Coefficient of the velocity factor"), "wheel_speed": Text("Speed of the wheel"),
     "whole_couple": Text("Couple of the shaft"), "whole_force": Text("Force of the shaft"), "windage": Text("Windage"),
@@ -195,10 +219,14 @@ def _same(value: object, given: object, about: Quantity) -> bool:
 
 
 def _labels(context: Context) -> dict[tuple[str, str], str]:
-    """What the values and inputs with a symbol are called, by chapter and symbol; "its place" goes on from another name."""
+    """What the values and inputs with a symbol are called, by chapter and symbol; "its place" goes on from another
+    name."""
     if not context.labels:
         named = [(value.id, value.symbol, value.label) for value in context.values.values()]
-        named += [(key, symbol(about.symbol) if about.symbol else "", about.label) for key, about in quantities(context.document.data)]
+        named += [
+            (key, symbol(about.symbol) if about.symbol else "", about.label)
+            for key, about in quantities(context.document.data)
+        ]
         for id, name, label in named:
             if name and not label[:1].islower():
                 of, told = (id.partition(".")[0], name), context.say(label)
@@ -207,7 +235,8 @@ def _labels(context: Context) -> dict[tuple[str, str], str]:
 
 
 def _in_common(one: str, other: str, id: str) -> str:
-    """What a symbol is called without the part that it is of, the form factor of each wheel; `id`: of the value that is called `other`."""
+    """What a symbol is called without the part that it is of, the form factor of each wheel; `id`: of the value that is
+    called `other`."""
     own, words = one.split(), other.split()
     same = [a for a, b in takewhile(lambda pair: pair[0].strip(",") == pair[1].strip(","), zip(own, words))]
     if one == other or len(same) == len(words) or words[len(same)].strip(",") not in re.split(r"[._]", id):

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What decides a check, walked back from the number that it judges: the lines of the calculation that a proof shows, and what they need.
+"""What decides a check, walked back from the number that it judges: the lines of the calculation that a proof shows,
+and what they need.
 
-Twins, which are one row of the table of checks (front and rear bearing, every mesh), are one proof: those that fail or come near their
-limit with their numbers, the others by name.
-"""
+Twins, which are one row of the table of checks (front and rear bearing, every mesh), are one proof: those that fail or
+come near their limit with their numbers, the others by name."""
 
 from __future__ import annotations
 
@@ -81,7 +81,8 @@ class Walk:
 
 
 def proofs(context: Context, checks: Iterable[Check]) -> list[Proof]:
-    """The proofs of a step: of what fails, can not be judged or comes near its limit, the worst first; then of what is always proven."""
+    """The proofs of a step: of what fails, can not be judged or comes near its limit, the worst first; then of what is
+    always proven."""
     twins: dict[str, list[Check]] = {}
     for check in checks:
         twins.setdefault(pattern_of(check.id), []).append(check)
@@ -122,8 +123,11 @@ def value(context: Context, id: str, known: Known) -> Walk:
     return _walk(context, [tuple(link.line for link in context.chains.of(id)[-1:])], HELD, (), known)
 
 
-def _walk(context: Context, roots: Sequence[tuple[Line | str, ...]], most: int, also: tuple[str, ...], known: Known) -> Walk:
-    """The lines nearest to the first of several numbers, `most` formulas and the symbols in `also`, and the same of the others."""
+def _walk(
+    context: Context, roots: Sequence[tuple[Line | str, ...]], most: int, also: tuple[str, ...], known: Known
+) -> Walk:
+    """The lines nearest to the first of several numbers, `most` formulas and the symbols in `also`, and the same of the
+    others."""
     starts = [[(line, governing(line)) for line in _lines(root)] for root in roots]
     shown = _nearest(context, starts[0], most, also, known)
     if not shown:
@@ -135,7 +139,10 @@ def _walk(context: Context, roots: Sequence[tuple[Line | str, ...]], most: int, 
             if left.get(_name(line), 0) > 0 and line not in shown:
                 left[_name(line)] -= 1
                 shown[line] = index
-    places, first = _places(context, shown, [*context.origins.followed(element for start in starts for element in start)]), _lines(roots[0])
+    places, first = (
+        _places(context, shown, [*context.origins.followed(element for start in starts for element in start)]),
+        _lines(roots[0]),
+    )
     entries: dict[str, EquationEntry] = {}
     for line in shown:
         entry = EquationEntry(line.formula, [], places, parts=1, full=line in first)
@@ -147,7 +154,9 @@ def _lines(leaves: Iterable[Line | str]) -> list[Line]:
     return [leaf for leaf in leaves if isinstance(leaf, Line)]
 
 
-def _nearest(context: Context, start: list[Element], most: int, also: tuple[str, ...], known: Known) -> dict[Line, Index | None]:
+def _nearest(
+    context: Context, start: list[Element], most: int, also: tuple[str, ...], known: Known
+) -> dict[Line, Index | None]:
     """The lines to be shown, each with the element of it that is followed."""
     names: dict[str, None] = {}
     shown: dict[Line, Index | None] = {}
@@ -156,7 +165,9 @@ def _nearest(context: Context, start: list[Element], most: int, also: tuple[str,
         if line.formula.symbol in wanted:
             wanted.discard(line.formula.symbol)
         elif line not in roots and (
-            _constant(context, (line, index)) or _name(line) in known or (_name(line) not in names and len(names) >= most)
+            _constant(context, (line, index))
+            or _name(line) in known
+            or (_name(line) not in names and len(names) >= most)
         ):
             continue
         names[_name(line)] = None
@@ -179,7 +190,9 @@ def _quoted(context: Context, shown: Mapping[Line, Index | None], known: Known) 
     for element in shown.items():
         for needed, index in context.origins.of(element)[0]:
             if needed not in shown:
-                where = known.get(needed) or (context.text("as_in", number=known[_name(needed)]) if _name(needed) in known else "")
+                where = known.get(needed) or (
+                    context.text("as_in", number=known[_name(needed)]) if _name(needed) in known else ""
+                )
                 for at in [index] if index else _all(needed):
                     number, unit = result(needed, at)
                     values.setdefault((symbol_of(needed), where), {})[context.say.number(number)] = unit
@@ -205,7 +218,8 @@ def _inputs(context: Context, roots: Sequence[tuple[Line | str, ...]], shown: Ma
 
 
 def _places(context: Context, shown: Mapping[Line, Index | None], reached: list[Element]) -> dict[Line, Place]:
-    """The elements of arrays that are followed, each named by where it lies; `reached`: all that the numbers come from."""
+    """The elements of arrays that are followed, each named by where it lies; `reached`: all that the numbers come
+    from."""
     coordinates = [(one, at) for one, at in reached if at and one.formula.symbol in COORDINATES]
     places = {}
     for line, index in shown.items():
@@ -222,7 +236,8 @@ def _places(context: Context, shown: Mapping[Line, Index | None], reached: list[
     return places
 
 
-# A proof as blocks: title with verdict and utilisation, the limit, the demand with its numbers, the twins, and what would mend it.
+# A proof as blocks: title with verdict and utilisation, the limit, the demand with its numbers, the twins, and what
+# would mend it.
 
 NAMED = 6  # twins
 QUOTED = 14  # values and inputs of a proof
@@ -262,7 +277,13 @@ def _proof(context: Context, number: str, step: Step, proof: Proof, walk: Walk, 
         state = context.state(check)
         found = Cell(f"{shown_value(context, check)} · {context.say(check.limit_text())}", STRONG)
         rows.append(
-            (Cell(name, STRONG), found, Cell(context.say(check.margin_text()), STRONG), used(context, check), sign_style(context, state))
+            (
+                Cell(name, STRONG),
+                found,
+                Cell(context.say(check.margin_text()), STRONG),
+                used(context, check),
+                sign_style(context, state),
+            )
         )
     made = [_title(context, rows, STATE_COLOURS[context.state(proof.governing)])]
     for check in proof.checks[:1]:
@@ -282,9 +303,15 @@ def _proof(context: Context, number: str, step: Step, proof: Proof, walk: Walk, 
 
 
 def _reached(check: Check, walk: Walk) -> bool:
-    """Whether a line of the walk gives the number that is judged; a solution over many of them may have none of its own."""
+    """Whether a line of the walk gives the number that is judged; a solution over many of them may have none of its
+    own."""
     judged = UNITS[check.unit].inside(check.value)
-    values = [line.value for entry in walk.entries for _, line in entry.lines if isinstance(line.value, (int, float, np.ndarray))]
+    values = [
+        line.value
+        for entry in walk.entries
+        for _, line in entry.lines
+        if isinstance(line.value, (int, float, np.ndarray))
+    ]
     return any(np.isclose(value, judged, rtol=1e-6, atol=0.0).any() for value in values)
 
 
@@ -292,13 +319,25 @@ def _after(context: Context, proof: Proof) -> list[Block]:
     """The twins, what the formulas are not made for, and what would mend it."""
     made: list[Block] = []
     if proof.others:
-        told = [Text("{name} {value} {limit} ({margin})", name=_short(context, check), value=Amount(check.value, check.unit),
-                     limit=check.limit_text(), margin=check.margin_text()) for check in proof.others[:NAMED]]  # fmt: skip
+        told = [
+            Text(
+                "{name} {value} {limit} ({margin})",
+                name=_short(context, check),
+                value=Amount(check.value, check.unit),
+                limit=check.limit_text(),
+                margin=check.margin_text(),
+            )
+            for check in proof.others[:NAMED]
+        ]
         more = [context.text("more_twins", count=len(proof.others) - NAMED)] if len(proof.others) > NAMED else []
         made += _line(context, "also_judged", checks="; ".join([*map(context.say, told), *more]))
     for method in dict.fromkeys(one for check in proof.checks for one in context.outside(check)):
         made += _line(
-            context, "outside_of", name=name_of(context, method), value=shown_value(context, method), limit=context.say(method.limit_text())
+            context,
+            "outside_of",
+            name=name_of(context, method),
+            value=shown_value(context, method),
+            limit=context.say(method.limit_text()),
         )
     check = proof.governing
     if check.missing:
@@ -318,7 +357,13 @@ def _short(context: Context, check: Check) -> str:
 def used(context: Context, check: Check) -> Cell:
     """Demand over capacity, where both are amounts of one sign."""
     share = check.utilisation
-    if share is None and not isinstance(check.limit, tuple) and check.unit != "°C" and check.value > 0 and check.limit > 0:
+    if (
+        share is None
+        and not isinstance(check.limit, tuple)
+        and check.unit != "°C"
+        and check.value > 0
+        and check.limit > 0
+    ):
         share = check.value / check.limit if check.sense in ("<=", "<") else check.limit / check.value
     if share is None or not share < 100:
         return Cell()
@@ -352,7 +397,9 @@ def _walked(context: Context, step: Step, walk: Walk, *, quoting: bool = True) -
     made: list[Block] = []
     for entry in walk.entries:
         source = context.cite(entry.formula.source, step)
-        made += entry_blocks(entry, source, sign if entry in several else SIGN, labelled=entry in several, context=context, gap=CLOSE)
+        made += entry_blocks(
+            entry, source, sign if entry in several else SIGN, labelled=entry in several, context=context, gap=CLOSE
+        )
     if made and quoting and (walk.quoted or walk.inputs):
         made[-1] = replace(made[-1], keep=True)
     if context.chapter not in context.ranges and any(map(_ranges, made)):
@@ -361,7 +408,9 @@ def _walked(context: Context, step: Step, walk: Walk, *, quoting: bool = True) -
     if quoting and walk.quoted:
         made += _listed(context, "with_values", walk.quoted)
     if quoting and walk.inputs:
-        made += _listed(context, "from_inputs", [_given(context, key) for key in _together(shortened(walk.inputs, context.design))])
+        made += _listed(
+            context, "from_inputs", [_given(context, key) for key in _together(shortened(walk.inputs, context.design))]
+        )
     return made
 
 
@@ -378,7 +427,9 @@ def _listed(context: Context, key: str, words: list[str]) -> list[Block]:
 def _together(keys: list[str]) -> list[str]:
     """Keys of one number of many parts as one, `gears.meshes.1.stack.*.field_mm`."""
     kinds = [(key.rpartition(".")[0].rpartition(".")[0], key.rpartition(".")[2]) for key in keys]
-    return list(dict.fromkeys(f"{kind[0]}.*.{kind[1]}" if kinds.count(kind) > ALIKE else key for key, kind in zip(keys, kinds)))
+    return list(
+        dict.fromkeys(f"{kind[0]}.*.{kind[1]}" if kinds.count(kind) > ALIKE else key for key, kind in zip(keys, kinds))
+    )
 
 
 def _given(context: Context, key: str) -> str:
@@ -389,4 +440,8 @@ def _given(context: Context, key: str) -> str:
         given = value_at(context.document.data, key, whole=True)
     except BadInput:
         return key
-    return key if given is None or (isinstance(given, (dict, list)) and len(str(given)) > 40) else f"{key} = {exact(given)}"
+    return (
+        key
+        if given is None or (isinstance(given, (dict, list)) and len(str(given)) > 40)
+        else f"{key} = {exact(given)}"
+    )

@@ -97,7 +97,11 @@ def _draw(pen: Pen, one: Primitive, scale: float, x: float, y: float) -> None:
     match one:
         case Polyline(layer=layer, points=points, closed=closed):
             thick, colour = LINES.get(layer, THIN)
-            pen.line([at(point) for point in (*points, points[0])] if closed else [at(point) for point in points], thick, colour)
+            pen.line(
+                [at(point) for point in (*points, points[0])] if closed else [at(point) for point in points],
+                thick,
+                colour,
+            )
         case Arc(layer=layer, centre=(cx, cy), radius=r, start=start, end=end):
             thick, colour = LINES.get(layer, THIN)
             turn = [start + (end - start) * i / PIECES for i in range(PIECES + 1)]
@@ -132,7 +136,8 @@ def summary_blocks(context: Context) -> list[Block]:
 
 
 def closing_blocks(context: Context, mended: Mended | None, above: list[Block]) -> list[Block]:
-    """What stands below that: the nearest design that passes, the record of changes, and where no chapters follow what they would say."""
+    """What stands below that: the nearest design that passes, the record of changes, and where no chapters follow what
+    they would say."""
     results = context.results
     made = above + (_nearest(context, mended) if mended is not None else []) + change_blocks(context)
     if context.depth != "summary":  # the proposals stand with their steps
@@ -155,12 +160,20 @@ def _key_results(context: Context) -> list[tuple[str | Cell, ...]]:
         name = context.say(value.label)
         whose = " ".join(context.belongs(value.id))
         name = f"{name}, {whose}" if whose and not knows(name, whose) else name
-        rows.append((name, Cell(box=symbol(value.symbol, CELL.size)) if value.symbol else "", context.written(value.shown, ""), value.unit))
+        rows.append(
+            (
+                name,
+                Cell(box=symbol(value.symbol, CELL.size)) if value.symbol else "",
+                context.written(value.shown, ""),
+                value.unit,
+            )
+        )
     return rows
 
 
 class Mended(NamedTuple):
-    """The nearest design in which no limit fails: what it changes, whether it passes, and what is left, with the reason."""
+    """The nearest design in which no limit fails: what it changes, whether it passes, and what is left, with the
+    reason."""
 
     changes: Text
     passes: bool
@@ -182,7 +195,9 @@ def _nearest(context: Context, found: Mended) -> list[Block]:
     """The nearest design that passes, with all that it changes."""
     made = heading(context.words["nearest_title"], SECTION, gap=9.0, after=0.0)
     if found.changes:
-        made += paragraph(context.text("nearest_passes" if found.passes else "nearest_part", changes=found.changes), CELL, gap=1.0)
+        made += paragraph(
+            context.text("nearest_passes" if found.passes else "nearest_part", changes=found.changes), CELL, gap=1.0
+        )
     for name, why in found.left:
         made += paragraph(context.text("nearest_left", name=name, why=why), CELL, gap=1.0)
     return made if found.changes or found.left else []
@@ -216,7 +231,10 @@ def _verdict(context: Context) -> list[Block]:
     if limits:
         worst = min(limits, key=closeness)
         at = context.text(
-            "governing", name=name_of(context, worst), value=shown_value(context, worst), limit=context.say(worst.limit_text())
+            "governing",
+            name=name_of(context, worst),
+            value=shown_value(context, worst),
+            limit=context.say(worst.limit_text()),
         )
         words = ". ".join([words, ", ".join(filter(None, (at, used(context, worst).words)))])
     if odd := told(unusual(context.design)):
@@ -248,13 +266,24 @@ def _steps(context: Context) -> list[Block]:
         state = outcome.verdict
         worst = min(outcome.checks, key=closeness, default=None) if outcome.state == "solved" else None
         if worst is None:
-            words = {"blocked": outcome.reason, "no_solution": outcome.reason, "not_asked": "–"}.get(outcome.state, w["no_checks"])
+            words = {"blocked": outcome.reason, "no_solution": outcome.reason, "not_asked": "–"}.get(
+                outcome.state, w["no_checks"]
+            )
             rows.append((title, sign_cell(context, state), Cell(words, NOTE), "", "", ""))
             continue
-        found = name_of(context, worst), shown_value(context, worst), context.say(worst.limit_text()), context.say(worst.margin_text())
+        found = (
+            name_of(context, worst),
+            shown_value(context, worst),
+            context.say(worst.limit_text()),
+            context.say(worst.margin_text()),
+        )
         rows.append((title, sign_cell(context, state), *found))
     columns = (
-        Column(w["step"], width=84.0), Column(w["verdict"], width=60.0), Column(w["worst"]), Column(w["value"], "r"),
-        Column(w["limit"], "r"), Column(w["margin"], "r"),
-    )  # fmt: skip
+        Column(w["step"], width=84.0),
+        Column(w["verdict"], width=60.0),
+        Column(w["worst"]),
+        Column(w["value"], "r"),
+        Column(w["limit"], "r"),
+        Column(w["margin"], "r"),
+    )
     return table(columns, rows, gap=2.0)

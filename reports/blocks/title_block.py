@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The title block of a report: what the document is, whose, and who has signed it; empty fields are boxes to sign by hand."""
+"""The title block of a report: what the document is, whose, and who has signed it; empty fields are boxes to sign by
+hand."""
 
 from __future__ import annotations
 
@@ -40,7 +41,9 @@ def title_blocks(context: Context) -> list[Block]:
     facts = [(label, value) for label, value in facts if value]
     facts += [(w["file"], f"{context.sha256[:SHORT_HASH]}…"), (w["program"], PROGRAM)]
     made += [_facts(facts), _signatures(context)]
-    made += on_paper_only(paragraph(w["attached"] if context.depth == "summary" else f"{w['attached']} {w['in_si']}", NOTE, gap=2.0))
+    made += on_paper_only(
+        paragraph(w["attached"] if context.depth == "summary" else f"{w['attached']} {w['in_si']}", NOTE, gap=2.0)
+    )
     said = (design.name, design.note, *control.words())
     if not all(map(writable, said)) and not any(MISSING in s for s in said):
         made += on_paper_only(paragraph(w["missing_glyphs"], NOTE, gap=0.0))
@@ -82,7 +85,8 @@ def _heading(context: Context) -> list[Block]:
 
 
 def _facts(facts: list[tuple[str, str]]) -> Block:
-    """Small labels with their values below, in cells beside each other: rows of about as many, each as wide as the block."""
+    """Small labels with their values below, in cells beside each other: rows of about as many, each as wide as the
+    block."""
     across = -(-len(facts) // -(-len(facts) // ACROSS))
     rows = []
     for first in range(0, len(facts), across):

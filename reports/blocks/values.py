@@ -76,11 +76,14 @@ def _clusters(parts: Iterable[_Part]) -> list[list[_Part]]:
 def _symbol(context: Context, value: Published) -> Cell:
     if not value.symbol:
         return Cell()
-    return Cell(box=symbol(value.symbol, CELL.size), indexed=noted(context, value.symbol, context.say(value.label), value.unit))
+    return Cell(
+        box=symbol(value.symbol, CELL.size), indexed=noted(context, value.symbol, context.say(value.label), value.unit)
+    )
 
 
 def _named(context: Context, values: Iterable[Published]) -> Iterator[tuple[Published, Cell]]:
-    """Values with their names; one that begins with a small letter ("its phase") goes on from the last that does not."""
+    """Values with their names; one that begins with a small letter ("its phase") goes on from the last that does
+    not."""
     head = ""
     for value in values:
         name = context.say(value.label)
@@ -92,14 +95,20 @@ def _named(context: Context, values: Iterable[Published]) -> Iterator[tuple[Publ
 def _single(context: Context, part: _Part) -> list[Block]:
     w = context.words
     columns = (
-        Column(w["quantity"], width=186.0), Column(w["symbol"], width=48.0), Column(w["value"], "r", width=56.0),
-        Column(w["unit"], width=44.0), Column(w["id"]),
-    )  # fmt: skip
+        Column(w["quantity"], width=186.0),
+        Column(w["symbol"], width=48.0),
+        Column(w["value"], "r", width=56.0),
+        Column(w["unit"], width=44.0),
+        Column(w["id"]),
+    )
     rows = [
-        (name, _symbol(context, v), context.written(v.shown), v.unit, Cell(v.id, KEY)) for v, name in _named(context, part.values.values())
+        (name, _symbol(context, v), context.written(v.shown), v.unit, Cell(v.id, KEY))
+        for v, name in _named(context, part.values.values())
     ]
     title = part.name[:1].upper() + part.name[1:]
-    return named_table(title, columns, rows) if context.audit else paired_table(context, title, [row[:4] for row in rows])
+    return (
+        named_table(title, columns, rows) if context.audit else paired_table(context, title, [row[:4] for row in rows])
+    )
 
 
 def paired_table(context: Context, title: str, rows: Sequence[tuple[str | Cell, ...]]) -> list[Block]:
@@ -112,7 +121,8 @@ def paired_table(context: Context, title: str, rows: Sequence[tuple[str | Cell, 
 
 
 def _paired(context: Context, rows: Sequence[tuple[str | Cell, ...]]) -> tuple[Column, ...]:
-    """Columns of half the width of a page: as narrow as symbol, value and unit can be, the rest for what they are called."""
+    """Columns of half the width of a page: as narrow as symbol, value and unit can be, the rest for what they are
+    called."""
     w = context.words
     narrow = [Column(w["symbol"]), Column(w["value"], "r"), Column(w["unit"])]
     cells = [[cell if isinstance(cell, Cell) else Cell(cell) for cell in column] for column in list(zip(*rows))[1:]]
@@ -139,14 +149,19 @@ def _beside(context: Context, parts: list[_Part], zero: list[str]) -> list[Block
     return table(columns, rows, gap=6.0) if rows else []
 
 
-# --- the step's own tables --------------------------------------------------------------------------------------------------
+# --- the step's own tables
+# --------------------------------------------------------------------------------------------------
 def table_blocks(context: Context, tables: Iterable[Table]) -> list[Block]:
     """What belongs side by side: numbers to the right, words to the left; a note in small type below."""
     made: list[Block] = []
     for shown in tables:
         rows = [[_shown(cell, context) for cell in row] for row in shown.rows]
         columns = [_headed(context, shown, i, _one_line) for i in range(len(shown.columns))]
-        if sum(c.width or _words_width(c, [row[i] for row in rows]) for i, c in enumerate(columns)) + GAP * len(columns) > WIDTH:
+        if (
+            sum(c.width or _words_width(c, [row[i] for row in rows]) for i, c in enumerate(columns))
+            + GAP * len(columns)
+            > WIDTH
+        ):
             columns = [_headed(context, shown, i, _two_lines) for i in range(len(shown.columns))]
         for n, some in enumerate(_fitting(columns)):
             title = context.text("two", name=shown.title) if n else shown.title
@@ -174,7 +189,10 @@ def _headed(context: Context, shown: Table, i: int, header: Callable[[str], floa
     if not any(isinstance(cell, (int, float)) for cell in cells) and (not unit or any(cells)):
         return Column(words)
     column = Column(words, "r")
-    return replace(column, width=max([header(words), *(natural(_shown(c, context), column) for c in cells if not isinstance(c, str))]))
+    return replace(
+        column,
+        width=max([header(words), *(natural(_shown(c, context), column) for c in cells if not isinstance(c, str))]),
+    )
 
 
 def _words_width(column: Column, cells: list[Cell]) -> float:
@@ -196,8 +214,8 @@ def _two_lines(header: str) -> float:
 
 
 def _fitting(columns: list[Column]) -> list[list[int]]:
-    """The columns of each of the tables that a wide one is divided into, about as wide as each other; the first column, which names the
-    rows, stands in all."""
+    """The columns of each of the tables that a wide one is divided into, about as wide as each other; the first column,
+    which names the rows, stands in all."""
     if not columns:
         return []
     wide = [column.width or LEAST_WORDS for column in columns]

@@ -11,25 +11,35 @@ from ..setting.boxes import Colour
 WORDS: dict[str, Text] = {
     "page": Text("Page {page} of {pages}"), "report": Text("Calculation report"),
     "number": Text("Number"), "revision": Text("Revision"), "project": Text("Project"), "customer": Text("Customer"),
-    "company": Text("Company"), "name": Text("Name"), "date": Text("Date"), "signature": Text("Signature"), "prepared": Text("Prepared"),
-    "checked": Text("Checked"), "approved": Text("Approved"), "changes": Text("Change record"), "what": Text("What changed"),
+    "company": Text("Company"), "name": Text("Name"), "date": Text("Date"), "signature": Text("Signature"),
+    "prepared": Text("Prepared"),
+    "checked": Text("Checked"), "approved": Text("Approved"), "changes": Text("Change record"),
+    "what": Text("What changed"),
     "by": Text("Author"), "logo": Text("Logo"), "file": Text("Design file, SHA-256"),
     "solved": Text("Values and verdicts of the report"), "program": Text("Program"),
-    "attached": Text("The design file is attached to this document as design.toml."), "pass": Text("pass"), "warn": Text("warn"),
+    "attached": Text("The design file is attached to this document as design.toml."), "pass": Text("pass"),
+    "warn": Text("warn"),
     "fail": Text("fail"), "note": Text("note"), "not_verified": Text("not verified"), "accepted": Text("accepted"),
     "blocked": Text("blocked"), "not_asked": Text("not used"), "no_solution": Text("no solution"),
-    "step": Text("Step"), "verdict": Text("Verdict"), "worst": Text("Closest limit"), "value": Text("Value"), "limit": Text("Limit"),
-    "margin": Text("Margin"), "check": Text("Check"), "unit": Text("Unit"), "quantity": Text("Quantity"), "symbol": Text("Symbol"),
-    "key": Text("Key in the design file"), "id": Text("Name of the value"), "source": Text("Source"), "advice": Text("advice"),
+    "step": Text("Step"), "verdict": Text("Verdict"), "worst": Text("Closest limit"), "value": Text("Value"),
+    "limit": Text("Limit"),
+    "margin": Text("Margin"), "check": Text("Check"), "unit": Text("Unit"), "quantity": Text("Quantity"),
+    "symbol": Text("Symbol"),
+    "key": Text("Key in the design file"), "id": Text("Name of the value"), "source": Text("Source"),
+    "advice": Text("advice"),
     "steps": Text("Steps"), "attention": Text("What is open"), "errata": Text("Where the source is wrong"),
-    "source_value": Text("Its method"), "our_value": Text("This report"), "deviation": Text("Deviation"), "contents": Text("Contents"),
+    "source_value": Text("Its method"), "our_value": Text("This report"), "deviation": Text("Deviation"),
+    "contents": Text("Contents"),
     "inputs": Text("Inputs"), "notes": Text("Assumptions"), "formulas": Text("Formulas"), "results": Text("Results"),
-    "proposals": Text("Proposed remedies"), "tables": Text("Tables"), "checks": Text("Checks"), "figures": Text("Figures"),
-    "figure": Text("Figure"), "summary": Text("Summary"), "defaults": Text("* default of the program, not given in the design file."),
+    "proposals": Text("Proposed remedies"), "tables": Text("Tables"), "checks": Text("Checks"),
+    "figures": Text("Figures"),
+    "figure": Text("Figure"), "summary": Text("Summary"), "defaults": Text("* default of the program, not given in "
+                                                                           "the design file."),
     "remarks": REMARKS,
     "left_out": Text("Left out, chosen by the program where it is needed: {names}."),
     "substitution": Text(
-        "Numbers are substituted in SI units (m, kg, s, N, Pa, W; angles in rad, temperatures in °C); a vector in the plane is "
+        "Numbers are substituted in SI units (m, kg, s, N, Pa, W; angles in rad, temperatures in °C); a vector in the "
+        "plane is "
         "written length∠angle. The result stands in the unit given."
     ),
     "ranges": Text("(a … b: n) stands for n values, a the first and b the last of them."),
@@ -42,12 +52,16 @@ WORDS: dict[str, Text] = {
         n=0,
     ),
     "kinds": Text(
-        "Limits not kept fail; kept by less than {margin} they warn, unless chosen to be used up. Cautions not kept warn; advice and "
+        "Limits not kept fail; kept by less than {margin} they warn, unless chosen to be used up. Cautions not kept "
+        "warn; advice and "
         "method give notes."
     ),
-    "outside_of": Text("Not called a pass: the formula is used outside what it is made for ({name}: {value}, should be {limit})."),
-    "counted_outside": plural("{n} holds outside the validity of its formula", "{n} hold outside the validity of their formulas", n=0),
-    "not_known": Text("Not known: {keys}."), "accepted_because": Text("Accepted: {reason}"), "with_values": Text("With {values}."),
+    "outside_of": Text("Not called a pass: the formula is used outside what it is made for ({name}: {value}, should "
+                       "be {limit})."),
+    "counted_outside": plural("{n} holds outside the validity of its formula", "{n} hold outside the validity of "
+                                                                               "their formulas", n=0),
+    "not_known": Text("Not known: {keys}."), "accepted_because": Text("Accepted: {reason}"),
+    "with_values": Text("With {values}."),
     "as_in": Text("as in {number}"),
     "from_inputs": Text("Inputs: {values}."), "outside": Text("kept, outside validity"), "proofs": Text("Proofs"),
     "kept_checks": Text("What holds"), "verdicts_of": Text("Findings"), "key_values": Text("Key values"),
@@ -67,22 +81,28 @@ WORDS: dict[str, Text] = {
     "materials": Text("Oils and materials"), "oil": Text("Oil"),
     "material": Text("Material"), "design_note": Text("Note"), "sources": Text("Sources"),
     "drive": Text("Whole drive"), "front": Text("The front that this drive is one of"), "used_in": Text("Used in"),
-    "sources_note": Text("Clauses, equations and tables by publication; beside each formula stands the one it was taken from."),
+    "sources_note": Text("Clauses, equations and tables by publication; beside each formula stands the one it was "
+                         "taken from."),
     "sources_rest": Text(
-        "The publications behind what stands in this report; the clause stands beside each formula. The audit report has all of them."
+        "The publications behind what stands in this report; the clause stands beside each formula. The audit report "
+        "has all of them."
     ),
-    "standards": Text("Standards and rules"), "literature": Text("Books and papers"), "title": Text("Title and edition"),
+    "standards": Text("Standards and rules"), "literature": Text("Books and papers"),
+    "title": Text("Title and edition"),
     "status": Text("Status"), "how_known": Text("How we know it"), "remembered": Text("* as far as we remember."),
-    "own": Text("Definitions and rules without a publication"), "not_asked_text": Text("the design file has no table [{key}]."),
+    "own": Text("Definitions and rules without a publication"), "not_asked_text": Text("the design file has no table "
+                                                                                       "[{key}]."),
     "blocked_text": Text("this step {reason}."), "no_solution_text": Text("{reason}."), "no_checks": Text("no checks"),
     "count": Text("{fail} failed, {open} not verified, {warnings}, {notes}, {accepted} accepted, {passed} passed of "
     "{checks}"), "waiting": Text("; not solved: {steps}"),
     "missing_glyphs": Text("▯ stands for a character that this report's font does not have; the attached file has it."),
-    "comparison": Text("Comparison of two designs"), "design": Text("Design"), "verdicts": Text("Verdicts of the steps"), "equal": EQUAL,
+    "comparison": Text("Comparison of two designs"), "design": Text("Design"),
+    "verdicts": Text("Verdicts of the steps"), "equal": EQUAL,
     "moved": Text("Checks whose verdict moved"), "lone": Text("Checks of one design only that do not pass"),
     "kept": Text("Checks that keep their verdict at another value or limit"),
     "attached_pair": Text(
-        "Both design files are attached to this document, as a.toml and b.toml; `contralbero verify` solves them again and compares."
+        "Both design files are attached to this document, as a.toml and b.toml; `contralbero verify` solves them "
+        "again and compares."
     ),
     "more_differ": Text("What differs in all: {checks}, {values}; `contralbero compare --all` lists them."),
     "lone_values": plural(
@@ -91,17 +111,25 @@ WORDS: dict[str, Text] = {
         n=0,
     ),
     "docx_note": Text(
-        "{program}, design file sha256 {sum}. A copy to go on writing with: anybody can change it. The record is the PDF report, which "
+        "{program}, design file sha256 {sum}. A copy to go on writing with: anybody can change it. The record is the "
+        "PDF report, which "
         "`contralbero verify` checks."
     ),
     "two": Text("{name} (continued)"), "between": Text("{count} more; {total} in all"),
 }  # fmt: skip
 
 STATE_COLOURS: dict[str, Colour] = {
-    "pass": (0.0, 0.42, 0.31), "warn": (0.66, 0.40, 0.0), "fail": (0.75, 0.16, 0.0), "blocked": (0.35, 0.35, 0.35),
-    "not_asked": (0.45, 0.45, 0.45), "no_solution": (0.75, 0.16, 0.0), "note": (0.35, 0.35, 0.35), "not_verified": (0.66, 0.40, 0.0),
-    "accepted": (0.0, 0.42, 0.31), "outside": (0.35, 0.35, 0.35),
-}  # fmt: skip
+    "pass": (0.0, 0.42, 0.31),
+    "warn": (0.66, 0.40, 0.0),
+    "fail": (0.75, 0.16, 0.0),
+    "blocked": (0.35, 0.35, 0.35),
+    "not_asked": (0.45, 0.45, 0.45),
+    "no_solution": (0.75, 0.16, 0.0),
+    "note": (0.35, 0.35, 0.35),
+    "not_verified": (0.66, 0.40, 0.0),
+    "accepted": (0.0, 0.42, 0.31),
+    "outside": (0.35, 0.35, 0.35),
+}
 STATE_PANELS: dict[str, Colour] = {"pass": (0.92, 0.97, 0.94), "warn": (0.99, 0.96, 0.88), "fail": (0.99, 0.93, 0.90)}
 
 

@@ -38,7 +38,8 @@ from ..setting.tables import Cell, Column, Group, Row, Rows
 from ..setting.typeset import symbol_parts
 from . import omml
 
-# The sheet and the styles of a Word document: the program's own names for body, table and source, so that a template can restyle them.
+# The sheet and the styles of a Word document: the program's own names for body, table and source, so that a template
+# can restyle them.
 
 BODY_TEXT, TABLE_TEXT, SOURCE = "Report Text", "Report Table", "Report Source"
 BULLET, CAPTION, SUBTITLE = "List Bullet", "Caption", "Subtitle"  # Word's own
@@ -50,12 +51,18 @@ GREY = RGBColor(0x5C, 0x5C, 0x5C)
 
 
 def prepare(file: Any, language: str) -> dict[str, str]:
-    """A4, the margins of the PDF, the language to spell in, the styles that Word does not have; gives the ids of all that are used."""
+    """A4, the margins of the PDF, the language to spell in, the styles that Word does not have; gives the ids of all
+    that are used."""
     for spelt in file.styles.element.iter(qn("w:lang")):
         spelt.set(qn("w:val"), language)
     section = file.sections[0]
     section.page_width, section.page_height = Pt(PAGE[0]), Pt(PAGE[1])
-    section.left_margin, section.right_margin, section.top_margin, section.bottom_margin = Pt(LEFT), Pt(RIGHT), Pt(TOP), Pt(BOTTOM)
+    section.left_margin, section.right_margin, section.top_margin, section.bottom_margin = (
+        Pt(LEFT),
+        Pt(RIGHT),
+        Pt(TOP),
+        Pt(BOTTOM),
+    )
     for name, size in SIZES.items():
         style = file.styles.add_style(name, WD_STYLE_TYPE.PARAGRAPH)
         style.base_style = file.styles["Normal"]
@@ -91,7 +98,9 @@ def pictures(blocks: Sequence[Block]) -> list[bytes]:
         pen.write()
         canvas.showPage()
     canvas.save()
-    return [_rendered(page, block.page is not None) for page, block in zip(pypdfium2.PdfDocument(out.getvalue()), blocks)]
+    return [
+        _rendered(page, block.page is not None) for page, block in zip(pypdfium2.PdfDocument(out.getvalue()), blocks)
+    ]
 
 
 def _rendered(page: pypdfium2.PdfPage, whole: bool) -> bytes:
@@ -103,13 +112,17 @@ def _rendered(page: pypdfium2.PdfPage, whole: bool) -> bytes:
 
 
 ONE_LINE = 70  # letters of a formula with its numbers that stand on one line
-INDENT = "\u2003"  # of what goes on from the line above: a sign at its beginning is read as an operator, which wants something before it
+# of what goes on from the line above: a sign at its beginning is read as an operator, which wants something before it
+INDENT = "\u2003"
 PAD = 7.0  # points that a cell needs beside its words
 DEPTHS = ("summary", "engineer")  # the audit is a record, and no text to go on with
 
 
-def write(document: Document, results: Results, raw: bytes, path: Path, *, depth: str = "engineer", lang: str = "en") -> Path:
-    """Write the report of a solved design as a Word document.  Raises ValueError for a depth or a language that there is not."""
+def write(
+    document: Document, results: Results, raw: bytes, path: Path, *, depth: str = "engineer", lang: str = "en"
+) -> Path:
+    """Write the report of a solved design as a Word document.  Raises ValueError for a depth or a language that there
+    is not."""
     return write_file(path, render(document, results, raw, depth=depth, lang=lang), inputs=inputs_of(document, results))
 
 
@@ -155,14 +168,17 @@ class _Writer:
                     self.picture(next(drawn), captions)
 
     def line(self, style: str, within: Any = None) -> Any:
-        """A new paragraph; its style is set by its id, which python-docx else looks up in ten times the time that all the rest takes."""
+        """A new paragraph; its style is set by its id, which python-docx else looks up in ten times the time that all
+        the rest takes."""
         made = (within or self.file).add_paragraph()
         made._p.style = self.styles[style]
         return made
 
     def picture(self, png: bytes, captions: tuple[str, ...]) -> None:
         shape = self.file.add_picture(io.BytesIO(png), width=Pt(WIDTH))
-        shape._inline.docPr.set("descr", written(" ".join(captions) or self.context.design.name))  # is read out in place of the picture
+        shape._inline.docPr.set(
+            "descr", written(" ".join(captions) or self.context.design.name)
+        )  # is read out in place of the picture
         for side in "TBLR":
             shape._inline.set(f"dist{side}", "0")  # where it is left out LibreOffice takes 9 points
         if captions:
@@ -190,10 +206,15 @@ class _Writer:
 
     # --- tables
     def table(self, columns: Sequence[Column], rows: Iterable[Row], widths: Sequence[float]) -> None:
-        """A table with a row of headers that is repeated on every page; columns in which nothing stands are left out."""
+        """A table with a row of headers that is repeated on every page; columns in which nothing stands are left
+        out."""
         body = [row for row in rows if isinstance(row, Group) or any(map(_says, row))]
         full = [row for row in body if not isinstance(row, Group)]
-        used = [n for n in range(max(map(len, full))) if any(_says(row[n]) for row in full) or (columns and columns[n].header)]
+        used = [
+            n
+            for n in range(max(map(len, full)))
+            if any(_says(row[n]) for row in full) or (columns and columns[n].header)
+        ]
         made = self.file.add_table(rows=0, cols=len(used), style="Table Grid")
         if any(column.header for column in columns):
             row = made.add_row()
@@ -214,7 +235,9 @@ class _Writer:
     def spread(self, made: Any, shares: Sequence[float]) -> None:
         """Columns as wide as on paper, the table as wide as the text."""
         made.autofit = False
-        made._tbl.tblPr.insert_element_before(parse_xml(CELLS), "w:tblLook")  # in the order of the schema, which Word asks for
+        made._tbl.tblPr.insert_element_before(
+            parse_xml(CELLS), "w:tblLook"
+        )  # in the order of the schema, which Word asks for
         for column, share in zip(made.columns, shares):
             column.width = Pt(WIDTH * share / sum(shares))
         for row in made.rows:

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Formulas as Office Math (ISO/IEC 29500-1, clause 22.1), from the same trees as those on paper: a word processor shows and edits them."""
+"""Formulas as Office Math (ISO/IEC 29500-1, clause 22.1), from the same trees as those on paper: a word processor shows
+and edits them."""
 
 from xml.sax.saxutils import escape
 
@@ -33,7 +34,8 @@ def numbers(line: Shown) -> str:
     return value if line.numbers is None else run("=") + tree(line.numbers) + value
 
 
-# --- runs and symbols -------------------------------------------------------------------------------------------------------
+# --- runs and symbols
+# -------------------------------------------------------------------------------------------------------
 def run(text: str, *, upright: bool = True) -> str:
     style = '<m:rPr><m:sty m:val="p"/></m:rPr>' if upright else ""
     return f'<m:r>{style}<m:t xml:space="preserve">{escape(text)}</m:t></m:r>'
@@ -51,7 +53,9 @@ def symbol(name: str) -> str:
     made = ""
     for letters, below, above in symbol_parts(name):
         base = run(letters, upright=not letters.isalpha() or all(c in UPRIGHT_LETTERS for c in letters))
-        made += scripts(base, words(below) if below else "", words(above) if above else "")  # no operators, if they are signs
+        made += scripts(
+            base, words(below) if below else "", words(above) if above else ""
+        )  # no operators, if they are signs
     return made
 
 
@@ -63,7 +67,8 @@ def scripts(base: str, below: str, above: str) -> str:
     return f"<m:sSup><m:e>{base}</m:e><m:sup>{above}</m:sup></m:sSup>" if above else base
 
 
-# --- trees ------------------------------------------------------------------------------------------------------------------
+# --- trees
+# ------------------------------------------------------------------------------------------------------------------
 def tree(of: Expr, outer: float = 0.0) -> str:
     """A tree, in brackets where what stands around it (`outer`) binds more strongly."""
     rank, made = _ranked(of, outer)

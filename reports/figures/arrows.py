@@ -19,7 +19,9 @@ if TYPE_CHECKING:
 
 ARROW: Colour = (0.15, 0.15, 0.15)
 THICK = 0.9
-ASIDE = 2.6  # an arrow that runs over another, as a shaft's against what it takes, is moved so far aside that both are seen
+ASIDE = (
+    2.6  # an arrow that runs over another, as a shaft's against what it takes, is moved so far aside that both are seen
+)
 HEAD, HALF = 5.0, 1.7  # length of a head and half its width, in points
 LEAST = 0.01  # of the largest vector: a shorter one is not drawn
 NUMBER = Style(7.5, 9.0)
@@ -79,8 +81,12 @@ def draw_arrows(frame: Recorder, axes: Any, drawn: list[Arrow], colours: dict[st
     for arrow, (tail, tip) in zip(drawn, ends):
         colour = colours.get(arrow.variant, ARROW)
         neck, corners = head(tail, tip)
-        axes.plot(*zip(tail, neck), color=colour, lw=THICK, transform=IdentityTransform(), zorder=3, solid_capstyle="butt")
-        axes.add_patch(Polygon(corners, facecolor=colour, edgecolor="none", lw=0, transform=IdentityTransform(), zorder=3))
+        axes.plot(
+            *zip(tail, neck), color=colour, lw=THICK, transform=IdentityTransform(), zorder=3, solid_capstyle="butt"
+        )
+        axes.add_patch(
+            Polygon(corners, facecolor=colour, edgecolor="none", lw=0, transform=IdentityTransform(), zorder=3)
+        )
         box = run(str(arrow.number), NUMBER)
         a, b = _free(tail, tip, ends, taken, axes.bbox)
         taken.append((a, b))

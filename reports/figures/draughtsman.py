@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Figures drawn by a copy of this process, while it makes the rest.
 
-The copy is told what to draw and sends recordings back; what draws them, which takes longest to load, is not loaded here.  This file loads
-nothing, so that the copy can begin to get ready before this process has loaded anything.
-"""
+The copy is told what to draw and sends recordings back; what draws them, which takes longest to load, is not loaded
+here.  This file loads nothing, so that the copy can begin to get ready before this process has loaded anything."""
 
 from __future__ import annotations
 
@@ -18,7 +17,8 @@ if TYPE_CHECKING:
 
 
 def draughtsman() -> Draughtsman:
-    """One who draws the figures of one report: given its language and all of them, begins; hands them over when they are asked for."""
+    """One who draws the figures of one report: given its language and all of them, begins; hands them over when they
+    are asked for."""
     return prepared(_ready)
 
 

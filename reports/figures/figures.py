@@ -1,10 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """A curve of the sheet as a figure: one style, readable in grey print.
 
-Lines differ by their pattern as well as by their colour, bars by their grey.  Over the page's whole width lines bear their names; else the
-legend stands above the axes where it can hide nothing.  A locus is drawn in true scale.  All variants of a curve stand in one figure; two
-of many lines stand beside each other.
-"""
+Lines differ by their pattern as well as by their colour, bars by their grey.  Over the page's whole width lines bear
+their names; else the legend stands above the axes where it can hide nothing.  A locus is drawn in true scale.  All
+variants of a curve stand in one figure; two of many lines stand beside each other."""
 
 from __future__ import annotations
 
@@ -35,7 +34,11 @@ if TYPE_CHECKING:
 # Curves along one x over each other as one figure: the loaded shaft as a sketch, then what the loads do in it.
 
 PANEL, NAME = 44.0, 13.0  # height of the axes of one curve, and of its name over them
-BODY, FORCE, LEAST = 14.0, 24.0, 9.0  # half the height of the sketched shaft; length of the longest and of the shortest arrow
+BODY, FORCE, LEAST = (
+    14.0,
+    24.0,
+    9.0,
+)  # half the height of the sketched shaft; length of the longest and of the shortest arrow
 BETWEEN = 2.0  # from the shaft to an arrow
 SHADE = (0.85, 0.85, 0.85)
 AXIS = (8.0, 2.0, 1.5, 2.0)
@@ -58,7 +61,10 @@ class Stack:
         self.under = len(self.caption) * STRONG.leading
         self.height = sum(map(_height, curves)) + LOW + self.under
         looks = [Look(at_the_point, ends=self.ends, lowest=curve is curves[-1]) for curve in curves]
-        self.panels = [None if curve.loads else plots.ask(curve, WIDTH, LOW + PANEL + HIGH, look) for curve, look in zip(curves, looks)]
+        self.panels = [
+            None if curve.loads else plots.ask(curve, WIDTH, LOW + PANEL + HIGH, look)
+            for curve, look in zip(curves, looks)
+        ]
 
     def draw(self, pen: Pen, x: float, y: float) -> None:
         for curve, panel in zip(self.curves, self.panels):
@@ -74,7 +80,8 @@ class Stack:
             pen.put(line, x + LEFT_AXIS, y - LOW - (i + 0.78) * STRONG.leading)
 
     def _sketch(self, pen: Pen, curve: Curve, x: float, middle: float) -> None:
-        """The shaft flattened to a strip, its loads as arrows that pull at it, and those of its bearings, which push."""
+        """The shaft flattened to a strip, its loads as arrows that pull at it, and those of its bearings, which
+        push."""
         left, scale = LEFT + x + LEFT_AXIS, (WIDTH - LEFT_AXIS - RIGHT_AXIS) / (self.ends[1] - self.ends[0])
         tall = max(float(np.nanmax(np.abs(numbers(series.y)))) for series in curve.series)
 
@@ -98,7 +105,9 @@ class Stack:
             pen.line([tail, neck], 1.1, ARROW)
             pen.area(corners, ARROW)
             strokes.append((tail, tip))
-            labels.append(Label(run(f"{load.label} {self.plots.short(abs(load.size))} {curve.load_unit}", LETTER), far, "right"))
+            labels.append(
+                Label(run(f"{load.label} {self.plots.short(abs(load.size))} {curve.load_unit}", LETTER), far, "right")
+            )
         pieces = np.array([(*a, *b) for a, b in strokes])
         frame = LEFT + x + LEFT_AXIS, middle - SKETCH / 2, LEFT + x + WIDTH, middle + SKETCH / 2
         for box, (a, b), _ in placed(labels, pieces, frame):
@@ -118,20 +127,26 @@ CROWDED = 4  # lines; two variants of more are drawn apart
 
 
 def figure_blocks(numbered: list[tuple[int, Curve]], word: str, plots: Plots, *, wide: bool = False) -> list[Block]:
-    """Figures two beside each other, each with its number and title below; `wide`: each over the whole width, if its scale allows it,
-    in the text's flow."""
+    """Figures two beside each other, each with its number and title below; `wide`: each over the whole width, if its
+    scale allows it, in the text's flow."""
     blocks = []
     stacks = {number: [c for n, c in numbered if n == number] for number, curve in numbered if curve.stack}
-    curves = [part for number, curve in numbered if not curve.stack or curve is stacks[number][0] for part in _apart(number, curve)]
+    curves = [
+        part
+        for number, curve in numbered
+        if not curve.stack or curve is stacks[number][0]
+        for part in _apart(number, curve)
+    ]
     n = 0
     while n < len(curves):
         row = curves[n : n + 1] if _alone(curves[n : n + 2], wide) else curves[n : n + 2]
         alone = len(row) == 1
         pair: list[_Figure | Stack] = [
-            Stack(number, stacks[int(number)], word, plots) if c.stack
+            Stack(number, stacks[int(number)], word, plots)
+            if c.stack
             else _Figure(number, c, word, plots, WIDTH if _broad(c) or (alone and not c.equal) else PART)
             for number, c in row
-        ]  # fmt: skip
+        ]
         n += len(row)
         above = max(len(f.legend) for f in pair)
         for figure in pair:
@@ -144,7 +159,9 @@ def figure_blocks(numbered: list[tuple[int, Curve]], word: str, plots: Plots, *,
                     figure.draw(pen, i * (PART + GUTTER), y)
 
         below = min(height - figure.height + figure.under for figure in pair)
-        blocks.append(Block(height, draw, gap=8.0, floats=wide, content=Picture(tuple(figure.title for figure in pair), below)))
+        blocks.append(
+            Block(height, draw, gap=8.0, floats=wide, content=Picture(tuple(figure.title for figure in pair), below))
+        )
     return blocks
 
 
@@ -155,12 +172,15 @@ def _apart(number: int, curve: Curve) -> list[tuple[str, Curve]]:
     made = []
     for letter, variant in zip("ab", curve.variants):
         own = tuple(replace(s, variant=EMPTY) for s in curve.series if s.variant in ("", variant))
-        made.append((f"{number}{letter}", replace(curve, title=COMMA.join((curve.title, variant)), series=own, variants=())))
+        made.append(
+            (f"{number}{letter}", replace(curve, title=COMMA.join((curve.title, variant)), series=own, variants=()))
+        )
     return made
 
 
 def _alone(two: list[tuple[str, Curve]], wide: bool) -> bool:
-    """Whether the first of two figures takes a row for itself: broad ones do, and the figures a and b of one curve stay together."""
+    """Whether the first of two figures takes a row for itself: broad ones do, and the figures a and b of one curve stay
+    together."""
     if wide and not two[0][0].endswith("a") and not all(curve.equal for _, curve in two):
         return True
     return len(two) < 2 or any(_broad(curve) for _, curve in two) or two[1][0].endswith("a")

@@ -19,7 +19,8 @@ from ..setting.fonts import BOLD
 from ..setting.prose import Style, lines
 from .plots import LETTER, RIGHT_AXIS, Plots, limit_words, limits, numbers, series_label, y_unit
 
-# Where the words of a picture stand: each as near to its place as it can be without covering another one or lying across a line.
+# Where the words of a picture stand: each as near to its place as it can be without covering another one or lying
+# across a line.
 
 UP, DOWN = 0.74, 0.22  # of the size: what letters take above and below their base line
 SIZE = 7.5
@@ -112,7 +113,12 @@ WIDEST = 150.0  # of a name
 ASIDE = 14.0  # from the axes to the names on their right
 NEAR = 6.0  # a value so near to a line could be taken for a name of it
 VALUE = Style(LETTER.size, LETTER.leading, BOLD)
-COVERED, CROSSED, CLOSE, FAR = 20.0, 10.0, 3.0, 0.5  # costs: over the mark, for each line across, near one, for each point further off
+COVERED, CROSSED, CLOSE, FAR = (
+    20.0,
+    10.0,
+    3.0,
+    0.5,
+)  # costs: over the mark, for each line across, near one, for each point further off
 BESIDE, REACH = 12.0, 30.0  # from the mark to a value beside it, and to the farthest place for one
 
 Placed = tuple[Box, float, float]
@@ -125,13 +131,15 @@ def margin(curve: Curve, plots: Plots) -> float:
 
 
 def at_the_ends(axes: Any, curve: Curve, plots: Plots) -> list[Placed]:
-    """The names right of the axes, each led to the end of its line, with their places from the figure's corner; and the value."""
+    """The names right of the axes, each led to the end of its line, with their places from the figure's corner; and the
+    value."""
     named = [series for _, series in _names(curve)]
     return at_the_point(axes, curve, plots) + _at_the_right(axes, _boxes(curve, plots), _paths(axes, curve, named))
 
 
 def at_the_point(axes: Any, curve: Curve, plots: Plots) -> list[Placed]:
-    """What the curve is where the design stands, beside the mark of it: not outside, not over the mark, not across a line if it can.
+    """What the curve is where the design stands, beside the mark of it: not outside, not over the mark, not across a
+    line if it can.
 
     Where it lies across a line at every place beside the mark, it goes further off, to where it crosses fewest.
     """
@@ -154,10 +162,16 @@ def at_the_point(axes: Any, curve: Curve, plots: Plots) -> list[Placed]:
 
     def best(spots: Iterable[tuple[float, float]]) -> tuple[float, float] | None:
         right, top = frame.x1 + 8.0 - box.width, frame.y1 + 1.0 - OVER
-        return min(((a, b) for a, b in spots if frame.x0 <= a <= right and frame.y0 + UNDER <= b <= top), key=cost, default=None)
+        return min(
+            ((a, b) for a, b in spots if frame.x0 <= a <= right and frame.y0 + UNDER <= b <= top),
+            key=cost,
+            default=None,
+        )
 
     sides, middle = (x - 7.0 - box.width, x + 7.0), x - box.width / 2
-    beside = [(a, y + dy) for a in sides for dy in (5.0, -0.36 * LETTER.size, -10.0)] + [(middle, y + dy) for dy in (8.0, -14.0)]
+    beside = [(a, y + dy) for a in sides for dy in (5.0, -0.36 * LETTER.size, -10.0)] + [
+        (middle, y + dy) for dy in (8.0, -14.0)
+    ]
     spot = best(beside)
     if spot is not None and cost(spot) >= CROSSED:
         spot = best([spot, *((a, y + dy) for a in (*sides, middle) for dy in np.arange(-REACH, REACH).tolist())])
@@ -177,7 +191,9 @@ def _at_the_right(axes: Any, boxes: list[Box], paths: list[Any]) -> list[Placed]
     from matplotlib.transforms import IdentityTransform
 
     ends = [
-        (*path[np.isfinite(path).all(axis=1)][-1].tolist(), box) for path, box in zip(paths, boxes) if np.isfinite(path).all(axis=1).any()
+        (*path[np.isfinite(path).all(axis=1)][-1].tolist(), box)
+        for path, box in zip(paths, boxes)
+        if np.isfinite(path).all(axis=1).any()
     ]
     ends.sort(key=lambda end: end[1])
     heights = [y for _, y, _ in ends]

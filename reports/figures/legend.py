@@ -29,11 +29,15 @@ def legend(curve: Curve, space: float, plots: Plots) -> Legend:
     named: list[tuple[Sample, Box]] = []
     for i, series in enumerate(curve.series):
         if label := series_label(curve, series):
-            named.append((_bar_sample(i) if curve.bars else _line_sample(*series_style(curve, i)), _label(label, space)))
+            named.append(
+                (_bar_sample(i) if curve.bars else _line_sample(*series_style(curve, i)), _label(label, space))
+            )
     for i, label in enumerate(limit_words(curve, plots)):
         named.append((_line_sample(*limit_style(i)), _label(label, space)))
     for arrow in {a.number: a for a in arrows(curve)}.values():
-        named.append((lambda pen, x, y: sample_arrow(pen, x, y, SAMPLE), _label(f"{arrow.number}  {arrow.name}", space)))
+        named.append(
+            (lambda pen, x, y: sample_arrow(pen, x, y, SAMPLE), _label(f"{arrow.number}  {arrow.name}", space))
+        )
     rows: Legend = [[]]
     filled = 0.0
     for sample, box in named:

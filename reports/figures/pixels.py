@@ -23,7 +23,8 @@ LEFT, RIGHT, LOW, TOP = 50.0, 14.0, 32.0, 20.0  # points around the axes
 
 
 def pixels(curve: Curve, width: float, height: float, say: Language) -> NDArray[uint8]:
-    """The figure as rows of red, green, blue; `width` and `height` in points.  The curve's texts are said in the language already."""
+    """The figure as rows of red, green, blue; `width` and `height` in points.  The curve's texts are said in the
+    language already."""
     import numpy as np
     from matplotlib.backends.backend_agg import FigureCanvasAgg
 
@@ -65,8 +66,12 @@ def _made(curve: Curve, width: float, height: float, say: Language) -> Any:
         if series_label(curve, series) and not curve.bars
         for colour, dashes, thick in [series_style(curve, i)]
     ]
-    shown += [Patch(facecolor=bar_colour(i), label=s.label) for i, s in enumerate(curve.series) if curve.bars and s.label]
-    shown += [Line2D([], [], color=limit_style(i)[0], ls="-.", label=label) for i, (label, _) in enumerate(limits(curve))]
+    shown += [
+        Patch(facecolor=bar_colour(i), label=s.label) for i, s in enumerate(curve.series) if curve.bars and s.label
+    ]
+    shown += [
+        Line2D([], [], color=limit_style(i)[0], ls="-.", label=label) for i, (label, _) in enumerate(limits(curve))
+    ]
     if shown:
         axes.legend(handles=shown, fontsize=LEGEND, frameon=False, loc="best")
     axes.set_position((LEFT / width, LOW / height, 1 - (LEFT + RIGHT) / width, 1 - (LOW + TOP) / height))

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The axes of a figure and what stands in them: lines, bars, loci with their vectors.  The letters are the page's own."""
+"""The axes of a figure and what stands in them: lines, bars, loci with their vectors.  The letters are the page's
+own."""
 
 from __future__ import annotations
 
@@ -38,7 +39,10 @@ LIMITS: tuple[tuple[Colour, tuple[float, ...], float], ...] = (
     ((0.55, 0.0, 0.0), (8.0, 2.0, 2.0, 2.0), 0.8),
     ((0.3, 0.0, 0.45), (2.0, 2.0), 0.9),
 )
-POINTS = {False: ("o", 5.0, 0.5), True: ("x", 7.0, 2.0)}  # where the design stands, within its limits and beyond one: mark, size, thickness
+POINTS = {
+    False: ("o", 5.0, 0.5),
+    True: ("x", 7.0, 2.0),
+}  # where the design stands, within its limits and beyond one: mark, size, thickness
 BAND: Colour = (0.89, 0.89, 0.89)
 FILLED = 0.8  # share of a group's place that its bars take
 EDGE = 0.4
@@ -66,8 +70,8 @@ EDGE_STYLE: tuple[Colour, tuple[float, ...], float] = ((0.45, 0.45, 0.45), (), 0
 
 
 def series_style(curve: Curve, i: int) -> tuple[Colour, tuple[float, ...], float]:
-    """How the i-th series is drawn.  Loci may run over each other, and more than once: the first of a variant is broad, and those
-    that are drawn over it are thin, so that it looks out on both sides of them."""
+    """How the i-th series is drawn.  Loci may run over each other, and more than once: the first of a variant is broad,
+    and those that are drawn over it are thin, so that it looks out on both sides of them."""
     colour, dashes, thick = line_style(i)
     like = [n for n, s in enumerate(curve.series) if s.variant == curve.series[i].variant]
     if curve.equal and len(like) > 1:
@@ -90,7 +94,8 @@ def series_label(curve: Curve, series: Series) -> str:
 
 
 def in_words(curve: Curve, plots: Plots) -> str:
-    """What a figure shows, for whoever can not see it: its axes, every line with the least and the greatest of its values, the limits."""
+    """What a figure shows, for whoever can not see it: its axes, every line with the least and the greatest of its
+    values, the limits."""
     said = [f"{curve.x_label}; {curve.y_label}"]
     said += [f"{load.label} {plots.short(load.size)} {curve.load_unit}" for load in curve.loads]
     for series in curve.series:
@@ -111,7 +116,8 @@ def y_unit(curve: Curve) -> str:
 
 
 def tick_words(values: list[float]) -> list[str]:
-    """The numbers of an axis, all written one way and none of them rounded: 0.005 beside 0.01, and not 5·10⁻³; 40.025 beside 40.05."""
+    """The numbers of an axis, all written one way and none of them rounded: 0.005 beside 0.01, and not 5·10⁻³; 40.025
+    beside 40.05."""
     largest = max((abs(v) for v in values), default=0.0)
     rounded = [v if abs(v) > 1e-9 * largest else 0.0 for v in values]
     if 1e-2 <= largest < 1e5:
@@ -127,8 +133,9 @@ def fitted(words: str, width: float) -> Box:
 
 
 class Plots:
-    """What the figures of one report are drawn with: axes, which are used again, since making them costs more than drawing, and how
-    its language writes a number.  All can be asked for before any is placed, and are then drawn together, by whoever is told to."""
+    """What the figures of one report are drawn with: axes, which are used again, since making them costs more than
+    drawing, and how its language writes a number.  All can be asked for before any is placed, and are then drawn
+    together, by whoever is told to."""
 
     def __init__(self, say: Language) -> None:
         self.made: dict[tuple[float, float, float, bool, bool], Any] = {}
@@ -137,7 +144,8 @@ class Plots:
         self.drawn: Callable[[], list[Recording]]
 
     def ask(self, curve: Curve, width: float, height: float, look: Look) -> Callable[[], Recording]:
-        """Have a curve drawn into a frame of this size; what is returned gives it once all are begun, and may have to wait for it."""
+        """Have a curve drawn into a frame of this size; what is returned gives it once all are begun, and may have to
+        wait for it."""
         n = len(self.asked)
         self.asked.append((curve, width, height, look))
         return lambda: self.drawn()[n]
@@ -186,20 +194,24 @@ def _pattern(dashes: tuple[float, ...], thick: float) -> Any:
 
 
 def _is_point(curve: Curve, xs: Any, ys: Any) -> bool:
-    """Whether a line would be too small to be seen: a single value, or a locus that is next to nothing beside the others."""
+    """Whether a line would be too small to be seen: a single value, or a locus that is next to nothing beside the
+    others."""
     seen = np.isfinite(ys) & np.isfinite(xs)
     if np.count_nonzero(seen) <= 1:
         return True
     if not curve.equal:
         return False
-    largest = max(np.nanmax(np.hypot(np.asarray(s.x, float), np.asarray(s.y, float)), initial=0.0) for s in curve.series)
+    largest = max(
+        np.nanmax(np.hypot(np.asarray(s.x, float), np.asarray(s.y, float)), initial=0.0) for s in curve.series
+    )
     return bool(np.nanmax(np.hypot(xs, ys)) < 0.01 * largest)
 
 
 @dataclass(frozen=True, slots=True)
 class Look:
-    """What of a figure is not the curve's own: what finds places for the names of its lines, inside or in a margin `right` of it, and, as
-    one of a stack, from where to where it goes along x and whether it is the lowest, which has the numbers."""
+    """What of a figure is not the curve's own: what finds places for the names of its lines, inside or in a margin
+    `right` of it, and, as one of a stack, from where to where it goes along x and whether it is the lowest, which has
+    the numbers."""
 
     named: Callable[[Any, Curve, Plots], list[tuple[Box, float, float]]] | None = None
     right: float = RIGHT_AXIS
@@ -209,7 +221,9 @@ class Look:
 
 ALONE = Look()
 Job: TypeAlias = tuple[Curve, float, float, Look]
-Draughtsman: TypeAlias = Callable[[tuple[str, list[Job]]], Callable[[], list[Recording]]]  # given a language and what to draw, begins
+Draughtsman: TypeAlias = Callable[
+    [tuple[str, list[Job]]], Callable[[], list[Recording]]
+]  # given a language and what to draw, begins
 
 
 def plot(plots: Plots, curve: Curve, width: float, height: float, look: Look = ALONE) -> Recording:
@@ -252,7 +266,9 @@ def filled(axes: Any, curve: Curve) -> list[Arrow]:
         axes.axhline(value, color=colour, lw=thick, ls=_pattern(dashes, thick))
     if curve.point is not None and all(map(isfinite, curve.point)):
         sign, size, thick = POINTS[curve.fails]
-        axes.plot(*curve.point, marker=sign, markersize=size, color=BLACK, markeredgewidth=thick, zorder=4, clip_on=False)
+        axes.plot(
+            *curve.point, marker=sign, markersize=size, color=BLACK, markeredgewidth=thick, zorder=4, clip_on=False
+        )
     low, high = axes.get_ylim()
     if low < 0 < high and not curve.equal:
         axes.axhline(0.0, color=(0.6, 0.6, 0.6), lw=0.5, zorder=2.5 if curve.bars else 0.9)
@@ -267,12 +283,23 @@ def _lines(axes: Any, curve: Curve) -> None:
     edges = range(len(curve.series) - 2, len(curve.series)) if curve.band else range(0)
     if edges:
         lower, upper = (curve.series[i] for i in edges)
-        axes.fill_between(numbers(lower.x), numbers(lower.y), numbers(upper.y), facecolor=BAND, edgecolor="none", lw=0, zorder=0.5)
+        axes.fill_between(
+            numbers(lower.x), numbers(lower.y), numbers(upper.y), facecolor=BAND, edgecolor="none", lw=0, zorder=0.5
+        )
     for i, series in enumerate(curve.series):
         xs, ys = numbers(series.x), numbers(series.y)
         colour, dashes, thick = EDGE_STYLE if i in edges else series_style(curve, i)
         dot = "o" if _is_point(curve, xs, ys) else None
-        axes.plot(xs, ys, color=colour, lw=thick, ls=_pattern(dashes, thick), marker=dot, markersize=2.8, solid_joinstyle="round")
+        axes.plot(
+            xs,
+            ys,
+            color=colour,
+            lw=thick,
+            ls=_pattern(dashes, thick),
+            marker=dot,
+            markersize=2.8,
+            solid_joinstyle="round",
+        )
     degrees = curve.x_label.rstrip().endswith("°")
     if degrees and not curve.equal and 355.0 < axes.get_xlim()[1] < 360.0:
         axes.set_xlim(right=360.0)  # a turn whose last point is its first
@@ -282,7 +309,8 @@ def _lines(axes: Any, curve: Curve) -> None:
 
 
 def _variant_colours(curve: Curve) -> dict[str, Colour]:
-    """The colour of the one locus that a chain of vectors draws; where a variant has several the arrows keep their own."""
+    """The colour of the one locus that a chain of vectors draws; where a variant has several the arrows keep their
+    own."""
     named = [s.variant for s in curve.series]
     return {variant: line_style(named.index(variant))[0] for variant in named if variant and named.count(variant) == 1}
 

@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """matplotlib drawn straight as the operators of PDF.
 
-A `RendererBase` of matplotlib for what our figures consist of: lines and areas.  No conversion by way of another file, the same bytes every
-time.
-"""
+A `RendererBase` of matplotlib for what our figures consist of: lines and areas.  No conversion by way of another file,
+the same bytes every time."""
 
 from __future__ import annotations
 
@@ -41,7 +40,8 @@ class LineRenderer(RendererBase):
     def points_to_pixels(self, points: Any) -> Any:
         return points
 
-    # --- paths ------------------------------------------------------------------------------------------------------------
+    # --- paths
+    # ------------------------------------------------------------------------------------------------------------
     def draw_path(self, gc: GraphicsContextBase, path: Path, transform: Any, rgbFace: Any = None) -> None:
         thick = gc.get_linewidth()
         stroke = thick > 0 and gc.get_alpha() != 0 and gc.get_rgb()[3] > 0
@@ -102,10 +102,11 @@ def _rgb(colour: Any) -> str:
 #
 # A figure is the same wherever it stands, so it can be drawn before there are pages.
 
+
 @dataclass(frozen=True, slots=True)
 class Recording:
-    """`code`: lines and areas as operators of PDF, from the lower left corner of the frame; `words`: boxes with their places from there,
-    and whether they are turned."""
+    """`code`: lines and areas as operators of PDF, from the lower left corner of the frame; `words`: boxes with their
+    places from there, and whether they are turned."""
 
     code: str
     words: tuple[tuple[Box, float, float, bool], ...]

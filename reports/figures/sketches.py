@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The sketch of a step as a figure: its pictures beside each other, each in true scale, their words where they cover neither each other nor
-lines.
+"""The sketch of a step as a figure: its pictures beside each other, each in true scale, their words where they cover
+neither each other nor lines.
 
 Areas are light greys; what fails is drawn heavier and has a ✗, what is to be heeded has a ▲.
 """
@@ -15,7 +15,22 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from calc.draw.drawing import AXIS, CONTEXT, DIMENSIONS, HIDDEN, OUTLINE, Arc, Area, Dimension, Mark, Point, Polyline, Sketch, State, Words
+from calc.draw.drawing import (
+    AXIS,
+    CONTEXT,
+    DIMENSIONS,
+    HIDDEN,
+    OUTLINE,
+    Arc,
+    Area,
+    Dimension,
+    Mark,
+    Point,
+    Polyline,
+    Sketch,
+    State,
+    Words,
+)
 from calc.locale import Language
 from calc.sheet.check import SIGNS
 from calc.sheet.step import Outcome, Step
@@ -42,9 +57,12 @@ WIDEST = 170.0  # of a word
 PIECES = 60  # of a whole circle
 TICK, TIP = 2.2, 5.0  # half a dimension's tick, an arrow's head
 LINES: dict[str, tuple[float, Colour, tuple[float, ...]]] = {  # layer → thickness, colour, dashes
-    OUTLINE: (0.75, BLACK, ()), CONTEXT: (0.5, (0.5, 0.5, 0.5), ()), AXIS: (0.4, GREY, (8.0, 2.0, 1.5, 2.0)),
-    HIDDEN: (0.6, GREY, (3.0, 2.0)), DIMENSIONS: (0.35, GREY, ()),
-}  # fmt: skip
+    OUTLINE: (0.75, BLACK, ()),
+    CONTEXT: (0.5, (0.5, 0.5, 0.5), ()),
+    AXIS: (0.4, GREY, (8.0, 2.0, 1.5, 2.0)),
+    HIDDEN: (0.6, GREY, (3.0, 2.0)),
+    DIMENSIONS: (0.35, GREY, ()),
+}
 HEAVY: dict[State, float] = {"": 1.0, "warn": 1.5, "fail": 2.2}  # times a line's thickness
 DARK = 0.55  # how dark a full shade is
 
@@ -125,11 +143,14 @@ class _Picture:
         self.left, self.low, self.right, self.top = sketch.box
         self.labels = list(_labels(sketch, say))
         self.words = [
-            f"{SIGNS[mark.state] if mark.state else ''} {say(mark.text)}".strip() for mark in self.marks if isinstance(mark, Words)
+            f"{SIGNS[mark.state] if mark.state else ''} {say(mark.text)}".strip()
+            for mark in self.marks
+            if isinstance(mark, Words)
         ]
 
     def scale(self, high: float) -> float:
-        """Points of the page for a unit of the picture, so that it and its words are no higher than this, and no wider than the page."""
+        """Points of the page for a unit of the picture, so that it and its words are no higher than this, and no wider
+        than the page."""
         low, up = 0.0, min(high / max(self.top - self.low, 1e-12), WIDTH / max(self.right - self.left, 1e-12))
         for _ in range(14):
             middle = (low + up) / 2
@@ -150,7 +171,10 @@ class _Picture:
 
     def _extent(self, scale: float) -> tuple[float, float, float, float]:
         """Left, lower, right and upper end, with all words, in points from the picture's origin."""
-        corners = [(self.left * scale, self.low * scale, self.right * scale, self.top * scale), *(one.box(scale) for one in self.labels)]
+        corners = [
+            (self.left * scale, self.low * scale, self.right * scale, self.top * scale),
+            *(one.box(scale) for one in self.labels),
+        ]
         lefts, lows, rights, tops = zip(*corners)
         return min(lefts) - 1.0, min(lows) - 1.0, max(rights) + 1.0, max(tops) + 1.0
 
@@ -182,12 +206,15 @@ class _Picture:
         frame = (LEFT + x - FREE, y, LEFT + x + size[0] + FREE, y + size[1])
         for box, (bx, by), clear in placed([one.moved(scale, dx, dy) for one in self.labels], pieces, frame):
             if not clear:
-                pen.panel(bx - LEFT - 0.8, by - 0.24 * LETTERS.size, box.width + 1.6, 0.98 * LETTERS.size, (1.0, 1.0, 1.0))
+                pen.panel(
+                    bx - LEFT - 0.8, by - 0.24 * LETTERS.size, box.width + 1.6, 0.98 * LETTERS.size, (1.0, 1.0, 1.0)
+                )
             pen.put(box, bx - LEFT, by)
 
 
 def _labels(sketch: Sketch, say: Language) -> Iterator[Label]:
-    """The words and numbers of a picture, those of dimensions first; the sign of a part that is not as it should be stands once."""
+    """The words and numbers of a picture, those of dimensions first; the sign of a part that is not as it should be
+    stands once."""
     signed: set[tuple[str, str]] = set()
     marks = sorted(sketch.primitives, key=lambda mark: not isinstance(mark, Dimension))
     for mark in marks:
@@ -209,7 +236,11 @@ def _labels(sketch: Sketch, say: Language) -> Iterator[Label]:
 def _number(mark: Dimension, say: Language) -> Label:
     (x, y), (x_2, y_2) = _ends(mark)
     n = 1 if mark.upright else 0
-    words = say(mark.label) if mark.label else say(Text("{length}", length=Amount(round(abs(mark.end[n] - mark.start[n]) * 1e3, 2))))
+    words = (
+        say(mark.label)
+        if mark.label
+        else say(Text("{length}", length=Amount(round(abs(mark.end[n] - mark.start[n]) * 1e3, 2))))
+    )
     return Label(one_line(words, LETTERS, WIDEST), ((x + x_2) / 2, (y + y_2) / 2), "left" if mark.upright else "above")
 
 

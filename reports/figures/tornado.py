@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Bars on their side: a row for every name of a curve, the first on top, and its bars to the left and to the right of nought."""
+"""Bars on their side: a row for every name of a curve, the first on top, and its bars to the left and to the right of
+nought."""
 
 from __future__ import annotations
 
@@ -60,7 +61,9 @@ class Lying:
         bars = max(1, len(curve.series)) * THICK / FILLED
         tall = [max(bars, len(name) * LETTER.leading + 0.6) for name in names]
         self.by = min(1.0, TALLEST / sum(tall))
-        self.names: list[list[Box]] = [[scaled(line, self.by) if self.by < 1 else line for line in name] for name in names]
+        self.names: list[list[Box]] = [
+            [scaled(line, self.by) if self.by < 1 else line for line in name] for name in names
+        ]
         self.tall = [self.by * t for t in tall]
         self.left = max(LEFT_AXIS, ASIDE + max(line.width for name in self.names for line in name))
         self.height = sum(self.tall)
@@ -90,12 +93,20 @@ class Lying:
             dashed(pen, (at(value), low), (at(value), top), (colour, dashes, thick))
         self._letter(pen, x, top, low, [(at(v) - LEFT, word) for v, word in zip(ticks, tick_words(ticks))])
 
-    def _bars(self, top: float, at: Callable[[float], float]) -> Iterator[tuple[int, tuple[float, float, float, float]]]:
-        """Every bar that can be seen: of which series, its left, lower, right and upper edge.  Those of a row stand about its middle."""
+    def _bars(
+        self, top: float, at: Callable[[float], float]
+    ) -> Iterator[tuple[int, tuple[float, float, float, float]]]:
+        """Every bar that can be seen: of which series, its left, lower, right and upper edge.  Those of a row stand
+        about its middle."""
         rows: list[list[tuple[int, float, float]]] = [[] for _ in self.tall]
         for i, series in enumerate(self.curve.series):
             for place, value in zip(numbers(series.x).tolist(), numbers(series.y).tolist()):
-                if isfinite(place) and isfinite(value) and 1 <= round(place) <= len(rows) and abs(at(value) - at(0.0)) > SEEN:
+                if (
+                    isfinite(place)
+                    and isfinite(value)
+                    and 1 <= round(place) <= len(rows)
+                    and abs(at(value) - at(0.0)) > SEEN
+                ):
                     rows[round(place) - 1].append((i, *sorted((at(0.0), at(value)))))
         thick = self.by * THICK
         for row, tall in zip(rows, self.tall):
@@ -148,7 +159,7 @@ def _bar(pen: Pen, i: int, corners: tuple[float, float, float, float]) -> None:
 
 def dashed(
     pen: Pen, start: tuple[float, float], end: tuple[float, float], style: tuple[Colour, tuple[float, ...], float]
-) -> None:  # fmt: skip
+) -> None:
     """A line along an axis in the pattern of a style."""
     colour, dashes, thick = style
     (x, y), length = start, abs(end[0] - start[0]) + abs(end[1] - start[1])
@@ -158,5 +169,9 @@ def dashed(
     while done < length:
         step = min(lengths[i % len(lengths)], length - done)
         if i % 2 == 0:
-            pen.line([(x + across * done, y + up * done), (x + across * (done + step), y + up * (done + step))], thick, colour)
+            pen.line(
+                [(x + across * done, y + up * done), (x + across * (done + step), y + up * (done + step))],
+                thick,
+                colour,
+            )
         done, i = done + step, i + 1

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What makes a report an archive file, PDF/A-3 level A (ISO 19005-3): what it says about itself as XMP, its colours, its structure."""
+"""What makes a report an archive file, PDF/A-3 level A (ISO 19005-3): what it says about itself as XMP, its colours,
+its structure."""
 
 from __future__ import annotations
 
@@ -12,14 +13,28 @@ from ..setting.tags import Tree
 
 # The colour space sRGB as an ICC profile, which says what the document's colours are wherever it is printed.
 #
-# Written here from the numbers of the standard, so that nothing is shipped under another licence and the bytes are always the same:
-# primaries, white and curve of IEC 61966-2-1, adapted to D50 by Bradford as ICC.1:2010 (profile version 4.3), annex E, has it; the
-# numbers were remembered, and are compared with LittleCMS's own profile by a test.
+# Written here from the numbers of the standard, so that nothing is shipped under another licence and the bytes are
+# always the same: primaries, white and curve of IEC 61966-2-1, adapted to D50 by Bradford as ICC.1:2010 (profile
+# version 4.3), annex E, has it; the numbers were remembered, and are compared with LittleCMS's own profile by a test.
 
 NAME = "sRGB IEC61966-2.1"
 D50 = (0.9642, 1.0, 0.8249)  # the profile connection space's white
-PRIMARIES = {"r": (0.4360747, 0.2225045, 0.0139322), "g": (0.3850649, 0.7168786, 0.0971045), "b": (0.1430804, 0.0606169, 0.7141733)}
-ADAPTED = (1.0478112, 0.0228866, -0.0501270, 0.0295424, 0.9904844, -0.0170491, -0.0092345, 0.0150436, 0.7521316)  # D65 to D50
+PRIMARIES = {
+    "r": (0.4360747, 0.2225045, 0.0139322),
+    "g": (0.3850649, 0.7168786, 0.0971045),
+    "b": (0.1430804, 0.0606169, 0.7141733),
+}
+ADAPTED = (
+    1.0478112,
+    0.0228866,
+    -0.0501270,
+    0.0295424,
+    0.9904844,
+    -0.0170491,
+    -0.0092345,
+    0.0150436,
+    0.7521316,
+)  # D65 to D50
 CURVE = (2.4, 1 / 1.055, 0.055 / 1.055, 1 / 12.92, 0.04045)  # ((a·x + b) to the power of g) from d on, below it c·x
 
 
@@ -46,7 +61,9 @@ def profile() -> bytes:
 
 
 def _header(size: int) -> bytes:
-    date = struct.pack(">6H", 2010, 12, 1, 0, 0, 0)  # of the specification that it follows; any other would change the bytes
+    date = struct.pack(
+        ">6H", 2010, 12, 1, 0, 0, 0
+    )  # of the specification that it follows; any other would change the bytes
     kinds = struct.pack(">I", size) + bytes(4) + b"\x04\x30\0\0" + b"mntrRGB XYZ " + date + b"acsp"
     return (kinds + bytes(28) + _fixed(*D50)).ljust(128, b"\0")
 
@@ -72,17 +89,21 @@ XMP = """<?xpacket begin="\ufeff" id="W5M0MpCehiHzreSzNTczkc9d"?>
 <pdfaid:part>{part}</pdfaid:part><pdfaid:conformance>{level}</pdfaid:conformance><dc:format>application/pdf</dc:format>
 {said}
 </rdf:Description></rdf:RDF></x:xmpmeta>
-<?xpacket end="w"?>"""
+<?xpacket end="w"?>"""  # noqa: E501
 ONE = '<dc:{0}><rdf:Alt><rdf:li xml:lang="x-default">{1}</rdf:li></rdf:Alt></dc:{0}>'
 LISTED = "<dc:{0}><rdf:{2}><rdf:li>{1}</rdf:li></rdf:{2}></dc:{0}>"
 PLAIN = "<{0}>{1}</{0}>"
-ESCAPED = str.maketrans({"&": "&amp;", "<": "&lt;", ">": "&gt;"})  # xml.sax.saxutils would load the whole of urllib for it
+ESCAPED = str.maketrans(
+    {"&": "&amp;", "<": "&lt;", ">": "&gt;"}
+)  # xml.sax.saxutils would load the whole of urllib for it
 
 
 def archive(document: Any, tree: Tree, lang: str) -> None:
     """Add to a document what PDF/A asks for; to be called when all pages are drawn and the document is described."""
     catalog = document.Catalog
-    catalog.Metadata = PDFStream(PDFDictionary({"Type": PDFName("Metadata"), "Subtype": PDFName("XML")}), xmp(document.info, lang))
+    catalog.Metadata = PDFStream(
+        PDFDictionary({"Type": PDFName("Metadata"), "Subtype": PDFName("XML")}), xmp(document.info, lang)
+    )
     catalog.OutputIntents = PDFArray([_intent(document)])
     catalog.__NoDefault__ = [*catalog.__NoDefault__, "OutputIntents"]
     catalog.MarkInfo = PDFDictionary({"Marked": "true"})
@@ -90,16 +111,28 @@ def archive(document: Any, tree: Tree, lang: str) -> None:
     for n in range(len(tree.pages)):
         page = document.idToObject[f"Page{n + 1}"]
         page.__NoDefault__ = [*page.__NoDefault__, "StructParents", "Tabs"]
-        page.StructParents, page.Tabs = n, PDFName("S")  # the tabulator goes from link to link as the structure has them
+        page.StructParents, page.Tabs = (
+            n,
+            PDFName("S"),
+        )  # the tabulator goes from link to link as the structure has them
 
 
 def xmp(info: Any, lang: str) -> bytes:
     """What the document says about itself, the same as in its information dictionary."""
     said = [
-        (ONE, "title", info.title), (LISTED, "creator", info.author), (ONE, "description", info.subject), (LISTED, "language", lang),
-        (PLAIN, "pdf:Keywords", info.keywords), (PLAIN, "pdf:Producer", info.producer), (PLAIN, "xmp:CreatorTool", info.creator),
-    ]  # fmt: skip
-    made = [form.format(name, words.translate(ESCAPED), "Seq" if name == "creator" else "Bag") for form, name, words in said if words]
+        (ONE, "title", info.title),
+        (LISTED, "creator", info.author),
+        (ONE, "description", info.subject),
+        (LISTED, "language", lang),
+        (PLAIN, "pdf:Keywords", info.keywords),
+        (PLAIN, "pdf:Producer", info.producer),
+        (PLAIN, "xmp:CreatorTool", info.creator),
+    ]
+    made = [
+        form.format(name, words.translate(ESCAPED), "Seq" if name == "creator" else "Bag")
+        for form, name, words in said
+        if words
+    ]
     return XMP.format(part=PART, level=LEVEL, said="\n".join(made)).encode()
 
 
@@ -108,7 +141,10 @@ def _intent(document: Any) -> PDFDictionary:
     stream = PDFStream(PDFDictionary({"N": 3}), profile(), filters=[PDFZCompress])
     return PDFDictionary(
         {
-            "Type": PDFName("OutputIntent"), "S": PDFName("GTS_PDFA1"), "OutputConditionIdentifier": PDFString(NAME),
-            "Info": PDFString(NAME), "DestOutputProfile": document.Reference(stream),
+            "Type": PDFName("OutputIntent"),
+            "S": PDFName("GTS_PDFA1"),
+            "OutputConditionIdentifier": PDFString(NAME),
+            "Info": PDFString(NAME),
+            "DestOutputProfile": document.Reference(stream),
         }
-    )  # fmt: skip
+    )

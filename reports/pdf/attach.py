@@ -14,7 +14,10 @@ NAME = "design.toml"
 RESULTS = "results.json"
 FRONT = "front.json"
 PAIR = ("a.toml", "b.toml")  # the designs of a comparison
-RELATIONS = {"toml": "Source", "json": "Data"}  # what a file is to the document, by its ending; any other only belongs to it
+RELATIONS = {
+    "toml": "Source",
+    "json": "Data",
+}  # what a file is to the document, by its ending; any other only belongs to it
 
 
 def results_bytes(results: Results) -> bytes:
@@ -54,33 +57,45 @@ def attach(canvas: Canvas, files: dict[str, tuple[bytes, str]]) -> None:
 def _specification(canvas: Canvas, name: str, raw: bytes, description: str) -> object:
     document = canvas._doc
     sums = {"Size": len(raw), "CheckSum": PDFString(hashlib.md5(raw, usedforsecurity=False).digest(), enc="raw")}
-    stream = PDFStream(PDFDictionary({"Type": PDFName("EmbeddedFile"), "Params": PDFDictionary(sums)}), raw, filters=[PDFZCompress])
+    stream = PDFStream(
+        PDFDictionary({"Type": PDFName("EmbeddedFile"), "Params": PDFDictionary(sums)}), raw, filters=[PDFZCompress]
+    )
     ending = name.rpartition(".")[2].lower()
     stream.dictionary["Subtype"] = f"/{'image' if ending == 'png' else 'application'}#2F{ending}"
     file = document.Reference(stream)
     return document.Reference(
         PDFDictionary(
             {
-                "Type": PDFName("Filespec"), "F": PDFString(name), "UF": PDFString(name), "Desc": PDFString(description),
-                "AFRelationship": PDFName(RELATIONS.get(ending, "Supplement")), "EF": PDFDictionary({"F": file, "UF": file}),
+                "Type": PDFName("Filespec"),
+                "F": PDFString(name),
+                "UF": PDFString(name),
+                "Desc": PDFString(description),
+                "AFRelationship": PDFName(RELATIONS.get(ending, "Supplement")),
+                "EF": PDFDictionary({"F": file, "UF": file}),
             }
         )
-    )  # fmt: skip
+    )
 
 
 def keywords(program: str, **said: str) -> str:
-    """What `verify` needs to know of a report, as its list of keywords: `Contralbero 0.1.0, depth:engineer, sha256:…`."""
+    """What `verify` needs to know of a report, as its list of keywords: `Contralbero 0.1.0, depth:engineer,
+    sha256:…`."""
     return ", ".join([program, *(f"{key}:{value}" for key, value in said.items())])
 
 
 class Undated(PDFInfo):  # type: ignore[misc]
-    """The document's own description, without the moment at which it was written: the same input gives the same bytes."""
+    """The document's own description, without the moment at which it was written: the same input gives the same
+    bytes."""
 
     def format(self, document: object) -> object:
         said = {
-            "Title": self.title, "Author": self.author, "Subject": self.subject, "Keywords": self.keywords, "Creator": self.creator,
+            "Title": self.title,
+            "Author": self.author,
+            "Subject": self.subject,
+            "Keywords": self.keywords,
+            "Creator": self.creator,
             "Producer": self.producer,
-        }  # fmt: skip
+        }
         return PDFDictionary({k: PDFString(v) for k, v in said.items() if v}).format(document)
 
 

@@ -28,7 +28,12 @@ from .archive import archive
 
 
 def paint(
-    canvas: Canvas, pages: list[Page], head: tuple[str, str], foot: tuple[str, str], counted: str, progress: Progress | None = None
+    canvas: Canvas,
+    pages: list[Page],
+    head: tuple[str, str],
+    foot: tuple[str, str],
+    counted: str,
+    progress: Progress | None = None,
 ) -> Tree:
     """All pages with running head, foot and outline; what their parts are.  `counted` holds {page} and {pages}."""
     numbers = {block.anchor: n for n, page in enumerate(pages, 1) for _, block in page.blocks if block.anchor}
@@ -74,19 +79,22 @@ def _running(pen: Pen, number: int, count: int, head: tuple[str, str], foot: tup
     pen.rule(0.0, lower + 11.0, WIDTH, 0.4, FAINT)
     left = one_line(foot[0], NOTE, 0.4 * WIDTH)
     pen.put(left, 0.0, lower)
-    pen.put(one_line(foot[1], NOTE, WIDTH - left.width - pages.width - 28.0), left.width + 14.0 if foot[0] else 0.0, lower)
+    pen.put(
+        one_line(foot[1], NOTE, WIDTH - left.width - pages.width - 28.0), left.width + 14.0 if foot[0] else 0.0, lower
+    )
     pen.put(pages, WIDTH - pages.width, lower)
 
 
-# The objects of a document as the bytes of a file, small ones packed together: the thousands that say what every cell of a table is
-# take a tenth of the room that they take one by one.
+# The objects of a document as the bytes of a file, small ones packed together: the thousands that say what every cell
+# of a table is take a tenth of the room that they take one by one.
 
 EACH = 100  # objects of a pack: a reader unpacks all of them for one
 OPEN, PACKED = 1, 2  # kinds of entry in the table of objects
 
 
 def packed(document: Any) -> bytes:
-    """What reportlab's document writes, with streams of objects and their table (PDF 1.5) instead of one object after the other."""
+    """What reportlab's document writes, with streams of objects and their table (PDF 1.5) instead of one object after
+    the other."""
     root, info = document.Reference(document.Catalog), document.Reference(document.info)
     for name in [name for name in document.idToObject if name.startswith("toUnicodeCMap:")]:
         document.idToObject[name].content = unicode_map(document.idToObject[name].content)
@@ -136,7 +144,9 @@ def _pack(some: list[tuple[int, bytes]]) -> bytes:
         heads.append(b"%d %d" % (number, at))
         at += len(made) + 1
     first = b" ".join(heads) + b"\n"
-    return _stream(b"/Type /ObjStm /N %d /First %d" % (len(some), len(first)), first + b"\n".join(made for _, made in some))
+    return _stream(
+        b"/Type /ObjStm /N %d /First %d" % (len(some), len(first)), first + b"\n".join(made for _, made in some)
+    )
 
 
 def _table(entries: Iterable[tuple[int, int, int]], said: bytes) -> bytes:
@@ -152,19 +162,42 @@ def _table(entries: Iterable[tuple[int, int, int]], said: bytes) -> bytes:
 
 # Pages made into a document: what it says about itself, the files inside it, its running heads.
 
+
 def bind(
-    pages: list[Page], files: dict[str, tuple[bytes, str]], *, title: str, author: str, revision: str, said: dict[str, str],
-    words: dict[str, str], number: str = "", kind: str = "report", progress: Progress | None = None,
-) -> bytes:  # fmt: skip
-    """The document as the bytes of a PDF.  `said`: what it must keep about how it was made; `kind`: of its title in the running head."""
+    pages: list[Page],
+    files: dict[str, tuple[bytes, str]],
+    *,
+    title: str,
+    author: str,
+    revision: str,
+    said: dict[str, str],
+    words: dict[str, str],
+    number: str = "",
+    kind: str = "report",
+    progress: Progress | None = None,
+) -> bytes:
+    """The document as the bytes of a PDF.  `said`: what it must keep about how it was made; `kind`: of its title in the
+    running head."""
     out = io.BytesIO()
     dense, rl_config.useA85 = rl_config.useA85, 0  # streams as bytes, not as text a quarter longer
     try:
-        canvas = Canvas(out, pagesize=PAGE, invariant=1, pageCompression=1, pdfVersion=(1, 7), initialFontName=UPRIGHT, lang=said["lang"])
+        canvas = Canvas(
+            out,
+            pagesize=PAGE,
+            invariant=1,
+            pageCompression=1,
+            pdfVersion=(1, 7),
+            initialFontName=UPRIGHT,
+            lang=said["lang"],
+        )
         attach.describe(
-            canvas, title=clean(title), author=clean(author), subject=f"{words[kind]}, design file sha256 {said['sha256']}",
-            keywords=attach.keywords(PROGRAM, **said), program=PROGRAM,
-        )  # fmt: skip
+            canvas,
+            title=clean(title),
+            author=clean(author),
+            subject=f"{words[kind]}, design file sha256 {said['sha256']}",
+            keywords=attach.keywords(PROGRAM, **said),
+            program=PROGRAM,
+        )
         attach.attach(canvas, files)
         canvas.setViewerPreference("DisplayDocTitle", "true")
         canvas.showOutline()

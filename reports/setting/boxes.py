@@ -96,7 +96,8 @@ def raised(box: Box, by: float) -> Box:
 
 
 def stretched(sign: str, size: float, up: float, down: float) -> Box:
-    """A bracket or bar as tall as what it encloses: the letter itself where that is enough, else drawn out in height."""
+    """A bracket or bar as tall as what it encloses: the letter itself where that is enough, else drawn out in
+    height."""
     letter = text(sign, size)
     if up <= 0.82 * size and down <= 0.26 * size:
         return letter
@@ -116,12 +117,17 @@ def radical(inside: Box, size: float) -> Box:
     arm = 0.52 * size
     high = top - low
     points = (
-        (0.02 * size, low + 0.42 * high), (0.14 * size, low + 0.50 * high), (0.30 * size, low), (arm, top),
+        (0.02 * size, low + 0.42 * high),
+        (0.14 * size, low + 0.50 * high),
+        (0.30 * size, low),
+        (arm, top),
         (arm + 0.06 * size + inside.width, top),
-    )  # fmt: skip
+    )
     letter = ("text", 0.0, 0.0, "√", UPRIGHT, size, BLACK, 1.0, True)
     body = moved(inside.marks, arm + 0.04 * size, 0.0)
-    return Box(arm + 0.08 * size + inside.width, top + 0.04 * size, -low, (letter, ("path", points, thin, BLACK), *body))
+    return Box(
+        arm + 0.08 * size + inside.width, top + 0.04 * size, -low, (letter, ("path", points, thin, BLACK), *body)
+    )
 
 
 def fraction(over: Box, under: Box, size: float) -> Box:

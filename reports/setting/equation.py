@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """One formula with its numbers: symbol = formula = numbers = value, the source beside it.
 
-A formula that is used for several parts (front and rear bearing, order 1 to 8) stands once, with a line of numbers for each part
-under it.
-"""
+A formula that is used for several parts (front and rear bearing, order 1 to 8) stands once, with a line of numbers for
+each part under it."""
 
 from __future__ import annotations
 
@@ -45,7 +44,8 @@ TALL = 1.7 * SIZE  # a line of numbers that is no taller is short
 
 @dataclass(frozen=True, slots=True)
 class Label:
-    """Whose calculation a line is, in the report's language: a part ("front bearing"), and which of its calculations ("twice the load")."""
+    """Whose calculation a line is, in the report's language: a part ("front bearing"), and which of its calculations
+    ("twice the load")."""
 
     part: str
     variant: str = ""
@@ -82,15 +82,19 @@ def column_of_signs(entries: list[EquationEntry]) -> float:
     return min(max(SIGN, max(text_box(label.text(), NOTE.size).width for label in full) + 8.0), 0.34 * COLUMN)
 
 
-def entry_blocks(entry: EquationEntry, source: str, sign: float, *, labelled: bool, context: Context, gap: float = GAP) -> list[Block]:
+def entry_blocks(
+    entry: EquationEntry, source: str, sign: float, *, labelled: bool, context: Context, gap: float = GAP
+) -> list[Block]:
     """A formula with its lines of numbers.
 
-    Of each part ("front bearing") the first calculation stands with its numbers; its others ("front bearing, twice the load") with
-    their values only.  Of more than two parts only the first is written out, unless the numbers fit on a line.
-    """
+    Of each part ("front bearing") the first calculation stands with its numbers; its others ("front bearing, twice the
+    load") with their values only.  Of more than two parts only the first is written out, unless the numbers fit on a
+    line."""
     first = shown(entry.lines[0][1], context.say, entry.places.get(entry.lines[0][1]))
     alike = len({symbol_of(line) for _, line in entry.lines}) == 1
-    indexed = BETWEEN.join(dict.fromkeys(noted_line(context, line) for _, line in (entry.lines if alike else entry.lines[:1])))
+    indexed = BETWEEN.join(
+        dict.fromkeys(noted_line(context, line) for _, line in (entry.lines if alike else entry.lines[:1]))
+    )
     head = symbol(first.symbol if alike else entry.formula.symbol, SIZE)
     sign = max(sign, head.width + 4.0)
     if len(entry.lines) == 1 and not labelled:
@@ -131,7 +135,8 @@ def entry_blocks(entry: EquationEntry, source: str, sign: float, *, labelled: bo
 def _calculated(
     calculations: list[Labelled], sign: float, say: Language, places: Mapping[Line, Place], *, labelled: bool
 ) -> tuple[list[tuple[str, Box]], list[str], list[Labelled], list[tuple[str, Shown]]]:
-    """The first calculation of a part with its numbers: its rows, the same as words, the part's other calculations, and its lines."""
+    """The first calculation of a part with its numbers: its rows, the same as words, the part's other calculations, and
+    its lines."""
     full = calculations[0][0]
     own: list[tuple[str, Box]] = []
     said: list[str] = []
@@ -149,7 +154,8 @@ def _calculated(
 
 
 def _with_others(own: list[tuple[str, Box]], more: str, sign: float) -> list[tuple[str, Box]]:
-    """The rows of a part with the values of its other calculations: behind its last number where there is room, else below."""
+    """The rows of a part with the values of its other calculations: behind its last number where there is room, else
+    below."""
     if not more:
         return own
     told, (label, last) = text_lines(more, NOTE, COLUMN - sign, 12), own[-1]
@@ -166,7 +172,9 @@ def _parts(labelled: list[Labelled]) -> dict[str, list[Labelled]]:
     return parts
 
 
-def _others(rest: list[Labelled], own: list[tuple[str, Box]], said: list[str], context: Context, written: str = "") -> str:
+def _others(
+    rest: list[Labelled], own: list[tuple[str, Box]], said: list[str], context: Context, written: str = ""
+) -> str:
     """The further calculations of a part by their values; what says the same as the one in full is left out.
 
     Those of other parts are of the kind that is `written` out above, "twice the load", unless they say another.
@@ -194,7 +202,11 @@ def _others(rest: list[Labelled], own: list[tuple[str, Box]], said: list[str], c
 
 def spoken(line: Shown) -> str:
     """The formula of a line as plain text, for whoever copies it."""
-    return f"{plain(line.symbol)}: {line.shows}" if line.formula is None else f"{plain(line.symbol)} = {text(line.formula)}"
+    return (
+        f"{plain(line.symbol)}: {line.shows}"
+        if line.formula is None
+        else f"{plain(line.symbol)} = {text(line.formula)}"
+    )
 
 
 def spoken_numbers(line: Shown) -> str:
@@ -221,9 +233,13 @@ def shown(line: Line, say: Language, place: Place | None = None) -> Shown:
     number = say.number
     where = place.words if place and made.where else say(made.where)
     return replace(
-        made, shows=Name(say(made.shows)), where=Name(where), value=number(made.value),
-        formula=made.formula and respelled(made.formula, number), numbers=made.numbers and respelled(made.numbers, number),
-    )  # fmt: skip
+        made,
+        shows=Name(say(made.shows)),
+        where=Name(where),
+        value=number(made.value),
+        formula=made.formula and respelled(made.formula, number),
+        numbers=made.numbers and respelled(made.numbers, number),
+    )
 
 
 def _formula_lines(line: Shown, sign: float) -> list[Box]:
@@ -267,15 +283,18 @@ def _hung(set_lines: list[Box]) -> list[Box]:
 
 
 def _block(
-    head: Box | None, rows: list[tuple[str, Box]], sign: float, source: str, said: str, content: Formula, *, gap: float,
-) -> Block:  # fmt: skip
+    head: Box | None, rows: list[tuple[str, Box]], sign: float, source: str, said: str, content: Formula, *, gap: float
+) -> Block:
     """One formula as a block: its lines below each other, the source to the right."""
     beside = text_lines(source, SOURCE, SOURCE_WIDTH) if source else []
     labels = [text_lines(label, NOTE, sign - 6.0, 3) if label else [] for label, _ in rows]
     bases: list[float] = []
     y = labelled = 0.0  # where the next row begins, and where the label above it ends: beside rows that have none
     for i, (_, line) in enumerate(rows):
-        up, down = max(line.up, 0.76 * SIZE, head.up if head is not None and i == 0 else 0.0), max(line.down, 0.24 * SIZE)
+        up, down = (
+            max(line.up, 0.76 * SIZE, head.up if head is not None and i == 0 else 0.0),
+            max(line.down, 0.24 * SIZE),
+        )
         y = (max(y, labelled + LEAD) if labels[i] and labelled else y) + up
         bases.append(y)
         if labels[i]:

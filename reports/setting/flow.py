@@ -19,9 +19,11 @@ if TYPE_CHECKING:
     from .pen import Pen
 
 
-# What a block of a report says, beside how it is drawn: for whoever sets the same report elsewhere (`reports.docx.docx_file`).
+# What a block of a report says, beside how it is drawn: for whoever sets the same report elsewhere
+# (`reports.docx.docx_file`).
 #
 # A block without content goes on with the one before it, or only adorns the page.
+
 
 class Content:
     """Of any kind: one of those below, or the rows of a table."""
@@ -66,7 +68,9 @@ class Picture(Content):
 
 
 LEAST = 0.4  # of the last page: less on it is not worth the paper
-AFTER = 8.0  # from what stands first on a page because it did not fit on the one before to the text that goes on under it
+AFTER = (
+    8.0  # from what stands first on a page because it did not fit on the one before to the text that goes on under it
+)
 CLOSER = (0.85, 0.7, 0.5)  # of every gap; the first is hardly seen, and worth any page that it saves
 
 
@@ -74,11 +78,10 @@ CLOSER = (0.85, 0.7, 0.5)  # of every gap; the first is hardly seen, and worth a
 class Block:
     """Something that is not torn apart.  `draw(pen, y)` gets the height of its upper edge; x = 0 is the left margin.
 
-    `gap`: space above, left out at the top of a page.  `keep`: stays with the next block.  `repeat`: is drawn first where this
-    block begins a page.  `need`: begins a page unless so much of the page is left.  `floats`: where it does not fit, what follows up to the
-    next chapter (`need`) fills the page, and it stands first on the next one.  `anchor`: links and the outline lead here.
-    `tag`: what it is; left out, a paragraph.
-    """
+    `gap`: space above, left out at the top of a page.  `keep`: stays with the next block.  `repeat`: is drawn first
+    where this block begins a page.  `need`: begins a page unless so much of the page is left.  `floats`: where it does
+    not fit, what follows up to the next chapter (`need`) fills the page, and it stands first on the next one.
+    `anchor`: links and the outline lead here. `tag`: what it is; left out, a paragraph."""
 
     height: float
     draw: Callable[[Pen, float], None]
@@ -125,7 +128,9 @@ def paginate(blocks: Iterable[Block], height: float = HEIGHT, share: float = 1.0
         page, first = pages[-1], chain[0]
         left = height - page.filled
         alone = page.size is not None or first.page is not None
-        return not page.blocks or not (alone or sum([b.height + share * b.gap for b in chain]) > left + 1e-6 or first.need > left)
+        return not page.blocks or not (
+            alone or sum([b.height + share * b.gap for b in chain]) > left + 1e-6 or first.need > left
+        )
 
     def turn() -> None:
         """A new page, and on it first what waits for one."""
@@ -180,8 +185,11 @@ def _chains(blocks: list[Block], height: float, share: float) -> Iterable[list[B
         yield chain
 
 
-# --- simple blocks ------------------------------------------------------------------------------------------------------------
-def lines_block(lines: list[Box], leading: float, *, x: float = 0.0, gap: float = 0.0, keep: bool = False, tag: Tag | None = None) -> Block:
+# --- simple blocks
+# ------------------------------------------------------------------------------------------------------------
+def lines_block(
+    lines: list[Box], leading: float, *, x: float = 0.0, gap: float = 0.0, keep: bool = False, tag: Tag | None = None
+) -> Block:
     """Lines of text as one block."""
 
     def draw(pen: Pen, y: float) -> None:
@@ -191,12 +199,21 @@ def lines_block(lines: list[Box], leading: float, *, x: float = 0.0, gap: float 
     return Block(leading * len(lines), draw, gap, keep, tag=tag)
 
 
-def paragraph(words: str, style: Style = BODY, *, x: float = 0.0, gap: float = 3.0, keep: bool = False, most: int = 0) -> list[Block]:
+def paragraph(
+    words: str, style: Style = BODY, *, x: float = 0.0, gap: float = 3.0, keep: bool = False, most: int = 0
+) -> list[Block]:
     """A paragraph, line by line, so that it may run over a page; its first and last two lines stay together."""
     set_lines = text_lines(words, style, WIDTH - x, most)
     n, tag = len(set_lines), Tag("P")
     made = [
-        lines_block([line], style.leading, x=x, gap=gap if i == 0 else 0.0, keep=keep if i == n - 1 else i == 0 or i == n - 2, tag=tag)
+        lines_block(
+            [line],
+            style.leading,
+            x=x,
+            gap=gap if i == 0 else 0.0,
+            keep=keep if i == n - 1 else i == 0 or i == n - 2,
+            tag=tag,
+        )
         for i, line in enumerate(set_lines)
     ]
     return [replace(made[0], content=TextContent(words, style)), *made[1:]]
@@ -221,9 +238,17 @@ def bullet(words: str, style: Style = BODY, *, sign: str = "–", indent: float 
 
 
 def heading(
-    words: str, style: Style, *, gap: float, after: float = 2.0, anchor: str = "", outline: int | None = None, title: str = "",
-    need: float = 0.0, ruled: bool = False,
-) -> list[Block]:  # fmt: skip
+    words: str,
+    style: Style,
+    *,
+    gap: float,
+    after: float = 2.0,
+    anchor: str = "",
+    outline: int | None = None,
+    title: str = "",
+    need: float = 0.0,
+    ruled: bool = False,
+) -> list[Block]:
     """A heading stays with what follows; it may carry an entry of the outline."""
     made = text_lines(words, style, WIDTH, 4)
     level = 1 if style is HEADING else 2 if style is SECTION else 3

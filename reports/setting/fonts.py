@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """The report's letters: STIX Two Text upright, bold and italic, with their widths and what they can write.
 
-It is made for text with mathematics, and all its figures are equally wide.  What a face lacks comes from STIX Two Math (arrows, relations,
-roots) and then from DejaVu Sans, which has the signs of the verdicts and most other scripts.  The files in `fonts/` are unchanged copies
-under their own free licences, except that of STIX Two Math only the signs are left that the text faces do not have.
-"""
+It is made for text with mathematics, and all its figures are equally wide.  What a face lacks comes from STIX Two Math
+(arrows, relations, roots) and then from DejaVu Sans, which has the signs of the verdicts and most other scripts.  The
+files in `fonts/` are unchanged copies under their own free licences, except that of STIX Two Math only the signs are
+left that the text faces do not have."""
 
 import re
 import unicodedata
@@ -78,8 +78,8 @@ def _stays(c: str) -> bool:
 
 
 def unicode_map(written: str) -> str:
-    """reportlab's map from codes to letters as PDF asks for it: in blocks of at most 100, without the codes that stand for nothing, letters
-    beyond U+FFFF in two halves."""
+    """reportlab's map from codes to letters as PDF asks for it: in blocks of at most 100, without the codes that stand
+    for nothing, letters beyond U+FFFF in two halves."""
     head, _, rest = written.partition("endcodespacerange\n")
     pairs = [(code, int(letter, 16)) for code, letter in re.findall(r"^<(\w+)> <(\w+)>$", rest, re.M)]
     lines = [f"<{code}> <{chr(letter).encode('utf-16-be').hex().upper()}>" for code, letter in pairs if letter]

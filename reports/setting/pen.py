@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The pen collects what one page holds and writes it: rules and lines first, then figures, then all text in reading order."""
+"""The pen collects what one page holds and writes it: rules and lines first, then figures, then all text in reading
+order."""
 
 from __future__ import annotations
 
@@ -23,9 +24,13 @@ class Pen:
     """Collects what one page holds.  x = 0 is the left margin, y is the height on the page."""
 
     def __init__(
-        self, canvas: Canvas, numbers: Mapping[str, int], codes: dict[str, Codes],
-        places: Mapping[str, list[int]] | None = None, tree: Tree | None = None,
-    ) -> None:  # fmt: skip
+        self,
+        canvas: Canvas,
+        numbers: Mapping[str, int],
+        codes: dict[str, Codes],
+        places: Mapping[str, list[int]] | None = None,
+        tree: Tree | None = None,
+    ) -> None:
         self.canvas = canvas
         self.tree = tree or Tree(1)
         self.tree.pages.append([])
@@ -101,7 +106,9 @@ class Pen:
                 if left - 0.5 <= at < left + width and y <= base < y + height:
                     self.text[n] = at, base, mark, link
             parent = self.tree.link(link, f"NUMBER{canvas._annotationCount + 1}")
-        canvas._addAnnotation(Link((left, y, left + width, y + height), words, canvas._bookmarkReference(anchor), parent))
+        canvas._addAnnotation(
+            Link((left, y, left + width, y + height), words, canvas._bookmarkReference(anchor), parent)
+        )
 
     def figure(self, draw: Callable[[], None]) -> None:
         self.figures.append((draw, self.element))
@@ -113,7 +120,9 @@ class Pen:
         """Lines and areas are content in a figure; elsewhere they adorn."""
         self.code.append((code, self.element if self.element is not None and self.element.role == FIGURE else None))
 
-    def line(self, points: list[tuple[float, float]], thick: float, colour: Colour, dashes: tuple[float, ...] = ()) -> None:
+    def line(
+        self, points: list[tuple[float, float]], thick: float, colour: Colour, dashes: tuple[float, ...] = ()
+    ) -> None:
         """An open line through points of the page."""
         drawn = f"{_rgb(colour)} RG {thick:.2f} w {_path(points)} S"
         self._draw(f"[{' '.join(f'{d:g}' for d in dashes)}] 0 d {drawn} [] 0 d" if dashes else drawn)
@@ -168,7 +177,11 @@ class Pen:
                 hidden = unseen
             turned = "0 1 -1 0" if mark[0] == "turned" else "1 0 0 1" if stretch == 1.0 else f"1 0 0 {stretch:.3f}"
             made.append(f"{turned} {x:.2f} {y:.2f} Tm")
-            blank = self._encoded(face, " ") if n + 1 < len(self.text) and self._breaks(x, y, element, *self.text[n + 1]) else []
+            blank = (
+                self._encoded(face, " ")
+                if n + 1 < len(self.text) and self._breaks(x, y, element, *self.text[n + 1])
+                else []
+            )
             for name, string in [*self._encoded(face, words), *blank]:
                 if (name, size) != font:
                     made.append(f"{name} {size:.3f} Tf")
@@ -177,8 +190,11 @@ class Pen:
         return [*made, *["EMC"] * (marked is not False), "ET"]
 
     @staticmethod
-    def _breaks(x: float, y: float, element: Element | None, then_x: float, then_y: float, mark: Mark, then: Element | None) -> bool:
-        """Whether the next piece begins another line of the same element: two words, which a blank parts for whoever reads the codes."""
+    def _breaks(
+        x: float, y: float, element: Element | None, then_x: float, then_y: float, mark: Mark, then: Element | None
+    ) -> bool:
+        """Whether the next piece begins another line of the same element: two words, which a blank parts for whoever
+        reads the codes."""
         return element is not None and then is element and mark[0] == "text" and then_x <= x and then_y < y - 1.0
 
     def _encoded(self, face: str, words: str) -> list[Encoded]:

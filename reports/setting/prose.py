@@ -34,7 +34,9 @@ KEY = Style(7.8, 9.0, UPRIGHT, GREY, plain=True)
 SOURCE = Style(7.8, 8.9, UPRIGHT, GREY)
 
 # A symbol in running text: one or two letters, an index of at most five; `bore_mm` and `z_mm` are keys, not symbols.
-INLINE = re.compile(r"(?<![^\W⁰¹²³⁴-⁹])(?<!\.)([^\W\d_]{1,2}_(?!(?:mm|um|deg|kg|bar|rpm|GPa)\b)[^\W_]{1,5}(?:,[^\W_]{1,5})?)(?!\w|\.\w)")
+INLINE = re.compile(
+    r"(?<![^\W⁰¹²³⁴-⁹])(?<!\.)([^\W\d_]{1,2}_(?!(?:mm|um|deg|kg|bar|rpm|GPa)\b)[^\W_]{1,5}(?:,[^\W_]{1,5})?)(?!\w|\.\w)"
+)
 SOFT = re.compile(r"(?<=[/\-–·;,_.])")
 
 
@@ -47,7 +49,12 @@ def run(words: str, style: Style) -> Box:
     if len(parts) == 1 and not INLINE.fullmatch(parts[0]):
         return text(words, style.size, style.face, style.colour)
     return row(
-        [symbol(p, style.size, style.colour) if INLINE.fullmatch(p) else text(p, style.size, style.face, style.colour) for p in parts]
+        [
+            symbol(p, style.size, style.colour)
+            if INLINE.fullmatch(p)
+            else text(p, style.size, style.face, style.colour)
+            for p in parts
+        ]
     )
 
 

@@ -35,7 +35,8 @@ class Column:
 
 @dataclass(frozen=True, slots=True)
 class Cell:
-    """What stands in a table other than plain words: a style or side of its own, a set box, or further lines in another style."""
+    """What stands in a table other than plain words: a style or side of its own, a set box, or further lines in another
+    style."""
 
     words: str = ""
     style: Style | None = None
@@ -64,7 +65,9 @@ class Rows(Content):
     widths: Sequence[float] = ()
 
 
-def table(columns: Sequence[Column], rows: Sequence[Row], *, width: float = WIDTH, gap: float = 3.0, header: bool = True) -> list[Block]:
+def table(
+    columns: Sequence[Column], rows: Sequence[Row], *, width: float = WIDTH, gap: float = 3.0, header: bool = True
+) -> list[Block]:
     """The blocks of a table.  The flexible columns share what the fixed ones leave, by their contents."""
     wide = _widths(columns, rows, width)
     left = [sum(wide[:i]) + GAP * i for i in range(len(wide))]
@@ -88,7 +91,9 @@ def table(columns: Sequence[Column], rows: Sequence[Row], *, width: float = WIDT
     return [replace(made[0], content=Rows(columns if header else [], rows, wide)), *made[1:]] if made else made
 
 
-def named_table(title: str, columns: Sequence[Column], rows: Sequence[Row], *, width: float = WIDTH, gap: float = 4.0) -> list[Block]:
+def named_table(
+    title: str, columns: Sequence[Column], rows: Sequence[Row], *, width: float = WIDTH, gap: float = 4.0
+) -> list[Block]:
     """A table under a small heading of its own."""
     if not title:
         return table(columns, rows, width=width, gap=gap)
@@ -127,13 +132,24 @@ def _widths(columns: Sequence[Column], rows: Sequence[Row], width: float) -> lis
     need: dict[int, float] = {}
     for i, column in enumerate(columns):
         if column.width is None:
-            need[i] = max([14.0, _header_width(column.header), *(natural(_cell(r[i]), column) for r in rows if not isinstance(r, Group))])
+            need[i] = max(
+                [
+                    14.0,
+                    _header_width(column.header),
+                    *(natural(_cell(r[i]), column) for r in rows if not isinstance(r, Group)),
+                ]
+            )
     total = sum(need.values())
     if total > free:
-        # Narrow columns keep what they need; the wide ones share the rest, and none is narrower than its longest word, if there is room.
+        # Narrow columns keep what they need; the wide ones share the rest, and none is narrower than its longest word,
+        # if there is room.
         words = {}
         for i, n in need.items():
-            cells = [longest(_cell(r[i]).words, _cell(r[i]).style or columns[i].style) for r in rows if not isinstance(r, Group)]
+            cells = [
+                longest(_cell(r[i]).words, _cell(r[i]).style or columns[i].style)
+                for r in rows
+                if not isinstance(r, Group)
+            ]
             words[i] = min(n, max(longest(columns[i].header, HEADER), *cells, 0.0))
         whole = words if sum(words.values()) <= free else dict.fromkeys(need, 0.0)
         fair = _fair([n - whole[i] for i, n in need.items()], free - sum(whole.values()))
@@ -195,18 +211,27 @@ def _group(words: str, width: float, top: Block | None, across: int) -> Block:
 
 
 def _row(
-    columns: Sequence[Column], cells: Sequence[str | Cell], wide: list[float], left: list[float], width: float, top: Block | None
+    columns: Sequence[Column],
+    cells: Sequence[str | Cell],
+    wide: list[float],
+    left: list[float],
+    width: float,
+    top: Block | None,
 ) -> list[Block]:
     """One row, in several blocks where it is longer than a page should hold."""
     given = [_cell(cell) for cell in cells]
-    content = [_words(cell, column, w) for cell, column, w in zip(given, columns, wide)]  # per column: its lines with their leading
+    content = [
+        _words(cell, column, w) for cell, column, w in zip(given, columns, wide)
+    ]  # per column: its lines with their leading
     said = [len(made) for made in content]
     for i, cell in enumerate(given):
         if cell.under and cell.under[0]:
             # What stands below may run on under neighbours that are no taller than the words above it.
             free = all(n <= said[i] and not other.under for n, other in zip(said[i + 1 :], given[i + 1 :]))
             style = cell.under[1]
-            content[i] += [(line, style.leading) for line in lines(cell.under[0], style, width - left[i] if free else wide[i])]
+            content[i] += [
+                (line, style.leading) for line in lines(cell.under[0], style, width - left[i] if free else wide[i])
+            ]
     aligned = [cell.align or column.align for column, cell in zip(columns, given)]
     longest = max((len(c) for c in content), default=0)
     blocks = []
@@ -227,9 +252,15 @@ def _words(cell: Cell, column: Column, width: float) -> list[tuple[Box, float]]:
 
 
 def _part(
-    aligned: list[str], content: list[list[tuple[Box, float]]], wide: list[float], left: list[float], width: float,
-    top: Block | None, *, last: bool,
-) -> Block:  # fmt: skip
+    aligned: list[str],
+    content: list[list[tuple[Box, float]]],
+    wide: list[float],
+    left: list[float],
+    width: float,
+    top: Block | None,
+    *,
+    last: bool,
+) -> Block:
     tall = max((sum(leading for _, leading in c) for c in content), default=0.0) + 2 * PAD
 
     def draw(pen: Pen, y: float) -> None:

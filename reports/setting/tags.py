@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What the parts of a page are, for whoever reads the document by a machine: headings, paragraphs, lists, tables, figures.
+"""What the parts of a page are, for whoever reads the document by a machine: headings, paragraphs, lists, tables,
+figures.
 
-A block says what it is by its tag (`flow.Block.tag`); what says nothing is a paragraph.  Blocks with one and the same tag, the lines of
-a paragraph, the rows of a table, are one element of the tree (ISO 32000-1, 14.7), on however many pages.
-"""
+A block says what it is by its tag (`flow.Block.tag`); what says nothing is a paragraph.  Blocks with one and the same
+tag, the lines of a paragraph, the rows of a table, are one element of the tree (ISO 32000-1, 14.7), on however many
+pages."""
 
 from __future__ import annotations
 
@@ -23,8 +24,8 @@ COLUMN, ROW = "/O /Table /Scope /Column", "/O /Table /Scope /Row"  # what a cell
 
 @dataclass(frozen=True, slots=True, eq=False)  # the same only as itself
 class Tag:
-    """`within`: the element that this one is part of; `size`: of a heading's letters, the larger above the smaller; `alt`: what a figure
-    shows, in words."""
+    """`within`: the element that this one is part of; `size`: of a heading's letters, the larger above the smaller;
+    `alt`: what a figure shows, in words."""
 
     role: str
     within: Tag | None = None
@@ -119,17 +120,24 @@ class Root(PDFObject):  # type: ignore[misc]
             back.append(b"%d %s" % (n, element.reference))
         after = len(self.tree.pages) + len(self.tree.links)
         top = self.tree.top.reference
-        return b"<< /Type /StructTreeRoot /K %s /ParentTree << /Nums [%s] >> /ParentTreeNextKey %d >>" % (top, b" ".join(back), after)
+        return b"<< /Type /StructTreeRoot /K %s /ParentTree << /Nums [%s] >> /ParentTreeNextKey %d >>" % (
+            top,
+            b" ".join(back),
+            after,
+        )
 
 
 @dataclass(slots=True)
 class Tree:
-    """The tree as it grows while the pages are drawn.  `count`: of the pages, all of them, of which the links are counted on."""
+    """The tree as it grows while the pages are drawn.  `count`: of the pages, all of them, of which the links are
+    counted on."""
 
     count: int
     top: Element = field(default_factory=lambda: Element("Document", None))
     made: dict[Tag, Element] = field(default_factory=dict)
-    pages: list[list[Element]] = field(default_factory=list)  # by page, its elements by the numbers of their marked content
+    pages: list[list[Element]] = field(
+        default_factory=list
+    )  # by page, its elements by the numbers of their marked content
     links: list[Element] = field(default_factory=list)
     sizes: list[float] = field(default_factory=list)  # of the headings above the present place
 
@@ -173,7 +181,11 @@ class Tree:
             element.reference = document.Reference(element).format(document)
         pages = [PDFObjectReference(f"Page{n}").format(document) for n in range(1, len(self.pages) + 1)]
         for element in elements:
-            element.write(pages, lambda name: document.refAnnotation(name).format(document), document.Reference(root).format(document))
+            element.write(
+                pages,
+                lambda name: document.refAnnotation(name).format(document),
+                document.Reference(root).format(document),
+            )
         return root
 
 
@@ -183,7 +195,9 @@ def _prune(element: Element) -> None:
             _prune(kid)
     element.kids = [kid for kid in element.kids if not (isinstance(kid, Element) and kid.empty)]
     if len({type(kid) for kid in element.kids} - {Annotation}) > 1:  # text with links in it
-        element.kids.sort(key=lambda kid: kid.place() if isinstance(kid, Element) else (kid.page, getattr(kid, "number", -1)))
+        element.kids.sort(
+            key=lambda kid: kid.place() if isinstance(kid, Element) else (kid.page, getattr(kid, "number", -1))
+        )
 
 
 def _all(element: Element) -> Iterator[Element]:
@@ -203,7 +217,9 @@ class Link(PDFObject):  # type: ignore[misc]
 
     def format(self, document: Any) -> bytes:
         box = " ".join(f"{x:.2f}" for x in self.corners)
-        made = f"/Type /Annot /Subtype /Link /Border [0 0 0] /F {PRINTED} /Contents <{hexed(self.words)}> /Rect [{box}]".encode()
+        made = (
+            f"/Type /Annot /Subtype /Link /Border [0 0 0] /F {PRINTED} /Contents <{hexed(self.words)}> /Rect [{box}]"
+        ).encode()
         parent = b"" if self.parent is None else b" /StructParent %d" % self.parent
         return b"<< %s%s /Dest %s >>" % (made, parent, self.to.format(document))
 

@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Formulas set from the trees of the sheet: fractions, roots, indices, sums, brackets that grow.
 
-A tree becomes a row of pieces; before some of them a line may break, the better the fewer brackets are open there.  What is
-wider than the column and can not break (a fraction, a root, a power) is written out on the line instead.
-"""
+A tree becomes a row of pieces; before some of them a line may break, the better the fewer brackets are open there.
+What is wider than the column and can not break (a fraction, a root, a power) is written out on the line instead."""
 
 import re
 from dataclasses import dataclass
@@ -21,23 +20,28 @@ SMALLEST = 6.0  # points
 TIGHT = 1.25  # what is so much wider than the column is made smaller rather than written out
 RAISE, LOWER = 0.36, 0.17  # of the size
 SUPER = dict(zip("⁺⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "+−0123456789"))
-INDEX = re.compile(r"_((?:[^\W_]|[⁺⁻,∞])(?:(?![^\W\d_]_)[^\W_]|[⁺⁻,∞])*)")  # in T_1T_2 the second T is a letter with an index of its own
+INDEX = re.compile(
+    r"_((?:[^\W_]|[⁺⁻,∞])(?:(?![^\W\d_]_)[^\W_]|[⁺⁻,∞])*)"
+)  # in T_1T_2 the second T is a letter with an index of its own
 LETTERS = re.compile(r"[^\W\d_]+")
 UPRIGHT_LETTERS = set("ΣΔΠ∠°")
 
 
 @dataclass(frozen=True, slots=True)
 class SetPiece:
-    """A box in a formula; `open` counts the brackets around it where a line may break before it, None where it may not."""
+    """A box in a formula; `open` counts the brackets around it where a line may break before it, None where it may
+    not."""
 
     box: Box
     open: float | None = None
 
 
-# --- symbols ----------------------------------------------------------------------------------------------------------------
+# --- symbols
+# ----------------------------------------------------------------------------------------------------------------
 @lru_cache(maxsize=5000)
 def symbol(name: str, size: float, colour: Colour = BLACK) -> Box:
-    """A symbol as the sheet writes it: `C_1⁻,res` → C with a raised minus and the index "1,res"; operators may stand between."""
+    """A symbol as the sheet writes it: `C_1⁻,res` → C with a raised minus and the index "1,res"; operators may stand
+    between."""
     made: list[Box] = []
     small = max(SMALLEST, size * SMALL)
     for letters, below, above in symbol_parts(name):
@@ -50,7 +54,8 @@ def symbol(name: str, size: float, colour: Colour = BLACK) -> Box:
 
 
 def symbol_parts(name: str) -> list[tuple[str, str, str]]:
-    """The pieces of a symbol: letters of one kind, or another sign, each with what stands below and above it at the right."""
+    """The pieces of a symbol: letters of one kind, or another sign, each with what stands below and above it at the
+    right."""
     made: list[tuple[str, str, str]] = []
 
     def script(below: str, above: str) -> None:
@@ -91,7 +96,8 @@ def _spaced(sign: str, size: float, gap: float) -> Box:
     return row([space(gap), text(sign, size), space(gap)])
 
 
-# --- trees ------------------------------------------------------------------------------------------------------------------
+# --- trees
+# ------------------------------------------------------------------------------------------------------------------
 class Setter:
     """Sets trees at one size for one column width."""
 
@@ -121,7 +127,11 @@ class Setter:
     def bracketed(self, inside: list[SetPiece], open: float, left: str = "(", right: str = ")") -> list[SetPiece]:
         up, down = max(p.box.up for p in inside), max(p.box.down for p in inside)
         deeper = [SetPiece(p.box, p.open + 1.0) if p.open is not None and p.open < open + 1.0 else p for p in inside]
-        return [SetPiece(stretched(left, self.size, up, down)), *deeper, SetPiece(stretched(right, self.size, up, down))]
+        return [
+            SetPiece(stretched(left, self.size, up, down)),
+            *deeper,
+            SetPiece(stretched(right, self.size, up, down)),
+        ]
 
     def _pieces(self, tree: Expr, outer: float, open: float) -> tuple[float, list[SetPiece]]:
         a = tree.args
@@ -134,11 +144,23 @@ class Setter:
                 face = symbol(tree.name, self.size)
                 return 5.0, [SetPiece(face)]
             case "add":
-                return 1.0, [*self.pieces(a[0], 1, open), SetPiece(self.operator("+", 0.24), open), *self.pieces(a[1], 1, open)]
+                return 1.0, [
+                    *self.pieces(a[0], 1, open),
+                    SetPiece(self.operator("+", 0.24), open),
+                    *self.pieces(a[1], 1, open),
+                ]
             case "sub":
-                return 1.0, [*self.pieces(a[0], 1, open), SetPiece(self.operator("−", 0.24), open), *self.pieces(a[1], 1.5, open)]
+                return 1.0, [
+                    *self.pieces(a[0], 1, open),
+                    SetPiece(self.operator("−", 0.24), open),
+                    *self.pieces(a[1], 1.5, open),
+                ]
             case "mul":
-                return 2.0, [*self.pieces(a[0], 2, open), SetPiece(self.operator("·", 0.07), open + 0.5), *self.pieces(a[1], 2.2, open)]
+                return 2.0, [
+                    *self.pieces(a[0], 2, open),
+                    SetPiece(self.operator("·", 0.07), open + 0.5),
+                    *self.pieces(a[1], 2.2, open),
+                ]
             case "neg":
                 return RANK["neg"], [SetPiece(self.word("−")), *self.pieces(a[0], RANK["neg"], open)]
             case "div":
@@ -160,8 +182,21 @@ class Setter:
         if tree.name == "exp" and len(tree.args) == 1:
             return self.exponential(tree.args[0], "", open)
         if tree.name == "conj" and (inside := self.box(tree.args[0])).width <= self.column:
-            bar = ("rule", 0.06 * self.size, inside.up + 0.05 * self.size, inside.width - 0.04 * self.size, 0.05 * self.size, BLACK)
-            return 5.0, [SetPiece(Box(inside.width + 0.06 * self.size, inside.up + 0.14 * self.size, inside.down, (*inside.marks, bar)))]
+            bar = (
+                "rule",
+                0.06 * self.size,
+                inside.up + 0.05 * self.size,
+                inside.width - 0.04 * self.size,
+                0.05 * self.size,
+                BLACK,
+            )
+            return 5.0, [
+                SetPiece(
+                    Box(
+                        inside.width + 0.06 * self.size, inside.up + 0.14 * self.size, inside.down, (*inside.marks, bar)
+                    )
+                )
+            ]
         if tree.name == "rss" and len(tree.args) == 1:
             return self.root(Expr("sum", (Expr("pow", (tree.args[0], Expr("number", name="2"))),)), open)
         inside_pieces: list[SetPiece] = []
@@ -185,7 +220,13 @@ class Setter:
 
     def power(self, base: Expr, exponent: Expr, open: float) -> tuple[float, list[SetPiece]]:
         under = self.pieces(base, 4.5, open)
-        whole = f"−{exponent.args[0].name}" if exponent.head == "neg" else exponent.name if exponent.head == "number" else ""
+        whole = (
+            f"−{exponent.args[0].name}"
+            if exponent.head == "neg"
+            else exponent.name
+            if exponent.head == "number"
+            else ""
+        )
         if whole.lstrip("−").isdigit() and max(p.box.up for p in under) <= 0.8 * self.size:
             script = self.word(whole.translate(SUPERSCRIPTS))
         else:
@@ -216,7 +257,8 @@ class Setter:
         return 4.0, [SetPiece(e), SetPiece(self.word("^")), *self.bracketed([*head, *pieces], open)]
 
 
-# --- lines ------------------------------------------------------------------------------------------------------------------
+# --- lines
+# ------------------------------------------------------------------------------------------------------------------
 def lines(pieces: list[SetPiece], width: float) -> list[Box]:
     """Pieces broken into lines of at most this width, at the outermost operators that fill a line well."""
     made: list[Box] = []
@@ -236,7 +278,9 @@ def lines(pieces: list[SetPiece], width: float) -> list[Box]:
                     if here <= cost:
                         best, cost = i, here
                 x += pieces[i].box.width
-            if (opened := pieces[best].open) is None or opened >= 1.0:  # rather a little smaller than torn inside its brackets
+            if (
+                opened := pieces[best].open
+            ) is None or opened >= 1.0:  # rather a little smaller than torn inside its brackets
                 best = _whole(pieces, start, width) or best
             if cost == float("inf"):  # nowhere to break inside: up to the next place, made smaller below
                 while best < len(pieces) and pieces[best].open is None:
@@ -249,7 +293,8 @@ def lines(pieces: list[SetPiece], width: float) -> list[Box]:
 
 
 def _whole(pieces: list[SetPiece], start: int, width: float) -> int:
-    """Where the line ends that is a little too wide (at most TIGHT times) and leaves none of its tall brackets open; 0: there is none."""
+    """Where the line ends that is a little too wide (at most TIGHT times) and leaves none of its tall brackets open; 0:
+    there is none."""
     x, tall = 0.0, False
     for i in range(start, len(pieces) + 1):
         opened = pieces[i].open if i < len(pieces) else 0.0

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Where two documents differ: what they say about themselves, what their pages show, and the files inside them.
 
-This is for whoever has a report that is not, byte for byte, what its design gives: it says where to look, and vouches for nothing.
-"""
+This is for whoever has a report that is not, byte for byte, what its design gives: it says where to look, and vouches
+for nothing."""
 
 from __future__ import annotations
 
@@ -19,8 +19,8 @@ from .signature import same
 
 # Where on a page of a report something is printed, so that what is laid over it can be told from what covers nothing.
 #
-# Text counts wherever it stands, figures and formulas as a whole, with the bars between their letters; rules, frames and panels say
-# nothing by themselves.
+# Text counts wherever it stands, figures and formulas as a whole, with the bars between their letters; rules, frames
+# and panels say nothing by themselves.
 
 Rectangle = tuple[float, float, float, float]  # left, lower, right, upper
 ABOVE, BELOW = 0.72, 0.20  # of the size: how far letters reach from their base line
@@ -36,7 +36,7 @@ TOKEN = re.compile(
     rb"|1 0 0 1 (?P<frame>(?:" + NUMBER + rb" ){2})cm|(?P<image>(?:" + NUMBER + rb" ){6})cm"
     rb"|(?P<area>(?:" + NUMBER + rb" ){4})re\b|(?P<points>(?:" + NUMBER + rb" ){2,6})[mlc]\b",
     re.S,
-)  # fmt: skip
+)
 CODE = re.compile(rb"<([0-9A-F]{2})> <([0-9A-F]{4,})>")
 
 
@@ -127,7 +127,10 @@ Font = tuple[int, list[float], dict[int, str]]  # its first code, widths from th
 
 
 def _font(pdf: Pdf, font: dict[str, Any]) -> Font:
-    letters = {int(code, 16): bytes.fromhex(to.decode()).decode("utf-16-be") for code, to in CODE.findall(pdf.data(font.get("ToUnicode")))}
+    letters = {
+        int(code, 16): bytes.fromhex(to.decode()).decode("utf-16-be")
+        for code, to in CODE.findall(pdf.data(font.get("ToUnicode")))
+    }
     return int(font.get("FirstChar", 0)), [float(one) for one in pdf.items(font.get("Widths"))], letters
 
 
@@ -172,7 +175,9 @@ def attachments(pdf: Pdf) -> dict[str, list[bytes]]:
 
 def page_references(pdf: Pdf) -> list[Reference]:
     """The pages of a document, as every reader counts them.  Raises Malformed where readers would not agree."""
-    nodes: list[tuple[Reference, int, list[Any] | None]] = []  # each after the one that it stands in, with what it counts
+    nodes: list[
+        tuple[Reference, int, list[Any] | None]
+    ] = []  # each after the one that it stands in, with what it counts
     waiting, met = [pdf.root.get("Pages")], set()
     while waiting:
         one = waiting.pop()
@@ -254,7 +259,11 @@ def pages(old: Pdf, new: Pdf, version: str) -> list[Difference]:
             found.append(Difference(f"{name}, laid over it", f"{len(laid)} links", f"{len(links)} links"))
         for n, one in enumerate(laid if version == VERSION else ()):
             if not (n < len(links) and compared.alike(one, links[n])):
-                found.append(Difference(f"{name}, laid over it", words(old.entries(one).get("Subtype")), "nothing, or something else"))
+                found.append(
+                    Difference(
+                        f"{name}, laid over it", words(old.entries(one).get("Subtype")), "nothing, or something else"
+                    )
+                )
     return found
 
 
@@ -279,7 +288,9 @@ class _Compared:
         old, new = self.old, self.new
         was, now = _whole(old, self.pages[0][number]), _whole(new, self.pages[1][number])
         marks = contents(old, was).strip() == contents(new, now).strip()
-        return marks and self.alike(*({key: page[key] for key in page if key not in ("Contents", "Annots")} for page in (was, now)))
+        return marks and self.alike(
+            *({key: page[key] for key in page if key not in ("Contents", "Annots")} for page in (was, now))
+        )
 
     def alike(self, first: Any, second: Any) -> bool:
         waiting, met = [(first, second)], set()
@@ -298,7 +309,10 @@ class _Compared:
                 met.add(pair)
             a, b = self.old.value(a), self.new.value(b)
             if isinstance(a, Stream) and isinstance(b, Stream):
-                packed = all(a.entries.get(key) == b.entries.get(key) for key in ("Filter", "DecodeParms")) and a.packed == b.packed
+                packed = (
+                    all(a.entries.get(key) == b.entries.get(key) for key in ("Filter", "DecodeParms"))
+                    and a.packed == b.packed
+                )
                 if not packed and self.old.data(a) != self.new.data(b):
                     return False
                 a, b = a.entries, b.entries

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """The objects of a PDF, read strictly from its first byte to its last (ISO 32000-1, 7.2 to 7.5).
 
-Readers of PDF are lenient, each in its own way: of a key that stands twice one takes the first, another the last; one trusts the table of
-objects, another looks for them.  What could be read in two ways is refused here.  Time and memory grow with the file and no faster: objects
-are read in the order in which they stand, nothing is followed, and there are limits.
-"""
+Readers of PDF are lenient, each in its own way: of a key that stands twice one takes the first, another the last; one
+trusts the table of objects, another looks for them.  What could be read in two ways is refused here.  Time and memory
+grow with the file and no faster: objects are read in the order in which they stand, nothing is followed, and there are
+limits."""
 
 from __future__ import annotations
 
@@ -18,11 +18,13 @@ from calc.design.limits import PDF_BYTES, PDF_DEPTH, PDF_UNPACKED, PDF_VALUES
 APART = rb"(?![^\0\t\n\f\r ()<>\[\]{}/%])"  # after a number or a word
 BLANK = re.compile(rb"[\0\t\n\f\r ]*+")
 TOKEN = re.compile(
-    rb"[\0\t\n\f\r ]*+(?:(?P<reference>\d{1,10} \d{1,5} R)" + APART
-    + rb"|(?P<number>[+-]?+(?:\d{1,40}+(?:\.\d{0,40}+)?|\.\d{1,40}+))" + APART
+    rb"[\0\t\n\f\r ]*+(?:(?P<reference>\d{1,10} \d{1,5} R)"
+    + APART
+    + rb"|(?P<number>[+-]?+(?:\d{1,40}+(?:\.\d{0,40}+)?|\.\d{1,40}+))"
+    + APART
     + rb"|/(?P<name>[^\0\t\n\f\r ()<>\[\]{}/%]*+)|(?P<open>\[|<<)|(?P<close>\]|>>)|<(?P<hex>[0-9A-Fa-f\0\t\n\f\r ]*+)>"
     rb"|(?P<text>\()|(?P<word>true|false|null)" + APART + rb")"
-)  # fmt: skip
+)
 HEAD = re.compile(rb"%PDF-\d\.\d[ \t]*(?:\r\n|\n|\r)")
 OBJECT = re.compile(rb"(\d{1,10}) (\d{1,5}) obj(?=[\0\t\n\f\r <\[(/])")
 COMMENT = re.compile(rb"%[^\r\n]*+")
@@ -30,14 +32,17 @@ DATA = re.compile(rb"[\0\t\n\f\r ]*+stream(?:\r\n|\n)")
 DATA_END = re.compile(rb"(?:\r\n|\n|\r)?endstream(?=[\0\t\n\f\r ])")
 OBJECT_END = re.compile(rb"[\0\t\n\f\r ]*+endobj(?=[\0\t\n\f\r ]|$)")
 TABLE = re.compile(
-    rb"xref[ \t]*(?:\r\n|\n|\r)((?:\d{1,10} \d{1,10} *(?:\r\n|\n|\r)(?:\d{10} \d{5} [fn](?: \r| \n|\r\n))*+)*+)trailer(?=[\0\t\n\f\r <])"
+    rb"xref[ \t]*(?:\r\n|\n|\r)((?:\d{1,10} \d{1,10} *(?:\r\n|\n|\r)(?:\d{10} \d{5} [fn](?: \r| \n|\r\n))*+)*+)"
+    rb"trailer(?=[\0\t\n\f\r <])"
 )
 START = re.compile(rb"startxref(?:\r\n|\n|\r)(\d{1,10})(?:\r\n|\n|\r)%%EOF(?=[\r\n]|$)")
 ESCAPE = re.compile(rb"\\(?:([0-7]{1,3})|(\r\n|[\n\r])|(.))|\r\n?", re.S)
 LETTERS = {b"n": b"\n", b"r": b"\r", b"t": b"\t", b"b": b"\b", b"f": b"\f"}
 
 
-Place = int | tuple[int, int]  # of an object: its first byte, or the number of the stream that it is in and which of its objects it is
+Place = (
+    int | tuple[int, int]
+)  # of an object: its first byte, or the number of the stream that it is in and which of its objects it is
 Table = dict[int, Place | None]
 
 
@@ -183,7 +188,11 @@ class Pdf:
     def _object(self, section: Section, found: re.Match[bytes]) -> int:
         number, generation = int(found[1]), int(found[2])
         if number in section.places or generation:
-            raise Malformed(f"object {number} stands there twice" if not generation else f"object {number} is of generation {generation}")
+            raise Malformed(
+                f"object {number} stands there twice"
+                if not generation
+                else f"object {number} is of generation {generation}"
+            )
         section.places[number] = found.start()
         made, at = self._value(self.raw, found.end())
         if isinstance(made, dict) and (data := DATA.match(self.raw, at)):
@@ -217,7 +226,11 @@ class Pdf:
         first: Any = stream.entries.get("First")
         data = self.data(stream)
         heads = data[:first].split() if isinstance(first, int) else []
-        if not isinstance(count, int) or len(heads) != 2 * count or not all(one.isdigit() and len(one) <= 10 for one in heads):
+        if (
+            not isinstance(count, int)
+            or len(heads) != 2 * count
+            or not all(one.isdigit() and len(one) <= 10 for one in heads)
+        ):
             raise Malformed("a stream of objects does not say where they are")
         self._count(count)
         for n, (number, at) in enumerate(zip(heads[::2], heads[1::2])):
@@ -341,7 +354,9 @@ def _numbers(of: Any) -> bool:
 def _name(raw: bytes) -> Name:
     """With its escapes resolved, so that one name is one name."""
     parts = re.split(rb"#([0-9A-Fa-f]{2})", raw)
-    return Name(b"".join(bytes.fromhex(part.decode()) if n % 2 else part for n, part in enumerate(parts)).decode("latin-1"))
+    return Name(
+        b"".join(bytes.fromhex(part.decode()) if n % 2 else part for n, part in enumerate(parts)).decode("latin-1")
+    )
 
 
 def _text(data: bytes, at: int) -> tuple[bytes, int]:
@@ -365,7 +380,13 @@ def _rows(data: bytes, how: dict[str, Any]) -> bytes:
     """Rows of which each is what it differs by from the one above, as tables of objects are written."""
     wide = how.get("Columns")
     bytewise = how.get("Colors", 1) == 1 and how.get("BitsPerComponent", 8) == 8
-    if how.get("Predictor") not in (10, 11, 12) or not bytewise or not isinstance(wide, int) or wide < 1 or len(data) % (wide + 1):
+    if (
+        how.get("Predictor") not in (10, 11, 12)
+        or not bytewise
+        or not isinstance(wide, int)
+        or wide < 1
+        or len(data) % (wide + 1)
+    ):
         raise Malformed("a stream is packed in a way that no report has")
     made, above = [], bytes(wide)
     for at in range(0, len(data), wide + 1):
@@ -396,6 +417,7 @@ def _entries(raw: bytes) -> Table:
 # Whether the tables of a PDF lead to the objects that stand in it (ISO 32000-1, 7.5.4 to 7.5.8).
 #
 # One reader follows the tables, another looks for the objects, and a file can be made so that they find different ones.
+
 
 def demand_tables(pdf: Pdf) -> None:
     """Raises Malformed if one who follows the tables from the end finds anything but the last object of each number."""

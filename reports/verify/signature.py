@@ -1,10 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """What was appended to a report, if that is what a program appends that signs it, and nothing else.
 
-A signature is put into a file by leaving its bytes as they are and writing after them: the field, what it shows, the page and the catalogue
-once more with the field in them (ISO 32000-1, 7.5.6 and 12.8).  The rule here is the other way round from a search for what is wrong: what
-was appended must be these objects, each byte of it.
-"""
+A signature is put into a file by leaving its bytes as they are and writing after them: the field, what it shows, the
+page and the catalogue once more with the field in them (ISO 32000-1, 7.5.6 and 12.8).  The rule here is the other way
+round from a search for what is wrong: what was appended must be these objects, each byte of it."""
 
 from __future__ import annotations
 
@@ -17,8 +16,8 @@ from calc.design.limits import PDF_DEPTH
 
 from .pdf_file import Malformed, Pdf, Reference, Stream
 
-# What a document says about itself as XMP (ISO 16684-1), whichever of its ways it is written in: a program that saves or signs a document
-# writes it anew, and names itself in it.
+# What a document says about itself as XMP (ISO 16684-1), whichever of its ways it is written in: a program that saves
+# or signs a document writes it anew, and names itself in it.
 
 RDF = "{http://www.w3.org/1999/02/22-rdf-syntax-ns#}"
 XMP = "{http://ns.adobe.com/xap/1.0/}"
@@ -56,7 +55,11 @@ def _shape(of: ElementTree.Element, depth: int = 0) -> object:
     if depth > PDF_DEPTH:
         raise Malformed("the metadata are nested too deeply")
     text = (of.text or "").strip()
-    return (of.tag, sorted(of.attrib.items()), text, [_shape(one, depth + 1) for one in of]) if len(of) or of.attrib else text
+    return (
+        (of.tag, sorted(of.attrib.items()), text, [_shape(one, depth + 1) for one in of])
+        if len(of) or of.attrib
+        else text
+    )
 
 
 TRAILER = {"Size", "Root", "Info", "Prev", "ID"}
@@ -64,7 +67,9 @@ TABLE = {"Type", "W", "Index", "Filter", "DecodeParms", "Length"}  # of a stream
 CATALOGUE = {"AcroForm", "Perms", "DSS", "Extensions"}
 FORM = {"Fields", "SigFlags", "DR", "DA"}
 FIELD = {"Type", "Subtype", "FT", "T", "TU", "F", "Ff", "Rect", "P", "AP", "V", "DA", "M", "NM", "Lock", "SV", "MK"}
-FLAGS = 1 | 2 | 4 | 64 | 128 | 512  # invisible, hidden, printed, read only, locked, contents locked: none that changes its size or place
+FLAGS = (
+    1 | 2 | 4 | 64 | 128 | 512
+)  # invisible, hidden, printed, read only, locked, contents locked: none that changes its size or place
 OF_THE_PROGRAM = {"Producer", "ModDate"}  # what a program says about itself and not about the document
 ANY_OBJECT = re.compile(rb"\d\s+\d+\s+obj")
 Rectangle = tuple[float, float, float, float]
@@ -96,7 +101,9 @@ def _layout(old: Pdf, new: Pdf) -> None:
         _demand(set(trailer) <= (TRAILER | TABLE if stream else TRAILER), "its trailer holds more than a trailer")
         _demand(_equal(trailer.get("Prev"), before.start), "its table does not lead to the one before")
         _demand(trailer.get("Root") == old.trailer["Root"], "it has another catalogue")
-        _demand(trailer.get("Info", old.trailer["Info"]) == old.trailer["Info"], "it says something else about the document")
+        _demand(
+            trailer.get("Info", old.trailer["Info"]) == old.trailer["Info"], "it says something else about the document"
+        )
         _demand(_equal(trailer.get("Size"), size), "its trailer has another number of objects")
         before, at = section, section.end
     _demand(new.raw[at:] in (b"", b"\n", b"\r\n"), "something stands after its end")
@@ -154,7 +161,8 @@ class _Appended:
     def _field(self, reference: Reference, page: Reference) -> Rectangle:
         field = self._entries(reference)
         _demand(
-            field.get("Subtype") == "Widget" and field.get("FT") == "Sig", "something is laid over a page that is no field of a signature"
+            field.get("Subtype") == "Widget" and field.get("FT") == "Sig",
+            "something is laid over a page that is no field of a signature",
         )
         more = set(field) - FIELD
         _demand(not more, f"a field has the entry {min(more, default='')}")
@@ -173,7 +181,9 @@ class _Appended:
         if looks:
             look = self.new.value(looks["N"])
             _demand(
-                isinstance(looks["N"], Reference) and isinstance(look, Stream) and look.entries.get("Subtype") == "Form",
+                isinstance(looks["N"], Reference)
+                and isinstance(look, Stream)
+                and look.entries.get("Subtype") == "Form",
                 "a field has no look",
             )
             _rectangle(look.entries.get("BBox"))
@@ -191,7 +201,11 @@ class _Appended:
         return list(found)
 
     def _same(self, before: dict[str, Any], now: dict[str, Any], free: set[str], what: str) -> None:
-        other = {key for key in {*before, *now} - free if key not in before or key not in now or not _equal(before[key], now[key])}
+        other = {
+            key
+            for key in {*before, *now} - free
+            if key not in before or key not in now or not _equal(before[key], now[key])
+        }
         _demand(not other, f"{what} has another {min(other, default='')}")
 
     def _metadata(self, reference: Reference) -> None:

@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Whether a report still says what its design gives: the attached design is solved again, and the pages are set again.
 
-Identical is only what has the same bytes; whatever else a file may be is another verdict.  What is attached says how the pages are set: one
-design is a report, two are a comparison.
-"""
+Identical is only what has the same bytes; whatever else a file may be is another verdict.  What is attached says how
+the pages are set: one design is a report, two are a comparison."""
 
 from __future__ import annotations
 
@@ -32,7 +31,14 @@ from .signature import fields
 
 KEYWORD = re.compile(r"(\w+):([0-9a-z]+)")
 PARTS = ("steps", "checks", "values")  # of the results inside a report
-BROKEN = (ValueError, KeyError, TypeError, AttributeError, IndexError, RecursionError)  # what results of any shape raise
+BROKEN = (
+    ValueError,
+    KeyError,
+    TypeError,
+    AttributeError,
+    IndexError,
+    RecursionError,
+)  # what results of any shape raise
 
 
 class Verdict(Enum):
@@ -48,11 +54,11 @@ class Verdict(Enum):
 
 @dataclass(frozen=True)
 class Verification:
-    """`changed`: the attachments that are not those which the report was written with.  `version`: of the program that wrote it.
+    """`changed`: the attachments that are not those which the report was written with.  `version`: of the program that
+    wrote it.
 
-    `signed`: the pages that carry the field of a signature; what that shows is not the report's.  `front`: it says what a front
-    says that is attached to it, and nobody has searched again for that.
-    """
+    `signed`: the pages that carry the field of a signature; what that shows is not the report's.  `front`: it says what
+    a front says that is attached to it, and nobody has searched again for that."""
 
     design: str
     version: str
@@ -68,11 +74,11 @@ class Verification:
 
 
 def verify(raw: bytes, place: str) -> Verification:
-    """Solve the design that is attached to a report, or the two of a comparison, again, and compare it with the report that they give.
+    """Solve the design that is attached to a report, or the two of a comparison, again, and compare it with the report
+    that they give.
 
-    `place`: the name of the file, for messages.  Raises BadInput for a file that is no report of this program, or whose design this version
-    does not accept.
-    """
+    `place`: the name of the file, for messages.  Raises BadInput for a file that is no report of this program, or whose
+    design this version does not accept."""
     pdf, said, attached = _read(raw, place)
     return replace(_verified(raw, place, pdf, said, attached), front="front" in said)
 
@@ -88,7 +94,9 @@ def _verified(raw: bytes, place: str, pdf: Pdf, said: dict[str, str], attached: 
         try:
             return _signed(made, fresh, raw, version)
         except Malformed as error:
-            differences.append(Difference("what was appended to the report", str(error), "nothing, or fields of signatures alone"))
+            differences.append(
+                Difference("what was appended to the report", str(error), "nothing, or fields of signatures alone")
+            )
     try:
         differences += [*about(pdf, fresh, version), *pages(pdf, fresh, version)]
     except Malformed as error:
@@ -100,7 +108,8 @@ def _verified(raw: bytes, place: str, pdf: Pdf, said: dict[str, str], attached: 
 
 
 def is_report(raw: bytes) -> bool:
-    """Whether a file is a document of this program as it writes them, to which nothing was appended, no signature either."""
+    """Whether a file is a document of this program as it writes them, to which nothing was appended, no signature
+    either."""
     try:
         pdf, *_ = _read(raw, "")
     except BadInput:
@@ -114,14 +123,19 @@ def _signed(made: _Again, fresh: Pdf, raw: bytes, version: str) -> Verification:
     laid = fields(made.raw, raw, sheets)
     under = {n: list(printed(fresh, sheets[n - 1])) for n, _ in laid}
     found = [(n, covered(place, under[n])) for n, place in laid]
-    hidden = tuple(Difference(f"page {n}, under the field of a signature", "covered", f"“{text}”") for n, text in found if text)
+    hidden = tuple(
+        Difference(f"page {n}, under the field of a signature", "covered", f"“{text}”") for n, text in found if text
+    )
     numbers = tuple(sorted({n for n, _ in found}))
-    return Verification(made.name, version, Verdict.COVERED if hidden else Verdict.SIGNED, differences=hidden, signed=numbers)
+    return Verification(
+        made.name, version, Verdict.COVERED if hidden else Verdict.SIGNED, differences=hidden, signed=numbers
+    )
 
 
 @dataclass(frozen=True)
 class _Again:
-    """What the attachments give: the document set again, and how what it was written with differs from what it gives now."""
+    """What the attachments give: the document set again, and how what it was written with differs from what it gives
+    now."""
 
     name: str
     changed: list[str]
@@ -179,13 +193,19 @@ def _comparison(place: str, said: dict[str, str], attached: dict[str, list[bytes
 def _demand(place: str, attached: dict[str, list[bytes]], names: tuple[str, ...]) -> None:
     if missing := [name for name in names if name not in attached]:
         raise _refused(
-            place, Text("has no attachment {names}; a report of this program has all of them", names=Text(" and none ").join(missing))
+            place,
+            Text(
+                "has no attachment {names}; a report of this program has all of them",
+                names=Text(" and none ").join(missing),
+            ),
         )
 
 
 def _changed(attached: dict[str, list[bytes]], wanted: dict[str, str]) -> list[str]:
     """The attachments that are not those which the document was written with."""
-    found = [name for name, sum in wanted.items() if {hashlib.sha256(one).hexdigest() for one in attached[name]} != {sum}]
+    found = [
+        name for name, sum in wanted.items() if {hashlib.sha256(one).hexdigest() for one in attached[name]} != {sum}
+    ]
     return found + [name for name in attached if name not in wanted]
 
 
@@ -204,7 +224,9 @@ def _read(raw: bytes, place: str) -> tuple[Pdf, dict[str, str], dict[str, list[b
     version = re.match(r"Contralbero (\S+?)(?:,|$)", keywords)
     known = said.get("depth") in DEPTHS and said.get("lang") in LANGUAGES and {"sha256", "results"} <= set(said)
     if version is None or not known:
-        raise _refused(place, Text("is no report of this program, or was written before reports could be verified; write it anew"))
+        raise _refused(
+            place, Text("is no report of this program, or was written before reports could be verified; write it anew")
+        )
     return pdf, {**said, "version": version[1]}, attached
 
 
@@ -218,7 +240,10 @@ def _unread(place: str) -> BadInput:
 
 
 def _unreadable(place: str, error: Malformed) -> BadInput:
-    return _refused(place, Text("can not be read as a PDF ({error}); give a report that `contralbero report` wrote", error=str(error)))
+    return _refused(
+        place,
+        Text("can not be read as a PDF ({error}); give a report that `contralbero report` wrote", error=str(error)),
+    )
 
 
 def _refused(place: str, reason: Text) -> BadInput:

@@ -23,8 +23,8 @@ _wait.SLEEP_GRANULARITY, _wait.SLEEP_IDLE = 0.004, 0.0004  # it looks five times
 
 
 async def _wait_for_screen(self: Pilot[int], timeout: float = 30.0) -> bool:
-    """Wait until nobody has a message left.  Textual's own way sends one to each of the hundreds of widgets, which took longer than the
-    tests themselves."""
+    """Wait until nobody has a message left.  Textual's own way sends one to each of the hundreds of widgets, which took
+    longer than the tests themselves."""
     app, end, calm = self.app, time.perf_counter() + timeout, 0
     handled, asked = asyncio.Event(), None
     while calm < 3 or not handled.is_set():
@@ -86,7 +86,9 @@ def screen(light: Session, monkeypatch: pytest.MonkeyPatch) -> Screen:
     monkeypatch.setattr(background_solve, "AHEAD", 1000.0)  # nothing goes on behind the test
 
     @asynccontextmanager
-    async def opened(size: tuple[int, int] = (110, 30), session: Session = light, ascii: bool = False) -> AsyncIterator[Pilot[int]]:
+    async def opened(
+        size: tuple[int, int] = (110, 30), session: Session = light, ascii: bool = False
+    ) -> AsyncIterator[Pilot[int]]:
         session.solve()
         app = ContralberoApp(session, ascii=ascii)
         async with app.run_test(size=size) as pilot:

@@ -47,7 +47,10 @@ def test_no_key_is_given_twice() -> None:
 
 def test_the_keys_of_the_proposal_are_there() -> None:
     keys = {key for action in ACTIONS for key in action.binding.split(",")}
-    wanted = "f1 f2 f3 f4 f6 f7 f8 pageup pagedown 1 2 3 4 5 6 up down enter shift+f6 ctrl+z ctrl+y ctrl+s ctrl+o ctrl+p shift+up shift+down escape ctrl+q"
+    wanted = (
+        "f1 f2 f3 f4 f6 f7 f8 pageup pagedown 1 2 3 4 5 6 up down enter shift+f6 ctrl+z ctrl+y ctrl+s ctrl+o "
+        "ctrl+p shift+up shift+down escape ctrl+q"
+    )
     letters = "question_mark left_square_bracket right_square_bracket j k v h l n p u r w o colon q y Y"
     assert set(wanted.split() + letters.split()) <= keys
 
@@ -67,7 +70,9 @@ def test_letters_are_no_keys_of_a_field() -> None:
 
 
 def test_a_field_takes_none_of_our_control_keys() -> None:
-    own = {key for binding in Input.BINDINGS for key in (binding.key if hasattr(binding, "key") else binding[0]).split(",")}
+    own = {
+        key for binding in Input.BINDINGS for key in (binding.key if hasattr(binding, "key") else binding[0]).split(",")
+    }
     ours = {key for action in ACTIONS for key in action.keys.split(",")} - {"", "enter"}
     assert not own & ours
 
@@ -89,7 +94,8 @@ def test_keys_are_named_as_on_the_keyboard() -> None:
         ((80, 24), "F1 Help F2 Back F3 Next F4 View F5 Remedy F8 PDF ^z Undo ^s Save ^p All"),
         (
             (120, 40),
-            "F1 Help F2 Back F3 Next F4 View F5 Remedy ^t Choose F6 Pane F7 Finding F8 PDF F9 Plot ^z Undo ^s Save ^q Quit ^p All",
+            "F1 Help F2 Back F3 Next F4 View F5 Remedy ^t Choose F6 Pane F7 Finding F8 PDF F9 Plot ^z Undo ^s Save ^q "
+            "Quit ^p All",
         ),
     ],
 )
@@ -106,10 +112,14 @@ async def test_the_footer_has_room_for_what_does_something_here(screen: Screen) 
     async with screen(size=(120, 40)) as pilot:
         footer = pilot.app.screen.query_one(FooterLine)
         said = footer.render().plain
-        assert "F9 Plot" in said and "F10" not in said and "^q Quit" in said  # the curves of the engine have no variants
+        assert (
+            "F9 Plot" in said and "F10" not in said and "^q Quit" in said
+        )  # the curves of the engine have no variants
         await strike(pilot, "f3")
         await settled(pilot)
-        await until(pilot, lambda: "F10 Variant" in footer.render().plain)  # its curves are written out in another thread
+        await until(
+            pilot, lambda: "F10 Variant" in footer.render().plain
+        )  # its curves are written out in another thread
         assert "F9 Plot" in footer.render().plain and footer.render().cell_length <= 120
         curves = work(pilot).query_one(CurvePane)
         seen = set()

@@ -47,10 +47,15 @@ async def test_what_is_typed_after_a_jump_goes_where_it_leads(screen: Screen, li
     """No key is lost, and none goes to the palette or to the field before: also where the form is made on the way."""
     async with screen() as pilot:
         await go_to(pilot, "engine.bore_mm")
-        for words, number, key in (("span cou.shaf fail", "12", ""), ("apart counterw", "77.5", "imbalance.counterweight_span_mm")):
+        for words, number, key in (
+            ("span cou.shaf fail", "12", ""),
+            ("apart counterw", "77.5", "imbalance.counterweight_span_mm"),
+        ):
             await strike(pilot, "ctrl+p", *words, "enter", *number)
             if not key:  # nothing has these words: the palette stays, with all that was typed
-                await until(pilot, lambda told=words + number: pilot.app.screen.query("#words").first(Input).value == told)  # type: ignore[misc]
+                await until(
+                    pilot, lambda told=words + number: pilot.app.screen.query("#words").first(Input).value == told
+                )  # type: ignore[misc]
                 await strike(pilot, "escape")
                 continue
             await until(pilot, lambda key=key: light.value(key) == 77.5)  # type: ignore[misc]
@@ -75,7 +80,9 @@ ODD = ["x" * 5000, "a\0b", "~nobody-of-this-name/x.toml", "/", ".", "..", "", "x
 @pytest.mark.slow
 @pytest.mark.skipif(os.name != "posix", reason="what a name may be is another thing elsewhere")
 @pytest.mark.parametrize("key, dialog", [("ctrl+o", OpenDialog), ("f12", SaveDialog)])
-async def test_what_can_be_no_path_is_said_in_the_dialog(screen: Screen, light: Session, key: str, dialog: type) -> None:
+async def test_what_can_be_no_path_is_said_in_the_dialog(
+    screen: Screen, light: Session, key: str, dialog: type
+) -> None:
     async with screen() as pilot:
         before = {path.name for path in light.home.parent.iterdir()}
         await strike(pilot, key)
@@ -134,9 +141,12 @@ async def test_escape_right_after_undo_leaves_the_field(screen: Screen) -> None:
 
 
 @pytest.mark.parametrize(
-    "key", ["f3", "f12", *(pytest.param(key, marks=pytest.mark.slow) for key in ("alt+2", "f7", "f4", "f6", "f1", "escape"))]
+    "key",
+    ["f3", "f12", *(pytest.param(key, marks=pytest.mark.slow) for key in ("alt+2", "f7", "f4", "f6", "f1", "escape"))],
 )
-async def test_what_follows_a_key_that_leads_away_is_not_for_the_field_that_was_left(screen: Screen, light: Session, key: str) -> None:
+async def test_what_follows_a_key_that_leads_away_is_not_for_the_field_that_was_left(
+    screen: Screen, light: Session, key: str
+) -> None:
     async with screen() as pilot:
         await go_to(pilot, "engine.bore_mm")
         field = pilot.app.focused

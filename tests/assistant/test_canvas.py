@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Sketches in character cells: true to scale, with words that are never lost or overwritten, lit where the edited field shows."""
+"""Sketches in character cells: true to scale, with words that are never lost or overwritten, lit where the edited field
+shows."""
 
 import pytest
 
@@ -68,12 +69,15 @@ def test_words_stay_whole_where_they_meet_and_within_the_frame():
 def test_a_dimension_says_its_length_or_its_label():
     box = Polyline("OUTLINE", rectangle(0.0, 0.0, 0.1, 0.05), closed=True)
     marks = (
-        box, Dimension("DIMENSIONS", (0.0, 0.0), (0.1, 0.0), (0.0, -0.02)),
+        box,
+        Dimension("DIMENSIONS", (0.0, 0.0), (0.1, 0.0), (0.0, -0.02)),
         Dimension("DIMENSIONS", (0.1, 0.0), (0.1, 0.05), (0.12, 0.0), upright=True, label=Text("high")),
-    )  # fmt: skip
+    )
     content = draw(Sketch(marks), 60, 16, Signs(), say)
     assert "├" in content.plain and " 100 mm " in content.plain and "high" in content.plain
-    italian = draw(Sketch((box, Dimension("DIMENSIONS", (0.0, 0.0), (0.0125, 0.0), (0.0, -0.02)))), 60, 16, Signs(), language("it"))
+    italian = draw(
+        Sketch((box, Dimension("DIMENSIONS", (0.0, 0.0), (0.0125, 0.0), (0.0, -0.02)))), 60, 16, Signs(), language("it")
+    )
     assert "12,5 mm" in italian.plain
 
 
@@ -86,7 +90,11 @@ def test_an_area_is_filled_and_its_hole_is_not():
 
 def test_without_braille_a_picture_is_ascii():
     sketch = Sketch(
-        (CIRCLE, Polyline("OUTLINE", ((-0.05, 0.0), (0.05, 0.0)), state="fail"), Area("OUTLINE", (rectangle(0, 0, 0.02, 0.02),)))
+        (
+            CIRCLE,
+            Polyline("OUTLINE", ((-0.05, 0.0), (0.05, 0.0)), state="fail"),
+            Area("OUTLINE", (rectangle(0, 0, 0.02, 0.02),)),
+        )
     )
     content = draw(sketch, 40, 14, Signs(ascii=True), say)
     assert content.plain.isascii()
@@ -107,5 +115,8 @@ def test_pictures_beside_each_other_are_left_out_where_they_get_too_small():
 
 
 def test_notes_take_as_many_rows_as_they_need() -> None:
-    assert noted(["gap × 100", "the load points down", "pressure"], 32) == ["gap × 100 · the load points down", "pressure"]
+    assert noted(["gap × 100", "the load points down", "pressure"], 32) == [
+        "gap × 100 · the load points down",
+        "pressure",
+    ]
     assert noted([], 10) == []

@@ -27,7 +27,9 @@ SIZES = [(80, 24), pytest.param((120, 40), marks=pytest.mark.slow)]  # the narro
 
 def text(pilot: Pilot[int]) -> str:
     """The screen as text, whichever it is."""
-    return "\n".join("".join(segment.text for segment in strip) for strip in pilot.app.screen._compositor.render_strips())
+    return "\n".join(
+        "".join(segment.text for segment in strip) for strip in pilot.app.screen._compositor.render_strips()
+    )
 
 
 def options(pilot: Pilot[int]) -> list[str]:
@@ -66,7 +68,9 @@ def test_the_states_of_a_design(light: Session) -> None:
     ]
     assert [other.name for other in past(light)] == ["1 edit ago", "2 edits ago"]
     assert list(past(light))[-1].data is before
-    assert light.undo() is not None and light.value("engine.bore_mm") == 95.0  # nothing was taken back but the last edit
+    assert (
+        light.undo() is not None and light.value("engine.bore_mm") == 95.0
+    )  # nothing was taken back but the last edit
     light.save()
     assert [other.name for other in kept(light)] == ["saved", "opened"]
 
@@ -98,8 +102,11 @@ async def test_an_earlier_state_beside_the_present_one(screen: Screen, size: tup
         await strike(pilot, "shift+f7")
         await asked(pilot)
         assert options(pilot) == [
-            "light.toml as it is saved", "another design file …", "before Bore (engine): 94 → 95 mm", "before Crank radius (engine): 53.5 → 54 mm",
-        ]  # fmt: skip
+            "light.toml as it is saved",
+            "another design file …",
+            "before Bore (engine): 94 → 95 mm",
+            "before Crank radius (engine): 53.5 → 54 mm",
+        ]
         await strike(pilot, "down", "j", "down", "enter")
         shown = await opened(pilot)
         assert shown.found is not None
@@ -110,7 +117,9 @@ async def test_an_earlier_state_beside_the_present_one(screen: Screen, size: tup
         await strike(pilot, "2")
         await pilot.pause()
         seen = text(pilot)
-        assert "2 edits ago" in seen and "Crank radius (engine)" in seen and "53.5" in seen and "2 inputs differ" in seen
+        assert (
+            "2 edits ago" in seen and "Crank radius (engine)" in seen and "53.5" in seen and "2 inputs differ" in seen
+        )
         assert all(len(line) <= size[0] for line in seen.splitlines())
         assert ("x FAIL" in seen or "! warn" in seen) if ascii else "▲ warn" in seen
         await strike(pilot, "escape")
@@ -143,7 +152,11 @@ async def test_sections_lines_and_copying(screen: Screen, monkeypatch: pytest.Mo
         await strike(pilot, "y", "Y")
         assert shown.found is not None
         value = next(d for d in shown.found.values if d.id == shown.id_here)
-        assert value.b is not None and copied[0] in (short(value.b, n) for n in range(4, 10)) and copied[1].startswith(f"{value.id}: ")
+        assert (
+            value.b is not None
+            and copied[0] in (short(value.b, n) for n in range(4, 10))
+            and copied[1].startswith(f"{value.id}: ")
+        )
         await strike(pilot, "end")
         assert shown.cursor == max(i for i, item in enumerate(shown.items) if item.key)
         assert shown._first[shown.cursor] < shown.scroll_y + shown.size.height
@@ -175,7 +188,9 @@ async def test_another_design_file(screen: Screen, tmp_path: Path) -> None:
         box.value = str(other)
         await strike(pilot, "enter")
         shown = await opened(pilot)
-        assert shown.found is not None and [(d.key, d.a, d.b) for d in shown.found.inputs] == [("engine.bore_mm", 99.0, 94.0)]
+        assert shown.found is not None and [(d.key, d.a, d.b) for d in shown.found.inputs] == [
+            ("engine.bore_mm", 99.0, 94.0)
+        ]
         assert "other [red]design" in text(pilot)
 
 
@@ -224,7 +239,9 @@ async def test_what_is_not_valid_is_said(screen: Screen, light: Session) -> None
         wrong = next(n for n, name in enumerate(options(pilot)) if "−1 → 95" in name)
         await strike(pilot, *["down"] * wrong, "enter")
         await pilot.pause()
-        assert isinstance(pilot.app.screen, CompareWith) and "engine.bore_mm" in str(pilot.app.screen.query_one("#wrong").render())
+        assert isinstance(pilot.app.screen, CompareWith) and "engine.bore_mm" in str(
+            pilot.app.screen.query_one("#wrong").render()
+        )
         await strike(pilot, "escape")
         await until(pilot, lambda: not isinstance(pilot.app.screen, CompareWith))
         work(pilot)

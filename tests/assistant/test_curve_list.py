@@ -21,7 +21,10 @@ def curve(id: str, title: str) -> Curve:
 
 MANY: tuple[Curve | Table, ...] = (
     *(curve(f"c{n}", f"Backlash of mesh {n} over the temperature") for n in range(1, 31)),
-    curve("film", "Smallest film of the front bearing over speed, at every temperature of the oil that the design is judged by"),
+    curve(
+        "film",
+        "Smallest film of the front bearing over speed, at every temperature of the oil that the design is judged by",
+    ),
     curve("odd", "Markup [b]is[/b] no markup"),
     TABLE,
     BODIES,
@@ -121,9 +124,12 @@ async def test_the_example_s_curves_are_all_in_the_list(screen: Screen, session:
     session.solve()
     titles = {key: outcome.whole.curves for key, outcome in session.results.outcomes.items()}
     wanted = {
-        "imbalance": ("locus", "order"), "bearings": ("film speed",), "countershaft": ("deflection",), "gears": ("tooth mesh",),
+        "imbalance": ("locus", "order"),
+        "bearings": ("film speed",),
+        "countershaft": ("deflection",),
+        "gears": ("tooth mesh",),
         "friction": ("loss line of action",),
-    }  # fmt: skip
+    }
     for step, words in wanted.items():
         for word in words:
             assert found(titles[step], word), (step, word)

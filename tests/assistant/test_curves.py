@@ -37,22 +37,40 @@ def end_of(chain: Turning, variant: str) -> Series:
 
 BARE, BALANCED = locus(0.1, 20.0, 3.0), locus(0.1, 20.0, 3.0, -19.5)
 LOCUS = Curve(
-    "locus", "Locus of the couple", "right, N·m", "up, N·m", (end_of(BARE, WITHOUT), end_of(BALANCED, WITH)),
-    equal=True, variants=(WITHOUT, WITH),
-    turning=(Turning(BARE.names, BARE.phasors, BARE.orders, WITHOUT), Turning(BALANCED.names, BALANCED.phasors, BALANCED.orders, WITH)),
-)  # fmt: skip
+    "locus",
+    "Locus of the couple",
+    "right, N·m",
+    "up, N·m",
+    (end_of(BARE, WITHOUT), end_of(BALANCED, WITH)),
+    equal=True,
+    variants=(WITHOUT, WITH),
+    turning=(
+        Turning(BARE.names, BARE.phasors, BARE.orders, WITHOUT),
+        Turning(BALANCED.names, BALANCED.phasors, BALANCED.orders, WITH),
+    ),
+)
 ORDERS = list(range(1, 9))
 BARS = Curve(
-    "orders", "Forces by order", "order", "F, N",
-    tuple(Series(name, ORDERS, [size / n for n in ORDERS], variant)
-          for variant, size in ((WITHOUT, 800.0), (WITH, 200.0)) for name in ("force forward", "force backward")),
-    bars=True, variants=(WITHOUT, WITH),
-)  # fmt: skip
+    "orders",
+    "Forces by order",
+    "order",
+    "F, N",
+    tuple(
+        Series(name, ORDERS, [size / n for n in ORDERS], variant)
+        for variant, size in ((WITHOUT, 800.0), (WITH, 200.0))
+        for name in ("force forward", "force backward")
+    ),
+    bars=True,
+    variants=(WITHOUT, WITH),
+)
 PLAIN = Curve("plain", "A plain curve", "x", "y", (Series("", [0.0, 1.0], [0.0, 1.0]),))
 TABLE = Table(
-    "vectors", "Vectors by order", (("Order", ""), ("Force forward", "N"), ("phase", "°"), ("Couple backward", "N·m"), ("phase", "°")),
-    tuple((f"order {n}", 1234.5 / n, 12.0 * n, None, -0.00012 * n) for n in range(1, 41)), "Phases count from up.",
-)  # fmt: skip
+    "vectors",
+    "Vectors by order",
+    (("Order", ""), ("Force forward", "N"), ("phase", "°"), ("Couple backward", "N·m"), ("phase", "°")),
+    tuple((f"order {n}", 1234.5 / n, 12.0 * n, None, -0.00012 * n) for n in range(1, 41)),
+    "Phases count from up.",
+)
 BODIES = Table("bodies", "Bodies", (("Body", ""), ("Mass", "kg")), (("web", 1.25), ("counterweight", 2.5)))
 
 
@@ -132,7 +150,9 @@ async def test_a_variant_is_shown_in_the_scale_of_all(screen: Screen) -> None:
 def test_the_axes_hold_all_variants_and_all_angles() -> None:
     x_low, x_high, y_low, y_high = extent(LOCUS)
     tips = [z for chain in LOCUS.turning for d in range(360) for z in chain.at(math.radians(d))]
-    assert y_high == pytest.approx(max(z.real for z in tips), rel=0.01) and y_low == pytest.approx(min(z.real for z in tips), rel=0.01)
+    assert y_high == pytest.approx(max(z.real for z in tips), rel=0.01) and y_low == pytest.approx(
+        min(z.real for z in tips), rel=0.01
+    )
     assert x_high == pytest.approx(-x_low, rel=0.01)
     assert extent(BARS)[2:] == (0.0, 800.0) and extent(BARS)[:2] == (0.5, 8.5)
 
@@ -141,7 +161,9 @@ def test_a_curve_without_the_variant_shows_its_first() -> None:
     assert Sight(LOCUS, "another").variant == WITHOUT and Sight(PLAIN, WITH).variant == ""
     assert [s.variant for s in Sight(BARS, WITH).series] == [WITH, WITH]
     assert Sight(LOCUS, WITH).next_variant == WITHOUT
-    shared = Curve("shared", "", "x", "y", (Series("both", [0], [0]), Series("one", [0], [0], WITH)), variants=(WITHOUT, WITH))
+    shared = Curve(
+        "shared", "", "x", "y", (Series("both", [0], [0]), Series("one", [0], [0], WITH)), variants=(WITHOUT, WITH)
+    )
     assert [s.label for s in Sight(shared).series] == ["both"]
 
 
@@ -188,7 +210,9 @@ async def test_lines_that_run_over_each_other_are_both_seen(screen: Screen, back
     theta = [math.radians(3 * n) for n in range(121)]
     x, y = [(20 - backward) * math.sin(t) for t in theta], [(20 + backward) * math.cos(t) for t in theta]
     aside = Series("aside", [60.0, 60.0], [-20.0, 20.0])
-    curve = Curve("same", "Two alike", "x", "y", (Series("order 1", x, y), Series("all orders", x, y), aside), equal=True)
+    curve = Curve(
+        "same", "Two alike", "x", "y", (Series("order 1", x, y), Series("all orders", x, y), aside), equal=True
+    )
     async with screen(size=(120, 40), ascii=ascii) as pilot:
         await show(pilot, curve)
         canvas, room = work(pilot).query_one("#plot", PlotArea), work(pilot).query_one(Plot)._scale_rectangle
@@ -230,9 +254,20 @@ async def test_bars_stand_on_the_zero_line_side_by_side(screen: Screen, size: tu
 
 async def test_names_stand_below_their_bars_where_they_fit_else_in_the_legend(screen: Screen) -> None:
     async with screen(size=(120, 40)) as pilot:
-        for names, below in ((("0.5", "1", "1.5", "2"), True), (("first of the mounts", "second", "third", "fourth"), False)):
+        for names, below in (
+            (("0.5", "1", "1.5", "2"), True),
+            (("first of the mounts", "second", "third", "fourth"), False),
+        ):
             places = range(1, len(names) + 1)
-            bars = Curve("named", "Named", "order", "F, N", (Series("", [*places], [4.0, 3.0, 2.0, 1.0]),), bars=True, names=names)
+            bars = Curve(
+                "named",
+                "Named",
+                "order",
+                "F, N",
+                (Series("", [*places], [4.0, 3.0, 2.0, 1.0]),),
+                bars=True,
+                names=names,
+            )
             pane = await show(pilot, bars)
             await at_rest(pilot)
             last = next(row for row in reversed(rows(pilot).splitlines()) if re.search(r"│ +(0\.5|1) +", row))
@@ -305,7 +340,9 @@ async def test_curves_of_other_numbers_fit_their_frame(screen: Screen) -> None:
             if pane.curve is not None:
                 seen = picture(pane)
                 corners = (seen[0][0], seen[0][-1], seen[-1][0], seen[-1][-1])
-                assert all(corner in known for corner, known in zip(corners, ("┏┣┳", "┓┫┳", "┗┣┻", "┛┫┻"))), "\n".join(seen)
+                assert all(corner in known for corner, known in zip(corners, ("┏┣┳", "┓┫┳", "┗┣┻", "┛┫┻"))), "\n".join(
+                    seen
+                )
                 assert {row[0] for row in seen[1:-1]} <= set("┃┫") and {row[-1] for row in seen[1:-1]} <= set("┃┣")
 
 
@@ -315,7 +352,9 @@ def test_columns_are_aligned() -> None:
     lines = [item.rows[0].plain for item in set_.items()[:-1]]
     assert set_.part == "" and len(head) == 2
     end = head[0].index("Force forward") + len("Force forward")
-    assert all(len(line) >= end and line[end - 1] != " " and line[end] == " " for line in lines)  # numbers to the right, under their label
+    assert all(
+        len(line) >= end and line[end - 1] != " " and line[end] == " " for line in lines
+    )  # numbers to the right, under their label
     assert head[1][end - 1] == "N"
     assert [line[:8] for line in lines[:2]] == ["order 1 ", "order 2 "]
     assert lines[0].split() == ["order", "1", "1234", "12", "−1.2·10⁻⁴"]  # an empty cell stays empty
@@ -323,7 +362,9 @@ def test_columns_are_aligned() -> None:
 
 
 def test_a_narrow_table_wraps_its_words_and_then_leafs_its_columns() -> None:
-    words = Table("t", "", (("What it is", ""), ("Mass", "kg")), (("the web beside the first crankpin, timing side", 1.0),))
+    words = Table(
+        "t", "", (("What it is", ""), ("Mass", "kg")), (("the web beside the first crankpin, timing side", 1.0),)
+    )
     set_ = Setter(words, 30, ENGLISH)
     assert set_.part == "" and len(set_.items()[0].rows) == 2
     assert set_.items()[0].rows[0].plain.endswith("1") and all(len(row.plain) <= 30 for row in set_.items()[0].rows)
@@ -338,7 +379,9 @@ def test_a_narrow_table_wraps_its_words_and_then_leafs_its_columns() -> None:
 @pytest.mark.slow
 async def test_a_table_that_is_too_wide_is_leafed_by_columns(screen: Screen) -> None:
     async with screen(size=(80, 24)) as pilot:
-        wide = Table("wide", "Wide", (("Name", ""), *((f"column{n}", "N") for n in range(20))), (("a", *map(float, range(20))),))
+        wide = Table(
+            "wide", "Wide", (("Name", ""), *((f"column{n}", "N") for n in range(20))), (("a", *map(float, range(20))),)
+        )
         pane = await show(pilot, wide)
         assert pilot.app.focused is pane.query_one(TableList)
         assert "columns 2–" in legend(pane) and "column19" not in legend(pane)

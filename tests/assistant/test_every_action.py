@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Every action of the table, by each of its keys, on a wide and on a narrow terminal: what the user sees of it.
 
-The tests of a size share one screen, which is put in order before each; one that fails leaves a screen that is made anew.
-"""
+The tests of a size share one screen, which is put in order before each; one that fails leaves a screen that is made
+anew."""
 
 import asyncio
 import sys
@@ -67,9 +67,14 @@ async def play(stage: Stage, id: str, do: Do) -> None:
 
 
 def rows(turn: int) -> list[Any]:
-    """Every key of every action: here the first of each at one of the two sizes, by turns; all others among the slow tests."""
+    """Every key of every action: here the first of each at one of the two sizes, by turns; all others among the slow
+    tests."""
     here = [row for n, row in enumerate(FIRST) if n % 2 == turn]
-    return [pytest.param(*row, marks=() if row in here else pytest.mark.slow, id="-".join(row)) for row in KEYS if row[0] not in ALONE]
+    return [
+        pytest.param(*row, marks=() if row in here else pytest.mark.slow, id="-".join(row))
+        for row in KEYS
+        if row[0] not in ALONE
+    ]
 
 
 @pytest.mark.asyncio(loop_scope="module")

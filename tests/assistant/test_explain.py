@@ -41,7 +41,10 @@ async def test_a_line_is_walked_through_and_back(screen: Screen, session: Sessio
         await until(
             pilot,
             lambda: (
-                work(pilot).number == 3 and work(pilot).background.page is not None and calculation.has_focus and "." in calculation.key
+                work(pilot).number == 3
+                and work(pilot).background.page is not None
+                and calculation.has_focus
+                and "." in calculation.key
             ),
         )
         last = calculation.sheet.entries[-1].number

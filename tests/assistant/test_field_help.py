@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What is said about a field: at the foot of the form its meaning, what is usual and the source; in the help the source in a line."""
+"""What is said about a field: at the foot of the form its meaning, what is usual and the source; in the help the source
+in a line."""
 
 import re
 from collections.abc import Iterator
@@ -88,14 +89,19 @@ async def test_the_help_has_a_line_with_the_source(screen: Screen, session: Sess
         assert "Clearance g = K·d·u^¼ in mm, m and m/s. Usual 0.4 to 0.8. A number from 0.01 to 10." in said
 
 
-async def test_the_help_shows_the_comment_of_the_file_until_the_value_is_another(screen: Screen, session: Session) -> None:
+async def test_the_help_shows_the_comment_of_the_file_until_the_value_is_another(
+    screen: Screen, session: Session
+) -> None:
     place = ("countershaft", "half_length_mm")
     said = "assumed: up to the front journal, which the masses as printed need"
     async with screen(session=session) as pilot:
         await go_to(pilot, "countershaft.half_length_mm")
         await strike(pilot, "f1")
         await until(pilot, lambda: bool(pilot.app.screen.query("#help-here")))
-        assert f"The design file says: “{said}”." in str(pilot.app.screen.query_one("#help-here", Static).content).splitlines()
+        assert (
+            f"The design file says: “{said}”."
+            in str(pilot.app.screen.query_one("#help-here", Static).content).splitlines()
+        )
     assert session.remark(place) == said
     session.edit(place, "150")
     assert session.remark(place) == ""

@@ -54,7 +54,22 @@ async def test_what_is_typed_in_one_burst_is_kept_whole(screen: Screen) -> None:
 async def test_what_is_typed_in_one_burst_goes_to_the_fields_that_it_was_typed_for(screen: Screen, key: str) -> None:
     async with screen() as pilot:
         box = await go_to(pilot, "engine.bore_mm")
-        for name in ("9", "6", key, "1", "0", "8", key, "1", "6", "0", "shift+tab", "1", "1", "0"):  # the stroke, twice the crank radius
+        for name in (
+            "9",
+            "6",
+            key,
+            "1",
+            "0",
+            "8",
+            key,
+            "1",
+            "6",
+            "0",
+            "shift+tab",
+            "1",
+            "1",
+            "0",
+        ):  # the stroke, twice the crank radius
             pilot.app.post_message(events.Key(name, name if len(name) == 1 else None))
         await settled(pilot)
         await solved(pilot)
@@ -128,7 +143,10 @@ async def test_undo_and_redo_from_another_step(screen: Screen) -> None:
         screen_ = work(pilot)
         assert screen_.number == 1
         assert screen_.session.value("engine.bore_mm") == 94.0
-        assert screen_.form.field is None and screen_.form.last == ("engine", "bore_mm")  # the next letter is a key again
+        assert screen_.form.field is None and screen_.form.last == (
+            "engine",
+            "bore_mm",
+        )  # the next letter is a key again
         await strike(pilot, "u")
         assert "Nothing to undo" in told(pilot)
         await strike(pilot, "ctrl+y")
@@ -184,13 +202,16 @@ async def test_every_form_has_the_fields_of_the_file_once(screen: Screen, sessio
             await settled(pilot)
             shown = [field.place for field in form.query(Field) if field.row.kind == "field" and len(field.place) > 1]
             assert len(set(shown)) == len(shown) > 1
-            known = [address(session.data, key) for key, _ in quantities(session.data) if key.partition(".")[0] == step.key]
+            known = [
+                address(session.data, key) for key, _ in quantities(session.data) if key.partition(".")[0] == step.key
+            ]
             hidden = [place for place in known if place not in shown and not idle(place, session.data)]
             absent = [place for place in hidden if not any(isinstance(part, int) and part > 0 for part in place)]
             for place in absent:  # not another element of a long array: then of a table that is left out
-                assert any(session.value(place[:end]) is None and session.about(place[:end]).optional for end in range(2, len(place))), (
-                    place
-                )
+                assert any(
+                    session.value(place[:end]) is None and session.about(place[:end]).optional
+                    for end in range(2, len(place))
+                ), place
 
 
 @pytest.mark.slow
@@ -250,7 +271,11 @@ async def test_a_long_array_is_a_table_where_there_is_room(
         await go_to(pilot, "gears.wheels.idler.teeth")
         await type_in(pilot, "40")
         await settled(pilot)
-        assert heading.cells()[3] == ("idler", "40") and heading.render().plain.splitlines()[4].split() == ["▸", "idler", "40"]
+        assert heading.cells()[3] == ("idler", "40") and heading.render().plain.splitlines()[4].split() == [
+            "▸",
+            "idler",
+            "40",
+        ]
         await pilot.resize_terminal(80, 24)
         await settled(pilot)
         assert heading.size.height == 1

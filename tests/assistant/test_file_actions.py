@@ -63,7 +63,9 @@ async def give(pilot: Any, path: Path | str) -> PathDialog[Any]:
 
 # --- recording
 @pytest.mark.parametrize("size", SIZES)
-async def test_a_recorded_session_replays(screen: Screen, light: Session, tmp_path: Path, size: tuple[int, int]) -> None:
+async def test_a_recorded_session_replays(
+    screen: Screen, light: Session, tmp_path: Path, size: tuple[int, int]
+) -> None:
     async with screen(size=size) as pilot:
         await pilot.press("escape", "R")
         await pilot.pause()
@@ -136,7 +138,9 @@ async def test_a_replay_that_can_not_be_written_leaves_the_recording(
 
 # --- export
 @pytest.mark.parametrize(("size", "kind"), [((120, 40), "csv"), ((80, 24), "json")])
-async def test_values_and_results_are_exported(screen: Screen, small: Session, tmp_path: Path, size: tuple[int, int], kind: str) -> None:
+async def test_values_and_results_are_exported(
+    screen: Screen, small: Session, tmp_path: Path, size: tuple[int, int], kind: str
+) -> None:
     path = tmp_path / f"out.{kind}"
     async with screen(size=size, session=small) as pilot:
         await pilot.press("escape", "E")
@@ -148,7 +152,9 @@ async def test_values_and_results_are_exported(screen: Screen, small: Session, t
     assert "\nengine.stroke,107" in text if kind == "csv" else json.loads(text)["steps"]["engine"] == "pass"
 
 
-async def test_an_ending_that_says_nothing_and_a_file_that_is_there(screen: Screen, small: Session, tmp_path: Path) -> None:
+async def test_an_ending_that_says_nothing_and_a_file_that_is_there(
+    screen: Screen, small: Session, tmp_path: Path
+) -> None:
     (tmp_path / "there.csv").write_text("theirs", encoding="utf-8")
     async with screen(size=(80, 24), session=small) as pilot:
         await pilot.press("escape", "E")
@@ -161,7 +167,9 @@ async def test_an_ending_that_says_nothing_and_a_file_that_is_there(screen: Scre
         assert (tmp_path / "there.csv.bak").read_text(encoding="utf-8") == "theirs"
 
 
-async def test_where_there_is_nothing_to_draw_it_says_what_to_add(screen: Screen, light: Session, tmp_path: Path) -> None:
+async def test_where_there_is_nothing_to_draw_it_says_what_to_add(
+    screen: Screen, light: Session, tmp_path: Path
+) -> None:
     light.put_table(("countershaft",), False)
     async with screen(size=(80, 24)) as pilot:
         await pilot.press("escape", "E")
@@ -172,7 +180,9 @@ async def test_where_there_is_nothing_to_draw_it_says_what_to_add(screen: Screen
         await type_in(pilot, "0")
         await pilot.press("enter", "escape", "E")
         await pilot.pause()
-        assert "No report, export or replay while the input is not valid" in told(pilot) and isinstance(pilot.app.screen, Workbench)
+        assert "No report, export or replay while the input is not valid" in told(pilot) and isinstance(
+            pilot.app.screen, Workbench
+        )
 
 
 @pytest.mark.slow
@@ -205,8 +215,12 @@ async def test_the_report_says_how_far_it_is_and_lets_go_on(
     shown: list[str] = []
     said: list[str] = []
     show, tell = Workbench.refresh_top_line, ContralberoApp.tell
-    monkeypatch.setattr(ContralberoApp, "tell", lambda self, text, *kind: (tell(self, text, *kind), said.append(str(text))))
-    monkeypatch.setattr(Workbench, "refresh_top_line", lambda self: (show(self), shown.append(self.query_one(TopLine).render().plain)))
+    monkeypatch.setattr(
+        ContralberoApp, "tell", lambda self, text, *kind: (tell(self, text, *kind), said.append(str(text)))
+    )
+    monkeypatch.setattr(
+        Workbench, "refresh_top_line", lambda self: (show(self), shown.append(self.query_one(TopLine).render().plain))
+    )
     path = small.home.with_suffix(".pdf")
     async with screen(size=size, session=small) as pilot:
         await go_to(pilot, BORE)
@@ -222,7 +236,9 @@ async def test_the_report_says_how_far_it_is_and_lets_go_on(
     assert b"bore_mm = 94.0" in PdfReader(path).attachments["design.toml"][0]  # the design of when it was asked for
 
 
-async def test_ending_while_the_report_is_written_leaves_no_file(screen: Screen, small: Session, monkeypatch: pytest.MonkeyPatch) -> None:
+async def test_ending_while_the_report_is_written_leaves_no_file(
+    screen: Screen, small: Session, monkeypatch: pytest.MonkeyPatch
+) -> None:
     half, ended = threading.Event(), threading.Event()
     after: list[BaseException | None] = []
 
@@ -266,7 +282,9 @@ async def test_a_change_on_disk_is_said_once_and_taken_over(
         await go_to(pilot, BORE)
         await type_in(pilot, "95")
         text = small.home.read_text(encoding="utf-8")
-        small.home.write_text(text.replace("rod_length_mm = 163.0", "rod_length_mm = 170.0") + "# theirs\n", encoding="utf-8")
+        small.home.write_text(
+            text.replace("rod_length_mm = 163.0", "rod_length_mm = 170.0") + "# theirs\n", encoding="utf-8"
+        )
         await until(pilot, lambda: "changed by another program: L takes it" in told(pilot))
         pilot.app.clear_notifications()
         await asyncio.sleep(0.2)
@@ -300,7 +318,9 @@ async def test_a_file_that_is_no_design_any_more_is_not_taken(screen: Screen, sm
 
 # --- opening again
 @pytest.mark.parametrize("size", SIZES)
-async def test_recent_designs_are_listed_first(screen: Screen, small: Session, tmp_path: Path, size: tuple[int, int]) -> None:
+async def test_recent_designs_are_listed_first(
+    screen: Screen, small: Session, tmp_path: Path, size: tuple[int, int]
+) -> None:
     deep = tmp_path / ("a-very-long-name-of-a-folder-" * 4)
     deep.mkdir()
     other, gone = deep / "other.toml", tmp_path / "gone.toml"

@@ -136,7 +136,11 @@ async def test_the_report(screen: Screen, light: Session, monkeypatch: pytest.Mo
     stub = ModuleType("reports.report")
 
     def write(document: Any, results: Any, raw: bytes, path: Path, depth: str = "", **_: Any) -> None:
-        assert document.data["engine"]["bore_mm"] == 95.0 and b"bore_mm = 95.0" in raw and results.design.engine.bore == 0.095
+        assert (
+            document.data["engine"]["bore_mm"] == 95.0
+            and b"bore_mm = 95.0" in raw
+            and results.design.engine.bore == 0.095
+        )
         path.write_bytes(b"%PDF-" + depth.encode())
 
     stub.write = write  # type: ignore[attr-defined]
@@ -151,7 +155,9 @@ async def test_the_report(screen: Screen, light: Session, monkeypatch: pytest.Mo
                 break
         path = light.home.with_suffix(".pdf")
         assert path.read_bytes() == b"%PDF-engineer" and str(path) in told(pilot)
-        monkeypatch.setattr(stub, "write", lambda *_, **__: (_ for _ in ()).throw(PermissionError(13, "Permission denied")))
+        monkeypatch.setattr(
+            stub, "write", lambda *_, **__: (_ for _ in ()).throw(PermissionError(13, "Permission denied"))
+        )
         await strike(pilot, "f8")
         for _ in range(50):
             await pilot.pause(0.05)

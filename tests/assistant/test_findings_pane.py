@@ -29,12 +29,28 @@ async def test_findings_are_grouped_and_told_under_the_cursor(screen: Screen, se
         checks = work(pilot).query_one(Checks)
         await until(pilot, lambda: "per mm" in rows(checks)[EDGE])  # the slopes follow
         shown = rows(checks)
-        assert list(shown) == [EDGE, DOUBLE, "bearings.rear.film_double_load", "bearings.rear.slope_given", "advice", "method", "hold"]
-        assert "(4 findings)" in shown[EDGE] and "7.41 of 9 µm" in shown[EDGE] and "most: length +0.4 µm per mm" in shown[EDGE]
+        assert list(shown) == [
+            EDGE,
+            DOUBLE,
+            "bearings.rear.film_double_load",
+            "bearings.rear.slope_given",
+            "advice",
+            "method",
+            "hold",
+        ]
+        assert (
+            "(4 findings)" in shown[EDGE]
+            and "7.41 of 9 µm" in shown[EDGE]
+            and "most: length +0.4 µm per mm" in shown[EDGE]
+        )
         assert "6.04 of" not in shown[DOUBLE]
         await strike(pilot, "down")
-        assert checks.key == DOUBLE and "6.04 of 7.46 µm" in rows(checks)[DOUBLE] and "7.41 of" not in rows(checks)[EDGE]
-        assert "twice the load, front" in work(pilot).query_one(MessageLine).message()[1]  # it speaks of what is under the cursor
+        assert (
+            checks.key == DOUBLE and "6.04 of 7.46 µm" in rows(checks)[DOUBLE] and "7.41 of" not in rows(checks)[EDGE]
+        )
+        assert (
+            "twice the load, front" in work(pilot).query_one(MessageLine).message()[1]
+        )  # it speaks of what is under the cursor
         await strike(pilot, "up", "right", "down")
         assert checks.key.startswith(EDGE) and checks.key != EDGE
         await strike(pilot, "left")
@@ -50,7 +66,9 @@ async def test_what_holds_outside_the_validity_of_its_formula_has_no_tick(screen
         checks = work(pilot).query_one(Checks)
         await strike(pilot, "end", "enter")
         shown = rows(checks)
-        assert shown["gears.idler_shaft.safety_contact"].startswith("•") and shown["gears.idler_shaft.contact_ratio"].startswith("✓")
+        assert shown["gears.idler_shaft.safety_contact"].startswith("•") and shown[
+            "gears.idler_shaft.contact_ratio"
+        ].startswith("✓")
         checks.cursor = [item.key for item in checks.items].index("gears.idler_shaft.safety_contact")
         checks.rebuild()
         told = " ".join(rows(checks)["gears.idler_shaft.safety_contact"].split())
@@ -109,13 +127,22 @@ def test_slopes_are_told_in_labels_and_units(session: Session) -> None:
     assert results is not None
     check = next(check for check in results.checks() if check.id == EDGE)
     found = effects(session.document, results, [check], 5)[EDGE]
-    assert str(of_check(session.data, check, found)) == "length +0.4 µm per mm; roughness Ra, journal: limit +7.5 µm per µm"
-    moved = str(of_input(session.data, "bearings.front.length_mm", moved_by(session.document, results, "bearings.front.length_mm")))
+    assert (
+        str(of_check(session.data, check, found))
+        == "length +0.4 µm per mm; roughness Ra, journal: limit +7.5 µm per µm"
+    )
+    moved = str(
+        of_input(
+            session.data, "bearings.front.length_mm", moved_by(session.document, results, "bearings.front.length_mm")
+        )
+    )
     assert moved.startswith("film at the edge, front +0.4 µm per mm; ")
 
 
 def test_a_bar_is_full_at_the_limit_and_marks_it_beyond() -> None:
     signs, plain = Signs(), Signs(ascii=True)
     assert bar(1, signs).plain == "▇" * 8 and bar(0.5, signs).plain == "▇▇▇▇▁▁▁▁" and bar(0, signs).plain == "▁" * 8
-    assert bar(2, signs).plain == "▇▇▇▇│▇▇▇" and bar(0.5, plain).plain == "####...." and bar(50, plain).plain == "#|######"
+    assert (
+        bar(2, signs).plain == "▇▇▇▇│▇▇▇" and bar(0.5, plain).plain == "####...." and bar(50, plain).plain == "#|######"
+    )
     assert all(len(bar(share / 100, signs).plain) == 8 for share in range(400))

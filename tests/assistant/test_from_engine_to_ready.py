@@ -29,7 +29,8 @@ SIZES = pytest.mark.parametrize("size", [(120, 40), (80, 24)], ids=lambda size: 
 ENGINES = {
     "inline-3": ("inline-3", {"bore_mm": "95", "stroke": "110", "rod_length_mm": "170", "piston_mass_g": "1200",
                               "rod_mass_g": "1100", "rated_speed_rpm": "2800", "cylinder_pitch_mm": "112"}, "shaft"),
-    "inline-4": ("ea211", {"bore_mm": "79", "rod_length_mm": "145", "piston_mass_g": "420", "rated_speed_rpm": "5600"}, "second"),
+    "inline-4": ("ea211", {"bore_mm": "79", "rod_length_mm": "145", "piston_mass_g": "420",
+    "rated_speed_rpm": "5600"}, "second"),
     "v6-60": ("v6 60", {"bore_mm": "90", "piston_mass_g": "500"}, "half"),
     "twin": ("twinair", {"bore_mm": "82", "piston_mass_g": "440", "rated_speed_rpm": "5000"}, "shaft"),
 }  # fmt: skip
@@ -54,11 +55,16 @@ class Hands:
     def _rests(self) -> bool:
         """Nothing is being built, solved or laid out."""
         bench = self.bench
-        busy = any(w.group in ("build", "solve", "balance") or w.group.startswith("form-") for w in self.pilot.app.workers if w.is_running)
+        busy = any(
+            w.group in ("build", "solve", "balance") or w.group.startswith("form-")
+            for w in self.pilot.app.workers
+            if w.is_running
+        )
         return not busy and (bench is None or not bench.stands or not bench.session.valid or bench.session.current)
 
     async def fill(self, numbers: dict[str, str]) -> None:
-        """Enter by Enter through the fields of the engine, own numbers typed over what stands there; then through the first fold."""
+        """Enter by Enter through the fields of the engine, own numbers typed over what stands there; then through the
+        first fold."""
         bench = self.bench
         assert bench is not None
         left = dict(numbers)
@@ -128,4 +134,6 @@ def test_a_shipped_design_is_ready_by_what_is_offered(path: Path, tmp_path):
     session.solve()
     taken = list(choices(session))
     assert len(taken) <= 6 and session.valid and session.results.verdict in ("pass", "not_asked")
-    assert {step.key for step in STEPS if step.key in session.data} == {o.key for o in session.results.outcomes.values() if o.result}
+    assert {step.key for step in STEPS if step.key in session.data} == {
+        o.key for o in session.results.outcomes.values() if o.result
+    }

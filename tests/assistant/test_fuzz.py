@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Keys, pastes and sizes at random: the session goes on, the saved file is a design, and undo leads back to the start."""
+"""Keys, pastes and sizes at random: the session goes on, the saved file is a design, and undo leads back to the
+start."""
 
 import asyncio
 import contextlib
@@ -28,8 +29,10 @@ from tests.assistant.conftest import solved
 from tests.assistant.driving import CHARACTERS, settled, strike, until
 
 TEXTS = [
-    "3,5", "3.5", "1,234.5", "1e999", "-1e-300", "nan", "inf", "0", "00", "1;2;3", "1; 3; 2", "[bold", "[/]", "[@click=app.quit]x[/]", "\\[", "\t",
-    "3.7 in", "½", "−5", "٣", "日本語", "e\u0301", "\U0001f600", "\u202e12", "\x00", "\x1b[31m", "'", '"', '"""', "\\", "a\nb", "x" * 5000, "9" * 400,
+    "3,5", "3.5", "1,234.5", "1e999", "-1e-300", "nan", "inf", "0", "00", "1;2;3", "1; 3; 2", "[bold", "[/]",
+    "[@click=app.quit]x[/]", "\\[", "\t",
+    "3.7 in", "½", "−5", "٣", "日本語", "e\u0301", "\U0001f600", "\u202e12", "\x00", "\x1b[31m", "'", '"', '"""', "\\",
+    "a\nb", "x" * 5000, "9" * 400,
     "", " ", "true", "auto", "SAE 10W-40", "#", "= 3", "{}", "1" + "\u00a0" + "000",
 ]  # fmt: skip
 ENDS = {"ctrl+q", "q"}  # the end of the program has tests of its own
@@ -72,7 +75,9 @@ def press(pilot: Pilot[int], name: str) -> None:
     """A key, without waiting for what comes of it."""
     driver = pilot.app._driver
     assert driver is not None
-    key = events.Key(_character_to_key(name) if len(name) == 1 else name, name if len(name) == 1 else CHARACTERS.get(name))
+    key = events.Key(
+        _character_to_key(name) if len(name) == 1 else name, name if len(name) == 1 else CHARACTERS.get(name)
+    )
     key.set_sender(pilot.app)
     driver.send_message(key)
 

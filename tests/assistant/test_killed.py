@@ -34,7 +34,13 @@ class Terminal:
         self.pid, self.file = pty.fork()
         if self.pid == 0:
             os.chdir(ROOT)
-            environment = {**os.environ, "TERM": "xterm-256color", "COLUMNS": "110", "LINES": "30", "XDG_STATE_HOME": str(state)}
+            environment = {
+                **os.environ,
+                "TERM": "xterm-256color",
+                "COLUMNS": "110",
+                "LINES": "30",
+                "XDG_STATE_HOME": str(state),
+            }
             os.execve(sys.executable, [sys.executable, "-m", "assistant", str(path)], environment)
         fcntl.ioctl(self.file, termios.TIOCSWINSZ, struct.pack("HHHH", 30, 110, 0, 0))
         self.seen = b""
@@ -66,7 +72,9 @@ class Terminal:
             os.close(self.file)
             self.pid = 0
 
-    def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None) -> None:
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
         self.kill()
 
 
@@ -113,12 +121,14 @@ def test_an_entry_that_is_not_accepted_comes_back(light: Session, state: Path) -
 
 
 def whole(path: Path, session: Session, old: str, new: str, *earlier: str) -> str:
-    """The name that the file has; all else of it must be as it was, and the file before it must be whole too: of `earlier`, where the
-    save was ended before it took the last one aside."""
+    """The name that the file has; all else of it must be as it was, and the file before it must be whole too: of
+    `earlier`, where the save was ended before it took the last one aside."""
     found = str(design(read(path)).name)
     assert found in (old, new)
     line = 'name = "{}"\nnote'.format
-    assert path.read_text(encoding="utf-8") == session.bytes().decode("utf-8").replace(line(session.text("name")), line(found))
+    assert path.read_text(encoding="utf-8") == session.bytes().decode("utf-8").replace(
+        line(session.text("name")), line(found)
+    )
     if (kept := path.with_name(path.name + ".bak")).exists():
         assert design(read(kept)).name in (old, new, *earlier)
     return found
@@ -201,12 +211,16 @@ def test_a_save_that_is_cut_off_at_any_of_its_steps(light: Session, state: Path,
     assert [int(status) for status, _ in told] == [-signal.SIGKILL] * (len(told) - 1) + [0] and len(told) > 5
     assert {name for _, name in told} == {"new name"}  # it was kept before it was saved
     old = light.text("name")
-    found = [whole(tmp_path / "steps" / str(step) / light.home.name, light, old, "new name") for step in range(1, len(told) + 1)]
+    found = [
+        whole(tmp_path / "steps" / str(step) / light.home.name, light, old, "new name")
+        for step in range(1, len(told) + 1)
+    ]
     assert found == sorted(found, key=lambda name: name == "new name") and set(found) == {old, "new name"}
 
 
 def test_under_nohup_a_session_ends_with_its_terminal(tmp_path: Path, state: Path) -> None:
-    """Of the signal that its terminal has gone a program under nohup hears nothing, and would keep a core busy for ever."""
+    """Of the signal that its terminal has gone a program under nohup hears nothing, and would keep a core busy for
+    ever."""
     path = tmp_path / "design.toml"
     shutil.copy(EXAMPLE, path)
     before = signal.signal(signal.SIGHUP, signal.SIG_IGN)

@@ -22,7 +22,9 @@ async def test_plain_signs(screen: Screen, session: Session) -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("environment", [{"NO_COLOR": "1"}, {"TEXTUAL_THEME": "ansi-dark"}, {"TEXTUAL_THEME": "textual-light"}])
+@pytest.mark.parametrize(
+    "environment", [{"NO_COLOR": "1"}, {"TEXTUAL_THEME": "ansi-dark"}, {"TEXTUAL_THEME": "textual-light"}]
+)
 async def test_other_colours(session: Session, monkeypatch: pytest.MonkeyPatch, environment: dict[str, str]) -> None:
     from assistant.app import ContralberoApp
 

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A table that may be left out: adding it, filling it, emptying it, taking it out; and an array of tables that has no element yet."""
+"""A table that may be left out: adding it, filling it, emptying it, taking it out; and an array of tables that has no
+element yet."""
 
 from collections.abc import Iterator
 from dataclasses import replace
@@ -41,7 +42,9 @@ class EngineWithTrial(EngineInputs):
 def engine_with_trial(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
     """Steps and design with the engine of the test."""
     known = keys(Design)
-    monkeypatch.setitem(known, "engine", replace(known["engine"], about=replace(known["engine"].about, table=EngineWithTrial)))
+    monkeypatch.setitem(
+        known, "engine", replace(known["engine"], about=replace(known["engine"].about, table=EngineWithTrial))
+    )
     object.__setattr__(STEPS[0], "inputs", EngineWithTrial)
     yield
     object.__setattr__(STEPS[0], "inputs", EngineInputs)
@@ -100,7 +103,11 @@ async def test_a_table_is_added_filled_and_undone(screen: Screen) -> None:
         await strike(pilot, "enter")
         await type_in(pilot, "1; 2,5; 90")
         await solved(pilot)
-        assert session.valid and session.value(PLACE) == {"peak_bar": 90.0, "ratio": 17.5, "trace_bar": [1.0, 2.5, 90.0]}
+        assert session.valid and session.value(PLACE) == {
+            "peak_bar": 90.0,
+            "ratio": 17.5,
+            "trace_bar": [1.0, 2.5, 90.0],
+        }
         assert isinstance(session.design.engine, EngineWithTrial) and session.design.engine.trial is not None
         for left in ({"peak_bar": 90.0, "ratio": 17.5}, {"peak_bar": 90.0}, {}, None):
             await strike(pilot, "ctrl+z")
@@ -245,7 +252,12 @@ async def test_help_is_about_the_heading(screen: Screen) -> None:
         await strike(pilot, "f1")
         await until(pilot, lambda: bool(pilot.app.screen.query("#help-here")))
         said = str(pilot.app.screen.query_one("#help-here", Static).content)
-        assert "Trial" in said and "engine.trial" in said and "What the test asks for." in said and "+ or Enter adds it" in said
+        assert (
+            "Trial" in said
+            and "engine.trial" in said
+            and "What the test asks for." in said
+            and "+ or Enter adds it" in said
+        )
 
 
 @pytest.mark.slow

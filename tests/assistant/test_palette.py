@@ -19,7 +19,13 @@ def test_words_in_any_order_and_in_parts() -> None:
     assert score("step nothing", "Next step") == 0
     assert score("velocita", "Velocità nominale") > 0
     assert score("alesaggio", "Field: Bore", "campo: alesaggio") > 0
-    assert score("next", "Next step") > score("next", "The next step") > score("ext", "Next step") > score("next", "x", "next") > 0
+    assert (
+        score("next", "Next step")
+        > score("next", "The next step")
+        > score("ext", "Next step")
+        > score("next", "x", "next")
+        > 0
+    )
     assert score("save", "Save") > score("save", "Save as …")
     assert match(["ore", "bo"], "Field: Bore")[1] == [(8, 11), (7, 9)]
 

@@ -30,8 +30,18 @@ from tests.assistant.driving import CHARACTERS, go_to, rows, screen_rows, settle
 @pytest.mark.slow
 async def test_steps_forward_back_and_by_number(screen: Screen) -> None:
     async with screen() as pilot:
-        for key, number in (("f3", 2), ("pagedown", 3), ("f2", 2), ("pageup", 1), ("f2", 1), ("escape", 1), ("6", 6),
-                            ("left_square_bracket", 5), ("right_square_bracket", 6), ("4", 4)):  # fmt: skip
+        for key, number in (
+            ("f3", 2),
+            ("pagedown", 3),
+            ("f2", 2),
+            ("pageup", 1),
+            ("f2", 1),
+            ("escape", 1),
+            ("6", 6),
+            ("left_square_bracket", 5),
+            ("right_square_bracket", 6),
+            ("4", 4),
+        ):
             await strike(pilot, key)
             await pilot.pause()
             assert work(pilot).number == number, key
@@ -78,7 +88,9 @@ async def test_what_helps_a_step_that_fails_is_known_before_it_is_opened(
         assert sorted(sought) == ["bearings", "gears"]
 
 
-async def test_the_form_of_a_step_is_made_once(screen: Screen, session: Session, monkeypatch: pytest.MonkeyPatch) -> None:
+async def test_the_form_of_a_step_is_made_once(
+    screen: Screen, session: Session, monkeypatch: pytest.MonkeyPatch
+) -> None:
     """It has as many columns as its room takes from the first."""
     made: list[str] = []
     monkeypatch.setattr(Form, "rebuild", lambda self, focus=None: made.append(self.step.key))
@@ -158,7 +170,9 @@ async def test_panes_in_turn(screen: Screen) -> None:
 @pytest.mark.slow
 @pytest.mark.parametrize("ascii", [False, True])
 @pytest.mark.parametrize("size", [(110, 30), (80, 24)])
-async def test_the_title_of_the_pane_that_has_the_focus_is_marked(screen: Screen, size: tuple[int, int], ascii: bool) -> None:
+async def test_the_title_of_the_pane_that_has_the_focus_is_marked(
+    screen: Screen, size: tuple[int, int], ascii: bool
+) -> None:
     async with screen(size=size, ascii=ascii) as pilot:
 
         def marked() -> list[str]:
@@ -301,7 +315,11 @@ async def test_no_key_fires_while_typing(screen: Screen) -> None:
         assert set(others) == {"backspace", "left", "right", "shift+left", "shift+right", "home", "end"}
         await strike(pilot, *others)
         await pilot.pause()
-        assert (work(pilot).number, work(pilot).pane_layout.pane, pilot.app.screen) == before and pilot.app.focused is box
+        assert (
+            work(pilot).number,
+            work(pilot).pane_layout.pane,
+            pilot.app.screen,
+        ) == before and pilot.app.focused is box
         assert len(box.value) == len(letters) - 1 and work(pilot).query_one(CurvePane).cursor is None
 
 

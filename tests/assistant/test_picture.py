@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The picture of a step on the screen: it follows the step, waits in words, turns by keys, and never stops the session."""
+"""The picture of a step on the screen: it follows the step, waits in words, turns by keys, and never stops the
+session."""
 
 import pytest
 from textual.app import ComposeResult

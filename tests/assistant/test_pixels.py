@@ -9,11 +9,19 @@ import pytest
 from assistant.widgets.pixels import CHUNK, iterm2, kitty, protocol, sixel
 
 
-@pytest.mark.parametrize("environment, how", [
-    ({"TERM": "xterm-kitty"}, "kitty"), ({"TERM_PROGRAM": "iTerm.app"}, "iterm2"), ({"TERM_PROGRAM": "WezTerm"}, "iterm2"),
-    ({"TERM": "foot-extra"}, "sixel"), ({"TERM": "xterm-256color"}, ""), ({"TERM": "xterm-kitty", "TMUX": "/tmp/t,1,0"}, ""),
-    ({"TERM": "xterm", "CONTRALBERO_PIXELS": "sixel"}, "sixel"), ({"TERM": "xterm-kitty", "CONTRALBERO_PIXELS": "none"}, ""),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    "environment, how",
+    [
+        ({"TERM": "xterm-kitty"}, "kitty"),
+        ({"TERM_PROGRAM": "iTerm.app"}, "iterm2"),
+        ({"TERM_PROGRAM": "WezTerm"}, "iterm2"),
+        ({"TERM": "foot-extra"}, "sixel"),
+        ({"TERM": "xterm-256color"}, ""),
+        ({"TERM": "xterm-kitty", "TMUX": "/tmp/t,1,0"}, ""),
+        ({"TERM": "xterm", "CONTRALBERO_PIXELS": "sixel"}, "sixel"),
+        ({"TERM": "xterm-kitty", "CONTRALBERO_PIXELS": "none"}, ""),
+    ],
+)
 def test_a_terminal_is_believed_by_what_it_says_of_itself(environment, how):
     assert protocol(environment) == how
 

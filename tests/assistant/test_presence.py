@@ -88,7 +88,10 @@ def test_safe_looks_at_the_disk(session: Session) -> None:
 
 
 def test_a_session_that_was_killed_is_not_there_any_more(session: Session) -> None:
-    words = "import sys; from pathlib import Path; from assistant.session.recovery import Memory; here = Memory(Path(sys.argv[1])).attend(Path(sys.argv[2]), 'x'); print('here', flush=True); input()"
+    words = (
+        "import sys; from pathlib import Path; from assistant.session.recovery import Memory; here = "
+        "Memory(Path(sys.argv[1])).attend(Path(sys.argv[2]), 'x'); print('here', flush=True); input()"
+    )
     command = [sys.executable, "-c", words, str(session.memory.folder), str(session.home)]
     with subprocess.Popen(command, cwd=ROOT, stdin=subprocess.PIPE, stdout=subprocess.PIPE) as other:
         assert other.stdout is not None and other.stdout.readline() == b"here\n"
@@ -134,5 +137,7 @@ async def test_the_screen_says_that_another_session_is_there(screen: Screen, lig
         assert not any("another session" in notification.message for notification in app._notifications)
         other.attend()
         app.look()
-        await until(pilot, lambda: any("light.toml is open in another session too" in n.message for n in app._notifications))
+        await until(
+            pilot, lambda: any("light.toml is open in another session too" in n.message for n in app._notifications)
+        )
     assert light.memory.present(light.home) == {other.id}

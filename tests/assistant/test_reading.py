@@ -22,18 +22,34 @@ from tests.assistant.test_curves import BARS, LOCUS, PLAIN, WITH, drawn, legend,
 SPEED = [900.0, 1200.0, 1700.0, 2600.0]
 MIDDLE, EDGE = [16.0, 13.0, 11.5, 10.2], [14.0, 11.0, 9.5, 7.4]
 FILM = Curve(
-    "film", "Smallest film over speed", "speed, rpm", "h_0, µm", (Series("mid-bearing", SPEED, MIDDLE), Series("at the edge", SPEED, EDGE)),
+    "film",
+    "Smallest film over speed",
+    "speed, rpm",
+    "h_0, µm",
+    (Series("mid-bearing", SPEED, MIDDLE), Series("at the edge", SPEED, EDGE)),
     limits=(("Kreisle", 9.0), ("Trumpler", 7.46)),
-)  # fmt: skip
-SQUARE = Curve("square", "A square", "x, mm", "up: first mass, mm", (Series("line", [0, 4, 4, 0, 0], [0, 0, 4, 4, 0]),), equal=True)
+)
+SQUARE = Curve(
+    "square", "A square", "x, mm", "up: first mass, mm", (Series("line", [0, 4, 4, 0, 0], [0, 0, 4, 4, 0]),), equal=True
+)
 TURN = np.arange(0, 361, 3.0)
 CIRCLES = Curve(
-    "circles", "Two loci", "right, N·m", "up, N·m",
-    tuple(Series(name, r * np.sin(np.radians(TURN)), r * np.cos(np.radians(TURN))) for name, r in (("before", 20.0), ("after", 0.05))),
-    equal=True, along=("crank angle, °", TURN),
-)  # fmt: skip
+    "circles",
+    "Two loci",
+    "right, N·m",
+    "up, N·m",
+    tuple(
+        Series(name, r * np.sin(np.radians(TURN)), r * np.cos(np.radians(TURN)))
+        for name, r in (("before", 20.0), ("after", 0.05))
+    ),
+    equal=True,
+    along=("crank angle, °", TURN),
+)
 NAMED = replace(
-    BARS, names=tuple(f"loss {n}" for n in range(1, 9)), variants=(), series=tuple(replace(s, variant="") for s in BARS.series[:2])
+    BARS,
+    names=tuple(f"loss {n}" for n in range(1, 9)),
+    variants=(),
+    series=tuple(replace(s, variant="") for s in BARS.series[:2]),
 )
 
 
@@ -49,7 +65,9 @@ def read(curve: Curve, place: float, line: int = 0) -> Reading:
 @pytest.mark.parametrize("speed", [900.0, 1033.0, 1700.0, 2599.0, 2600.0])
 def test_a_function_is_read_between_its_points(speed: float) -> None:
     reading = read(FILM, speed)
-    assert [r.y for r in reading.reads] == pytest.approx([np.interp(speed, SPEED, MIDDLE), np.interp(speed, SPEED, EDGE)])
+    assert [r.y for r in reading.reads] == pytest.approx(
+        [np.interp(speed, SPEED, MIDDLE), np.interp(speed, SPEED, EDGE)]
+    )
     assert reading.at == f"speed {speed:.0f} rpm" and reading.x == speed
     falling = replace(FILM, series=(Series("down", SPEED[::-1], MIDDLE[::-1]),))
     assert read(falling, speed).reads[0].y == pytest.approx(np.interp(speed, SPEED, MIDDLE))
@@ -64,7 +82,10 @@ def test_distances_name_the_limits_the_nearest_first() -> None:
 
 
 def test_a_series_says_nothing_where_it_has_nothing() -> None:
-    short = replace(FILM, series=(FILM.series[0], Series("short", [1000.0, 1200.0], [1.0, 2.0]), Series("none", [math.nan], [math.nan])))
+    short = replace(
+        FILM,
+        series=(FILM.series[0], Series("short", [1000.0, 1200.0], [1.0, 2.0]), Series("none", [math.nan], [math.nan])),
+    )
     reading = read(short, 2000.0)
     assert [r.value for r in reading.reads][1:] == ["–", "–"] and reading.reads[1].distances == ()
     assert read(short, 1100.0).reads[1].y == pytest.approx(1.5)
@@ -118,7 +139,9 @@ def test_steps_are_round_and_end_at_the_ends() -> None:
 def test_points_and_bars_are_gone_through_one_by_one() -> None:
     circles = reader(CIRCLES)
     at = circles.moved(Cursor(0.0), 1, fine=True)
-    assert at.place == 3.0 and circles.moved(Cursor(0.0), 1).place == 6.0 and circles.moved(Cursor(0.0), -1).place == 0.0
+    assert (
+        at.place == 3.0 and circles.moved(Cursor(0.0), 1).place == 6.0 and circles.moved(Cursor(0.0), -1).place == 0.0
+    )
     assert reader(BARS).moved(Cursor(3.0), 1).place == 4.0
     square = reader(replace(SQUARE, series=(*SQUARE.series, Series("two", [0, 1], [1, 2]))))
     assert square.moved(Cursor(0.0), 1).place == 1.0 and square.other(Cursor(4.0), 1) == Cursor(1.0, 1)
@@ -158,7 +181,9 @@ async def test_the_cursor_reads_and_goes(screen: Screen, size: tuple[int, int], 
         await strike(pilot, "end")
         await drawn(pilot)
         said = legend(pane)
-        assert "speed 2600 rpm" in said and "mid-bearing 10.20 µm, 1.20 above Kreisle" in said and "below Trumpler" in said
+        assert (
+            "speed 2600 rpm" in said and "mid-bearing 10.20 µm, 1.20 above Kreisle" in said and "below Trumpler" in said
+        )
         assert all(len(row) <= pane.size.width for row in said.splitlines())
         await strike(pilot, "left", "shift+left")
         await drawn(pilot)
@@ -175,7 +200,9 @@ async def test_the_cursor_reads_and_goes(screen: Screen, size: tuple[int, int], 
         assert pilot.app.clipboard.startswith(f"{np.interp(2545.0, SPEED, EDGE):.2f}"[:3])
         await strike(pilot, "Y")
         copied = pilot.app.clipboard
-        assert copied.startswith("Smallest film over speed: speed 2545 rpm; mid-bearing ") and "; at the edge " in copied
+        assert (
+            copied.startswith("Smallest film over speed: speed 2545 rpm; mid-bearing ") and "; at the edge " in copied
+        )
         assert "above Kreisle" in copied and "Trumpler" in copied
         await strike(pilot, "escape")
         await drawn(pilot)

@@ -34,7 +34,9 @@ def end(script: replay.Script) -> dict[str, object]:
     return history[-1].data
 
 
-def test_edits_of_all_kinds_play_to_the_same_values(session: Session, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_edits_of_all_kinds_play_to_the_same_values(
+    session: Session, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     session.edit(BORE, "93")  # before the recording: a part of where it begins
     session.record()
     for text in ("1", "16", "164"):
@@ -57,7 +59,10 @@ def test_edits_of_all_kinds_play_to_the_same_values(session: Session, tmp_path: 
     assert script.steps[0] == {"set": ROD, "to": 164.0}
     assert script.steps[1] == {"set": "bearings.front.length_mm", "to": 34.0}
     kinds = [row.get("set", row.get("unset", "undo")) for row in script.steps]
-    assert kinds[2:4] == ["countershaft.masses", f"countershaft.masses.{data['countershaft']['masses'][index]['name']}.mass_kg"]
+    assert kinds[2:4] == [
+        "countershaft.masses",
+        f"countershaft.masses.{data['countershaft']['masses'][index]['name']}.mass_kg",
+    ]
     assert kinds[4:7] == ["countershaft.holes", "imbalance.crank_balance_fraction", "undo"]
     assert kinds[7] == {"bearings.oil": "SAE 50", "bearings.front.clearance_factor": 0.64}
     assert len(kinds) == 8
@@ -94,7 +99,12 @@ def test_undo_behind_the_beginning_and_redo_are_edits(session: Session, tmp_path
     session.edit(ROD, "170")
     session.undo()
     script = recorded(session, tmp_path / "r.toml")
-    assert script.steps == ({"set": BORE, "to": 94.0}, {"set": BORE, "to": 95.0}, {"set": ROD, "to": 170.0}, {"undo": True})
+    assert script.steps == (
+        {"set": BORE, "to": 94.0},
+        {"set": BORE, "to": 95.0},
+        {"set": ROD, "to": 170.0},
+        {"undo": True},
+    )
     assert end(script) == session.data
 
 
@@ -133,11 +143,18 @@ def test_a_renamed_element_with_other_changes_is_set_in_the_table_of_its_step() 
 
 NAMES = st.sampled_from(["a", "b", "0", "1"])
 MASSES = st.lists(st.fixed_dictionaries({"name": NAMES}, optional={"mass_kg": st.floats(0.1, 2.0)}), max_size=3)
-TABLES = st.fixed_dictionaries({}, optional={
-    "note": NAMES, "countershaft": st.fixed_dictionaries({}, optional={"masses": MASSES, "holes": st.just({}), "material": NAMES}),
-    "oil": st.lists(st.fixed_dictionaries({"name": st.sampled_from(["our 10W-40", "a.b", ""])}, optional={"source": NAMES}), max_size=2),
-    "engine": st.fixed_dictionaries({}, optional={"firing_order": st.lists(st.integers(1, 3), max_size=3)}),
-})  # fmt: skip
+TABLES = st.fixed_dictionaries(
+    {},
+    optional={
+        "note": NAMES,
+        "countershaft": st.fixed_dictionaries({}, optional={"masses": MASSES, "holes": st.just({}), "material": NAMES}),
+        "oil": st.lists(
+            st.fixed_dictionaries({"name": st.sampled_from(["our 10W-40", "a.b", ""])}, optional={"source": NAMES}),
+            max_size=2,
+        ),
+        "engine": st.fixed_dictionaries({}, optional={"firing_order": st.lists(st.integers(1, 3), max_size=3)}),
+    },
+)
 
 
 @settings(max_examples=150, deadline=None, suppress_health_check=[HealthCheck.too_slow])
@@ -164,7 +181,13 @@ def test_the_file_is_whole_toml_with_every_number(session: Session) -> None:
     assert found["schema"] == 1 and found["step"][0]["to"] == 165.123456789012345
     values = {row["value"]: row for row in found["expect"] if "value" in row}
     stroke = session.values()["engine.stroke"]
-    assert values["engine.stroke"] == {"value": "engine.stroke", "is": stroke.shown, "unit": stroke.unit, "rel": 1e-6, "kind": "recorded"}
+    assert values["engine.stroke"] == {
+        "value": "engine.stroke",
+        "is": stroke.shown,
+        "unit": stroke.unit,
+        "rel": 1e-6,
+        "kind": "recorded",
+    }
 
 
 def test_every_step_stands_under_its_own_header(session: Session) -> None:

@@ -114,7 +114,10 @@ def test_two_sessions_on_one_file_keep_each_its_own(session: Session) -> None:
     session.edit("engine.rod_length_mm", "170")
     session.autosave()
     assert session.safe and other.safe
-    found = {(kept.data["engine"]["bore_mm"], kept.data["engine"]["rod_length_mm"]) for kept in session.memory.kept(session.home)}
+    found = {
+        (kept.data["engine"]["bore_mm"], kept.data["engine"]["rod_length_mm"])
+        for kept in session.memory.kept(session.home)
+    }
     assert found == {(95.0, 170.0), (96.0, 163.0)}
     other.save()
     (mine,) = session.memory.kept(session.home)
@@ -127,7 +130,9 @@ def test_two_sessions_on_one_file_keep_each_its_own(session: Session) -> None:
 def test_a_design_that_was_begun_is_kept_and_has_no_file_before_it_is_saved(tmp_path: Path, memory: Memory) -> None:
     path = tmp_path / "own.toml"
     begun = Session.begin(
-        {"schema": 1, "name": "own", "engine": dict(tomllib.loads(EXAMPLE.read_text("utf-8"))["engine"])}, path, memory=memory
+        {"schema": 1, "name": "own", "engine": dict(tomllib.loads(EXAMPLE.read_text("utf-8"))["engine"])},
+        path,
+        memory=memory,
     )
     assert begun.dirty and not begun.safe and memory.last() is None
     begun.edit(BORE, "81")
@@ -135,7 +140,9 @@ def test_a_design_that_was_begun_is_kept_and_has_no_file_before_it_is_saved(tmp_
     begun.autosave()
     assert begun.safe and not path.exists() and memory.last() == path
     other = Session.open(None, memory=memory)
-    assert other.path == path and other.dirty and other.value(BORE) == 81.0 and other.text("engine.rod_length_mm") == "12x"
+    assert (
+        other.path == path and other.dirty and other.value(BORE) == 81.0 and other.text("engine.rod_length_mm") == "12x"
+    )
     other.undo()
     other.save()
     assert tomllib.loads(path.read_text("utf-8"))["engine"]["bore_mm"] == 81.0 and not other.dirty
@@ -152,7 +159,13 @@ def test_an_entry_that_was_mended_is_no_more_kept(session: Session) -> None:
 
 
 def test_kept_entries_that_have_no_field_are_left_out(session: Session) -> None:
-    odd = {("engine", "no_such_key"): "1", ("engine", "bench", 99, "speed_rpm"): "1", ("bearings", 3): "1", (BORE,): "1", (): "1"}
+    odd = {
+        ("engine", "no_such_key"): "1",
+        ("engine", "bench", 99, "speed_rpm"): "1",
+        ("bearings", 3): "1",
+        (BORE,): "1",
+        (): "1",
+    }
     data = {**session.data, "name": "kept"}
     session.memory.keep(session.home, Edits(data, datetime(2026, 1, 1), session.document.sha256, odd))
     other = reopened(session)
@@ -248,7 +261,9 @@ def test_a_last_design_that_is_broken_gives_the_example_and_says_so(session: Ses
 
 def test_a_file_that_is_no_design_is_refused_with_every_error(design: Path, memory: Memory) -> None:
     design.write_text(
-        design.read_text(encoding="utf-8").replace("cylinders = 3", "cylinders = 99").replace("strokes = 4", 'strokes = "x"'),
+        design.read_text(encoding="utf-8")
+        .replace("cylinders = 3", "cylinders = 99")
+        .replace("strokes = 4", 'strokes = "x"'),
         encoding="utf-8",
     )
     with pytest.raises(BadInput) as bad:
@@ -287,7 +302,9 @@ def test_recent_designs_newest_first_and_only_those_that_are_there(memory: Memor
 
 def test_a_list_of_recent_designs_that_is_damaged_is_none(memory: Memory, tmp_path: Path) -> None:
     memory.folder.mkdir()
-    (memory.folder / "last").write_text("relative.toml\n\0\n" + "/x" * 5000 + "\n" + str(tmp_path) + "\n", encoding="utf-8")
+    (memory.folder / "last").write_text(
+        "relative.toml\n\0\n" + "/x" * 5000 + "\n" + str(tmp_path) + "\n", encoding="utf-8"
+    )
     assert memory.recent() == [] and memory.last() is None
     (memory.folder / "last").write_bytes(b"\xff\xfe")
     (tmp_path / "a.toml").write_text("x")

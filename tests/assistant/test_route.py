@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The form that leads: one question first, what decides it, the rest folded; typing that loses and overwrites nothing."""
+"""The form that leads: one question first, what decides it, the rest folded; typing that loses and overwrites
+nothing."""
 
 import tomllib
 
@@ -40,7 +41,11 @@ def test_the_route_names_keys_that_there_are() -> None:
             for part in pattern.split("."):
                 assert part in keys(cls), (step.key, pattern)
                 cls = keys(cls)[part].about.table or cls
-    assert fold_of("engine", "bore_mm") is None and fold_of("engine", "rated_power_kW") == 0 and fold_of("gears", "wheels.quality") == 1
+    assert (
+        fold_of("engine", "bore_mm") is None
+        and fold_of("engine", "rated_power_kW") == 0
+        and fold_of("gears", "wheels.quality") == 1
+    )
 
 
 @pytest.mark.parametrize("key", ["engine", "imbalance", "countershaft", "bearings", "friction", "mounting"])
@@ -50,7 +55,11 @@ def test_what_decides_a_step_is_seen_at_one_glance(key: str) -> None:
     step = next(step for step in STEPS if step.key == key)
     asked = routed(step, data, Asked({}, side=2), ())
     names = {path_of(row.place).partition(".")[0] for row in asked if row.kind in ("field", "stroke", "array")}
-    rows_of_tables = {path_of(row.place).partition(".")[2] for row in asked if row.kind == "cells"} if key != "countershaft" else set()
+    rows_of_tables = (
+        {path_of(row.place).partition(".")[2] for row in asked if row.kind == "cells"}
+        if key != "countershaft"
+        else set()
+    )
     assert 2 <= len((names | rows_of_tables) - {""}) <= SIX  # beside the name of the design
 
 
@@ -100,7 +109,10 @@ async def test_the_stroke_is_twice_the_crank_radius(screen: Screen) -> None:
         await settled(pilot)
         assert work(pilot).session.value("engine.crank_radius_mm") == 46.2
         await go_to(pilot, "engine.crank_radius_mm")
-        assert [field.box.value for field in work(pilot).form.query(Field) if field.place[-1] == "crank_radius_mm"] == ["92.4", "46.2"]
+        assert [field.box.value for field in work(pilot).form.query(Field) if field.place[-1] == "crank_radius_mm"] == [
+            "92.4",
+            "46.2",
+        ]
 
 
 async def test_escape_gives_the_old_text_back_and_a_second_one_leaves(screen: Screen) -> None:

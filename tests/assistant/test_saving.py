@@ -8,7 +8,16 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from assistant.session.saving import ChangedOnDisk, SaveError, differences, edited_text, fresh_text, spare, write_asked, write_atomic
+from assistant.session.saving import (
+    ChangedOnDisk,
+    SaveError,
+    differences,
+    edited_text,
+    fresh_text,
+    spare,
+    write_asked,
+    write_atomic,
+)
 from assistant.session.session import EXAMPLE
 from calc.sheet.errors import BadInput
 
@@ -60,8 +69,15 @@ def test_a_new_key_goes_to_the_end_of_its_own_table() -> None:
 
 
 def test_a_new_table_and_a_new_element_are_made() -> None:
-    made = edited_text("schema = 1\n", {"engine.name": "x", "friction.other_losses.0.name": "seal", "friction.other_losses.0.power_W": 3.0})
-    assert tomllib.loads(made) == {"schema": 1, "engine": {"name": "x"}, "friction": {"other_losses": [{"name": "seal", "power_W": 3.0}]}}
+    made = edited_text(
+        "schema = 1\n",
+        {"engine.name": "x", "friction.other_losses.0.name": "seal", "friction.other_losses.0.power_W": 3.0},
+    )
+    assert tomllib.loads(made) == {
+        "schema": 1,
+        "engine": {"name": "x"},
+        "friction": {"other_losses": [{"name": "seal", "power_W": 3.0}]},
+    }
 
 
 def test_whole_numbers_stay_whole() -> None:
@@ -71,9 +87,15 @@ def test_whole_numbers_stay_whole() -> None:
 
 
 def test_what_is_said_of_a_value_is_not_said_of_another() -> None:
-    key, text = "bearings.front.diameter_mm", "[bearings.front]\ndiameter_mm = 80.0  # assumed: usual\nlength_mm = 56.0  # measured\n"
+    key, text = (
+        "bearings.front.diameter_mm",
+        "[bearings.front]\ndiameter_mm = 80.0  # assumed: usual\nlength_mm = 56.0  # measured\n",
+    )
     once = edited_text(text, {key: 78.5, "bearings.front.length_mm": 50.0})
-    assert once == "[bearings.front]\ndiameter_mm = 78.5  # was 80.0, assumed: usual\nlength_mm = 50.0  # was 56.0, measured\n"
+    assert (
+        once
+        == "[bearings.front]\ndiameter_mm = 78.5  # was 80.0, assumed: usual\nlength_mm = 50.0  # was 56.0, measured\n"
+    )
     assert edited_text(once, {key: 77.0}) == once.replace("= 78.5", "= 77.0")
     assert edited_text(once, {key: 80.0, "bearings.front.length_mm": 56.0}) == text
     several = "[a]\nb = [\n  1,\n  2,\n]  # assumed: usual\n"
@@ -103,7 +125,9 @@ def test_differences_lead_from_one_to_the_other() -> None:
     old = tomllib.loads(TEXT)
     new = tomllib.loads(TEXT)
     new["gears"]["wheels"][2] = {"name": "other", "teeth": 40}
-    new["countershaft"]["masses"].append({"name": "middle", "mass_kg": 1.0, "radius_mm": 2.0, "angle_deg": 3.0, "z_mm": 4.0})
+    new["countershaft"]["masses"].append(
+        {"name": "middle", "mass_kg": 1.0, "radius_mm": 2.0, "angle_deg": 3.0, "z_mm": 4.0}
+    )
     del new["engine"]["bench"][10:]
     del new["bearings"]["front"]["clearance_factor"]
     new["bearings"]["front"]["clearance_um"] = 80.0
@@ -115,13 +139,22 @@ def test_differences_lead_from_one_to_the_other() -> None:
 
 
 @settings(deadline=None, suppress_health_check=[HealthCheck.too_slow])  # a loaded machine is no mistake
-@given(st.dictionaries(st.sampled_from("abcd"), st.recursive(st.integers() | st.text(max_size=5), lambda x: st.dictionaries(st.sampled_from("xyz"), x))),
-       st.dictionaries(st.sampled_from("abcd"), st.recursive(st.integers() | st.text(max_size=5), lambda x: st.dictionaries(st.sampled_from("xyz"), x))))  # fmt: skip
+@given(
+    st.dictionaries(
+        st.sampled_from("abcd"),
+        st.recursive(st.integers() | st.text(max_size=5), lambda x: st.dictionaries(st.sampled_from("xyz"), x)),
+    ),
+    st.dictionaries(
+        st.sampled_from("abcd"),
+        st.recursive(st.integers() | st.text(max_size=5), lambda x: st.dictionaries(st.sampled_from("xyz"), x)),
+    ),
+)
 def test_any_tables_can_be_led_to_any_others(old: dict[str, object], new: dict[str, object]) -> None:
     assert tomllib.loads(edited_text(fresh_text(old), differences(old, new))) == new
 
 
-# --- the disk -------------------------------------------------------------------------------------------------------------
+# --- the disk
+# -------------------------------------------------------------------------------------------------------------
 def test_a_folder_that_is_not_there_is_said(tmp_path: Path) -> None:
     with pytest.raises(SaveError, match="can not be written"):
         write_atomic(tmp_path / "no" / "a.toml", b"x")
@@ -138,7 +171,11 @@ def test_a_file_that_was_changed_since_it_was_read_is_left_alone(tmp_path: Path)
 def test_what_a_command_reads_it_does_not_write(tmp_path: Path) -> None:
     path = tmp_path / "a.toml"
     path.write_bytes(b"design")
-    for refused in (lambda: spare(path, path), lambda: write_asked(path, "x", inputs=[path]), lambda: write_asked(path, "x", new=True)):
+    for refused in (
+        lambda: spare(path, path),
+        lambda: write_asked(path, "x", inputs=[path]),
+        lambda: write_asked(path, "x", new=True),
+    ):
         with pytest.raises(BadInput, match=r"an input of this very command|File exists"):
             refused()
     assert path.read_bytes() == b"design" and list(tmp_path.iterdir()) == [path]

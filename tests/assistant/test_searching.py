@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The search behind a dialog: how far it is, why it ends, that it can be stopped, and that an earlier one is no longer heard."""
+"""The search behind a dialog: how far it is, why it ends, that it can be stopped, and that an earlier one is no longer
+heard."""
 
 import threading
 from collections.abc import Callable, Iterator
@@ -69,7 +70,10 @@ async def test_how_far_it_is(screen: Screen, ascii: bool, bar: str) -> None:
     ("error", "words"),
     [
         (NoSolution(Text("no pair fits")), "no pair fits"),
-        (BadInput("x.toml", [InputError(1, "engine.bore_mm", "-1", Text("is below zero"))]), "engine.bore_mm: is below zero"),
+        (
+            BadInput("x.toml", [InputError(1, "engine.bore_mm", "-1", Text("is below zero"))]),
+            "engine.bore_mm: is below zero",
+        ),
         (ZeroDivisionError("by nought"), "the program made a mistake: ZeroDivisionError: by nought"),
     ],
 )

@@ -115,7 +115,9 @@ def test_undo_takes_back_a_text_that_was_not_understood(session: Session) -> Non
 
 
 # --- invalid input
-@pytest.mark.parametrize(("text", "reason"), [("1,234.5", "ambiguous"), ("-5", "above 0"), ("", "is empty"), ("much", "no number")])
+@pytest.mark.parametrize(
+    ("text", "reason"), [("1,234.5", "ambiguous"), ("-5", "above 0"), ("", "is empty"), ("much", "no number")]
+)
 def test_invalid_input_keeps_the_last_valid_results(session: Session, text: str, reason: str) -> None:
     session.solve()
     before = session.results
@@ -133,7 +135,9 @@ def test_a_mistake_that_only_the_whole_shows_stands_at_its_field(session: Sessio
     assert "has 3 entries" in session.reason("engine.firing_order")
     session.edit("engine.firing_order", "1, 3, 4, 2")
     assert not session.reason("engine.firing_order")
-    assert list(session.reasons()) == [("imbalance", "crank_bodies")]  # a crank of three throws: said at the list of its bodies
+    assert list(session.reasons()) == [
+        ("imbalance", "crank_bodies")
+    ]  # a crank of three throws: said at the list of its bodies
     while session.value(("imbalance", "crank_bodies")):
         session.remove("imbalance.crank_bodies", 0)
     assert session.valid
@@ -197,7 +201,9 @@ def test_undo_reaches_behind_a_save(session: Session) -> None:
     assert load(session.home)[0].data["engine"]["bore_mm"] == 94.0
 
 
-def test_the_example_is_saved_under_a_name_of_its_own(memory: Memory, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_the_example_is_saved_under_a_name_of_its_own(
+    memory: Memory, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     monkeypatch.chdir(tmp_path)
     shipped = EXAMPLE.read_bytes()
     session = Session.open(None, memory=memory)
@@ -246,16 +252,20 @@ def test_read_only(session: Session, monkeypatch: pytest.MonkeyPatch) -> None:
 # --- start-up
 def test_a_session_needs_neither_textual_nor_numpy() -> None:
     code = (
-        "import sys, json; from pathlib import Path; from assistant.session.session import Session, EXAMPLE; from assistant.session.recovery import Memory\n"
+        "import sys, json; from pathlib import Path; from assistant.session.session import Session, EXAMPLE; from "
+        "assistant.session.recovery import Memory\n"
         "s = Session.open(EXAMPLE, memory=Memory(Path('/nowhere'))); s.edit('engine.bore_mm', '95')\n"
-        "print(json.dumps([m for m in ('textual', 'rich', 'numpy', 'scipy', 'tomlkit', 'tomli_w', 'reportlab') if m in sys.modules]))"
+        "print(json.dumps([m for m in ('textual', 'rich', 'numpy', 'scipy', 'tomlkit', 'tomli_w', 'reportlab') if m "
+        "in sys.modules]))"
     )
     root = EXAMPLE.parent.parent
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True, cwd=root)
     assert json.loads(done.stdout) == []
 
 
-def test_a_notation_that_can_not_be_edited_is_written_anew_and_said(session: Session, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_notation_that_can_not_be_edited_is_written_anew_and_said(
+    session: Session, monkeypatch: pytest.MonkeyPatch
+) -> None:
     def refuse(*_: object) -> str:
         raise SaveError("no")
 
@@ -303,7 +313,12 @@ def test_reading_anew_is_one_step_that_can_be_undone(session: Session) -> None:
     changed(session, "rod_length_mm = 163.0", "rod_length_mm = 170.0  # theirs")
     assert session.reload() and not session.reload()
     assert session.value(BORE) == 94.0 and session.value("engine.rod_length_mm") == 170.0
-    assert session.valid and not session.dirty and session.design.engine is not None and session.design.engine.rod_length == 0.17
+    assert (
+        session.valid
+        and not session.dirty
+        and session.design.engine is not None
+        and session.design.engine.rod_length == 0.17
+    )
     assert session.document.sha256 == Session.open(session.home, memory=session.memory).document.sha256
     session.undo()
     assert session.text("engine.rod_length_mm") == "x"
@@ -342,7 +357,9 @@ def test_a_file_that_is_no_design_is_not_taken(session: Session, memory: Memory)
         Session.open(EXAMPLE, memory=memory).reload()
 
 
-def test_a_read_only_file_can_be_read_anew_and_saved_elsewhere(session: Session, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_read_only_file_can_be_read_anew_and_saved_elsewhere(
+    session: Session, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     home = session.home
     monkeypatch.setattr(os, "access", lambda path, mode: Path(path) != home)
     changed(session, "bore_mm = 94.0", "bore_mm = 94.5")

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The screens as they are seen, few of them: each is a plain text file in `__snapshots__/`, to be read by whoever reviews a change.
+"""The screens as they are seen, few of them: each is a plain text file in `__snapshots__/`, to be read by whoever
+reviews a change.
 
-Where a screen is meant to change, `pytest tests/assistant/test_snapshots.py --snapshot-update` writes them anew; then read what `git diff` shows.
-"""
+Where a screen is meant to change, `pytest tests/assistant/test_snapshots.py --snapshot-update` writes them anew; then
+read what `git diff` shows."""
 
 from collections.abc import AsyncIterator, Callable
 from contextlib import AbstractAsyncContextManager, asynccontextmanager
@@ -73,13 +74,16 @@ Opened = Callable[..., AbstractAsyncContextManager[Pilot[int]]]
 
 @pytest.fixture
 def opened(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Opened:
-    """Opens a step of a shipped design, which is solved; with a clock that stands, and a solve that always takes as long."""
+    """Opens a step of a shipped design, which is solved; with a clock that stands, and a solve that always takes as
+    long."""
     monkeypatch.setattr(background_solve, "PAUSE", 0.0)
     monkeypatch.setattr(background_solve, "AHEAD", 1000.0)
     monkeypatch.setattr(edit_feedback, "KEEP", 1000.0)  # nor is there an autosave, sooner or later
 
     @asynccontextmanager
-    async def opened(step: int, size: tuple[int, int], path: Path = EXAMPLE, **options: Any) -> AsyncIterator[Pilot[int]]:
+    async def opened(
+        step: int, size: tuple[int, int], path: Path = EXAMPLE, **options: Any
+    ) -> AsyncIterator[Pilot[int]]:
 
         def known(document: Any, step: str, results: Any, progress: Any, **rest: Any) -> Any:
             return remedy(document, step, results, progress, **rest) if rest else remedy_once(path, step)
@@ -124,7 +128,8 @@ async def to_failing(pilot: Pilot[int]) -> Checks:
 
 
 def picture(pilot: Pilot[int]) -> str:
-    """The screen as text, without the blanks at the end of its rows; a row that is longer or shorter than the screen is a fault of itself."""
+    """The screen as text, without the blanks at the end of its rows; a row that is longer or shorter than the screen is
+    a fault of itself."""
     found = screen_rows(pilot)
     width, height = pilot.app.size
     assert len(found) == height and {cell_len(row) for row in found} == {width}
@@ -150,7 +155,9 @@ async def test_start(seen: SnapshotAssertion, tmp_path: Path) -> None:
         assert picture(pilot) == seen
 
 
-async def test_imbalance_of_a_new_design(seen: SnapshotAssertion, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+async def test_imbalance_of_a_new_design(
+    seen: SnapshotAssertion, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     """The one question of the step, what each answer leaves, and its picture."""
     monkeypatch.setattr(background_solve, "PAUSE", 0.0)
     monkeypatch.setattr(background_solve, "AHEAD", 1000.0)
@@ -161,7 +168,10 @@ async def test_imbalance_of_a_new_design(seen: SnapshotAssertion, tmp_path: Path
         await strike(pilot, *"inline 3", "enter")
         await until(pilot, lambda: isinstance(pilot.app.screen, NewDialog) and pilot.app.screen.focused is not None)
         await strike(pilot, "enter")
-        await until(pilot, lambda: isinstance(pilot.app.screen, Workbench) and work(pilot).stands and work(pilot).session.current)
+        await until(
+            pilot,
+            lambda: isinstance(pilot.app.screen, Workbench) and work(pilot).stands and work(pilot).session.current,
+        )
         await strike(pilot, "f3")
         await still(pilot)
         work(pilot).session.seconds = SECONDS
@@ -177,7 +187,9 @@ async def test_bearings(opened: Opened, seen: SnapshotAssertion) -> None:
         assert picture(pilot) == seen
 
 
-async def test_gears_on_a_narrow_screen(opened: Opened, seen: SnapshotAssertion, monkeypatch: pytest.MonkeyPatch) -> None:
+async def test_gears_on_a_narrow_screen(
+    opened: Opened, seen: SnapshotAssertion, monkeypatch: pytest.MonkeyPatch
+) -> None:
     monkeypatch.setattr(slopes, "WAIT", 1000.0)
     async with opened(5, (80, 24)) as pilot:
         await strike(pilot, "f4", "f4")
@@ -232,7 +244,8 @@ async def test_a_very_wide_screen(opened: Opened, seen: SnapshotAssertion, monke
 
 # --- colours only help
 async def test_verdicts_are_told_without_colours(opened: Opened, monkeypatch: pytest.MonkeyPatch) -> None:
-    """With NO_COLOR every cell is grey, and the same is read; but for curves, whose lines are then told apart by their pattern."""
+    """With NO_COLOR every cell is grey, and the same is read; but for curves, whose lines are then told apart by their
+    pattern."""
     shown = []
     for plain in (False, True):
         if plain:
@@ -250,8 +263,14 @@ async def test_verdicts_are_told_without_colours(opened: Opened, monkeypatch: py
 
 
 def _grey(pilot: Pilot[int]) -> None:
-    colours = [colour for strip in pilot.app.screen._compositor.render_strips() for _, style, _ in strip if style is not None
-               for colour in (style.color, style.bgcolor) if colour is not None and not colour.is_default]  # fmt: skip
+    colours = [
+        colour
+        for strip in pilot.app.screen._compositor.render_strips()
+        for _, style, _ in strip
+        if style is not None
+        for colour in (style.color, style.bgcolor)
+        if colour is not None and not colour.is_default
+    ]
     assert colours and all(len({*colour.get_truecolor()}) == 1 for colour in colours)
 
 

@@ -63,10 +63,14 @@ async def test_from_an_engine_to_its_first_step(memory: Memory, tmp_path: Path, 
 @pytest.mark.parametrize(
     ("columns", "columns_of_row"), [(80, ("±2ω",)), (120, ("±2ω",)), (200, ("74.5 × 80 mm", "order 2: 6100 N", "±2ω"))]
 )
-async def test_each_engine_says_what_balancing_it_calls_for(memory: Memory, columns: int, columns_of_row: tuple[str, ...]) -> None:
+async def test_each_engine_says_what_balancing_it_calls_for(
+    memory: Memory, columns: int, columns_of_row: tuple[str, ...]
+) -> None:
     app = ContralberoApp(None, memory=memory)
     async with app.run_test(size=(columns, 40)) as pilot:
-        await until(pilot, lambda: any(all(word in row for word in ("VW EA211", *columns_of_row)) for row in screen_rows(pilot)))
+        await until(
+            pilot, lambda: any(all(word in row for word in ("VW EA211", *columns_of_row)) for row in screen_rows(pilot))
+        )
 
 
 async def test_going_on_is_one_enter(memory: Memory, light: Session) -> None:
@@ -118,7 +122,9 @@ async def test_the_language_changes_while_it_stands(memory: Memory) -> None:
         assert start(pilot).here is not None and start(pilot).here.id.startswith("boxer")  # type: ignore[union-attr]
 
 
-@pytest.mark.parametrize(("words", "engine"), [("own", ""), ("own inline 3", "inline-3"), ("parallel twin", "twin-360"), ("diesel", "")])
+@pytest.mark.parametrize(
+    ("words", "engine"), [("own", ""), ("own inline 3", "inline-3"), ("parallel twin", "twin-360"), ("diesel", "")]
+)
 async def test_words_that_a_designer_types_first_find_an_engine(memory: Memory, words: str, engine: str) -> None:
     async with ContralberoApp(None, memory=memory).run_test(size=(120, 40)) as pilot:
         await type_in(pilot, words)
@@ -129,7 +135,8 @@ async def test_words_that_a_designer_types_first_find_an_engine(memory: Memory, 
 
 def test_a_number_finds_only_what_has_it_by_itself() -> None:
     assert (
-        match(["753"], "R753IE4")[0] > 0 and match(["3"], "R753IE4", "diesel 3 cylinders")[0] > 0 == match(["4"], "R753IE4", "bore 94")[0]
+        match(["753"], "R753IE4")[0] > 0
+        and match(["3"], "R753IE4", "diesel 3 cylinders")[0] > 0 == match(["4"], "R753IE4", "bore 94")[0]
     )
     assert match(["inline", "4"], "Inline 3", "own-inline-3 94 x 107")[0] == 0
     assert match(["inline", "4"], "Inline four", "inline 4 cylinders")[0] > 0

@@ -37,7 +37,13 @@ def started(folder: Path, arguments: list[str]) -> tuple[int, int]:
     pid, file = pty.fork()
     if pid == 0:
         os.chdir(ROOT)
-        environment = {**os.environ, "TERM": "xterm-256color", "XDG_STATE_HOME": str(folder / "state"), "COLUMNS": "120", "LINES": "40"}
+        environment = {
+            **os.environ,
+            "TERM": "xterm-256color",
+            "XDG_STATE_HOME": str(folder / "state"),
+            "COLUMNS": "120",
+            "LINES": "40",
+        }
         os.execve(sys.executable, [sys.executable, *arguments], environment)
     return pid, file
 
@@ -87,13 +93,16 @@ def test_a_file_that_is_not_there_opens_the_start_page(tmp_path: Path) -> None:
 def test_nothing_heavy_is_imported_before_the_first_picture() -> None:
     code = (
         "import sys, json, assistant.app\n"
-        "print(json.dumps([m for m in ('numpy', 'scipy', 'textual_plot', 'matplotlib', 'reportlab', 'tomlkit', 'tomli_w') if m in sys.modules]))"
+        "print(json.dumps([m for m in ('numpy', 'scipy', 'textual_plot', 'matplotlib', 'reportlab', 'tomlkit', "
+        "'tomli_w') if m in sys.modules]))"
     )
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True, cwd=ROOT)
     assert json.loads(done.stdout) == []
 
 
-def test_a_file_that_is_no_design_gives_code_2(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_file_that_is_no_design_gives_code_2(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
     monkeypatch.setenv("XDG_STATE_HOME", str(tmp_path / "state"))
     (tmp_path / "a.toml").write_text("schema = 1\nname = 3\n")
     assert run(tmp_path / "a.toml") == 2

@@ -64,11 +64,15 @@ def agree(script: Script, session: Session, number: int) -> int:
 
 
 LONG = ("r753ie4_sized",)
-TYPED = [path for path in REPLAYS if any("set" in step for step in load(path).steps)]  # the others are those of `contralbero replay`
+TYPED = [
+    path for path in REPLAYS if any("set" in step for step in load(path).steps)
+]  # the others are those of `contralbero replay`
 
 
 @pytest.mark.parametrize(
-    "path", [pytest.param(p, marks=pytest.mark.slow) if p.stem in LONG else p for p in TYPED], ids=lambda path: path.stem
+    "path",
+    [pytest.param(p, marks=pytest.mark.slow) if p.stem in LONG else p for p in TYPED],
+    ids=lambda path: path.stem,
 )
 async def test_a_replay_is_typed_into_the_form(path: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(background_solve, "AHEAD", 1000.0)

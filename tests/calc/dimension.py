@@ -12,9 +12,35 @@ from calc.sheet.formula import Formula, units
 
 UREG = pint.UnitRegistry()
 UREG.define("euro = [money]")
-SPELL = {"·": "*", "²": "**2", "³": "**3", "⁴": "**4", "µ": "u", "°C": "kelvin", "°": "degree", "10⁻⁶/K": "1e-6/kelvin", "€": "euro"}
+SPELL = {
+    "·": "*",
+    "²": "**2",
+    "³": "**3",
+    "⁴": "**4",
+    "µ": "u",
+    "°C": "kelvin",
+    "°": "degree",
+    "10⁻⁶/K": "1e-6/kelvin",
+    "€": "euro",
+}
 SAME = {"modulus", "abs", "conj", "total", "along", "resultant", "joined", "imag", "largest", "smallest", "rss"}
-PURE = {"sin", "cos", "tan", "exp", "ln", "log10", "asin", "acos", "atan", "asinh", "inv", "cis", "erf", "log1p", "arctan2"}
+PURE = {
+    "sin",
+    "cos",
+    "tan",
+    "exp",
+    "ln",
+    "log10",
+    "asin",
+    "acos",
+    "atan",
+    "asinh",
+    "inv",
+    "cis",
+    "erf",
+    "log1p",
+    "arctan2",
+}
 
 
 class Mismatch(AssertionError):
@@ -25,7 +51,9 @@ class Mismatch(AssertionError):
 def dimension(unit: str) -> Any:
     for symbol, spelled in SPELL.items():
         unit = unit.replace(symbol, spelled)
-    return UREG.parse_units(unit).dimensionality if unit and unit != "1e-6/kelvin" else UREG.dimensionless.dimensionality
+    return (
+        UREG.parse_units(unit).dimensionality if unit and unit != "1e-6/kelvin" else UREG.dimensionless.dimensionality
+    )
 
 
 def check(formula: Formula[..., Any]) -> None:

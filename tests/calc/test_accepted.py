@@ -22,7 +22,9 @@ def accepting(**reasons):
 
 
 def test_a_finding_is_accepted_with_its_reason_and_colours_nothing():
-    before, after = (solve(design(d)) for d in (read(EXAMPLE), accepting(bearings__front__slope_given=" seen on the bench ")))
+    before, after = (
+        solve(design(d)) for d in (read(EXAMPLE), accepting(bearings__front__slope_given=" seen on the bench "))
+    )
     check = {c.id: c for c in after.checks()}[OPEN]
     assert {c.id: c.verdict for c in before.checks()}[OPEN] == "warn"
     assert (check.verdict, check.accepted, check.open) == ("accepted", "seen on the bench", False)
@@ -30,11 +32,14 @@ def test_a_finding_is_accepted_with_its_reason_and_colours_nothing():
     assert changed == {OPEN}
 
 
-@pytest.mark.parametrize("id, said", [
-    (HOLDS, "Accepted without need, since it holds: bearings.rear.mckee."),
-    ("bearings.front.nothing", "Accepted, but this design has no such check: bearings.front.nothing."),
-    ("gone.check", "Accepted, but this design has no such check: gone.check."),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    "id, said",
+    [
+        (HOLDS, "Accepted without need, since it holds: bearings.rear.mckee."),
+        ("bearings.front.nothing", "Accepted, but this design has no such check: bearings.front.nothing."),
+        ("gone.check", "Accepted, but this design has no such check: gone.check."),
+    ],
+)
 def test_an_entry_that_does_nothing_is_said(id, said):
     results = solve(design(accepting(**{id.replace(".", "__"): "why"})))
     assert said in [note for o in results.outcomes.values() for note in o.notes]
@@ -48,8 +53,10 @@ def test_a_limit_is_accepted_by_nobody_and_a_reason_must_say_something():
     errors = {e.key: (e.line, e.reason) for e in bad.value.errors}
     last = raw.decode().count("\n")
     assert {key: line for key, (line, _) in errors.items()} == {
-        f"accepted.{LIMIT}": last - 2, f"accepted.{HOLDS}": last - 1, f"accepted.{OPEN}": last,
-    }  # fmt: skip
+        f"accepted.{LIMIT}": last - 2,
+        f"accepted.{HOLDS}": last - 1,
+        f"accepted.{OPEN}": last,
+    }
     assert "nobody can accept" in errors[f"accepted.{LIMIT}"][1] and "in words" in errors[f"accepted.{HOLDS}"][1]
 
 
@@ -61,7 +68,8 @@ def test_nobody_accepts_one_that_is_a_limit_here_though_it_may_be_advice():
 
 
 def test_the_inputs_that_move_a_check_are_measured():
-    """An allowance of the span acts micrometre for micrometre; roughness moves the limit of the film, 7.5 for each µm, not the film."""
+    """An allowance of the span acts micrometre for micrometre; roughness moves the limit of the film, 7.5 for each µm,
+    not the film."""
     document = read(EXAMPLE)
     results = solve(design(document))
     checks = {c.id: c for c in results.checks()}
@@ -74,7 +82,9 @@ def test_the_inputs_that_move_a_check_are_measured():
     assert film["bearings.front.journal_roughness_um"].gain == pytest.approx(-7.5)
     assert film["bearings.front.length_mm"].slope == film["bearings.front.length_mm"].gain > 0
     assert film["bearings.front.length_mm"].unit == "µm/mm"
-    assert film["bearings.front.clearance_um"].slope is None and film["bearings.oil"].slope is None  # not given, no number
+    assert (
+        film["bearings.front.clearance_um"].slope is None and film["bearings.oil"].slope is None
+    )  # not given, no number
     longer = solve(design(document.with_value("bearings.front.length_mm", 27.6)))
     there = {c.id: c.value for c in longer.checks()}[LIMIT]
     assert there - checks[LIMIT].value == pytest.approx(0.1 * film["bearings.front.length_mm"].slope, rel=0.02)
@@ -83,7 +93,9 @@ def test_the_inputs_that_move_a_check_are_measured():
 def test_a_table_stands_for_its_numbers_and_a_hopeless_change_for_nothing():
     document = read(EXAMPLE)
     results = solve(design(document))
-    check = replace({c.id: c for c in results.checks()}[LIMIT], moved_by=("countershaft.masses", "gears.wheels.central.teeth"))
+    check = replace(
+        {c.id: c for c in results.checks()}[LIMIT], moved_by=("countershaft.masses", "gears.wheels.central.teeth")
+    )
     found = {e.key: e for e in effects(document, results, [check])[LIMIT]}
     assert any(key.endswith("mass_kg") for key in found) and any(key.endswith("radius_mm") for key in found)
     assert not any(key == "countershaft.masses" for key in found)

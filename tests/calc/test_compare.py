@@ -48,7 +48,11 @@ def found(beta: Document, beta_results: Results, gamma: Document, gamma_results:
 # --- inputs
 def test_the_inputs_of_beta_and_gamma(found: Comparison) -> None:
     by_key = {d.key: d for d in found.inputs}
-    both = {key: (d.a, d.b) for key, d in by_key.items() if d.a is not None and d.b is not None and d.step not in ("name", "note")}
+    both = {
+        key: (d.a, d.b)
+        for key, d in by_key.items()
+        if d.a is not None and d.b is not None and d.step not in ("name", "note")
+    }
     assert both == OWN
     assert [d.key for d in found.inputs][-3:] == ["material", "name", "note"]  # what is not calculated with stands last
     assert by_key["countershaft.bolts"].a is None and by_key["countershaft.bolts"].b["thread"] == "M10x1.5"
@@ -65,7 +69,12 @@ def test_elements_are_matched_by_name_else_by_place(gamma: Document) -> None:
     assert inputs(gamma.data, other) == []
     fewer = {**gamma.data, "gears": {**gamma.data["gears"], "wheels": gamma.data["gears"]["wheels"][:-1]}}
     (lost,) = inputs(gamma.data, fewer)
-    assert lost.key == "gears.wheels.shaft" and lost.b is None and lost.a["name"] == "shaft" and lost.label == "Wheels: shaft"
+    assert (
+        lost.key == "gears.wheels.shaft"
+        and lost.b is None
+        and lost.a["name"] == "shaft"
+        and lost.label == "Wheels: shaft"
+    )
     swapped = {**gamma.data, "gears": {**gamma.data["gears"], "meshes": list(reversed(gamma.data["gears"]["meshes"]))}}
     assert {d.key for d in inputs(gamma.data, swapped)} >= {"gears.meshes.0.driver", "gears.meshes.2.driver"}
 
@@ -83,7 +92,9 @@ def editable() -> list[str]:
     data = read(GAMMA).data
     keys = [key for key, _ in quantities(data)]
     return [
-        key for key in keys if not (key.endswith(".name") and key.count(".") > 1) and "cost.alternatives" not in key and there(data, key)
+        key
+        for key in keys
+        if not (key.endswith(".name") and key.count(".") > 1) and "cost.alternatives" not in key and there(data, key)
     ]
 
 
@@ -121,7 +132,9 @@ def test_the_checks_of_beta_and_gamma(found: Comparison, beta_results: Results, 
 
 
 def test_values_in_order(found: Comparison, beta_results: Results, gamma_results: Results) -> None:
-    theirs, ours = ({id: v for id, v in r.values().items() if id == v.id} for r in (beta_results, gamma_results))  # by their present names
+    theirs, ours = (
+        {id: v for id, v in r.values().items() if id == v.id} for r in (beta_results, gamma_results)
+    )  # by their present names
     assert {d.id for d in found.values if not d.both} == theirs.keys() ^ ours.keys()
     order = {step.key: n for n, step in enumerate(STEPS)}
     ranks = [(order[d.step], not d.both, -d.relative if d.both else 0.0) for d in found.values]
@@ -135,10 +148,12 @@ def test_values_in_order(found: Comparison, beta_results: Results, gamma_results
 
 def mirrored(found: Comparison) -> Comparison:
     return Comparison(
-        tuple(replace(d, a=d.b, b=d.a) for d in found.inputs), tuple(replace(v, a=v.b, b=v.a) for v in found.verdicts),
-        tuple(replace(d, a=d.b, b=d.a) for d in found.checks), tuple(replace(d, a=d.b, b=d.a) for d in found.values),
+        tuple(replace(d, a=d.b, b=d.a) for d in found.inputs),
+        tuple(replace(v, a=v.b, b=v.a) for v in found.verdicts),
+        tuple(replace(d, a=d.b, b=d.a) for d in found.checks),
+        tuple(replace(d, a=d.b, b=d.a) for d in found.values),
         tuple(replace(r, a=r.b, b=r.a) for r in found.results),
-    )  # fmt: skip
+    )
 
 
 @pytest.mark.parametrize("name", ["r753ie4_beta", "timing_pair"])
@@ -188,9 +203,19 @@ def published(id: str, shown: float, unit: str = "N") -> Published:
 
 @pytest.mark.parametrize(
     ("a", "b", "differs"),
-    [(100.0, 100.0 * (1 + 1e-9), False), (100.0, 100.01, True), (1e-12, 0.0, False), (1e-12, -3e-12, False), (1e-3, 0.0, True),
-     (math.nan, math.nan, False), (math.nan, 1.0, True), (math.inf, math.inf, False), (math.inf, 1.0, True), (5.0, -5.0, True)],
-)  # fmt: skip
+    [
+        (100.0, 100.0 * (1 + 1e-9), False),
+        (100.0, 100.01, True),
+        (1e-12, 0.0, False),
+        (1e-12, -3e-12, False),
+        (1e-3, 0.0, True),
+        (math.nan, math.nan, False),
+        (math.nan, 1.0, True),
+        (math.inf, math.inf, False),
+        (math.inf, 1.0, True),
+        (5.0, -5.0, True),
+    ],
+)
 def test_the_last_digits_are_no_difference(gamma_results: Results, a: float, b: float, differs: bool) -> None:
     """Beside a force of 1000 N, 10⁻¹² N are what is left of a sum that is zero."""
     sides = [results_of(gamma_results, published("large", 1000.0), published("force", x)) for x in (a, b)]
@@ -198,14 +223,23 @@ def test_the_last_digits_are_no_difference(gamma_results: Results, a: float, b: 
 
 
 def test_numbers_without_a_unit_are_not_measured_by_each_other(gamma_results: Results) -> None:
-    sides = [results_of(gamma_results, published("reynolds", 1e9, ""), published("loss_factor", x, "")) for x in (1e-6, 2e-6)]
+    sides = [
+        results_of(gamma_results, published("reynolds", 1e9, ""), published("loss_factor", x, "")) for x in (1e-6, 2e-6)
+    ]
     assert [d.id for d in compare({}, {}, *sides).values] == ["engine.loss_factor"]
 
 
-@pytest.mark.parametrize(("a", "b", "length", "size"), [(359.0, 1.0, 10.0, 2 / 180), (10.0, 190.0, 10.0, 1.0), (0.0, 90.0, 1e-12, None)])
-def test_phases_are_compared_the_shorter_way(gamma_results: Results, a: float, b: float, length: float, size: float | None) -> None:
+@pytest.mark.parametrize(
+    ("a", "b", "length", "size"), [(359.0, 1.0, 10.0, 2 / 180), (10.0, 190.0, 10.0, 1.0), (0.0, 90.0, 1e-12, None)]
+)
+def test_phases_are_compared_the_shorter_way(
+    gamma_results: Results, a: float, b: float, length: float, size: float | None
+) -> None:
     """A vector of no length has no phase."""
-    sides = [results_of(gamma_results, published("large", 1000.0), published("v", length), published("v_phase", x, "°")) for x in (a, b)]
+    sides = [
+        results_of(gamma_results, published("large", 1000.0), published("v", length), published("v_phase", x, "°"))
+        for x in (a, b)
+    ]
     found = compare({}, {}, *sides).values
     assert [d.relative for d in found] == ([pytest.approx(size)] if size is not None else [])
 
@@ -244,7 +278,11 @@ def test_how_a_change_is_said() -> None:
         return change_text(ValueDifference(id, "", unit, a, b, 1.0))
 
     assert said(100, 150) == "+50 %" and said(100, 50) == "−50 %" and said(-2, 2) == "+200 %" and said(0, 2) == "from 0"
-    assert said(350, 10, "°", "engine.force_phase") == "+20°" and said(90, 100, "°C") == "+10 K" and said(1e-9, 1) == "> +99999 %"
+    assert (
+        said(350, 10, "°", "engine.force_phase") == "+20°"
+        and said(90, 100, "°C") == "+10 K"
+        and said(1e-9, 1) == "> +99999 %"
+    )
 
 
 def test_the_tables_have_a_row_for_each_difference(found: Comparison) -> None:

@@ -47,26 +47,41 @@ def test_each_key_result_is_of_its_worst_part(gamma_results: Results) -> None:
     assert worst["gears.*.safety_contact"].shown == min(
         v for id, v in shown.items() if id.count(".") == 2 and id.endswith(".safety_contact")
     )
-    assert worst["bearings.*.outlet_temperature"].shown == max(shown[f"bearings.{b}.outlet_temperature"] for b in ("front", "rear"))
+    assert worst["bearings.*.outlet_temperature"].shown == max(
+        shown[f"bearings.{b}.outlet_temperature"] for b in ("front", "rear")
+    )
     assert is_least("gears.*.safety_contact") and not is_least("friction.total_loss")
 
 
 def test_sentences_count_what_the_tables_show(found: Comparison) -> None:
     said = sentences(found, NAMES, str.upper)
     assert said[0] == "beta → gamma: the whole stays FAIL." and said[1] == "Steps: Counter-shaft PASS → WARN."
-    hard = [d for d in found.checks_moved if d.a is not None and d.b is not None and {d.a.kind, d.b.kind} & {"limit", "caution"}]
+    hard = [
+        d
+        for d in found.checks_moved
+        if d.a is not None and d.b is not None and {d.a.kind, d.b.kind} & {"limit", "caution"}
+    ]
     counts = [
-        int(word.strip(".,")) for text in said if text.startswith("Limits and cautions to") for word in text.split() if word[0].isdigit()
+        int(word.strip(".,"))
+        for text in said
+        if text.startswith("Limits and cautions to")
+        for word in text.split()
+        if word[0].isdigit()
     ]
     assert sum(counts) == len(hard) > 5
     table = moved_table(found, NAMES, str)
     ways = [str(row[-1]) for row in table.rows]
-    assert ways == sorted(ways, key=["worse", "new", "better", "gone"].index) and ways.count("better") == sum(not d.worse for d in hard)
+    assert ways == sorted(ways, key=["worse", "new", "better", "gone"].index) and ways.count("better") == sum(
+        not d.worse for d in hard
+    )
     short = moved_table(found, NAMES, str, 4)
     assert short.rows == table.rows[:4] and str(len(table.rows) - 4) in short.note
     ways = [str(row[-1]) for row in result_table(found, NAMES).rows]
     same = sum(r.better is None for r in found.results)
-    assert said[-1] == f"Key results: {ways.count('better')} better, {ways.count('worse')} worse, {same} the same within 0.1 %."
+    assert (
+        said[-1]
+        == f"Key results: {ways.count('better')} better, {ways.count('worse')} worse, {same} the same within 0.1 %."
+    )
 
 
 def test_a_whole_that_changes_says_which_way(found: Comparison) -> None:
@@ -74,7 +89,9 @@ def test_a_whole_that_changes_says_which_way(found: Comparison) -> None:
         replace(v, a=replace(v.a, verdict="warn", unaccepted="warn"), b=replace(v.b, verdict="pass", unaccepted="pass"))
         for v in found.verdicts
     )
-    assert sentences(replace(found, verdicts=verdicts), NAMES, str)[0].endswith("goes from warn to pass, to the better.")
+    assert sentences(replace(found, verdicts=verdicts), NAMES, str)[0].endswith(
+        "goes from warn to pass, to the better."
+    )
     verdicts = tuple(replace(v, a=v.b, b=v.a) for v in verdicts)
     assert sentences(replace(found, verdicts=verdicts), NAMES, str)[0].endswith("goes from pass to warn, to the worse.")
 
@@ -126,17 +143,25 @@ def test_what_is_not_usual_is_said_of_each_design_or_of_both(gamma: Document, ga
 def test_what_holds_outside_validity_is_not_called_a_pass(found: Comparison) -> None:
     rows = {d.id: d for d in found.checks}
     safety = rows["gears.crank_central.safety_contact"]
-    assert safety.a is not None and safety.a.verdict == "pass" and (safety.before, safety.after) == ("outside", "outside")
+    assert (
+        safety.a is not None and safety.a.verdict == "pass" and (safety.before, safety.after) == ("outside", "outside")
+    )
     only = replace(found, checks=(replace(safety, before="pass"),))
-    assert [(str(row[1]).split()[0], str(row[2]).split()[0], row[-1]) for row in moved_table(only, NAMES, str).rows] == [
-        ("pass", "outside", "worse")
-    ]
+    assert [
+        (str(row[1]).split()[0], str(row[2]).split()[0], row[-1]) for row in moved_table(only, NAMES, str).rows
+    ] == [("pass", "outside", "worse")]
     assert "to the worse: pass → outside 1." in " ".join(sentences(only, NAMES, str))
-    assert [replace(safety, before=a, after=b).worse for a, b in (("outside", "accepted"), ("outside", "note"), ("outside", "warn"))] == [
-        False, True, True,
-    ]  # fmt: skip
+    assert [
+        replace(safety, before=a, after=b).worse
+        for a, b in (("outside", "accepted"), ("outside", "note"), ("outside", "warn"))
+    ] == [False, True, True]
     lone = replace(safety, a=None, before="")
-    assert [replace(lone, after=verdict).worse for verdict in ("pass", "accepted", "outside", "note")] == [False, False, True, True]
+    assert [replace(lone, after=verdict).worse for verdict in ("pass", "accepted", "outside", "note")] == [
+        False,
+        False,
+        True,
+        True,
+    ]
 
 
 def test_of_what_got_worse_the_worst_comes_first(found: Comparison) -> None:

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Two flanks in contact: the formulas that the rating of the teeth and their friction share, and that both get the same from them."""
+"""Two flanks in contact: the formulas that the rating of the teeth and their friction share, and that both get the same
+from them."""
 
 import math
 
@@ -22,7 +23,8 @@ from tests.calc.gears.trains import mesh, r753, solved, train, wheel
 STEEL = 206e9
 
 
-# --- Hertz -------------------------------------------------------------------------------------------------------------------------
+# --- Hertz
+# -------------------------------------------------------------------------------------------------------------------------
 def test_two_steel_rollers():
     """Calculated by hand: 206 GPa, ν 0.3, 100 N/mm on radii that make 10 mm."""
     E_r = hertz.reduced_modulus(nu_1=0.3, E_1=STEEL, nu_2=0.3, E_2=STEEL)
@@ -31,7 +33,13 @@ def test_two_steel_rollers():
     assert hertz.half_width(w=1e5, rho_n=10e-3, E_r=E_r) * 1e6 == pytest.approx(106.061, abs=1e-3)
 
 
-@given(w=st.floats(1, 1e7), rho=st.floats(1e-4, 1), E_1=st.floats(1e9, 1e12), E_2=st.floats(1e9, 1e12), nu=st.floats(0, 0.5))
+@given(
+    w=st.floats(1, 1e7),
+    rho=st.floats(1e-4, 1),
+    E_1=st.floats(1e9, 1e12),
+    E_2=st.floats(1e9, 1e12),
+    nu=st.floats(0, 0.5),
+)
 def test_the_pressure_over_the_width_is_the_load(w, rho, E_1, E_2, nu):
     """Half an ellipse: w = π/2·p_H·b_H; the mean pressure over 2·b_H too."""
     E_r = hertz.reduced_modulus(nu_1=nu, E_1=E_1, nu_2=nu, E_2=E_2)
@@ -47,7 +55,8 @@ def test_equal_bodies_have_the_modulus_of_one_over_its_contraction():
     assert rigid == pytest.approx(2 * STEEL / (1 - 0.3**2))
 
 
-# --- the line of action ------------------------------------------------------------------------------------------------------------
+# --- the line of action
+# ------------------------------------------------------------------------------------------------------------
 def test_the_pitch_point_parts_the_line_by_the_teeth_and_rolls():
     rho_C = line.pitch_point(T=40e-3, z_1=20, z_2=60)
     rho_2 = line.driven_curvature(T=40e-3, rho_1=rho_C)
@@ -59,9 +68,14 @@ def test_the_pitch_point_parts_the_line_by_the_teeth_and_rolls():
 
 def spur(x=(0.2, 0.1)):
     return train(
-        [wheel("a", 24, x[0], face_width=0.015), wheel("b", 36, x[1], face_width=0.02)], [mesh("a", "b")], m_n=3.0, beta=0.0, b=15.0,
-        tool=(1.25, 0.38), ball=None,
-    )  # fmt: skip
+        [wheel("a", 24, x[0], face_width=0.015), wheel("b", 36, x[1], face_width=0.02)],
+        [mesh("a", "b")],
+        m_n=3.0,
+        beta=0.0,
+        b=15.0,
+        tool=(1.25, 0.38),
+        ball=None,
+    )
 
 
 TRAINS = {"spur": (spur(), "a_b"), "crank": (r753(), "central_idler"), "shaft": (r753(), "idler_shaft")}
@@ -103,10 +117,14 @@ def test_both_press_the_same(both):
     steel = materials()
     one, two = (steel[t.wheels[name].material] for name in (m.driver, m.driven))
     E_r = motion(friction, ours, 1.0).E_r
-    assert E_r == pytest.approx(hertz.reduced_modulus(nu_1=one.poisson, E_1=one.E, nu_2=two.poisson, E_2=two.E), rel=1e-12)
+    assert E_r == pytest.approx(
+        hertz.reduced_modulus(nu_1=one.poisson, E_1=one.E, nu_2=two.poisson, E_2=two.E), rel=1e-12
+    )
     beta_b = friction.base_helix_angle
     p = micropitting.hertz_pressure(E_r=E_r, w_t=150e3, X=0.7, rho_n=theirs.rho_nC, beta_b=beta_b)
-    assert p == pytest.approx(hertz.hertz_pressure(w=150e3 * 0.7 / math.cos(beta_b), E_r=E_r, rho_n=theirs.rho_nC), rel=1e-12)
+    assert p == pytest.approx(
+        hertz.hertz_pressure(w=150e3 * 0.7 / math.cos(beta_b), E_r=E_r, rho_n=theirs.rho_nC), rel=1e-12
+    )
 
 
 def test_the_rating_has_no_formula_of_its_own():
@@ -115,22 +133,34 @@ def test_the_rating_has_no_formula_of_its_own():
     assert screening_load.mean_roughness is teeth.mean_roughness
     assert screening_load.LUBRICANT_FACTOR is teeth.LUBRICANT_FACTOR
     assert micropitting.teeth is teeth
-    shared = ("bulk_rise", "bulk_temperature", "ohlendorf_loss_factor", "mean_friction", "roughness_factor", "sum_of_speeds")
+    shared = (
+        "bulk_rise",
+        "bulk_temperature",
+        "ohlendorf_loss_factor",
+        "mean_friction",
+        "roughness_factor",
+        "sum_of_speeds",
+    )
     assert not [name for name in shared if hasattr(micropitting, name) or not hasattr(teeth, name)]
 
 
-# --- loss and warmth of a whole mesh -------------------------------------------------------------------------------------------
+# --- loss and warmth of a whole mesh
+# -------------------------------------------------------------------------------------------
 def test_the_loss_factor_of_high_teeth_is_that_of_two_pairs_where_both_hold():
     """ε_1 = ε_2 = 1: (1 + 1 + 1 − 2) against half of 2."""
     said = dict(eps_alpha=2.0, z_1=24, z_2=36, beta_b=0.3)
-    assert teeth.ohlendorf_loss_factor(eps_1=1.0, eps_2=1.0, **said) == pytest.approx(teeth.ohlendorf_loss_factor_high(**said))
+    assert teeth.ohlendorf_loss_factor(eps_1=1.0, eps_2=1.0, **said) == pytest.approx(
+        teeth.ohlendorf_loss_factor_high(**said)
+    )
 
 
 def test_the_loss_factor_is_the_other_form_of_ohlendorf():
     """π·(u + 1)/(z_1·u·cos β_b)·(1 − ε_α + ε_1² + ε_2²)."""
     u, z_1, e = 1.5, 24, (0.8, 0.7)
     other = math.pi * (u + 1) / (z_1 * u * math.cos(0.25)) * (1 - sum(e) + e[0] ** 2 + e[1] ** 2)
-    assert teeth.ohlendorf_loss_factor(eps_1=e[0], eps_2=e[1], eps_alpha=sum(e), z_1=z_1, z_2=z_1 * u, beta_b=0.25) == pytest.approx(other)
+    assert teeth.ohlendorf_loss_factor(
+        eps_1=e[0], eps_2=e[1], eps_alpha=sum(e), z_1=z_1, z_2=z_1 * u, beta_b=0.25
+    ) == pytest.approx(other)
 
 
 def test_the_warming_by_hand():

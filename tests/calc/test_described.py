@@ -1,4 +1,5 @@
-"""What a design is about, in a line for each of its steps: the same lengths as its values, in words that fit the number."""
+"""What a design is about, in a line for each of its steps: the same lengths as its values, in words that fit the
+number."""
 
 import pytest
 
@@ -10,9 +11,18 @@ from calc.locale import language
 from calc.solve import solve
 
 ENGINE = {
-    "name": "one", "layout": "inline", "cylinders": 1, "strokes": 4, "bore_mm": 85.0, "crank_radius_mm": 36.0, "rod_length_mm": 112.0,
-    "cylinder_pitch_mm": 100.0, "reciprocating_masses_kg": [0.42], "rotating_masses_kg": [0.3], "rated_speed_rpm": 8000.0,
-}  # fmt: skip
+    "name": "one",
+    "layout": "inline",
+    "cylinders": 1,
+    "strokes": 4,
+    "bore_mm": 85.0,
+    "crank_radius_mm": 36.0,
+    "rod_length_mm": 112.0,
+    "cylinder_pitch_mm": 100.0,
+    "reciprocating_masses_kg": [0.42],
+    "rotating_masses_kg": [0.3],
+    "rated_speed_rpm": 8000.0,
+}
 
 
 def document(**engine: object) -> Document:

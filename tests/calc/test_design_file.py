@@ -45,29 +45,42 @@ def test_a_number_survives_its_unit(unit, number):
     assert unit.shown(unit.inside(number)) == pytest.approx(number, rel=1e-13)
 
 
-@pytest.mark.parametrize("old, new, line, words", [
-    ("bore_mm = 94.0", 'bore_mm = "94"', True, ["engine.bore_mm", '"94"', "a number"]),
-    ("bore_mm = 94.0", "bore_mm = -1", True, ["engine.bore_mm", "-1", "above 0", "mm"]),
-    ("bore_mm = 94.0", "bore_mm = nan", True, ["engine.bore_mm", "finite"]),
-    ("bore_mm = 94.0", "bore_mm = inf", True, ["engine.bore_mm", "up to 1000"]),
-    ("bore_mm = 94.0", "bore_mm = true", True, ["engine.bore_mm", "a number"]),
-    ("bore_mm = 94.0", "bore_mm = " + "9" * 400, True, ["engine.bore_mm"]),
-    ("bore_mm = 94.0", "bore_m = 94.0", True, ["engine.bore_m", 'did you mean "bore_mm"']),
-    ("bore_mm = 94.0\n", "", False, ["engine.bore_mm", "is missing"]),
-    ("cylinders = 3", "cylinders = 3.0", True, ["engine.cylinders", "whole number"]),
-    ("cylinders = 3", "cylinders = 17", True, ["engine.cylinders", "from 1 to 16"]),
-    ('layout = "inline"', 'layout = "star"', True, ["engine.layout", '"star"', '"inline", "vee", "boxer"']),
-    ("[imbalance]", "[imbalanse]", True, ["imbalanse", 'did you mean "imbalance"']),
-    ('oil = "10W-40 Q8 T905"', 'oil = "10W-40 Q8 T90"', True, ["bearings.oil", "10W-40 Q8 T905"]),
-    ('housing_material = "EN AC-43100"', 'housing_material = "cheese"', True, ["bearings.housing_material", "known are"]),
-    ('driver = "central"', 'driver = "centre"', True, ["gears.meshes.1.driver", 'no wheel "centre"']),
-    ('name = "idler"', 'name = "shaft"', False, ["stands twice"]),
-    ('name = "idler"', 'name = "the idler"', True, ["letters, digits and -"]),
-    ("firing_order = [1, 3, 2]", "firing_order = [1, 3, 3]", True, ["engine.firing_order", "once"]),
-    ("bearing_positions_mm = [-167.5, 167.5]", "bearing_positions_mm = [-167.5]", True, ["has 1 entries; needs 2"]),
-    ("bearing_positions_mm = [-167.5, 167.5]", "bearing_positions_mm = [167.5, -167.5]", True, ["z_front < z_rear"]),
-    ("clearance_factor = 0.8", "clearance_um = 80", False, []),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    "old, new, line, words",
+    [
+        ("bore_mm = 94.0", 'bore_mm = "94"', True, ["engine.bore_mm", '"94"', "a number"]),
+        ("bore_mm = 94.0", "bore_mm = -1", True, ["engine.bore_mm", "-1", "above 0", "mm"]),
+        ("bore_mm = 94.0", "bore_mm = nan", True, ["engine.bore_mm", "finite"]),
+        ("bore_mm = 94.0", "bore_mm = inf", True, ["engine.bore_mm", "up to 1000"]),
+        ("bore_mm = 94.0", "bore_mm = true", True, ["engine.bore_mm", "a number"]),
+        ("bore_mm = 94.0", "bore_mm = " + "9" * 400, True, ["engine.bore_mm"]),
+        ("bore_mm = 94.0", "bore_m = 94.0", True, ["engine.bore_m", 'did you mean "bore_mm"']),
+        ("bore_mm = 94.0\n", "", False, ["engine.bore_mm", "is missing"]),
+        ("cylinders = 3", "cylinders = 3.0", True, ["engine.cylinders", "whole number"]),
+        ("cylinders = 3", "cylinders = 17", True, ["engine.cylinders", "from 1 to 16"]),
+        ('layout = "inline"', 'layout = "star"', True, ["engine.layout", '"star"', '"inline", "vee", "boxer"']),
+        ("[imbalance]", "[imbalanse]", True, ["imbalanse", 'did you mean "imbalance"']),
+        ('oil = "10W-40 Q8 T905"', 'oil = "10W-40 Q8 T90"', True, ["bearings.oil", "10W-40 Q8 T905"]),
+        (
+            'housing_material = "EN AC-43100"',
+            'housing_material = "cheese"',
+            True,
+            ["bearings.housing_material", "known are"],
+        ),
+        ('driver = "central"', 'driver = "centre"', True, ["gears.meshes.1.driver", 'no wheel "centre"']),
+        ('name = "idler"', 'name = "shaft"', False, ["stands twice"]),
+        ('name = "idler"', 'name = "the idler"', True, ["letters, digits and -"]),
+        ("firing_order = [1, 3, 2]", "firing_order = [1, 3, 3]", True, ["engine.firing_order", "once"]),
+        ("bearing_positions_mm = [-167.5, 167.5]", "bearing_positions_mm = [-167.5]", True, ["has 1 entries; needs 2"]),
+        (
+            "bearing_positions_mm = [-167.5, 167.5]",
+            "bearing_positions_mm = [167.5, -167.5]",
+            True,
+            ["z_front < z_rear"],
+        ),
+        ("clearance_factor = 0.8", "clearance_um = 80", False, []),
+    ],
+)
 def test_one_mistake_is_named_with_its_line(old, new, line, words):
     assert TEXT.count(old) >= 1
     text = TEXT.replace(old, new, 1)
@@ -84,25 +97,48 @@ def test_one_mistake_is_named_with_its_line(old, new, line, words):
 ENGINE, BEARINGS = "table to take it from", "where there is no [bearings] table"
 
 
-@pytest.mark.parametrize("name, changes, named", [
-    ("r753ie4_gamma", {"countershaft.speed_ratio": 1}, {"countershaft.speed_ratio": "must be -1"}),
-    ("r753ie4_gamma", {"countershaft.bearing_positions_mm": [-167.5, 0, 167.5]}, {"countershaft.bearing_positions_mm": "give two"}),
-    ("r753ie4_gamma", {"imbalance.crank_bodies_throw_at_tdc": 4}, {"imbalance.crank_bodies_throw_at_tdc": "from 1 to 3"}),
-    ("r753ie4_gamma", {"gears.wheels.crank.position_mm": [1, 0]}, {"gears.wheels.0.position_mm": "must be [0, 0]"}),
-    ("r753ie4_gamma", {"engine": None}, {"bearings.speed_rpm": ENGINE, "gears.speed_rpm": ENGINE}),
-    ("r753ie4_gamma", {"bearings": None}, {"friction.oil": BEARINGS, "friction.oil_temperature_C": BEARINGS, "gears.power_kW": BEARINGS}),
-    ("timing_pair", {"gears.speed_rpm": None}, {"gears.speed_rpm": ENGINE}),
-    ("timing_pair", {"gears.power_kW": None}, {"gears.power_kW": "whose loss the train carries"}),
-    ("timing_pair", {"gears.speed_irregularity": 0.1}, {"gears.irregularity_order": "whose firing order it is"}),
-    ("timing_pair", {"gears.speed_irregularity": 0.1, "gears.irregularity_order": 2}, {}),
-    ("timing_pair", {"gears.wheels.crank.position_mm": [1, 0], "gears.wheels.pump.position_mm": [133.67, 0]}, {}),
-    ("r753ie4_gamma", {"gears.speed_rpm": 2600, "gears.wheels.crank.position_mm": [1, 0]}, {"gears.wheels.0.position_mm": "must be [0, 0]"}),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    "name, changes, named",
+    [
+        ("r753ie4_gamma", {"countershaft.speed_ratio": 1}, {"countershaft.speed_ratio": "must be -1"}),
+        (
+            "r753ie4_gamma",
+            {"countershaft.bearing_positions_mm": [-167.5, 0, 167.5]},
+            {"countershaft.bearing_positions_mm": "give two"},
+        ),
+        (
+            "r753ie4_gamma",
+            {"imbalance.crank_bodies_throw_at_tdc": 4},
+            {"imbalance.crank_bodies_throw_at_tdc": "from 1 to 3"},
+        ),
+        ("r753ie4_gamma", {"gears.wheels.crank.position_mm": [1, 0]}, {"gears.wheels.0.position_mm": "must be [0, 0]"}),
+        ("r753ie4_gamma", {"engine": None}, {"bearings.speed_rpm": ENGINE, "gears.speed_rpm": ENGINE}),
+        (
+            "r753ie4_gamma",
+            {"bearings": None},
+            {"friction.oil": BEARINGS, "friction.oil_temperature_C": BEARINGS, "gears.power_kW": BEARINGS},
+        ),
+        ("timing_pair", {"gears.speed_rpm": None}, {"gears.speed_rpm": ENGINE}),
+        ("timing_pair", {"gears.power_kW": None}, {"gears.power_kW": "whose loss the train carries"}),
+        ("timing_pair", {"gears.speed_irregularity": 0.1}, {"gears.irregularity_order": "whose firing order it is"}),
+        ("timing_pair", {"gears.speed_irregularity": 0.1, "gears.irregularity_order": 2}, {}),
+        ("timing_pair", {"gears.wheels.crank.position_mm": [1, 0], "gears.wheels.pump.position_mm": [133.67, 0]}, {}),
+        (
+            "r753ie4_gamma",
+            {"gears.speed_rpm": 2600, "gears.wheels.crank.position_mm": [1, 0]},
+            {"gears.wheels.0.position_mm": "must be [0, 0]"},
+        ),
+    ],
+)
 def test_what_only_the_whole_design_can_show(name, changes, named):
     """What one table takes from another, where it is not there; what the engine or the bearings say already."""
     document = read(DESIGNS / f"{name}.toml")
     for key, value in changes.items():
-        document = document.with_value(key, value) if "." in key else Document({k: v for k, v in document.data.items() if k != key})
+        document = (
+            document.with_value(key, value)
+            if "." in key
+            else Document({k: v for k, v in document.data.items() if k != key})
+        )
     if not named:
         design(document)
         return
@@ -126,31 +162,57 @@ def test_every_error_at_once_in_the_order_of_the_lines():
         .replace("teeth = 39", "teeth = 1.5")
         .replace("supply_pressure_bar = 4.0", "supply_presure_bar = 4.0")
     )
-    text = text.replace('oil = "10W-40 Q8 T905"', 'oil = "water"').replace("firing_order = [1, 3, 2]", "firing_order = [1, 3]")
+    text = text.replace('oil = "10W-40 Q8 T905"', 'oil = "water"').replace(
+        "firing_order = [1, 3, 2]", "firing_order = [1, 3]"
+    )
     found = errors(text)
-    assert len(found) == 6  # the misspelt key is unknown and the right one missing; names and cross-checks are not put off
+    assert (
+        len(found) == 6
+    )  # the misspelt key is unknown and the right one missing; names and cross-checks are not put off
     lines = [int(e.split(":")[1]) for e in found]
     assert lines == sorted(lines)
 
 
-@pytest.mark.parametrize("raw, words", [
-    (b"", "is empty"), (b"   \n\n", "is empty"), (b"\x00\x01\xff\xfe", "UTF-8"), (b"\x89PNG\r\n\x1a\n\x00", "UTF-8"), (b"a = ", "is not TOML"),
-    (b"[[[[", "is not TOML"), (b"x = " + b"[" * 20000, "not"), (b"a.b = 1\na = 2", "is not TOML"), (b"schema = 1", "no step is asked"),
-    (b"hello", "is not TOML"), (b'schema = 1\nname = "x"\nengine = 3', "must be a table"), (b'schema = 1\nname = "x"\n[gears]\nwheels = 3', "array of tables"),
-    (b'schema = 2\nname = "x"', "schema: 2: must be 1"), (b"x = " + b"1" * 5000, ""),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    "raw, words",
+    [
+        (b"", "is empty"),
+        (b"   \n\n", "is empty"),
+        (b"\x00\x01\xff\xfe", "UTF-8"),
+        (b"\x89PNG\r\n\x1a\n\x00", "UTF-8"),
+        (b"a = ", "is not TOML"),
+        (b"[[[[", "is not TOML"),
+        (b"x = " + b"[" * 20000, "not"),
+        (b"a.b = 1\na = 2", "is not TOML"),
+        (b"schema = 1", "no step is asked"),
+        (b"hello", "is not TOML"),
+        (b'schema = 1\nname = "x"\nengine = 3', "must be a table"),
+        (b'schema = 1\nname = "x"\n[gears]\nwheels = 3', "array of tables"),
+        (b'schema = 2\nname = "x"', "schema: 2: must be 1"),
+        (b"x = " + b"1" * 5000, ""),
+    ],
+)
 def test_what_is_no_design_is_refused_without_a_traceback(raw, words):
     found = errors(raw)
     assert all(e.startswith("d.toml:") for e in found)
     assert any(words in e for e in found), found
 
 
-@pytest.mark.parametrize("raw, line, words", [
-    (b"a = 1\nb = 2,5\nc = 3\n", 2, "decimals are written with a point: 2.5"), (b"a = 1\nb = [1,\n  2", 3, "Unclosed array"),
-    (b"a = 1\nb = [1,\n", 3, "is not TOML"), (b"a = ", 1, "Invalid value"), (b"\xef\xbb\xbfa = 1\nb = \n", 2, "Invalid value"),
-    (b"a = 1\n# caf\xe9\n", 2, "UTF-8"), (b"# 1,5\nb = \n", 2, "is not TOML"), (b"a = 1\nb = 2\na = 3\n", 3, "stands above already"),
-    (b"[a]\nb = 2\n[a.b]\nc = 1\n", 3, "stands above already"), (b"[a]\nb = 2\n[a]\nc = 1\n", 3, "stands above already"),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    "raw, line, words",
+    [
+        (b"a = 1\nb = 2,5\nc = 3\n", 2, "decimals are written with a point: 2.5"),
+        (b"a = 1\nb = [1,\n  2", 3, "Unclosed array"),
+        (b"a = 1\nb = [1,\n", 3, "is not TOML"),
+        (b"a = ", 1, "Invalid value"),
+        (b"\xef\xbb\xbfa = 1\nb = \n", 2, "Invalid value"),
+        (b"a = 1\n# caf\xe9\n", 2, "UTF-8"),
+        (b"# 1,5\nb = \n", 2, "is not TOML"),
+        (b"a = 1\nb = 2\na = 3\n", 3, "stands above already"),
+        (b"[a]\nb = 2\n[a.b]\nc = 1\n", 3, "stands above already"),
+        (b"[a]\nb = 2\n[a]\nc = 1\n", 3, "stands above already"),
+    ],
+)
 def test_where_a_file_stops_being_toml_is_said(raw, line, words):
     """Where it ends too early: its last line.  A decimal comma is spoken of in its own line alone."""
     (found,) = errors(raw)
@@ -199,10 +261,17 @@ def test_values_are_addressed_by_name_or_index(gamma):
     assert quantity_of(gamma.data, "bearings.front.length_mm").unit == "mm"
 
 
-@pytest.mark.parametrize("key, words", [
-    ("bearings.front.lenght_mm", 'did you mean "length_mm"'), ("gears.wheels.sun.teeth", "there are crank, central, idler, shaft"),
-    ("bearings", "is a table"), ("engine.bore_mm.x", "has no parts"), ("nonsense", "is not known"), ("", "is not known"),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    "key, words",
+    [
+        ("bearings.front.lenght_mm", 'did you mean "length_mm"'),
+        ("gears.wheels.sun.teeth", "there are crank, central, idler, shaft"),
+        ("bearings", "is a table"),
+        ("engine.bore_mm.x", "has no parts"),
+        ("nonsense", "is not known"),
+        ("", "is not known"),
+    ],
+)
 def test_a_wrong_address_is_named(gamma, key, words):
     with pytest.raises(BadInput) as bad:
         gamma.with_value(key, 1)
@@ -213,15 +282,24 @@ def test_an_edit_changes_one_key_and_leaves_the_document_as_it_was(gamma):
     other = gamma.with_value("bearings.front.length_mm", 34.0)
     assert design(other).bearings.front.length == 0.034
     assert design(gamma).bearings.front.length == 0.0275
-    assert gamma.with_value("bearings.front.clearance_factor", None).data["bearings"]["front"].keys() == gamma.data["bearings"][
-        "front"
-    ].keys() - {"clearance_factor"}
+    assert gamma.with_value("bearings.front.clearance_factor", None).data["bearings"]["front"].keys() == gamma.data[
+        "bearings"
+    ]["front"].keys() - {"clearance_factor"}
 
 
-@pytest.mark.parametrize("text, key, value", [
-    ("a.b=3", "a.b", 3), ("a = 3.5", "a", 3.5), ('a="x"', "a", "x"), ("a=exact", "a", "exact"), ("a=[1, 2]", "a", [1, 2]), ("a=", "a", None),
-    ("a=10W-40 Q8 T905", "a", "10W-40 Q8 T905"), ("a=1=2", "a", "1=2"),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    "text, key, value",
+    [
+        ("a.b=3", "a.b", 3),
+        ("a = 3.5", "a", 3.5),
+        ('a="x"', "a", "x"),
+        ("a=exact", "a", "exact"),
+        ("a=[1, 2]", "a", [1, 2]),
+        ("a=", "a", None),
+        ("a=10W-40 Q8 T905", "a", "10W-40 Q8 T905"),
+        ("a=1=2", "a", "1=2"),
+    ],
+)
 def test_assignments_of_the_command_line(text, key, value):
     assert parse_assignment(text) == (key, value)
 
@@ -239,9 +317,14 @@ def test_every_quantity_of_a_design_is_described(gamma):
     assert isinstance(gamma, Document)
 
 
-@pytest.mark.parametrize("key, value", [
-    ("bearings.front.length_mm", "9" * 5000), ("gears.wheels.².teeth", "3"), ("bearings.front.length_mm", "34\nfoo = 3"),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    "key, value",
+    [
+        ("bearings.front.length_mm", "9" * 5000),
+        ("gears.wheels.².teeth", "3"),
+        ("bearings.front.length_mm", "34\nfoo = 3"),
+    ],
+)
 def test_nasty_assignments_are_named(gamma, key, value):
     with pytest.raises(BadInput):
         design(gamma.with_value(*parse_assignment(f"{key}={value}")))

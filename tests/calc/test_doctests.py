@@ -1,4 +1,5 @@
-"""The examples in the docstrings run and give what they say: those of the formulas, which `help` shows, and all others."""
+"""The examples in the docstrings run and give what they say: those of the formulas, which `help` shows, and all
+others."""
 
 import doctest
 from importlib import import_module
@@ -12,7 +13,10 @@ from calc.sheet.formula import FORMULAS
 ROOT = Path(calc.__file__).parent
 TEXTS = {path: path.read_text(encoding="utf-8") for path in ROOT.rglob("*.py")}
 EXAMPLES = {path: text.count(">>> ") for path, text in TEXTS.items() if ">>> " in text}
-NAMES = {path: ".".join(("calc", *path.relative_to(ROOT).with_suffix("").parts)).removesuffix(".__init__") for path in EXAMPLES}
+NAMES = {
+    path: ".".join(("calc", *path.relative_to(ROOT).with_suffix("").parts)).removesuffix(".__init__")
+    for path in EXAMPLES
+}
 
 
 @pytest.mark.parametrize("path", EXAMPLES, ids=NAMES.values())
@@ -32,7 +36,14 @@ def test_the_formulas_that_a_user_calls_have_examples():
         import_module(path)
     with_example = [name for name, formula in FORMULAS.items() if ">>> " in (formula.function.__doc__ or "")]
     assert len(with_example) >= 60
-    assert {name.split(".")[1] for name in with_example} >= {"engine", "imbalance", "countershaft", "bearings", "gears", "friction"}
+    assert {name.split(".")[1] for name in with_example} >= {
+        "engine",
+        "imbalance",
+        "countershaft",
+        "bearings",
+        "gears",
+        "friction",
+    }
 
 
 def test_a_wrong_example_fails(monkeypatch):

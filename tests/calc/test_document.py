@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Document control: what the title block is made of, from [document] and from the keys that old files have at their top."""
+"""Document control: what the title block is made of, from [document] and from the keys that old files have at their
+top."""
 
 import tomllib
 
@@ -19,9 +20,17 @@ def control(top: str = "", end: str = "") -> DocumentControl:
 
 
 def test_a_date_is_a_date_of_toml_or_its_text() -> None:
-    made = control(end='[document]\nnumber = "C-1"\nprepared = { name = "A", date = 2026-03-14 }\nchecked = { date = "2026-03-15" }')
+    made = control(
+        end='[document]\nnumber = "C-1"\nprepared = { name = "A", date = 2026-03-14 }\nchecked = { date = '
+        '"2026-03-15" }'
+    )
     assert made.prepared is not None and made.checked is not None and made.approved is not None
-    assert (made.number, made.prepared.date, made.checked.date, made.approved.name) == ("C-1", "2026-03-14", "2026-03-15", "")
+    assert (made.number, made.prepared.date, made.checked.date, made.approved.name) == (
+        "C-1",
+        "2026-03-14",
+        "2026-03-15",
+        "",
+    )
 
 
 def test_what_old_files_say_at_their_top_goes_where_it_belongs() -> None:

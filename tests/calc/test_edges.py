@@ -1,4 +1,5 @@
-"""No jump at the edges of tables: just left and just right of every knot the value is the same, or the source itself jumps, and says so here."""
+"""No jump at the edges of tables: just left and just right of every knot the value is the same, or the source itself
+jumps, and says so here."""
 
 import math
 import tomllib
@@ -46,10 +47,16 @@ def knots(low: float, high: float, inner: Iterable[float]) -> list[float]:
     return [float(x) for x in inner if low < x < high]
 
 
-# --- what goes on without a jump ----------------------------------------------------------------------------------------------------
+# --- what goes on without a jump
+# ----------------------------------------------------------------------------------------------------
 CHARTS = tomllib.loads((TABLES / "raimondi_boyd.toml").read_text(encoding="utf-8"))["row"]
 POINTS = ((20.0, 0.2), (40.0, 0.08), (70.0, 0.02), (100.0, 0.009))
-ROWS = Oil(name="own", rho15=880.0, base="mineral", viscosities=tuple(ViscosityRow(temperature=T, viscosity=mu) for T, mu in POINTS))
+ROWS = Oil(
+    name="own",
+    rho15=880.0,
+    base="mineral",
+    viscosities=tuple(ViscosityRow(temperature=T, viscosity=mu) for T, mu in POINTS),
+)
 GROOVES = Feeds(feeds=(Feed(math.pi / 2, 0.35), Feed(-math.pi / 2, 0.35)))
 B = dynamic.Excitation(0.6, 0.4, 0.8)
 LIVES = {kind: knees for kind, knees in life.ROOT_CURVES.items()} | {"V": life.ROOT_THROUGH}
@@ -65,14 +72,29 @@ def smooth() -> Iterable[tuple[str, Function, list[float]]]:
     for name in ("sommerfeld", "attitude", "friction", "flow", "side_flow_ratio", "pressure_ratio", "radial_damping"):
         yield f"film table, {name} over the eccentricity", film(name, 0.43), eps
         yield f"film table, {name} over l/d", lambda l, name=name: getattr(table.film_at(0.61, l), name), ratios
-    yield "film table, turned round", lambda S: table.eccentricity_from(S, 0.43), [table.film_at(e, 0.43).sommerfeld for e in eps]
+    yield (
+        "film table, turned round",
+        lambda S: table.eccentricity_from(S, 0.43),
+        [table.film_at(e, 0.43).sommerfeld for e in eps],
+    )
     inner = np.tanh(grooved_table.grooved_table(0.5, GROOVES.feeds).x[1:-1]).tolist()
     for name in ("sommerfeld", "attitude", "side_flow", "pressure_ratio", "sheared", "k_xx", "c_yy"):
-        yield f"film with grooves, {name}", lambda e, name=name: getattr(grooved_table.film_at(e, 0.5, GROOVES), name), inner
+        yield (
+            f"film with grooves, {name}",
+            lambda e, name=name: getattr(grooved_table.film_at(e, 0.5, GROOVES), name),
+            inner,
+        )
     for place in range(6):
         edges = sorted({row["S"] for row in CHARTS})
-        low, high = max(min(r["S"] for r in CHARTS if r["length_ratio"] == b) for b in {r["length_ratio"] for r in CHARTS}), math.inf
-        yield f"Raimondi and Boyd over S, {place}", lambda S, place=place: raimondi_boyd.at(S, 0.4)[place], knots(low, high, edges)
+        low, high = (
+            max(min(r["S"] for r in CHARTS if r["length_ratio"] == b) for b in {r["length_ratio"] for r in CHARTS}),
+            math.inf,
+        )
+        yield (
+            f"Raimondi and Boyd over S, {place}",
+            lambda S, place=place: raimondi_boyd.at(S, 0.4)[place],
+            knots(low, high, edges),
+        )
         yield f"Raimondi and Boyd over l/d, {place}", lambda b, place=place: raimondi_boyd.at(0.2, b)[place], [0.5, 1.0]
     yield "an oil's own rows", Lubricant(ROWS).nu, [40.0, 70.0]
     yield "an oil's own rows, on arrays", lambda T: float(Lubricant(ROWS).nu(np.array([T]))[0]), [40.0, 70.0]
@@ -83,7 +105,11 @@ def smooth() -> Iterable[tuple[str, Function, list[float]]]:
     angles, pressures = np.array([0.0, 1.0, 2.5, 9.0]), np.array([1e5, 60e5, 8e5, 1e5])
     for edge in ("a knot", [1.0, 2.5, 9.0]), ("the end of the cycle", [cycle]):
         yield f"gas pressure at {edge[0]}", lambda e: float(table_pressure(e, angles, pressures, cycle)), edge[1]
-    yield "error function", lambda x: float(np.asarray(erf.erf(np.array([x])))[0]), [n / erf.STEPS for n in (1, 7, 500, 1024, 3000)]
+    yield (
+        "error function",
+        lambda x: float(np.asarray(erf.erf(np.array([x])))[0]),
+        [n / erf.STEPS for n in (1, 7, 500, 1024, 3000)],
+    )
     for kind, knees in LIVES.items():
         yield f"Y_NT of {kind}", partial(life.root_life, kind), [N for N, _ in knees]
     for kind in ("Eh", *life.FLANK_CURVES):
@@ -94,7 +120,11 @@ def smooth() -> Iterable[tuple[str, Function, list[float]]]:
         yield f"slip layer {structural:g}", slip, [R * 1e6 for R, _ in rows]
     yield "K_Hβ", lambda x: (distribution.face_factor_whole if x <= 1 else distribution.face_factor_part)(xi=x), [1.0]
     yield "share that touches", lambda x: distribution.contact_share(xi=x), [1.0]
-    yield "K_α", lambda e: (distribution.pair_factor if e <= 2 else distribution.pair_factor_high)(eps_gamma=e, q_alpha=0.7), [2.0]
+    yield (
+        "K_α",
+        lambda e: (distribution.pair_factor if e <= 2 else distribution.pair_factor_high)(eps_gamma=e, q_alpha=0.7),
+        [2.0],
+    )
     yield "K_V between the ranges", lambda N: dynamic.dynamic_factor(B, 1.7, N, 0.85), [1.15, 1.5]
     yield "C_v7", lambda e: dynamic._above(dynamic.Excitation(0, 0, 0), e), [1.5, 2.5]
     yield (
@@ -102,7 +132,11 @@ def smooth() -> Iterable[tuple[str, Function, list[float]]]:
         lambda w: dynamic.light_load_stiffness(c=14e9, w=w) if w < dynamic.LIGHT else 14e9,
         [dynamic.LIGHT],
     )
-    yield "N_S under a light load", lambda w: dynamic.lower_resonance(w=w) if w < dynamic.LIGHT else 0.85, [dynamic.LIGHT]
+    yield (
+        "N_S under a light load",
+        lambda w: dynamic.lower_resonance(w=w) if w < dynamic.LIGHT else 0.85,
+        [dynamic.LIGHT],
+    )
     yield "Z_ε over the overlap", lambda e: stress.contact_ratio_factor(1.6, e), [1.0]
     yield "K_Bγ", lambda e: screening_load.helical_load_factor(eps_gamma=e), [2.0, 3.5]
     yield "factor on the speed of transition", journal_rules.speed_factor, list(journal_rules.SPEED_FACTOR)
@@ -125,7 +159,8 @@ def test_just_left_and_just_right_of_an_edge_the_value_is_the_same(name: str) ->
     assert found == {}
 
 
-# --- where the source itself jumps --------------------------------------------------------------------------------------------------
+# --- where the source itself jumps
+# --------------------------------------------------------------------------------------------------
 def coefficients(eps_gamma: float) -> float:
     return dynamic.dynamic_factor(B, eps_gamma, 0.8, 0.85)
 
@@ -144,33 +179,40 @@ JUMPS: dict[str, tuple[str, Function, list[float], float]] = {
         lambda So: falz.film(60e-6, So, 0.5), [1.0], 0.6,
     ),
     "dynamic factor at ε_γ = 2": (
-        "ISO 6336-1, Table 8: C_v2 to C_v6 have constants up to 2 and formulas above, rounded apart", coefficients, [2.0], 0.03,
+        "ISO 6336-1, Table 8: C_v2 to C_v6 have constants up to 2 and formulas above, rounded apart", coefficients,
+        [2.0], 0.03,
     ),
     "dynamic factor at the main resonance": (
-        "ISO 6336-1, 6.5.5: the factor of the resonance holds from N_S on at once", lambda N: dynamic.dynamic_factor(B, 1.7, N, 0.85), [0.85], 0.4,
+        "ISO 6336-1, 6.5.5: the factor of the resonance holds from N_S on at once",
+        lambda N: dynamic.dynamic_factor(B, 1.7, N, 0.85), [0.85], 0.4,
     ),
     "load distribution at ε_αn = 2": (
         "ISO 6336-3:2019: two pairs share the load of spur teeth from 2 on at once",
         lambda e: (stress.load_distribution if e < 2 else stress.load_distribution_high)(0.3, e), [2.0], 0.3,
     ),
     "running in of soft flanks": (
-        "ISO 6336-1, 8.3.5: above 5 and 10 m/s no more than that of 80 and 40 µm runs in, which a larger deviation meets at once",
+        "ISO 6336-1, 8.3.5: above 5 and 10 m/s no more than that of 80 and 40 µm runs in, which a larger deviation "
+        "meets at once",
         lambda v: distribution.running_in(100e-6, "V", 600e6, v), [5.0, 10.0], 0.6,
     ),
     "rounding of a tolerance": (
-        "ISO 1328-1, 5.2.3 rounds its tolerances", lambda f: distribution.rounded(f=f), [4.95e-6, 7.25e-6, 20.5e-6], 0.1,
+        "ISO 1328-1, 5.2.3 rounds its tolerances", lambda f: distribution.rounded(f=f), [4.95e-6, 7.25e-6, 20.5e-6],
+        0.1,
     ),
     "teeth of grade 4 and ε_αn = 2.05": (
-        "IACS UR M56: the line of deep teeth begins at 1.00070", lambda e: root_strength.deep_tooth_factor(4, e), [2.05], 1e-3,
+        "IACS UR M56: the line of deep teeth begins at 1.00070", lambda e: root_strength.deep_tooth_factor(4, e),
+        [2.05], 1e-3,
     ),
     "surface factor at 1 µm": (
-        "IACS UR M56: below 1 µm a constant, rounded to three digits", lambda R: root_strength.surface_factor("Eh", R), [1e-6], 0.03,
+        "IACS UR M56: below 1 µm a constant, rounded to three digits", lambda R: root_strength.surface_factor("Eh",
+        R), [1e-6], 0.03,
     ),
     "rim of 1.2 tooth depths": (
         "IACS UR M56: 1.6·ln(2.242/1.2) is 1.0001", lambda s: root_strength.rim_factor("w", 1e-3, s), [1.2e-3], 1e-3,
     ),
     "viscosity index, oil of index 0": (
-        "ASTM D2270, X2: parabolas with rounded coefficients", lambda Y: viscosity_index.of_index_0(nu_100=Y), reference_oils(), 0.005,
+        "ASTM D2270, X2: parabolas with rounded coefficients", lambda Y: viscosity_index.of_index_0(nu_100=Y),
+        reference_oils(), 0.005,
     ),
     "viscosity index, oil of index 100": (
         "the same", lambda Y: viscosity_index.of_index_100(nu_100=Y), reference_oils(), 0.005,

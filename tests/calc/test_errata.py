@@ -41,7 +41,9 @@ def test_the_right_numbers_are_computed(known):
 
 
 def test_a_sum_is_arithmetic_and_nothing_else():
-    assert worked_out("degrees(atan(1.5/(pi*9.025705)))") == pytest.approx(math.degrees(math.atan(1.5 / (math.pi * 9.025705))))
+    assert worked_out("degrees(atan(1.5/(pi*9.025705)))") == pytest.approx(
+        math.degrees(math.atan(1.5 / (math.pi * 9.025705)))
+    )
     with pytest.raises(NameError):
         worked_out("open('x')")
 
@@ -80,9 +82,13 @@ def test_kinds_of_reference_values_are_apart(validation):
 def test_what_is_not_met_is_listed_and_differs(validation):
     missed = {(one.what, one.printed) for one in validation[1]}
     assert {
-        ("bearings.rear.raimondi_boyd.film", 11.2), ("bearings.rear.raimondi_boyd.friction_power", 181.98),
-        ("bearings.front.falz.temperature_rise", 5.09), ("gears.central.form_diameter", 73.7),
-        ("countershaft.alternative.ADI.bore_growth", 2.5), ("countershaft.bending_stress", 14.0), ("countershaft.notch_stress", 18.0),
-    } <= missed  # fmt: skip
+        ("bearings.rear.raimondi_boyd.film", 11.2),
+        ("bearings.rear.raimondi_boyd.friction_power", 181.98),
+        ("bearings.front.falz.temperature_rise", 5.09),
+        ("gears.central.form_diameter", 73.7),
+        ("countershaft.alternative.ADI.bore_growth", 2.5),
+        ("countershaft.bending_stress", 14.0),
+        ("countershaft.notch_stress", 18.0),
+    } <= missed
     for one in validation[1]:
         assert one.why and abs(one.deviation) > 1e-4, one.what

@@ -1,4 +1,5 @@
-"""Endless life at fillets: the Haigh line, a shaft from standstill to full speed, a throw over its cycle (numbers by hand)."""
+"""Endless life at fillets: the Haigh line, a shaft from standstill to full speed, a throw over its cycle (numbers by
+hand)."""
 
 from dataclasses import replace
 from itertools import pairwise
@@ -22,7 +23,8 @@ HARD = replace(STEEL, kind="steel", tensile_strength=1000e6)
 
 
 def test_the_line_of_haigh():
-    """M = 0.25: no mean stress, 100; mean = amplitude, 100·1.25; from there on a third of the slope, up to half of R."""
+    """M = 0.25: no mean stress, 100; mean = amplitude, 100·1.25; from there on a third of the slope, up to half of
+    R."""
     at = lambda mean: fatigue.equivalent_amplitude(sigma_a=100.0, sigma_m=mean, M=0.25)  # noqa: E731
     assert (at(0.0), at(100.0)) == (100.0, pytest.approx(125.0))
     assert at(200.0) == pytest.approx(1.25 * (100 + 200 / 12) / (1 + 1 / 12))
@@ -36,13 +38,25 @@ def test_strength_of_the_source_s_metals():
     assert steel.bearable == pytest.approx(359.2e6, abs=0.1e6) and steel.sensitivity == pytest.approx(0.259, abs=5e-4)
     assert iron.bearable == pytest.approx(0.34 * 1110e6 * (1 - 0.16 * 0.79934 * np.log10(5.55)), rel=1e-4)
     assert (steel.safety, iron.safety) == (1.5, 2.1)
-    assert fatigue.strength(replace(ROWS["42CrMo4"], alternating_strength=500e6)).bearable == pytest.approx(500 / 410.4 * steel.bearable)
+    assert fatigue.strength(replace(ROWS["42CrMo4"], alternating_strength=500e6)).bearable == pytest.approx(
+        500 / 410.4 * steel.bearable
+    )
 
 
-@pytest.mark.parametrize("unknown", [ROWS["20CrNi4"], replace(HARD, kind="other"), replace(HARD, tensile_strength=None)])
+@pytest.mark.parametrize(
+    "unknown", [ROWS["20CrNi4"], replace(HARD, kind="other"), replace(HARD, tensile_strength=None)]
+)
 def test_what_is_not_known_is_not_judged(unknown):
     assert fatigue.strength(unknown) is None
-    bent = b.bending(example(), unknown, omega=OMEGA, positions=(FRONT, REAR), extras=further(), effectiveness=1.0, fillet_radius=2e-3)
+    bent = b.bending(
+        example(),
+        unknown,
+        omega=OMEGA,
+        positions=(FRONT, REAR),
+        extras=further(),
+        effectiveness=1.0,
+        fillet_radius=2e-3,
+    )
     assert bent.fatigue_safety is None
     assert not [c for c in bending_checks(bent, unknown) if c.id == "countershaft.fatigue"]
 
@@ -50,13 +64,23 @@ def test_what_is_not_known_is_not_judged(unknown):
 def test_a_shaft_between_standstill_and_full_speed():
     """R = 0: amplitude = mean = σ_k/2, as hard as (1 + M)·σ_k/2; it falls with the square of the speed."""
 
-    def bent(omega: float, metal: Material = HARD) -> b.Bending:  # fmt: skip
-        return b.bending(example(), metal, omega=omega, positions=(FRONT, REAR), extras=further(), effectiveness=1.0, fillet_radius=2e-3)
+    def bent(omega: float, metal: Material = HARD) -> b.Bending:
+        return b.bending(
+            example(),
+            metal,
+            omega=omega,
+            positions=(FRONT, REAR),
+            extras=further(),
+            effectiveness=1.0,
+            fillet_radius=2e-3,
+        )
 
     one = bent(OMEGA)
     assert one.fatigue_amplitude == pytest.approx(1.25 * one.notch_stress / 2)
     assert one.fatigue_safety == pytest.approx(one.fatigue_strength / one.fatigue_amplitude)
-    assert bent(2 * OMEGA).fatigue_safety == pytest.approx(one.fatigue_safety / 4, rel=1e-3)  # the bent shaft loads itself a little
+    assert bent(2 * OMEGA).fatigue_safety == pytest.approx(
+        one.fatigue_safety / 4, rel=1e-3
+    )  # the bent shaft loads itself a little
     (judged,) = [c for c in bending_checks(one, HARD) if c.id == "countershaft.fatigue"]
     assert (judged.verdict, judged.kind, judged.limit) == ("pass", "caution", 1.5)
 
@@ -68,7 +92,8 @@ def fatigued(p_max=101e5, **sizes):
 
 
 def test_a_throw_under_slow_gas_pulsates():
-    """At rest but for the gas: hardly any stress between two firings, so that amplitude and mean are both about half of the largest."""
+    """At rest but for the gas: hardly any stress between two firings, so that amplitude and mean are both about half of
+    the largest."""
     found, checks, notes, _ = fatigued()
     tired = found.fatigue
     assert tired.place == "pin" and tired.cylinder == 1
@@ -86,6 +111,9 @@ def test_a_throw_tires_as_its_stress_grows():
     thick = fatigued(pin_diameter=0.08, fillet_radius=0.006, journal_diameter=0.2)[0].fatigue
     assert (base.place, thick.place) == ("pin", "pin")
     assert thick.fatigue_amplitude == pytest.approx(base.fatigue_amplitude / 8, rel=1e-9)
-    assert fatigued(fillet_radius=0.005)[0].fatigue.fatigue_safety > fatigued(fillet_radius=0.003)[0].fatigue.fatigue_safety
+    assert (
+        fatigued(fillet_radius=0.005)[0].fatigue.fatigue_safety
+        > fatigued(fillet_radius=0.003)[0].fatigue.fatigue_safety
+    )
     found, _, notes, _ = fatigued(fillet_radius=None)
     assert found.fatigue is None and any("fatigue is not judged" in note for note in notes)

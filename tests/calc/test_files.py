@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""One writer and one reader: what is there is whole at every moment, nothing else than a regular file is touched, nobody's write is lost."""
+"""One writer and one reader: what is there is whole at every moment, nothing else than a regular file is touched,
+nobody's write is lost."""
 
 import os
 import resource
@@ -54,7 +55,11 @@ def test_a_new_file_has_the_rights_of_the_umask_and_an_old_one_its_own_and_so_ha
         write_file(path, b"new", backup=True)
     finally:
         os.umask(before)
-    assert [stat.S_IMODE(one.stat().st_mode) for one in (new, path, path.with_name("a.toml.bak"))] == [0o640, 0o600, 0o600]
+    assert [stat.S_IMODE(one.stat().st_mode) for one in (new, path, path.with_name("a.toml.bak"))] == [
+        0o640,
+        0o600,
+        0o600,
+    ]
 
 
 def test_a_link_is_followed(path: Path) -> None:
@@ -63,10 +68,16 @@ def test_a_link_is_followed(path: Path) -> None:
     dangling.symlink_to("there")
     write_file(link, b"new")
     write_file(dangling, b"new")
-    assert link.is_symlink() and dangling.is_symlink() and path.read_bytes() == path.with_name("there").read_bytes() == b"new"
+    assert (
+        link.is_symlink()
+        and dangling.is_symlink()
+        and path.read_bytes() == path.with_name("there").read_bytes() == b"new"
+    )
 
 
-@pytest.mark.parametrize("kind", ["folder", "pipe", "device", "link to a device", "loop", "no name", "no folder", "a file as folder"])
+@pytest.mark.parametrize(
+    "kind", ["folder", "pipe", "device", "link to a device", "loop", "no name", "no folder", "a file as folder"]
+)
 def test_only_regular_files_are_written_and_read(path: Path, kind: str) -> None:
     target = path.with_name("target")
     if kind == "folder":
@@ -77,9 +88,18 @@ def test_only_regular_files_are_written_and_read(path: Path, kind: str) -> None:
         target.symlink_to("/dev/zero")
     elif kind == "loop":
         target.symlink_to(target)
-    name = {"device": "/dev/null", "no name": f"{path}\0", "no folder": path / "no" / "x", "a file as folder": path / "x"}.get(kind, target)
+    name = {
+        "device": "/dev/null",
+        "no name": f"{path}\0",
+        "no folder": path / "no" / "x",
+        "a file as folder": path / "x",
+    }.get(kind, target)
     before = names(path.parent)
-    for act in (lambda: write_file(name, b"new"), lambda: read_file(name, 10), lambda: edit_file(name, 10, bytes.upper)):
+    for act in (
+        lambda: write_file(name, b"new"),
+        lambda: read_file(name, 10),
+        lambda: edit_file(name, 10, bytes.upper),
+    ):
         with pytest.raises(OSError) as refused:
             act()
         assert refused.value.strerror
@@ -140,16 +160,33 @@ def test_a_file_that_another_program_has_changed_or_made_is_left_alone(path: Pat
     assert path.read_bytes() == b"again"
 
 
-@pytest.mark.parametrize(("name", "bare"), [
-    ("a.pdf", True), ("à b.pdf", True), ("", False), (".", False), ("..", False), (".a", False), ("a/b", False), ("a\\b", False), ("C:a", False),
-    ("a\0", False), ("a\n", False), ("\x1b[31ma", False), ("a" * 101, False), ("\u202ea", False),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    ("name", "bare"),
+    [
+        ("a.pdf", True),
+        ("à b.pdf", True),
+        ("", False),
+        (".", False),
+        ("..", False),
+        (".a", False),
+        ("a/b", False),
+        ("a\\b", False),
+        ("C:a", False),
+        ("a\0", False),
+        ("a\n", False),
+        ("\x1b[31ma", False),
+        ("a" * 101, False),
+        ("\u202ea", False),
+    ],
+)
 def test_bare_names(name: str, bare: bool) -> None:
     assert bare_name(name) == bare
 
 
 def test_same_file(path: Path) -> None:
-    assert same_file(path, path.parent / "." / path.name) and not same_file(path, "nowhere") and not same_file(path, "\0")
+    assert (
+        same_file(path, path.parent / "." / path.name) and not same_file(path, "nowhere") and not same_file(path, "\0")
+    )
 
 
 # --- what goes wrong
@@ -176,8 +213,12 @@ def failing(call: int, error: BaseException) -> Iterator[list[str]]:
         yield asked
 
 
-@pytest.mark.parametrize("error", [OSError(28, "No space left on device"), KeyboardInterrupt()], ids=["disk full", "ctrl-c"])
-def test_whatever_fails_the_file_is_the_old_or_the_new_one_and_nothing_else_stays(tmp_path: Path, error: BaseException) -> None:
+@pytest.mark.parametrize(
+    "error", [OSError(28, "No space left on device"), KeyboardInterrupt()], ids=["disk full", "ctrl-c"]
+)
+def test_whatever_fails_the_file_is_the_old_or_the_new_one_and_nothing_else_stays(
+    tmp_path: Path, error: BaseException
+) -> None:
     kept = tmp_path / "a.toml.bak"
     found, ways = [], []
     for call in range(1, 100):
@@ -194,7 +235,9 @@ def test_whatever_fails_the_file_is_the_old_or_the_new_one_and_nothing_else_stay
         assert found[-1] in (b"old", b"new") and kept.read_bytes() in (b"older", b"old")
         assert told in (None, error) and (told is None) <= (found[-1] == b"new")  # what was not written is said
         left = [name for name in names(tmp_path) if name not in ("a.toml", "a.toml.bak")]
-        assert len(left) <= (asked[-1] == "unlink" or "unlink" in asked)  # the one whose removal failed, which the next write takes away
+        assert len(left) <= (
+            asked[-1] == "unlink" or "unlink" in asked
+        )  # the one whose removal failed, which the next write takes away
         write_file(path, b"next")
         assert names(tmp_path) == ["a.toml", "a.toml.bak"]
         ways.append(len(asked))
@@ -238,7 +281,12 @@ def test_any_writes_of_which_some_fail(tmp_path: Path, writes: list[tuple[bytes,
 
 # --- one at a time
 def test_drafts_of_killed_runs_are_taken_away_and_nothing_else(path: Path) -> None:
-    theirs = [".contralbero-0123456789abcdef.new.txt", ".a.toml.77.new", "contralbero-0123456789abcdef.new", ".contralbero-012.new"]
+    theirs = [
+        ".contralbero-0123456789abcdef.new.txt",
+        ".a.toml.77.new",
+        "contralbero-0123456789abcdef.new",
+        ".contralbero-012.new",
+    ]
     for name in (*theirs, ".contralbero-0123456789abcdef.new"):
         path.with_name(name).write_text("half")
     write_file(path, b"new")
@@ -256,7 +304,9 @@ def test_without_locks_a_draft_may_be_of_a_run_that_lives(path: Path, monkeypatc
     assert not draft.exists()
 
 
-def test_a_folder_that_another_program_holds_is_waited_for_and_then_said(path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_folder_that_another_program_holds_is_waited_for_and_then_said(
+    path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     monkeypatch.setattr(files, "LOCK_SECONDS", 0.05)
     with locked(path.parent) as alone:
         assert alone

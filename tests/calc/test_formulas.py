@@ -15,7 +15,11 @@ from calc.sheet.units import UNITS
 from tests.calc.dimension import Mismatch, check
 
 for path in Path(calc.__file__).parent.rglob("*.py"):
-    if "@formula" in (source := path.read_text(encoding="utf-8")) and path.parent.name != "sheet" and "__main__" not in source:
+    if (
+        "@formula" in (source := path.read_text(encoding="utf-8"))
+        and path.parent.name != "sheet"
+        and "__main__" not in source
+    ):
         import_module(".".join(path.relative_to(Path(calc.__file__).parent.parent).with_suffix("").parts))
 
 OURS = [f for name, f in FORMULAS.items() if name.startswith("calc.")]  # other tests make formulas of their own
@@ -49,7 +53,9 @@ def test_every_argument_and_the_result_have_a_unit(module):
 def test_is_one_return_expression_that_renders(module):
     for f in formulas_of(module, expressions=True):
         body = ast.parse(textwrap.dedent(inspect.getsource(f.function))).body[0].body
-        assert [type(n) for n in body if not (isinstance(n, ast.Expr) and isinstance(n.value, ast.Constant))] == [ast.Return], f.__name__
+        assert [type(n) for n in body if not (isinstance(n, ast.Expr) and isinstance(n.value, ast.Constant))] == [
+            ast.Return
+        ], f.__name__
         assert text(expression(f)), f.__name__
 
 

@@ -19,10 +19,11 @@ from calc.studies.explain import Chains
 DESIGNS = Path(__file__).parents[2] / "designs"
 # Gear friction thesis, table of oils (read): T in °C → dynamic viscosity in mPa·s, as printed, misprints and all.
 PRINTED = {
-    "10W40": {40.0: 128.58, 50.0: 20.10, 60.0: 70.22, 100.0: 16.797}, "0W30": {40.0: 27.18, 50.0: 20.10, 60.0: 16.14, 100.0: 4.29},
+    "10W40": {40.0: 128.58, 50.0: 20.10, 60.0: 70.22, 100.0: 16.797},
+    "0W30": {40.0: 27.18, 50.0: 20.10, 60.0: 16.14, 100.0: 4.29},
     "10W40 synthetic": {40.0: 225.79, 50.0: 150.31, 60.0: 100.25, 100.0: 40.09},
     "MIL-L-23699E": {40.0: 22.56, 50.0: 18.14, 60.0: 13.54, 100.0: 4.59},
-}  # fmt: skip
+}
 
 
 def tabulated(rows, rho15=850.5):
@@ -34,7 +35,9 @@ def written(name, rows):
     """An oil of the friction thesis as printed, as a user writes it into a design."""
     shipped = oils()[f"friction thesis {name}"]
     head = f'[[oil]]\nname = "{name} as printed"\nrho15_kgm3 = {shipped.rho15}\nbase = "{shipped.base}"\nconductivity_W_mK = {shipped.conductivity}\n'
-    return head + "".join(f"[[oil.viscosities]]\ntemperature_C = {T}\nviscosity_mPas = {mu}\n" for T, mu in rows.items())
+    return head + "".join(
+        f"[[oil.viscosities]]\ntemperature_C = {T}\nviscosity_mPas = {mu}\n" for T, mu in rows.items()
+    )
 
 
 def errors(text):
@@ -49,7 +52,9 @@ def test_every_row_is_met(name):
     for T, mu in PRINTED[name].items():
         assert lubricant.at(T).mu * 1e3 == pytest.approx(mu, rel=1e-10)
     at_once = lubricant.at(np.array([30.0, 40.0, 45.0, 50.0, 55.0, 80.0, 100.0, 120.0])).mu
-    assert at_once.tolist() == pytest.approx([lubricant.at(T).mu for T in (30.0, 40.0, 45.0, 50.0, 55.0, 80.0, 100.0, 120.0)], rel=1e-12)
+    assert at_once.tolist() == pytest.approx(
+        [lubricant.at(T).mu for T in (30.0, 40.0, 45.0, 50.0, 55.0, 80.0, 100.0, 120.0)], rel=1e-12
+    )
 
 
 @pytest.mark.parametrize("law", ["walther", "d341"])
@@ -69,7 +74,9 @@ def test_between_two_rows_by_hand():
     y = {T: np.log10(np.log10(PRINTED["10W40"][T] * 1e3 / rho[T] + 0.6)) for T in (60.0, 100.0)}
     x = {T: np.log10(T + ZERO_CELSIUS) for T in rho}
     there = y[60.0] + (y[100.0] - y[60.0]) * (x[80.0] - x[60.0]) / (x[100.0] - x[60.0])
-    assert Lubricant(tabulated(PRINTED["10W40"])).at(80.0).mu * 1e6 == pytest.approx((10 ** (10**there) - 0.6) * rho[80.0])
+    assert Lubricant(tabulated(PRINTED["10W40"])).at(80.0).mu * 1e6 == pytest.approx(
+        (10 ** (10**there) - 0.6) * rho[80.0]
+    )
 
 
 @pytest.mark.parametrize("T", [45.0, 70.0, 110.0])
@@ -125,7 +132,9 @@ def test_the_bearings_take_a_viscosity_of_their_own():
 
 def test_beyond_the_rows_is_said():
     text = (DESIGNS / "thesis_oils.toml").read_text(encoding="utf-8").partition("[[friction.scenarios]]")[0]
-    text = text.replace('"friction thesis 10W40"', '"0W30 as printed"').replace("_temperature_C = 40.0", "_temperature_C = 120.0")
+    text = text.replace('"friction thesis 10W40"', '"0W30 as printed"').replace(
+        "_temperature_C = 40.0", "_temperature_C = 120.0"
+    )
     outcome = solve(design(parse((text + written("0W30", PRINTED["0W30"])).encode(), "d.toml"))).outcomes["friction"]
     (found,) = [c for c in outcome.checks if c.id == "friction.train.oil_rows"]
     assert found.limit == (40.0, 100.0) and found.verdict == "note"
@@ -143,28 +152,41 @@ def test_a_rise_with_temperature_is_said_and_heats_no_inlet():
 HEAD = 'schema = 1\nname = "x"\n[[oil]]\nname = "mine"\nrho15_kgm3 = 860.0\nbase = "mineral"\n'
 
 
-@pytest.mark.parametrize("more, wanted", [
-    ("", ["oil.0.nu40_mm2_s", "oil.0.nu100_mm2_s", "viscosity_mPas, or rows of viscosities"]),
-    ("nu40_mm2_s = 90.0\n", ["oil.0.nu100_mm2_s", "needed with the viscosity at 40 °C"]),
-    ("nu100_mm2_s = 9.0\n", ["oil.0.nu40_mm2_s", "needed with the viscosity at 100 °C"]),
-    ("nu40_mm2_s = 90.0\nnu100_mm2_s = 9.0\nviscosity_mPas = 20.0\n", ["oil.0.viscosity_mPas: 20.0: the viscosity of this oil is given by nu40_mm2_s"]),
-    ("viscosity_mPas = 0.0\n", ["d.toml:7: oil.0.viscosity_mPas: 0.0: must be a number above 0"]),
-    ("[[oil.viscosities]]\ntemperature_C = 40\nviscosity_mPas = 30\n", ["oil.0.viscosities", "has one row; needs two or more"]),
-    ("viscosities = [{ temperature_C = 60, viscosity_mPas = 30 }, { temperature_C = 60, viscosity_mPas = 20 }]\n",
-        ["oil.0.viscosities.1.temperature_C", "must be above that of the row before"]),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    "more, wanted",
+    [
+        ("", ["oil.0.nu40_mm2_s", "oil.0.nu100_mm2_s", "viscosity_mPas, or rows of viscosities"]),
+        ("nu40_mm2_s = 90.0\n", ["oil.0.nu100_mm2_s", "needed with the viscosity at 40 °C"]),
+        ("nu100_mm2_s = 9.0\n", ["oil.0.nu40_mm2_s", "needed with the viscosity at 100 °C"]),
+        (
+            "nu40_mm2_s = 90.0\nnu100_mm2_s = 9.0\nviscosity_mPas = 20.0\n",
+            ["oil.0.viscosity_mPas: 20.0: the viscosity of this oil is given by nu40_mm2_s"],
+        ),
+        ("viscosity_mPas = 0.0\n", ["d.toml:7: oil.0.viscosity_mPas: 0.0: must be a number above 0"]),
+        (
+            "[[oil.viscosities]]\ntemperature_C = 40\nviscosity_mPas = 30\n",
+            ["oil.0.viscosities", "has one row; needs two or more"],
+        ),
+        (
+            "viscosities = [{ temperature_C = 60, viscosity_mPas = 30 }, { temperature_C = 60, viscosity_mPas = 20 }]\n",
+            ["oil.0.viscosities.1.temperature_C", "must be above that of the row before"],
+        ),
+    ],
+)
 def test_what_is_refused(more, wanted):
     said = errors(HEAD + more)
     assert all(part in said for part in wanted), said
 
 
 def test_the_textbook_bearing_of_shigley():
-    """Shigley, Examples 12-1 and 12-2 (from memory): 4 µreyn, 30 rev/s, 500 lbf, r = l/2 = 0.75 in, c = 0.0015 in give S = 0.135,
-    h_0/c = 0.42 and (r/c)·f = 3.50, read from the charts of Raimondi and Boyd.
-    """
+    """Shigley, Examples 12-1 and 12-2 (from memory): 4 µreyn, 30 rev/s, 500 lbf, r = l/2 = 0.75 in, c = 0.0015 in give
+    S = 0.135, h_0/c = 0.42 and (r/c)·f = 3.50, read from the charts of Raimondi and Boyd."""
     inch, reyn, pound = 25.4, 6894.757, 4.4482216
-    own = dict.fromkeys(("front", "rear"), f"diameter_mm = {1.5 * inch}\nlength_mm = {1.5 * inch}\nclearance_um = {3.0 * inch}\n"
-        f"load_N = {500 * pound}\njournal_roughness_um = 0.2\nhousing_roughness_um = 0.2\n")  # fmt: skip
+    own = dict.fromkeys(
+        ("front", "rear"),
+        f"diameter_mm = {1.5 * inch}\nlength_mm = {1.5 * inch}\nclearance_um = {3.0 * inch}\n"
+        f"load_N = {500 * pound}\njournal_roughness_um = 0.2\nhousing_roughness_um = 0.2\n",
+    )
     text = f"""schema = 1
 name = "textbook"
 [bearings]

@@ -12,7 +12,17 @@ from calc.solve import solve
 from tests.conftest import DESIGNS
 
 NUMBERS = re.compile(r"\d+")  # of an element without a name
-PROPER = ("ISO 7902", "DIN 31652", "Falz", "Reynolds", "Raimondi & Boyd", "Schlenk", "Niemann", "Xu, Kahraman", "Benedict, Kelley")
+PROPER = (
+    "ISO 7902",
+    "DIN 31652",
+    "Falz",
+    "Reynolds",
+    "Raimondi & Boyd",
+    "Schlenk",
+    "Niemann",
+    "Xu, Kahraman",
+    "Benedict, Kelley",
+)
 
 
 @pytest.mark.parametrize("design", sorted(path.stem for path in DESIGNS.glob("*.toml")))
@@ -27,13 +37,16 @@ def test_a_name_is_the_user_s_or_an_author_s(design: str) -> None:
                 assert all(part in given for part in word.split("–")), (id, word)
 
 
-@pytest.mark.parametrize(("id", "words"), [
-    ("mounting.static.engine.deflection", ["at rest", "engine"]),
-    ("mounting.idle.torque.order_1_5", ["idle", "torque"]),
-    ("mounting.critical.bounce.order_1_5.seat.half", ["critical speed", "bounce", "order 1.5", "seat"]),
-    ("mounting.with_chassis.mode_12.frequency", ["engine and frame", "mode 12"]),
-    ("imbalance.order_2.force_peak", ["order 2"]),
-    ("gears.crank_central.backlash_min", ["crank–central"]),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    ("id", "words"),
+    [
+        ("mounting.static.engine.deflection", ["at rest", "engine"]),
+        ("mounting.idle.torque.order_1_5", ["idle", "torque"]),
+        ("mounting.critical.bounce.order_1_5.seat.half", ["critical speed", "bounce", "order 1.5", "seat"]),
+        ("mounting.with_chassis.mode_12.frequency", ["engine and frame", "mode 12"]),
+        ("imbalance.order_2.force_peak", ["order 2"]),
+        ("gears.crank_central.backlash_min", ["crank–central"]),
+    ],
+)
 def test_the_words_of_an_id(id: str, words: list[str]) -> None:
     assert belongs(id) == words

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What is said about the inputs: every number says what it means, and what is usual stands with its source and fits what is shipped."""
+"""What is said about the inputs: every number says what it means, and what is usual stands with its source and fits
+what is shipped."""
 
 from collections.abc import Iterator
 from pathlib import Path
@@ -57,12 +58,17 @@ def test_no_usual_range_is_lost() -> None:
 
 def test_sources_are_named_without_a_stop() -> None:
     """They stand in brackets inside a sentence."""
-    assert [key for key, about in ALL.items() if about.source.endswith((".", ",", ":")) or about.source != about.source.strip()] == []
+    assert [
+        key
+        for key, about in ALL.items()
+        if about.source.endswith((".", ",", ":")) or about.source != about.source.strip()
+    ] == []
 
 
 @pytest.mark.parametrize("path", sorted(DESIGNS.glob("*.toml")), ids=lambda path: path.stem)
 def test_what_is_shipped_is_usual(path: Path) -> None:
-    """But for the allowance of one wheel, which the thesis prints in two ways; as printed in the table the pair can jam."""
+    """But for the allowance of one wheel, which the thesis prints in two ways; as printed in the table the pair can
+    jam."""
     found = unusual_of(path.read_text(encoding="utf-8"))
     assert found.items() <= {"gears.wheels.central.span_allowance_um": -2.0}.items()
 
@@ -74,16 +80,25 @@ def test_what_a_design_is_begun_with_is_usual(name: str) -> None:
 
 def test_what_is_unusual_is_found() -> None:
     text = (DESIGNS / "r753ie4_gamma.toml").read_text(encoding="utf-8")
-    changed = text.replace("clearance_factor = 0.8\n", "clearance_factor = 0.9\n").replace("[0.15625, 0.11501]", "[0.15625, 0.3]")
+    changed = text.replace("clearance_factor = 0.8\n", "clearance_factor = 0.9\n").replace(
+        "[0.15625, 0.11501]", "[0.15625, 0.3]"
+    )
     found = unusual_of(changed.replace("bore_mm = 94.0", "bore_mm = 0.094"))
     assert found.pop("gears.wheels.central.span_allowance_um") == -2.0  # as in the file
     assert found == {"engine.bore_mm": 0.094, "bearings.slope_mrad": 0.3, "bearings.front.clearance_factor": 0.9}
 
 
 def test_what_is_unusual_is_told_with_its_range_and_a_long_list_by_its_first() -> None:
-    changed = read(DESIGNS / "r753ie4_sized.toml").with_value("engine.bore_mm", 0.094).with_value("bearings.front.diameter_mm", 360.0)
+    changed = (
+        read(DESIGNS / "r753ie4_sized.toml")
+        .with_value("engine.bore_mm", 0.094)
+        .with_value("bearings.front.diameter_mm", 360.0)
+    )
     found = unusual(design(changed))
-    first, second = "front diameter 360 mm (usual 15 to 120)", "bore 0.094 mm (usual 50 to 150)"  # the furthest first, in ranges
+    first, second = (
+        "front diameter 360 mm (usual 15 to 120)",
+        "bore 0.094 mm (usual 50 to 150)",
+    )  # the furthest first, in ranges
     assert told(found) == f"2 inputs are not usual: {first}; {second}"
     assert told(found, 1) == f"2 inputs are not usual: {first}; 1 more"
     assert told([]) == ""

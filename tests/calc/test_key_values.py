@@ -13,11 +13,16 @@ def test_a_pair_of_shafts_shows_what_it_leaves_of_the_second_order() -> None:
 
 
 def test_an_engine_shows_the_imbalance_that_it_has() -> None:
-    four, three = (key_results(solve(load(DESIGNS / f"{name}.toml")[1]).values()) for name in ("generating_set_mounting", "r753ie4_gamma"))
+    four, three = (
+        key_results(solve(load(DESIGNS / f"{name}.toml")[1]).values())
+        for name in ("generating_set_mounting", "r753ie4_gamma")
+    )
     assert {pattern for pattern in four if pattern.startswith("imbalance.")} == {"imbalance.order_2.force_peak"}
     assert {pattern for pattern in three if pattern.startswith("imbalance.")} == {
-        "imbalance.required_couple", "imbalance.order_2.couple_peak", "imbalance.missing_forward_couple"
-    }  # fmt: skip
+        "imbalance.required_couple",
+        "imbalance.order_2.couple_peak",
+        "imbalance.missing_forward_couple",
+    }
 
 
 def test_the_backlash_of_the_first_page_is_that_of_the_states_that_are_judged() -> None:

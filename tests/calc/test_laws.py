@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What physics says of oils, elastic contact and fits, whichever they are; the list of all such laws is docs/laws.md."""
+"""What physics says of oils, elastic contact and fits, whichever they are; the list of all such laws is
+docs/laws.md."""
 
 import math
 from dataclasses import replace
@@ -19,7 +20,8 @@ OILS = st.sampled_from(sorted(oils()))
 laws = st.sampled_from(["walther", "d341"])
 
 
-# --- oils ---------------------------------------------------------------------------------------------------------------------
+# --- oils
+# ---------------------------------------------------------------------------------------------------------------------
 @settings(max_examples=100, deadline=None)
 @given(name=OILS, law=laws, T=st.floats(-10, 145), hotter=st.floats(0.1, 20))
 def test_oil_thins_with_heat(name, law, T, hotter):
@@ -55,7 +57,8 @@ def test_the_viscosity_line_is_straight(name, law, T):
 @settings(max_examples=100, deadline=None)
 @given(nu_100=st.floats(2.0e-6, 60e-6), share=st.floats(0.3, 1.2), more=st.floats(1.01, 1.3))
 def test_the_viscosity_index_tells_how_little_an_oil_thins(nu_100, share, more):
-    """100 and 0 are the reference oils; it falls with the viscosity at 40 °C, also across 100, where both procedures meet."""
+    """100 and 0 are the reference oils; it falls with the viscosity at 40 °C, also across 100, where both procedures
+    meet."""
     L, H = of_index_0(nu_100=nu_100), of_index_100(nu_100=nu_100)
     assume(L > H * 1.001 and share * H > nu_100)  # up to some 2.1 mm²/s the reference oils are nearly one
     assert viscosity_index(H, nu_100) == pytest.approx(100) and viscosity_index(L, nu_100) == pytest.approx(0, abs=1e-9)
@@ -74,7 +77,8 @@ def test_thicker_oil_stiffens_more_under_pressure(name, factor, T, alpha_40):
     assert (own.alpha(mu * 1.1) > own.alpha(mu)) is True
 
 
-# --- two bodies in contact ----------------------------------------------------------------------------------------------------
+# --- two bodies in contact
+# ----------------------------------------------------------------------------------------------------
 @settings(max_examples=100, deadline=None)
 @given(
     w=st.floats(10, 1e7),
@@ -87,8 +91,12 @@ def test_thicker_oil_stiffens_more_under_pressure(name, factor, T, alpha_40):
 def test_hertz_goes_with_roots(w, rho, E, load, size, hard):
     """p ~ √(w·E/ρ), b ~ √(w·ρ/E); similar bodies under similar loads (w ~ l) have one pressure."""
     p, b = hertz.hertz_pressure(w=w, E_r=E, rho_n=rho), hertz.half_width(w=w, rho_n=rho, E_r=E)
-    assert hertz.hertz_pressure(w=w * load, E_r=E * hard, rho_n=rho * size) == pytest.approx(p * math.sqrt(load * hard / size), rel=1e-9)
-    assert hertz.half_width(w=w * load, E_r=E * hard, rho_n=rho * size) == pytest.approx(b * math.sqrt(load * size / hard), rel=1e-9)
+    assert hertz.hertz_pressure(w=w * load, E_r=E * hard, rho_n=rho * size) == pytest.approx(
+        p * math.sqrt(load * hard / size), rel=1e-9
+    )
+    assert hertz.half_width(w=w * load, E_r=E * hard, rho_n=rho * size) == pytest.approx(
+        b * math.sqrt(load * size / hard), rel=1e-9
+    )
     assert hertz.hertz_pressure(w=w * size, E_r=E, rho_n=rho * size) == pytest.approx(p, rel=1e-9)
     assert b * E / (4 * rho) == pytest.approx(p, rel=1e-9)  # the slope of the dented surface: p = E_r·b/(4·ρ)
 
@@ -96,7 +104,8 @@ def test_hertz_goes_with_roots(w, rho, E, load, size, hard):
 @settings(max_examples=60, deadline=None)
 @given(one=st.sampled_from(sorted(materials())), two=st.sampled_from(sorted(materials())), stiffer=st.floats(1.01, 10))
 def test_the_softer_body_yields_more(one, two, stiffer):
-    """Reduced modulus: 1/E_r is the mean of both bodies' (1 − ν²)/E, so between theirs, the same either way round, rising with each."""
+    """Reduced modulus: 1/E_r is the mean of both bodies' (1 − ν²)/E, so between theirs, the same either way round,
+    rising with each."""
     a, b = materials()[one], materials()[two]
     both = hertz.reduced_modulus(nu_1=a.poisson, E_1=a.E, nu_2=b.poisson, E_2=b.E)
     alone = [hertz.reduced_modulus(nu_1=x.poisson, E_1=x.E, nu_2=x.poisson, E_2=x.E) for x in (a, b)]
@@ -107,9 +116,16 @@ def test_the_softer_body_yields_more(one, two, stiffer):
 
 
 @settings(max_examples=60, deadline=None)
-@given(T=st.floats(1e-3, 1), z_1=st.integers(5, 200), z_2=st.integers(5, 200), x=st.floats(0.01, 0.99), n=st.floats(0.1, 500))
+@given(
+    T=st.floats(1e-3, 1),
+    z_1=st.integers(5, 200),
+    z_2=st.integers(5, 200),
+    x=st.floats(0.01, 0.99),
+    n=st.floats(0.1, 500),
+)
 def test_two_flanks_roll_as_their_curvatures(T, z_1, z_2, x, n):
-    """ρ_1 + ρ_2 = T_1T_2; the relative curvature is the sum of both and largest where a flank starts; at the pitch point both roll alike."""
+    """ρ_1 + ρ_2 = T_1T_2; the relative curvature is the sum of both and largest where a flank starts; at the pitch
+    point both roll alike."""
     rho_1 = x * T
     rho_2 = line.driven_curvature(T=T, rho_1=rho_1)
     rho = line.relative_radius(rho_1=rho_1, rho_2=rho_2)
@@ -121,14 +137,18 @@ def test_two_flanks_roll_as_their_curvatures(T, z_1, z_2, x, n):
     )
 
 
-# --- fits -----------------------------------------------------------------------------------------------------------------------
+# --- fits
+# -----------------------------------------------------------------------------------------------------------------------
 @settings(max_examples=100, deadline=None)
 @given(
-    letter=st.sampled_from(SHAFTS), journal=st.sampled_from([g for g in GRADES if 4 <= g <= 13]),
-    seat=st.sampled_from([g for g in GRADES if 4 <= g <= 13]), d=st.floats(0.0011, 0.5),
-)  # fmt: skip
+    letter=st.sampled_from(SHAFTS),
+    journal=st.sampled_from([g for g in GRADES if 4 <= g <= 13]),
+    seat=st.sampled_from([g for g in GRADES if 4 <= g <= 13]),
+    d=st.floats(0.0011, 0.5),
+)
 def test_a_fit_is_the_same_by_its_hole_or_by_its_shaft(letter, journal, seat, d):
-    """f7 in H8 has the clearance of h7 in F8; its spread is the sum of both widths; a coarser grade never narrows it."""
+    """f7 in H8 has the clearance of h7 in F8; its spread is the sum of both widths; a coarser grade never narrows
+    it."""
     by_hole = clearance_limits(ToleranceField(letter, journal), ToleranceField("H", seat), d)
     by_shaft = clearance_limits(ToleranceField("h", journal), ToleranceField(letter.upper(), seat), d)
     if letter != "js":

@@ -18,7 +18,9 @@ def test_the_oil_is_locked_until_the_design_says_otherwise(gamma: Document) -> N
     assert locked(gamma.data, "bearings.oil") and locked(gamma.data, "measured.0.value")
     assert not locked(gamma.data, "bearings.front.length_mm")
     assert not locked({**gamma.data, "locked": {}}, "bearings.oil")
-    assert "friction.oil" in locks(gamma.data) and "friction.oil" not in standing(gamma.data)  # that of the bearings is used
+    assert "friction.oil" in locks(gamma.data) and "friction.oil" not in standing(
+        gamma.data
+    )  # that of the bearings is used
 
 
 def test_a_table_locks_what_stands_in_it_and_is_unlocked_from_there(gamma: Document) -> None:
@@ -33,7 +35,9 @@ def test_a_key_that_no_design_has_is_no_lock(gamma: Document) -> None:
     for key in ("bearings.front", "gears.wheels.nobody.teeth", "bearings.slope_mrad.0", "bearings.oil"):
         design(gamma.with_value(f"locked.{key}", "why"))
     with pytest.raises(BadInput) as bad:
-        design(gamma.with_value("locked.bearings.front.lenght_mm", "cast").with_value("locked.engine.bore_mm.x", "cast"))
+        design(
+            gamma.with_value("locked.bearings.front.lenght_mm", "cast").with_value("locked.engine.bore_mm.x", "cast")
+        )
     assert {(e.key, str(e.reason)) for e in bad.value.errors} == {
         ("locked.bearings.front.lenght_mm", 'is not known; did you mean "length_mm"?'),
         ("locked.engine.bore_mm.x", '"engine.bore_mm" has no parts'),

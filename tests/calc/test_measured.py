@@ -25,14 +25,24 @@ def table(*rows: dict[str, object], step: str = "bearings"):
 
 def test_a_row_at_the_speed_of_the_design():
     value, speed, is_, uncertainty, predicted, unit, deviation, verdict = table(
-        {"value": "imbalance.order_1.couple_backward", "is": 560.0, "unit": "N·m", "uncertainty": 20.0}, step="imbalance"
+        {"value": "imbalance.order_1.couple_backward", "is": 560.0, "unit": "N·m", "uncertainty": 20.0},
+        step="imbalance",
     ).rows[0]
-    assert (value, speed, is_, uncertainty, unit, verdict) == ("imbalance.order_1.couple_backward", 2600.0, 560.0, 20.0, "N·m", "inside")
+    assert (value, speed, is_, uncertainty, unit, verdict) == (
+        "imbalance.order_1.couple_backward",
+        2600.0,
+        560.0,
+        20.0,
+        "N·m",
+        "inside",
+    )
     assert predicted == pytest.approx(572.932, abs=1e-3) and deviation == pytest.approx(100 * 12.932 / 560, abs=1e-3)
 
 
 def test_another_speed_is_solved_with_the_couple_that_it_has():
-    row = table({"value": "imbalance.order_1.couple_backward", "speed_rpm": 1300, "is": 150.0, "unit": "N·m"}, step="imbalance").rows[0]
+    row = table(
+        {"value": "imbalance.order_1.couple_backward", "speed_rpm": 1300, "is": 150.0, "unit": "N·m"}, step="imbalance"
+    ).rows[0]
     assert row[4] == pytest.approx(572.932 / 4, rel=1e-5) and row[7] == ""
 
 
@@ -57,25 +67,40 @@ def test_the_film_of_another_speed_is_that_of_the_curve_over_speeds():
     assert row[4] == pytest.approx(thinnest, rel=2e-3)
 
 
-@pytest.mark.parametrize("row, words", [
-    ({"value": "gears.qqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqq", "is": 1.0}, "this design has no such value"),
-    ({"value": "bearings.front.fil", "is": 1.0}, "this design has no such value; did you mean bearings.front.film?"),
-    ({"value": "bearings.supply_temperature_C", "speed_rpm": 500, "is": 1.0, "unit": "°C"}, "is an input of no speed of its own: leave speed_rpm out"),
-    ({"value": "bearings.front.film", "speed_rpm": 29999, "is": 1.0, "unit": "µm"}, "is not known at this speed"),
-    ({"value": "engine.brake_mean_pressure", "speed_rpm": 2000, "is": 8.0, "unit": "bar"}, "is not known at this speed"),
-    ({"value": "bearings.front.film", "is": 0.01, "unit": "mm"}, "is shown in µm: give it so"),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    "row, words",
+    [
+        ({"value": "gears.qqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqq", "is": 1.0}, "this design has no such value"),
+        (
+            {"value": "bearings.front.fil", "is": 1.0},
+            "this design has no such value; did you mean bearings.front.film?",
+        ),
+        (
+            {"value": "bearings.supply_temperature_C", "speed_rpm": 500, "is": 1.0, "unit": "°C"},
+            "is an input of no speed of its own: leave speed_rpm out",
+        ),
+        ({"value": "bearings.front.film", "speed_rpm": 29999, "is": 1.0, "unit": "µm"}, "is not known at this speed"),
+        (
+            {"value": "engine.brake_mean_pressure", "speed_rpm": 2000, "is": 8.0, "unit": "bar"},
+            "is not known at this speed",
+        ),
+        ({"value": "bearings.front.film", "is": 0.01, "unit": "mm"}, "is shown in µm: give it so"),
+    ],
+)
 def test_what_cannot_be_compared_says_why(row, words):
     assert table(row, step=row["value"].partition(".")[0]).rows[0][4:] == (None, row.get("unit", ""), None, words)
 
 
-@pytest.mark.parametrize("row, key", [
-    ({"value": "bearings.front.film", "is": 1.0, "unit": "furlong"}, "measured.0.unit"),
-    ({"value": "bearings.front.film"}, "measured.0.is"),
-    ({"value": "name", "is": 1.0}, "measured.0.value"),
-    ({"value": "bearings.front.film", "is": 1.0, "speed_rpm": -5}, "measured.0.speed_rpm"),
-    ({"value": "bearings.front.film", "is": 1.0, "uncertainty": -1.0}, "measured.0.uncertainty"),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    "row, key",
+    [
+        ({"value": "bearings.front.film", "is": 1.0, "unit": "furlong"}, "measured.0.unit"),
+        ({"value": "bearings.front.film"}, "measured.0.is"),
+        ({"value": "name", "is": 1.0}, "measured.0.value"),
+        ({"value": "bearings.front.film", "is": 1.0, "speed_rpm": -5}, "measured.0.speed_rpm"),
+        ({"value": "bearings.front.film", "is": 1.0, "uncertainty": -1.0}, "measured.0.uncertainty"),
+    ],
+)
 def test_a_wrong_row_is_named(row, key):
     with pytest.raises(BadInput) as bad:
         measured(row)

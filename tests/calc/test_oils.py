@@ -1,4 +1,5 @@
-"""Oils: the law through two viscosities, what is known of each value, and printed viscosities that contradict their own oil."""
+"""Oils: the law through two viscosities, what is known of each value, and printed viscosities that contradict their own
+oil."""
 
 import tomllib
 from dataclasses import replace
@@ -11,7 +12,15 @@ from hypothesis import strategies as st
 from calc.design.toml_file import design, parse
 from calc.library.catalogue import TABLES, Claim, Oil, PrintedViscosity, base_stocks, grades, oils, shipped_oils
 from calc.library.lubricant import Lubricant
-from calc.library.oil_formulas import FLATTEST, STEEPEST, line_problem, of_index_0, of_index_100, viscosity_index, viscosity_slope
+from calc.library.oil_formulas import (
+    FLATTEST,
+    STEEPEST,
+    line_problem,
+    of_index_0,
+    of_index_100,
+    viscosity_index,
+    viscosity_slope,
+)
 from calc.library.oils import (
     CONFIDENCES,
     errata,
@@ -51,7 +60,8 @@ def own(*more: str, **changed: object) -> Oil:
     return design(parse(text.encode(), "d.toml")).oils["mine"]
 
 
-# --- reference: derived from the same two viscosities by a separate calculation, to its last digit ---------------------------
+# --- reference: derived from the same two viscosities by a separate calculation, to its last digit
+# ---------------------------
 # name: η at 40, 50, 60, 80, 100, 120 °C in mPa·s, α at 40 °C in 1/GPa, β at 40 °C in 1/K, Λ
 DERIVED = {
     "10W-40 Q8 T905": ((80.965, 52.878, 36.228, 19.108, 11.375, 7.413), 18.93, 0.0453, 0.047),
@@ -98,31 +108,50 @@ def test_an_oil_of_the_table_has_a_sound_line(name):
     assert 5e-9 < lubricant.alpha(lubricant.at(40.0).mu) < 40e-9 and 0.02 < lubricant.beta(40.0) < 0.08
 
 
-# --- where values come from --------------------------------------------------------------------------------------------------
+# --- where values come from
+# --------------------------------------------------------------------------------------------------
 @pytest.mark.parametrize("name", oils())
 def test_every_value_has_a_source_and_a_confidence(name):
     values = judged_values(oils()[name])
-    assert {"nu40_mm2_s", "nu100_mm2_s", "rho15_kgm3", "base", "conductivity_W_mK", "k_mm2_N", "s", "limiting_shear"} <= {
-        v.key for v in values
-    }
+    assert {
+        "nu40_mm2_s",
+        "nu100_mm2_s",
+        "rho15_kgm3",
+        "base",
+        "conductivity_W_mK",
+        "k_mm2_N",
+        "s",
+        "limiting_shear",
+    } <= {v.key for v in values}
     assert all(v.confidence in CONFIDENCES[1:] and len(v.source) >= 8 and v.label for v in values)
     assert len(values_table(oils()[name]).rows) == len(values)
 
 
 def test_the_thesis_oil_value_by_value():
     found = {v.key: v for v in judged_values(oils()[THESIS + "10W40"])}
-    assert {k: v.confidence for k, v in found.items() if k in ("nu40_mm2_s", "nu100_mm2_s", "rho15_kgm3", "conductivity_W_mK")} == {
-        "nu40_mm2_s": "high", "nu100_mm2_s": "medium", "rho15_kgm3": "high", "conductivity_W_mK": "high"
-    }  # fmt: skip
-    assert found["nu40_mm2_s"].value == 93.27 and "printed" in found["nu40_mm2_s"].source and "assumed" in found["nu100_mm2_s"].source
+    assert {
+        k: v.confidence
+        for k, v in found.items()
+        if k in ("nu40_mm2_s", "nu100_mm2_s", "rho15_kgm3", "conductivity_W_mK")
+    } == {"nu40_mm2_s": "high", "nu100_mm2_s": "medium", "rho15_kgm3": "high", "conductivity_W_mK": "high"}
+    assert (
+        found["nu40_mm2_s"].value == 93.27
+        and "printed" in found["nu40_mm2_s"].source
+        and "assumed" in found["nu100_mm2_s"].source
+    )
     assert found["specific_heat_J_kgK"].value == 2000.0
-    assert least_sure(oils()[THESIS + "10W40 synthetic"])[0] == "low" and "ν_40" in least_sure(oils()[THESIS + "10W40 synthetic"])[1]
+    assert (
+        least_sure(oils()[THESIS + "10W40 synthetic"])[0] == "low"
+        and "ν_40" in least_sure(oils()[THESIS + "10W40 synthetic"])[1]
+    )
 
 
 def test_what_the_table_says_is_what_the_oil_has():
     """Read row by row, as a design needs them, and the whole file at once: the same."""
     whole = tomllib.loads((TABLES / "oils.toml").read_text(encoding="utf-8"))
-    assert [row["name"] for row in whole["row"]] == list(shipped_oils()) and [b["name"] for b in whole["base"]] == list(base_stocks())
+    assert [row["name"] for row in whole["row"]] == list(shipped_oils()) and [b["name"] for b in whole["base"]] == list(
+        base_stocks()
+    )
     for row in whole["row"]:
         oil = shipped_oils()[row["name"]]
         assert oil.nu40 == pytest.approx(row["nu40_mm2_s"]["is"] * 1e-6) and oil.source == row["source"]
@@ -145,11 +174,16 @@ def test_an_own_oil_replaces_that_of_the_table_and_answers_for_itself():
     assert next(v for v in judged_values(mine) if v.key == "limiting_shear").confidence == "low"
 
 
-# --- printed viscosities -----------------------------------------------------------------------------------------------------
+# --- printed viscosities
+# -----------------------------------------------------------------------------------------------------
 KEPT = {THESIS + "MIL-L-23699E": (50.0, 60.0, 100.0)}
 CAUSES = [
     ("10W40", 40.0, ["implies 153.7 mm²/s", "93.27"]),
-    ("10W40", 50.0, ["equals the value printed for friction thesis 0W30 at 50 °C", "less than the 70.22", "has 83.01 mPa·s"]),
+    (
+        "10W40",
+        50.0,
+        ["equals the value printed for friction thesis 0W30 at 50 °C", "less than the 70.22", "has 83.01 mPa·s"],
+    ),
     ("10W40", 60.0, ["not on the line", "has 56.18 mPa·s"]),
     ("10W40", 100.0, ["implies 20.9 mm²/s", "SAE 50", "SAE 40"]),
     ("0W30", 40.0, ["implies 33 mm²/s", "0.49 times the 66.8"]),
@@ -202,8 +236,19 @@ def test_the_verdicts_are_no_part_of_a_calculation():
     assert lines == []
 
 
-@pytest.mark.parametrize("nu, name", [(5.0, "thinner than SAE 20"), (6.9, "SAE 20"), (9.3, "SAE 30"), (12.49, "SAE 30"),
-                                      (12.5, "SAE 40"), (16.3, "SAE 50"), (26.0, "SAE 60"), (30.0, "thicker than SAE 60")])  # fmt: skip
+@pytest.mark.parametrize(
+    "nu, name",
+    [
+        (5.0, "thinner than SAE 20"),
+        (6.9, "SAE 20"),
+        (9.3, "SAE 30"),
+        (12.49, "SAE 30"),
+        (12.5, "SAE 40"),
+        (16.3, "SAE 50"),
+        (26.0, "SAE 60"),
+        (30.0, "thicker than SAE 60"),
+    ],
+)
 def test_grades(nu, name):
     """SAE J300, limits at 100 °C as reprinted in public."""
     assert grade(nu * 1e-6 * (1 + 1e-12)) == name
@@ -219,8 +264,14 @@ def test_within_five_percent_is_kept(T, factor):
     assert found.implied == pytest.approx(Lubricant(oil).at(T).nu * factor)
 
 
-# --- oils of the user --------------------------------------------------------------------------------------------------------
-@given(nu40=st.floats(2, 2000), slope=st.floats(1.2, 5.5), rho15=st.floats(700, 1100), law=st.sampled_from(["walther", "d341"]))
+# --- oils of the user
+# --------------------------------------------------------------------------------------------------------
+@given(
+    nu40=st.floats(2, 2000),
+    slope=st.floats(1.2, 5.5),
+    rho15=st.floats(700, 1100),
+    law=st.sampled_from(["walther", "d341"]),
+)
 def test_the_law_passes_through_both_given_points(nu40, slope, rho15, law):
     c = {"walther": 0.6, "d341": 0.7}[law]
     nu100 = 10 ** (log10(nu40 + c) / (373.15 / 313.15) ** slope) - c
@@ -235,7 +286,9 @@ def test_the_law_passes_through_both_given_points(nu40, slope, rho15, law):
 def test_an_own_oil_by_two_viscosities():
     mine = own()
     assert mine.nu40 == pytest.approx(95.7e-6) and mine.limiting_shear is None and mine.printed == ()
-    assert Lubricant(mine).limiting_shear == 0.047 and Lubricant(mine).at(60.0).mu * 1e3 == pytest.approx(36.228, abs=5.1e-4)
+    assert Lubricant(mine).limiting_shear == 0.047 and Lubricant(mine).at(60.0).mu * 1e3 == pytest.approx(
+        36.228, abs=5.1e-4
+    )
     assert "or left out" in next(v for v in judged_values(mine) if v.key == "conductivity_W_mK").source
 
 
@@ -243,7 +296,9 @@ def test_own_pressure_viscosity_and_limiting_shear():
     mine = own("pressure_viscosity_40_1_GPa = 22.0", "limiting_shear = 0.06")
     lubricant, base = Lubricant(mine), base_stocks()["mineral"]
     assert lubricant.alpha(lubricant.at(40.0).mu) == pytest.approx(22e-9) and lubricant.limiting_shear == 0.06
-    assert lubricant.alpha(lubricant.at(90.0).mu) == pytest.approx(22e-9 * (lubricant.at(90.0).mu / lubricant.at(40.0).mu) ** base.s)
+    assert lubricant.alpha(lubricant.at(90.0).mu) == pytest.approx(
+        22e-9 * (lubricant.at(90.0).mu / lubricant.at(40.0).mu) ** base.s
+    )
     found = {v.key: v for v in judged_values(mine)}
     assert found["pressure_viscosity_40_1_GPa"].value == 22.0 and found["limiting_shear"].confidence == "given"
     assert "k_mm2_N" not in found and found["s"].value == 0.1348
@@ -262,28 +317,56 @@ def test_own_printed_viscosities():
     assert hot.kept and not cold.kept and "0.74 times the 95.7" in cold.reason
 
 
-@pytest.mark.parametrize("more, changed, words", [
-    ([], {"nu100_mm2_s": 95.7}, ["d.toml:7", "must be below the viscosity at 40 °C"]),
-    ([], {"nu100_mm2_s": 90.0}, ["d.toml:7: oil.0.nu100_mm2_s: 90.0", "no liquid lubricant", "slope 0.077", "1 to 6", "from 4.33 to 45.6 mm²/s"]),
-    ([], {"nu100_mm2_s": 2.0}, ["oil.0.nu100_mm2_s", "no liquid lubricant", "slope 8.9"]),
-    ([], {"base": '"water"'}, ["oil.0.base", "one of"]),
-    (["limiting_shear = 0.5"], {}, ["limiting_shear", "0.3"]),
-    (["limiting_shear = 0"], {}, ["limiting_shear", "above 0"]),
-    (["pressure_viscosity_40 = 20"], {}, ["is not known", "pressure_viscosity_40_1_GPa"]),
-    (["pressure_viscosity_40_1_GPa = -1"], {}, ["above 0", "1/GPa"]),
-    (["[[oil.printed]]", "temperature_C = 40"], {}, ["oil.0.printed.0.viscosity_mPas", "is missing"]),
-    (["[[oil.printed]]", "temperature_C = 900", "viscosity_mPas = 3"], {}, ["d.toml:11: oil.0.printed.0.temperature_C", "from −40 to 200"]),
-    (["[[oil.printed]]", "temperature_C = 40", "viscosity_mPas = 3"] * 2, {}, ["oil.0.printed.1.temperature_C", "stands twice"]),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    "more, changed, words",
+    [
+        ([], {"nu100_mm2_s": 95.7}, ["d.toml:7", "must be below the viscosity at 40 °C"]),
+        (
+            [],
+            {"nu100_mm2_s": 90.0},
+            [
+                "d.toml:7: oil.0.nu100_mm2_s: 90.0",
+                "no liquid lubricant",
+                "slope 0.077",
+                "1 to 6",
+                "from 4.33 to 45.6 mm²/s",
+            ],
+        ),
+        ([], {"nu100_mm2_s": 2.0}, ["oil.0.nu100_mm2_s", "no liquid lubricant", "slope 8.9"]),
+        ([], {"base": '"water"'}, ["oil.0.base", "one of"]),
+        (["limiting_shear = 0.5"], {}, ["limiting_shear", "0.3"]),
+        (["limiting_shear = 0"], {}, ["limiting_shear", "above 0"]),
+        (["pressure_viscosity_40 = 20"], {}, ["is not known", "pressure_viscosity_40_1_GPa"]),
+        (["pressure_viscosity_40_1_GPa = -1"], {}, ["above 0", "1/GPa"]),
+        (["[[oil.printed]]", "temperature_C = 40"], {}, ["oil.0.printed.0.viscosity_mPas", "is missing"]),
+        (
+            ["[[oil.printed]]", "temperature_C = 900", "viscosity_mPas = 3"],
+            {},
+            ["d.toml:11: oil.0.printed.0.temperature_C", "from −40 to 200"],
+        ),
+        (
+            ["[[oil.printed]]", "temperature_C = 40", "viscosity_mPas = 3"] * 2,
+            {},
+            ["oil.0.printed.1.temperature_C", "stands twice"],
+        ),
+    ],
+)
 def test_what_is_no_oil_is_refused(more, changed, words):
     with pytest.raises(BadInput) as bad:
         own(*more, **changed)
     assert any(all(w in line for w in words) for line in str(bad.value).splitlines()), str(bad.value)
 
 
-@pytest.mark.parametrize("what, nu40, nu100", [
-    ("silicone", 77.0, 31.0), ("polyphenyl ether", 363.0, 13.1), ("turbine oil", 27.6, 5.1), ("diesel fuel", 3.0, 1.2), ("gear oil ISO VG 1500", 1500.0, 60.0),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    "what, nu40, nu100",
+    [
+        ("silicone", 77.0, 31.0),
+        ("polyphenyl ether", 363.0, 13.1),
+        ("turbine oil", 27.6, 5.1),
+        ("diesel fuel", 3.0, 1.2),
+        ("gear oil ISO VG 1500", 1500.0, 60.0),
+    ],
+)
 def test_no_liquid_that_lubricates_is_refused(what, nu40, nu100):
     """Typical data from memory: flat and steep lines alike."""
     oil = Oil(name=what, nu40=nu40 * 1e-6, nu100=nu100 * 1e-6, rho15=900.0, base="mineral")
@@ -297,16 +380,40 @@ def test_a_claim_is_not_part_of_a_design_file():
     assert Claim("a", 1.0, "high", "b").value == 1.0
 
 
-# --- viscosity index ---------------------------------------------------------------------------------------------------------
+# --- viscosity index
+# ---------------------------------------------------------------------------------------------------------
 @pytest.mark.parametrize("nu40, nu100, VI", [(73.30, 8.86, 92), (22.83, 5.05, 156)])
 def test_viscosity_index_of_the_standards_examples(nu40, nu100, VI):
     """ASTM D2270, worked examples of procedures A and B."""
     assert round(viscosity_index(nu40 * 1e-6, nu100 * 1e-6)) == VI
 
 
-@pytest.mark.parametrize("Y, H", [(2.0, 6.394), (3.0, 12.15), (4.0, 19.56), (5.0, 28.49), (6.0, 38.19), (7.0, 48.57), (8.0, 59.6), (9.0, 71.1),
-                                  (10.0, 82.87), (12.0, 108.0), (14.0, 135.4), (16.0, 164.6), (18.0, 196.2), (20.0, 229.5), (25.0, 320.9),
-                                  (30.0, 421.7), (40.0, 651.8), (50.0, 919.6), (55.0, 1066.0), (60.0, 1222.0), (70.0, 1558.0)])  # fmt: skip
+@pytest.mark.parametrize(
+    "Y, H",
+    [
+        (2.0, 6.394),
+        (3.0, 12.15),
+        (4.0, 19.56),
+        (5.0, 28.49),
+        (6.0, 38.19),
+        (7.0, 48.57),
+        (8.0, 59.6),
+        (9.0, 71.1),
+        (10.0, 82.87),
+        (12.0, 108.0),
+        (14.0, 135.4),
+        (16.0, 164.6),
+        (18.0, 196.2),
+        (20.0, 229.5),
+        (25.0, 320.9),
+        (30.0, 421.7),
+        (40.0, 651.8),
+        (50.0, 919.6),
+        (55.0, 1066.0),
+        (60.0, 1222.0),
+        (70.0, 1558.0),
+    ],
+)
 def test_reference_oils_of_index_100(Y, H):
     """ASTM D2270, Table 1, as printed in public code."""
     assert of_index_100(Y * 1e-6) * 1e6 == pytest.approx(H, rel=3e-3)

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What is computed comes in one order, whatever order Python's sets have in a process: a report is set again from it, byte for byte."""
+"""What is computed comes in one order, whatever order Python's sets have in a process: a report is set again from it,
+byte for byte."""
 
 import os
 import subprocess
@@ -25,9 +26,14 @@ for path in sorted(DESIGNS.glob("*.toml")):
 
 def test_every_line_of_every_shipped_design_comes_in_one_order() -> None:
     runs = [
-        subprocess.Popen([sys.executable, "-c", SOLVED], cwd=ROOT, stdout=subprocess.PIPE, text=True,
-            env={**os.environ, "PYTHONHASHSEED": seed})
+        subprocess.Popen(
+            [sys.executable, "-c", SOLVED],
+            cwd=ROOT,
+            stdout=subprocess.PIPE,
+            text=True,
+            env={**os.environ, "PYTHONHASHSEED": seed},
+        )
         for seed in ("1", "3")
-    ]  # fmt: skip
+    ]
     first, second = (run.communicate()[0].splitlines() for run in runs)
     assert len(first) > 90 and [(a, b) for a, b in zip(first, second, strict=True) if a != b] == []

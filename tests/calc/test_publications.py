@@ -63,7 +63,8 @@ def lost(sources: dict[str, str]) -> dict[str, str]:
     return {what: source for what, source in sources.items() if not resolved(source).found}
 
 
-# --- the register ------------------------------------------------------------------------------------------------------------------
+# --- the register
+# ------------------------------------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("name", register())
@@ -83,7 +84,10 @@ def test_every_publication_is_cited_somewhere(name):
 
 def test_a_standard_is_found_whatever_its_year_and_by_its_edition_where_there_is_one():
     assert publication("ISO 898-1:2013") is register()["ISO 898-1"] and publication("DIN 9999") is None
-    assert publication("ISO 6336-1:2006").status == "superseded by ISO 6336-1:2019" and publication("ISO 6336-1").status == "current"
+    assert (
+        publication("ISO 6336-1:2006").status == "superseded by ISO 6336-1:2019"
+        and publication("ISO 6336-1").status == "current"
+    )
 
 
 def test_a_publication_is_told_from_its_clause_and_from_what_has_its_name_within():
@@ -97,10 +101,15 @@ def test_places_are_read_as_they_are_written():
     def places(source: str) -> tuple[str, ...]:
         return resolved(source).citations[0].places
 
-    assert places("Finotti 2013, Tables 4.5 and 4.6, Fig. 4.20, 4.5.1") == ("Table 4.5", "Table 4.6", "Fig. 4.20", "4.5.1")
-    assert places("Finotti 2013, 4.7 (in chapter 6): 20 MPa") == ("4.7", "ch. 6") and places("Finotti 2013, eq. 2.7, corrected") == (
-        "eq. 2.7",
+    assert places("Finotti 2013, Tables 4.5 and 4.6, Fig. 4.20, 4.5.1") == (
+        "Table 4.5",
+        "Table 4.6",
+        "Fig. 4.20",
+        "4.5.1",
     )
+    assert places("Finotti 2013, 4.7 (in chapter 6): 20 MPa") == ("4.7", "ch. 6") and places(
+        "Finotti 2013, eq. 2.7, corrected"
+    ) == ("eq. 2.7",)
     assert places("gear friction thesis, eqs. 32 (misprinted) and 48: Eyring") == ("eq. 32", "eq. 48")
 
 
@@ -126,13 +135,17 @@ def test_how_we_know_follows_the_place():
     def known(source: str) -> str:
         return str(resolved(source).citations[0].known)
 
-    assert known("ASTM D2270, procedure B") == "read in a public reprint" and known("ASTM D2270, X2: index 0") == "from memory"
+    assert (
+        known("ASTM D2270, procedure B") == "read in a public reprint"
+        and known("ASTM D2270, X2: index 0") == "from memory"
+    )
     assert known("Finotti 2013, 4.1: cost") == "read in the source"
     assert known("ISO 6336-1:2006, clause 6: below") == "compared with public code, not with the original"
     assert known("AGMA 925-A03, from memory") == "from memory"
 
 
-# --- everything that has a source ------------------------------------------------------------------------------------------------------
+# --- everything that has a source
+# ------------------------------------------------------------------------------------------------------
 
 
 def test_every_formula():
@@ -158,10 +171,13 @@ def test_every_check_erratum_and_row_of_a_shipped_design(path):
 
 
 def written(path: Path) -> Iterator[str]:
-    """The strings of a file of the program, those of its comments and docstrings too, in pieces that are one statement."""
+    """The strings of a file of the program, those of its comments and docstrings too, in pieces that are one
+    statement."""
     text = path.read_text(encoding="utf-8")
     if path.suffix == ".py":
-        yield from (n.value for n in ast.walk(ast.parse(text)) if isinstance(n, ast.Constant) and isinstance(n.value, str))
+        yield from (
+            n.value for n in ast.walk(ast.parse(text)) if isinstance(n, ast.Constant) and isinstance(n.value, str)
+        )
         yield from (line.partition("#")[2] for line in text.splitlines() if "# " in line)
     else:
         yield from text.splitlines()
@@ -174,7 +190,11 @@ PLACED = re.compile("(?:" + "|".join(map(re.escape, READ)) + r")[^:;(\"]*")
 def test_no_text_names_a_place_that_is_not_there(folder):
     """Notes, hints, comments and designs too: a section, table or figure of what was read must be one of its own."""
     top = ROOT / folder
-    files = [top] if top.is_file() else [p for p in top.rglob("*") if p.suffix in (".py", ".toml", ".md") and p not in (TABLE, PLACES)]
+    files = (
+        [top]
+        if top.is_file()
+        else [p for p in top.rglob("*") if p.suffix in (".py", ".toml", ".md") and p not in (TABLE, PLACES)]
+    )
     wrong = {
         (path.name, found): citation.lost
         for path in files
@@ -188,7 +208,10 @@ def test_no_text_names_a_place_that_is_not_there(folder):
 
 def test_nothing_is_generally_published():
     files = [
-        p for top in ("calc", "reports", "assistant", "designs") for p in (ROOT / top).rglob("*") if p.suffix in (".py", ".toml", ".md")
+        p
+        for top in ("calc", "reports", "assistant", "designs")
+        for p in (ROOT / top).rglob("*")
+        if p.suffix in (".py", ".toml", ".md")
     ]
     assert [p.name for p in files if "generally published" in p.read_text(encoding="utf-8")] == []
 

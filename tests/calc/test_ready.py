@@ -36,8 +36,10 @@ def test_each_step_says_how_far_it_is(gamma: tuple[Document, Results]) -> None:
         "mounting": ("not_asked", "not used"),
     }
     assert [str(text) for _, text in tally(readiness(document.data, results), results).words] == [
-        "5 limits fail", "3 cautions", "ready 3 of 6",
-    ]  # fmt: skip
+        "5 limits fail",
+        "3 cautions",
+        "ready 3 of 6",
+    ]
 
 
 def test_what_is_missing_is_to_do_unless_it_is_left_out_or_never_wanted() -> None:
@@ -71,7 +73,9 @@ def test_a_caution_that_can_not_be_judged_is_a_caution_and_decides_nothing(gamma
     limit = replace(fails, missing=("bearings.housing_material",))
     caution = replace(limit, kind="caution")
     for check, state in ((limit, "not_verified"), (caution, "warn")):
-        alone = Results(results.design, {**results.outcomes, "bearings": replace(results.outcomes["bearings"], checks=(check,))})
+        alone = Results(
+            results.design, {**results.outcomes, "bearings": replace(results.outcomes["bearings"], checks=(check,))}
+        )
         assert words({"schema": 1, "bearings": {}}, alone)["bearings"][0] == state
     wide = replace(fails, value=10 * fails.nearest[1], id="bearings.front.film_edge")
     both = replace(results.outcomes["bearings"], checks=(replace(caution, cause="a", id="bearings.front.heat"), wide))
@@ -102,9 +106,12 @@ def test_the_value_that_decides_is_said_with_its_limit(gamma: tuple[Document, Re
     told = {key: headline(results, key) for key in results.outcomes}
     film = results.values()["bearings.front.film_edge"].shown
     assert {key: str(one.text) for key, one in told.items() if one is not None and key != "gears"} == {
-        "engine": "3 cyl, 2.23 L", "imbalance": "shaft 573 → 0 N·m", "countershaft": "slope 0.188 of 0.25 mrad",
-        "bearings": "film 7.41 of 9 µm", "friction": "229 W",
-    }  # fmt: skip
+        "engine": "3 cyl, 2.23 L",
+        "imbalance": "shaft 573 → 0 N·m",
+        "countershaft": "slope 0.188 of 0.25 mrad",
+        "bearings": "film 7.41 of 9 µm",
+        "friction": "229 W",
+    }
     bearings = told["bearings"]
     assert bearings is not None and bearings.share == pytest.approx(film / 9) and str(bearings.brief) == "film 7.4/9 µm"
 

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The nearest passing design: it passes when solved afresh, or it is said why there is none; nothing is changed in place."""
+"""The nearest passing design: it passes when solved afresh, or it is said why there is none; nothing is changed in
+place."""
 
 from copy import deepcopy
 
@@ -38,7 +39,11 @@ DAMAGED = [
     ("r753ie4_sized", "bearings.rear.length_mm=60"),  # runs into the sector
     ("r753ie4_sized", "bearings.oil=SAE 10W", "locked.engine=bought"),  # which leaves the oil free
     ("r753ie4_sized", "gears.wheels.central.span_allowance_um=[100, 80]"),  # jams
-    ("r753ie4_sized", "gears.wheels.central.profile_shift=-1.2", "gears.wheels.central.position_mm="),  # contradicts the distances
+    (
+        "r753ie4_sized",
+        "gears.wheels.central.profile_shift=-1.2",
+        "gears.wheels.central.position_mm=",
+    ),  # contradicts the distances
     ("r753ie4_sized", "gears.wheels.idler.tip_shortening_mm=2.5"),  # hands over too late
     ("timing_pair", "gears.wheels.0.profile_shift=-1"),  # undercut
     ("timing_pair", "gears.power_kW=60"),  # too weak
@@ -54,7 +59,9 @@ DAMAGED = [
 QUICK = (*DAMAGED[::3], *DAMAGED[10:12])  # one of each kind
 
 
-@pytest.mark.parametrize("case", [case if case in QUICK else pytest.param(case, marks=pytest.mark.slow) for case in DAMAGED], ids=" ".join)
+@pytest.mark.parametrize(
+    "case", [case if case in QUICK else pytest.param(case, marks=pytest.mark.slow) for case in DAMAGED], ids=" ".join
+)
 def test_the_nearest_design_passes_when_it_is_solved_afresh(case: tuple[str, ...]) -> None:
     document = damaged(*case)
     before = deepcopy(document.data)
@@ -82,7 +89,11 @@ def test_the_remedies_follow_each_other_and_each_says_what_it_mends(gamma: Docum
     assert second.results is found.results
 
 
-NEEDLESS = ("twin_drive", "bearings.front.length_mm=12.5", "bearings.supply_pressure_bar=2.4")  # the search moves both lengths
+NEEDLESS = (
+    "twin_drive",
+    "bearings.front.length_mm=12.5",
+    "bearings.supply_pressure_bar=2.4",
+)  # the search moves both lengths
 
 
 @pytest.mark.parametrize("case", [("r753ie4_gamma",), NEEDLESS], ids=" ".join)
@@ -130,7 +141,11 @@ def test_what_can_not_be_mended_is_said() -> None:
 
 def test_an_idler_that_touches_the_cover_gets_the_nearest_teeth_that_do_not() -> None:
     found = remedy(damaged("r753ie4_sized", "gears.walls.cover-below.to_mm=[80,165]"), "gears", tries=0)
-    assert found.mends == ("gears.idler.clearance",) and not found.left and found.changes[0] == "gears.wheels.idler.teeth=37"
+    assert (
+        found.mends == ("gears.idler.clearance",)
+        and not found.left
+        and found.changes[0] == "gears.wheels.idler.teeth=37"
+    )
 
 
 def test_an_idler_that_touches_is_repaired_beside_axes_that_are_off_their_distance() -> None:
@@ -149,10 +164,14 @@ def test_a_part_that_is_mended_is_kept_where_another_is_not() -> None:
     document = damaged("r753ie4_gamma", "gears.wheels.shaft.teeth=24")
     found = remedy(document, "gears", tries=0)
     assert found.changes and any(".backlash" in id for id in found.mends)
-    assert [one.id for one in found.left] == ["gears.train.speed_ratio"] and found.said.startswith("still fails: Speed ratio")
+    assert [one.id for one in found.left] == ["gears.train.speed_ratio"] and found.said.startswith(
+        "still fails: Speed ratio"
+    )
 
 
-@pytest.mark.parametrize("case", [("r753ie4_gamma",), ("r753ie4_sized", "gears.wheels.central.profile_shift=-1.2")], ids=" ".join)
+@pytest.mark.parametrize(
+    "case", [("r753ie4_gamma",), ("r753ie4_sized", "gears.wheels.central.profile_shift=-1.2")], ids=" ".join
+)
 @pytest.mark.parametrize("call", [1, 2])
 def test_it_can_be_stopped_at_any_call(case: tuple[str, ...], call: int) -> None:
     document = damaged(*case)

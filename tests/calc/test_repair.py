@@ -1,4 +1,5 @@
-"""The parts of the search for a passing design: teeth that are wide or strong enough and no more, masses that leave nothing, one number moved."""
+"""The parts of the search for a passing design: teeth that are wide or strong enough and no more, masses that leave
+nothing, one number moved."""
 
 import cmath
 import math
@@ -26,33 +27,46 @@ from tests.conftest import GAMMA
 WEAK = tuple(f'gears.wheels.{name}.gear_material="nitrocarburised"' for name in ("crank", "pump"))
 
 
-# --- teeth ---------------------------------------------------------------------------------------------------------------------
+# --- teeth
+# ---------------------------------------------------------------------------------------------------------------------
 def weak_teeth(document: Document, changes: tuple[str, ...]) -> list[str]:
     return [id for id in fails(solve(design(with_changes(document, changes)))) if "safety" in id]
 
 
 @pytest.mark.parametrize("power", [60, 80])
 def test_no_half_millimetre_more_of_face_width_than_is_needed(power: int) -> None:
-    """Both wheels come to one width, the wider one too where it is not wide enough; within 1.5 times it, and beyond where no class helps."""
+    """Both wheels come to one width, the wider one too where it is not wide enough; within 1.5 times it, and beyond
+    where no class helps."""
     document = damaged("timing_pair", f"gears.power_kW={power}")
     found = nearest(document)
     keys, widths = zip(*((key, float(b)) for key, b in (change.split("=") for change in found.changes)))
-    assert found.passes and set(keys) == {"gears.wheels.crank.face_width_mm", "gears.face_width_mm"} and len(set(widths)) == 1
+    assert (
+        found.passes
+        and set(keys) == {"gears.wheels.crank.face_width_mm", "gears.face_width_mm"}
+        and len(set(widths)) == 1
+    )
     assert weak_teeth(document, found.changes) == []
     assert weak_teeth(document, tuple(f"{key}={b - 0.5}" for key, b in zip(keys, widths)))
 
 
 @pytest.mark.parametrize("power", [5, 20])
 def test_the_weakest_class_that_is_enough(power: int) -> None:
-    """Half as much width again does not help: both wheels take the class and quality of least strength with which the pair holds."""
+    """Half as much width again does not help: both wheels take the class and quality of least strength with which the
+    pair holds."""
     document = damaged("timing_pair", f"gears.power_kW={power}", *WEAK)
     found = nearest(document)
     made = {key.split(".")[2:][-1]: value for key, value in (change.split("=") for change in found.changes)}
-    assert found.passes and {key.split(".")[2] for key in found.changes} == {"crank", "pump"} and "face_width" not in str(found.changes)
+    assert (
+        found.passes
+        and {key.split(".")[2] for key in found.changes} == {"crank", "pump"}
+        and "face_width" not in str(found.changes)
+    )
 
     def both(name: str, quality: str) -> tuple[str, ...]:
         return tuple(
-            f'gears.wheels.{w}.{key}="{value}"' for w in ("crank", "pump") for key, value in (("gear_material", name), ("quality", quality))
+            f'gears.wheels.{w}.{key}="{value}"'
+            for w in ("crank", "pump")
+            for key, value in (("gear_material", name), ("quality", quality))
         )
 
     now = strength_class("nitrocarburised", "MQ")
@@ -66,12 +80,17 @@ def test_the_weakest_class_that_is_enough(power: int) -> None:
     assert weak_teeth(document, both(taken.name, taken.quality)) == []
 
 
-# --- masses --------------------------------------------------------------------------------------------------------------------
+# --- masses
+# --------------------------------------------------------------------------------------------------------------------
 angles = st.floats(-math.pi, math.pi)
-masses = st.lists(st.tuples(st.floats(0.1, 5), st.floats(0.005, 0.05), angles, st.floats(0.01, 0.1)), min_size=2, max_size=4)
+masses = st.lists(
+    st.tuples(st.floats(0.1, 5), st.floats(0.005, 0.05), angles, st.floats(0.01, 0.1)), min_size=2, max_size=4
+)
 
 
-def row_of(said: list[tuple[float, float, float, float]]) -> tuple[tuple[EccentricMass, ...], list[complex], complex, complex]:
+def row_of(
+    said: list[tuple[float, float, float, float]],
+) -> tuple[tuple[EccentricMass, ...], list[complex], complex, complex]:
     """Masses one behind the other from −0.1 m on, their unbalances, and U and P of them all."""
     z, made = -0.1, []
     for n, (m, r, angle, gap) in enumerate(said):
@@ -81,11 +100,16 @@ def row_of(said: list[tuple[float, float, float, float]]) -> tuple[tuple[Eccentr
     return tuple(made), now, sum(now), sum(u * m.z for u, m in zip(now, made))
 
 
-@given(said=masses, U=st.complex_numbers(max_magnitude=0.1), P=st.complex_numbers(min_magnitude=1e-3, max_magnitude=0.02))
+@given(
+    said=masses, U=st.complex_numbers(max_magnitude=0.1), P=st.complex_numbers(min_magnitude=1e-3, max_magnitude=0.02)
+)
 def test_what_is_wanted_of_the_masses_leaves_nothing(said, U, P):
-    """Of the first and the last: force and couple; of all, turned and scaled alike: the couple; never more of the others than is said."""
+    """Of the first and the last: force and couple; of all, turned and scaled alike: the couple; never more of the
+    others than is said."""
     row, now, _, product = row_of(said)
-    assume(abs(product) > 1e-9)  # without a couple, as of alike masses about the middle, there is none to turn and scale
+    assume(
+        abs(product) > 1e-9
+    )  # without a couple, as of alike masses about the middle, there is none to turn and scale
     ways = list(_wanted(row, now, U, P))
     for way in ways:
         assert sum(u * m.z for u, m in zip(way, row)) == pytest.approx(P, abs=0.1001 * abs(P))
@@ -102,8 +126,11 @@ def test_what_is_wanted_of_the_masses_leaves_nothing(said, U, P):
 
 def test_what_turns_against_the_shaft_is_not_searched_for_in_its_masses(gamma: Document) -> None:
     """The masses give what they are asked for; what is left is the crank's."""
-    (left,) = [one for one in nearest(with_changes(gamma, ("imbalance.crank_balance_fraction=0.3",)), only="countershaft").left
-        if one.id == "countershaft.residual"]  # fmt: skip
+    (left,) = [
+        one
+        for one in nearest(with_changes(gamma, ("imbalance.crank_balance_fraction=0.3",)), only="countershaft").left
+        if one.id == "countershaft.residual"
+    ]
     assert left.why == "what turns against the shaft is more than may be left, and no mass on it takes that"
 
 
@@ -124,7 +151,11 @@ def test_a_mass_that_stands_at_a_wrong_place_is_moved_back(said, which, away):
     z = row[n].z - away
     moved = P - now[n] * away
     assume(abs(z) > 1e-3)
-    found = [way[f"countershaft.masses.m{n}.z_mm"] for way in _shifted(row, now, U, moved) if f"countershaft.masses.m{n}.z_mm" in way]
+    found = [
+        way[f"countershaft.masses.m{n}.z_mm"]
+        for way in _shifted(row, now, U, moved)
+        if f"countershaft.masses.m{n}.z_mm" in way
+    ]
     assert found == [pytest.approx(z * 1e3, abs=0.0501)]  # to a tenth, of which either may be the nearer
     assert not list(_shifted(row, now, U + 0.11 * max(map(abs, now)), moved)), "the force is to be right already"
 
@@ -140,12 +171,16 @@ def test_a_mass_becomes_what_is_wanted_by_its_weight_its_angle_or_both(m, r, ang
         return size * radius * cmath.exp(1j * math.radians(said.get("angle_deg", math.degrees(angle))))
 
     weight, turned, both, shorter = map(made, _single(mass, wanted))
-    close = pytest.approx(abs(wanted), rel=0.012)  # whole grams and tenths of a millimetre, of 150 g and 4.5 mm at the least
+    close = pytest.approx(
+        abs(wanted), rel=0.012
+    )  # whole grams and tenths of a millimetre, of 150 g and 4.5 mm at the least
     assert abs(weight) == close and cmath.phase(weight / cmath.exp(1j * angle)) == pytest.approx(0, abs=1e-9)
     assert abs(turned) == pytest.approx(m * r) and abs(cmath.phase(turned / wanted)) < math.radians(0.06)
     for whole in (both, shorter):
         assert abs(whole) == close and abs(cmath.phase(whole / wanted)) < math.radians(0.06)
-    assert not any("angle" in key for changes in _single(mass, share * m * r * cmath.exp(1j * angle)) for key in changes)
+    assert not any(
+        "angle" in key for changes in _single(mass, share * m * r * cmath.exp(1j * angle)) for key in changes
+    )
 
 
 @given(angle=st.floats(-720, 720), old=st.floats(-720, 720))
@@ -154,7 +189,8 @@ def test_an_angle_stays_near_its_old_number(angle, old):
     assert abs(near - old) <= 180 + 1e-9 and math.remainder(near - angle, 360) == pytest.approx(0, abs=1e-9)
 
 
-# --- one number ----------------------------------------------------------------------------------------------------------------
+# --- one number
+# ----------------------------------------------------------------------------------------------------------------
 DATA = read(GAMMA).data
 
 
@@ -180,10 +216,16 @@ def test_a_number_of_nothing_moves_by_its_step():
     }
 
 
-@pytest.mark.parametrize("verdicts, decided", [
-    ({"a": "pass", "b": "fail"}, True), ({"a": "fail", "b": "fail", "c": "pass"}, True), ({"a": "pass", "b": "pass", "c": "fail"}, False),
-    ({"a": "fail"}, False), ({"b": "pass"}, False),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    "verdicts, decided",
+    [
+        ({"a": "pass", "b": "fail"}, True),
+        ({"a": "fail", "b": "fail", "c": "pass"}, True),
+        ({"a": "pass", "b": "pass", "c": "fail"}, False),
+        ({"a": "fail"}, False),
+        ({"b": "pass"}, False),
+    ],
+)
 def test_a_trial_ends_early_only_where_all_that_is_asked_is_known_and_fails(verdicts, decided):
     """Else what comes later would not be looked at: whether the change breaks it."""
     asked = tuple(SimpleNamespace(id=id) for id in "ab")
@@ -198,7 +240,8 @@ def test_a_trial_ends_early_only_where_all_that_is_asked_is_known_and_fails(verd
 
 
 def test_what_holds_by_too_little_has_to_hold_by_the_thin_margin() -> None:
-    """A limit that is passed over only has to hold; one that holds narrowly is mended when it is no warning any more."""
+    """A limit that is passed over only has to hold; one that holds narrowly is mended when it is no warning any
+    more."""
 
     def film(value: float) -> Check:
         return Check("film", Text("Film"), value, 1.0, ">=", "µm", EMPTY)

@@ -23,16 +23,35 @@ def test_edits_undo_and_moments(tmp_path):
     assert [c.agrees for c in compared] == [True, True]
 
 
-@pytest.mark.parametrize("bad", [
-    EXPECT.replace("abs = 1e-4", 'rel = "x"\nabs = 1'), EXPECT.replace("0.3282", "1" + "0" * 400), EXPECT + 'after = "x"\n',
-    EXPECT + "after = 0.5\n", EXPECT + "after = 7\n", EXPECT.replace("abs = 1e-4", "rel = inf"), EXPECT.replace('"engine.lambda"', '["a"]'),
-    EXPECT.replace('kind = "recorded"', 'kind = "reference"'), EXPECT.replace('unit = ""', 'units = ""'),
-    '[[step]]\nset = 5\nto = 1\n' + EXPECT, "[[step]]\nreport = 5\n" + EXPECT, "[[step]]\nundo = false\n" + EXPECT, '[[step]]\nunset = "a"\nto = 1\n' + EXPECT,
-    '[[step]]\nunset = []\n' + EXPECT, '[[step]]\nset = {}\n' + EXPECT, '[[step]]\nunset = "a"\nundo = true\n' + EXPECT,
-    '[[step]]\nset = { "a" = 1 }\nto = 2\n' + EXPECT, '[[step]]\nset = "a"\nto = 1\nunset = "b"\n' + EXPECT, '[[step]]\nunset = [1]\n' + EXPECT,
-    '[[step]]\nset = "a"\n' + EXPECT,
-    '[[expect]]\ncheck = "x"\nverdict = "bogus"\n', "", "expect = 3\n", "surprise = 1\n" + EXPECT,
-])  # fmt: skip
+@pytest.mark.parametrize(
+    "bad",
+    [
+        EXPECT.replace("abs = 1e-4", 'rel = "x"\nabs = 1'),
+        EXPECT.replace("0.3282", "1" + "0" * 400),
+        EXPECT + 'after = "x"\n',
+        EXPECT + "after = 0.5\n",
+        EXPECT + "after = 7\n",
+        EXPECT.replace("abs = 1e-4", "rel = inf"),
+        EXPECT.replace('"engine.lambda"', '["a"]'),
+        EXPECT.replace('kind = "recorded"', 'kind = "reference"'),
+        EXPECT.replace('unit = ""', 'units = ""'),
+        "[[step]]\nset = 5\nto = 1\n" + EXPECT,
+        "[[step]]\nreport = 5\n" + EXPECT,
+        "[[step]]\nundo = false\n" + EXPECT,
+        '[[step]]\nunset = "a"\nto = 1\n' + EXPECT,
+        "[[step]]\nunset = []\n" + EXPECT,
+        "[[step]]\nset = {}\n" + EXPECT,
+        '[[step]]\nunset = "a"\nundo = true\n' + EXPECT,
+        '[[step]]\nset = { "a" = 1 }\nto = 2\n' + EXPECT,
+        '[[step]]\nset = "a"\nto = 1\nunset = "b"\n' + EXPECT,
+        "[[step]]\nunset = [1]\n" + EXPECT,
+        '[[step]]\nset = "a"\n' + EXPECT,
+        '[[expect]]\ncheck = "x"\nverdict = "bogus"\n',
+        "",
+        "expect = 3\n",
+        "surprise = 1\n" + EXPECT,
+    ],
+)
 def test_what_is_no_replay_is_refused(tmp_path, bad):
     with pytest.raises(BadInput):
         replay.load(written(tmp_path, HEAD + bad))
@@ -44,9 +63,25 @@ def test_an_edit_that_can_not_be_made_is_named_in_the_replay(tmp_path):
         replay.run(replay.load(path))
 
 
-@pytest.mark.parametrize("name", [
-    "", ".pdf", "out", "out.txt", "../out.pdf", "/tmp/out.pdf", "a/out.pdf", "a\\\\out.pdf", "C:out.pdf", ".out.pdf", "a\\u0000.pdf", "a\\n.pdf", "\\u001b[2J.pdf", "a" * 100 + ".pdf",
-])  # fmt: skip
+@pytest.mark.parametrize(
+    "name",
+    [
+        "",
+        ".pdf",
+        "out",
+        "out.txt",
+        "../out.pdf",
+        "/tmp/out.pdf",
+        "a/out.pdf",
+        "a\\\\out.pdf",
+        "C:out.pdf",
+        ".out.pdf",
+        "a\\u0000.pdf",
+        "a\\n.pdf",
+        "\\u001b[2J.pdf",
+        "a" * 100 + ".pdf",
+    ],
+)
 def test_a_report_has_a_bare_name(tmp_path, name):
     with pytest.raises(BadInput, match=r"(?s)r\.toml:4: step\.0\.report: .*must be the bare name of a PDF file"):
         replay.load(written(tmp_path, HEAD + f'[[step]]\nreport = "{name}"\n' + EXPECT))
@@ -59,11 +94,16 @@ def test_a_design_has_a_name_that_can_be_printed(tmp_path, name):
 
 
 def test_expectations_after_every_kind_of_step_are_compared(tmp_path):
-    steps = '[[step]]\nreport = "a.pdf"\n[[step]]\nset = "engine.rod_length_mm"\nto = 200.0\n[[step]]\nreport = "b.pdf"\n[[step]]\nundo = true\n[[step]]\nreport = "c.pdf"\n'
+    steps = (
+        '[[step]]\nreport = "a.pdf"\n[[step]]\nset = "engine.rod_length_mm"\nto = 200.0\n[[step]]\nreport = '
+        '"b.pdf"\n[[step]]\nundo = true\n[[step]]\nreport = "c.pdf"\n'
+    )
     found = ["0.3282", "0.3282", "0.2675", "0.2675", "0.3282", "0.3282"]
     expects = "".join(EXPECT.replace("0.3282", value) + f"after = {n}\n" for n, value in enumerate(found))
     made = []
-    compared = replay.run(replay.load(written(tmp_path, HEAD + steps + expects)), lambda document, results, path: made.append(path))
+    compared = replay.run(
+        replay.load(written(tmp_path, HEAD + steps + expects)), lambda document, results, path: made.append(path)
+    )
     assert [c.agrees for c in compared] == [True] * 6
     assert made == [tmp_path / name for name in ("a.pdf", "b.pdf", "c.pdf")]
 
@@ -82,7 +122,10 @@ def test_tables_are_set_and_taken_out_whole(tmp_path):
 
 
 def test_an_element_is_set_and_taken_out_by_its_name(tmp_path):
-    steps = '[[step]]\nset = "gears.wheels.shaft"\nto = { name = "shaft", teeth = 40 }\n[[step]]\nunset = "engine.bench.0"\n'
+    steps = (
+        '[[step]]\nset = "gears.wheels.shaft"\nto = { name = "shaft", teeth = 40 }\n[[step]]\nunset = '
+        '"engine.bench.0"\n'
+    )
     script = replay.load(written(tmp_path, HEAD + steps + EXPECT))
     one = replay.played(script.start, script.steps[0])
     assert next(w for w in one.data["gears"]["wheels"] if w["name"] == "shaft") == {"name": "shaft", "teeth": 40}
@@ -91,12 +134,20 @@ def test_an_element_is_set_and_taken_out_by_its_name(tmp_path):
     assert script.start.data["engine"]["bench"] != two.data["engine"]["bench"]  # nothing is changed in place
 
 
-@pytest.mark.parametrize(("step", "said"), [
-    ('unset = "engine.gas"', "engine.gas: is not there"), ('unset = "engine.gas.peak_pressure_bar"', "is not there"), ('unset = "engine.bore"', "did you mean"),
-    ('set = "engine"\nto = 3', "is a table; name one of its keys"), ('set = "engine.bore_mm"\nto = { a = 1 }', "a table: must be"),
-    ('unset = "engine.bore_mm"', "is missing"), ('set = { "engine.bore_mm" = -1, "engine.rod_length_mm" = 150.0 }', "must be"),
-    ('set = "engine.gas"\nto = [{ peak_pressure_bar = 85.0 }]', "must be a table"), ('set = "engine.gas"\nto = { peak = 85.0 }', "engine.gas.peak: is not known"),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    ("step", "said"),
+    [
+        ('unset = "engine.gas"', "engine.gas: is not there"),
+        ('unset = "engine.gas.peak_pressure_bar"', "is not there"),
+        ('unset = "engine.bore"', "did you mean"),
+        ('set = "engine"\nto = 3', "is a table; name one of its keys"),
+        ('set = "engine.bore_mm"\nto = { a = 1 }', "a table: must be"),
+        ('unset = "engine.bore_mm"', "is missing"),
+        ('set = { "engine.bore_mm" = -1, "engine.rod_length_mm" = 150.0 }', "must be"),
+        ('set = "engine.gas"\nto = [{ peak_pressure_bar = 85.0 }]', "must be a table"),
+        ('set = "engine.gas"\nto = { peak = 85.0 }', "engine.gas.peak: is not known"),
+    ],
+)
 def test_what_can_not_be_set_or_taken_out_is_said(tmp_path, step, said):
     with pytest.raises(BadInput) as bad:
         replay.run(replay.load(written(tmp_path, HEAD + f"[[step]]\n{step}\n" + EXPECT)))
@@ -105,9 +156,13 @@ def test_what_can_not_be_set_or_taken_out_is_said(tmp_path, step, said):
 
 def test_several_keys_are_one_step_of_the_undo(tmp_path):
     both = '[[step]]\nset = { "engine.rod_length_mm" = 200.0, "engine.bore_mm" = 95.0 }\n[[step]]\nundo = true\n'
-    compared = replay.run(replay.load(written(tmp_path, HEAD + both + EXPECT + EXPECT.replace("0.3282", "0.2675") + "after = 1\n")))
+    compared = replay.run(
+        replay.load(written(tmp_path, HEAD + both + EXPECT + EXPECT.replace("0.3282", "0.2675") + "after = 1\n"))
+    )
     assert [c.agrees for c in compared] == [True, True]
 
 
 def test_every_shipped_design_has_a_replay():
-    assert {p.stem for p in (ROOT / "tests" / "replays").glob("*.toml")} == {p.stem for p in (ROOT / "designs").glob("*.toml")}
+    assert {p.stem for p in (ROOT / "tests" / "replays").glob("*.toml")} == {
+        p.stem for p in (ROOT / "designs").glob("*.toml")
+    }

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The shipped engines: designs that solve, cranks that balance and fire as published, data in plausible ranges; shafts to begin with."""
+"""The shipped engines: designs that solve, cranks that balance and fire as published, data in plausible ranges; shafts
+to begin with."""
 
 import cmath
 import math
@@ -27,25 +28,50 @@ PUBLISHED = {row["engine"]: (row["first"], row["second"]) for row in ROWS}
 
 # Which published engine each of ours is: tests/reference/balance.toml.
 LAYOUT = {
-    "r753ie4": "inline-3", "single": "single", "twin-360": "inline-2, pins together", "twin-180": "inline-2, 180°", "inline-3": "inline-3",
-    "two-stroke-3": "inline-3", "r754ie4": "inline-4, flat", "inline-4": "inline-4, flat", "inline-4-cross": "inline-4, cross-plane",
-    "inline-5": "inline-5, 1-2-4-5-3", "inline-6": "inline-6", "v6-60": "V6 60°, pins split by 60°", "v6-90-uneven": "V6 90°, three pins",
-    "v8-cross": "V8 90°, cross-plane", "boxer-2": "boxer-2", "boxer-4": "boxer-4",
-}  # fmt: skip
+    "r753ie4": "inline-3",
+    "single": "single",
+    "twin-360": "inline-2, pins together",
+    "twin-180": "inline-2, 180°",
+    "inline-3": "inline-3",
+    "two-stroke-3": "inline-3",
+    "r754ie4": "inline-4, flat",
+    "inline-4": "inline-4, flat",
+    "inline-4-cross": "inline-4, cross-plane",
+    "inline-5": "inline-5, 1-2-4-5-3",
+    "inline-6": "inline-6",
+    "v6-60": "V6 60°, pins split by 60°",
+    "v6-90-uneven": "V6 90°, three pins",
+    "v8-cross": "V8 90°, cross-plane",
+    "boxer-2": "boxer-2",
+    "boxer-4": "boxer-4",
+}
 
 
 def cos(degrees: float) -> float:
     return math.cos(math.radians(degrees))
 
 
-# The others by the sums of their few unit vectors, worked out by hand: force forward, backward, couple forward, backward.
+# The others by the sums of their few unit vectors, worked out by hand: force forward, backward, couple forward,
+# backward.
 ROOT3, NONE = math.sqrt(3), (0, 0, 0, 0)
 BY_HAND = {
-    "twin-270": ((cos(45), cos(45), cos(45) / 2, cos(45) / 2), (0, 0, 0.5, 0.5)),  # pins at a right angle, opposed in order 2
-    "v2-45": ((1, cos(45), 0, 0), (cos(22.5), cos(67.5), 0, 0)),  # cylinders at ±V/2 on one pin: cos V, cos V/2, cos 3V/2
+    "twin-270": (
+        (cos(45), cos(45), cos(45) / 2, cos(45) / 2),
+        (0, 0, 0.5, 0.5),
+    ),  # pins at a right angle, opposed in order 2
+    "v2-45": (
+        (1, cos(45), 0, 0),
+        (cos(22.5), cos(67.5), 0, 0),
+    ),  # cylinders at ±V/2 on one pin: cos V, cos V/2, cos 3V/2
     "v2-90": ((1, 0, 0, 0), (cos(45), cos(45), 0, 0)),
-    "v6-90": ((0, 0, ROOT3 * cos(15), ROOT3 * cos(75)), (0, 0, ROOT3 * cos(75), ROOT3 * cos(15))),  # three pairs, pins 30° apart
-    "v8-flat": (NONE, (2 * math.sqrt(2), 2 * math.sqrt(2), 0, 0)),  # horizontal: √2 of each of four pairs, half of it each way
+    "v6-90": (
+        (0, 0, ROOT3 * cos(15), ROOT3 * cos(75)),
+        (0, 0, ROOT3 * cos(75), ROOT3 * cos(15)),
+    ),  # three pairs, pins 30° apart
+    "v8-flat": (
+        NONE,
+        (2 * math.sqrt(2), 2 * math.sqrt(2), 0, 0),
+    ),  # horizontal: √2 of each of four pairs, half of it each way
     "v12-60": (NONE, NONE),
     "boxer-6": (NONE, NONE),
 }
@@ -85,7 +111,10 @@ def test_the_list_is_aligned_and_fits_the_screen(capsys):
     assert [line.split()[0] for line in lines] == list(ENGINES)
     assert max(map(len, lines)) <= 120
     for line, engine in zip(lines, ENGINES.values()):
-        assert [line.index(engine.name), line.index(engine.what)] == [lines[0].index("VM Motori"), lines[0].index("inline 3")]
+        assert [line.index(engine.name), line.index(engine.what)] == [
+            lines[0].index("VM Motori"),
+            lines[0].index("inline 3"),
+        ]
         assert line.endswith(engine.source)
 
 
@@ -106,7 +135,8 @@ def test_every_engine_has_its_vectors():
 
 @pytest.mark.parametrize("name", ENGINES)
 def test_what_is_left_is_what_is_published(name):
-    """Without a share on the crank, two-term kinematics, about mid-engine: it takes the pins, the banks and the positions."""
+    """Without a share on the crank, two-term kinematics, about mid-engine: it takes the pins, the banks and the
+    positions."""
     made, results = solved(name, crank_balance_fraction=0.0, kinematics="two_term")
     e, imbalance = results.outcomes["engine"].result, results.outcomes["imbalance"].result
     first, second = PUBLISHED[LAYOUT[name]] if name in LAYOUT else BY_HAND[name]
@@ -120,10 +150,14 @@ def test_what_is_left_is_what_is_published(name):
 
 @pytest.mark.parametrize("name", ENGINES)
 def test_the_crank_carries_half_unless_its_throws_cancel(name):
-    """Half of the reciprocating mass on the crank takes all that turns forward; a crank that is even already carries none."""
+    """Half of the reciprocating mass on the crank takes all that turns forward; a crank that is even already carries
+    none."""
     made, results = solved(name)
     crank = results.outcomes["engine"].result.crank
-    throws = sum(cmath.exp(1j * phi) for phi in crank.phi), sum(z * cmath.exp(1j * phi) for phi, z in zip(crank.phi, crank.z))
+    throws = (
+        sum(cmath.exp(1j * phi) for phi in crank.phi),
+        sum(z * cmath.exp(1j * phi) for phi, z in zip(crank.phi, crank.z)),
+    )
     even = abs(throws[0]) < 1e-6 and abs(throws[1]) < 1e-6 * made.engine.cylinder_pitch
     assert made.imbalance.crank_balance_fraction == (0.0 if even else 0.5)
     first = results.outcomes["imbalance"].result.orders["order_1"]
@@ -182,24 +216,45 @@ def test_the_split_pin_of_bank_1_lags(name, split):
 def test_dimensions_and_masses_are_plausible(name):
     engine = solved(name)[0].engine
     assert 0.22 <= engine.crank_radius / engine.rod_length <= 0.33
-    if name != "boxer-2":  # one cylinder on either side: no neighbour; in the others the throws alternate between the sides
+    if (
+        name != "boxer-2"
+    ):  # one cylinder on either side: no neighbour; in the others the throws alternate between the sides
         assert 1.05 < engine.cylinder_pitch * (2 if engine.layout == "boxer" else 1) / engine.bore < 1.5
     assert 400 < engine.piston_mass / engine.bore**3 < 1600  # kg/m³: light petrol piston to heavy Diesel
     assert 0.7 < engine.rod_mass / engine.piston_mass < 1.5
     assert 6 < 4 * engine.crank_radius * engine.rated_speed < 26  # mean piston speed, m/s
 
 
-# --- a counter-shaft to begin with -----------------------------------------------------------------------------------------
-# What of first order turns backward, by the vectors published for the layout: tests/reference/balance.toml, and BY_HAND above.
+# --- a counter-shaft to begin with
+# -----------------------------------------------------------------------------------------
+# What of first order turns backward, by the vectors published for the layout: tests/reference/balance.toml, and BY_HAND
+# above.
 SHAFT = {
-    "single": "force", "twin-360": "force", "v2-45": "force", "twin-270": "couple force", "twin-180": "couple", "inline-3": "couple",
-    "two-stroke-3": "couple", "inline-4-cross": "couple", "inline-5": "couple", "v6-90": "couple", "boxer-2": "couple",
-}  # fmt: skip
+    "single": "force",
+    "twin-360": "force",
+    "v2-45": "force",
+    "twin-270": "couple force",
+    "twin-180": "couple",
+    "inline-3": "couple",
+    "two-stroke-3": "couple",
+    "inline-4-cross": "couple",
+    "inline-5": "couple",
+    "v6-90": "couple",
+    "boxer-2": "couple",
+}
 COMPLETE = {"r753ie4": -1, "r754ie4": 2}  # shipped designs, and the speed ratio of their shafts
 SECOND = {  # engines without a shaft at −1: what second order leaves
-    "inline-4": "force", "inline-6": "", "v2-90": "force", "v6-60": "couple", "v6-90-uneven": "couple", "v8-cross": "", "v8-flat": "force",
-    "v12-60": "", "boxer-4": "couple", "boxer-6": "",
-}  # fmt: skip
+    "inline-4": "force",
+    "inline-6": "",
+    "v2-90": "force",
+    "v6-60": "couple",
+    "v6-90-uneven": "couple",
+    "v8-cross": "",
+    "v8-flat": "force",
+    "v12-60": "",
+    "boxer-4": "couple",
+    "boxer-6": "",
+}
 ROLLING = ("twin-270", "inline-4-cross")  # more than 5000 N at 9000 and 12 500 rpm: no plain bearing of usual length
 STEPS = ("engine", "imbalance", "countershaft", "bearings", "gears", "friction")
 
@@ -249,10 +304,17 @@ def test_a_shaft_is_begun_and_the_design_is_ready(name):
     made, results = solved(name)
     assert made.countershaft.mode == "size" and made.countershaft.speed_ratio == -1
     bearings = "not_asked" if name in ROLLING else "pass"
-    assert {key: results.outcomes[key].verdict for key in STEPS} == {**dict.fromkeys(STEPS, "pass"), "bearings": bearings}
+    assert {key: results.outcomes[key].verdict for key in STEPS} == {
+        **dict.fromkeys(STEPS, "pass"),
+        "bearings": bearings,
+    }
     assert [c.id for c in results.checks() if c.kind in ("limit", "caution") and c.open] == []
     verdicts = {c.id: c.verdict for c in results.checks()}
-    asked = ("residual", "residual_force", *(() if name in ROLLING else ("slope_front", "slope_rear", "envelope", "envelope_length")))
+    asked = (
+        "residual",
+        "residual_force",
+        *(() if name in ROLLING else ("slope_front", "slope_rear", "envelope", "envelope_length")),
+    )
     assert all(verdicts[f"countershaft.{id}"] == "pass" for id in (*asked, "holes.depth"))
     assert verdicts["gears.train.speed_ratio"] == "pass"
     assert not made.accepted, "what is open must be solved, not accepted"
@@ -334,7 +396,9 @@ def test_the_text_is_toml_that_goes_round(name):
     edited = edited_text(text, {"engine.bore_mm": 83.5})
     assert tomllib.loads(edited)["engine"]["bore_mm"] == 83.5
     comments = [row.partition("#")[2] for row in text.splitlines()]
-    was = [f" was 94.0,{said}" if said == " assumed: R753IE4, and so all down to the masses" else said for said in comments]
+    was = [
+        f" was 94.0,{said}" if said == " assumed: R753IE4, and so all down to the masses" else said for said in comments
+    ]
     assert [row.partition("#")[2] for row in edited.splitlines()] in (comments, was)
 
 

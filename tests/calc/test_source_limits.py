@@ -35,7 +35,8 @@ def check_of(results: Results, id: str) -> Check:
 
 
 def test_the_crank_ratio_of_the_source_lies_outside_the_range_of_the_sources(gamma):
-    """λ = 0.3282 (Finotti 2013, 2.5.3.1); usual 0.22 to 0.30 (2.1, and the mechanics textbook, 48.3.3), 0.2 to 0.3 (2.2.4)."""
+    """λ = 0.3282 (Finotti 2013, 2.5.3.1); usual 0.22 to 0.30 (2.1, and the mechanics textbook, 48.3.3), 0.2 to 0.3
+    (2.2.4)."""
     check = check_of(gamma, "engine.crank.lambda_usual")
     assert check.value == pytest.approx(0.3282, abs=5e-5) and check.limit == (0.22, 0.30)
     assert check.verdict == "note" and "0.2 to 0.3" in check.source and "R753IE4" in check.advice
@@ -61,7 +62,9 @@ def test_trumpler_as_the_thesis_prints_him(gamma, place):
 
 
 def stress(load: float, limit: float | None = None, material: str = "EN AC-43100") -> Check:
-    support = Support(material=material, load_stress=load * 1e6, load_stress_limit=None if limit is None else limit * 1e6)
+    support = Support(
+        material=material, load_stress=load * 1e6, load_stress_limit=None if limit is None else limit * 1e6
+    )
     return next(iter(_load_stress(support, materials()[material])))
 
 
@@ -72,19 +75,24 @@ def test_the_result_of_finite_elements_is_no_limit():
     assert check.limit == 180.0 and "fatigue" in check.source and "20 MPa: a result" in check.advice
     assert stress(20.0, 40.0).verdict == "pass" and stress(20.0, 20.0).holds and stress(20.1, 20.0).verdict == "fail"
     assert stress(190.0).verdict == "fail", "beyond its strength it needs no more data"
-    assert stress(20.0, material="EN-GJL-250").limit == 250.0, "an iron without a proof stress is held to its tensile strength"
+    assert stress(20.0, material="EN-GJL-250").limit == 250.0, (
+        "an iron without a proof stress is held to its tensile strength"
+    )
 
 
 def test_what_the_base_of_the_oil_changes(gamma):
-    """`contralbero oils "10W-40 Q8 T905"`: the thesis calls it synthetic (5.3); what that would change, as the table says."""
+    """`contralbero oils "10W-40 Q8 T905"`: the thesis calls it synthetic (5.3); what that would change, as the table
+    says."""
     oil, whole = shipped_oils()["10W-40 Q8 T905"], design()
     synthetic = solve(replace(whole, oil=(*whole.oil, replace(oil, base="PAO"))))
     ours, theirs = gamma.values(), synthetic.values()
     for mesh in ("crank_central", "central_idler", "idler_shaft"):
-        assert theirs[f"gears.{mesh}.specific_film_min"].shown / ours[f"gears.{mesh}.specific_film_min"].shown == pytest.approx(
-            0.8, abs=0.02
-        )
-        assert theirs[f"gears.{mesh}.scuffing_safety"].shown / ours[f"gears.{mesh}.scuffing_safety"].shown == pytest.approx(0.94, abs=0.005)
+        assert theirs[f"gears.{mesh}.specific_film_min"].shown / ours[
+            f"gears.{mesh}.specific_film_min"
+        ].shown == pytest.approx(0.8, abs=0.02)
+        assert theirs[f"gears.{mesh}.scuffing_safety"].shown / ours[
+            f"gears.{mesh}.scuffing_safety"
+        ].shown == pytest.approx(0.94, abs=0.005)
     judged = ("bearings.front.film", "bearings.rear.friction_power", "friction.crank_central.loss")
     assert all(ours[id].inside == theirs[id].inside for id in judged)
     assert [(c.id, c.verdict) for c in gamma.checks()] == [(c.id, c.verdict) for c in synthetic.checks()]

@@ -33,8 +33,14 @@ def _found(monkeypatch: pytest.MonkeyPatch) -> None:
 
 def test_over_processes_or_not_the_pieces_are_the_same() -> None:
     alone, shared = (dict(spread(slow, 0.0, range(20), processes)) for processes in (1, 2))
-    assert {n: one for n, (one, _) in alone.items()} == {n: one for n, (one, _) in shared.items()} == {n: n * n for n in range(20)}
-    assert {process for _, process in alone.values()} == {os.getpid()} and os.getpid() not in {process for _, process in shared.values()}
+    assert (
+        {n: one for n, (one, _) in alone.items()}
+        == {n: one for n, (one, _) in shared.items()}
+        == {n: n * n for n in range(20)}
+    )
+    assert {process for _, process in alone.values()} == {os.getpid()} and os.getpid() not in {
+        process for _, process in shared.values()
+    }
 
 
 def test_what_a_lost_worker_had_is_done_again(tmp_path: Path) -> None:
@@ -45,7 +51,9 @@ def test_what_a_lost_worker_had_is_done_again(tmp_path: Path) -> None:
 def test_no_worker_outlives_a_program_that_is_killed(tmp_path: Path) -> None:
     file = tmp_path / "program.py"
     file.write_text(PROGRAM, encoding="utf-8")
-    one = subprocess.Popen([sys.executable, str(file)], stdout=subprocess.PIPE, env={**os.environ, "PYTHONPATH": str(ROOT)}, cwd=ROOT)
+    one = subprocess.Popen(
+        [sys.executable, str(file)], stdout=subprocess.PIPE, env={**os.environ, "PYTHONPATH": str(ROOT)}, cwd=ROOT
+    )
     assert one.stdout is not None
     workers = {int(one.stdout.readline()) for _ in range(8)}
     one.kill()

@@ -16,26 +16,42 @@ from tests.conftest import GAMMA
 
 
 def test_lines_of_keys():
-    lines = key_lines('a = 1\n# b\n[t]\nx = [\n 1,\n 2]\ny = """\nz = 1\n"""\n[[t.w]]\nn = 1\n[[t.w]]\nn = 2\n[t.w.s]\nq.r = 1\n')
+    lines = key_lines(
+        'a = 1\n# b\n[t]\nx = [\n 1,\n 2]\ny = """\nz = 1\n"""\n[[t.w]]\nn = 1\n[[t.w]]\nn = 2\n[t.w.s]\nq.r = 1\n'
+    )
     assert lines["a"] == 1 and lines["t"] == 3 and lines["t.x"] == 4 and lines["t.y"] == 7
     assert "t.z" not in lines
     assert lines["t.w.0.n"] == 11 and lines["t.w.1.n"] == 13 and lines["t.w.1.s.q.r"] == 15
 
 
-@pytest.mark.parametrize(("text", "lines"), [
-    ("a = '''\n[x]\n''' # '\nb = 1", {"a": 1, "b": 4}), ('a = """\n\\"""\nc = 1\n""""\nb = 1', {"a": 1, "b": 5}), ('a = "#[" # "\nb = 1', {"a": 1, "b": 2}),
-    ("'a b' . \"c\" = 1\n[ x . y ]\r\nz=1", {"a b.c": 1, "x": 2, "x.y": 2, "x.y.z": 3}), ("a = { b = 1, c = [ { d = 1 } ] }\ne = 1", {"a": 1, "e": 2}),
-    ("a = [ # [\n]\nb = 1", {"a": 1, "b": 3}), ("[a] # ]\nb = '['\nc = 1", {"a": 1, "a.b": 2, "a.c": 3}),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    ("text", "lines"),
+    [
+        ("a = '''\n[x]\n''' # '\nb = 1", {"a": 1, "b": 4}),
+        ('a = """\n\\"""\nc = 1\n""""\nb = 1', {"a": 1, "b": 5}),
+        ('a = "#[" # "\nb = 1', {"a": 1, "b": 2}),
+        ("'a b' . \"c\" = 1\n[ x . y ]\r\nz=1", {"a b.c": 1, "x": 2, "x.y": 2, "x.y.z": 3}),
+        ("a = { b = 1, c = [ { d = 1 } ] }\ne = 1", {"a": 1, "e": 2}),
+        ("a = [ # [\n]\nb = 1", {"a": 1, "b": 3}),
+        ("[a] # ]\nb = '['\nc = 1", {"a": 1, "a.b": 2, "a.c": 3}),
+    ],
+)
 def test_texts_comments_and_tables_in_line_hold_no_keys_of_their_own(text, lines):
     assert key_lines(text) == lines
 
 
 def test_a_comment_is_that_of_the_key_on_its_line():
-    text = '# head\na = "#no" # yes\n# apart\nb = [ # of b\n 1, # inner\n]\nc = 1 #\n[[t]] # first\nn = 1\n[[t]]\nn = 2 ## both = 1 \r\n'
+    text = (
+        '# head\na = "#no" # yes\n# apart\nb = [ # of b\n 1, # inner\n]\nc = 1 #\n[[t]] # first\nn = 1\n[[t]]\nn = '
+        "2 ## both = 1 \r\n"
+    )
     assert remarks(text) == {"a": "yes", "b": "of b", "t.0": "first", "t.1.n": "both = 1"}
     assert remarks("a = [ 1, # of one\n 2 ] # of both\n") == {"a": "of both"}
-    assert remarks('a = [\n 1\n] # closed\nb = """\nx\n""" # ended\nc = { d = 1 } # table') == {"a": "closed", "b": "ended", "c": "table"}
+    assert remarks('a = [\n 1\n] # closed\nb = """\nx\n""" # ended\nc = { d = 1 } # table') == {
+        "a": "closed",
+        "b": "ended",
+        "c": "table",
+    }
 
 
 def test_a_comment_goes_with_the_value_that_it_is_about():
@@ -46,17 +62,28 @@ def test_a_comment_goes_with_the_value_that_it_is_about():
 
 
 def test_a_comment_stays_with_its_element():
-    made = parse(b'[[gears.wheels]]\nname = "a"\nteeth = 20 # of a\n[[gears.wheels]]\nname = "b"\nteeth = 20 # of b\n', "d.toml")
+    made = parse(
+        b'[[gears.wheels]]\nname = "a"\nteeth = 20 # of a\n[[gears.wheels]]\nname = "b"\nteeth = 20 # of b\n', "d.toml"
+    )
     a, b = made.data["gears"]["wheels"]
     assert made.remarks == {"gears.wheels.0.teeth": "of a", "gears.wheels.1.teeth": "of b"}
     assert made.with_value("gears.wheels", [b, a]).remarks == {}
 
 
-@pytest.mark.parametrize(("text", "said"), [
-    ("\n" + "a." * DESIGN_DEPTH + "a = 1", None), ("\n" + "a." * (DESIGN_DEPTH + 1) + "a = 1", "nested deeper"), ("\n[" + "a." * 500_000 + "a]", "nested deeper"),
-    ("\na = " + "[" * DESIGN_DEPTH + "]" * DESIGN_DEPTH, None), ("\na = " + "[" * 500_000, "nested deeper"), ("\na = " + "{a = " * 200_000, "nested deeper"),
-    ("\na = [" + "1," * (DESIGN_ENTRIES - 3) + "]", None), ("\na = [" + "1," * DESIGN_ENTRIES + "]", "more than 20,000 entries"), ("\n" + "[[a]]" * 200_000, "entries"),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("\n" + "a." * DESIGN_DEPTH + "a = 1", None),
+        ("\n" + "a." * (DESIGN_DEPTH + 1) + "a = 1", "nested deeper"),
+        ("\n[" + "a." * 500_000 + "a]", "nested deeper"),
+        ("\na = " + "[" * DESIGN_DEPTH + "]" * DESIGN_DEPTH, None),
+        ("\na = " + "[" * 500_000, "nested deeper"),
+        ("\na = " + "{a = " * 200_000, "nested deeper"),
+        ("\na = [" + "1," * (DESIGN_ENTRIES - 3) + "]", None),
+        ("\na = [" + "1," * DESIGN_ENTRIES + "]", "more than 20,000 entries"),
+        ("\n" + "[[a]]" * 200_000, "entries"),
+    ],
+)
 def test_depth_and_number_have_their_limits(text, said):
     if said is None:
         key_lines(text)
@@ -75,17 +102,25 @@ def test_the_size_is_a_limit_of_bytes_from_anywhere():
 
 
 HOSTILE = {
-    "words": lambda n: "a " * (n // 2), "texts not closed": lambda n: '"""\\' * (n // 4), "quotes": lambda n: "'" * n, "double quotes": lambda n: '"' * n,
-    "escapes": lambda n: 'a = "' + "\\n" * (n // 2) + '"', "escaped quotes": lambda n: 'a = """' + '\\"' * (n // 2) + '"""', "lines": lambda n: "\n" * n,
-    "returns": lambda n: "\r" * n, "spaces": lambda n: " " * n + "a", "number": lambda n: "a = " + "9" * n, "key": lambda n: "a" * n + " = 1", "backslashes": lambda n: "a = '" + "\\" * n + "'",
-    "one long name": lambda n: f'[engine]\nname = "{"x" * n}"\nlayout = "{"y" * n}"', "comments": lambda n: "#\n" * (n // 2), "brackets": lambda n: "]" * n,
+    "words": lambda n: "a " * (n // 2), "texts not closed": lambda n: '"""\\' * (n // 4), "quotes": lambda n: "'" * n,
+    "double quotes": lambda n: '"' * n,
+    "escapes": lambda n: 'a = "' + "\\n" * (n // 2) + '"',
+    "escaped quotes": lambda n: 'a = """' + '\\"' * (n // 2) + '"""', "lines": lambda n: "\n" * n,
+    "returns": lambda n: "\r" * n, "spaces": lambda n: " " * n + "a", "number": lambda n: "a = " + "9" * n,
+    "key": lambda n: "a" * n + " = 1", "backslashes": lambda n: "a = '" + "\\" * n + "'",
+    "one long name": lambda n: f'[engine]\nname = "{"x" * n}"\nlayout = "{"y" * n}"',
+    "comments": lambda n: "#\n" * (n // 2), "brackets": lambda n: "]" * n,
 }  # fmt: skip
 COUNTED = {
-    "unknown keys": lambda n: "".join(f"key{i} = 1\n" for i in range(n)), "unknown tables": lambda n: "".join(f"[table{i}]\n" for i in range(n)),
-    "one name": lambda n: '[[oil]]\nname = "a"\n' * n, "names": lambda n: "".join(f'[[material]]\nname = "m{i}"\n' for i in range(n)),
-    "wheels": lambda n: "".join(f'[[gears.wheels]]\nname = "w{i}"\nteeth = "x"\n' for i in range(n)), "unbalances": lambda n: "[[imbalance.unbalances]]\n" * n,
-    "findings": lambda n: "[accepted]\n" + "".join(f'"check{i}" = 1\n' for i in range(n)), "numbers": lambda n: "[engine]\nfiring_order = [" + "1, " * n + "]",
-}  # fmt: skip
+    "unknown keys": lambda n: "".join(f"key{i} = 1\n" for i in range(n)),
+    "unknown tables": lambda n: "".join(f"[table{i}]\n" for i in range(n)),
+    "one name": lambda n: '[[oil]]\nname = "a"\n' * n,
+    "names": lambda n: "".join(f'[[material]]\nname = "m{i}"\n' for i in range(n)),
+    "wheels": lambda n: "".join(f'[[gears.wheels]]\nname = "w{i}"\nteeth = "x"\n' for i in range(n)),
+    "unbalances": lambda n: "[[imbalance.unbalances]]\n" * n,
+    "findings": lambda n: "[accepted]\n" + "".join(f'"check{i}" = 1\n' for i in range(n)),
+    "numbers": lambda n: "[engine]\nfiring_order = [" + "1, " * n + "]",
+}
 
 
 def refused(text: str) -> None:

@@ -45,8 +45,13 @@ def test_remedies_of_several_kinds_do_what_they_say(gamma: Document, id: str, ki
         there = finding(after.results, id)
         assert (there.holds if check.verdict == "fail" else not there.open) == way.passes
         assert len(broken(before, after)) == len(way.breaks)
-        assert all(after.outcome(step).verdict == now and before.outcome(step).verdict == was for step, was, now in way.verdicts)
-        assert way.power is not None and way.power[1] == pytest.approx(after.results.values()["friction.total_loss"].shown)
+        assert all(
+            after.outcome(step).verdict == now and before.outcome(step).verdict == was
+            for step, was, now in way.verdicts
+        )
+        assert way.power is not None and way.power[1] == pytest.approx(
+            after.results.values()["friction.total_loss"].shown
+        )
     ranks = [way.quality for way in found]
     assert ranks == sorted(ranks)
 
@@ -71,10 +76,14 @@ def test_a_kind_that_does_not_reach_says_how_far_it_comes_and_breaks_nothing(gam
     assert near and all(way.effect.startswith("comes to ") and not way.breaks for way in near)
 
 
-def test_the_first_comes_long_before_the_last_and_the_search_can_be_stopped(gamma: Document, gamma_results: Results) -> None:
+def test_the_first_comes_long_before_the_last_and_the_search_can_be_stopped(
+    gamma: Document, gamma_results: Results
+) -> None:
     told: list[float] = []
     check = finding(gamma_results, "bearings.front.film_edge")
-    first = next(way for way in search(gamma, check, gamma_results, lambda share, what: told.append(share)) if not way.locked)
+    first = next(
+        way for way in search(gamma, check, gamma_results, lambda share, what: told.append(share)) if not way.locked
+    )
     assert first.passes and max(told) < 0.3 and told == sorted(told)
 
     def stop(share: float, what: str) -> None:

@@ -1,7 +1,7 @@
 """Extreme but allowed values for the numeric fields of a design, and the outcomes that are clean.
 
-Every field of the shipped designs at each of its extremes, where the tests take a share: `python -m tests.hostile.extremes [DESIGN …]`.
-"""
+Every field of the shipped designs at each of its extremes, where the tests take a share: `python -m
+tests.hostile.extremes [DESIGN …]`."""
 
 import math
 import signal
@@ -38,8 +38,16 @@ def extremes(about: Quantity) -> tuple[float, ...]:
     low = about.low if about.low is not None else about.above if about.above is not None else -math.inf
     high = about.high if about.high is not None else math.inf
     if about.kind in ("integer", "integers"):
-        return tuple(sorted({int(x) for x in (low, low + 1, high, high - 1, 0, 1, 10**6) if math.isfinite(x) and low <= x <= high}))
-    near = (math.nextafter(low, math.inf), math.nextafter(high, -math.inf)) if math.isfinite(low) and math.isfinite(high) else ()
+        return tuple(
+            sorted(
+                {int(x) for x in (low, low + 1, high, high - 1, 0, 1, 10**6) if math.isfinite(x) and low <= x <= high}
+            )
+        )
+    near = (
+        (math.nextafter(low, math.inf), math.nextafter(high, -math.inf))
+        if math.isfinite(low) and math.isfinite(high)
+        else ()
+    )
     candidates = {low, high, 0.0, *near, *TINY, *HUGE, *(-x for x in TINY + HUGE)}
     return tuple(sorted(x for x in candidates if math.isfinite(x) and low <= x <= high and not (x == about.above)))
 
@@ -69,7 +77,8 @@ def in_time(seconds: int) -> Iterator[None]:
 
 
 def faults(document: Document, changes: dict[str, float]) -> list[str]:
-    """What is not clean about a design with some fields changed: a result that is no number, a word with "nan" in it, a crash."""
+    """What is not clean about a design with some fields changed: a result that is no number, a word with "nan" in it, a
+    crash."""
     for key, value in changes.items():
         document = document.with_value(key, value)
     try:
@@ -97,7 +106,11 @@ def _faults(document: Document) -> list[str]:
         words = f"{whole.reason}".replace(",", " ").split()
         found += [f"{outcome.key}: reason has {w}" for w in ("nan", "inf", "−inf") if w in words]
         found += [f"{v.id} = {v.shown}" for v in whole.values() if not math.isfinite(v.shown)]
-        found += [f"check {c.id} = {c.value} passes" for c in whole.checks if not math.isfinite(c.value) and c.verdict == "pass"]
+        found += [
+            f"check {c.id} = {c.value} passes"
+            for c in whole.checks
+            if not math.isfinite(c.value) and c.verdict == "pass"
+        ]
         for table in whole.tables:
             cells = (cell for row in table.rows for cell in row if isinstance(cell, float))
             found += [f"table {whole.key}.{table.id}" for cell in cells if not math.isfinite(cell)][:1]

@@ -1,4 +1,5 @@
-"""Extreme but allowed values in every numeric field of the shipped designs: a finite result, a verdict, bad input or no solution."""
+"""Extreme but allowed values in every numeric field of the shipped designs: a finite result, a verdict, bad input or no
+solution."""
 
 import random
 from datetime import date
@@ -54,10 +55,12 @@ def test_a_field_at_an_extreme_ends_cleanly(name: str) -> None:
 @pytest.mark.parametrize(
     ("document", "key", "value"),
     [
-        (TIP_RELIEF, "gears.normal_module_mm", 5e-324), (TIP_RELIEF, "gears.face_width_mm", 1e-300),
-        (ALL["r753ie4_gamma"], "engine.crank_radius_mm", 5e-324), (ALL["r753ie4_mounting"], "engine.rated_power_kW", 5e-324),
+        (TIP_RELIEF, "gears.normal_module_mm", 5e-324),
+        (TIP_RELIEF, "gears.face_width_mm", 1e-300),
+        (ALL["r753ie4_gamma"], "engine.crank_radius_mm", 5e-324),
+        (ALL["r753ie4_mounting"], "engine.rated_power_kW", 5e-324),
     ],
-)  # fmt: skip
+)
 def test_a_number_of_no_size_is_bad_input(document: Document, key: str, value: float) -> None:
     with pytest.raises(BadInput, match="0 or of a size from 1e-30 to 1e30"):
         design(document.with_value(key, value))
@@ -66,13 +69,17 @@ def test_a_number_of_no_size_is_bad_input(document: Document, key: str, value: f
 @pytest.mark.parametrize(
     ("name", "changes"),
     [
-        ("thesis_tip_relief", {"gears.normal_module_mm": 1e-29}), ("thesis_tip_relief", {"gears.face_width_mm": 1e-29}),
-        ("thesis_tip_relief", {"gears.speed_irregularity": 0.0}), ("r753ie4_gamma", {"engine.crank_radius_mm": 0.059}),
-        ("r753ie4_gamma", {"engine.crank_radius_mm": 5.9e-5}), ("generating_set_mounting", {"engine.crank_radius_mm": 1e-9}),
-        ("twin_force_shaft", {"engine.crank_radius_mm": 1e-9}), ("r753ie4_drive", {"countershaft.half_length_mm": 4999.999999999999}),
+        ("thesis_tip_relief", {"gears.normal_module_mm": 1e-29}),
+        ("thesis_tip_relief", {"gears.face_width_mm": 1e-29}),
+        ("thesis_tip_relief", {"gears.speed_irregularity": 0.0}),
+        ("r753ie4_gamma", {"engine.crank_radius_mm": 0.059}),
+        ("r753ie4_gamma", {"engine.crank_radius_mm": 5.9e-5}),
+        ("generating_set_mounting", {"engine.crank_radius_mm": 1e-9}),
+        ("twin_force_shaft", {"engine.crank_radius_mm": 1e-9}),
+        ("r753ie4_drive", {"countershaft.half_length_mm": 4999.999999999999}),
     ],
     ids=str,
-)  # fmt: skip
+)
 def test_what_once_broke(name: str, changes: dict[str, float]) -> None:
     assert faults(ALL[name], changes) == []
 

@@ -15,21 +15,39 @@ from calc.locale import FOLDER, LANGUAGES, Language, language
 from calc.locale.language import PLACE, WORD, said
 from calc.sheet.text import Text
 from calc.solve import solve
-from tests.languages.texts import ROOT, compiled, entries, named, of_catalogues, of_inputs, of_results, of_tables, po, templates
+from tests.languages.texts import (
+    ROOT,
+    compiled,
+    entries,
+    named,
+    of_catalogues,
+    of_inputs,
+    of_results,
+    of_tables,
+    po,
+    templates,
+)
 
 OTHERS = [code for code in LANGUAGES if code != "en"]
 # words by which English is known; none of them is a word of Italian, a name or a symbol
-ENGLISH = re.compile(r"\b(the|of|with|from|and|is|are|for|which|that|by|at|to|than|its|it|not|this|or|as|on|an|has|have|was)\b")
-QUOTED = re.compile(r'"[^"]*"|\b\w+-\w+\b|“[^”]*”|`[^`]*`|\b[A-Z]\w+,? (and|&) [A-Z]\w+')  # keys and choices of the file; two authors
+ENGLISH = re.compile(
+    r"\b(the|of|with|from|and|is|are|for|which|that|by|at|to|than|its|it|not|this|or|as|on|an|has|have|was)\b"
+)
+QUOTED = re.compile(
+    r'"[^"]*"|\b\w+-\w+\b|“[^”]*”|`[^`]*`|\b[A-Z]\w+,? (and|&) [A-Z]\w+'
+)  # keys and choices of the file; two authors
 DESIGNS = sorted((ROOT / "designs").glob("*.toml"))
 
 
-# --- the files ------------------------------------------------------------------------------------------------------------
+# --- the files
+# ------------------------------------------------------------------------------------------------------------
 @pytest.mark.parametrize("code", OTHERS)
 def test_every_template_of_the_source_has_an_entry(code: str) -> None:
     known = entries(code)
     missing = {many: file for (many, one), file in templates().items() if not all(known.get((many, one), ("",)))}
-    assert not missing, f"{len(missing)} templates without a translation; `python -m tests.languages.texts {code}` adds them"
+    assert not missing, (
+        f"{len(missing)} templates without a translation; `python -m tests.languages.texts {code}` adds them"
+    )
 
 
 @pytest.mark.parametrize("code", OTHERS)
@@ -59,14 +77,22 @@ def test_the_catalogues_are_installed_with_the_program() -> None:
     """A file that is no Python is only in a package where its ending is listed."""
     project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
     listed = project["tool"]["setuptools"]["package-data"]["*"]
-    assert all(any(file.match(pattern) for pattern in listed) for code in OTHERS for file in (FOLDER / code / "LC_MESSAGES").iterdir())
+    assert all(
+        any(file.match(pattern) for pattern in listed)
+        for code in OTHERS
+        for file in (FOLDER / code / "LC_MESSAGES").iterdir()
+    )
 
 
-# --- what is shown --------------------------------------------------------------------------------------------------------
+# --- what is shown
+# --------------------------------------------------------------------------------------------------------
 @pytest.mark.parametrize("code", OTHERS)
 @pytest.mark.parametrize("file", DESIGNS, ids=lambda path: path.stem)
 def test_no_english_word_is_left_in_what_a_design_gives(file: Path, code: str) -> None:
-    say, names = language(code), re.compile("|".join(map(re.escape, sorted(named(tomllib.loads(file.read_text(encoding="utf-8")))))))
+    say, names = (
+        language(code),
+        re.compile("|".join(map(re.escape, sorted(named(tomllib.loads(file.read_text(encoding="utf-8"))))))),
+    )
     told = {say(text) for text in of_results(solve(design(read(file))))}
     left = sorted(text for text in told if ENGLISH.search(QUOTED.sub("", names.sub("", text))))
     assert not left, f"{len(left)}: {left[:5]}"
@@ -92,7 +118,9 @@ def test_only_words_change() -> None:
     for outcome in results.outcomes.values():
         whole = outcome.whole
         told = said(whole, language("it"))
-        assert [(c.id, c.value, c.limit, c.verdict) for c in told.checks] == [(c.id, c.value, c.limit, c.verdict) for c in whole.checks]
+        assert [(c.id, c.value, c.limit, c.verdict) for c in told.checks] == [
+            (c.id, c.value, c.limit, c.verdict) for c in whole.checks
+        ]
         assert all(a.value is b.value for a, b in zip(told.lines, whole.lines))
         assert [c.id for c in told.curves] == [c.id for c in whole.curves]
         assert all(s.y is t.y for a, b in zip(told.curves, whole.curves) for s, t in zip(a.series, b.series))

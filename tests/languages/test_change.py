@@ -37,7 +37,13 @@ async def shown(pilot: Pilot[int]) -> list[str]:
     checks = work(pilot).query_one(Checks)
     await until(pilot, lambda: bool(checks.items) or not checks.is_on_screen)  # where there is room for them
     await until(
-        pilot, lambda: not checks.is_on_screen or (check := checks.check) is None or not check.moved_by or check.id in checks.slopes
+        pilot,
+        lambda: (
+            not checks.is_on_screen
+            or (check := checks.check) is None
+            or not check.moved_by
+            or check.id in checks.slopes
+        ),
     )
     await pilot.pause(0.3)
     return screen_rows(pilot)[1:-3]  # without the top line, the message and the keys
@@ -45,7 +51,9 @@ async def shown(pilot: Pilot[int]) -> list[str]:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("size", [(120, 40), (80, 24)], ids=["wide", "narrow"])
-async def test_every_step_as_in_a_session_begun_in_that_language(size: tuple[int, int], memory: Memory, tmp_path: Path) -> None:
+async def test_every_step_as_in_a_session_begun_in_that_language(
+    size: tuple[int, int], memory: Memory, tmp_path: Path
+) -> None:
     italian: dict[str, list[str]] = {}
     async with app("it", memory, tmp_path).run_test(size=size) as pilot:
         await solved(pilot)

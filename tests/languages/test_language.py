@@ -16,17 +16,26 @@ Catalogue = Callable[..., Language]
 
 @pytest.fixture
 def say(catalogue: Catalogue) -> Language:
-    return catalogue({
-        "Film at the edge": "Meato al bordo", "front": "anteriore", "{what}, {place}": "{what}, {place}", "oil": "olio",
-        "Wheel {wheel}: {what} is missing": "Ruota {wheel}: manca {what}", "{before} and {last}": "{before} e {last}",
-        "Take {less} off {wheel}.": "Togliere {less} a {wheel}.", "no value": "nessun valore",
-        ("{n} warning", "{n} warnings"): ("{n} avviso", "{n} avvisi"),
-    })  # fmt: skip
+    return catalogue(
+        {
+            "Film at the edge": "Meato al bordo",
+            "front": "anteriore",
+            "{what}, {place}": "{what}, {place}",
+            "oil": "olio",
+            "Wheel {wheel}: {what} is missing": "Ruota {wheel}: manca {what}",
+            "{before} and {last}": "{before} e {last}",
+            "Take {less} off {wheel}.": "Togliere {less} a {wheel}.",
+            "no value": "nessun valore",
+            ("{n} warning", "{n} warnings"): ("{n} avviso", "{n} avvisi"),
+        }
+    )
 
 
 def test_a_text_is_said_by_its_template(say: Language) -> None:
     assert say(Text("Film at the edge")) == "Meato al bordo"
-    assert say(Text("{what}, {place}", what=Text("Film at the edge"), place=Text("front"))) == "Meato al bordo, anteriore"
+    assert (
+        say(Text("{what}, {place}", what=Text("Film at the edge"), place=Text("front"))) == "Meato al bordo, anteriore"
+    )
     assert say(Text("Wheel {wheel}: {what} is missing", wheel="idler", what=Text("oil"))) == "Ruota idler: manca olio"
 
 
@@ -45,23 +54,27 @@ def test_texts_stay_data_when_they_are_joined(say: Language) -> None:
 
 
 @pytest.mark.parametrize(
-    "n, english, italian", [(1, "1 warning", "1 avviso"), (43, "43 warnings", "43 avvisi"), (0, "0 warnings", "0 avvisi")]
+    "n, english, italian",
+    [(1, "1 warning", "1 avviso"), (43, "43 warnings", "43 avvisi"), (0, "0 warnings", "0 avvisi")],
 )
 def test_plurals(say: Language, n: int, english: str, italian: str) -> None:
     text = plural("{n} warning", "{n} warnings", n=n)
     assert text == english and say(text) == italian
 
 
-@pytest.mark.parametrize("amount, english, italian", [
-    (Amount(0.25, "mrad"), "0.25 mrad", "0,25 mrad"),
-    (Amount(240.0, "°"), "240°", "240°"),
-    (Amount(-7.5, "°"), "−7.5°", "−7,5°"),
-    (Amount(57293.0, "N"), "57290 N", "57\u2009290 N"),
-    (Amount(1234567.0, digits=7), "1.234567·10⁶", "1,234567·10⁶"),
-    (Amount(6.2e-3, "mm"), "6.2·10⁻³ mm", "6,2·10⁻³ mm"),
-    (Amount(12345.678, "W", form=".2f"), "12345.68 W", "12\u2009345,68 W"),
-    (Amount(float("nan"), "W"), "no value W", "nessun valore W"),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    "amount, english, italian",
+    [
+        (Amount(0.25, "mrad"), "0.25 mrad", "0,25 mrad"),
+        (Amount(240.0, "°"), "240°", "240°"),
+        (Amount(-7.5, "°"), "−7.5°", "−7,5°"),
+        (Amount(57293.0, "N"), "57290 N", "57\u2009290 N"),
+        (Amount(1234567.0, digits=7), "1.234567·10⁶", "1,234567·10⁶"),
+        (Amount(6.2e-3, "mm"), "6.2·10⁻³ mm", "6,2·10⁻³ mm"),
+        (Amount(12345.678, "W", form=".2f"), "12345.68 W", "12\u2009345,68 W"),
+        (Amount(float("nan"), "W"), "no value W", "nessun valore W"),
+    ],
+)
 def test_numbers_are_written_by_the_language(say: Language, amount: Amount, english: str, italian: str) -> None:
     assert Text("Take {less} off {wheel}.", less=amount, wheel="a") == f"Take {english} off a."
     assert say(Text("Take {less} off {wheel}.", less=amount, wheel="a")) == f"Togliere {italian} a a."

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What the session and the report say is a Text, which a language can look up; a plain string would be shown as it stands."""
+"""What the session and the report say is a Text, which a language can look up; a plain string would be shown as it
+stands."""
 
 import ast
 from pathlib import Path
@@ -9,7 +10,11 @@ import pytest
 from tests.languages.texts import ROOT
 
 SPEAKERS = {"say", "tell", "forget"}
-FILES = [path for folder in ("assistant/screens", "assistant/widgets", "reports") for path in sorted((ROOT / folder).glob("*.py"))]
+FILES = [
+    path
+    for folder in ("assistant/screens", "assistant/widgets", "reports")
+    for path in sorted((ROOT / folder).glob("*.py"))
+]
 FILES += sorted((ROOT / "assistant").glob("*.py"))
 
 
@@ -19,7 +24,8 @@ def plain(tree: ast.AST) -> list[str]:
     return [
         ast.unparse(call)
         for call in calls
-        if _speaker(call.func) and any(isinstance(part, (ast.JoinedStr, ast.Constant)) for part in _choices(call.args[0]))
+        if _speaker(call.func)
+        and any(isinstance(part, (ast.JoinedStr, ast.Constant)) for part in _choices(call.args[0]))
     ]
 
 
@@ -43,7 +49,12 @@ def test_nothing_plain_is_said(path: Path) -> None:
 
 def test_the_scan_finds_what_is_plain() -> None:
     assert len(FILES) > 80
-    for code in ('say("Saved")', 'self.app.tell(f"Saved: {path}")', 'app.say("a" if x else Text("b"))', 'context.say(f"{n} lines")'):
+    for code in (
+        'say("Saved")',
+        'self.app.tell(f"Saved: {path}")',
+        'app.say("a" if x else Text("b"))',
+        'context.say(f"{n} lines")',
+    ):
         assert plain(ast.parse(code)), code
     for code in ('say(Text("Saved"))', "app.tell(text)", 'self.say("")', 'app.tell(Text("Saved: {path}", path="x"))'):
         assert plain(ast.parse(code)) == [], code

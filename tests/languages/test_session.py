@@ -39,7 +39,8 @@ from tests.languages.texts import entries, of_outcome
 
 CODE = "it"
 WORD = re.compile(r"[^\W\d_]{3,}")
-# keys of the file, ids, paths and commands, what is cut off, and names: of the parts of a design, of authors, of a symbol, of the program
+# keys of the file, ids, paths and commands, what is cut off, and names: of the parts of a design, of authors, of a
+# symbol, of the program
 NAMES = re.compile(
     r"\w+_\w+,\w+|"
     r"[\w\-]*[._=/\[`][\w\-./=\[\]]*\w|\w+…|…\w*|\w+/|[\w\-]*\b(central|idler|crank|shaft|front|rear|Raimondi|Boyd|Contralbero|SAE|sense)\b"
@@ -67,7 +68,8 @@ def choices(inputs: Any) -> Iterator[str]:
 
 
 class Ear:
-    """Hears English: words that make a sentence, and those of the source that no translation has.  `ids`: of the values, which are no words."""
+    """Hears English: words that make a sentence, and those of the source that no translation has.  `ids`: of the
+    values, which are no words."""
 
     def __init__(self, ids: Iterable[str]) -> None:
         self.ids = " ".join(ids)
@@ -91,7 +93,9 @@ class Ear:
                 self.left.setdefault(part, where)
 
     def judge(self) -> None:
-        assert not self.left, f"{len(self.left)}: " + "; ".join(f"{part} ({where})" for part, where in self.left.items())
+        assert not self.left, f"{len(self.left)}: " + "; ".join(
+            f"{part} ({where})" for part, where in self.left.items()
+        )
 
 
 def words(texts: Iterable[str]) -> set[str]:
@@ -154,7 +158,8 @@ async def over(pilot: Pilot[int]) -> None:
 
 
 async def walked(pilot: Pilot[int], reader: Reader, steps: int) -> None:
-    """Open every step, with a curve, its help, and the list of its curves; the values are heard below, without a screen."""
+    """Open every step, with a curve, its help, and the list of its curves; the values are heard below, without a
+    screen."""
     for number, step in enumerate(STEPS[:steps], 1):
         await strike(pilot, "escape", str(number))
         await settled(pilot)
@@ -183,7 +188,9 @@ async def test_every_step_of_a_whole_design(name: str, memory: Memory, tmp_path:
         await walked(pilot, reader, 6)
         for step in ("4", "5"):
             await strike(pilot, "escape", step, "f7")
-            await until(pilot, lambda: bool(work(pilot).query_one(Checks).has_focus and work(pilot).query_one(Checks).key))
+            await until(
+                pilot, lambda: bool(work(pilot).query_one(Checks).has_focus and work(pilot).query_one(Checks).key)
+            )
             await strike(pilot, "x")
             await over(pilot)
             reader.read_list("explain", until=TITLES)
@@ -206,7 +213,8 @@ def test_all_lists_of_a_whole_design(name: str) -> None:
 
 @pytest.mark.slow
 async def test_the_first_steps_on_the_screen(light: Session) -> None:
-    """Forms, checks, calculation, curves, help of steps, fields and keys, the list of curves, and where a number comes from."""
+    """Forms, checks, calculation, curves, help of steps, fields and keys, the list of curves, and where a number comes
+    from."""
     async with opened(light) as (pilot, reader):
         await walked(pilot, reader, 3)
         await strike(pilot, "f1")

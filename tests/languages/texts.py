@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Every text that a user may see: those that stand in the source, as templates, and those that a design gives.
 
-`python -m tests.languages.texts it` brings the catalogue of a language up to date: it adds the templates that are new in the source (with
-an empty translation, to be filled in), leaves out those that are gone, and compiles it.
-"""
+`python -m tests.languages.texts it` brings the catalogue of a language up to date: it adds the templates that are new
+in the source (with an empty translation, to be filled in), leaves out those that are gone, and compiles it."""
 
 import ast
 import io
@@ -44,7 +43,10 @@ FIELDS = {
     "open_",
 }  # calls whose first argument is a label
 SENTENCES = {"help", "source"}  # their keywords that are texts
-PLURALS = ("Plural-Forms", "nplurals=2; plural=(n != 1);")  # for one and for many: babel's own rules differ from version to version
+PLURALS = (
+    "Plural-Forms",
+    "nplurals=2; plural=(n != 1);",
+)  # for one and for many: babel's own rules differ from version to version
 Template = tuple[str, str]  # the template, and that for a count of 1 ("": none)
 
 
@@ -92,7 +94,9 @@ def _of(tree: ast.AST) -> Iterator[Template]:
         if name == "plural":
             yield from ((many, one) for one in literals(node.args[0]) for many in literals(node.args[1]))
         if name == "formula":
-            yield from ((text, "") for said in (*node.args[1:2], *filter(None, [words.get("shows")])) for text in literals(said))
+            yield from (
+                (text, "") for said in (*node.args[1:2], *filter(None, [words.get("shows")])) for text in literals(said)
+            )
 
 
 def of_results(results: Results) -> Iterator[str]:
@@ -110,7 +114,13 @@ def of_outcome(outcome: Outcome) -> Iterator[str]:
     for erratum in outcome.errata:
         yield from (erratum.label, erratum.why, erratum.source)
     for curve in outcome.curves:
-        yield from (curve.title, *curve.names, *curve.variants, *(s.label for s in curve.series), *(name for name, _ in curve.limits))
+        yield from (
+            curve.title,
+            *curve.names,
+            *curve.variants,
+            *(s.label for s in curve.series),
+            *(name for name, _ in curve.limits),
+        )
         yield from (name for turning in curve.turning for name in turning.names)
     for table in outcome.tables:
         yield from (table.title, table.note, *(label for label, _ in table.columns))
@@ -135,7 +145,9 @@ def named(data: Any) -> Iterator[str]:
 def of_tables() -> frozenset[str]:
     """The words of the program's own tables, but for the names of their rows."""
     return frozenset(
-        text for file in (ROOT / "calc" / "tables").glob("*.toml") for text in _words(tomllib.loads(file.read_text(encoding="utf-8")))
+        text
+        for file in (ROOT / "calc" / "tables").glob("*.toml")
+        for text in _words(tomllib.loads(file.read_text(encoding="utf-8")))
     )
 
 
@@ -181,7 +193,8 @@ def _of_inputs(cls: Any) -> Iterator[str]:
             yield from _of_inputs(about.table)
 
 
-# --- the catalogues ---------------------------------------------------------------------------------------------------------
+# --- the catalogues
+# ---------------------------------------------------------------------------------------------------------
 def po(code: str) -> Path:
     return FOLDER / code / "LC_MESSAGES" / "contralbero.po"
 
@@ -190,7 +203,9 @@ def entries(code: str) -> dict[Template, tuple[str, ...]]:
     """Template → translation (of a plural: for one, for many)."""
     with po(code).open("rb") as file:
         return {
-            (m.id, "") if isinstance(m.id, str) else (m.id[1], m.id[0]): (m.string,) if isinstance(m.string, str) else tuple(m.string)
+            (m.id, "") if isinstance(m.id, str) else (m.id[1], m.id[0]): (m.string,)
+            if isinstance(m.string, str)
+            else tuple(m.string)
             for m in read_po(file, locale=code)
             if m.id
         }
@@ -219,7 +234,14 @@ def update(code: str) -> None:
             catalog.add(word, known[word, ""][0])
     text = io.BytesIO()
     write_po(text, catalog, sort_output=True, no_location=True, width=76)
-    dated = (b'"POT-Creation-Date', b'"PO-Revision-Date', b'"Generated-By', b'"Last-Translator', b'"Language-Team', b'"Report-Msgid')
+    dated = (
+        b'"POT-Creation-Date',
+        b'"PO-Revision-Date',
+        b'"Generated-By',
+        b'"Last-Translator',
+        b'"Language-Team',
+        b'"Report-Msgid',
+    )
     po(code).write_bytes(b"\n".join(row for row in text.getvalue().split(b"\n") if not row.startswith(dated)))
     po(code).with_suffix(".mo").write_bytes(compiled(code))
 

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Own checks of what PDF/A-3 level A asks of a report, after the rules that veraPDF publishes (PDFA-3A.xml); no validator.
+"""Own checks of what PDF/A-3 level A asks of a report, after the rules that veraPDF publishes (PDFA-3A.xml); no
+validator.
 
 Each rule that a report could break is one function that yields what is wrong, under the clause of ISO 19005-3.
 """
@@ -28,7 +29,13 @@ OPERATORS = set("q Q cm w J j d re m l c h f f* S B W n rg RG BT ET Tf Tm Tj Tr 
 def wrong(raw: bytes) -> list[str]:
     """Everything that is wrong with a report."""
     reader = PdfReader(io.BytesIO(raw))
-    rules = (file_rules(raw, reader), about_rules(reader), colour_rules(reader), file_rules_inside(reader), font_rules(reader))
+    rules = (
+        file_rules(raw, reader),
+        about_rules(reader),
+        colour_rules(reader),
+        file_rules_inside(reader),
+        font_rules(reader),
+    )
     more = (annotation_rules(reader), content_rules(reader), structure_rules(reader))
     return [one for rule in (*rules, *more) for one in rule]
 
@@ -81,7 +88,9 @@ def colour_rules(reader: PdfReader) -> Iterator[str]:
 def file_rules_inside(reader: PdfReader) -> Iterator[str]:
     associated = [one.get_object() for one in reader.root_object["/AF"]]  # type: ignore[attr-defined]
     names = reader.root_object["/Names"]["/EmbeddedFiles"]["/Names"]  # type: ignore[index]
-    if [str(one["/F"]) for one in associated] and sorted(str(one["/F"]) for one in associated) != [str(name) for name in names[::2]]:
+    if [str(one["/F"]) for one in associated] and sorted(str(one["/F"]) for one in associated) != [
+        str(name) for name in names[::2]
+    ]:
         yield "6.8 a file that is not associated"
     for one in associated:
         if not {"/F", "/UF", "/AFRelationship", "/EF", "/Desc"} <= set(one):
@@ -128,7 +137,9 @@ def used(reader: PdfReader) -> list[tuple[str, Any, set[int]]]:
         for font, codes in re.findall(rb"/(\S+) [\d.]+ Tf|<([0-9a-f]*)> Tj", page.get_contents().get_data()):  # type: ignore[union-attr]
             name = font.decode() or name
             reference = fonts.raw_get(f"/{name}")
-            found.setdefault(reference.idnum, (name, reference.get_object(), set()))[2].update(bytes.fromhex(codes.decode()))
+            found.setdefault(reference.idnum, (name, reference.get_object(), set()))[2].update(
+                bytes.fromhex(codes.decode())
+            )
     return list(found.values())
 
 
@@ -162,7 +173,10 @@ def content_rules(reader: PdfReader) -> Iterator[str]:
                 marks.append(role)
                 if mark:
                     seen.append(int(mark))
-                    if owners[int(mark)].get_object()["/S"] != f"/{role}" or known.get((place, int(mark))) != f"/{role}":
+                    if (
+                        owners[int(mark)].get_object()["/S"] != f"/{role}"
+                        or known.get((place, int(mark))) != f"/{role}"
+                    ):
                         yield f"6.7.3 page {number}, {int(mark)}: not the element's"
                 elif role not in ("Artifact", "Span") or (role == "Artifact" and len(marks) > 1):
                     yield f"6.7.3 page {number}: {role}"
@@ -170,18 +184,25 @@ def content_rules(reader: PdfReader) -> Iterator[str]:
                 marks.pop()
             elif DRAWS.search(line) and not marks:
                 yield f"6.7.3 page {number}: {line[:60]!r} is neither content nor artifact"
-        if marks or seen != list(range(len(owners))) or sorted(seen) != sorted(mcid for on, mcid in known if on == place):
+        if (
+            marks
+            or seen != list(range(len(owners)))
+            or sorted(seen) != sorted(mcid for on, mcid in known if on == place)
+        ):
             yield f"6.7.3 page {number}: what is marked and what the structure has"
 
 
 def structure_rules(reader: PdfReader) -> Iterator[str]:
-    """Standard types, each inside what it may be in; headings that leave out no level; tables whose rows are of one length."""
+    """Standard types, each inside what it may be in; headings that leave out no level; tables whose rows are of one
+    length."""
     level, links = 0, 0
     for element in elements(reader):
         role, kids = element["/S"][1:], [kid for kid in kids_of(element) if isinstance(kid, dict) and "/S" in kid]
         if role not in STANDARD:
             yield f"6.7.3 the type {role}"
-        if role in INSIDE and not ({kid["/S"][1:] for kid in kids} <= INSIDE[role] and len(kids) == len(kids_of(element))):
+        if role in INSIDE and not (
+            {kid["/S"][1:] for kid in kids} <= INSIDE[role] and len(kids) == len(kids_of(element))
+        ):
             yield f"6.7.3 in {role}: {[kid['/S'] for kid in kids]}"
         if heading := re.fullmatch(r"H(\d)", role):
             if int(heading[1]) > level + 1:
@@ -189,7 +210,10 @@ def structure_rules(reader: PdfReader) -> Iterator[str]:
             level = int(heading[1])
         if role == "Figure" and not str(element.get("/Alt", "")).strip():
             yield "6.7.5 a figure without words"
-        if role == "Table" and len({sum(int(cell.get("/A", {}).get("/ColSpan", 1)) for cell in kids_of(line)) for line in kids}) > 1:
+        if (
+            role == "Table"
+            and len({sum(int(cell.get("/A", {}).get("/ColSpan", 1)) for cell in kids_of(line)) for line in kids}) > 1
+        ):
             yield "a table whose rows differ in length"
         if role not in ("TD", "TH") and not kids_of(element):
             yield f"6.7.3 an empty {role}"
@@ -216,7 +240,10 @@ def elements(reader: PdfReader) -> Iterator[Any]:
 
 def kids_of(element: Any) -> list[Any]:
     kids = element.get("/K", [])
-    return [kid.get_object() if isinstance(kid, IndirectObject) else kid for kid in (kids if isinstance(kids, list) else [kids])]
+    return [
+        kid.get_object() if isinstance(kid, IndirectObject) else kid
+        for kid in (kids if isinstance(kids, list) else [kids])
+    ]
 
 
 def contents_of(element: Any) -> Iterator[tuple[int, int]]:

@@ -46,11 +46,19 @@ def made() -> bytes:
 
 @pytest.fixture(scope="module")
 def written_once() -> Iterator[None]:
-    """The same design at the same depth gives the same report, byte for byte (test_same_bytes): it is written for comparison once."""
+    """The same design at the same depth gives the same report, byte for byte (test_same_bytes): it is written for
+    comparison once."""
     known: dict[tuple[object, ...], bytes] = {}
 
     def again(
-        document: Document, results: Results, raw: bytes, *, depth: str, lang: str, logo_file: bytes | None, front: bytes | None
+        document: Document,
+        results: Results,
+        raw: bytes,
+        *,
+        depth: str,
+        lang: str,
+        logo_file: bytes | None,
+        front: bytes | None,
     ) -> bytes:
         asked = (raw, depth, lang, binding.PROGRAM, front)
         if asked not in known:

@@ -50,7 +50,8 @@ def _(pdf: bytes) -> bytes:
     update.sign()
     made = update.written()
     return made.replace(
-        b"0000000000 65535 f \n", b"0000000000 65535 f \n%d 1\n0000000000 00001 f \n" % update.at("/Pages", "/Kids", 0, "/Contents")
+        b"0000000000 65535 f \n",
+        b"0000000000 65535 f \n%d 1\n0000000000 00001 f \n" % update.at("/Pages", "/Kids", 0, "/Contents"),
     )
 
 
@@ -96,7 +97,8 @@ def _(pdf: bytes) -> bytes:
     body = update.body(update.page())
     contents = forged_contents(update)
     update.put(
-        update.page(), body + b"\nendobj\n%d 0 obj\n%s" % (update.page(), body.replace(b"/Contents", b"/Contents %s /Old" % contents))
+        update.page(),
+        body + b"\nendobj\n%d 0 obj\n%s" % (update.page(), body.replace(b"/Contents", b"/Contents %s /Old" % contents)),
     )
     return update.written()
 
@@ -130,7 +132,9 @@ def first_forged(pdf: bytes) -> Update:
     update.put(number, update.body(number))
     found = re.search(rb"\n%d 0 obj.*?endobj\n" % number, pdf, re.S)
     assert found is not None
-    update.pdf = pdf.replace(found[0], (b"\n%d 0 obj\n%s\nendobj\n" % (number, streamed(PAINT))).ljust(len(found[0]), b"\n"))
+    update.pdf = pdf.replace(
+        found[0], (b"\n%d 0 obj\n%s\nendobj\n" % (number, streamed(PAINT))).ljust(len(found[0]), b"\n")
+    )
     return update
 
 
@@ -307,32 +311,81 @@ def doubled(update: Update, leaf: bytes, form: bytes) -> int:
 
 many(
     "without end",
-    ("pages", lambda u: u.entry(u.root, b"Pages", b"%d 0 R" % doubled(u, u.body(u.page()), b"<< /Type /Pages /Count 9 /Kids [@] >>"))),
+    (
+        "pages",
+        lambda u: u.entry(
+            u.root, b"Pages", b"%d 0 R" % doubled(u, u.body(u.page()), b"<< /Type /Pages /Count 9 /Kids [@] >>")
+        ),
+    ),
     ("pages in a circle", lambda u: u.entry(u.at("/Pages"), b"Kids", b"[%d 0 R]" % u.at("/Pages"))),
-    ("names", lambda u: u.swap(u.at("/Names"), rb"/EmbeddedFiles <<.*?>>", b"/EmbeddedFiles %d 0 R" % doubled(u, b"<< /Names [] >>", b"<< /Kids [@] >>"))),
-    ("structure", lambda u: u.entry(u.root, b"StructTreeRoot", b"<< /K %d 0 R >>" % doubled(u, b"<< /S /P >>", b"<< /S /P /K [@] >>"))),
-    ("forms", lambda u: painted(u, after=b"\n/X Do", resources=b"/XObject << /X %d 0 R >>" % doubled(u, streamed(b""), b"<< /Length 0 /Resources << /XObject << /A [@] >> >> >>\nstream\n\nendstream"))),
+    (
+        "names",
+        lambda u: u.swap(
+            u.at("/Names"),
+            rb"/EmbeddedFiles <<.*?>>",
+            b"/EmbeddedFiles %d 0 R" % doubled(u, b"<< /Names [] >>", b"<< /Kids [@] >>"),
+        ),
+    ),
+    (
+        "structure",
+        lambda u: u.entry(
+            u.root, b"StructTreeRoot", b"<< /K %d 0 R >>" % doubled(u, b"<< /S /P >>", b"<< /S /P /K [@] >>")
+        ),
+    ),
+    (
+        "forms",
+        lambda u: painted(
+            u,
+            after=b"\n/X Do",
+            resources=b"/XObject << /X %d 0 R >>"
+            % doubled(u, streamed(b""), b"<< /Length 0 /Resources << /XObject << /A [@] >> >> >>\nstream\n\nendstream"),
+        ),
+    ),
     ("outline", lambda u: u.entry(u.at("/Outlines", "/First"), b"Next", b"%d 0 R" % u.at("/Outlines", "/First"))),
     (
         "metadata",
         lambda u: u.put(
             u.at("/Metadata"),
-            streamed(u.reader.root_object["/Metadata"].get_data().replace(b"</rdf:Description>", b"<a>" * 100_000 + b"</a>" * 100_000 + b"</rdf:Description>")),
+            streamed(
+                u.reader.root_object["/Metadata"]
+                .get_data()
+                .replace(b"</rdf:Description>", b"<a>" * 100_000 + b"</a>" * 100_000 + b"</rdf:Description>")
+            ),
         ),
     ),
     ("arrays", lambda u: u.last(u.root, b"/Deep " + b"[" * 100_000 + b"]" * 100_000)),
     ("an object that is itself", lambda u: u.put(u.at("/Pages"), b"%d 0 R" % u.at("/Pages"))),
-    ("contents", lambda u: u.entry(u.page(), b"Contents", b"%d 0 R" % u.stream(zlib.compress(b"\0" * 400_000_000, 1), b"/Filter /FlateDecode"))),
-    ("contents packed twice", lambda u: u.entry(u.page(), b"Contents", b"%d 0 R" % u.stream(zlib.compress(zlib.compress(b"\0" * 90_000_000)), b"/Filter [/FlateDecode /FlateDecode]"))),
-    ("names of one object", lambda u: u.entry(u.page(), b"Contents", b"[%s]" % (b"%d 0 R " % u.at("/Pages", "/Kids", 0, "/Contents") * 100_000))),
+    (
+        "contents",
+        lambda u: u.entry(
+            u.page(), b"Contents", b"%d 0 R" % u.stream(zlib.compress(b"\0" * 400_000_000, 1), b"/Filter /FlateDecode")
+        ),
+    ),
+    (
+        "contents packed twice",
+        lambda u: u.entry(
+            u.page(),
+            b"Contents",
+            b"%d 0 R"
+            % u.stream(zlib.compress(zlib.compress(b"\0" * 90_000_000)), b"/Filter [/FlateDecode /FlateDecode]"),
+        ),
+    ),
+    (
+        "names of one object",
+        lambda u: u.entry(
+            u.page(), b"Contents", b"[%s]" % (b"%d 0 R " % u.at("/Pages", "/Kids", 0, "/Contents") * 100_000)
+        ),
+    ),
     ("digits", lambda u: u.entry(u.page(), b"Contents", b"%d 0 R" % u.stream(b"1" * 2_000_000))),
     ("brackets", lambda u: u.entry(u.page(), b"Contents", b"%d 0 R" % u.stream(b"/a <<" * 400_000))),
-)  # fmt: skip
+)
 
 
 @kind("without end: a table of all numbers")
 def _(pdf: bytes) -> bytes:
     update = Update(pdf)
-    table = update.stream(b"", b"/Type /XRef /W [0 0 0] /Index [0 2000000000] /Size 2000000000 /Root %d 0 R" % update.root)
+    table = update.stream(
+        b"", b"/Type /XRef /W [0 0 0] /Index [0 2000000000] /Size 2000000000 /Root %d 0 R" % update.root
+    )
     made = update.written()
     return made[: made.rindex(b"startxref")] + b"startxref\n%d\n%%%%EOF\n" % made.index(b"\n%d 0 obj" % table)

@@ -27,7 +27,14 @@ from tests.reports.forging import (
 many(
     "page",
     ("other contents", lambda u: u.entry(u.page(), b"Contents", forged_contents(u))),
-    ("more contents", lambda u: u.swap(u.page(), rb"/Contents (\d+) 0 R", b"/Contents [%d 0 R %s]" % (u.at("/Pages", "/Kids", 0, "/Contents"), forged_contents(u)))),
+    (
+        "more contents",
+        lambda u: u.swap(
+            u.page(),
+            rb"/Contents (\d+) 0 R",
+            b"/Contents [%d 0 R %s]" % (u.at("/Pages", "/Kids", 0, "/Contents"), forged_contents(u)),
+        ),
+    ),
     ("painted over", lambda u: painted(u, after=b"\n" + PAINT)),
     ("painted under", lambda u: painted(u, before=PAINT + b"\n")),
     ("clipped", lambda u: painted(u, before=b"0 0 100 100 re W n\n")),
@@ -38,7 +45,10 @@ many(
     ("a word less", repainted(rb"<[0-9a-f]{6,}> Tj", b"<> Tj")),
     ("a form over it", form_object),
     ("an image over it", image_object),
-    ("an image within it", lambda u: painted(u, after=b"\nq 500 0 0 300 40 400 cm BI /W 1 /H 1 /BPC 8 /CS /RGB ID \0\xff\0 EI Q")),
+    (
+        "an image within it",
+        lambda u: painted(u, after=b"\nq 500 0 0 300 40 400 cm BI /W 1 /H 1 /BPC 8 /CS /RGB ID \0\xff\0 EI Q"),
+    ),
     ("a layer", layer),
     ("a mask", lambda u: painted(u, before=b"/M gs\n", resources=b"/ExtGState << /M << /ca 0 /CA 0 >> >>")),
     ("other words to copy", repainted(rb"^", b"/Span << /ActualText (PASS) >> BDC EMC ")),
@@ -52,22 +62,37 @@ many(
     ("unit", lambda u: u.entry(u.page(), b"UserUnit", b"10")),
     ("group", lambda u: u.entry(u.page(), b"Group", b"<< /S /Transparency /K true >>")),
     ("action", lambda u: u.entry(u.page(), b"AA", b"<< /O " + SCRIPT + b" >>")),
-    ("thumbnail", lambda u: u.entry(u.page(), b"Thumb", b"%d 0 R" % u.stream(b"\0\xff\0", b"/Width 1 /Height 1 /BitsPerComponent 8 /ColorSpace /DeviceRGB"))),
+    (
+        "thumbnail",
+        lambda u: u.entry(
+            u.page(),
+            b"Thumb",
+            b"%d 0 R" % u.stream(b"\0\xff\0", b"/Width 1 /Height 1 /BitsPerComponent 8 /ColorSpace /DeviceRGB"),
+        ),
+    ),
     ("description", lambda u: u.entry(u.page(), b"PieceInfo", b"<< /X << /LastModified (D:2026) >> >>")),
     ("viewport", lambda u: u.entry(u.page(), b"VP", b"[<< /BBox [0 0 600 850] /Name (PASS) >>]")),
     ("time on it", lambda u: u.entry(u.page(), b"Dur", b"1")),
     ("template", lambda u: u.entry(u.page(), b"Type", b"/Template")),
     ("another more", lambda u: u.swap(u.at("/Pages"), rb"/Kids \[", b"/Kids [ %d 0 R " % u.add(u.body(u.page())))),
-    ("another instead", lambda u: u.put(u.page(), u.body(u.add(u.body(u.page()))).replace(b"/Contents", b"/Contents %s /Old" % forged_contents(u)))),
+    (
+        "another instead",
+        lambda u: u.put(
+            u.page(), u.body(u.add(u.body(u.page()))).replace(b"/Contents", b"/Contents %s /Old" % forged_contents(u))
+        ),
+    ),
     ("none", lambda u: u.entry(u.at("/Pages"), b"Kids", b"[]")),
     ("count", lambda u: u.entry(u.at("/Pages"), b"Count", b"0")),
     ("tree", lambda u: u.entry(u.root, b"Pages", forged_pages(u))),
-)  # fmt: skip
+)
 
 many(
     "twice",
     *(
-        (f"{name} {'before' if first else 'after'}", lambda u, m=make, n=at, k=key, f=first: both(u, n(u), k, m(u), first=f))
+        (
+            f"{name} {'before' if first else 'after'}",
+            lambda u, m=make, n=at, k=key, f=first: both(u, n(u), k, m(u), first=f),
+        )
         for name, key, at, make in (
             ("contents", b"Contents", lambda u: u.page(), forged_contents),
             ("contents, one escaped", b"#43ontents", lambda u: u.page(), forged_contents),
@@ -83,11 +108,17 @@ many(
         )
         for first in (True, False)
     ),
-    ("rectangle of a signature, over the page first", lambda u: both(u, u.sign(), b"Rect", b"[0 0 595 842]", first=True)),
-    ("rectangle of a signature, over the page last", lambda u: both(u, u.sign(), b"Rect", b"[0 0 595 842]", first=False)),
+    (
+        "rectangle of a signature, over the page first",
+        lambda u: both(u, u.sign(), b"Rect", b"[0 0 595 842]", first=True),
+    ),
+    (
+        "rectangle of a signature, over the page last",
+        lambda u: both(u, u.sign(), b"Rect", b"[0 0 595 842]", first=False),
+    ),
     ("kind of a signature", lambda u: both(u, u.sign(), b"Subtype", b"/Stamp", first=False)),
     ("look of a signature", lambda u: both(u, u.sign(), b"AP", b"<< >>", first=True)),
-)  # fmt: skip
+)
 
 many(
     "laid over",
@@ -117,8 +148,11 @@ many(
         )
     ),
     ("a link that leads elsewhere", lambda u: u.annotate(b"/Subtype /Link /Border [0 0 80] /C [0 1 0] /Dest (page-1)")),
-    ("a stamp of one row on the last page", lambda u: u.annotate(b"/Subtype /Stamp", len(u.reader.pages) - 1, (10, 10, 20, 20))),
-)  # fmt: skip
+    (
+        "a stamp of one row on the last page",
+        lambda u: u.annotate(b"/Subtype /Stamp", len(u.reader.pages) - 1, (10, 10, 20, 20)),
+    ),
+)
 
 
 def parent_of_signature(entries: bytes) -> Callable[[Update], None]:
@@ -166,21 +200,36 @@ many(
     ("with an action", lambda u: u.sign(b"/F 132 /A " + SCRIPT)),
     ("in a layer", lambda u: u.sign(b"/F 132 /OC << /Type /OCG /Name (x) >>")),
     ("with a note", lambda u: u.sign(b"/F 132 /Popup << /Subtype /Popup /Open true /Contents (PASS) >>")),
-    ("in slices, each thinner than a hair", lambda u: u.form(*(u.annotate(b"/Subtype /Widget /FT /Sig /T (s%d) /F 132" % n, rect=(50, 600 + n * 0.9, 540, 600.8 + n * 0.9)) for n in range(200)))),
+    (
+        "in slices, each thinner than a hair",
+        lambda u: u.form(
+            *(
+                u.annotate(
+                    b"/Subtype /Widget /FT /Sig /T (s%d) /F 132" % n, rect=(50, 600 + n * 0.9, 540, 600.8 + n * 0.9)
+                )
+                for n in range(200)
+            )
+        ),
+    ),
     ("with a border", lambda u: u.sign(b"/F 132 /Border [0 0 500]")),
     ("under a parent with a script", parent_of_signature(b"/AA << /K " + SCRIPT + b" >>")),
     ("under a parent of two kinds", parent_of_signature(b"/Parent << /FT /Tx >>")),
     ("in a form with XFA", form_with(b"/XFA (<x/>)")),
     ("in a form that calculates", form_with(b"/CO [1 0 R]")),
     ("in a form that is drawn anew", form_with(b"/NeedAppearances true")),
-    ("and a text field", lambda u: u.form(*(u.annotate(b"/Subtype /Widget /FT /%s /T (x)" % sort, rect=EMPTY) for sort in (b"Sig", b"Tx")))),
+    (
+        "and a text field",
+        lambda u: u.form(
+            *(u.annotate(b"/Subtype /Widget /FT /%s /T (x)" % sort, rect=EMPTY) for sort in (b"Sig", b"Tx"))
+        ),
+    ),
     ("and a stamp", signed_and(lambda u: u.annotate(b"/Subtype /Stamp"))),
     ("and a crop box", signed_and(lambda u: u.entry(u.page(), b"CropBox", b"[0 0 595 400]"))),
     ("and other contents", signed_and(lambda u: u.entry(u.page(), b"Contents", forged_contents(u)))),
     ("and an action on opening", signed_and(lambda u: u.last(u.root, b"/OpenAction " + SCRIPT))),
     ("and another font", signed_and(lambda u: another_font(u))),
     ("and another title", signed_and(lambda u: u.entry(u.info, b"Title", b"(all checks pass)"))),
-)  # fmt: skip
+)
 
 
 # --- what a document has beside its pages
@@ -239,7 +288,9 @@ def another_design(update: Update) -> None:
 def hidden_files(update: Update) -> None:
     """A tree of names with children, which readers take instead of, or after, its own names."""
     file = update.stream(another_speed(update), b"/Type /EmbeddedFile")
-    other = update.add(b"<< /Type /Filespec /F (design.toml) /UF (design.toml) /EF << /F %d 0 R /UF %d 0 R >> >>" % (file, file))
+    other = update.add(
+        b"<< /Type /Filespec /F (design.toml) /UF (design.toml) /EF << /F %d 0 R /UF %d 0 R >> >>" % (file, file)
+    )
     kid = update.add(b"<< /Limits [(design.toml) (design.toml)] /Names [(design.toml) %d 0 R] >>" % other)
     update.swap(update.at("/Names"), rb"/EmbeddedFiles <<", b"/EmbeddedFiles << /Kids [%d 0 R] " % kid)
 
@@ -254,7 +305,8 @@ def two_files(update: Update) -> None:
     update.swap(
         number,
         rb"/EF <<.*?>>",
-        b"/EF << /F %d 0 R /UF %s >>" % (update.stream(another_speed(update)), b"%d 0 R" % update.at("/AF", 0, "/EF", "/UF")),
+        b"/EF << /F %d 0 R /UF %s >>"
+        % (update.stream(another_speed(update)), b"%d 0 R" % update.at("/AF", 0, "/EF", "/UF")),
     )
 
 
@@ -265,7 +317,10 @@ def structure(update: Update, role: str) -> int:
 
 def retitled(update: Update) -> None:
     raw = update.reader.root_object["/Metadata"].get_data()  # type: ignore[attr-defined]
-    update.put(update.at("/Metadata"), streamed(raw.replace(b'default">', b'default">all checks pass '), b"/Type /Metadata /Subtype /XML"))
+    update.put(
+        update.at("/Metadata"),
+        streamed(raw.replace(b'default">', b'default">all checks pass '), b"/Type /Metadata /Subtype /XML"),
+    )
 
 
 many(
@@ -280,9 +335,15 @@ many(
     ("a design beside the design", hidden_files),
     ("two files of one name", two_files),
     ("a file more", lambda u: u.swap(u.root, rb"/AF \[", b"/AF [ %d 0 R " % another_file(u))),
-    ("a file of another system", lambda u: u.swap(specification(u)[0], rb"/EF <<", b"/EF << /DOS %d 0 R " % u.stream(b"x"))),
+    (
+        "a file of another system",
+        lambda u: u.swap(specification(u)[0], rb"/EF <<", b"/EF << /DOS %d 0 R " % u.stream(b"x")),
+    ),
     ("a file elsewhere", lambda u: u.last(specification(u)[0], b"/FS /URL")),
-    ("relation of the design", lambda u: u.swap(specification(u)[0], rb"/AFRelationship /\w+", b"/AFRelationship /Alternative")),
+    (
+        "relation of the design",
+        lambda u: u.swap(specification(u)[0], rb"/AFRelationship /\w+", b"/AFRelationship /Alternative"),
+    ),
     ("its files", lambda u: u.entry(u.root, b"AF", b"[]")),
     ("its title", lambda u: u.entry(u.info, b"Title", b"(all checks pass)")),
     ("its author", lambda u: u.entry(u.info, b"Author", b"(everybody)")),
@@ -322,4 +383,4 @@ many(
     ("colours", lambda u: u.entry(u.root, b"OutputIntents", b"[]")),
     ("an object that nobody asks for", lambda u: u.add(b"<< /Type /Page >>")),
     ("a part in a stream of objects", lambda u: u.stream(b"1 0 << >>", b"/Type /ObjStm /N 1 /First 4")),
-)  # fmt: skip
+)

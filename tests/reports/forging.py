@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Reports that somebody has changed: every kind of forgery is a function from the bytes of a report to those of the forged one.
+"""Reports that somebody has changed: every kind of forgery is a function from the bytes of a report to those of the
+forged one.
 
-Most of them append to the file, as a program that signs it does, since that is what may be accepted at all; some write it anew.
-"""
+Most of them append to the file, as a program that signs it does, since that is what may be accepted at all; some write
+it anew."""
 
 from __future__ import annotations
 
@@ -122,11 +123,15 @@ class Update:
         else:
             self.put(number, body[: old.start()] + b"/" + key + b" " + value + b"\n" + body[old.end() :])
 
-    def annotate(self, entries: bytes, page: int = 0, rect: tuple[float, ...] = (50, 600, 500, 700), shown: bytes = PAINT) -> int:
+    def annotate(
+        self, entries: bytes, page: int = 0, rect: tuple[float, ...] = (50, 600, 500, 700), shown: bytes = PAINT
+    ) -> int:
         """Something laid over a page, with a look of its own."""
         x, y, x_2, y_2 = rect
         look = self.stream(shown, b"/Type /XObject /Subtype /Form /BBox [0 0 600 850]")
-        made = self.add(b"<< /Type /Annot /Rect [%g %g %g %g] /AP << /N %d 0 R >> %s >>" % (x, y, x_2, y_2, look, entries))
+        made = self.add(
+            b"<< /Type /Annot /Rect [%g %g %g %g] /AP << /N %d 0 R >> %s >>" % (x, y, x_2, y_2, look, entries)
+        )
         over = self.page(page)
         if b"/Annots" in self.body(over):
             self.put(over, re.sub(rb"(/Annots \[[^\]]*)\]", rb"\g<1> %d 0 R ]" % made, self.body(over)))
@@ -135,17 +140,30 @@ class Update:
         return made
 
     def form(self, *fields: int, entries: bytes = b"/SigFlags 3") -> None:
-        self.last(self.root, b"/AcroForm << /Fields [%s] %s >>" % (b" ".join(b"%d 0 R" % one for one in fields), entries))
+        self.last(
+            self.root, b"/AcroForm << /Fields [%s] %s >>" % (b" ".join(b"%d 0 R" % one for one in fields), entries)
+        )
 
     def sign(
-        self, entries: bytes = b"/F 132", rect: tuple[float, ...] = EMPTY, page: int = 0, shown: bytes = b"0 0 1 rg 0 0 600 850 re f"
+        self,
+        entries: bytes = b"/F 132",
+        rect: tuple[float, ...] = EMPTY,
+        page: int = 0,
+        shown: bytes = b"0 0 1 rg 0 0 600 850 re f",
     ) -> int:
         """The field of a signature."""
-        made = self.annotate(b"/Subtype /Widget /FT /Sig /T (s%d) /P %d 0 R %s" % (self.next, self.page(page), entries), page, rect, shown)
+        made = self.annotate(
+            b"/Subtype /Widget /FT /Sig /T (s%d) /P %d 0 R %s" % (self.next, self.page(page), entries),
+            page,
+            rect,
+            shown,
+        )
         self.form(made)
         return made
 
-    def written(self, *, prev: int | None = None, trailer: bytes = b"", table: Callable[[dict[int, int]], dict[int, int]] = dict) -> bytes:
+    def written(
+        self, *, prev: int | None = None, trailer: bytes = b"", table: Callable[[dict[int, int]], dict[int, int]] = dict
+    ) -> bytes:
         """The report with the objects after it.  `table`: of where they are, to be falsified."""
         out = self.pdf
         places = {}
@@ -157,8 +175,12 @@ class Update:
         for number, place in sorted(table(places).items()):
             out += b"%d 1\n%010d 00000 n \n" % (number, place)
         out += b"trailer\n<< /Size %d /Root %d 0 R /Info %d 0 R /Prev %d %s >>\n" % (
-            self.next, self.root, self.info, self.start if prev is None else prev, trailer,
-        )  # fmt: skip
+            self.next,
+            self.root,
+            self.info,
+            self.start if prev is None else prev,
+            trailer,
+        )
         return out + b"startxref\n%d\n%%%%EOF\n" % start
 
     def written_with_stream(self, generations: Mapping[int, int] | None = None) -> bytes:
@@ -167,11 +189,17 @@ class Update:
         for number, body in [*sorted(self.objects.items()), (self.next, b"")]:
             places[number] = len(out)
             out += b"%d 0 obj\n%s\nendobj\n" % (number, body) if body else b""
-        rows = b"".join(b"\1" + places[n].to_bytes(4) + (generations or {}).get(n, 0).to_bytes(1) for n in sorted(places))
+        rows = b"".join(
+            b"\1" + places[n].to_bytes(4) + (generations or {}).get(n, 0).to_bytes(1) for n in sorted(places)
+        )
         index = b" ".join(b"%d 1" % n for n in sorted(places))
         entries = b"/Type /XRef /W [1 4 1] /Index [%s] /Size %d /Root %d 0 R /Info %d 0 R /Prev %d" % (
-            index, self.next + 1, self.root, self.info, self.start,
-        )  # fmt: skip
+            index,
+            self.next + 1,
+            self.root,
+            self.info,
+            self.start,
+        )
         start = places[self.next]
         return out + b"%d 0 obj\n%s\nendobj\nstartxref\n%d\n%%%%EOF\n" % (self.next, streamed(rows, entries), start)
 
@@ -209,7 +237,9 @@ def form_object(update: Update) -> None:
 
 
 def image_object(update: Update) -> None:
-    made = update.stream(b"\0\xff\0", b"/Type /XObject /Subtype /Image /Width 1 /Height 1 /BitsPerComponent 8 /ColorSpace /DeviceRGB")
+    made = update.stream(
+        b"\0\xff\0", b"/Type /XObject /Subtype /Image /Width 1 /Height 1 /BitsPerComponent 8 /ColorSpace /DeviceRGB"
+    )
     painted(update, after=b"\nq 500 0 0 300 40 400 cm /Over Do Q", resources=b"/XObject << /Over %d 0 R >>" % made)
 
 

@@ -57,7 +57,8 @@ def solved(text: str | bytes) -> Solved:
 
 @dataclass(frozen=True)
 class Span:
-    """One piece of text on a page: what it says, where it begins and ends, its size, whether it is upright and can be seen."""
+    """One piece of text on a page: what it says, where it begins and ends, its size, whether it is upright and can be
+    seen."""
 
     page: int
     text: str
@@ -70,12 +71,16 @@ class Span:
 
 
 CODE = re.compile(rb"^<([0-9A-F]{2})> <([0-9A-F]{4,})>$", re.M)
-TOKEN = re.compile(rb"(?P<matrix>(?:-?[\d.]+ ){6})Tm|/(?P<font>F\S+) (?P<size>[\d.]+) Tf|(?P<mode>\d) Tr|<(?P<codes>[0-9a-f]*)> Tj", re.S)
+TOKEN = re.compile(
+    rb"(?P<matrix>(?:-?[\d.]+ ){6})Tm|/(?P<font>F\S+) (?P<size>[\d.]+) Tf|(?P<mode>\d) Tr|<(?P<codes>[0-9a-f]*)> Tj",
+    re.S,
+)
 
 
 @cache
 def spans(pdf: bytes) -> list[Span]:
-    """Every piece of text of a report with its place, from the operators of its pages and what its fonts say of each code."""
+    """Every piece of text of a report with its place, from the operators of its pages and what its fonts say of each
+    code."""
     found = []
     known: dict[int, tuple[list[float], dict[int, str]]] = {}
     for number, page in enumerate(PdfReader(io.BytesIO(pdf)).pages):
@@ -85,7 +90,10 @@ def spans(pdf: bytes) -> list[Span]:
                 font = reference.get_object()
                 wide = [0.0] * int(font.get("/FirstChar", 0)) + [float(w) for w in font.get("/Widths", [])]
                 letters = CODE.findall(font["/ToUnicode"].get_object().get_data()) if "/ToUnicode" in font else []
-                known[reference.idnum] = wide, {int(code, 16): bytes.fromhex(u.decode()).decode("utf-16-be") for code, u in letters}
+                known[reference.idnum] = (
+                    wide,
+                    {int(code, 16): bytes.fromhex(u.decode()).decode("utf-16-be") for code, u in letters},
+                )
             fonts[name[1:]] = known[reference.idnum]
         matrix, x, size, hidden = (1.0, 0.0, 0.0, 1.0, 0.0, 0.0), 0.0, 0.0, False
         for token in TOKEN.finditer(page.get_contents().get_data()):
@@ -99,7 +107,9 @@ def spans(pdf: bytes) -> list[Span]:
             else:
                 codes = bytes.fromhex(token["codes"].decode())
                 wide = sum(widths[c] for c in codes) * size / 1000
-                if (words := "".join(letters[c] for c in codes)).strip():  # a blank at a line's end parts words, and is not seen
+                if (
+                    words := "".join(letters[c] for c in codes)
+                ).strip():  # a blank at a line's end parts words, and is not seen
                     found.append(Span(number, words, x, matrix[5], x + wide, size, abs(matrix[1]) < 1e-6, hidden))
                 x += wide
     assert found
@@ -113,7 +123,8 @@ def squeezed(text: str) -> str:
 
 @cache
 def pages_of(pdf: bytes) -> tuple[str, ...]:
-    """The text of each page, line by line, as a reader copies it: pypdf finds the same (test_report) and takes fifteen times as long."""
+    """The text of each page, line by line, as a reader copies it: pypdf finds the same (test_report) and takes fifteen
+    times as long."""
     pages = [""] * len(PdfReader(io.BytesIO(pdf)).pages)
     before = None
     for span in spans(pdf):
@@ -140,7 +151,8 @@ def spoken(pdf: bytes) -> str:
 
 @dataclass(frozen=True)
 class Shape:
-    """One painted path of a page: its parts, each a list of corners; the colours it is filled and drawn with (empty: not)."""
+    """One painted path of a page: its parts, each a list of corners; the colours it is filled and drawn with (empty:
+    not)."""
 
     page: int
     parts: list[list[tuple[float, float]]]
@@ -172,7 +184,9 @@ def shapes(pdf: bytes) -> list[Shape]:
             elif token["frame"] or token["end"]:
                 left, low = map(float, (token["frame"] or b"0 0").split())
             else:
-                fill, stroke = (colours[k] if token["paint"] in paints else "" for k, paints in (("rg", b"Bf"), ("RG", b"BS")))
+                fill, stroke = (
+                    colours[k] if token["paint"] in paints else "" for k, paints in (("rg", b"Bf"), ("RG", b"BS"))
+                )
                 if parts:
                     found.append(Shape(number, parts, fill, stroke))
                 parts = []
@@ -185,6 +199,8 @@ def rgb(colour: tuple[float, float, float]) -> str:
 
 def with_outcome(made: Solved, key: str, **changed: object) -> Solved:
     """A solved design with no curves and tables but those that are put into one of its steps."""
-    outcomes = {name: replace(outcome, curves=(), tables=(), further=None) for name, outcome in made.results.outcomes.items()}
+    outcomes = {
+        name: replace(outcome, curves=(), tables=(), further=None) for name, outcome in made.results.outcomes.items()
+    }
     outcomes[key] = replace(outcomes[key], **changed)  # type: ignore[arg-type]
     return Solved(made.raw, made.document, Results(made.results.design, outcomes))

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A report is written as PDF/A-3, level A: own checks (archive_rules), qpdf's of the file, LittleCMS's reading of its profile."""
+"""A report is written as PDF/A-3, level A: own checks (archive_rules), qpdf's of the file, LittleCMS's reading of its
+profile."""
 
 import io
 
@@ -13,14 +14,20 @@ from tests.reports.archive_rules import elements, kids_of, wrong
 from tests.reports.reading import V12, Solved, solved
 
 
-@pytest.mark.parametrize(("depth", "lang"), [("summary", "en"), ("engineer", "it"), pytest.param("audit", "en", marks=pytest.mark.slow)])
+@pytest.mark.parametrize(
+    ("depth", "lang"), [("summary", "en"), ("engineer", "it"), pytest.param("audit", "en", marks=pytest.mark.slow)]
+)
 def test_no_own_rule_is_broken(depth: str, lang: str, example: Solved) -> None:
     assert wrong(example.report(depth, lang))[:9] == []
 
 
 def test_own_rules_see_what_is_wrong(engineer: bytes) -> None:
     """A rule that nothing can break holds nothing."""
-    broken = engineer.replace(b"%PDF-1.7", b"%PDF-2.0").replace(b"<pdfaid:part>3", b"<pdfaid:part>1").replace(b"/GTS_PDFA1", b"/GTS_PDFX")
+    broken = (
+        engineer.replace(b"%PDF-1.7", b"%PDF-2.0")
+        .replace(b"<pdfaid:part>3", b"<pdfaid:part>1")
+        .replace(b"/GTS_PDFA1", b"/GTS_PDFX")
+    )
     assert {one.split()[0] for one in wrong(broken)} >= {"6.1.2", "6.6.4"}
 
 

@@ -33,7 +33,9 @@ def found(a: Solved, b: Solved) -> Comparison:
 
 
 def report(a: Solved, b: Solved, lang: str = "en", *, everything: bool = False) -> bytes:
-    return render((a.document, a.results), (b.document, b.results), found(a, b), NAMES, lang=lang, everything=everything)
+    return render(
+        (a.document, a.results), (b.document, b.results), found(a, b), NAMES, lang=lang, everything=everything
+    )
 
 
 @pytest.mark.parametrize("lang", ["en", "it"])
@@ -57,7 +59,11 @@ def test_the_first_page_concludes(sides: tuple[Solved, Solved]) -> None:
     first, *others = pages_of(pdf)
     heads = ["beta → gamma: the whole stays", "Limits and cautions that moved", "Key result ", "Inputs"]
     assert [first.index(head) for head in heads] == sorted(first.index(head) for head in heads)
-    assert "✗ fail 4.768 µm" in first and "In gamma" not in first and "In both 1 input is not usual: span allowance of central" in first
+    assert (
+        "✗ fail 4.768 µm" in first
+        and "In gamma" not in first
+        and "In both 1 input is not usual: span allowance of central" in first
+    )
     assert len(others) < 3 and "Verdicts of the steps" not in text_of(pdf)
 
 
@@ -74,10 +80,14 @@ def test_another_design_inside_is_seen(sides: tuple[Solved, Solved]) -> None:
     found = verify(rewritten(pdf, {"b.toml": other}), "c.pdf")
     assert found.changed == ("b.toml",) and not found.identical
     told = {one.what for one in found.differences}
-    assert any(what.startswith("b.toml: value imbalance.") for what in told) and not any(what.startswith("a.toml") for what in told)
+    assert any(what.startswith("b.toml: value imbalance.") for what in told) and not any(
+        what.startswith("a.toml") for what in told
+    )
 
 
-def test_an_altered_page_is_seen(sides: tuple[Solved, Solved], tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_an_altered_page_is_seen(
+    sides: tuple[Solved, Solved], tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     path = tmp_path / "c.pdf"
     path.write_bytes(rewritten(report(*sides), page=(b" re f", b" re n")))
     assert main(["verify", str(path)]) == 1
@@ -122,5 +132,9 @@ def test_the_command_writes_it(tmp_path: Path, capsys: pytest.CaptureFixture[str
 def test_designs_with_names_that_are_words_keep_them(sides: tuple[Solved, Solved]) -> None:
     """`front` and `rear` are words of the program; as names of files they are the user's."""
     (a, b), names = sides, ("front", "rear")
-    read = squeezed(text_of(render((a.document, a.results), (b.document, b.results), found(a, b), names, lang="it", everything=True)))
+    read = squeezed(
+        text_of(
+            render((a.document, a.results), (b.document, b.results), found(a, b), names, lang="it", everything=True)
+        )
+    )
     assert squeezed("Margine, front Margine, rear") in read and squeezed("anteriore posteriore") not in read

@@ -46,7 +46,9 @@ def contents(made: Solved, depth: str = "engineer", lang: str = "en") -> list[An
 def test_it_has_what_the_blocks_of_the_pdf_say(example: Solved, engineer_docx: Any) -> None:
     said = [block.content for block in contents(example)]
     read = engineer_docx.paragraphs
-    assert [c.words for c in said if isinstance(c, Heading)] == [p.text for p in read if p.style.name.startswith(("Heading", "Title"))]
+    assert [c.words for c in said if isinstance(c, Heading)] == [
+        p.text for p in read if p.style.name.startswith(("Heading", "Title"))
+    ]
     assert len([c for c in said if isinstance(c, Rows)]) == len(engineer_docx.tables) > 40
     assert len([c for c in said if isinstance(c, Picture)]) == len(engineer_docx.inline_shapes) > 8
     captions = [caption for c in said if isinstance(c, Picture) for caption in c.captions]
@@ -60,7 +62,8 @@ def test_it_has_what_the_blocks_of_the_pdf_say(example: Solved, engineer_docx: A
 
 
 def test_nothing_that_the_pages_say_is_left_out() -> None:
-    """Every word that a block draws stands in the document, but for those within pictures, and what holds for pages alone."""
+    """Every word that a block draws stands in the document, but for those within pictures, and what holds for pages
+    alone."""
     made = solved(V12)
     context = context_of(made.document, made.results, made.raw, depth="summary", lang="en")
     whole = squeezed(text_of(opened(render(made, "summary"))))
@@ -85,7 +88,9 @@ def test_formulas_can_be_edited(engineer_docx: Any) -> None:
 
 
 def test_headers_are_repeated_and_indices_stand_low(engineer_docx: Any) -> None:
-    key_results = next(t for t in engineer_docx.tables if [c.text for c in t.rows[0].cells][:3] == ["Quantity", "Symbol", "Value"])
+    key_results = next(
+        t for t in engineer_docx.tables if [c.text for c in t.rows[0].cells][:3] == ["Quantity", "Symbol", "Value"]
+    )
     assert "tblHeader" in key_results.rows[0]._tr.xml and "tblHeader" not in key_results.rows[1]._tr.xml
     symbol = key_results.rows[1].cells[1].paragraphs[0]
     assert [(run.text, run.font.subscript) for run in symbol.runs] == [("C", None), ("S", True)]

@@ -41,5 +41,8 @@ def test_a_figure_is_the_same_whoever_draws_it(lang: str) -> None:
 
 
 def test_who_draws_is_there_before_anything_is_loaded() -> None:
-    code = "import sys, reports.figures.draughtsman; assert not {'numpy', 'matplotlib', 'reportlab', 'calc.solve'} & set(sys.modules)"
+    code = (
+        "import sys, reports.figures.draughtsman; assert not {'numpy', 'matplotlib', 'reportlab', 'calc.solve'} & "
+        "set(sys.modules)"
+    )
     subprocess.run([sys.executable, "-c", code], cwd=ROOT, check=True)

@@ -19,7 +19,9 @@ from tests.reports.reading import Solved, spans
 def test_the_sheet_is_a_page_of_a3_lying(engineer: bytes) -> None:
     pages = PdfReader(io.BytesIO(engineer)).pages
     (sheet,) = (page for page in pages if page.mediabox.width > page.mediabox.height)
-    assert (float(sheet.mediabox.width), float(sheet.mediabox.height)) == pytest.approx((420 / 25.4 * 72, 297 / 25.4 * 72), abs=0.01)
+    assert (float(sheet.mediabox.width), float(sheet.mediabox.height)) == pytest.approx(
+        (420 / 25.4 * 72, 297 / 25.4 * 72), abs=0.01
+    )
     assert PAPER == (420.0, 297.0)
     assert {round(float(page.mediabox.width)) for page in pages if page is not sheet} == {595}
 
@@ -38,7 +40,10 @@ def test_the_letters_need_no_more_than_the_sheet_gives_them(example: Solved, lan
     marks = [stroke for mark in sheet.marks for stroke in (strokes(mark) if isinstance(mark, Dimension) else (mark,))]
     for mark in marks:
         if isinstance(mark, Words):
-            assert text(mark.text, mark.height * POINTS / CAPITAL, PLAIN).width <= 1.001 * width(mark.text, mark.height) * POINTS, mark.text
+            assert (
+                text(mark.text, mark.height * POINTS / CAPITAL, PLAIN).width
+                <= 1.001 * width(mark.text, mark.height) * POINTS
+            ), mark.text
 
 
 def test_the_table_of_widths_is_that_of_the_letters() -> None:

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The chapter of a drive that was picked from a front: in the report, verified with it, and left out where the file beside says nothing."""
+"""The chapter of a drive that was picked from a front: in the report, verified with it, and left out where the file
+beside says nothing."""
 
 import json
 import re
@@ -11,9 +12,17 @@ from tests.command import run
 from tests.conftest import DESIGNS
 
 FEW = (
-    "--vary", "countershaft.core_radius_mm=14,15,16", "bearings.rear.diameter_mm=84.5,86", "bearings.front.diameter_mm=58.5,62",
-    "countershaft.material=20CrNi4", "bearings.supply=hole", "--rows", "4", "--processes", "1",
-)  # fmt: skip
+    "--vary",
+    "countershaft.core_radius_mm=14,15,16",
+    "bearings.rear.diameter_mm=84.5,86",
+    "bearings.front.diameter_mm=58.5,62",
+    "countershaft.material=20CrNi4",
+    "bearings.supply=hole",
+    "--rows",
+    "4",
+    "--processes",
+    "1",
+)
 
 
 @pytest.fixture(scope="module")
@@ -33,12 +42,17 @@ def test_the_report_of_a_drive_has_its_chapter_and_is_verified(folder, tmp_path,
     assert done.returncode == 0 and "front.json" not in done.stderr
     read = pypdf.PdfReader(report)
     text = "\n".join(page.extract_text() for page in read.pages)
-    assert all(word in text for word in words) and set(read.attachments) == {"design.toml", "results.json", "front.json"}
+    assert all(word in text for word in words) and set(read.attachments) == {
+        "design.toml",
+        "results.json",
+        "front.json",
+    }
     assert run("verify", report).returncode == 0
 
 
 def test_who_verifies_is_told_that_the_search_is_not_repeated(folder, tmp_path):
-    """The front beside a design may be anybody's: the report of a forged one has the bytes that the program writes from it."""
+    """The front beside a design may be anybody's: the report of a forged one has the bytes that the program writes from
+    it."""
     front = json.loads((folder / "front.json").read_text(encoding="utf-8"))
     (tmp_path / "front.json").write_text(json.dumps({**front, "combinations": 10**14}), encoding="utf-8")
     (tmp_path / "001.toml").write_bytes((folder / "001.toml").read_bytes())

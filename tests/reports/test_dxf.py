@@ -37,7 +37,8 @@ def shapes(document, kind, layer):
     return document.modelspace().query(f'{kind}[layer=="{layer}"]')
 
 
-# --- the file -----------------------------------------------------------------------------------------------------------
+# --- the file
+# -----------------------------------------------------------------------------------------------------------
 def test_the_file_is_valid_and_in_millimetres(written):
     document = read(written)
     audit = document.audit()
@@ -71,7 +72,10 @@ def test_the_sections_are_hatched_within_sector_and_core(written):
         points = [(x, y) for x, y, _ in path.vertices]
         areas.append(abs(sum(a[0] * b[1] - b[0] * a[1] for a, b in zip(points, [*points[1:], points[0]]))) / 2)
     core = 3.14159265 * 15**2
-    halves = [(91.11 / 180 * 3.14159265 * (40.5**2 - 15**2)) + core, (90.85 / 180 * 3.14159265 * (40.5**2 - 15**2)) + core]
+    halves = [
+        (91.11 / 180 * 3.14159265 * (40.5**2 - 15**2)) + core,
+        (90.85 / 180 * 3.14159265 * (40.5**2 - 15**2)) + core,
+    ]
     assert areas == pytest.approx(halves, rel=2e-3)  # chords of 2°
     assert all(hatch.pattern.lines[0].angle == pytest.approx(45.0) for hatch in found)
 
@@ -80,9 +84,12 @@ def test_dimensions_measure_what_is_drawn_and_have_the_picture_of_the_sheet(shee
     document = read(written)
     found = list(shapes(document, "DIMENSION", "DIMENSION"))
     asked = [mark for mark in sheet.marks if isinstance(mark, Dimension)]
-    assert {d.dxf.dimstyle for d in found} == {STYLE} and [d.dxf.text for d in found] == [number(mark) for mark in asked]
-    assert [d.get_measurement() for d in found] == pytest.approx([
-        15.0, 27.5, 152.146, 1.366, 152.4, 2.08, 26.5, 335.0, 377.0], abs=0.006)  # fmt: skip
+    assert {d.dxf.dimstyle for d in found} == {STYLE} and [d.dxf.text for d in found] == [
+        number(mark) for mark in asked
+    ]
+    assert [d.get_measurement() for d in found] == pytest.approx(
+        [15.0, 27.5, 152.146, 1.366, 152.4, 2.08, 26.5, 335.0, 377.0], abs=0.006
+    )
     for d in found:
         (text,) = document.blocks.get(d.dxf.geometry).query("TEXT")
         assert text.dxf.text == d.dxf.text
@@ -101,12 +108,18 @@ def test_a_name_can_not_break_the_file(name, gamma_results):
 def test_the_same_shaft_gives_the_same_bytes(written, tmp_path):
     """In another process with another seed of hashes, another time zone and another home."""
     code = (
-        "import sys; from calc.design.toml_file import design, read; from calc.solve import solve; from calc.studies.drawings import sheets\n"
+        "import sys; from calc.design.toml_file import design, read; from calc.solve import solve; from "
+        "calc.studies.drawings import sheets\n"
         f"from reports.dxf import sheet_dxf; document = read({str(GAMMA)!r})\n"
         "sys.stdout.buffer.write(sheet_dxf(sheets(solve(design(document)), data=document.data)[0]).encode())"
     )
     other = {**os.environ, "PYTHONHASHSEED": "3", "TZ": "Asia/Tokyo", "HOME": str(tmp_path), "PYTHONPATH": str(ROOT)}
-    assert subprocess.run([sys.executable, "-c", code], capture_output=True, cwd=ROOT, env=other, check=True).stdout.decode() == written
+    assert (
+        subprocess.run(
+            [sys.executable, "-c", code], capture_output=True, cwd=ROOT, env=other, check=True
+        ).stdout.decode()
+        == written
+    )
 
 
 def test_programs_open_it_on_the_whole_drawing(written):
@@ -121,12 +134,17 @@ def test_programs_open_it_on_the_whole_drawing(written):
 
 
 def test_an_outline_of_many_points_is_put_in_at_once(monkeypatch):
-    """Point by point the library would copy all that are there for each: minutes for the teeth of a fine chord error."""
+    """Point by point the library would copy all that are there for each: minutes for the teeth of a fine chord
+    error."""
     calls, extend = [], LWPolylinePoints.extend
     monkeypatch.setattr(LWPolylinePoints, "extend", lambda self, points: calls.append(1) or extend(self, points))
     points = tuple((n * 1e-3, n % 7 * 1e-3) for n in range(1000))
     (line,) = read(dxf([Polyline("PROFILE", points, True)])).modelspace()
-    assert calls == [1] and line.closed and list(line.vertices()) == [(pytest.approx(x * 1e3), pytest.approx(y * 1e3)) for x, y in points]
+    assert (
+        calls == [1]
+        and line.closed
+        and list(line.vertices()) == [(pytest.approx(x * 1e3), pytest.approx(y * 1e3)) for x, y in points]
+    )
 
 
 def test_the_library_keeps_its_own_options(written):

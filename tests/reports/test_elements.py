@@ -19,7 +19,9 @@ def test_of_an_array_put_together_only_what_gave_the_element_is_followed(example
     assert index is not None and np.shape(stress.value) == (8,)
     lines, inputs = origins.of((stress, index))
     found = {line.formula.symbol: (line, at) for line, at in lines}
-    assert set(found) == {"M", "I"} and found["M"][1] == index, "the core's own fibre is an input: no sector's, no journal's"
+    assert set(found) == {"M", "I"} and found["M"][1] == index, (
+        "the core's own fibre is an input: no sector's, no journal's"
+    )
     assert inputs == ["countershaft.core_radius_mm"]
     moment, at = found["I"]
     assert at is not None and np.shape(moment.value) == (6,)
@@ -36,7 +38,10 @@ def test_what_follows_gives_the_numbers_above_it(example: Solved) -> None:
             for source, at in origins.of((line, index))[0]:
                 if at is not None:
                     seen += 1
-                    assert any(source.value[at] == number for number in entering) or np.ndim(source.value) == 0, (step, line.formula.symbol)  # type: ignore[index]
+                    assert any(source.value[at] == number for number in entering) or np.ndim(source.value) == 0, (
+                        step,
+                        line.formula.symbol,
+                    )  # type: ignore[index]
     assert seen > 20
 
 

@@ -38,7 +38,9 @@ def test_bars_stand_side_by_side_on_zero() -> None:
         np.array([100.0, 1, 2, 3, 4, 5, 6, 7]),
     ]
     names = ("bare crank", "with counterweights", "with the counter-shaft")
-    pdf = report(Curve("b", "By order", "order", "C, N·m", tuple(Series(n, ORDERS, v) for n, v in zip(names, values)), bars=True))
+    pdf = report(
+        Curve("b", "By order", "order", "C, N·m", tuple(Series(n, ORDERS, v) for n, v in zip(names, values)), bars=True)
+    )
     drawn = [bars_of(pdf, i) for i in range(3)]
     ground = drawn[0][0][1]
     scale = (drawn[0][0][3] - ground) / 900
@@ -73,7 +75,12 @@ def test_bars_that_are_no_numbers_or_go_down() -> None:
         Curve("a", "None", "order", "C", (Series("one", [], []), Series("two", [nan], [1.0])), bars=True),
         Curve("b", "Zero", "order", "C", (Series("one", ORDERS, 0 * ORDERS),), bars=True),
         Curve(
-            "c", "Some", "order", "C", (Series("up", [1, 2, 3], [nan, 4, float("inf")]), Series("down", [1, 2, 3], [-2, -4, -1])), bars=True
+            "c",
+            "Some",
+            "order",
+            "C",
+            (Series("up", [1, 2, 3], [nan, 4, float("inf")]), Series("down", [1, 2, 3], [-2, -4, -1])),
+            bars=True,
         ),
     )
     pdf = report(*curves)
@@ -86,7 +93,14 @@ def test_bars_that_are_no_numbers_or_go_down() -> None:
 
 def test_all_variants_stand_in_one_figure_with_their_names() -> None:
     series = [Series("first order", THETA, THETA * n, v) for n, v in enumerate(VARIANTS, 1)]
-    curve = Curve("v", "Variants", "x", "y", (*series, Series("limit", THETA, THETA), Series("", THETA, THETA, "third")), variants=VARIANTS)
+    curve = Curve(
+        "v",
+        "Variants",
+        "x",
+        "y",
+        (*series, Series("limit", THETA, THETA), Series("", THETA, THETA, "third")),
+        variants=VARIANTS,
+    )
     labels = [series_label(curve, s) for s in curve.series]
     assert labels == ["first order, crank alone", "first order, with the counter-shaft", "limit", "third"]
     pdf = report(curve)
@@ -116,7 +130,17 @@ def shafts(pdf: bytes, colour: str) -> list[Shape]:
 def test_vectors_are_drawn_tip_to_tail_in_true_scale() -> None:
     names = ("forward", "backward", "next to nothing")
     chain = Turning(names, (300 + 0j, 400j, 0.9 * LEAST * 400), (1, -1, 2))
-    pdf = report(Curve("t", "Locus", "horizontal, N·m", "vertical, N·m", (Series("", *locus(300, 400j)),), equal=True, turning=(chain,)))
+    pdf = report(
+        Curve(
+            "t",
+            "Locus",
+            "horizontal, N·m",
+            "vertical, N·m",
+            (Series("", *locus(300, 400j)),),
+            equal=True,
+            turning=(chain,),
+        )
+    )
     tips = heads(pdf, rgb(ARROW))
     assert len(tips) == 4, "two in the legend, two in the figure"
     (_, _, (x1, y1), (x2, y2)) = tips
@@ -135,7 +159,10 @@ def test_each_variant_has_its_chain_in_the_colour_of_its_locus() -> None:
     second = Turning(("crank", "counter-shaft"), (300 + 0j, -100j), (1, -1), VARIANTS[1])
     series = (Series("locus", *locus(300, 0), VARIANTS[0]), Series("locus", *locus(300, -100j), VARIANTS[1]))
     curve = Curve("t", "Locus", "x, N", "y, N", series, equal=True, variants=VARIANTS, turning=(first, second))
-    assert [(a.number, a.name, a.variant) for a in arrows(curve)] == [(1, "crank", VARIANTS[0]), (2, "counter-shaft", VARIANTS[1])]
+    assert [(a.number, a.name, a.variant) for a in arrows(curve)] == [
+        (1, "crank", VARIANTS[0]),
+        (2, "counter-shaft", VARIANTS[1]),
+    ]
     pdf = report(curve)
     assert len(heads(pdf, rgb(line_style(0)[0]))) == len(heads(pdf, rgb(line_style(1)[0]))) == 1
     assert report(curve) == pdf
@@ -145,13 +172,16 @@ def test_vectors_that_are_no_numbers() -> None:
     nan = complex("nan")
     chain = Turning(("a", "b", "c"), (1 + 0j, nan, 2 + 0j), (1, 2, 3))
     nothing = Turning(("a", "b"), (0j, 0j), (1, 2))
-    curves = [Curve("t", "Locus", "x", "y", (Series("", *locus(1, 2)),), equal=True, turning=(t,)) for t in (chain, nothing)]
+    curves = [
+        Curve("t", "Locus", "x", "y", (Series("", *locus(1, 2)),), equal=True, turning=(t,)) for t in (chain, nothing)
+    ]
     assert [[a.name for a in arrows(c)] for c in curves] == [["a"], []]
     assert len(heads(report(*curves), rgb(ARROW))) == 2
 
 
 def test_loci_that_run_over_each_other_are_both_seen() -> None:
-    """The first is broader than what is drawn over it, in each variant; a locus alone, and other curves, are as thick as ever."""
+    """The first is broader than what is drawn over it, in each variant; a locus alone, and other curves, are as thick
+    as ever."""
     x, y = np.sin(THETA), np.cos(THETA)
     two = tuple(Series(name, x, y, variant) for variant in VARIANTS for name in ("order 1", "all orders"))
     curve = Curve("l", "Locus", "x, N", "y, N", two, equal=True, variants=VARIANTS)
@@ -165,15 +195,20 @@ def test_loci_that_run_over_each_other_are_both_seen() -> None:
 
 
 def test_figures_write_numbers_as_their_language_does(relazione: bytes) -> None:
-    """Ticks, the value where the design stands, limits; and no sentence of the report has a decimal point before a unit."""
+    """Ticks, the value where the design stands, limits; and no sentence of the report has a decimal point before a
+    unit."""
     read = text_of(relazione)
     assert "7,411 µm" in read and "86,28 N·m" in read and "17,5" in read
     assert re.findall(r"\d\.\d+ (?:µm|mm|N·m|N|W|kg|MPa|K|°C|%)(?!\w)", read) == []
 
 
 def test_lines_of_a_stack_are_named_by_a_sample_of_each(relazione: bytes) -> None:
-    """Three lines in 44 points leave no place at which a name could belong to but one of them: the legend stands over the axes."""
-    name, *labels = ([s for s in spans(relazione) if s.text == words] for words in (
-        "freccia, µm", "con la quota di rigidezza dei settori", "a rigidezza piena", "cuscinetti",
-    ))  # fmt: skip
-    assert len(name) == 1 and all(any(s.page == name[0].page and abs(s.y - name[0].y) < 0.1 for s in found) for found in labels)
+    """Three lines in 44 points leave no place at which a name could belong to but one of them: the legend stands over
+    the axes."""
+    name, *labels = (
+        [s for s in spans(relazione) if s.text == words]
+        for words in ("freccia, µm", "con la quota di rigidezza dei settori", "a rigidezza piena", "cuscinetti")
+    )
+    assert len(name) == 1 and all(
+        any(s.page == name[0].page and abs(s.y - name[0].y) < 0.1 for s in found) for found in labels
+    )

@@ -44,7 +44,8 @@ def test_a_table_goes_on_under_a_figure_with_its_header() -> None:
 
 
 def of_gaps(count: int, share: float) -> list[Block]:
-    """Blocks of a hundredth of a page, every fourth part of them gap, as many as fill `count` pages and a share of one more."""
+    """Blocks of a hundredth of a page, every fourth part of them gap, as many as fill `count` pages and a share of one
+    more."""
     height, gap = 0.0075 * HEIGHT, 0.0025 * HEIGHT
     return [Block(height, lambda pen, y: None, gap) for _ in range(round(100 * (count + share)))]
 
@@ -52,4 +53,6 @@ def of_gaps(count: int, share: float) -> list[Block]:
 def test_gaps_are_closed_where_that_saves_a_page_with_little_on_it() -> None:
     kept, saved, sparse = of_gaps(5, 0.9), of_gaps(5, 0.3), of_gaps(5, 0.15)
     assert len(composed(kept)) == len(paginate(kept)) == 6
-    assert [len(paginate(blocks)) for blocks in (saved, sparse)] == [6, 6] and len(composed(saved)) == len(composed(sparse)) == 5
+    assert [len(paginate(blocks)) for blocks in (saved, sparse)] == [6, 6] and len(composed(saved)) == len(
+        composed(sparse)
+    ) == 5

@@ -42,7 +42,13 @@ def test_every_character_has_a_glyph(example: Solved, engineer: bytes) -> None:
         texts += [*outcome.notes, outcome.reason]
         texts += [x for c in outcome.checks for x in (c.name, c.source, c.advice, c.limit_text(), c.margin_text())]
         for curve in outcome.curves:
-            texts += [curve.title, curve.x_label, curve.y_label, *(s.label for s in curve.series), *(w for w, _ in curve.limits)]
+            texts += [
+                curve.title,
+                curve.x_label,
+                curve.y_label,
+                *(s.label for s in curve.series),
+                *(w for w, _ in curve.limits),
+            ]
         texts += [x for e in outcome.errata for x in (e.label, e.source, e.why)]
         texts += [x for v in outcome.values() for x in (v.label, v.unit, v.symbol)]
     needed = {c for text in texts for c in text} - {MISSING}
@@ -87,7 +93,14 @@ def test_no_style_is_smaller_than_a_note() -> None:
 
 @pytest.mark.parametrize(
     "given, shown",
-    [("a\tb\nc", "a b c"), ("e\u0301", "é"), ("设", "▯"), ("a\u202eb\u200b", "ab"), ("x\x00", "x "), ("C_1 ≥ ½", "C_1 ≥ ½")],
+    [
+        ("a\tb\nc", "a b c"),
+        ("e\u0301", "é"),
+        ("设", "▯"),
+        ("a\u202eb\u200b", "ab"),
+        ("x\x00", "x "),
+        ("C_1 ≥ ½", "C_1 ≥ ½"),
+    ],
 )
 def test_text_is_cleaned(given: str, shown: str) -> None:
     assert clean(given) == shown
@@ -96,7 +109,8 @@ def test_text_is_cleaned(given: str, shown: str) -> None:
 
 @pytest.mark.parametrize("wide", [400.0, 90.0, 31.0])
 @pytest.mark.parametrize(
-    "words", ["one two three " * 30, "x" * 500, "bearings.front.clearance_reference_temperature_C" * 3, "W" * 40 + " i " * 50]
+    "words",
+    ["one two three " * 30, "x" * 500, "bearings.front.clearance_reference_temperature_C" * 3, "W" * 40 + " i " * 50],
 )
 def test_lines_keep_their_width(words: str, wide: float) -> None:
     made = broken(words, BODY, wide)

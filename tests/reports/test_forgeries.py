@@ -18,8 +18,10 @@ from tests.reports.reading import V12, solved
 
 UNSEEN = 0.2  # points: narrower is no letter
 SAME_AS_BEFORE = {  # which change bytes and nothing that is read; another word than identical is what they get
-    "anew: as it was", "bytes: another comment", "bytes: another head",
-}  # fmt: skip
+    "anew: as it was",
+    "bytes: another comment",
+    "bytes: another head",
+}
 
 
 pytestmark = pytest.mark.usefixtures("written_once")
@@ -155,7 +157,11 @@ def other_points(
     for (_, old, (wide, high)), (_, new, size) in zip(before, after, strict=True):
         assert size == (wide, high)
         if old != new:
-            found += [(n // 3 % wide, high - n // 3 // wide) for n in range(0, len(old), 3) if old[n : n + 3] != new[n : n + 3]]
+            found += [
+                (n // 3 % wide, high - n // 3 // wide)
+                for n in range(0, len(old), 3)
+                if old[n : n + 3] != new[n : n + 3]
+            ]
     return found
 
 
@@ -177,7 +183,8 @@ def test_a_second_engine_reads_the_same_keys_and_files(made: bytes, signed: byte
 
 
 def test_a_second_engine_finds_no_letter_outside_what_is_known_to_be_printed(engineer: bytes) -> None:
-    """Every letter that it finds lies in a piece of text or a figure that a field may not cover; some are there to be copied, not seen."""
+    """Every letter that it finds lies in a piece of text or a figure that a field may not cover; some are there to be
+    copied, not seen."""
     pdf, second = Pdf(engineer), pypdfium2.PdfDocument(engineer)
     pages = page_references(pdf)
     assert len(pages) == len(second)

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Designs that try the layout: long names, foreign scripts, many cylinders, nothing but one step, values that are no numbers."""
+"""Designs that try the layout: long names, foreign scripts, many cylinders, nothing but one step, values that are no
+numbers."""
 
 import io
 from dataclasses import replace
@@ -19,7 +20,9 @@ SHORT = EXAMPLE.read_text(encoding="utf-8").partition("[gears]")[0]
 
 
 def inside(pdf: bytes) -> None:
-    sheets = {n for n, page in enumerate(PdfReader(io.BytesIO(pdf)).pages) if page.mediabox.width > page.mediabox.height}
+    sheets = {
+        n for n, page in enumerate(PdfReader(io.BytesIO(pdf)).pages) if page.mediabox.width > page.mediabox.height
+    }
     for span in (span for span in spans(pdf) if span.page not in sheets):
         assert LEFT - 1 <= span.x and (not span.upright or span.end <= PAGE[0] - RIGHT + 1), span
         assert 24 < span.y < PAGE[1] - 24, span
@@ -31,7 +34,9 @@ def test_long_and_foreign_names() -> None:
     name = "设计 " + "Überlänge_" * 30 + " ψ∠√ \\u202e مرحبا " + "x" * 900
     people = f'author = "{"A" * 300}"\nchecker = "Łukasz Ćwik \\n second line"\nrevision = "{"R " * 200}"\ndate = "1 May 2024"'
     text = SHORT.replace('name = "R753IE4 counter-shaft, solution gamma"', f'name = "{name}"\n{people}')
-    text = text.replace('note = "', 'note = "' + "wörd " * 3000).replace('name = "VM Motori R753IE4"', f'name = "{"W" * 9000}"')
+    text = text.replace('note = "', 'note = "' + "wörd " * 3000).replace(
+        'name = "VM Motori R753IE4"', f'name = "{"W" * 9000}"'
+    )
     made = solved(text.replace('name = "front"', f'name = "front-{"i" * 200}"'))
     pdf = made.report()
     inside(pdf)
@@ -45,7 +50,9 @@ def test_long_and_foreign_names() -> None:
 
 
 def _without_running_lines(reader: PdfReader) -> list[str]:
-    return ["\n".join(line for line in page.extract_text().splitlines() if line.startswith("wörd")) for page in reader.pages]
+    return [
+        "\n".join(line for line in page.extract_text().splitlines() if line.startswith("wörd")) for page in reader.pages
+    ]
 
 
 def test_twelve_cylinders_and_steps_that_are_not_asked() -> None:
@@ -53,7 +60,9 @@ def test_twelve_cylinders_and_steps_that_are_not_asked() -> None:
         pdf = solved(V12).report(depth)
         inside(pdf)
         read = text_of(pdf)
-        assert ("the design file has no table [gears]" in read) == (depth == "audit"), "a short report has no empty chapters"
+        assert ("the design file has no table [gears]" in read) == (depth == "audit"), (
+            "a short report has no empty chapters"
+        )
         assert "not used" in read and "V12 at 60°, zwölf Zylinder" in read
         assert "0.0; 120.0" in read or "0; 120; 240" in read
 
@@ -67,7 +76,10 @@ def with_engine(**changed: object) -> Solved:
 
 def test_long_lists_of_checks_break_under_a_repeated_header() -> None:
     pdf = with_engine(
-        checks=tuple(Check(f"engine.part-{n}.check", f"Check number {n}", 1.0, 2.0, "<=", "mm", "rule of this test") for n in range(200))
+        checks=tuple(
+            Check(f"engine.part-{n}.check", f"Check number {n}", 1.0, 2.0, "<=", "mm", "rule of this test")
+            for n in range(200)
+        )
     ).report()
     inside(pdf)
     pages = [page.extract_text() for page in PdfReader(io.BytesIO(pdf)).pages]
@@ -83,10 +95,25 @@ def test_values_that_are_no_numbers() -> None:
     long = "a label that is too long for a legend " * 4
     curves = (
         Curve("a", "Nothing in it", "x, mm", "y, mm", ()),
-        Curve("b", "Gaps and infinities", "x, °", "y", (Series("gaps", [0, 90, nan, 359], [1, nan, 2, inf]), Series("point", [5], [2]))),
-        Curve("c", "No number at all", "x", "h_0, µm", (Series("void", void, void),), (("limit", nan), ("other", 1e300))),
+        Curve(
+            "b",
+            "Gaps and infinities",
+            "x, °",
+            "y",
+            (Series("gaps", [0, 90, nan, 359], [1, nan, 2, inf]), Series("point", [5], [2])),
+        ),
+        Curve(
+            "c", "No number at all", "x", "h_0, µm", (Series("void", void, void),), (("limit", nan), ("other", 1e300))
+        ),
         Curve("d", "One place, and a very long title " * 5, "x", "y", (Series(long, [0], [0]),), (), True),
-        Curve("e", "Constant", "x", "y", tuple(Series(f"line {n}", [0, 1], [7e9, 7e9]) for n in range(9)), (("limit", -3.0),)),
+        Curve(
+            "e",
+            "Constant",
+            "x",
+            "y",
+            tuple(Series(f"line {n}", [0, 1], [7e9, 7e9]) for n in range(9)),
+            (("limit", -3.0),),
+        ),
     )
     checks = (
         Check("engine.a.b", "No number", nan, 1.0, "<=", "mm", "rule of this test", "Look."),

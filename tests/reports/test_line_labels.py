@@ -15,7 +15,9 @@ ENDS = (0.0, 100.0)  # lines that the others stand between, so that one of their
 
 def lines_crossed(levels: tuple[float, ...], point: tuple[float, float]) -> tuple[int, float]:
     """How many level lines lie across the value at a point, and how far its middle is above the point."""
-    curve = Curve("c", "Lines", "x", "y, N", tuple(Series(f"{y:g}", X, 0 * X + y) for y in (*ENDS, *levels)), point=point)
+    curve = Curve(
+        "c", "Lines", "x", "y, N", tuple(Series(f"{y:g}", X, 0 * X + y) for y in (*ENDS, *levels)), point=point
+    )
     plots = Plots(language("en"))
     axes = plots.axes(480.0, 134.0, curve)
     filled(axes, curve)

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The chapter of the mounts: what the shaft does for the driver, and what the standards do not say, before anything else."""
+"""The chapter of the mounts: what the shaft does for the driver, and what the standards do not say, before anything
+else."""
 
 import io
 import re

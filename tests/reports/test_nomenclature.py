@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The nomenclature: each symbol of a chapter's formulas once, with its meaning, its unit and the first page on which it stands."""
+"""The nomenclature: each symbol of a chapter's formulas once, with its meaning, its unit and the first page on which it
+stands."""
 
 import re
 from importlib import import_module
@@ -26,7 +27,11 @@ def context_of(example: Solved, depth: str) -> Context:
 
 
 def test_symbols_stand_with_meaning_unit_and_page(engineer: bytes) -> None:
-    for meaning, unit in (("Specific load", "MPa"), ("Outlet temperature", "°C"), ("Safety against tooth breakage", "")):
+    for meaning, unit in (
+        ("Specific load", "MPa"),
+        ("Outlet temperature", "°C"),
+        ("Safety against tooth breakage", ""),
+    ):
         assert re.search(rf"{meaning}\s+{unit}\s*\d+", part(engineer)), meaning
 
 
@@ -34,7 +39,9 @@ def test_the_first_page_holds_the_symbol(engineer: bytes) -> None:
     """Every page named is one of the report before the nomenclature."""
     rows, read = part(engineer), pages_of(engineer)
     start = next(n for n, page in enumerate(read, 1) if "Symbol, meaning, unit and first page" in page)
-    named = [int(number) for number in re.findall(r"(?<!of)(?<!at) (\d+)$", rows, re.M)]  # a line of a meaning may end with "at 40" (°C)
+    named = [
+        int(number) for number in re.findall(r"(?<!of)(?<!at) (\d+)$", rows, re.M)
+    ]  # a line of a meaning may end with "at 40" (°C)
     assert len(named) > 60 and max(named) <= start and min(named) >= 2
 
 
@@ -63,9 +70,15 @@ def test_a_long_meaning_ends_at_a_mark() -> None:
 def test_every_formula_says_what_it_gives() -> None:
     """By its source, or in a word of its own, which is one that is needed."""
     for path in sorted((ROOT / "calc").rglob("*.py")):
-        if "@formula" in (source := path.read_text(encoding="utf-8")) and path.parent.name != "sheet" and "__main__" not in source:
+        if (
+            "@formula" in (source := path.read_text(encoding="utf-8"))
+            and path.parent.name != "sheet"
+            and "__main__" not in source
+        ):
             import_module(".".join(path.relative_to(ROOT).with_suffix("").parts))
-    silent = {one.__name__ for name, one in FORMULAS.items() if name.startswith("calc.") and ": " not in str(one.source)}
+    silent = {
+        one.__name__ for name, one in FORMULAS.items() if name.startswith("calc.") and ": " not in str(one.source)
+    }
     assert silent == set(BY_NAME)
 
 
@@ -81,6 +94,12 @@ def test_what_is_of_each_wheel_is_not_called_that_of_the_first() -> None:
     """Unless the names differ in more than the part."""
     wheel = "gears.crank_central.form_factor_central"
     assert _in_common("Form factor of crank", "Form factor of central", wheel) == "Form factor"
-    assert _in_common("Nominal root stress of crank, K = 1", "Nominal root stress of central, K = 1", wheel) == "Nominal root stress"
-    for one, other in (("Safety against pitting, on stress", "Safety against breakage"), ("Its limit, one pair carries all",) * 2):
+    assert (
+        _in_common("Nominal root stress of crank, K = 1", "Nominal root stress of central, K = 1", wheel)
+        == "Nominal root stress"
+    )
+    for one, other in (
+        ("Safety against pitting, on stress", "Safety against breakage"),
+        ("Its limit, one pair carries all",) * 2,
+    ):
         assert _in_common(one, other, wheel) == one

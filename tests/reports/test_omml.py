@@ -37,22 +37,25 @@ def shape(part: str) -> str:
     return "".join(map(said, parsed(part)))
 
 
-@pytest.mark.parametrize(("tree", "expected"), [
-    (Expr("div", (SUM, Y)), "f[num[x+y]den[y]]"),
-    (Expr("div", (Expr("div", (X, Y)), TWO)), "f[num[x]den[y·2]]"),
-    (Expr("mul", (SUM, Y)), "d[x+y]·y"),
-    (Expr("sub", (X, SUM)), "x−d[x+y]"),
-    (Expr("pow", (SUM, TWO)), "sSup[d[x+y]sup[2]]"),
-    (Expr("pow", (Expr("div", (X, Y)), TWO)), "sSup[d[f[num[x]den[y]]]sup[2]]"),
-    (Expr("sqrt", (SUM,)), "rad[deg[]x+y]"),
-    (Expr("call", (X, Y), "max"), "maxd[x; y]"),
-    (Expr("call", (X,), "conj"), "bar[x]"),
-    (Expr("call", (X,), "exp"), "sSup[esup[x]]"),
-    (Expr("cis", (SUM,)), "sSup[esup[i·d[x+y]]]"),
-    (Expr("mul", (X, Expr("number", name="−3"))), "x·d[−3]"),
-    (Expr("symbol", name="C_1⁻,res"), "sSubSup[Csub[1,res]sup[−]]"),
-    (Expr("symbol", name="|C|"), "d[C]"),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    ("tree", "expected"),
+    [
+        (Expr("div", (SUM, Y)), "f[num[x+y]den[y]]"),
+        (Expr("div", (Expr("div", (X, Y)), TWO)), "f[num[x]den[y·2]]"),
+        (Expr("mul", (SUM, Y)), "d[x+y]·y"),
+        (Expr("sub", (X, SUM)), "x−d[x+y]"),
+        (Expr("pow", (SUM, TWO)), "sSup[d[x+y]sup[2]]"),
+        (Expr("pow", (Expr("div", (X, Y)), TWO)), "sSup[d[f[num[x]den[y]]]sup[2]]"),
+        (Expr("sqrt", (SUM,)), "rad[deg[]x+y]"),
+        (Expr("call", (X, Y), "max"), "maxd[x; y]"),
+        (Expr("call", (X,), "conj"), "bar[x]"),
+        (Expr("call", (X,), "exp"), "sSup[esup[x]]"),
+        (Expr("cis", (SUM,)), "sSup[esup[i·d[x+y]]]"),
+        (Expr("mul", (X, Expr("number", name="−3"))), "x·d[−3]"),
+        (Expr("symbol", name="C_1⁻,res"), "sSubSup[Csub[1,res]sup[−]]"),
+        (Expr("symbol", name="|C|"), "d[C]"),
+    ],
+)
 def test_trees(tree: Expr, expected: str) -> None:
     assert shape(omml.tree(tree)) == expected
 
@@ -64,7 +67,11 @@ def test_letters_that_xml_reserves() -> None:
 def test_pieces_of_symbols() -> None:
     assert symbol_parts("T_1T_2") == [("T", "1", ""), ("T", "2", "")]
     assert symbol_parts("y_∞") == [("y", "∞", "")]
-    assert symbol_parts("Δφ") == [("Δφ", "", "")] and symbol_parts("U·Δz") == [("U", "", ""), ("·", "", ""), ("Δz", "", "")]
+    assert symbol_parts("Δφ") == [("Δφ", "", "")] and symbol_parts("U·Δz") == [
+        ("U", "", ""),
+        ("·", "", ""),
+        ("Δz", "", ""),
+    ]
 
 
 def test_every_formula_is_well_formed_and_keeps_its_letters() -> None:

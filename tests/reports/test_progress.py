@@ -49,4 +49,6 @@ def test_who_listens_can_stop_it_and_nothing_is_left(solved: Results, tmp_path: 
     (tmp_path / "a.pdf").write_bytes(b"the report of before")
     with pytest.raises(Cancelled):
         write(document, solved, document.raw, tmp_path / "a.pdf", progress=progress)
-    assert [p.name for p in tmp_path.iterdir()] == ["a.pdf"] and (tmp_path / "a.pdf").read_bytes() == b"the report of before"
+    assert [p.name for p in tmp_path.iterdir()] == ["a.pdf"] and (
+        tmp_path / "a.pdf"
+    ).read_bytes() == b"the report of before"

@@ -19,9 +19,24 @@ from tests.reports.reading import V12, shapes, solved, spans
 
 X = np.linspace(0.0, 5.0, 60)
 CURVES = (
-    Curve("lines", "Lines", "x, mm", "y, N", (Series("sine", X, np.sin(X)), Series("line", X, X)), limits=(("limit", 2.0),)),
+    Curve(
+        "lines",
+        "Lines",
+        "x, mm",
+        "y, N",
+        (Series("sine", X, np.sin(X)), Series("line", X, X)),
+        limits=(("limit", 2.0),),
+    ),
     Curve("bars", "Bars", "order", "C, N·m", (Series("one", [1.0, 2, 3], [4.0, -1, 2]),), bars=True),
-    Curve("locus", "Locus", "x", "y", (Series("", np.cos(X), np.sin(X)),), equal=True, turning=(Turning(("a",), (1 + 0j,), (1,)),)),
+    Curve(
+        "locus",
+        "Locus",
+        "x",
+        "y",
+        (Series("", np.cos(X), np.sin(X)),),
+        equal=True,
+        turning=(Turning(("a",), (1 + 0j,), (1,)),),
+    ),
 )
 
 
@@ -59,7 +74,9 @@ def test_it_is_the_same_at_another_place(curve: Curve) -> None:
 def test_neighbours_do_not_move_each_other() -> None:
     left, right = drawn(CURVES[0]), drawn(CURVES[1])
     both = placed((left, 0.0, 100.0), (right, 200.0, 300.0))
-    alone = [shape.parts for pdf in (placed((left, 0.0, 100.0)), placed((right, 200.0, 300.0))) for shape in shapes(pdf)]
+    alone = [
+        shape.parts for pdf in (placed((left, 0.0, 100.0)), placed((right, 200.0, 300.0))) for shape in shapes(pdf)
+    ]
     assert [shape.parts for shape in shapes(both)] == alone
 
 

@@ -50,7 +50,9 @@ def test_the_summary_proposes_remedies_where_there_is_room() -> None:
 
     def summary(count: int, depth: str = "summary") -> str:
         proposals = tuple(f"Remedy number {n}, because something of order {n} is left over." for n in range(count))
-        checks = (Check("engine.fail.x", "a check that fails", 11.0, 10.0, "<=", "mm", "rule of this test", "Do something."),)
+        checks = (
+            Check("engine.fail.x", "a check that fails", 11.0, 10.0, "<=", "mm", "rule of this test", "Do something."),
+        )
         told = with_outcome(made, "imbalance", proposals=proposals, checks=checks)
         pages = pages_of(told.report(depth))
         assert depth != "summary" or len(pages) == 1
@@ -70,20 +72,46 @@ def test_every_state_and_verdict_has_its_sign_and_word() -> None:
     example = solved(V12)
 
     def check(verdict: str, value: float) -> Check:
-        return Check(f"engine.{verdict}.x", f"a check that should {verdict}", value, 10.0, "<=", "mm", "rule of this test", "Do something.")
+        return Check(
+            f"engine.{verdict}.x",
+            f"a check that should {verdict}",
+            value,
+            10.0,
+            "<=",
+            "mm",
+            "rule of this test",
+            "Do something.",
+        )
 
     checks = (
-        check("pass", 1.0), check("warn", 9.9), check("fail", float("nan")), replace(check("note", 11.0), kind="advice"),
-        replace(check("unknown", 1.0), missing=("gears.power_kW",)), replace(check("open", 11.0), kind="caution", accepted="seen on the bench"),
-    )  # fmt: skip
+        check("pass", 1.0),
+        check("warn", 9.9),
+        check("fail", float("nan")),
+        replace(check("note", 11.0), kind="advice"),
+        replace(check("unknown", 1.0), missing=("gears.power_kW",)),
+        replace(check("open", 11.0), kind="caution", accepted="seen on the bench"),
+    )
     outcomes = dict(example.results.outcomes)
     outcomes["engine"] = replace(outcomes["engine"], checks=checks)
     outcomes["gears"] = Outcome("gears", "no_solution", reason="no centre distance; tried 60 to 90 mm")
     outcomes["friction"] = Outcome("friction", "blocked", reason="waits for Gears")
     outcomes["bearings"] = Outcome("bearings", "not_asked")
     read = text_of(Solved(example.raw, example.document, Results(example.results.design, outcomes)).report())
-    for words in ("✓ pass", "▲ warn", "✗ fail", "✗ no solution", "○ blocked", "· not used", "no value", "no number", "• note",
-                  "? not verified", "✓ accepted", "Not known: gears.power_kW.", "Accepted: seen on the bench"):  # fmt: skip
+    for words in (
+        "✓ pass",
+        "▲ warn",
+        "✗ fail",
+        "✗ no solution",
+        "○ blocked",
+        "· not used",
+        "no value",
+        "no number",
+        "• note",
+        "? not verified",
+        "✓ accepted",
+        "Not known: gears.power_kW.",
+        "Accepted: seen on the bench",
+    ):
         assert words in read
     assert "no centre distance; tried 60 to 90 mm" in read and "waits for Gears" in read
 
@@ -129,7 +157,8 @@ def test_a_chapter_says_once_how_a_long_list_is_written(engineer: bytes) -> None
 
 @pytest.mark.parametrize("path", sorted(DESIGNS.glob("*.toml")), ids=lambda path: path.stem)
 def test_what_fails_or_comes_near_its_limit_is_proven(path: Path) -> None:
-    """Each such check of each shipped design has its block: its own number, limit, source, the formula behind it, and a remedy."""
+    """Each such check of each shipped design has its block: its own number, limit, source, the formula behind it, and a
+    remedy."""
     made = solved(path.read_bytes())
     pdf = made.report()
     read, said, chains = squeezed(text_of(pdf)), spoken(pdf), Chains(made.results)
@@ -148,7 +177,10 @@ def test_what_fails_or_comes_near_its_limit_is_proven(path: Path) -> None:
 def test_a_value_outside_its_formula_is_not_called_a_pass(example: Solved, engineer: bytes) -> None:
     """The load of these teeth is below what the load factors of ISO 6336 are made for."""
     words = next(words for words in pages_of(engineer) if "Safety against pitting crank–central" in words)
-    assert "kept, outside" in words and "✓ pass" not in words[words.index("Safety against pitting") :].partition("Also judged")[0]
+    assert (
+        "kept, outside" in words
+        and "✓ pass" not in words[words.index("Safety against pitting") :].partition("Also judged")[0]
+    )
     said = spoken(engineer)
     for symbol in ("S_H", "σ_H", "K_V", "K_Hβ", "S_F", "K_Fβ", "p_h", "U_per"):
         assert f"{plain(symbol)} = " in said, symbol
@@ -156,7 +188,9 @@ def test_a_value_outside_its_formula_is_not_called_a_pass(example: Solved, engin
 
 def test_inputs_that_are_not_usual_stand_in_the_verdict(summary: bytes, engineer: bytes, audit: bytes) -> None:
     for pdf in (summary, engineer, audit):
-        assert "1 input is not usual: span allowance of central −2 µm (usual −50 to −20)" in " ".join(pages_of(pdf)[0].split())
+        assert "1 input is not usual: span allowance of central −2 µm (usual −50 to −20)" in " ".join(
+            pages_of(pdf)[0].split()
+        )
 
 
 def test_what_the_design_file_calls_assumed_is_said(engineer: bytes, audit: bytes) -> None:
@@ -205,7 +239,11 @@ def test_the_design_file_comes_out_as_it_went_in(example: Solved, engineer: byte
 
 def test_what_the_document_says_of_itself(example: Solved, engineer: bytes) -> None:
     about = PdfReader(io.BytesIO(engineer)).metadata
-    assert about is not None and example.document.sha256 in about["/Subject"] and example.document.sha256 in about["/Keywords"]
+    assert (
+        about is not None
+        and example.document.sha256 in about["/Subject"]
+        and example.document.sha256 in about["/Keywords"]
+    )
     assert about["/Creator"] == f"Contralbero {VERSION}" and about["/Title"] == example.document.data["name"]
     assert "/CreationDate" not in about
 
@@ -233,7 +271,9 @@ def test_another_reader_finds_the_same_text(engineer: bytes) -> None:
 @pytest.mark.parametrize("depth", ["summary", "engineer", "relazione", "audit"])
 def test_nothing_leaves_the_margins(depth: str, request: pytest.FixtureRequest) -> None:
     pdf = request.getfixturevalue(depth)
-    sheets = {n for n, page in enumerate(PdfReader(io.BytesIO(pdf)).pages) if page.mediabox.width > page.mediabox.height}
+    sheets = {
+        n for n, page in enumerate(PdfReader(io.BytesIO(pdf)).pages) if page.mediabox.width > page.mediabox.height
+    }
     for span in (span for span in spans(pdf) if span.page not in sheets):
         assert LEFT - 1 <= span.x and 24 < span.y < PAGE[1] - 24, span
         if span.upright:
@@ -248,14 +288,18 @@ def test_nothing_overlaps(depth: str, request: pytest.FixtureRequest) -> None:
     by_page: dict[int, list[tuple[float, float, float, float]]] = {}
     for s in spans(request.getfixturevalue(depth)):
         if s.upright and not s.hidden and s.end - s.x > 0.3 * s.size:
-            by_page.setdefault(s.page, []).append((s.x + 0.1 * s.size, s.y + 0.12 * s.size, s.end - 0.1 * s.size, s.y + 0.48 * s.size))
+            by_page.setdefault(s.page, []).append(
+                (s.x + 0.1 * s.size, s.y + 0.12 * s.size, s.end - 0.1 * s.size, s.y + 0.48 * s.size)
+            )
     for page, boxes in by_page.items():
         boxes.sort()
         for i, (x, y, end, top) in enumerate(boxes):
             for x2, y2, end2, top2 in boxes[i + 1 :]:
                 if x2 >= end:
                     break
-                assert y2 >= top or top2 <= y or end2 <= x2, f"page {page + 1}: {(x, y, end, top)} and {(x2, y2, end2, top2)}"
+                assert y2 >= top or top2 <= y or end2 <= x2, (
+                    f"page {page + 1}: {(x, y, end, top)} and {(x2, y2, end2, top2)}"
+                )
 
 
 @cache
@@ -267,12 +311,18 @@ def titles_by_threes() -> set[tuple[str, ...]]:
 def without_titles(line: str) -> str:
     """A line without what it holds of the title of a publication: three words of one that follow each other."""
     words, threes = line.split(), titles_by_threes()
-    held = {n + k for n in range(len(words) - 2) for k in range(3) if tuple(word.strip(".,") for word in words[n : n + 3]) in threes}
+    held = {
+        n + k
+        for n in range(len(words) - 2)
+        for k in range(3)
+        if tuple(word.strip(".,") for word in words[n : n + 3]) in threes
+    }
     return " ".join(word for n, word in enumerate(words) if n not in held)
 
 
 def test_the_italian_report_says_the_same_in_italian(example: Solved, engineer: bytes, relazione: bytes) -> None:
-    """The same verdicts and numbers; and no English sentence but what the design file says, symbols and titles of books."""
+    """The same verdicts and numbers; and no English sentence but what the design file says, symbols and titles of
+    books."""
     english, italian = text_of(engineer), text_of(relazione)
     for words in (
         "Relazione di calcolo",
@@ -289,7 +339,11 @@ def test_the_italian_report_says_the_same_in_italian(example: Solved, engineer: 
     symbols, simboli = (set(re.findall(r"^[^\s:=]+(?= = )", spoken(pdf), re.M)) for pdf in (engineer, relazione))
     assert symbols == simboli and len(symbols) > 60
     own = re.sub("“[^”]*”", "", italian)  # without what the design file says
-    left = [line for line in map(without_titles, own.splitlines()) if len(re.findall(r"\b(the|of|with|and|is|for|which)\b", line)) > 1]
+    left = [
+        line
+        for line in map(without_titles, own.splitlines())
+        if len(re.findall(r"\b(the|of|with|and|is|for|which)\b", line)) > 1
+    ]
     allowed = ("The source's final design", "shear coefficient", "film at the edge", "Schlenk, Niemann and Winter")
     design = example.results.design
     quoted = squeezed(" ".join(entry.source for entry in (*design.oils.values(), *design.materials.values())))
@@ -307,7 +361,16 @@ def test_every_value_stands_in_the_index_with_its_page(audit: bytes) -> None:
 
 def test_the_drawing_sheet_has_the_shaft_and_the_data_of_the_wheels(engineer: bytes, example: Solved) -> None:
     read = squeezed(text_of(engineer))
-    for words in ("Drawing sheet", "Data of the wheels", "A–A", "Normal module", "Size over balls", "21.916°, left", "(377)", "1:2"):
+    for words in (
+        "Drawing sheet",
+        "Data of the wheels",
+        "A–A",
+        "Normal module",
+        "Size over balls",
+        "21.916°, left",
+        "(377)",
+        "1:2",
+    ):
         assert squeezed(words) in read
     over = example.results.values()["gears.central.over_balls_max"].shown
     assert f"{over:.4f}".rstrip("0") in read
@@ -325,9 +388,12 @@ def test_headings_are_never_last_on_a_page(example: Solved) -> None:
 
 def test_publications_and_standards_are_told_from_their_clauses() -> None:
     for source, name in (
-        ("AGMA 925-A03: working pressure angle", "AGMA 925-A03"), ("ISO/TR 15144-1:2014 (84)", "ISO/TR 15144-1:2014"),
-        ("ISO 6336-2, 5", "ISO 6336-2"), ("DIN 31652-1: Sommerfeld number", "DIN 31652-1"), ("Xu and Kahraman 2005: exponent", "Xu and Kahraman 2005"),
-    ):  # fmt: skip
+        ("AGMA 925-A03: working pressure angle", "AGMA 925-A03"),
+        ("ISO/TR 15144-1:2014 (84)", "ISO/TR 15144-1:2014"),
+        ("ISO 6336-2, 5", "ISO 6336-2"),
+        ("DIN 31652-1: Sommerfeld number", "DIN 31652-1"),
+        ("Xu and Kahraman 2005: exponent", "Xu and Kahraman 2005"),
+    ):
         assert cited(source) == name
 
 
@@ -351,13 +417,17 @@ def test_what_a_variant_has_in_common_with_its_part_is_not_repeated() -> None:
 
 def test_a_name_keeps_its_comma_where_part_and_variant_are_told_apart() -> None:
     bearing = Text("{place} bearing", place="front, left")
-    assert language("en").halves(Text("{bearing}, thinnest corner", bearing=bearing)) == ("front, left bearing", "thinnest corner")
+    assert language("en").halves(Text("{bearing}, thinnest corner", bearing=bearing)) == (
+        "front, left bearing",
+        "thinnest corner",
+    )
     assert language("en").halves(bearing) == ("front, left bearing", "")
     assert language("it").halves(Text("mesh {pair}, forces", pair="a, b–c")) == ("ingranamento a, b–c", "forze")
 
 
 def test_a_proof_whose_formulas_do_not_give_the_number_says_so() -> None:
-    """The stress of a crankpin is the largest over a cycle: what is shown of it leads there, and nothing of that is the stress."""
+    """The stress of a crankpin is the largest over a cycle: what is shown of it leads there, and nothing of that is the
+    stress."""
     read = text_of(solved((DESIGNS / "twin_force_shaft.toml").read_bytes()).report())
     proof = read[read.index("Von Mises stress of the pin, nominal, throw 68") :]
     assert squeezed("from no one formula") in squeezed(proof[: proof.index("1.2 ")])

@@ -37,7 +37,10 @@ def test_words_move_off_a_line(line: tuple[float, ...]) -> None:
 
 def test_the_sign_of_a_failing_part_stands_once() -> None:
     box = rectangle(0.0, 0.0, 1.0, 1.0)
-    part = [Polyline(OUTLINE, box, True, "gears.meshes.0", "fail"), Polyline(OUTLINE, box, True, "gears.meshes.0", "fail")]
+    part = [
+        Polyline(OUTLINE, box, True, "gears.meshes.0", "fail"),
+        Polyline(OUTLINE, box, True, "gears.meshes.0", "fail"),
+    ]
     told = Words(WORDS, (0.0, 0.0), Text("jams"), key="gears.meshes.1", state="fail")
     words = ["".join(mark[3] for mark in one.words.marks) for one in _labels(Sketch((*part, told)), language("en"))]
     assert sorted(words) == ["✗", "✗ jams"]

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The register of sources: standards apart from literature, each with its edition, its status and how we know it; rules for themselves."""
+"""The register of sources: standards apart from literature, each with its edition, its status and how we know it; rules
+for themselves."""
 
 import pytest
 
@@ -27,11 +28,20 @@ def test_every_publication_has_its_row(depth: str, request: pytest.FixtureReques
 def test_definitions_stand_apart_in_the_audit_only(engineer: bytes, audit: bytes) -> None:
     assert "Definitions and rules without a publication" not in text_of(engineer)
     own = chapter(audit).partition("Definitions and rules without a publication")[2]
-    assert "kinematics: " in own and "mathematics: " in own and "ISO 6336-2" not in own.partition("rule of this program")[0]
+    assert (
+        "kinematics: " in own
+        and "mathematics: " in own
+        and "ISO 6336-2" not in own.partition("rule of this program")[0]
+    )
 
 
 def test_standards_are_told_from_other_publications() -> None:
-    assert {name for name in register() if STANDARD.match(name)} >= {"ISO 6336-1", "AGMA 925-A03", "IACS UR M56", "VDI 2230-1"}
+    assert {name for name in register() if STANDARD.match(name)} >= {
+        "ISO 6336-1",
+        "AGMA 925-A03",
+        "IACS UR M56",
+        "VDI 2230-1",
+    }
     assert not any(STANDARD.match(name) for name in ("Finotti 2013", "Isoda 1990", "Shigley"))
 
 

@@ -27,14 +27,21 @@ from tests.reports.reading import ROOT, V12, pages_of, solved, spans, squeezed, 
 from tests.reports.test_hostile import inside
 
 REMEDIES = Table(
-    "remedies", "What takes the couple", (("Remedy", ""), ("Couple left", "N·m"), ("Phase", "°"), ("Said", "")),
+    "remedies",
+    "What takes the couple",
+    (("Remedy", ""), ("Couple left", "N·m"), ("Phase", "°"), ("Said", "")),
     (
         ("none at all", 572.9213, 30, None),
-        ("counterweights on the crank that carry half of the reciprocating masses, and nothing else besides", 286.46, None, "turns back"),
+        (
+            "counterweights on the crank that carry half of the reciprocating masses, and nothing else besides",
+            286.46,
+            None,
+            "turns back",
+        ),
         ("counter-shaft", float("nan"), -1.25e-7, "a word"),
     ),
     "At rated speed; the phase from cylinder 1 at TDC.",
-)  # fmt: skip
+)
 
 
 def test_every_cell_of_a_table_stands_in_the_report() -> None:
@@ -42,9 +49,18 @@ def test_every_cell_of_a_table_stands_in_the_report() -> None:
     inside(pdf)
     read = squeezed(text_of(pdf))
     for words in (
-        "Tables", REMEDIES.title, "Couple left, N·m", "Phase, °", "572.9", "286.5", "30", "no value", "1.25·10⁷", REMEDIES.note,
+        "Tables",
+        REMEDIES.title,
+        "Couple left, N·m",
+        "Phase, °",
+        "572.9",
+        "286.5",
+        "30",
+        "no value",
+        "1.25·10⁷",
+        REMEDIES.note,
         *(cell for row in REMEDIES.rows for cell in row if isinstance(cell, str)),
-    ):  # fmt: skip
+    ):
         assert squeezed(words) in read, words
     assert squeezed("None") not in read
     text = text_of(pdf)
@@ -99,7 +115,9 @@ def test_long_and_wide_tables_are_divided_and_lose_nothing() -> None:
     columns = (("Order", ""), *((f"Amount{i}", "N·m") for i in range(20)))
     rows = tuple((f"row{n}", *(float(1000 * n + i) + 0.5 for i in range(20))) for n in range(60))
     wide = Table("w", "A wide table", columns, rows)
-    pdf = with_outcome(solved(V12), "engine", tables=(wide, Table("e", "Without rows", columns[:3], (), "Nothing of it."))).report("audit")
+    pdf = with_outcome(
+        solved(V12), "engine", tables=(wide, Table("e", "Without rows", columns[:3], (), "Nothing of it."))
+    ).report("audit")
     inside(pdf)
     words = text_of(pdf).split()
     from calc.sheet.number import short
@@ -115,7 +133,9 @@ def test_long_and_wide_tables_are_divided_and_lose_nothing() -> None:
 
 def test_numbers_end_at_one_edge_and_words_begin_at_one() -> None:
     rows = tuple(("W" * 20, v, "–" if n == 1 else v) for n, v in enumerate((7123.0, 8.0, 91.25)))
-    pdf = with_outcome(solved(V12), "engine", tables=(Table("t", "Edges", (("A", ""), ("B", "mm"), ("C", "mm")), rows),)).report("audit")
+    pdf = with_outcome(
+        solved(V12), "engine", tables=(Table("t", "Edges", (("A", ""), ("B", "mm"), ("C", "mm")), rows),)
+    ).report("audit")
     page = next(n for n, words in enumerate(pages_of(pdf)) if "Edges" in words)
     words = round(LEFT + width("W" * 20, CELL.size), 1)
     lines: dict[float, list[tuple[float, float]]] = {}
@@ -128,7 +148,8 @@ def test_numbers_end_at_one_edge_and_words_begin_at_one() -> None:
     assert one[2][1] == three[2][1] > two[2][1], "a word among numbers stands to the left"
 
 
-# --- inputs -----------------------------------------------------------------------------------------------------------------
+# --- inputs
+# -----------------------------------------------------------------------------------------------------------------
 @inputs
 class Pressure:
     angle: float = quantity("Crank angle", "°")
@@ -218,7 +239,10 @@ def test_nested_tables_may_be_absent_or_have_one_key() -> None:
 
 
 def test_an_array_of_bodies_is_one_table_with_a_row_for_each() -> None:
-    bodies = [{"name": f"web{n}", "mass_kg": 1.5 + n, "x_mm": 2.25, "y_mm": 0.0, "z_mm": -3.0 * n, "a_mm": 9.0} for n in range(LONG)]
+    bodies = [
+        {"name": f"web{n}", "mass_kg": 1.5 + n, "x_mm": 2.25, "y_mm": 0.0, "z_mm": -3.0 * n, "a_mm": 9.0}
+        for n in range(LONG)
+    ]
     bodies[4]["pin"] = 1
     words = laid({"bore_mm": 94.0, "bodies": bodies})
     assert words.count("Bodies of the crank") == 1 and not any("continued" in w for w in words)
@@ -235,7 +259,8 @@ def test_an_array_of_bodies_is_one_table_with_a_row_for_each() -> None:
     assert words[words.index("web4") + 6] == "1"
 
 
-# --- how wide ---------------------------------------------------------------------------------------------------------------
+# --- how wide
+# ---------------------------------------------------------------------------------------------------------------
 def test_headers_stand_on_one_line_where_there_is_room() -> None:
     rows = ((600.0, 1.0, 2.0), (1500.0, 3.0, 4.0))
     numbers = Table("m", "Losses over speed", (("n", "rpm"), ("100 °C", "W"), ("120 °C", "W")), rows)
@@ -252,7 +277,9 @@ def test_the_parts_of_a_wide_table_are_about_as_wide_as_each_other() -> None:
 def test_what_stands_below_words_runs_on_under_short_neighbours() -> None:
     under = "so long that it does not stand on a single line in a column of this width"
     columns = (Column("A", width=80.0), Column("B", "r", 300.0))
-    beside, taller = (_words_of(columns, Cell("name", under=(under, NOTE)), words) for words in ("12.5", "many words " * 20))
+    beside, taller = (
+        _words_of(columns, Cell("name", under=(under, NOTE)), words) for words in ("12.5", "many words " * 20)
+    )
     assert under in beside and under not in taller
     assert squeezed(under) in squeezed("".join(taller))
 

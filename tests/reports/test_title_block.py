@@ -116,7 +116,9 @@ def damaged(path: Path) -> None:
         (lambda path: path.write_bytes(png() + bytes(300_000)), "larger than 300 kB"),
     ],
 )
-def test_a_logo_that_can_not_be_drawn_is_named_and_no_report_is_written(put: Callable[[Path], object], words: str, tmp_path: Path) -> None:
+def test_a_logo_that_can_not_be_drawn_is_named_and_no_report_is_written(
+    put: Callable[[Path], object], words: str, tmp_path: Path
+) -> None:
     made = with_logo(tmp_path)
     put(tmp_path / "logo.png")
     with pytest.raises(BadInput, match=words) as bad:

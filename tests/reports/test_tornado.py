@@ -16,7 +16,13 @@ from reports.setting.fonts import LEFT, PAGE, RIGHT
 from tests.reports.reading import V12, rgb, shapes, solved, spans, squeezed, text_of, with_outcome
 from tests.reports.test_hostile import inside
 
-NAMES = ("film", "friction of the solids μ_s", "load sharing of two pairs", "viscosity under pressure", "limiting shear Λ")
+NAMES = (
+    "film",
+    "friction of the solids μ_s",
+    "load sharing of two pairs",
+    "viscosity under pressure",
+    "limiting shear Λ",
+)
 LOW, HIGH = np.array([0.0, -1.9, -2.0, 0.5, 0.0]), np.array([-4.4, 1.9, 1.2, 1.0, 0.0])
 NAN = float("nan")
 
@@ -33,7 +39,11 @@ def report(*curves: Curve) -> bytes:
 
 def bars(pdf: bytes, i: int) -> list[tuple[float, float, float, float]]:
     """The lying bars of the i-th series: left, lower, right and upper edge."""
-    corners = [np.array(s.parts[0]) for s in shapes(pdf) if s.fill == rgb(bar_colour(i)) and not s.stroke and len(s.parts[0]) == 4]
+    corners = [
+        np.array(s.parts[0])
+        for s in shapes(pdf)
+        if s.fill == rgb(bar_colour(i)) and not s.stroke and len(s.parts[0]) == 4
+    ]
     return [(*c.min(axis=0).tolist(), *c.max(axis=0).tolist()) for c in corners]
 
 
@@ -65,7 +75,9 @@ def test_names_and_numbers_stand_whole_beside_their_rows() -> None:
     page = next(n for n, p in enumerate(PdfReader(io.BytesIO(pdf)).pages) if "limiting shear" in p.extract_text())
     _, low, _, top = bars(pdf, 1)[0]
     beside = [s for s in spans(pdf) if s.page == page and low - 1 < s.y < top]
-    assert beside and all(s.end < nought and s.upright for s in beside), "the name of the first row stands beside its bar"
+    assert beside and all(s.end < nought and s.upright for s in beside), (
+        "the name of the first row stands beside its bar"
+    )
 
 
 def test_rows_without_effect_and_without_numbers_are_still_named() -> None:
@@ -109,7 +121,12 @@ def test_two_variants_of_many_lines_are_drawn_apart() -> None:
     first = Curve("a", "Before", "x", "y", series[:1])
     crowd = Curve("b", "Film", "x", "y", series, variants=kinds)
     read = text_of(report(first, crowd, first))
-    for words in ("Figure 2. Before", "Figure 3a. Film, by regime", "Figure 3b. Film, as the source", "Figure 4. Before"):
+    for words in (
+        "Figure 2. Before",
+        "Figure 3a. Film, by regime",
+        "Figure 3b. Film, as the source",
+        "Figure 4. Before",
+    ):
         assert squeezed(words) in squeezed(read), words
     few = Curve("b", "Film", "x", "y", (series[0], series[3]), variants=kinds)
     assert "Figure 2. Film" in text_of(report(few)) and "Figure 2a" not in text_of(report(few))

@@ -53,12 +53,27 @@ def test_a_fraction_is_as_wide_as_its_wider_half() -> None:
 @pytest.mark.parametrize(
     "source, shown",
     [
-        ("(a + b) * c", "(a+b)·c"), ("a * (b + c)", "a·(b+c)"), ("a - (b - c)", "a−(b−c)"), ("a - b + c", "a−b+c"),
-        ("(a + b)**2", "(a+b)²"), ("-a**2", "−a²"), ("(-a)**2", "(−a)²"), ("a**-2", "a⁻²"),
-        ("a * b / (c * d)", "a·bc·d"), ("sqrt(a + b)", "√a+b"), ("total(a * b)", "Σ(a·b)"), ("modulus(a)", "|a|"), ("cis(a)", "ei·a"), ("exp(a)", "ea"), ("largest(a, b)", "max(a; b)"),
-        ("a * b**0.25", "a·b0.25"), ("conj(a)", "a"), ("log10(a)", "lg(a)"), ("(a / b)**2", "(ab)2"),
+        ("(a + b) * c", "(a+b)·c"),
+        ("a * (b + c)", "a·(b+c)"),
+        ("a - (b - c)", "a−(b−c)"),
+        ("a - b + c", "a−b+c"),
+        ("(a + b)**2", "(a+b)²"),
+        ("-a**2", "−a²"),
+        ("(-a)**2", "(−a)²"),
+        ("a**-2", "a⁻²"),
+        ("a * b / (c * d)", "a·bc·d"),
+        ("sqrt(a + b)", "√a+b"),
+        ("total(a * b)", "Σ(a·b)"),
+        ("modulus(a)", "|a|"),
+        ("cis(a)", "ei·a"),
+        ("exp(a)", "ea"),
+        ("largest(a, b)", "max(a; b)"),
+        ("a * b**0.25", "a·b0.25"),
+        ("conj(a)", "a"),
+        ("log10(a)", "lg(a)"),
+        ("(a / b)**2", "(ab)2"),
     ],
-)  # fmt: skip
+)
 def test_brackets_stand_where_they_must(source: str, shown: str) -> None:
     assert written(box(source)) == shown
 
@@ -83,7 +98,15 @@ def test_numbers_in_place_of_symbols_get_their_brackets() -> None:
 
 @pytest.mark.parametrize(
     "name, text",
-    [("C_1⁻,res", "C−1,res"), ("F_n⁺", "F+n"), ("φ_0", "φ0"), ("|C_S|", "|CS|"), ("a/(ω²·r)", "a/(ω²·r)"), ("α_wt", "αwt"), ("F⁺", "F+")],
+    [
+        ("C_1⁻,res", "C−1,res"),
+        ("F_n⁺", "F+n"),
+        ("φ_0", "φ0"),
+        ("|C_S|", "|CS|"),
+        ("a/(ω²·r)", "a/(ω²·r)"),
+        ("α_wt", "αwt"),
+        ("F⁺", "F+"),
+    ],
 )
 def test_symbols(name: str, text: str) -> None:
     made = symbol(name, SIZE)

@@ -41,8 +41,11 @@ from tests.reports.reading import V12, solved
 pytestmark = pytest.mark.usefixtures("written_once")
 
 
-def rewritten(pdf: bytes, files: dict[str, bytes] | None = None, page: tuple[bytes, bytes] | None = None, keywords: str = "") -> bytes:
-    """The report with other attachments, with a word of its first page changed, or with other keywords; the rest as it was."""
+def rewritten(
+    pdf: bytes, files: dict[str, bytes] | None = None, page: tuple[bytes, bytes] | None = None, keywords: str = ""
+) -> bytes:
+    """The report with other attachments, with a word of its first page changed, or with other keywords; the rest as it
+    was."""
     reader, writer = PdfReader(io.BytesIO(pdf)), PdfWriter()
     for old in reader.pages:
         writer.add_page(old)
@@ -67,7 +70,9 @@ def test_what_was_written_is_identical(depth: str, lang: str) -> None:
     assert found.verdict is Verdict.IDENTICAL and found.version == verifying.VERSION and not found.differences
 
 
-def test_a_copy_with_other_bytes_is_said_to_be_one(made: bytes, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_copy_with_other_bytes_is_said_to_be_one(
+    made: bytes, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     """As a program leaves it that makes a document smaller; whatever it holds, nobody vouches for it."""
     path = tmp_path / "anew.pdf"
     path.write_bytes(written(PdfWriter(clone_from=io.BytesIO(made))))
@@ -101,7 +106,9 @@ def test_a_changed_page_is_found(made: bytes) -> None:
     assert not found.changed and "page 1" in [one.what for one in found.differences]
 
 
-def test_another_version_is_a_word_of_its_own(monkeypatch: pytest.MonkeyPatch, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_another_version_is_a_word_of_its_own(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     """Its version stands at the foot of every page; that alone is no difference."""
     with monkeypatch.context() as then:
         for module in (binding, title_block):
@@ -125,7 +132,11 @@ def test_exit_codes_and_words(made: bytes, tmp_path: Path, capsys: pytest.Captur
     path.write_bytes(rewritten(made, {NAME: raw.replace(b"rated_speed_rpm = ", b"rated_speed_rpm = 1")}))
     assert main(["verify", str(path)]) == 1
     short = capsys.readouterr().out
-    assert "the attachment design.toml is not the one" in short and short.endswith("differs\n") and "--all lists them" in short
+    assert (
+        "the attachment design.toml is not the one" in short
+        and short.endswith("differs\n")
+        and "--all lists them" in short
+    )
     assert main(["verify", str(path), "--all"]) == 1
     assert len(capsys.readouterr().out) > len(short)
 
@@ -164,11 +175,17 @@ def written(writer: PdfWriter) -> bytes:
 
 def test_keywords_that_no_report_has_are_refused(made: bytes) -> None:
     about = str(PdfReader(io.BytesIO(made)).metadata.keywords)  # type: ignore[union-attr]
-    for wrong in (about.replace("depth:engineer", "depth:foo"), about.replace("lang:en", "lang:xx"), "Contralbero 0.1.0"):
+    for wrong in (
+        about.replace("depth:engineer", "depth:foo"),
+        about.replace("lang:en", "lang:xx"),
+        "Contralbero 0.1.0",
+    ):
         with pytest.raises(BadInput, match="no report of this program"):
             verify(rewritten(made, keywords=wrong), "x.pdf")
     found = verify(rewritten(made, keywords=about + ", depth:audit"), "x.pdf")
-    assert "the document's keywords" in [one.what for one in found.differences], "of a keyword that stands twice the first counts"
+    assert "the document's keywords" in [one.what for one in found.differences], (
+        "of a keyword that stands twice the first counts"
+    )
 
 
 def test_what_is_laid_over_a_page_or_hidden_beside_the_design_is_found(made: bytes) -> None:
@@ -193,11 +210,18 @@ def painted(writer: PdfWriter) -> StreamObject:
     """What an annotation may look like: a green field over everything."""
     stream = DecodedStreamObject()
     stream.set_data(b"0 1 0 rg 0 0 500 500 re f")
-    stream.update({NameObject("/Subtype"): NameObject("/Form"), NameObject("/BBox"): ArrayObject(map(NumberObject, (0, 0, 500, 500)))})
+    stream.update(
+        {
+            NameObject("/Subtype"): NameObject("/Form"),
+            NameObject("/BBox"): ArrayObject(map(NumberObject, (0, 0, 500, 500))),
+        }
+    )
     return writer._add_object(stream)
 
 
-def laid(writer: PdfWriter, number: int = 0, rect: Sequence[float] = (50, 600, 500, 700), **kind: str) -> DictionaryObject:
+def laid(
+    writer: PdfWriter, number: int = 0, rect: Sequence[float] = (50, 600, 500, 700), **kind: str
+) -> DictionaryObject:
     """An annotation that paints over a page."""
     one = DictionaryObject({NameObject("/Rect"): ArrayObject(map(FloatObject, rect))})
     one.update({NameObject(f"/{key}"): NameObject(f"/{value}") for key, value in kind.items()})
@@ -254,11 +278,30 @@ def retitled(writer: PdfWriter) -> None:
         (another_file, "attachment design.toml"),
         (opened, "the document as a whole"),
         (lambda w: w.add_metadata({"/Title": "all checks pass"}), "the document's title"),
-        (lambda w: w._root_object["/Names"].update({NameObject("/JavaScript"): DictionaryObject()}), "the document as a whole"),
+        (
+            lambda w: w._root_object["/Names"].update({NameObject("/JavaScript"): DictionaryObject()}),
+            "the document as a whole",
+        ),
     ],
-    ids=["crop", "turn", "font", "link", "button", "stamp", "script of a field", "alt", "xmp", "file", "action", "title", "script"],
+    ids=[
+        "crop",
+        "turn",
+        "font",
+        "link",
+        "button",
+        "stamp",
+        "script of a field",
+        "alt",
+        "xmp",
+        "file",
+        "action",
+        "title",
+        "script",
+    ],
 )
-def test_what_a_reader_would_see_or_take_otherwise_is_found(made: bytes, how: Callable[[PdfWriter], None], what: str) -> None:
+def test_what_a_reader_would_see_or_take_otherwise_is_found(
+    made: bytes, how: Callable[[PdfWriter], None], what: str
+) -> None:
     assert what in forged(made, how)
 
 
@@ -266,7 +309,9 @@ def test_a_clone_alone_is_no_forgery(made: bytes) -> None:
     assert not forged(made, lambda writer: None)
 
 
-def test_a_name_that_a_terminal_would_obey_is_written_out(made: bytes, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_name_that_a_terminal_would_obey_is_written_out(
+    made: bytes, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     writer = PdfWriter(clone_from=io.BytesIO(made))
     writer.add_attachment("x\x1b[2K\ridentical\x1b[8m", b"1")
     path = tmp_path / "x.pdf"
@@ -346,7 +391,8 @@ def test_what_is_no_file_of_a_report_is_refused(tmp_path: Path, capsys: pytest.C
         os.mkfifo(tmp_path / "pipe.pdf")
         paths += [tmp_path / "pipe.pdf", Path(os.devnull)]
     for path, reason in zip(
-        paths, ("Is a directory", f"at most {PDF_BYTES:,}", "cannot be read", "cannot be read", *("is no regular file",) * 2)
+        paths,
+        ("Is a directory", f"at most {PDF_BYTES:,}", "cannot be read", "cannot be read", *("is no regular file",) * 2),
     ):
         assert main(["verify", str(path)]) == 2
         assert reason in capsys.readouterr().err

@@ -26,7 +26,9 @@ def stamped(made: bytes, rect: tuple[float, ...], page: int = 0) -> bytes:
     return update.written()
 
 
-def test_a_signature_over_what_is_printed_is_a_word_of_its_own(made: bytes, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_signature_over_what_is_printed_is_a_word_of_its_own(
+    made: bytes, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     """A green PASS set over the verdict as the look of a signature is no signature."""
     verdict = next(span for span in spans(made) if span.size == 15.0)
     path = tmp_path / "stamped.pdf"
@@ -39,7 +41,9 @@ def test_a_signature_over_what_is_printed_is_a_word_of_its_own(made: bytes, tmp_
 
 def test_a_signature_over_a_figure_covers_it(made: bytes) -> None:
     pdf = Pdf(made)
-    page, box = next((n, box) for n, one in enumerate(page_references(pdf)) for box, text in printed(pdf, one) if text == "figure")
+    page, box = next(
+        (n, box) for n, one in enumerate(page_references(pdf)) for box, text in printed(pdf, one) if text == "figure"
+    )
     found = verify(stamped(made, (box[0] + 1, box[1] + 1, box[0] + 9, box[1] + 9), page), "x.pdf")
     assert found.verdict is Verdict.COVERED
     assert [one.what for one in found.differences] == [f"page {page + 1}, under the field of a signature"]
@@ -53,7 +57,9 @@ def test_the_bar_of_a_fraction_belongs_to_its_formula(engineer: bytes) -> None:
     assert covered((left, (low + top) / 2, right, (low + top) / 2 + 0.1), [((left, low, right, top), "formula")])
 
 
-def test_a_signature_in_its_box_is_said_and_no_difference(made: bytes, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_signature_in_its_box_is_said_and_no_difference(
+    made: bytes, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     """A field that fills the box to sign in, whichever row it is, covers nothing."""
     for row in ("Prepared", "Checked", "Approved"):
         label = next(span for span in spans(made) if span.text == row)
@@ -64,14 +70,20 @@ def test_a_signature_in_its_box_is_said_and_no_difference(made: bytes, tmp_path:
         assert (found.verdict, found.signed) == (Verdict.SIGNED, (1,))
     assert main(["verify", str(path)]) == 0
     out = capsys.readouterr().out
-    assert "page 1 carries the field of a signature" in out and out.splitlines()[-1].startswith("signed, or prepared for it")
+    assert "page 1 carries the field of a signature" in out and out.splitlines()[-1].startswith(
+        "signed, or prepared for it"
+    )
 
 
 def test_a_field_is_prepared_first_and_signed_later(made: bytes) -> None:
     """Each program appends what is its own."""
     update = Update(stamped(made, EMPTY))
     field = update.at("/AcroForm", "/Fields", 0)
-    update.swap(field, rb"/F 132", b"/F 132 /V %d 0 R" % update.add(b"<< /Type /Sig /Filter /Adobe.PPKLite /ByteRange [0 1 2 3] >>"))
+    update.swap(
+        field,
+        rb"/F 132",
+        b"/F 132 /V %d 0 R" % update.add(b"<< /Type /Sig /Filter /Adobe.PPKLite /ByteRange [0 1 2 3] >>"),
+    )
     update.entry(update.info, b"ModDate", b"(D:20260314)")
     assert verify(update.written(), "x.pdf").verdict is Verdict.SIGNED
 

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Writes `tables/film_table.npy` from direct solutions:  python -m calc.bearings.film.build_table  (about half a minute).
+"""Writes `tables/film_table.npy` from direct solutions:  python -m calc.bearings.film.build_table  (about half a
+minute).
 
 Needed only after a change of `reynolds` or of the nodes below.  The same code writes the same bytes.
 """
@@ -48,7 +49,8 @@ def node_values(eccentricity: float, length_ratio: float) -> tuple[float, ...]:
 
 
 def build() -> Array:
-    """The table as one structured value: the nodes, and value, d/dx, d/dy and d²/dxdy of each quantity's bicubic spline."""
+    """The table as one structured value: the nodes, and value, d/dx, d/dy and d²/dxdy of each quantity's bicubic
+    spline."""
     from scipy.interpolate import RectBivariateSpline  # type: ignore[import-untyped]
 
     eccentricities, length_ratios = eccentricity_nodes(), length_ratio_nodes()
@@ -60,7 +62,11 @@ def build() -> Array:
         for dy in (0, 1):
             for dx in (0, 1):
                 rows[dy::2, dx::2, quantity] = spline(x, y, dx=dx, dy=dy).T
-    shape = [("eccentricity", "<f8", (ECCENTRICITIES,)), ("length_ratio", "<f8", (LENGTH_RATIOS,)), ("rows", "<f8", rows.shape)]
+    shape = [
+        ("eccentricity", "<f8", (ECCENTRICITIES,)),
+        ("length_ratio", "<f8", (LENGTH_RATIOS,)),
+        ("rows", "<f8", rows.shape),
+    ]
     table = np.zeros((), dtype=shape)
     table["eccentricity"], table["length_ratio"], table["rows"] = eccentricities, length_ratios, rows
     return table

@@ -1,20 +1,22 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The journal on its film as a spring and damper: eight coefficients, the threshold of stability, the orbit under a standing force.
+"""The journal on its film as a spring and damper: eight coefficients, the threshold of stability, the orbit under a
+standing force.
 
-The seat is round, so that the film's force depends on the eccentricity alone and turns with the line of centres: the four stiffnesses
-follow from So(ε) and φ(ε).  A line of centres that turns acts like a slower drag, ω − 2·dφ/dt, which gives the damping across; the
-matrix of damping is symmetric; only the damping along the eccentricity asks for a solution of its own (`reynolds.radial_damping`).
+The seat is round, so that the film's force depends on the eccentricity alone and turns with the line of centres: the
+four stiffnesses follow from So(ε) and φ(ε).  A line of centres that turns acts like a slower drag, ω − 2·dφ/dt, which
+gives the damping across; the matrix of damping is symmetric; only the damping along the eccentricity asks for a
+solution of its own (`reynolds.radial_damping`).
 
-Coordinates: X along the load, Y 90° further in the sense in which the film is dragged past the load.  A load that turns with the shaft
-is looked at from its own frame: there the seat turns backward, so that "further" is against the shaft, and all speeds are those of the
-effective speed |n_J + n_B − 2·n_F|.
+Coordinates: X along the load, Y 90° further in the sense in which the film is dragged past the load.  A load that turns
+with the shaft is looked at from its own frame: there the seat turns backward, so that "further" is against the shaft,
+and all speeds are those of the effective speed |n_J + n_B − 2·n_F|.
 
-Range: that of `table`; motions small against the smallest film.  The film is fed at its widest place, wherever the journal goes.
-Accuracy: 1e-3 in the stiffnesses and damping of the table.
+Range: that of `table`; motions small against the smallest film.  The film is fed at its widest place, wherever the
+journal goes. Accuracy: 1e-3 in the stiffnesses and damping of the table.
 
-Sources: J. W. Lund, ASME J. Tribology 109 (1987) 37-41 (the coefficients and what they are used for); J. W. Lund, Self-excited,
-stationary whirl orbits of a journal in a sleeve bearing, thesis, Rensselaer 1966 (threshold of the rigid shaft).
-"""
+Sources: J. W. Lund, ASME J. Tribology 109 (1987) 37-41 (the coefficients and what they are used for); J. W. Lund,
+Self-excited, stationary whirl orbits of a journal in a sleeve bearing, thesis, Rensselaer 1966 (threshold of the rigid
+shaft)."""
 
 import numpy as np
 
@@ -44,20 +46,28 @@ from . import table as tabulated
 
 # Stiffness, damping, stability and orbit of a journal on its film, as lines of the calculation.
 #
-# X points along the load, Y 90° further in the sense in which the film is dragged; K_ij and C_ij are the force on the film along i for a
-# displacement or velocity along j.  g is the diametral clearance, ω the effective hydrodynamic speed.
+# X points along the load, Y 90° further in the sense in which the film is dragged; K_ij and C_ij are the force on the
+# film along i for a displacement or velocity along j.  g is the diametral clearance, ω the effective hydrodynamic
+# speed.
 
 TABLE = Text("Reynolds 1886, full bearing with Swift–Stieber film end; this program's own solution, tabulated")
-TURNED = Text("hydrodynamics, displaced journal: the film's force turns with the line of centres (rotational symmetry of the seat)")
+TURNED = Text(
+    "hydrodynamics, displaced journal: the film's force turns with the line of centres (rotational symmetry of the "
+    "seat)"
+)
 WHIRL = Text("hydrodynamics, a moving line of centres acts as the effective speed ω − 2·dφ/dt; damping is symmetric")
 SCALE = Text("definition of the dimensionless coefficient, k = K·c/F and c = C·c·ω/F")
 LUND = Text("Lund 1966, Self-excited stationary whirl orbits of a journal in a sleeve bearing: rigid shaft")
-FRAME = Text("(K + i·Ω·C)·x = F_0 in the load's frame, where F_0 = R_0·(1, −i) turns at Ω; the shaft's acceleration seen from that frame")
+FRAME = Text(
+    "(K + i·Ω·C)·x = F_0 in the load's frame, where F_0 = R_0·(1, −i) turns at Ω; the shaft's acceleration seen from "
+    "that frame"
+)
 IMPEDANCE = Text("dynamics: impedance of film and mass; {frame}", frame=FRAME)
 MOTION = Text("dynamics: motion of the journal about its place under the load; {frame}", frame=FRAME)
 
 
-# --- dimensionless, over the load ---------------------------------------------------------------------------------------------
+# --- dimensionless, over the load
+# ---------------------------------------------------------------------------------------------
 @formula("(ln So)'", TABLE, shows="d ln So/dε at constant l/d, from the table of Reynolds' solutions")
 def load_slope(eps: Number, b: Number) -> Number:
     return tabulated.traced_film_slopes(eps, b)[0]
@@ -119,7 +129,8 @@ def grooved_coefficient(value: Number, eps: Number, b: Number) -> Number:
     return value
 
 
-# --- with their units ---------------------------------------------------------------------------------------------------------
+# --- with their units
+# ---------------------------------------------------------------------------------------------------------
 @formula("K_xx", SCALE)
 def stiffness_xx(k_xx: Number, F: Newton, g: Metre) -> NewtonPerMetre:
     return k_xx * F / (g / 2)
@@ -156,9 +167,12 @@ def damping_yy(c_yy: Number, F: Newton, g: Metre, omega: RadPerSecond) -> Newton
     return c_yy * F / (g / 2 * omega)
 
 
-# --- stability ----------------------------------------------------------------------------------------------------------------
+# --- stability
+# ----------------------------------------------------------------------------------------------------------------
 @formula("k_eq", LUND)
-def equivalent_stiffness(k_xx: Number, k_xy: Number, k_yx: Number, k_yy: Number, c_xx: Number, c_xy: Number, c_yy: Number) -> Number:
+def equivalent_stiffness(
+    k_xx: Number, k_xy: Number, k_yx: Number, k_yy: Number, c_xx: Number, c_xy: Number, c_yy: Number
+) -> Number:
     return (k_xx * c_yy + k_yy * c_xx - k_xy * c_xy - k_yx * c_xy) / (c_xx + c_yy)
 
 
@@ -166,7 +180,8 @@ def equivalent_stiffness(k_xx: Number, k_xy: Number, k_yx: Number, k_yy: Number,
 def whirl_ratio_squared(
     k_eq: Number, k_xx: Number, k_xy: Number, k_yx: Number, k_yy: Number, c_xx: Number, c_xy: Number, c_yy: Number
 ) -> Number:
-    """Square of the whirl's frequency over ω at the threshold, for a load that stands; negative: no mass makes the shaft unstable."""
+    """Square of the whirl's frequency over ω at the threshold, for a load that stands; negative: no mass makes the
+    shaft unstable."""
     return ((k_eq - k_xx) * (k_eq - k_yy) - k_xy * k_yx) / (c_xx * c_yy - c_xy**2)
 
 
@@ -183,14 +198,25 @@ def critical_mass(k_eq: Number, square: Number, F: Newton, g: Metre, omega: RadP
 
 @formula(
     "m_c",
-    "dynamics: Routh–Hurwitz on m·(s² − 2·Ω·J·s − Ω²) + C·s + K, the shaft's motion seen from the load, past which what stands turns at Ω",
+    "dynamics: Routh–Hurwitz on m·(s² − 2·Ω·J·s − Ω²) + C·s + K, the shaft's motion seen from the load, past which "
+    "what stands turns at Ω",
     shows="smallest mass at which a root s of |m·(s² − 2·Ω·J·s − Ω²) + C·s + K| = 0 reaches the imaginary axis",
 )
 def critical_mass_turning(
-    k_xx: Number, k_xy: Number, k_yx: Number, k_yy: Number, c_xx: Number, c_xy: Number, c_yy: Number, F: Newton, g: Metre,
-    omega: RadPerSecond, Omega: RadPerSecond,
-) -> Kilogram:  # fmt: skip
-    """The bearing's share of a rigid shaft's mass beyond which its place under the turning load is lost; infinite where none is.
+    k_xx: Number,
+    k_xy: Number,
+    k_yx: Number,
+    k_yy: Number,
+    c_xx: Number,
+    c_xy: Number,
+    c_yy: Number,
+    F: Newton,
+    g: Metre,
+    omega: RadPerSecond,
+    Omega: RadPerSecond,
+) -> Kilogram:
+    """The bearing's share of a rigid shaft's mass beyond which its place under the turning load is lost; infinite where
+    none is.
 
     At Ω = 0 this is Lund's.  J turns by 90° from X to Y.  One bearing at a time.
     """
@@ -201,10 +227,11 @@ def critical_mass_turning(
 @design_by_design
 def _least_mass(
     f: Number, k_xx: Number, k_xy: Number, k_yx: Number, k_yy: Number, c_xx: Number, c_xy: Number, c_yy: Number
-) -> Number:  # fmt: skip
+) -> Number:
     """The smallest mass, over F/(c·ω²), at which a root reaches the imaginary axis."""
     det = k_xx * k_yy - k_xy * k_yx
-    # coefficients of s³ to s⁰, those of s³ and s⁴ without their factors m and m²; polynomials of m over F/(c·ω²), highest power first
+    # coefficients of s³ to s⁰, those of s³ and s⁴ without their factors m and m²; polynomials of m over F/(c·ω²),
+    # highest power first
     a3 = c_xx + c_yy
     a2 = np.array([2 * f**2, k_xx + k_yy, c_xx * c_yy - c_xy**2])
     a1 = np.array([-(f**2) * a3 - 2 * f * (k_xy - k_yx), c_xx * k_yy + c_yy * k_xx - c_xy * (k_xy + k_yx)])
@@ -221,44 +248,63 @@ def threshold_speed(n_h: RevPerSecond, m_c: Kilogram, m: Kilogram) -> RevPerSeco
     return n_h * sqrt(m_c / m)
 
 
-# --- orbit --------------------------------------------------------------------------------------------------------------------
+# --- orbit
+# --------------------------------------------------------------------------------------------------------------------
 @formula(
-    "Ω", "kinematics: speed of a force that stands still, seen from the turning load, positive in the sense in which the film is dragged"
+    "Ω",
+    "kinematics: speed of a force that stands still, seen from the turning load, positive in the sense in which the "
+    "film is dragged",
 )
 def relative_speed(sense: Number, n_F: RevPerSecond) -> RadPerSecond:
     return -sense * 2 * pi * n_F
 
 
 @formula("Z_xx", IMPEDANCE)
-def impedance_xx(K_xx: NewtonPerMetre, C_xx: NewtonSecondPerMetre, Omega: RadPerSecond, m: Kilogram) -> PhasorNewtonPerMetre:
+def impedance_xx(
+    K_xx: NewtonPerMetre, C_xx: NewtonSecondPerMetre, Omega: RadPerSecond, m: Kilogram
+) -> PhasorNewtonPerMetre:
     return K_xx + 1j * Omega * C_xx - 2 * m * Omega**2
 
 
 @formula("Z_xy", IMPEDANCE)
-def impedance_xy(K_xy: NewtonPerMetre, C_xy: NewtonSecondPerMetre, Omega: RadPerSecond, m: Kilogram) -> PhasorNewtonPerMetre:
+def impedance_xy(
+    K_xy: NewtonPerMetre, C_xy: NewtonSecondPerMetre, Omega: RadPerSecond, m: Kilogram
+) -> PhasorNewtonPerMetre:
     return K_xy + 1j * Omega * C_xy + 2j * m * Omega**2
 
 
 @formula("Z_yx", IMPEDANCE)
-def impedance_yx(K_yx: NewtonPerMetre, C_xy: NewtonSecondPerMetre, Omega: RadPerSecond, m: Kilogram) -> PhasorNewtonPerMetre:
+def impedance_yx(
+    K_yx: NewtonPerMetre, C_xy: NewtonSecondPerMetre, Omega: RadPerSecond, m: Kilogram
+) -> PhasorNewtonPerMetre:
     return K_yx + 1j * Omega * C_xy - 2j * m * Omega**2
 
 
 @formula("Z_yy", IMPEDANCE)
-def impedance_yy(K_yy: NewtonPerMetre, C_yy: NewtonSecondPerMetre, Omega: RadPerSecond, m: Kilogram) -> PhasorNewtonPerMetre:
+def impedance_yy(
+    K_yy: NewtonPerMetre, C_yy: NewtonSecondPerMetre, Omega: RadPerSecond, m: Kilogram
+) -> PhasorNewtonPerMetre:
     return K_yy + 1j * Omega * C_yy - 2 * m * Omega**2
 
 
 @formula("x", MOTION, unit="µm")
 def motion_x(
-    R_0: Newton, Z_xx: PhasorNewtonPerMetre, Z_xy: PhasorNewtonPerMetre, Z_yx: PhasorNewtonPerMetre, Z_yy: PhasorNewtonPerMetre
+    R_0: Newton,
+    Z_xx: PhasorNewtonPerMetre,
+    Z_xy: PhasorNewtonPerMetre,
+    Z_yx: PhasorNewtonPerMetre,
+    Z_yy: PhasorNewtonPerMetre,
 ) -> PhasorMetre:
     return R_0 * (Z_yy + 1j * Z_xy) / (Z_xx * Z_yy - Z_xy * Z_yx)
 
 
 @formula("y", MOTION, unit="µm")
 def motion_y(
-    R_0: Newton, Z_xx: PhasorNewtonPerMetre, Z_xy: PhasorNewtonPerMetre, Z_yx: PhasorNewtonPerMetre, Z_yy: PhasorNewtonPerMetre
+    R_0: Newton,
+    Z_xx: PhasorNewtonPerMetre,
+    Z_xy: PhasorNewtonPerMetre,
+    Z_yx: PhasorNewtonPerMetre,
+    Z_yy: PhasorNewtonPerMetre,
 ) -> PhasorMetre:
     return -R_0 * (1j * Z_xx + Z_yx) / (Z_xx * Z_yy - Z_xy * Z_yx)
 
@@ -296,10 +342,9 @@ class Coefficients:
 class Dynamics:
     """Stiffness and damping of the film as judged, and the mass of shaft it can hold.
 
-    `critical_mass` None: no mass makes the shaft unstable.  `whirl_ratio` and `threshold_speed` are there for a load that stands; under a
-    load that turns with the shaft the threshold is that of the place in the load's frame, which no single speed marks, since the load
-    grows with it.
-    """
+    `critical_mass` None: no mass makes the shaft unstable.  `whirl_ratio` and `threshold_speed` are there for a load
+    that stands; under a load that turns with the shaft the threshold is that of the place in the load's frame, which no
+    single speed marks, since the load grows with it."""
 
     stiffness_xx: NewtonPerMetre = value("Stiffness along the load", "N/m", "K_xx")
     stiffness_xy: NewtonPerMetre = value("Stiffness along the load, displaced across it", "N/m", "K_xy")
@@ -310,7 +355,9 @@ class Dynamics:
     damping_yx: NewtonSecondPerMetre = value("Damping across the load, moving along it", "N·s/m", "C_yx")
     damping_yy: NewtonSecondPerMetre = value("Damping across the load", "N·s/m", "C_yy")
     whirl_ratio: Number | None = value("Whirl at the threshold over the speed", "", "γ", default=None)
-    critical_mass: Kilogram | None = value("Mass of shaft on this bearing that its film just holds", "kg", "m_c", default=None)
+    critical_mass: Kilogram | None = value(
+        "Mass of shaft on this bearing that its film just holds", "kg", "m_c", default=None
+    )
     threshold_speed: RevPerSecond | None = value("Speed at which the shaft begins to whirl", "rpm", "n_c", default=None)
 
 
@@ -324,7 +371,8 @@ class Orbit:
 
 
 def coefficients(eps: Number, b: Number, phi: Radian | None = None) -> Coefficients:
-    """The coefficients over the load at ε and l/d; `phi`: φ where a line of the calculation has it already.  Floats or arrays.
+    """The coefficients over the load at ε and l/d; `phi`: φ where a line of the calculation has it already.  Floats or
+    arrays.
 
     Raises FilmRangeError outside the table.
     """
@@ -332,15 +380,26 @@ def coefficients(eps: Number, b: Number, phi: Radian | None = None) -> Coefficie
     q, a = load_slope(eps=eps, b=b), attitude_slope(eps=eps, b=b)
     c_rr = radial_damping(eps=eps, b=b)
     return Coefficients(
-        k_xx=k_xx(q=q, phi=phi), k_xy=k_xy(q=q, phi=phi), k_yx=k_yx(eps=eps, phi=phi, a=a), k_yy=k_yy(eps=eps, phi=phi, a=a),
-        c_xx=c_xx(c_rr=c_rr, eps=eps, phi=phi), c_xy=c_xy(c_rr=c_rr, eps=eps, phi=phi), c_yy=c_yy(c_rr=c_rr, eps=eps, phi=phi),
-    )  # fmt: skip
+        k_xx=k_xx(q=q, phi=phi),
+        k_xy=k_xy(q=q, phi=phi),
+        k_yx=k_yx(eps=eps, phi=phi, a=a),
+        k_yy=k_yy(eps=eps, phi=phi, a=a),
+        c_xx=c_xx(c_rr=c_rr, eps=eps, phi=phi),
+        c_xy=c_xy(c_rr=c_rr, eps=eps, phi=phi),
+        c_yy=c_yy(c_rr=c_rr, eps=eps, phi=phi),
+    )
 
 
-def dynamics(hot: Film, duty: OperatingPoint, seat: BearingCase, ratio: Number, *, mass: Kilogram | None = None) -> Dynamics:
-    """The film as a spring and damper.  `ratio`: l/d of the film (of one land, where a groove parts it); `mass`: the bearing's share of
-    the shaft's, for the threshold speed."""
-    k = coefficients(hot.eccentricity, ratio, hot.attitude) if seat.grooves is None else _between_grooves(hot, seat, ratio)
+def dynamics(
+    hot: Film, duty: OperatingPoint, seat: BearingCase, ratio: Number, *, mass: Kilogram | None = None
+) -> Dynamics:
+    """The film as a spring and damper.  `ratio`: l/d of the film (of one land, where a groove parts it); `mass`: the
+    bearing's share of the shaft's, for the threshold speed."""
+    k = (
+        coefficients(hot.eccentricity, ratio, hot.attitude)
+        if seat.grooves is None
+        else _between_grooves(hot, seat, ratio)
+    )
     F, g = duty.load, hot.clearance
     omega = f.angular_speed(n=duty.effective_speed)
     n_F, sense = _load_speed(duty, seat)
@@ -358,11 +417,18 @@ def dynamics(hot: Film, duty: OperatingPoint, seat: BearingCase, ratio: Number, 
         heaviest = None if heaviest == float("inf") else heaviest
     across = damping_xy(c_xy=k.c_xy, F=F, g=g, omega=omega)
     return Dynamics(
-        stiffness_xx=stiffness_xx(k_xx=k.k_xx, F=F, g=g), stiffness_xy=stiffness_xy(k_xy=k.k_xy, F=F, g=g),
-        stiffness_yx=stiffness_yx(k_yx=k.k_yx, F=F, g=g), stiffness_yy=stiffness_yy(k_yy=k.k_yy, F=F, g=g),
-        damping_xx=damping_xx(c_xx=k.c_xx, F=F, g=g, omega=omega), damping_xy=across, damping_yx=across,
-        damping_yy=damping_yy(c_yy=k.c_yy, F=F, g=g, omega=omega), whirl_ratio=whirl, critical_mass=heaviest, threshold_speed=threshold,
-    )  # fmt: skip
+        stiffness_xx=stiffness_xx(k_xx=k.k_xx, F=F, g=g),
+        stiffness_xy=stiffness_xy(k_xy=k.k_xy, F=F, g=g),
+        stiffness_yx=stiffness_yx(k_yx=k.k_yx, F=F, g=g),
+        stiffness_yy=stiffness_yy(k_yy=k.k_yy, F=F, g=g),
+        damping_xx=damping_xx(c_xx=k.c_xx, F=F, g=g, omega=omega),
+        damping_xy=across,
+        damping_yx=across,
+        damping_yy=damping_yy(c_yy=k.c_yy, F=F, g=g, omega=omega),
+        whirl_ratio=whirl,
+        critical_mass=heaviest,
+        threshold_speed=threshold,
+    )
 
 
 def _between_grooves(hot: Film, seat: BearingCase, ratio: Number) -> Coefficients:
@@ -386,9 +452,9 @@ def orbit(film: Dynamics, R_0: Newton, phi: Radian, duty: OperatingPoint, seat: 
 def orbit_of(film: Dynamics, R_0: Newton, Omega: RadPerSecond, phi: Radian, mass: Kilogram = 0.0) -> Orbit:
     """The same for a force that turns at Ω in the load's frame, positive in the sense in which the film is dragged.
 
-    The shaft's inertia: what stands still is not accelerated, so that of the ellipse only the part that turns against the force counts,
-    with 4·Ω²·m: one part in a hundred of the stiffness for a balance shaft of some kilograms on films of 10 µm, hence mass 0 unless given.
-    """
+    The shaft's inertia: what stands still is not accelerated, so that of the ellipse only the part that turns against
+    the force counts, with 4·Ω²·m: one part in a hundred of the stiffness for a balance shaft of some kilograms on films
+    of 10 µm, hence mass 0 unless given."""
     Z_xx = impedance_xx(K_xx=film.stiffness_xx, C_xx=film.damping_xx, Omega=Omega, m=mass)
     Z_xy = impedance_xy(K_xy=film.stiffness_xy, C_xy=film.damping_xy, Omega=Omega, m=mass)
     Z_yx = impedance_yx(K_yx=film.stiffness_yx, C_xy=film.damping_yx, Omega=Omega, m=mass)
@@ -399,6 +465,9 @@ def orbit_of(film: Dynamics, R_0: Newton, Omega: RadPerSecond, phi: Radian, mass
 
 
 def _load_speed(duty: OperatingPoint, seat: BearingCase) -> tuple[RevPerSecond, Number]:
-    """The load's speed n_F, and +1 where n_J + n_B − 2·n_F is positive, −1 where the film is dragged against the journal's sense."""
+    """The load's speed n_F, and +1 where n_J + n_B − 2·n_F is positive, −1 where the film is dragged against the
+    journal's sense."""
     i_F, i_B = seat.inputs.load_speed_ratio, seat.inputs.bush_speed_ratio or 0.0
-    return duty.speed if i_F == 1.0 else based_on(i_F * duty.speed, i_F, duty.speed), 1.0 if 1.0 + i_B - 2.0 * i_F > 0.0 else -1.0
+    return duty.speed if i_F == 1.0 else based_on(
+        i_F * duty.speed, i_F, duty.speed
+    ), 1.0 if 1.0 + i_B - 2.0 * i_F > 0.0 else -1.0

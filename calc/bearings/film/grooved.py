@@ -1,13 +1,16 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Reynolds' equation for a bearing whose film begins and ends at its feed: axial grooves or pockets that keep their angle to the load.
+"""Reynolds' equation for a bearing whose film begins and ends at its feed: axial grooves or pockets that keep their
+angle to the load.
 
-The plain bearing of `reynolds` draws its oil in at the widest film, wherever the journal goes, so that its force turns with the line of
-centres.  Grooves stand where they were cut: the film between them is a pad of its own, and all eight coefficients must be found.
+The plain bearing of `reynolds` draws its oil in at the widest film, wherever the journal goes, so that its force turns
+with the line of centres.  Grooves stand where they were cut: the film between them is a pad of its own, and all eight
+coefficients must be found.
 
-Film h = 1 − x·cos α − y·sin α over c, α from the load in the sense in which the film is dragged, (x, y) the journal's place over c; the
-equation, its film end (Swift–Stieber) and the nodes are those of `reynolds`.  In a groove or pocket the pressure is that of the feed.
-Where the journal stands follows from ε by turning the line of centres until the force lies along the load.  Stiffness and damping are
-central differences of the force over small displacements and velocities, each with a film end of its own.
+Film h = 1 − x·cos α − y·sin α over c, α from the load in the sense in which the film is dragged, (x, y) the journal's
+place over c; the equation, its film end (Swift–Stieber) and the nodes are those of `reynolds`.  In a groove or pocket
+the pressure is that of the feed. Where the journal stands follows from ε by turning the line of centres until the force
+lies along the load.  Stiffness and damping are central differences of the force over small displacements and
+velocities, each with a film end of its own.
 
 Against Someya's data book (two grooves of 10° at ±90° to the load): see `tests/calc/bearings/test_grooved.py`.
 """
@@ -30,8 +33,10 @@ from .table import FilmRangeError, short_bearing_load
 
 # Where the oil comes into a film that begins and ends there.
 
+
 class Feed(NamedTuple):
-    """A groove or pocket along the bearing.  Two of one size at one place are the same, so that films are found again by their feeds."""
+    """A groove or pocket along the bearing.  Two of one size at one place are the same, so that films are found again
+    by their feeds."""
 
     angle: float  # of its middle, from the load in the sense in which the film is dragged, rad
     arc: float  # around, rad
@@ -53,7 +58,8 @@ SPEED = 1e-3  # of c·ω·(1 − ε): how fast it moves for its damping
 
 @record
 class GroovedFilm:
-    """One state of a film with its feed, dimensionless as in `reynolds.FilmSolution`; stiffness K·c/F, damping C·c·ω/F."""
+    """One state of a film with its feed, dimensionless as in `reynolds.FilmSolution`; stiffness K·c/F, damping
+    C·c·ω/F."""
 
     eccentricity: float
     length_ratio: float
@@ -94,9 +100,15 @@ class _Force:
 
 
 def solve_grooved(
-    eccentricity: float, length_ratio: float, feeds: tuple[Feed, ...], *, feed_pressure: float = 0.0, cells: tuple[int, int] = (192, 16)
+    eccentricity: float,
+    length_ratio: float,
+    feeds: tuple[Feed, ...],
+    *,
+    feed_pressure: float = 0.0,
+    cells: tuple[int, int] = (192, 16),
 ) -> GroovedFilm:
-    """The film at ε, l/d, with its coefficients.  `feed_pressure`: over μ·ω·(r/c)².  Raises ValueError outside 0.02 <= ε <= 0.98."""
+    """The film at ε, l/d, with its coefficients.  `feed_pressure`: over μ·ω·(r/c)².  Raises ValueError outside 0.02 <=
+    ε <= 0.98."""
     _require(eccentricity, feeds)
     found: list[Array] = []
     phi = math.atan2(math.pi * math.sqrt(1 - eccentricity**2), 4 * eccentricity)
@@ -110,10 +122,22 @@ def solve_grooved(
     So = load / 2
     k_xx, k_xy, k_yx, k_yy, c_xx, c_xy, c_yx, c_yy = (rate / load for rate in rates)
     return GroovedFilm(
-        eccentricity=eccentricity, length_ratio=length_ratio, sommerfeld=1 / (2 * math.pi * So), attitude=phi,
-        friction=sheared(eccentricity, phi, feeds) / (2 * So) + eccentricity / 2 * math.sin(phi), side_flow=side_flow,
-        pressure_ratio=load / 2 / peak, k_xx=k_xx, k_xy=k_xy, k_yx=k_yx, k_yy=k_yy, c_xx=c_xx, c_xy=c_xy, c_yx=c_yx, c_yy=c_yy,
-    )  # fmt: skip
+        eccentricity=eccentricity,
+        length_ratio=length_ratio,
+        sommerfeld=1 / (2 * math.pi * So),
+        attitude=phi,
+        friction=sheared(eccentricity, phi, feeds) / (2 * So) + eccentricity / 2 * math.sin(phi),
+        side_flow=side_flow,
+        pressure_ratio=load / 2 / peak,
+        k_xx=k_xx,
+        k_xy=k_xy,
+        k_yx=k_yx,
+        k_yy=k_yy,
+        c_xx=c_xx,
+        c_xy=c_xy,
+        c_yx=c_yx,
+        c_yy=c_yy,
+    )
 
 
 def _require(eccentricity: float, feeds: tuple[Feed, ...]) -> None:
@@ -136,7 +160,8 @@ Force = Callable[[float, float, float, float], _Force]
 
 
 def _force_of(length_ratio: float, feeds: tuple[Feed, ...], feed_pressure: float, cells: tuple[int, int]) -> Force:
-    """The force of the film for the journal's place and velocity, each along and across the load; starts from the film before."""
+    """The force of the film for the journal's place and velocity, each along and across the load; starts from the film
+    before."""
     before: list[Array] = []
 
     def force(x: float, y: float, v_x: float = 0.0, v_y: float = 0.0) -> _Force:
@@ -155,7 +180,8 @@ def _aside(force: Force, eccentricity: float, angle: float) -> float:
 
 
 def _attitude(across: Callable[[float], float], phi: float) -> float:
-    """The angle at which no force stands across the load: the line of centres turned back by what the force is off, then secants."""
+    """The angle at which no force stands across the load: the line of centres turned back by what the force is off,
+    then secants."""
     one, off = phi, across(phi)
     other = phi - 0.5 * off
     for _ in range(ITERATION_LIMIT):
@@ -172,7 +198,12 @@ def _state(force: Force, eccentricity: float, phi: float) -> Array:
     at_rest = force(x, y, 0.0, 0.0)
     step, speed = NUDGE * (1 - eccentricity), SPEED * (1 - eccentricity)
     rates = []
-    for d_x, d_y, v_x, v_y, size in ((step, 0, 0, 0, step), (0, step, 0, 0, step), (0, 0, speed, 0, speed), (0, 0, 0, speed, speed)):
+    for d_x, d_y, v_x, v_y, size in (
+        (step, 0, 0, 0, step),
+        (0, step, 0, 0, step),
+        (0, 0, speed, 0, speed),
+        (0, 0, 0, speed, speed),
+    ):
         ahead, behind = force(x + d_x, y + d_y, v_x, v_y), force(x - d_x, y - d_y, -v_x, -v_y)
         rates.append([(ahead.along - behind.along) / (2 * size), (ahead.aside - behind.aside) / (2 * size)])
     (k_xx, k_yx), (k_xy, k_yy), (c_xx, c_yx), (c_xy, c_yy) = rates
@@ -195,7 +226,9 @@ def _gamma(theta: float, eccentricity: float) -> float:
     """Sommerfeld's angle of θ, whole turns kept."""
     turns = round(theta / (2 * math.pi))
     rest = theta - 2 * math.pi * turns
-    half = math.atan2(math.sqrt(1 - eccentricity) * math.sin(rest / 2), math.sqrt(1 + eccentricity) * math.cos(rest / 2))
+    half = math.atan2(
+        math.sqrt(1 - eccentricity) * math.sin(rest / 2), math.sqrt(1 + eccentricity) * math.cos(rest / 2)
+    )
     return 2 * half + 2 * math.pi * turns
 
 
@@ -210,7 +243,9 @@ def _turn(gamma: float, spread: float) -> float:
     return turn
 
 
-def _grid(eccentricity: float, phi: float, length_ratio: float, feeds: tuple[Feed, ...], cells: tuple[int, int]) -> _Grid:
+def _grid(
+    eccentricity: float, phi: float, length_ratio: float, feeds: tuple[Feed, ...], cells: tuple[int, int]
+) -> _Grid:
     """From the middle of the first feed once round; a node on every edge of a feed, between them as in `reynolds`."""
     narrow = 1.0 - eccentricity**2
     spread = 1.0 - 1.0 / (1.0 - UNIFORM_SHARE + UNIFORM_SHARE * math.sqrt((1.0 + eccentricity) / (1.0 - eccentricity)))
@@ -244,10 +279,14 @@ def _grid(eccentricity: float, phi: float, length_ratio: float, feeds: tuple[Fee
     gamma = turn - spread * np.sin(turn)
     sine, cosine = np.sin(gamma), np.cos(gamma)
     film = narrow / (1.0 - eccentricity * cosine)
-    theta = 2.0 * np.arctan2(math.sqrt(1.0 + eccentricity) * np.sin(gamma / 2), math.sqrt(1.0 - eccentricity) * np.cos(gamma / 2))
+    theta = 2.0 * np.arctan2(
+        math.sqrt(1.0 + eccentricity) * np.sin(gamma / 2), math.sqrt(1.0 - eccentricity) * np.cos(gamma / 2)
+    )
     around = np.array(weights) * (1.0 - spread * np.cos(turn)) * film / math.sqrt(narrow)
     square = (gamma - eccentricity * sine) / narrow**1.5
-    cube = ((1.0 + 0.5 * eccentricity**2) * gamma - (2.0 - 0.5 * eccentricity * cosine) * eccentricity * sine) / narrow**2.5
+    cube = (
+        (1.0 + 0.5 * eccentricity**2) * gamma - (2.0 - 0.5 * eccentricity * cosine) * eccentricity * sine
+    ) / narrow**2.5
     conductance = 1.0 / np.diff(cube)
     drag = 6.0 * np.diff(square) * conductance
 
@@ -292,7 +331,9 @@ def _pressure(grid: _Grid, squeeze: Array, feed_pressure: float, guess: Array | 
         active = free & (source > 0.0)
     round_off = 1e-11 * float(np.abs(source).max())
     for _ in range(ITERATION_LIMIT):
-        inside[:] = np.where(free, solved_where_active(active, diagonal, along[1:-1], aside[:, :-1], source + from_held), held[1:-1, :-1])
+        inside[:] = np.where(
+            free, solved_where_active(active, diagonal, along[1:-1], aside[:, :-1], source + from_held), held[1:-1, :-1]
+        )
         push = source + along[1:] * pressure[2:, :-1] + along[:-1] * pressure[:-2, :-1] + aside * pressure[1:-1, 1:]
         push[:, 1:] += aside[:, :-1] * inside[:, :-1]
         corrected = free & np.where(active, inside > 0.0, push > round_off)
@@ -310,16 +351,19 @@ def _integrals(grid: _Grid, pressure: Array) -> _Force:
     begins, ends = np.flatnonzero(np.diff(whole.astype(int)) == 1), np.flatnonzero(np.diff(whole.astype(int)) == -1)
     wedge = float(grid.drag[begins].sum() - grid.drag[ends].sum()) * float(grid.across[-1])
     return _Force(
-        along=float(per_angle @ np.cos(grid.alpha)), aside=float(per_angle @ np.sin(grid.alpha)),
-        side_flow=math.pi / 6.0 * (leaving + wedge), peak=float(pressure.max()),
-    )  # fmt: skip
+        along=float(per_angle @ np.cos(grid.alpha)),
+        aside=float(per_angle @ np.sin(grid.alpha)),
+        side_flow=math.pi / 6.0 * (leaving + wedge),
+        peak=float(pressure.max()),
+    )
 
 
-# The film with its feed in daily use: solutions of `grooved` at some eccentricities of one bearing, and splines between them.
+# The film with its feed in daily use: solutions of `grooved` at some eccentricities of one bearing, and splines between
+# them.
 #
-# A table of its own for each l/d and each set of feeds, made when it is first asked for (three quarters of a second) and kept.  The feed's
-# pressure is left out of the film's own.  Against grids four times as fine: 1e-3 in S and φ, 2e-3 in the side flow, 1e-2 in the stiffness,
-# 4e-2 in the damping.
+# A table of its own for each l/d and each set of feeds, made when it is first asked for (three quarters of a second)
+# and kept.  The feed's pressure is left out of the film's own.  Against grids four times as fine: 1e-3 in S and φ, 2e-3
+# in the side flow, 1e-2 in the stiffness, 4e-2 in the damping.
 
 NODES = 25  # even in atanh ε
 CELLS = (96, 16)
@@ -329,7 +373,8 @@ SOURCE = Text("Reynolds 1886, bearing with axial grooves, Swift–Stieber film e
 
 @record
 class GroovedTable:
-    """Splines over x = atanh ε: values at the nodes and their second derivatives, [node, quantity]; ln(So/So_short) first."""
+    """Splines over x = atanh ε: values at the nodes and their second derivatives, [node, quantity]; ln(So/So_short)
+    first."""
 
     x: Array
     values: Array
@@ -376,11 +421,22 @@ def grooved_table(length_ratio: float, feeds: tuple[Feed, ...]) -> GroovedTable:
         load = -math.log(2 * math.pi * film.sommerfeld * length_ratio**2 * short_bearing_load(eps))
         rates = (film.k_xx, film.k_xy, film.k_yx, film.k_yy, film.c_xx, (film.c_xy + film.c_yx) / 2, film.c_yy)
         land = sheared(eps, film.attitude, feeds) / (2 * math.pi / math.sqrt(1 - eps**2))
-        rows.append([load, film.attitude, film.side_flow, film.pressure_ratio, land, *(rate * eps * (1 - eps) for rate in rates)])
+        rows.append(
+            [
+                load,
+                film.attitude,
+                film.side_flow,
+                film.pressure_ratio,
+                land,
+                *(rate * eps * (1 - eps) for rate in rates),
+            ]
+        )
     values = np.array(rows)
     fine = np.linspace(x[0], x[-1], FINE)
     table = GroovedTable(x, values, _bends(values, x[1] - x[0]), fine, np.zeros(0))
-    return GroovedTable(x, values, table.bends, fine, table.at(fine)[:, 0] + np.log(length_ratio**2 * short_bearing_load(np.tanh(fine))))
+    return GroovedTable(
+        x, values, table.bends, fine, table.at(fine)[:, 0] + np.log(length_ratio**2 * short_bearing_load(np.tanh(fine)))
+    )
 
 
 def _bends(values: Array, step: float) -> Array:
@@ -397,7 +453,9 @@ def _bends(values: Array, step: float) -> Array:
 def eccentricity_from(sommerfeld: float, length_ratio: float, feeds: Feeds, *, outside: str = ...) -> float: ...
 @overload
 def eccentricity_from(sommerfeld: Array, length_ratio: float, feeds: Feeds, *, outside: str = ...) -> Array: ...
-def eccentricity_from(sommerfeld: float | Array, length_ratio: float, feeds: Feeds, *, outside: str = "raise") -> float | Array:
+def eccentricity_from(
+    sommerfeld: float | Array, length_ratio: float, feeds: Feeds, *, outside: str = "raise"
+) -> float | Array:
     """ε at S; floats or arrays.  Outside ε 0.02 to 0.98: FilmRangeError, or with outside="nan" a nan."""
     table = grooved_table(float(length_ratio), feeds.feeds)
     S = np.asarray(sommerfeld, dtype=float)
@@ -415,7 +473,9 @@ def eccentricity_from(sommerfeld: float | Array, length_ratio: float, feeds: Fee
 def film_at(eccentricity: float, length_ratio: float, feeds: Feeds) -> GroovedPoint[float]: ...
 @overload
 def film_at(eccentricity: Array, length_ratio: float, feeds: Feeds) -> GroovedPoint[Array]: ...
-def film_at(eccentricity: float | Array, length_ratio: float, feeds: Feeds) -> GroovedPoint[float] | GroovedPoint[Array]:
+def film_at(
+    eccentricity: float | Array, length_ratio: float, feeds: Feeds
+) -> GroovedPoint[float] | GroovedPoint[Array]:
     """The film at ε; nan gives nan."""
     table = grooved_table(float(length_ratio), feeds.feeds)
     eps = np.asarray(eccentricity, dtype=float)
@@ -425,7 +485,8 @@ def film_at(eccentricity: float | Array, length_ratio: float, feeds: Feeds) -> G
     return GroovedPoint(*found) if eps.ndim else GroovedPoint(*map(float, found))
 
 
-# --- as lines of the calculation --------------------------------------------------------------------------------------------
+# --- as lines of the calculation
+# --------------------------------------------------------------------------------------------
 @formula("ε", SOURCE, shows="ε from S(ε) of the film with its grooves, inverted")
 def eccentricity(S: Number, b: Number, grooves: Feeds) -> Number:
     return eccentricity_from(S, b, grooves)

@@ -3,19 +3,19 @@
 
 The exact way, some milliseconds per state; `table` keeps the results of this module for daily use.
 
-Film h = c·(1 + ε·cos θ), θ from the widest film along the rotation; z = 2·y/l from the middle plane to the edge; pressure
-p = μ·ω·(r/c)²·Π.  Then
+Film h = c·(1 + ε·cos θ), θ from the widest film along the rotation; z = 2·y/l from the middle plane to the edge;
+pressure p = μ·ω·(r/c)²·Π.  Then
 
     ∂/∂θ(h³·∂Π/∂θ) + (d/l)²·∂/∂z(h³·∂Π/∂z) = 6·dh/dθ,        Π = 0 at θ = 0 and at z = 1,
 
-and the film ruptures where Swift and Stieber place it: Π >= 0 everywhere, and Π and its gradient vanish together.  In discrete
-form this is a linear complementarity problem.  A primal-dual active set solves it: guess which nodes carry pressure, solve
-for them, correct the guess, until nothing changes (two to five times).
+and the film ruptures where Swift and Stieber place it: Π >= 0 everywhere, and Π and its gradient vanish together.  In
+discrete form this is a linear complementarity problem.  A primal-dual active set solves it: guess which nodes carry
+pressure, solve for them, correct the guess, until nothing changes (two to five times).
 
-Around the bearing the flow between two nodes is exact for constant flow (∫h⁻²dθ and ∫h⁻³dθ by Sommerfeld's substitution), so
-the infinitely long bearing is exact at its nodes.  Each of three grids halves the steps of the one before and starts from its
-pressure; the last two give Richardson's limit.  Against far finer grids: 1e-4 in S, f* and φ at worst, 2e-5 root mean square; 3e-5
-in the flows.
+Around the bearing the flow between two nodes is exact for constant flow (∫h⁻²dθ and ∫h⁻³dθ by Sommerfeld's
+substitution), so the infinitely long bearing is exact at its nodes.  Each of three grids halves the steps of the one
+before and starts from its pressure; the last two give Richardson's limit.  Against far finer grids: 1e-4 in S, f* and φ
+at worst, 2e-5 root mean square; 3e-5 in the flows.
 
 Sources: O. Reynolds, Phil. Trans. R. Soc. 177 (1886) 157; H. W. Swift, Proc. ICE 233 (1932) 267; W. Stieber, Das
 Schwimmlager, VDI (1933); A. A. Raimondi and J. Boyd, ASLE Transactions 1 (1958) 159-209 (the dimensionless groups).
@@ -37,7 +37,9 @@ ECCENTRICITY_RANGE = (0.02, 0.98)
 LENGTH_RATIO_RANGE = (0.1, 2.0)  # and infinity
 
 ITERATION_LIMIT = 100
-LAST_TURN = 1.5 * math.pi  # end of the grid: the infinitely long bearing ruptures at 1.43·π at the latest, a shorter one earlier
+LAST_TURN = (
+    1.5 * math.pi
+)  # end of the grid: the infinitely long bearing ruptures at 1.43·π at the latest, a shorter one earlier
 UNIFORM_SHARE = 0.25  # of the nodes around: keeps the widest film resolved at high eccentricity
 EDGE_CLUSTERING = 1.5  # nodes across crowd towards the edge as tanh does
 REFINEMENTS = (4, 2, 1)
@@ -84,40 +86,51 @@ class _Grid:
 def friction_variable(eccentricity: Value, sommerfeld: Value, sine_of_attitude: Value) -> Value:
     """f* = (r/c)·f = π/(So·√(1 − ε²)) + (ε/2)·sin φ, with So = 1/(2π·S).
 
-    Exact: moment of the shear over the full circumference (Couette part) plus that of the pressure gradient, by equilibrium
-    of the film.  Counting sheared oil only where the film is whole would give 14 to 19 % less at usual working points.
-    """
-    friction: Value = 2.0 * math.pi**2 * sommerfeld / (1.0 - eccentricity**2) ** 0.5 + 0.5 * eccentricity * sine_of_attitude
+    Exact: moment of the shear over the full circumference (Couette part) plus that of the pressure gradient, by
+    equilibrium of the film.  Counting sheared oil only where the film is whole would give 14 to 19 % less at usual
+    working points."""
+    friction: Value = (
+        2.0 * math.pi**2 * sommerfeld / (1.0 - eccentricity**2) ** 0.5 + 0.5 * eccentricity * sine_of_attitude
+    )
     return friction
 
 
 def solve_film(eccentricity: float, length_ratio: float, *, cells: tuple[int, int] = (192, 16)) -> FilmSolution:
     """Solve the film of one bearing.
 
-    Range: 0.02 <= ε <= 0.98; 0.1 <= l/d <= 2, or l/d infinite.  `cells` are those of the finest grid around and across (half
-    the length), both multiples of 4.  Raises ValueError outside the range.
-    """
+    Range: 0.02 <= ε <= 0.98; 0.1 <= l/d <= 2, or l/d infinite.  `cells` are those of the finest grid around and across
+    (half the length), both multiples of 4.  Raises ValueError outside the range."""
     levels = _levels(eccentricity, length_ratio, cells)
     grid, pressure = levels[-1]
-    cosine, sine, flow, side_flow, peak = (float(value) for value in _limit(*(_integrals(*level) for level in levels[-2:])))
+    cosine, sine, flow, side_flow, peak = (
+        float(value) for value in _limit(*(_integrals(*level) for level in levels[-2:]))
+    )
 
     integral = math.hypot(cosine, sine)
     sommerfeld = 1.0 / (math.pi * integral)
     return FilmSolution(
-        eccentricity=eccentricity, length_ratio=length_ratio, sommerfeld=sommerfeld, attitude=math.atan2(sine, -cosine),
-        friction=friction_variable(eccentricity, sommerfeld, sine / integral), flow=flow, side_flow_ratio=side_flow / flow,
-        pressure_ratio=0.5 * integral / peak, theta=np.append(grid.theta, 2.0 * math.pi), pressure=np.append(pressure[:, 0], 0.0),
-        z=grid.z, pressure_along=pressure[int(pressure[:, 0].argmax())],
-    )  # fmt: skip
+        eccentricity=eccentricity,
+        length_ratio=length_ratio,
+        sommerfeld=sommerfeld,
+        attitude=math.atan2(sine, -cosine),
+        friction=friction_variable(eccentricity, sommerfeld, sine / integral),
+        flow=flow,
+        side_flow_ratio=side_flow / flow,
+        pressure_ratio=0.5 * integral / peak,
+        theta=np.append(grid.theta, 2.0 * math.pi),
+        pressure=np.append(pressure[:, 0], 0.0),
+        z=grid.z,
+        pressure_along=pressure[int(pressure[:, 0].argmax())],
+    )
 
 
 def radial_damping(eccentricity: float, length_ratio: float, *, cells: tuple[int, int] = (192, 16)) -> float:
-    """C_rr·ψ³/(2·μ·l): what the film holds against a journal that moves along its eccentricity, over its speed; not over the load.
+    """C_rr·ψ³/(2·μ·l): what the film holds against a journal that moves along its eccentricity, over its speed; not
+    over the load.
 
-    The squeeze term 12·∂h/∂t beside the wedge, the film's region held as in the static state: the same matrix, solved once more.
-    Over So it is C_rr·c·ω/F.  Accuracy 1e-3 on the usual grid and 5e-4 on 384 by 32 cells; at l/d 0.1, where few nodes stand in
-    the steep end of the film, 1e-2 and 7e-4.
-    """
+    The squeeze term 12·∂h/∂t beside the wedge, the film's region held as in the static state: the same matrix, solved
+    once more. Over So it is C_rr·c·ω/F.  Accuracy 1e-3 on the usual grid and 5e-4 on 384 by 32 cells; at l/d 0.1, where
+    few nodes stand in the steep end of the film, 1e-2 and 7e-4."""
     levels = _levels(eccentricity, length_ratio, cells)
     return float(_limit(*(np.asarray(_squeezed(eccentricity, *level)) for level in levels[-2:])))
 
@@ -148,13 +161,16 @@ def _require(eccentricity: float, length_ratio: float, cells: tuple[int, int]) -
         raise ValueError(f"eccentricity ratio {eccentricity:g}: Reynolds' equation is solved from {low:g} to {high:g}")
     low, high = LENGTH_RATIO_RANGE
     if not (low <= length_ratio <= high or length_ratio == math.inf):
-        raise ValueError(f"length ratio l/d {length_ratio:g}: Reynolds' equation is solved from {low:g} to {high:g}, or infinite")
+        raise ValueError(
+            f"length ratio l/d {length_ratio:g}: Reynolds' equation is solved from {low:g} to {high:g}, or infinite"
+        )
     if cells[0] < 24 or cells[1] < 4 or cells[0] % 4 or cells[1] % 4:
         raise ValueError(f"cells {cells}: two multiples of 4, from (24, 4) up")
 
 
 def film_grid(eccentricity: float, length_ratio: float, cells_around: int, cells_across: int) -> _Grid:
-    """Nodes around: Sommerfeld's angle γ, 1 + ε·cos θ = (1 − ε²)/(1 − ε·cos γ), itself spread a little over the widest film."""
+    """Nodes around: Sommerfeld's angle γ, 1 + ε·cos θ = (1 − ε²)/(1 − ε·cos γ), itself spread a little over the widest
+    film."""
     narrow = 1.0 - eccentricity**2
     squeeze = math.sqrt((1.0 + eccentricity) / (1.0 - eccentricity))
     spread = 1.0 - 1.0 / (1.0 - UNIFORM_SHARE + UNIFORM_SHARE * squeeze)
@@ -171,7 +187,16 @@ def film_grid(eccentricity: float, length_ratio: float, cells_around: int, cells
     drag = 6.0 * np.diff(square) * conductance
 
     if math.isinf(length_ratio):
-        return _Grid(theta, around, np.array([1.0, 0.0]), film, conductance, drag, np.zeros((theta.size, 1)), np.array([0.0, 1.0]))
+        return _Grid(
+            theta,
+            around,
+            np.array([1.0, 0.0]),
+            film,
+            conductance,
+            drag,
+            np.zeros((theta.size, 1)),
+            np.array([0.0, 1.0]),
+        )
     gap = np.diff(np.tanh(np.linspace(0.0, EDGE_CLUSTERING, cells_across + 1))) / math.tanh(EDGE_CLUSTERING)
     across = 0.5 * (np.append(gap, 0.0) + np.append(0.0, gap))
     sideways = (film**3 * around / length_ratio**2)[:, None] / gap
@@ -182,7 +207,9 @@ def film_integrals(gamma: Array, eccentricity: float | Array) -> tuple[Array, Ar
     """∫h⁻²dθ and ∫h⁻³dθ from the widest film to Sommerfeld's angle γ."""
     narrow, sine, cosine = 1.0 - eccentricity**2, np.sin(gamma), np.cos(gamma)
     square = (gamma - eccentricity * sine) / narrow**1.5
-    cube = ((1.0 + 0.5 * eccentricity**2) * gamma - (2.0 - 0.5 * eccentricity * cosine) * eccentricity * sine) / narrow**2.5
+    cube = (
+        (1.0 + 0.5 * eccentricity**2) * gamma - (2.0 - 0.5 * eccentricity * cosine) * eccentricity * sine
+    ) / narrow**2.5
     return square, cube
 
 
@@ -200,7 +227,8 @@ def _refined(pressure: Array, nodes_across: int) -> Array:
 
 
 def _links(grid: _Grid) -> tuple[Array, Array, Array]:
-    """The matrix A: links around, links across towards the edge, and the diagonal, at the nodes where Π is not given."""
+    """The matrix A: links around, links across towards the edge, and the diagonal, at the nodes where Π is not
+    given."""
     along = grid.conductance[:, None] * grid.across[:-1]
     aside = grid.sideways[1:-1]
     diagonal = along[1:] + along[:-1] + aside
@@ -214,11 +242,13 @@ def _pressure(grid: _Grid, guess: Array | None) -> Array:
     return pressure_of(grid.theta, *_links(grid), source, None if guess is None else guess[1:-1, :-1] > 0.0)
 
 
-def pressure_of(theta: Array, along: Array, aside: Array, diagonal: Array, source: Array, active: Mask | None = None) -> Array:
+def pressure_of(
+    theta: Array, along: Array, aside: Array, diagonal: Array, source: Array, active: Mask | None = None
+) -> Array:
     """Π at the nodes around and across, zero at both ends around and at the last node across.
 
-    `along`: links around, [gap, node across]; `aside`: from each node across to the next; `active`: where pressure is looked for first.
-    """
+    `along`: links around, [gap, node across]; `aside`: from each node across to the next; `active`: where pressure is
+    looked for first."""
     if active is None:
         active = np.broadcast_to(theta[1:-1, None] < 1.1 * math.pi, source.shape)
     round_off = 1e-11 * float(np.abs(source).max())
@@ -226,7 +256,9 @@ def pressure_of(theta: Array, along: Array, aside: Array, diagonal: Array, sourc
     inside = pressure[1:-1, :-1]
     for _ in range(ITERATION_LIMIT):
         whole = int(np.flatnonzero(active.any(axis=1))[-1]) + 1  # nodes around that the film can reach
-        inside[:whole] = solved_where_active(active[:whole], diagonal[:whole], along[1:whole], aside[:whole, :-1], source[:whole])
+        inside[:whole] = solved_where_active(
+            active[:whole], diagonal[:whole], along[1:whole], aside[:whole, :-1], source[:whole]
+        )
         inside[whole:] = 0.0
         push = source + along[1:] * pressure[2:, :-1] + along[:-1] * pressure[:-2, :-1] + aside * pressure[1:-1, 1:]
         push[:, 1:] += aside[:, :-1] * inside[:, :-1]
@@ -234,23 +266,29 @@ def pressure_of(theta: Array, along: Array, aside: Array, diagonal: Array, sourc
         if np.array_equal(corrected, active):
             if active[-1].any():
                 end, size = Amount(theta[-2], form=".3f"), theta.size
-                raise ArithmeticError(Text("the film has not ruptured at {theta} rad, where the grid of {size} ends", theta=end, size=size))
+                raise ArithmeticError(
+                    Text(
+                        "the film has not ruptured at {theta} rad, where the grid of {size} ends", theta=end, size=size
+                    )
+                )
             return pressure
         active = corrected
     raise ArithmeticError(
         Text(
-            "no film found on {size} by {size2} nodes in {iteration_limit} corrections", size=theta.size, size2=pressure.shape[1],
+            "no film found on {size} by {size2} nodes in {iteration_limit} corrections",
+            size=theta.size,
+            size2=pressure.shape[1],
             iteration_limit=ITERATION_LIMIT,
         )
-    )  # fmt: skip
+    )
 
 
 def _squeezed(eccentricity: float, grid: _Grid, pressure: Array) -> float:
     """−½·∬Π₁·cos θ (half length) with Π₁ for ∂h/∂t = cos θ, the film where it is without.
 
-    The film ends somewhere within half a step of the first empty node.  Where, follows from the flow that the static pressure drives
-    near its end, Π'·h³ = 6·dh/dθ·(s − θ); what a shift of the end changes, from the flow of Π₁ there (Hadamard).
-    """
+    The film ends somewhere within half a step of the first empty node.  Where, follows from the flow that the static
+    pressure drives near its end, Π'·h³ = 6·dh/dθ·(s − θ); what a shift of the end changes, from the flow of Π₁ there
+    (Hadamard)."""
     active = pressure[1:-1, :-1] > 0.0
     inner = grid.across[:-1]
     along, aside, diagonal = _links(grid)
@@ -284,13 +322,19 @@ def solved_where_active(active: Mask, diagonal: Array, along: Array, aside: Arra
     )
     if failure:
         raise ArithmeticError(
-            Text("banded Cholesky of {rows} by {columns} nodes failed at row {failure}", rows=rows, columns=columns, failure=failure)
+            Text(
+                "banded Cholesky of {rows} by {columns} nodes failed at row {failure}",
+                rows=rows,
+                columns=columns,
+                failure=failure,
+            )
         )
     return np.asarray(solution, dtype=np.float64).reshape(rows, columns)
 
 
 def _integrals(grid: _Grid, pressure: Array) -> Array:
-    """∬Π·cos θ, ∬Π·sin θ (half length), inlet flow, side flow (both Q/(r·c·N·l)) and the largest Π of the middle plane."""
+    """∬Π·cos θ, ∬Π·sin θ (half length), inlet flow, side flow (both Q/(r·c·N·l)) and the largest Π of the middle
+    plane."""
     per_angle = pressure @ grid.across * grid.around
     cosine = per_angle @ np.cos(grid.theta)
     sine = per_angle @ np.sin(grid.theta)
@@ -312,11 +356,14 @@ def _integrals(grid: _Grid, pressure: Array) -> Array:
     return np.array([cosine, sine, math.pi / 6.0 * inlet, math.pi / 6.0 * side, peak])
 
 
-# Reynolds' equation for a journal that slopes in its seat: the pressure grows towards the edge where the film is thinner.
+# Reynolds' equation for a journal that slopes in its seat: the pressure grows towards the edge where the film is
+# thinner.
 #
-# The film h = c·(1 + (ε + τ·z)·cos θ), z from −1 at one edge to 1 at the other: the journal slopes in the plane of its narrowest film, which
-# thins it most.  Every slice across is a plain bearing of eccentricity ε + τ·z, so that the flow around between two nodes is exact as in
-# `reynolds`, whose equation, film end and nodes these are, over the whole length on one grid.  A moment holds the slope: the shaft's.
+# The film h = c·(1 + (ε + τ·z)·cos θ), z from −1 at one edge to 1 at the other: the journal slopes in the plane of its
+# narrowest film, which thins it most.  Every slice across is a plain bearing of eccentricity ε + τ·z, so that the flow
+# around between two nodes is exact as in `reynolds`, whose equation, film end and nodes these are, over the whole
+# length on one grid.  A moment holds the slope: the shaft's.
+
 
 @record
 class MisalignedFilm:
@@ -327,20 +374,27 @@ class MisalignedFilm:
     pressure_along: Array  # Π there, at the angle where it is largest
 
 
-def solve_misaligned(eccentricity: float, tilt: float, length_ratio: float, cells: tuple[int, int] = (96, 16)) -> MisalignedFilm:
+def solve_misaligned(
+    eccentricity: float, tilt: float, length_ratio: float, cells: tuple[int, int] = (96, 16)
+) -> MisalignedFilm:
     """`eccentricity` in the middle, `tilt` τ: what the slope takes of the film at the edge, over the radial clearance.
 
-    `cells` around, and across half of the length.  Raises ValueError where an edge leaves the range: there the film is narrowest opposite.
-    """
+    `cells` around, and across half of the length.  Raises ValueError where an edge leaves the range: there the film is
+    narrowest opposite."""
     low, high = ECCENTRICITY_RANGE
     if not low * (1 - 1e-9) <= eccentricity - abs(tilt) <= eccentricity + abs(tilt) <= high * (1 + 1e-9):
-        raise ValueError(f"eccentricity ratio {eccentricity:g} ± {abs(tilt):g}: a journal that slopes is solved from {low:g} to {high:g}")
+        raise ValueError(
+            f"eccentricity ratio {eccentricity:g} ± {abs(tilt):g}: a journal that slopes is solved from {low:g} to "
+            f"{high:g}"
+        )
     grid = film_grid(eccentricity, length_ratio, *cells)
     theta, z = grid.theta, np.append(-grid.z[::-1], grid.z[1:])
     gap = np.diff(z)
     across = 0.5 * (np.append(gap, 0.0) + np.append(0.0, gap))
     eps = eccentricity + tilt * z
-    gamma = 2.0 * np.arctan2(np.sqrt(1.0 - eps) * np.sin(theta[:, None] / 2), np.sqrt(1.0 + eps) * np.cos(theta[:, None] / 2))
+    gamma = 2.0 * np.arctan2(
+        np.sqrt(1.0 - eps) * np.sin(theta[:, None] / 2), np.sqrt(1.0 + eps) * np.cos(theta[:, None] / 2)
+    )
     square, cube = film_integrals(gamma, eps)
     conductance = 1.0 / np.diff(cube, axis=0)
     drag = 6.0 * np.diff(square, axis=0) * conductance

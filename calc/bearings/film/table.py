@@ -1,17 +1,17 @@
 # SPDX-License-Identifier: Apache-2.0
 """The oil film of a plain bearing from a stored table: microseconds instead of the milliseconds of `reynolds`.
 
-Stored (`nodes`) is, over x = atanh ε and y = ln(l/d), the bicubic spline of six quantities: ln(So/So_short), φ, Q, Qs/Q,
-P/p_max and ln(C_rr/C_rr,short).  Between nodes the Hermite polynomial gives back that spline.  So_short and C_rr,short are the
-closed forms of the short bearing, which carry nearly all the variation, and f* follows from S and φ by `reynolds.friction_variable`.
+Stored (`nodes`) is, over x = atanh ε and y = ln(l/d), the bicubic spline of six quantities: ln(So/So_short), φ, Q,
+Qs/Q, P/p_max and ln(C_rr/C_rr,short).  Between nodes the Hermite polynomial gives back that spline.  So_short and
+C_rr,short are the closed forms of the short bearing, which carry nearly all the variation, and f* follows from S and φ
+by `reynolds.friction_variable`.
 
-Accuracy against the direct solution on the same grid, anywhere in the range: 5e-5 in S and f*, 2e-5 in Q (relative), 2e-5 rad in φ,
-2e-5 in Qs/Q and 5e-5 in P/p_max.  C_rr: 1e-3 against a grid twice as fine, 2e-4 root mean square.
-Range: 0.02 <= ε <= 0.98 and 0.1 <= l/d <= 2; outside, a `FilmRangeError`, never an extrapolation.
+Accuracy against the direct solution on the same grid, anywhere in the range: 5e-5 in S and f*, 2e-5 in Q (relative),
+2e-5 rad in φ, 2e-5 in Qs/Q and 5e-5 in P/p_max.  C_rr: 1e-3 against a grid twice as fine, 2e-4 root mean square. Range:
+0.02 <= ε <= 0.98 and 0.1 <= l/d <= 2; outside, a `FilmRangeError`, never an extrapolation.
 
-Sources: O. Reynolds (1886); H. W. Swift (1932) and W. Stieber (1933) for the end of the film; the quantities as A. A. Raimondi
-and J. Boyd, ASLE Transactions 1 (1958) 159-209; the short bearing: F. W. Ocvirk, NACA TN 2808 (1952).
-"""
+Sources: O. Reynolds (1886); H. W. Swift (1932) and W. Stieber (1933) for the end of the film; the quantities as A. A.
+Raimondi and J. Boyd, ASLE Transactions 1 (1958) 159-209; the short bearing: F. W. Ocvirk, NACA TN 2808 (1952)."""
 
 import math
 from bisect import bisect_right
@@ -33,8 +33,8 @@ from .reynolds import Value, friction_variable
 
 # The stored nodes of the oil film and the polynomials between them; `table` says what is stored, and is what to call.
 #
-# The table (`tables/film_table.npy`, written by `build_table`) holds, over x = atanh ε and y = ln(l/d), a bicubic spline of each
-# quantity as value and derivatives at its nodes.
+# The table (`tables/film_table.npy`, written by `build_table`) holds, over x = atanh ε and y = ln(l/d), a bicubic
+# spline of each quantity as value and derivatives at its nodes.
 
 Outside: TypeAlias = Literal["raise", "nan"]
 
@@ -76,16 +76,21 @@ class FilmPoint(Generic[Value]):
 
 
 class _Short(Protocol):
-    """A formula of the short bearing without its line of the calculation: the table's splines are taken over it, at one place or many."""
+    """A formula of the short bearing without its line of the calculation: the table's splines are taken over it, at one
+    place or many."""
 
     def __call__(self, *, eps: Value, b: float = ...) -> Value: ...
 
 
-_load, _damping = cast(_Short, short_bearing.sommerfeld_din.function), cast(_Short, short_bearing.radial_damping.function)
+_load, _damping = (
+    cast(_Short, short_bearing.sommerfeld_din.function),
+    cast(_Short, short_bearing.radial_damping.function),
+)
 
 
 def short_bearing_load(eccentricity: Value) -> Value:
-    """So/(l/d)² of the infinitely short bearing with half a film: ε·√(π²·(1 − ε²) + 16·ε²)/(2·(1 − ε²)²)  (Ocvirk 1952)."""
+    """So/(l/d)² of the infinitely short bearing with half a film: ε·√(π²·(1 − ε²) + 16·ε²)/(2·(1 − ε²)²)  (Ocvirk
+    1952)."""
     return _load(eps=eccentricity, b=1.0)
 
 
@@ -93,7 +98,9 @@ def short_bearing_slope(eccentricity: Value) -> Value:
     """d ln(short_bearing_load)/d(atanh ε)."""
     square = eccentricity**2
     bend = 16.0 - math.pi**2
-    slope: Value = (1.0 - square) * (1.0 / eccentricity + bend * eccentricity / (math.pi**2 + bend * square)) + 4.0 * eccentricity
+    slope: Value = (1.0 - square) * (
+        1.0 / eccentricity + bend * eccentricity / (math.pi**2 + bend * square)
+    ) + 4.0 * eccentricity
     return slope
 
 
@@ -102,7 +109,8 @@ def short_bearing_damping(eccentricity: Value) -> Value:
     return _damping(eps=eccentricity)
 
 
-# The table ------------------------------------------------------------------------------------------------------------------
+# The table
+# ------------------------------------------------------------------------------------------------------------------
 
 
 @record
@@ -151,7 +159,12 @@ def column_at(length_ratio: float) -> Column:
 def hermite(part: Value, step: Value) -> tuple[Value, Value, Value, Value]:
     """Weights of value and derivative at the left node, then at the right one; `part` of the cell from 0 to 1."""
     rest = 1.0 - part
-    return rest * rest * (1.0 + 2.0 * part), part * rest * rest * step, part * part * (3.0 - 2.0 * part), -part * part * rest * step
+    return (
+        rest * rest * (1.0 + 2.0 * part),
+        part * rest * rest * step,
+        part * part * (3.0 - 2.0 * part),
+        -part * part * rest * step,
+    )
 
 
 def hermite_slope(part: Value, step: Value) -> tuple[Value, Value, Value, Value]:
@@ -180,7 +193,9 @@ def cells(nodes: Array, positions: Array) -> tuple[IndexArray, tuple[Array, Arra
     return cell, hermite((positions - nodes[cell]) / step, step)
 
 
-def clipped(quantity: str, values: Array, low: float | Array, high: float | Array, outside: Outside, more: Array | None = None) -> Array:
+def clipped(
+    quantity: str, values: Array, low: float | Array, high: float | Array, outside: Outside, more: Array | None = None
+) -> Array:
     """The values with those outside low to high made nan, or an error that names the first of them."""
     wrong = ~((values >= low * (1.0 - SLACK)) & (values <= high * (1.0 + SLACK)))
     if outside == "raise" and wrong.any():
@@ -188,7 +203,9 @@ def clipped(quantity: str, values: Array, low: float | Array, high: float | Arra
         lowest, highest = (float(np.broadcast_to(limit, wrong.shape)[at]) for limit in (low, high))
         place = EMPTY
         if more is not None:
-            place = Text(" at l/d {broadcast_to}", broadcast_to=Amount(float(np.broadcast_to(more, wrong.shape)[at]), form=".6g"))
+            place = Text(
+                " at l/d {broadcast_to}", broadcast_to=Amount(float(np.broadcast_to(more, wrong.shape)[at]), form=".6g")
+            )
         count = Text(" ({sum} of {size} values are outside)", sum=int(wrong.sum()), size=wrong.size)
         raise FilmRangeError(quantity, float(values[at]), lowest, highest, place + count)
     return np.where(wrong, np.nan, np.minimum(np.maximum(values, low), high))
@@ -209,7 +226,7 @@ def film_at(eccentricity: Array, length_ratio: Array | float, *, outside: Outsid
 def film_at(eccentricity: float, length_ratio: Array, *, outside: Outside = ...) -> FilmPoint[Array]: ...
 def film_at(
     eccentricity: float | Array, length_ratio: float | Array, *, outside: Outside = "raise"
-) -> FilmPoint[float] | FilmPoint[Array]:  # fmt: skip
+) -> FilmPoint[float] | FilmPoint[Array]:
     """The film at eccentricity ε and length ratio l/d.  Arrays are broadcast; two scalars give floats.
 
     Outside the table: `FilmRangeError`, or with outside="nan" a nan at the points concerned.
@@ -229,8 +246,9 @@ def film_slopes(eccentricity: Array, length_ratio: Array | float, *, outside: Ou
 def film_slopes(eccentricity: float, length_ratio: Array, *, outside: Outside = ...) -> tuple[Array, Array]: ...
 def film_slopes(
     eccentricity: float | Array, length_ratio: float | Array, *, outside: Outside = "raise"
-) -> tuple[float | Array, float | Array]:  # fmt: skip
-    """d ln So/dε and dφ/dε of the table at constant l/d, rad: how load and its direction answer to a displaced journal."""
+) -> tuple[float | Array, float | Array]:
+    """d ln So/dε and dφ/dε of the table at constant l/d, rad: how load and its direction answer to a displaced
+    journal."""
     if has_lanes(eccentricity, length_ratio):
         return _of_many_designs(_slopes_array, eccentricity, length_ratio, outside)  # type: ignore[no-any-return]
     load, attitude = _slopes_array(*_many(eccentricity, length_ratio), outside)
@@ -243,12 +261,13 @@ def eccentricity_from(sommerfeld: float, length_ratio: float, *, outside: Outsid
 def eccentricity_from(sommerfeld: Array, length_ratio: Array | float, *, outside: Outside = ...) -> Array: ...
 @overload
 def eccentricity_from(sommerfeld: float, length_ratio: Array, *, outside: Outside = ...) -> Array: ...
-def eccentricity_from(sommerfeld: float | Array, length_ratio: float | Array, *, outside: Outside = "raise") -> float | Array:
+def eccentricity_from(
+    sommerfeld: float | Array, length_ratio: float | Array, *, outside: Outside = "raise"
+) -> float | Array:
     """The eccentricity ε that carries the load: the table's S(ε, l/d), strictly decreasing in ε, turned round.
 
-    Newton's method within one cell of the table, never leaving the bracket.  Arrays are broadcast; two scalars give a float.
-    Outside the table: `FilmRangeError`, or with outside="nan" a nan at the points concerned.
-    """
+    Newton's method within one cell of the table, never leaving the bracket.  Arrays are broadcast; two scalars give a
+    float. Outside the table: `FilmRangeError`, or with outside="nan" a nan at the points concerned."""
     if has_lanes(sommerfeld, length_ratio):
         return _of_many_designs(_eccentricity_array, sommerfeld, length_ratio, outside)  # type: ignore[no-any-return]
     if _scalar(sommerfeld) and _scalar(length_ratio):
@@ -276,7 +295,8 @@ def _of_many_designs(function: Callable[..., Any], first: Any, second: Any, outs
     return found
 
 
-# One point ------------------------------------------------------------------------------------------------------------------
+# One point
+# ------------------------------------------------------------------------------------------------------------------
 
 
 def _film_scalar(eccentricity: float, length_ratio: float, outside: Outside) -> FilmPoint[float]:
@@ -292,7 +312,9 @@ def _film_scalar(eccentricity: float, length_ratio: float, outside: Outside) -> 
     node = min(bisect_right(table.x_list, x), len(table.x_list) - 1) - 1
     step = table.x_list[node + 1] - table.x_list[node]
     weights = np.array(hermite((x - table.x_list[node]) / step, step))
-    load, attitude, flow, side_flow_ratio, pressure_ratio, damping = (weights @ column.values[2 * node : 2 * node + 4]).tolist()
+    load, attitude, flow, side_flow_ratio, pressure_ratio, damping = (
+        weights @ column.values[2 * node : 2 * node + 4]
+    ).tolist()
     sommerfeld = math.exp(-load) / (2.0 * math.pi * length_ratio**2 * short_bearing_load(inside))
     friction = friction_variable(inside, sommerfeld, math.sin(attitude))
     damping = short_bearing_damping(inside) * math.exp(damping)
@@ -302,10 +324,17 @@ def _film_scalar(eccentricity: float, length_ratio: float, outside: Outside) -> 
 def _eccentricity_scalar(sommerfeld: float, length_ratio: float, outside: Outside) -> float:
     try:
         column = column_at(length_ratio)
-        low, high = (math.exp(-load) / (2.0 * math.pi * length_ratio**2) for load in (column.loads[-1], column.loads[0]))
+        low, high = (
+            math.exp(-load) / (2.0 * math.pi * length_ratio**2) for load in (column.loads[-1], column.loads[0])
+        )
         if not low * (1.0 - SLACK) <= sommerfeld <= high * (1.0 + SLACK):
-            raise FilmRangeError(Text("Sommerfeld number S"), sommerfeld, low, high,
-                Text(" at l/d {length_ratio}", length_ratio=Amount(length_ratio, form=".6g")))  # fmt: skip
+            raise FilmRangeError(
+                Text("Sommerfeld number S"),
+                sommerfeld,
+                low,
+                high,
+                Text(" at l/d {length_ratio}", length_ratio=Amount(length_ratio, form=".6g")),
+            )
     except FilmRangeError:
         if outside == "nan":
             return math.nan
@@ -323,7 +352,12 @@ def _eccentricity_scalar(sommerfeld: float, length_ratio: float, outside: Outsid
     part = min(max(part, start), end)
     for _ in range(ITERATION_LIMIT):
         eccentricity = math.tanh(x + part * step)
-        error = left + part * (left_slope + part * (second + part * third)) + math.log(short_bearing_load(eccentricity)) - target
+        error = (
+            left
+            + part * (left_slope + part * (second + part * third))
+            + math.log(short_bearing_load(eccentricity))
+            - target
+        )
         slope = left_slope + part * (2.0 * second + 3.0 * part * third) + step * short_bearing_slope(eccentricity)
         if error < 0.0:
             start = part
@@ -337,7 +371,8 @@ def _eccentricity_scalar(sommerfeld: float, length_ratio: float, outside: Outsid
     return min(max(math.tanh(x + part * step), float(table.eccentricities[0])), float(table.eccentricities[-1]))
 
 
-# Many points ----------------------------------------------------------------------------------------------------------------
+# Many points
+# ----------------------------------------------------------------------------------------------------------------
 
 
 def _scalar(value: float | Array) -> bool:
@@ -357,7 +392,9 @@ def _sum(parts: Iterable[Array]) -> Array:
 def _reader(length_ratio: Array, outside: Outside) -> tuple[Array, Callable[[IndexArray, int | slice], Array]]:
     """l/d within the table, and `read(nodes, quantities)`: the table's rows at nodes of x, at the l/d of each point."""
     table = film_nodes()
-    length_ratio = clipped(Text("length ratio l/d"), length_ratio, table.length_ratios[0], table.length_ratios[-1], outside)
+    length_ratio = clipped(
+        Text("length ratio l/d"), length_ratio, table.length_ratios[0], table.length_ratios[-1], outside
+    )
     if length_ratio.ndim == 0 and not np.isnan(length_ratio):
         values = column_at(float(length_ratio)).values
         return length_ratio, lambda nodes, quantities: values[nodes, quantities]
@@ -365,14 +402,18 @@ def _reader(length_ratio: Array, outside: Outside) -> tuple[Array, Callable[[Ind
 
     def read(nodes: IndexArray, quantities: int | slice) -> Array:
         parts = (table.rows[2 * row + i, nodes, quantities] for i in range(4))
-        return _sum((weight if part.ndim == weight.ndim else weight[..., None]) * part for weight, part in zip(along, parts))
+        return _sum(
+            (weight if part.ndim == weight.ndim else weight[..., None]) * part for weight, part in zip(along, parts)
+        )
 
     return length_ratio, read
 
 
 def _film_array(eccentricity: Array, length_ratio: Array, outside: Outside) -> FilmPoint[Array]:
     table = film_nodes()
-    eccentricity = clipped(Text("eccentricity ratio"), eccentricity, table.eccentricities[0], table.eccentricities[-1], outside)
+    eccentricity = clipped(
+        Text("eccentricity ratio"), eccentricity, table.eccentricities[0], table.eccentricities[-1], outside
+    )
     length_ratio, read = _reader(length_ratio, outside)
     eccentricity = np.where(np.isnan(length_ratio), np.nan, eccentricity)
     cell, across = cells(table.x, np.arctanh(eccentricity))
@@ -386,7 +427,9 @@ def _film_array(eccentricity: Array, length_ratio: Array, outside: Outside) -> F
 
 def _slopes_array(eccentricity: Array, length_ratio: Array, outside: Outside) -> tuple[Array, Array]:
     table = film_nodes()
-    eccentricity = clipped(Text("eccentricity ratio"), eccentricity, table.eccentricities[0], table.eccentricities[-1], outside)
+    eccentricity = clipped(
+        Text("eccentricity ratio"), eccentricity, table.eccentricities[0], table.eccentricities[-1], outside
+    )
     length_ratio, read = _reader(length_ratio, outside)
     eccentricity = np.where(np.isnan(length_ratio), np.nan, eccentricity)
     cell, _ = cells(table.x, np.arctanh(eccentricity))
@@ -423,13 +466,25 @@ def _eccentricity_array(sommerfeld: Array, length_ratio: Array, outside: Outside
         cell = np.minimum(cell, table.x.size - 2)
 
     x, step = table.x[cell], table.x[cell + 1] - table.x[cell]
-    left, left_slope, right, right_slope = at(2 * cell), step * at(2 * cell + 1), at(2 * cell + 2), step * at(2 * cell + 3)
+    left, left_slope, right, right_slope = (
+        at(2 * cell),
+        step * at(2 * cell + 1),
+        at(2 * cell + 2),
+        step * at(2 * cell + 3),
+    )
     second, third = cubic(left, left_slope, right, right_slope)
     start, end = np.zeros_like(x), np.ones_like(x)
-    part = np.clip((target - left - table.short[cell]) / (right - left + table.short[cell + 1] - table.short[cell]), 0.0, 1.0)
+    part = np.clip(
+        (target - left - table.short[cell]) / (right - left + table.short[cell + 1] - table.short[cell]), 0.0, 1.0
+    )
     for _ in range(ITERATION_LIMIT):
         eccentricity = np.tanh(x + part * step)
-        error = left + part * (left_slope + part * (second + part * third)) + np.log(short_bearing_load(eccentricity)) - target
+        error = (
+            left
+            + part * (left_slope + part * (second + part * third))
+            + np.log(short_bearing_load(eccentricity))
+            - target
+        )
         slope = left_slope + part * (2.0 * second + 3.0 * part * third) + step * short_bearing_slope(eccentricity)
         start, end = np.where(error < 0.0, part, start), np.where(error < 0.0, end, part)
         before, part = part, part - error / slope
@@ -492,16 +547,19 @@ def pressure_ratio(eps: Number, b: Number) -> Number:
 
 # Between the largest load and the least friction: the two films h₀/c that Raimondi and Boyd mark on their chart.
 #
-# With the smallest film h₀ held, c = h₀/(1 − ε): the load goes with (1 − ε)²/S, the coefficient of friction with f*/(1 − ε).
+# With the smallest film h₀ held, c = h₀/(1 − ε): the load goes with (1 − ε)²/S, the coefficient of friction with f*/(1
+# − ε).
 
 ECCENTRICITIES = np.linspace(0.04, 0.97, 94)
 RAIMONDI_BOYD = Text("Raimondi & Boyd 1958, chart of the smallest film")
 
 
 @formula(
-    "b_f", Text("{chart}: 0 at the least friction, 100 % at the largest load", chart=RAIMONDI_BOYD), unit="%",
+    "b_f",
+    Text("{chart}: 0 at the least friction, 100 % at the largest load", chart=RAIMONDI_BOYD),
+    unit="%",
     names={"eps": "ε", "share_f": "(h_0/c)_f", "share_F": "(h_0/c)_F"},
-)  # fmt: skip
+)
 def place_in_band(eps: Number, share_f: Number, share_F: Number) -> Number:
     return (1 - eps - share_f) / (share_F - share_f)
 

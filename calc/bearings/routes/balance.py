@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """The thermal balance: the temperature rise that a film makes is the rise it was given.
 
-The difference of the two falls with the assumed rise, so that a bracket finds the one answer; a fixed point need not.  `balanced`
-closes one bearing by any route and traces its last state; `settled` closes any number of bearings at once by the own solution.
-"""
+The difference of the two falls with the assumed rise, so that a bracket finds the one answer; a fixed point need not.
+`balanced` closes one bearing by any route and traces its last state; `settled` closes any number of bearings at once by
+the own solution."""
 
 import math
 from collections.abc import Callable, Sequence
@@ -28,7 +28,14 @@ from .states import BearingCase, Film, OperatingPoint, OutsideBalance, Seized
 
 HOTTEST = 200.0  # K above the supply: no rise beyond is looked for
 BREAKS_DOWN = 1e-3  # K: a film that is gone so close above the last that was found, with heat left over, has no balance
-PROBES = (10.0, 50.0, 100.0, 150.0, 175.0, HOTTEST)  # K: rises at which a film is looked for whose oil is too thick without any
+PROBES = (
+    10.0,
+    50.0,
+    100.0,
+    150.0,
+    175.0,
+    HOTTEST,
+)  # K: rises at which a film is looked for whose oil is too thick without any
 HALVINGS = 20
 ITERATION_LIMIT = 60
 ALMOST = 1e-3  # relative, of a rise: what is closed in on to no more has no balance
@@ -44,7 +51,9 @@ def balanced(route: Route, seat: BearingCase, duty: OperatingPoint, tolerance: f
 
         if route not in (own_warm, own_cold):
             return design_by_design(balanced)(route, seat, duty, tolerance)
-        return closed(route, seat, duty, parted(settled(seat, duty, warm=route is own_warm, tolerance=tolerance).temperature_rise))
+        return closed(
+            route, seat, duty, parted(settled(seat, duty, warm=route is own_warm, tolerance=tolerance).temperature_rise)
+        )
 
     @cache  # the ends of the bracket are asked for more than once
     def excess(rise: float) -> float:
@@ -53,7 +62,9 @@ def balanced(route: Route, seat: BearingCase, duty: OperatingPoint, tolerance: f
     with untraced():
         try:
             low = _begins(excess)
-            high = min(low + excess(low) + 1e-6, HOTTEST)  # warmer oil makes less heat: the rise ends below what colder oil made
+            high = min(
+                low + excess(low) + 1e-6, HOTTEST
+            )  # warmer oil makes less heat: the rise ends below what colder oil made
             rise = root(excess, low, _reachable(excess, low, high), tolerance=tolerance)
         except (FilmRangeError, Seized, OutsideBalance) as error:
             raise NoSolution(*_reason(seat, duty, error)) from None
@@ -74,25 +85,39 @@ def _reason(seat: BearingCase, duty: OperatingPoint, error: ValueError) -> tuple
     if isinstance(error, OutsideBalance):
         remedy = Text("lower the load, lengthen the bearing, give it less clearance, more oil or cooler oil")
         if not isinstance(error.end, FilmRangeError):
-            remedy = Text("give it more clearance when warm (a larger clearance, a housing held back less), more oil, or cooler oil")
+            remedy = Text(
+                "give it more clearance when warm (a larger clearance, a housing held back less), more oil, or cooler "
+                "oil"
+            )
         return Text("the heat of the film under {at} is not carried away", at=at), text_of(error), remedy
     if isinstance(error, Seized):
         return text_of(error), Text("under {at}", at=at), Text("give it more clearance")
     under, error_text = Text("under {at}", at=at), text_of(error)
     if isinstance(error, FilmRangeError) and "l/d" in error.quantity:
         if supply.lands(seat.inputs) == 2:
-            advice = Text("a narrower groove or a longer bearing, so that each land is at least a tenth of the diameter long")
-            return Text("the film of the lands beside the groove is not in the table ({error})", error=error_text), under, advice
+            advice = Text(
+                "a narrower groove or a longer bearing, so that each land is at least a tenth of the diameter long"
+            )
+            return (
+                Text("the film of the lands beside the groove is not in the table ({error})", error=error_text),
+                under,
+                advice,
+            )
         advice = Text("choose a length between 0.1 and 2 diameters")
         return Text("the film of this bearing is not in the table ({error})", error=error_text), under, advice
     if isinstance(error, FilmRangeError) and error.value > error.high:
         advice = Text("the load is too small for this clearance and oil: more clearance, or a thinner or warmer oil")
         return Text("the journal runs nearly centred under {at}", at=at), error_text, advice
-    return Text("no film carries {at}", at=at), error_text, Text("lower the load, lengthen the bearing, or take a thicker oil")
+    return (
+        Text("no film carries {at}", at=at),
+        error_text,
+        Text("lower the load, lengthen the bearing, or take a thicker oil"),
+    )
 
 
 def _begins(excess: Callable[[float], float]) -> float:
-    """A rise that has an answer with heat left over: none, else where oil that is too thick for the table has warmed enough."""
+    """A rise that has an answer with heat left over: none, else where oil that is too thick for the table has warmed
+    enough."""
     try:
         excess(0.0)
         return 0.0
@@ -128,18 +153,22 @@ def _reachable(excess: Callable[[float], float], low: float, high: float) -> flo
                 return high
             low, high = high, min(2 * high, HOTTEST)
             if low == HOTTEST:
-                raise OutsideBalance(Text("the oil would warm by more than {hottest} K", hottest=Amount(HOTTEST, form="g")))
+                raise OutsideBalance(
+                    Text("the oil would warm by more than {hottest} K", hottest=Amount(HOTTEST, form="g"))
+                )
         except (FilmRangeError, Seized) as gone:
             high, end = (low + high) / 2, gone
     raise OutsideBalance(Text("the film is gone before its heat and the oil's flow are in balance"), end)
 
 
-def settled(seat: BearingCase, duty: OperatingPoint, *, warm: bool = True, hottest: float = HOTTEST, tolerance: float = 1e-7) -> Film:
-    """The same for arrays: any number of `seat` and `duty` may be one, broadcast against the others.  nan where there is no film.
+def settled(
+    seat: BearingCase, duty: OperatingPoint, *, warm: bool = True, hottest: float = HOTTEST, tolerance: float = 1e-7
+) -> Film:
+    """The same for arrays: any number of `seat` and `duty` may be one, broadcast against the others.  nan where there
+    is no film.
 
-    Regula falsi after Anderson & Björck 1973 on all points that are not done; a point without film at the upper end of its bracket is
-    closed in on from below.  `hottest`: no rise beyond is looked for.
-    """
+    Regula falsi after Anderson & Björck 1973 on all points that are not done; a point without film at the upper end of
+    its bracket is closed in on from below.  `hottest`: no rise beyond is looked for."""
     if count := _designs(seat, duty):
         return _settled_of_many(seat, duty, count, warm=warm, hottest=hottest, tolerance=tolerance)
     seat, duty = unlinked(seat), unlinked(duty)
@@ -201,20 +230,25 @@ def _designs(seat: BearingCase, duty: OperatingPoint) -> int | None:
     return next((part.lanes for part in parts if has_lanes(part)), None)
 
 
-def _settled_of_many(seat: BearingCase, duty: OperatingPoint, count: int, *, warm: bool, hottest: float, tolerance: float) -> Film:
+def _settled_of_many(
+    seat: BearingCase, duty: OperatingPoint, count: int, *, warm: bool, hottest: float, tolerance: float
+) -> Film:
     """The points of many designs, one design after the other, as those of one."""
     from ...sheet.lanes import Lanes, rows
 
     shape = np.broadcast_shapes(*(np.shape(x) for x in _numbers(seat, duty)))
     points = mapped_arrays((seat, duty), lambda x: rows(x, count, shape) if x.ndim else x)
     seat, duty = mapped(points, lambda x: rows(x, count, shape))
-    duty = replace(duty, load=each(np.broadcast_to(duty.load, count * math.prod(shape))))  # of each point, also where all have the same
+    duty = replace(
+        duty, load=each(np.broadcast_to(duty.load, count * math.prod(shape)))
+    )  # of each point, also where all have the same
     film = settled(seat, duty, warm=warm, hottest=hottest, tolerance=tolerance)
     return _over(film, lambda x: each(cast(Array, Lanes(many(x).reshape(count, *shape)))))
 
 
 def _first(excess: Callable[[Array, IndexArray], Array], thick: IndexArray, hottest: float) -> tuple[Array, Array]:
-    """The same as `_begins` for all points whose oil is too thick without a rise, with their excess; not above zero: there is none."""
+    """The same as `_begins` for all points whose oil is too thick without a rise, with their excess; not above zero:
+    there is none."""
     above, f_above = np.full(thick.size, np.nan), np.full(thick.size, np.nan)
     for rise in (*(rise for rise in PROBES if rise < hottest), hottest):
         todo = np.flatnonzero(np.isnan(above))
@@ -223,7 +257,9 @@ def _first(excess: Callable[[Array, IndexArray], Array], thick: IndexArray, hott
         f = excess(np.full(todo.size, rise), thick[todo])
         above[todo], f_above[todo] = np.where(np.isfinite(f), rise, np.nan), f
     below = np.zeros(thick.size)
-    for _ in range(HALVINGS):  # the balance lies below the probe: look for heat left over between there and where oil is too thick
+    for _ in range(
+        HALVINGS
+    ):  # the balance lies below the probe: look for heat left over between there and where oil is too thick
         todo = np.flatnonzero(f_above <= 0)
         if not todo.size:
             break
@@ -236,22 +272,28 @@ def _first(excess: Callable[[Array, IndexArray], Array], thick: IndexArray, hott
 
 
 def settled_together(asked: Sequence[tuple[BearingCase, OperatingPoint]]) -> list[Film]:
-    """`settled` for several questions about one bearing in one call, each of its own length: all but the arrays is that of the first."""
+    """`settled` for several questions about one bearing in one call, each of its own length: all but the arrays is that
+    of the first."""
     seat, duty = asked[0]
     sizes = [max(np.size(x) for x in _numbers(*question)) for question in asked]
 
     def joined(of: Callable[[BearingCase, OperatingPoint], float]) -> float:
-        numbers: Array = np.concatenate([np.broadcast_to(of(*question), (size,)) for question, size in zip(asked, sizes)])
+        numbers: Array = np.concatenate(
+            [np.broadcast_to(of(*question), (size,)) for question, size in zip(asked, sizes)]
+        )
         return each(numbers)
 
     film = settled(
         replace(seat, clearance=joined(lambda s, _: s.clearance), viscosity_factor=joined(lambda s, _: _factor(s))),
         replace(
-            duty, load=joined(lambda _, d: d.load), speed=joined(lambda _, d: d.speed),
-            effective_speed=joined(lambda _, d: d.effective_speed), supply_temperature=joined(lambda _, d: d.supply_temperature),
+            duty,
+            load=joined(lambda _, d: d.load),
+            speed=joined(lambda _, d: d.speed),
+            effective_speed=joined(lambda _, d: d.effective_speed),
+            supply_temperature=joined(lambda _, d: d.supply_temperature),
             supply_pressure=joined(lambda _, d: d.supply_pressure),
         ),
-    )  # fmt: skip
+    )
     ends = np.cumsum(sizes)
     parts = [slice(end - size, end) for size, end in zip(sizes, ends.tolist())]
     return [_over(film, lambda x, part=part: each(many(x)[part])) for part in parts]  # type: ignore[misc]
@@ -263,10 +305,21 @@ def _factor(seat: BearingCase) -> float:
 
 def _numbers(seat: BearingCase, duty: OperatingPoint) -> tuple[float, ...]:
     b = seat.bearing
-    return b.diameter, b.length, seat.clearance, _factor(seat), duty.load, duty.speed, duty.supply_temperature, duty.supply_pressure
+    return (
+        b.diameter,
+        b.length,
+        seat.clearance,
+        _factor(seat),
+        duty.load,
+        duty.speed,
+        duty.supply_temperature,
+        duty.supply_pressure,
+    )
 
 
-def _each(seat: BearingCase, duty: OperatingPoint, change: Callable[[float], float]) -> tuple[BearingCase, OperatingPoint]:
+def _each(
+    seat: BearingCase, duty: OperatingPoint, change: Callable[[float], float]
+) -> tuple[BearingCase, OperatingPoint]:
     """Case and operating point with their arrays changed; numbers stay."""
 
     def changed(x: float) -> float:
@@ -285,7 +338,13 @@ def _each(seat: BearingCase, duty: OperatingPoint, change: Callable[[float], flo
 def _further(seat: BearingCase) -> tuple[object, ...]:
     """The numbers of a case that are the same for all points of one design."""
     oil = seat.lubricant
-    return (*vars(seat.inputs).values(), *vars(oil).values(), *vars(oil.oil).values(), seat.journal_expansion, seat.housing_expansion)
+    return (
+        *vars(seat.inputs).values(),
+        *vars(oil).values(),
+        *vars(oil.oil).values(),
+        seat.journal_expansion,
+        seat.housing_expansion,
+    )
 
 
 def _over(film: Film, change: Callable[[float], float]) -> Film:

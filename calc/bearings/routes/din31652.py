@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
 """The source's second method, which it calls DIN 31652: the film by Falz's rule, friction by the standard's polynomial.
 
-The rule is not the standard's: at the same So its film is 0.50 to 1.75 times that of Reynolds' equation for l/d 0.4 to 1 and ε 0.1 to
-0.95, up to 2.2 times at l/d ¼, where it may also give none.  Its two formulas do not meet at So = 1 unless l = d; the source's own
-choice (So above or below 1) is kept.  Friction by the polynomial only where it holds (l/d ≤ 0.55, or 1); elsewhere by the identity of
-Reynolds' solution.
-"""
+The rule is not the standard's: at the same So its film is 0.50 to 1.75 times that of Reynolds' equation for l/d 0.4 to
+1 and ε 0.1 to
+0.95, up to 2.2 times at l/d ¼, where it may also give none.  Its two formulas do not meet at So = 1 unless l = d; the
+source's own
+choice (So above or below 1) is kept.  Friction by the polynomial only where it holds (l/d ≤ 0.55, or 1); elsewhere by
+the identity of Reynolds' solution."""
 
 from ...sheet.formula import formula
 from ...sheet.functions import atan, log10, pi, root, sqrt
@@ -76,7 +77,9 @@ def friction_coefficient(psi: Number, Y: Number) -> Number:
 
 def friction(psi: Number, So: Number, b: Number) -> tuple[Number, Number]:
     """Y and f by the polynomial; its coefficients depend on l/d alone and are not traced one by one."""
-    C, E, F, G, H = (based_on(c.function(b), b) for c in (coefficient_C, coefficient_E, coefficient_F, coefficient_G, coefficient_H))
+    C, E, F, G, H = (
+        based_on(c.function(b), b) for c in (coefficient_C, coefficient_E, coefficient_F, coefficient_G, coefficient_H)
+    )
     Y = friction_exponent(C, E, F, G, H, s=log_sommerfeld(So))
     return Y, friction_coefficient(psi=psi, Y=Y)
 
@@ -85,12 +88,14 @@ def polynomial_holds(b: float) -> bool:
     return b <= POLYNOMIAL_UP_TO or abs(b - 1) < 1e-9
 
 
-# The standard's own route: ISO 7902-1 with the functions of ISO 7902-2 for a full bearing (DIN 31652 is its German forerunner).
+# The standard's own route: ISO 7902-1 with the functions of ISO 7902-2 for a full bearing (DIN 31652 is its German
+# forerunner).
 #
-# Film by So(ε, B/D), friction of the full film, the angle β from load to narrowest film, side flow by geometry and flow by the supply
-# pressure (`flow`, `supply`).  Closed forms after Butenschön 1976, which the standard takes over; the coefficients were read in two public
-# programs that use them, not in the standard.  Against Reynolds' equation (`film.reynolds`) for ε 0.1 to 0.95: So −3 … +7 % for B/D ¼ to
-# ½ and −3 … +5 % at 1, but −11 % between; beyond 1 it loses all use (+71 % at 1.25), so that there this route gives nothing.
+# Film by So(ε, B/D), friction of the full film, the angle β from load to narrowest film, side flow by geometry and flow
+# by the supply pressure (`flow`, `supply`).  Closed forms after Butenschön 1976, which the standard takes over; the
+# coefficients were read in two public programs that use them, not in the standard.  Against Reynolds' equation
+# (`film.reynolds`) for ε 0.1 to 0.95: So −3 … +7 % for B/D ¼ to ½ and −3 … +5 % at 1, but −11 % between; beyond 1 it
+# loses all use (+71 % at 1.25), so that there this route gives nothing.
 
 SHORTEST, LONGEST = 0.1, 1.0  # B/D
 FITTED_UP_TO = 0.6  # B/D from which its So falls behind
@@ -106,10 +111,14 @@ def sommerfeld(eps: Number, b: Number) -> Number:
     0.8638448...
     """
     return (
-        b**2 * eps / (2 * (1 - eps**2) ** 2) * sqrt(pi**2 * (1 - eps**2) + 16 * eps**2)
-        * (1.1642 - 1.9456 * b + 7.1161 * b**2 - 10.1073 * b**3 + 5.0141 * b**4) * (eps - 1)
+        b**2
+        * eps
+        / (2 * (1 - eps**2) ** 2)
+        * sqrt(pi**2 * (1 - eps**2) + 16 * eps**2)
+        * (1.1642 - 1.9456 * b + 7.1161 * b**2 - 10.1073 * b**3 + 5.0141 * b**4)
+        * (eps - 1)
         / (-1.000026 - 0.023634 * b - 0.4215 * b**2 - 0.038817 * b**3 - 0.090551 * b**4 + eps)
-    )  # fmt: skip
+    )
 
 
 @formula("ε", FITTED, shows="ε at which the standard's So(ε, B/D) is So, bracketed", names={"b": "(B/D)"})
@@ -119,10 +128,14 @@ def eccentricity(So: Number, b: Number) -> Number:
     """
     if not SHORTEST <= b <= LONGEST:
         at, low, high = (Amount(x, form=".3g") for x in (b, SHORTEST, LONGEST))
-        raise OutsideCharts(Text("B/D = {b} is outside what its functions are good for ({low} to {high})", b=at, low=low, high=high))
+        raise OutsideCharts(
+            Text("B/D = {b} is outside what its functions are good for ({low} to {high})", b=at, low=low, high=high)
+        )
     of = sommerfeld.function
     if not of(LEAST, b) <= So <= of(MOST, b):
-        raise OutsideCharts(Text("no ε from {least} to {most} has So = {so}", least=LEAST, most=MOST, so=Amount(So, form=".3g")))
+        raise OutsideCharts(
+            Text("no ε from {least} to {most} has So = {so}", least=LEAST, most=MOST, so=Amount(So, form=".3g"))
+        )
     return root(lambda eps: of(eps, b) - So, LEAST, MOST, tolerance=1e-12)
 
 
@@ -130,6 +143,10 @@ def eccentricity(So: Number, b: Number) -> Number:
 def attitude_angle(eps: Number, b: Number) -> Radian:
     """From the load to the narrowest film."""
     return (
-        1.152624 - 0.104565 * b + (-2.5905 + 0.798745 * b) * eps + (8.73393 - 2.3291 * b) * eps**2
-        + (-13.3414 + 3.424337 * b) * eps**3 + (6.6294 - 1.591732 * b) * eps**4
-    ) * atan(pi * sqrt(1 - eps**2) / (2 * eps))  # fmt: skip
+        1.152624
+        - 0.104565 * b
+        + (-2.5905 + 0.798745 * b) * eps
+        + (8.73393 - 2.3291 * b) * eps**2
+        + (-13.3414 + 3.424337 * b) * eps**3
+        + (6.6294 - 1.591732 * b) * eps**4
+    ) * atan(pi * sqrt(1 - eps**2) / (2 * eps))

@@ -7,7 +7,7 @@ Supply factors of DIN 31652-2 / ISO 7902-2 as tabulated in Finotti 2013, Table 5
 from ...sheet.formula import formula
 from ...sheet.functions import cos, ln, pi, sin
 from ...sheet.text import Text
-from ...sheet.units import (  # fmt: skip
+from ...sheet.units import (
     CubicMetrePerSecond,
     KilogramPerMetre3,
     Metre,
@@ -22,17 +22,25 @@ from ...sheet.units import (  # fmt: skip
 TABLE = Text("Finotti 2013, Table 5.1 (DIN 31652-2), factor in the denominator")
 
 
-@formula("Q_1", "computed here: side flow of Reynolds' solution", unit="L/min", names={"Q_rel": "Q*", "share": "(Q_s/Q)"})
+@formula(
+    "Q_1", "computed here: side flow of Reynolds' solution", unit="L/min", names={"Q_rel": "Q*", "share": "(Q_s/Q)"}
+)
 def side_flow(Q_rel: Number, share: Number, d: Metre, g: Metre, n_h: RevPerSecond, l: Metre) -> CubicMetrePerSecond:
     return Q_rel * share * d * g * n_h * l / 4
 
 
-@formula("Q_1", "hydrodynamics: side flow of Reynolds' solution with its grooves", unit="L/min", names={"Q_rel": "Q_s*"})
+@formula(
+    "Q_1", "hydrodynamics: side flow of Reynolds' solution with its grooves", unit="L/min", names={"Q_rel": "Q_s*"}
+)
 def side_flow_grooved(Q_rel: Number, d: Metre, g: Metre, n_h: RevPerSecond, l: Metre) -> CubicMetrePerSecond:
     return Q_rel * d * g * n_h * l / 4
 
 
-@formula("q_1", "ISO 7902-2 (DIN 31652-2), side flow; within a few per cent of Reynolds' solution for l/d ≤ 1", names={"b": "(l/d)"})
+@formula(
+    "q_1",
+    "ISO 7902-2 (DIN 31652-2), side flow; within a few per cent of Reynolds' solution for l/d ≤ 1",
+    names={"b": "(l/d)"},
+)
 def side_flow_factor(b: Number, eps: Number) -> Number:
     return (b - 0.223 * b**3) * eps / 4
 
@@ -97,7 +105,9 @@ def from_widest(delta: Radian) -> Radian:
     return delta - pi
 
 
-@formula("q_2", "Finotti 2013, Table 5.1 (DIN 31652-2): groove of part circumference at an angle to the load that stays")
+@formula(
+    "q_2", "Finotti 2013, Table 5.1 (DIN 31652-2): groove of part circumference at an angle to the load that stays"
+)
 def part_groove_factor(eps: Number, phi_A: Radian, phi_E: Radian, d: Metre, l: Metre, b_G: Metre) -> Number:
     """The integral of (h/c)³ from the angle phi_A to phi_E, both from the widest gap."""
     return (
@@ -128,8 +138,14 @@ def total_flow(Q_1: CubicMetrePerSecond, Q_2: CubicMetrePerSecond) -> CubicMetre
     return Q_1 + Q_2
 
 
-@formula("Q_s", "Finotti 2013, 5.5.2: flow of a pressure-fed bearing, with the full length where a groove would halve it", unit="L/min")
-def groove_flow_of_finotti(p_s: Pascal, d: Metre, g: Metre, eps: Number, mu: PascalSecond, l: Metre) -> CubicMetrePerSecond:
+@formula(
+    "Q_s",
+    "Finotti 2013, 5.5.2: flow of a pressure-fed bearing, with the full length where a groove would halve it",
+    unit="L/min",
+)
+def groove_flow_of_finotti(
+    p_s: Pascal, d: Metre, g: Metre, eps: Number, mu: PascalSecond, l: Metre
+) -> CubicMetrePerSecond:
     return pi * p_s * d / 2 * (g / 2) ** 3 * (1 + 1.5 * eps**2) / (3 * mu * l)
 
 

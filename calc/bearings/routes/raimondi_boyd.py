@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The charts of Raimondi & Boyd 1958, carried to any l/d by their cubic in d/l: film, friction, attitude, flow and largest pressure.
+"""The charts of Raimondi & Boyd 1958, carried to any l/d by their cubic in d/l: film, friction, attitude, flow and
+largest pressure.
 
-The published rows stand in tables/raimondi_boyd.toml.  The cubic is exact at l/d = ∞, 1, ½ and ¼; between ½ and ¼ it errs by up to
-−18 … +34 % in the film, which is why these routes are shown and do not judge.
+The published rows stand in tables/raimondi_boyd.toml.  The cubic is exact at l/d = ∞, 1, ½ and ¼; between ½ and ¼ it
+errs by up to −18 … +34 % in the film, which is why these routes are shown and do not judge.
 
-Their own flow is that of a film that draws its oil in without pressure: Q enters, Q_s of it leaves over the edges on the way, at the
-mean of both temperatures, the rest at the end of the film.  The source (as Shigley for a pressure-fed bearing) takes instead what the
-supply pressure drives through, alone.
-"""
+Their own flow is that of a film that draws its oil in without pressure: Q enters, Q_s of it leaves over the edges on
+the way, at the mean of both temperatures, the rest at the end of the film.  The source (as Shigley for a pressure-fed
+bearing) takes instead what the supply pressure drives through, alone."""
 
 import math
 import tomllib
@@ -20,7 +20,17 @@ from ...library.catalogue import TABLES
 from ...sheet.formula import formula
 from ...sheet.record import record
 from ...sheet.text import Amount, Text
-from ...sheet.units import CubicMetrePerSecond, JoulePerKilogramKelvin, Kelvin, KilogramPerMetre3, Metre, Number, Radian, RevPerSecond, Watt
+from ...sheet.units import (
+    CubicMetrePerSecond,
+    JoulePerKilogramKelvin,
+    Kelvin,
+    KilogramPerMetre3,
+    Metre,
+    Number,
+    Radian,
+    RevPerSecond,
+    Watt,
+)
 from .states import OutsideCharts
 
 LOWEST_RATIO = 0.25  # the cubic is not defined below the charts' smallest l/d
@@ -28,7 +38,8 @@ LOWEST_RATIO = 0.25  # the cubic is not defined below the charts' smallest l/d
 
 @record
 class _Line:
-    """One quantity of one chart over ln S, with the slopes of a monotone cubic (Fritsch & Carlson 1980, harmonic means)."""
+    """One quantity of one chart over ln S, with the slopes of a monotone cubic (Fritsch & Carlson 1980, harmonic
+    means)."""
 
     x: list[float]
     y: list[float]
@@ -46,7 +57,10 @@ def _line(x: list[float], y: list[float]) -> _Line:
     h = [b - a for a, b in pairwise(x)]
     rise = [(b - a) / w for (a, b), w in zip(pairwise(y), h)]
     between = zip(pairwise(h), pairwise(rise))
-    inner = [3 * (h1 + h2) / ((2 * h2 + h1) / r1 + (h2 + 2 * h1) / r2) if r1 * r2 > 0 else 0.0 for (h1, h2), (r1, r2) in between]
+    inner = [
+        3 * (h1 + h2) / ((2 * h2 + h1) / r1 + (h2 + 2 * h1) / r2) if r1 * r2 > 0 else 0.0
+        for (h1, h2), (r1, r2) in between
+    ]
     return _Line(x, y, [rise[0], *inner, rise[-1]])
 
 
@@ -78,16 +92,26 @@ def _charts() -> dict[float, list[_Line]]:
 
 
 def _read(chart: list[_Line], S: float) -> Reading:
-    """One chart at S.  Above the last point, ε, Q_s/Q, Q's and φ's distance from the centred journal's fall and f* rises in proportion
-    to 1/S and S, as they do for ε → 0."""
+    """One chart at S.  Above the last point, ε, Q_s/Q, Q's and φ's distance from the centred journal's fall and f*
+    rises in proportion to 1/S and S, as they do for ε → 0."""
     x = math.log(S)
     first, last = chart[0].x[0], chart[0].x[-1]
     if x < first:
-        raise OutsideCharts(Text("S = {s} is below the charts ({exp})", s=Amount(S, form=".4g"), exp=Amount(math.exp(first), form=".4g")))
+        raise OutsideCharts(
+            Text(
+                "S = {s} is below the charts ({exp})", s=Amount(S, form=".4g"), exp=Amount(math.exp(first), form=".4g")
+            )
+        )
     eps, ln_f, flow, share, attitude, pressure = (line.at(min(x, last)) for line in chart)
     beyond = math.exp(max(x - last, 0.0))
-    return Reading(1 - eps / beyond, math.exp(ln_f) * beyond, CENTRED.flow + (flow - CENTRED.flow) / beyond, share / beyond,
-        CENTRED.attitude + (attitude - CENTRED.attitude) / beyond, pressure)  # fmt: skip
+    return Reading(
+        1 - eps / beyond,
+        math.exp(ln_f) * beyond,
+        CENTRED.flow + (flow - CENTRED.flow) / beyond,
+        share / beyond,
+        CENTRED.attitude + (attitude - CENTRED.attitude) / beyond,
+        pressure,
+    )
 
 
 @lru_cache(maxsize=16)
@@ -97,9 +121,10 @@ def chart_readings(S: float) -> dict[float, Reading]:
 
 
 @formula(
-    "y", "Raimondi & Boyd 1958, interpolation in l/d at constant S (Finotti 2013, 5.5.2)",
+    "y",
+    "Raimondi & Boyd 1958, interpolation in l/d at constant S (Finotti 2013, 5.5.2)",
     names={"b": "(l/d)", "y_inf": "y_∞", "y_1": "y_1", "y_2": "y_½", "y_4": "y_¼"},
-)  # fmt: skip
+)
 def by_length_ratio(b: Number, y_inf: Number, y_1: Number, y_2: Number, y_4: Number) -> Number:
     """The cubic in d/l through l/d = ∞, 1, ½, ¼; not below ¼."""
     return (
@@ -151,7 +176,9 @@ def at(S: float, b: float) -> Reading:
 @lru_cache(maxsize=16)
 def _at(S: float, b: float) -> Reading:
     if b < LOWEST_RATIO:
-        raise OutsideCharts(Text("l/d = {b} is below the charts ({lowest_ratio})", b=Amount(b, form=".3g"), lowest_ratio=LOWEST_RATIO))
+        raise OutsideCharts(
+            Text("l/d = {b} is below the charts ({lowest_ratio})", b=Amount(b, form=".3g"), lowest_ratio=LOWEST_RATIO)
+        )
     y = chart_readings(S)
     return Reading(*(by_length_ratio.function(b, *four) for four in zip(y[math.inf], y[1.0], y[0.5], y[0.25])))
 
@@ -162,7 +189,9 @@ def film_flow(Q_rel: Number, d: Metre, g: Metre, n_h: RevPerSecond, l: Metre) ->
     return Q_rel * d * g * n_h * l / 4
 
 
-@formula("Q_s", "Raimondi & Boyd 1958: the part of it that leaves over the edges", unit="L/min", names={"share": "(Q_s/Q)"})
+@formula(
+    "Q_s", "Raimondi & Boyd 1958: the part of it that leaves over the edges", unit="L/min", names={"share": "(Q_s/Q)"}
+)
 def side_flow(share: Number, Q: CubicMetrePerSecond) -> CubicMetrePerSecond:
     return share * Q
 

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """The routes to the film, side by side: one function each, from an assumed temperature rise to the one that it makes.
 
-The own solution of Reynolds' equation judges; the others are shown beside it on the clearance as given.  `balance` closes the loop.
-"""
+The own solution of Reynolds' equation judges; the others are shown beside it on the clearance as given.  `balance`
+closes the loop."""
 
 from collections.abc import Callable
 
@@ -16,7 +16,15 @@ from ...sheet.value import based_on
 from .. import formulas as f
 from ..film import short_bearing as short
 from ..film.grooved import Feeds
-from ..film.table import attitude_angle, eccentricity, eccentricity_from, film_at, pressure_ratio, relative_flow, side_flow_share
+from ..film.table import (
+    attitude_angle,
+    eccentricity,
+    eccentricity_from,
+    film_at,
+    pressure_ratio,
+    relative_flow,
+    side_flow_share,
+)
 from . import din31652 as by_falz
 from . import din31652 as iso
 from . import flow, supply
@@ -27,7 +35,8 @@ Route = Callable[[BearingCase, OperatingPoint, float], Film]
 
 
 def own_cold(seat: BearingCase, duty: OperatingPoint, rise: float) -> Film:
-    """The program's own solution of Reynolds' equation on the clearance as given, to compare with the source's methods."""
+    """The program's own solution of Reynolds' equation on the clearance as given, to compare with the source's
+    methods."""
     return _reynolds(seat, duty, rise, warm=False)
 
 
@@ -37,12 +46,16 @@ def own_warm(seat: BearingCase, duty: OperatingPoint, rise: float) -> Film:
 
 
 def short_bearing(seat: BearingCase, duty: OperatingPoint, rise: float) -> Film:
-    """The limit of a bearing without length (Ocvirk), clearance as given: a check of the other routes, good to l/d of about ½."""
+    """The limit of a bearing without length (Ocvirk), clearance as given: a check of the other routes, good to l/d of
+    about ½."""
     return _reynolds(seat, duty, rise, warm=False, without_length=True)
 
 
-def _reynolds(seat: BearingCase, duty: OperatingPoint, rise: float, *, warm: bool, without_length: bool = False) -> Film:
-    """By the table, or `without_length` in closed form.  Numbers: what has no film raises (Seized, FilmRangeError).  Arrays: it is nan."""
+def _reynolds(
+    seat: BearingCase, duty: OperatingPoint, rise: float, *, warm: bool, without_length: bool = False
+) -> Film:
+    """By the table, or `without_length` in closed form.  Numbers: what has no film raises (Seized, FilmRangeError).
+    Arrays: it is nan."""
     b = seat.bearing
     T = f.mean_temperature(T_in=duty.supply_temperature, Delta_T=rise)
     oil = seat.oil_at(T)
@@ -65,54 +78,89 @@ def _reynolds(seat: BearingCase, duty: OperatingPoint, rise: float, *, warm: boo
         phi, Q_rel, share = short.attitude_angle(eps=eps), short.relative_flow(eps=eps), short.side_flow_share(eps=eps)
     elif one_point:
         eps = eccentricity(S=S, b=ratio)
-        phi, Q_rel, share = attitude_angle(eps=eps, b=ratio), relative_flow(eps=eps, b=ratio), side_flow_share(eps=eps, b=ratio)
+        phi, Q_rel, share = (
+            attitude_angle(eps=eps, b=ratio),
+            relative_flow(eps=eps, b=ratio),
+            side_flow_share(eps=eps, b=ratio),
+        )
         p_rel = pressure_ratio(eps=eps, b=ratio)
     else:
         eps = each(eccentricity_from(np.where(many(g) > 0, S, np.nan), ratio, outside="nan"))
         state = film_at(eps, ratio, outside="nan")
         phi, Q_rel, share, p_rel = state.attitude, state.flow, state.side_flow_ratio, state.pressure_ratio
     f_v = _friction_variable(duty, So, eps, phi)
-    Q_1 = flow.side_flow(Q_rel=Q_rel, share=share, d=b.diameter, g=g, n_h=duty.effective_speed, l=l) if lands == 1 else None
+    Q_1 = (
+        flow.side_flow(Q_rel=Q_rel, share=share, d=b.diameter, g=g, n_h=duty.effective_speed, l=l)
+        if lands == 1
+        else None
+    )
     h_0 = f.film(g=g, eps=eps)
     p_max = None if p_rel is None else f.largest_pressure(p=p, ratio=p_rel)
     return _film(seat, duty, T, oil, g, psi, p, S, eps, h_0, f_v, Q_1, phi, p_max)
 
 
 def _with_grooves(
-    seat: BearingCase, duty: OperatingPoint, grooves: Feeds, T: float, oil: OilState, g: float, psi: float, p: float, S: float, So: float,
-    ratio: float, l: float,
-) -> Film:  # fmt: skip
+    seat: BearingCase,
+    duty: OperatingPoint,
+    grooves: Feeds,
+    T: float,
+    oil: OilState,
+    g: float,
+    psi: float,
+    p: float,
+    S: float,
+    So: float,
+    ratio: float,
+    l: float,
+) -> Film:
     """The film between axial grooves; one l/d, any number of states."""
     from ..film import grooved  # which few bearings need
 
     b, inputs = seat.bearing, seat.inputs
     if isinstance(S, float):
-        ratio = based_on(ratio, ratio, inputs.axial_groove_angles, inputs.axial_groove_width, inputs.axial_groove_length)
+        ratio = based_on(
+            ratio, ratio, inputs.axial_groove_angles, inputs.axial_groove_width, inputs.axial_groove_length
+        )
         eps = grooved.eccentricity(S=S, b=ratio, grooves=grooves)
-        phi, q_s = grooved.attitude_angle(eps=eps, b=ratio, grooves=grooves), grooved.relative_side_flow(eps=eps, b=ratio, grooves=grooves)
-        p_rel, land = grooved.pressure_ratio(eps=eps, b=ratio, grooves=grooves), grooved.sheared_share(eps=eps, b=ratio, grooves=grooves)
+        phi, q_s = (
+            grooved.attitude_angle(eps=eps, b=ratio, grooves=grooves),
+            grooved.relative_side_flow(eps=eps, b=ratio, grooves=grooves),
+        )
+        p_rel, land = (
+            grooved.pressure_ratio(eps=eps, b=ratio, grooves=grooves),
+            grooved.sheared_share(eps=eps, b=ratio, grooves=grooves),
+        )
     else:
         one = np.unique(np.asarray(ratio))
         if one.size != 1:
-            raise NoSolution(Text("axial grooves are not searched over lengths and diameters"), EMPTY, Text("choose sizes with a hole"))
-        eps = each(grooved.eccentricity_from(np.where(np.asarray(g) > 0, S, np.nan), one.item(), grooves, outside="nan"))
+            raise NoSolution(
+                Text("axial grooves are not searched over lengths and diameters"),
+                EMPTY,
+                Text("choose sizes with a hole"),
+            )
+        eps = each(
+            grooved.eccentricity_from(np.where(np.asarray(g) > 0, S, np.nan), one.item(), grooves, outside="nan")
+        )
         state = grooved.film_at(eps, one.item(), grooves)
         phi, q_s, p_rel, land = state.attitude, state.side_flow, state.pressure_ratio, state.sheared
     f_v = f.friction_variable_grooved(So=So, eps=eps, phi=phi, k_s=duty.sliding_ratio, land=land)
     Q_1 = flow.side_flow_grooved(Q_rel=q_s, d=b.diameter, g=g, n_h=duty.effective_speed, l=l)
-    return _film(seat, duty, T, oil, g, psi, p, S, eps, f.film(g=g, eps=eps), f_v, Q_1, phi, f.largest_pressure(p=p, ratio=p_rel))
+    return _film(
+        seat, duty, T, oil, g, psi, p, S, eps, f.film(g=g, eps=eps), f_v, Q_1, phi, f.largest_pressure(p=p, ratio=p_rel)
+    )
 
 
 def raimondi_boyd(seat: BearingCase, duty: OperatingPoint, rise: float) -> Film:
-    """The source's first method: charts of 1958 by their l/d formula, flow of a groove over the full length, clearance as given.
+    """The source's first method: charts of 1958 by their l/d formula, flow of a groove over the full length, clearance
+    as given.
 
     Without supply pressure, the charts' own flow."""
     return _by_charts(seat, duty, rise, own_flow=False)
 
 
 def raimondi_boyd_own_flow(seat: BearingCase, duty: OperatingPoint, rise: float) -> Film:
-    """Raimondi and Boyd's own way: the same charts, of each land where a groove parts the film, and the oil that the turning film draws
-    in, whatever the supply pressure."""
+    """Raimondi and Boyd's own way: the same charts, of each land where a groove parts the film, and the oil that the
+    turning film draws in, whatever the supply pressure."""
     return _by_charts(seat, duty, rise, own_flow=True)
 
 
@@ -121,7 +169,9 @@ def _by_charts(seat: BearingCase, duty: OperatingPoint, rise: float, *, own_flow
     T = f.mean_temperature(T_in=duty.supply_temperature, Delta_T=rise)
     oil = seat.oil_at(T)
     psi = f.relative_clearance(g=g, d=b.diameter)
-    lands, l, p = _land(seat, duty) if own_flow else (1, b.length, f.specific_load(F=duty.load, d=b.diameter, l=b.length))
+    lands, l, p = (
+        _land(seat, duty) if own_flow else (1, b.length, f.specific_load(F=duty.load, d=b.diameter, l=b.length))
+    )
     S = f.sommerfeld(mu=oil.mu, n_h=duty.effective_speed, p=p, psi=psi)
     ratio = f.length_ratio(l=l, d=b.diameter)
     eps = f.eccentricity_of_relative_film(h_rel=rb.relative_film(S=S, b=ratio))
@@ -131,13 +181,20 @@ def _by_charts(seat: BearingCase, duty: OperatingPoint, rise: float, *, own_flow
     if not own_flow and duty.supply_pressure > 0:
         Q = flow.groove_flow_of_finotti(p_s=duty.supply_pressure, d=b.diameter, g=g, eps=eps, mu=oil.mu, l=b.length)
         return _film(seat, duty, T, oil, g, psi, p, S, eps, h_0, f_v, None, phi, p_max, Q=Q)
-    Q = rb.film_flow(Q_rel=rb.relative_flow(S=S, b=ratio), d=b.diameter, g=g, n_h=duty.effective_speed, l=l if lands == 1 else lands * l)
+    Q = rb.film_flow(
+        Q_rel=rb.relative_flow(S=S, b=ratio),
+        d=b.diameter,
+        g=g,
+        n_h=duty.effective_speed,
+        l=l if lands == 1 else lands * l,
+    )
     Q_s = rb.side_flow(share=rb.side_flow_share(S=S, b=ratio), Q=Q)
     return _film(seat, duty, T, oil, g, psi, p, S, eps, h_0, f_v, Q_s, phi, p_max, Q=Q, drawn_in=True)
 
 
 def iso7902(seat: BearingCase, duty: OperatingPoint, rise: float) -> Film:
-    """ISO 7902: both flows, by geometry and by supply pressure, as the own solution has the supply; clearance as given."""
+    """ISO 7902: both flows, by geometry and by supply pressure, as the own solution has the supply; clearance as
+    given."""
     b, g = seat.bearing, seat.clearance
     T = f.mean_temperature(T_in=duty.supply_temperature, Delta_T=rise)
     oil = seat.oil_at(T)
@@ -149,12 +206,17 @@ def iso7902(seat: BearingCase, duty: OperatingPoint, rise: float) -> Film:
     eps = iso.eccentricity(So=So, b=ratio)
     beta = iso.attitude_angle(eps=eps, b=ratio)
     f_v = _friction_variable(duty, So, eps, beta)
-    Q_1 = flow.side_flow_din(d=b.diameter, psi=psi, omega=omega, q_1=flow.side_flow_factor(b=ratio, eps=eps)) if lands == 1 else None
+    Q_1 = (
+        flow.side_flow_din(d=b.diameter, psi=psi, omega=omega, q_1=flow.side_flow_factor(b=ratio, eps=eps))
+        if lands == 1
+        else None
+    )
     return _film(seat, duty, T, oil, g, psi, p, So, eps, f.film(g=g, eps=eps), f_v, Q_1, beta)
 
 
 def falz(seat: BearingCase, duty: OperatingPoint, rise: float) -> Film:
-    """The source's second method: Falz's film, friction polynomial, a hole always opposite the load, clearance as given."""
+    """The source's second method: Falz's film, friction polynomial, a hole always opposite the load, clearance as
+    given."""
     b, g = seat.bearing, seat.clearance
     T = f.mean_temperature(T_in=duty.supply_temperature, Delta_T=rise)
     oil = seat.oil_at(T)
@@ -169,7 +231,13 @@ def falz(seat: BearingCase, duty: OperatingPoint, rise: float) -> Film:
         least, gap = Amount(h_0 * 1e6, form=".1f"), Amount(g / 2e-6, form=".1f")
         load, b_d = Amount(So, form=".3g"), Amount(ratio, form=".3g")
         raise OutsideCharts(
-            Text("Falz's film is {h_0} µm in a gap of {g} µm at So = {so}, l/d = {ratio}", h_0=least, g=gap, so=load, ratio=b_d)
+            Text(
+                "Falz's film is {h_0} µm in a gap of {g} µm at So = {so}, l/d = {ratio}",
+                h_0=least,
+                g=gap,
+                so=load,
+                ratio=b_d,
+            )
         )
     mu_f = None
     if by_falz.polynomial_holds(ratio):
@@ -182,10 +250,15 @@ def falz(seat: BearingCase, duty: OperatingPoint, rise: float) -> Film:
 
 
 def _land(seat: BearingCase, duty: OperatingPoint) -> tuple[int, float, float]:
-    """Number, length and specific load of the lands: a groove in the loaded half parts the bearing into two, each with half the load."""
+    """Number, length and specific load of the lands: a groove in the loaded half parts the bearing into two, each with
+    half the load."""
     b, inputs = seat.bearing, seat.inputs
     lands = supply.lands(inputs)
-    l = b.length if lands == 1 else based_on((b.length - (inputs.groove_width or 0.0)) / 2, b.length, inputs.groove_width)
+    l = (
+        b.length
+        if lands == 1
+        else based_on((b.length - (inputs.groove_width or 0.0)) / 2, b.length, inputs.groove_width)
+    )
     load = duty.load if lands == 1 else based_on(duty.load / lands, duty.load, inputs.groove_arc)
     return lands, l, f.specific_load(F=load, d=b.diameter, l=l)
 
@@ -197,12 +270,28 @@ def _friction_variable(duty: OperatingPoint, So: float, eps: float, phi: float) 
 
 
 def _film(
-    seat: BearingCase, duty: OperatingPoint, T: float, oil: OilState, g: float, psi: float, p: float, S: float, eps: float, h_0: float,
-    f_v: float, Q_1: float | None, phi: float | None = None, p_max: float | None = None, *, mu_f: float | None = None,
-    Q: float | None = None, opposite: bool = False, drawn_in: bool = False,
-) -> Film:  # fmt: skip
-    """Flow and heat of a state.  `Q`: where the route has it as a whole; `Q_1` None: both lands of a groove are fed by the supply
-    pressure alone; `drawn_in`: Q is what the film draws in, and Q_1 leaves on the way."""
+    seat: BearingCase,
+    duty: OperatingPoint,
+    T: float,
+    oil: OilState,
+    g: float,
+    psi: float,
+    p: float,
+    S: float,
+    eps: float,
+    h_0: float,
+    f_v: float,
+    Q_1: float | None,
+    phi: float | None = None,
+    p_max: float | None = None,
+    *,
+    mu_f: float | None = None,
+    Q: float | None = None,
+    opposite: bool = False,
+    drawn_in: bool = False,
+) -> Film:
+    """Flow and heat of a state.  `Q`: where the route has it as a whole; `Q_1` None: both lands of a groove are fed by
+    the supply pressure alone; `drawn_in`: Q is what the film draws in, and Q_1 leaves on the way."""
     Q_2 = None
     if Q is None:
         Q_2 = supply.supply_flow(seat, duty, psi, eps, oil, opposite=opposite)
@@ -211,12 +300,29 @@ def _film(
         mu_f = f.friction_coefficient(psi=psi, f_v=f_v)
     power = f.friction_power(f=mu_f, F=duty.load, u=f.surface_speed(d=seat.bearing.diameter, n=duty.effective_speed))
     if isinstance(Q, float) and Q <= 0:
-        raise NoSolution(Text("no oil flows through the bearing"), Text("supply pressure 0"), Text("raise the supply pressure"))
+        raise NoSolution(
+            Text("no oil flows through the bearing"), Text("supply pressure 0"), Text("raise the supply pressure")
+        )
     if drawn_in and Q_1 is not None:
         heated = rb.temperature_rise(P_f=power, rho=oil.rho, c_p=oil.cp, Q=Q, Q_s=Q_1)
     else:
         heated = f.temperature_rise(P_f=power, rho=oil.rho, c_p=oil.cp, Q=Q)
     return Film(
-        clearance=g, relative_clearance=psi, specific_load=p, sommerfeld=S, eccentricity=eps, film=h_0, friction_coefficient=mu_f,
-        friction_variable=f_v, friction_power=power, oil_flow=Q, temperature_rise=heated, mean_temperature=T, oil=oil, attitude=phi,
-        largest_pressure=p_max, side_flow=Q_1, supply_flow=Q_2)  # fmt: skip
+        clearance=g,
+        relative_clearance=psi,
+        specific_load=p,
+        sommerfeld=S,
+        eccentricity=eps,
+        film=h_0,
+        friction_coefficient=mu_f,
+        friction_variable=f_v,
+        friction_power=power,
+        oil_flow=Q,
+        temperature_rise=heated,
+        mean_temperature=T,
+        oil=oil,
+        attitude=phi,
+        largest_pressure=p_max,
+        side_flow=Q_1,
+        supply_flow=Q_2,
+    )

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The routes side by side on the clearance as given: how far each is from Reynolds' equation, and where it leaves its range.
+"""The routes side by side on the clearance as given: how far each is from Reynolds' equation, and where it leaves its
+range.
 
-Two distances.  In thermal balance every route warms its oil by its own friction and flow: that is what it would have told its user.  Like
-with like the film of each is taken at the oil's temperature of Reynolds' solution: what is left is how well it solves the film.  The
-spread of the routes is of the second kind and of those that claim to solve it here.
+Two distances.  In thermal balance every route warms its oil by its own friction and flow: that is what it would have
+told its user.  Like with like the film of each is taken at the oil's temperature of Reynolds' solution: what is left is
+how well it solves the film.  The spread of the routes is of the second kind and of those that claim to solve it here.
 """
 
 from ...sheet.errors import NoSolution, text_of
@@ -28,15 +29,20 @@ ROUTES: dict[str, tuple[Text, Route]] = {
     "iso7902": (Text("ISO 7902"), iso7902),
     "short_bearing": (Text("short bearing"), short_bearing),
     "falz": (Text("Falz, as the thesis uses it"), falz),
-}  # fmt: skip
-SOLVE_THE_FILM = ("raimondi_boyd_own_flow", "iso7902", "short_bearing")  # each within its range; Falz's is a rule of thumb
+}
+SOLVE_THE_FILM = (
+    "raimondi_boyd_own_flow",
+    "iso7902",
+    "short_bearing",
+)  # each within its range; Falz's is a rule of thumb
 FALZ_MEETS = 1.0  # l/d at which Falz's two branches meet
 SHORT_UP_TO, SHORT_ECCENTRICITY = 0.25, 0.5  # where the short bearing stays within a tenth in the load
 
 
 @record
 class RouteResultBeside:
-    """The routes that have an answer, the distance of each film from the own one, and what is to be said of those without."""
+    """The routes that have an answer, the distance of each film from the own one, and what is to be said of those
+    without."""
 
     films: dict[str, Film]
     deviations: dict[str, float]  # in thermal balance
@@ -56,10 +62,16 @@ class RouteResultBeside:
         """Those that the spread is of."""
         if self.spread is None:
             return {}
-        return {name: self.alike[name] for name in SOLVE_THE_FILM if name in self.alike and _compared(name, self.films[name], self.ratio)}
+        return {
+            name: self.alike[name]
+            for name in SOLVE_THE_FILM
+            if name in self.alike and _compared(name, self.films[name], self.ratio)
+        }
 
 
-COMPARED = frozenset({"routes_spread", *ROUTES})  # the values of a bearing that the routes give, of which none judges it
+COMPARED = frozenset(
+    {"routes_spread", *ROUTES}
+)  # the values of a bearing that the routes give, of which none judges it
 
 
 def judged_alone(seat: BearingCase, ratio: float) -> RouteResultBeside:
@@ -102,7 +114,9 @@ def side_by_side(place: str, seat: BearingCase, duty: OperatingPoint, ratio: flo
 
 
 @design_by_design
-def _at_the_same_oil(place: str, name: str, seat: BearingCase, duty: OperatingPoint, own: Film, *, shown: bool) -> Film | None:
+def _at_the_same_oil(
+    place: str, name: str, seat: BearingCase, duty: OperatingPoint, own: Film, *, shown: bool
+) -> Film | None:
     """The route's film with the oil as warm as in the own solution; `shown`: by lines of the calculation."""
     title, route = ROUTES[name]
     try:
@@ -143,15 +157,21 @@ def film_reason(name: str, film: Film, ratio: float) -> Text:
     """Why the film of a route is off at the same oil."""
     l_d, So = Amount(ratio, form=".3g"), Amount(film.sommerfeld, form=".3g")
     if name == "iso7902":
-        return Text("its fit of So errs by up to a tenth between B/D {fitted} and 1: B/D is {ratio}", fitted=FITTED_UP_TO, ratio=l_d)
+        return Text(
+            "its fit of So errs by up to a tenth between B/D {fitted} and 1: B/D is {ratio}",
+            fitted=FITTED_UP_TO,
+            ratio=l_d,
+        )
     if name.startswith("raimondi_boyd"):
         return Text("its cubic in d/l errs between the charts of l/d 1, ½, ¼: l/d is {ratio}", ratio=l_d)
     if name == "falz":
         return Text(
             "Falz's two branches meet only at l/d = {falz_meets}: l/d is {ratio}, So = {sommerfeld} lies {branch} 1",
-            falz_meets=Amount(FALZ_MEETS, form="g"), ratio=l_d, sommerfeld=So,
+            falz_meets=Amount(FALZ_MEETS, form="g"),
+            ratio=l_d,
+            sommerfeld=So,
             branch=Text("above") if film.sommerfeld > 1 else Text("below"),
-        )  # fmt: skip
+        )
     parts = []
     if ratio > SHORT_UP_TO:
         parts.append(Text("l/d {ratio} is above {short_up_to}", ratio=l_d, short_up_to=Amount(SHORT_UP_TO, form="g")))
@@ -169,16 +189,35 @@ def routes_table(place: str, side: RouteResultBeside) -> Table:
     for name, film in side.films.items():
         far = None if own is None or name == "reynolds" else (film.film / own.film - 1) * 100
         same = side.alike.get(name)
-        rows.append((
-            ROUTES[name][0], film.film * 1e6, far, None if same is None else same * 100, film.eccentricity, film.sommerfeld,
-            film.friction_variable, film.friction_power, film.temperature_rise, film.oil_flow * 6e4,
-        ))  # fmt: skip
+        rows.append(
+            (
+                ROUTES[name][0],
+                film.film * 1e6,
+                far,
+                None if same is None else same * 100,
+                film.eccentricity,
+                film.sommerfeld,
+                film.friction_variable,
+                film.friction_power,
+                film.temperature_rise,
+                film.oil_flow * 6e4,
+            )
+        )
     columns = (
-        (Text("route"), ""), (Text("h_0"), "µm"), (Text("Δ"), "%"), (Text("Δ, same oil"), "%"), (Text("ε"), ""),
-        (Text("S (ISO, Falz: So)"), ""), (Text("f*"), ""), (Text("P_f"), "W"), (Text("ΔT"), "K"), (Text("Q"), "L/min"),
-    )  # fmt: skip
+        (Text("route"), ""),
+        (Text("h_0"), "µm"),
+        (Text("Δ"), "%"),
+        (Text("Δ, same oil"), "%"),
+        (Text("ε"), ""),
+        (Text("S (ISO, Falz: So)"), ""),
+        (Text("f*"), ""),
+        (Text("P_f"), "W"),
+        (Text("ΔT"), "K"),
+        (Text("Q"), "L/min"),
+    )
     note = Text(
-        "On the clearance as given. The own solution of Reynolds' equation judges, on the warm clearance. Δ: in thermal balance, each "
+        "On the clearance as given. The own solution of Reynolds' equation judges, on the warm clearance. Δ: in "
+        "thermal balance, each "
         "route with its own flow. Δ, same oil: the film alone, with the oil as warm as in the own solution."
     )
     for name, why in side.outside.items():

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """What a film is asked and what it answers: the seat, the duty, the film.
 
-Every number may be an array (many bearings, corners, speeds at once); then the film's are, with nan where there is none.
-"""
+Every number may be an array (many bearings, corners, speeds at once); then the film's are, with nan where there is
+none."""
 
 from ...library.lubricant import Lubricant, OilState
 from ...sheet.quantity import result, value
@@ -29,26 +29,40 @@ class BearingCase:
     def grooves(self) -> Feeds | None:
         """The axial grooves that bound the film, by the sizes of this bearing; None where it has none."""
         i, b = self.inputs, self.bearing
-        if i.supply != "axial_groove" or i.axial_groove_angles is None or i.axial_groove_width is None or i.axial_groove_length is None:
+        if (
+            i.supply != "axial_groove"
+            or i.axial_groove_angles is None
+            or i.axial_groove_width is None
+            or i.axial_groove_length is None
+        ):
             return None
         arc, share = 2 * i.axial_groove_width / b.diameter, i.axial_groove_length / b.length
         return Feeds(tuple(Feed(float(angle), float(arc), float(share)) for angle in i.axial_groove_angles))
 
     def clearance_at(self, T: float) -> float:
         return f.clearance_at(
-            g=self.clearance, d=self.bearing.diameter, alpha_H=self.housing_expansion, chi=self.inputs.expansion_restraint,
-            alpha_J=self.journal_expansion, T=T, T_ref=self.inputs.clearance_reference_temperature)  # fmt: skip
+            g=self.clearance,
+            d=self.bearing.diameter,
+            alpha_H=self.housing_expansion,
+            chi=self.inputs.expansion_restraint,
+            alpha_J=self.journal_expansion,
+            T=T,
+            T_ref=self.inputs.clearance_reference_temperature,
+        )
 
     def oil_at(self, T: float) -> OilState:
         oil = self.lubricant.at(T)
         if self.viscosity_factor is None:
             return oil
-        return OilState(oil.nu * self.viscosity_factor, f.viscosity_at_corner(mu=oil.mu, k=self.viscosity_factor), oil.rho, oil.cp)
+        return OilState(
+            oil.nu * self.viscosity_factor, f.viscosity_at_corner(mu=oil.mu, k=self.viscosity_factor), oil.rho, oil.cp
+        )
 
 
 @record
 class OperatingPoint:
-    """What a bearing has to do at one moment: load, journal speed, hydrodynamic speed and sliding speed over it, oil supply."""
+    """What a bearing has to do at one moment: load, journal speed, hydrodynamic speed and sliding speed over it, oil
+    supply."""
 
     load: float
     speed: float
@@ -60,7 +74,8 @@ class OperatingPoint:
 
 @result
 class Film:
-    """The state of a film, and the temperature rise that its friction and its flow make.  `clearance`: at which it runs."""
+    """The state of a film, and the temperature rise that its friction and its flow make.  `clearance`: at which it
+    runs."""
 
     clearance: Metre = value("Clearance (diametral)", "µm", "g")
     relative_clearance: Number = value("Relative clearance", "‰", "ψ")
@@ -90,7 +105,8 @@ class OutsideCharts(ValueError):
 
 
 class OutsideBalance(ValueError):
-    """The heat of the film is not carried away at any temperature that is looked at.  `end`: what ends the film above, if it ends."""
+    """The heat of the film is not carried away at any temperature that is looked at.  `end`: what ends the film above,
+    if it ends."""
 
     def __init__(self, words: str, end: ValueError | None = None) -> None:
         super().__init__(words)

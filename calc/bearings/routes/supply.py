@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""How the oil comes in: through the seat or the shaft, by a hole, a pocket or a groove, at rest beside the load or swept by it."""
+"""How the oil comes in: through the seat or the shaft, by a hole, a pocket or a groove, at rest beside the load or
+swept by it."""
 
 from math import pi
 
@@ -37,7 +38,9 @@ def bare_length(inputs: BearingsInputs, l: Array) -> Array:
     return l if lands(inputs) == 1 else l - _given(inputs.groove_width)
 
 
-def supply_flow(seat: BearingCase, duty: OperatingPoint, psi: float, eps: float, oil: OilState, *, opposite: bool = False) -> float:
+def supply_flow(
+    seat: BearingCase, duty: OperatingPoint, psi: float, eps: float, oil: OilState, *, opposite: bool = False
+) -> float:
     """Q₂, what the supply pressure drives through the bearing.
 
     `opposite`: as the source has it, a hole in the seat that is always opposite the load, even where the load turns.
@@ -85,7 +88,9 @@ def _groove_factor(inputs: BearingsInputs, eps: float, d: float, l: float) -> fl
         return flow.groove_factor(eps=eps, d=d, l=l, b_G=width)
     start, end = inputs.groove_arc
     if keeps_its_angle(inputs):
-        return flow.part_groove_factor(eps=eps, phi_A=flow.from_widest(delta=start), phi_E=flow.from_widest(delta=end), d=d, l=l, b_G=width)
+        return flow.part_groove_factor(
+            eps=eps, phi_A=flow.from_widest(delta=start), phi_E=flow.from_widest(delta=end), d=d, l=l, b_G=width
+        )
     return flow.swept_part_groove_factor(eps=eps, delta_A=start, delta_E=end, d=d, l=l, b_G=width)
 
 
@@ -97,9 +102,14 @@ def _through_shaft(duty: OperatingPoint, oil: OilState, d: float) -> float:
     p = flow.pressure_through_shaft(p_s=duty.supply_pressure, rho=oil.rho, omega=f.angular_speed(n=duty.speed), d=d)
     if isinstance(p, float):
         if p <= 0:
-            raise NoSolution(Text("no oil reaches the bearing through the shaft"),
-                Text("centrifugal head {supply_pressure} bar", supply_pressure=Amount((duty.supply_pressure - p) / 100000.0, form=".2f")),
-                Text("raise the supply pressure or feed through the seat"))  # fmt: skip
+            raise NoSolution(
+                Text("no oil reaches the bearing through the shaft"),
+                Text(
+                    "centrifugal head {supply_pressure} bar",
+                    supply_pressure=Amount((duty.supply_pressure - p) / 100000.0, form=".2f"),
+                ),
+                Text("raise the supply pressure or feed through the seat"),
+            )
         return p
     arrives = many(p) > 0
     return each(p * arrives / arrives)  # nan where nothing arrives

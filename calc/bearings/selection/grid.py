@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """All candidates of one bearing with one oil and one supply, at once.
 
-Lengths stand on the step of their input (half millimetres) and clearances on 5 µm, the design's own beside them.  Films are solved at a
-few lengths, a tenth apart, and taken between them by a cubic in ln l (below 1e-4 off); what is offered is solved again where it stands.
-"""
+Lengths stand on the step of their input (half millimetres) and clearances on 5 µm, the design's own beside them.  Films
+are solved at a few lengths, a tenth apart, and taken between them by a cubic in ln l (below 1e-4 off); what is offered
+is solved again where it stands."""
 
 import math
 from collections.abc import Callable, Iterator
@@ -27,7 +27,9 @@ LENGTH = keys(BearingInputs)["length_mm"].about
 LENGTH_STEP: Metre = LENGTH.units.inside(LENGTH.step or 0.5)
 CLEARANCE_STEP: Metre = 5e-6
 SAME = 1e-10  # m
-WIDEST = 2.5e-3  # of the diameter, where the usual ones leave too little oil, or the cold none of them; rule of this program
+WIDEST = (
+    2.5e-3  # of the diameter, where the usual ones leave too little oil, or the cold none of them; rule of this program
+)
 FEW = 4  # steps beyond the least that must be left when cold, whatever the widest; rule of this program
 USUAL_FACTORS = keys(BearingInputs)["clearance_factor"].about.usual or (0.0, 1.0)  # K, after Finotti 2013, 5.5.2
 APART = math.log(1.1)  # between the lengths that are solved
@@ -61,7 +63,8 @@ class CandidateField:
         return known[slope]
 
     def wanted(self, slope: Radian) -> tuple[bool, BoolArray]:
-        """Those of the candidates that keep every rule which have a usual clearance, else all; and whether they have none."""
+        """Those of the candidates that keep every rule which have a usual clearance, else all; and whether they have
+        none."""
         every, one = self.passing(slope), usual(self.task, self.states.clearance)
         kept = every if one is None else every & (one.margin >= 0)
         return not kept.any(), kept if kept.any() else every
@@ -70,11 +73,13 @@ class CandidateField:
         return least(one for key, one in self.judged(slope).items() if key in keys)
 
     def holds(self, slope: Radian) -> bool:
-        """Whether some candidate keeps the rules on the film that smoother surfaces do not help, whatever its heat and size."""
+        """Whether some candidate keeps the rules on the film that smoother surfaces do not help, whatever its heat and
+        size."""
         return bool((self._least(slope, "film_edge_trumpler", "film_double_load", "transition") >= 0).any())
 
     def hot(self, slope: Radian) -> bool:
-        """Whether some candidate has no film or too little oil: a wider clearance, or a thinner oil, may then help the film."""
+        """Whether some candidate has no film or too little oil: a wider clearance, or a thinner oil, may then help the
+        film."""
         return bool((self._least(slope, *OF_HEAT) < 0).any())
 
     def carries(self, slope: Radian) -> bool:
@@ -89,7 +94,11 @@ class CandidateField:
         s, n = self.states, int((self.states.length[0] <= longest + SAME).sum())
         if n == s.length.shape[1]:
             return self
-        return replace(self, states=States(*(getattr(s, name)[..., :n] for name in States.__dataclass_fields__))) if n else None
+        return (
+            replace(self, states=States(*(getattr(s, name)[..., :n] for name in States.__dataclass_fields__)))
+            if n
+            else None
+        )
 
     def smoother(self) -> "Iterator[CandidateField]":
         """The same with its own surfaces, and with ever smoother ones."""
@@ -109,9 +118,11 @@ class CandidateField:
 def alike(one: BearingTask, other: BearingTask) -> bool:
     """Whether two bearings have the same candidates with the same films."""
     return (
-        vars(one.duty) == vars(other.duty) and vars(one.seat.bearing) == vars(other.seat.bearing)
-        and (one.length, one.clearance, one.room.longest, one.corners) == (other.length, other.clearance, other.room.longest, other.corners)
-    )  # fmt: skip
+        vars(one.duty) == vars(other.duty)
+        and vars(one.seat.bearing) == vars(other.seat.bearing)
+        and (one.length, one.clearance, one.room.longest, one.corners)
+        == (other.length, other.clearance, other.room.longest, other.corners)
+    )
 
 
 def lengths(task: BearingTask, in_room: bool = False) -> Array:
@@ -129,7 +140,8 @@ def lengths(task: BearingTask, in_room: bool = False) -> Array:
 
 
 def _bearable(task: BearingTask, l: Array) -> Array:
-    """The lengths that carry the load whatever the film; the longest alone where none does, so that it can be said by how much."""
+    """The lengths that carry the load whatever the film; the longest alone where none does, so that it can be said by
+    how much."""
     if not l.size:
         return l
     inputs, duty = task.seat.inputs, task.duty
@@ -140,7 +152,8 @@ def _bearable(task: BearingTask, l: Array) -> Array:
 
 
 def clearances(task: BearingTask, widest: Metre, few: int = 0) -> Array:
-    """Whole 5 µm from the least that must be left when cold up to the widest, a few steps at least, and the design's own."""
+    """Whole 5 µm from the least that must be left when cold up to the widest, a few steps at least, and the design's
+    own."""
     seat, d = task.seat, task.seat.bearing.diameter
     T_J, T_S = widths(seat.inputs, d)
     shrinks = seat.clearance - seat.clearance_at(seat.inputs.lowest_temperature)
@@ -149,7 +162,9 @@ def clearances(task: BearingTask, widest: Metre, few: int = 0) -> Array:
     if widest < narrowest and not few:
         return np.array([])
     widest = max(widest, task.clearance, narrowest + few * CLEARANCE_STEP)
-    return multiples(CLEARANCE_STEP, max(narrowest, CLEARANCE_STEP), widest, [task.clearance] if narrowest <= task.clearance else [])
+    return multiples(
+        CLEARANCE_STEP, max(narrowest, CLEARANCE_STEP), widest, [task.clearance] if narrowest <= task.clearance else []
+    )
 
 
 def widest_usual(task: BearingTask) -> Metre:
@@ -159,8 +174,8 @@ def widest_usual(task: BearingTask) -> Metre:
 
 
 def field(task: BearingTask, variant: Variant, slope: Radian, in_room: bool = False) -> CandidateField | None:
-    """With clearances wider than the usual ones where nothing passes with these and some have too little oil, which may thin the film
-    too; None where no length is left to look at."""
+    """With clearances wider than the usual ones where nothing passes with these and some have too little oil, which may
+    thin the film too; None where no length is left to look at."""
     at = task.with_oil(variant.lubricant, variant.supply, variant.fits)
     l = _bearable(at, lengths(at, in_room))
     usual = field_over(at, variant, l, clearances(at, widest_usual(at)))
@@ -182,8 +197,8 @@ def field_over(at: BearingTask, variant: Variant, l: Array, g: Array) -> Candida
 
 
 def over_lengths(l: Array) -> tuple[Array, Callable[[Array], Array]]:
-    """A few lengths that films are solved at, and how numbers at these, along the last axis, become those at all; `l` itself where these
-    are few."""
+    """A few lengths that films are solved at, and how numbers at these, along the last axis, become those at all; `l`
+    itself where these are few."""
     spread = math.log(l[-1] / l[0])
     nodes = max(math.ceil(spread / APART) + 1, 4)
     if l.size <= nodes:
@@ -200,9 +215,10 @@ def over_lengths(l: Array) -> tuple[Array, Callable[[Array], Array]]:
 
 
 def _cubic(x: Array, at: Array) -> tuple[IndexArray, list[Array]]:
-    """For other points than the evenly spaced nodes x: the first of the four nodes about each, and the weights of the four."""
+    """For other points than the evenly spaced nodes x: the first of the four nodes about each, and the weights of the
+    four."""
     first = np.clip(np.searchsorted(x, at) - 2, 0, x.size - 4)
     near = [x[first + k] for k in range(4)]
     return first, [
         np.prod([(at - near[k]) / (near[i] - near[k]) for k in range(4) if k != i], axis=0) for i in range(4)
-    ]  # fmt: skip
+    ]

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""From all candidates to the few that are offered: the nearest to the design, the least power of each oil and supply, the Pareto set.
+"""From all candidates to the few that are offered: the nearest to the design, the least power of each oil and supply,
+the Pareto set.
 
 Front and rear bearing do not know of each other while oil and supply are the same: each is chosen for itself.
 """
@@ -24,12 +25,15 @@ STEPS = (0.1e-6, 0.2e-6, 0.25e-6, 0.5e-6, 1e-6, 2e-6, 5e-6, 10e-6)  # of film be
 
 Fields = Mapping[str, Sequence[CandidateField]]  # of one variant: front and rear, a field for each diameter
 Slopes = Mapping[str, Radian]
-Order = Callable[[CandidateField], tuple[Array, Array]]  # what is wanted least of every candidate, and what of equal ones
+Order = Callable[
+    [CandidateField], tuple[Array, Array]
+]  # what is wanted least of every candidate, and what of equal ones
 
 
 @record
 class Pick:
-    """One bearing as it is offered, solved where it stands: in `films`, of shape (states, 1).  `corner`: the state that governs."""
+    """One bearing as it is offered, solved where it stands: in `films`, of shape (states, 1).  `corner`: the state that
+    governs."""
 
     task: BearingTask
     length: Metre
@@ -53,7 +57,11 @@ class Pick:
     @property
     def change(self) -> Number:
         own = self.task
-        return abs(self.length / own.length - 1) + abs(self.clearance / own.clearance - 1) + abs(self.diameter / own.diameter - 1)
+        return (
+            abs(self.length / own.length - 1)
+            + abs(self.clearance / own.clearance - 1)
+            + abs(self.diameter / own.diameter - 1)
+        )
 
     def with_slope(self, slope: Radian) -> "Pick":
         return _pick(self.task, self.films, slope)
@@ -102,7 +110,9 @@ class BearingRow:
     @property
     def too_long(self) -> tuple[Metre, Metre]:
         """By how much each journal is longer than its room; 0: it fits, or its room is not known."""
-        front, rear = (max(one.length - one.task.room.longest, 0.0) if one.task.room.longest else 0.0 for one in self.both)
+        front, rear = (
+            max(one.length - one.task.room.longest, 0.0) if one.task.room.longest else 0.0 for one in self.both
+        )
         return front, rear
 
 
@@ -120,13 +130,26 @@ def _pick(task: BearingTask, films: States, slope: Radian) -> Pick:
     worst, psi = governing(limits.values(), 0), usual(task, films.clearance)
     state = worst.where if isinstance(worst.where, Text) else int(np.broadcast_to(worst.where, (1,))[0])
     corner = state if isinstance(state, Text) else task.states[state].name if state > 0 else EMPTY
-    return Pick(task, float(films.length[0]), float(films.clearance[0]), float(films.power[0]), float(limits["film_edge"].value[0]) * 1e-6,
-        float(limits["film_double_load"].value[0]) * 1e-6, float(limits["temperature_rise"].value[0]), float(mckee(task, films)[0]),
-        float(least(limits.values())[0]), tuple(check_of(one, 0) for one in limits.values()), check_of(worst, 0), corner,
-        check_of(psi, 0) if psi is not None and psi.margin[0] < 0 else None, films)  # fmt: skip
+    return Pick(
+        task,
+        float(films.length[0]),
+        float(films.clearance[0]),
+        float(films.power[0]),
+        float(limits["film_edge"].value[0]) * 1e-6,
+        float(limits["film_double_load"].value[0]) * 1e-6,
+        float(limits["temperature_rise"].value[0]),
+        float(mckee(task, films)[0]),
+        float(least(limits.values())[0]),
+        tuple(check_of(one, 0) for one in limits.values()),
+        check_of(worst, 0),
+        corner,
+        check_of(psi, 0) if psi is not None and psi.margin[0] < 0 else None,
+        films,
+    )
 
 
-# --- orders ----------------------------------------------------------------------------------------------------------------
+# --- orders
+# ----------------------------------------------------------------------------------------------------------------
 def by_power(one: CandidateField) -> tuple[Array, Array]:
     """The least power, the smaller change where powers are alike."""
     return np.round(one.states.power / ALIKE), one.change()
@@ -144,7 +167,8 @@ def by_excess(one: CandidateField) -> tuple[Array, Array]:
 
 
 def best(fields: Fields, slopes: Slopes, order: Order) -> tuple[Pick, Pick] | None:
-    """Of one oil and supply the first by an order, surfaces as they are before smoother ones; None where a bearing has no candidate."""
+    """Of one oil and supply the first by an order, surfaces as they are before smoother ones; None where a bearing has
+    no candidate."""
     both = [(_best(fields[place], slopes[place], order), slopes[place]) for place in PLACES]
     if any(one is None for one, _ in both):
         return None
@@ -153,19 +177,25 @@ def best(fields: Fields, slopes: Slopes, order: Order) -> tuple[Pick, Pick] | No
 
 
 def rank(fields: Fields, slopes: Slopes, order: Order) -> tuple[float, ...] | None:
-    """Level of the surfaces, how many clearances are not usual, and what is wanted of the first by an order, as the grids have them;
-    None: there is none."""
+    """Level of the surfaces, how many clearances are not usual, and what is wanted of the first by an order, as the
+    grids have them; None: there is none."""
     both = [_best(fields[place], slopes[place], order) for place in PLACES]
     return None if None in both else tuple(sum(pair) for pair in zip(*(one[0] for one in both if one is not None)))
 
 
 def best_diameters(fields: Fields, slopes: Slopes) -> dict[str, Metre] | None:
     """Those that need least power; None where a bearing has no candidate."""
-    both = {place: one[1].task.seat.bearing.diameter for place in PLACES if (one := _best(fields[place], slopes[place], by_power))}
+    both = {
+        place: one[1].task.seat.bearing.diameter
+        for place in PLACES
+        if (one := _best(fields[place], slopes[place], by_power))
+    }
     return both if len(both) == len(PLACES) else None
 
 
-def _best(fields: Sequence[CandidateField], slope: Radian, order: Order) -> tuple[tuple[int, bool, float, float], CandidateField, Index] | None:
+def _best(
+    fields: Sequence[CandidateField], slope: Radian, order: Order
+) -> tuple[tuple[int, bool, float, float], CandidateField, Index] | None:
     """Rank, field and place of the first by an order, a usual clearance before others."""
     every = []
     for field in fields:
@@ -193,12 +223,17 @@ def _at(field: CandidateField, index: Index, slope: Radian) -> Pick:
     return picks(field.task, [field.states.length[index]], [field.states.clearance[index]], slope)[0]
 
 
-# --- power against film ----------------------------------------------------------------------------------------------------
+# --- power against film
+# ----------------------------------------------------------------------------------------------------
 def pareto(every: Iterable[tuple[Variant, Fields]], slopes: Slopes) -> list[BearingRow]:
-    """The least power for ever more film at the edge of the worse bearing: no other candidate has more film for less power."""
+    """The least power for ever more film at the edge of the worse bearing: no other candidate has more film for less
+    power."""
     able = []
     for variant, fields in every:
-        films = [[f.judged(slopes[place])["film_edge"].value[f.passing(slopes[place])] for f in fields[place]] for place in PLACES]
+        films = [
+            [f.judged(slopes[place])["film_edge"].value[f.passing(slopes[place])] for f in fields[place]]
+            for place in PLACES
+        ]
         sides = [np.concatenate(side) * 1e-6 for side in films if side]
         if len(sides) == len(PLACES) and all(side.size for side in sides):
             able.append((variant, fields, min(side.min() for side in sides), min(side.max() for side in sides)))
@@ -208,11 +243,18 @@ def pareto(every: Iterable[tuple[Variant, Fields]], slopes: Slopes) -> list[Bear
     step = next((s for s in STEPS if (high - low) / s < MOST), STEPS[-1])
     rows: list[BearingRow] = []
     for film in np.arange(np.floor(low / step), np.floor(high / step) + 1) * step:
-        pairs = [(variant, [_least_with(fields[place], slopes[place], film) for place in PLACES]) for variant, fields, *_ in able]
+        pairs = [
+            (variant, [_least_with(fields[place], slopes[place], film) for place in PLACES])
+            for variant, fields, *_ in able
+        ]
         variant, both = min(pairs, key=lambda pair: sum(one[0] if one is not None else np.inf for one in pair[1]))
         if None in both:
             continue
-        row = BearingRow("more film", variant, *(_at(one[1], one[2], slopes[place]) for place, one in zip(PLACES, both) if one is not None))
+        row = BearingRow(
+            "more film",
+            variant,
+            *(_at(one[1], one[2], slopes[place]) for place, one in zip(PLACES, both) if one is not None),
+        )
         while rows and row.film >= rows[-1].film and row.power <= rows[-1].power:
             rows.pop()
         if not rows or row.film > rows[-1].film:
@@ -220,11 +262,15 @@ def pareto(every: Iterable[tuple[Variant, Fields]], slopes: Slopes) -> list[Bear
     return rows
 
 
-def _least_with(fields: Sequence[CandidateField], slope: Radian, film: Metre) -> tuple[Watt, CandidateField, Index] | None:
+def _least_with(
+    fields: Sequence[CandidateField], slope: Radian, film: Metre
+) -> tuple[Watt, CandidateField, Index] | None:
     """The least power with at least this film, and whose it is; None: there is none."""
     best: tuple[Watt, CandidateField, Index] | None = None
     for field in fields:
         kept = field.passing(slope) & (field.judged(slope)["film_edge"].value * 1e-6 >= film)
-        if (index := first(kept, field.states.power)) is not None and (best is None or field.states.power[index] < best[0]):
+        if (index := first(kept, field.states.power)) is not None and (
+            best is None or field.states.power[index] < best[0]
+        ):
             best = float(field.states.power[index]), field, index
     return best

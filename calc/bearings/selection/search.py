@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The search itself: inputs and results in, rows to choose from out.  What is offered first has been through the whole solution once more.
+"""The search itself: inputs and results in, rows to choose from out.  What is offered first has been through the whole
+solution once more.
 
-In this order: what fits the room on the shaft by its sizes, by another oil, another supply, smoother surfaces; then by closer fits; then
-what keeps the limits as given, where a corner of tolerances that are only assumed is passed; and beside it what is too long for the room.
-"""
+In this order: what fits the room on the shaft by its sizes, by another oil, another supply, smoother surfaces; then by
+closer fits; then what keeps the limits as given, where a corner of tolerances that are only assumed is passed; and
+beside it what is too long for the room."""
 
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
@@ -19,7 +20,21 @@ from ...sheet.text import EMPTY, SEMICOLON, Text
 from ...sheet.units import Metre, Radian
 from ..inputs import BearingsInputs
 from .grid import CandidateField, alike, field
-from .ranking import BearingRow, Fields, Pick, Slopes, best, best_diameters, by_change, by_excess, by_power, closest, pareto, picks, rank
+from .ranking import (
+    BearingRow,
+    Fields,
+    Pick,
+    Slopes,
+    best,
+    best_diameters,
+    by_change,
+    by_excess,
+    by_power,
+    closest,
+    pareto,
+    picks,
+    rank,
+)
 from .states import PLACES, BearingTask, against, check_of, size, without_rise
 from .variants import SelectionCase, Solution, Variant, closer_fits, crossings, drawn, placed, tasks, variants
 
@@ -32,7 +47,8 @@ CROSSING = "countershaft.crossing"
 
 @record
 class Settled:
-    """A row after the whole solution: as it is then judged, with the slopes read there, and the limits of other steps that it breaks.
+    """A row after the whole solution: as it is then judged, with the slopes read there, and the limits of other steps
+    that it breaks.
 
     `row` None: it does not pass, and `why`.  `results`: of the whole design with it.
     """
@@ -55,7 +71,13 @@ def confirmed(case: SelectionCase, row: BearingRow, slopes: dict[str, Radian]) -
     if row.corners:
         failing += [c for c in there.checks if c.id.endswith(CORNER) and c.verdict != "fail" and not c.margin >= 0]
     failing += [one.governing for one in (front, rear) if one.margin < 0]
-    others = [c for key, o in results.outcomes.items() if key != "bearings" for c in o.checks if c.verdict == "fail" and c.id not in before]
+    others = [
+        c
+        for key, o in results.outcomes.items()
+        if key != "bearings"
+        for c in o.checks
+        if c.verdict == "fail" and c.id not in before
+    ]
     if not any(row.too_long):
         failing += [c for c in others if c.id == CROSSING]
     if there.state != "solved" or failing:
@@ -81,7 +103,8 @@ def settle(case: SelectionCase, row: BearingRow, fields: Fields, slopes: dict[st
 
 
 def slopes_of(case: SelectionCase, results: Solution | None = None, before: Slopes | None = None) -> dict[str, Radian]:
-    """As given, else of the shaft's bending; where its outline is not known any more, as before; zero where it never was."""
+    """As given, else of the shaft's bending; where its outline is not known any more, as before; zero where it never
+    was."""
     own = case.bearings
     if own.slope is not None:
         return {"front": own.slope[0], "rear": own.slope[-1]}
@@ -121,7 +144,8 @@ def bearing_changes(row: BearingRow, own: BearingsInputs) -> Changes:
 
 
 def fits_to_write(row: BearingRow, own: BearingsInputs) -> tuple[str, str] | None:
-    """Closer fits; or widths for fits with a place, which would make another clearance than the row's.  None: they stay."""
+    """Closer fits; or widths for fits with a place, which would make another clearance than the row's.  None: they
+    stay."""
     return row.variant.fits or (placed(own) if any(map(_moved, row.both)) else None)
 
 
@@ -140,15 +164,15 @@ Thin = dict[tuple[str, str, float], float]  # by supply, place and diameter: vis
 
 @record
 class BearingsFound:
-    """What there is to choose.  `rows`: numbered from 1, the nearest first, then the least power by oil and supply; they fit the shaft.
+    """What there is to choose.  `rows`: numbered from 1, the nearest first, then the least power by oil and supply;
+    they fit the shaft.
 
-    `kind`: "all" they keep every rule; "fits" the same with closer fits; "given" the limits as given, not every corner; "none".
-    `beyond`: rows that keep every rule and are too long for the room, numbered on; then `pareto`.
-    `now`: the design as it is, None where it has no film.  `refused`: variants without a row, with what stops them.
-    `slopes`: those of the design, then those that the solved rows were judged with.
-    `elsewhere`: by row number, limits of other steps that fail with it and did not before.  `crossing`: what overlaps now.
-    `placed`: whether the fits of the design have a place.
-    """
+    `kind`: "all" they keep every rule; "fits" the same with closer fits; "given" the limits as given, not every corner;
+    "none". `beyond`: rows that keep every rule and are too long for the room, numbered on; then `pareto`. `now`: the
+    design as it is, None where it has no film.  `refused`: variants without a row, with what stops them. `slopes`:
+    those of the design, then those that the solved rows were judged with. `elsewhere`: by row number, limits of other
+    steps that fail with it and did not before.  `crossing`: what overlaps now. `placed`: whether the fits of the design
+    have a place."""
 
     case: SelectionCase
     kind: str
@@ -203,29 +227,45 @@ def search(case: SelectionCase, progress: Progress | None = None) -> BearingsFou
     fitting = [one.row for one in rows if one.row is not None]
     own = {id(row.variant) for row in fitting} if kind == "all" else set()
     pairs = ((variant, best(fields, slopes, by_excess)) for variant, fields in every if id(variant) not in own)
-    beyond = [row for variant, pair in pairs if pair for row in (BearingRow("too long", variant, *pair),) if any(row.too_long)]
+    beyond = [
+        row for variant, pair in pairs if pair for row in (BearingRow("too long", variant, *pair),) if any(row.too_long)
+    ]
     beyond.sort(key=lambda row: (max(row.too_long), row.power))
     if not fitting and not beyond:
         raise _none_whole(dropped) if dropped else nothing(every, slopes)
     shown = {id(row.variant) for row in (*fitting, *beyond)}
     refused = [
         (v, _stopped(closest(fields, slopes)) if all(fields.values()) else _left_out(v, too_thin))
-        for v, fields in every if id(v) not in shown
-    ]  # fmt: skip
+        for v, fields in every
+        if id(v) not in shown
+    ]
     verified = min(len(rows), VERIFIED)
     kind = kind if fitting else "none"
     now = as_is(bearings, offered[0], slopes, corners=kind != "given")
-    return BearingsFound(case, kind, now, tuple(fitting), tuple(beyond),
-        tuple(pareto(of if fitting else every, slopes)), bearings, tuple(offered), (slopes, *(one.slopes for one in rows[:verified])),
-        tuple(refused), tuple(dropped), {number: one.broken for number, one in enumerate(rows, 1) if one.broken},
-        tuple(crossings(case.results)), placed(case.bearings) is not None, verified)  # fmt: skip
+    return BearingsFound(
+        case,
+        kind,
+        now,
+        tuple(fitting),
+        tuple(beyond),
+        tuple(pareto(of if fitting else every, slopes)),
+        bearings,
+        tuple(offered),
+        (slopes, *(one.slopes for one in rows[:verified])),
+        tuple(refused),
+        tuple(dropped),
+        {number: one.broken for number, one in enumerate(rows, 1) if one.broken},
+        tuple(crossings(case.results)),
+        placed(case.bearings) is not None,
+        verified,
+    )
 
 
 def nearest_row(case: SelectionCase, progress: Progress | None = None, only: Sequence[Variant] = ()) -> Settled:
     """The one row that is nearest to the design, found as `search` finds its first, without all the others beside it.
 
-    `only`: other variants are not looked at, nor closer fits.  Raises NoSolution with what comes nearest and what stops it.
-    """
+    `only`: other variants are not looked at, nor closer fits.  Raises NoSolution with what comes nearest and what stops
+    it."""
     progress = rising(progress)
     tell(progress, 0.0, Text("bearings"))
     bearings, slopes = _possible(tasks(case)), slopes_of(case)
@@ -233,14 +273,19 @@ def nearest_row(case: SelectionCase, progress: Progress | None = None, only: Seq
     fields = short_fields(offered, bearings, slopes, part(progress, 0.0, 0.3))
     first = next(fields)
     own = _nearest(case, [first], slopes, [])
-    if own is not None and own.row is not None and own.row.level == 0:  # sizes alone: no other oil or supply goes before
+    if (
+        own is not None and own.row is not None and own.row.level == 0
+    ):  # sizes alone: no other oil or supply goes before
         return own
     ways: list[Iterable[tuple[Variant, Fields]]] = [chain([first], fields)]
     if not only:
         further = _further(case, offered, bearings, slopes)
         ways = [] if not any(kind == "fits" for kind, *_ in further) and closer_fits(case.bearings) else ways
         shares = [0.3 + 0.7 * n / max(len(further), 1) for n in range(len(further) + 1)]
-        ways += [short_fields(some, asked, slopes, part(progress, *ends)) for (_, some, asked), *ends in zip(further, shares, shares[1:])]
+        ways += [
+            short_fields(some, asked, slopes, part(progress, *ends))
+            for (_, some, asked), *ends in zip(further, shares, shares[1:])
+        ]
     dropped: list[Text] = []
     for way in ways:
         if (settled := _nearest(case, way, slopes, dropped)) is not None:
@@ -248,11 +293,14 @@ def nearest_row(case: SelectionCase, progress: Progress | None = None, only: Seq
     raise _none_whole(dropped) if dropped else nothing([first, *fields], slopes)
 
 
-def _further(case: SelectionCase, offered: list[Variant], bearings: Tasks, slopes: Slopes) -> list[tuple[str, list[Variant], Tasks]]:
-    """What is looked at where nothing fits as the fits are: closer ones, then the limits as given where the fits are only assumed.
+def _further(
+    case: SelectionCase, offered: list[Variant], bearings: Tasks, slopes: Slopes
+) -> list[tuple[str, list[Variant], Tasks]]:
+    """What is looked at where nothing fits as the fits are: closer ones, then the limits as given where the fits are
+    only assumed.
 
-    The closest fits allow all that wider ones do: where no oil has a film that passes with these, no closer ones are looked at.
-    """
+    The closest fits allow all that wider ones do: where no oil has a film that passes with these, no closer ones are
+    looked at."""
     ways = [("fits", [replace(one, fits=fits) for one in offered], bearings) for fits in closer_fits(case.bearings)]
     if ways:
         thick = sorted(ways[-1][1], key=lambda one: -one.lubricant.at(case.bearings.supply_temperature).mu)
@@ -266,7 +314,8 @@ def _may_pass(fields: Fields, slopes: Slopes) -> bool:
 
 
 def _possible(bearings: Tasks) -> Tasks:
-    """The same.  Raises NoSolution where the oil enters hotter than it may leave: no film has to be solved to know that none passes."""
+    """The same.  Raises NoSolution where the oil enters hotter than it may leave: no film has to be solved to know that
+    none passes."""
     for task in (one for some in bearings.values() for one in some):
         if (coolest := without_rise(task)).margin < 0:
             check = check_of(coolest, ())
@@ -277,7 +326,7 @@ def _possible(bearings: Tasks) -> Tasks:
 
 def fields_of(
     variant: Variant, bearings: Tasks, slopes: Slopes, *, too_thin: Thin | None = None, short: bool = False
-) -> dict[str, list[CandidateField]]:  # fmt: skip
+) -> dict[str, list[CandidateField]]:
     """`too_thin` gathers oils whose film passes nowhere; a thinner one is not looked at any more.
 
     `short`: only lengths in the room, and no rear bearing where no front one has a film that passes.
@@ -287,10 +336,17 @@ def fields_of(
     for place in PLACES:
         held = False
         for task in bearings[place]:
-            key, mu = (variant.supply, place, task.seat.bearing.diameter), variant.lubricant.at(task.duty.supply_temperature).mu
+            key, mu = (
+                (variant.supply, place, task.seat.bearing.diameter),
+                variant.lubricant.at(task.duty.supply_temperature).mu,
+            )
             if mu < known.get(key, 0.0):
                 continue
-            same = (one for one in fields["front"] if place == "rear" and alike(one.task, task) and slopes["front"] == slopes["rear"])
+            same = (
+                one
+                for one in fields["front"]
+                if place == "rear" and alike(one.task, task) and slopes["front"] == slopes["rear"]
+            )
             twin = next(same, None)
             one = twin.of(task) if twin is not None else field(task, variant, slopes[place], short)
             if one is None:
@@ -306,16 +362,19 @@ def fields_of(
 
 
 def _promising(bearings: Tasks, diameters: dict[str, Metre] | None) -> Tasks:
-    """Of all diameters the design's own and, where it is known, the one that needs least power with the design's supply."""
+    """Of all diameters the design's own and, where it is known, the one that needs least power with the design's
+    supply."""
     if diameters is None:
         return bearings
     return {
-        place: [t for n, t in enumerate(some) if n == 0 or t.seat.bearing.diameter == diameters[place]] for place, some in bearings.items()
+        place: [t for n, t in enumerate(some) if n == 0 or t.seat.bearing.diameter == diameters[place]]
+        for place, some in bearings.items()
     }
 
 
 def in_room(fields: Fields, slopes: Slopes) -> dict[str, list[CandidateField]]:
-    """What fits, with its own surfaces, and where these are too rough with ever smoother ones until some candidate passes."""
+    """What fits, with its own surfaces, and where these are too rough with ever smoother ones until some candidate
+    passes."""
     inside: dict[str, list[CandidateField]] = {place: [] for place in PLACES}
     for place in PLACES:
         for one in (some for outside in fields[place] if (some := outside.in_room()) is not None):
@@ -324,7 +383,8 @@ def in_room(fields: Fields, slopes: Slopes) -> dict[str, list[CandidateField]]:
 
 
 def _smooth_enough(one: CandidateField, slope: Radian) -> list[CandidateField]:
-    """With its own surfaces and smoother ones, up to the first that lets some candidate pass; its own alone where none does."""
+    """With its own surfaces and smoother ones, up to the first that lets some candidate pass; its own alone where none
+    does."""
     levels = list[CandidateField]()
     for level in one.smoother():
         levels.append(level)
@@ -340,7 +400,7 @@ def as_given(bearings: Tasks) -> Tasks:
 
 def short_fields(
     offered: Sequence[Variant], bearings: Tasks, slopes: Slopes, progress: Progress | None = None
-) -> Iterator[tuple[Variant, Fields]]:  # fmt: skip
+) -> Iterator[tuple[Variant, Fields]]:
     """Of every variant what fits, and that alone, one after the other."""
     thin: Thin = {}
     for n, variant in enumerate(offered):
@@ -349,8 +409,12 @@ def short_fields(
 
 
 def _nearest(
-    case: SelectionCase, every: Iterable[tuple[Variant, Fields]], slopes: dict[str, Radian], dropped: list[Text], progress: Progress | None = None
-) -> Settled | None:  # fmt: skip
+    case: SelectionCase,
+    every: Iterable[tuple[Variant, Fields]],
+    slopes: dict[str, Radian],
+    dropped: list[Text],
+    progress: Progress | None = None,
+) -> Settled | None:
     """The nearest row of all variants that holds in the whole design."""
     for n, (variant, fields) in enumerate(_by_nearness(case, every, slopes)):
         if n == NEAREST:
@@ -365,11 +429,13 @@ def _nearest(
     return None
 
 
-def _by_nearness(case: SelectionCase, every: Iterable[tuple[Variant, Fields]], slopes: Slopes) -> Iterator[tuple[Variant, Fields]]:
+def _by_nearness(
+    case: SelectionCase, every: Iterable[tuple[Variant, Fields]], slopes: Slopes
+) -> Iterator[tuple[Variant, Fields]]:
     """Preferred is what changes sizes alone, then oil, then supply, then surfaces; then the smaller change.
 
-    Variants come in this order, so that the next oil or supply is only solved where those before have nothing that holds.
-    """
+    Variants come in this order, so that the next oil or supply is only solved where those before have nothing that
+    holds."""
     waiting: list[tuple[tuple[float, ...], int, Variant, Fields]] = []
     own, stage = case.bearings, 0
     for n, (variant, fields) in enumerate(every):
@@ -387,10 +453,14 @@ def _by_nearness(case: SelectionCase, every: Iterable[tuple[Variant, Fields]], s
 
 def _settled(
     case: SelectionCase, every: Every, slopes: dict[str, Radian], dropped: list[Text], progress: Progress | None = None
-) -> list[Settled]:  # fmt: skip
+) -> list[Settled]:
     """Rows of every variant that has candidates: the nearest, then by power; the first few solved as whole designs."""
     by_variant = {id(variant): fields for variant, fields in every}
-    least = [BearingRow("least power", variant, *pair) for variant, fields in every if (pair := best(fields, slopes, by_power)) is not None]
+    least = [
+        BearingRow("least power", variant, *pair)
+        for variant, fields in every
+        if (pair := best(fields, slopes, by_power)) is not None
+    ]
     nearest = _nearest(case, every, slopes, dropped, part(progress, 0.0, 0.3))
     rows = [] if nearest is None else [nearest]
     waiting = [Settled(row, slopes) for row in least]
@@ -419,7 +489,8 @@ def _rank(one: Settled) -> tuple[int, float, float]:
 
 
 def as_is(bearings: Tasks, variant: Variant, slopes: Slopes, *, corners: bool) -> BearingRow | None:
-    """The design as it stands, judged by the same rules as the rows, at the corners or as given; None where a bearing has no film."""
+    """The design as it stands, judged by the same rules as the rows, at the corners or as given; None where a bearing
+    has no film."""
     both = []
     for place in PLACES:
         task = replace(bearings[place][0].with_oil(variant.lubricant, variant.supply), corners=corners)
@@ -427,10 +498,14 @@ def as_is(bearings: Tasks, variant: Variant, slopes: Slopes, *, corners: bool) -
     return BearingRow("now", variant, *both) if all(one.power == one.power for one in both) else None
 
 
-# --- why there is nothing --------------------------------------------------------------------------------------------------
+# --- why there is nothing
+# --------------------------------------------------------------------------------------------------
 def _stopped(both: tuple[Pick, Pick] | None) -> Text:
     if both is None:
-        return Text("no length is left between l/d, oil supply and room, or no clearance between the cold one and the usual factor K")
+        return Text(
+            "no length is left between l/d, oil supply and room, or no clearance between the cold one and the usual "
+            "factor K"
+        )
     worse = min(both, key=lambda one: one.margin)
     return Text("{limit} at {size}", limit=against(worse.governing), size=size(worse.length, worse.clearance))
 
@@ -449,7 +524,9 @@ def _none_whole(dropped: list[Text]) -> NoSolution:
 def nothing(every: Every, slopes: Slopes) -> NoSolution:
     """What comes nearest over all oils and supplies, and what stops it."""
     nearest = [
-        (min(one.margin for one in both), variant, both) for variant, fields in every if (both := closest(fields, slopes)) is not None
+        (min(one.margin for one in both), variant, both)
+        for variant, fields in every
+        if (both := closest(fields, slopes)) is not None
     ]
     if not nearest:
         advice = Text("more room for the journals, a narrower oil supply, or a smaller journal")
@@ -457,8 +534,13 @@ def nothing(every: Every, slopes: Slopes) -> NoSolution:
     _, variant, both = max(nearest, key=lambda row: row[0])
     worse = min(both, key=lambda one: one.margin)
     front, rear = (size(one.length, one.clearance) for one in both)
-    tried = Text("nearest: {row}, front {front}, rear {rear}, stopped by {limit}", row=variant.name, front=front, rear=rear,
-        limit=against(worse.governing))  # fmt: skip
+    tried = Text(
+        "nearest: {row}, front {front}, rear {rear}, stopped by {limit}",
+        row=variant.name,
+        front=front,
+        rear=rear,
+        limit=against(worse.governing),
+    )
     if worse.corner:
         tried = Text("{tried} (corner: {corner})", tried=tried, corner=worse.corner)
     return NoSolution(Text("no bearings keep every limit"), tried, worse.governing.advice)

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """Candidates of one bearing in the states that govern, all at once, and the rules on them.
 
-Of the eight corners of the tolerances four can govern: the widest and the narrowest clearance, each with the thinner oil, for the film;
-the narrowest with the thicker oil for the heat; and the film again at twice the load.  What is offered is judged once more at all eight.
-Where tolerances are only assumed, a candidate may also be judged as it is given, as the limits of the step do.
-"""
+Of the eight corners of the tolerances four can govern: the widest and the narrowest clearance, each with the thinner
+oil, for the film; the narrowest with the thicker oil for the heat; and the film again at twice the load.  What is
+offered is judged once more at all eight. Where tolerances are only assumed, a candidate may also be judged as it is
+given, as the limits of the step do."""
 
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
@@ -55,7 +55,9 @@ def value_of(check: Check, digits: int = 4) -> Text:
 
 def against(check: Check) -> Text:
     """`film at the edge, front: 8.2 µm, needs ≥ 9 µm`."""
-    return Text("{check}: {value}, needs {limit}", check=Small(check.name), value=value_of(check), limit=check.limit_text())
+    return Text(
+        "{check}: {value}, needs {limit}", check=Small(check.name), value=value_of(check), limit=check.limit_text()
+    )
 
 
 def size(length: Metre, clearance: Metre) -> Text:
@@ -64,15 +66,25 @@ def size(length: Metre, clearance: Metre) -> Text:
 
 # What a bearing that is offered has to keep, at the worst corner of its tolerances.
 #
-# The limits are those of the step's own checks, read off the checks of the design itself and written nowhere again.  Three are kept for
-# choosing alone: the rise of temperature, the cold clearance that must be left, and Trumpler's film at the edge too.
-# The relative clearance that is usual for the application is kept wherever film, heat and cold clearance leave something with it.
+# The limits are those of the step's own checks, read off the checks of the design itself and written nowhere again.
+# Three are kept for choosing alone: the rise of temperature, the cold clearance that must be left, and Trumpler's film
+# at the edge too. The relative clearance that is usual for the application is kept wherever film, heat and cold
+# clearance leave something with it.
 
 LEAST_COLD: Metre = 20e-6
 OWN = Text("rule of this program for choosing")
 RISES = Text("Finotti 2013, 5.5.2: 15 to 20 °C; for choosing the lower")
-READ = ("film_edge", "film_double_load", "temperature", "specific_load", "heat_index", "length_ratio", "length_ratio_usual", "transition",
-        "clearance_cold_corner")  # fmt: skip
+READ = (
+    "film_edge",
+    "film_double_load",
+    "temperature",
+    "specific_load",
+    "heat_index",
+    "length_ratio",
+    "length_ratio_usual",
+    "transition",
+    "clearance_cold_corner",
+)
 USUAL = "clearance_usual"  # advice, and known of most applications only
 
 Index = int | tuple[np.intp, ...]  # of one of many candidates
@@ -86,8 +98,8 @@ class BearingRule:
     check: Check
 
     def on(self, value: float, limit: float | None = None, where: object = -1) -> Judged:
-        """Candidates by this rule, from values in SI; `limit`, in SI as well, where it is that of each candidate.  `where`: the index of
-        the task's state that governs, or its name; −1: it has none."""
+        """Candidates by this rule, from values in SI; `limit`, in SI as well, where it is that of each candidate.
+        `where`: the index of the task's state that governs, or its name; −1: it has none."""
         units = UNITS[self.check.unit]
         bound = self.check.limit if limit is None else units.all_shown(limit)
         return judged(self, np.asarray(units.all_shown(value)), bound, self.check.sense, where)
@@ -96,14 +108,18 @@ class BearingRule:
 def check_of(one: Judged, index: Index) -> Check:
     """The check of one candidate."""
     limit = one.limit if isinstance(one.limit, tuple) else float(np.broadcast_to(one.limit, one.margin.shape)[index])
-    judged_one: Check = replace(one.rule.check, value=float(np.broadcast_to(one.value, one.margin.shape)[index]), limit=limit)
+    judged_one: Check = replace(
+        one.rule.check, value=float(np.broadcast_to(one.value, one.margin.shape)[index]), limit=limit
+    )
     return judged_one
 
 
 def rules(place: str, checks: Iterable[Check]) -> dict[str, BearingRule]:
     """The constraints of one bearing, by their key, from the checks of a solved design."""
     at, known = f"bearings.{place}", {c.id: c for c in checks}
-    edge, doubled, hot, cold = (known[f"{at}.{key}"] for key in ("film_edge", "film_double_load", "temperature", "clearance_cold"))
+    edge, doubled, hot, cold = (
+        known[f"{at}.{key}"] for key in ("film_edge", "film_double_load", "temperature", "clearance_cold")
+    )
     trumpler = Text("Film at the edge by Trumpler, {place}", place=PLACE[place])
     rise = Text("Temperature rise, {place}", place=PLACE[place])
     own = {
@@ -118,8 +134,8 @@ def rules(place: str, checks: Iterable[Check]) -> dict[str, BearingRule]:
 
 # How long the journals may be beside the sectors, as far as the shaft is known.
 #
-# A journal grows to both sides of its place.  Its room binds, whether the outline of the shaft is given, sized, or put together from the
-# masses; what is longer is offered apart, since the sectors would have to give way.
+# A journal grows to both sides of its place.  Its room binds, whether the outline of the shaft is given, sized, or put
+# together from the masses; what is longer is offered apart, since the sectors would have to give way.
 
 SAME_JOURNAL = 1e-6  # m: a stretch of the shaft this much thinner than the journal is still the journal
 
@@ -142,12 +158,17 @@ def room(given: CountershaftInputs | None, shaft: CountershaftResult | None, pla
     at = 0 if place == "front" else -1
     z = given.bearing_positions[at]
     if given.mode == "size" and given.half_length is not None:
-        why = Text("the sectors reach to ±{half_length} (half_length_mm)", half_length=Amount(given.half_length * 1e3, "mm", form="g"))
+        why = Text(
+            "the sectors reach to ±{half_length} (half_length_mm)",
+            half_length=Amount(given.half_length * 1e3, "mm", form="g"),
+        )
         return JournalRoom(2 * (abs(z) - given.half_length), why)
     if given.sections:
         return _of_sections(given, z, d)
     if shaft is None or shaft.outline is None:
-        return JournalRoom(None, Text("the outline of the shaft is not known, and so neither is the room for the journals"))
+        return JournalRoom(
+            None, Text("the outline of the shaft is not known, and so neither is the room for the journals")
+        )
     own = next((p for p in shaft.outline.pieces if p.what == "journal" and p.start <= z <= p.end), None)
     fixed = ("sector", "full", "journal") if given.gear_z is None else ("sector", "full", "journal", "gear")
     faces = [min(abs(z - p.start), abs(z - p.end)) for p in shaft.outline.pieces if p.what in fixed and p is not own]
@@ -156,14 +177,16 @@ def room(given: CountershaftInputs | None, shaft: CountershaftResult | None, pla
     return JournalRoom(
         2 * min(faces),
         Text(
-            "a sector drawn from its mass begins {distance} from the {place} one's middle", distance=Amount(min(faces) * 1e3, "mm"),
+            "a sector drawn from its mass begins {distance} from the {place} one's middle",
+            distance=Amount(min(faces) * 1e3, "mm"),
             place=PLACE[place],
         ),
-    )  # fmt: skip
+    )
 
 
 def _of_sections(given: CountershaftInputs, z: Metre, d: Metre) -> JournalRoom:
-    """Along the given sections: the stretch about the journal's place that is a full cylinder and not thinner than the journal."""
+    """Along the given sections: the stretch about the journal's place that is a full cylinder and not thinner than the
+    journal."""
     rows = sorted(given.sections, key=lambda section: section.from_)
     wide = [not row.half_angle and row.outer_radius >= d / 2 - SAME_JOURNAL for row in rows]
     here = next((i for i, row in enumerate(rows) if row.from_ <= z <= row.to), None)
@@ -182,7 +205,8 @@ Lengths = float | Sequence[float] | Array
 
 @record
 class FilmState:
-    """`side` of the clearance (+1 widest, −1 narrowest), of the `oil`'s viscosity (+1 thicker, −1 thinner), and times the load."""
+    """`side` of the clearance (+1 widest, −1 narrowest), of the `oil`'s viscosity (+1 thicker, −1 thinner), and times
+    the load."""
 
     name: Text
     side: int = 0
@@ -190,13 +214,20 @@ class FilmState:
     times: float = 1.0
 
 
-WIDEST, TIGHTEST = Text("smallest journal, largest seat, thinner oil"), Text("largest journal, smallest seat, thinner oil")
+WIDEST, TIGHTEST = (
+    Text("smallest journal, largest seat, thinner oil"),
+    Text("largest journal, smallest seat, thinner oil"),
+)
 TIGHT = Text("largest journal, smallest seat, thicker oil")
 NOMINAL = Text("as given")
 AT_CORNERS = (
-    FilmState(NOMINAL), FilmState(WIDEST, 1, -1), FilmState(TIGHTEST, -1, -1), FilmState(TIGHT, -1, 1), FilmState(WIDEST, 1, -1, 2.0),
+    FilmState(NOMINAL),
+    FilmState(WIDEST, 1, -1),
+    FilmState(TIGHTEST, -1, -1),
+    FilmState(TIGHT, -1, 1),
+    FilmState(WIDEST, 1, -1, 2.0),
     FilmState(TIGHTEST, -1, -1, 2.0),
-)  # fmt: skip
+)
 AS_GIVEN = (FilmState(NOMINAL), FilmState(NOMINAL, times=2.0))
 ROUGHNESSES = (0.6e-6, 0.4e-6, 0.3e-6, 0.2e-6)  # Ra; rule of this program
 SAME = 1e-10  # m
@@ -208,10 +239,9 @@ HOT = 45.0  # K: three times the rise that may be chosen; what lies between is s
 class BearingTask:
     """One bearing of the design, at one diameter: what it carries, what it has to keep, and what it is now.
 
-    `length`, `clearance` and `diameter` are those of the design.  `speed_factor`: least speed over the speed of transition, which the
-    surface speed alone decides.  `corners` False: judged as given, only that the clearance is left when cold at the worst corner too.
-    `level`: by how many steps its surfaces are smoother than the design's.
-    """
+    `length`, `clearance` and `diameter` are those of the design.  `speed_factor`: least speed over the speed of
+    transition, which the surface speed alone decides.  `corners` False: judged as given, only that the clearance is
+    left when cold at the worst corner too. `level`: by how many steps its surfaces are smoother than the design's."""
 
     place: str
     seat: BearingCase
@@ -241,7 +271,8 @@ class BearingTask:
         """The same journal at another diameter, under the same load; its room is that of the one it was made for."""
         rules, asked = self.rules, UNITS["µm"].shown(f.trumpler_film(d=d))
         changed = {
-            key: replace(rules[key], check=replace(rules[key].check, limit=asked)) for key in ("film_double_load", "film_edge_trumpler")
+            key: replace(rules[key], check=replace(rules[key].check, limit=asked))
+            for key in ("film_double_load", "film_edge_trumpler")
         }
         seat = replace(self.seat, bearing=replace(self.seat.bearing, diameter=d))
         factor = speed_factor(f.surface_speed(d=d, n=self.sliding_speed))
@@ -261,11 +292,14 @@ class BearingTask:
             asked = f.kreisle_film(k_R=self.seat.inputs.roughness_ratio, Ra_1=Ra_1, Ra_2=Ra_2)
             rule = replace(film, check=replace(film.check, limit=UNITS["µm"].shown(asked)))
             surfaces = replace(bearing, journal_roughness=Ra_1, housing_roughness=Ra_2)
-            yield replace(self, seat=replace(self.seat, bearing=surfaces), rules={**self.rules, "film_edge": rule}, level=level)
+            yield replace(
+                self, seat=replace(self.seat, bearing=surfaces), rules={**self.rules, "film_edge": rule}, level=level
+            )
 
 
 def smoother(Ra_1: Metre, Ra_2: Metre) -> Iterator[tuple[Metre, Metre]]:
-    """Smoother surfaces of journal and seat, step by step: the journal first, which is ground, then the seat.  Rule of this program."""
+    """Smoother surfaces of journal and seat, step by step: the journal first, which is ground, then the seat.  Rule of
+    this program."""
     for step in ROUGHNESSES:
         if step < Ra_1 - SAME:
             Ra_1 = step
@@ -277,8 +311,8 @@ def smoother(Ra_1: Metre, Ra_2: Metre) -> Iterator[tuple[Metre, Metre]]:
 
 @record
 class States:
-    """Films of candidates, in SI: arrays whose first axis is that of the task's states, the others those of length and clearance; `power`
-    and `flow` of the first state alone."""
+    """Films of candidates, in SI: arrays whose first axis is that of the task's states, the others those of length and
+    clearance; `power` and `flow` of the first state alone."""
 
     length: Array
     clearance: Array
@@ -290,7 +324,8 @@ class States:
 
 
 def solved(task: BearingTask, length: Lengths, clearance: Lengths, *, all_rises: bool = True) -> States:
-    """Candidates in every state; `length` and `clearance` are broadcast against each other.  nan where there is no film.
+    """Candidates in every state; `length` and `clearance` are broadcast against each other.  nan where there is no
+    film.
 
     `all_rises` False: sooner, with nan as well where the rise is far beyond what may be chosen.
     """
@@ -300,10 +335,15 @@ def solved(task: BearingTask, length: Lengths, clearance: Lengths, *, all_rises:
     seat, duty = task.seat, task.duty
     band = sum(widths(seat.inputs, seat.bearing.diameter)) / 2
     at = replace(
-        seat, bearing=replace(seat.bearing, length=each(l[None])), clearance=each(g[None] + side * band),
-        viscosity_factor=each(1 + oil * seat.inputs.viscosity_tolerance))  # fmt: skip
+        seat,
+        bearing=replace(seat.bearing, length=each(l[None])),
+        clearance=each(g[None] + side * band),
+        viscosity_factor=each(1 + oil * seat.inputs.viscosity_tolerance),
+    )
     with np.errstate(all="ignore"):
-        film = settled(at, replace(duty, load=each(duty.load * times)), hottest=HOTTEST if all_rises else HOT, tolerance=BALANCED)
+        film = settled(
+            at, replace(duty, load=each(duty.load * times)), hottest=HOTTEST if all_rises else HOT, tolerance=BALANCED
+        )
     viscosity = np.broadcast_to(film.oil.mu, np.shape(film.film))
     rise, power, flow = many(film.temperature_rise), many(film.friction_power)[0], many(film.oil_flow)[0]
     return States(l, g, many(film.film), rise, viscosity, power, flow)
@@ -327,15 +367,20 @@ def judge(task: BearingTask, states: States, slope: Radian) -> list[Judged]:
         ratio = f.length_ratio(l=bare / 2 if supply.lands(inputs) == 2 else bare, d=d)
         hottest = rise.max(axis=0)
         judged = [
-            rule["film_edge"].on(edge, where=_where(films, "min")), rule["film_edge_trumpler"].on(edge, where=_where(films, "min")),
+            rule["film_edge"].on(edge, where=_where(films, "min")),
+            rule["film_edge_trumpler"].on(edge, where=_where(films, "min")),
             rule["film_double_load"].on(doubled.min(axis=0), where=_where(doubled, "min") + once),
             rule["temperature_rise"].on(hottest, where=_where(rise, "max")),
-            rule["temperature"].on(f.outlet_temperature(T_in=duty.supply_temperature, Delta_T=hottest), where=_where(rise, "max")),
-            rule["specific_load"].on(p), rule["heat_index"].on(f.heat_index(F=duty.load, n=duty.speed, l=l)),
-            rule["length_ratio"].on(ratio), rule["length_ratio_usual"].on(ratio),
+            rule["temperature"].on(
+                f.outlet_temperature(T_in=duty.supply_temperature, Delta_T=hottest), where=_where(rise, "max")
+            ),
+            rule["specific_load"].on(p),
+            rule["heat_index"].on(f.heat_index(F=duty.load, n=duty.speed, l=l)),
+            rule["length_ratio"].on(ratio),
+            rule["length_ratio_usual"].on(ratio),
             rule["transition"].on(each(np.full(np.shape(least), duty.effective_speed)), least, _where(n_T, "max")),
             rule["clearance_cold"].on(left, where=TIGHT if task.corners else -1),
-        ]  # fmt: skip
+        ]
         return judged if task.corners else [*judged, rule["clearance_cold_corner"].on(cold, where=TIGHT)]
 
 
@@ -359,5 +404,7 @@ def _where(numbers: Array, way: str) -> IndexArray:
 
 def mckee(task: BearingTask, states: States) -> Array:
     """ZN/P as given, in cP·rpm/psi: a mark, it binds nothing."""
-    p = f.specific_load(F=task.duty.load, d=task.seat.bearing.diameter, l=each(supply.bare_length(task.seat.inputs, states.length)))
+    p = f.specific_load(
+        F=task.duty.load, d=task.seat.bearing.diameter, l=each(supply.bare_length(task.seat.inputs, states.length))
+    )
     return many(f.mckee_number(mu=each(states.viscosity[0]), n_h=task.duty.effective_speed, p=p))

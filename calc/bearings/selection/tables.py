@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The rows of the search as tables, and why not one step further: each neighbour with the rule that refuses it, or what it costs."""
+"""The rows of the search as tables, and why not one step further: each neighbour with the rule that refuses it, or what
+it costs."""
 
 from collections.abc import Iterator
 from dataclasses import replace
@@ -15,24 +16,49 @@ from .grid import CLEARANCE_STEP, LENGTH_STEP, SAME, USUAL_FACTORS, widest_usual
 from .grid import WIDEST as WIDEST_CLEARANCE
 from .ranking import BearingRow, Pick, Slopes, picks
 from .search import BearingsFound
-from .states import LEAST_COLD, LETTER, PLACE, PLACES, ROUGHNESSES, TIGHT, TIGHTEST, WIDEST, against, mm, short_mm, value_of
+from .states import (
+    LEAST_COLD,
+    LETTER,
+    PLACE,
+    PLACES,
+    ROUGHNESSES,
+    TIGHT,
+    TIGHTEST,
+    WIDEST,
+    against,
+    mm,
+    short_mm,
+    value_of,
+)
 from .variants import DIAMETERS, SUPPLY, Variant, thinner, tied
 
 EXPLAINED = 3  # rows whose neighbours are shown
 EXPLAIN = Text(
-    "F front, R rear bearing: l length, g diametral clearance, d diameter. P_f: friction power of both. h_edge, h_2F: thinner film of both "
-    "at the edge, and at twice the load. rise: of the oil. ZN/P: McKee's number, cP·rpm/psi; it binds nothing (150 is advice). margin: the "
+    "F front, R rear bearing: l length, g diametral clearance, d diameter. P_f: friction power of both. h_edge, h_2F: "
+    "thinner film of both "
+    "at the edge, and at twice the load. rise: of the oil. ZN/P: McKee's number, cP·rpm/psi; it binds nothing (150 is "
+    "advice). margin: the "
     "least of all rules, and by which."
 )
 RULES = {
-    "film_edge": Name("h_edge"), "film_edge_trumpler": Name("h_edge T"), "film_double_load": Name("h_2F"), "temperature": Text("outlet"),
-    "temperature_rise": Text("rise"), "specific_load": Name("p"), "heat_index": Text("heat"), "length_ratio": Name("l/d"),
-    "length_ratio_usual": Name("l/d"), "transition": Text("speed"),
-    "clearance_cold": Text("cold g"), "clearance_cold_corner": Text("cold g"),
-}  # fmt: skip
+    "film_edge": Name("h_edge"),
+    "film_edge_trumpler": Name("h_edge T"),
+    "film_double_load": Name("h_2F"),
+    "temperature": Text("outlet"),
+    "temperature_rise": Text("rise"),
+    "specific_load": Name("p"),
+    "heat_index": Text("heat"),
+    "length_ratio": Name("l/d"),
+    "length_ratio_usual": Name("l/d"),
+    "transition": Text("speed"),
+    "clearance_cold": Text("cold g"),
+    "clearance_cold_corner": Text("cold g"),
+}
 CORNERS = {  # where the name is longer than a column can bear
-    WIDEST: Text("widest fit, thinner oil"), TIGHTEST: Text("tightest fit, thinner oil"), TIGHT: Text("tightest fit, thicker oil"),
-}  # fmt: skip
+    WIDEST: Text("widest fit, thinner oil"),
+    TIGHTEST: Text("tightest fit, thinner oil"),
+    TIGHT: Text("tightest fit, thicker oil"),
+}
 NUMBER, TOO_LONG, ASKS = Text("no."), Text("too long"), Text("asks for")
 OIL, SUPPLIED = Text("oil"), Text("supply")
 POWER, EDGE, MCKEE = Name("P_f"), Name("h_edge"), Name("ZN/P")
@@ -43,7 +69,11 @@ Cells = tuple[str | float | None, ...]
 def titles(found: BearingsFound) -> tuple[Text, Text]:
     """Of the rows that fit, and of those that are too long."""
     known = any(some[0].room.longest is not None for some in found.tasks.values())
-    keeps = Text("Bearings that fit and keep every limit") if known else Text("Bearings that keep every limit (their room is not known)")
+    keeps = (
+        Text("Bearings that fit and keep every limit")
+        if known
+        else Text("Bearings that keep every limit (their room is not known)")
+    )
     fits = "/".join(found.rows[0].variant.fits or ()) if found.rows else ""
     of = {
         "all": Text("{keeps}: the nearest, then the least power of each oil and supply", keeps=keeps),
@@ -73,18 +103,34 @@ def beyond_table(found: BearingsFound, top: int) -> Table | None:
     return _rows_table("too_long", titles(found)[1], found, shown, len(found.rows) + 1, now=False) if shown else None
 
 
-def _rows_table(id: str, title: Text, found: BearingsFound, rows: tuple[BearingRow, ...], first: int, *, now: bool) -> Table:
+def _rows_table(
+    id: str, title: Text, found: BearingsFound, rows: tuple[BearingRow, ...], first: int, *, now: bool
+) -> Table:
     shown: list[tuple[str, BearingRow]] = [(Text("now"), found.now)] if now and found.now is not None else []
     shown += [(str(number), row) for number, row in enumerate(rows, first)]
     of = [row for _, row in shown]
     wide, extra = _wide(of), _extra(of)
     columns = [(NUMBER, ""), (OIL, ""), (SUPPLIED, ""), *_size_columns(wide)]
-    columns += [(POWER, "W"), (EDGE, "µm"), (Name("h_2F"), "µm"), (Text("rise"), "K"), (MCKEE, ""), (Text("margin"), "%"), (Text("by"), "")]
+    columns += [
+        (POWER, "W"),
+        (EDGE, "µm"),
+        (Name("h_2F"), "µm"),
+        (Text("rise"), "K"),
+        (MCKEE, ""),
+        (Text("margin"), "%"),
+        (Text("by"), ""),
+    ]
     if wide and extra:
         columns.remove((MCKEE, ""))  # what binds nothing makes room
     if extra:
         columns.append((extra, "mm" if extra == TOO_LONG else ""))
-    return Table(id, title, tuple(columns), tuple(_cells(number, row, wide, extra) for number, row in shown), EXPLAIN if now else EMPTY)
+    return Table(
+        id,
+        title,
+        tuple(columns),
+        tuple(_cells(number, row, wide, extra) for number, row in shown),
+        EXPLAIN if now else EMPTY,
+    )
 
 
 def _wide(rows: list[BearingRow]) -> bool:
@@ -130,7 +176,9 @@ def _first_cells(number: str, row: BearingRow, wide: bool) -> Cells:
 
 def _too_long(row: BearingRow) -> Text:
     return Text(" ").join(
-        Text("{a} {b}", a=letter, b=Amount(x * 1e3, form=".1f")) for letter, x in zip(LETTER.values(), row.too_long) if x > 0
+        Text("{a} {b}", a=letter, b=Amount(x * 1e3, form=".1f"))
+        for letter, x in zip(LETTER.values(), row.too_long)
+        if x > 0
     )
 
 
@@ -159,21 +207,27 @@ def changed(row: BearingRow) -> Text:
     for place, one in zip(PLACES, row.both):
         own, b = one.task, one.task.seat.bearing
         for what, now, to, factor, unit in (
-            (Text("diameter"), own.diameter, one.diameter, 1e-3, "mm"), (Text("length"), own.length, one.length, 1e-3, "mm"),
+            (Text("diameter"), own.diameter, one.diameter, 1e-3, "mm"),
+            (Text("length"), own.length, one.length, 1e-3, "mm"),
             (Text("clearance"), own.clearance, one.clearance, 1e-6, "µm"),
-        ):  # fmt: skip
+        ):
             if abs(to - now) > 1e-9 * now:
                 ends = Amount(now / factor), Amount(to / factor, unit)
-                words.append(Text("{place} {what} {now} → {to}", place=PLACE[place], what=what, now=ends[0], to=ends[1]))
+                words.append(
+                    Text("{place} {what} {now} → {to}", place=PLACE[place], what=what, now=ends[0], to=ends[1])
+                )
         if own.level:
             both = Amount(b.journal_roughness * 1e6, "µm"), Amount(b.housing_roughness * 1e6, "µm")
-            words.append(Text("{place} Ra {journal} (journal), {seat} (seat)", place=PLACE[place], journal=both[0], seat=both[1]))
+            words.append(
+                Text("{place} Ra {journal} (journal), {seat} (seat)", place=PLACE[place], journal=both[0], seat=both[1])
+            )
     if row.variant.fits:
         words.append(Text("fits {fits}", fits="/".join(row.variant.fits)))
     return COMMA.join(words)
 
 
-# --- why not one step further -----------------------------------------------------------------------------------------------
+# --- why not one step further
+# -----------------------------------------------------------------------------------------------
 @record
 class Neighbour:
     """One bearing of a row with one thing changed, or both with another oil.  `more`: the power that it costs."""
@@ -197,7 +251,9 @@ def neighbours(row: BearingRow, variants: tuple[Variant, ...], slopes: Slopes) -
             (Text("g {now} → {to}", now=Amount(g * 1e6), to=Amount(wider * 1e6, "µm")), l, wider),
         )
         kept = [step for step in steps if min(step[1:]) > 0]
-        made = picks(one.task, [length for _, length, _ in kept], [clearance for _, _, clearance in kept], slopes[place])
+        made = picks(
+            one.task, [length for _, length, _ in kept], [clearance for _, _, clearance in kept], slopes[place]
+        )
         for (change, *_), pick in zip(kept, made):
             yield Neighbour(PLACE[place], change, pick, one, pick.power - one.power)
     oil = thinner(list(variants), replace(row.variant, fits=None), row.front.task.duty.supply_temperature)
@@ -227,11 +283,21 @@ def neighbours_table(found: BearingsFound) -> Table:
     shown = (found.rows or found.beyond)[:EXPLAINED]
     rows = [
         (str(number), one.place, one.change, *_outcome(found, row, one))
-        for number, row in enumerate(shown, 1) for one in neighbours(row, found.variants, found.slopes_of_row(number))
-    ]  # fmt: skip
-    columns = (NUMBER, Text("bearing"), Text("one step"), Text("stopped by"), Text("value"), Text("needs"), Text("corner"))
+        for number, row in enumerate(shown, 1)
+        for one in neighbours(row, found.variants, found.slopes_of_row(number))
+    ]
+    columns = (
+        NUMBER,
+        Text("bearing"),
+        Text("one step"),
+        Text("stopped by"),
+        Text("value"),
+        Text("needs"),
+        Text("corner"),
+    )
     note = Text(
-        "One thing changed at a time. A step that passes is not offered where it costs power, or goes further from the design, or past the "
+        "One thing changed at a time. A step that passes is not offered where it costs power, or goes further from "
+        "the design, or past the "
         "end of the search; with a thinner oil other sizes are better still: see its row."
     )
     title = Text("The neighbours of the first {n} rows", n=len(shown))
@@ -243,11 +309,18 @@ def _outcome(found: BearingsFound, row: BearingRow, one: Neighbour) -> Cells:
     c = one.instead.governing
     if one.instead.margin < 0:
         digits = 4 if f"≥ {short(c.value)} {c.unit}" != c.limit_text() else 6  # a miss that four digits would hide
-        return _key(one.instead), value_of(c, digits), c.limit_text(), CORNERS.get(one.instead.corner, one.instead.corner)
+        return (
+            _key(one.instead),
+            value_of(c, digits),
+            c.limit_text(),
+            CORNERS.get(one.instead.corner, one.instead.corner),
+        )
     more = Amount(abs(one.more), "W", form=".2g")
     words = Text("passes, {power} more", power=more) if one.more >= 0 else Text("passes, {power} less", power=more)
     wanted = (one.oil, row.variant.supply)
-    if n := next((n for n, other in enumerate(found.rows, 1) if (other.variant.oil, other.variant.supply) == wanted), 0):
+    if n := next(
+        (n for n, other in enumerate(found.rows, 1) if (other.variant.oil, other.variant.supply) == wanted), 0
+    ):
         words = Text("{words} (row {n})", words=words, n=n)
     bound = outside(one)
     return (Text("end of the search") if bound else "", words, bound, "")
@@ -273,6 +346,7 @@ def pareto_table(found: BearingsFound) -> Table:
 
 # What is said about the rows: two or three lines before the tables, a list behind them.
 
+
 def summary(found: BearingsFound) -> tuple[Text, ...]:
     """What fails now, what nearest is, and by how much the room is missed."""
     words = [Text("The design as it is FAILS {id}: {limit}.", id=c.id, limit=against(c)) for c in found.crossing]
@@ -286,8 +360,11 @@ def summary(found: BearingsFound) -> tuple[Text, ...]:
         return (*words, Text("No row has the design's own oil and supply: {why}.", why=why))
     change = [
         Text("oil {oil}", oil=first.variant.oil) if first.variant.oil != own.oil else EMPTY,
-        Text("supply by {supply}", supply=SUPPLY[first.variant.supply]) if first.variant.supply != own.supply else EMPTY, changed(first),
-    ]  # fmt: skip
+        Text("supply by {supply}", supply=SUPPLY[first.variant.supply])
+        if first.variant.supply != own.supply
+        else EMPTY,
+        changed(first),
+    ]
     if any(change):
         nearest = Text("Row 1 is nearest to the design: {change}.", change=COMMA.join(filter(None, change)))
         words.append(nearest + (_at_corners(found, first) if found.kind == "given" else EMPTY))
@@ -302,24 +379,37 @@ def _missed(found: BearingsFound) -> Text:
     """Which journal has how much room, and by how much the nearest is too long."""
     Ra = Amount(ROUGHNESSES[-1] * 1e6, "µm")
     if not found.beyond:
-        return Text("Nothing of any length keeps every limit, not with Ra down to {Ra}, nor with fits two grades closer.", Ra=Ra)
+        return Text(
+            "Nothing of any length keeps every limit, not with Ra down to {Ra}, nor with fits two grades closer.", Ra=Ra
+        )
     row, number = found.beyond[0], len(found.rows) + 1
     long = [(place, x) for place, x in zip(PLACES, row.too_long) if x > 0]
     rooms = [
-        Text("the {place} journal has room for {room}", place=PLACE[place], room=mm(found.tasks[place][0].room.longest or 0.0))
+        Text(
+            "the {place} journal has room for {room}",
+            place=PLACE[place],
+            room=mm(found.tasks[place][0].room.longest or 0.0),
+        )
         for place, _ in long
     ]
     return Text(
-        "Nothing that fits keeps every limit: {room}, and the nearest that does (row {number}) is {miss} too long; not with Ra down to "
+        "Nothing that fits keeps every limit: {room}, and the nearest that does (row {number}) is {miss} too long; "
+        "not with Ra down to "
         "{Ra}, nor with fits two grades closer.",
-        room=listed(rooms), number=number, miss=listed(Text("{x} ({place})", x=mm(x), place=PLACE[place]) for place, x in long), Ra=Ra,
-    )  # fmt: skip
+        room=listed(rooms),
+        number=number,
+        miss=listed(Text("{x} ({place})", x=mm(x), place=PLACE[place]) for place, x in long),
+        Ra=Ra,
+    )
 
 
 def _at_corners(found: BearingsFound, row: BearingRow) -> Text:
     """The worst corner of a row that is judged as given."""
     slopes = found.slopes_of_row(1)
-    there = [picks(replace(one.task, corners=True), [one.length], [one.clearance], slopes[p])[0] for p, one in zip(PLACES, row.both)]
+    there = [
+        picks(replace(one.task, corners=True), [one.length], [one.clearance], slopes[p])[0]
+        for p, one in zip(PLACES, row.both)
+    ]
     below = [c for one in there for c in one.checks if c.margin < 0 and not c.id.endswith("clearance_cold")]
     return Text(" Below at a corner: {limits}.", limits=SEMICOLON.join(map(against, below))) if below else EMPTY
 
@@ -335,14 +425,22 @@ def _kept(found: BearingsFound) -> Iterator[Text]:
     if found.kind == "given":
         rows = Text("Rows {a} to {b} keep", a=n + 1, b=last) if found.beyond else Text("To keep would be")
     yield Text(
-        "{rows}, at the worst corner of the tolerances: the film at the edge by Kreisle and by Trumpler, Trumpler's film at twice the "
-        "load, outlet temperature, a rise of {rise}, specific load, heat index, l/d within its limits and the usual ones, the speed above "
+        "{rows}, at the worst corner of the tolerances: the film at the edge by Kreisle and by Trumpler, Trumpler's "
+        "film at twice the "
+        "load, outlet temperature, a rise of {rise}, specific load, heat index, l/d within its limits and the usual "
+        "ones, the speed above "
         "mixed friction, and {cold} of clearance at the lowest temperature.",
-        rows=rows, rise=Amount(RISE[0], "K"), cold=Amount(LEAST_COLD * 1e6, "µm"))  # fmt: skip
+        rows=rows,
+        rise=Amount(RISE[0], "K"),
+        cold=Amount(LEAST_COLD * 1e6, "µm"),
+    )
     if found.kind == "given":
-        rows = Text("Rows 1 to {n} and {a} to {b}", n=n, a=last + 1, b=end) if found.pareto else Text("Rows 1 to {n}", n=n)
+        rows = (
+            Text("Rows 1 to {n} and {a} to {b}", n=n, a=last + 1, b=end) if found.pareto else Text("Rows 1 to {n}", n=n)
+        )
         yield Text(
-            "{rows} keep all that as given, and at the corners of the tolerances, which are only assumed, some clearance when cold; the "
+            "{rows} keep all that as given, and at the corners of the tolerances, which are only assumed, some "
+            "clearance when cold; the "
             "other checks at the corners may warn. With fits given in the design they would fail.",
             rows=rows,
         )
@@ -354,11 +452,15 @@ def _rooms(found: BearingsFound) -> Iterator[Text]:
         if room.longest is None:
             yield Text("Room of the {place} journal: {why}.", place=PLACE[place], why=room.why)
         else:
-            yield Text("Room of the {place} journal: {room}; {why}.", place=PLACE[place], room=mm(room.longest), why=room.why)
+            yield Text(
+                "Room of the {place} journal: {room}; {why}.", place=PLACE[place], room=mm(room.longest), why=room.why
+            )
     if found.beyond:
         yield Text(
-            "A journal that is too long asks for sectors that give way: their masses moved, a shorter half_length_mm, or the true shape as "
-            "[[countershaft.sections]]. Of these rows each is the shortest of its oil and supply; until the shaft gives way, "
+            "A journal that is too long asks for sectors that give way: their masses moved, a shorter half_length_mm, "
+            "or the true shape as "
+            "[[countershaft.sections]]. Of these rows each is the shortest of its oil and supply; until the shaft "
+            "gives way, "
             "countershaft.crossing fails with them."
         )
 
@@ -371,14 +473,22 @@ def _diameters(found: BearingsFound) -> Iterator[Text]:
             yield Text("The {place} diameter stays as it is: {why}.", place=PLACE[place], why=why)
             continue
         looked = sorted(task.seat.bearing.diameter for task in found.tasks[place])
-        free = Text("The {place} diameter is free: {diameters} mm are looked at, nothing between.", place=PLACE[place],
-            diameters=COMMA.join(Text("{d}", d=short_mm(d)) for d in looked))  # fmt: skip
+        free = Text(
+            "The {place} diameter is free: {diameters} mm are looked at, nothing between.",
+            place=PLACE[place],
+            diameters=COMMA.join(Text("{d}", d=short_mm(d)) for d in looked),
+        )
         ends = {row.both[n].diameter for row in found.rows[:2]} & {looked[0], looked[-1]}
-        yield free + (Text(" {d}, in the first rows, is the end of it: beyond may be better.", d=mm(ends.pop())) if ends else EMPTY)
+        yield free + (
+            Text(" {d}, in the first rows, is the end of it: beyond may be better.", d=mm(ends.pop()))
+            if ends
+            else EMPTY
+        )
     if any(len(some) > 1 for some in found.tasks.values()):
         shares = COMMA.join(Text("{share}", share=Amount(share * 100, form="+.0f")) for share in DIAMETERS)
         yield Text(
-            "Diameters stand {shares} % beside the design's; another supply takes the one that needs least power with the design's own "
+            "Diameters stand {shares} % beside the design's; another supply takes the one that needs least power with "
+            "the design's own "
             "supply and the same oil, and the design's.",
             shares=shares,
         )
@@ -387,32 +497,45 @@ def _diameters(found: BearingsFound) -> Iterator[Text]:
 def _searched(found: BearingsFound) -> Iterator[Text]:
     K = USUAL_FACTORS[1]
     yield Text(
-        "Lengths stand on half millimetres, clearances on 5 µm up to those of the factor K = {K} (the greatest that is usual), and the "
+        "Lengths stand on half millimetres, clearances on 5 µm up to those of the factor K = {K} (the greatest that "
+        "is usual), and the "
         "design's own beside them. Powers within 0.1 W are taken as alike: the smaller change goes first.",
         K=K,
     )
-    beyond = [PLACE[p] for p in PLACES if any(one.clearance > widest_usual(one.task) + SAME for one in (getattr(r, p) for r in found.rows))]
+    beyond = [
+        PLACE[p]
+        for p in PLACES
+        if any(one.clearance > widest_usual(one.task) + SAME for one in (getattr(r, p) for r in found.rows))
+    ]
     if beyond:
         where = listed(beyond)
         yield Text(
-            "Some clearances of the {places} bearing are wider than K = {K} makes them, for the cold or the heat.", places=where, K=K
+            "Some clearances of the {places} bearing are wider than K = {K} makes them, for the cold or the heat.",
+            places=where,
+            K=K,
         )
     unusual = {n: c for n, row in enumerate(found.all, 1) for one in row.both if (c := one.unusual) is not None}
     if unusual:
         yield Text(
-            "The relative clearance of the application, {limit} (clearance_usual), goes before a wider one. Not kept, since film, heat and "
+            "The relative clearance of the application, {limit} (clearance_usual), goes before a wider one. Not kept, "
+            "since film, heat and "
             "cold clearance leave nothing so narrow, or for less power in the Pareto set: {rows}.",
-            limit=next(iter(unusual.values())).limit_text(), rows=rows_of(list(unusual)))  # fmt: skip
+            limit=next(iter(unusual.values())).limit_text(),
+            rows=rows_of(list(unusual)),
+        )
     if found.placed:
         yield Text(
-            "The design's fits have a place and so make the clearance: a row with another one takes their widths alone (IT7 for f7)."
+            "The design's fits have a place and so make the clearance: a row with another one takes their widths "
+            "alone (IT7 for f7)."
         )
     if found.verified:
         yield Text("Rows 1 to {n} are solved as whole designs; the others when they are taken.", n=found.verified)
     for id in dict.fromkeys(c.id for checks in found.elsewhere.values() for c in checks):
         there = {number: c for number, checks in found.elsewhere.items() for c in checks if c.id == id}
         numbers, first = COMMA.join(map(str, there)), next(iter(there.values()))
-        yield Text("Another step then fails, with row {rows}: {id} ({limit}).", rows=numbers, id=id, limit=against(first))
+        yield Text(
+            "Another step then fails, with row {rows}: {id} ({limit}).", rows=numbers, id=id, limit=against(first)
+        )
     if found.dropped:
         yield Text("Dropped once the whole design was solved: {rows}.", rows=SEMICOLON.join(found.dropped))
 

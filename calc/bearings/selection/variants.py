@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What is searched over: the bearings as the design has them, the oils, the supplies, and diameters where nothing ties them."""
+"""What is searched over: the bearings as the design has them, the oils, the supplies, and diameters where nothing ties
+them."""
 
 import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
@@ -42,8 +43,8 @@ class Solution(Protocol):
 class SelectionCase:
     """`results` are those of the design as it is.  `solve`: the same with other bearings.
 
-    `own_oils`: names that the design itself has given; `gear_tip`: tip diameter of the gear on the shaft, None where it is not known.
-    """
+    `own_oils`: names that the design itself has given; `gear_tip`: tip diameter of the gear on the shaft, None where it
+    is not known."""
 
     bearings: BearingsInputs
     shaft: CountershaftInputs | None
@@ -73,7 +74,13 @@ DIAMETERS = (-0.15, 0.15, 0.3, 0.45)  # of the design's, more than it, where not
 DIAMETER = keys(BearingInputs)["diameter_mm"].about
 SHORT = 0.1  # of the diameter: journals that leave room for everything beside them
 FINEST = 5  # IT grade of a ground journal: closer ones are not asked for; rule of this program
-PROBES = ((0.5, 1.5e-3), (0.5, 2.5e-3), (0.75, 1.5e-3), (0.75, 2.5e-3), (0.3, 1.5e-3))  # l/d and ψ; rule of this program
+PROBES = (
+    (0.5, 1.5e-3),
+    (0.5, 2.5e-3),
+    (0.75, 1.5e-3),
+    (0.75, 2.5e-3),
+    (0.3, 1.5e-3),
+)  # l/d and ψ; rule of this program
 
 
 @record
@@ -92,7 +99,8 @@ class Variant:
 
 
 def tasks(case: SelectionCase) -> dict[str, list[BearingTask]]:
-    """Each bearing at each diameter that is looked at, the design's own first.  Raises NoSolution where they can not be known."""
+    """Each bearing at each diameter that is looked at, the design's own first.  Raises NoSolution where they can not be
+    known."""
     if case.bearings.supply == "axial_groove":
         raise NoSolution(
             Text("the search for bearings does not know films between axial grooves"),
@@ -157,10 +165,16 @@ def _solved(case: SelectionCase, own: BearingsInputs) -> Solution:
         probed = case.solve(_with_both(own, partial(_probe, ratio, psi)), last=True)
         if probed.outcomes["bearings"].state == "solved":
             return probed
-    raise NoSolution(Text("no bearing can be chosen: the step has no answer"), outcome.reason, Text("look at load, speed and supply first"))
+    raise NoSolution(
+        Text("no bearing can be chosen: the step has no answer"),
+        outcome.reason,
+        Text("look at load, speed and supply first"),
+    )
 
 
-def _with_both(own: BearingsInputs, change: Callable[[BearingInputs], BearingInputs], places: Sequence[str] = PLACES) -> BearingsInputs:
+def _with_both(
+    own: BearingsInputs, change: Callable[[BearingInputs], BearingInputs], places: Sequence[str] = PLACES
+) -> BearingsInputs:
     front, rear = (change(b) if place in places else b for place, b in zip(PLACES, (own.front, own.rear)))
     return replace(own, front=front, rear=rear)
 
@@ -169,8 +183,11 @@ def _probe(ratio: float, psi: float, b: BearingInputs) -> BearingInputs:
     return replace(b, length=ratio * b.diameter, clearance=psi * b.diameter, clearance_factor=None)
 
 
-def _task(case: SelectionCase, own: BearingsInputs, solved: Solution, place: str, at_own: BearingTask | None = None) -> BearingTask:
-    """`at_own`: the same bearing at the design's diameter, whose length and clearance are those that a change counts from."""
+def _task(
+    case: SelectionCase, own: BearingsInputs, solved: Solution, place: str, at_own: BearingTask | None = None
+) -> BearingTask:
+    """`at_own`: the same bearing at the design's diameter, whose length and clearance are those that a change counts
+    from."""
     there = solved.result(BearingsResult)
     assert there is not None  # what `_solved` gave
     one = there.bearings[place]
@@ -197,7 +214,8 @@ def _clearance(inputs: BearingsInputs, bearing: BearingInputs, one: BearingResul
 
 
 def drawn(case: SelectionCase) -> Solution:
-    """Results with an outline of the shaft: those of the design, else with journals so short that they cross nothing, where that helps."""
+    """Results with an outline of the shaft: those of the design, else with journals so short that they cross nothing,
+    where that helps."""
     results = case.results
     if case.shaft is None or results.result(CountershaftResult) is None or not crossings(results):
         return results
@@ -212,7 +230,9 @@ def _with_short_journals(case: SelectionCase) -> Solution:
 
 def crossings(results: Solution) -> list[Check]:
     """Pieces of the shaft that overlap."""
-    return [c for c in results.outcomes["countershaft"].checks if c.id == "countershaft.crossing" and c.verdict == "fail"]
+    return [
+        c for c in results.outcomes["countershaft"].checks if c.id == "countershaft.crossing" and c.verdict == "fail"
+    ]
 
 
 def placed(own: BearingsInputs) -> tuple[str, str] | None:
@@ -222,7 +242,8 @@ def placed(own: BearingsInputs) -> tuple[str, str] | None:
 
 
 def closer_fits(own: BearingsInputs) -> list[tuple[str, str]]:
-    """Fits of journal and seat by one grade closer and by two, up to IT5; widths about the clearance where they have a place."""
+    """Fits of journal and seat by one grade closer and by two, up to IT5; widths about the clearance where they have a
+    place."""
     widths = placed(own)
     if widths is not None:
         own = replace(own, journal_fit=widths[0], seat_fit=widths[1])
@@ -239,17 +260,23 @@ def closer_fits(own: BearingsInputs) -> list[tuple[str, str]]:
 def _with_diameters(own: BearingsInputs, share: float, places: list[str]) -> BearingsInputs:
     """Diameters changed by a share, on the step of their input."""
     step = DIAMETER.units.inside(DIAMETER.step or 0.5)
-    return _with_both(own, lambda b: replace(b, diameter=round(max(round(b.diameter * (1 + share) / step), 1) * step, 9)), places)
+    return _with_both(
+        own, lambda b: replace(b, diameter=round(max(round(b.diameter * (1 + share) / step), 1) * step, 9)), places
+    )
 
 
 def variants(case: SelectionCase) -> list[Variant]:
-    """The design's oil and supply first, then every engine oil, thickest first, with every supply that the design has the width for."""
+    """The design's oil and supply first, then every engine oil, thickest first, with every supply that the design has
+    the width for."""
     own = case.bearings
     lubricants = {name: Lubricant(own.in_bearings(oil), own.viscosity_law) for name, oil in case.oils.items()}
     others = own.viscosity is None  # else every oil has the same viscosity
     oils = [n for n in lubricants if n == own.oil or (others and (n in case.own_oils or ENGINE_OIL.match(n)))]
     oils.sort(key=lambda name: (name != own.oil, -lubricants[name].at(own.supply_temperature).mu))
-    supplies = [own.supply, *(s for s, width in SUPPLIES.items() if s != own.supply and getattr(own, width) is not None)]
+    supplies = [
+        own.supply,
+        *(s for s, width in SUPPLIES.items() if s != own.supply and getattr(own, width) is not None),
+    ]
     return [Variant(name, fed, lubricants[name]) for fed in supplies for name in oils]
 
 

@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: Apache-2.0
 """A stepped beam on rigid pins: finite elements after Timoshenko with the interpolation that is exact in statics.
 
-Each element has constant stiffness and mass and a load that varies linearly, so that displacements, rotations and reactions at the nodes
-are those of the differential equation; only inertia is approximated (consistent mass: the error of a frequency falls with the fourth power
-of the elements' length, with the second where shear prevails).
-Loads and displacements are complex: the two transverse planes of an axially symmetric shaft, which do not couple, in one solution.
+Each element has constant stiffness and mass and a load that varies linearly, so that displacements, rotations and
+reactions at the nodes are those of the differential equation; only inertia is approximated (consistent mass: the error
+of a frequency falls with the fourth power of the elements' length, with the second where shear prevails). Loads and
+displacements are complex: the two transverse planes of an axially symmetric shaft, which do not couple, in one
+solution.
 
-Signs: w in the direction of the load, θ the rotation of the section (w' without shear), M positive where a load in the positive direction
-makes it so between two supports: M = −E·I·θ'.  All numbers in SI.
-"""
+Signs: w in the direction of the load, θ the rotation of the section (w' without shear), M positive where a load in the
+positive direction makes it so between two supports: M = −E·I·θ'.  All numbers in SI."""
 
 import math
 from collections.abc import Sequence
@@ -36,8 +36,8 @@ SETTLED = 1e-12  # relative change of the frequency's square at which the iterat
 class Beam:
     """Nodes and elements, their matrices assembled.  Unknowns: w and θ of each node in turn.
 
-    `stiffness` E·I, `shear` κ·G·A, `line_mass` ρ·A and `load` at both ends belong to the elements; `pinned` are the unknowns held at zero.
-    """
+    `stiffness` E·I, `shear` κ·G·A, `line_mass` ρ·A and `load` at both ends belong to the elements; `pinned` are the
+    unknowns held at zero."""
 
     z: Array
     load: ComplexArray
@@ -55,7 +55,8 @@ class Beam:
 
 @record
 class Bent:
-    """The loaded beam.  w, θ at the nodes; `reactions` of the pins on the beam; `slopes` θ at the pins; M at the places `moment_z`.
+    """The loaded beam.  w, θ at the nodes; `reactions` of the pins on the beam; `slopes` θ at the pins; M at the places
+    `moment_z`.
 
     Q = M' stands at both ends of each element, `shear_z`: two numbers where a force or a pin makes it jump.
     """
@@ -79,27 +80,26 @@ class Bent:
 def _shapes(L: Array, Phi: Array) -> tuple[Array, Array]:
     """Deflection and rotation of an element as polynomials of ξ = z/L: coefficients by element, unknown and power.
 
-    The solution of the unloaded Timoshenko element for unit displacements of its ends (Przemieniecki, Theory of Matrix Structural
-    Analysis, 5.6), Φ = 12·E·I/(κ·G·A·L²).
-    """
+    The solution of the unloaded Timoshenko element for unit displacements of its ends (Przemieniecki, Theory of Matrix
+    Structural Analysis, 5.6), Φ = 12·E·I/(κ·G·A·L²)."""
     one, o = np.ones_like(L), np.zeros_like(L)
-    w = np.array([
-        [one + Phi, -Phi, -3 * one, 2 * one],
-        [o, L * (1 + Phi / 2), -L * (2 + Phi / 2), L],
-        [o, Phi, 3 * one, -2 * one],
-        [o, -L * Phi / 2, -L * (1 - Phi / 2), L],
-    ])  # fmt: skip
-    theta = np.array([
-        [o, -6 / L, 6 / L],
-        [one + Phi, -(4 + Phi), 3 * one],
-        [o, 6 / L, -6 / L],
-        [o, -(2 - Phi), 3 * one],
-    ])  # fmt: skip
+    w = np.array(
+        [
+            [one + Phi, -Phi, -3 * one, 2 * one],
+            [o, L * (1 + Phi / 2), -L * (2 + Phi / 2), L],
+            [o, Phi, 3 * one, -2 * one],
+            [o, -L * Phi / 2, -L * (1 - Phi / 2), L],
+        ]
+    )
+    theta = np.array(
+        [[o, -6 / L, 6 / L], [one + Phi, -(4 + Phi), 3 * one], [o, 6 / L, -6 / L], [o, -(2 - Phi), 3 * one]]
+    )
     return np.moveaxis(w, 2, 0) / (1 + Phi)[:, None, None], np.moveaxis(theta, 2, 0) / (1 + Phi)[:, None, None]
 
 
 def _nodes(ends: Array, places: Array, longest: Metre) -> Array:
-    """Every end of a piece and every place with a pin, a force or a mass, and what is needed between to keep elements short."""
+    """Every end of a piece and every place with a pin, a force or a mass, and what is needed between to keep elements
+    short."""
     marks = np.sort(np.concatenate([ends, places]))
     marks = marks[np.concatenate([[True], np.diff(marks) > SAME])]
     longest = max(longest, (marks[-1] - marks[0]) / MOST)
@@ -113,20 +113,31 @@ def _nearest(z: Array, places: Array) -> IndexArray:
     return cast(IndexArray, np.abs(z[None, :] - places[:, None]).argmin(1))
 
 
-def beam(ends: Numbers, stiffness: Numbers, shear: Numbers, line_mass: Numbers, load: Loads, pins: Numbers,
-    forces: tuple[Numbers, Loads] = ((), ()), masses: tuple[Numbers, Numbers] = ((), ()), rotary: Numbers = 0.0,
-    longest: Metre = ELEMENT) -> Beam:  # fmt: skip
+def beam(
+    ends: Numbers,
+    stiffness: Numbers,
+    shear: Numbers,
+    line_mass: Numbers,
+    load: Loads,
+    pins: Numbers,
+    forces: tuple[Numbers, Loads] = ((), ()),
+    masses: tuple[Numbers, Numbers] = ((), ()),
+    rotary: Numbers = 0.0,
+    longest: Metre = ELEMENT,
+) -> Beam:
     """A beam of pieces between `ends` (one more than pieces).
 
-    `load` per length: one number of each piece, or a row of two, at its ends.  `shear` may be infinite (Bernoulli's beam).  `forces` and
-    `masses`: their places and their amounts; a mass may be below zero (a hole).  `rotary`: ρ·I of each piece, left out without it; it
-    counts for the frequencies, and not in the frame of a turning shaft, where −ρ·I would stiffen it by a part in ten thousand.
-    """
+    `load` per length: one number of each piece, or a row of two, at its ends.  `shear` may be infinite (Bernoulli's
+    beam).  `forces` and `masses`: their places and their amounts; a mass may be below zero (a hole).  `rotary`: ρ·I of
+    each piece, left out without it; it counts for the frequencies, and not in the frame of a turning shaft, where −ρ·I
+    would stiffen it by a part in ten thousand."""
     ends, places = np.asarray(ends, dtype=float), [np.asarray(x, dtype=float) for x in (pins, forces[0], masses[0])]
     z = _nodes(ends, np.concatenate(places), longest)
     L = np.diff(z)
     piece = np.clip(np.searchsorted(ends, (z[:-1] + z[1:]) / 2) - 1, 0, ends.size - 2)
-    EI, S, mu = (np.broadcast_to(np.asarray(x, dtype=float), ends.size - 1)[piece] for x in (stiffness, shear, line_mass))
+    EI, S, mu = (
+        np.broadcast_to(np.asarray(x, dtype=float), ends.size - 1)[piece] for x in (stiffness, shear, line_mass)
+    )
     q = np.asarray(load, dtype=complex)
     q = np.broadcast_to(q[..., None] if q.ndim < 2 else q, (ends.size - 1, 2))[piece]
     share = (np.stack([z[:-1], z[1:]], 1) - ends[piece][:, None]) / np.diff(ends)[piece][:, None]
@@ -146,7 +157,12 @@ def beam(ends: Numbers, stiffness: Numbers, shear: Numbers, line_mass: Numbers, 
 
     n = 2 * z.size
     at = 2 * np.arange(L.size)[:, None] + power[None, :]
-    whole_K, whole_M, whole_R, whole_f = np.zeros((n, n)), np.zeros((n, n)), np.zeros((n, n)), np.zeros(n, dtype=complex)
+    whole_K, whole_M, whole_R, whole_f = (
+        np.zeros((n, n)),
+        np.zeros((n, n)),
+        np.zeros((n, n)),
+        np.zeros(n, dtype=complex),
+    )
     np.add.at(whole_K, (at[:, :, None], at[:, None, :]), K)
     np.add.at(whole_M, (at[:, :, None], at[:, None, :]), M)
     np.add.at(whole_R, (at[:, :, None], at[:, None, :]), R)
@@ -154,14 +170,29 @@ def beam(ends: Numbers, stiffness: Numbers, shear: Numbers, line_mass: Numbers, 
     pinned, pushed, loaded = (2 * _nearest(z, x) for x in places)
     np.add.at(whole_f, pushed, np.asarray(forces[1], dtype=complex))
     np.add.at(whole_M, (loaded, loaded), np.asarray(masses[1], dtype=float))
-    return Beam(z=z, load=q, line_mass=mu, element_K=K, element_M=M, element_f=f, K=whole_K, M=whole_M, R=whole_R, f=whole_f,
-        pinned=pinned, free=np.delete(np.arange(n), pinned))  # fmt: skip
+    return Beam(
+        z=z,
+        load=q,
+        line_mass=mu,
+        element_K=K,
+        element_M=M,
+        element_f=f,
+        K=whole_K,
+        M=whole_M,
+        R=whole_R,
+        f=whole_f,
+        pinned=pinned,
+        free=np.delete(np.arange(n), pinned),
+    )
 
 
 def displaced(beam: Beam, omega: RadPerSecond = 0.0) -> ComplexArray:
-    """w and θ of each node in turn, from (K − ω²·M)·u = f: the beam turns at ω with a load that turns with it; ω = 0: at rest."""
+    """w and θ of each node in turn, from (K − ω²·M)·u = f: the beam turns at ω with a load that turns with it; ω = 0:
+    at rest."""
     free = np.ix_(beam.free, beam.free)
-    loads = np.stack([beam.f.real[beam.free], beam.f.imag[beam.free]], 1)  # two real columns: a complex side would make K complex
+    loads = np.stack(
+        [beam.f.real[beam.free], beam.f.imag[beam.free]], 1
+    )  # two real columns: a complex side would make K complex
     columns = np.linalg.solve(beam.K[free] - omega**2 * beam.M[free], loads)
     u = np.zeros(beam.f.size, dtype=complex)
     u[beam.free] = columns[:, 0] + 1j * columns[:, 1]
@@ -174,16 +205,29 @@ def bend(beam: Beam, omega: RadPerSecond = 0.0) -> Bent:
     reactions = (beam.K[beam.pinned] - omega**2 * beam.M[beam.pinned]) @ u - beam.f[beam.pinned]
     z, w = beam.z, u[::2]
     ends = np.stack([u[:-2:2], u[1:-2:2], u[2::2], u[3::2]], 1)
-    pushed = np.einsum("eij,ej->ei", beam.element_K - omega**2 * beam.element_M, ends) - beam.element_f  # what holds each element
+    pushed = (
+        np.einsum("eij,ej->ei", beam.element_K - omega**2 * beam.element_M, ends) - beam.element_f
+    )  # what holds each element
     q = beam.load + (omega**2 * beam.line_mass)[:, None] * np.stack([w[:-1], w[1:]], 1)
     xi, L = np.arange(POINTS) / POINTS, np.diff(z)[:, None]
     M = (1 - xi) * pushed[:, 1:2] - xi * pushed[:, 3:4]
     M = M + L**2 * (q[:, :1] * (xi - xi**2) / 2 + (q[:, 1:] - q[:, :1]) * (xi - xi**3) / 6)
-    slope, rise = -(pushed[:, 1] + pushed[:, 3]) / L[:, 0], q[:, 1] - q[:, 0]  # of M between the ends, and what the load adds to it
+    slope, rise = (
+        -(pushed[:, 1] + pushed[:, 3]) / L[:, 0],
+        q[:, 1] - q[:, 0],
+    )  # of M between the ends, and what the load adds to it
     Q = np.stack([slope + L[:, 0] * (q[:, 0] / 2 + rise / 6), slope - L[:, 0] * (q[:, 0] / 2 + rise / 3)], 1)
-    return Bent(z=z, w=w, theta=u[1::2], slopes=u[1::2][beam.pinned // 2], reactions=reactions,
-        moment_z=np.append((z[:-1, None] + xi * L).ravel(), z[-1]), moment=np.append(M.ravel(), -pushed[-1, 3]),
-        shear_z=np.stack([z[:-1], z[1:]], 1).ravel(), shear=Q.ravel())  # fmt: skip
+    return Bent(
+        z=z,
+        w=w,
+        theta=u[1::2],
+        slopes=u[1::2][beam.pinned // 2],
+        reactions=reactions,
+        moment_z=np.append((z[:-1, None] + xi * L).ravel(), z[-1]),
+        moment=np.append(M.ravel(), -pushed[-1, 3]),
+        shear_z=np.stack([z[:-1], z[1:]], 1).ravel(),
+        shear=Q.ravel(),
+    )
 
 
 def natural_frequency(beam: Beam) -> RadPerSecond:

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """What the bending of the shaft is computed from, and what comes out: stiffness, load, slope, frequency, stress.
 
-All formulas take arrays, an element for each piece; faces at z, bearings at z_B.  θ is the rotation of the section, that of the journal.
-"""
+All formulas take arrays, an element for each piece; faces at z, bearings at z_B.  θ is the rotation of the section,
+that of the journal."""
 
 from typing import cast
 
@@ -12,7 +12,7 @@ from ...sheet.arrays import BoolArray
 from ...sheet.formula import formula
 from ...sheet.functions import cos, largest, pi, sin, smallest
 from ...sheet.text import Text
-from ...sheet.units import (  # fmt: skip
+from ...sheet.units import (
     Kilogram,
     KilogramMetre,
     KilogramPerMetre,
@@ -39,13 +39,16 @@ FINITE = Text("elasticity, stepped beam of Timoshenko elements, exact in statics
 TURNING = Text("(stiffness − ω_S²·masses)·u = f, f from q and F, w = 0 at the journals")
 
 
-# --- the section --------------------------------------------------------------------------------------------------------------
+# --- the section
+# --------------------------------------------------------------------------------------------------------------
 @formula("G", "elasticity, isotropic", unit="GPa")
 def shear_modulus(E: Pascal, nu: Number) -> Pascal:
     return E / (2 * (1 + nu))
 
 
-@formula("κ_s", "Cowper 1966, The shear coefficient in Timoshenko's beam theory: shear coefficient of the circular section")
+@formula(
+    "κ_s", "Cowper 1966, The shear coefficient in Timoshenko's beam theory: shear coefficient of the circular section"
+)
 def shear_coefficient(nu: Number) -> Number:
     """Used for the sectors too: shear gives a small part of the deflection there."""
     return 6 * (1 + nu) / (7 + 6 * nu)
@@ -61,8 +64,12 @@ def bending_stiffness(E: Pascal, I: Metre4) -> NewtonMetre2:
     return E * I
 
 
-@formula("I_0", "geometry: second moment of the core alone, which a sector of no effect leaves; of a full section all of it", unit="mm⁴",
-    shows="π·r_0⁴/4 of a sector, I of a full section")  # fmt: skip
+@formula(
+    "I_0",
+    "geometry: second moment of the core alone, which a sector of no effect leaves; of a full section all of it",
+    unit="mm⁴",
+    shows="π·r_0⁴/4 of a sector, I of a full section",
+)
 def core_inertia(I: Metre4, r_0: Metre, sector: BoolArray) -> Metre4:
     found = np.where(sector, pi * r_0**4 / 4, I)
     return cast(Metre4, found)
@@ -70,7 +77,8 @@ def core_inertia(I: Metre4, r_0: Metre, sector: BoolArray) -> Metre4:
 
 @formula(
     "I_η",
-    "rule of this program: second moment of area; the core bends whole, and the sector lends a share of what it adds to the core",
+    "rule of this program: second moment of area; the core bends whole, and the sector lends a share of what it adds "
+    "to the core",
     unit="mm⁴",
 )
 def shared_inertia(I_0: Metre4, eta: Number, I: Metre4) -> Metre4:
@@ -84,7 +92,9 @@ def sideways_inertia(R: Metre, r_0: Metre, gamma: Radian) -> Metre4:
 
 
 @formula(
-    "I_min", "geometry, the weaker plane of the section: below a half-angle of about 60° that across the plane of symmetry", unit="mm⁴"
+    "I_min",
+    "geometry, the weaker plane of the section: below a half-angle of about 60° that across the plane of symmetry",
+    unit="mm⁴",
 )
 def weaker_inertia(I: Metre4, I_side: Metre4) -> Metre4:
     return smallest(I, I_side)
@@ -101,7 +111,8 @@ def farthest_fibre(R: Metre, y: Metre, r_0: Metre, gamma: Radian) -> Metre:
     return largest(R - y, y + largest(r_0, -R * cos(gamma)))
 
 
-# --- mass and load --------------------------------------------------------------------------------------------------------------
+# --- mass and load
+# --------------------------------------------------------------------------------------------------------------
 @formula("ρ_l", "geometry: mass per length of the whole section")
 def line_mass(rho: KilogramPerMetre3, A: SquareMetre) -> KilogramPerMetre:
     return rho * A
@@ -117,24 +128,56 @@ def line_load(omega: RadPerSecond, rho: KilogramPerMetre3, S: PhasorCubicMetre) 
     return omega**2 * rho * S
 
 
-@formula("θ", FINITE, shows=Text("|θ| at each journal from {turning}", turning=TURNING), unit="mrad", names={"mu": "ρ_l", "omega": "ω_S"})
-def slopes(EI: NewtonMetre2, S_s: Newton, mu: KilogramPerMetre, q: PhasorNewtonPerMetre, F: PhasorNewton, m: Kilogram, omega: RadPerSecond,
-    z: Metre, z_B: Metre, u: Bent) -> Radian:  # fmt: skip
+@formula(
+    "θ",
+    FINITE,
+    shows=Text("|θ| at each journal from {turning}", turning=TURNING),
+    unit="mrad",
+    names={"mu": "ρ_l", "omega": "ω_S"},
+)
+def slopes(
+    EI: NewtonMetre2,
+    S_s: Newton,
+    mu: KilogramPerMetre,
+    q: PhasorNewtonPerMetre,
+    F: PhasorNewton,
+    m: Kilogram,
+    omega: RadPerSecond,
+    z: Metre,
+    z_B: Metre,
+    u: Bent,
+) -> Radian:
     """`u` is the solution for the other arguments, from which the moments are taken too."""
     found = np.abs(u.slopes)
     return cast(Radian, found)
 
 
-@formula("f_1", Text("{finite}; with rotary inertia, without gyroscopic effect", finite=FINITE),
-    shows="lowest root of |K − (2π·f)²·M| = 0, M of ρ_l, j and m, subspace iteration", names={"mu": "ρ_l"})  # fmt: skip
+@formula(
+    "f_1",
+    Text("{finite}; with rotary inertia, without gyroscopic effect", finite=FINITE),
+    shows="lowest root of |K − (2π·f)²·M| = 0, M of ρ_l, j and m, subspace iteration",
+    names={"mu": "ρ_l"},
+)
 def natural_frequency(
-    EI: NewtonMetre2, S_s: Newton, mu: KilogramPerMetre, j: KilogramMetre, m: Kilogram, z: Metre, z_B: Metre, model: Beam
+    EI: NewtonMetre2,
+    S_s: Newton,
+    mu: KilogramPerMetre,
+    j: KilogramMetre,
+    m: Kilogram,
+    z: Metre,
+    z_B: Metre,
+    model: Beam,
 ) -> RevPerSecond:
     """The lowest natural frequency of bending in the weaker plane; `model` is made of the other arguments."""
     return b.natural_frequency(model) / (2 * pi)
 
 
-@formula("f_1", Text("{finite}; without rotary inertia", finite=FINITE), shows="the same root, M of ρ_l and m alone", names={"mu": "ρ_l"})
+@formula(
+    "f_1",
+    Text("{finite}; without rotary inertia", finite=FINITE),
+    shows="the same root, M of ρ_l and m alone",
+    names={"mu": "ρ_l"},
+)
 def natural_frequency_without_rotary(
     EI: NewtonMetre2, S_s: Newton, mu: KilogramPerMetre, m: Kilogram, z: Metre, z_B: Metre, model: Beam
 ) -> RevPerSecond:
@@ -148,8 +191,18 @@ def natural_frequency_without_rotary(
     shows=Text("largest |M| along the shaft, M = −E·I·θ' from {turning}", turning=TURNING),
     names={"mu": "ρ_l", "omega": "ω_S"},
 )
-def largest_moment(EI: NewtonMetre2, S_s: Newton, mu: KilogramPerMetre, q: PhasorNewtonPerMetre, F: PhasorNewton, m: Kilogram,
-    omega: RadPerSecond, z: Metre, z_B: Metre, u: Bent) -> NewtonMetre:  # fmt: skip
+def largest_moment(
+    EI: NewtonMetre2,
+    S_s: Newton,
+    mu: KilogramPerMetre,
+    q: PhasorNewtonPerMetre,
+    F: PhasorNewton,
+    m: Kilogram,
+    omega: RadPerSecond,
+    z: Metre,
+    z_B: Metre,
+    u: Bent,
+) -> NewtonMetre:
     return float(np.abs(u.moment).max())
 
 
@@ -184,8 +237,21 @@ def bending_stress(M: NewtonMetre, c: Metre, I: Metre4) -> Pascal:
     shows="the root of max θ(η) = θ_lim, secant of 1/θ",
     names={"mu": "ρ_l", "omega": "ω_S"},
 )
-def limiting_share(theta_lim: Radian, E: Pascal, I_0: Metre4, I: Metre4, S_s: Newton, mu: KilogramPerMetre, q: PhasorNewtonPerMetre,
-    F: PhasorNewton, m: Kilogram, omega: RadPerSecond, z: Metre, z_B: Metre, eta: Number) -> Number:  # fmt: skip
+def limiting_share(
+    theta_lim: Radian,
+    E: Pascal,
+    I_0: Metre4,
+    I: Metre4,
+    S_s: Newton,
+    mu: KilogramPerMetre,
+    q: PhasorNewtonPerMetre,
+    F: PhasorNewton,
+    m: Kilogram,
+    omega: RadPerSecond,
+    z: Metre,
+    z_B: Metre,
+    eta: Number,
+) -> Number:
     """`eta` is the root itself, found from the other arguments."""
     return eta
 

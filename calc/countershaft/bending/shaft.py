@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
 """How the shaft bends under its own centrifugal load: slopes of the journals, natural frequency, moments and stresses.
 
-The shaft stands still in the frame that turns with it, where its load is constant; weight and gear force are left out.  The finite-element
-results of Finotti 2013, ch. 6, are not reproduced: the true shape is not given there.  The share η of the sectors' stiffness makes the
-bracket.  Sections at other angles than the load's are taken as if they bent in their plane of symmetry.
-Ribs along the core have no section of their own: what they lend depends on how they join core and sectors, as with η, in whose bracket they
-stay (they only stiffen); the share at which a slope reaches its limit says whether they are needed.
-"""
+The shaft stands still in the frame that turns with it, where its load is constant; weight and gear force are left out.
+The finite-element results of Finotti 2013, ch. 6, are not reproduced: the true shape is not given there.  The share η
+of the sectors' stiffness makes the bracket.  Sections at other angles than the load's are taken as if they bent in
+their plane of symmetry. Ribs along the core have no section of their own: what they lend depends on how they join core
+and sectors, as with η, in whose bracket they stay (they only stiffen); the share at which a slope reaches its limit
+says whether they are needed."""
 
 import math
 from collections import Counter
@@ -59,7 +59,9 @@ from .beam import Beam, Bent, beam, bend, displaced
 STEP = 1e-6  # m: radii that differ by less make no shoulder
 
 
-def stresses(outline: Outline, bent: Bent, M_max: NewtonMetre, fillet: Metre | None) -> tuple[dict[str, float], tuple[Text, ...]]:
+def stresses(
+    outline: Outline, bent: Bent, M_max: NewtonMetre, fillet: Metre | None
+) -> tuple[dict[str, float], tuple[Text, ...]]:
     """Nominal stresses of the pieces, and the shoulder whose fillet is stressed most; notes on it."""
     c: Array = column(outline.pieces, "outer_radius")
     sector = np.array([p.half_angle is not None for p in outline.pieces])
@@ -78,39 +80,56 @@ def stresses(outline: Outline, bent: Bent, M_max: NewtonMetre, fillet: Metre | N
     here = [i for i in range(start.size) if start[i] - STEP <= z_M <= end[i] + STEP]
     i = max(here, key=lambda i: float(c[i] / I[i]))
     own = np.flatnonzero((bent.moment_z >= start[k] - STEP) & (bent.moment_z <= end[k] + STEP))
-    known = dict(largest_moment_z=z_M, stress_at_largest_moment=f.bending_stress(M=M_max, c=item(c[i]), I=item(I[i])),
-        bending_stress=item(stress[k]), bending_stress_z=based_on(float(bent.moment_z[own[size[own].argmax()]]), bent))  # fmt: skip
+    known = dict(
+        largest_moment_z=z_M,
+        stress_at_largest_moment=f.bending_stress(M=M_max, c=item(c[i]), I=item(I[i])),
+        bending_stress=item(stress[k]),
+        bending_stress_z=based_on(float(bent.moment_z[own[size[own].argmax()]]), bent),
+    )
     notch_of, notes = ({}, ()) if fillet is None else _notch(outline, bent, c, fillet)
     return known | notch_of, notes
 
 
 def _notch(outline: Outline, bent: Bent, c: Array, r: Metre) -> tuple[dict[str, float], tuple[Text, ...]]:
-    """The shoulder with the largest stress at its fillet: the round one from the larger diameter down to that of the weaker section.
+    """The shoulder with the largest stress at its fillet: the round one from the larger diameter down to that of the
+    weaker section.
 
-    A sector counts there with its core, at whose back its shoulder to a full section lies; of two sectors on one core, with its edge.
-    Shoulders lower than a tenth of the fillet, where the fit ends, are left out and said.
-    """
+    A sector counts there with its core, at whose back its shoulder to a full section lies; of two sectors on one core,
+    with its edge. Shoulders lower than a tenth of the fillet, where the fit ends, are left out and said."""
     shoulders = []
     low = 0
     for i, k in pairwise(range(len(outline.pieces))):
         weak = min(i, k, key=lambda n: float(outline.inertia[n]))
         piece, other = outline.pieces[weak], outline.pieces[i + k - weak]
-        at_core = piece.half_angle is not None and 0 < piece.core_radius != (other.core_radius if other.half_angle is not None else 0.0)
+        at_core = piece.half_angle is not None and 0 < piece.core_radius != (
+            other.core_radius if other.half_angle is not None else 0.0
+        )
         d = 2 * (piece.core_radius if at_core else piece.outer_radius)
         D = 2 * max(piece.outer_radius, other.outer_radius)
-        d, D = based_on(d, piece.core_radius if at_core else piece.outer_radius), based_on(D, piece.outer_radius, other.outer_radius)
+        d, D = (
+            based_on(d, piece.core_radius if at_core else piece.outer_radius),
+            based_on(D, piece.outer_radius, other.outer_radius),
+        )
         if D - d < 2 * STEP or (piece.half_angle, piece.core_radius, piece.outer_radius) == (
-            other.half_angle, other.core_radius, other.outer_radius
-        ):  # fmt: skip
+            other.half_angle,
+            other.core_radius,
+            other.outer_radius,
+        ):
             continue
         if (D - d) / (2 * r) < notch.FIT[0]:
             low += 1
             continue
         shoulders.append((piece.start if weak == k else piece.end, weak, D, d))
-    notes: tuple[Text, ...] = (Text("Notch stress: the shoulder of a sector is taken as a round one."),) if shoulders else ()
+    notes: tuple[Text, ...] = (
+        (Text("Notch stress: the shoulder of a sector is taken as a round one."),) if shoulders else ()
+    )
     if low:
         notes += (
-            Text("Notch stress: {low} of the shoulders lower than a tenth of the fillet radius left out: the fit ends there.", low=low),
+            Text(
+                "Notch stress: {low} of the shoulders lower than a tenth of the fillet radius left out: the fit ends "
+                "there.",
+                low=low,
+            ),
         )
     if not shoulders:
         return {}, notes
@@ -122,7 +141,9 @@ def _notch(outline: Outline, bent: Bent, c: Array, r: Metre) -> tuple[dict[str, 
         z, weak, D, d = shoulder
         sigma = f.bending_stress(M=f.shoulder_moment(z=z, u=bent), c=item(c[weak]), I=item(outline.inertia[weak]))
         x, K_t = notch.shoulder_bending(D=D, d=d, r=r)
-        return dict(notch_z=z, notch_factor=K_t, notch_stress=notch.notch_stress(K_t=K_t, sigma=sigma), step_over_fillet=x)
+        return dict(
+            notch_z=z, notch_factor=K_t, notch_stress=notch.notch_stress(K_t=K_t, sigma=sigma), step_over_fillet=x
+        )
 
     with untraced():
         governs = max(shoulders, key=lambda shoulder: stressed(shoulder)["notch_stress"])
@@ -137,11 +158,14 @@ def _notch(outline: Outline, bent: Bent, c: Array, r: Metre) -> tuple[dict[str, 
 LEAST = 5e-3  # of the largest: a smaller force is not shown
 
 
-def resultants(ends: Array, q: PhasorNewtonPerMetre, forces: tuple[Metre, PhasorNewton], back: complex) -> tuple[tuple[Metre, Newton], ...]:
-    """Place and size of the loads along a plane: of neighbouring pieces that are loaded to the same side one together, at its middle.
+def resultants(
+    ends: Array, q: PhasorNewtonPerMetre, forces: tuple[Metre, PhasorNewton], back: complex
+) -> tuple[tuple[Metre, Newton], ...]:
+    """Place and size of the loads along a plane: of neighbouring pieces that are loaded to the same side one together,
+    at its middle.
 
-    `q` per length of the pieces between `ends`; `forces`: places and amounts; `back` turns the plane into the real axis.
-    """
+    `q` per length of the pieces between `ends`; `forces`: places and amounts; `back` turns the plane into the real
+    axis."""
     ends = np.asarray(ends, float)
     middles, each = (ends[1:] + ends[:-1]) / 2, (np.asarray(q) * back).real * np.diff(ends)
     largest = float(np.abs(each).max(initial=0.0))
@@ -154,7 +178,9 @@ def resultants(ends: Array, q: PhasorNewtonPerMetre, forces: tuple[Metre, Phasor
         if now:
             groups[-1].append((z, F))
         side = now
-    groups += [[(z, F)] for z, F in zip(np.ravel(forces[0]).tolist(), np.ravel((np.asarray(forces[1]) * back).real).tolist())]
+    groups += [
+        [(z, F)] for z, F in zip(np.ravel(forces[0]).tolist(), np.ravel((np.asarray(forces[1]) * back).real).tolist())
+    ]
     sums = [(sum(z * F for z, F in group), sum(F for _, F in group)) for group in groups]
     found = [(moment / F, F) for moment, F in sums if F]
     largest = max((abs(F) for _, F in found), default=0.0)
@@ -170,7 +196,8 @@ SAME = 1e-6  # m: so far a bearing may lie beyond the shaft's end
 
 @result
 class Bending:
-    """The shaft's bending, with the sectors' stiffness at its share η where nothing else is said; `_stiff`: with all of it.
+    """The shaft's bending, with the sectors' stiffness at its share η where nothing else is said; `_stiff`: with all of
+    it.
 
     `deflection`, `moment`, `shear` and `loads` stand along the plane of the load, that at the angle `plane`;
     `vectors` are the deflections in both planes.
@@ -184,10 +211,14 @@ class Bending:
     notch_factor: Number | None = value("Notch factor of the shoulder that governs", "", "K_t", default=None)
     notch_stress: Pascal | None = value("Bending stress at its fillet", "MPa", "σ_k", default=None)
     notch_z: Metre | None = value("its place from mid-shaft", "mm", "z_k", default=None)
-    fatigue_amplitude: Pascal | None = value("Alternating stress there that equals a run-up", "MPa", "σ_eq", default=None)
+    fatigue_amplitude: Pascal | None = value(
+        "Alternating stress there that equals a run-up", "MPa", "σ_eq", default=None
+    )
     fatigue_strength: Pascal | None = value("Alternating stress that the fillet bears", "MPa", "σ_A", default=None)
     fatigue_safety: Number | None = value("Safety of that fillet against fatigue", "", "j", default=None)
-    effectiveness_at_limit: Number | None = value("Stiffness share at which a slope reaches its limit", "", "η_lim", default=None)
+    effectiveness_at_limit: Number | None = value(
+        "Stiffness share at which a slope reaches its limit", "", "η_lim", default=None
+    )
     slopes: Array  # of the journals, front to rear
     slopes_stiff: Array
     natural_frequency: RevPerSecond
@@ -237,12 +268,30 @@ class _Shaft:
 
     def model(self, EI: NewtonMetre2, longest: Metre = FINE, rotary: KilogramMetre = 0.0) -> Beam:
         x, places = self.given, self.places
-        return beam(self.ends, EI, x["S_s"], x["mu"], x["q"], self.positions, (places, x["F"]), (places, x["m"]), rotary, longest)
+        return beam(
+            self.ends,
+            EI,
+            x["S_s"],
+            x["mu"],
+            x["q"],
+            self.positions,
+            (places, x["F"]),
+            (places, x["m"]),
+            rotary,
+            longest,
+        )
 
 
 @design_by_design
-def bending(outline: Outline, material: Material, omega: RadPerSecond, positions: tuple[Metre, ...], extras: tuple[EccentricMass, ...] = (),
-    effectiveness: Number = 1.0, fillet_radius: Metre | None = None) -> Bending:  # fmt: skip
+def bending(
+    outline: Outline,
+    material: Material,
+    omega: RadPerSecond,
+    positions: tuple[Metre, ...],
+    extras: tuple[EccentricMass, ...] = (),
+    effectiveness: Number = 1.0,
+    fillet_radius: Metre | None = None,
+) -> Bending:
     """The bending of a shaft that turns at `omega` on journals whose middles lie at `positions`.
 
     Raises NoSolution where a journal or a further element lies beyond the shaft's ends.
@@ -267,16 +316,34 @@ def bending(outline: Outline, material: Material, omega: RadPerSecond, positions
         frequencies = _frequencies(shaft, material, core, effectiveness, (EI_s, EI))
         stressed, notes = stresses(outline, bent, M_max, fillet_radius)
         stressed |= _fatigue(stressed.get("notch_stress"), material)
-        at_limit = _share_at_limit(shaft, material.E, core, (effectiveness, float(slopes.max())), (1.0, float(slopes_stiff.max())))
+        at_limit = _share_at_limit(
+            shaft, material.E, core, (effectiveness, float(slopes.max())), (1.0, float(slopes_stiff.max()))
+        )
     plane = _plane(shaft)
     back = np.exp(-1j * plane)
-    return Bending(largest_moment=M_max, **stressed, notes=notes, effectiveness_at_limit=at_limit, slopes=slopes, slopes_stiff=slopes_stiff,
-        natural_frequency=frequencies[0], natural_frequency_stiff=frequencies[1],
-        natural_frequency_without_rotary=frequencies[2], speed=based_on(abs(omega) / (2 * math.pi), omega),
-        reactions=based_on(bent.reactions, bent), plane=plane, z=bent.z, deflection=(bent.w * back).real,
-        deflection_stiff=(bent_stiff.w * back).real, vectors=bent.w, moment_z=bent.moment_z, moment=(bent.moment * back).real,
-        shear_z=bent.shear_z, shear=(bent.shear * back).real,
-        loads=resultants(shaft.ends, given["q"], (shaft.places, given["F"]), back))  # fmt: skip
+    return Bending(
+        largest_moment=M_max,
+        **stressed,
+        notes=notes,
+        effectiveness_at_limit=at_limit,
+        slopes=slopes,
+        slopes_stiff=slopes_stiff,
+        natural_frequency=frequencies[0],
+        natural_frequency_stiff=frequencies[1],
+        natural_frequency_without_rotary=frequencies[2],
+        speed=based_on(abs(omega) / (2 * math.pi), omega),
+        reactions=based_on(bent.reactions, bent),
+        plane=plane,
+        z=bent.z,
+        deflection=(bent.w * back).real,
+        deflection_stiff=(bent_stiff.w * back).real,
+        vectors=bent.w,
+        moment_z=bent.moment_z,
+        moment=(bent.moment * back).real,
+        shear_z=bent.shear_z,
+        shear=(bent.shear * back).real,
+        loads=resultants(shaft.ends, given["q"], (shaft.places, given["F"]), back),
+    )
 
 
 def _fatigue(notch_stress: Pascal | None, material: Material) -> dict[str, float]:
@@ -287,9 +354,10 @@ def _fatigue(notch_stress: Pascal | None, material: Material) -> dict[str, float
     half = fatigue.run_up_amplitude(sigma_k=notch_stress)
     equal = fatigue.equivalent_amplitude(sigma_a=half, sigma_m=half, M=bears.sensitivity)
     return {
-        "fatigue_amplitude": equal, "fatigue_strength": bears.bearable,
+        "fatigue_amplitude": equal,
+        "fatigue_strength": bears.bearable,
         "fatigue_safety": fatigue.safety(sigma_A=bears.bearable, sigma_eq=equal),
-    }  # fmt: skip
+    }
 
 
 def _places(outline: Outline, positions: tuple[Metre, ...], extras: tuple[EccentricMass, ...]) -> None:
@@ -297,14 +365,24 @@ def _places(outline: Outline, positions: tuple[Metre, ...], extras: tuple[Eccent
     elements += [(x.z, Text("{z} mm ({name})", z=Amount(x.z * 1000.0, form="g"), name=x.name)) for x in extras]
     outside = [text for z, text in elements if not outline.start - SAME <= z <= outline.end + SAME]
     if outside:
-        raise NoSolution(Text("bending of the shaft"),
-            Text("{outside}: beyond the shaft, from {start} to {end} mm", outside=COMMA.join(outside),
-                start=Amount(outline.start * 1000.0, form=".4g"), end=Amount(outline.end * 1000.0, form=".4g")),
-            Text("Let [[countershaft.sections]] reach that far."))  # fmt: skip
+        raise NoSolution(
+            Text("bending of the shaft"),
+            Text(
+                "{outside}: beyond the shaft, from {start} to {end} mm",
+                outside=COMMA.join(outside),
+                start=Amount(outline.start * 1000.0, form=".4g"),
+                end=Amount(outline.end * 1000.0, form=".4g"),
+            ),
+            Text("Let [[countershaft.sections]] reach that far."),
+        )
 
 
 def _prepared(
-    outline: Outline, material: Material, omega: RadPerSecond, positions: tuple[Metre, ...], extras: tuple[EccentricMass, ...]
+    outline: Outline,
+    material: Material,
+    omega: RadPerSecond,
+    positions: tuple[Metre, ...],
+    extras: tuple[EccentricMass, ...],
 ) -> _Shaft:
     G = f.shear_modulus(E=material.E, nu=material.poisson)
     kappa = f.shear_coefficient(nu=material.poisson)
@@ -312,9 +390,16 @@ def _prepared(
     masses, e, gamma, z = (column(extras, name) for name in ("mass", "radius", "angle", "z"))
     forces = mass_force(omega=omega, m=masses, e=e, gamma=gamma) if extras else each(np.zeros(0, dtype=complex))
     ends = gathered([*column(outline.pieces, "start"), outline.end])
-    given = _Given(S_s=f.shear_stiffness(kappa=kappa, G=G, A=A), mu=f.line_mass(rho=material.density, A=A),
-        q=f.line_load(omega=omega, rho=material.density, S=S), F=forces, m=masses, omega=omega, z=each(ends),
-        z_B=each(positions))  # fmt: skip
+    given = _Given(
+        S_s=f.shear_stiffness(kappa=kappa, G=G, A=A),
+        mu=f.line_mass(rho=material.density, A=A),
+        q=f.line_load(omega=omega, rho=material.density, S=S),
+        F=forces,
+        m=masses,
+        omega=omega,
+        z=each(ends),
+        z_B=each(positions),
+    )
     sector = np.array([p.half_angle is not None for p in outline.pieces])
     return _Shaft(outline=outline, ends=ends, sector=sector, places=z, positions=positions, given=given)
 
@@ -334,8 +419,12 @@ def _frequencies(
     outline = shaft.outline
     inertia = each(outline.inertia)
     if shaft.sector.any():
-        gamma = each(gathered(math.pi if p.half_angle is None else p.half_angle for p in outline.pieces))  # π: the full cylinder
-        side = f.sideways_inertia(R=column(outline.pieces, "outer_radius"), r_0=column(outline.pieces, "core_radius"), gamma=gamma)
+        gamma = each(
+            gathered(math.pi if p.half_angle is None else p.half_angle for p in outline.pieces)
+        )  # π: the full cylinder
+        side = f.sideways_inertia(
+            R=column(outline.pieces, "outer_radius"), r_0=column(outline.pieces, "core_radius"), gamma=gamma
+        )
         weaker = f.weaker_inertia(I=inertia, I_side=side)
         if np.any(weaker < inertia * (1 - 1e-9)):
             stiffnesses = _shared(material, core, eta, weaker), f.bending_stiffness(E=material.E, I=weaker)
@@ -354,13 +443,18 @@ def _frequencies(
     return first, stiff, bare
 
 
-def _share_at_limit(shaft: _Shaft, E: Pascal, core: Metre4, design: tuple[Number, Radian], whole: tuple[Number, Radian],
-    limit: Radian = SLOPE) -> Number | None:  # fmt: skip
+def _share_at_limit(
+    shaft: _Shaft,
+    E: Pascal,
+    core: Metre4,
+    design: tuple[Number, Radian],
+    whole: tuple[Number, Radian],
+    limit: Radian = SLOPE,
+) -> Number | None:
     """The share η at which the largest slope of a journal reaches its limit; None where it does not between 0.05 and 1.
 
-    `design`, `whole`: two shares and the largest slopes found with them.  1/θ is nearly a straight line of η, so that a secant takes a
-    few steps; statics are exact with any elements, and long ones serve.
-    """
+    `design`, `whole`: two shares and the largest slopes found with them.  1/θ is nearly a straight line of η, so that a
+    secant takes a few steps; statics are exact with any elements, and long ones serve."""
     added = np.asarray(shaft.outline.inertia) - core
 
     def stiffer(eta: float) -> float:
@@ -384,7 +478,10 @@ def _share_at_limit(shaft: _Shaft, E: Pascal, core: Metre4, design: tuple[Number
 
 def _plane(shaft: _Shaft) -> Radian:
     """The direction of the load's couple about the middle of the journals, or of its force where there is no couple."""
-    l, middle = np.diff(shaft.ends), (shaft.ends[1:] + shaft.ends[:-1]) / 2 - (shaft.positions[0] + shaft.positions[-1]) / 2
+    l, middle = (
+        np.diff(shaft.ends),
+        (shaft.ends[1:] + shaft.ends[:-1]) / 2 - (shaft.positions[0] + shaft.positions[-1]) / 2,
+    )
     arm, q, F = shaft.places - (shaft.positions[0] + shaft.positions[-1]) / 2, shaft.given["q"], shaft.given["F"]
     couple = complex(np.sum(q * l * middle) + np.sum(F * arm))
     force = complex(np.sum(q * l) + np.sum(F))

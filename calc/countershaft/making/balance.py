@@ -1,10 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """Calibration holes: what radial holes drilled into the eccentric masses take off the shaft's couple.
 
-Drilling only takes away, so a shaft that is to be calibrated is made stronger than it has to be, by half of what drilling can take.
-The hole is a cylinder from the outer radius inwards: the drill's cone, and the curve of the surface over the hole (d²/(32·R) of its depth
-in the mean), are left out.
-"""
+Drilling only takes away, so a shaft that is to be calibrated is made stronger than it has to be, by half of what
+drilling can take. The hole is a cylinder from the outer radius inwards: the drill's cone, and the curve of the surface
+over the hole (d²/(32·R) of its depth in the mean), are left out."""
 
 import math
 from collections.abc import Iterator
@@ -47,7 +46,9 @@ class HolesResult:
     hole_unbalance_of_mass: KilogramMetre = value("Unbalance that drilling can take off each mass", "g·mm", "ΔU_m")
     hole_range: NewtonMetre = value("Couple that all holes together can take", "N·m", "ΔC_c")
     hole_range_share: Number | None = value("its share of the required couple", "%", "q_c", default=None)
-    hole_overdesign: Number | None = value("Couple beyond the required one that drilling needs", "%", "x_c", default=None)
+    hole_overdesign: Number | None = value(
+        "Couple beyond the required one that drilling needs", "%", "x_c", default=None
+    )
 
 
 @formula("m_c", Text("{holes}: a cylinder of the drill's diameter", holes=HOLES), unit="g")
@@ -73,12 +74,19 @@ def mean_arm(z: Metre, n: Number) -> Metre:
     return total(modulus(z)) / n
 
 
-@formula("ΔC", "dynamics: couple of a hole's unbalance at the mean arm of the masses", names={"U": "ΔU", "omega": "ω_S"})
+@formula(
+    "ΔC", "dynamics: couple of a hole's unbalance at the mean arm of the masses", names={"U": "ΔU", "omega": "ω_S"}
+)
 def hole_couple(U: KilogramMetre, z_m: Metre, omega: RadPerSecond) -> NewtonMetre:
     return U * z_m * omega**2
 
 
-@formula("ΔU_m", "rule of this program: the holes are shared evenly by the n eccentric masses", unit="g·mm", names={"U": "ΔU", "n": "n_h"})
+@formula(
+    "ΔU_m",
+    "rule of this program: the holes are shared evenly by the n eccentric masses",
+    unit="g·mm",
+    names={"U": "ΔU", "n": "n_h"},
+)
 def unbalance_of_mass(N_c: Number, U: KilogramMetre, n: Number) -> KilogramMetre:
     return N_c / n * U
 
@@ -93,13 +101,19 @@ def range_share(C_c: NewtonMetre, C_S: NewtonMetre) -> Number:
     return C_c / C_S
 
 
-@formula("x_c", "rule of this program: half of the range, so that drilling reaches as far below as above", unit="%", names={"q": "q_c"})
+@formula(
+    "x_c",
+    "rule of this program: half of the range, so that drilling reaches as far below as above",
+    unit="%",
+    names={"q": "q_c"},
+)
 def needed_overdesign(q: Number) -> Number:
     return q / 2
 
 
-def calibration(holes: Holes, rho: KilogramPerMetre3, R_outer: Metre, z: Array, omega: RadPerSecond,
-    C_required: NewtonMetre) -> HolesResult:  # fmt: skip
+def calibration(
+    holes: Holes, rho: KilogramPerMetre3, R_outer: Metre, z: Array, omega: RadPerSecond, C_required: NewtonMetre
+) -> HolesResult:
     """What the holes take from masses at `z`, of outer radius `R_outer`, on a shaft that turns at `omega`.
 
     `C_required`: modulus of the couple that the shaft must supply; 0 leaves the shares out.
@@ -112,37 +126,68 @@ def calibration(holes: Holes, rho: KilogramPerMetre3, R_outer: Metre, z: Array, 
         couple = hole_couple(U=unbalance, z_m=mean_arm(z=each(z), n=n), omega=omega)
         whole = hole_range(N_c=holes.count, C=couple)
         share = range_share(C_c=whole, C_S=C_required) if C_required else None
-        return HolesResult(hole_mass=m_c, hole_centroid_radius=e_c, hole_unbalance=unbalance, hole_couple=couple,
-            hole_unbalance_of_mass=unbalance_of_mass(N_c=holes.count, U=unbalance, n=n), hole_range=whole, hole_range_share=share,
-            hole_overdesign=needed_overdesign(q=share) if share is not None else None)  # fmt: skip
+        return HolesResult(
+            hole_mass=m_c,
+            hole_centroid_radius=e_c,
+            hole_unbalance=unbalance,
+            hole_couple=couple,
+            hole_unbalance_of_mass=unbalance_of_mass(N_c=holes.count, U=unbalance, n=n),
+            hole_range=whole,
+            hole_range_share=share,
+            hole_overdesign=needed_overdesign(q=share) if share is not None else None,
+        )
 
 
 def depth_check(holes: Holes, R_outer: Metre, core_radius: Metre) -> Check:
-    """The holes must end in the sectors: one that is deeper weakens the core, which alone carries the shaft between them."""
-    return check("countershaft.holes.depth", Text("Depth of the calibration holes"), holes.depth, "<=", R_outer - core_radius, "mm",
-        Text("geometry: height of the sectors over the core"), Text("More or wider holes take the rest."),
-        remedies=by_key(Holes, "countershaft.holes.depth_mm", down(R_outer - core_radius), bound="<="))  # fmt: skip
+    """The holes must end in the sectors: one that is deeper weakens the core, which alone carries the shaft between
+    them."""
+    return check(
+        "countershaft.holes.depth",
+        Text("Depth of the calibration holes"),
+        holes.depth,
+        "<=",
+        R_outer - core_radius,
+        "mm",
+        Text("geometry: height of the sectors over the core"),
+        Text("More or wider holes take the rest."),
+        remedies=by_key(Holes, "countershaft.holes.depth_mm", down(R_outer - core_radius), bound="<="),
+    )
 
 
 def row_check(holes: Holes, masses: int, length: Metre) -> Check:
     """The holes of a mass stand in a row along the shaft, side by side; `length` of the shortest sector."""
-    return check("countershaft.holes.row", Text("Length of the holes of a mass, side by side"),
-        math.ceil(holes.count / masses) * holes.diameter, "<=", length, "mm",
-        Text("rule of this program: holes stand in one row along the sector"), Text("Fewer or narrower holes."))  # fmt: skip
+    return check(
+        "countershaft.holes.row",
+        Text("Length of the holes of a mass, side by side"),
+        math.ceil(holes.count / masses) * holes.diameter,
+        "<=",
+        length,
+        "mm",
+        Text("rule of this program: holes stand in one row along the sector"),
+        Text("Fewer or narrower holes."),
+    )
 
 
 def width_check(holes: Holes, R_outer: Metre, half_angle: Radian) -> Check:
     """A hole must not break out of the sides of its sector; `half_angle` of the narrowest one."""
     chord = 2 * max(R_outer - holes.depth, 0.0) * math.sin(min(half_angle, math.pi / 2))
-    return check("countershaft.holes.width", Text("Diameter of a hole in the width of its sector"), holes.diameter, "<=", chord, "mm",
-        Text("geometry: width of the sector at the bottom of the hole"), Text("Shorter holes have more room as well."),
-        remedies=by_key(Holes, "countershaft.holes.diameter_mm", down(chord), bound="<="))  # fmt: skip
+    return check(
+        "countershaft.holes.width",
+        Text("Diameter of a hole in the width of its sector"),
+        holes.diameter,
+        "<=",
+        chord,
+        "mm",
+        Text("geometry: width of the sector at the bottom of the hole"),
+        Text("Shorter holes have more room as well."),
+        remedies=by_key(Holes, "countershaft.holes.diameter_mm", down(chord), bound="<="),
+    )
 
 
 # The residual unbalance that a balance quality grade permits, ISO 21940-11, and the couple that it may leave.
 #
-# It applies to the deviation of a finished shaft from its drawing: a balance shaft is out of balance on purpose.  The tolerance planes are
-# the outer bearings.
+# It applies to the deviation of a finished shaft from its drawing: a balance shaft is out of balance on purpose.  The
+# tolerance planes are the outer bearings.
 
 PLANES = Text("{iso}, allocation to the tolerance planes", iso=ISO)
 TABLED = ("G2.5", "G6.3", "G16", "G40")
@@ -161,7 +206,12 @@ class ToleranceResult:
     permitted_couple_error_share: Number | None = value("its share of the required couple", "%", "q_per", default=None)
 
 
-@formula("U_per", Text("{iso}: permissible residual unbalance, from G = e_per·ω", iso=ISO), unit="g·mm", names={"G": "G_Q", "omega": "ω_S"})
+@formula(
+    "U_per",
+    Text("{iso}: permissible residual unbalance, from G = e_per·ω", iso=ISO),
+    unit="g·mm",
+    names={"G": "G_Q", "omega": "ω_S"},
+)
 def shaft_unbalance(G: MetrePerSecond, m_S: Kilogram, omega: RadPerSecond) -> KilogramMetre:
     return G * m_S / omega
 
@@ -176,8 +226,12 @@ def lever_rear(z_S: Metre, z_f: Metre, z_r: Metre) -> Number:
     return modulus(z_S - z_f) / (z_r - z_f)
 
 
-@formula("U_per,p", Text("{planes}: permitted unbalance of a plane, 0.3 to 0.7 of U_per (to 1.3 near an overhung mass)", planes=PLANES),
-    unit="g·mm", names={"U": "U_per", "q": "x_U", "q_max": "x_U,max"})  # fmt: skip
+@formula(
+    "U_per,p",
+    Text("{planes}: permitted unbalance of a plane, 0.3 to 0.7 of U_per (to 1.3 near an overhung mass)", planes=PLANES),
+    unit="g·mm",
+    names={"U": "U_per", "q": "x_U", "q_max": "x_U,max"},
+)
 def plane_unbalance(U: KilogramMetre, q: Number, q_max: Number) -> KilogramMetre:
     return U * smallest(largest(q, LEAST), q_max)
 
@@ -188,7 +242,8 @@ def plane_unbalance(U: KilogramMetre, q: Number, q_max: Number) -> KilogramMetre
     names={"U_f": "U_per,f", "U_r": "U_per,r", "omega": "ω_S"},
 )
 def couple_error(U_f: KilogramMetre, z_f: Metre, U_r: KilogramMetre, z_r: Metre, omega: RadPerSecond) -> NewtonMetre:
-    """The largest couple of two unbalances of free direction; for bearings at equal distances U_per/2 times the span."""
+    """The largest couple of two unbalances of free direction; for bearings at equal distances U_per/2 times the
+    span."""
     return omega**2 * (U_f * modulus(z_f) + U_r * modulus(z_r))
 
 
@@ -197,9 +252,11 @@ def error_share(C_per: NewtonMetre, C_S: NewtonMetre) -> Number:
     return C_per / C_S
 
 
-def permitted(grade: str, mass: Kilogram, omega: RadPerSecond, z_S: Metre, z_f: Metre, z_r: Metre,
-    C_required: NewtonMetre) -> ToleranceResult:  # fmt: skip
-    """What `grade` permits a shaft of that mass, its centre of gravity at `z_S`, in the planes of the outer bearings `z_f` < `z_r`.
+def permitted(
+    grade: str, mass: Kilogram, omega: RadPerSecond, z_S: Metre, z_f: Metre, z_r: Metre, C_required: NewtonMetre
+) -> ToleranceResult:
+    """What `grade` permits a shaft of that mass, its centre of gravity at `z_S`, in the planes of the outer bearings
+    `z_f` < `z_r`.
 
     `C_required`: modulus of the couple that the shaft must supply; 0 leaves the share out.
     """
@@ -212,36 +269,66 @@ def permitted(grade: str, mass: Kilogram, omega: RadPerSecond, z_S: Metre, z_f: 
         rear = plane_unbalance(U=U, q=lever_rear(z_S=z_S, z_f=z_f, z_r=z_r), q_max=most)
     with about(Text("balance quality {grade}", grade=grade)):
         error = couple_error(U_f=front, z_f=z_f, U_r=rear, z_r=z_r, omega=omega)
-        return ToleranceResult(residual_unbalance_permitted=U, residual_unbalance_permitted_front=front,
-            residual_unbalance_permitted_rear=rear, permitted_couple_error=error,
-            permitted_couple_error_share=error_share(C_per=error, C_S=C_required) if C_required else None)  # fmt: skip
+        return ToleranceResult(
+            residual_unbalance_permitted=U,
+            residual_unbalance_permitted_front=front,
+            residual_unbalance_permitted_rear=rear,
+            permitted_couple_error=error,
+            permitted_couple_error_share=error_share(C_per=error, C_S=C_required) if C_required else None,
+        )
 
 
-def table(grade: str, mass: Kilogram, omega: RadPerSecond, z_S: Metre, z_f: Metre, z_r: Metre, C_required: NewtonMetre) -> Table:
+def table(
+    grade: str, mass: Kilogram, omega: RadPerSecond, z_S: Metre, z_f: Metre, z_r: Metre, C_required: NewtonMetre
+) -> Table:
     """The usual grades side by side, and the chosen one among them."""
     rows: list[tuple[str | float | None, ...]] = []
     gram, percent = UNITS["g·mm"].factor, UNITS["%"].factor
     with untraced():
         for row_grade in sorted({*TABLED, grade}, key=grade_number):
             r = permitted(row_grade, mass, omega, z_S, z_f, z_r, C_required)
-            unbalances = (r.residual_unbalance_permitted, r.residual_unbalance_permitted_front, r.residual_unbalance_permitted_rear)
+            unbalances = (
+                r.residual_unbalance_permitted,
+                r.residual_unbalance_permitted_front,
+                r.residual_unbalance_permitted_rear,
+            )
             share = r.permitted_couple_error_share
             label = Text("{one}, chosen", one=row_grade) if row_grade == grade else row_grade
-            rows.append((label, *(U / gram for U in unbalances), r.permitted_couple_error, None if share is None else share / percent))
+            rows.append(
+                (
+                    label,
+                    *(U / gram for U in unbalances),
+                    r.permitted_couple_error,
+                    None if share is None else share / percent,
+                )
+            )
     columns = (
-        (Text("grade"), ""), (Text("U_per"), "g·mm"), (Text("front"), "g·mm"), (Text("rear"), "g·mm"), (Text("couple error"), "N·m"),
+        (Text("grade"), ""),
+        (Text("U_per"), "g·mm"),
+        (Text("front"), "g·mm"),
+        (Text("rear"), "g·mm"),
+        (Text("couple error"), "N·m"),
         (Text("of the required"), "%"),
-    )  # fmt: skip
-    note = Text("Permitted deviation from the drawing, in all and in each bearing plane; couple error: both planes opposed.")
+    )
+    note = Text(
+        "Permitted deviation from the drawing, in all and in each bearing plane; couple error: both planes opposed."
+    )
     return Table("balance_grades", Text("Balance quality grades"), columns, tuple(rows), note)
 
 
 def notes(z_S: Metre, z_f: Metre, z_r: Metre) -> Iterator[Text]:
     """What is said about the grade, and where the centre of gravity is near a bearing or beyond one."""
-    yield Text("The balance quality grade is the designer's choice: the table of ISO 21940-11 does not list balance shafts.")
+    yield Text(
+        "The balance quality grade is the designer's choice: the table of ISO 21940-11 does not list balance shafts."
+    )
     if not z_f <= z_S <= z_r:
-        yield Text("The shaft's centre of gravity overhangs the {where} bearing: its plane is permitted up to 1.3 of U_per, "
+        yield Text(
+            "The shaft's centre of gravity overhangs the {where} bearing: its plane is permitted up to 1.3 of U_per, "
             "as its bearing is made for that load, the other at least 0.3 (ISO 21940-11).",
-            where=Text("rear") if z_S > z_r else Text("front"))  # fmt: skip
+            where=Text("rear") if z_S > z_r else Text("front"),
+        )
     elif min(z_S - z_f, z_r - z_S) < LEAST * (z_r - z_f):
-        yield Text("The centre of gravity stands near one bearing: the planes share U_per 0.7 to 0.3, not as their loads (ISO 21940-11).")
+        yield Text(
+            "The centre of gravity stands near one bearing: the planes share U_per 0.7 to 0.3, not as their loads "
+            "(ISO 21940-11)."
+        )

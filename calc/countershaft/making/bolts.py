@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The bolts that hold the shaft's support to the block: preload by torque, pressure under the head, slip and separation.
+"""The bolts that hold the shaft's support to the block: preload by torque, pressure under the head, slip and
+separation.
 
-The load turns with the shaft.  At each end of the support a force Q of constant size sweeps through all directions: it pulls the joint
-apart, presses it together and pushes it to either side within one turn.  The joint holds by friction alone; locating pins, where there
-are any, are left out.
-"""
+The load turns with the shaft.  At each end of the support a force Q of constant size sweeps through all directions: it
+pulls the joint apart, presses it together and pushes it to either side within one turn.  The joint holds by friction
+alone; locating pins, where there are any, are left out."""
 
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
@@ -14,7 +14,17 @@ from ...sheet.formula import formula
 from ...sheet.functions import atan, cos, largest, modulus, pi, sqrt, tan
 from ...sheet.quantity import result, value
 from ...sheet.text import Amount, Text
-from ...sheet.units import Metre, Newton, NewtonMetre, Number, Pascal, PhasorNewton, PhasorNewtonMetre, Radian, SquareMetre
+from ...sheet.units import (
+    Metre,
+    Newton,
+    NewtonMetre,
+    Number,
+    Pascal,
+    PhasorNewton,
+    PhasorNewtonMetre,
+    Radian,
+    SquareMetre,
+)
 from ...sheet.value import about
 from .inputs import STRENGTH, nominal_diameter, pitch, pitch_diameter, root_diameter, stress_area
 
@@ -22,8 +32,8 @@ if TYPE_CHECKING:
     from ...library.catalogue import Material
     from .inputs import Bolts
 
-# VDI 2230-1: α_A = 1.6 to 2.0 for a torque wrench and an estimated coefficient of friction.  Nothing is known of the wrench, so the
-# unfavourable end is taken.
+# VDI 2230-1: α_A = 1.6 to 2.0 for a torque wrench and an estimated coefficient of friction.  Nothing is known of the
+# wrench, so the unfavourable end is taken.
 ALPHA_A = 2.0
 NO_FORCE = 1e-6  # N: below it the shaft puts no force on its support
 
@@ -33,7 +43,8 @@ TURNING = Text("statics of a joint whose load turns through all directions")
 LEAST = {"F_min": "F_V,min", "n": "n_b"}
 
 
-# --- preload ----------------------------------------------------------------------------------------------------------------
+# --- preload
+# ----------------------------------------------------------------------------------------------------------------
 @formula("α_h", Text("{vdi}: helix angle at the pitch diameter", vdi=VDI), names={"p": "P_h"})
 def helix_angle(p: Metre, d_2: Metre) -> Radian:
     return atan(p / (pi * d_2))
@@ -54,9 +65,12 @@ def friction_radius(d_w: Metre, d_h: Metre) -> Metre:
     return (d_w + d_h) / 4
 
 
-@formula("F_V",
-    "statics: torque of a screw with friction in thread and under head, solved for the force (VDI 2230-1; Finotti 2013, Table 6.1)",
-    names={"T": "M_A", "rho": "ρ′"})  # fmt: skip
+@formula(
+    "F_V",
+    "statics: torque of a screw with friction in thread and under head, solved for the force (VDI 2230-1; Finotti "
+    "2013, Table 6.1)",
+    names={"T": "M_A", "rho": "ρ′"},
+)
 def preload(T: NewtonMetre, d_2: Metre, alpha_h: Radian, rho: Radian, mu: Number, r_h: Metre) -> Newton:
     """`rho` is the angle of friction on the flanks.
 
@@ -76,7 +90,9 @@ def pitch_diameter_source(D: Metre, p: Metre) -> Metre:
     return D - 0.64953 * p
 
 
-@formula("α_h", Text("{source}: helix angle at the nominal diameter, where no flank is", source=SOURCE), names={"p": "P_h"})
+@formula(
+    "α_h", Text("{source}: helix angle at the nominal diameter, where no flank is", source=SOURCE), names={"p": "P_h"}
+)
 def helix_angle_source(p: Metre, D: Metre) -> Radian:
     return atan(p / (pi * D))
 
@@ -91,9 +107,14 @@ def friction_radius_source(d_w: Metre) -> Metre:
     return d_w / 2
 
 
-@formula("F_V,min",
-    Text("{vdi}: least preload; tightening factor of a torque wrench with an estimated coefficient of friction, 1.6 to 2.0", vdi=VDI),
-)  # fmt: skip
+@formula(
+    "F_V,min",
+    Text(
+        "{vdi}: least preload; tightening factor of a torque wrench with an estimated coefficient of friction, 1.6 to "
+        "2.0",
+        vdi=VDI,
+    ),
+)
 def least_preload(F_V: Newton, alpha_A: Number) -> Newton:
     """F_V is taken as the largest preload, as it is with the smallest friction to be expected."""
     return F_V / alpha_A
@@ -104,7 +125,11 @@ def head_pressure(F_V: Newton, d_w: Metre, d_h: Metre) -> Pascal:
     return F_V / (pi / 4 * (d_w**2 - d_h**2))
 
 
-@formula("σ_z", "elasticity: preload over the stress area of the thread (ISO 898-1); torsion of tightening left out", unit="MPa")
+@formula(
+    "σ_z",
+    "elasticity: preload over the stress area of the thread (ISO 898-1); torsion of tightening left out",
+    unit="MPa",
+)
 def tensile_stress(F_V: Newton, A_s: SquareMetre) -> Pascal:
     """>>> tensile_stress(F_V=27270, A_s=5.799e-05)
     4702534...
@@ -112,8 +137,11 @@ def tensile_stress(F_V: Newton, A_s: SquareMetre) -> Pascal:
     return F_V / A_s
 
 
-# --- the joint under the turning load -----------------------------------------------------------------------------------------
-@formula("z_m", "rule of this program: middle of the outer bearings, where the middle of the bolts is taken to be", unit="mm")
+# --- the joint under the turning load
+# -----------------------------------------------------------------------------------------
+@formula(
+    "z_m", "rule of this program: middle of the outer bearings, where the middle of the bolts is taken to be", unit="mm"
+)
 def middle(z_f: Metre, z_r: Metre) -> Metre:
     return (z_f + z_r) / 2
 
@@ -144,15 +172,22 @@ def end_force(Q_f: Newton, Q_r: Newton) -> Newton:
 
 
 @formula(
-    "n_b", "rule of this program: half of the bolts at each end; of an odd number, the end that has one less", shows="whole part of N_b/2"
+    "n_b",
+    "rule of this program: half of the bolts at each end; of an odd number, the end that has one less",
+    shows="whole part of N_b/2",
 )
 def bolts_at_an_end(N_b: Number) -> Number:
     return float(N_b // 2)
 
 
-@formula("S_sep", names=LEAST,
-    source=Text("{turning}: it pulls the joint apart; resilience of bolt and parts left out, which is on the safe side", turning=TURNING),
-)  # fmt: skip
+@formula(
+    "S_sep",
+    names=LEAST,
+    source=Text(
+        "{turning}: it pulls the joint apart; resilience of bolt and parts left out, which is on the safe side",
+        turning=TURNING,
+    ),
+)
 def safety_separation(n: Number, F_min: Newton, Q: Newton) -> Number:
     return n * F_min / Q
 
@@ -162,9 +197,14 @@ def safety_across(mu_T: Number, n: Number, F_min: Newton, Q: Newton) -> Number:
     return mu_T * n * F_min / Q
 
 
-@formula("S_slip", names=LEAST, source=Text(
-    "{turning}: its worst direction, that which pulls apart and pushes aside, Q·(cos θ + sin θ/μ_T) at its largest", turning=TURNING,
-))  # fmt: skip
+@formula(
+    "S_slip",
+    names=LEAST,
+    source=Text(
+        "{turning}: its worst direction, that which pulls apart and pushes aside, Q·(cos θ + sin θ/μ_T) at its largest",
+        turning=TURNING,
+    ),
+)
 def safety_slip(n: Number, F_min: Newton, Q: Newton, mu_T: Number) -> Number:
     return n * F_min / (Q * sqrt(1 + 1 / mu_T**2))
 
@@ -189,7 +229,8 @@ def tightening_stress(sigma_z: Pascal, tau_M: Pascal) -> Pascal:
     return sqrt(sigma_z**2 + 3 * tau_M**2)
 
 
-# --- results ------------------------------------------------------------------------------------------------------------------
+# --- results
+# ------------------------------------------------------------------------------------------------------------------
 @result
 class BoltsResult:
     """One bolt, and the joint.  The safeties are None where the shaft puts no force on its support."""
@@ -204,17 +245,23 @@ class BoltsResult:
     bolt_tightening_stress: Pascal = value("Equivalent stress of a bolt while it is tightened", "MPa", "σ_red")
     bolt_end_force: Newton = value("Turning force on the bolts of one end", "N", "Q")
     bolt_separation_safety: Number | None = value("Safety against separation", "", "S_sep", default=None)
-    bolt_slip_across_safety: Number | None = value("Safety against slip, load across the bolts", "", "S_across", default=None)
+    bolt_slip_across_safety: Number | None = value(
+        "Safety against slip, load across the bolts", "", "S_across", default=None
+    )
     bolt_slip_safety: Number | None = value("Safety against slip while the load turns", "", "S_slip", default=None)
     support: "Material | None"
     property_class: str
 
 
-def solve(bolts: "Bolts", F_S: PhasorNewton, C_S: PhasorNewtonMetre, bearing_positions: tuple[Metre, ...],
-    support: "Material | None" = None) -> BoltsResult:  # fmt: skip
-    """The bolts of the support of one shaft.  `F_S` and `C_S` are its turning force and couple about mid-shaft, as `shaft_force` and
-    `shaft_couple` give them; `support` is the material under the heads, where it is known.
-    """
+def solve(
+    bolts: "Bolts",
+    F_S: PhasorNewton,
+    C_S: PhasorNewtonMetre,
+    bearing_positions: tuple[Metre, ...],
+    support: "Material | None" = None,
+) -> BoltsResult:
+    """The bolts of the support of one shaft.  `F_S` and `C_S` are its turning force and couple about mid-shaft, as
+    `shaft_force` and `shaft_couple` give them; `support` is the material under the heads, where it is known."""
     T, mu, d_w, d_h = bolts.torque, bolts.friction, bolts.head_diameter, bolts.hole_diameter
     with about(Text("bolts")):
         D, p = nominal_diameter(designation=bolts.thread), pitch(designation=bolts.thread)
@@ -224,7 +271,11 @@ def solve(bolts: "Bolts", F_S: PhasorNewton, C_S: PhasorNewtonMetre, bearing_pos
         F_vdi = preload(T=T, d_2=d_2, alpha_h=alpha_h, rho=rho, mu=mu, r_h=friction_radius(d_w=d_w, d_h=d_h))
         F_short = preload_short(T=T, p=p, mu=mu, d_2=d_2, D_Km=mean_bearing_diameter(d_w=d_w, d_h=d_h))
     with about(Text("bolts, source")):
-        d_2s, alpha_s, rho_s = pitch_diameter_source(D=D, p=p), helix_angle_source(p=p, D=D), friction_angle_source(mu=mu)
+        d_2s, alpha_s, rho_s = (
+            pitch_diameter_source(D=D, p=p),
+            helix_angle_source(p=p, D=D),
+            friction_angle_source(mu=mu),
+        )
         F_source = preload(T=T, d_2=d_2s, alpha_h=alpha_s, rho=rho_s, mu=mu, r_h=friction_radius_source(d_w=d_w))
     F_V = F_source if bolts.method == "source" else F_vdi
     with about(Text("bolts")):
@@ -233,7 +284,9 @@ def solve(bolts: "Bolts", F_S: PhasorNewton, C_S: PhasorNewtonMetre, bearing_pos
         d_3 = root_diameter(D=D, p=p)
         sigma = tensile_stress(F_V=F_V, A_s=stress_area(d_2=d_2, d_3=d_3))
         M_G = thread_torque(F_V=F_V, d_2=d_2, alpha_h=alpha_h, rho=rho)
-        tightened = tightening_stress(sigma_z=sigma, tau_M=torsion_stress(M_G=M_G, d_0=stress_diameter(d_2=d_2, d_3=d_3)))
+        tightened = tightening_stress(
+            sigma_z=sigma, tau_M=torsion_stress(M_G=M_G, d_0=stress_diameter(d_2=d_2, d_3=d_3))
+        )
         z_f, z_r = bearing_positions[0], bearing_positions[-1]
         l_b = bearing_span(z_f=z_f, z_r=z_r) if bolts.row_span is None else bolts.row_span
         C_m = couple_about_middle(C_S=C_S, z_m=middle(z_f=z_f, z_r=z_r), F_S=F_S)
@@ -244,10 +297,22 @@ def solve(bolts: "Bolts", F_S: PhasorNewton, C_S: PhasorNewtonMetre, bearing_pos
             separation = safety_separation(n=n, F_min=F_min, Q=Q)
             across = safety_across(mu_T=bolts.joint_friction, n=n, F_min=F_min, Q=Q)
             slip = safety_slip(n=n, F_min=F_min, Q=Q, mu_T=bolts.joint_friction)
-    return BoltsResult(bolt_preload=F_V, bolt_preload_vdi=F_vdi, bolt_preload_vdi_short=F_short, bolt_preload_source=F_source,
-        bolt_preload_min=F_min, bolt_head_pressure=pressure, bolt_tensile_stress=sigma, bolt_end_force=Q, bolt_separation_safety=separation,
-        bolt_slip_across_safety=across, bolt_slip_safety=slip, bolt_tightening_stress=tightened, support=support,
-        property_class=bolts.property_class)  # fmt: skip
+    return BoltsResult(
+        bolt_preload=F_V,
+        bolt_preload_vdi=F_vdi,
+        bolt_preload_vdi_short=F_short,
+        bolt_preload_source=F_source,
+        bolt_preload_min=F_min,
+        bolt_head_pressure=pressure,
+        bolt_tensile_stress=sigma,
+        bolt_end_force=Q,
+        bolt_separation_safety=separation,
+        bolt_slip_across_safety=across,
+        bolt_slip_safety=slip,
+        bolt_tightening_stress=tightened,
+        support=support,
+        property_class=bolts.property_class,
+    )
 
 
 def _strength(support: "Material | None") -> tuple[Pascal, str] | None:
@@ -266,36 +331,68 @@ def checks(joint: BoltsResult) -> Iterator[Check]:
         ("separation", Text("Safety against separation of the support"), joint.bolt_separation_safety),
     ):
         if safety is not None:
-            yield check(f"countershaft.bolts.{key}", name, safety, ">=", 1.0, "",
+            yield check(
+                f"countershaft.bolts.{key}",
+                name,
+                safety,
+                ">=",
+                1.0,
+                "",
                 Text("rule of this program: the least preload must still hold the joint"),
-                Text("More or larger bolts, a larger torque, or rows of bolts further apart."))  # fmt: skip
-    yield check("countershaft.bolts.strength",
+                Text("More or larger bolts, a larger torque, or rows of bolts further apart."),
+            )
+    yield check(
+        "countershaft.bolts.strength",
         Text("Stress of a bolt of class {property_class} while it is tightened", property_class=joint.property_class),
-        joint.bolt_tightening_stress, "<=", STRENGTH[joint.property_class] * 1e6, "MPa",
+        joint.bolt_tightening_stress,
+        "<=",
+        STRENGTH[joint.property_class] * 1e6,
+        "MPa",
         Text("VDI 2230-1: it must not yield; Rp0.2 of ISO 898-1 (VDI usually counts on 90 % of it)"),
-        Text("A smaller torque, a larger thread, or a higher property class."))  # fmt: skip
+        Text("A smaller torque, a larger thread, or a higher property class."),
+    )
     if joint.support is not None and (known := _strength(joint.support)) is not None:
-        yield check("countershaft.bolts.pressure", Text("Pressure under a bolt's head"), joint.bolt_head_pressure, "<=", known[0], "MPa",
-            Text("rule of this program: {known} of {name}; limiting pressures in VDI 2230-1 (2003) are 0.76 to 1.52 times "
-                "the tensile strength of an aluminium, and more for cast iron", known=known[1], name=joint.support.name),
-            Text("A hardened washer or a flanged head: the seat yields and the preload falls with it."))  # fmt: skip
+        yield check(
+            "countershaft.bolts.pressure",
+            Text("Pressure under a bolt's head"),
+            joint.bolt_head_pressure,
+            "<=",
+            known[0],
+            "MPa",
+            Text(
+                "rule of this program: {known} of {name}; limiting pressures in VDI 2230-1 (2003) are 0.76 to 1.52 "
+                "times "
+                "the tensile strength of an aluminium, and more for cast iron",
+                known=known[1],
+                name=joint.support.name,
+            ),
+            Text("A hardened washer or a flanged head: the seat yields and the preload falls with it."),
+        )
 
 
 def notes(bolts: "Bolts", joint: BoltsResult) -> Iterator[Text]:
     """What was assumed."""
     yield Text(
-        "Bolts: slip and separation are judged at the least preload, F_V/{alpha_a}: a torque wrench with an estimated coefficient of "
-        "friction scatters by 1.6 to 2.0 (VDI 2230-1). Give the smallest friction to be expected; F_V is then the largest preload.",
+        "Bolts: slip and separation are judged at the least preload, F_V/{alpha_a}: a torque wrench with an estimated "
+        "coefficient of "
+        "friction scatters by 1.6 to 2.0 (VDI 2230-1). Give the smallest friction to be expected; F_V is then the "
+        "largest preload.",
         alpha_a=Amount(ALPHA_A, form="g"),
     )
     yield Text(
-        "Bolts: the support is rigid and its joint in line with the force; embedding, the shaft's height above the joint, its weight, "
+        "Bolts: the support is rigid and its joint in line with the force; embedding, the shaft's height above the "
+        "joint, its weight, "
         "the gear force, locating pins and the thread's engagement in the block are left out."
     )
     if bolts.row_span is None:
-        yield Text("Bolts: their rows are taken to stand as far apart as the outer bearings; give row_span_mm where they do not.")
+        yield Text(
+            "Bolts: their rows are taken to stand as far apart as the outer bearings; give row_span_mm where they do "
+            "not."
+        )
     if bolts.count % 2:
-        yield Text("Bolts: of {count} bolts, the end with {count2} is judged.", count=bolts.count, count2=bolts.count // 2)
+        yield Text(
+            "Bolts: of {count} bolts, the end with {count2} is judged.", count=bolts.count, count2=bolts.count // 2
+        )
     if joint.bolt_slip_safety is None:
         yield Text("Bolts: the shaft puts no force on its support, so slip and separation are not judged.")
     if _strength(joint.support) is None:

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The oil drain of the support: a spring band clamp that grips both ends of the hose, a union that fits the block and a sleeve on it.
+"""The oil drain of the support: a spring band clamp that grips both ends of the hose, a union that fits the block and a
+sleeve on it.
 
-A clamp must be closed when it sits on the smaller end, so its nominal diameter must not exceed that end, and it must open far enough to
-go over the larger one.  A clamp of the next size up would open far enough where this one does not, but it would not grip.
-"""
+A clamp must be closed when it sits on the smaller end, so its nominal diameter must not exceed that end, and it must
+open far enough to go over the larger one.  A clamp of the next size up would open far enough where this one does not,
+but it would not grip."""
 
 import tomllib
 from collections.abc import Iterator
@@ -21,7 +22,8 @@ from ...sheet.units import CubicMetrePerSecond, Metre, Radian
 from ...sheet.value import about, based_on
 from .inputs import Clamp, OilDrain, Sleeve, Union, thread
 
-RING = 0.1e-3  # m: by which the ring of a sleeve may be wider than the thread that goes through it; so the source's table has them
+# m: by which the ring of a sleeve may be wider than the thread that goes through it; so the source's table has them
+RING = 0.1e-3
 RULE = Text("Finotti 2013, 4.4: choice of a spring band clamp (DIN 3021)")
 
 
@@ -50,15 +52,25 @@ def sleeves() -> tuple[Sleeve, ...]:
     return tuple(Sleeve(ring=row["d_mm"] / 1000, bore=row["d1_mm"] / 1000, end=row["d2_mm"] / 1000) for row in rows)
 
 
-# --- formulas ---------------------------------------------------------------------------------------------------------------
-@formula("D_n", Text("{rule}: the largest that still grips the smaller end of the hose", rule=RULE),
-    shows="largest nominal diameter at hand ≤ D_min", unit="mm")  # fmt: skip
+# --- formulas
+# ---------------------------------------------------------------------------------------------------------------
+@formula(
+    "D_n",
+    Text("{rule}: the largest that still grips the smaller end of the hose", rule=RULE),
+    shows="largest nominal diameter at hand ≤ D_min",
+    unit="mm",
+)
 def nominal(D_n: Metre, D_min: Metre) -> Metre:
     """`D_n`: the nominal diameters at hand.  Meaningful where at least one of them fits."""
     return cast(Metre, max(size for size in many(D_n) if size <= D_min))
 
 
-@formula("D_o", Text("{rule}: opening of this clamp", rule=RULE), shows="opening beside D_n in the table of clamps", unit="mm")
+@formula(
+    "D_o",
+    Text("{rule}: opening of this clamp", rule=RULE),
+    shows="opening beside D_n in the table of clamps",
+    unit="mm",
+)
 def opening(D_n: Metre, nominals: Metre, openings: Metre) -> Metre:
     return cast(Metre, max(o for size, o in zip(many(nominals), many(openings)) if size == D_n))
 
@@ -68,35 +80,45 @@ def margin(D_o: Metre, D_max: Metre) -> Metre:
     return D_o - D_max
 
 
-@formula("d_u",
+@formula(
+    "d_u",
     "rule of this program: the union with the widest bore among those whose thread fits the block (Finotti 2013, 4.4)",
     shows="largest bore",
-    unit="mm")  # fmt: skip
+    unit="mm",
+)
 def widest_bore(bores: Metre, designation: str) -> Metre:
     """`bores`: of the unions at hand with the thread `designation`."""
     return cast(Metre, max(many(bores)))
 
 
-@formula("d_1",
-    "rule of this program: the sleeve with the widest bore among those whose ring fits the union's thread (Finotti 2013, 4.4)",
+@formula(
+    "d_1",
+    "rule of this program: the sleeve with the widest bore among those whose ring fits the union's thread (Finotti "
+    "2013, 4.4)",
     shows="largest bore",
-    unit="mm")  # fmt: skip
+    unit="mm",
+)
 def widest_sleeve(bores: Metre, designation: str) -> Metre:
     """`bores`: of the sleeves at hand whose ring fits the thread `designation`."""
     return cast(Metre, max(many(bores)))
 
 
-@formula("θ_d", "geometry: slope of the passage to the drain while the machine tilts against it", unit="°", names={"tau": "τ"})
+@formula(
+    "θ_d",
+    "geometry: slope of the passage to the drain while the machine tilts against it",
+    unit="°",
+    names={"tau": "τ"},
+)
 def tilted_slope(theta: Radian, tau: Radian) -> Radian:
     return theta - tau
 
 
-# --- results ----------------------------------------------------------------------------------------------------------------
+# --- results
+# ----------------------------------------------------------------------------------------------------------------
 @result
 class DrainResult:
-    """Clamp and union; None where none fits.  `tried` and `tried_din3021` are the margins of the one clamp that could grip, taken or
-    not (None: each is too large); `reason` says why it was not taken.
-    """
+    """Clamp and union; None where none fits.  `tried` and `tried_din3021` are the margins of the one clamp that could
+    grip, taken or not (None: each is too large); `reason` says why it was not taken."""
 
     clamp_nominal: Metre | None = value("Nominal diameter of the hose clamp", "mm", "D_n", default=None)
     clamp_opening: Metre | None = value("its largest opening", "mm", "D_o", default=None)
@@ -107,7 +129,9 @@ class DrainResult:
     sleeve_end: Metre | None = value("outer diameter of its end, for the hose", "mm", "d_2", default=None)
     drain_slope: Radian | None = value("Slope of the passage to the drain, machine tilted", "°", "θ_d", default=None)
     drain_run_off: CubicMetrePerSecond | None = value("Oil that runs off by this slope", "L/min", "Q_d", default=None)
-    drain_flow: CubicMetrePerSecond | None = value("Oil of the bearings that the drain takes", "L/min", "Q_o", default=None)
+    drain_flow: CubicMetrePerSecond | None = value(
+        "Oil of the bearings that the drain takes", "L/min", "Q_o", default=None
+    )
     drain: OilDrain
     smallest: Metre  # nominal diameter of the smallest clamp at hand
     tried: Metre | None
@@ -117,7 +141,8 @@ class DrainResult:
 
 
 def _pick(drain: OilDrain, at_hand: tuple[Clamp, ...]) -> tuple[Metre, Metre] | None:
-    """Nominal diameter and opening of the one clamp that grips and comes closest to the hose; None where each is too large."""
+    """Nominal diameter and opening of the one clamp that grips and comes closest to the hose; None where each is too
+    large."""
     if min(clamp.nominal for clamp in at_hand) > drain.hose_min:
         return None
     sizes, opens = each(tuple(clamp.nominal for clamp in at_hand)), each(tuple(clamp.opening for clamp in at_hand))
@@ -147,11 +172,22 @@ def solve(drain: OilDrain) -> DrainResult:
             standard = None if drain.clamps else _pick(drain, clamps("din3021"))
             gap_din = margin(D_o=standard[1], D_max=drain.hose_max) if standard else None
     same = standard is not None and taken is not None and standard[0] == taken[0]
-    return DrainResult(clamp_nominal=taken[0] if taken else None, clamp_opening=taken[1] if taken else None,
-        clamp_margin=gap if taken else None, clamp_opening_din3021=standard[1] if standard and same else None, union_bore=bore,
-        sleeve_bore=sleeve, sleeve_end=end, drain_slope=slope, drain=drain,
-        smallest=min(clamp.nominal for clamp in at_hand), tried=gap, tried_din3021=gap_din if same else None, unions=fits,
-        reason=EMPTY if taken else _reason(drain, picked, standard))  # fmt: skip
+    return DrainResult(
+        clamp_nominal=taken[0] if taken else None,
+        clamp_opening=taken[1] if taken else None,
+        clamp_margin=gap if taken else None,
+        clamp_opening_din3021=standard[1] if standard and same else None,
+        union_bore=bore,
+        sleeve_bore=sleeve,
+        sleeve_end=end,
+        drain_slope=slope,
+        drain=drain,
+        smallest=min(clamp.nominal for clamp in at_hand),
+        tried=gap,
+        tried_din3021=gap_din if same else None,
+        unions=fits,
+        reason=EMPTY if taken else _reason(drain, picked, standard),
+    )
 
 
 def _reason(drain: OilDrain, picked: tuple[Metre, Metre] | None, standard: tuple[Metre, Metre] | None) -> Text:
@@ -160,20 +196,30 @@ def _reason(drain: OilDrain, picked: tuple[Metre, Metre] | None, standard: tuple
         why = Text("no clamp at hand is as small as the hose end of {mm}, so none grips it", mm=_mm(drain.hose_min))
     else:
         why = Text(
-            "the largest clamp that grips the hose end of {mm} is {mm2} and opens to {mm3}, not over the end of {mm4}; a larger one would "
-            "not grip", mm=_mm(drain.hose_min), mm2=_mm(picked[0]), mm3=_mm(picked[1]), mm4=_mm(drain.hose_max),
-        )  # fmt: skip
+            "the largest clamp that grips the hose end of {mm} is {mm2} and opens to {mm3}, not over the end of "
+            "{mm4}; a larger one would "
+            "not grip",
+            mm=_mm(drain.hose_min),
+            mm2=_mm(picked[0]),
+            mm3=_mm(picked[1]),
+            mm4=_mm(drain.hose_max),
+        )
     if standard is not None and standard[1] >= drain.hose_max:
         size, opens = _mm(standard[0]), _mm(standard[1])
-        why += Text(". DIN 3021 has one of {mm} that opens to {mm2}: give it as a clamp of the design", mm=size, mm2=opens)
+        why += Text(
+            ". DIN 3021 has one of {mm} that opens to {mm2}: give it as a clamp of the design", mm=size, mm2=opens
+        )
     return why
 
 
 def checks(choice: DrainResult) -> Iterator[Check]:
-    """Whether a clamp goes over both ends, whether union and sleeve fit, and whether the oil finds a slope while the machine is tilted."""
+    """Whether a clamp goes over both ends, whether union and sleeve fit, and whether the oil finds a slope while the
+    machine is tilted."""
     id, advice = choice.drain.id, EMPTY
     if choice.reason:
-        advice = Text("Hose ends closer to each other in diameter, or a clamp for each end: {reason}.", reason=choice.reason)
+        advice = Text(
+            "Hose ends closer to each other in diameter, or a clamp for each end: {reason}.", reason=choice.reason
+        )
     if choice.tried is None:
         smallest = Text("Smallest clamp at hand on the smaller hose end")
         yield check(f"{id}.clamp", smallest, choice.smallest, "<=", choice.drain.hose_min, "mm", RULE, advice)
@@ -181,19 +227,51 @@ def checks(choice: DrainResult) -> Iterator[Check]:
         beyond = Text("Opening of the clamp beyond the larger hose end")
         yield check(f"{id}.clamp", beyond, choice.tried, ">=", 0.0, "mm", RULE, advice)
     if choice.tried_din3021 is not None:
-        yield check(f"{id}.clamp_din3021", Text("Opening of the clamp by DIN 3021 beyond the larger hose end"),
-            choice.tried_din3021, ">=", 0.0, "mm", Text(_file("clamps.toml")["din3021"]["source"]),
-            Text("The clamp of the source opens further than the standard asks for: make sure that the one bought does too."))  # fmt: skip
-    yield check(f"{id}.union", Text("Pipe unions at hand with thread {thread}", thread=choice.drain.thread),
-        float(len(choice.unions)), ">", 0.0, "", Text("Finotti 2013, 4.4: the union's thread must be that of the hole in the block"),
-        Text("Another thread in the block, or a union of the design."))  # fmt: skip
+        yield check(
+            f"{id}.clamp_din3021",
+            Text("Opening of the clamp by DIN 3021 beyond the larger hose end"),
+            choice.tried_din3021,
+            ">=",
+            0.0,
+            "mm",
+            Text(_file("clamps.toml")["din3021"]["source"]),
+            Text(
+                "The clamp of the source opens further than the standard asks for: make sure that the one bought does "
+                "too."
+            ),
+        )
+    yield check(
+        f"{id}.union",
+        Text("Pipe unions at hand with thread {thread}", thread=choice.drain.thread),
+        float(len(choice.unions)),
+        ">",
+        0.0,
+        "",
+        Text("Finotti 2013, 4.4: the union's thread must be that of the hole in the block"),
+        Text("Another thread in the block, or a union of the design."),
+    )
     if choice.sleeve_bore is None:
-        yield check(f"{id}.sleeve", Text("Sleeves at hand for a union with thread {thread}", thread=choice.drain.thread), 0.0, ">", 0.0, "",
-            Text("Finotti 2013, 4.4: the union goes through the ring of the sleeve"), Text("A sleeve of the design."))  # fmt: skip
+        yield check(
+            f"{id}.sleeve",
+            Text("Sleeves at hand for a union with thread {thread}", thread=choice.drain.thread),
+            0.0,
+            ">",
+            0.0,
+            "",
+            Text("Finotti 2013, 4.4: the union goes through the ring of the sleeve"),
+            Text("A sleeve of the design."),
+        )
     if choice.drain_slope is not None and choice.drain.tilt is not None:
-        yield check(f"{id}.slope", Text("Slope of the passage to the drain, machine tilted"), choice.drain_slope, ">", 0.0, "°",
+        yield check(
+            f"{id}.slope",
+            Text("Slope of the passage to the drain, machine tilted"),
+            choice.drain_slope,
+            ">",
+            0.0,
+            "°",
             Text("Finotti 2013, 3.2.2: the oil must leave while the machine works on a slope"),
-            Text("A steeper passage: it must slope by more than the machine tilts."))  # fmt: skip
+            Text("A steeper passage: it must slope by more than the machine tilts."),
+        )
 
 
 def named(judged: Check, drain: str) -> Check:
@@ -212,4 +290,9 @@ def notes(choice: DrainResult) -> Iterator[Text]:
     for row in _file("unions.toml")["seal"]:
         if choice.unions and thread(row["thread"]) == thread(choice.drain.thread):
             parts, source = Text(row["parts"]), Text(row["source"])
-            yield Text("Oil drain: the union {thread} is sealed by {parts} ({source}).", thread=row["thread"], parts=parts, source=source)
+            yield Text(
+                "Oil drain: the union {thread} is sealed by {parts} ({source}).",
+                thread=row["thread"],
+                parts=parts,
+                source=source,
+            )

@@ -15,9 +15,12 @@ from ...sheet.units import Metre, SquareMetre
 
 # Coarse pitch of each nominal diameter, mm (ISO 261); of the pitches of a diameter it is the largest.
 COARSE = {
-    1.0: 0.25, 1.1: 0.25, 1.2: 0.25, 1.4: 0.3, 1.6: 0.35, 1.8: 0.35, 2.0: 0.4, 2.2: 0.45, 2.5: 0.45, 3.0: 0.5, 3.5: 0.6, 4.0: 0.7,
-    4.5: 0.75, 5.0: 0.8, 6.0: 1.0, 7.0: 1.0, 8.0: 1.25, 9.0: 1.25, 10.0: 1.5, 11.0: 1.5, 12.0: 1.75, 14.0: 2.0, 16.0: 2.0, 18.0: 2.5,
-    20.0: 2.5, 22.0: 2.5, 24.0: 3.0, 27.0: 3.0, 30.0: 3.5, 33.0: 3.5, 36.0: 4.0, 39.0: 4.0, 42.0: 4.5, 45.0: 4.5, 48.0: 5.0, 52.0: 5.0,
+    1.0: 0.25, 1.1: 0.25, 1.2: 0.25, 1.4: 0.3, 1.6: 0.35, 1.8: 0.35, 2.0: 0.4, 2.2: 0.45, 2.5: 0.45, 3.0: 0.5,
+    3.5: 0.6, 4.0: 0.7,
+    4.5: 0.75, 5.0: 0.8, 6.0: 1.0, 7.0: 1.0, 8.0: 1.25, 9.0: 1.25, 10.0: 1.5, 11.0: 1.5, 12.0: 1.75, 14.0: 2.0,
+    16.0: 2.0, 18.0: 2.5,
+    20.0: 2.5, 22.0: 2.5, 24.0: 3.0, 27.0: 3.0, 30.0: 3.5, 33.0: 3.5, 36.0: 4.0, 39.0: 4.0, 42.0: 4.5, 45.0: 4.5,
+    48.0: 5.0, 52.0: 5.0,
     56.0: 5.5, 60.0: 5.5, 64.0: 6.0,
 }  # fmt: skip
 DIAMETERS = (1.0, 300.0)  # mm, smallest and largest of ISO 261
@@ -26,7 +29,8 @@ DESIGNATION = re.compile(r"M *([0-9]+(?:\.[0-9]+)?)(?: *[x×] *([0-9]+(?:\.[0-9]
 
 
 def thread(text: str) -> tuple[Metre, Metre]:
-    """Nominal diameter and pitch of a metric thread: "M10", "M10x1.5", "M10×1.5".  Raises ValueError, which says what is allowed."""
+    """Nominal diameter and pitch of a metric thread: "M10", "M10x1.5", "M10×1.5".  Raises ValueError, which says what
+    is allowed."""
     match = DESIGNATION.fullmatch(text.strip())
     if match is None:
         raise ValueError("must be a metric thread like M10 (coarse pitch of ISO 261) or M10x1.25, in mm")
@@ -34,7 +38,9 @@ def thread(text: str) -> tuple[Metre, Metre]:
     if not DIAMETERS[0] <= D <= DIAMETERS[1]:
         raise ValueError(f"must be from M{DIAMETERS[0]:g} to M{DIAMETERS[1]:g} (ISO 261)")
     if given is None and D not in COARSE:
-        raise ValueError(f"M{D:g} has no coarse pitch in ISO 261: give the pitch too, like M{D:g}x{max(_coarsest(D) / 2, FINEST):g}")
+        raise ValueError(
+            f"M{D:g} has no coarse pitch in ISO 261: give the pitch too, like M{D:g}x{max(_coarsest(D) / 2, FINEST):g}"
+        )
     p = COARSE[D] if given is None else float(given)
     if not FINEST <= p <= _coarsest(D):
         raise ValueError(f"the pitch of M{D:g} must be from {FINEST:g} to {_coarsest(D):g} mm (ISO 261)")
@@ -55,14 +61,22 @@ def thread_problem(text: str) -> Text | None:
     return None
 
 
-@formula("D", "ISO 261: nominal diameter, the first number of the thread's designation", shows="number behind M in the designation",
-    unit="mm")  # fmt: skip
+@formula(
+    "D",
+    "ISO 261: nominal diameter, the first number of the thread's designation",
+    shows="number behind M in the designation",
+    unit="mm",
+)
 def nominal_diameter(designation: str) -> Metre:
     return thread(designation)[0]
 
 
-@formula("P_h", "ISO 261: pitch of the thread, as in its designation, else the coarse one", shows="number behind ×, or coarse pitch",
-    unit="mm")  # fmt: skip
+@formula(
+    "P_h",
+    "ISO 261: pitch of the thread, as in its designation, else the coarse one",
+    shows="number behind ×, or coarse pitch",
+    unit="mm",
+)
 def pitch(designation: str) -> Metre:
     return thread(designation)[1]
 
@@ -91,23 +105,81 @@ class Bolts:
     """The bolts that hold the support to the block."""
 
     thread: str = text("Thread", help="Metric, like M10x1.5; the coarse pitch may be left out: M10.")
-    torque: float = quantity("Tightening torque", "N·m", above=0, high=5000, symbol="M_A", step=1, source="VDI 2230-1",
-        help="Torque with which each bolt is tightened; thread and head rub most of it away.")  # fmt: skip
-    friction: float = quantity("Coefficient of friction, thread and head", low=0.02, high=0.5, symbol="mu", step=0.01, usual=(0.08, 0.16),
-        source="VDI 2230-1, class B", help="Give the smallest expected.")  # fmt: skip
-    head_diameter: float = quantity("Bearing diameter of the head", "mm", above=0, high=200, symbol="d_w", source="VDI 2230-1",
-        help="Outer diameter of the face under the head: across flats, or of the flange.")  # fmt: skip
-    hole_diameter: float = quantity("Clearance hole", "mm", above=0, high=200, symbol="d_h", source="VDI 2230-1",
-        help="Diameter of the hole that the bolt goes through, a little above the thread's.")  # fmt: skip
-    count: int = integer("Number of bolts", low=2, high=64, symbol="N_b", help="Bolts that hold the support to the block, all alike.")
-    method: str = choice("Torque to preload", "vdi", "source", default="vdi",
-        help="vdi: flank angle and mean bearing radius, as in VDI 2230. source: Finotti 2013, Table 6.1. Both are shown.")  # fmt: skip
-    property_class: str = choice("Property class", *STRENGTH, default="8.8",
-        help="ISO 898-1; its proof strength judges the stress by tightening.")  # fmt: skip
-    joint_friction: float = quantity("Coefficient of friction, support on block", default=0.12, low=0.02, high=0.8, symbol="mu_T",
-        step=0.01, usual=(0.1, 0.3), source=THUMB, help="Holds the support against sliding.")  # fmt: skip
-    row_span: float | None = quantity("Distance of the bolt rows along the shaft", "mm", default=None, above=0, high=5000, symbol="l_b",
-        help="Between the bolts at the front and those at the rear. Left out: that of the shaft's outer bearings.")  # fmt: skip
+    torque: float = quantity(
+        "Tightening torque",
+        "N·m",
+        above=0,
+        high=5000,
+        symbol="M_A",
+        step=1,
+        source="VDI 2230-1",
+        help="Torque with which each bolt is tightened; thread and head rub most of it away.",
+    )
+    friction: float = quantity(
+        "Coefficient of friction, thread and head",
+        low=0.02,
+        high=0.5,
+        symbol="mu",
+        step=0.01,
+        usual=(0.08, 0.16),
+        source="VDI 2230-1, class B",
+        help="Give the smallest expected.",
+    )
+    head_diameter: float = quantity(
+        "Bearing diameter of the head",
+        "mm",
+        above=0,
+        high=200,
+        symbol="d_w",
+        source="VDI 2230-1",
+        help="Outer diameter of the face under the head: across flats, or of the flange.",
+    )
+    hole_diameter: float = quantity(
+        "Clearance hole",
+        "mm",
+        above=0,
+        high=200,
+        symbol="d_h",
+        source="VDI 2230-1",
+        help="Diameter of the hole that the bolt goes through, a little above the thread's.",
+    )
+    count: int = integer(
+        "Number of bolts", low=2, high=64, symbol="N_b", help="Bolts that hold the support to the block, all alike."
+    )
+    method: str = choice(
+        "Torque to preload",
+        "vdi",
+        "source",
+        default="vdi",
+        help="vdi: flank angle and mean bearing radius, as in VDI 2230. source: Finotti 2013, Table 6.1. Both are "
+        "shown.",
+    )
+    property_class: str = choice(
+        "Property class",
+        *STRENGTH,
+        default="8.8",
+        help="ISO 898-1; its proof strength judges the stress by tightening.",
+    )
+    joint_friction: float = quantity(
+        "Coefficient of friction, support on block",
+        default=0.12,
+        low=0.02,
+        high=0.8,
+        symbol="mu_T",
+        step=0.01,
+        usual=(0.1, 0.3),
+        source=THUMB,
+        help="Holds the support against sliding.",
+    )
+    row_span: float | None = quantity(
+        "Distance of the bolt rows along the shaft",
+        "mm",
+        default=None,
+        above=0,
+        high=5000,
+        symbol="l_b",
+        help="Between the bolts at the front and those at the rear. Left out: that of the shaft's outer bearings.",
+    )
 
     def problems(self) -> Iterable[tuple[str, Text]]:
         if self.hole_diameter >= self.head_diameter:
@@ -122,10 +194,22 @@ class Bolts:
 class Clamp:
     """One spring band clamp."""
 
-    nominal: float = quantity("Nominal diameter", "mm", above=0, high=500, source="DIN 3021",
-        help="Diameter by which the clamp is called; the hose end must not be smaller.")  # fmt: skip
-    opening: float = quantity("Largest opening", "mm", above=0, high=500, source="DIN 3021",
-        help="Diameter to which the clamp opens; the hose end must pass.")  # fmt: skip
+    nominal: float = quantity(
+        "Nominal diameter",
+        "mm",
+        above=0,
+        high=500,
+        source="DIN 3021",
+        help="Diameter by which the clamp is called; the hose end must not be smaller.",
+    )
+    opening: float = quantity(
+        "Largest opening",
+        "mm",
+        above=0,
+        high=500,
+        source="DIN 3021",
+        help="Diameter to which the clamp opens; the hose end must pass.",
+    )
 
     def problems(self) -> Iterable[tuple[str, Text]]:
         if self.opening <= self.nominal:
@@ -137,8 +221,14 @@ class Union:
     """One pipe union."""
 
     thread: str = text("Thread", help="Like M18x1.5.")
-    bore: float = quantity("Bore", "mm", above=0, high=200, source="Finotti 2013, 4.4",
-        help="Inner diameter; of the unions that fit the one with the widest bore is taken.")  # fmt: skip
+    bore: float = quantity(
+        "Bore",
+        "mm",
+        above=0,
+        high=200,
+        source="Finotti 2013, 4.4",
+        help="Inner diameter; of the unions that fit the one with the widest bore is taken.",
+    )
 
     def problems(self) -> Iterable[tuple[str, Text]]:
         if (wrong := thread_problem(self.thread)) is not None:
@@ -149,12 +239,33 @@ class Union:
 class Sleeve:
     """One sleeve: its ring sits under the head of the union, its end takes the hose."""
 
-    ring: float = quantity("Inner diameter of the ring", "mm", above=0, high=200, symbol="d", source="Finotti 2013, 4.4",
-        help="The union goes through it: not below the diameter of its thread.")  # fmt: skip
-    bore: float = quantity("Bore of the end", "mm", above=0, high=200, symbol="d1", source="Finotti 2013, 4.4",
-        help="Inner diameter; of the sleeves that fit the one with the widest bore is taken.")  # fmt: skip
-    end: float = quantity("Outer diameter of the end", "mm", above=0, high=200, symbol="d2", source="Finotti 2013, 4.4",
-        help="On which the hose sits.")  # fmt: skip
+    ring: float = quantity(
+        "Inner diameter of the ring",
+        "mm",
+        above=0,
+        high=200,
+        symbol="d",
+        source="Finotti 2013, 4.4",
+        help="The union goes through it: not below the diameter of its thread.",
+    )
+    bore: float = quantity(
+        "Bore of the end",
+        "mm",
+        above=0,
+        high=200,
+        symbol="d1",
+        source="Finotti 2013, 4.4",
+        help="Inner diameter; of the sleeves that fit the one with the widest bore is taken.",
+    )
+    end: float = quantity(
+        "Outer diameter of the end",
+        "mm",
+        above=0,
+        high=200,
+        symbol="d2",
+        source="Finotti 2013, 4.4",
+        help="On which the hose sits.",
+    )
 
     def problems(self) -> Iterable[tuple[str, Text]]:
         if self.end <= self.bore:
@@ -163,26 +274,73 @@ class Sleeve:
 
 @inputs
 class OilDrain:
-    """The hose, the union and the sleeve through which the support's oil runs back, and how steep the passage to it is."""
+    """The hose, the union and the sleeve through which the support's oil runs back, and how steep the passage to it
+    is."""
 
-    hose_min: float = quantity("Hose end, smallest outer diameter", "mm", above=0, high=500, symbol="D_min", source="Finotti 2013, 4.4",
-        help="The clamp must still grip the hose end at this diameter.")  # fmt: skip
-    hose_max: float = quantity("Hose end, largest outer diameter", "mm", above=0, high=500, symbol="D_max", source="Finotti 2013, 4.4",
-        help="The clamp must open to this diameter of the hose end.")  # fmt: skip
+    hose_min: float = quantity(
+        "Hose end, smallest outer diameter",
+        "mm",
+        above=0,
+        high=500,
+        symbol="D_min",
+        source="Finotti 2013, 4.4",
+        help="The clamp must still grip the hose end at this diameter.",
+    )
+    hose_max: float = quantity(
+        "Hose end, largest outer diameter",
+        "mm",
+        above=0,
+        high=500,
+        symbol="D_max",
+        source="Finotti 2013, 4.4",
+        help="The clamp must open to this diameter of the hose end.",
+    )
     thread: str = text("Thread of the hole in the block", help="Like M18x1.5.")
     clamps: tuple[Clamp, ...] = tables("Spring band clamps at hand", Clamp, default=())
     unions: tuple[Union, ...] = tables("Pipe unions at hand", Union, default=())
     sleeves: tuple[Sleeve, ...] = tables("Sleeves at hand", Sleeve, default=())
-    slope: float | None = quantity("Slope of the passage to the drain", "°", default=None, above=0, high=90, symbol="theta", step=1,
+    slope: float | None = quantity(
+        "Slope of the passage to the drain",
+        "°",
+        default=None,
+        above=0,
+        high=90,
+        symbol="theta",
+        step=1,
         source="Finotti 2013, 3.2.2",
-        help="Least angle to the horizontal, machine level; 45° in the source.")  # fmt: skip
-    tilt: float | None = quantity("Largest tilt of the machine", "°", default=None, low=0, high=90, symbol="tau", step=1,
+        help="Least angle to the horizontal, machine level; 45° in the source.",
+    )
+    tilt: float | None = quantity(
+        "Largest tilt of the machine",
+        "°",
+        default=None,
+        low=0,
+        high=90,
+        symbol="tau",
+        step=1,
         source="Finotti 2013, 3.2.2",
-        help="At which the oil must still leave, as on an excavator on a slope. Left out: not judged.")  # fmt: skip
-    bore: float | None = quantity("Narrowest bore of that passage", "mm", default=None, above=0, high=200, symbol="d_d",
-        source="Finotti 2013, 4.4", help="Where it is narrowest. Left out: what runs off is not computed.")  # fmt: skip
-    oil_share: tuple[float, ...] = series("Share of the oil of each bearing", "%", default=(1.0, 1.0), count=(2, 2), low=0, high=100,
-        symbol="x", help="[front, rear]: what of each bearing's oil this drain takes. Left out: all of both.")  # fmt: skip
+        help="At which the oil must still leave, as on an excavator on a slope. Left out: not judged.",
+    )
+    bore: float | None = quantity(
+        "Narrowest bore of that passage",
+        "mm",
+        default=None,
+        above=0,
+        high=200,
+        symbol="d_d",
+        source="Finotti 2013, 4.4",
+        help="Where it is narrowest. Left out: what runs off is not computed.",
+    )
+    oil_share: tuple[float, ...] = series(
+        "Share of the oil of each bearing",
+        "%",
+        default=(1.0, 1.0),
+        count=(2, 2),
+        low=0,
+        high=100,
+        symbol="x",
+        help="[front, rear]: what of each bearing's oil this drain takes. Left out: all of both.",
+    )
 
     @property
     def id(self) -> str:
@@ -211,24 +369,67 @@ class FurtherDrain(OilDrain):
 
 @inputs
 class Support:
-    """The casting that carries the shaft: its wall beside the rear seat, and stresses found elsewhere (finite elements)."""
+    """The casting that carries the shaft: its wall beside the rear seat, and stresses found elsewhere (finite
+    elements)."""
 
     material: str = text("Material", help="A name from the table of materials or from [[material]].")
-    wall: float | None = quantity("Wall beside the largest seat", "mm", default=None, above=0, high=200, symbol="w",
-        source="Finotti 2013, 4.2", help="Metal left beside the largest seat, with the shaft of this design.")  # fmt: skip
-    wall_at_seat: float | None = quantity("Seat with that wall", "mm", default=None, above=0, high=500, symbol="D_w",
+    wall: float | None = quantity(
+        "Wall beside the largest seat",
+        "mm",
+        default=None,
+        above=0,
+        high=200,
+        symbol="w",
         source="Finotti 2013, 4.2",
-        help="A larger seat takes half of what it grows from wall_mm. Left out: wall_mm stands whatever the seat.")  # fmt: skip
-    least_wall: float = quantity("Least wall", "mm", default=5e-3, above=0, high=200, symbol="w_min", source="Finotti 2013, 4.2",
-        help="What the casting needs; 5 mm in sand-cast aluminium.")  # fmt: skip
-    bolt_stress: float | None = quantity("Stress under the bolts' preload, von Mises", "MPa", default=None, low=0, high=10000,
-        source="Finotti 2013, 4.7 (in chapter 6)", help="From finite elements; the limit is the proof stress of the material.")  # fmt: skip
-    load_stress: float | None = quantity("Stress from the bearing loads alone, von Mises", "MPa", default=None, low=0, high=10000,
+        help="Metal left beside the largest seat, with the shaft of this design.",
+    )
+    wall_at_seat: float | None = quantity(
+        "Seat with that wall",
+        "mm",
+        default=None,
+        above=0,
+        high=500,
+        symbol="D_w",
+        source="Finotti 2013, 4.2",
+        help="A larger seat takes half of what it grows from wall_mm. Left out: wall_mm stands whatever the seat.",
+    )
+    least_wall: float = quantity(
+        "Least wall",
+        "mm",
+        default=5e-3,
+        above=0,
+        high=200,
+        symbol="w_min",
+        source="Finotti 2013, 4.2",
+        help="What the casting needs; 5 mm in sand-cast aluminium.",
+    )
+    bolt_stress: float | None = quantity(
+        "Stress under the bolts' preload, von Mises",
+        "MPa",
+        default=None,
+        low=0,
+        high=10000,
         source="Finotti 2013, 4.7 (in chapter 6)",
-        help="From finite elements, without the bolts' preload; it turns with the shaft.")  # fmt: skip
-    load_stress_limit: float | None = quantity("Limit of the stress from the loads", "MPa", default=None, above=0, high=10000,
+        help="From finite elements; the limit is the proof stress of the material.",
+    )
+    load_stress: float | None = quantity(
+        "Stress from the bearing loads alone, von Mises",
+        "MPa",
+        default=None,
+        low=0,
+        high=10000,
+        source="Finotti 2013, 4.7 (in chapter 6)",
+        help="From finite elements, without the bolts' preload; it turns with the shaft.",
+    )
+    load_stress_limit: float | None = quantity(
+        "Limit of the stress from the loads",
+        "MPa",
+        default=None,
+        above=0,
+        high=10000,
         source="given in the design, by the fatigue strength of the casting",
-        help="Stress that the support endures without end under the turning load; left out, fatigue is not judged.")  # fmt: skip
+        help="Stress that the support endures without end under the turning load; left out, fatigue is not judged.",
+    )
 
     def problems(self) -> Iterable[tuple[str, Text]]:
         if self.wall_at_seat is not None and self.wall is None:
@@ -248,18 +449,35 @@ class Alternative:
     """What the shaft costs in one material."""
 
     material: str = text("Material", help="A name from the table of materials or from [[material]].")
-    tooling: float = quantity("Tooling", "€", low=0, high=1e9, source="Finotti 2013, 4.2", help="Cost of dies and fixtures, paid once.")
-    piece: float = quantity("Cost of a piece", "€", low=0, high=1e6, source="Finotti 2013, 4.2", help="Cost of one shaft in this material.")
-    development: float = quantity("Research and development", "€", default=0.0, low=0, high=1e9, source="Finotti 2013, 4.2",
-        help="Cost of research and development, paid once.")  # fmt: skip
+    tooling: float = quantity(
+        "Tooling", "€", low=0, high=1e9, source="Finotti 2013, 4.2", help="Cost of dies and fixtures, paid once."
+    )
+    piece: float = quantity(
+        "Cost of a piece", "€", low=0, high=1e6, source="Finotti 2013, 4.2", help="Cost of one shaft in this material."
+    )
+    development: float = quantity(
+        "Research and development",
+        "€",
+        default=0.0,
+        low=0,
+        high=1e9,
+        source="Finotti 2013, 4.2",
+        help="Cost of research and development, paid once.",
+    )
 
 
 @inputs
 class Cost:
     """Yearly volume, and the alternatives to compare."""
 
-    pieces_per_year: int = integer("Pieces per year", low=1, high=10**9, symbol="N", source="Finotti 2013, 4.2",
-        help="Shafts made in the first year, for which the cost is compared.")  # fmt: skip
+    pieces_per_year: int = integer(
+        "Pieces per year",
+        low=1,
+        high=10**9,
+        symbol="N",
+        source="Finotti 2013, 4.2",
+        help="Shafts made in the first year, for which the cost is compared.",
+    )
     alternatives: tuple[Alternative, ...] = tables("Alternatives", Alternative)
 
     def problems(self) -> Iterable[tuple[str, Text]]:

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What the shaft's making asks: permitted unbalance, holes, scatter, bolts, support, oil drain.  Each part where it is asked for."""
+"""What the shaft's making asks: permitted unbalance, holes, scatter, bolts, support, oil drain.  Each part where it is
+asked for."""
 
 import cmath
 import math
@@ -31,15 +32,18 @@ if TYPE_CHECKING:
     from .scatter import ScatterResult
 
 
-# The loads of the support for finite elements, as Finotti 2013, 4.7 (in chapter 6), takes them: four instants of a turn, bolts tight.
+# The loads of the support for finite elements, as Finotti 2013, 4.7 (in chapter 6), takes them: four instants of a
+# turn, bolts tight.
 #
-# The stresses that they give come back as `bolt_stress` and `load_stress` of the support; its bolts are judged for every direction.
+# The stresses that they give come back as `bolt_stress` and `load_stress` of the support; its bolts are judged for
+# every direction.
 
 CASES = 4  # a quarter of a turn apart
 
 
 def table(shaft: CountershaftInputs, result: CountershaftResult) -> list[Table]:
-    """Forces of the shaft on both its bearings, the front one's upwards first; none where they have more supports or carry nothing."""
+    """Forces of the shaft on both its bearings, the front one's upwards first; none where they have more supports or
+    carry nothing."""
     if len(shaft.bearing_positions) != 2 or not result.reaction_front:
         return []
     z_f, z_r = shaft.bearing_positions
@@ -51,18 +55,31 @@ def table(shaft: CountershaftInputs, result: CountershaftResult) -> list[Table]:
     for n in range(CASES):
         turn = upwards * cmath.exp(2j * math.pi * n / CASES)
         forces = (part for force in (front * turn, rear * turn) for part in (force.real, force.imag))
-        rows.append((n + 1, 360.0 * n / CASES, *(round(x, 9) + 0.0 for x in forces), *(() if preload is None else (preload,))))
-    columns = [(Text("case"), ""), (Text("direction, front"), "°"), (Text("front, up"), "N"), (Text("front, side"), "N"),
-        (Text("rear, up"), "N"), (Text("rear, side"), "N")]  # fmt: skip
+        rows.append(
+            (n + 1, 360.0 * n / CASES, *(round(x, 9) + 0.0 for x in forces), *(() if preload is None else (preload,)))
+        )
+    columns = [
+        (Text("case"), ""),
+        (Text("direction, front"), "°"),
+        (Text("front, up"), "N"),
+        (Text("front, side"), "N"),
+        (Text("rear, up"), "N"),
+        (Text("rear, side"), "N"),
+    ]
     bolts = EMPTY
     if shaft.bolts is not None:
         columns.append((Text("each bolt"), "N"))
         bolts = Text(" Each of the {count} bolts presses with its preload.", count=shaft.bolts.count)
     speed = Amount(result.omega / (2 * math.pi) * 60, form=".4g")
     note = Text(
-        "Forces of the shaft on its bearings at {n} rpm, at four instants of a turn (Finotti 2013, 4.7, in chapter 6, spreads each over "
-        "60° of its seat); side is 90° further in the sense of crank rotation. Weight and gear force are left out, as there.{bolts} The "
-        "stresses that finite elements find with them belong to [countershaft.support].", n=speed, bolts=bolts)  # fmt: skip
+        "Forces of the shaft on its bearings at {n} rpm, at four instants of a turn (Finotti 2013, 4.7, in chapter 6, "
+        "spreads each over "
+        "60° of its seat); side is 90° further in the sense of crank rotation. Weight and gear force are left out, as "
+        "there.{bolts} The "
+        "stresses that finite elements find with them belong to [countershaft.support].",
+        n=speed,
+        bolts=bolts,
+    )
     return [Table("support_loads", Text("Load cases of the support"), tuple(columns), tuple(rows), note)]
 
 
@@ -76,12 +93,23 @@ class Gathered:
         self.curves: Many[Curve] = ()
 
 
-def making(shaft: CountershaftInputs, todo: ShaftTask, masses: tuple[EccentricMass, ...], result: CountershaftResult, R: Metre | None,
-    materials: Mapping[str, Material], journals: tuple[tuple[Metre, Metre], ...], to: Gathered) -> CountershaftResult:  # fmt: skip
-    """The result with all of it but the bending; `R`: outer radius of the sectors, `journals`: their sizes, both where they are known."""
+def making(
+    shaft: CountershaftInputs,
+    todo: ShaftTask,
+    masses: tuple[EccentricMass, ...],
+    result: CountershaftResult,
+    R: Metre | None,
+    materials: Mapping[str, Material],
+    journals: tuple[tuple[Metre, Metre], ...],
+    to: Gathered,
+) -> CountershaftResult:
+    """The result with all of it but the bending; `R`: outer radius of the sectors, `journals`: their sizes, both where
+    they are known."""
     shaft = _with_wall(shaft, journals)
     rho = materials[shaft.material].density
-    result = replace(result, tolerance=_permitted(shaft, todo, result, to), holes=_holes(shaft, todo, masses, result, rho, R, to))
+    result = replace(
+        result, tolerance=_permitted(shaft, todo, result, to), holes=_holes(shaft, todo, masses, result, rho, R, to)
+    )
     scattered, other, bolted = _scatter(shaft, todo, masses, result, to), None, None
     if shaft.cost is not None or shaft.mode == "size":
         from ..sizing.choices import Seat, compared, compared_table
@@ -103,8 +131,16 @@ def making(shaft: CountershaftInputs, todo: ShaftTask, masses: tuple[EccentricMa
     count = f.part_count(n=column(shaft.parts, "count")) if shaft.parts else None
     kinds = based_on(float(len(shaft.parts)), shaft.parts) if shaft.parts else None
     drains = _drains(shaft, to)
-    whole = replace(result, scatter=scattered, alternative=other, bolts=bolted, drain=drains.pop("", None), further_drains=drains or None,
-        part_count=count, part_kinds=kinds)  # fmt: skip
+    whole = replace(
+        result,
+        scatter=scattered,
+        alternative=other,
+        bolts=bolted,
+        drain=drains.pop("", None),
+        further_drains=drains or None,
+        part_count=count,
+        part_kinds=kinds,
+    )
     if shaft.support is not None:
         to.tables += Later(lambda: _load_cases(shaft, whole))
     return whole
@@ -115,7 +151,9 @@ def _load_cases(shaft: CountershaftInputs, result: CountershaftResult) -> list[T
     return table(shaft, result)
 
 
-def _permitted(shaft: CountershaftInputs, todo: ShaftTask, result: CountershaftResult, to: Gathered) -> ToleranceResult | None:
+def _permitted(
+    shaft: CountershaftInputs, todo: ShaftTask, result: CountershaftResult, to: Gathered
+) -> ToleranceResult | None:
     """What the balance quality grade permits; it needs the mass of the whole shaft."""
     if result.mass is None or result.centre_of_gravity is None:
         return None
@@ -125,15 +163,30 @@ def _permitted(shaft: CountershaftInputs, todo: ShaftTask, result: CountershaftR
     to.tables += Later(lambda: [tolerance.table(shaft.balance_grade, *asked)])
     to.notes += tolerance.notes(result.centre_of_gravity, z_f, z_r)
     if todo.couple:
-        to.checks.append(check("countershaft.balance_grade", Text("Couple that the balance quality grade permits"),
-            permitted.permitted_couple_error, "<=", LEFT_OVER * todo.couple, "N·m",
-            Text("rule of this program: 5 % of the couple to be balanced"),
-            Text("A finer grade (a smaller number), or a lighter shaft.")))  # fmt: skip
+        to.checks.append(
+            check(
+                "countershaft.balance_grade",
+                Text("Couple that the balance quality grade permits"),
+                permitted.permitted_couple_error,
+                "<=",
+                LEFT_OVER * todo.couple,
+                "N·m",
+                Text("rule of this program: 5 % of the couple to be balanced"),
+                Text("A finer grade (a smaller number), or a lighter shaft."),
+            )
+        )
     return permitted
 
 
-def _holes(shaft: CountershaftInputs, todo: ShaftTask, masses: tuple[EccentricMass, ...], result: CountershaftResult, rho: KilogramPerMetre3,
-    R: Metre | None, to: Gathered) -> HolesResult | None:  # fmt: skip
+def _holes(
+    shaft: CountershaftInputs,
+    todo: ShaftTask,
+    masses: tuple[EccentricMass, ...],
+    result: CountershaftResult,
+    rho: KilogramPerMetre3,
+    R: Metre | None,
+    to: Gathered,
+) -> HolesResult | None:
     """The calibration holes, and whether the shaft as drawn leaves them something to take."""
     if shaft.holes is None:
         return None
@@ -143,8 +196,11 @@ def _holes(shaft: CountershaftInputs, todo: ShaftTask, masses: tuple[EccentricMa
     z = column(masses, "z")
     drilled = holes.calibration(shaft.holes, rho, R, z, result.omega, todo.couple)
     if masses and shaft.holes.count % len(masses):
-        shared = Text("Calibration holes: {count} holes on {count2} masses are counted as an equal share for each.",
-            count=shaft.holes.count, count2=len(masses))  # fmt: skip
+        shared = Text(
+            "Calibration holes: {count} holes on {count2} masses are counted as an equal share for each.",
+            count=shaft.holes.count,
+            count2=len(masses),
+        )
         to.notes.append(shared)
     if shaft.core_radius is not None:
         to.checks.append(holes.depth_check(shaft.holes, R, shaft.core_radius))
@@ -155,14 +211,30 @@ def _holes(shaft: CountershaftInputs, todo: ShaftTask, masses: tuple[EccentricMa
         to.checks.append(holes.row_check(shaft.holes, len(masses), _shortest(sectors)))
         to.checks.append(holes.width_check(shaft.holes, R, min(p.half_angle or 0.0 for p in sectors)))
     else:
-        to.notes.append(Text("Calibration holes: whether they fit into the sectors is not judged: the outline has none."))
+        to.notes.append(
+            Text("Calibration holes: whether they fit into the sectors is not judged: the outline has none.")
+        )
     if todo.couple:
         over = f.couple_beyond(C_S=result.couple_vector, C_req=based_on(-todo.C, todo.C))
-        to.checks.append(check("countershaft.holes.range", Text("Couple beyond the required one, for drilling to take away"),
-            based_on(round(over, 9), over), "in", (0.0, drilled.hole_range), "N·m",
-            Text("mathematics, drilling only takes away: the shaft as drawn must lie above the couple to be balanced, by no more than "
-                "the holes take"),
-            Text("Aim at {hole_range} N·m beyond, half of the range.", hole_range=Amount(drilled.hole_range / 2, form=".1f"))))  # fmt: skip
+        to.checks.append(
+            check(
+                "countershaft.holes.range",
+                Text("Couple beyond the required one, for drilling to take away"),
+                based_on(round(over, 9), over),
+                "in",
+                (0.0, drilled.hole_range),
+                "N·m",
+                Text(
+                    "mathematics, drilling only takes away: the shaft as drawn must lie above the couple to be "
+                    "balanced, by no more than "
+                    "the holes take"
+                ),
+                Text(
+                    "Aim at {hole_range} N·m beyond, half of the range.",
+                    hole_range=Amount(drilled.hole_range / 2, form=".1f"),
+                ),
+            )
+        )
     return drilled
 
 
@@ -177,8 +249,13 @@ def _shortest(sectors: list[Piece]) -> Metre:
     return min(lengths)
 
 
-def _scatter(shaft: CountershaftInputs, todo: ShaftTask, masses: tuple[EccentricMass, ...], result: CountershaftResult,
-    to: Gathered) -> "ScatterResult | None":  # fmt: skip
+def _scatter(
+    shaft: CountershaftInputs,
+    todo: ShaftTask,
+    masses: tuple[EccentricMass, ...],
+    result: CountershaftResult,
+    to: Gathered,
+) -> "ScatterResult | None":
     if shaft.scatter is None:
         return None
     permitted = result.tolerance
@@ -188,10 +265,15 @@ def _scatter(shaft: CountershaftInputs, todo: ShaftTask, masses: tuple[Eccentric
     from . import scatter
 
     target = scatter.Target(
-        omega=result.omega, couple=based_on(-todo.C, todo.C), force=based_on(-todo.F, todo.F), couple_left=result.couple_against,
-        z_f=shaft.bearing_positions[0], z_r=shaft.bearing_positions[-1],
-        permitted_front=permitted.residual_unbalance_permitted_front, permitted_rear=permitted.residual_unbalance_permitted_rear,
-    )  # fmt: skip
+        omega=result.omega,
+        couple=based_on(-todo.C, todo.C),
+        force=based_on(-todo.F, todo.F),
+        couple_left=result.couple_against,
+        z_f=shaft.bearing_positions[0],
+        z_r=shaft.bearing_positions[-1],
+        permitted_front=permitted.residual_unbalance_permitted_front,
+        permitted_rear=permitted.residual_unbalance_permitted_rear,
+    )
     limit = todo.may_leave
     spread = scatter.scattered(shaft.scatter, masses, shaft.extras, target, result.holes)
     to.checks += scatter.checks(spread, limit)
@@ -203,7 +285,9 @@ def _scatter(shaft: CountershaftInputs, todo: ShaftTask, masses: tuple[Eccentric
 
 def _drains(shaft: CountershaftInputs, to: Gathered) -> "dict[str, DrainResult]":
     """The drains by their names, the first one without; what is noted of all is noted once."""
-    asked = ([("", shaft.oil_drain)] if shaft.oil_drain is not None else []) + [(one.name, one) for one in shaft.further_drains]
+    asked = ([("", shaft.oil_drain)] if shaft.oil_drain is not None else []) + [
+        (one.name, one) for one in shaft.further_drains
+    ]
     if not asked:
         return {}
     from . import drain
@@ -215,7 +299,8 @@ def _drains(shaft: CountershaftInputs, to: Gathered) -> "dict[str, DrainResult]"
 
 
 def _with_wall(shaft: CountershaftInputs, journals: tuple[tuple[Metre, Metre], ...]) -> CountershaftInputs:
-    """The wall of the support beside the largest seat as it now is; as given where that does not say at which seat it was."""
+    """The wall of the support beside the largest seat as it now is; as given where that does not say at which seat it
+    was."""
     support = shaft.support
     if support is None or support.wall is None or support.wall_at_seat is None or not journals:
         return shaft
@@ -226,27 +311,56 @@ def _with_wall(shaft: CountershaftInputs, journals: tuple[tuple[Metre, Metre], .
 def _support(support: Support, material: Material) -> Iterator[Check]:
     """The casting's wall, and its stresses as they were found elsewhere."""
     if support.wall is not None:
-        yield check("countershaft.support.wall", Text("Wall of the support beside the largest seat"), support.wall, ">=",
-            support.least_wall, "mm", Text("Finotti 2013, 4.1 and 4.2: no thinner than 5 mm beside the rear seat"),
-            Text("A smaller seat, or a larger casting."))  # fmt: skip
+        yield check(
+            "countershaft.support.wall",
+            Text("Wall of the support beside the largest seat"),
+            support.wall,
+            ">=",
+            support.least_wall,
+            "mm",
+            Text("Finotti 2013, 4.1 and 4.2: no thinner than 5 mm beside the rear seat"),
+            Text("A smaller seat, or a larger casting."),
+        )
     if support.bolt_stress is not None and material.proof_stress is not None:
-        yield check("countershaft.support.bolt_stress", Text("Stress of the support under the bolts' preload"), support.bolt_stress, "<",
-            material.proof_stress, "MPa", Text("Finotti 2013, 4.7 (in chapter 6): proof stress of {name}", name=material.name),
-            Text("More metal under the bolt heads."))  # fmt: skip
+        yield check(
+            "countershaft.support.bolt_stress",
+            Text("Stress of the support under the bolts' preload"),
+            support.bolt_stress,
+            "<",
+            material.proof_stress,
+            "MPa",
+            Text("Finotti 2013, 4.7 (in chapter 6): proof stress of {name}", name=material.name),
+            Text("More metal under the bolt heads."),
+        )
     yield from _load_stress(support, material)
 
 
 def _load_stress(support: Support, material: Material) -> Iterator[Check]:
-    """Against what the casting endures under a turning load; where that is not given its strength, which does not judge fatigue."""
+    """Against what the casting endures under a turning load; where that is not given its strength, which does not judge
+    fatigue."""
     if support.load_stress is None:
         return
-    limit, source = support.load_stress_limit, Text("given in the design: what the casting endures without end under the turning load")
+    limit, source = (
+        support.load_stress_limit,
+        Text("given in the design: what the casting endures without end under the turning load"),
+    )
     missing: tuple[str, ...] = ()
     if limit is None:
         limit = material.proof_stress or material.tensile_strength or math.nan
         source = Text("elasticity, strength of {name}; its fatigue is not judged", name=material.name)
         missing = () if support.load_stress >= limit else ("countershaft.support.load_stress_limit_MPa",)
-    yield check("countershaft.support.load_stress", Text("Stress of the support from the bearing loads"), support.load_stress, "<=", limit,
-        "MPa", source,
-        Text("Give what the casting endures under a turning load, or add ribs between seat and flange. The finite elements of Finotti "
-            "2013, 4.7 (in chapter 6), stay within 20 MPa: a result of theirs, no limit."), missing=missing)  # fmt: skip
+    yield check(
+        "countershaft.support.load_stress",
+        Text("Stress of the support from the bearing loads"),
+        support.load_stress,
+        "<=",
+        limit,
+        "MPa",
+        source,
+        Text(
+            "Give what the casting endures under a turning load, or add ribs between seat and flange. The finite "
+            "elements of Finotti "
+            "2013, 4.7 (in chapter 6), stay within 20 MPa: a result of theirs, no limit."
+        ),
+        missing=missing,
+    )

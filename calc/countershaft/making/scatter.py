@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
 """What production makes of the drawing: many shafts by chance, before and after their calibration by drilling.
 
-Each eccentric mass has its own normal deviation of mass, radius, angle and position; the whole shaft has one of its timing.  Timing is an
-error of mounting: no balancing machine sees it and no drilling mends it.  A shaft is measured as on a balancing machine, by the two
-unbalances in the planes of the outer bearings that separate it from the one that balances the engine.  If one of them is above what is
-permitted, the shaft is drilled: radially, into the masses as the drawing places them, each hole as deep as it helps, so that the worse
-plane (over what it is permitted) comes as low as the holes allow.  That may cost a shaft that is too light some of its couple.
-"""
+Each eccentric mass has its own normal deviation of mass, radius, angle and position; the whole shaft has one of its
+timing.  Timing is an error of mounting: no balancing machine sees it and no drilling mends it.  A shaft is measured as
+on a balancing machine, by the two unbalances in the planes of the outer bearings that separate it from the one that
+balances the engine.  If one of them is above what is permitted, the shaft is drilled: radially, into the masses as the
+drawing places them, each hole as deep as it helps, so that the worse plane (over what it is permitted) comes as low as
+the holes allow.  That may cost a shaft that is too light some of its couple."""
 
 import math
 from collections.abc import Iterator
@@ -25,7 +25,17 @@ from ...sheet.quantity import result, value
 from ...sheet.record import record
 from ...sheet.step import Curve, Series, Table
 from ...sheet.text import Amount, Text
-from ...sheet.units import Kilogram, KilogramMetre, Metre, NewtonMetre, Number, PhasorNewton, PhasorNewtonMetre, Radian, RadPerSecond
+from ...sheet.units import (
+    Kilogram,
+    KilogramMetre,
+    Metre,
+    NewtonMetre,
+    Number,
+    PhasorNewton,
+    PhasorNewtonMetre,
+    Radian,
+    RadPerSecond,
+)
 from ...sheet.value import about, based_on, untraced
 from .. import formulas as f
 from ..inputs import EccentricMass, Extra, Scatter
@@ -36,8 +46,12 @@ SWEEPS = 12  # of the search for the drilled depths with both planes weighed ali
 PROPAGATION = Text("mathematics, first-order propagation of independent errors")
 NAMES = ("mass", "radius", "angle", "z")
 PARTS = {
-    "mass": Text("mass"), "radius": Text("radius"), "angle": Text("angle"), "position": Text("position"), "timing": Text("timing"),
-}  # fmt: skip
+    "mass": Text("mass"),
+    "radius": Text("radius"),
+    "angle": Text("angle"),
+    "position": Text("position"),
+    "timing": Text("timing"),
+}
 PERCENTILES = {"median": 0.5, "95": 0.95, "99": 0.99, "largest": 1.0}
 SHARES = ("share_within", "share_drilled_within", "share_too_light", "share_beyond_drilling")
 SHOWN = 201  # points of the curve
@@ -58,7 +72,9 @@ def couple_error_by_angle(omega: RadPerSecond, m: Kilogram, e: Metre, z: Metre, 
     return omega**2 * rss(m * e * z) * s
 
 
-@formula("σ_C,z", Text("{propagation}: position", propagation=PROPAGATION), names=f.MASSES | {"s": "s_z", "omega": "ω_S"})
+@formula(
+    "σ_C,z", Text("{propagation}: position", propagation=PROPAGATION), names=f.MASSES | {"s": "s_z", "omega": "ω_S"}
+)
 def couple_error_by_position(omega: RadPerSecond, m: Kilogram, e: Metre, s: Metre) -> NewtonMetre:
     return omega**2 * rss(m * e) * s
 
@@ -68,15 +84,20 @@ def couple_error_by_timing(C_S: PhasorNewtonMetre, s: Radian) -> NewtonMetre:
     return modulus(C_S) * s
 
 
-@formula("σ_C", Text("{propagation}: root mean square", propagation=PROPAGATION),
-    names={"m": "σ_C,m", "e": "σ_C,e", "gamma": "σ_C,γ", "z": "σ_C,z", "t": "σ_C,t"})  # fmt: skip
+@formula(
+    "σ_C",
+    Text("{propagation}: root mean square", propagation=PROPAGATION),
+    names={"m": "σ_C,m", "e": "σ_C,e", "gamma": "σ_C,γ", "z": "σ_C,z", "t": "σ_C,t"},
+)
 def couple_error(m: NewtonMetre, e: NewtonMetre, gamma: NewtonMetre, z: NewtonMetre, t: NewtonMetre) -> NewtonMetre:
     """Length of the error vector, whatever its direction."""
     return sqrt(m**2 + e**2 + gamma**2 + z**2 + t**2)
 
 
 @formula(
-    "C_1,p", "mathematics: order statistics of the shafts tried", shows="the smallest couple that the share p of the shafts does not exceed"
+    "C_1,p",
+    "mathematics: order statistics of the shafts tried",
+    shows="the smallest couple that the share p of the shafts does not exceed",
 )
 def percentile(C: NewtonMetre, p: Number) -> NewtonMetre:
     """`C` in rising order."""
@@ -101,8 +122,12 @@ class ScatterResult:
     share_within: Number = value("Shafts within the permitted residual unbalance as made", "%")
     share_to_drill: Number = value("Shafts beyond the permitted residual unbalance", "%")
     share_drilled_within: Number | None = value("Shafts that drilling brings within it", "%", default=None)
-    share_too_light: Number | None = value("Shafts too light: only added material would bring them within", "%", default=None)
-    share_beyond_drilling: Number | None = value("Shafts that neither brings within: too heavy, or at a wrong angle", "%", default=None)
+    share_too_light: Number | None = value(
+        "Shafts too light: only added material would bring them within", "%", default=None
+    )
+    share_beyond_drilling: Number | None = value(
+        "Shafts that neither brings within: too heavy, or at a wrong angle", "%", default=None
+    )
     drilled_couple_median: NewtonMetre | None = value("Couple left over after drilling, median", "N·m", default=None)
     drilled_couple_95: NewtonMetre | None = value("Couple that 95 % stay below after drilling", "N·m", default=None)
     residual: Array  # of every shaft, in rising order
@@ -114,9 +139,8 @@ class ScatterResult:
 class Target:
     """What balances the engine, and what each bearing plane may deviate from it.
 
-    `couple`, `force`: what a shaft at `omega` must supply, cylinder 1 at TDC; `couple_left`: modulus of the couple that no such shaft can
-    take, since it turns against it.
-    """
+    `couple`, `force`: what a shaft at `omega` must supply, cylinder 1 at TDC; `couple_left`: modulus of the couple that
+    no such shaft can take, since it turns against it."""
 
     omega: RadPerSecond
     couple: PhasorNewtonMetre
@@ -128,12 +152,13 @@ class Target:
     permitted_rear: KilogramMetre
 
     def residual(self, couple: ComplexArray, timing: ComplexArray) -> Array:
-        """The couple that is left over, largest over a turn: the vector that turns against the shaft stays and comes into line with it."""
+        """The couple that is left over, largest over a turn: the vector that turns against the shaft stays and comes
+        into line with it."""
         return self.couple_left + np.abs(couple * timing - self.couple)
 
     def deviation(self, force: ComplexArray, couple: ComplexArray) -> ComplexArray:
-        """The unbalance in the front and the rear plane (first axis) that separates a shaft from what balances the engine, over what
-        is permitted there: above 1 in either it is out of tolerance."""
+        """The unbalance in the front and the rear plane (first axis) that separates a shaft from what balances the
+        engine, over what is permitted there: above 1 in either it is out of tolerance."""
         rear = (couple - self.couple - self.z_f * (force - self.force)) / (self.z_r - self.z_f)
         front = force - self.force - rear
         return np.stack([front / self.permitted_front, rear / self.permitted_rear]) / self.omega**2
@@ -144,12 +169,14 @@ class Target:
         span = self.z_r - self.z_f
         return cast(
             ComplexArray,
-            np.stack([(self.z_r - z) / span / self.permitted_front, (z - self.z_f) / span / self.permitted_rear]) * np.exp(1j * gamma),
+            np.stack([(self.z_r - z) / span / self.permitted_front, (z - self.z_f) / span / self.permitted_rear])
+            * np.exp(1j * gamma),
         )
 
 
 def normal(random: Random, *shape: int) -> Array:
-    """Normally distributed numbers after Box & Muller 1958.  The generators of numpy cost a start-up 20 ms, a twentieth of a check."""
+    """Normally distributed numbers after Box & Muller 1958.  The generators of numpy cost a start-up 20 ms, a twentieth
+    of a check."""
     count = math.prod(shape)
     bits = np.frombuffer(random.randbytes(8 * math.ceil(count / 2)), "<u4")
     u, v = (bits.reshape(2, -1) + 0.5) * 2.0**-32
@@ -157,10 +184,16 @@ def normal(random: Random, *shape: int) -> Array:
     return pairs.view(float)[:count].reshape(shape)
 
 
-def sample(scatter: Scatter, masses: tuple[EccentricMass, ...], extras: tuple[Extra, ...], omega: RadPerSecond, random: Random,
-    count: int) -> tuple[ComplexArray, ComplexArray, ComplexArray, int]:  # fmt: skip
-    """Shafts from a generator of random numbers: force and couple before timing, the turn e^{iδ} of their timing; and how many of them have
-    a mass below zero.  Extras are exact.
+def sample(
+    scatter: Scatter,
+    masses: tuple[EccentricMass, ...],
+    extras: tuple[Extra, ...],
+    omega: RadPerSecond,
+    random: Random,
+    count: int,
+) -> tuple[ComplexArray, ComplexArray, ComplexArray, int]:
+    """Shafts from a generator of random numbers: force and couple before timing, the turn e^{iδ} of their timing; and
+    how many of them have a mass below zero.  Extras are exact.
 
     The numbers are drawn whatever the deviations are, so that with one seed two designs meet the same luck.
     """
@@ -182,14 +215,16 @@ def worse(deviation: ComplexArray) -> Array:
 
 
 def drill(deviation: ComplexArray, influence: ComplexArray, least: float, most: float) -> Array:
-    """The unbalance to take off each mass (first axis) of every shaft, between `least` and `most`, for the smallest worse plane.
+    """The unbalance to take off each mass (first axis) of every shaft, between `least` and `most`, for the smallest
+    worse plane.
 
-    The squares of both planes are first weighed alike and minimised mass by mass; then the weight of the worse plane is raised, by
-    halved steps, which leads to the smallest maximum (its dual is concave in the weight).  The best of these tries is kept, and taking
-    off nothing is one of them: drilling never makes a shaft worse.
-    """
+    The squares of both planes are first weighed alike and minimised mass by mass; then the weight of the worse plane is
+    raised, by halved steps, which leads to the smallest maximum (its dual is concave in the weight).  The best of these
+    tries is kept, and taking off nothing is one of them: drilling never makes a shaft worse."""
     masses, shafts = influence.shape[1], deviation.shape[1]
-    own = np.einsum("ji,jk->jik", influence.conj(), influence).real  # |left|² of plane j = |deviation|² − 2·pull·x + x·own·x
+    own = np.einsum(
+        "ji,jk->jik", influence.conj(), influence
+    ).real  # |left|² of plane j = |deviation|² − 2·pull·x + x·own·x
     pull = np.einsum("ji,js->jis", influence.conj(), deviation).real
     square = np.abs(deviation) ** 2
     x, best, lowest = np.zeros((masses, shafts)), np.zeros((masses, shafts)), square.max(0)
@@ -210,8 +245,13 @@ def drill(deviation: ComplexArray, influence: ComplexArray, least: float, most: 
 
 
 @design_by_design
-def scattered(scatter: Scatter, masses: tuple[EccentricMass, ...], extras: tuple[Extra, ...], target: Target,
-    holes: HolesResult | None) -> ScatterResult:  # fmt: skip
+def scattered(
+    scatter: Scatter,
+    masses: tuple[EccentricMass, ...],
+    extras: tuple[Extra, ...],
+    target: Target,
+    holes: HolesResult | None,
+) -> ScatterResult:
     """Many shafts by chance, what they leave over and how many drilling mends."""
     with about(Text("scatter of production")):
         parts = _parts(scatter, masses, extras, target.omega)
@@ -220,7 +260,9 @@ def scattered(scatter: Scatter, masses: tuple[EccentricMass, ...], extras: tuple
     before, after, counts, impossible = [], [], np.zeros(4, int), 0  # counts: in the order of SHARES
     for start in range(0, scatter.shafts, BLOCK):
         with untraced():
-            force, couple, timing, odd = sample(scatter, masses, extras, target.omega, random, min(BLOCK, scatter.shafts - start))
+            force, couple, timing, odd = sample(
+                scatter, masses, extras, target.omega, random, min(BLOCK, scatter.shafts - start)
+            )
             impossible += odd
             before.append(target.residual(couple, timing))
             deviation = target.deviation(force, couple)
@@ -231,7 +273,9 @@ def scattered(scatter: Scatter, masses: tuple[EccentricMass, ...], extras: tuple
             deviation, most = deviation[:, out], holes.hole_unbalance_of_mass
             drilled_off = drill(deviation, influence, 0.0, most)
             mended = worse(deviation - _joint(influence, drilled_off)) <= 1
-            bare = deviation[:, ~mended & (drilled_off == 0).any(0)]  # beyond drilling, and a mass is not drilled at all
+            bare = deviation[
+                :, ~mended & (drilled_off == 0).any(0)
+            ]  # beyond drilling, and a mass is not drilled at all
             light = worse(bare - _joint(influence, drill(bare, influence, -math.inf, most))) <= 1
             counts[1:] += int(mended.sum()), int(light.sum()), int((~mended).sum() - light.sum())
             taken = np.zeros_like(couple)
@@ -239,7 +283,10 @@ def scattered(scatter: Scatter, masses: tuple[EccentricMass, ...], extras: tuple
             after.append(target.residual(couple - taken, timing))
     of = (scatter, masses, extras, target)
     shares = [based_on(int(count) / scatter.shafts, *of, holes) for count in counts]
-    residual, drilled = based_on(np.sort(np.concatenate(before)), *of), np.sort(np.concatenate(after)) if after else None
+    residual, drilled = (
+        based_on(np.sort(np.concatenate(before)), *of),
+        np.sort(np.concatenate(after)) if after else None,
+    )
     drilled = based_on(drilled, *of, holes) if drilled is not None else None
     parts |= _percentiles("residual_couple", Text("as made"), residual, tuple(PERCENTILES))
     parts |= dict(zip(SHARES if holes is not None else SHARES[:1], shares))
@@ -254,42 +301,64 @@ def _joint(influence: ComplexArray, taken: Array) -> ComplexArray:
     return cast(ComplexArray, np.einsum("...i,is->...s", influence, taken))
 
 
-def _parts(scatter: Scatter, masses: tuple[EccentricMass, ...], extras: tuple[Extra, ...], omega: RadPerSecond) -> dict[str, float]:
+def _parts(
+    scatter: Scatter, masses: tuple[EccentricMass, ...], extras: tuple[Extra, ...], omega: RadPerSecond
+) -> dict[str, float]:
     """The error of the couple to first order, in all and by what it comes of."""
     m, e, _, z = (column(masses, name) for name in NAMES)
     whole = {symbol: column((*masses, *extras), name) for symbol, name in zip(("m", "e", "gamma", "z"), NAMES)}
-    parts = dict(mass=couple_error_by_mass(omega=omega, e=e, z=z, s=scatter.mass),
+    parts = dict(
+        mass=couple_error_by_mass(omega=omega, e=e, z=z, s=scatter.mass),
         radius=couple_error_by_radius(omega=omega, m=m, z=z, s=scatter.radius),
         angle=couple_error_by_angle(omega=omega, m=m, e=e, z=z, s=scatter.angle),
         position=couple_error_by_position(omega=omega, m=m, e=e, s=scatter.z),
-        timing=couple_error_by_timing(C_S=f.shaft_couple(omega=omega, **whole), s=scatter.timing))  # fmt: skip
-    error = couple_error(m=parts["mass"], e=parts["radius"], gamma=parts["angle"], z=parts["position"], t=parts["timing"])
+        timing=couple_error_by_timing(C_S=f.shaft_couple(omega=omega, **whole), s=scatter.timing),
+    )
+    error = couple_error(
+        m=parts["mass"], e=parts["radius"], gamma=parts["angle"], z=parts["position"], t=parts["timing"]
+    )
     return {"couple_error": error} | {f"couple_error_by_{word}": part for word, part in parts.items()}
 
 
 def _percentiles(name: str, when: str, ordered: Array, words: tuple[str, ...]) -> dict[str, float]:
     couples = {}
     for word in words:
-        with about(Text("shafts {when}, p = {percentiles}", when=when, percentiles=Amount(PERCENTILES[word], form="g"))):
+        with about(
+            Text("shafts {when}, p = {percentiles}", when=when, percentiles=Amount(PERCENTILES[word], form="g"))
+        ):
             couples[f"{name}_{word}"] = percentile(C=each(ordered), p=PERCENTILES[word])
     return couples
 
 
 def checks(spread: ScatterResult, limit: NewtonMetre) -> Iterator[Check]:
     """`limit`: what a shaft of the drawing may leave over."""
-    couple = spread.residual_couple_95 if spread.drilled_couple_95 is None else spread.drilled_couple_95  # what leaves the factory
-    yield check("countershaft.scatter.residual", Text("Couple that 95 % of the shafts stay below"), couple, "<=", limit, "N·m",
+    couple = (
+        spread.residual_couple_95 if spread.drilled_couple_95 is None else spread.drilled_couple_95
+    )  # what leaves the factory
+    yield check(
+        "countershaft.scatter.residual",
+        Text("Couple that 95 % of the shafts stay below"),
+        couple,
+        "<=",
+        limit,
+        "N·m",
         Text("rule of this program: 95 % of the shafts within the limit of the drawing"),
-        Text("The table of the couple's error says which deviation counts most."))  # fmt: skip
+        Text("The table of the couple's error says which deviation counts most."),
+    )
 
 
 def curves(spread: ScatterResult, limit: NewtonMetre) -> tuple[Curve, ...]:
-    """The cumulative distribution of the couple that is left over, lying: couple over the share of shafts that stay below it."""
+    """The cumulative distribution of the couple that is left over, lying: couple over the share of shafts that stay
+    below it."""
     share = np.linspace(0, 1, SHOWN)
     at = np.maximum(np.ceil(share * spread.residual.size).astype(int) - 1, 0)
     rows = ((Text("as made"), spread.residual), (Text("after drilling"), spread.drilled))
     series = tuple(Series(label, 100 * share, ordered[at]) for label, ordered in rows if ordered is not None)
-    words = Text("Couple left over, as production scatters"), Text("share of shafts that stay below, %"), Text("couple, N·m")
+    words = (
+        Text("Couple left over, as production scatters"),
+        Text("share of shafts that stay below, %"),
+        Text("couple, N·m"),
+    )
     return (Curve("scatter", *words, series, limits=((Text("limit"), limit),)),)
 
 
@@ -304,11 +373,18 @@ def tables(spread: ScatterResult) -> tuple[Table, ...]:
 
 
 def notes(scatter: Scatter, spread: ScatterResult) -> Iterator[Text]:
-    yield Text("Scatter: {shafts} shafts by chance (seed {seed}), normal and independent deviations; further elements are exact.",
-        shafts=scatter.shafts, seed=scatter.seed)  # fmt: skip
+    yield Text(
+        "Scatter: {shafts} shafts by chance (seed {seed}), normal and independent deviations; further elements are "
+        "exact.",
+        shafts=scatter.shafts,
+        seed=scatter.seed,
+    )
     yield Text("Scatter: timing is left out of the shaft's balance; it counts in the couple that is left over.")
     if spread.drilled is not None:
         yield Text("Scatter: the balancing machine is taken as exact, and each hole is drilled as deep as it helps.")
     if spread.impossible:
         count = spread.impossible
-        yield Text("Scatter: {impossible} shafts have a mass below zero: its standard deviation is too large.", impossible=count)
+        yield Text(
+            "Scatter: {impossible} shafts have a mass below zero: its standard deviation is too large.",
+            impossible=count,
+        )

@@ -42,6 +42,7 @@ from .sectors import Sized, TooSmall, masses, remainder, size
 
 # The design's material beside others: what they make of the sectors, of the wall beside the seat, and of the cost.
 
+
 @record
 class Seat:
     """The shaft's largest journal, which the sectors pass."""
@@ -56,7 +57,9 @@ class MaterialResult:
     """One material; what depends on a size or a cost that is not known is left out."""
 
     density: KilogramPerMetre3 | None = value("Density", "kg/m³", "ρ'", default=None)
-    outer_radius: Metre | None = value("Outer radius of the sectors, same length and half-angle", "mm", "R'", default=None)
+    outer_radius: Metre | None = value(
+        "Outer radius of the sectors, same length and half-angle", "mm", "R'", default=None
+    )
     bore_growth: Metre | None = value("Growth of the seat's bore", "mm", "ΔD", default=None)
     eccentric_mass: Kilogram | None = value("Eccentric masses together", "kg", "Σm'", default=None)
     wall_left: Metre | None = value("Wall left beside the seat", "mm", "w'", default=None)
@@ -65,18 +68,28 @@ class MaterialResult:
     shaft_mass: Kilogram | None = value("Mass of the whole shaft", "kg", "m_S'", default=None)
     mass_difference: Kilogram | None = value("Whole shaft against the design's own", "g", "Δm", default=None)
     first_year_cost: Euro | None = value("Cost of the first year", "€", "K_1", default=None)
-    break_even: Number | None = value("Pieces at which it costs as much as the design's material", "", "N_e", default=None)
-    bearable_development: Euro | None = value("Development at which it costs as much in the first year", "€", "K_D,e", default=None)
+    break_even: Number | None = value(
+        "Pieces at which it costs as much as the design's material", "", "N_e", default=None
+    )
+    bearable_development: Euro | None = value(
+        "Development at which it costs as much in the first year", "€", "K_D,e", default=None
+    )
     name: str
 
 
-def compared(shaft: CountershaftInputs, materials: Mapping[str, Material], R: Metre | None, r_0: Metre | None,
-    eccentric_mass: Kilogram, shaft_mass: Kilogram | None = None, seat: Seat | None = None) -> dict[str, MaterialResult]:  # fmt: skip
+def compared(
+    shaft: CountershaftInputs,
+    materials: Mapping[str, Material],
+    R: Metre | None,
+    r_0: Metre | None,
+    eccentric_mass: Kilogram,
+    shaft_mass: Kilogram | None = None,
+    seat: Seat | None = None,
+) -> dict[str, MaterialResult]:
     """The design's own material first, then the others to compare; keys are fit for the names of values.
 
-    `R` and `r_0`: of the design's sectors, None where they are not known; `eccentric_mass`: both together; `shaft_mass`: the whole
-    shaft, `seat`: its largest journal, where they are known.
-    """
+    `R` and `r_0`: of the design's sectors, None where they are not known; `eccentric_mass`: both together;
+    `shaft_mass`: the whole shaft, `seat`: its largest journal, where they are known."""
     costs = {a.material: a for a in shaft.cost.alternatives} if shaft.cost is not None else {}
     own = costs.get(shaft.material)
     results = {}
@@ -89,7 +102,8 @@ def compared(shaft: CountershaftInputs, materials: Mapping[str, Material], R: Me
 
 
 def named(shaft: CountershaftInputs, materials: Mapping[str, Material]) -> tuple[str, ...]:
-    """The materials to compare: the design's own, and those of [countershaft.cost]; where it is sized without one, the ADI grades."""
+    """The materials to compare: the design's own, and those of [countershaft.cost]; where it is sized without one, the
+    ADI grades."""
     if shaft.cost is not None:
         others = [a.material for a in shaft.cost.alternatives]
     else:
@@ -102,8 +116,9 @@ def key(name: str) -> str:
     return re.sub(r"[^A-Za-z0-9]+", "-", name).strip("-")
 
 
-def _size(shaft: CountershaftInputs, own: Material, other: Material | None, R: Metre | None, r_0: Metre | None, mass: Kilogram) -> dict[str,
-    float]:  # fmt: skip
+def _size(
+    shaft: CountershaftInputs, own: Material, other: Material | None, R: Metre | None, r_0: Metre | None, mass: Kilogram
+) -> dict[str, float]:
     if other is None:
         return {}
     sizes = {"density": other.density}
@@ -119,7 +134,9 @@ def _size(shaft: CountershaftInputs, own: Material, other: Material | None, R: M
     return sizes if wall is None else sizes | {"wall_left": f.wall_left(w=wall, R_m=R_m, R=R)}
 
 
-def _whole(sized: dict[str, float], own: Material, mass: Kilogram, shaft_mass: Kilogram | None, seat: Seat | None) -> dict[str, float]:
+def _whole(
+    sized: dict[str, float], own: Material, mass: Kilogram, shaft_mass: Kilogram | None, seat: Seat | None
+) -> dict[str, float]:
     """The journal that grows with its seat, and the mass of the whole shaft; the rest of it keeps its shape."""
     if seat is None or "bore_growth" not in sized:
         return {}
@@ -158,13 +175,19 @@ def _cost(shaft: CountershaftInputs, one: Alternative | None, own: Alternative |
 
 
 COLUMNS = (
-    (Text("density"), "density", "kg/m³"), (Text("outer radius"), "outer_radius", "mm"), (Text("bore larger by"), "bore_growth", "mm"),
-    (Text("eccentric masses"), "eccentric_mass", "kg"), (Text("wall left"), "wall_left", "mm"),
-    (Text("largest journal"), "journal", "mm"), (Text("its specific load"), "specific_load", "MPa"),
-    (Text("whole shaft"), "shaft_mass", "kg"), (Text("against the design"), "mass_difference", "g"),
-    (Text("first year"), "first_year_cost", "k€"), (Text("same cost at pieces"), "break_even", ""),
+    (Text("density"), "density", "kg/m³"),
+    (Text("outer radius"), "outer_radius", "mm"),
+    (Text("bore larger by"), "bore_growth", "mm"),
+    (Text("eccentric masses"), "eccentric_mass", "kg"),
+    (Text("wall left"), "wall_left", "mm"),
+    (Text("largest journal"), "journal", "mm"),
+    (Text("its specific load"), "specific_load", "MPa"),
+    (Text("whole shaft"), "shaft_mass", "kg"),
+    (Text("against the design"), "mass_difference", "g"),
+    (Text("first year"), "first_year_cost", "k€"),
+    (Text("same cost at pieces"), "break_even", ""),
     (Text("development it bears"), "bearable_development", "k€"),
-)  # fmt: skip
+)
 
 
 def compared_table(shaft: CountershaftInputs, results: Mapping[str, MaterialResult]) -> Table:
@@ -174,23 +197,38 @@ def compared_table(shaft: CountershaftInputs, results: Mapping[str, MaterialResu
     shown = [
         c
         for c in COLUMNS
-        if not (whole and c[1] in ("bore_growth", "eccentric_mass")) and any(getattr(row, c[1]) is not None for row in rows)
+        if not (whole and c[1] in ("bore_growth", "eccentric_mass"))
+        and any(getattr(row, c[1]) is not None for row in rows)
     ]
     units = [{"mm": 1e-3, "k€": 1e3, "MPa": 1e6, "g": 1e-3}.get(unit, 1.0) for _, _, unit in shown]
     cells = tuple(
-        (row.name, *(None if getattr(row, c[1]) is None else float(getattr(row, c[1])) / unit for c, unit in zip(shown, units)))
+        (
+            row.name,
+            *(
+                None if getattr(row, c[1]) is None else float(getattr(row, c[1])) / unit
+                for c, unit in zip(shown, units)
+            ),
+        )
         for row in rows
     )
-    note = Text("The same couple from sectors of the same length and half-angle, so that a lighter material needs a larger radius.")
+    note = Text(
+        "The same couple from sectors of the same length and half-angle, so that a lighter material needs a larger "
+        "radius."
+    )
     if whole:
         note += Text(" The largest journal grows with them, the rest of the shaft keeps its shape.")
     if shaft.support is not None and shaft.support.wall is not None:
         note += Text(" The wall should keep {wall}.", wall=Amount(shaft.support.least_wall * 1e3, "mm", form="g"))
     if shaft.cost is not None:
-        note += Text(" First year: tooling, development and {n} pieces; the comparison is with {material}.", n=shaft.cost.pieces_per_year,
-            material=shaft.material)  # fmt: skip
+        note += Text(
+            " First year: tooling, development and {n} pieces; the comparison is with {material}.",
+            n=shaft.cost.pieces_per_year,
+            material=shaft.material,
+        )
     columns = ((Text("material"), ""), *((label, unit) for label, _, unit in shown))
-    return Table("materials", Text("The shaft in other materials"), columns, cells, note, covers=("countershaft.alternative.",))
+    return Table(
+        "materials", Text("The shaft in other materials"), columns, cells, note, covers=("countershaft.alternative.",)
+    )
 
 
 RADII = 9  # of each material; rule of this program
@@ -225,7 +263,8 @@ class Choices:
 
 
 def envelope(shaft: CountershaftInputs, bearings: BearingsInputs | None, place: str) -> Envelope:
-    """The envelope of a design; what it leaves out is taken from the journals.  Raises BadInput with the keys to give."""
+    """The envelope of a design; what it leaves out is taken from the journals.  Raises BadInput with the keys to
+    give."""
     errors: list[InputError] = []
     derived: list[Text] = []
     if shaft.journals:
@@ -243,10 +282,17 @@ def envelope(shaft: CountershaftInputs, bearings: BearingsInputs | None, place: 
     if R is None and journals:
         clearance = shaft.radial_clearance if shaft.radial_clearance is not None else THREADED
         R = round(max(d for d, _ in journals) / 2 - clearance, 9)
-        why = Text("outer radius {R}: the largest journal's, less {clearance} for threading in", R=_mm(R), clearance=_mm(clearance))
+        why = Text(
+            "outer radius {R}: the largest journal's, less {clearance} for threading in",
+            R=_mm(R),
+            clearance=_mm(clearance),
+        )
         derived.append(why)
     elif R is None:
-        R = missing("outer_radius", Text("the envelope's radius; without journals to thread the shaft through it can not be derived"))
+        R = missing(
+            "outer_radius",
+            Text("the envelope's radius; without journals to thread the shaft through it can not be derived"),
+        )
     if z_max is None and journals:
         fillets = 2 * (shaft.fillet_radius or 0.0)  # one at the journal, one at the sector
         z_max = round(min(abs(z) - l / 2 for z, (_, l) in zip(shaft.bearing_positions, journals)) - fillets, 9)
@@ -255,11 +301,19 @@ def envelope(shaft: CountershaftInputs, bearings: BearingsInputs | None, place: 
             z_max = missing("half_length", what)
         else:
             up_to = Text("half-length {z}: up to the inner face of the journal nearest to mid-shaft", z=_mm(z_max))
-            derived.append(Text("{up_to}, less two fillets of {fillet}", up_to=up_to, fillet=_mm(fillets / 2)) if fillets else up_to)
+            derived.append(
+                Text("{up_to}, less two fillets of {fillet}", up_to=up_to, fillet=_mm(fillets / 2))
+                if fillets
+                else up_to
+            )
     elif z_max is None:
-        z_max = missing("half_length", Text("where the outer faces of the sectors stand; without journals it can not be derived"))
+        z_max = missing(
+            "half_length", Text("where the outer faces of the sectors stand; without journals it can not be derived")
+        )
     if r_0 is None:
-        what = Text("the radius of the shaft that carries the sectors; `contralbero set FILE countershaft.core_radius_mm=15`")
+        what = Text(
+            "the radius of the shaft that carries the sectors; `contralbero set FILE countershaft.core_radius_mm=15`"
+        )
         r_0 = missing("core_radius", what)
     elif R is not None and r_0 >= R:
         reason = Text("must be smaller than the outer radius, {R}", R=_mm(R))
@@ -273,13 +327,18 @@ def _mm(length: Metre) -> Amount:
     return Amount(length * 1e3, "mm", form="g")
 
 
-def candidates(shaft: CountershaftInputs, materials: Mapping[str, Material], place: str) -> dict[str, tuple[Material, Euro | None]]:
+def candidates(
+    shaft: CountershaftInputs, materials: Mapping[str, Material], place: str
+) -> dict[str, tuple[Material, Euro | None]]:
     """The design's material and those to compare it with, each with the cost of its first year where it is known."""
     costs: dict[str, Euro] = {}
     if shaft.cost is not None:
         N = float(shaft.cost.pieces_per_year)
         with untraced():
-            costs = {a.material: first_year(K_T=a.tooling, K_D=a.development, N=N, c=a.piece) for a in shaft.cost.alternatives}
+            costs = {
+                a.material: first_year(K_T=a.tooling, K_D=a.development, N=N, c=a.piece)
+                for a in shaft.cost.alternatives
+            }
     names = named(shaft, materials)
     unknown = [name for name in names if name not in materials]
     if unknown:
@@ -298,8 +357,14 @@ def asked(
     return U, asked_product(C_like=todo.C, x_o=shaft.overdesign, omega=omega_S), omega_S
 
 
-def choices(shaft: CountershaftInputs, imbalance: ImbalanceResult, omega: RadPerSecond, room: Envelope,
-    materials: Mapping[str, tuple[Material, Euro | None]], progress: Progress | None = None) -> Choices:  # fmt: skip
+def choices(
+    shaft: CountershaftInputs,
+    imbalance: ImbalanceResult,
+    omega: RadPerSecond,
+    room: Envelope,
+    materials: Mapping[str, tuple[Material, Euro | None]],
+    progress: Progress | None = None,
+) -> Choices:
     """Shafts of every material from the smallest radius that serves to that of the envelope, the lightest first.
 
     Raises NoSolution where no material fits: that of the densest one, which comes nearest.
@@ -311,12 +376,16 @@ def choices(shaft: CountershaftInputs, imbalance: ImbalanceResult, omega: RadPer
         for n, (name, (material, cost)) in enumerate(materials.items()):
             tell(progress, n / len(materials), Name(name))
             try:
-                largest = size(U, P, omega_S, material.density, room.outer_radius, room.core_radius, room.half_length, shaft.extras)
+                largest = size(
+                    U, P, omega_S, material.density, room.outer_radius, room.core_radius, room.half_length, shaft.extras
+                )
             except NoSolution as none:
                 refused[name] = none
                 continue
             shafts.append(Choice(name, largest, cost))
-            for R in _radii(radius_needed(R=room.outer_radius, r_0=room.core_radius, u=largest.utilisation), room.outer_radius):
+            for R in _radii(
+                radius_needed(R=room.outer_radius, r_0=room.core_radius, u=largest.utilisation), room.outer_radius
+            ):
                 try:
                     one = size(U, P, omega_S, material.density, R, room.core_radius, room.half_length, shaft.extras)
                 except TooSmall:  # the last digit of the smallest radius
@@ -339,12 +408,20 @@ def choices_table(listed: Choices, top: int, room: Envelope) -> Table:
     mm, kg, degree = 1e-3, 1.0, math.pi / 180
     equal = all(math.isclose(c.sized.front.mass, c.sized.rear.mass, rel_tol=1e-9) for c in listed.shafts)
     priced = any(c.first_year_cost is not None for c in listed.shafts)
-    parts = ((Text("half-angle"), "half_angle", "°", degree), (Text("length"), "length", "mm", mm), (Text("mass"), "mass", "kg", kg),
-        (Text("centre of gravity"), "radius", "mm", mm))  # fmt: skip
+    parts = (
+        (Text("half-angle"), "half_angle", "°", degree),
+        (Text("length"), "length", "mm", mm),
+        (Text("mass"), "mass", "kg", kg),
+        (Text("centre of gravity"), "radius", "mm", mm),
+    )
     sides = ((Text("of each"), "front"),) if equal else ((Text("front"), "front"), (Text("rear"), "rear"))
     columns = [(Text("no."), ""), (Text("material"), ""), (Text("outer radius"), "mm")]
-    columns += [(Text("{label} {side}", label=label, side=word), unit) for word, _ in sides for label, _, unit, _ in parts]
-    columns += [(Text("eccentric masses"), "kg"), (Text("utilisation"), "")] + ([(Text("first year"), "k€")] if priced else [])
+    columns += [
+        (Text("{label} {side}", label=label, side=word), unit) for word, _ in sides for label, _, unit, _ in parts
+    ]
+    columns += [(Text("eccentric masses"), "kg"), (Text("utilisation"), "")] + (
+        [(Text("first year"), "k€")] if priced else []
+    )
     rows = []
     for number, choice in enumerate(listed.shafts[:top], 1):
         sized = choice.sized
@@ -353,22 +430,32 @@ def choices_table(listed: Choices, top: int, room: Envelope) -> Table:
             (str(number), choice.material, sized.outer_radius / mm, *cells, sized.mass, sized.utilisation)
             + ((None if choice.first_year_cost is None else choice.first_year_cost / 1e3,) if priced else ())
         )
-    note = Text("Core radius {core}, outer faces up to ±{half_length}; half-angles to 90°. The least mass of each radius.",
-        core=_mm(room.core_radius), half_length=_mm(room.half_length))  # fmt: skip
+    note = Text(
+        "Core radius {core}, outer faces up to ±{half_length}; half-angles to 90°. The least mass of each radius.",
+        core=_mm(room.core_radius),
+        half_length=_mm(room.half_length),
+    )
     if room.derived:
         note += Text(" Derived: {derived}.", derived=SEMICOLON.join(room.derived))
     for name, none in listed.refused.items():
         note += Text(" {material} does not fit: {why}.", material=name, why=none.advice)
-    return Table("countershafts", Text("Counter-shafts in the envelope, the lightest first"), tuple(columns), tuple(rows), note)
+    return Table(
+        "countershafts", Text("Counter-shafts in the envelope, the lightest first"), tuple(columns), tuple(rows), note
+    )
 
 
 def changes(choice: Choice, room: Envelope) -> Changes:
     """The keys that make a design one of these shafts."""
-    lengths = (("outer_radius", choice.sized.outer_radius), ("core_radius", room.core_radius), ("half_length", room.half_length))
+    lengths = (
+        ("outer_radius", choice.sized.outer_radius),
+        ("core_radius", room.core_radius),
+        ("half_length", room.half_length),
+    )
     return {
-        "countershaft.mode": "size", "countershaft.material": choice.material,
+        "countershaft.mode": "size",
+        "countershaft.material": choice.material,
         **{f"countershaft.{name}_mm": digits(x * 1e3) for name, x in lengths},
-    }  # fmt: skip
+    }
 
 
 # The least mass of the sectors against their outer radius, a line a material: what a larger seat saves.
@@ -376,9 +463,18 @@ def changes(choice: Choice, room: Envelope) -> Changes:
 POINTS = 25  # of a front
 
 
-def front_curve(U: PhasorKilogramMetre, P: PhasorKilogramMetre2, omega: float, R: Metre, r_0: Metre, z_max: Metre,
-    densities: Mapping[str, float], extras: tuple[Extra, ...] = ()) -> Curve | None:  # fmt: skip
-    """Least mass of the sectors against their outer radius, from the smallest that serves to that of the envelope; a line a material.
+def front_curve(
+    U: PhasorKilogramMetre,
+    P: PhasorKilogramMetre2,
+    omega: float,
+    R: Metre,
+    r_0: Metre,
+    z_max: Metre,
+    densities: Mapping[str, float],
+    extras: tuple[Extra, ...] = (),
+) -> Curve | None:
+    """Least mass of the sectors against their outer radius, from the smallest that serves to that of the envelope; a
+    line a material.
 
     `U`, `P`: asked of the whole shaft.  None where no material fits into the envelope; one that does not has no line.
     """
@@ -402,5 +498,10 @@ def front_curve(U: PhasorKilogramMetre, P: PhasorKilogramMetre2, omega: float, R
             if fits.sum() > 1:
                 series[name] = Series(Name(name), many(R_m)[fits] * 1e3, many(m)[fits])
     lines = tuple(series[name] for name in densities if name in series)
-    return Curve("mass_over_radius", Text("Eccentric mass against outer radius"), axis_label("outer radius", "mm"),
-        axis_label("eccentric masses", "kg"), lines)  # fmt: skip
+    return Curve(
+        "mass_over_radius",
+        Text("Eccentric mass against outer radius"),
+        axis_label("outer radius", "mm"),
+        axis_label("eccentric masses", "kg"),
+        lines,
+    )

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The formulas of sizing: the closed form of a pure couple, the general pair of sectors, and what would be needed where they do not fit."""
+"""The formulas of sizing: the closed form of a pure couple, the general pair of sectors, and what would be needed where
+they do not fit."""
 
 from typing import cast
 
@@ -30,11 +31,15 @@ from .lengths import one
 
 LEAST = Text("mathematics, least mass of two equal opposed sectors, by Lagrange's multiplier on γ·b")
 MOMENTS = Text("dynamics, equilibrium of unbalances and of their moments about mid-shaft")
-SCALE = Text("geometry: the couple of sectors of given length and half-angle goes with density and the difference of the cubed radii")
+SCALE = Text(
+    "geometry: the couple of sectors of given length and half-angle goes with density and the difference of the cubed "
+    "radii"
+)
 FACES = Text("geometry, sector with its outer face at the end of the envelope")
 
 
-# --- what is asked of the sectors --------------------------------------------------------------------------------------------
+# --- what is asked of the sectors
+# --------------------------------------------------------------------------------------------
 @formula("ΣU_x", "mathematics: unbalance of the further elements", unit="kg·mm", names=MASSES)
 def extra_unbalance(m: Kilogram, e: Metre, gamma: Radian) -> PhasorKilogramMetre:
     return resultant(m * e * cis(gamma))
@@ -55,13 +60,19 @@ def product_left(P: PhasorKilogramMetre2, P_x: PhasorKilogramMetre2) -> PhasorKi
     return joined(P, -P_x)
 
 
-# --- two equal sectors: a pure couple ------------------------------------------------------------------------------------------
+# --- two equal sectors: a pure couple
+# ------------------------------------------------------------------------------------------
 @formula("C", "dynamics: couple of an unbalance times distance", names={"P": "P_s", "omega": "ω_S"})
 def couple_asked(P: PhasorKilogramMetre2, omega: RadPerSecond) -> NewtonMetre:
     return modulus(P) * omega**2
 
 
-@formula("K", Text("{least}: b·(z_max − b/2)·sin γ that the couple asks for", least=LEAST), unit="mm²", names={"omega": "ω_S"})
+@formula(
+    "K",
+    Text("{least}: b·(z_max − b/2)·sin γ that the couple asks for", least=LEAST),
+    unit="mm²",
+    names={"omega": "ω_S"},
+)
 def couple_number(C: NewtonMetre, rho: KilogramPerMetre3, omega: RadPerSecond, R: Metre, r_0: Metre) -> SquareMetre:
     return C / (4 / 3 * rho * omega**2 * (R**3 - r_0**3))
 
@@ -81,9 +92,8 @@ def _relative(gamma: Array) -> Array:
 def pair_half_angle(K: SquareMetre, z_max: Metre) -> Radian:
     """Between 0 and 90°, for K up to z_max²/2.
 
-    arcsin of the cube root of the left side (doubled) is nearly a straight line in γ, with a slope between 0.86 and 1.11: the
-    difference itself is then a good step, also at the limit, where the left side is level.
-    """
+    arcsin of the cube root of the left side (doubled) is nearly a straight line in γ, with a slope between 0.86 and
+    1.11: the difference itself is then a good step, also at the limit, where the left side is level."""
     u = np.minimum(2 * np.asarray(K, dtype=float) / z_max**2, 1.0)
     wanted = np.arcsin(np.cbrt(u))
     gamma = np.maximum(wanted, 1e-300)
@@ -129,7 +139,9 @@ def pair_couple(U: KilogramMetre, z_c: Metre, omega: RadPerSecond) -> NewtonMetr
     return 2 * U * z_c * omega**2
 
 
-@formula("∠", "geometry, direction of the vector while cylinder 1 stands at TDC: that of the rear sector", names={"P": "P_s"})
+@formula(
+    "∠", "geometry, direction of the vector while cylinder 1 stands at TDC: that of the rear sector", names={"P": "P_s"}
+)
 def couple_direction(P: PhasorKilogramMetre2) -> Radian:
     return argument(P)
 
@@ -139,7 +151,8 @@ def opposite(angle: Radian) -> Radian:
     return angle + pi
 
 
-# --- any two sectors --------------------------------------------------------------------------------------------------------------
+# --- any two sectors
+# --------------------------------------------------------------------------------------------------------------
 @formula("k", "geometry, largest unbalance of a sector per length, at a half-angle of 90°: g·mm per mm")
 def unbalance_per_length(rho: KilogramPerMetre3, R: Metre, r_0: Metre) -> Kilogram:
     return 2 / 3 * rho * (R**3 - r_0**3)
@@ -158,8 +171,11 @@ def product_number(P: PhasorKilogramMetre2, k: Kilogram, z_max: Metre) -> Phasor
 SEARCH = Text("mathematics, least mass of two sectors together, by search over both their lengths")
 
 
-@formula("u", "rule of this program: the least sin γ that the more loaded sector needs",
-    shows="u = min over b_f, b_r of max(sin γ_f, sin γ_r)")  # fmt: skip
+@formula(
+    "u",
+    "rule of this program: the least sin γ that the more loaded sector needs",
+    shows="u = min over b_f, b_r of max(sin γ_f, sin γ_r)",
+)
 def utilisation(alpha: PhasorNumber, product: PhasorNumber) -> Number:
     return one(alpha, product)[2]
 
@@ -209,7 +225,8 @@ def both_masses(m_f: Kilogram, m_r: Kilogram) -> Kilogram:
     return m_f + m_r
 
 
-# --- what would be needed -----------------------------------------------------------------------------------------------------------
+# --- what would be needed
+# -----------------------------------------------------------------------------------------------------------
 @formula("C_max", Text("{least}: the couple at 90° and b = z_max", least=LEAST))
 def possible_couple(C: NewtonMetre, u: Number) -> NewtonMetre:
     return C / u
@@ -226,14 +243,21 @@ def half_length_needed(z_max: Metre, u: Number) -> Metre:
     return z_max * sqrt(u)
 
 
-@formula("ΔP", "mathematics: what the couple of the sectors leaves to further elements", unit="kg·mm²", names={"omega": "ω_S"})
+@formula(
+    "ΔP",
+    "mathematics: what the couple of the sectors leaves to further elements",
+    unit="kg·mm²",
+    names={"omega": "ω_S"},
+)
 def product_missing(C: NewtonMetre, C_max: NewtonMetre, omega: RadPerSecond) -> KilogramMetre2:
     return (C - C_max) / omega**2
 
 
 # What another material changes: the sectors' radius, mass and wall, and the cost.
 
-SAME = Text("geometry, same couple at the same length and half-angle: density times the difference of the cubed radii stays")
+SAME = Text(
+    "geometry, same couple at the same length and half-angle: density times the difference of the cubed radii stays"
+)
 COST = Text("Finotti 2013, 4.2: cost of the first year")
 
 
@@ -242,13 +266,24 @@ def radius_for(R: Metre, r_0: Metre, rho: KilogramPerMetre3, rho_m: KilogramPerM
     return power(r_0**3 + rho / rho_m * (R**3 - r_0**3), 1 / 3)
 
 
-@formula("ΔD", "geometry: the seat through which the shaft is threaded grows with the sectors", unit="mm", names={"R_m": "R'"})
+@formula(
+    "ΔD",
+    "geometry: the seat through which the shaft is threaded grows with the sectors",
+    unit="mm",
+    names={"R_m": "R'"},
+)
 def bore_growth(R_m: Metre, R: Metre) -> Metre:
     return 2 * (R_m - R)
 
 
-@formula("Σm'", "geometry, same length and half-angle: as density and squared radii", names={"m": "Σm", "rho_m": "ρ'", "R_m": "R'"})
-def mass_for(m: Kilogram, rho: KilogramPerMetre3, rho_m: KilogramPerMetre3, R: Metre, R_m: Metre, r_0: Metre) -> Kilogram:
+@formula(
+    "Σm'",
+    "geometry, same length and half-angle: as density and squared radii",
+    names={"m": "Σm", "rho_m": "ρ'", "R_m": "R'"},
+)
+def mass_for(
+    m: Kilogram, rho: KilogramPerMetre3, rho_m: KilogramPerMetre3, R: Metre, R_m: Metre, r_0: Metre
+) -> Kilogram:
     return m * rho_m * (R_m**2 - r_0**2) / (rho * (R**2 - r_0**2))
 
 
@@ -258,13 +293,26 @@ def mass_for(m: Kilogram, rho: KilogramPerMetre3, rho_m: KilogramPerMetre3, R: M
     names={"m_new": "Σm'", "m": "Σm", "rho_m": "ρ'", "d_m": "d'"},
 )
 def whole_mass(
-    m_new: Kilogram, m_S: Kilogram, m: Kilogram, rho_m: KilogramPerMetre3, rho: KilogramPerMetre3, d_m: Metre, d: Metre, l: Metre
+    m_new: Kilogram,
+    m_S: Kilogram,
+    m: Kilogram,
+    rho_m: KilogramPerMetre3,
+    rho: KilogramPerMetre3,
+    d_m: Metre,
+    d: Metre,
+    l: Metre,
 ) -> Kilogram:
-    """`m_new`, `m`: the sectors in the other and in the design's own material; d', d and l: the journal in the seat that grows."""
+    """`m_new`, `m`: the sectors in the other and in the design's own material; d', d and l: the journal in the seat
+    that grows."""
     return m_new + (m_S - m) * rho_m / rho + rho_m * pi / 4 * (d_m**2 - d**2) * l
 
 
-@formula("Δm", "mathematics: whole shaft in this material less the design's own; below zero: lighter", unit="g", names={"m_new": "m_S'"})
+@formula(
+    "Δm",
+    "mathematics: whole shaft in this material less the design's own; below zero: lighter",
+    unit="g",
+    names={"m_new": "m_S'"},
+)
 def mass_difference(m_new: Kilogram, m_S: Kilogram) -> Kilogram:
     return m_new - m_S
 
@@ -285,7 +333,9 @@ def first_year(K_T: Euro, K_D: Euro, N: Number, c: Euro) -> Euro:
 
 
 @formula(
-    "N_e", "mathematics: pieces at which both cost the same", names={"K": "K_T + K_D", "K_a": "K_T' + K_D'", "c_a": "c_P'", "c": "c_P"}
+    "N_e",
+    "mathematics: pieces at which both cost the same",
+    names={"K": "K_T + K_D", "K_a": "K_T' + K_D'", "c_a": "c_P'", "c": "c_P"},
 )
 def break_even(K: Euro, K_a: Euro, c: Euro, c_a: Euro) -> Number:
     """Of tooling and development K and cost of a piece c, of the design's material and of the alternative."""
@@ -293,7 +343,9 @@ def break_even(K: Euro, K_a: Euro, c: Euro, c_a: Euro) -> Number:
 
 
 @formula(
-    "K_D,e", "mathematics: development at which the alternative costs as much in the first year", names={"K_1a": "K_1'", "K_Da": "K_D'"}
+    "K_D,e",
+    "mathematics: development at which the alternative costs as much in the first year",
+    names={"K_1a": "K_1'", "K_Da": "K_D'"},
 )
 def bearable_development(K_1: Euro, K_1a: Euro, K_Da: Euro) -> Euro:
     """Above it the alternative is the dearer one; below zero: it is so without any."""

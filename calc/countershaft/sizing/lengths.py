@@ -1,16 +1,17 @@
 # SPDX-License-Identifier: Apache-2.0
 """How long the two sectors of least mass are, for any force and couple; nothing here has a unit.
 
-A sector of half-angle γ and length b has the unbalance k·b·sin γ and a mass that goes with b·γ.  Over the half-length z_max the task is
-α = U/(k·z_max) and Π = P/(k·z_max²), the lengths are β = b/z_max; the outer faces stand at ±1.  For lengths β_f, β_r the two conditions
-(force, couple) leave one pair of unbalances, and so of sin γ:
+A sector of half-angle γ and length b has the unbalance k·b·sin γ and a mass that goes with b·γ.  Over the half-length
+z_max the task is α = U/(k·z_max) and Π = P/(k·z_max²), the lengths are β = b/z_max; the outer faces stand at ±1.  For
+lengths β_f, β_r the two conditions (force, couple) leave one pair of unbalances, and so of sin γ:
 
     s_r = |Π + (1 − β_f/2)·α| / (β_r·D)     s_f = |Π − (1 − β_r/2)·α| / (β_f·D)     D = 2 − (β_f + β_r)/2
 
-Both must stay at or below 1.  What makes the search safe: where a pair of lengths serves, both may be made longer by the same amount (up
-to 1) and still serve.  Proof: with U_f, U_r before and 2d more length each, U_r' = ((Δ − d)·U_r − d·U_f)/(Δ − 2d); by |U_i| ≤ k·b_i this
-is at most k·(b_r + 2d) whenever b_f + b_r + 2d ≤ 2·z_max.  So the envelope serves at all only if it does with one sector of full length,
-where the larger of s_f and s_r has a single minimum over the other length: that minimum is the utilisation u, and u ≤ 1 is feasible.
+Both must stay at or below 1.  What makes the search safe: where a pair of lengths serves, both may be made longer by
+the same amount (up to 1) and still serve.  Proof: with U_f, U_r before and 2d more length each, U_r' = ((Δ − d)·U_r −
+d·U_f)/(Δ − 2d); by |U_i| ≤ k·b_i this is at most k·(b_r + 2d) whenever b_f + b_r + 2d ≤ 2·z_max.  So the envelope
+serves at all only if it does with one sector of full length, where the larger of s_f and s_r has a single minimum over
+the other length: that minimum is the utilisation u, and u ≤ 1 is feasible.
 
 All functions take arrays of tasks, a row each.
 """
@@ -23,7 +24,9 @@ import numpy as np
 
 from ...sheet.arrays import Array, BoolArray, ComplexArray, IndexArray
 
-CLOSE = 1e-7  # the last search ends when the lengths are known to this; the mass is level there, so it is known far better
+CLOSE = (
+    1e-7  # the last search ends when the lengths are known to this; the mass is level there, so it is known far better
+)
 ROUNDS = 60
 LEVEL = 1e-9  # of the mass: a gain by which the window becomes smaller all the same
 TINY = 1e-300  # in place of no length: what is asked of it is then far beyond 1
@@ -57,7 +60,8 @@ def amount(asked: Task, front: Array, rear: Array) -> Array:
 
 
 def utilisation(alpha: complex | ComplexArray, product: complex | ComplexArray) -> Array:
-    """The least largest sin γ that serves: 1 is the limit of the envelope.  It is proportional to force and couple together."""
+    """The least largest sin γ that serves: 1 is the limit of the envelope.  It is proportional to force and couple
+    together."""
     return cast(Array, _edge_minima(task(alpha, product))[1].min(-1))
 
 
@@ -87,7 +91,8 @@ def one(alpha: complex, product: complex) -> tuple[float, float, float]:
     return float(front[0]), float(rear[0]), float(u[0])
 
 
-# --- the edges: one sector of full length ----------------------------------------------------------------------------------
+# --- the edges: one sector of full length
+# ----------------------------------------------------------------------------------
 def _edges(t: Array) -> tuple[Array, Array]:
     """Lengths (front, rear) on the two edges (second axis), on which one sector has its full length and the other t."""
     front, rear = np.ones_like(t), np.ones_like(t)
@@ -129,11 +134,15 @@ def _reach(inside: Array, outside: Array, serves: Callable[[Array], BoolArray], 
     return inside
 
 
-# --- between them: the least mass ------------------------------------------------------------------------------------------
+# --- between them: the least mass
+# ------------------------------------------------------------------------------------------
 def _least(asked: Task, best: Array, fits: BoolArray) -> tuple[Array, Array]:
-    """A grid over all that serves: along each edge, and from there both sectors shorter.  Then closer around its least mass."""
+    """A grid over all that serves: along each edge, and from there both sectors shorter.  Then closer around its least
+    mass."""
     from_, to = (_reach(best, np.full_like(best, end), lambda t: _worst(asked, t) <= 1, LINE, 5) for end in (0.0, 1.0))
-    t = from_[..., None] + (to - from_)[..., None] * ROW**2  # closer where the lengths are short, and their effect large
+    t = (
+        from_[..., None] + (to - from_)[..., None] * ROW**2
+    )  # closer where the lengths are short, and their effect large
     front, rear = _edges(t)
 
     def both_shorter(x: Array) -> BoolArray:
@@ -144,9 +153,14 @@ def _least(asked: Task, best: Array, fits: BoolArray) -> tuple[Array, Array]:
     f, r = front[..., None] - x, rear[..., None] - x
     n, N = len(best), len(ROW)
     mass = np.where(fits[..., None, None], amount(asked, f, r), np.inf)
-    starts = np.stack([  # a sector that does next to nothing makes a second minimum, mostly on an edge
-        mass.reshape(n, -1).argmin(-1), mass[:, 0, :, 0].argmin(-1) * N, N * N + mass[:, 1, :, 0].argmin(-1) * N,
-    ], -1)  # fmt: skip
+    starts = np.stack(
+        [  # a sector that does next to nothing makes a second minimum, mostly on an edge
+            mass.reshape(n, -1).argmin(-1),
+            mass[:, 0, :, 0].argmin(-1) * N,
+            N * N + mass[:, 1, :, 0].argmin(-1) * N,
+        ],
+        -1,
+    )
     every = np.arange(n)[:, None]
     edge, column = np.divmod(starts // N, N)
     f, r = f.reshape(n, -1)[every, starts], r.reshape(n, -1)[every, starts]

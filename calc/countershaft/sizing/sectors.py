@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The lightest pair of sectors in an envelope: outer radius, core radius, and the half-length at whose ends their outer faces stand.
+"""The lightest pair of sectors in an envelope: outer radius, core radius, and the half-length at whose ends their outer
+faces stand.
 
-The outer radius is always used up, since the static moment of a sector grows with its cube and the mass with its square.  A pure couple
-has a closed form: two equal sectors opposite each other.  A force, or elements beside the sectors, ask for two different ones, and a search
-over their lengths (lengths.py).  Half-angles stay at or below 90°: beyond, the static moment falls while the mass grows.
-Vectors: real up, imaginary 90° further in the sense of crank rotation, cylinder 1 at TDC.  z from mid-shaft, + towards the flywheel.
-"""
+The outer radius is always used up, since the static moment of a sector grows with its cube and the mass with its
+square.  A pure couple has a closed form: two equal sectors opposite each other.  A force, or elements beside the
+sectors, ask for two different ones, and a search over their lengths (lengths.py).  Half-angles stay at or below 90°:
+beyond, the static moment falls while the mass grows. Vectors: real up, imaginary 90° further in the sense of crank
+rotation, cylinder 1 at TDC.  z from mid-shaft, + towards the flywheel."""
 
 import math
 
@@ -18,7 +19,7 @@ from ...sheet.lanes import design_by_design
 from ...sheet.linked_array import column
 from ...sheet.quantity import group, result, value
 from ...sheet.text import Amount, Text
-from ...sheet.units import (  # fmt: skip
+from ...sheet.units import (
     Kilogram,
     KilogramMetre2,
     KilogramPerMetre3,
@@ -57,7 +58,8 @@ class SizedSector:
 
 @result
 class Sized:
-    """The lightest pair of sectors in the envelope.  `sector_length` and `sector_half_angle` are the larger of both sectors'."""
+    """The lightest pair of sectors in the envelope.  `sector_length` and `sector_half_angle` are the larger of both
+    sectors'."""
 
     mass: Kilogram = value("Eccentric masses together", "kg", "Σm")
     utilisation: Number = value("Utilisation of the envelope", "", "u")
@@ -73,9 +75,9 @@ class Sized:
 class TooSmall(NoSolution):
     """The envelope can not hold what is asked of it, with what would help (None: that alone would not).
 
-    `possible` is the share of force and couple that the envelope holds, `possible_couple` that of a pure couple [N·m]; `product` the
-    unbalance times distance that further elements would have to bring in the couple's direction, without a force of their own.
-    """
+    `possible` is the share of force and couple that the envelope holds, `possible_couple` that of a pure couple [N·m];
+    `product` the unbalance times distance that further elements would have to bring in the couple's direction, without
+    a force of their own."""
 
     possible: Number
     possible_couple: NewtonMetre | None
@@ -97,9 +99,11 @@ class SectorPair:
     couple: NewtonMetre  # of the pair, from its dimensions
 
 
-def pair(C: NewtonMetre, omega: RadPerSecond, rho: KilogramPerMetre3, R: Metre, r_0: Metre, z_max: Metre, fillet: Metre = 0.0) -> SectorPair:
-    """Two equal sectors opposite each other that give the couple C with the least mass.  A gap between them that does not hold two fillets
-    is closed.  Raises TooSmall."""
+def pair(
+    C: NewtonMetre, omega: RadPerSecond, rho: KilogramPerMetre3, R: Metre, r_0: Metre, z_max: Metre, fillet: Metre = 0.0
+) -> SectorPair:
+    """Two equal sectors opposite each other that give the couple C with the least mass.  A gap between them that does
+    not hold two fillets is closed.  Raises TooSmall."""
     K = f.couple_number(C=C, rho=rho, omega=omega, R=R, r_0=r_0)
     u = f.pair_utilisation(K=K, z_max=z_max)
     if u > 1:
@@ -111,9 +115,15 @@ def pair(C: NewtonMetre, omega: RadPerSecond, rho: KilogramPerMetre3, R: Metre, 
         gamma, b = f.closed_half_angle(K=K, z_max=z_max), f.closed_length(z_max=z_max)
     z_c = f.pair_arm(z_max=z_max, b=b)
     A, S = s.sector_area(gamma=gamma, R=R, r_0=r_0), s.sector_moment(gamma=gamma, R=R, r_0=r_0)
-    return SectorPair(utilisation=u, half_angle=gamma, length=b, arm=z_c, radius=s.centre_of_gravity(S=S, A=A),
+    return SectorPair(
+        utilisation=u,
+        half_angle=gamma,
+        length=b,
+        arm=z_c,
+        radius=s.centre_of_gravity(S=S, A=A),
         mass=s.sector_mass(rho=rho, A=A, b=b),
-        couple=f.pair_couple(U=s.sector_unbalance(rho=rho, S=S, b=b), z_c=z_c, omega=omega))  # fmt: skip
+        couple=f.pair_couple(U=s.sector_unbalance(rho=rho, S=S, b=b), z_c=z_c, omega=omega),
+    )
 
 
 def too_narrow(gap: Metre | Array, fillet: Metre) -> BoolArray:
@@ -122,7 +132,9 @@ def too_narrow(gap: Metre | Array, fillet: Metre) -> BoolArray:
     return narrow
 
 
-def pair_masses(C: NewtonMetre, omega: RadPerSecond, rho: KilogramPerMetre3, R: Metre, r_0: Metre, z_max: Metre) -> Array:
+def pair_masses(
+    C: NewtonMetre, omega: RadPerSecond, rho: KilogramPerMetre3, R: Metre, r_0: Metre, z_max: Metre
+) -> Array:
     """The mass of both sectors for arrays of any of the arguments; NaN where the envelope is too small."""
     with untraced(), np.errstate(invalid="ignore", divide="ignore"):
         rho, R, r_0, z_max = (each(np.asarray(x, dtype=float)) for x in (rho, R, r_0, z_max))
@@ -135,11 +147,14 @@ def pair_masses(C: NewtonMetre, omega: RadPerSecond, rho: KilogramPerMetre3, R: 
         return np.where(K == 0, 0.0, masses)
 
 
-def masses(U: PhasorKilogramMetre, P: PhasorKilogramMetre2, rho: KilogramPerMetre3, R: Metre, r_0: Metre, z_max: Metre) -> Array:
-    """The mass of both sectors for a force as well: unbalance U, product P, of the sectors alone; arrays of one axis, or numbers.
+def masses(
+    U: PhasorKilogramMetre, P: PhasorKilogramMetre2, rho: KilogramPerMetre3, R: Metre, r_0: Metre, z_max: Metre
+) -> Array:
+    """The mass of both sectors for a force as well: unbalance U, product P, of the sectors alone; arrays of one axis,
+    or numbers.
 
-    NaN where the envelope is too small.  U and P are one task, or as many as there are envelopes; a pure couple takes the closed form.
-    """
+    NaN where the envelope is too small.  U and P are one task, or as many as there are envelopes; a pure couple takes
+    the closed form."""
     if np.all(np.abs(U) * z_max <= DUST * np.abs(P)):
         return pair_masses(np.abs(P), 1.0, rho, R, r_0, z_max)
     with untraced():
@@ -150,20 +165,31 @@ def masses(U: PhasorKilogramMetre, P: PhasorKilogramMetre2, rho: KilogramPerMetr
 
 
 @design_by_design
-def size(U: PhasorKilogramMetre, P: PhasorKilogramMetre2, omega: RadPerSecond, rho: KilogramPerMetre3, R: Metre, r_0: Metre, z_max: Metre,
-    extras: tuple[Extra, ...] = (), fillet: Metre = 0.0) -> Sized:  # fmt: skip
-    """The lightest two sectors that, with the extras, have the unbalance U and the product of unbalance and position P; a gap between them
-    that does not hold two fillets is closed where the sectors serve at their full length.
+def size(
+    U: PhasorKilogramMetre,
+    P: PhasorKilogramMetre2,
+    omega: RadPerSecond,
+    rho: KilogramPerMetre3,
+    R: Metre,
+    r_0: Metre,
+    z_max: Metre,
+    extras: tuple[Extra, ...] = (),
+    fillet: Metre = 0.0,
+) -> Sized:
+    """The lightest two sectors that, with the extras, have the unbalance U and the product of unbalance and position P;
+    a gap between them that does not hold two fillets is closed where the sectors serve at their full length.
 
-    U = F/ω² and P = C/ω² of the whole shaft.  Raises TooSmall where the envelope can not hold them, NoSolution where nothing is asked.
-    """
+    U = F/ω² and P = C/ω² of the whole shaft.  Raises TooSmall where the envelope can not hold them, NoSolution where
+    nothing is asked."""
     U, P = remainder(U, P, extras)
     with untraced():
         k = f.unbalance_per_length(rho=rho, R=R, r_0=r_0)
     if max(abs(U), abs(P) / z_max) <= DUST * k * z_max:
-        raise NoSolution(Text("there is nothing for the sectors to balance"),
+        raise NoSolution(
+            Text("there is nothing for the sectors to balance"),
             Text("force and couple asked of the shaft, less its further elements"),
-            Text("leave the counter-shaft out, or the further elements that do all its work"))  # fmt: skip
+            Text("leave the counter-shaft out, or the further elements that do all its work"),
+        )
     if abs(U) * z_max <= DUST * abs(P):
         return _of_pair(P, omega, rho, R, r_0, z_max, fillet)
     return _of_search(U, P, omega, rho, R, r_0, z_max, fillet)
@@ -179,27 +205,52 @@ def remainder(U: PhasorKilogramMetre, P: PhasorKilogramMetre2, extras: tuple[Ext
     return f.unbalance_left(U=U, U_x=U_x), f.product_left(P=P, P_x=P_x)
 
 
-def _of_pair(P: PhasorKilogramMetre2, omega: RadPerSecond, rho: KilogramPerMetre3, R: Metre, r_0: Metre, z_max: Metre,
-    fillet: Metre) -> Sized:  # fmt: skip
+def _of_pair(
+    P: PhasorKilogramMetre2,
+    omega: RadPerSecond,
+    rho: KilogramPerMetre3,
+    R: Metre,
+    r_0: Metre,
+    z_max: Metre,
+    fillet: Metre,
+) -> Sized:
     with about(Text("sectors")):
         half = pair(f.couple_asked(P=P, omega=omega), omega, rho, R, r_0, z_max, fillet)
         rear = f.couple_direction(P=P)
         common = dict(length=half.length, half_angle=half.half_angle, mass=half.mass, radius=half.radius)
-        return Sized(mass=f.both_masses(m_f=half.mass, m_r=half.mass), utilisation=half.utilisation, sector_length=half.length,
-            sector_half_angle=half.half_angle, couple=half.couple, outer_radius=R, core_radius=r_0,
+        return Sized(
+            mass=f.both_masses(m_f=half.mass, m_r=half.mass),
+            utilisation=half.utilisation,
+            sector_length=half.length,
+            sector_half_angle=half.half_angle,
+            couple=half.couple,
+            outer_radius=R,
+            core_radius=r_0,
             front=SizedSector(**common, angle=f.opposite(angle=rear), z=f.front_place(b=half.length, z_max=z_max)),
-            rear=SizedSector(**common, angle=rear, z=f.rear_place(b=half.length, z_max=z_max)))  # fmt: skip
+            rear=SizedSector(**common, angle=rear, z=f.rear_place(b=half.length, z_max=z_max)),
+        )
 
 
-def _of_search(U: PhasorKilogramMetre, P: PhasorKilogramMetre2, omega: RadPerSecond, rho: KilogramPerMetre3, R: Metre, r_0: Metre,
-    z_max: Metre, fillet: Metre) -> Sized:  # fmt: skip
+def _of_search(
+    U: PhasorKilogramMetre,
+    P: PhasorKilogramMetre2,
+    omega: RadPerSecond,
+    rho: KilogramPerMetre3,
+    R: Metre,
+    r_0: Metre,
+    z_max: Metre,
+    fillet: Metre,
+) -> Sized:
     with about(Text("sectors")):
         k = f.unbalance_per_length(rho=rho, R=R, r_0=r_0)
         alpha, product = f.force_number(U=U, k=k, z_max=z_max), f.product_number(P=P, k=k, z_max=z_max)
         u = f.utilisation(alpha=alpha, product=product)
         if u > 1:
             raise _too_small(alpha, product, u, omega, k, R, r_0, z_max)
-        b_f, b_r = f.front_length(alpha=alpha, product=product, z_max=z_max), f.rear_length(alpha=alpha, product=product, z_max=z_max)
+        b_f, b_r = (
+            f.front_length(alpha=alpha, product=product, z_max=z_max),
+            f.rear_length(alpha=alpha, product=product, z_max=z_max),
+        )
         if too_narrow(2 * z_max - b_f - b_r, fillet) and lengths.serves_whole(alpha, product):
             b_f = b_r = f.closed_length(z_max=z_max)
         z_f, z_r = f.front_place(b=b_f, z_max=z_max), f.rear_place(b=b_r, z_max=z_max)
@@ -207,25 +258,50 @@ def _of_search(U: PhasorKilogramMetre, P: PhasorKilogramMetre2, omega: RadPerSec
         U_f = f.front_unbalance(U=U, U_r=U_r)
     front = _sector("front", U_f, b_f, z_f, k, rho, R, r_0, z_max)
     rear = _sector("rear", U_r, b_r, z_r, k, rho, R, r_0, z_max)
-    return Sized(mass=f.both_masses(m_f=front.mass, m_r=rear.mass), utilisation=u, outer_radius=R, core_radius=r_0, front=front, rear=rear,
-        sector_length=max(front.length, rear.length), sector_half_angle=max(front.half_angle, rear.half_angle))  # fmt: skip
+    return Sized(
+        mass=f.both_masses(m_f=front.mass, m_r=rear.mass),
+        utilisation=u,
+        outer_radius=R,
+        core_radius=r_0,
+        front=front,
+        rear=rear,
+        sector_length=max(front.length, rear.length),
+        sector_half_angle=max(front.half_angle, rear.half_angle),
+    )
 
 
-def _sector(name: str, U: PhasorKilogramMetre, b: Metre, z: Metre, k: Kilogram, rho: KilogramPerMetre3, R: Metre, r_0: Metre,
-    z_max: Metre) -> SizedSector:  # fmt: skip
+def _sector(
+    name: str,
+    U: PhasorKilogramMetre,
+    b: Metre,
+    z: Metre,
+    k: Kilogram,
+    rho: KilogramPerMetre3,
+    R: Metre,
+    r_0: Metre,
+    z_max: Metre,
+) -> SizedSector:
     if abs(U) <= DUST * k * z_max:  # the other one does all
         return SizedSector(length=0.0, half_angle=0.0, mass=0.0, radius=0.0, angle=0.0, z=z)
     with about(Text("{name} sector", name=name)):
         gamma = f.sector_half_angle(U=U, k=k, b=b)
         A, S = s.sector_area(gamma=gamma, R=R, r_0=r_0), s.sector_moment(gamma=gamma, R=R, r_0=r_0)
-        return SizedSector(length=b, half_angle=gamma, mass=s.sector_mass(rho=rho, A=A, b=b), radius=s.centre_of_gravity(S=S, A=A),
-            angle=f.direction(U=U), z=z)  # fmt: skip
+        return SizedSector(
+            length=b,
+            half_angle=gamma,
+            mass=s.sector_mass(rho=rho, A=A, b=b),
+            radius=s.centre_of_gravity(S=S, A=A),
+            angle=f.direction(U=U),
+            z=z,
+        )
 
 
 def eccentric_masses(sized: Sized) -> tuple[EccentricMass, ...]:
     """The sectors as the eccentric masses of a shaft, "front" and "rear"."""
     sides = (("front", sized.front), ("rear", sized.rear))
-    return tuple(EccentricMass(name=name, mass=one.mass, radius=one.radius, angle=one.angle, z=one.z) for name, one in sides)
+    return tuple(
+        EccentricMass(name=name, mass=one.mass, radius=one.radius, angle=one.angle, z=one.z) for name, one in sides
+    )
 
 
 def pieces(sized: Sized) -> list[Piece]:
@@ -238,7 +314,8 @@ def pieces(sized: Sized) -> list[Piece]:
     return sectors
 
 
-# --- where it does not fit -------------------------------------------------------------------------------------------------
+# --- where it does not fit
+# -------------------------------------------------------------------------------------------------
 def _too_small_pair(C: NewtonMetre, u: Number, omega: RadPerSecond, R: Metre, r_0: Metre, z_max: Metre) -> TooSmall:
     most = f.possible_couple(C=C, u=u)
     product = f.product_missing(C=C, C_max=most, omega=omega)
@@ -247,7 +324,14 @@ def _too_small_pair(C: NewtonMetre, u: Number, omega: RadPerSecond, R: Metre, r_
 
 
 def _too_small(
-    alpha: PhasorNumber, product: PhasorNumber, u: Number, omega: RadPerSecond, k: float, R: Metre, r_0: Metre, z_max: Metre
+    alpha: PhasorNumber,
+    product: PhasorNumber,
+    u: Number,
+    omega: RadPerSecond,
+    k: float,
+    R: Metre,
+    r_0: Metre,
+    z_max: Metre,
 ) -> TooSmall:
     """With a force there is no closed form: each answer is where the utilisation comes to 1."""
     with untraced():
@@ -271,20 +355,43 @@ def _load(alpha: PhasorNumber, product: PhasorNumber) -> float:
 
 
 def _refusal(
-    u: Number, asked: Text, most: NewtonMetre | None, length: Metre, product: KilogramMetre2 | None, R: Metre, r_0: Metre, z_max: Metre
+    u: Number,
+    asked: Text,
+    most: NewtonMetre | None,
+    length: Metre,
+    product: KilogramMetre2 | None,
+    R: Metre,
+    r_0: Metre,
+    z_max: Metre,
 ) -> TooSmall:
-    """`most`: the couple that the envelope holds; `length`: the half-length needed.  The advice is rounded up: with it it does fit."""
+    """`most`: the couple that the envelope holds; `length`: the half-length needed.  The advice is rounded up: with it
+    it does fit."""
     radius = f.radius_needed(R=R, r_0=r_0, u=u)
-    reach = Amount(most, "N·m", form=".1f") if most is not None else Text("{u} % of that", u=Amount(100 / u, form=".1f"))
-    what = Text("{asked} does not fit into the envelope: it holds {reach} at most (utilisation {u})",
-        asked=asked, reach=reach, u=Amount(u, form=".3f"))  # fmt: skip
-    tried = Text("two sectors from {r_0} to {r} mm up to ±{z_max} mm, half-angle up to 90°",
-        r_0=Amount(r_0 * 1000.0, form="g"), r=Amount(R * 1000.0, form="g"), z_max=Amount(z_max * 1000.0, form="g"))  # fmt: skip
+    reach = (
+        Amount(most, "N·m", form=".1f") if most is not None else Text("{u} % of that", u=Amount(100 / u, form=".1f"))
+    )
+    what = Text(
+        "{asked} does not fit into the envelope: it holds {reach} at most (utilisation {u})",
+        asked=asked,
+        reach=reach,
+        u=Amount(u, form=".3f"),
+    )
+    tried = Text(
+        "two sectors from {r_0} to {r} mm up to ±{z_max} mm, half-angle up to 90°",
+        r_0=Amount(r_0 * 1000.0, form="g"),
+        r=Amount(R * 1000.0, form="g"),
+        z_max=Amount(z_max * 1000.0, form="g"),
+    )
     ways = [Text("an outer radius of {up} mm at this core and length", up=_up(radius * 1000.0, 2))]
     ways.append(Text("a half-length of {up} mm at this radius", up=_up(length * 1000.0, 1)))
     if product is not None:
         missing = _up(product * 1000000.0, 1)
-        ways.append(Text("further elements (extras) that bring {up} kg·mm² of unbalance times distance in its direction", up=missing))
+        ways.append(
+            Text(
+                "further elements (extras) that bring {up} kg·mm² of unbalance times distance in its direction",
+                up=missing,
+            )
+        )
     error = TooSmall(what, tried, Text("it takes {ways}", ways=Text(", or ").join(ways)))
     error.possible, error.possible_couple = 1 / u, most
     error.outer_radius, error.half_length, error.product = radius, length, product

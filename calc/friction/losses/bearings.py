@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Rolling bearings of a wheel under radial load: Palmgren's two parts, or SKF's newer model where its constants could be read.
+"""Rolling bearings of a wheel under radial load: Palmgren's two parts, or SKF's newer model where its constants could
+be read.
 
-Palmgren's factors f_0 and f_1 are those of his tables as this program's makers remember them, for the middle of each type: give those of
-the catalogue.  Of SKF's model the rolling and the sliding part are counted, not seals nor drag in deep oil; its constants were read in
-public code that quotes the catalogue of 2013.
-"""
+Palmgren's factors f_0 and f_1 are those of his tables as this program's makers remember them, for the middle of each
+type: give those of the catalogue.  Of SKF's model the rolling and the sliding part are counted, not seals nor drag in
+deep oil; its constants were read in public code that quotes the catalogue of 2013."""
 
 import math
 
@@ -46,16 +46,24 @@ NEWTON_MILLIMETRE: NewtonMetre = 1e-3
 
 # f_0 in an oil bath and f_1, by type; from memory.
 FACTORS = {
-    "deep-groove-ball": (2.0, 0.0003), "angular-contact-ball": (3.3, 0.0005), "self-aligning-ball": (1.75, 0.0001),
-    "cylindrical-roller": (3.0, 0.0003), "needle-roller": (12.0, 0.002), "spherical-roller": (5.0, 0.0004), "tapered-roller": (4.5, 0.0004),
-}  # fmt: skip
+    "deep-groove-ball": (2.0, 0.0003),
+    "angular-contact-ball": (3.3, 0.0005),
+    "self-aligning-ball": (1.75, 0.0001),
+    "cylindrical-roller": (3.0, 0.0003),
+    "needle-roller": (12.0, 0.002),
+    "spherical-roller": (5.0, 0.0004),
+    "tapered-roller": (4.5, 0.0004),
+}
 SUPPLY = {"bath": 1.0, "mist": 0.5, "jet": 2.0}  # of f_0
 
 # SKF: R_1 and S_1 by series, K_Z; deep-groove ball bearings without axial load; cylindrical roller bearings with cage.
 BALLS = {
-    "2": (4.4e-7, 2.00e-3), "3": (4.4e-7, 2.00e-3), "42": (5.4e-7, 3.00e-3), "43": (5.4e-7, 3.00e-3), "60": (4.1e-7, 3.73e-3),
-    "630": (4.1e-7, 3.73e-3), "62": (3.9e-7, 3.23e-3), "622": (3.9e-7, 3.23e-3), "63": (3.7e-7, 2.84e-3), "623": (3.7e-7, 2.84e-3),
-    "64": (3.6e-7, 2.43e-3), "160": (4.3e-7, 4.63e-3), "161": (4.3e-7, 4.63e-3), "618": (4.7e-7, 6.50e-3), "619": (4.3e-7, 4.75e-3),
+    "2": (4.4e-7, 2.00e-3), "3": (4.4e-7, 2.00e-3), "42": (5.4e-7, 3.00e-3), "43": (5.4e-7, 3.00e-3), "60": (4.1e-7,
+    3.73e-3),
+    "630": (4.1e-7, 3.73e-3), "62": (3.9e-7, 3.23e-3), "622": (3.9e-7, 3.23e-3), "63": (3.7e-7, 2.84e-3),
+    "623": (3.7e-7, 2.84e-3),
+    "64": (3.6e-7, 2.43e-3), "160": (4.3e-7, 4.63e-3), "161": (4.3e-7, 4.63e-3), "618": (4.7e-7, 6.50e-3),
+    "619": (4.3e-7, 4.75e-3),
 }  # fmt: skip
 ROLLERS = {"4": (1.00e-6, 0.0015), "22": (1.40e-6, 0.0015)}
 K_Z = {"deep-groove-ball": 3.1, "cylindrical-roller": 5.1}
@@ -69,10 +77,20 @@ def mean_diameter(d: Metre, D: Metre) -> Metre:
     return (d + D) / 2
 
 
-# --- Palmgren ----------------------------------------------------------------------------------------------------------------
-@formula("M_0", Text("{palmgren}: torque without load; ν·n no less than 2000 mm²/s·rpm (160 for its power 2/3)", palmgren=PALMGREN))
+# --- Palmgren
+# ----------------------------------------------------------------------------------------------------------------
+@formula(
+    "M_0",
+    Text("{palmgren}: torque without load; ν·n no less than 2000 mm²/s·rpm (160 for its power 2/3)", palmgren=PALMGREN),
+)
 def torque_of_oil(f_0: Number, nu: SquareMetrePerSecond, n: RevPerSecond, d_m: Metre) -> NewtonMetre:
-    return 1e-7 * f_0 * largest((nu / CENTISTOKE * n / ONE_RPM) ** (2 / 3), 160.0) * (d_m / MILLIMETRE) ** 3 * NEWTON_MILLIMETRE
+    return (
+        1e-7
+        * f_0
+        * largest((nu / CENTISTOKE * n / ONE_RPM) ** (2 / 3), 160.0)
+        * (d_m / MILLIMETRE) ** 3
+        * NEWTON_MILLIMETRE
+    )
 
 
 @formula("M_1", Text("{palmgren}: torque of the load, here radial", palmgren=PALMGREN))
@@ -80,7 +98,8 @@ def torque_of_load(f_1: Number, F: Newton, d_m: Metre) -> NewtonMetre:
     return f_1 * F * d_m
 
 
-# --- SKF ---------------------------------------------------------------------------------------------------------------------
+# --- SKF
+# ---------------------------------------------------------------------------------------------------------------------
 @formula("G_rr", Text("{skf}: rolling, deep-groove ball bearing under radial load", skf=SKF))
 def rolling_of_balls(R_1: Number, d_m: Metre, F: Newton) -> Number:
     return R_1 * (d_m / MILLIMETRE) ** 1.96 * (F / ONE_NEWTON) ** 0.54
@@ -106,7 +125,10 @@ def inlet_heat(n: RevPerSecond, d_m: Metre, nu: SquareMetrePerSecond) -> Number:
     return 1 / (1 + 1.84e-9 * (n / ONE_RPM * d_m / MILLIMETRE) ** 1.28 * (nu / CENTISTOKE) ** 0.64)
 
 
-@formula("φ_rs", Text("{skf}: oil pushed aside and starved; K_rs 3·10⁻⁸ in a bath of low level or a jet, 6·10⁻⁸ in mist", skf=SKF))
+@formula(
+    "φ_rs",
+    Text("{skf}: oil pushed aside and starved; K_rs 3·10⁻⁸ in a bath of low level or a jet, 6·10⁻⁸ in mist", skf=SKF),
+)
 def starvation(K_rs: Number, nu: SquareMetrePerSecond, n: RevPerSecond, d: Metre, D: Metre, K_Z: Number) -> Number:
     return exp(-K_rs * nu / CENTISTOKE * n / ONE_RPM * (d + D) / MILLIMETRE * sqrt(K_Z / 2 * MILLIMETRE / (D - d)))
 
@@ -123,7 +145,13 @@ def sliding_friction(phi_bl: Number, mu_EHL: Number) -> Number:
 
 @formula("M", Text("{skf}: rolling and sliding", skf=SKF))
 def torque_by_skf(
-    phi_ish: Number, phi_rs: Number, G_rr: Number, nu: SquareMetrePerSecond, n: RevPerSecond, G_sl: Number, mu_sl: Number
+    phi_ish: Number,
+    phi_rs: Number,
+    G_rr: Number,
+    nu: SquareMetrePerSecond,
+    n: RevPerSecond,
+    G_sl: Number,
+    mu_sl: Number,
 ) -> NewtonMetre:
     return (phi_ish * phi_rs * G_rr * (nu / CENTISTOKE * n / ONE_RPM) ** 0.6 + G_sl * mu_sl) * NEWTON_MILLIMETRE
 
@@ -151,14 +179,20 @@ def power(bearing: RollingBearing, F: Newton, n: RevPerSecond, nu: SquareMetrePe
         usual_0, usual_1 = FACTORS[bearing.kind]
         f_0 = usual_0 * SUPPLY[bearing.lubrication] if bearing.f_0 is None else bearing.f_0
         f_1 = usual_1 if bearing.f_1 is None else bearing.f_1
-        M = torque_by_palmgren(M_0=torque_of_oil(f_0=f_0, nu=nu, n=n, d_m=d_m), M_1=torque_of_load(f_1=f_1, F=F_L, d_m=d_m))
+        M = torque_by_palmgren(
+            M_0=torque_of_oil(f_0=f_0, nu=nu, n=n, d_m=d_m), M_1=torque_of_load(f_1=f_1, F=F_L, d_m=d_m)
+        )
         return bearing_power(N=bearing.count, M=M, n=n)
     balls = bearing.kind == "deep-groove-ball"
     known = BALLS if balls else ROLLERS if bearing.kind == "cylindrical-roller" else {}
     if bearing.series not in known:
-        listed = Text("deep-groove-ball {balls}; cylindrical-roller {rollers}", balls=", ".join(BALLS), rollers=", ".join(ROLLERS))
+        listed = Text(
+            "deep-groove-ball {balls}; cylindrical-roller {rollers}", balls=", ".join(BALLS), rollers=", ".join(ROLLERS)
+        )
         tried = Text(
-            "its constants for {kind} of series {series} could not be read", kind=bearing.kind, series=bearing.series or Text("not given")
+            "its constants for {kind} of series {series} could not be read",
+            kind=bearing.kind,
+            series=bearing.series or Text("not given"),
         )
         raise NoSolution(
             Text("rolling bearing {name}: SKF's model", name=bearing.name),
@@ -170,10 +204,20 @@ def power(bearing: RollingBearing, F: Newton, n: RevPerSecond, nu: SquareMetrePe
     rolling, sliding = (rolling_of_balls, sliding_of_balls) if balls else (rolling_of_rollers, sliding_of_rollers)
     M = torque_by_skf(
         phi_ish=inlet_heat(n=n, d_m=d_m, nu=nu),
-        phi_rs=starvation(K_rs=STARVED[bearing.lubrication], nu=nu, n=n, d=bearing.bore, D=bearing.outside_diameter, K_Z=K_Z[bearing.kind]),
-        G_rr=rolling(R_1=R_1, d_m=d_m, F=F_L), nu=nu, n=n, G_sl=sliding(S_1=S_1, d_m=d_m, F=F_L),
+        phi_rs=starvation(
+            K_rs=STARVED[bearing.lubrication],
+            nu=nu,
+            n=n,
+            d=bearing.bore,
+            D=bearing.outside_diameter,
+            K_Z=K_Z[bearing.kind],
+        ),
+        G_rr=rolling(R_1=R_1, d_m=d_m, F=F_L),
+        nu=nu,
+        n=n,
+        G_sl=sliding(S_1=S_1, d_m=d_m, F=F_L),
         mu_sl=sliding_friction(phi_bl=boundary_share(n=n, nu=nu, d_m=d_m), mu_EHL=mu_EHL),
-    )  # fmt: skip
+    )
     return bearing_power(N=bearing.count, M=M, n=n)
 
 
@@ -197,8 +241,14 @@ def attitude(eps: Number, b: Number) -> Radian:
     return array(found) if found.ndim else float(found)
 
 
-@formula("P_L", "hydrodynamics: shear of the full film and its pressure (identity of Reynolds' solution); at ε = 0 Petroff's law of 1883")
-def friction_power(u: MetrePerSecond, eta: PascalSecond, d: Metre, l: Metre, psi: Number, eps: Number, F: Newton, phi: Radian) -> Watt:
+@formula(
+    "P_L",
+    "hydrodynamics: shear of the full film and its pressure (identity of Reynolds' solution); at ε = 0 Petroff's law "
+    "of 1883",
+)
+def friction_power(
+    u: MetrePerSecond, eta: PascalSecond, d: Metre, l: Metre, psi: Number, eps: Number, F: Newton, phi: Radian
+) -> Watt:
     return u * (2 * pi * eta * u * l / (psi * sqrt(1 - eps**2)) + psi * F * eps / 2 * sin(phi))
 
 
@@ -209,7 +259,9 @@ def plain_bearing_power(bearing: PlainBearing, F: Newton, n: RevPerSecond, eta: 
     b, psi = f.length_ratio(l=l, d=d), f.relative_clearance(g=bearing.clearance, d=d)
     if not 0.1 <= b <= 2:
         raise NoSolution(
-            where, Text("its length is {b} diameters", b=Amount(b, form=".3g")), Text("choose a length between 0.1 and 2 diameters")
+            where,
+            Text("its length is {b} diameters", b=Amount(b, form=".3g")),
+            Text("choose a length between 0.1 and 2 diameters"),
         )
     u = f.surface_speed(d=d, n=n)
     p = f.specific_load(F=largest(F, NOTHING), d=d, l=l)
@@ -223,7 +275,9 @@ def plain_bearing_power(bearing: PlainBearing, F: Newton, n: RevPerSecond, eta: 
             least=Amount(least, form=".3g"),
         )
         raise NoSolution(
-            Text("{where}: no film carries its load", where=where), tried, Text("a larger bush, less clearance, or a thicker oil")
+            Text("{where}: no film carries its load", where=where),
+            tried,
+            Text("a larger bush, less clearance, or a thicker oil"),
         )
     eps = eccentricity(S=S, b=b)
     return friction_power(u=u, eta=eta, d=d, l=l, psi=psi, eps=eps, F=F, phi=attitude(eps=eps, b=b))
@@ -251,8 +305,11 @@ def simrit(d_sh: Metre, n: RevPerSecond) -> Watt:
 def linke(T_oil: Celsius, nu_40: SquareMetrePerSecond, d_sh: Metre, n: RevPerSecond) -> Watt:
     return (
         largest(145 - 1.6 * T_oil / ONE_KELVIN + 350 * log10(log10(nu_40 / CENTISTOKE + 0.8)), 0.0)
-        * 1e-7 * (d_sh / MILLIMETRE) ** 2 * (n / ONE_RPM) * ONE_WATT
-    )  # fmt: skip
+        * 1e-7
+        * (d_sh / MILLIMETRE) ** 2
+        * (n / ONE_RPM)
+        * ONE_WATT
+    )
 
 
 @formula("P_D", "mathematics: several seals of one size", names={"P": "P_D"})

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """What a wheel that dips into oil loses by moving it: Changenet and Velex's correlation in the four regimes of 2011.
 
-Measured on single wheels of 1.5 to 5 mm module and about 100 to 160 mm diameter in a wide sump; flanges, deflectors and a meshing partner
-change it.  The constants were read in public code and are continuous at Re = 4000; the papers themselves were not read.
-"""
+Measured on single wheels of 1.5 to 5 mm module and about 100 to 160 mm diameter in a wide sump; flanges, deflectors and
+a meshing partner change it.  The constants were read in public code and are continuous at Re = 4000; the papers
+themselves were not read."""
 
 from ...sheet.formula import formula
 from ...sheet.functions import acos, cos, largest, pi, sin, smallest
@@ -46,9 +46,21 @@ def wetted_angle(h: Metre, r: Metre) -> Radian:
     return acos(1 - h / r)
 
 
-@formula("S_m", Text("{changenet}: wetted surface, both faces, the rim and the flanks of the teeth (height 2.25·m_n)", changenet=CHANGENET))
-def wetted_surface(r: Metre, theta: Radian, b: Metre, z: Number, m_n: Metre, alpha_t: Radian, beta: Radian) -> SquareMetre:
-    return r**2 * (2 * theta - sin(2 * theta)) + 2 * r * b * theta + 2 * z * theta * 2.25 * m_n * b / (pi * cos(alpha_t) * cos(beta))
+@formula(
+    "S_m",
+    Text(
+        "{changenet}: wetted surface, both faces, the rim and the flanks of the teeth (height 2.25·m_n)",
+        changenet=CHANGENET,
+    ),
+)
+def wetted_surface(
+    r: Metre, theta: Radian, b: Metre, z: Number, m_n: Metre, alpha_t: Radian, beta: Radian
+) -> SquareMetre:
+    return (
+        r**2 * (2 * theta - sin(2 * theta))
+        + 2 * r * b * theta
+        + 2 * z * theta * 2.25 * m_n * b / (pi * cos(alpha_t) * cos(beta))
+    )
 
 
 @formula("Re_c", Text("{changenet}: Reynolds number of the width", changenet=CHANGENET))
@@ -72,12 +84,24 @@ def centrifugal(omega: RadPerSecond, r: Metre, b: Metre, m_n: Metre) -> MetrePer
     names={"V": "V_0"},
 )
 def calm(h: Metre, r: Metre, V: CubicMetre, Fr: Number, Re_c: Number, b: Metre) -> Number:
-    return largest(1.366 * Re_c**-0.21, 0.239) * (h / (2 * r)) ** 0.45 * (V / (2 * r) ** 3) ** 0.1 * Fr**-0.6 * (b / r) ** 0.21
+    return (
+        largest(1.366 * Re_c**-0.21, 0.239)
+        * (h / (2 * r)) ** 0.45
+        * (V / (2 * r) ** 3) ** 0.1
+        * Fr**-0.6
+        * (b / r) ** 0.21
+    )
 
 
 @formula("C_m2", Text("{changenet}: torque number, γ_c from 1250 m/s² on", changenet=CHANGENET), names={"V": "V_0"})
 def wild(h: Metre, r: Metre, V: CubicMetre, Fr: Number, Re_c: Number, b: Metre) -> Number:
-    return largest(20.797 * Re_c**-0.21, 3.644) * (h / (2 * r)) ** 0.1 * (V / (2 * r) ** 3) ** -0.35 * Fr**-0.88 * (b / (2 * r)) ** 0.85
+    return (
+        largest(20.797 * Re_c**-0.21, 3.644)
+        * (h / (2 * r)) ** 0.1
+        * (V / (2 * r) ** 3) ** -0.35
+        * Fr**-0.88
+        * (b / (2 * r)) ** 0.85
+    )
 
 
 @formula("C_m", Text("{changenet}: between both, linear in γ_c", changenet=CHANGENET), names={"gamma": "γ_c"})
@@ -86,7 +110,9 @@ def torque_number(C_m1: Number, C_m2: Number, gamma: MetrePerSecond2) -> Number:
 
 
 @formula("T_C", Text("{changenet}: torque of churning", changenet=CHANGENET))
-def churning_torque(rho: KilogramPerMetre3, omega: RadPerSecond, r: Metre, S_m: SquareMetre, C_m: Number) -> NewtonMetre:
+def churning_torque(
+    rho: KilogramPerMetre3, omega: RadPerSecond, r: Metre, S_m: SquareMetre, C_m: Number
+) -> NewtonMetre:
     return rho / 2 * omega**2 * r**3 * S_m * C_m
 
 
@@ -97,8 +123,9 @@ def churning(T_C: NewtonMetre, omega: RadPerSecond) -> Watt:
 
 # What the wheels lose to the air and oil mist around them, loaded or not.
 #
-# Anderson and Loewenthal give the loss of a spur wheel in a mist of one part oil in 34.25 parts air; other mists are scaled by the
-# same law of turbulent discs, P ~ ρ^0.8·η^0.2.  A wheel that dips into oil churns it besides (`churning.py`).
+# Anderson and Loewenthal give the loss of a spur wheel in a mist of one part oil in 34.25 parts air; other mists are
+# scaled by the same law of turbulent discs, P ~ ρ^0.8·η^0.2.  A wheel that dips into oil churns it besides
+# (`churning.py`).
 
 # mypy: disable-error-code="no-any-return"
 
@@ -130,17 +157,24 @@ def mist_viscosity(s_oil: Number, eta_oil: PascalSecond, eta_air: PascalSecond) 
 
 
 @formula("P_W", Text("{anderson}; scaled to another mist by its density to the power 0.8", anderson=ANDERSON))
-def windage(b: Metre, r: Metre, n: RevPerSecond, eta_m: PascalSecond, rho_m: KilogramPerMetre3, rho_0: KilogramPerMetre3) -> Watt:
+def windage(
+    b: Metre, r: Metre, n: RevPerSecond, eta_m: PascalSecond, rho_m: KilogramPerMetre3, rho_0: KilogramPerMetre3
+) -> Watt:
     """>>> windage(b=0.015, r=0.02695, n=43.33, eta_m=0.0002303, rho_m=24, rho_0=23.9)
     0.1058093...
     """
     return (
-        C_3 * (1 + 2.3 * b / r) * (n / ONE_RPM) ** 2.8 * (r / ONE_METRE) ** 4.6 * (eta_m / MILLIPASCAL_SECOND) ** 0.2
+        C_3
+        * (1 + 2.3 * b / r)
+        * (n / ONE_RPM) ** 2.8
+        * (r / ONE_METRE) ** 4.6
+        * (eta_m / MILLIPASCAL_SECOND) ** 0.2
         * (rho_m / rho_0) ** 0.8
-    )  # fmt: skip
+    )
 
 
 # What it costs to carry along the oil that is thrown onto the teeth.
+
 
 @formula("v_t", "definition of the speed of the reference circle")
 def pitch_line_speed(r: Metre, n: RevPerSecond) -> MetrePerSecond:

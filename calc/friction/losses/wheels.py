@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """What every wheel loses besides its meshes.
 
-Most of it follows from speed and oil alone (`unloaded`); the bearings of a wheel also from the force of its teeth (`carrying`).  A loss is
-carried by the wheel that its name begins with, else by the last, through all meshes.
-"""
+Most of it follows from speed and oil alone (`unloaded`); the bearings of a wheel also from the force of its teeth
+(`carrying`).  A loss is carried by the wheel that its name begins with, else by the last, through all meshes."""
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import TypeVar, TypeVarTuple
@@ -16,7 +15,7 @@ from ...sheet.functions import acos, atan, cos, tan
 from ...sheet.quantity import result, value
 from ...sheet.record import record
 from ...sheet.text import Text
-from ...sheet.units import (  # fmt: skip
+from ...sheet.units import (
     Celsius,
     KilogramPerMetre3,
     Metre,
@@ -95,7 +94,9 @@ def speeds_of(meshes: Mapping[str, MeshGeometry], first_speed: RevPerSecond) -> 
                 Text("list the meshes along the flow of power"),
             )
         with about(Text("wheel {name}", name=mesh.driven.name)):
-            speeds[mesh.driven.name] = wheel_speed(n=speeds[mesh.driver.name], z_1=mesh.driver.teeth, z_2=mesh.driven.teeth)
+            speeds[mesh.driven.name] = wheel_speed(
+                n=speeds[mesh.driver.name], z_1=mesh.driver.teeth, z_2=mesh.driven.teeth
+            )
     return speeds
 
 
@@ -108,12 +109,18 @@ def carried_by(entries: Iterable[Entry], wheels: Iterable[str], last: str) -> di
 
 
 def unloaded(
-    friction: FrictionInputs, meshes: Mapping[str, MeshGeometry], lubricant: Lubricant, T: Celsius, first_speed: RevPerSecond
+    friction: FrictionInputs,
+    meshes: Mapping[str, MeshGeometry],
+    lubricant: Lubricant,
+    T: Celsius,
+    first_speed: RevPerSecond,
 ) -> dict[str, WheelResult]:
     """Every wheel with what does not depend on its load; speeds and temperatures may be arrays."""
     speeds = speeds_of(meshes, first_speed)
     last = list(meshes.values())[-1].driven.name
-    bodies = {wheel.name: (wheel, mesh.base_helix_angle) for mesh in meshes.values() for wheel in (mesh.driver, mesh.driven)}
+    bodies = {
+        wheel.name: (wheel, mesh.base_helix_angle) for mesh in meshes.values() for wheel in (mesh.driver, mesh.driven)
+    }
     others, dips = carried_by(friction.other_losses, speeds, last), carried_by(friction.dips, speeds, last)
     thrown, sealed = carried_by(friction.jets, speeds, last), carried_by(friction.seals, speeds, last)
     with about(Text("mist")):
@@ -129,20 +136,28 @@ def unloaded(
             P_X = sums.no_other_loss()
             for other in others.get(name, ()):
                 with about(Text("wheel {name}, {name2}", name=name, name2=other.name)):
-                    P_X = sums.other_losses_on_wheel(P=P_X, P_i=require(Text("other loss {name}", name=other.name), other.power, zero=True))
+                    P_X = sums.other_losses_on_wheel(
+                        P=P_X, P_i=require(Text("other loss {name}", name=other.name), other.power, zero=True)
+                    )
             P_W = windage(b=wheel.face_width, r=wheel.reference_radius, n=n, eta_m=eta_m, rho_m=rho_m, rho_0=rho_0)
         found[name] = WheelResult(
-            speed=n, windage=P_W, other_loss=P_X,
+            speed=n,
+            windage=P_W,
+            other_loss=P_X,
             churning=_sum(name, dips.get(name, ()), sums.churning_on_wheel, _churned, wheel, beta_b, n, around),
             thrown_oil=_sum(name, thrown.get(name, ()), sums.thrown_oil_on_wheel, _thrown, wheel, n, around),
             seal_loss=_sum(name, sealed.get(name, ()), sums.seals_on_wheel, _sealed, n, around),
-        )  # fmt: skip
+        )
     return found
 
 
 def _sum(
-    name: str, entries: Sequence[Entry], adding: Callable[..., Watt], power: Callable[[Entry, *Asked], Watt], *asked: *Asked
-) -> Watt | None:  # fmt: skip
+    name: str,
+    entries: Sequence[Entry],
+    adding: Callable[..., Watt],
+    power: Callable[[Entry, *Asked], Watt],
+    *asked: *Asked,
+) -> Watt | None:
     """The losses of several entries of one kind on one wheel; None where there is none."""
     total: Watt | None = None
     for entry in entries:
@@ -173,7 +188,9 @@ def _churned(dip: Dip, wheel: WheelGeometry, beta_b: Radian, n: RevPerSecond, oi
 def _thrown(jet: Jet, wheel: WheelGeometry, n: RevPerSecond, oil: Surroundings) -> Watt:
     from . import oil_and_air as jets
 
-    return jets.thrown_oil(rho=oil.rho, Q=jet.flow, v_t=jets.pitch_line_speed(r=wheel.reference_radius, n=n), v_j=jet.jet_speed)
+    return jets.thrown_oil(
+        rho=oil.rho, Q=jet.flow, v_t=jets.pitch_line_speed(r=wheel.reference_radius, n=n), v_j=jet.jet_speed
+    )
 
 
 def _sealed(seal: Seal, n: RevPerSecond, oil: Surroundings) -> Watt:
@@ -191,10 +208,18 @@ def has_bearings(friction: FrictionInputs) -> bool:
 
 
 def carrying(
-    friction: FrictionInputs, wheels: Mapping[str, WheelResult], last: str, lubricant: Lubricant, T: Celsius, forces: Mapping[str, Newton]
+    friction: FrictionInputs,
+    wheels: Mapping[str, WheelResult],
+    last: str,
+    lubricant: Lubricant,
+    T: Celsius,
+    forces: Mapping[str, Newton],
 ) -> dict[str, tuple[Newton, Watt]]:
     """Load and friction of the bearings of every wheel that has some; `forces` of the teeth on each wheel."""
-    rolling, plain = carried_by(friction.rolling_bearings, wheels, last), carried_by(friction.plain_bearings, wheels, last)
+    rolling, plain = (
+        carried_by(friction.rolling_bearings, wheels, last),
+        carried_by(friction.plain_bearings, wheels, last),
+    )
     if not rolling and not plain:
         return {}
     with about(Text("oil of the wheels' bearings")):

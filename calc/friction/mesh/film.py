@@ -20,7 +20,7 @@ from ...sheet.formula import formula
 from ...sheet.functions import largest, sqrt
 from ...sheet.record import record
 from ...sheet.text import Text
-from ...sheet.units import (  # fmt: skip
+from ...sheet.units import (
     Celsius,
     Metre,
     MetrePerSecond,
@@ -84,17 +84,26 @@ def film_elastic_isoviscous(g_E: Number, U: Number, W: Number) -> Number:
     return 3.10 * g_E**0.8 * U / W
 
 
-@formula("H_VE", Text("{toyoda} (the friction source credits Hamrock and Dowson)", toyoda=TOYODA), governs="min", names={"e": "n_G"})
+@formula(
+    "H_VE",
+    Text("{toyoda} (the friction source credits Hamrock and Dowson)", toyoda=TOYODA),
+    governs="min",
+    names={"e": "n_G"},
+)
 def film_elastic_piezoviscous(G: Number, e: Number, U: Number, W: Number) -> Number:
     return 3.06 * G**e * U**0.69 * W**-0.10
 
 
-@formula("L_th", Text("{gupta}: thermal loading parameter, with the mean speed squared", gupta=GUPTA), names={"beta": "β_T"})
+@formula(
+    "L_th", Text("{gupta}: thermal loading parameter, with the mean speed squared", gupta=GUPTA), names={"beta": "β_T"}
+)
 def thermal_loading(eta_0: PascalSecond, beta: PerKelvin, u_e: MetrePerSecond, k_f: WattPerMetreKelvin) -> Number:
     return eta_0 * beta * u_e**2 / k_f
 
 
-@formula("Φ_T", Text("{gupta}: reduction by the heat of the sheared inlet", gupta=GUPTA), governs="min", names={"L": "L_th"})
+@formula(
+    "Φ_T", Text("{gupta}: reduction by the heat of the sheared inlet", gupta=GUPTA), governs="min", names={"L": "L_th"}
+)
 def thermal_reduction(p_H: Pascal, E_r: Pascal, L: Number, S: Number) -> Number:
     return (1 - 13.2 * p_H / E_r * L**0.42) / (1 + 0.213 * (1 + 2.23 * S**0.83) * L**0.64)
 
@@ -109,7 +118,9 @@ def governing_film(H_IR: Number, H_VR: Number, H_IE: Number, H_VE: Number) -> Nu
     return largest(largest(H_IR, H_VR), largest(H_IE, H_VE))
 
 
-@formula("h", "rule of this program: film of the governing regime, times the thermal reduction", unit="µm", governs="min")
+@formula(
+    "h", "rule of this program: film of the governing regime, times the thermal reduction", unit="µm", governs="min"
+)
 def film_thickness(Phi: Number, H: Number, R: Metre) -> Metre:
     return Phi * H * R
 
@@ -121,11 +132,11 @@ def rigid_film(H_IR: Number, R: Metre) -> Metre:
 
 @record
 class Oil:
-    """What of the oil does not change while a mesh is solved: its state at the temperature of the teeth, and what of it is assumed.
+    """What of the oil does not change while a mesh is solved: its state at the temperature of the teeth, and what of it
+    is assumed.
 
-    `thickening` is a factor on the pressure-viscosity coefficient, `Lambda` the limiting shear over the pressure.  Many operating points
-    have T_m and all that follows from it as columns.
-    """
+    `thickening` is a factor on the pressure-viscosity coefficient, `Lambda` the limiting shear over the pressure.  Many
+    operating points have T_m and all that follows from it as columns."""
 
     lubricant: Lubricant
     T_m: Celsius
@@ -150,16 +161,21 @@ def oil_at(lubricant: Lubricant, T_m: Celsius, Lambda: Number | None = None, thi
     eta_0 = lubricant.at(T_m).mu
     alpha = lubricant.alpha(eta_0)
     return Oil(
-        lubricant=lubricant, T_m=T_m, eta_0=eta_0, alpha=alpha if thickening is None else based_on(alpha * thickening, alpha, thickening),
-        beta=lubricant.beta(T_m), k_f=lubricant.oil.conductivity, Lambda=lubricant.limiting_shear if Lambda is None else Lambda,
+        lubricant=lubricant,
+        T_m=T_m,
+        eta_0=eta_0,
+        alpha=alpha if thickening is None else based_on(alpha * thickening, alpha, thickening),
+        beta=lubricant.beta(T_m),
+        k_f=lubricant.oil.conductivity,
+        Lambda=lubricant.limiting_shear if Lambda is None else Lambda,
         thickening=thickening,
-    )  # fmt: skip
+    )
 
 
 @record
 class MeshFilm:
-    """The film at every position.  `lead` is the best of the other films over the rigid isoviscous one, `rigid` the share of the stretch
-    for which the position stands in which that one governs."""
+    """The film at every position.  `lead` is the best of the other films over the rigid isoviscous one, `rigid` the
+    share of the stretch for which the position stands in which that one governs."""
 
     h: Metre
     h_0: Metre  # where IR governs, its film before the thermal reduction
@@ -171,7 +187,9 @@ class MeshFilm:
     lead: Number
 
 
-def film(by_regime: bool, oil: Oil, motion: Motion, w: NewtonPerMetre, p_H: Pascal, cells: Cells, exponent: Number = EXPONENT) -> MeshFilm:
+def film(
+    by_regime: bool, oil: Oil, motion: Motion, w: NewtonPerMetre, p_H: Pascal, cells: Cells, exponent: Number = EXPONENT
+) -> MeshFilm:
     """The film by regime, or with the EHL formula everywhere."""
     U = speed_parameter(eta_0=oil.eta_0, u_e=motion.u_e, E_r=motion.E_r, R=motion.R)
     G = materials_parameter(alpha=oil.alpha, E_r=motion.E_r)

@@ -3,9 +3,8 @@
 
 The driver is body 1 and the driven wheel body 2 throughout this folder; a ratio below 1 is allowed.
 
-Whatever a mesh is asked may be one operating point, all numbers floats, or N at once, some numbers arrays of length N: `column` sets
-them against the positions of the path, which stand along the last axis.
-"""
+Whatever a mesh is asked may be one operating point, all numbers floats, or N at once, some numbers arrays of length N:
+`column` sets them against the positions of the path, which stand along the last axis."""
 
 import math
 from dataclasses import fields
@@ -75,7 +74,11 @@ def sound(mesh: MeshGeometry) -> None:
         for field in fields(part):
             number = getattr(part, field.name)
             if isinstance(number, (int, float)) and not 0 < number < math.inf:
-                require(Text("mesh {title}: {name}", title=mesh.title, name=field.name), number, zero=field.name in MAY_BE_ZERO)
+                require(
+                    Text("mesh {title}: {name}", title=mesh.title, name=field.name),
+                    number,
+                    zero=field.name in MAY_BE_ZERO,
+                )
 
 
 def require(what: Text, number: float, *, zero: bool = False) -> float:
@@ -94,7 +97,8 @@ def require(what: Text, number: float, *, zero: bool = False) -> float:
 
 
 def column(x: float) -> float:
-    """One number as it is; an array of N operating points as a column, against which the positions of a path stand in a row."""
+    """One number as it is; an array of N operating points as a column, against which the positions of a path stand in a
+    row."""
     return x if np.ndim(x) == 0 else each(many(x)[:, None])
 
 

@@ -1,16 +1,22 @@
 # SPDX-License-Identifier: Apache-2.0
 """The power that one mesh loses: friction along the path summed over all lines in contact, and rolling where it counts.
 
-`case` takes a mesh at its speed with its oil, `solve_mesh` the power that it carries.  Speed, power, temperature and what is assumed of
-oil and flanks may be arrays: N operating points in one call, whose results are arrays of N.
-"""
+`case` takes a mesh at its speed with its oil, `solve_mesh` the power that it carries.  Speed, power, temperature and
+what is assumed of oil and flanks may be arrays: N operating points in one call, whose results are arrays of N."""
 
 from collections.abc import Callable
 from dataclasses import field, replace
 
 import numpy as np
 
-from ...library.contact import LUBRICATION_FACTOR, bulk_rise, bulk_temperature, half_width, hertz_pressure, mean_pressure
+from ...library.contact import (
+    LUBRICATION_FACTOR,
+    bulk_rise,
+    bulk_temperature,
+    half_width,
+    hertz_pressure,
+    mean_pressure,
+)
 from ...library.lubricant import Lubricant
 from ...sheet.arrays import Array, anywhere, each, many, most, one
 from ...sheet.errors import NoSolution
@@ -46,9 +52,6 @@ from .traction import HOTTEST, Traction, place, skin_temperature, traction
 # mypy: disable-error-code="no-any-return"
 
 
-
-
-
 @formula(
     "P_s",
     Text("{thesis}, eq. 3: mean over a mesh cycle of the friction power of all lines in contact", thesis=THESIS),
@@ -59,8 +62,12 @@ def sliding_loss(s: Metre, mu: Number, w: NewtonPerMetre, V_s: MetrePerSecond) -
     return along(s * mu * w * V_s)
 
 
-@formula("P_R", "mathematics, mean over a mesh cycle of the rolling power; [IR]: share of Δs where the rigid isoviscous film governs",
-    names={"s": "Δs", "r": "[IR]"})  # fmt: skip
+@formula(
+    "P_R",
+    "mathematics, mean over a mesh cycle of the rolling power; [IR]: share of Δs where the rigid isoviscous film "
+    "governs",
+    names={"s": "Δs", "r": "[IR]"},
+)
 def rolling_loss(s: Metre, q_R: WattPerMetre, r: Number) -> Watt:
     return along(s * q_R * r)
 
@@ -89,7 +96,9 @@ def mean_friction(P_s: Watt, P: Watt, H_VL: Number) -> Number:
     return P_s / (P * H_VL)
 
 
-@formula("η_Z", Text("definition of the efficiency ({thesis}, eq. 1, prints the loss ratio under this name)", thesis=THESIS))
+@formula(
+    "η_Z", Text("definition of the efficiency ({thesis}, eq. 1, prints the loss ratio under this name)", thesis=THESIS)
+)
 def efficiency(P_VZ: Watt, P: Watt) -> Number:
     """>>> efficiency(P_VZ=4.55, P=224.8)
     0.9797597...
@@ -97,9 +106,12 @@ def efficiency(P_VZ: Watt, P: Watt) -> Number:
     return 1 - P_VZ / P
 
 
-# --- single numbers of a whole path ------------------------------------------------------------------------------------------
+# --- single numbers of a whole path
+# ------------------------------------------------------------------------------------------
 @formula(
-    "P_R", "rule of this program: without a rigid isoviscous film no rolling is counted", shows="no position has a rigid isoviscous film"
+    "P_R",
+    "rule of this program: without a rigid isoviscous film no rolling is counted",
+    shows="no position has a rigid isoviscous film",
 )
 def no_rolling_loss() -> Watt:
     return 0.0
@@ -126,7 +138,12 @@ def largest_pressure(p_H: Pascal) -> Pascal:
     return extreme(np.max, p_H)
 
 
-@formula("p_C", "definition: the pressure of a spur pair where it rolls without sliding", unit="MPa", shows="p_H at the pitch point C")
+@formula(
+    "p_C",
+    "definition: the pressure of a spur pair where it rolls without sliding",
+    unit="MPa",
+    shows="p_H at the pitch point C",
+)
 def pressure_at_pitch_point(p_H: Pascal) -> Pascal:
     return p_H
 
@@ -141,37 +158,47 @@ def largest_deborah(De: Number) -> Number:
     return extreme(np.max, De)
 
 
-@formula("s_IR", "definition: share of the length of line whose film is rigid and isoviscous", unit="%", names={"s": "Δs", "r": "[IR]"})
+@formula(
+    "s_IR",
+    "definition: share of the length of line whose film is rigid and isoviscous",
+    unit="%",
+    names={"s": "Δs", "r": "[IR]"},
+)
 def rigid_share(s: Metre, r: Number) -> Number:
     return along(s * r) / along(s)
 
 
-# What rolling costs: oil is pumped against its own pressure although nothing slides.  The friction source leaves it out.
+# What rolling costs: oil is pumped against its own pressure although nothing slides.  The friction source leaves it
+# out.
 #
-# Between rigid bodies in a full gap the loss follows from the same Reynolds solution as the film; it is an upper bound, because a
-# real inlet is seldom full.  For EHL an estimate by Goksem and Hargreaves is shown and not added.
+# Between rigid bodies in a full gap the loss follows from the same Reynolds solution as the film; it is an upper bound,
+# because a real inlet is seldom full.  For EHL an estimate by Goksem and Hargreaves is shown and not added.
 
 # mypy: disable-error-code="no-any-return"
 
 
-
-@formula("q_R", "hydrodynamics, derived here: rolling of a rigid isoviscous film, fully flooded; its load gives Martin's 4.896")
+@formula(
+    "q_R",
+    "hydrodynamics, derived here: rolling of a rigid isoviscous film, fully flooded; its load gives Martin's 4.896",
+)
 def rigid_rolling_power(eta_0: PascalSecond, u_e: MetrePerSecond, R: Metre, h_0: Metre) -> WattPerMetre:
     return 9.202 * eta_0 * u_e**2 * sqrt(R / h_0)
 
 
 @formula("q_E", "Goksem and Hargreaves 1978, rolling of a fully flooded EHL film")
-def ehl_rolling_power(alpha: PerPascal, G: Number, U: Number, W: Number, R: Metre, Phi: Number, u_e: MetrePerSecond) -> WattPerMetre:
+def ehl_rolling_power(
+    alpha: PerPascal, G: Number, U: Number, W: Number, R: Metre, Phi: Number, u_e: MetrePerSecond
+) -> WattPerMetre:
     return 4.318 / alpha * (G * U) ** 0.658 * W**0.0126 * R * Phi * u_e
 
 
 # mypy: disable-error-code="no-any-return"
 
 
-
-
 MICROMETRE: Metre = 1e-6
-SKIN = 1e-8  # K: to which the temperature of the skins, where the bodies resist, and that of the teeth, where it is estimated, are found
+# K: to which the temperature of the skins, where the bodies resist, and that of the teeth, where it is estimated, are
+# found
+SKIN = 1e-8
 PASSES = 100
 HOTTER_TEETH = Text("give friction.bulk_temperature_C, less power or speed, or a wider face")
 LOADED = 0.05  # of the full load, from which film and friction of a place are drawn
@@ -179,7 +206,8 @@ LOADED = 0.05  # of the full load, from which film and friction of a place are d
 
 @record
 class Warming:
-    """Where the temperature of the teeth is estimated: oil temperature, and the factors for how oil comes and for tip relief."""
+    """Where the temperature of the teeth is estimated: oil temperature, and the factors for how oil comes and for tip
+    relief."""
 
     T_oil: Celsius
     X_S: Number
@@ -188,7 +216,8 @@ class Warming:
 
 @record
 class MeshCase:
-    """A mesh at its speed with its oil: everything but the power that it carries.  `oil` is at the temperature of the teeth.
+    """A mesh at its speed with its oil: everything but the power that it carries.  `oil` is at the temperature of the
+    teeth.
 
     `surfaces` rub by regime, `source_surfaces` as the friction source has it.
     """
@@ -202,23 +231,36 @@ class MeshCase:
     source_surfaces: Surfaces
     warming: Warming
     estimated: bool  # whether the temperature of the teeth is `warming`'s
-    last: list["tuple[tuple[bool, Number], Watt, Lost]"] = field(default_factory=list, init=False, repr=False)  # asked untraced
+    last: list["tuple[tuple[bool, Number], Watt, Lost]"] = field(
+        default_factory=list, init=False, repr=False
+    )  # asked untraced
 
     def rubbing(self, by_regime: bool) -> Surfaces:
         return self.surfaces if by_regime else self.source_surfaces
 
 
 def case(
-    friction: FrictionInputs, mesh: MeshGeometry, oil: Oil, n_1: RevPerSecond, warming: Warming | None = None, **fineness: int
+    friction: FrictionInputs,
+    mesh: MeshGeometry,
+    oil: Oil,
+    n_1: RevPerSecond,
+    warming: Warming | None = None,
+    **fineness: int,
 ) -> MeshCase:
     """What does not change with the power.  `fineness` of the path (points, strips) is for tests of convergence."""
     way = path(mesh, friction.load_sharing, **fineness)
     surfaces, source = surfaces_of(friction, mesh)
     return MeshCase(
-        mesh=mesh, path=way, motion=motion(mesh, way, n_1), oil=oil, Ra=surfaces.Ra, surfaces=surfaces,
-        source_surfaces=source, warming=warming or Warming(oil.T_m, LUBRICATION_FACTOR["spray"], friction.tip_relief_factor),
+        mesh=mesh,
+        path=way,
+        motion=motion(mesh, way, n_1),
+        oil=oil,
+        Ra=surfaces.Ra,
+        surfaces=surfaces,
+        source_surfaces=source,
+        warming=warming or Warming(oil.T_m, LUBRICATION_FACTOR["spray"], friction.tip_relief_factor),
         estimated=friction.bulk == "estimated" and friction.bulk_temperature is None,
-    )  # fmt: skip
+    )
 
 
 @record
@@ -272,8 +314,11 @@ class MeshLoss:
     thermal_reduction_min: Number
 
 
-@formula("Θ_M", "energy, heat of the mesh: the loss warms the teeth, whose oil rubs less",
-    shows="Θ_M at which the mesh's loss warms its teeth to Θ_M")  # fmt: skip
+@formula(
+    "Θ_M",
+    "energy, heat of the mesh: the loss warms the teeth, whose oil rubs less",
+    shows="Θ_M at which the mesh's loss warms its teeth to Θ_M",
+)
 def closing_tooth_temperature(T: Celsius) -> Celsius:
     """The temperature itself, found from all that the loss depends on."""
     return T
@@ -301,11 +346,13 @@ def warming_of(c: MeshCase, P: Watt, mu_m: Number, H_VL: Number) -> Celsius:
     return bulk_rise(P=P, mu_m=mu_m, H_v=H_VL, a=c.mesh.centre_distance, b=c.mesh.face_width, X_S=w.X_S, X_Ca=w.X_Ca)
 
 
-def _steadied(gap_at: Callable[[Celsius], Kelvin], T: Celsius, flattest: float, fail: Callable[[Kelvin, str], NoSolution]) -> None:
+def _steadied(
+    gap_at: Callable[[Celsius], Kelvin], T: Celsius, flattest: float, fail: Callable[[Kelvin, str], NoSolution]
+) -> None:
     """Secant steps until the temperature that follows from T is T; `gap_at` is called last with that one.
 
-    `flattest`: the largest slope of what follows that a step may trust; `fail` makes the exception of the last gap and its reason.
-    """
+    `flattest`: the largest slope of what follows that a step may trust; `fail` makes the exception of the last gap and
+    its reason."""
     before: tuple[Celsius, Kelvin] | None = None
     for _ in range(PASSES):
         gap = gap_at(T)
@@ -318,9 +365,14 @@ def _steadied(gap_at: Callable[[Celsius], Kelvin], T: Celsius, flattest: float, 
         before = T, gap
         T = T + gap / (1 - slope)
         if not np.all(many(T) < HOTTEST):
-            raise fail(gap, Text("above {hottest} °C, where the laws of the oil end", hottest=Amount(HOTTEST, form="g")))
+            raise fail(
+                gap, Text("above {hottest} °C, where the laws of the oil end", hottest=Amount(HOTTEST, form="g"))
+            )
         T = T if np.ndim(T) else one(T)
-    raise fail(gap, Text("off by {max} K after {passes} passes", max=Amount(float(np.max(np.abs(gap))), form=".3g"), passes=PASSES))
+    raise fail(
+        gap,
+        Text("off by {max} K after {passes} passes", max=Amount(float(np.max(np.abs(gap))), form=".3g"), passes=PASSES),
+    )
 
 
 def _warmed(c: MeshCase, P: Watt, by_regime: bool, exponent: Number) -> tuple[MeshLoss, Celsius]:
@@ -335,14 +387,17 @@ def _warmed(c: MeshCase, P: Watt, by_regime: bool, exponent: Number) -> tuple[Me
 
     def fail(gap: Kelvin, reason: str) -> NoSolution:
         point = Text("operating point {argmax}: ", argmax=int(np.argmax(np.abs(gap)))) if np.ndim(gap) else EMPTY
-        return NoSolution(Text("mesh {title}: temperature of the teeth", title=c.mesh.title), point + reason, HOTTER_TEETH)
+        return NoSolution(
+            Text("mesh {title}: temperature of the teeth", title=c.mesh.title), point + reason, HOTTER_TEETH
+        )
 
     _steadied(gap_at, T_oil + 0.0 * P, 0.9, fail)
     return last[0]
 
 
 def power_lost(c: MeshCase, P: Watt, by_regime: bool, *, rolling: bool = True) -> Watt:
-    """The loss alone, for iterations: the power lost of `solve_mesh`, or that by sliding where rolling does not count."""
+    """The loss alone, for iterations: the power lost of `solve_mesh`, or that by sliding where rolling does not
+    count."""
     if c.estimated:
         whole = solve_mesh(c, P, by_regime)
         return whole.loss if rolling else whole.sliding_loss
@@ -366,7 +421,8 @@ class Lost:
 
 
 def _lost(c: MeshCase, P: Watt, by_regime: bool, exponent: Number) -> Lost:
-    """Sliding and rolling with teeth of the oil's temperature T_m; where no lines are wanted, what was asked last is known."""
+    """Sliding and rolling with teeth of the oil's temperature T_m; where no lines are wanted, what was asked last is
+    known."""
     if recorder.get() is not None:
         return _found(c, P, by_regime, exponent)
     for how, power, found in c.last:
@@ -413,19 +469,31 @@ def _solved(c: MeshCase, P: Watt, by_regime: bool, exponent: Number) -> MeshLoss
     along_path = c.path.x, p_H, f.h, t.lam, t.xi, t.mu, t.q, t.T_f, w, m.V_s, lost.b_H, t.De
     p_C = pressure_at_pitch_point(p_H=c.path.at_pitch_point(p_H)) if c.mesh.spur else None
     return MeshLoss(
-        loss=P_VZ, sliding_loss=P_s, rolling_loss=P_R, rolling_estimate=estimate, efficiency=efficiency(P_VZ=P_VZ, P=P), loss_factor=H_VL,
-        friction_mean=mean_friction(P_s=P_s, P=P, H_VL=H_VL), film_min=thinnest_film(h=f.h), lambda_min=least_film_ratio(lam=t.lam),
-        pressure_max=largest_pressure(p_H=p_H), pressure_pitch=p_C,
+        loss=P_VZ,
+        sliding_loss=P_s,
+        rolling_loss=P_R,
+        rolling_estimate=estimate,
+        efficiency=efficiency(P_VZ=P_VZ, P=P),
+        loss_factor=H_VL,
+        friction_mean=mean_friction(P_s=P_s, P=P, H_VL=H_VL),
+        film_min=thinnest_film(h=f.h),
+        lambda_min=least_film_ratio(lam=t.lam),
+        pressure_max=largest_pressure(p_H=p_H),
+        pressure_pitch=p_C,
         bulk_temperature=None,
-        temperature_max=hottest_film(T_f=t.T_f), deborah_max=largest_deborah(De=t.De),
+        temperature_max=hottest_film(T_f=t.T_f),
+        deborah_max=largest_deborah(De=t.De),
         rigid_share=rigid_share(s=s, r=f.rigid),
-        load=P, local=Local(*(array(c.path.in_the_middle(x)) for x in along_path)),
-        lead_at_pitch=c.path.at_pitch_point(f.lead), thermal_reduction_min=extreme(np.min, f.Phi),
-    )  # fmt: skip
+        load=P,
+        local=Local(*(array(c.path.in_the_middle(x)) for x in along_path)),
+        lead_at_pitch=c.path.at_pitch_point(f.lead),
+        thermal_reduction_min=extreme(np.min, f.Phi),
+    )
 
 
 def _skins(c: MeshCase, rubbing: Callable[[Oil], tuple[MeshFilm, Traction]]) -> Oil:
-    """The oil at the temperature of the teeth; where their bodies resist the heat, at that of their skins, position by position."""
+    """The oil at the temperature of the teeth; where their bodies resist the heat, at that of their skins, position by
+    position."""
     s, m = c.surfaces, c.motion
     if not (np.any(s.M_1) or np.any(s.M_2)):
         return c.oil
@@ -455,8 +523,8 @@ def _skins(c: MeshCase, rubbing: Callable[[Oil], tuple[MeshFilm, Traction]]) -> 
 
 # The loss of one mesh at any number of operating points at once.
 #
-# Speed, power and oil temperature may be arrays, and so are the results then.  They are solved some hundred at a time, which keeps the
-# arrays in the processor's cache and the memory small however many there are.
+# Speed, power and oil temperature may be arrays, and so are the results then.  They are solved some hundred at a time,
+# which keeps the arrays in the processor's cache and the memory small however many there are.
 
 AT_ONCE = 500
 COLDEST_OIL, HOTTEST_OIL = -60.0, 400.0  # °C
@@ -464,16 +532,23 @@ SPUR_POINTS, HELICAL_POINTS, STRIPS = 12, 2, 5  # some 50 positions of a spur pa
 
 
 def losses(
-    friction: FrictionInputs, mesh: MeshGeometry, lubricant: Lubricant, T: Celsius, n_1: RevPerSecond, P: Watt, *, by_regime: bool = True,
-    points: int = 0, strips: int = STRIPS,
-) -> MeshLoss:  # fmt: skip
+    friction: FrictionInputs,
+    mesh: MeshGeometry,
+    lubricant: Lubricant,
+    T: Celsius,
+    n_1: RevPerSecond,
+    P: Watt,
+    *,
+    by_regime: bool = True,
+    points: int = 0,
+    strips: int = STRIPS,
+) -> MeshLoss:
     """The loss where the teeth have the temperature T [°C], the driver turns at n_1 [1/s] and takes in the power P [W].
 
-    One number each or arrays of one length.  `by_regime`: False takes the friction source's model.  `points`: of each piece of the path,
-    4 pieces on a spur path; with those left out a spur loss is right to 1e-6, a helical one to 2e-3, and where the regime changes on the
-    path to 4e-3 and 2e-2.  NoSolution names the operating point and the place on the path where the temperature of the film does not
-    settle, or the quantity that has no meaning.
-    """
+    One number each or arrays of one length.  `by_regime`: False takes the friction source's model.  `points`: of each
+    piece of the path, 4 pieces on a spur path; with those left out a spur loss is right to 1e-6, a helical one to 2e-3,
+    and where the regime changes on the path to 4e-3 and 2e-2.  NoSolution names the operating point and the place on
+    the path where the temperature of the film does not settle, or the quantity that has no meaning."""
     T_all, n_all, P_all = np.broadcast_arrays(*(np.atleast_1d(np.asarray(x, dtype=np.float64)) for x in (T, n_1, P)))
     points = points or (SPUR_POINTS if mesh.spur else HELICAL_POINTS)
     if not np.all((T_all > COLDEST_OIL) & (T_all < HOTTEST_OIL)):  # NaN is not
@@ -493,7 +568,11 @@ def losses(
             try:
                 parts.append(solve_mesh(c, P, by_regime))
             except NoSolution as none:
-                among = Text("{tried} (counted from operating point {start})", tried=none.tried, start=start) if start else none.tried
+                among = (
+                    Text("{tried} (counted from operating point {start})", tried=none.tried, start=start)
+                    if start
+                    else none.tried
+                )
                 raise NoSolution(none.what, among, none.advice) from None
     return _joined(parts)
 
@@ -501,7 +580,9 @@ def losses(
 def _joined(parts: list[MeshLoss]) -> MeshLoss:
     """Results one after the other; a loss that none of some points has is one number for them all."""
     first, locals_ = parts[0], [part.local for part in parts]
-    columns = {key: each(np.concatenate([getattr(part, key) for part in locals_])) for key in vars(first.local) if key != "x"}
+    columns = {
+        key: each(np.concatenate([getattr(part, key) for part in locals_])) for key in vars(first.local) if key != "x"
+    }
     found = {
         name: each(np.concatenate([np.broadcast_to(getattr(part, name), np.shape(part.load)) for part in parts]))
         for name, value in vars(first).items()

@@ -1,18 +1,21 @@
 # SPDX-License-Identifier: Apache-2.0
 """Mixed friction: which share ξ of the load rides on the roughness, and what both parts rub together.
 
-All depends on the film over the roughness, λ.  Where λ is small the peaks carry and rub through what the oil has left on them; from about
-λ = 2 on the film carries all, and the friction is the film's.
+All depends on the film over the roughness, λ.  Where λ is small the peaks carry and rub through what the oil has left
+on them; from about λ = 2 on the film carries all, and the friction is the film's.
 
-The program judges by the load share of Zhu and Hu, full numerical solutions of contacts with measured roughness, and by the load-sharing
-concept of Johnson, Greenwood and Poon: the film that carries 1 − ξ of the load has that part of the pressure only, so that its oil is less
-thick (`traction.py`).  μ_s is that of *lubricated* peaks, 0.08.  Published for ground gears and steel are 0.065 (FZG gears at the lowest
-speed) and 0.07 (both in Arana, Larrañaga and Ulacia 2018, read), 0.08 (Robbe-Valloire 2002, read in the gear friction thesis), 0.09 and
-0.1 (public programs of FEUP, read).  No constant was fitted here; what the four gears of FEUP, their fit on others, and Schlenk say of the
+The program judges by the load share of Zhu and Hu, full numerical solutions of contacts with measured roughness, and by
+the load-sharing concept of Johnson, Greenwood and Poon: the film that carries 1 − ξ of the load has that part of the
+pressure only, so that its oil is less thick (`traction.py`).  μ_s is that of *lubricated* peaks, 0.08.  Published for
+ground gears and steel are 0.065 (FZG gears at the lowest speed) and 0.07 (both in Arana, Larrañaga and Ulacia 2018,
+read), 0.08 (Robbe-Valloire 2002, read in the gear friction thesis), 0.09 and
+0.1 (public programs of FEUP, read).  No constant was fitted here; what the four gears of FEUP, their fit on others, and
+Schlenk say of the
 choice, and of 240 others, stands in tests/calc/friction/models/test_measured_gears.py and designs/friction_source.md.
 
-The gear friction thesis takes 1 − erf λ, the whole pressure for the film, and μ_s = 0.135 of rollers: beside, unchanged.  The paper that it
-follows (Arana et al. 2018) has the same share with μ_s = 0.065 to 0.07, λ over the rms roughness, and α under pressure.
+The gear friction thesis takes 1 − erf λ, the whole pressure for the film, and μ_s = 0.135 of rollers: beside,
+unchanged.  The paper that it follows (Arana et al. 2018) has the same share with μ_s = 0.065 to 0.07, λ over the rms
+roughness, and α under pressure.
 
 Each law with where it comes from and where it holds; the ends are held, so that λ → 0 is all solid and λ → ∞ all film:
 
@@ -22,8 +25,8 @@ Each law with where it comes from and where it holds; the ends are held, so that
     doleschel       Doleschel 2003, read in the thesis and in Arana et al.         λ over the mean Ra, 0 to 2
     thesis          after Diab 2006, changed; read in both                         λ 0 to 2
 
-Matsumoto's law of the same table needs the peaks' height Rz and the least film, λ = h_min/(Rz_1 + Rz_2); it is not offered.
-"""
+Matsumoto's law of the same table needs the peaks' height Rz and the least film, λ = h_min/(Rz_1 + Rz_2); it is not
+offered."""
 
 from collections.abc import Callable
 from dataclasses import replace
@@ -44,7 +47,6 @@ from .geometry import MeshGeometry, require
 # mypy: disable-error-code="no-any-return"
 
 
-
 THESIS = Text("gear friction thesis")
 ZHU_HU = Text("Zhu and Hu 2001")
 CASTRO = Text("Castro and Seabra 2007")
@@ -53,7 +55,10 @@ SHARING = Text("Johnson, Greenwood and Poon 1972, load-sharing concept")
 BOUNDARY: Number = 0.08  # friction of lubricated peaks
 PUBLISHED = (0.065, 0.10)  # its published values
 DRY: Number = 0.135  # the gear friction thesis', after Masjedi and Khonsari's rollers
-MIXED = (0.3, 3.5)  # λ below which lubrication is called boundary, above which full film: the widest that authors take, thesis 4.1
+MIXED = (
+    0.3,
+    3.5,
+)  # λ below which lubrication is called boundary, above which full film: the widest that authors take, thesis 4.1
 FULL: Number = 2.3  # λ above which the law of Zhu and Hu would fall again: the film carries all from 2.02 on
 
 
@@ -77,15 +82,22 @@ def regimes(lowest: Number, highest: Number) -> Text:
     return kinds[first] if first == last else Text("{first} to {last}", first=kinds[first], last=kinds[last])
 
 
-# --- how the load is shared ------------------------------------------------------------------------------------------------
+# --- how the load is shared
+# ------------------------------------------------------------------------------------------------
 @formula(
-    "ξ", Text("{thesis}, eq. 23, after Diab: share of the load on the roughness; it fades at λ = 2", thesis=THESIS), names={"lam": "λ"}
+    "ξ",
+    Text("{thesis}, eq. 23, after Diab: share of the load on the roughness; it fades at λ = 2", thesis=THESIS),
+    names={"lam": "λ"},
 )
 def solid_share(lam: Number) -> Number:
     return 1 - erf(lam)
 
 
-@formula("f_λ", Text("{zhu_hu}: share of the load on the film; all of it from λ = 2.02 on", zhu_hu=ZHU_HU), names={"lam": "λ"})
+@formula(
+    "f_λ",
+    Text("{zhu_hu}: share of the load on the film; all of it from λ = 2.02 on", zhu_hu=ZHU_HU),
+    names={"lam": "λ"},
+)
 def film_share(lam: Number) -> Number:
     """>>> film_share(lam=0.4)
     0.6028...
@@ -93,7 +105,11 @@ def film_share(lam: Number) -> Number:
     return smallest(1.21 * smallest(lam, FULL) ** 0.64 / (1 + 0.37 * smallest(lam, FULL) ** 1.26), 1.0)
 
 
-@formula("f_λ", Text("{castro}: share of the load on the film; all of it from λ = 2.04 on", castro=CASTRO), names={"lam": "λ"})
+@formula(
+    "f_λ",
+    Text("{castro}: share of the load on the film; all of it from λ = 2.04 on", castro=CASTRO),
+    names={"lam": "λ"},
+)
 def film_share_by_power(lam: Number) -> Number:
     """>>> film_share_by_power(lam=0.4)
     0.6344...
@@ -114,7 +130,9 @@ def solid_share_by_square(lam: Number) -> Number:
     return 1 / (1 + lam) ** 2
 
 
-@formula("ξ", Text("Doleschel 2003; {thesis}, 3.4: λ over the mean roughness, up to 2", thesis=THESIS), names={"lam": "λ"})
+@formula(
+    "ξ", Text("Doleschel 2003; {thesis}, 3.4: λ over the mean roughness, up to 2", thesis=THESIS), names={"lam": "λ"}
+)
 def solid_share_by_parabola(lam: Number, sigma: Metre, Ra: Metre) -> Number:
     """>>> solid_share_by_parabola(lam=1.0, sigma=1e-06, Ra=1e-06)
     0.25
@@ -130,7 +148,8 @@ def film_pressure(xi: Number, p_m: Pascal) -> Pascal:
     return (1 - xi) * p_m
 
 
-# --- what both rub together ------------------------------------------------------------------------------------------------
+# --- what both rub together
+# ------------------------------------------------------------------------------------------------
 @formula("μ_z", Text("{thesis}, eq. 25: mixed friction", thesis=THESIS))
 def friction(xi: Number, mu_s: Number, mu_f: Number) -> Number:
     return xi * mu_s + (1 - xi) * mu_f
@@ -146,9 +165,13 @@ class LoadShare:
 
 LOAD_SHARES = {
     "zhu-hu": LoadShare(Text("Zhu and Hu"), lambda lam, sigma, Ra: solid_rest(f=film_share(lam=lam))),
-    "castro-seabra": LoadShare(Text("Castro and Seabra"), lambda lam, sigma, Ra: solid_rest(f=film_share_by_power(lam=lam))),
+    "castro-seabra": LoadShare(
+        Text("Castro and Seabra"), lambda lam, sigma, Ra: solid_rest(f=film_share_by_power(lam=lam))
+    ),
     "olver-spikes": LoadShare(Text("Olver and Spikes"), lambda lam, sigma, Ra: solid_share_by_square(lam=lam)),
-    "doleschel": LoadShare(Text("Doleschel"), lambda lam, sigma, Ra: solid_share_by_parabola(lam=lam, sigma=sigma, Ra=Ra)),
+    "doleschel": LoadShare(
+        Text("Doleschel"), lambda lam, sigma, Ra: solid_share_by_parabola(lam=lam, sigma=sigma, Ra=Ra)
+    ),
     "thesis": LoadShare(THESIS, lambda lam, sigma, Ra: solid_share(lam=lam)),
 }
 
@@ -166,8 +189,9 @@ def body_resistance(R_K: KelvinPerWatt, b: Metre, beta_b: Radian) -> KelvinMetre
 
 @record
 class Surfaces:
-    """How the flanks rub by one model: combined and mean roughness, friction of the solids and their share of the load; the viscosity law
-    under pressure, and whether the film has only the pressure that it carries, by which α falls; resistance of the bodies."""
+    """How the flanks rub by one model: combined and mean roughness, friction of the solids and their share of the load;
+    the viscosity law under pressure, and whether the film has only the pressure that it carries, by which α falls;
+    resistance of the bodies."""
 
     sigma: Metre
     Ra: Metre
@@ -184,23 +208,34 @@ class Surfaces:
 
 
 def surfaces_of(friction: FrictionInputs, mesh: MeshGeometry) -> tuple[Surfaces, Surfaces]:
-    """As judged and as the friction source has them.  What the design says of solid friction and viscosity law counts for both."""
+    """As judged and as the friction source has them.  What the design says of solid friction and viscosity law counts
+    for both."""
     Ra_1, Ra_2 = friction.flank_roughness[0], friction.flank_roughness[-1]
     for Ra in (Ra_1, Ra_2):
         require(Text("flank roughness"), Ra)
     sigma = combined_roughness(Ra_1=Ra_1, Ra_2=Ra_2)
     if np.any(sigma == 0):
         smooth = Text("{ra_1} µm is so small that its square is 0", ra_1=Amount(Ra_1 / MICROMETRE))
-        raise NoSolution(Text("flank roughness"), smooth, Text("give friction.flank_roughness_um of a real flank: 0.1 to 2 µm"))
+        raise NoSolution(
+            Text("flank roughness"), smooth, Text("give friction.flank_roughness_um of a real flank: 0.1 to 2 µm")
+        )
     mu_s, law = friction.solid_friction, friction.pressure_law
     if mu_s is not None:
         require(Text("friction of the solids"), mu_s, zero=True)
     M_1 = M_2 = 0.0
     if (bodies := friction.body_resistance) is not None:
-        M_1, M_2 = (body_resistance(R_K=R_K, b=mesh.face_width, beta_b=mesh.base_helix_angle) for R_K in (bodies[0], bodies[-1]))
+        M_1, M_2 = (
+            body_resistance(R_K=R_K, b=mesh.face_width, beta_b=mesh.base_helix_angle) for R_K in (bodies[0], bodies[-1])
+        )
     judged = Surfaces(
-        sigma=sigma, Ra=mean_roughness(Ra_1=Ra_1, Ra_2=Ra_2), mu_s=BOUNDARY if mu_s is None else mu_s, load_share=friction.load_share,
-        roelands=law != "barus", relieved=True, M_1=M_1, M_2=M_2,
-    )  # fmt: skip
+        sigma=sigma,
+        Ra=mean_roughness(Ra_1=Ra_1, Ra_2=Ra_2),
+        mu_s=BOUNDARY if mu_s is None else mu_s,
+        load_share=friction.load_share,
+        roelands=law != "barus",
+        relieved=True,
+        M_1=M_1,
+        M_2=M_2,
+    )
     mu_s = DRY if mu_s is None else mu_s
     return judged, replace(judged, mu_s=mu_s, load_share="thesis", roelands=law == "roelands", relieved=False)

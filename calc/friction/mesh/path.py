@@ -1,18 +1,19 @@
 # SPDX-License-Identifier: Apache-2.0
 """The line of action of a mesh, the positions on it, and the load that each position carries.
 
-x runs along the transverse line of action from T₁, where it touches the driver's base circle.  Contact lasts from A to E; two
-pairs of spur teeth share the load before B and behind D; C is the pitch point, where nothing slides.
+x runs along the transverse line of action from T₁, where it touches the driver's base circle.  Contact lasts from A to
+E; two pairs of spur teeth share the load before B and behind D; C is the pitch point, where nothing slides.
 
-A helical wheel is a pile of thin spur slices ("strips"), each a little later than the one before; every slice passes from A to
-E, and the load of a position follows from the total length of all contact lines at that moment.  A spur wheel is one strip.
+A helical wheel is a pile of thin spur slices ("strips"), each a little later than the one before; every slice passes
+from A to E, and the load of a position follows from the total length of all contact lines at that moment.  A spur wheel
+is one strip.
 
-Positions are Gauss-Legendre points of the pieces between which the load jumps or has a kink, and the sliding its kink at C; behind
-them stand A … E themselves with no weight.  Against paths many times finer the power of a spur pair is right to 1e-7 (1e-5 with
-smooth load sharing, whose floor makes one more kink), of a helical one to 1e-4 (tests/calc/friction/mesh/test_path.py).  Where the
-lubrication regime changes on the path (`cells.py`), to 1e-3 and 5e-3.  The least film and the highest pressure and temperature of a helical
-path are those of its positions, right to 1 %.
-"""
+Positions are Gauss-Legendre points of the pieces between which the load jumps or has a kink, and the sliding its kink
+at C; behind them stand A … E themselves with no weight.  Against paths many times finer the power of a spur pair is
+right to 1e-7 (1e-5 with smooth load sharing, whose floor makes one more kink), of a helical one to 1e-4
+(tests/calc/friction/mesh/test_path.py).  Where the lubrication regime changes on the path (`cells.py`), to 1e-3 and
+5e-3.  The least film and the highest pressure and temperature of a helical path are those of its positions, right to 1
+%."""
 
 import math
 from functools import cache
@@ -39,19 +40,32 @@ from ...sheet.functions import acos, cos, largest, pi, sin, sqrt, tan
 from ...sheet.lanes import design_by_design
 from ...sheet.record import record
 from ...sheet.text import Amount, Text
-from ...sheet.units import Metre, MetrePerSecond, Newton, NewtonPerMetre, Number, Pascal, Radian, RadPerSecond, RevPerSecond, Watt
+from ...sheet.units import (
+    Metre,
+    MetrePerSecond,
+    Newton,
+    NewtonPerMetre,
+    Number,
+    Pascal,
+    Radian,
+    RadPerSecond,
+    RevPerSecond,
+    Watt,
+)
 from ...sheet.value import based_on
 from .geometry import MeshGeometry, column, require, sound
 
 # How much of the stretch for which a position stands has a property that begins or ends between two positions.
 #
-# A quadrature that counts a position wholly or not at all would make the power of a mesh jump whenever one of its positions changes its
-# regime.  Here the stretch around each position, as long as its weight, is cut where the property changes, so that the sum changes
-# steadily and is right to the second order of the stretches.
+# A quadrature that counts a position wholly or not at all would make the power of a mesh jump whenever one of its
+# positions changes its regime.  Here the stretch around each position, as long as its weight, is cut where the property
+# changes, so that the sum changes steadily and is right to the second order of the stretches.
+
 
 @record
 class Cells:
-    """The stretch to the left and right of each position, and the neighbours by which a number is continued to its ends."""
+    """The stretch to the left and right of each position, and the neighbours by which a number is continued to its
+    ends."""
 
     left: Array
     right: Array
@@ -61,14 +75,17 @@ class Cells:
     to_right: Array
 
     def below_zero(self, value: Array) -> Array:
-        """The share of each stretch in which a number that is known at the positions lies below 0, taken as a line between them."""
+        """The share of each stretch in which a number that is known at the positions lies below 0, taken as a line
+        between them."""
         there = value < 0
         if there.all() or not there.any():
             return np.where(there, 1.0, 0.0)
         at_left = value - self.to_left * (value[..., self.before[1]] - value[..., self.before[0]])
         at_right = value + self.to_right * (value[..., self.after[1]] - value[..., self.after[0]])
         length = self.left + self.right
-        share = (_below(at_left, value) * self.left + _below(value, at_right) * self.right) / np.where(length > 0, length, 1.0)
+        share = (_below(at_left, value) * self.left + _below(value, at_right) * self.right) / np.where(
+            length > 0, length, 1.0
+        )
         return np.where(length > 0, share, np.where(there, 1.0, 0.0))
 
 
@@ -79,7 +96,8 @@ def _below(a: Array, b: Array) -> Array:
 
 
 def cells(x: Array, width: Array, points: int, others: int) -> Cells:
-    """Rows of positions: pieces of so many points each, whose widths fill their piece, then `others` that stand for nothing."""
+    """Rows of positions: pieces of so many points each, whose widths fill their piece, then `others` that stand for
+    nothing."""
     rows, columns = x.shape
     place = np.arange(columns - others)
     in_piece = place % points
@@ -87,7 +105,9 @@ def cells(x: Array, width: Array, points: int, others: int) -> Cells:
     dx = width.reshape(rows, -1, points)
     ends = np.cumsum(dx, axis=-1)
     inside = x[:, : columns - others].reshape(rows, -1, points)
-    begin = inside.mean(axis=-1, keepdims=True) - ends[..., -1:] / 2  # Gauss points lie evenly about the middle of their piece
+    begin = (
+        inside.mean(axis=-1, keepdims=True) - ends[..., -1:] / 2
+    )  # Gauss points lie evenly about the middle of their piece
     left, right = inside - (begin + ends - dx), begin + ends - inside
     nothing = np.zeros((rows, others))
     first = np.where(in_piece > 0, place - 1, place)
@@ -98,7 +118,7 @@ def cells(x: Array, width: Array, points: int, others: int) -> Cells:
     pair_after = np.where(in_piece < points - 1, place, first), np.where(in_piece < points - 1, last, place)
     before, after = (
         tuple((base + np.concatenate((one, marks))).ravel() for one in pair) for pair in (pair_before, pair_after)
-    )  # fmt: skip
+    )
     flat = x.ravel()
     lefts, rights = (np.hstack((side.reshape(rows, -1), nothing)).ravel() for side in (left, right))
 
@@ -106,7 +126,14 @@ def cells(x: Array, width: Array, points: int, others: int) -> Cells:
         apart = flat[pair[1]] - flat[pair[0]]
         return np.where(apart > 0, stretch / np.where(apart > 0, apart, 1.0), 0.0)
 
-    return Cells(left=lefts, right=rights, before=before, after=after, to_left=share(lefts, before), to_right=share(rights, after))
+    return Cells(
+        left=lefts,
+        right=rights,
+        before=before,
+        after=after,
+        to_left=share(lefts, before),
+        to_right=share(rights, after),
+    )
 
 
 POINTS = 40  # Gauss-Legendre points of each piece of a spur path
@@ -122,7 +149,8 @@ def array(x: Array | float) -> float:
     return cast(float, x if has_lanes(x) else np.asanyarray(x, dtype=np.float64))
 
 
-# --- the line of action ----------------------------------------------------------------------------------------------------
+# --- the line of action
+# ----------------------------------------------------------------------------------------------------
 @formula("α_wt", Text("{agma}: working pressure angle, transverse", agma=AGMA))
 def working_pressure_angle(r_b1: Metre, r_b2: Metre, a_w: Metre) -> Radian:
     return acos((r_b1 + r_b2) / a_w)
@@ -133,12 +161,21 @@ def base_pitch(r_b1: Metre, z_1: Number) -> Metre:
     return 2 * pi * r_b1 / z_1
 
 
-@formula("T_1T_2", Text("{agma}: C_F, between the points where the line of action touches the base circles", agma=AGMA), unit="mm")
+@formula(
+    "T_1T_2",
+    Text("{agma}: C_F, between the points where the line of action touches the base circles", agma=AGMA),
+    unit="mm",
+)
 def line_of_action(a_w: Metre, alpha_wt: Radian) -> Metre:
     return a_w * sin(alpha_wt)
 
 
-@formula("ρ_A", Text("{agma}: C_A, start of contact at the tip of the driven wheel", agma=AGMA), unit="mm", names={"T": "T_1T_2"})
+@formula(
+    "ρ_A",
+    Text("{agma}: C_A, start of contact at the tip of the driven wheel", agma=AGMA),
+    unit="mm",
+    names={"T": "T_1T_2"},
+)
 def start_of_contact(T: Metre, r_a2: Metre, r_b2: Metre) -> Metre:
     return T - sqrt(r_a2**2 - r_b2**2)
 
@@ -158,35 +195,43 @@ def overlap_ratio(b: Metre, beta_b: Radian, p_bt: Metre) -> Number:
     return b * tan(beta_b) / p_bt
 
 
-# --- the load --------------------------------------------------------------------------------------------------------------
+# --- the load
+# --------------------------------------------------------------------------------------------------------------
 @formula("F_bt", "definition: power over the speed of the base circle")
 def transverse_force(P: Watt, omega_1: RadPerSecond, r_b1: Metre) -> Newton:
     return P / (omega_1 * r_b1)
 
 
 @formula(
-    "X_Γ", "ISO/TR 15144-1, unmodified profile: two pairs always carry the whole load together",
+    "X_Γ",
+    "ISO/TR 15144-1, unmodified profile: two pairs always carry the whole load together",
     shows="1/3 → 2/3 from A to B, 1 from B to D, 2/3 → 1/3 from D to E",
-)  # fmt: skip
+)
 def linear_load_sharing(x: Metre, C_A: Metre, C_B: Metre, C_D: Metre, C_E: Metre) -> Number:
     falling = np.where(x > C_D, (1 + (C_E - x) / (C_E - C_D)) / 3, 1.0)
     return array(np.where(x < C_B, (1 + (x - C_A) / (C_B - C_A)) / 3, falling))
 
 
 @formula(
-    "X_Γ", "ISO/TR 15144-1, adequate tip relief of both wheels: two pairs always carry the whole load together",
+    "X_Γ",
+    "ISO/TR 15144-1, adequate tip relief of both wheels: two pairs always carry the whole load together",
     shows="0 → 1 from A to B, 1 from B to D, 1 → 0 from D to E",
-)  # fmt: skip
+)
 def smooth_load_sharing(x: Metre, C_A: Metre, C_B: Metre, C_D: Metre, C_E: Metre) -> Number:
     return array(np.where(x < C_B, (x - C_A) / (C_B - C_A), np.where(x > C_D, (C_E - x) / (C_E - C_D), 1.0)))
 
 
 @formula(
-    "L", "geometry of the contact lines on the plane of action; the load is taken as uniform along all of them", unit="mm", governs="min",
-    shows="sum over all teeth in contact of the line that lies between A and E and on the face, over the moments of a mesh cycle",
-)  # fmt: skip
+    "L",
+    "geometry of the contact lines on the plane of action; the load is taken as uniform along all of them",
+    unit="mm",
+    governs="min",
+    shows="sum over all teeth in contact of the line that lies between A and E and on the face, over the moments of a "
+    "mesh cycle",
+)
 def contact_length(s: Metre, g_alpha: Metre, g_beta: Metre, p_bt: Metre, beta_b: Radian) -> Metre:
-    """s: how far the line of one tooth has come since it entered at A; the others follow and precede it by base pitches."""
+    """s: how far the line of one tooth has come since it entered at A; the others follow and precede it by base
+    pitches."""
     cycle = np.asarray(s) % p_bt
     teeth = np.arange(math.ceil((g_alpha + g_beta) / p_bt) + 1)
     way = cycle[..., None] + teeth * p_bt
@@ -204,18 +249,23 @@ def helical_line_load(F_bt: Newton, beta_b: Radian, L: Metre) -> NewtonPerMetre:
     return F_bt / (cos(beta_b) * L)
 
 
-@formula("w_f", "rule of this program: film and pressure see at least 1 % of the full load, also at a relieved tip", unit="N/mm")
+@formula(
+    "w_f",
+    "rule of this program: film and pressure see at least 1 % of the full load, also at a relieved tip",
+    unit="N/mm",
+)
 def floored_line_load(w: NewtonPerMetre, w_max: NewtonPerMetre) -> NewtonPerMetre:
     return largest(w, FLOOR * w_max)
 
 
-# --- both together ---------------------------------------------------------------------------------------------------------
+# --- both together
+# ---------------------------------------------------------------------------------------------------------
 @record
 class Path:
     """The line of action and the positions on it, strip after strip; the last five of each strip are the points A … E.
 
-    `weight` is the mean length of contact line for which a position stands: Σ weight·(power per length) is the mean power.
-    `carried` is what the load follows from: the share X_Γ of a spur pair, the contact length L of a helical one.
+    `weight` is the mean length of contact line for which a position stands: Σ weight·(power per length) is the mean
+    power. `carried` is what the load follows from: the share X_Γ of a spur pair, the contact length L of a helical one.
     """
 
     C_A: Metre
@@ -272,7 +322,8 @@ def _gauss(breaks: Array, points: int) -> tuple[Array, Array]:
 
 @design_by_design
 def path(mesh: MeshGeometry, load_sharing: str = "linear", *, points: int = 0, strips: int = STRIPS) -> Path:
-    """The path of contact of a mesh.  NoSolution where the teeth do not mesh, or a spur pair can not share its load as assumed."""
+    """The path of contact of a mesh.  NoSolution where the teeth do not mesh, or a spur pair can not share its load as
+    assumed."""
     sound(mesh)
     one, two = mesh.driver, mesh.driven
     where = Text("mesh {title}: path of contact", title=mesh.title)
@@ -280,13 +331,18 @@ def path(mesh: MeshGeometry, load_sharing: str = "linear", *, points: int = 0, s
         raise NoSolution(
             where,
             Text(
-                "the base circles overlap at a_w = {centre_distance} mm", centre_distance=Amount(mesh.centre_distance * 1000.0, form=".6g")
+                "the base circles overlap at a_w = {centre_distance} mm",
+                centre_distance=Amount(mesh.centre_distance * 1000.0, form=".6g"),
             ),
             Text("more centre distance"),
         )
     for wheel in (one, two):
         if wheel.tip_radius <= wheel.base_radius:
-            raise NoSolution(where, Text("the tip of {name} lies inside its base circle", name=wheel.name), Text("a larger tip diameter"))
+            raise NoSolution(
+                where,
+                Text("the tip of {name} lies inside its base circle", name=wheel.name),
+                Text("a larger tip diameter"),
+            )
     alpha_wt = working_pressure_angle(r_b1=one.base_radius, r_b2=two.base_radius, a_w=mesh.centre_distance)
     p_bt = base_pitch(r_b1=one.base_radius, z_1=one.teeth)
     C_F = line_of_action(a_w=mesh.centre_distance, alpha_wt=alpha_wt)
@@ -327,28 +383,51 @@ def path(mesh: MeshGeometry, load_sharing: str = "linear", *, points: int = 0, s
         with np.errstate(divide="ignore", invalid="ignore"):  # at ε_α = 1 or 2 two of the points are one
             carried = share(x=based_on(array(x.ravel()), *places), C_A=C_A, C_B=C_B, C_D=C_D, C_E=C_E)
     else:
-        g_alpha, g_beta = based_on(epsilon_alpha * p_bt, epsilon_alpha, p_bt), based_on(epsilon_beta * p_bt, epsilon_beta, p_bt)
+        g_alpha, g_beta = (
+            based_on(epsilon_alpha * p_bt, epsilon_alpha, p_bt),
+            based_on(epsilon_beta * p_bt, epsilon_beta, p_bt),
+        )
         places = (C_A, C_C, C_E, g_alpha, g_beta, p_bt)
         points = points or HELICAL_POINTS
         x, width, part, s = _strips(marks, g_alpha, g_beta, p_bt, points, strips)
         weight = width * part * mesh.face_width / (math.cos(mesh.base_helix_angle) * p_bt)
         carried = contact_length(
-            s=based_on(array(s.ravel()), *places), g_alpha=g_alpha, g_beta=g_beta, p_bt=p_bt, beta_b=mesh.base_helix_angle
+            s=based_on(array(s.ravel()), *places),
+            g_alpha=g_alpha,
+            g_beta=g_beta,
+            p_bt=p_bt,
+            beta_b=mesh.base_helix_angle,
         )
     parts = cells(x, width, points, marks.size)
     middle = len(x) // 2 * x.shape[-1] + np.argsort(x[len(x) // 2], kind="stable")
     weight = np.hstack((weight, np.zeros((len(x), marks.size))))
     of_weight = (*places, p_bt, mesh.face_width, mesh.base_helix_angle)
     return Path(
-        C_A=C_A, C_B=C_B, C_C=C_C, C_D=C_D, C_E=C_E, C_F=C_F, p_bt=p_bt, epsilon_1=epsilon_1, epsilon_2=epsilon_2,
-        epsilon_alpha=epsilon_alpha, epsilon_beta=epsilon_beta, x=based_on(array(x.ravel()), *places),
-        weight=based_on(array(weight.ravel()), *of_weight), carried=carried,
-        per_strip=x.shape[-1], middle=middle, cells=parts,
-    )  # fmt: skip
+        C_A=C_A,
+        C_B=C_B,
+        C_C=C_C,
+        C_D=C_D,
+        C_E=C_E,
+        C_F=C_F,
+        p_bt=p_bt,
+        epsilon_1=epsilon_1,
+        epsilon_2=epsilon_2,
+        epsilon_alpha=epsilon_alpha,
+        epsilon_beta=epsilon_beta,
+        x=based_on(array(x.ravel()), *places),
+        weight=based_on(array(weight.ravel()), *of_weight),
+        carried=carried,
+        per_strip=x.shape[-1],
+        middle=middle,
+        cells=parts,
+    )
 
 
-def _strips(marks: Array, g_alpha: Metre, g_beta: Metre, p_bt: Metre, points: int, strips: int) -> tuple[Array, Array, Array, Array]:
-    """Positions on each strip of a helical face, their widths, the share of the strip in the face, how far their contact line has come.
+def _strips(
+    marks: Array, g_alpha: Metre, g_beta: Metre, p_bt: Metre, points: int, strips: int
+) -> tuple[Array, Array, Array, Array]:
+    """Positions on each strip of a helical face, their widths, the share of the strip in the face, how far their
+    contact line has come.
 
     The load has a kink wherever the line of some tooth begins or ends to enter at A or leave at E.
     """
@@ -371,10 +450,13 @@ def line_load(mesh: MeshGeometry, path: Path, F_bt: Newton) -> tuple[NewtonPerMe
     return w, w
 
 
-# Two cylinders in place of two flanks: curvature and speeds at every position of the path, and the modulus of both together.
+# Two cylinders in place of two flanks: curvature and speeds at every position of the path, and the modulus of both
+# together.
 #
-# Speeds are those of the transverse section along the flank, as ISO and AGMA use them; the curvature is that of the section
-# normal to the contact line.  At the pitch point both surfaces have one speed and nothing slides, to the last digit.
+# Speeds are those of the transverse section along the flank, as ISO and AGMA use them; the curvature is that of the
+# section normal to the contact line.  At the pitch point both surfaces have one speed and nothing slides, to the last
+# digit.
+
 
 @formula("n_2", "kinematics, ratio of the teeth", unit="rpm")
 def wheel_speed(n: RevPerSecond, z_1: Number, z_2: Number) -> RevPerSecond:
@@ -391,7 +473,9 @@ def driven_speed(omega_1: RadPerSecond, z_1: Number, z_2: Number) -> RadPerSecon
     return omega_1 * z_1 / z_2
 
 
-@formula("V_s", "kinematics: |u_1 − u_2|, written by the distance from the pitch point, where it is 0", names={"x": "ρ_1"})
+@formula(
+    "V_s", "kinematics: |u_1 − u_2|, written by the distance from the pitch point, where it is 0", names={"x": "ρ_1"}
+)
 def sliding_speed(omega_1: RadPerSecond, omega_2: RadPerSecond, x: Metre, rho_C: Metre) -> MetrePerSecond:
     return (omega_1 + omega_2) * abs(x - rho_C)
 
@@ -408,7 +492,8 @@ def slide_to_roll(V_s: MetrePerSecond, u_e: MetrePerSecond) -> Number:
 
 @record
 class Motion:
-    """What the positions have whatever the load: angular speed of the driver, curvature and surface speeds, common modulus."""
+    """What the positions have whatever the load: angular speed of the driver, curvature and surface speeds, common
+    modulus."""
 
     omega_1: RadPerSecond
     R: Metre
@@ -431,7 +516,12 @@ def motion(mesh: MeshGeometry, path: Path, n_1: RevPerSecond) -> Motion:
     V_s = sliding_speed(omega_1=omega_1, omega_2=omega_2, x=path.x, rho_C=path.C_C)
     u_e = entrainment_speed(u_1=u_1, u_2=u_2)
     return Motion(
-        omega_1=omega_1, R=normal_relative_radius(rho_rel=relative_radius(rho_1=path.x, rho_2=rho_2), beta_b=mesh.base_helix_angle),
-        u_1=u_1, u_2=u_2, V_s=V_s, u_e=u_e, S=slide_to_roll(V_s=V_s, u_e=u_e),
+        omega_1=omega_1,
+        R=normal_relative_radius(rho_rel=relative_radius(rho_1=path.x, rho_2=rho_2), beta_b=mesh.base_helix_angle),
+        u_1=u_1,
+        u_2=u_2,
+        V_s=V_s,
+        u_e=u_e,
+        S=slide_to_roll(V_s=V_s, u_e=u_e),
         E_r=reduced_modulus(nu_1=mesh.driver.poisson, E_1=mesh.driver.E, nu_2=mesh.driven.poisson, E_2=mesh.driven.E),
-    )  # fmt: skip
+    )

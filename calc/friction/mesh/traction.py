@@ -1,18 +1,17 @@
 # SPDX-License-Identifier: Apache-2.0
 """Friction between the flanks, and the temperature of the film that it makes and depends on.
 
-Part ξ of the load rides on the roughness and rubs as solids do (`mixed.py`); the rest shears oil.  Between elastic bodies the oil is
-squeezed to a thin hard layer of the width 2·b_H (Eyring, with a limit to its shear stress); between rigid ones it stays thin and is sheared
-over a far wider gap.
+Part ξ of the load rides on the roughness and rubs as solids do (`mixed.py`); the rest shears oil.  Between elastic
+bodies the oil is squeezed to a thin hard layer of the width 2·b_H (Eyring, with a limit to its shear stress); between
+rigid ones it stays thin and is sheared over a far wider gap.
 
-Under pressure the oil thickens by Barus in the friction source's model, and by Roelands in the one that is judged, where the stress of
-Eyring takes α as it is under that pressure, as in Arana et al. 2018 (there at the Hertzian pressure, here at the mean one, which the
-viscosity has too).  Beside a viscometer from 0.6 to 1 GPa and 80 to 120 °C the exponent is 4 to 23 % low by Roelands, 13 to 71 % high by
-Barus (tests/calc/friction/mesh/test_mixed.py).
+Under pressure the oil thickens by Barus in the friction source's model, and by Roelands in the one that is judged,
+where the stress of Eyring takes α as it is under that pressure, as in Arana et al. 2018 (there at the Hertzian
+pressure, here at the mean one, which the viscosity has too).  Beside a viscometer from 0.6 to 1 GPa and 80 to 120 °C
+the exponent is 4 to 23 % low by Roelands, 13 to 71 % high by Barus (tests/calc/friction/mesh/test_mixed.py).
 
-The friction heat warms the film, warm oil rubs less: at every position the film temperature T_f is where both agree.  The skins of the
-teeth have the bulk temperature, unless the bodies' own resistance to heat is given (`loss.py`).
-"""
+The friction heat warms the film, warm oil rubs less: at every position the film temperature T_f is where both agree.
+The skins of the teeth have the bulk temperature, unless the bodies' own resistance to heat is given (`loss.py`)."""
 
 from collections.abc import Callable
 
@@ -24,7 +23,7 @@ from ...sheet.formula import formula
 from ...sheet.functions import asinh, exp, ln, power, smallest, sqrt
 from ...sheet.record import record
 from ...sheet.text import Amount, Text
-from ...sheet.units import (  # fmt: skip
+from ...sheet.units import (
     Celsius,
     Metre,
     MetrePerSecond,
@@ -42,7 +41,8 @@ from .film import MeshFilm, Oil
 from .mixed import THESIS, KelvinMetrePerWatt, Surfaces, film_pressure, film_ratio, friction
 from .path import Motion, array
 
-# Steel of the friction source's method: 46 W/(m·K), 7830 kg/m³, 465 J/(kg·K); the screening takes the 45 and 440 of its standards.
+# Steel of the friction source's method: 46 W/(m·K), 7830 kg/m³, 465 J/(kg·K); the screening takes the 45 and 440 of its
+# standards.
 STEEL_CONDUCTIVITY: WattPerMetreKelvin = 46.0
 STEEL_DIFFUSIVITY: SquareMetrePerSecond = 46.0 / (7830.0 * 465.0)
 SHEAR_MODULUS: Pascal = 1e9  # of an oil under pressure
@@ -58,7 +58,8 @@ PASSES = 60
 OLVER = Text("Olver 1991, Olver and Spikes 1998")
 
 
-# --- the fluid's part ------------------------------------------------------------------------------------------------------
+# --- the fluid's part
+# ------------------------------------------------------------------------------------------------------
 @formula("η", "Barus 1893: viscosity under the mean pressure; exponent no more than 60", unit="mPa·s")
 def viscosity_under_pressure(eta_f: PascalSecond, alpha_f: PerPascal, p_m: Pascal) -> PascalSecond:
     return eta_f * exp(smallest(alpha_f * p_m, STEEPEST))
@@ -71,7 +72,9 @@ def roelands_index(alpha_f: PerPascal, eta_f: PascalSecond) -> Number:
 
 @formula("η", "Roelands 1966: viscosity under the mean pressure; exponent no more than 60", unit="mPa·s")
 def viscosity_by_roelands(eta_f: PascalSecond, Z: Number, p_m: Pascal) -> PascalSecond:
-    return eta_f * exp(smallest((ln(eta_f / PASCAL_SECOND) + 9.67) * ((1 + ROELANDS_COMPLIANCE * p_m) ** Z - 1), STEEPEST))
+    return eta_f * exp(
+        smallest((ln(eta_f / PASCAL_SECOND) + 9.67) * ((1 + ROELANDS_COMPLIANCE * p_m) ** Z - 1), STEEPEST)
+    )
 
 
 @formula("α_p", "Roelands 1966: slope of ln η over the pressure, at the mean pressure", unit="1/GPa")
@@ -89,50 +92,76 @@ def eyring_stress(Lambda: Number, alpha_f: PerPascal) -> Pascal:
 
 @formula(
     "μ_EHL",
-    Text("{thesis}, eqs. 32 (misprinted there) and 48: Eyring's law, no more than the limiting shear Λ of Bair and Winer", thesis=THESIS),
+    Text(
+        "{thesis}, eqs. 32 (misprinted there) and 48: Eyring's law, "
+        "no more than the limiting shear Λ of Bair and Winer",
+        thesis=THESIS,
+    ),
 )
-def fluid_friction(tau_E: Pascal, p_m: Pascal, eta: PascalSecond, V_s: MetrePerSecond, h: Metre, Lambda: Number) -> Number:
+def fluid_friction(
+    tau_E: Pascal, p_m: Pascal, eta: PascalSecond, V_s: MetrePerSecond, h: Metre, Lambda: Number
+) -> Number:
     return smallest(tau_E / p_m * asinh(eta * V_s / (tau_E * h)), Lambda)
 
 
-@formula("μ_IR", "hydrodynamics, derived here: shear of a rigid isoviscous film over its whole gap, 2.849·η·V_s·√(R/h₀) per length")
+@formula(
+    "μ_IR",
+    "hydrodynamics, derived here: shear of a rigid isoviscous film over its whole gap, 2.849·η·V_s·√(R/h₀) per length",
+)
 def rigid_fluid_friction(eta_0: PascalSecond, V_s: MetrePerSecond, R: Metre, h_0: Metre, w_f: NewtonPerMetre) -> Number:
     return 2.849 * eta_0 * V_s * sqrt(R / h_0) / w_f
 
 
 @formula(
-    "a_IR", "hydrodynamics, rigid isoviscous film: half width over which it is sheared, about √(2·R·h₀) (order of magnitude)", unit="µm"
+    "a_IR",
+    "hydrodynamics, rigid isoviscous film: half width over which it is sheared, about √(2·R·h₀) (order of magnitude)",
+    unit="µm",
 )
 def sheared_half_width(R: Metre, h_0: Metre) -> Metre:
     return sqrt(2 * R * h_0)
 
 
-@formula("De", Text("{thesis}, eq. 35: Deborah number, relaxation time over time in the contact; G = 1 GPa", thesis=THESIS))
+@formula(
+    "De", Text("{thesis}, eq. 35: Deborah number, relaxation time over time in the contact; G = 1 GPa", thesis=THESIS)
+)
 def deborah(eta: PascalSecond, u_e: MetrePerSecond, a: Metre) -> Number:
     """a: half width of the zone that is sheared, b_H of an elastic contact."""
     return eta * u_e / (SHEAR_MODULUS * 2 * a)
 
 
-# --- temperatures ----------------------------------------------------------------------------------------------------------
+# --- temperatures
+# ----------------------------------------------------------------------------------------------------------
 @formula("q", "definition: friction power per length of the contact line", names={"mu": "μ_z"})
 def friction_power(mu: Number, w: NewtonPerMetre, V_s: MetrePerSecond) -> WattPerMetre:
     return mu * w * V_s
 
 
 @formula("B", Text("{olver}: resistance of a moving surface to heat, per length", olver=OLVER))
-def transient_resistance(a_th: SquareMetrePerSecond, a: Metre, u: MetrePerSecond, k_s: WattPerMetreKelvin) -> KelvinMetrePerWatt:
+def transient_resistance(
+    a_th: SquareMetrePerSecond, a: Metre, u: MetrePerSecond, k_s: WattPerMetreKelvin
+) -> KelvinMetrePerWatt:
     return sqrt(a_th * a / u) / (2 * a * k_s)
 
 
 @formula(
     "ε",
-    Text("{olver}: share of the heat that enters the driver; M, resistance of the bodies behind their skins, 0 unless given", olver=OLVER),
+    Text(
+        "{olver}: share of the heat that enters the driver; M, resistance of the bodies behind their skins, 0 unless "
+        "given",
+        olver=OLVER,
+    ),
 )
-def heat_partition(B_1: KelvinMetrePerWatt, B_2: KelvinMetrePerWatt, M_1: KelvinMetrePerWatt, M_2: KelvinMetrePerWatt) -> Number:
+def heat_partition(
+    B_1: KelvinMetrePerWatt, B_2: KelvinMetrePerWatt, M_1: KelvinMetrePerWatt, M_2: KelvinMetrePerWatt
+) -> Number:
     return (1.06 * B_2 + M_2) / (1.06 * (B_1 + B_2) + M_1 + M_2)
 
 
-@formula("T_m", Text("{olver}: mean temperature of both skins, weighted by their speeds", olver=OLVER), names={"epsilon": "ε"})
+@formula(
+    "T_m",
+    Text("{olver}: mean temperature of both skins, weighted by their speeds", olver=OLVER),
+    names={"epsilon": "ε"},
+)
 def skin_temperature(
     T_b: Celsius,
     q: WattPerMetre,
@@ -145,8 +174,13 @@ def skin_temperature(
     return T_b + q * (u_1 * epsilon * M_1 + u_2 * (1 - epsilon) * M_2) / (u_1 + u_2)
 
 
-@formula("R_th", Text("{olver}: flash temperature of the surfaces and mean temperature across the film, per heat", olver=OLVER))
-def film_resistance(epsilon: Number, B_1: KelvinMetrePerWatt, h: Metre, a: Metre, k_f: WattPerMetreKelvin) -> KelvinMetrePerWatt:
+@formula(
+    "R_th",
+    Text("{olver}: flash temperature of the surfaces and mean temperature across the film, per heat", olver=OLVER),
+)
+def film_resistance(
+    epsilon: Number, B_1: KelvinMetrePerWatt, h: Metre, a: Metre, k_f: WattPerMetreKelvin
+) -> KelvinMetrePerWatt:
     return 1.06 * epsilon * B_1 + h / (16 * a * k_f)
 
 
@@ -156,7 +190,9 @@ def film_temperature(T_m: Celsius, q: WattPerMetre, R_th: KelvinMetrePerWatt) ->
 
 
 @formula(
-    "T_f", Text("{olver}: temperature of the film", olver=OLVER), shows="T_f at which the film rubs so much that it has T_f, secant steps"
+    "T_f",
+    Text("{olver}: temperature of the film", olver=OLVER),
+    shows="T_f at which the film rubs so much that it has T_f, secant steps",
 )
 def closing_film_temperature(T_f: Celsius) -> Celsius:
     """The temperature itself, found from all that the friction depends on."""
@@ -164,16 +200,16 @@ def closing_film_temperature(T_f: Celsius) -> Celsius:
 
 
 ADVICE = Text(
-    'less power or speed, wider or smoother flanks, or another oil in this mesh; pressure_law = "barus", less body_resistance_K_W'
+    'less power or speed, wider or smoother flanks, or another oil in this mesh; pressure_law = "barus", less '
+    "body_resistance_K_W"
 )
 
 
 def settled(warmed: Callable[[Celsius], Celsius], T_m: Celsius, highest: Celsius, x: Metre, subject: str) -> Celsius:
     """The temperature T = warmed(T) at every position, each by itself, of one operating point or of many.
 
-    Warm oil rubs less, so warmed(T) − T falls and has one zero between T_m and `highest`.  Secant steps, kept inside the bracket;
-    a slope flatter than −1 can not be and is taken as −1.  NoSolution names the worst position.
-    """
+    Warm oil rubs less, so warmed(T) − T falls and has one zero between T_m and `highest`.  Secant steps, kept inside
+    the bracket; a slope flatter than −1 can not be and is taken as −1.  NoSolution names the worst position."""
     before: Array = np.broadcast_to(T_m, np.shape(highest))
     gap_before = many(warmed(array(before))) - before
     low, high = before, np.minimum(many(highest) + SLACK, HOTTEST)
@@ -198,13 +234,19 @@ def settled(warmed: Callable[[Celsius], Celsius], T_m: Celsius, highest: Celsius
         else Text("the formulas give no number there")
     )
     raise NoSolution(
-        Text("{subject}: temperature of the film", subject=subject), Text("{place}: {off}", place=place(x, gap, worst), off=off), ADVICE
+        Text("{subject}: temperature of the film", subject=subject),
+        Text("{place}: {off}", place=place(x, gap, worst), off=off),
+        ADVICE,
     )
 
 
 def _beyond(x: Metre, gap: Array, subject: str) -> NoSolution:
     where = place(x, gap, int(np.argmax(gap)))
-    tried = Text("{where} it would be above {hottest} °C, where the laws of the oil end", where=where, hottest=Amount(HOTTEST, form="g"))
+    tried = Text(
+        "{where} it would be above {hottest} °C, where the laws of the oil end",
+        where=where,
+        hottest=Amount(HOTTEST, form="g"),
+    )
     return NoSolution(Text("{subject}: temperature of the film", subject=subject), tried, ADVICE)
 
 
@@ -212,10 +254,13 @@ def place(x: Metre, gap: Array, worst: int) -> str:
     """The position of one element, and of many operating points which it is."""
     point, position = divmod(worst, np.size(x))
     which = Text("operating point {point}, ", point=point) if gap.ndim > 1 else ""
-    return Text("{which}{ravel} mm from T₁", which=which, ravel=Amount(float(np.ravel(x)[position]) * 1000.0, form=".4g"))
+    return Text(
+        "{which}{ravel} mm from T₁", which=which, ravel=Amount(float(np.ravel(x)[position]) * 1000.0, form=".4g")
+    )
 
 
-# --- together --------------------------------------------------------------------------------------------------------------
+# --- together
+# --------------------------------------------------------------------------------------------------------------
 @record
 class Rubbing:
     """What rubs by one law: coefficient, heat and its partition, film temperature, Deborah number."""
@@ -242,7 +287,8 @@ class Traction:
 
 @record
 class Contact:
-    """What both laws are told: oil, motion, film; the load with and without its floor, pressure and half width; the flanks."""
+    """What both laws are told: oil, motion, film; the load with and without its floor, pressure and half width; the
+    flanks."""
 
     oil: Oil
     motion: Motion
@@ -256,10 +302,19 @@ class Contact:
 
 
 def traction(
-    oil: Oil, motion: Motion, film: MeshFilm, w: NewtonPerMetre, w_f: NewtonPerMetre, p_m: Pascal, b_H: Metre, s: Surfaces, x: Metre,
+    oil: Oil,
+    motion: Motion,
+    film: MeshFilm,
+    w: NewtonPerMetre,
+    w_f: NewtonPerMetre,
+    p_m: Pascal,
+    b_H: Metre,
+    s: Surfaces,
+    x: Metre,
     subject: str,
-) -> Traction:  # fmt: skip
-    """The friction at film temperature.  The heat comes from the load w as it is, pressure and film from w_f with its floor.
+) -> Traction:
+    """The friction at film temperature.  The heat comes from the load w as it is, pressure and film from w_f with its
+    floor.
 
     Where the regime changes within the stretch of a position, both laws act, each on its share.
     """
@@ -293,7 +348,8 @@ def _rigid(c: Contact) -> Rubbing:
 
 
 def _elastic(c: Contact, there: Number, x: Metre, subject: str) -> Rubbing:
-    """Oil sheared between the flattened flanks, at the temperature that this makes.  `there`: 0 where no part of a stretch is elastic."""
+    """Oil sheared between the flattened flanks, at the temperature that this makes.  `there`: 0 where no part of a
+    stretch is elastic."""
     oil, m, film, s = c.oil, c.motion, c.film, c.surfaces
     epsilon, R_th = _heat(c, c.b_H)
     p_f = film_pressure(xi=c.xi, p_m=c.p_m) if s.relieved else c.p_m
@@ -322,7 +378,8 @@ def _elastic(c: Contact, there: Number, x: Metre, subject: str) -> Rubbing:
 
 
 def _heat(c: Contact, a: Metre) -> tuple[Number, KelvinMetrePerWatt]:
-    """The share of the heat that enters the driver, and the film's warming per heat, where it is made over the half width a."""
+    """The share of the heat that enters the driver, and the film's warming per heat, where it is made over the half
+    width a."""
     s, m = c.surfaces, c.motion
     B_1, B_2 = (transient_resistance(a_th=STEEL_DIFFUSIVITY, a=a, u=u, k_s=STEEL_CONDUCTIVITY) for u in (m.u_1, m.u_2))
     epsilon = heat_partition(B_1=B_1, B_2=B_2, M_1=s.M_1, M_2=s.M_2)

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The losses of the closed balance over speed and oil temperature, all points at once; and what they cost in fuel and CO₂.
+"""The losses of the closed balance over speed and oil temperature, all points at once; and what they cost in fuel and
+CO₂.
 
-The journals' load grows with the square of the speed, their oil comes at the temperature of the map; other losses that are given stay.
-A train alone carries its torque at every speed.
-"""
+The journals' load grows with the square of the speed, their oil comes at the temperature of the map; other losses that
+are given stay. A train alone carries its torque at every speed."""
 
 from dataclasses import replace
 
@@ -28,7 +28,8 @@ COOLER, STEPS, WARMER = 40.0, 4, 10.0  # K: the temperatures around that of the 
 COLDEST, HOTTEST = -20.0, 160.0
 GRAM_PER_HOUR = 1e-3 / 3600
 BOUND = Text(
-    "Clearances as made; rolling as an upper bound, which in cold oil lies far above what a real inlet rolls; other losses that are given "
+    "Clearances as made; rolling as an upper bound, which in cold oil lies far above what a real inlet rolls; other "
+    "losses that are given "
     "stay. With fewer positions than the balance: within some 0.1 % of it, 2 % where a film changes its regime."
 )
 AS_OIL = Text(" Teeth as warm as the oil: the measured bulk temperature is that of one point.")
@@ -36,7 +37,8 @@ AS_OIL = Text(" Teeth as warm as the oil: the measured bulk temperature is that 
 
 @record
 class Map:
-    """Losses at speeds (rows) and oil temperatures (columns) in W; nan where there is no balance, `missing` says why."""
+    """Losses at speeds (rows) and oil temperatures (columns) in W; nan where there is no balance, `missing` says
+    why."""
 
     speeds: Array
     temperatures: Array
@@ -76,17 +78,28 @@ def over_speed_and_temperature(d: TrainDrive, power: Watt | None, on: OnShaft | 
     missing = (
         ""
         if good.all()
-        else Text("at {sum} of {size} points a journal has no film in the range of its table", sum=int((~good).sum()), size=good.size)
+        else Text(
+            "at {sum} of {size} points a journal has no film in the range of its table",
+            sum=int((~good).sum()),
+            size=good.size,
+        )
     )
     if good.any():
         try:
-            losses = _losses(d, power, shaft.only(good) if shaft is not None else None, each(ratio[good]), each(grid_T[good]))
+            losses = _losses(
+                d, power, shaft.only(good) if shaft is not None else None, each(ratio[good]), each(grid_T[good])
+            )
             for name, values in parts.items():
                 values[good] = getattr(losses, name)
         except NoSolution as none:
             missing = str(none)
     shape = speeds.size, temperatures.size
-    return Map(speeds=speeds, temperatures=temperatures, missing=missing, **{name: x.reshape(shape) for name, x in parts.items()})
+    return Map(
+        speeds=speeds,
+        temperatures=temperatures,
+        missing=missing,
+        **{name: x.reshape(shape) for name, x in parts.items()},
+    )
 
 
 def _losses(d: TrainDrive, power: Watt | None, shaft: Journals | None, ratio: Number, T: Celsius) -> Losses:
@@ -95,11 +108,14 @@ def _losses(d: TrainDrive, power: Watt | None, shaft: Journals | None, ratio: Nu
     with untraced(), np.errstate(all="ignore"):
         speeds = d.wheels[d.first].speed * ratio
         points = SPUR_POINTS if spur else HELICAL_POINTS
-        at_all = drive(own, d.meshes, d.lubricant, T, speeds, shaft, d.forces, d.lubrication, points=points, strips=STRIPS)
+        at_all = drive(
+            own, d.meshes, d.lubricant, T, speeds, shaft, d.forces, d.lubrication, points=points, strips=STRIPS
+        )
         return losses_of(at_all, None if power is None else power * ratio)
 
 
-# --- shown -------------------------------------------------------------------------------------------------------------------
+# --- shown
+# -------------------------------------------------------------------------------------------------------------------
 def pictures(found: Map, d: TrainDrive) -> tuple[tuple[Curve, ...], tuple[Table, ...], tuple[Text, ...]]:
     """A line over the speeds for every temperature; the tables of losses, of fuel and of CO₂; what is missing."""
     if not np.isfinite(found.total).any():
@@ -143,16 +159,26 @@ def pictures(found: Map, d: TrainDrive) -> tuple[tuple[Curve, ...], tuple[Table,
             m_B = many(fuel(b_e=b_e, P=each(total)))
             m_CO2 = many(carbon_dioxide(e_CO2=d.friction.co2_per_fuel, m_B=each(m_B)))
         curves.append(
-            Curve("over_speed_fuel", Text("Fuel that the losses cost"), axis_label("n of the first driver", "rpm"),
+            Curve(
+                "over_speed_fuel",
+                Text("Fuel that the losses cost"),
+                axis_label("n of the first driver", "rpm"),
                 axis_label("m_B", "g/h"),
-                  tuple(Series(label, rpm, m_B[:, i] / GRAM_PER_HOUR) for i, label in enumerate(labels)))
-        )  # fmt: skip
+                tuple(Series(label, rpm, m_B[:, i] / GRAM_PER_HOUR) for i, label in enumerate(labels)),
+            )
+        )
         columns = ((Text("n"), "rpm"), *((label, "g/h") for label in labels))
         note = Text("At {b_e} g/kWh at every point of the map.", b_e=Amount(b_e * 3600000000.0))
-        tables.append(Table("map_fuel", Text("Fuel that the losses cost"), columns, _rows(rpm, m_B / GRAM_PER_HOUR), note))
+        tables.append(
+            Table("map_fuel", Text("Fuel that the losses cost"), columns, _rows(rpm, m_B / GRAM_PER_HOUR), note)
+        )
         note = Text("{co2_per_fuel} kg per kg of fuel, burnt completely.", co2_per_fuel=Amount(d.friction.co2_per_fuel))
         tables.append(Table("map_co2", Text("CO₂ of that fuel"), columns, _rows(rpm, m_CO2 / GRAM_PER_HOUR), note))
-    return tuple(curves), tuple(tables), (Text("Map of losses: {missing}.", missing=found.missing),) if found.missing else ()
+    return (
+        tuple(curves),
+        tuple(tables),
+        (Text("Map of losses: {missing}.", missing=found.missing),) if found.missing else (),
+    )
 
 
 def _rows(rpm: Array, values: Array) -> tuple[tuple[float | None, ...], ...]:

@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """The same train under other conditions, side by side: another oil, temperature, load sharing, roughness, power.
 
-Each scenario is a whole balance of its own; what it does not say is that of the design.  Shown are the judged model and the friction
-source's, mesh by mesh, in a table and in nine curves along the path of contact.
-"""
+Each scenario is a whole balance of its own; what it does not say is that of the design.  Shown are the judged model and
+the friction source's, mesh by mesh, in a table and in nine curves along the path of contact."""
 
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
@@ -28,11 +27,13 @@ ALONG = (
     ("V_s", Text("sliding speed"), axis_label("V_s", "m/s"), 1.0),
     ("w", Text("normal force per length of the contact line, as the pairs share it"), axis_label("w", "N/mm"), 1e-3),
     ("b_H", Text("half width of the contact"), axis_label("b_H", "µm"), 1e6),
-    ("p_H", Text("Hertzian pressure"), axis_label("p_H", "MPa"), 1e-6), ("h", Text("film"), axis_label("h", "µm"), 1e6),
+    ("p_H", Text("Hertzian pressure"), axis_label("p_H", "MPa"), 1e-6),
+    ("h", Text("film"), axis_label("h", "µm"), 1e6),
     ("lam", Text("film over roughness"), Text("λ"), 1.0),
-    ("mu", Text("coefficient of friction"), Text("μ"), 1.0), ("T_f", Text("film temperature"), axis_label("T_f", "°C"), 1.0),
+    ("mu", Text("coefficient of friction"), Text("μ"), 1.0),
+    ("T_f", Text("film temperature"), axis_label("T_f", "°C"), 1.0),
     ("q", Text("friction power"), axis_label("q", "W/mm of contact line"), 1e-3),
-)  # fmt: skip
+)
 
 
 def solved(
@@ -48,18 +49,22 @@ def solved(
             with untraced():
                 found[scenario.name] = _one(d, scenario, oils, law, power, on)
         except NoSolution as none:
-            raise NoSolution(Text("scenario {name}: {what}", name=scenario.name, what=none.what), none.tried, none.advice) from None
+            raise NoSolution(
+                Text("scenario {name}: {what}", name=scenario.name, what=none.what), none.tried, none.advice
+            ) from None
     return found
 
 
 def _one(
     d: TrainDrive, s: Scenario, oils: Mapping[str, Oil], law: str, power: Watt | None, on: OnShaft | None
-) -> ScenarioResult:  # fmt: skip
+) -> ScenarioResult:
     measured = d.friction.bulk_temperature if s.oil_temperature is None else None
     own = replace(
-        d.friction, load_sharing=s.load_sharing or d.friction.load_sharing, flank_roughness=s.flank_roughness or d.friction.flank_roughness,
+        d.friction,
+        load_sharing=s.load_sharing or d.friction.load_sharing,
+        flank_roughness=s.flank_roughness or d.friction.flank_roughness,
         bulk_temperature=measured,
-    )  # fmt: skip
+    )
     name = s.oil or d.lubricant.oil.name
     T = d.T_oil if s.oil_temperature is None else s.oil_temperature
     lubricant = Lubricant(oils[name], law) if s.oil else d.lubricant
@@ -74,16 +79,30 @@ def _one(
                 name=name,
                 supply=Amount(supply, form="g"),
             )
-            raise NoSolution(Text("friction of the counter-shaft's journals"), tried, Text("another oil or temperature for this scenario"))
+            raise NoSolution(
+                Text("friction of the counter-shaft's journals"),
+                tried,
+                Text("another oil or temperature for this scenario"),
+            )
     other = drive(own, d.meshes, lubricant, T, d.wheels[d.first].speed, shaft, d.forces, d.lubrication)
     r = balance(other, None if d.shaft is not None else s.power or power)
-    meshes = {key: ScenarioMesh(judged=mesh.by_regime or mesh.judged, source=mesh.source) for key, mesh in r.meshes.items()}
+    meshes = {
+        key: ScenarioMesh(judged=mesh.by_regime or mesh.judged, source=mesh.source) for key, mesh in r.meshes.items()
+    }
     share = None if d.shaft is not None else r.total_loss / r.crank_power  # with a shaft all is loss
     return ScenarioResult(
-        meshes=meshes, oil_viscosity=r.oil_viscosity, bearing_loss=r.bearing_loss, mesh_loss=r.mesh_loss, total_loss=r.total_loss,
-        share=share, crank_torque=r.crank_torque, delivered_power=r.delivered_power,
-        about=_conditions(s, name, T, own), oil=name, temperature=T,
-    )  # fmt: skip
+        meshes=meshes,
+        oil_viscosity=r.oil_viscosity,
+        bearing_loss=r.bearing_loss,
+        mesh_loss=r.mesh_loss,
+        total_loss=r.total_loss,
+        share=share,
+        crank_torque=r.crank_torque,
+        delivered_power=r.delivered_power,
+        about=_conditions(s, name, T, own),
+        oil=name,
+        temperature=T,
+    )
 
 
 def _conditions(s: Scenario, oil: str, T: Celsius, own: FrictionInputs) -> Text:
@@ -99,7 +118,8 @@ def _conditions(s: Scenario, oil: str, T: Celsius, own: FrictionInputs) -> Text:
     return COMMA.join(said)
 
 
-# --- shown -------------------------------------------------------------------------------------------------------------------
+# --- shown
+# -------------------------------------------------------------------------------------------------------------------
 MODELS = (("judged", Text("by regime")), ("source", Text("source: EHL everywhere")))
 
 
@@ -115,11 +135,15 @@ def tables(result: FrictionResult) -> tuple[Table, ...]:
 def _balance(found: Mapping[str, ScenarioResult], design: FrictionResult) -> Table:
     """What each costs, the design first where no scenario is the same; columns that none has are left out."""
     columns = (
-        (Text("Scenario"), ""), (Text("Conditions"), ""), (Text("journals"), "W"), (Text("meshes"), "W"), (Text("wheels"), "W"),
+        (Text("Scenario"), ""),
+        (Text("Conditions"), ""),
+        (Text("journals"), "W"),
+        (Text("meshes"), "W"),
+        (Text("wheels"), "W"),
         (Text("all losses"), "W"),
         (Text("T_1"), "N·m"),
         (Text("delivered"), "W"),
-    )  # fmt: skip
+    )
     rows: list[tuple[str | float | None, ...]] = []
     compared: list[tuple[str, str, ScenarioResult | FrictionResult]] = [(name, s.about, s) for name, s in found.items()]
     if all(s.total_loss != design.total_loss for s in found.values()):
@@ -130,25 +154,29 @@ def _balance(found: Mapping[str, ScenarioResult], design: FrictionResult) -> Tab
         rows.append((name, about, s.bearing_loss, s.mesh_loss, wheels, s.total_loss, torque, s.delivered_power))
     kept = [i for i in range(len(columns)) if any(row[i] is not None for row in rows)]
     return Table(
-        "scenarios", Text("Scenarios: the whole balance, as judged"), tuple(columns[i] for i in kept),
+        "scenarios",
+        Text("Scenarios: the whole balance, as judged"),
+        tuple(columns[i] for i in kept),
         tuple(tuple(row[i] for i in kept) for row in rows),
         Text("wheels: windage, churning, seals and bearings of the wheels, other losses."),
         covers=("friction.scenarios.",),
-    )  # fmt: skip
+    )
 
 
 def as_design(friction: FrictionInputs, s: Scenario, shared: bool) -> dict[str, str | float | list[float] | None]:
-    """The keys of the design, in the units of the file, that make a scenario of it.  `shared`: with [bearings], whose oil and temperature
-    the teeth have too where the design says so."""
+    """The keys of the design, in the units of the file, that make a scenario of it.  `shared`: with [bearings], whose
+    oil and temperature the teeth have too where the design says so."""
     found: dict[str, str | float | list[float] | None] = {}
     if s.oil is not None:
         found["bearings.oil" if shared and friction.oil is None else "friction.oil"] = s.oil
     if s.oil_temperature is not None:
         if friction.bulk_temperature is not None:
             found["friction.bulk_temperature_C"] = None  # it was measured at another temperature
-        found["bearings.supply_temperature_C" if shared and friction.oil_temperature is None else "friction.oil_temperature_C"] = (
-            s.oil_temperature
-        )
+        found[
+            "bearings.supply_temperature_C"
+            if shared and friction.oil_temperature is None
+            else "friction.oil_temperature_C"
+        ] = s.oil_temperature
     if s.load_sharing is not None:
         found["friction.load_sharing"] = s.load_sharing
     if s.flank_roughness is not None:
@@ -161,26 +189,54 @@ def as_design(friction: FrictionInputs, s: Scenario, shared: bool) -> dict[str, 
 def _table(found: Mapping[str, ScenarioResult], key: str, model: str, words: Text) -> Table:
     """What differs stands in columns, what is the same in all scenarios in the note."""
     columns = (
-        (Text("Scenario"), ""), (Text("Oil"), ""), (Text("T_oil"), "°C"), (Text("η_0"), "mPa·s"), (Text("P_VZ"), "W"),
-        (Text("sliding"), "W"), (Text("rolling"), "W"),
+        (Text("Scenario"), ""),
+        (Text("Oil"), ""),
+        (Text("T_oil"), "°C"),
+        (Text("η_0"), "mPa·s"),
+        (Text("P_VZ"), "W"),
+        (Text("sliding"), "W"),
+        (Text("rolling"), "W"),
         (Text("η_Z"), "%"),
-        (Text("μ_m"), ""), (Text("H_VL"), ""), (Text("h_min"), "µm"), (Text("λ_min"), ""), (Text("p_H"), "MPa"), (Text("T_f max"), "°C"),
-    )  # fmt: skip
+        (Text("μ_m"), ""),
+        (Text("H_VL"), ""),
+        (Text("h_min"), "µm"),
+        (Text("λ_min"), ""),
+        (Text("p_H"), "MPa"),
+        (Text("T_f max"), "°C"),
+    )
     rows: list[tuple[str | float | None, ...]] = []
     for name, s in found.items():
         m: MeshLoss = getattr(s.meshes[key], model)
         rows.append(
-            (name, s.oil, s.temperature, s.oil_viscosity * 1e3, m.loss, m.sliding_loss, m.rolling_loss, m.efficiency * 100, m.friction_mean,
-             m.loss_factor, m.film_min * 1e6, m.lambda_min, m.pressure_max * 1e-6, m.temperature_max)
-        )  # fmt: skip
+            (
+                name,
+                s.oil,
+                s.temperature,
+                s.oil_viscosity * 1e3,
+                m.loss,
+                m.sliding_loss,
+                m.rolling_loss,
+                m.efficiency * 100,
+                m.friction_mean,
+                m.loss_factor,
+                m.film_min * 1e6,
+                m.lambda_min,
+                m.pressure_max * 1e-6,
+                m.temperature_max,
+            )
+        )
     same = [i for i in range(1, len(columns)) if len(rows) > 1 and all(row[i] == rows[0][i] for row in rows)]
     kept = [i for i in range(len(columns)) if i not in same]
-    note = COMMA.join(Text("{label} {value}", label=columns[i][0], value=_shown(rows[0][i], columns[i][1])) for i in same)
+    note = COMMA.join(
+        Text("{label} {value}", label=columns[i][0], value=_shown(rows[0][i], columns[i][1])) for i in same
+    )
     return Table(
-        f"scenarios_{key}_{model}", Text("Scenarios, mesh {key}, {words}", key=key.replace('_', '–'), words=words),
+        f"scenarios_{key}_{model}",
+        Text("Scenarios, mesh {key}, {words}", key=key.replace("_", "–"), words=words),
         tuple(columns[i] for i in kept),
-        tuple(tuple(row[i] for i in kept) for row in rows), Text("The same in all: {note}.", note=note) if note else EMPTY,
-    )  # fmt: skip
+        tuple(tuple(row[i] for i in kept) for row in rows),
+        Text("The same in all: {note}.", note=note) if note else EMPTY,
+    )
 
 
 def _shown(cell: str | float | None, unit: str) -> str | Amount:
@@ -188,7 +244,8 @@ def _shown(cell: str | float | None, unit: str) -> str | Amount:
 
 
 def curves(found: Mapping[str, ScenarioResult], marks: Mapping[str, Text]) -> Iterator[Curve]:
-    """Nine curves a mesh along its path, a line a scenario; both models as variants.  `marks`: the label of the path of each mesh."""
+    """Nine curves a mesh along its path, a line a scenario; both models as variants.  `marks`: the label of the path of
+    each mesh."""
     meshes = next(iter(found.values())).meshes if found else {}
     for key in meshes:
         for attribute, title, label, factor in ALONG:

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What the constants do that the literature leaves open: one by one to the ends of what they may be, the whole balance closed anew.
+"""What the constants do that the literature leaves open: one by one to the ends of what they may be, the whole balance
+closed anew.
 
-A range is what the sources support: the spread of published values where there are several, else a rule of this program, and it says which.
-"""
+A range is what the sources support: the spread of published values where there are several, else a rule of this
+program, and it says which."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import replace
@@ -29,7 +30,8 @@ LAWS = {"barus": Text("Barus"), "roelands": Text("Roelands")}
 
 @record
 class Swing:
-    """One constant: what it is, its symbol, its two ends in words, the power at each end (None: no solution there), and why this far."""
+    """One constant: what it is, its symbol, its two ends in words, the power at each end (None: no solution there), and
+    why this far."""
 
     name: Text
     symbol: str
@@ -105,7 +107,15 @@ def _numbers(d: TrainDrive, power: Watt | None) -> list[Swing]:
     if f.bulk_temperature is None and f.bulk == "oil":
         words = (Text("{t} °C", t=Amount(T)), Text("{t} °C", t=Amount(T + WARMER)))
         open_.append(
-            ("bulk", T, (T, T + WARMER), Text("temperature of the teeth"), "T_b", words, Text("taken as the oil's; often some 10 K above"))
+            (
+                "bulk",
+                T,
+                (T, T + WARMER),
+                Text("temperature of the teeth"),
+                "T_b",
+                words,
+                Text("taken as the oil's; often some 10 K above"),
+            )
         )
     at = {key: np.full(2 * len(open_), nominal) for key, nominal, *_ in open_}
     for i, (key, _, ends, *_) in enumerate(open_):
@@ -123,12 +133,16 @@ def _numbers(d: TrainDrive, power: Watt | None) -> list[Swing]:
 
 
 def _ends(d: TrainDrive, power: Watt | None, ends: Mapping[str, Array]) -> Watt | None:
-    """The losses at many ends at once, `ends` holding every constant at each of them; None where one has no solution."""
+    """The losses at many ends at once, `ends` holding every constant at each of them; None where one has no
+    solution."""
     f, at = d.friction, {key: each(values) for key, values in ends.items()}
     open_ = replace(
-        f, flank_roughness=tuple(column(Ra * at["rough"]) for Ra in f.flank_roughness), solid_friction=column(at["mu_s"]),
-        mist_density=at["mist"], bulk_temperature=at.get("bulk", f.bulk_temperature),
-    )  # fmt: skip
+        f,
+        flank_roughness=tuple(column(Ra * at["rough"]) for Ra in f.flank_roughness),
+        solid_friction=column(at["mu_s"]),
+        mist_density=at["mist"],
+        bulk_temperature=at.get("bulk", f.bulk_temperature),
+    )
     return _power(d, open_, power, Lambda=column(at["Lambda"]), thickening=column(at["thickening"]))
 
 
@@ -179,7 +193,9 @@ def _laws(d: TrainDrive, power: Watt | None, nominal: Watt) -> list[Swing]:
             replace(f, load_sharing=sharing),
         )
     taken, law = ("roelands", "barus") if _rubbing(d).roelands else ("barus", "roelands")
-    other(Text("viscosity under pressure"), "η(p)", LAWS[taken], LAWS[law], Text("two laws"), replace(f, pressure_law=law))
+    other(
+        Text("viscosity under pressure"), "η(p)", LAWS[taken], LAWS[law], Text("two laws"), replace(f, pressure_law=law)
+    )
     if f.film == "judged":
         found.append(_shares(d, power, nominal))
     film = {"judged": "source", "source": "judged"}[f.film]
@@ -189,7 +205,15 @@ def _laws(d: TrainDrive, power: Watt | None, nominal: Watt) -> list[Swing]:
     if f.film == "judged":
         P, why = _number(_power(d, f, power, rolling=False)), Text("the bound supposes a full inlet")
         found.append(
-            Swing(Text("rolling of the rigid film"), "rolling", Text("none: a starved inlet"), Text("full inlet"), P, nominal, why)
+            Swing(
+                Text("rolling of the rigid film"),
+                "rolling",
+                Text("none: a starved inlet"),
+                Text("full inlet"),
+                P,
+                nominal,
+                why,
+            )
         )
     return found
 
@@ -209,19 +233,27 @@ def _shares(d: TrainDrive, power: Watt | None, nominal: Watt) -> Swing:
 
 
 def _power(
-    d: TrainDrive, friction: FrictionInputs, power: Watt | None, *, Lambda: Number | None = None, thickening: Number | None = None,
+    d: TrainDrive,
+    friction: FrictionInputs,
+    power: Watt | None,
+    *,
+    Lambda: Number | None = None,
+    thickening: Number | None = None,
     rolling: bool = True,
-) -> Watt | None:  # fmt: skip
+) -> Watt | None:
     """The power of the train's losses under other constants; None where one of them has no solution."""
     first_speed = d.wheels[d.first].speed
     try:
-        other = drive(friction, d.meshes, d.lubricant, d.T_oil, first_speed, d.shaft, d.forces, d.lubrication, Lambda, thickening)
+        other = drive(
+            friction, d.meshes, d.lubricant, d.T_oil, first_speed, d.shaft, d.forces, d.lubrication, Lambda, thickening
+        )
         return total_losses(replace(other, rolling=rolling), power)
     except NoSolution:
         return None
 
 
-# --- shown -------------------------------------------------------------------------------------------------------------------
+# --- shown
+# -------------------------------------------------------------------------------------------------------------------
 def tornado(found: tuple[Swing, ...], nominal: Watt) -> tuple[Curve, Table]:
     """Bars of what each constant changes, the widest first, and the numbers behind them."""
     places = np.arange(1.0, len(found) + 1)

@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
-"""One mesh with all that its play depends on: both wheels, their teeth at the base circle, runout, the parts between the centres.
+"""One mesh with all that its play depends on: both wheels, their teeth at the base circle, runout, the parts between
+the centres.
 
-Whatever its kind, a part between the centres moves them by at most half its field.  The kinds differ in how it is spread over that: the
-zone of a position is a circle, filled evenly; the wheel rests on the wall of its clearance, somewhere; an eccentricity points anywhere; a
-radial shift lies evenly between its ends.  Only the part along the line of centres counts: a direction at random is a projection.
-"""
+Whatever its kind, a part between the centres moves them by at most half its field.  The kinds differ in how it is
+spread over that: the zone of a position is a circle, filled evenly; the wheel rests on the wall of its clearance,
+somewhere; an eccentricity points anywhere; a radial shift lies evenly between its ends.  Only the part along the line
+of centres counts: a direction at random is a projection."""
 
 from collections.abc import Mapping
 from functools import cached_property
@@ -27,7 +28,12 @@ from ..practice import mm
 from ..result import MeshResult, ToothSystem, TrainResult, WheelResult
 from . import formulas as b
 
-SPREAD = {"position": 1 / 2, "fit": 1 / sqrt(2), "runout": 1 / sqrt(2), "radial": 1 / sqrt(3)}  # standard deviation over the largest shift
+SPREAD = {
+    "position": 1 / 2,
+    "fit": 1 / sqrt(2),
+    "runout": 1 / sqrt(2),
+    "radial": 1 / sqrt(3),
+}  # standard deviation over the largest shift
 EVEN = "radial"  # how a field of no kind, or a bare tolerance, is spread
 
 
@@ -51,12 +57,15 @@ def stack_of(mesh: Mesh) -> Stack | None:
         return Stack(tuple(c.name for c in mesh.stack), tuple(c.kind for c in mesh.stack), column(mesh.stack, "field"))
     if mesh.contributors:
         count = len(mesh.contributors)
-        return Stack(tuple(Text("part {i}", i=i + 1) for i in range(count)), (EVEN,) * count, gathered(mesh.contributors))
+        return Stack(
+            tuple(Text("part {i}", i=i + 1) for i in range(count)), (EVEN,) * count, gathered(mesh.contributors)
+        )
     return None
 
 
 def centre_tolerance(mesh: Mesh) -> Metre:
-    """± tolerance of the centre distance by which a mesh is judged: given, else the root of squares of its parts, else none."""
+    """± tolerance of the centre distance by which a mesh is judged: given, else the root of squares of its parts, else
+    none."""
     if mesh.tolerance is not None:
         return mesh.tolerance
     stack = stack_of(mesh)
@@ -104,11 +113,19 @@ class BacklashCase:
         """Nothing can be said of wheels whose base circles overlap."""
         if a <= self.touching:
             raise NoSolution(
-                Text("{place}: {by} leaves {a} mm between {name} and {name2}: they can not mesh", place=self.place, by=by,
-                    a=mm(a, ".6g"), name=self.driver.name, name2=self.driven.name),
-                advice=Text("smaller fields: the centre distance must stay above {touching} mm, where the base circles touch",
-                    touching=mm(self.touching, ".6g")),
-            )  # fmt: skip
+                Text(
+                    "{place}: {by} leaves {a} mm between {name} and {name2}: they can not mesh",
+                    place=self.place,
+                    by=by,
+                    a=mm(a, ".6g"),
+                    name=self.driver.name,
+                    name2=self.driven.name,
+                ),
+                advice=Text(
+                    "smaller fields: the centre distance must stay above {touching} mm, where the base circles touch",
+                    touching=mm(self.touching, ".6g"),
+                ),
+            )
 
 
 def cases(gears: GearsInputs, train: TrainResult) -> list[BacklashCase]:
@@ -125,14 +142,24 @@ def cases(gears: GearsInputs, train: TrainResult) -> list[BacklashCase]:
             if runouts is not None:
                 closest = b.narrowest_with_runout(closest, *runouts)
         both = teeth[mesh.driver], teeth[mesh.driven]
-        cases.append(BacklashCase(key, mesh.title, i, train.system, inputs, mesh, driver, driven, both, runouts, stack_of(inputs), closest))
+        cases.append(
+            BacklashCase(
+                key, mesh.title, i, train.system, inputs, mesh, driver, driven, both, runouts, stack_of(inputs), closest
+            )
+        )
     return cases
 
 
 def _teeth(system: ToothSystem, wheel: WheelResult) -> Teeth:
     def thickness(E_W: Metre) -> Metre:
-        return b.base_thickness(d_b=wheel.base_diameter, s_t=wheel.reference_thickness, d=wheel.reference_diameter,
-            alpha_t=system.transverse_pressure_angle, E_W=E_W, beta_b=system.base_helix_angle)  # fmt: skip
+        return b.base_thickness(
+            d_b=wheel.base_diameter,
+            s_t=wheel.reference_thickness,
+            d=wheel.reference_diameter,
+            alpha_t=system.transverse_pressure_angle,
+            E_W=E_W,
+            beta_b=system.base_helix_angle,
+        )
 
     if wheel.allowance is None:
         with about(Text("wheel {name}", name=wheel.name)):
@@ -146,13 +173,18 @@ def _teeth(system: ToothSystem, wheel: WheelResult) -> Teeth:
     return Teeth(*ends)
 
 
-# Backlash of a pair over the tolerance of its centre distance, and what the backlash of a train means for its last wheel.
+# Backlash of a pair over the tolerance of its centre distance, and what the backlash of a train means for its last
+# wheel.
 #
-# Runout and temperature are not part of it: they stand in the other files of this folder, which take the same backlash from the
-# thicknesses at the base circle.
+# Runout and temperature are not part of it: they stand in the other files of this folder, which take the same backlash
+# from the thicknesses at the base circle.
 
-def backlash(system: ToothSystem, place: str, driver: WheelResult, driven: WheelResult, a_w: Metre, tolerance: Metre) -> dict[str, float]:
-    """Normal backlash over the tolerance ± of the centre distance and the allowances of both wheels, and the free turn at the largest.
+
+def backlash(
+    system: ToothSystem, place: str, driver: WheelResult, driven: WheelResult, a_w: Metre, tolerance: Metre
+) -> dict[str, float]:
+    """Normal backlash over the tolerance ± of the centre distance and the allowances of both wheels, and the free turn
+    at the largest.
 
     `place`: where the centre distance stands in the design.
     """
@@ -170,10 +202,14 @@ def backlash(system: ToothSystem, place: str, driver: WheelResult, driven: Wheel
             closest = b.narrowest(a_w, tolerance)
             if closest <= (driver.base_diameter + driven.base_diameter) / 2:
                 raise NoSolution(
-                    Text("{place} = {a_w}: less its tolerance of {tolerance} mm the wheels can not mesh", place=place,
-                        a_w=mm(a_w, ".6g"), tolerance=mm(tolerance, ".6g")),
+                    Text(
+                        "{place} = {a_w}: less its tolerance of {tolerance} mm the wheels can not mesh",
+                        place=place,
+                        a_w=mm(a_w, ".6g"),
+                        tolerance=mm(tolerance, ".6g"),
+                    ),
                     advice=Text("give a tolerance_um that leaves the base circles apart"),
-                )  # fmt: skip
+                )
             smallest, _, _ = _backlash_at(system, pair, closest, upper)
     with about(Text("{subject}, largest backlash", subject=subject)):
         free = b.play_angle(j_wt, d_w2)
@@ -183,7 +219,8 @@ def backlash(system: ToothSystem, place: str, driver: WheelResult, driven: Wheel
 def _backlash_at(
     system: ToothSystem, pair: tuple[WheelResult, WheelResult], a: Metre, allowances: list[Metre]
 ) -> tuple[Metre, Metre, Metre]:
-    """(j_bn, j_wt, working diameter of the driven wheel) at one centre distance, with one change of the span for each wheel."""
+    """(j_bn, j_wt, working diameter of the driven wheel) at one centre distance, with one change of the span for each
+    wheel."""
     alpha_wt = f.working_pressure_angle(pair[0].base_diameter, pair[1].base_diameter, a)
     d_w, s_w = [], []
     for wheel, mate, E_W in zip(pair, reversed(pair), allowances):
@@ -207,11 +244,14 @@ def way_to(last_wheel: str, meshes: Mapping[str, MeshResult]) -> list[str]:
 
 
 def backlash_at_shaft(wheels: Mapping[str, WheelResult], meshes: Mapping[str, MeshResult], last_wheel: str) -> Radian:
-    """How far the last wheel can turn while the first driver stands: the largest play of every mesh on the way to it."""
+    """How far the last wheel can turn while the first driver stands: the largest play of every mesh on the way to
+    it."""
     return free_turn(wheels, meshes, last_wheel, {key: mesh.play_angle for key, mesh in meshes.items()})
 
 
-def free_turn(wheels: Mapping[str, WheelResult], meshes: Mapping[str, MeshResult], last_wheel: str, plays: Mapping[str, Radian]) -> Radian:
+def free_turn(
+    wheels: Mapping[str, WheelResult], meshes: Mapping[str, MeshResult], last_wheel: str, plays: Mapping[str, Radian]
+) -> Radian:
     """The free turns of the driven wheels, by mesh, reduced to the last wheel and added up.
 
     A mesh that is tight adds nothing and takes nothing away.
@@ -225,9 +265,10 @@ def free_turn(wheels: Mapping[str, WheelResult], meshes: Mapping[str, MeshResult
 
 # Backlash over temperature: housing and support carry the centres apart, each wheel grows by itself.
 #
-# A wheel that grows evenly keeps its angles; its base circle, thickness and pitch grow alike.  Referred to the wheels the centre
-# distance changes by Δa_eff.  Wheels of different growth have base pitches that differ by some nanometres: the backlash is that of a tooth in
-# a space, exact, with the smaller pitch of the two.
+# A wheel that grows evenly keeps its angles; its base circle, thickness and pitch grow alike.  Referred to the wheels
+# the centre distance changes by Δa_eff.  Wheels of different growth have base pitches that differ by some nanometres:
+# the backlash is that of a tooth in a space, exact, with the smaller pitch of the two.
+
 
 @record
 class ThermalState:
@@ -269,11 +310,17 @@ def states(gears: GearsInputs) -> tuple[ThermalState, ThermalState, ThermalState
     """Cold start; all warm; the wheels warmer than the housing; and so in a housing that is still cold."""
     cold, warm = gears.lowest_temperature, gears.running_temperature
     first, then = (b.wheel_temperature(T_H=T, Delta_T=gears.wheels_warmer) for T in (cold, warm))
-    return (ThermalState(Text("cold"), cold, cold), ThermalState(Text("running"), warm, warm), ThermalState(Text("wheels warmer"), warm, then),
-        ThermalState(Text("warming up"), cold, first))  # fmt: skip
+    return (
+        ThermalState(Text("cold"), cold, cold),
+        ThermalState(Text("running"), warm, warm),
+        ThermalState(Text("wheels warmer"), warm, then),
+        ThermalState(Text("warming up"), cold, first),
+    )
 
 
-def expansions(m: BacklashCase, gears: GearsInputs, materials: Mapping[str, Material], housing: str | None) -> Expansions:
+def expansions(
+    m: BacklashCase, gears: GearsInputs, materials: Mapping[str, Material], housing: str | None
+) -> Expansions:
     """Without a housing material the housing grows as the driver does."""
     alpha_1, alpha_2 = materials[m.driver.material].expansion, materials[m.driven.material].expansion
     alpha_H = alpha_1 if housing is None else materials[housing].expansion
@@ -282,7 +329,9 @@ def expansions(m: BacklashCase, gears: GearsInputs, materials: Mapping[str, Mate
         return Expansions(alpha_H, alpha_1, alpha_2)
     support = materials[gears.support_material].expansion
     with about(Text("mesh {name}", name=m.name)):
-        return Expansions(b.expansion_between_centres(alpha_H=alpha_H, alpha_S=support, lambda_S=share), alpha_1, alpha_2)
+        return Expansions(
+            b.expansion_between_centres(alpha_H=alpha_H, alpha_S=support, lambda_S=share), alpha_1, alpha_2
+        )
 
 
 def grown(m: BacklashCase, alpha: Expansions, T_housing: Celsius, T_wheels: Celsius) -> Grown:
@@ -307,5 +356,14 @@ def at_state(m: BacklashCase, by: Grown, a: Metre, s_b1: Metre, s_b2: Metre) -> 
 
 def warm(m: BacklashCase, by: Grown, alpha_wt: Radian, s_b1: Metre, s_b2: Metre) -> Metre:
     """`alpha_wt`: at the effective centre distance."""
-    return b.warm_backlash(p_bt=m.system.base_pitch, eps_1=by.driver, eps_2=by.driven, s_b1=s_b1, s_b2=s_b2, d_b1=m.driver.base_diameter,
-        d_b2=m.driven.base_diameter, alpha_wt=alpha_wt, beta_b=m.system.base_helix_angle)  # fmt: skip
+    return b.warm_backlash(
+        p_bt=m.system.base_pitch,
+        eps_1=by.driver,
+        eps_2=by.driven,
+        s_b1=s_b1,
+        s_b2=s_b2,
+        d_b1=m.driver.base_diameter,
+        d_b2=m.driven.base_diameter,
+        alpha_wt=alpha_wt,
+        beta_b=m.system.base_helix_angle,
+    )

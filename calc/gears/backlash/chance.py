@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Many trains by chance: all centre distances and tooth thicknesses at once, what play each train has, and how many can jam.
+"""Many trains by chance: all centre distances and tooth thicknesses at once, what play each train has, and how many can
+jam.
 
-Each part that can deviate takes every 4096th of its distribution once, in an order of its own: a Latin hypercube, which tells a sum of
-deviations far better than numbers drawn freely do.  The orders come from a fixed generator, so that every run meets the same trains.
-Every part is independent of the others, and the tooth thickness of a wheel is the same in both its meshes.
-"""
+Each part that can deviate takes every 4096th of its distribution once, in an order of its own: a Latin hypercube, which
+tells a sum of deviations far better than numbers drawn freely do.  The orders come from a fixed generator, so that
+every run meets the same trains. Every part is independent of the others, and the tooth thickness of a wheel is the same
+in both its meshes."""
 
 from collections.abc import Mapping, Sequence
 from functools import cache
@@ -27,8 +28,12 @@ TRAINS = 4096
 BY_CHANCE = Text("mathematics, {trains} trains by chance", trains=TRAINS)
 
 
-@formula("j_bn,p", Text("{by_chance}: normal backlash that a share of the trains keeps", by_chance=BY_CHANCE), unit="µm",
-    shows="the largest backlash that the share p of the trains keeps")  # fmt: skip
+@formula(
+    "j_bn,p",
+    Text("{by_chance}: normal backlash that a share of the trains keeps", by_chance=BY_CHANCE),
+    unit="µm",
+    shows="the largest backlash that the share p of the trains keeps",
+)
 def kept(j: Metre, p: Number) -> Metre:
     """`j` (trains,) in rising order."""
     size = many(j).size
@@ -36,8 +41,11 @@ def kept(j: Metre, p: Number) -> Metre:
     return least
 
 
-@formula("Δφ_p", Text("{by_chance}: free turn that a share of the trains keeps", by_chance=BY_CHANCE),
-    shows="the smallest free turn that the share p of the trains does not exceed")  # fmt: skip
+@formula(
+    "Δφ_p",
+    Text("{by_chance}: free turn that a share of the trains keeps", by_chance=BY_CHANCE),
+    shows="the smallest free turn that the share p of the trains does not exceed",
+)
 def not_exceeded(phi: Radian, p: Number) -> Radian:
     """`phi` (trains,) in rising order."""
     most: float = one(many(phi)[ceil(p * many(phi).size) - 1])
@@ -62,7 +70,8 @@ class Chance:
 
 @cache
 def _even(k: int) -> Array:
-    """Middles of the 4096 equal parts of 0 to 1, in the k-th order: that of the numbers of SplitMix64 (Steele, Lea, Flood 2014)."""
+    """Middles of the 4096 equal parts of 0 to 1, in the k-th order: that of the numbers of SplitMix64 (Steele, Lea,
+    Flood 2014)."""
     z = (np.arange(TRAINS, dtype=np.uint64) + np.uint64(k * TRAINS + 1)) * np.uint64(0x9E3779B97F4A7C15)
     for shift, factor in ((30, 0xBF58476D1CE4E5B9), (27, 0x94D049BB133111EB), (31, 1)):
         z = (z ^ (z >> np.uint64(shift))) * np.uint64(factor)
@@ -72,7 +81,8 @@ def _even(k: int) -> Array:
 
 @cache
 def deviate(kind: str, k: int) -> Array:
-    """What a part of this kind shifts along the line of centres in each train, over half its field; a position takes k and k + 1."""
+    """What a part of this kind shifts along the line of centres in each train, over half its field; a position takes k
+    and k + 1."""
     if kind == EVEN:
         return 2 * _even(k) - 1
     cosine: Array = np.cos(2 * np.pi * _even(k))
@@ -80,7 +90,9 @@ def deviate(kind: str, k: int) -> Array:
 
 
 @design_by_design
-def by_chance(cases: Sequence[BacklashCase], wheels: Mapping[str, WheelResult], way: Sequence[str], last: str) -> Chance | None:
+def by_chance(
+    cases: Sequence[BacklashCase], wheels: Mapping[str, WheelResult], way: Sequence[str], last: str
+) -> Chance | None:
     """`way`: keys of the meshes to the `last` wheel.  None where nothing deviates."""
     used = 0
 
@@ -111,7 +123,9 @@ def by_chance(cases: Sequence[BacklashCase], wheels: Mapping[str, WheelResult], 
             least = _backlash(m, a - m.eccentricity, both)
         if m.key in way:
             ratio = wheels[m.driven.name].teeth / wheels[last].teeth
-            turn = turn + np.maximum(loose, 0.0) * (ratio / np.cos(m.system.base_helix_angle) / (m.driven.base_diameter / 2))
+            turn = turn + np.maximum(loose, 0.0) * (
+                ratio / np.cos(m.system.base_helix_angle) / (m.driven.base_diameter / 2)
+            )
         if isinstance(least, np.ndarray):
             every.append(least)
             smallest[m.key] = based_on(np.sort(least), *_of(m))
@@ -153,5 +167,8 @@ def of_train(last: str, chance: Chance | None) -> dict[str, float]:
         return {}
     phi = each(chance.phase)
     with about(Text("train, to {last}, by chance", last=last)):
-        shares = {f"phase_error_{name}": not_exceeded(phi=phi, p=p) for name, p in (("median", 0.5), ("95", 0.95), ("99", 0.99))}
+        shares = {
+            f"phase_error_{name}": not_exceeded(phi=phi, p=p)
+            for name, p in (("median", 0.5), ("95", 0.95), ("99", 0.99))
+        }
         return dict(**shares, share_jammed=share_below_zero(j=each(chance.tightest)))

@@ -23,32 +23,80 @@ def checks(gears: GearsInputs, m: BacklashCase, play: PlayResult, smallest: Sequ
     id, free = f"gears.{m.key}", _freed(m)
     checks = _over_temperature(gears, m, smallest)
     if play.backlash_min_runout is not None:
-        closest = 2 * math.sqrt(1 - (m.touching / m.closest) ** 2) * math.cos(m.system.base_helix_angle)  # the slope is least there
-        checks.append(check(f"{id}.backlash_runout", Text("Smallest backlash with runout {name}", name=m.name), play.backlash_min_runout,
-            ">=", 0.0, "µm", Text("teeth must not jam where both wheels stand closest"), index=m.index,
-            remedies=partial(free, -play.backlash_min_runout, closest)))  # fmt: skip
+        closest = (
+            2 * math.sqrt(1 - (m.touching / m.closest) ** 2) * math.cos(m.system.base_helix_angle)
+        )  # the slope is least there
+        checks.append(
+            check(
+                f"{id}.backlash_runout",
+                Text("Smallest backlash with runout {name}", name=m.name),
+                play.backlash_min_runout,
+                ">=",
+                0.0,
+                "µm",
+                Text("teeth must not jam where both wheels stand closest"),
+                index=m.index,
+                remedies=partial(free, -play.backlash_min_runout, closest),
+            )
+        )
     low = m.mesh.backlash_min
-    checks.append(check(
-        f"{id}.backlash_guide", Text("Smallest backlash {name}, recommended", name=m.name), low, ">=", play.backlash_recommended, "µm",
-        GUIDE, Text("The guide is for industrial gears, and more backlash turns the last wheel further out of phase."),
-        remedies=partial(free, play.backlash_recommended - low, None),
-    ))  # fmt: skip
+    checks.append(
+        check(
+            f"{id}.backlash_guide",
+            Text("Smallest backlash {name}, recommended", name=m.name),
+            low,
+            ">=",
+            play.backlash_recommended,
+            "µm",
+            GUIDE,
+            Text("The guide is for industrial gears, and more backlash turns the last wheel further out of phase."),
+            remedies=partial(free, play.backlash_recommended - low, None),
+        )
+    )
     if play.backlash_99 is not None:
-        checks.append(check(f"{id}.backlash_chance", Text("Backlash {name} that 99 % of the trains keep", name=m.name), play.backlash_99,
-            ">=", 0.0, "µm", Text("rule of this program: {by_chance}, of which 99 % turn freely at 20 °C", by_chance=BY_CHANCE),
-            index=m.index, remedies=partial(free, -play.backlash_99, None)))  # fmt: skip
+        checks.append(
+            check(
+                f"{id}.backlash_chance",
+                Text("Backlash {name} that 99 % of the trains keep", name=m.name),
+                play.backlash_99,
+                ">=",
+                0.0,
+                "µm",
+                Text("rule of this program: {by_chance}, of which 99 % turn freely at 20 °C", by_chance=BY_CHANCE),
+                index=m.index,
+                remedies=partial(free, -play.backlash_99, None),
+            )
+        )
     if play.centre_tolerance_rss is not None and m.inputs.tolerance is not None:
-        checks.append(check(
-            f"{id}.stack", Text("Parts between the centres {name}, root of squares (±)", name=m.name), play.centre_tolerance_rss, "<=",
-            m.inputs.tolerance, "µm", Text("mathematics: the tolerance of the centre distance must hold what its parts add up to"),
-            Text("Smaller fields of the parts help as well."), index=m.index, remedies=partial(_wider, m, play.centre_tolerance_rss),
-        ))  # fmt: skip
+        checks.append(
+            check(
+                f"{id}.stack",
+                Text("Parts between the centres {name}, root of squares (±)", name=m.name),
+                play.centre_tolerance_rss,
+                "<=",
+                m.inputs.tolerance,
+                "µm",
+                Text("mathematics: the tolerance of the centre distance must hold what its parts add up to"),
+                Text("Smaller fields of the parts help as well."),
+                index=m.index,
+                remedies=partial(_wider, m, play.centre_tolerance_rss),
+            )
+        )
     if play.backlash_min_worst is not None:
         reach = play.centre_tolerance_worst or 0.0
-        checks.append(check(f"{id}.backlash_worst", Text("Smallest backlash {name}, all parts at their worst", name=m.name),
-            play.backlash_min_worst, ">=", 0.0, "µm",
-            Text("geometry, worst case: the centres ±{reach} µm", reach=Amount(reach * 1000000.0, form=".4g")), index=m.index,
-            remedies=partial(free, -play.backlash_min_worst, None)))  # fmt: skip
+        checks.append(
+            check(
+                f"{id}.backlash_worst",
+                Text("Smallest backlash {name}, all parts at their worst", name=m.name),
+                play.backlash_min_worst,
+                ">=",
+                0.0,
+                "µm",
+                Text("geometry, worst case: the centres ±{reach} µm", reach=Amount(reach * 1000000.0, form=".4g")),
+                index=m.index,
+                remedies=partial(free, -play.backlash_min_worst, None),
+            )
+        )
     return checks
 
 
@@ -56,14 +104,21 @@ def _over_temperature(gears: GearsInputs, m: BacklashCase, smallest: Sequence[At
     """Not verified where the design does not say itself what is between the centres."""
     missing = () if gears.housing_material is not None or m.inputs.support_share else ("gears.housing_material",)
     (cold, warm, warmer, warming), free = smallest, _freed(m)
-    T_min, T_H, more = (Amount(T, form="g") for T in (gears.lowest_temperature, gears.running_temperature, gears.wheels_warmer))
+    T_min, T_H, more = (
+        Amount(T, form="g") for T in (gears.lowest_temperature, gears.running_temperature, gears.wheels_warmer)
+    )
     tight, where = warm, Text("all at {t_h} °C", t_h=T_H)
     if warm.backlash > warmer.backlash:
         tight, where = warmer, Text("housing at {t_h} °C, wheels {wheels_warmer} K warmer", t_h=T_H, wheels_warmer=more)
     taken = Text("Taken: the housing of the bearings, else that it grows as the driver.")
     also = Text(", with runout") if m.runouts else Text(", without runout")
     rows = (
-        ("cold", Text("Smallest backlash {name}, cold", name=m.name), cold, Text("cold start, all at {t_min} °C", t_min=T_min)),
+        (
+            "cold",
+            Text("Smallest backlash {name}, cold", name=m.name),
+            cold,
+            Text("cold start, all at {t_min} °C", t_min=T_min),
+        ),
         ("warm", Text("Smallest backlash {name}, warm", name=m.name), tight, where),
         (
             "warming",
@@ -74,24 +129,39 @@ def _over_temperature(gears: GearsInputs, m: BacklashCase, smallest: Sequence[At
     )
     return [
         check(
-            f"gears.{m.key}.backlash_{word}", title, at.backlash, ">=", 0.0, "µm",
-            Text("geometry, teeth must not jam at any temperature: {where}{also}", where=place, also=also), taken if missing else EMPTY,
-            index=m.index, missing=missing, remedies=partial(free, -at.backlash, _slope(m, at), at.wheel_growth),
+            f"gears.{m.key}.backlash_{word}",
+            title,
+            at.backlash,
+            ">=",
+            0.0,
+            "µm",
+            Text("geometry, teeth must not jam at any temperature: {where}{also}", where=place, also=also),
+            taken if missing else EMPTY,
+            index=m.index,
+            missing=missing,
+            remedies=partial(free, -at.backlash, _slope(m, at), at.wheel_growth),
         )
         for word, title, at, place in rows
-    ]  # fmt: skip
+    ]
 
 
 def _slope(m: BacklashCase, at: AtState) -> Number:
-    """Backlash per centre distance at 20 °C; it rises with the distance, so that what it asks for at the closest one is enough."""
+    """Backlash per centre distance at 20 °C; it rises with the distance, so that what it asks for at the closest one is
+    enough."""
     return 2 * sin(at.pressure_angle) * cos(m.system.base_helix_angle) * at.centre_growth
 
 
 def freed(
-    wheels: tuple[WheelResult, WheelResult], mesh: Mesh, index: int, tolerance: Metre, missing: Metre, slope: Number | None,
+    wheels: tuple[WheelResult, WheelResult],
+    mesh: Mesh,
+    index: int,
+    tolerance: Metre,
+    missing: Metre,
+    slope: Number | None,
     growth: Number = 1.0,
-) -> tuple[Remedy, ...]:  # fmt: skip
-    """What would just pass: an allowance of the span acts micrometre for micrometre, the centre distance by `slope` (None: not offered).
+) -> tuple[Remedy, ...]:
+    """What would just pass: an allowance of the span acts micrometre for micrometre, the centre distance by `slope`
+    (None: not offered).
 
     Where the parts between the centres are known, no smaller tolerance is offered: it hangs on them.
     """
@@ -99,9 +169,13 @@ def freed(
         return ()
     less = math.ceil(missing / growth * 1e6 - 1e-6)
     thick = max(wheels, key=lambda wheel: wheel.allowance[0] if wheel.allowance else 0.0)
-    ends = [round(end * 1e6 - less, 6) for end in thick.allowance or (0.0, 0.0)]  # the field of the allowance stays as wide as it is
-    off = remedy(change(Wheel, f"gears.wheels.{thick.name}.span_allowance_um", ends, place=thick.name),
-        effect=Text("{less} µm more off the span of its teeth", less=less))  # fmt: skip
+    ends = [
+        round(end * 1e6 - less, 6) for end in thick.allowance or (0.0, 0.0)
+    ]  # the field of the allowance stays as wide as it is
+    off = remedy(
+        change(Wheel, f"gears.wheels.{thick.name}.span_allowance_um", ends, place=thick.name),
+        effect=Text("{less} µm more off the span of its teeth", less=less),
+    )
     held = 0.0 if slope is None else tolerance - missing / slope
     return (off, remedy(*_tolerance(mesh, index, math.floor(held * 1e6)))) if held > 1e-6 and not mesh.stack else (off,)
 
@@ -123,27 +197,40 @@ def _tolerance(mesh: Mesh, index: int, tolerance: float, bound: str = "") -> lis
 
 # What is assumed where the play of a train does not follow from what is given.
 
-def notes(gears: GearsInputs, known: Sequence[tuple[BacklashCase, Expansions]], housing: str | None, chance: bool) -> tuple[Text, ...]:
+
+def notes(
+    gears: GearsInputs, known: Sequence[tuple[BacklashCase, Expansions]], housing: str | None, chance: bool
+) -> tuple[Text, ...]:
     notes = []
     if housing is None:
         notes.append(Text("Housing material: not given; chosen: it grows as the driver of each mesh."))
     elif gears.housing_material is None:
-        notes.append(Text(
-            "Housing material: not given; chosen: {housing}, that of the bearings. The cold and warm backlash is then not verified.",
-            housing=housing,
-        ))  # fmt: skip
+        notes.append(
+            Text(
+                "Housing material: not given; chosen: {housing}, that of the bearings. The cold and warm backlash is "
+                "then not verified.",
+                housing=housing,
+            )
+        )
     if gears.support_material is not None and not any(m.inputs.support_share for m, _ in known):
         notes.append(Text("gears.support_material acts on no mesh: none has a support_share."))
     if chance:
-        notes.append(Text(
-            "Backlash by chance: {by_chance}, always the same ones, at 20 °C; allowances, bare tolerances and fields without a kind even "
-            "between their limits, a position even in its circle, a fit on the wall of its clearance and a runout in any direction; all "
-            "independent.",
-            by_chance=BY_CHANCE,
-        ))  # fmt: skip
+        notes.append(
+            Text(
+                "Backlash by chance: {by_chance}, always the same ones, at 20 °C; allowances, bare tolerances and "
+                "fields without a kind even "
+                "between their limits, a position even in its circle, a fit on the wall of its clearance and a runout "
+                "in any direction; all "
+                "independent.",
+                by_chance=BY_CHANCE,
+            )
+        )
     if any(m.runouts is None for m, _ in known):
         tight = ", ".join(m.name for m, _ in known if m.runouts is None)
         notes.append(
-            Text("Runout of the teeth: not given for {tight}: left out of their backlash (gears.wheels.NAME.runout_um).", tight=tight)
+            Text(
+                "Runout of the teeth: not given for {tight}: left out of their backlash (gears.wheels.NAME.runout_um).",
+                tight=tight,
+            )
         )
     return tuple(notes)

@@ -39,29 +39,44 @@ def curves(gears: GearsInputs, known: Known) -> tuple[Curve, ...]:
     drawn = []
     with untraced():
         for m, alpha in sorted(known, key=lambda pair: pair[0].mesh.backlash_min):
-            warmer = Text("smallest, wheels {wheels_warmer} K warmer", wheels_warmer=Amount(gears.wheels_warmer, form="g"))
+            warmer = Text(
+                "smallest, wheels {wheels_warmer} K warmer", wheels_warmer=Amount(gears.wheels_warmer, form="g")
+            )
             lines = [(LIMITS["nominal"], T, "nominal"), (warmer, T + gears.wheels_warmer, "smallest")]
             lines += [(LIMITS[limit], T, limit) for limit in ("smallest", "largest")]  # the band
-            series = tuple(Series(label, T, many(_at(m, alpha, each(T), each(wheels), limit)) * UM) for label, wheels, limit in lines)
+            series = tuple(
+                Series(label, T, many(_at(m, alpha, each(T), each(wheels), limit)) * UM)
+                for label, wheels, limit in lines
+            )
             _, warmest, smallest, _ = (line.y for line in series)
             ends = ((low, smallest[0]), (high, smallest[-1]), (high, warmest[-1]), (low, warmest[0]))  # what is judged
             states = tuple((at, float(j_bn)) for at, j_bn in ends)
             least = min(states, key=lambda state: state[1])
-            drawn.append(Curve(
-                f"backlash_temperature_{m.key}", Text("Normal backlash over temperature, {name}", name=m.name),
-                axis_label("temperature of the housing", "°C"), axis_label("j_bn", "µm"), series, limits=((Text("jam"), 0.0),),
-                point=least, fails=least[1] < 0, band=True,
-            ))  # fmt: skip
+            drawn.append(
+                Curve(
+                    f"backlash_temperature_{m.key}",
+                    Text("Normal backlash over temperature, {name}", name=m.name),
+                    axis_label("temperature of the housing", "°C"),
+                    axis_label("j_bn", "µm"),
+                    series,
+                    limits=((Text("jam"), 0.0),),
+                    point=least,
+                    fails=least[1] < 0,
+                    band=True,
+                )
+            )
     return tuple(drawn)
 
 
 def _ends(m: BacklashCase) -> dict[str, tuple[Metre, Metre, Metre]]:
-    """Centre distance and both thicknesses at the base circle, by the limit of the backlash; runout in the smallest alone."""
+    """Centre distance and both thicknesses at the base circle, by the limit of the backlash; runout in the smallest
+    alone."""
     (one, two), a = m.teeth, m.mesh.centre_distance
     return {
-        "smallest": (m.closest, one.thickest, two.thickest), "nominal": (a, one.middle, two.middle),
+        "smallest": (m.closest, one.thickest, two.thickest),
+        "nominal": (a, one.middle, two.middle),
         "largest": (a + m.mesh.centre_tolerance, one.thinnest, two.thinnest),
-    }  # fmt: skip
+    }
 
 
 def _at(m: BacklashCase, alpha: t.Expansions, housing: Celsius, wheels: Celsius, limit: str) -> Metre:
@@ -79,8 +94,10 @@ def _kinds(known: Known) -> Table:
     rows: list[Row] = []
     for m, _ in known:
         for limit, j_bn, shift in (
-            ("smallest", m.mesh.backlash_min, -1), ("nominal", m.mesh.backlash_nominal, 0), ("largest", m.mesh.backlash_max, 1)
-        ):  # fmt: skip
+            ("smallest", m.mesh.backlash_min, -1),
+            ("nominal", m.mesh.backlash_nominal, 0),
+            ("largest", m.mesh.backlash_max, 1),
+        ):
             alpha_wt = float(np.arccos(m.touching / (m.mesh.centre_distance + shift * m.mesh.centre_tolerance)))
             d_w = m.driven.base_diameter / float(np.cos(alpha_wt))
             j_wt = b.circumferential_of_normal(j_bn=j_bn, alpha_wt=alpha_wt, beta_b=m.system.base_helix_angle)
@@ -89,13 +106,24 @@ def _kinds(known: Known) -> Table:
             turn = np.degrees(j_wt / (d_w / 2))
             rows.append((m.name, LIMITS[limit], j_bn * UM, j_wt * UM, j_t * UM, j_r * UM, float(turn)))
     columns = (
-        (Text("mesh"), ""), (Text("backlash"), ""), (Text("j_bn"), "µm"), (Text("j_wt"), "µm"), (Text("j_t"), "µm"), (Text("j_r"), "µm"),
+        (Text("mesh"), ""),
+        (Text("backlash"), ""),
+        (Text("j_bn"), "µm"),
+        (Text("j_wt"), "µm"),
+        (Text("j_t"), "µm"),
+        (Text("j_r"), "µm"),
         (Text("free turn"), Text("°")),
-    )  # fmt: skip
+    )
     return Table(
-        "backlash_kinds", Text("Backlash of the meshes"), columns, tuple(rows),
-        Text("Normal, at the working circle, at the reference circle, radial; free turn of the driven wheel. At 20 °C, without runout."),
-    )  # fmt: skip
+        "backlash_kinds",
+        Text("Backlash of the meshes"),
+        columns,
+        tuple(rows),
+        Text(
+            "Normal, at the working circle, at the reference circle, radial; free turn of the driven wheel. At 20 °C, "
+            "without runout."
+        ),
+    )
 
 
 def _states(gears: GearsInputs, known: Known) -> Table:
@@ -107,10 +135,16 @@ def _states(gears: GearsInputs, known: Known) -> Table:
             numbers = (float(_at(m, alpha, state.housing, state.wheels, limit)) * UM for limit in LIMITS)
             rows.append((m.name, state.name, state.housing, state.wheels, change * UM, *numbers))
     columns = (
-        (Text("mesh"), ""), (Text("state"), ""), (Text("housing"), "°C"), (Text("wheels"), "°C"), (Text("Δa_eff"), "µm"),
+        (Text("mesh"), ""),
+        (Text("state"), ""),
+        (Text("housing"), "°C"),
+        (Text("wheels"), "°C"),
+        (Text("Δa_eff"), "µm"),
         *((label, "µm") for label in LIMITS.values()),
-    )  # fmt: skip
-    note = Text("Normal backlash over tolerances and allowances; the smallest with the runout of the teeth where it is given.")
+    )
+    note = Text(
+        "Normal backlash over tolerances and allowances; the smallest with the runout of the teeth where it is given."
+    )
     return Table("backlash_states", Text("Backlash over temperature"), columns, tuple(rows), note)
 
 
@@ -127,15 +161,22 @@ def _stack(known: Known, play: Mapping[str, PlayResult]) -> Table:
             rows.append((m.name, name, KINDS.get(kind, ""), field * 1e3, field / 2 * UM, part * UM, of_variance))
         sums = play[m.key]
         for label, number in (
-            (Text("worst case (±)"), sums.centre_tolerance_worst), (Text("root of squares (±)"), sums.centre_tolerance_rss),
+            (Text("worst case (±)"), sums.centre_tolerance_worst),
+            (Text("root of squares (±)"), sums.centre_tolerance_rss),
             (Text("3 standard deviations (±)"), sums.centre_tolerance_chance),
-        ):  # fmt: skip
+        ):
             rows.append((m.name, label, "", None, None if number is None else number * UM, None, None))
     columns = (
-        (Text("mesh"), ""), (Text("part"), ""), (Text("kind"), ""), (Text("field"), "mm"), (Text("shift (±)"), "µm"),
-        (Text("deviation"), "µm"), (Text("of the variance"), "%"),
-    )  # fmt: skip
+        (Text("mesh"), ""),
+        (Text("part"), ""),
+        (Text("kind"), ""),
+        (Text("field"), "mm"),
+        (Text("shift (±)"), "µm"),
+        (Text("deviation"), "µm"),
+        (Text("of the variance"), "%"),
+    )
     note = Text(
-        "Root of squares as the source takes it: of the whole fields, half to each side. Deviation: standard deviation by the kind."
+        "Root of squares as the source takes it: of the whole fields, half to each side. Deviation: standard "
+        "deviation by the kind."
     )
     return Table("centre_stack", Text("Parts between the centres"), columns, tuple(rows), note)

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Backlash of a pair at a centre distance and at a temperature, what parts add up to, and the free turn that it leaves a train.
+"""Backlash of a pair at a centre distance and at a temperature, what parts add up to, and the free turn that it leaves
+a train.
 
-Backlash is exact at the very centre distance.  For small changes it is −(E_W1 + E_W2) + 2·Δa·sin α_wt·cos β_b: an allowance of
-the span acts on it micrometre for micrometre.
-"""
+Backlash is exact at the very centre distance.  For small changes it is −(E_W1 + E_W2) + 2·Δa·sin α_wt·cos β_b: an
+allowance of the span acts on it micrometre for micrometre."""
 
 from ...sheet.formula import formula
 from ...sheet.functions import cos, inv, joined, pi, rss, sin, smallest, tan, total
@@ -17,7 +17,8 @@ LEAST_BACKLASH: Metre = 0.06e-3  # the constant term of the guide value
 REFERENCE: Celsius = 20.0  # of all measures, ISO 1
 
 
-# --- tolerances, thicknesses and the backlash of a pair ---------------------------------------------------------------------
+# --- tolerances, thicknesses and the backlash of a pair
+# ---------------------------------------------------------------------
 @formula(
     "T_a",
     "mathematics: root of the sum of squares of the parts' fields, half of it to each side (Finotti 2013, Table 4.7)",
@@ -56,13 +57,19 @@ def normal_backlash(j_wt: Metre, alpha_wt: Radian, beta_b: Radian) -> Metre:
     return j_wt * cos(alpha_wt) * cos(beta_b)
 
 
-@formula("s_bt", Text("{iso}: transverse tooth thickness at the base circle, thinned by the change E_W of its span", iso=ISO), unit="mm")
+@formula(
+    "s_bt",
+    Text("{iso}: transverse tooth thickness at the base circle, thinned by the change E_W of its span", iso=ISO),
+    unit="mm",
+)
 def base_thickness(d_b: Metre, s_t: Metre, d: Metre, alpha_t: Radian, E_W: Metre, beta_b: Radian) -> Metre:
     return d_b * (s_t / d + inv(alpha_t)) + E_W / cos(beta_b)
 
 
 @formula("j_bn", Text("{iso}: normal backlash by the thicknesses at the base circles; exact", iso=ISO), unit="µm")
-def backlash_of_bases(p_bt: Metre, s_b1: Metre, s_b2: Metre, d_b1: Metre, d_b2: Metre, alpha_wt: Radian, beta_b: Radian) -> Metre:
+def backlash_of_bases(
+    p_bt: Metre, s_b1: Metre, s_b2: Metre, d_b1: Metre, d_b2: Metre, alpha_wt: Radian, beta_b: Radian
+) -> Metre:
     return joined(p_bt - s_b1 - s_b2, (d_b1 + d_b2) * inv(alpha_wt)) * cos(beta_b)
 
 
@@ -86,9 +93,14 @@ def narrowest_with_runout(a_min: Metre, F_r1: Metre, F_r2: Metre) -> Metre:
     return a_min - (F_r1 + F_r2) / 2
 
 
-@formula("j_bn,rec", Text("{guide}: recommended smallest backlash, steel or iron wheels in an iron housing", guide=GUIDE), unit="µm")
+@formula(
+    "j_bn,rec",
+    Text("{guide}: recommended smallest backlash, steel or iron wheels in an iron housing", guide=GUIDE),
+    unit="µm",
+)
 def recommended_backlash(a_w: Metre, m_n: Metre) -> Metre:
-    """From memory; public summaries have the same three terms.  Meant for wheels of general engineering; it is no requirement."""
+    """From memory; public summaries have the same three terms.  Meant for wheels of general engineering; it is no
+    requirement."""
     return 2 * (LEAST_BACKLASH + 0.0005 * a_w + 0.03 * m_n) / 3
 
 
@@ -121,8 +133,14 @@ def residual_couple(C: NewtonMetre, Delta_phi: Radian) -> NewtonMetre:
     return 2 * C * sin(Delta_phi / 2)
 
 
-# --- the parts between two centres ------------------------------------------------------------------------------------------
-@formula("T_wc", "mathematics, worst case: every part at the end of its field, on the line of centres", unit="µm", names={"T": "T_i"})
+# --- the parts between two centres
+# ------------------------------------------------------------------------------------------
+@formula(
+    "T_wc",
+    "mathematics, worst case: every part at the end of its field, on the line of centres",
+    unit="µm",
+    names={"T": "T_i"},
+)
 def worst_case(T: Metre) -> Metre:
     return total(T) / 2
 
@@ -134,11 +152,13 @@ def worst_case(T: Metre) -> Metre:
     names={"T": "T_i", "k": "k_i"},
 )
 def three_deviations(k: Number, T: Metre) -> Metre:
-    """k is 1/2 for a position, 1/√2 for a fit and a runout, 1/√3 for a radial shift: elementary, after their distributions."""
+    """k is 1/2 for a position, 1/√2 for a fit and a runout, 1/√3 for a radial shift: elementary, after their
+    distributions."""
     return 3 * rss(k * T) / 2
 
 
-# --- temperature ------------------------------------------------------------------------------------------------------------
+# --- temperature
+# ------------------------------------------------------------------------------------------------------------
 @formula("T_W", "given in the design: temperature of the wheels, warmer than the housing")
 def wheel_temperature(T_H: Celsius, Delta_T: Kelvin) -> Celsius:
     return T_H + Delta_T
@@ -169,9 +189,21 @@ def effective_centre(a: Metre, eps_a: Number, eps_g: Number) -> Metre:
     return a * (1 + eps_a) / (1 + eps_g)
 
 
-@formula("j_bn,T", "geometry: normal backlash of wheels that have grown by ε; of a tooth in a space with the smaller base pitch", unit="µm")
+@formula(
+    "j_bn,T",
+    "geometry: normal backlash of wheels that have grown by ε; of a tooth in a space with the smaller base pitch",
+    unit="µm",
+)
 def warm_backlash(
-    p_bt: Metre, eps_1: Number, eps_2: Number, s_b1: Metre, s_b2: Metre, d_b1: Metre, d_b2: Metre, alpha_wt: Radian, beta_b: Radian
+    p_bt: Metre,
+    eps_1: Number,
+    eps_2: Number,
+    s_b1: Metre,
+    s_b2: Metre,
+    d_b1: Metre,
+    d_b2: Metre,
+    alpha_wt: Radian,
+    beta_b: Radian,
 ) -> Metre:
     return joined(
         (1 + smallest(eps_1, eps_2)) * p_bt - (1 + eps_1) * s_b1 - (1 + eps_2) * s_b2,
@@ -179,7 +211,8 @@ def warm_backlash(
     ) * cos(beta_b)
 
 
-# --- root of squares over the train -----------------------------------------------------------------------------------------
+# --- root of squares over the train
+# -----------------------------------------------------------------------------------------
 @formula(
     "δφ",
     "mathematics: what the tolerances of one mesh add to its play at mid-tolerance, reduced to the last wheel",

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The play of a train: what its backlash is over tolerances, chance, runout and temperature, and how far it lets the last wheel turn."""
+"""The play of a train: what its backlash is over tolerances, chance, runout and temperature, and how far it lets the
+last wheel turn."""
 
 from collections.abc import Mapping
 from dataclasses import replace
@@ -25,9 +26,11 @@ from .curves import curves, tables
 from .result import PlayResult, TrainPlay
 
 WAYS = {
-    "nominal": Text("mid-tolerance"), "rss": Text("root of squares"), "95": Text("95 % of the trains"),
+    "nominal": Text("mid-tolerance"),
+    "rss": Text("root of squares"),
+    "95": Text("95 % of the trains"),
     "running": Text("running temperature"),
-}  # fmt: skip
+}
 
 
 @record
@@ -48,8 +51,11 @@ class Played:
         return curves(self.gears, self.known)
 
 
-def play(gears: GearsInputs, train: TrainResult, materials: Mapping[str, Material], housing: str | None = None) -> Played:
-    """`train`: geometry and backlash over the tolerances.  `housing`: the material between the centres, None: it grows as the wheels.
+def play(
+    gears: GearsInputs, train: TrainResult, materials: Mapping[str, Material], housing: str | None = None
+) -> Played:
+    """`train`: geometry and backlash over the tolerances.  `housing`: the material between the centres, None: it grows
+    as the wheels.
 
     Raises NoSolution where a tolerance or the cold lets the base circles overlap.
     """
@@ -90,7 +96,9 @@ def _kinds(m: BacklashCase) -> dict[str, float]:
         j_wt = b.circumferential_of_normal(j_bn=j_bn, alpha_wt=alpha_wt, beta_b=beta_b)
         return dict(
             backlash_circumferential=j_wt,
-            backlash_transverse=b.reference_backlash(j_wt=j_wt, d=m.driven.reference_diameter, d_w=m.mesh.working_diameter_driven),
+            backlash_transverse=b.reference_backlash(
+                j_wt=j_wt, d=m.driven.reference_diameter, d_w=m.mesh.working_diameter_driven
+            ),
             backlash_radial=b.radial_backlash(j_wt=j_wt, alpha_wt=alpha_wt),
             backlash_recommended=b.recommended_backlash(a_w=m.mesh.centre_distance, m_n=m.system.m_n),
             play_angle_nominal=b.play_angle_at_base(j_bn=j_bn, beta_b=beta_b, d_b=m.driven.base_diameter),
@@ -103,7 +111,13 @@ def _at(m: BacklashCase, a: Metre) -> Metre:
     alpha_wt = f.working_pressure_angle(d_b1, d_b2, a)
     s_b1, s_b2 = (teeth.thickest for teeth in m.teeth)
     return b.backlash_of_bases(
-        p_bt=m.system.base_pitch, s_b1=s_b1, s_b2=s_b2, d_b1=d_b1, d_b2=d_b2, alpha_wt=alpha_wt, beta_b=m.system.base_helix_angle
+        p_bt=m.system.base_pitch,
+        s_b1=s_b1,
+        s_b2=s_b2,
+        d_b1=d_b1,
+        d_b2=d_b2,
+        alpha_wt=alpha_wt,
+        beta_b=m.system.base_helix_angle,
     )
 
 
@@ -117,11 +131,14 @@ def _stacked(m: BacklashCase) -> dict[str, float]:
         with about(Text("mesh {name}, parts between the centres", name=m.name)):
             T_wc = b.worst_case(T=fields)
             values = dict(
-                centre_tolerance_rss=b.tolerance_of_contributors(T=fields), centre_tolerance_worst=T_wc,
+                centre_tolerance_rss=b.tolerance_of_contributors(T=fields),
+                centre_tolerance_worst=T_wc,
                 centre_tolerance_chance=b.three_deviations(k=spread, T=fields),
-            )  # fmt: skip
+            )
             reach = max(reach, T_wc)
-            m.must_mesh(a_w - reach - m.eccentricity, Text("the worst case of the parts between the centres, with the runout,"))
+            m.must_mesh(
+                a_w - reach - m.eccentricity, Text("the worst case of the parts between the centres, with the runout,")
+            )
             values["backlash_min_worst"] = _at(m, b.narrowest(a_w, T_wc))
     if m.runouts:
         with about(Text("mesh {name}, smallest backlash with runout", name=m.name)):
@@ -130,7 +147,9 @@ def _stacked(m: BacklashCase) -> dict[str, float]:
     return values
 
 
-def _warm(m: BacklashCase, alpha: t.Expansions, states: tuple[t.ThermalState, ...]) -> tuple[dict[str, float], tuple[t.AtState, ...]]:
+def _warm(
+    m: BacklashCase, alpha: t.Expansions, states: tuple[t.ThermalState, ...]
+) -> tuple[dict[str, float], tuple[t.AtState, ...]]:
     """The smallest backlash of every state, and the largest free turn when all is warm."""
     values: dict[str, float] = {}
     smallest = []
@@ -145,11 +164,15 @@ def _warm(m: BacklashCase, alpha: t.Expansions, states: tuple[t.ThermalState, ..
             with about(Text("mesh {name}, largest backlash, {name2}", name=m.name, name2=state.name)):
                 a = b.widest(m.mesh.centre_distance, m.mesh.centre_tolerance)
                 loose = t.at_state(m, grown, a, *(teeth.thinnest for teeth in m.teeth)).backlash
-                values["play_angle_running"] = b.play_angle_at_base(loose, m.system.base_helix_angle, m.driven.base_diameter)
+                values["play_angle_running"] = b.play_angle_at_base(
+                    loose, m.system.base_helix_angle, m.driven.base_diameter
+                )
     return values, tuple(smallest)
 
 
-def _train(train: TrainResult, meshes: dict[str, PlayResult], way: list[str], last: str, chance: c.Chance | None) -> TrainPlay:
+def _train(
+    train: TrainResult, meshes: dict[str, PlayResult], way: list[str], last: str, chance: c.Chance | None
+) -> TrainPlay:
     """The free turns of all meshes, reduced to the last wheel."""
     wheels = train.wheels
     with about(Text("train, to {last}, at mid-tolerance", last=last)):
@@ -160,8 +183,12 @@ def _train(train: TrainResult, meshes: dict[str, PlayResult], way: list[str], la
             most, mid = train.meshes[key].play_angle, meshes[key].play_angle_nominal
             if most > 0:
                 z = wheels[train.meshes[key].driven].teeth
-                deviations.append(b.deviation_at_shaft(phi_max=most, phi_j=max(mid, 0.0), z=z, z_last=wheels[last].teeth))
+                deviations.append(
+                    b.deviation_at_shaft(phi_max=most, phi_j=max(mid, 0.0), z=z, z_last=wheels[last].teeth)
+                )
         rooted = b.phase_error_rss(Delta_phi=nominal, delta=each(gathered(deviations)))
     with about(Text("train, to {last}, running", last=last)):
         warm = free_turn(wheels, train.meshes, last, {key: meshes[key].play_angle_running for key in way})
-    return TrainPlay(phase_error_nominal=nominal, phase_error_rss=rooted, phase_error_running=warm, **c.of_train(last, chance))
+    return TrainPlay(
+        phase_error_nominal=nominal, phase_error_rss=rooted, phase_error_running=warm, **c.of_train(last, chance)
+    )

@@ -20,7 +20,8 @@ AROUND = np.linspace(0, 2 * np.pi, 121)
 
 
 def layout_curve(gears: GearsInputs, train: TrainResult, layout: LayoutResult) -> Curve | None:
-    """In true scale: circles of tips and of meshing, a spoke to tooth 1, walls and neighbours.  None where no wheel has a place."""
+    """In true scale: circles of tips and of meshing, a spoke to tooth 1, walls and neighbours.  None where no wheel has
+    a place."""
     placed = {name: wheel for name, wheel in layout.wheels.items() if wheel.position is not None}
     if not placed:
         return None
@@ -28,14 +29,24 @@ def layout_curve(gears: GearsInputs, train: TrainResult, layout: LayoutResult) -
     for name, wheel in placed.items():
         radii = [train.wheels[name].tip_diameter / 2, *_working_radii(train, name)]
         direction = np.exp(1j * (wheel.tooth_angle or 0.0))
-        rings = [radius * direction * np.exp(1j * AROUND) for radius in radii]  # one line: each ring begins and ends at tooth 1
+        rings = [
+            radius * direction * np.exp(1j * AROUND) for radius in radii
+        ]  # one line: each ring begins and ends at tooth 1
         series.append(_line(Name(name), wheel.position + np.concatenate([*rings, [0.0]])))
     for wall in gears.walls:
         series.append(_line(Name(wall.name), np.array([complex(*wall.from_), complex(*wall.to)])))
     for neighbour in gears.neighbours:
-        series.append(_line(Name(neighbour.name), complex(*neighbour.position) + neighbour.radius * np.exp(1j * AROUND)))
-    return Curve("layout", Text("Layout of the train, cylinder 1 at TDC, crank clockwise"), axis_label("side", "mm"),
-        axis_label("up", "mm"), tuple(series), equal=True)  # fmt: skip
+        series.append(
+            _line(Name(neighbour.name), complex(*neighbour.position) + neighbour.radius * np.exp(1j * AROUND))
+        )
+    return Curve(
+        "layout",
+        Text("Layout of the train, cylinder 1 at TDC, crank clockwise"),
+        axis_label("side", "mm"),
+        axis_label("up", "mm"),
+        tuple(series),
+        equal=True,
+    )
 
 
 def _working_radii(train: TrainResult, name: str) -> list[float]:
@@ -49,7 +60,8 @@ def _line(label: Text, points: ComplexArray) -> Series:
 
 
 def tables(train: TrainResult, placing: Placing, result: LayoutResult, teeth: Phase) -> tuple[Table, ...]:
-    """Places, the crossings of the circles of the centre distances, and the teeth to mark; none of them without places."""
+    """Places, the crossings of the circles of the centre distances, and the teeth to mark; none of them without
+    places."""
     if not placing.p:
         return ()
     rows: list[Row] = []
@@ -57,41 +69,84 @@ def tables(train: TrainResult, placing: Placing, result: LayoutResult, teeth: Ph
         if (p := wheel.position) is not None:
             tooth = None if wheel.tooth_angle is None else math.degrees(wheel.tooth_angle)
             room = None if wheel.clearance is None else wheel.clearance / 1e-3
-            rows.append((name, train.wheels[name].teeth, p.real / 1e-3, p.imag / 1e-3, wheel.placed_by, tooth, wheel.nearest or None, room))
+            rows.append(
+                (
+                    name,
+                    train.wheels[name].teeth,
+                    p.real / 1e-3,
+                    p.imag / 1e-3,
+                    wheel.placed_by,
+                    tooth,
+                    wheel.nearest or None,
+                    room,
+                )
+            )
     columns = (
-        (Text("wheel"), ""), (Text("z"), ""), (Text("up"), "mm"), (Text("side"), "mm"), (Text("placed by"), ""), (Text("tooth 1"), "°"),
-        (Text("nearest"), ""), (Text("clearance"), "mm"),
-    )  # fmt: skip
+        (Text("wheel"), ""),
+        (Text("z"), ""),
+        (Text("up"), "mm"),
+        (Text("side"), "mm"),
+        (Text("placed by"), ""),
+        (Text("tooth 1"), "°"),
+        (Text("nearest"), ""),
+        (Text("clearance"), "mm"),
+    )
     covers = tuple(f"gears.{name}.{part}" for name in placing.p for part in ("position_", "clearance_", "tooth_angle"))
     note = Text("From the crank's axis; side: 90° on in its rotation.")
     tables = [Table("places", Text("Places of the wheels"), columns, tuple(rows), note, covers)]
     if placing.solutions:
         both = tuple(
-            (wheel, between, p.real / 1e-3, p.imag / 1e-3, g / 1e-3 if math.isfinite(g) else None, Text("yes") if chosen else Text("no"))
+            (
+                wheel,
+                between,
+                p.real / 1e-3,
+                p.imag / 1e-3,
+                g / 1e-3 if math.isfinite(g) else None,
+                Text("yes") if chosen else Text("no"),
+            )
             for wheel, between, p, g, chosen in placing.solutions
         )
         head = (
-            (Text("wheel"), ""), (Text("between"), ""), (Text("up"), "mm"), (Text("side"), "mm"), (Text("clearance"), "mm"),
+            (Text("wheel"), ""),
+            (Text("between"), ""),
+            (Text("up"), "mm"),
+            (Text("side"), "mm"),
+            (Text("clearance"), "mm"),
             (Text("chosen"), ""),
-        )  # fmt: skip
+        )
         tables.append(Table("idler_positions", Text("Where the circles of the centre distances cross"), head, both))
     return (*tables, _marks(teeth, result.marks_period)) if teeth.marks else tuple(tables)
 
 
 def _marks(teeth: Phase, period: float) -> Table:
     between = [Text("{between} and {between2}", between=m.between[0], between2=m.between[1]) for m in teeth.marks]
-    rows = tuple((f"{m.driver}–{m.driven}", m.tooth, math.degrees(m.off), space) for m, space in zip(teeth.marks, between))
-    return Table("timing_marks", Text("Teeth to mark, cylinder 1 at TDC"),
-        ((Text("mesh"), ""), (Text("tooth of the driver"), ""), (Text("off the line of centres"), "°"),
-            (Text("between teeth of the driven wheel"), "")), rows,
-        Text("Teeth are counted in the sense of crank rotation from tooth 1: that of gears.tooth_angle_deg, of the last wheel the one "
-            "nearest the eccentric, of the others the one nearest to up. The marks of all wheels meet again after {period} turns.",
-            period=Amount(period, form="g")))  # fmt: skip
+    rows = tuple(
+        (f"{m.driver}–{m.driven}", m.tooth, math.degrees(m.off), space) for m, space in zip(teeth.marks, between)
+    )
+    return Table(
+        "timing_marks",
+        Text("Teeth to mark, cylinder 1 at TDC"),
+        (
+            (Text("mesh"), ""),
+            (Text("tooth of the driver"), ""),
+            (Text("off the line of centres"), "°"),
+            (Text("between teeth of the driven wheel"), ""),
+        ),
+        rows,
+        Text(
+            "Teeth are counted in the sense of crank rotation from tooth 1: that of gears.tooth_angle_deg, of the "
+            "last wheel the one "
+            "nearest the eccentric, of the others the one nearest to up. The marks of all wheels meet again after "
+            "{period} turns.",
+            period=Amount(period, form="g"),
+        ),
+    )
 
 
 def forces_tables(result: ForcesResult) -> tuple[Table, ...]:
     teeth = tuple(
-        (key.replace("_", "–"), m.working_tangential_force, m.working_radial_force, m.axial_force) for key, m in result.meshes.items()
+        (key.replace("_", "–"), m.working_tangential_force, m.working_radial_force, m.axial_force)
+        for key, m in result.meshes.items()
     )
     rows: list[Row] = []
     for name, w in result.wheels.items():
@@ -100,15 +155,40 @@ def forces_tables(result: ForcesResult) -> tuple[Table, ...]:
         couple = w.tilting_couple if w.tilting_couple is not None else w.tilting_couple_max
         direction = None if w.bearing_force_direction is None else math.degrees(w.bearing_force_direction)
         rows.append((name, w.hand or None, least, most, direction, w.thrust, couple))
-    covers = tuple(f"gears.{name}.{part}" for name in result.wheels for part in ("bearing_force", "thrust", "tilting_couple"))
+    covers = tuple(
+        f"gears.{name}.{part}" for name in result.wheels for part in ("bearing_force", "thrust", "tilting_couple")
+    )
     return (
-        Table("tooth_forces", Text("Forces between the teeth, at the working circles"),
-            ((Text("mesh"), ""), (Text("F_tw"), "N"), (Text("F_rw"), "N"), (Text("F_a"), "N")), teeth,
-            covers=tuple(f"gears.{key}.{part}" for key in result.meshes for part in ("working_tangential", "working_radial", "axial_"))),
-        Table("bearing_forces", Text("Forces on the bearings of the wheels"),
-            ((Text("wheel"), ""), (Text("hand"), ""), (Text("least"), "N"), (Text("most"), "N"), (Text("direction"), "°"),
-                (Text("thrust"), "N"), (Text("tilting couple"), "N·m")), tuple(rows),
-            Text("Least and most differ where the included angle is not known; the tilting couple is then the largest. Direction from up "
-                "in the sense of crank rotation. Thrust: + towards the flywheel, the crank turning clockwise seen from its front end."),
-            covers),
-    )  # fmt: skip
+        Table(
+            "tooth_forces",
+            Text("Forces between the teeth, at the working circles"),
+            ((Text("mesh"), ""), (Text("F_tw"), "N"), (Text("F_rw"), "N"), (Text("F_a"), "N")),
+            teeth,
+            covers=tuple(
+                f"gears.{key}.{part}"
+                for key in result.meshes
+                for part in ("working_tangential", "working_radial", "axial_")
+            ),
+        ),
+        Table(
+            "bearing_forces",
+            Text("Forces on the bearings of the wheels"),
+            (
+                (Text("wheel"), ""),
+                (Text("hand"), ""),
+                (Text("least"), "N"),
+                (Text("most"), "N"),
+                (Text("direction"), "°"),
+                (Text("thrust"), "N"),
+                (Text("tilting couple"), "N·m"),
+            ),
+            tuple(rows),
+            Text(
+                "Least and most differ where the included angle is not known; the tilting couple is then the largest. "
+                "Direction from up "
+                "in the sense of crank rotation. Thrust: + towards the flywheel, the crank turning clockwise seen "
+                "from its front end."
+            ),
+            covers,
+        ),
+    )

@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Forces between the teeth and on the axes of a train, once the torque of every mesh is known.
 
-At the working circles, by the torque that is handed in: the mean one, or a peak.  Thrust is + along the axis of the crank's rotation,
-which points towards the flywheel where the crank turns clockwise seen from its front end.
-"""
+At the working circles, by the torque that is handed in: the mean one, or a peak.  Thrust is + along the axis of the
+crank's rotation, which points towards the flywheel where the crank turns clockwise seen from its front end."""
 
 from collections.abc import Mapping
 from functools import reduce
@@ -34,23 +33,33 @@ class Share(NamedTuple):
     psi: Radian | None  # direction of the pitch point from the wheel's axis
 
 
-def forces(gears: GearsInputs, train: TrainResult, layout: LayoutResult, torques: Mapping[str, NewtonMetre]) -> Outcome[ForcesResult]:
+def forces(
+    gears: GearsInputs, train: TrainResult, layout: LayoutResult, torques: Mapping[str, NewtonMetre]
+) -> Outcome[ForcesResult]:
     """`torques`: of the driver of every mesh, by the mesh ("a_b")."""
     turns = _turns(gears, train)
     with trace() as lines:
         meshes, wheels = _all(gears, train, layout, torques, turns, gears.hands())
     result = ForcesResult(wheels=wheels, meshes=meshes)
-    return Outcome("gears", result=result, lines=tuple(lines), tables=Later(lambda: forces_tables(result)),
-        notes=Later(lambda: forces_notes(gears, result, turns)))  # fmt: skip
+    return Outcome(
+        "gears",
+        result=result,
+        lines=tuple(lines),
+        tables=Later(lambda: forces_tables(result)),
+        notes=Later(lambda: forces_notes(gears, result, turns)),
+    )
 
 
 def axis_forces(gears: GearsInputs, train: TrainResult, torques: Mapping[str, NewtonMetre]) -> dict[str, Newton]:
-    """The force of the teeth on the axis of every wheel, the largest it can be where the places of the wheels are not known.
+    """The force of the teeth on the axis of every wheel, the largest it can be where the places of the wheels are not
+    known.
 
     `torques` may be arrays: many operating points.
     """
     _, wheels = _all(gears, train, train.layout, torques, _turns(gears, train), {})  # no hands: thrust is not asked for
-    loads = {name: w.bearing_force if w.bearing_force is not None else w.bearing_force_max for name, w in wheels.items()}
+    loads = {
+        name: w.bearing_force if w.bearing_force is not None else w.bearing_force_max for name, w in wheels.items()
+    }
     return {name: force for name, force in loads.items() if force is not None}
 
 
@@ -63,9 +72,13 @@ def _turns(gears: GearsInputs, train: TrainResult) -> dict[str, Number]:
 
 
 def _all(
-    gears: GearsInputs, train: TrainResult, layout: LayoutResult | None, torques: Mapping[str, NewtonMetre], turns: Mapping[str, Number],
+    gears: GearsInputs,
+    train: TrainResult,
+    layout: LayoutResult | None,
+    torques: Mapping[str, NewtonMetre],
+    turns: Mapping[str, Number],
     hand: Mapping[str, str],
-) -> tuple[dict[str, MeshForces], dict[str, WheelForces]]:  # fmt: skip
+) -> tuple[dict[str, MeshForces], dict[str, WheelForces]]:
     shares: dict[str, list[Share]] = {w.name: [] for w in gears.wheels}
     meshes = {}
     for key, mesh in train.meshes.items():
@@ -75,7 +88,9 @@ def _all(
     return meshes, {name: _wheel(name, hand.get(name, ""), parts) for name, parts in shares.items()}
 
 
-def _mesh(mesh: MeshResult, gamma: Radian | None, T_1: NewtonMetre, s: Number, h: Number, shares: dict[str, list[Share]]) -> MeshForces:
+def _mesh(
+    mesh: MeshResult, gamma: Radian | None, T_1: NewtonMetre, s: Number, h: Number, shares: dict[str, list[Share]]
+) -> MeshForces:
     """`s` +1: the driver turns as the crank; `h` +1: it is right-handed, 0: the wheels are spur."""
     d_w1, d_w2 = mesh.working_diameter_driver, mesh.working_diameter_driven
     with about(Text("mesh {pair}, forces", pair=mesh.title)):
@@ -106,7 +121,10 @@ def _wheel(name: str, hand: str, parts: list[Share]) -> WheelForces:
             F_W, *more = (part.force for part in parts if part.force is not None)
             for F_m in more:
                 F_W = f.wheel_force(F_1=F_W, F_2=F_m)
-            values["bearing_force"], values["bearing_force_direction"] = f.bearing_force(F_W=F_W), f.force_direction(F_W=F_W)
+            values["bearing_force"], values["bearing_force_direction"] = (
+                f.bearing_force(F_W=F_W),
+                f.force_direction(F_W=F_W),
+            )
         elif len(parts) == 1:
             values["bearing_force"] = parts[0].transverse
         elif len(parts) == 2:
@@ -133,4 +151,7 @@ def _tilting(parts: list[Share], placed: bool) -> dict[str, NewtonMetre]:
     if len(parts) > 2:
         return {}
     one, two = (f.tilting_of_one(F_x=part.thrust, d_w=part.arm) for part in parts)
-    return {"tilting_couple_min": f.tilting_least(M_1=one, M_2=two), "tilting_couple_max": f.tilting_most(M_1=one, M_2=two)}
+    return {
+        "tilting_couple_min": f.tilting_least(M_1=one, M_2=two),
+        "tilting_couple_max": f.tilting_most(M_1=one, M_2=two),
+    }

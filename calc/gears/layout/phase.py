@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Which teeth meet: hunting, the angle of every wheel's teeth with cylinder 1 at TDC, and the marks by which a train is assembled.
+"""Which teeth meet: hunting, the angle of every wheel's teeth with cylinder 1 at TDC, and the marks by which a train is
+assembled.
 
-In the middle of the face width.  Teeth are numbered in the sense of crank rotation, from tooth 1: of the first driver that of
-gears.tooth_angle_deg, of the last wheel the one nearest the eccentric, of the others the one nearest to up.
-"""
+In the middle of the face width.  Teeth are numbered in the sense of crank rotation, from tooth 1: of the first driver
+that of gears.tooth_angle_deg, of the last wheel the one nearest the eccentric, of the others the one nearest to up."""
 
 import math
 from collections.abc import Mapping

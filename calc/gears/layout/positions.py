@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """Where the axes stand: given, found by two circles, or chosen where a chain of two wheels leaves one angle free.
 
-A wheel between two placed ones stands where the circles of its centre distances cross: twice, or never.  Two open wheels in a row
-can turn about their ends like a linkage: the place with the most room is taken.  What nothing fixes gets no place.
-"""
+A wheel between two placed ones stands where the circles of its centre distances cross: twice, or never.  Two open
+wheels in a row can turn about their ends like a linkage: the place with the most room is taken.  What nothing fixes
+gets no place."""
 
 import math
 from collections.abc import Mapping
@@ -43,7 +43,8 @@ class Placing:
 
 @record
 class Between:
-    """An open wheel and two placed neighbours of it: c apart; `tolerance` within which their distance may miss the range."""
+    """An open wheel and two placed neighbours of it: c apart; `tolerance` within which their distance may miss the
+    range."""
 
     wheel: str
     first: str
@@ -63,10 +64,13 @@ def place(gears: GearsInputs, train: TrainResult, room: Room, shaft_axis: comple
     placing = Placing()
     _anchors(gears, train, placing, shaft_axis)
     if not placing.p:
-        placing.notes.append(Text(
-            "Positions of the wheels are not given: nothing is said about clearances, assembly phase and included angles. They follow "
-            "from countershaft.axis_mm or gears.wheels.NAME.position_mm."
-        ))  # fmt: skip
+        placing.notes.append(
+            Text(
+                "Positions of the wheels are not given: nothing is said about clearances, assembly phase and included "
+                "angles. They follow "
+                "from countershaft.axis_mm or gears.wheels.NAME.position_mm."
+            )
+        )
         return placing
     meshes = tuple(train.meshes.values())
     beside = {w.name: _neighbours(w.name, meshes) for w in gears.wheels}
@@ -83,16 +87,21 @@ def place(gears: GearsInputs, train: TrainResult, room: Room, shaft_axis: comple
         if not _swing(*pair, beside, placing, room, train):
             failed |= set(pair)
     if open_ := [w.name for w in gears.wheels if w.name not in placing.p]:
-        placing.notes.append(Text(
-            "{open}: no place, since nothing fixes it or its neighbours are out of reach: give gears.wheels.{open2}.position_mm.",
-            open=", ".join(open_), open2=open_[0],
-        ))  # fmt: skip
+        placing.notes.append(
+            Text(
+                "{open}: no place, since nothing fixes it or its neighbours are out of reach: give "
+                "gears.wheels.{open2}.position_mm.",
+                open=", ".join(open_),
+                open2=open_[0],
+            )
+        )
     _contradictions(train, placing, {w.name for w in gears.wheels if w.position is not None})
     return placing
 
 
 def _anchors(gears: GearsInputs, train: TrainResult, placing: Placing, shaft_axis: complex | None) -> None:
-    """What is given: positions of wheels, the axis of the counter-shaft for the last one, and the crank's for the first."""
+    """What is given: positions of wheels, the axis of the counter-shaft for the last one, and the crank's for the
+    first."""
     first, last = gears.meshes[0].driver, gears.meshes[-1].driven
     for wheel in gears.wheels:
         if wheel.position is not None:
@@ -112,7 +121,11 @@ def axes_apart(gears: GearsInputs, shaft_axis: complex | None) -> dict[int, Metr
     placed = {} if shaft_axis is None else {last: shaft_axis}
     placed |= {wheel.name: at(wheel.position) for wheel in gears.wheels if wheel.position is not None}
     placed = {first: 0j} | placed if placed else placed
-    return {i: abs(placed[m.driven] - placed[m.driver]) for i, m in enumerate(gears.meshes) if m.driver in placed and m.driven in placed}
+    return {
+        i: abs(placed[m.driven] - placed[m.driver])
+        for i, m in enumerate(gears.meshes)
+        if m.driver in placed and m.driven in placed
+    }
 
 
 def _neighbours(name: str, meshes: tuple[MeshResult, ...]) -> dict[str, MeshResult]:
@@ -125,10 +138,19 @@ def _between(name: str, beside: Mates, placing: Placing, train: TrainResult) -> 
         return None
     (first, m_1), (second, m_2), *others = placed
     tolerance = allowed(train, m_1) + allowed(train, m_2)
-    return Between(name, first, second, m_1.centre_distance, m_2.centre_distance, tolerance, [(w, m.centre_distance) for w, m in others])
+    return Between(
+        name,
+        first,
+        second,
+        m_1.centre_distance,
+        m_2.centre_distance,
+        tolerance,
+        [(w, m.centre_distance) for w, m in others],
+    )
 
 
-# --- one open wheel --------------------------------------------------------------------------------------------------------
+# --- one open wheel
+# --------------------------------------------------------------------------------------------------------
 def _settle(idlers: list[Between], placing: Placing, room: Room) -> set[str]:
     """Every wheel that has two placed neighbours; returns those that can not reach both."""
     by_name = {idler.wheel: idler for idler in idlers}
@@ -146,19 +168,28 @@ def _sides(idler: Between, placing: Placing) -> tuple[float, ...]:
     c, tolerance = abs(placing.p[idler.second] - placing.p[idler.first]), idler.tolerance
     low, high = abs(idler.a_12 - idler.a_23), idler.a_12 + idler.a_23
     placing.checks.append(
-        reach_check(f"gears.{idler.wheel}.position", Name(idler.wheel), idler.first, idler.second, c, low, high, tolerance)
+        reach_check(
+            f"gears.{idler.wheel}.position", Name(idler.wheel), idler.first, idler.second, c, low, high, tolerance
+        )
     )
     if c < SAME:
-        placing.notes.append(Text("{first} and {second} have one axis: {wheel} can stand in any direction from it.", **names))
+        placing.notes.append(
+            Text("{first} and {second} have one axis: {wheel} can stand in any direction from it.", **names)
+        )
         return ()
     if not low - tolerance <= c <= high + tolerance:
         return ()
     if c > high or c < low:
         miss = Amount((c - high if c > high else low - c) * 1e6)
-        placing.notes.append(Text(
-            "The centre distances of {wheel} miss {first} and {second} by {miss} µm, within the tolerance: it is set on their line of "
-            "centres.", **names, miss=miss,
-        ))  # fmt: skip
+        placing.notes.append(
+            Text(
+                "The centre distances of {wheel} miss {first} and {second} by {miss} µm, within the tolerance: it is "
+                "set on their line of "
+                "centres.",
+                **names,
+                miss=miss,
+            )
+        )
         return (0.0,)
     return (1.0, -1.0) if idler.a_12**2 > f.chord_foot.function(c, idler.a_12, idler.a_23) ** 2 else (0.0,)
 
@@ -174,7 +205,11 @@ def _solve(idler: Between, placing: Placing, s: float) -> complex:
 
 
 def _choose(
-    names: list[str], places: Mapping[str, list[tuple[complex, float]]], idlers: Mapping[str, Between], placing: Placing, room: Room
+    names: list[str],
+    places: Mapping[str, list[tuple[complex, float]]],
+    idlers: Mapping[str, Between],
+    placing: Placing,
+    room: Room,
 ) -> None:
     """The combination of places that fits further neighbours best, and then has the most room at its tightest wheel."""
 
@@ -197,21 +232,34 @@ def _choose(
 
 def _choice(idler: Between, p: complex, free: Mapping[bool, Metre]) -> Text:
     """`free`: the room at the place that was chosen (True), and at the other if there is one."""
-    where = Text("{wheel} between {first} and {second}: [{real}, {imag}] mm", wheel=idler.wheel, first=idler.first, second=idler.second,
-        real=mm(p.real, ".4f"), imag=mm(p.imag, ".4f"))  # fmt: skip
+    where = Text(
+        "{wheel} between {first} and {second}: [{real}, {imag}] mm",
+        wheel=idler.wheel,
+        first=idler.first,
+        second=idler.second,
+        real=mm(p.real, ".4f"),
+        imag=mm(p.imag, ".4f"),
+    )
     if len(free) < 2:
         return Text("{where}, on their line of centres.", where=where)
     if idler.others:
         return Text("{where}, of two places that which fits the other wheels that it meshes with.", where=where)
     if not math.isfinite(free[True]) or abs(free[True] - free[False]) <= 2 * TIED:
         return Text(
-            "{where}, of two places the one further in the sense of crank rotation: nothing near them tells them apart.", where=where
+            "{where}, of two places the one further in the sense of crank rotation: "
+            "nothing near them tells them apart.",
+            where=where,
         )
-    return Text("{where}, of two places the one with more room: {room} mm, the other {room2} mm.", where=where, room=mm(free[True]),
-        room2=mm(free[False]))  # fmt: skip
+    return Text(
+        "{where}, of two places the one with more room: {room} mm, the other {room2} mm.",
+        where=where,
+        room=mm(free[True]),
+        room2=mm(free[False]),
+    )
 
 
-# --- two open wheels in a row ----------------------------------------------------------------------------------------------
+# --- two open wheels in a row
+# ----------------------------------------------------------------------------------------------
 def _open_pair(still: list[str], beside: Mapping[str, Mates], placing: Placing) -> tuple[str, str] | None:
     held = [name for name in still if any(mate in placing.p for mate in beside[name])]
     return next(((wheel, mate) for wheel in held for mate in beside[wheel] if mate in held), None)
@@ -225,7 +273,9 @@ def _swing(one: str, two: str, beside: Mapping[str, Mates], placing: Placing, ro
     a_1, a_2, a_3 = m_1.centre_distance, m_2.centre_distance, m_3.centre_distance
     c, high = abs(placing.p[last] - placing.p[first]), a_1 + a_2 + a_3
     low = max(2 * max(a_1, a_2, a_3) - high, 0.0)
-    placing.checks.append(reach_check(f"gears.{one}.position", Text("{one} and {two}", one=one, two=two), first, last, c, low, high, 0.0))
+    placing.checks.append(
+        reach_check(f"gears.{one}.position", Text("{one} and {two}", one=one, two=two), first, last, c, low, high, 0.0)
+    )
     if not low <= c <= high:
         return False
     with untraced():
@@ -240,16 +290,28 @@ def _swing(one: str, two: str, beside: Mapping[str, Mates], placing: Placing, ro
         between = Between(two, one, last, a_2, a_3, allowed(train, m_2) + allowed(train, m_3), [])
         placing.put(two, _solve(between, placing, s), Text("chosen"))
     found = ((name, placing.p[name]) for name in (one, two))
-    places = listed(Text("{n} [{real}, {imag}] mm", n=name, real=mm(p.real, ".4f"), imag=mm(p.imag, ".4f")) for name, p in found)
-    placing.notes.append(Text(
-        "{one} and {two} between {first} and {last}: one angle is free; chosen: {places}, where the tighter of them has the most room, "
-        "{clearance} mm. Walls and neighbours that are not given are not heeded: give gears.wheels.{one}.position_mm.",
-        one=one, two=two, first=first, last=last, places=places, clearance=mm(clearance),
-    ))  # fmt: skip
+    places = listed(
+        Text("{n} [{real}, {imag}] mm", n=name, real=mm(p.real, ".4f"), imag=mm(p.imag, ".4f")) for name, p in found
+    )
+    placing.notes.append(
+        Text(
+            "{one} and {two} between {first} and {last}: one angle is free; chosen: {places}, where the tighter of "
+            "them has the most room, "
+            "{clearance} mm. Walls and neighbours that are not given are not heeded: give "
+            "gears.wheels.{one}.position_mm.",
+            one=one,
+            two=two,
+            first=first,
+            last=last,
+            places=places,
+            clearance=mm(clearance),
+        )
+    )
     return True
 
 
-# --- what is given and does not fit ----------------------------------------------------------------------------------------
+# --- what is given and does not fit
+# ----------------------------------------------------------------------------------------
 def _contradictions(train: TrainResult, placing: Placing, given: set[str]) -> None:
     """Meshes between placed wheels whose distance is not the centre distance."""
     for i, (key, mesh) in enumerate(train.meshes.items()):
@@ -263,4 +325,6 @@ def _contradictions(train: TrainResult, placing: Placing, given: set[str]) -> No
         with about(Text("mesh {pair}, place", pair=mesh.title)):
             c = f.axes_apart(p_1=p_1, p_3=p_3)
             error = f.distance_error(c=c, a_w=mesh.centre_distance)
-        placing.checks.append(distance_check(key, i, mesh, c, error, allowed(train, mesh), [name for name in pair if name in given]))
+        placing.checks.append(
+            distance_check(key, i, mesh, c, error, allowed(train, mesh), [name for name in pair if name in given])
+        )

@@ -10,11 +10,15 @@ class WheelLayout:
     """One wheel in its place.  Positions from the crank's axis; None: it has no place, or nothing is near it."""
 
     position_up: Metre | None = value("Axis, up from the crank's", "mm", "p_up", default=None)
-    position_side: Metre | None = value("Axis, 90° further in the sense of crank rotation", "mm", "p_side", default=None)
+    position_side: Metre | None = value(
+        "Axis, 90° further in the sense of crank rotation", "mm", "p_side", default=None
+    )
     included_angle: Radian | None = value("Angle between the lines of centres", "°", "φ", default=None)
     clearance_wall: Metre | None = value("Clearance to the nearest wall", "mm", "g", default=None)
     clearance_neighbour: Metre | None = value("Clearance to the nearest neighbour", "mm", "g", default=None)
-    clearance_wheel: Metre | None = value("Clearance to the nearest wheel that it does not mesh with", "mm", "g", default=None)
+    clearance_wheel: Metre | None = value(
+        "Clearance to the nearest wheel that it does not mesh with", "mm", "g", default=None
+    )
     tooth_angle: Radian | None = value("Middle of its tooth 1, cylinder 1 at TDC", "°", "θ", default=None)
     position: complex | None = None
     placed_by: str = ""
@@ -39,12 +43,24 @@ class LayoutResult:
     meshes: dict[str, MeshLayout] = group(spread=True)
     marks_period: Number = value("Turns of the first driver until all marks meet again", "", "N_M")
     remesh_angle: Radian = value("Last wheel meshed one tooth further: its phase", "°", "τ")
-    remesh_couple: NewtonMetre | None = value("Couple left, last wheel meshed one tooth further", "N·m", "C_ε", default=None)
-    eccentric_offset: Radian | None = value("From the eccentric to the nearest tooth of the last wheel", "°", "δ_E", default=None)
-    eccentric_tooth_error: Radian | None = value("Phase error with a tooth on the eccentric's axis", "°", "ε_z", default=None)
-    eccentric_tooth_couple: NewtonMetre | None = value("Couple left, a tooth on the eccentric's axis", "N·m", "C_ε", default=None)
-    eccentric_space_error: Radian | None = value("Phase error with a space on the eccentric's axis", "°", "ε_s", default=None)
-    eccentric_space_couple: NewtonMetre | None = value("Couple left, a space on the eccentric's axis", "N·m", "C_ε", default=None)
+    remesh_couple: NewtonMetre | None = value(
+        "Couple left, last wheel meshed one tooth further", "N·m", "C_ε", default=None
+    )
+    eccentric_offset: Radian | None = value(
+        "From the eccentric to the nearest tooth of the last wheel", "°", "δ_E", default=None
+    )
+    eccentric_tooth_error: Radian | None = value(
+        "Phase error with a tooth on the eccentric's axis", "°", "ε_z", default=None
+    )
+    eccentric_tooth_couple: NewtonMetre | None = value(
+        "Couple left, a tooth on the eccentric's axis", "N·m", "C_ε", default=None
+    )
+    eccentric_space_error: Radian | None = value(
+        "Phase error with a space on the eccentric's axis", "°", "ε_s", default=None
+    )
+    eccentric_space_couple: NewtonMetre | None = value(
+        "Couple left, a space on the eccentric's axis", "N·m", "C_ε", default=None
+    )
     insertion_gap: Metre | None = value("Seat of the journal over the tip circle, diametral", "mm", "g_J", default=None)
 
 
@@ -62,13 +78,21 @@ class WheelForces:
     """What a wheel's bearing carries.  _min and _max: over every included angle, where the wheels have no positions."""
 
     bearing_force: Newton | None = value("Load of its bearing, transverse", "N", "F_B", default=None)
-    bearing_force_min: Newton | None = value("Load of its bearing, least over the included angle", "N", "F_B,min", default=None)
-    bearing_force_max: Newton | None = value("Load of its bearing, most over the included angle", "N", "F_B,max", default=None)
+    bearing_force_min: Newton | None = value(
+        "Load of its bearing, least over the included angle", "N", "F_B,min", default=None
+    )
+    bearing_force_max: Newton | None = value(
+        "Load of its bearing, most over the included angle", "N", "F_B,max", default=None
+    )
     bearing_force_direction: Radian | None = value("Direction of that load, from up", "°", "ψ_B", default=None)
     thrust: Newton | None = value("Thrust (+: towards the flywheel)", "N", "F_x", default=None)
     tilting_couple: NewtonMetre | None = value("Tilting couple of the axial forces", "N·m", "M_K", default=None)
-    tilting_couple_min: NewtonMetre | None = value("Tilting couple, least over the included angle", "N·m", "M_K,min", default=None)
-    tilting_couple_max: NewtonMetre | None = value("Tilting couple, most over the included angle", "N·m", "M_K,max", default=None)
+    tilting_couple_min: NewtonMetre | None = value(
+        "Tilting couple, least over the included angle", "N·m", "M_K,min", default=None
+    )
+    tilting_couple_max: NewtonMetre | None = value(
+        "Tilting couple, most over the included angle", "N·m", "M_K,max", default=None
+    )
     hand: str = ""
 
 

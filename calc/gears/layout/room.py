@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What stands around the wheels, how much room each has at a point, and the free angle of two wheels in a row with the most room."""
+"""What stands around the wheels, how much room each has at a point, and the free angle of two wheels in a row with the
+most room."""
 
 import math
 from collections.abc import Sequence
@@ -43,7 +44,9 @@ class Room:
 
     def others(self, wheel: str, places: dict[str, complex]) -> list[tuple[str, complex, Metre]]:
         """The wheels that it does not mesh with: name, place, reach."""
-        return [(name, q, self.swept[name]) for name, q in places.items() if name != wheel and name not in self.mates[wheel]]
+        return [
+            (name, q, self.swept[name]) for name, q in places.items() if name != wheel and name not in self.mates[wheel]
+        ]
 
     def around(self, wheel: str, p: complex, places: dict[str, complex]) -> Metre:
         """The smallest clearance of a wheel at a point; `places`: of the other wheels."""
@@ -81,13 +84,16 @@ def room(gears: GearsInputs, train: TrainResult) -> Room:
         upper = w.tip_diameter_tolerance[0] if w.tip_diameter_tolerance else 0.0
         largest = based_on(max(tolerances[w.name]), *tolerances[w.name])
         with about(Text("wheel {name}, room", name=w.name)):
-            swept[w.name] = f.swept_radius(d_a=train.wheels[w.name].tip_diameter, E_da=upper, F_r=w.runout or 0.0, T_a=largest)
+            swept[w.name] = f.swept_radius(
+                d_a=train.wheels[w.name].tip_diameter, E_da=upper, F_r=w.runout or 0.0, T_a=largest
+            )
     walls = tuple((wall.name, at(wall.from_), at(wall.to)) for wall in gears.walls)
     return Room(walls, tuple((n.name, at(n.position), n.radius) for n in gears.neighbours), swept, mates)
 
 
 def clearances(wheel: str, places: dict[str, complex], room: Room) -> dict[str, Clearance]:
-    """The smallest clearance of each kind, line by line, of a wheel in its place; kinds of which there is nothing are left out."""
+    """The smallest clearance of each kind, line by line, of a wheel in its place; kinds of which there is nothing are
+    left out."""
     p, r_s, free = places[wheel], room.swept[wheel], {}
     with about(Text("wheel {wheel}, room", wheel=wheel)):
         if room.walls:
@@ -101,14 +107,15 @@ def clearances(wheel: str, places: dict[str, complex], room: Room) -> dict[str, 
     return free
 
 
-# --- two wheels in a row between two placed ones: the free angle with the most room, by a scan that is refined about its best point
+# --- two wheels in a row between two placed ones: the free angle with the most room, by a scan that is refined about
+# its best point
 def most_room(
     room: Room, places: dict[str, complex], chain: tuple[str, str, str, str], a: tuple[Metre, Metre, Metre]
 ) -> tuple[Radian, float, Metre] | None:
     """(direction of the first open wheel from its placed neighbour, side of the second, clearance of the tighter one).
 
-    None where no direction was found in which both wheels reach.  The coarse scan holds the stretched and the folded position.
-    """
+    None where no direction was found in which both wheels reach.  The coarse scan holds the stretched and the folded
+    position."""
     first, one, two, last = chain
     p, q = places[first], places[last]
     toward = math.atan2((q - p).imag, (q - p).real)
@@ -129,7 +136,13 @@ def most_room(
 
 
 def _clearances(
-    room: Room, places: dict[str, complex], names: tuple[str, str], p: complex, q: complex, phi: Array, a: tuple[Metre, Metre, Metre]
+    room: Room,
+    places: dict[str, complex],
+    names: tuple[str, str],
+    p: complex,
+    q: complex,
+    phi: Array,
+    a: tuple[Metre, Metre, Metre],
 ) -> Array:
     """Of the tighter wheel, one row for each side; −∞ where the wheels do not reach each other."""
     sides = np.array([[1j], [-1j]])
@@ -148,21 +161,35 @@ def _clearances(
 # Whether the wheels reach each other in their places, have room there, and can be put together.
 
 USUAL_CLEARANCE: Metre = 1e-3  # rule of this program
-SWEPT = Text("geometry: tip circle with its upper deviation, half the runout and the tolerance of the axis, at rest and cold")
+SWEPT = Text(
+    "geometry: tip circle with its upper deviation, half the runout and the tolerance of the axis, at rest and cold"
+)
 TWO_CIRCLES = Text("geometry: two circles about the fixed axes, with the working centre distances")
 
 
-def reach_check(id: str, what: Text, first: str, second: str, c: Metre, low: Metre, high: Metre, tolerance: Metre) -> Check:
+def reach_check(
+    id: str, what: Text, first: str, second: str, c: Metre, low: Metre, high: Metre, tolerance: Metre
+) -> Check:
     """Of two placed axes `c` apart, which `what` can span from `low` to `high`."""
     limits = max(low - tolerance, 0.0), high + tolerance
     if c > limits[1]:
-        do = Text("bring them at least {c} mm closer, or give larger centre distances or more teeth between them", c=mm(c - high))
+        do = Text(
+            "bring them at least {c} mm closer, or give larger centre distances or more teeth between them",
+            c=mm(c - high),
+        )
     elif c < limits[0]:
         do = Text("set them at least {low} mm further apart, or make the centre distances more alike", low=mm(low - c))
     else:
         do = Text("near a limit small errors of the axes move the wheel between them far")
-    advice = Text("{first} and {second} must stand {low} to {high} mm apart for {what} to reach both: {do}.", first=first, second=second,
-        low=mm(low, digits=6), high=mm(high, digits=6), what=what, do=do)  # fmt: skip
+    advice = Text(
+        "{first} and {second} must stand {low} to {high} mm apart for {what} to reach both: {do}.",
+        first=first,
+        second=second,
+        low=mm(low, digits=6),
+        high=mm(high, digits=6),
+        what=what,
+        do=do,
+    )
     name = Text("Distance {first} to {second} that {what} spans", first=first, second=second, what=what)
     return check(id, name, c, "in", limits, "mm", TWO_CIRCLES, advice)
 
@@ -170,35 +197,70 @@ def reach_check(id: str, what: Text, first: str, second: str, c: Metre, low: Met
 def axis_check(last: str, off: Metre, limit: Metre) -> Check:
     """`off`: between the given position of the last wheel and the axis of the counter-shaft."""
     return check(
-        f"gears.{last}.axis", Text("Position of {last} from the axis of the counter-shaft", last=last), off, "<=", limit, "µm",
+        f"gears.{last}.axis",
+        Text("Position of {last} from the axis of the counter-shaft", last=last),
+        off,
+        "<=",
+        limit,
+        "µm",
         Text("rule of this program: the last wheel stands on the counter-shaft, within 10⁻³ m_n"),
-        remedies=by_key(Wheel, f"gears.wheels.{last}.position_mm", None, place=last, effect=Text("the axis of the counter-shaft gives it")),
-    )  # fmt: skip
+        remedies=by_key(
+            Wheel,
+            f"gears.wheels.{last}.position_mm",
+            None,
+            place=last,
+            effect=Text("the axis of the counter-shaft gives it"),
+        ),
+    )
 
 
-def distance_check(key: str, index: int, mesh: MeshResult, c: Metre, error: Metre, limit: Metre, given: list[str]) -> Check:
+def distance_check(
+    key: str, index: int, mesh: MeshResult, c: Metre, error: Metre, limit: Metre, given: list[str]
+) -> Check:
     """Of two axes that stand `c` apart; `given`: which of both wheels have a given position."""
-    advice = Text("The axes stand {c} mm apart, the centre distance is {centre_distance} mm.", c=mm(c, ".4f"),
-        centre_distance=mm(mesh.centre_distance, ".4f"))  # fmt: skip
+    advice = Text(
+        "The axes stand {c} mm apart, the centre distance is {centre_distance} mm.",
+        c=mm(c, ".4f"),
+        centre_distance=mm(mesh.centre_distance, ".4f"),
+    )
     if given:
         advice += Text(" Or move {wrong}.", wrong=alternatives(given))
-    return check(f"gears.{key}.position",
-        Text("Axes of {driver} and {driven} off their centre distance", driver=mesh.driver, driven=mesh.driven), error, "<=", limit, "µm",
-        Text("rule of this program: the tolerance of the centre distance, at least 10⁻³ m_n"), advice, index=index,
-        remedies=by_key(Mesh, f"gears.meshes.{index}.centre_distance_mm", round(c * 1e3, 4), place=mesh.title))  # fmt: skip
+    return check(
+        f"gears.{key}.position",
+        Text("Axes of {driver} and {driven} off their centre distance", driver=mesh.driver, driven=mesh.driven),
+        error,
+        "<=",
+        limit,
+        "µm",
+        Text("rule of this program: the tolerance of the centre distance, at least 10⁻³ m_n"),
+        advice,
+        index=index,
+        remedies=by_key(Mesh, f"gears.meshes.{index}.centre_distance_mm", round(c * 1e3, 4), place=mesh.title),
+    )
 
 
 def clearance_checks(wheel: str, free: dict[str, Clearance], order: list[str], chosen: bool) -> list[Check]:
-    """Of the tightest place around a wheel.  Two wheels that come too near each other are judged once, at the later one."""
+    """Of the tightest place around a wheel.  Two wheels that come too near each other are judged once, at the later
+    one."""
     own = [c for c in free.values() if c.kind != "wheel" or order.index(c.to) < order.index(wheel)]
     if not own:
         return []
     tight = min(own, key=lambda c: c.g)
-    what = {"wall": Text("wall {to}", to=tight.to), "neighbour": tight.to, "wheel": Text("wheel {to}", to=tight.to)}[tight.kind]
+    what = {"wall": Text("wall {to}", to=tight.to), "neighbour": tight.to, "wheel": Text("wheel {to}", to=tight.to)}[
+        tight.kind
+    ]
     name, id = Text("Clearance of {wheel} to {what}", wheel=wheel, what=what), f"gears.{wheel}.clearance"
-    move = Text("give {wheel} another place", wheel=wheel) if chosen else Text("move {wheel} or {what} apart", wheel=wheel, what=what)
+    move = (
+        Text("give {wheel} another place", wheel=wheel)
+        if chosen
+        else Text("move {wheel} or {what} apart", wheel=wheel, what=what)
+    )
     missing = Text(" by {g} mm", g=mm(-tight.g)) if tight.g < 0 else ""
-    advice = Text("The tip circle needs more room: {move}{missing}, or give it fewer teeth or a smaller shift.", move=move, missing=missing)
+    advice = Text(
+        "The tip circle needs more room: {move}{missing}, or give it fewer teeth or a smaller shift.",
+        move=move,
+        missing=missing,
+    )
     if chosen and tight.kind != "wheel":
         advice += Text(" `choose FILE gears` tries its teeth.")
     usual, rule = Text("{name}, usual", name=name), Text("rule of this program: 1 mm")
@@ -213,18 +275,46 @@ def hunting_check(key: str, mesh: MeshResult, z_1: int, z_2: int, factor: Number
     advice = Text("Numbers of teeth without a common factor spread the wear.")
     if factor > 1:
         advice = Text(
-            "Every tooth of {driver} meets only {z_2} of the {z_22} teeth of {driven}, and one fault returns after {turns} turns of "
-            "{driver}: numbers of teeth without a common factor spread the wear (the teeth of an idler do not change the ratio).",
-            driver=mesh.driver, z_2=Amount(z_2 / factor, form="g"), z_22=z_2, driven=mesh.driven, turns=Amount(turns, form="g"),
-        )  # fmt: skip
-    name = Text("Common factor of the teeth {driver} {z_1}, {driven} {z_2}", driver=mesh.driver, z_1=z_1, driven=mesh.driven, z_2=z_2)
+            "Every tooth of {driver} meets only {z_2} of the {z_22} teeth of {driven}, and one fault returns after "
+            "{turns} turns of "
+            "{driver}: numbers of teeth without a common factor spread the wear (the teeth of an idler do not change "
+            "the ratio).",
+            driver=mesh.driver,
+            z_2=Amount(z_2 / factor, form="g"),
+            z_22=z_2,
+            driven=mesh.driven,
+            turns=Amount(turns, form="g"),
+        )
+    name = Text(
+        "Common factor of the teeth {driver} {z_1}, {driven} {z_2}",
+        driver=mesh.driver,
+        z_1=z_1,
+        driven=mesh.driven,
+        z_2=z_2,
+    )
     source = Text("mathematics, hunting tooth: every tooth meets every tooth where the numbers have no common factor")
     return check(f"gears.{key}.hunting", name, factor, "<=", 1.0, "", source, advice)
 
 
 def insertion_check(wheel: str, seat: Text, gap: Metre) -> Check:
     more = Text(", give that journal {gap} mm more", gap=mm(-gap, ".4g")) if gap < 0 else ""
-    return check("gears.train.assembly", Text("Gap between {wheel} and the seat of the {seat} journal", wheel=wheel, seat=seat), gap, ">=",
-        0.0, "mm", Text("geometry: the wheel passes through the seat of the journal where the shaft is inserted along its axis; diametral"),
-        Text("Where {wheel} does not pass through the seat of the {seat} journal{more}, cut its tip, fix it after the shaft is inserted, "
-            "or split the support.", wheel=wheel, seat=seat, more=more))  # fmt: skip
+    return check(
+        "gears.train.assembly",
+        Text("Gap between {wheel} and the seat of the {seat} journal", wheel=wheel, seat=seat),
+        gap,
+        ">=",
+        0.0,
+        "mm",
+        Text(
+            "geometry: the wheel passes through the seat of the journal where the shaft is inserted along its axis; "
+            "diametral"
+        ),
+        Text(
+            "Where {wheel} does not pass through the seat of the {seat} journal{more}, cut its tip, fix it after the "
+            "shaft is inserted, "
+            "or split the support.",
+            wheel=wheel,
+            seat=seat,
+            more=more,
+        ),
+    )

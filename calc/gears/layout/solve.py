@@ -24,10 +24,10 @@ from .room import Room, clearance_checks, clearances, hunting_check, insertion_c
 class ShaftInTrain(NamedTuple):
     """The counter-shaft on the last wheel of a train; what is None is not known.
 
-    `axis`: from the crank, up + i·side; the last wheel stands there.  `eccentric`: direction of the shaft's first eccentric mass with
-    cylinder 1 at TDC, from up in the sense of crank rotation.  `journals`: diameters of its front and rear journal; `gear_end`: "front" or
-    "rear", the one that the last wheel has to pass; None: the smaller one is judged.  `couple`: what the shaft balances.
-    """
+    `axis`: from the crank, up + i·side; the last wheel stands there.  `eccentric`: direction of the shaft's first
+    eccentric mass with cylinder 1 at TDC, from up in the sense of crank rotation.  `journals`: diameters of its front
+    and rear journal; `gear_end`: "front" or "rear", the one that the last wheel has to pass; None: the smaller one is
+    judged.  `couple`: what the shaft balances."""
 
     axis: complex | None = None
     eccentric: Radian | None = None
@@ -59,10 +59,16 @@ def layout(gears: GearsInputs, train: TrainResult, shaft: ShaftInTrain = ALONE) 
         wheels = {w.name: _wheel(w.name, gears, train, placing, around, teeth, checks) for w in gears.wheels}
         result = LayoutResult(wheels=wheels, meshes=meshes, **_assembly(gears, train, teeth, shaft, checks))
     last, end_unknown = train.wheels[gears.meshes[-1].driven], shaft.journals is not None and shaft.gear_end is None
-    return Outcome("gears", result=result, checks=tuple(checks), lines=tuple(lines), 
+    return Outcome(
+        "gears",
+        result=result,
+        checks=tuple(checks),
+        lines=tuple(lines),
         curves=Later(lambda: filter(None, [layout_curve(gears, train, result)])),
-        tables=Later(lambda: tables(train, placing, result, teeth)), errata=errata(last.tip_diameter, shaft.journals, result.insertion_gap),
-        notes=Later(lambda: (*placing.notes, *notes(gears, result, teeth, last, end_unknown))))  # fmt: skip
+        tables=Later(lambda: tables(train, placing, result, teeth)),
+        errata=errata(last.tip_diameter, shaft.journals, result.insertion_gap),
+        notes=Later(lambda: (*placing.notes, *notes(gears, result, teeth, last, end_unknown))),
+    )
 
 
 def _wheel(
@@ -78,9 +84,17 @@ def _wheel(
     by = placing.by[name]
     checks += clearance_checks(name, free, [w.name for w in gears.wheels], by in ("two circles", "chosen"))
     tight = min(free.values(), key=lambda clearance: clearance.g, default=None)
-    return WheelLayout(position_up=above, position_side=beside, included_angle=_included(name, train, placing),
-        **{f"clearance_{kind}": clearance.g for kind, clearance in free.items()}, tooth_angle=teeth.teeth.get(name), position=p,
-        placed_by=by, nearest=tight.to if tight else "", clearance=tight.g if tight else None)  # fmt: skip
+    return WheelLayout(
+        position_up=above,
+        position_side=beside,
+        included_angle=_included(name, train, placing),
+        **{f"clearance_{kind}": clearance.g for kind, clearance in free.items()},
+        tooth_angle=teeth.teeth.get(name),
+        position=p,
+        placed_by=by,
+        nearest=tight.to if tight else "",
+        clearance=tight.g if tight else None,
+    )
 
 
 def _included(name: str, train: TrainResult, placing: Placing) -> Radian | None:
@@ -92,8 +106,11 @@ def _included(name: str, train: TrainResult, placing: Placing) -> Radian | None:
         return f.included_angle(p_1=placing.p[mates[0]], p_2=placing.p[name], p_3=placing.p[mates[1]])
 
 
-def _assembly(gears: GearsInputs, train: TrainResult, teeth: Phase, shaft: ShaftInTrain, checks: list[Check]) -> dict[str, float]:
-    """Marks, the step in which the train can be meshed anew and what it costs, and the way of the last wheel through the seat."""
+def _assembly(
+    gears: GearsInputs, train: TrainResult, teeth: Phase, shaft: ShaftInTrain, checks: list[Check]
+) -> dict[str, float]:
+    """Marks, the step in which the train can be meshed anew and what it costs, and the way of the last wheel through
+    the seat."""
     first, last = train.wheels[gears.meshes[0].driver], train.wheels[gears.meshes[-1].driven]
     with about(Text("train, assembly")):
         tau = f.angular_pitch(z=last.teeth)

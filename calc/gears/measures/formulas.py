@@ -1,15 +1,16 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What the inspector measures on one wheel: span over teeth, sizes over balls and pins, chordal thickness; and back to the tooth.
+"""What the inspector measures on one wheel: span over teeth, sizes over balls and pins, chordal thickness; and back to
+the tooth.
 
-An allowance E_W is the change of the span.  The tooth is thinner by it in the normal section at E_W/cos α_n, which the generating
-shift x_E carries; so the measures of a thinned tooth are those of a tooth with the shift x_E.
+An allowance E_W is the change of the span.  The tooth is thinner by it in the normal section at E_W/cos α_n, which the
+generating shift x_E carries; so the measures of a thinned tooth are those of a tooth with the shift x_E.
 
-A pin in a tooth space touches both flanks where a ball of its diameter would: its centre line is the tangent of the helix that the
-ball's centre would run along, at right angles to both flanks' normals.  It can slide along its space.  Between faces parallel to the
-wheel's axis two pins lie flat where they are opposite each other, whatever the number of teeth; on a helical wheel with an odd number
-they are then half an axial pitch apart, and a third pin in the next space, as far off to the other side, makes the seat firm.  A free
-micrometer with two pins tilts and finds the smallest distance of the two centre lines instead, which is less.
-"""
+A pin in a tooth space touches both flanks where a ball of its diameter would: its centre line is the tangent of the
+helix that the ball's centre would run along, at right angles to both flanks' normals.  It can slide along its space.
+Between faces parallel to the wheel's axis two pins lie flat where they are opposite each other, whatever the number of
+teeth; on a helical wheel with an odd number they are then half an axial pitch apart, and a third pin in the next space,
+as far off to the other side, makes the seat firm.  A free micrometer with two pins tilts and finds the smallest
+distance of the two centre lines instead, which is less."""
 
 import math
 
@@ -34,19 +35,27 @@ def generating_shift(x: Number, E_W: Metre, m_n: Metre, alpha_n: Radian) -> Numb
     return x + E_W / (2 * m_n * sin(alpha_n))
 
 
-# --- span ------------------------------------------------------------------------------------------------------------------
+# --- span
+# ------------------------------------------------------------------------------------------------------------------
 @formula("K", Text("{iso}: number of teeth for a contact at the circle of α_yt, before rounding", iso=ISO))
 def span_teeth(z: Number, alpha_yt: Radian, beta_b: Radian, alpha_t: Radian, x: Number, alpha_n: Radian) -> Number:
     return z / pi * (tan(alpha_yt) / cos(beta_b) ** 2 - inv(alpha_t) - 2 * x * tan(alpha_n) / z) + 0.5
 
 
-@formula("K", "mathematics: the nearest whole number of teeth, of two that are equally near the smaller", shows="K rounded, at least 1")
+@formula(
+    "K",
+    "mathematics: the nearest whole number of teeth, of two that are equally near the smaller",
+    shows="K rounded, at least 1",
+)
 def whole_span_teeth(K: Number) -> Number:
     return float(max(1, math.ceil(K - 0.5 - 1e-9)))  # whatever the last digits say
 
 
-@formula("K", Text("{iso}: of the spans that can be measured the one that touches nearest to d + 2·x·m_n", iso=ISO),
-    shows="K with d_W nearest to d + 2·x·m_n")  # fmt: skip
+@formula(
+    "K",
+    Text("{iso}: of the spans that can be measured the one that touches nearest to d + 2·x·m_n", iso=ISO),
+    shows="K with d_W nearest to d + 2·x·m_n",
+)
 def best_span(K: Number) -> Number:
     """>>> best_span(K=4)
     4.0
@@ -77,8 +86,14 @@ def span_width(W_K: Metre, beta_b: Radian) -> Metre:
     return W_K * sin(beta_b)
 
 
-# --- balls -----------------------------------------------------------------------------------------------------------------
-@formula("inv α_K", Text("{iso}: pressure angle at the centre of a ball in the tooth space; negative: the ball touches no flank", iso=ISO))
+# --- balls
+# -----------------------------------------------------------------------------------------------------------------
+@formula(
+    "inv α_K",
+    Text(
+        "{iso}: pressure angle at the centre of a ball in the tooth space; negative: the ball touches no flank", iso=ISO
+    ),
+)
 def ball_involute(s_t: Metre, d: Metre, alpha_t: Radian, D_M: Metre, d_b: Metre, beta_b: Radian, z: Number) -> Number:
     return s_t / d + inv(alpha_t) + D_M / (d_b * cos(beta_b)) - pi / z
 
@@ -106,10 +121,16 @@ def ball_contact_diameter(d_b: Metre, alpha_K: Radian, D_M: Metre, beta_b: Radia
     return sqrt(d_b**2 + (d_b * tan(alpha_K) - D_M * cos(beta_b)) ** 2)
 
 
-@formula("D_y", "geometry: contact of a ball with a helical involute, solved exactly (the usual closed form holds for spur teeth)",
+@formula(
+    "D_y",
+    "geometry: contact of a ball with a helical involute, solved exactly (the usual closed form holds for spur teeth)",
     unit="mm",
-    shows="ball that touches the flanks at α_yt: tan α_K·sin²β_b + (α_K + c)·cos²β_b = tan α_yt, c = s_t/d + inv α_t − π/z")  # fmt: skip
-def ball_for_contact(s_t: Metre, d: Metre, alpha_t: Radian, z: Number, d_b: Metre, beta_b: Radian, alpha_yt: Radian) -> Metre:
+    shows="ball that touches the flanks at α_yt: tan α_K·sin²β_b + (α_K + c)·cos²β_b = tan α_yt, c = s_t/d + inv α_t "
+    "− π/z",
+)
+def ball_for_contact(
+    s_t: Metre, d: Metre, alpha_t: Radian, z: Number, d_b: Metre, beta_b: Radian, alpha_yt: Radian
+) -> Metre:
     """Newton's method in α_K; the left side rises and is convex, and the spur solution starts above the root."""
     c = s_t / d + inv(alpha_t) - pi / z
     sin2, cos2, aim = math.sin(beta_b) ** 2, math.cos(beta_b) ** 2, math.tan(alpha_yt)
@@ -123,7 +144,8 @@ def ball_for_contact(s_t: Metre, d: Metre, alpha_t: Radian, z: Number, d_b: Metr
     return d_b * math.cos(beta_b) * (math.tan(alpha_K) - alpha_K - c)
 
 
-# --- pins, and one ball or pin from the wheel's axis -----------------------------------------------------------------------------
+# --- pins, and one ball or pin from the wheel's axis
+# -----------------------------------------------------------------------------
 @formula("β_K", Text("{iso}: helix angle at the circle of the ball centres", iso=ISO))
 def helix_angle_at_centres(beta_b: Radian, alpha_K: Radian) -> Radian:
     return atan(tan(beta_b) / cos(alpha_K))
@@ -145,8 +167,11 @@ def over_pins_odd_spur(d_K: Metre, z: Number, D_M: Metre) -> Metre:
     return d_K * cos(pi / (2 * z)) + D_M
 
 
-@formula("δ", Text("{skew}: where their distance is smallest; odd number of teeth, β_K below 45°", skew=SKEW),
-    shows="half the angle that two pins lack to be opposite: δ − tan²β_K·sin(2·δ)/2 = π/(2·z)")  # fmt: skip
+@formula(
+    "δ",
+    Text("{skew}: where their distance is smallest; odd number of teeth, β_K below 45°", skew=SKEW),
+    shows="half the angle that two pins lack to be opposite: δ − tan²β_K·sin(2·δ)/2 = π/(2·z)",
+)
 def pin_angle(z: Number, beta_K: Radian) -> Radian:
     """The left side rises and is convex up to 90°: Newton's method, kept below that, falls steadily onto the root."""
     gap, half = math.pi / (2 * z), math.tan(beta_K) ** 2 / 2
@@ -164,15 +189,22 @@ def over_two_pins(d_K: Metre, delta: Radian, beta_K: Radian, D_M: Metre) -> Metr
     return d_K * cos(delta) * sqrt(1 + (tan(beta_K) * sin(delta)) ** 2) + D_M
 
 
-@formula("b_R",
-    Text("{skew}: face width that two opposite pins need, odd number of teeth: half an axial pitch and what the contact takes", skew=SKEW),
-    unit="mm")  # fmt: skip
+@formula(
+    "b_R",
+    Text(
+        "{skew}: face width that two opposite pins need, odd number of teeth: half an axial pitch and what the "
+        "contact takes",
+        skew=SKEW,
+    ),
+    unit="mm",
+)
 def pins_width(m_n: Metre, beta: Radian, D_M: Metre, beta_b: Radian) -> Metre:
     """Three pins need half an axial pitch more."""
     return pi * m_n / (2 * sin(beta)) + D_M * sin(beta_b)
 
 
-# --- chordal thickness, normal section ---------------------------------------------------------------------------------------
+# --- chordal thickness, normal section
+# ---------------------------------------------------------------------------------------
 @formula("z_v", Text("{iso}: teeth of the virtual spur wheel at the reference circle", iso=ISO))
 def virtual_teeth(z: Number, beta: Radian) -> Number:
     return z / cos(beta) ** 3
@@ -183,7 +215,9 @@ def half_tooth_angle(z_v: Number, x: Number, alpha_n: Radian) -> Radian:
     return pi / (2 * z_v) + 2 * x * tan(alpha_n) / z_v
 
 
-@formula("s_c", Text("{iso}: normal chordal thickness at the reference circle", iso=ISO), unit="mm", names={"psi": "ψ_v"})
+@formula(
+    "s_c", Text("{iso}: normal chordal thickness at the reference circle", iso=ISO), unit="mm", names={"psi": "ψ_v"}
+)
 def chordal_thickness(z_v: Number, m_n: Metre, psi: Radian) -> Metre:
     """>>> chordal_thickness(z_v=31.31, m_n=0.002, psi=0.0505)
     0.003160966...
@@ -196,9 +230,15 @@ def chordal_height(z_v: Number, m_n: Metre, psi: Radian, d_a: Metre, d: Metre) -
     return z_v * m_n * (1 - cos(psi)) / 2 + (d_a - d) / 2
 
 
-@formula("s_cc",
-    Text("{iso}: constant chord, between the points where the basic rack touches both flanks; the same for any number of teeth", iso=ISO),
-    unit="mm")  # fmt: skip
+@formula(
+    "s_cc",
+    Text(
+        "{iso}: constant chord, between the points where the basic rack touches both flanks; the same for any number "
+        "of teeth",
+        iso=ISO,
+    ),
+    unit="mm",
+)
 def constant_chord(m_n: Metre, alpha_n: Radian, x: Number) -> Metre:
     """Exact for helical teeth too, in the normal section through the middle of the tooth at the reference circle.
 
@@ -213,12 +253,15 @@ def constant_chord_height(d_a: Metre, d: Metre, s_cc: Metre, alpha_n: Radian) ->
     return (d_a - d) / 2 - s_cc * tan(alpha_n) / 2
 
 
-@formula("d_cc", "geometry, rack and tooth at the pitch point: circle on which the ends of the constant chord lie", unit="mm")
+@formula(
+    "d_cc", "geometry, rack and tooth at the pitch point: circle on which the ends of the constant chord lie", unit="mm"
+)
 def constant_chord_diameter(d: Metre, s_cc: Metre, alpha_n: Radian, beta: Radian) -> Metre:
     return sqrt((d + s_cc * tan(alpha_n)) ** 2 + (s_cc * cos(beta)) ** 2)
 
 
-# --- tooth thickness and its allowance -----------------------------------------------------------------------------------------
+# --- tooth thickness and its allowance
+# -----------------------------------------------------------------------------------------
 @formula("s_n", Text("{iso}: normal tooth thickness at the reference circle", iso=ISO), unit="mm")
 def normal_thickness(m_n: Metre, x: Number, alpha_n: Radian) -> Metre:
     return m_n * (pi / 2 + 2 * x * tan(alpha_n))
@@ -234,10 +277,13 @@ def transverse_allowance(E_sn: Metre, beta: Radian) -> Metre:
     return E_sn / cos(beta)
 
 
-# --- from a measured size back to the tooth --------------------------------------------------------------------------------------
-# All lead over the generating shift x_E, so that they can be compared.  A chordal thickness is taken at the reference circle: the
-# calliper stands at the height above the chord, from a tip circle of the nominal diameter.
-@formula("x_E", Text("{iso}: generating shift of a measured span, from the base tangent length", iso=ISO), names={"W": "W_K"})
+# --- from a measured size back to the tooth
+# --------------------------------------------------------------------------------------
+# All lead over the generating shift x_E, so that they can be compared.  A chordal thickness is taken at the reference
+# circle: the calliper stands at the height above the chord, from a tip circle of the nominal diameter.
+@formula(
+    "x_E", Text("{iso}: generating shift of a measured span, from the base tangent length", iso=ISO), names={"W": "W_K"}
+)
 def shift_of_span(W: Metre, m_n: Metre, alpha_n: Radian, K: Number, z: Number, alpha_t: Radian) -> Number:
     return (W / (m_n * cos(alpha_n)) - pi * (K - 0.5) - z * inv(alpha_t)) / (2 * tan(alpha_n))
 
@@ -247,13 +293,23 @@ def centres_opposite(M: Metre, D_M: Metre) -> Metre:
     return M - D_M
 
 
-@formula("d_K", Text("{iso}: circle of the centres, from the size over balls (spur: or pins), odd number of teeth", iso=ISO), unit="mm")
+@formula(
+    "d_K",
+    Text("{iso}: circle of the centres, from the size over balls (spur: or pins), odd number of teeth", iso=ISO),
+    unit="mm",
+)
 def centres_odd(M: Metre, D_M: Metre, z: Number) -> Metre:
     return (M - D_M) / cos(pi / (2 * z))
 
 
-@formula("s_t", Text("{iso}: transverse tooth thickness at the reference circle, from the circle of the centres", iso=ISO), unit="mm")
-def thickness_of_centres(d: Metre, alpha_K: Radian, alpha_t: Radian, D_M: Metre, d_b: Metre, beta_b: Radian, z: Number) -> Metre:
+@formula(
+    "s_t",
+    Text("{iso}: transverse tooth thickness at the reference circle, from the circle of the centres", iso=ISO),
+    unit="mm",
+)
+def thickness_of_centres(
+    d: Metre, alpha_K: Radian, alpha_t: Radian, D_M: Metre, d_b: Metre, beta_b: Radian, z: Number
+) -> Metre:
     return d * (inv(alpha_K) - inv(alpha_t) - D_M / (d_b * cos(beta_b)) + pi / z)
 
 
@@ -262,7 +318,12 @@ def shift_of_thickness(s_t: Metre, beta: Radian, m_n: Metre, alpha_n: Radian) ->
     return (s_t * cos(beta) / m_n - pi / 2) / (2 * tan(alpha_n))
 
 
-@formula("ψ", Text("{iso}: half angle of the tooth on the virtual wheel, from a chordal thickness at the reference circle", iso=ISO))
+@formula(
+    "ψ",
+    Text(
+        "{iso}: half angle of the tooth on the virtual wheel, from a chordal thickness at the reference circle", iso=ISO
+    ),
+)
 def angle_of_chord(s_c: Metre, z_v: Number, m_n: Metre) -> Radian:
     return asin(s_c / (z_v * m_n))
 
@@ -277,26 +338,41 @@ def span_change(x_E: Number, x: Number, m_n: Metre, alpha_n: Radian) -> Metre:
     return 2 * (x_E - x) * m_n * sin(alpha_n)
 
 
-# A ball between two flanks: where its centre stands and where it touches, and the preferred diameter that suits a wheel best.
+# A ball between two flanks: where its centre stands and where it touches, and the preferred diameter that suits a wheel
+# best.
 
 SOURCE = Text("DIN 3977, measuring pieces for cylindrical gears")
 MILLIMETRES = (
-    1, 1.1, 1.25, 1.4, 1.5, 1.75, 2, 2.25, 2.5, 2.75, 3, 3.25, 3.5, 3.75, 4, 4.25, 4.5, 5, 5.25, 5.5, 6, 6.5, 7, 7.5, 8, 9, 10, 10.5, 11,
+    1, 1.1, 1.25, 1.4, 1.5, 1.75, 2, 2.25, 2.5, 2.75, 3, 3.25, 3.5, 3.75, 4, 4.25, 4.5, 5, 5.25, 5.5, 6, 6.5, 7, 7.5,
+    8, 9, 10, 10.5, 11,
     12, 14, 16, 18, 20, 22, 25, 28, 30, 35, 40, 45, 50,
 )  # fmt: skip
 PREFERRED: tuple[Metre, ...] = tuple(d / 1000 for d in MILLIMETRES)
 
 
-@formula("D_M", SOURCE, unit="mm", shows="the preferred diameter nearest to D_y that touches the flank and stands proud of the tip")
+@formula(
+    "D_M",
+    SOURCE,
+    unit="mm",
+    shows="the preferred diameter nearest to D_y that touches the flank and stands proud of the tip",
+)
 def nearest_preferred(D: Metre, D_y: Metre) -> Metre:
     """`D` is the one that was found."""
     return D
 
 
 def preferred_ball(
-    system: ToothSystem, z: Number, s_t: Metre, d: Metre, d_b: Metre, flank: tuple[Metre, Metre], d_f: Metre, ideal: Metre
+    system: ToothSystem,
+    z: Number,
+    s_t: Metre,
+    d: Metre,
+    d_b: Metre,
+    flank: tuple[Metre, Metre],
+    d_f: Metre,
+    ideal: Metre,
 ) -> Metre | None:
-    """The preferred diameter nearest to `ideal` that touches between the circles `flank` and stands clear of the root and proud of the tip.
+    """The preferred diameter nearest to `ideal` that touches between the circles `flank` and stands clear of the root
+    and proud of the tip.
 
     None where there is no such diameter.
     """
@@ -311,16 +387,22 @@ def preferred_ball(
     return nearest_preferred(D=based_on(D, z, s_t, d, d_b, flank, d_f), D_y=ideal)
 
 
-def suits(system: ToothSystem, z: Number, s_t: Metre, d: Metre, d_b: Metre, flank: tuple[Metre, Metre], d_f: Metre, D_M: Metre) -> bool:
+def suits(
+    system: ToothSystem, z: Number, s_t: Metre, d: Metre, d_b: Metre, flank: tuple[Metre, Metre], d_f: Metre, D_M: Metre
+) -> bool:
     """Whether a ball touches both flanks between these circles, clear of the root and proud of the tip."""
     there = seat(system, z, s_t, d, d_b, D_M)
-    return there is not None and flank[0] < there.d_y < flank[1] and there.d_K + D_M > flank[1] and there.d_K - D_M > d_f
+    return (
+        there is not None and flank[0] < there.d_y < flank[1] and there.d_K + D_M > flank[1] and there.d_K - D_M > d_f
+    )
 
 
 def seat(system: ToothSystem, z: Number, s_t: Metre, d: Metre, d_b: Metre, D_M: Metre) -> Seat | None:
     """None where the ball lies on the root, or would touch below the base circle, where there is no flank."""
     beta_b = system.base_helix_angle
-    involute = ball_involute(s_t=s_t, d=d, alpha_t=system.transverse_pressure_angle, D_M=D_M, d_b=d_b, beta_b=beta_b, z=z)
+    involute = ball_involute(
+        s_t=s_t, d=d, alpha_t=system.transverse_pressure_angle, D_M=D_M, d_b=d_b, beta_b=beta_b, z=z
+    )
     if involute <= 0:
         return None
     alpha_K = f.angle_of_involute(involute=involute)

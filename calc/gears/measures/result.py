@@ -8,7 +8,8 @@ from ...sheet.units import Metre, Number, Radian
 
 @record
 class Seat:
-    """A ball between two flanks.  `alpha_K`: pressure angle at its centre, on the circle `d_K`; `d_y`: the circle on which it touches."""
+    """A ball between two flanks.  `alpha_K`: pressure angle at its centre, on the circle `d_K`; `d_y`: the circle on
+    which it touches."""
 
     alpha_K: Radian
     d_K: Metre
@@ -28,13 +29,22 @@ class Measured:
 
 @result
 class MeasuresResult:
-    """Values ending in _min and _max belong to the two ends of the allowance of the span.  Allowances are changes, thinner is negative."""
+    """Values ending in _min and _max belong to the two ends of the allowance of the span.  Allowances are changes,
+    thinner is negative."""
 
     normal_thickness: Metre = value("Normal tooth thickness at the reference circle", "mm", "s_n")
-    thickness_allowance_upper: Metre | None = value("Upper allowance of the normal tooth thickness", "µm", "E_sns", default=None)
-    thickness_allowance_lower: Metre | None = value("Lower allowance of the normal tooth thickness", "µm", "E_sni", default=None)
-    transverse_allowance_upper: Metre | None = value("Upper allowance of the transverse tooth thickness", "µm", "E_sts", default=None)
-    transverse_allowance_lower: Metre | None = value("Lower allowance of the transverse tooth thickness", "µm", "E_sti", default=None)
+    thickness_allowance_upper: Metre | None = value(
+        "Upper allowance of the normal tooth thickness", "µm", "E_sns", default=None
+    )
+    thickness_allowance_lower: Metre | None = value(
+        "Lower allowance of the normal tooth thickness", "µm", "E_sni", default=None
+    )
+    transverse_allowance_upper: Metre | None = value(
+        "Upper allowance of the transverse tooth thickness", "µm", "E_sts", default=None
+    )
+    transverse_allowance_lower: Metre | None = value(
+        "Lower allowance of the transverse tooth thickness", "µm", "E_sti", default=None
+    )
     best_span_teeth: Number | None = value("Teeth spanned, best", "", "K", default=None)
     span_contact_diameter: Metre = value("Circle on which the span touches", "mm", "d_W")
     span_width: Metre = value("Face width that the span needs", "mm", "b_W")
@@ -61,4 +71,6 @@ class MeasuresResult:
     measured_over_balls: Measured | None = group(default=None)
     measured_over_pins: Measured | None = group(default=None)
     measured_chordal_thickness: Measured | None = group(default=None)
-    measured_spread: Metre | None = value("Tooth thickness, difference between the measured routes", "µm", "Δs_n", default=None)
+    measured_spread: Metre | None = value(
+        "Tooth thickness, difference between the measured routes", "µm", "Δs_n", default=None
+    )

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""All that is measured on one wheel beside its span and its size over balls: pins, one ball, chords, limits, and what a size means."""
+"""All that is measured on one wheel beside its span and its size over balls: pins, one ball, chords, limits, and what a
+size means."""
 
 import math
 from collections.abc import Callable, Iterable
@@ -25,9 +26,11 @@ from .result import Measured, MeasuresResult, Seat
 # Measured sizes of a wheel, and the tooth that each of them means.
 
 NAMES = {
-    "measured_span": "span", "measured_over_balls": Text("size over balls"), "measured_over_pins": Text("size over pins"),
+    "measured_span": "span",
+    "measured_over_balls": Text("size over balls"),
+    "measured_over_pins": Text("size over pins"),
     "measured_chordal_thickness": Text("chordal thickness"),
-}  # fmt: skip
+}
 
 
 def measured(system: ToothSystem, given: Wheel, wheel: WheelResult) -> dict[str, Measured]:
@@ -43,11 +46,18 @@ def measured(system: ToothSystem, given: Wheel, wheel: WheelResult) -> dict[str,
 def _shift(system: ToothSystem, wheel: WheelResult, key: str, size: Metre) -> Number:
     z, m_n, alpha_n = wheel.teeth, system.m_n, system.alpha_n
     if key == "measured_span":
-        return m.shift_of_span(W=size, m_n=m_n, alpha_n=alpha_n, K=wheel.span_teeth, z=z, alpha_t=system.transverse_pressure_angle)
+        return m.shift_of_span(
+            W=size, m_n=m_n, alpha_n=alpha_n, K=wheel.span_teeth, z=z, alpha_t=system.transverse_pressure_angle
+        )
     if key == "measured_chordal_thickness":
         z_v = m.virtual_teeth(z=z, beta=system.beta)
         if size > z_v * m_n:
-            raise _no_tooth(wheel, key, size, Text("no chord of its virtual wheel is longer than {z_v} mm", z_v=mm(z_v * m_n, ".4g")))
+            raise _no_tooth(
+                wheel,
+                key,
+                size,
+                Text("no chord of its virtual wheel is longer than {z_v} mm", z_v=mm(z_v * m_n, ".4g")),
+            )
         return m.shift_of_half_angle(psi=m.angle_of_chord(s_c=size, z_v=z_v, m_n=m_n), z_v=z_v, alpha_n=alpha_n)
     return _shift_of_balls(system, wheel, key, size)
 
@@ -59,11 +69,17 @@ def _shift_of_balls(system: ToothSystem, wheel: WheelResult, key: str, size: Met
     d_K = m.centres_opposite(M=size, D_M=D_M) if opposite else m.centres_odd(M=size, D_M=D_M, z=z)
     if d_K < d_b:
         least = d_b * (1.0 if opposite else math.cos(math.pi / (2 * z))) + D_M
-        raise _no_tooth(wheel, key, size,
-            Text("with {d_m} mm in diameter it is at least {least} mm", d_m=mm(D_M, ".5g"), least=mm(least, ".4f")))  # fmt: skip
+        raise _no_tooth(
+            wheel,
+            key,
+            size,
+            Text("with {d_m} mm in diameter it is at least {least} mm", d_m=mm(D_M, ".5g"), least=mm(least, ".4f")),
+        )
     alpha_t, beta_b = system.transverse_pressure_angle, system.base_helix_angle
     alpha_K = f.pressure_angle_at(d_b=d_b, d_y=d_K)
-    s_t = m.thickness_of_centres(d=wheel.reference_diameter, alpha_K=alpha_K, alpha_t=alpha_t, D_M=D_M, d_b=d_b, beta_b=beta_b, z=z)
+    s_t = m.thickness_of_centres(
+        d=wheel.reference_diameter, alpha_K=alpha_K, alpha_t=alpha_t, D_M=D_M, d_b=d_b, beta_b=beta_b, z=z
+    )
     return m.shift_of_thickness(s_t=s_t, beta=system.beta, m_n=system.m_n, alpha_n=system.alpha_n)
 
 
@@ -74,20 +90,39 @@ def _tooth(system: ToothSystem, wheel: WheelResult, key: str, size: Metre, x_E: 
         fits = round(wheel.span_teeth + (size - wheel.span_length) / (math.pi * m_n * math.cos(alpha_n)))
         hint = EMPTY
         if key == "measured_span" and fits > 0:
-            hint = Text("it is near a span over {fits} teeth, not {span_teeth}", fits=fits, span_teeth=Amount(wheel.span_teeth, form="g"))
+            hint = Text(
+                "it is near a span over {fits} teeth, not {span_teeth}",
+                fits=fits,
+                span_teeth=Amount(wheel.span_teeth, form="g"),
+            )
         raise _no_tooth(
-            wheel, key, size,
-            Text("its teeth would be {s_n} mm thick, at a pitch of {pi} mm", s_n=mm(s_n, ".4g"), pi=mm(math.pi * m_n, ".4g")), hint,
-        )  # fmt: skip
+            wheel,
+            key,
+            size,
+            Text(
+                "its teeth would be {s_n} mm thick, at a pitch of {pi} mm",
+                s_n=mm(s_n, ".4g"),
+                pi=mm(math.pi * m_n, ".4g"),
+            ),
+            hint,
+        )
     E_W = m.span_change(x_E=x_E, x=wheel.profile_shift, m_n=m_n, alpha_n=alpha_n)
-    return Measured(generating_shift=x_E, span_change=E_W, thickness_change=m.thickness_allowance(E_W=E_W, alpha_n=alpha_n),
-        normal_thickness=s_n, transverse_thickness=f.reference_thickness(m_n=m_n, x=x_E, alpha_n=alpha_n, beta=system.beta))  # fmt: skip
+    return Measured(
+        generating_shift=x_E,
+        span_change=E_W,
+        thickness_change=m.thickness_allowance(E_W=E_W, alpha_n=alpha_n),
+        normal_thickness=s_n,
+        transverse_thickness=f.reference_thickness(m_n=m_n, x=x_E, alpha_n=alpha_n, beta=system.beta),
+    )
 
 
 def _no_tooth(wheel: WheelResult, key: str, size: Metre, why: str, hint: Text = EMPTY) -> NoSolution:
     return NoSolution(
         Text("gears.wheels.{name}.{key}_mm = {size}: {why}", name=wheel.name, key=key, size=mm(size, "g"), why=why),
-        advice=hint or Text("compare it with the computed {names}, and the ball or pin with the one that was used", names=NAMES[key]),
+        advice=hint
+        or Text(
+            "compare it with the computed {names}, and the ball or pin with the one that was used", names=NAMES[key]
+        ),
     )
 
 
@@ -108,7 +143,8 @@ class Span:
 
 
 def spans(system: ToothSystem, wheel: WheelResult) -> tuple[Span, ...]:
-    """All spans that touch the involute between form and tip circle, one more to each side, and the one chosen for the wheel."""
+    """All spans that touch the involute between form and tip circle, one more to each side, and the one chosen for the
+    wheel."""
     beta_b, z = system.base_helix_angle, wheel.teeth
     p_bn = system.base_pitch * math.cos(beta_b)
     with untraced():
@@ -121,7 +157,9 @@ def spans(system: ToothSystem, wheel: WheelResult) -> tuple[Span, ...]:
 
 def _span(system: ToothSystem, wheel: WheelResult, K: int) -> Span:
     beta_b = system.base_helix_angle
-    W_K = m.span(system.m_n, system.alpha_n, float(K), wheel.teeth, system.transverse_pressure_angle, wheel.profile_shift)
+    W_K = m.span(
+        system.m_n, system.alpha_n, float(K), wheel.teeth, system.transverse_pressure_angle, wheel.profile_shift
+    )
     d_W, b_W = m.span_contact_diameter(wheel.base_diameter, W_K, beta_b), m.span_width(W_K, beta_b)
     return Span(K, W_K, d_W, b_W, _fault(wheel, W_K, d_W, b_W))
 
@@ -144,19 +182,43 @@ def spans_table(wheel: WheelResult, spans: tuple[Span, ...], chosen: Number, bes
     upper, lower = wheel.allowance or (None, None)
 
     def row(s: Span) -> tuple[str | float | None, ...]:
-        words = [word for word, holds in ((Text("chosen"), round(chosen) == s.K), (Text("best"), best_K == s.K)) if holds]
+        words = [
+            word for word, holds in ((Text("chosen"), round(chosen) == s.K), (Text("best"), best_K == s.K)) if holds
+        ]
         limits = (None if E is None else (s.length + E) / MM for E in (lower, upper))
-        return (f"{s.K}", s.length / MM, *limits, s.contact_diameter / MM, s.width / MM, COMMA.join(filter(None, (*words, s.fault))))
+        return (
+            f"{s.K}",
+            s.length / MM,
+            *limits,
+            s.contact_diameter / MM,
+            s.width / MM,
+            COMMA.join(filter(None, (*words, s.fault))),
+        )
 
-    return Table(f"spans_{wheel.name}", Text("Spans of {name}", name=wheel.name),
-        ((Text("K"), ""), (Text("W_K"), "mm"), (Text("smallest"), "mm"), (Text("largest"), "mm"), (Text("touches at d_W"), "mm"),
-            (Text("face width needed"), "mm"), (EMPTY, "")), tuple(row(s) for s in spans),
-        Text("Best: touches nearest to d + 2·x·m_n of those that can be measured. The width is without the anvils' own."))  # fmt: skip
+    return Table(
+        f"spans_{wheel.name}",
+        Text("Spans of {name}", name=wheel.name),
+        (
+            (Text("K"), ""),
+            (Text("W_K"), "mm"),
+            (Text("smallest"), "mm"),
+            (Text("largest"), "mm"),
+            (Text("touches at d_W"), "mm"),
+            (Text("face width needed"), "mm"),
+            (EMPTY, ""),
+        ),
+        tuple(row(s) for s in spans),
+        Text(
+            "Best: touches nearest to d + 2·x·m_n of those that can be measured. The width is without the anvils' own."
+        ),
+    )
 
 
 # Whether span, balls, pins and chord touch the flank, and whether what was measured is inside the allowance.
 
-BETWEEN_MEASURED = Text("rule of this program: routes that differ by more than the whole field of the allowance contradict each other")
+BETWEEN_MEASURED = Text(
+    "rule of this program: routes that differ by more than the whole field of the allowance contradict each other"
+)
 
 
 def contact_checks(system: ToothSystem, wheel: WheelResult, sizes: MeasuresResult) -> list[Check]:
@@ -166,30 +228,78 @@ def contact_checks(system: ToothSystem, wheel: WheelResult, sizes: MeasuresResul
     kind = "limit" if wheel.ball_given else "advice"
 
     def other_ball() -> tuple[Remedy, ...]:
-        fits, key = wheel.preferred_ball if wheel.preferred_ball is not None else wheel.ideal_ball, "gears.ball_diameter_mm"
+        fits, key = (
+            wheel.preferred_ball if wheel.preferred_ball is not None else wheel.ideal_ball,
+            "gears.ball_diameter_mm",
+        )
         own = remedy(change(GearsInputs, key, None), effect=Text("each wheel then has its own"))
         return remedy(change(GearsInputs, key, float(f"{fits * 1e3:.4g}"))), own
 
     checks = [
-        check(f"{id}.span_contact", Text("Circle on which the span of {name} touches", name=name), sizes.span_contact_diameter, "in",
-            (wheel.form_diameter, wheel.tip_diameter), "mm", Text("{iso}: the anvils must touch the involute", iso=ISO),
-            Text("Span another number of teeth.")),
-        check(f"{id}.ball", Text("Measuring ball of {name}", name=name), D_M, "in", balls, "mm",
-            Text("geometry: the ball must touch between form and tip circle"), kind=kind, remedies=other_ball),
-    ]  # fmt: skip
+        check(
+            f"{id}.span_contact",
+            Text("Circle on which the span of {name} touches", name=name),
+            sizes.span_contact_diameter,
+            "in",
+            (wheel.form_diameter, wheel.tip_diameter),
+            "mm",
+            Text("{iso}: the anvils must touch the involute", iso=ISO),
+            Text("Span another number of teeth."),
+        ),
+        check(
+            f"{id}.ball",
+            Text("Measuring ball of {name}", name=name),
+            D_M,
+            "in",
+            balls,
+            "mm",
+            Text("geometry: the ball must touch between form and tip circle"),
+            kind=kind,
+            remedies=other_ball,
+        ),
+    ]
     if wheel.over_balls is not None:
-        checks.append(check(f"{id}.ball_proud", Text("Balls of {name} above its tip", name=name),
-            (wheel.over_balls - wheel.tip_diameter) / 2, ">", 0.0, "mm", Text("geometry: the balls must stand proud of the tip circle"),
-            kind=kind, remedies=other_ball))  # fmt: skip
+        checks.append(
+            check(
+                f"{id}.ball_proud",
+                Text("Balls of {name} above its tip", name=name),
+                (wheel.over_balls - wheel.tip_diameter) / 2,
+                ">",
+                0.0,
+                "mm",
+                Text("geometry: the balls must stand proud of the tip circle"),
+                kind=kind,
+                remedies=other_ball,
+            )
+        )
     if sizes.over_one_ball is not None:
         above_root = sizes.over_one_ball - D_M - wheel.root_diameter / 2
-        checks.append(check(f"{id}.ball_root", Text("Ball of {name} above the root", name=name), above_root, ">=", 0.0, "mm",
-            Text("geometry: the ball must not lie on the root"), kind=kind, remedies=other_ball))  # fmt: skip
+        checks.append(
+            check(
+                f"{id}.ball_root",
+                Text("Ball of {name} above the root", name=name),
+                above_root,
+                ">=",
+                0.0,
+                "mm",
+                Text("geometry: the ball must not lie on the root"),
+                kind=kind,
+                remedies=other_ball,
+            )
+        )
     if system.beta:
-        checks.append(check(
-            f"{id}.span_width", Text("Face width of {name} for its span", name=name), wheel.face_width, ">=", sizes.span_width, "mm",
-            Text("{iso}: W·sin β_b, the width of the anvils apart", iso=ISO), Text("Span fewer teeth, or measure over balls."),
-        ))  # fmt: skip
+        checks.append(
+            check(
+                f"{id}.span_width",
+                Text("Face width of {name} for its span", name=name),
+                wheel.face_width,
+                ">=",
+                sizes.span_width,
+                "mm",
+                Text("{iso}: W·sin β_b, the width of the anvils apart", iso=ISO),
+                Text("Span fewer teeth, or measure over balls."),
+            )
+        )
     return checks
 
 
@@ -202,32 +312,69 @@ def _touching_ball(system: ToothSystem, wheel: WheelResult, d_y: Metre) -> Metre
     )
 
 
-def checks(system: ToothSystem, wheel: WheelResult, sizes: MeasuresResult, teeth: dict[str, Measured]) -> tuple[Check, ...]:
-    """The constant chord, the pins of an odd helical wheel, and what was measured against the allowance, if there is one."""
+def checks(
+    system: ToothSystem, wheel: WheelResult, sizes: MeasuresResult, teeth: dict[str, Measured]
+) -> tuple[Check, ...]:
+    """The constant chord, the pins of an odd helical wheel, and what was measured against the allowance, if there is
+    one."""
     id, name = f"gears.{wheel.name}", wheel.name
-    checks = [check(
-        f"{id}.constant_chord", Text("Circle of the ends of the constant chord of {name}", name=name), sizes.constant_chord_diameter, "in",
-        (wheel.form_diameter, wheel.tip_diameter), "mm", Text("{iso}: the calliper must touch the involute", iso=ISO),
-        Text("Measure the chord at the reference circle, or the span."),
-    )]  # fmt: skip
+    checks = [
+        check(
+            f"{id}.constant_chord",
+            Text("Circle of the ends of the constant chord of {name}", name=name),
+            sizes.constant_chord_diameter,
+            "in",
+            (wheel.form_diameter, wheel.tip_diameter),
+            "mm",
+            Text("{iso}: the calliper must touch the involute", iso=ISO),
+            Text("Measure the chord at the reference circle, or the span."),
+        )
+    ]
     if sizes.pins_width is not None:
-        checks.append(check(
-            f"{id}.pins_width", Text("Face width of {name} for two opposite pins", name=name), wheel.face_width, ">=", sizes.pins_width,
-            "mm", Text("{skew}: half an axial pitch between the pins", skew=m.SKEW), Text("Measure over balls, or the span."),
-        ))  # fmt: skip
+        checks.append(
+            check(
+                f"{id}.pins_width",
+                Text("Face width of {name} for two opposite pins", name=name),
+                wheel.face_width,
+                ">=",
+                sizes.pins_width,
+                "mm",
+                Text("{skew}: half an axial pitch between the pins", skew=m.SKEW),
+                Text("Measure over balls, or the span."),
+            )
+        )
     if wheel.allowance is None:
         return tuple(checks)
     upper, lower = wheel.allowance
     for key, tooth in teeth.items():
-        checks.append(check(f"{id}.{key}", Text("Change of the span of {name} by its measured {names}", name=name, names=NAMES[key]),
-            tooth.span_change, "in", (lower, upper), "µm", Name(f"gears.wheels.{name}.span_allowance_um"),
-            _advice(system, wheel, key, sizes)))  # fmt: skip
+        checks.append(
+            check(
+                f"{id}.{key}",
+                Text("Change of the span of {name} by its measured {names}", name=name, names=NAMES[key]),
+                tooth.span_change,
+                "in",
+                (lower, upper),
+                "µm",
+                Name(f"gears.wheels.{name}.span_allowance_um"),
+                _advice(system, wheel, key, sizes),
+            )
+        )
     if len(thicknesses := [tooth.normal_thickness for tooth in teeth.values()]) > 1:
-        checks.append(check(
-            f"{id}.measured_spread", Text("Tooth thickness of {name}, difference between the measured routes", name=name),
-            max(thicknesses) - min(thicknesses), "<=", (upper - lower) / math.cos(system.alpha_n), "µm", BETWEEN_MEASURED,
-            Text("Measure again; runout changes sizes over balls and pins, and the real tip a chordal thickness, but not a span."),
-        ))  # fmt: skip
+        checks.append(
+            check(
+                f"{id}.measured_spread",
+                Text("Tooth thickness of {name}, difference between the measured routes", name=name),
+                max(thicknesses) - min(thicknesses),
+                "<=",
+                (upper - lower) / math.cos(system.alpha_n),
+                "µm",
+                BETWEEN_MEASURED,
+                Text(
+                    "Measure again; runout changes sizes over balls and pins, and the real tip a chordal thickness, "
+                    "but not a span."
+                ),
+            )
+        )
     return tuple(checks)
 
 
@@ -235,8 +382,10 @@ def _advice(system: ToothSystem, wheel: WheelResult, key: str, sizes: MeasuresRe
     """How a size is taken, and what can hide in it."""
     ball = Text("It is taken with {ball_diameter} mm in diameter", ball_diameter=mm(wheel.ball_diameter, ".5g"))
     if key == "measured_span":
-        return Text("It is taken over {span_teeth} teeth. Thicker: finish the teeth further; thinner: the backlash is larger.",
-            span_teeth=Amount(wheel.span_teeth, form="g"))  # fmt: skip
+        return Text(
+            "It is taken over {span_teeth} teeth. Thicker: finish the teeth further; thinner: the backlash is larger.",
+            span_teeth=Amount(wheel.span_teeth, form="g"),
+        )
     if key == "measured_over_balls":
         return Text("{ball}. Half of the runout can hide in it.", ball=ball)
     if key == "measured_over_pins":
@@ -245,11 +394,18 @@ def _advice(system: ToothSystem, wheel: WheelResult, key: str, sizes: MeasuresRe
             less = mm(sizes.over_pins - sizes.over_two_pins, ".3f")
             free = Text(" Two pins under a free micrometer read {over_pins} mm less.", over_pins=less)
         return Text("{ball}, between faces parallel to the axis.{free}", ball=ball, free=free)
-    tip = Text("It is taken {chordal_height} mm below a tip circle of {tip_diameter} mm",
-        chordal_height=mm(wheel.chordal_height, ".4f"), tip_diameter=mm(wheel.tip_diameter, ".4f"))  # fmt: skip
+    tip = Text(
+        "It is taken {chordal_height} mm below a tip circle of {tip_diameter} mm",
+        chordal_height=mm(wheel.chordal_height, ".4f"),
+        tip_diameter=mm(wheel.tip_diameter, ".4f"),
+    )
     psi = math.asin(wheel.chordal_thickness * math.cos(system.beta) ** 3 / (wheel.teeth * system.m_n))
     more = math.tan(system.alpha_n - psi) * 0.1  # the flank leans by so much against the middle of the tooth
-    return Text("{tip}; a tip circle smaller by 0.1 mm makes the chord read {more} mm more.", tip=tip, more=Amount(more, form=".3f"))
+    return Text(
+        "{tip}; a tip circle smaller by 0.1 mm makes the chord read {more} mm more.",
+        tip=tip,
+        more=Amount(more, form=".3f"),
+    )
 
 
 STRAIGHT: Radian = 1e-6  # a smaller helix is none: its axial pitch is endless
@@ -261,14 +417,15 @@ def measures(
 ) -> tuple[MeasuresResult, tuple[Check, ...], Callable[[], Table]]:
     """The measures of one wheel, their checks, and the table of its spans.
 
-    `working`: (mate, working diameter d_w) of each mesh, for the balls that touch there.  Raises NoSolution where a measured size is
-    that of no tooth.
-    """
+    `working`: (mate, working diameter d_w) of each mesh, for the balls that touch there.  Raises NoSolution where a
+    measured size is that of no tooth."""
     ball = wheel.ball_diameter
     sizes: dict[str, float] = {}
     with about(Text("wheel {name}", name=wheel.name)):
         sizes["normal_thickness"] = m.normal_thickness(m_n=system.m_n, x=wheel.profile_shift, alpha_n=system.alpha_n)
-        sizes["span_contact_diameter"] = m.span_contact_diameter(wheel.base_diameter, wheel.span_length, system.base_helix_angle)
+        sizes["span_contact_diameter"] = m.span_contact_diameter(
+            wheel.base_diameter, wheel.span_length, system.base_helix_angle
+        )
         sizes["span_width"] = m.span_width(wheel.span_length, system.base_helix_angle)
         sizes |= _over_balls_and_pins(system, wheel, wheel.seat) | _constant_chord(system, wheel)
         if wheel.teeth % 2 and system.beta > STRAIGHT and "over_pins" in sizes:
@@ -286,9 +443,13 @@ def measures(
             of = (system, wheel.teeth, wheel.profile_shift, wheel.form_curvature, wheel.tip_curvature)
             sizes["best_span_teeth"] = m.best_span(K=based_on(best_span.K, *of))
     result = MeasuresResult(
-        **sizes, ideal_balls=balls, measured_span=teeth.get("measured_span"), measured_over_balls=teeth.get("measured_over_balls"),
-        measured_over_pins=teeth.get("measured_over_pins"), measured_chordal_thickness=teeth.get("measured_chordal_thickness"),
-    )  # fmt: skip
+        **sizes,
+        ideal_balls=balls,
+        measured_span=teeth.get("measured_span"),
+        measured_over_balls=teeth.get("measured_over_balls"),
+        measured_over_pins=teeth.get("measured_over_pins"),
+        measured_chordal_thickness=teeth.get("measured_chordal_thickness"),
+    )
     table = partial(spans_table, wheel, all_spans, wheel.span_teeth, None if best_span is None else best_span.K)
     return result, checks(system, wheel, result, teeth), table
 
@@ -299,8 +460,10 @@ def _over_balls_and_pins(system: ToothSystem, wheel: WheelResult, seat: Seat | N
         return {}
     z, d_K, D_M = wheel.teeth, seat.d_K, wheel.ball_diameter
     sizes = {
-        "over_one_ball": m.radial_size(d_K=d_K, D_M=D_M), "over_pins": over_pins(system, z, d_K, D_M), "ball_contact_diameter": seat.d_y,
-    }  # fmt: skip
+        "over_one_ball": m.radial_size(d_K=d_K, D_M=D_M),
+        "over_pins": over_pins(system, z, d_K, D_M),
+        "ball_contact_diameter": seat.d_y,
+    }
     beta_K: Radian = m.helix_angle_at_centres(beta_b=system.base_helix_angle, alpha_K=seat.alpha_K)
     if z % 2 and system.beta and beta_K < STEEPEST:
         sizes["over_two_pins"] = m.over_two_pins(d_K=d_K, delta=m.pin_angle(z=z, beta_K=beta_K), beta_K=beta_K, D_M=D_M)
@@ -329,8 +492,15 @@ def _ideal_balls(system: ToothSystem, wheel: WheelResult, working: Iterable[tupl
     balls = {}
     for mate, d_w in working:
         with about(Text("wheel {name}, working circle with {mate}", name=wheel.name, mate=mate)):
-            D = m.ball_for_contact(wheel.reference_thickness, wheel.reference_diameter, system.transverse_pressure_angle, wheel.teeth,
-                wheel.base_diameter, system.base_helix_angle, f.pressure_angle_at(wheel.base_diameter, d_w))  # fmt: skip
+            D = m.ball_for_contact(
+                wheel.reference_thickness,
+                wheel.reference_diameter,
+                system.transverse_pressure_angle,
+                wheel.teeth,
+                wheel.base_diameter,
+                system.base_helix_angle,
+                f.pressure_angle_at(wheel.base_diameter, d_w),
+            )
         if D > 0:
             label = Text("Ball that touches at the working circle with {mate}", mate=mate)
             balls[f"ideal_ball_at_{mate}"] = Stated(Described(label, "mm", "D_w"), D)
@@ -345,12 +515,22 @@ def _limits(system: ToothSystem, wheel: WheelResult) -> dict[str, Metre]:
     m_n, alpha_n, z_v = system.m_n, system.alpha_n, wheel.virtual_teeth
     for end, side, E_W in zip(("max", "min"), ("upper", "lower"), wheel.allowance):
         tooth = wheel.ends[end]
-        with about(Text("measures of {name}, {text} tooth", name=wheel.name, text=Text("thickest") if end == "max" else Text("thinnest"))):
+        with about(
+            Text(
+                "measures of {name}, {text} tooth",
+                name=wheel.name,
+                text=Text("thickest") if end == "max" else Text("thinnest"),
+            )
+        ):
             E_sn = m.thickness_allowance(E_W=E_W, alpha_n=alpha_n)
             limits[f"thickness_allowance_{side}"] = E_sn
             limits[f"transverse_allowance_{side}"] = m.transverse_allowance(E_sn=E_sn, beta=system.beta)
             sizes = _over_balls_and_pins(system, wheel, tooth.seat)
-            limits |= {f"{size}_{end}": sizes[size] for size in ("over_one_ball", "over_pins", "over_two_pins") if size in sizes}
+            limits |= {
+                f"{size}_{end}": sizes[size]
+                for size in ("over_one_ball", "over_pins", "over_two_pins")
+                if size in sizes
+            }
             psi = m.half_tooth_angle(z_v=z_v, x=tooth.x_E, alpha_n=alpha_n)
             limits[f"chordal_thickness_{end}"] = m.chordal_thickness(z_v=z_v, m_n=m_n, psi=psi)
             limits[f"constant_chord_{end}"] = m.constant_chord(m_n=m_n, alpha_n=alpha_n, x=tooth.x_E)

@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
-"""One wheel as its tool cuts it: the flank, the fillet that the round corner of the tool leaves, and where one passes into the other.
+"""One wheel as its tool cuts it: the flank, the fillet that the round corner of the tool leaves, and where one passes
+into the other.
 
-The corner of the rack is a circle in the normal section, so an ellipse in the transverse one.  Each of its points cuts when its
-normal passes through the pitch point: the fillet is that envelope.  φ is the direction of the corner's normal: −π/2 at the root,
-−α_n where the corner touches the tool's flank.  A tool with protuberance goes on beyond −α_n, towards 0, until its corner has come
-back to the finished flank; it cuts as computed here where the flank of its protuberance has no larger angle than −φ at the end of the
-fillet.  A point of a flank is given by its radius and its angle from the middle of the tooth.
-"""
+The corner of the rack is a circle in the normal section, so an ellipse in the transverse one.  Each of its points cuts
+when its normal passes through the pitch point: the fillet is that envelope.  φ is the direction of the corner's normal:
+−π/2 at the root, −α_n where the corner touches the tool's flank.  A tool with protuberance goes on beyond −α_n, towards
+0, until its corner has come back to the finished flank; it cuts as computed here where the flank of its protuberance
+has no larger angle than −φ at the end of the fillet.  A point of a flank is given by its radius and its angle from the
+middle of the tooth."""
 
 import math
 from collections.abc import Callable
@@ -62,7 +63,8 @@ class Cut:
 
     @cached_property
     def offset_of_tool(self) -> Radian:
-        """How far the involute that the tool leaves stands off the finished one: s_pr over the base circle, positive inside the tooth."""
+        """How far the involute that the tool leaves stands off the finished one: s_pr over the base circle, positive
+        inside the tooth."""
         return self.system.s_pr / (math.cos(self.system.base_helix_angle) * self.base_radius)
 
     @cached_property
@@ -75,7 +77,8 @@ class Cut:
         )
         return u_c, (s.rho_aP0 + self.shift - s.h_fP) * s.m_n, rho / math.cos(s.beta), rho
 
-    # --- points ------------------------------------------------------------------------------------------------------------
+    # --- points
+    # ------------------------------------------------------------------------------------------------------------
     def involute(self, radius: Array | Metre) -> Array:
         """Angle of the involute from the middle of the tooth; inside the base circle, that of its beginning."""
         alpha = np.arccos(np.minimum(self.base_radius / np.asarray(radius), 1.0))
@@ -99,15 +102,16 @@ class Cut:
         X, Y = v * cos * slant / sin, v + r
         return math.hypot(X, Y), math.pi / self.teeth - (math.atan2(X, Y) - (X - u_c - wide * cos) / r)
 
-    # --- the end of the fillet ---------------------------------------------------------------------------------------------
+    # --- the end of the fillet
+    # ---------------------------------------------------------------------------------------------
     @cached_property
     def end_of_fillet(self) -> Radian:
         """φ where the fillet leaves the outline.
 
-        At the flank; with protuberance, or where the tooth is undercut, at the crossing with the finished involute.  A tool that
-        leaves more stock than it has protuberance ends it at the end of its own involute: the finishing tool leaves a step there.
-        Raises NoSolution where the corner of a tool with protuberance never comes back to the flank.
-        """
+        At the flank; with protuberance, or where the tooth is undercut, at the crossing with the finished involute.  A
+        tool that leaves more stock than it has protuberance ends it at the end of its own involute: the finishing tool
+        leaves a step there. Raises NoSolution where the corner of a tool with protuberance never comes back to the
+        flank."""
         s, flank = self.system, -self.system.alpha_n
         if s.s_pr > 0:
             if self._off(flank, 0.0) < 0:
@@ -123,14 +127,16 @@ class Cut:
         return flank if crossing is None else crossing
 
     def _off(self, phi: Radian, offset: Radian) -> Radian:
-        """Angle by which the fillet stands off an involute: negative where it cuts into it.  `offset`: of that involute, inwards."""
+        """Angle by which the fillet stands off an involute: negative where it cuts into it.  `offset`: of that
+        involute, inwards."""
         radius, angle = self.fillet_point(phi)
         cosine = self.base_radius / radius
         alpha = math.acos(cosine) if cosine < 1 else 0.0
         return angle - (self.half_angle_at_base - offset - math.tan(alpha) + alpha)
 
     def _undercut(self, offset: Radian) -> Radian | None:
-        """Where the trochoid of an undercut tooth crosses the involute, between base circle and flank; None: it does not cut into it."""
+        """Where the trochoid of an undercut tooth crosses the involute, between base circle and flank; None: it does
+        not cut into it."""
         flank, r_b = -self.system.alpha_n, self.base_radius
         low = ROOT
         if self.root_radius < r_b:
@@ -142,23 +148,31 @@ class Cut:
         return _root(lambda phi: self._off(phi, offset), low, flank) if self._off(flank, offset) > 0 else flank
 
     def _return_of_the_corner(self, flank: Radian) -> Radian:
-        """Where the fillet of a tool with protuberance crosses the finished involute: before the corner comes back to the flank line."""
+        """Where the fillet of a tool with protuberance crosses the finished involute: before the corner comes back to
+        the flank line."""
         s, low, step = self.system, flank, 0.02
         while self._off(high := min(low + step, FLATTEST), 0.0) <= 0:
             if high == FLATTEST:
                 raise NoSolution(
-                    Text("protuberance: it stands {s_pr} mm out beyond the finished flank, and what it cuts never comes back to it",
-                        s_pr=mm(s.s_pr, ".4g")),
-                    advice=Text("a round corner of this tip radius comes back from {largest_residual_undercut} mm: give a smaller "
+                    Text(
+                        "protuberance: it stands {s_pr} mm out beyond the finished flank, and what it cuts never "
+                        "comes back to it",
+                        s_pr=mm(s.s_pr, ".4g"),
+                    ),
+                    advice=Text(
+                        "a round corner of this tip radius comes back from {largest_residual_undercut} mm: give a "
+                        "smaller "
                         "gears.protuberance_mm, a larger gears.stock_mm or tip radius, or less profile shift",
-                        largest_residual_undercut=mm(largest_residual_undercut(s), ".4g")),
-                )  # fmt: skip
+                        largest_residual_undercut=mm(largest_residual_undercut(s), ".4g"),
+                    ),
+                )
             low, step = high, 2 * step
         return _root(lambda phi: self._off(phi, 0.0), low, high)
 
 
 def _root(function: Callable[[float], float], low: float, high: float) -> float:
-    """Where a function that is negative at `low` and positive at `high` passes through 0, to the last digits: regula falsi (Illinois)."""
+    """Where a function that is negative at `low` and positive at `high` passes through 0, to the last digits: regula
+    falsi (Illinois)."""
     f_low, f_high = function(low), function(high)
     if f_low == 0 or f_high == 0:
         return low if f_low == 0 else high
@@ -192,34 +206,52 @@ def form_diameter_of_undercut(cut: Cut) -> Metre:
     return 2 * cut.fillet_point(cut.end_of_fillet)[0]
 
 
-# --- the tool ---------------------------------------------------------------------------------------------------------------
+# --- the tool
+# ---------------------------------------------------------------------------------------------------------------
 def largest_residual_undercut(s: ToothSystem) -> Metre:
-    """How far a corner circle can stand out beyond the flank and come back to it before its side is upright: ρ(1 − cos α_n)."""
+    """How far a corner circle can stand out beyond the flank and come back to it before its side is upright: ρ(1 − cos
+    α_n)."""
     return s.rho_aP0 * s.m_n * (1 - math.cos(s.alpha_n))
 
 
 def finishing_step(s: ToothSystem) -> Metre:
-    """Step that finishing leaves above the fillet, normal to the flank: stock that the protuberance does not cover; 0 without one."""
+    """Step that finishing leaves above the fillet, normal to the flank: stock that the protuberance does not cover; 0
+    without one."""
     return max(0.0, -s.s_pr)
 
 
 def tool_problem(s: ToothSystem) -> NoSolution | None:
     """Why there is no such tool, and what is allowed; None: there is."""
-    corner = f.tool_corner_position(m_t=s.transverse_module, h_fP=s.h_fP, rho_aP0=s.rho_aP0, m_n=s.m_n, alpha_t=s.transverse_pressure_angle,
-        alpha_n=s.alpha_n, beta=s.beta, s_pr=s.s_pr)  # fmt: skip
+    corner = f.tool_corner_position(
+        m_t=s.transverse_module,
+        h_fP=s.h_fP,
+        rho_aP0=s.rho_aP0,
+        m_n=s.m_n,
+        alpha_t=s.transverse_pressure_angle,
+        alpha_n=s.alpha_n,
+        beta=s.beta,
+        s_pr=s.s_pr,
+    )
     if corner >= -1e-9 * s.m_n:
         return None
     cosines, tangent = math.cos(s.alpha_n) * math.cos(s.beta), math.tan(s.transverse_pressure_angle)
     straight = math.pi * s.transverse_module / 4
     widest = (straight - s.h_fP * s.m_n * tangent + s.s_pr / cosines) / ((1 / cosines - tangent) * s.m_n)
-    deepest = (straight + (s.s_pr + s.stock) / cosines) / (tangent * s.m_n)  # of the tool itself, where its sharp corners meet
+    deepest = (straight + (s.s_pr + s.stock) / cosines) / (
+        tangent * s.m_n
+    )  # of the tool itself, where its sharp corners meet
     advice = Text("give a gears.tool_addendum of less than {down}: that much with sharp corners", down=_down(deepest))
     if widest >= 0:
-        advice = Text("give a gears.tool_tip_radius of at most {down}, or a smaller gears.tool_addendum", down=_down(widest))
+        advice = Text(
+            "give a gears.tool_tip_radius of at most {down}, or a smaller gears.tool_addendum", down=_down(widest)
+        )
     overlap = Text(
-        "gears.tool_tip_radius = {rho_ap0} with gears.tool_addendum = {h_ap0}: the round corners of such a tool overlap by {corner} mm",
-        rho_ap0=Amount(s.rho_aP0, form="g"), h_ap0=Amount(s.h_aP0, form="g"), corner=Amount(-2000.0 * corner, form=".4g"),
-    )  # fmt: skip
+        "gears.tool_tip_radius = {rho_ap0} with gears.tool_addendum = {h_ap0}: the round corners of such a tool "
+        "overlap by {corner} mm",
+        rho_ap0=Amount(s.rho_aP0, form="g"),
+        h_ap0=Amount(s.h_aP0, form="g"),
+        corner=Amount(-2000.0 * corner, form=".4g"),
+    )
     return NoSolution(overlap, advice=advice)
 
 
@@ -229,12 +261,15 @@ def _down(limit: Number) -> str:
 
 
 def protuberance_note(cut: Cut) -> str:
-    """What the hob's protuberance must be like for the fillet to be as it is computed; empty where nothing depends on it.
+    """What the hob's protuberance must be like for the fillet to be as it is computed; empty where nothing depends on
+    it.
 
-    A round corner alone comes back to the flank from at most ρ(1 − cos α_n); a straight flank of the protuberance carries it on.
-    """
+    A round corner alone comes back to the flank from at most ρ(1 − cos α_n); a straight flank of the protuberance
+    carries it on."""
     if cut.system.s_pr <= 0 or cut.end_of_fillet <= -cut.system.alpha_n:
         return ""
     angle = math.degrees(-cut.end_of_fillet)
-    return Text("the fillet is as computed if the flank of the hob's protuberance stands at most {angle}° from the upright",
-        angle=Amount(angle, form=".1f"))  # fmt: skip
+    return Text(
+        "the fillet is as computed if the flank of the hob's protuberance stands at most {angle}° from the upright",
+        angle=Amount(angle, form=".1f"),
+    )

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What is drawn of a wheel and of a whole train, in the transverse section: outlines, circles, and the table of data for the workshop.
+"""What is drawn of a wheel and of a whole train, in the transverse section: outlines, circles, and the table of data
+for the workshop.
 
-The sheet's first axis runs to the right, its second up.  Where the wheels stand in their places, up is the direction "up" of the
-engine and the crank turns clockwise.
-"""
+The sheet's first axis runs to the right, its second up.  Where the wheels stand in their places, up is the direction
+"up" of the engine and the crank turns clockwise."""
 
 import cmath
 import math
@@ -20,12 +20,30 @@ from ..layout.phase import phase
 from ..result import MeshResult, TrainResult, WheelResult, working_circles
 from .outline import CHORD_ERROR, repeated, shifts, tooth
 
-LAYERS = ("PROFILE", "PROFILE_MAX", "PROFILE_MIN", "TIP", "REFERENCE", "BASE", "ROOT", "FORM", "WORKING", "AXIS", "TEXT")
+LAYERS = (
+    "PROFILE",
+    "PROFILE_MAX",
+    "PROFILE_MIN",
+    "TIP",
+    "REFERENCE",
+    "BASE",
+    "ROOT",
+    "FORM",
+    "WORKING",
+    "AXIS",
+    "TEXT",
+)
 CIRCLES = {
-    "TIP": "tip_diameter", "REFERENCE": "reference_diameter", "BASE": "base_diameter", "ROOT": "root_diameter", "FORM": "form_diameter",
-}  # fmt: skip
+    "TIP": "tip_diameter",
+    "REFERENCE": "reference_diameter",
+    "BASE": "base_diameter",
+    "ROOT": "root_diameter",
+    "FORM": "form_diameter",
+}
 HANDS = {"left": Text("left"), "right": Text("right")}
-LETTER = 0.02  # rule of this program: letters are a fiftieth of the tip diameter high, and all distances multiples of that
+LETTER = (
+    0.02  # rule of this program: letters are a fiftieth of the tip diameter high, and all distances multiples of that
+)
 UP: Radian = math.pi / 2
 Places = Mapping[str, tuple[Metre, Metre]]
 
@@ -42,7 +60,10 @@ def wheel_drawing(
     shapes += _circles(wheel, working_circles(train.meshes, name), 0j)
     h = LETTER * wheel.tip_diameter
     left, top = wheel.tip_diameter / 2 + 6 * h, wheel.tip_diameter / 2
-    rows = (*data_table(train, name, gears), (Text("Profile"), Text("transverse section, without allowance; MAX, MIN: at its ends")))
+    rows = (
+        *data_table(train, name, gears),
+        (Text("Profile"), Text("transverse section, without allowance; MAX, MIN: at its ends")),
+    )
     shapes.append(Words("TEXT", (left, top), f"{title}: {name}" if title else name, 1.6 * h))
     for i, (label, words) in enumerate(rows):
         y = top - (3 + 1.8 * i) * h
@@ -51,23 +72,33 @@ def wheel_drawing(
 
 
 def train_drawing(
-    train: TrainResult, title: str = "", positions: Places | None = None, tooth_angle: Radian = 0.0, chord_error: Metre = CHORD_ERROR
+    train: TrainResult,
+    title: str = "",
+    positions: Places | None = None,
+    tooth_angle: Radian = 0.0,
+    chord_error: Metre = CHORD_ERROR,
 ) -> tuple[Primitive, ...]:
     """All wheels, meshing, without allowances.
 
-    `positions` [up, side] of every wheel from the crank's axis; left out, or not of every wheel: in a row, each beside its driver at
-    their centre distance.  `tooth_angle`: of a tooth of the first driver, from up in the sense of crank rotation.  Where the train stands
-    as its layout has it, the first tooth of every wheel is the layout's tooth 1.
-    """
+    `positions` [up, side] of every wheel from the crank's axis; left out, or not of every wheel: in a row, each beside
+    its driver at their centre distance.  `tooth_angle`: of a tooth of the first driver, from up in the sense of crank
+    rotation.  Where the train stands as its layout has it, the first tooth of every wheel is the layout's tooth 1."""
     known = positions is not None and set(train.wheels) <= set(positions)
-    centres = {name: complex(side, up) for name, (up, side) in positions.items()} if known and positions is not None else in_row(train)
+    centres = (
+        {name: complex(side, up) for name, (up, side) in positions.items()}
+        if known and positions is not None
+        else in_row(train)
+    )
     teeth = _teeth(train, centres, tooth_angle)
     shapes: list[Primitive] = []
     for name, wheel in train.wheels.items():
         shapes += _outlines(train, wheel, chord_error, centres[name], UP - teeth[name], limits=False)
         shapes += _circles(wheel, working_circles(train.meshes, name), centres[name])
     h = LETTER * max(wheel.tip_diameter for wheel in train.wheels.values())
-    shapes += [Words("TEXT", _point(centres[name] + complex(h, h)), f"{name}, z {w.teeth}", h) for name, w in train.wheels.items()]
+    shapes += [
+        Words("TEXT", _point(centres[name] + complex(h, h)), f"{name}, z {w.teeth}", h)
+        for name, w in train.wheels.items()
+    ]
     low = min(centres[name].imag - wheel.tip_diameter / 2 for name, wheel in train.wheels.items())
     left = min(centres[name].real - wheel.tip_diameter / 2 for name, wheel in train.wheels.items())
     placed, unplaced = (
@@ -75,15 +106,21 @@ def train_drawing(
         Text("In a row: where the axes stand is not known."),
     )
     below = [Text("Millimetres, 1:1. Transverse section, outlines without allowance."), placed if known else unplaced]
-    shapes += [Words("TEXT", (left, low - (4 + 1.8 * i) * h), line, h) for i, line in enumerate([title, *below] if title else below)]
+    shapes += [
+        Words("TEXT", (left, low - (4 + 1.8 * i) * h), line, h)
+        for i, line in enumerate([title, *below] if title else below)
+    ]
     return tuple(shapes)
 
 
 def _teeth(train: TrainResult, centres: Mapping[str, complex], tooth_angle: Radian) -> dict[str, Radian]:
-    """Middle of a tooth of every wheel, from up in the sense of crank rotation: the layout's where the wheels stand as it has them."""
+    """Middle of a tooth of every wheel, from up in the sense of crank rotation: the layout's where the wheels stand as
+    it has them."""
     places = {name: complex(at.imag, at.real) for name, at in centres.items()}
     laid = train.layout.wheels if train.layout is not None else {}
-    angles = {name: w.tooth_angle for name, w in laid.items() if w.tooth_angle is not None and w.position == places[name]}
+    angles = {
+        name: w.tooth_angle for name, w in laid.items() if w.tooth_angle is not None and w.position == places[name]
+    }
     if angles.keys() == train.wheels.keys():
         return angles
     directions = {key: cmath.phase(places[mesh.driven] - places[mesh.driver]) for key, mesh in train.meshes.items()}
@@ -102,8 +139,11 @@ def in_row(train: TrainResult) -> dict[str, complex]:
     return centres
 
 
-# --- shapes -------------------------------------------------------------------------------------------------------------
-def _outlines(train: TrainResult, wheel: WheelResult, chord_error: Metre, at: complex, turn: Radian, *, limits: bool) -> list[Primitive]:
+# --- shapes
+# -------------------------------------------------------------------------------------------------------------
+def _outlines(
+    train: TrainResult, wheel: WheelResult, chord_error: Metre, at: complex, turn: Radian, *, limits: bool
+) -> list[Primitive]:
     """The closed outline, its first point not repeated, and with `limits` those at the ends of the allowance."""
     outlines: list[Primitive] = []
     for end, x in shifts(train.system, wheel).items():
@@ -115,10 +155,14 @@ def _outlines(train: TrainResult, wheel: WheelResult, chord_error: Metre, at: co
 
 
 def _circles(wheel: WheelResult, working: list[tuple[str, Metre, MeshResult]], at: complex) -> list[Primitive]:
-    circles = [(layer, getattr(wheel, field)) for layer, field in CIRCLES.items()] + [("WORKING", d_w) for _, d_w, _ in working]
+    circles = [(layer, getattr(wheel, field)) for layer, field in CIRCLES.items()] + [
+        ("WORKING", d_w) for _, d_w, _ in working
+    ]
     shapes: list[Primitive] = [Arc(layer, _point(at), d / 2, 0.0, 2 * math.pi) for layer, d in circles]
     reach = wheel.tip_diameter * (0.5 + LETTER)
-    shapes += [Polyline("AXIS", (_point(at - way), _point(at + way))) for way in (complex(reach, 0.0), complex(0.0, reach))]
+    shapes += [
+        Polyline("AXIS", (_point(at - way), _point(at + way))) for way in (complex(reach, 0.0), complex(0.0, reach))
+    ]
     return shapes
 
 
@@ -126,16 +170,21 @@ def _point(at: complex) -> Point:
     return at.real, at.imag
 
 
-# --- the table of data ------------------------------------------------------------------------------------------------------
+# --- the table of data
+# ------------------------------------------------------------------------------------------------------
 def data_table(train: TrainResult, name: str, gears: GearsInputs | None = None) -> tuple[tuple[Text, Text], ...]:
     """What stands beside a wheel on its drawing: a label and what is said, with limits where the design gives them."""
     s, wheel = train.system, train.wheels[name]
     known = {v.id.removeprefix("."): v for v in published(wheel, "")}
     hand = HANDS[gears.hands()[name]] if gears is not None and s.beta else None
     rows = [
-        (Text("Normal module m_n"), _alone(_mm(s.m_n))), (Text("Teeth z"), Text("{z}", z=wheel.teeth)),
+        (Text("Normal module m_n"), _alone(_mm(s.m_n))),
+        (Text("Teeth z"), Text("{z}", z=wheel.teeth)),
         (Text("Normal pressure angle"), _alone(_degrees(s.alpha_n))),
-        (Text("Helix angle"), Text("{angle}, {hand}", angle=_degrees(s.beta), hand=hand) if hand else _alone(_degrees(s.beta))),
+        (
+            Text("Helix angle"),
+            Text("{angle}, {hand}", angle=_degrees(s.beta), hand=hand) if hand else _alone(_degrees(s.beta)),
+        ),
         (Text("Profile shift coefficient x"), _alone(_number(wheel.profile_shift, 5))),
         (Text("Tool: addendum, tip radius"), Text("{h} / {rho} m_n", h=_number(s.h_aP0), rho=_number(s.rho_aP0))),
         (Text("Stock; residual undercut"), Text("{q}; {s_pr}", q=_mm(s.stock), s_pr=_mm(s.s_pr))),
@@ -145,11 +194,14 @@ def data_table(train: TrainResult, name: str, gears: GearsInputs | None = None) 
         (Text("Tip diameter d_a"), _between(wheel.tip_diameter, wheel.tip_diameter_min, wheel.tip_diameter_max)),
         (Text("Root diameter d_f"), _between(wheel.root_diameter, wheel.root_diameter_min, wheel.root_diameter_max)),
         (Text("Form diameter d_Ff"), _between(wheel.form_diameter, wheel.form_diameter_min, wheel.form_diameter_max)),
-    ]  # fmt: skip
+    ]
     if gears is not None:
         rows.append((Text("Accuracy grade (ISO 1328-1)"), Text("{grade}", grade=gears.accuracy_grade)))
     rows += [
-        (Text("Working diameter to {mate}", mate=mate), Text("{mm}; centres {distance}", mm=_mm(d_w), distance=_distance(m)))
+        (
+            Text("Working diameter to {mate}", mate=mate),
+            Text("{mm}; centres {distance}", mm=_mm(d_w), distance=_distance(m)),
+        )
         for mate, d_w, m in working_circles(train.meshes, name)
     ]
     return (*rows, *_measures(known))
@@ -162,7 +214,9 @@ def _measures(known: Mapping[str, Published]) -> list[tuple[Text, Text]]:
         if id.startswith("span_") and id[5:].isdigit():
             rows.append((Text("Span over {id} teeth W", id=id[5:]), _limits(known, id)))
     if "over_balls" in known and "ball_diameter" in known:
-        rows.append((Text("Size over balls M, D_M {shown}", shown=_shown(known["ball_diameter"])), _limits(known, "over_balls")))
+        rows.append(
+            (Text("Size over balls M, D_M {shown}", shown=_shown(known["ball_diameter"])), _limits(known, "over_balls"))
+        )
     return rows
 
 
@@ -178,7 +232,9 @@ def _shown(value: Published) -> Amount:
 
 
 def _between(size: Metre, low: Metre | None, high: Metre | None) -> Text:
-    return Text("{mm} to {mm2}", mm=_mm(low), mm2=_mm(high)) if low is not None and high is not None else _alone(_mm(size))
+    return (
+        Text("{mm} to {mm2}", mm=_mm(low), mm2=_mm(high)) if low is not None and high is not None else _alone(_mm(size))
+    )
 
 
 def _distance(mesh: MeshResult) -> Text:

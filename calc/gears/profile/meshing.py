@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Whether the outlines of two wheels enter each other when they roll, which only drawn teeth can tell: tips, fillets and roots too.
+"""Whether the outlines of two wheels enter each other when they roll, which only drawn teeth can tell: tips, fillets
+and roots too.
 
-Points of a flank of each wheel are carried past the other, through every position in which they lie inside its tip circle.  Their
-angle there is compared with that of the tooth at the same radius.  A point on the involute side stands off it by r_b times the angle
-that is missing, which is exact; one inside a fillet by its distance to that.  Teeth are alike and their flanks mirrored, so one flank
-past all teeth is the whole mesh.
-"""
+Points of a flank of each wheel are carried past the other, through every position in which they lie inside its tip
+circle.  Their angle there is compared with that of the tooth at the same radius.  A point on the involute side stands
+off it by r_b times the angle that is missing, which is exact; one inside a fillet by its distance to that.  Teeth are
+alike and their flanks mirrored, so one flank past all teeth is the whole mesh."""
 
 import math
 from collections.abc import Mapping
@@ -29,7 +29,9 @@ from .outline import CHORD_ERROR
 
 FILLET, FLANK = 129, 12  # places of the fillet's table, and points of the flank that are carried past the mate
 CORNER, ROLL = 181, 21  # positions in which the tip's corner is looked at, and the other points
-CLOSE = 0.01  # modules between a corner and a fillet, measured along the circle, from which it is looked at more closely
+CLOSE = (
+    0.01  # modules between a corner and a fillet, measured along the circle, from which it is looked at more closely
+)
 DUST: Metre = 1e-12  # below it a distance is of the last digits
 
 
@@ -47,7 +49,8 @@ class Flank:
 
     @cached_property
     def points(self) -> tuple[Array, Array]:
-        """Points of the flank, radius and angle: of the involute evenly along the line of action, the tip's corner first."""
+        """Points of the flank, radius and angle: of the involute evenly along the line of action, the tip's corner
+        first."""
         base, form = self.cut.base_radius, float(self.fillet[0][-1])
         rho = np.linspace(math.sqrt(self.tip_radius**2 - base**2), math.sqrt(max(form**2 - base**2, 0.0)), FLANK)
         radius = np.hypot(base, rho)
@@ -69,9 +72,9 @@ def flank(system: ToothSystem, wheel: WheelResult, shift: Number | None = None) 
 def _seen(a_w: Metre, own: Flank, mate: Flank, carried: Array, share: Array, turn: float) -> tuple[Array, Array]:
     """Points of the mate as the wheel sees them: radius, and angle from its nearest tooth.
 
-    `carried`: which of the mate's points; `share`: where each stands, −1 to 1 of the way that it has inside the wheel's tip circle.
-    The mate's tooth stands at β from the line of centres; at β = 0 a space of the wheel stands there, turned by `turn`.
-    """
+    `carried`: which of the mate's points; `share`: where each stands, −1 to 1 of the way that it has inside the wheel's
+    tip circle. The mate's tooth stands at β from the line of centres; at β = 0 a space of the wheel stands there,
+    turned by `turn`."""
     radius, theta = mate.points
     reach = np.arccos(np.clip((a_w**2 + radius**2 - own.tip_radius**2) / (2 * a_w * radius), -1.0, 1.0))
     r, place = radius[carried], reach[carried] * share  # of the point, from the line of centres
@@ -92,11 +95,14 @@ AROUND = np.linspace(-2.0, 2.0, 41) * 2 / (CORNER - 1)  # two positions to each 
 
 
 @formula(
-    "δ_p", "rule of this program: points of both flanks carried past the other wheel without backlash, through every position", unit="µm",
+    "δ_p",
+    "rule of this program: points of both flanks carried past the other wheel without backlash, through every position",
+    unit="µm",
     shows="largest depth of a point of one outline inside the other, over a whole engagement",
-)  # fmt: skip
+)
 def penetration(a_w: Metre, driver: Flank, driven: Flank, j_wt: Metre = 0.0) -> Metre:
-    """In the transverse plane; 0 where the outlines only touch.  `j_wt`: backlash of these outlines, one flank of which is in contact."""
+    """In the transverse plane; 0 where the outlines only touch.  `j_wt`: backlash of these outlines, one flank of which
+    is in contact."""
     r_w = [a_w * wheel.cut.teeth / (driver.cut.teeth + driven.cut.teeth) for wheel in (driver, driven)]
     sides = (0.0,) if j_wt <= 0 else (j_wt / 2, -j_wt / 2)
     return max(max(_deepest(a_w, driver, driven, j / r_w[0]), _deepest(a_w, driven, driver, j / r_w[1])) for j in sides)
@@ -130,7 +136,11 @@ def _depth(own: Flank, radius: Array, angle: Array, short: Array) -> Metre:
     half_pitch = math.pi / own.cut.teeth
     points = radius * np.exp(1j * angle)
     to_fillet = _distances(points, corners)
-    to_root = np.where(angle >= theta[0], np.abs(radius - r[0]), np.abs(points - corners[0])) if half_pitch > theta[0] else to_fillet
+    to_root = (
+        np.where(angle >= theta[0], np.abs(radius - r[0]), np.abs(points - corners[0]))
+        if half_pitch > theta[0]
+        else to_fillet
+    )
     upper = radius >= r[-1]
     depth = np.where(upper, np.minimum(over_flank, over_tip), np.minimum(to_fillet, to_root))
     deepest = float(depth.max())
@@ -154,14 +164,22 @@ def penetrations(train: TrainResult) -> dict[str, Metre]:
     for key, m in train.meshes.items():
         with about(Text("mesh {pair}", pair=m.title)):
             pair = m.centre_distance, flanks[m.driver], flanks[m.driven]
-            sizes = m.working_diameter_driver, train.wheels[m.driver].teeth, m.working_thickness_driver, m.working_thickness_driven
+            sizes = (
+                m.working_diameter_driver,
+                train.wheels[m.driver].teeth,
+                m.working_thickness_driver,
+                m.working_thickness_driven,
+            )
             with untraced():
-                loose = circumferential_backlash(*sizes) > DUST  # before allowances: the shifts were given with the centre distance
+                loose = (
+                    circumferential_backlash(*sizes) > DUST
+                )  # before allowances: the shifts were given with the centre distance
             depths[key] = penetration(*pair, circumferential_backlash(*sizes)) if loose else penetration(*pair)
     return depths
 
 
 # What is judged on the outlines, and what has to be said of the tool that cuts them.
+
 
 def checks(train: TrainResult, depths: Mapping[str, Metre]) -> tuple[Check, ...]:
     """`depths`: how deep the outlines of each mesh enter each other, by `meshing.penetrations`."""
@@ -174,20 +192,41 @@ def checks(train: TrainResult, depths: Mapping[str, Metre]) -> tuple[Check, ...]
 def penetration_check(key: str, mesh: MeshResult, depth: Metre) -> Check:
     """Whether a tip runs into a fillet or a root, whatever the formulas of form diameter and clearance say."""
     return check(
-        f"gears.{key}.penetration", Text("Outlines of {driver} and {driven} inside each other, without backlash", driver=mesh.driver,
-            driven=mesh.driven), depth, "<=",
-        CHORD_ERROR, "µm", Text("rule of this program: no deeper than the outlines are exact"),
-        Text("Cut the tips, or take a tool with a larger addendum, a smaller tip radius, or a protuberance that covers the stock."),
-    )  # fmt: skip
+        f"gears.{key}.penetration",
+        Text(
+            "Outlines of {driver} and {driven} inside each other, without backlash",
+            driver=mesh.driver,
+            driven=mesh.driven,
+        ),
+        depth,
+        "<=",
+        CHORD_ERROR,
+        "µm",
+        Text("rule of this program: no deeper than the outlines are exact"),
+        Text(
+            "Cut the tips, or take a tool with a larger addendum, a smaller tip radius, or a protuberance that covers "
+            "the stock."
+        ),
+    )
 
 
 def finishing_check(train: TrainResult) -> Check:
     """Whether the tool's protuberance covers the stock, so that finishing runs out into the fillet without a step."""
     s = train.system
-    return check("gears.train.finishing_step", Text("Step that finishing leaves above the fillet"), finishing_step(s), "<=", 0.0, "µm",
-        Text("rule of this program after the practice of gear handbooks, from memory: the protuberance at least as large as the stock"),
+    return check(
+        "gears.train.finishing_step",
+        Text("Step that finishing leaves above the fillet"),
+        finishing_step(s),
+        "<=",
+        0.0,
+        "µm",
+        Text(
+            "rule of this program after the practice of gear handbooks, from memory: the protuberance at least as "
+            "large as the stock"
+        ),
         Text("A step is a notch beside the root."),
-        remedies=by_key(GearsInputs, "gears.protuberance_mm", float(f"{s.stock * 1e3:.4g}"), bound=">="))  # fmt: skip
+        remedies=by_key(GearsInputs, "gears.protuberance_mm", float(f"{s.stock * 1e3:.4g}"), bound=">="),
+    )
 
 
 def notes(train: TrainResult) -> tuple[Text, ...]:

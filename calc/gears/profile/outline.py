@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The outline of a tooth as the tool makes it: tip arc, involute, fillet, root arc, as a polyline within a chord error of the true curve.
+"""The outline of a tooth as the tool makes it: tip arc, involute, fillet, root arc, as a polyline within a chord error
+of the true curve.
 
-A point of a flank is given by its radius and its angle from the middle of the tooth; an outline is an array of complex numbers, the
-middle of the first tooth on the real axis.
-"""
+A point of a flank is given by its radius and its angle from the middle of the tooth; an outline is an array of complex
+numbers, the middle of the first tooth on the real axis."""
 
 import math
 
@@ -19,11 +19,22 @@ from ..result import ToothSystem, WheelResult
 from .cut import ROOT, Cut, form_diameter_of_undercut
 
 __all__ = [
-    "CHORD_ERROR", "Cut", "Outline", "Regions", "form_diameter_of_undercut", "outline", "regions", "repeated", "shifts", "tooth",
+    "CHORD_ERROR",
+    "Cut",
+    "Outline",
+    "Regions",
+    "form_diameter_of_undercut",
+    "outline",
+    "regions",
+    "repeated",
+    "shifts",
+    "tooth",
     "whole_tooth",
-]  # fmt: skip
+]
 
-CHORD_ERROR: Metre = 1e-6  # rule of this program: a polyline stays within a micrometre of the curve, if nothing else is asked
+CHORD_ERROR: Metre = (
+    1e-6  # rule of this program: a polyline stays within a micrometre of the curve, if nothing else is asked
+)
 FINE = 65  # places at which the curvature of a fillet is looked at
 SAFETY = 1.15  # more chords than a constant curvature between two points would ask for
 
@@ -32,7 +43,8 @@ Outline = ComplexArray
 
 @record
 class Regions:
-    """One flank from root to tip, each region with the ends that it shares with its neighbours: (radius, angle) arrays."""
+    """One flank from root to tip, each region with the ends that it shares with its neighbours: (radius, angle)
+    arrays."""
 
     root: tuple[Array, Array]
     fillet: tuple[Array, Array]
@@ -41,25 +53,32 @@ class Regions:
 
 
 def shifts(system: ToothSystem, wheel: WheelResult) -> dict[str, Number]:
-    """Generating shift of each outline of a wheel: "" without allowance; "max", "min" with the upper and the lower end of it."""
+    """Generating shift of each outline of a wheel: "" without allowance; "max", "min" with the upper and the lower end
+    of it."""
     shifts = {"": wheel.profile_shift}
     for end, E_W in zip(("max", "min"), wheel.allowance or ()):
         shifts[end] = generating_shift.function(wheel.profile_shift, E_W, system.m_n, system.alpha_n)
     return shifts
 
 
-def regions(system: ToothSystem, wheel: WheelResult, chord_error: Metre = CHORD_ERROR, shift: Number | None = None) -> Regions:
-    """The four regions of one flank; a pointed tooth ends where its flanks meet.  `shift`: another one than that without allowance."""
+def regions(
+    system: ToothSystem, wheel: WheelResult, chord_error: Metre = CHORD_ERROR, shift: Number | None = None
+) -> Regions:
+    """The four regions of one flank; a pointed tooth ends where its flanks meet.  `shift`: another one than that
+    without allowance."""
     cut = Cut(system, wheel.teeth, wheel.profile_shift if shift is None else shift)
     end = cut.end_of_fillet
     form, corner = cut.fillet_point(end)
     base, tip = cut.base_radius, wheel.tip_diameter / 2
     if form >= tip:
         raise NoSolution(
-            Text("wheel {name}: no involute is left below its tip circle", name=wheel.name), advice=Text("give it more profile shift")
+            Text("wheel {name}: no involute is left below its tip circle", name=wheel.name),
+            advice=Text("give it more profile shift"),
         )
     fillet = _fillet(cut, end, chord_error)
-    radius, angle = _involute(cut, math.sqrt(max((form / base) ** 2 - 1, 0.0)), math.sqrt((tip / base) ** 2 - 1), chord_error)
+    radius, angle = _involute(
+        cut, math.sqrt(max((form / base) ** 2 - 1, 0.0)), math.sqrt((tip / base) ** 2 - 1), chord_error
+    )
     if abs(corner - angle[0]) * form > 1e-9 * system.m_n:  # finishing has left a step
         fillet = np.append(fillet[0], form), np.append(fillet[1], angle[0])
     root = _arc(cut.root_radius, math.pi / wheel.teeth, float(fillet[1][0]), chord_error)
@@ -76,12 +95,15 @@ def _fillet(cut: Cut, end: float, chord_error: Metre) -> tuple[Array, Array]:
     curvature = 2 * turned / (length[1:] + length[:-1])
     density = np.sqrt(np.concatenate([curvature[:1], curvature, curvature[-1:]]) / (8 * chord_error))
     chords = np.concatenate([[0.0], np.cumsum((density[1:] + density[:-1]) / 2 * length)])
-    wanted = np.linspace(0.0, chords[-1], math.ceil(SAFETY * float(chords[-1])) + 1) if chords[-1] > 1 else chords[[0, -1]]
+    wanted = (
+        np.linspace(0.0, chords[-1], math.ceil(SAFETY * float(chords[-1])) + 1) if chords[-1] > 1 else chords[[0, -1]]
+    )
     return cut.fillet(np.interp(wanted, chords, phi))
 
 
 def _involute(cut: Cut, start: Number, end: Number, chord_error: Metre) -> tuple[Array, Array]:
-    """Between two places t = tan α; the curvature is 1/(r_b·t), so equal steps of t^(3/2) stand equally far off.  Ends where θ is 0."""
+    """Between two places t = tan α; the curvature is 1/(r_b·t), so equal steps of t^(3/2) stand equally far off.  Ends
+    where θ is 0."""
     theta = cut.half_angle_at_base
     pointed = end - math.atan(end) > theta
     if pointed:
@@ -102,7 +124,9 @@ def _arc(radius: Metre, start: float, end: float, chord_error: Metre) -> tuple[A
     return np.full(count + 1, radius), np.linspace(start, end, count + 1)
 
 
-def tooth(system: ToothSystem, wheel: WheelResult, chord_error: Metre = CHORD_ERROR, shift: Number | None = None) -> Outline:
+def tooth(
+    system: ToothSystem, wheel: WheelResult, chord_error: Metre = CHORD_ERROR, shift: Number | None = None
+) -> Outline:
     """One whole tooth, from the middle of a root to the middle of the next, angles rising."""
     return whole_tooth(regions(system, wheel, chord_error, shift))
 
@@ -123,7 +147,8 @@ def outline(
     teeth: range | None = None,
     shift: Number | None = None,
 ) -> Outline:
-    """The teeth with the given numbers (all of them: a closed line, its first point again at its end), number 0 on the real axis."""
+    """The teeth with the given numbers (all of them: a closed line, its first point again at its end), number 0 on the
+    real axis."""
     return repeated(tooth(system, wheel, chord_error, shift), wheel.teeth, teeth)
 
 

@@ -1,2 +1,3 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The strength of the teeth by ISO 6336: load, influence factors, stresses, permissible stresses, film and flash temperature."""
+"""The strength of the teeth by ISO 6336: load, influence factors, stresses, permissible stresses, film and flash
+temperature."""

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The checks of the rating: load, notch, influence factors, strength classes, safeties, and the screening by film and temperature."""
+"""The checks of the rating: load, notch, influence factors, strength classes, safeties, and the screening by film and
+temperature."""
 
 import math
 from collections.abc import Iterable, Iterator, Mapping
@@ -38,10 +39,15 @@ def checks(mesh: MeshResult, key: str, rated: MeshRating, load: RatingLoad) -> I
     pair = mesh.title
     for wheel, form in rated.forms.items():
         yield check(
-            f"gears.{key}.notch_{wheel}", Text("Notch parameter q_s of {wheel}", wheel=wheel), form.q_s, "in", (1.0, 8.0), "",
+            f"gears.{key}.notch_{wheel}",
+            Text("Notch parameter q_s of {wheel}", wheel=wheel),
+            form.q_s,
+            "in",
+            (1.0, 8.0),
+            "",
             Text("ISO 6336-3: range of Y_S"),
             Text("The stress correction factor is outside its range: choose a larger tip radius of the tool."),
-        )  # fmt: skip
+        )
     yield from overlooked(key, pair, load)
     if rated.least_torque is not None:
         yield rattle(key, pair, rated.least_torque)
@@ -51,7 +57,8 @@ def checks(mesh: MeshResult, key: str, rated: MeshRating, load: RatingLoad) -> I
         yield from screening_checks(key, rated.screening)
 
 
-# --- the load --------------------------------------------------------------------------------------------------------------
+# --- the load
+# --------------------------------------------------------------------------------------------------------------
 def overlooked(key: str, pair: str, load: RatingLoad) -> list[Check]:
     """Whether a given application factor covers the torque that is known."""
     if load.dynamic is None or load.of_peak or not load.mean:
@@ -59,20 +66,35 @@ def overlooked(key: str, pair: str, load: RatingLoad) -> list[Check]:
     needed = 1 + load.dynamic / abs(load.mean)
     return [
         check(
-            f"gears.{key}.application_factor", Text("Application factor {name}", name=pair), load.K_A, ">=", needed, "",
+            f"gears.{key}.application_factor",
+            Text("Application factor {name}", name=pair),
+            load.K_A,
+            ">=",
+            needed,
+            "",
             Text("mean and dynamic torque over the mean"),
-            remedies=by_key(GearsInputs, "gears.application_factor", None, effect=Text("the peak of both is then rated")),
+            remedies=by_key(
+                GearsInputs, "gears.application_factor", None, effect=Text("the peak of both is then rated")
+            ),
         )
-    ]  # fmt: skip
+    ]
 
 
 def rattle(key: str, pair: str, least: NewtonMetre) -> Check:
     return check(
-        f"gears.{key}.flank_reversal", Text("Least torque of {name} over the cycle", name=pair), least, ">=", 0.0, "N·m",
+        f"gears.{key}.flank_reversal",
+        Text("Least torque of {name} over the cycle", name=pair),
+        least,
+        ">=",
+        0.0,
+        "N·m",
         Text("the flanks stay in touch while the torque does not change its sign"),
-        Text("The teeth rattle: hold the backlash small, prefer helical teeth with a large overlap, or take a heavier flywheel "
-        "or a wheel that is sprung against play."),
-    )  # fmt: skip
+        Text(
+            "The teeth rattle: hold the backlash small, prefer helical teeth with a large overlap, or take a heavier "
+            "flywheel "
+            "or a wheel that is sprung against play."
+        ),
+    )
 
 
 def influence_checks(key: str, mesh: MeshResult, factors: Influence) -> list[Check]:
@@ -80,39 +102,67 @@ def influence_checks(key: str, mesh: MeshResult, factors: Influence) -> list[Che
     below = factors.resonance_ratio <= 1
     checks = [
         check(
-            f"{id}.line_load", Text("Load per face width {pair}", pair=pair), factors.line_load, ">=", LEAST_LOAD, "N/mm",
-            Text("{iso}: below 50 N/mm flanks can part and hammer; the factors are made for 100 N/mm and more", iso=ISO),
-            Text("K_V, K_Hβ and K_Hα are outside their validity here: small deviations over a small load. "
-            "What governs is the torque of the speed's irregularity "
-            "or the application factor; a narrower face width raises the load per width."),
+            f"{id}.line_load",
+            Text("Load per face width {pair}", pair=pair),
+            factors.line_load,
+            ">=",
+            LEAST_LOAD,
+            "N/mm",
+            Text(
+                "{iso}: below 50 N/mm flanks can part and hammer; the factors are made for 100 N/mm and more", iso=ISO
+            ),
+            Text(
+                "K_V, K_Hβ and K_Hα are outside their validity here: small deviations over a small load. "
+                "What governs is the torque of the speed's irregularity "
+                "or the application factor; a narrower face width raises the load per width."
+            ),
         ),
         check(
-            f"{id}.resonance", Text("Speed of {pair} over its main resonance, {speed_range}", pair=pair, speed_range=factors.speed_range),
-            factors.resonance_ratio, "<=" if below else ">=", factors.lower_resonance if below else MAIN_TO, "",
+            f"{id}.resonance",
+            Text("Speed of {pair} over its main resonance, {speed_range}", pair=pair, speed_range=factors.speed_range),
+            factors.resonance_ratio,
+            "<=" if below else ">=",
+            factors.lower_resonance if below else MAIN_TO,
+            "",
             Text("{clause_6}: the main resonance lies from N_S to 1.15", clause_6=CLAUSE_6),
-            Text("Change the number of teeth, or the mass of the wheels, so that the teeth do not meet at the natural "
-                "frequency of the pair."),
+            Text(
+                "Change the number of teeth, or the mass of the wheels, so that the teeth do not meet at the natural "
+                "frequency of the pair."
+            ),
         ),
         check(
-            f"{id}.shift_sum", Text("Sum of the profile shifts {pair}", pair=pair), mesh.shift_sum, "in", (-0.5, 2.0), "",
+            f"{id}.shift_sum",
+            Text("Sum of the profile shifts {pair}", pair=pair),
+            mesh.shift_sum,
+            "in",
+            (-0.5, 2.0),
+            "",
             Text("{clause_9}: range of the stiffness of the teeth", clause_9=CLAUSE_9),
             Text("The stiffness of the teeth is extrapolated; the factors K are uncertain."),
         ),
-    ]  # fmt: skip
+    ]
     if factors.line_load >= LEAST_LOAD:  # below it no teeth are pressed together over their whole width
         checks.append(
             check(
-                f"{id}.contact_width", Text("Face width that touches, {pair}", pair=pair), factors.contact_width_share, ">=", 1.0, "%",
+                f"{id}.contact_width",
+                Text("Face width that touches, {pair}", pair=pair),
+                factors.contact_width_share,
+                ">=",
+                1.0,
+                "%",
                 Text("{clause_7}: K_Hβ up to 2", clause_7=CLAUSE_7),
-                Text("The load is too small to press the misaligned teeth together over the whole face width: "
-                "crown or end-relieve the teeth, "
-                "or hold the axes more parallel (misalignment of the mesh, accuracy grade)."),
+                Text(
+                    "The load is too small to press the misaligned teeth together over the whole face width: "
+                    "crown or end-relieve the teeth, "
+                    "or hold the axes more parallel (misalignment of the mesh, accuracy grade)."
+                ),
             )
-        )  # fmt: skip
+        )
     return checks
 
 
-# --- strength --------------------------------------------------------------------------------------------------------------
+# --- strength
+# --------------------------------------------------------------------------------------------------------------
 def strength_checks(meshes: Mapping[str, MeshStrength]) -> tuple[Check, ...]:
     """Of every mesh its flanks, of every wheel the weakest of its roots; none where there is no load."""
     checks: list[Check] = []
@@ -125,8 +175,9 @@ def strength_checks(meshes: Mapping[str, MeshStrength]) -> tuple[Check, ...]:
     for wheel, (S_F, pair) in roots.items():
         id, name = f"gears.{wheel}.safety_bending", Text("Safety of {wheel} against tooth breakage", wheel=wheel)
         for suffix, label, least in (
-            ("", Text("{name}, in {pair}", name=name, pair=pair), S_F_LEAST), ("_usual", Text("{name}, usual", name=name), S_F_USUAL),
-        ):  # fmt: skip
+            ("", Text("{name}, in {pair}", name=name, pair=pair), S_F_LEAST),
+            ("_usual", Text("{name}, usual", name=name), S_F_USUAL),
+        ):
             checks.append(check(f"{id}{suffix}", label, S_F, ">=", least, "", MINIMUM_F, _advice(wheel, least / S_F)))
     return tuple(checks)
 
@@ -138,9 +189,12 @@ def _contact_checks(key: str, mesh: MeshStrength) -> list[Check]:
     weak = min(safeties, key=safeties.__getitem__)
     S_H, (one, two), id = safeties[weak], mesh.sides, f"gears.{key}.safety_contact"
     name = Text(
-        "Safety against pitting {name}–{name2}, on stress (on load {s_h}), weaker: {weak}", name=one.name, name2=two.name,
-        s_h=Amount(S_H**2, form=".3g"), weak=weak,
-    )  # fmt: skip
+        "Safety against pitting {name}–{name2}, on stress (on load {s_h}), weaker: {weak}",
+        name=one.name,
+        name2=two.name,
+        s_h=Amount(S_H**2, form=".3g"),
+        weak=weak,
+    )
     return [
         check(f"{id}{suffix}", label, S_H, ">=", least, "", MINIMUM_H, _advice(weak, (least / S_H) ** 2))
         for suffix, label, least in (("", name, S_H_LEAST), ("_usual", Text("{name}, usual", name=name), S_H_USUAL))
@@ -154,9 +208,10 @@ def _advice(wheel: str, width: Number) -> Text:
     return Text(
         "Give more than {width} times the face width, or bring the load to less than {width2} of it (the load "
         "factors rise as the load per width falls), {better}, or a finer accuracy grade.",
-        width=Amount(width, form=".3g"), width2=Amount(1 / width, form=".3g"),
+        width=Amount(width, form=".3g"),
+        width2=Amount(1 / width, form=".3g"),
         better=Text("a stronger class of {wheel} or a better quality", wheel=wheel),
-    )  # fmt: skip
+    )
 
 
 def unrated_checks(wheels: Iterable[str]) -> tuple[Check, ...]:
@@ -164,20 +219,32 @@ def unrated_checks(wheels: Iterable[str]) -> tuple[Check, ...]:
     why = Text("Without a strength class the wheel and its meshes have no safety.")
     return tuple(
         check(
-            f"gears.{wheel}.safety_bending", Text("Safety of {wheel} against tooth breakage", wheel=wheel), math.nan, ">=", S_F_LEAST, "",
-            MINIMUM_F, why, missing=(f"gears.wheels.{wheel}.gear_material",),
+            f"gears.{wheel}.safety_bending",
+            Text("Safety of {wheel} against tooth breakage", wheel=wheel),
+            math.nan,
+            ">=",
+            S_F_LEAST,
+            "",
+            MINIMUM_F,
+            why,
+            missing=(f"gears.wheels.{wheel}.gear_material",),
         )
         for wheel in wheels
-    )  # fmt: skip
+    )
 
 
 def roughness_check(root_rz: Metre) -> Check:
     """Whether the surface factor of the root holds."""
     return check(
-        "gears.train.root_roughness", Text("Roughness Rz of the roots"), root_rz, "<=", root.ROUGHEST_ROOT, "µm",
+        "gears.train.root_roughness",
+        Text("Roughness Rz of the roots"),
+        root_rz,
+        "<=",
+        root.ROUGHEST_ROOT,
+        "µm",
         Text("ISO 6336-3: Y_RrelT was found up to 40 µm"),
         remedies=by_key(GearsInputs, "gears.root_rz_um", round(root.ROUGHEST_ROOT * 1e6, 6), bound="<="),
-    )  # fmt: skip
+    )
 
 
 def hardness_checks(wheel: str, cls: StrengthClass) -> tuple[Check, ...]:
@@ -187,49 +254,88 @@ def hardness_checks(wheel: str, cls: StrengthClass) -> tuple[Check, ...]:
     factor = 1.0 if cls.scale == "HV" else 0.95
     low, high = Amount(cls.low, form="g"), Amount(cls.high, form="g")
     source = Text(
-        "ISO 6336-5:2016, Table 1: {name}, {quality}, {low} to {high} {scale}", name=cls.name, quality=cls.quality, low=low, high=high,
+        "ISO 6336-5:2016, Table 1: {name}, {quality}, {low} to {high} {scale}",
+        name=cls.name,
+        quality=cls.quality,
+        low=low,
+        high=high,
         scale=cls.scale,
-    )  # fmt: skip
+    )
     name = Text("Hardness of {wheel} for its strength class", wheel=wheel)
     return (
         check(
-            f"gears.{wheel}.hardness", name, cls.hardness, ">=", cls.low / factor, "HV", source,
+            f"gears.{wheel}.hardness",
+            name,
+            cls.hardness,
+            ">=",
+            cls.low / factor,
+            "HV",
+            source,
             Text("A softer flank does not reach the class: choose another strength class."),
         ),
         check(
-            f"gears.{wheel}.hardness_most", Text("{name}, upper end", name=name), cls.hardness, "<=", cls.high / factor, "HV", source,
+            f"gears.{wheel}.hardness_most",
+            Text("{name}, upper end", name=name),
+            cls.hardness,
+            "<=",
+            cls.high / factor,
+            "HV",
+            source,
             Text("The strength is that of the upper end: more hardness adds none, and may make the teeth brittle."),
         ),
-    )  # fmt: skip
+    )
 
 
-# --- screening -------------------------------------------------------------------------------------------------------------
+# --- screening
+# -------------------------------------------------------------------------------------------------------------
 def screening_checks(key: str, screened: Screening) -> tuple[Check, ...]:
     """Of the film, where there is one, and of the contact temperature."""
     title, checks = screened.title, []
     if screened.specific_film_min is not None:
         given = screened.permissible_given
-        limit = Text("λ_GFP of the oil's test") if given else Text("λ_GFP by a rule of this program; a test of the oil gives its own")
+        limit = (
+            Text("λ_GFP of the oil's test")
+            if given
+            else Text("λ_GFP by a rule of this program; a test of the oil gives its own")
+        )
         checks.append(
             check(
-                f"gears.{key}.micropitting_film", Text("Specific film thickness {title} at {film_place} (screening)", title=title,
-                    film_place=screened.film_place),
-                screened.specific_film_min, ">=", screened.permissible_film, "",
+                f"gears.{key}.micropitting_film",
+                Text(
+                    "Specific film thickness {title} at {film_place} (screening)",
+                    title=title,
+                    film_place=screened.film_place,
+                ),
+                screened.specific_film_min,
+                ">=",
+                screened.permissible_film,
+                "",
                 Text("ISO/TR 15144-1:2014, ISO/TS 6336-22:2018, method B; {limit}", limit=limit),
-                Text("Smoother flanks (gears.flank_rz_um), cooler or thicker oil, more speed; stronger steel does not help. "
-                    "{pressure}", pressure=_pressure(screened.film_pressure or 0.0)),
+                Text(
+                    "Smoother flanks (gears.flank_rz_um), cooler or thicker oil, more speed; stronger steel does not "
+                    "help. "
+                    "{pressure}",
+                    pressure=_pressure(screened.film_pressure or 0.0),
+                ),
             )
-        )  # fmt: skip
+        )
     assumed = "" if screened.load_stage_given else Text(", assumed by a rule of this program")
     stage = Text("FZG load stage {load_stage}", load_stage=Amount(screened.load_stage, form="g")) + assumed
     checks.append(
         check(
-            f"gears.{key}.scuffing", Text("Scuffing temperature above the contact temperature {title} (screening)", title=title),
-            screened.scuffing_margin, ">=", MARGIN, "K",
+            f"gears.{key}.scuffing",
+            Text("Scuffing temperature above the contact temperature {title} (screening)", title=title),
+            screened.scuffing_margin,
+            ">=",
+            MARGIN,
+            "K",
             Text("ISO/TR 13989-1:2000 (ISO/TS 6336-20), 10.5: for instance 50 K; {stage}", stage=stage),
-            Text("Cooler oil, an oil of a higher load stage, smoother flanks, less sliding (shorter addenda), or more face width."),
+            Text(
+                "Cooler oil, an oil of a higher load stage, smoother flanks, less sliding (shorter addenda), or more "
+                "face width."
+            ),
         )
-    )  # fmt: skip
+    )
     return tuple(checks)
 
 

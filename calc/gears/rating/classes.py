@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Strength classes of gears by ISO 6336-5: the stresses that a material endures, by its heat treatment, quality and hardness.
+"""Strength classes of gears by ISO 6336-5: the stresses that a material endures, by its heat treatment, quality and
+hardness.
 
-The table stands in calc/library/tables/gear_materials.toml; only the row asked for is read.  The hardness is in Vickers; classes that the standard
-gives in Brinell take 0.95 of it.  Above the range of its class a hardness adds nothing (the line is read at its end); below the range the
-class does not hold, which a check says.
-"""
+The table stands in calc/library/tables/gear_materials.toml; only the row asked for is read.  The hardness is in
+Vickers; classes that the standard gives in Brinell take 0.95 of it.  Above the range of its class a hardness adds
+nothing (the line is read at its end); below the range the class does not hold, which a check says."""
 
 import tomllib
 from collections.abc import Iterable
@@ -29,25 +29,37 @@ HARDNESS = {"x": "x_H"}  # x in the standard; here that is the profile shift
 MEGAPASCAL = UNITS["MPa"].factor
 
 
-@formula("HBW", "ISO 18265: HBW = 0.95·HV; so do, within 1, the pairs of ISO 898-1 from 120 to 435 HV",
-    names={"HV": "HV"})  # fmt: skip
+@formula(
+    "HBW", "ISO 18265: HBW = 0.95·HV; so do, within 1, the pairs of ISO 898-1 from 120 to 435 HV", names={"HV": "HV"}
+)
 def brinell_hardness(HV: Number) -> Number:
     return 0.95 * HV
 
 
-@formula("σ_Hlim", Text("{table_1}: allowable stress number, contact; x_H: hardness", table_1=TABLE_1), unit="MPa", names=HARDNESS)
+@formula(
+    "σ_Hlim",
+    Text("{table_1}: allowable stress number, contact; x_H: hardness", table_1=TABLE_1),
+    unit="MPa",
+    names=HARDNESS,
+)
 def contact_number(A: Pascal, x: Number, B: Pascal) -> Pascal:
     return A * x + B
 
 
-@formula("σ_Flim", Text("{table_1}: allowable stress number, bending; x_H: hardness", table_1=TABLE_1), unit="MPa", names=HARDNESS)
+@formula(
+    "σ_Flim",
+    Text("{table_1}: allowable stress number, bending; x_H: hardness", table_1=TABLE_1),
+    unit="MPa",
+    names=HARDNESS,
+)
 def bending_number(A: Pascal, x: Number, B: Pascal) -> Pascal:
     return A * x + B
 
 
 @record
 class StrengthClass:
-    """A material as a gear: `x` is the hardness entered, `low` to `high` its range, all on `scale`; `hardness`: as given, HV.
+    """A material as a gear: `x` is the hardness entered, `low` to `high` its range, all on `scale`; `hardness`: as
+    given, HV.
 
     `brinell` is that of through-hardened classes and iron; of the others it is not asked.
     """
@@ -97,18 +109,20 @@ def class_names() -> tuple[str, ...]:
 def classes_of(steel: str) -> tuple[str, ...]:
     """The classes that name a steel among their usual ones."""
     sought = steel.casefold()
-    likely = [name for name, text in _rows().items() if f'"{sought}"' in text.casefold()]  # the only rows that need be read
+    likely = [
+        name for name, text in _rows().items() if f'"{sought}"' in text.casefold()
+    ]  # the only rows that need be read
     return tuple(name for name in likely if sought in (s.casefold() for s in _row(name)["steels"]))
 
 
 def strength_class(
     name: str | None = None, quality: str = "MQ", hardness: Number | None = None, proof_stress: Pascal | None = None
 ) -> StrengthClass:
-    """The allowable stress numbers of a class.  `hardness` of the flank in HV; `proof_stress` of the very steel, if known.
+    """The allowable stress numbers of a class.  `hardness` of the flank in HV; `proof_stress` of the very steel, if
+    known.
 
-    Left out: the class is case-hardened steel, the hardness the lowest of its range (rule of this program); the notes say so.
-    Raises NoSolution where there is no such class.
-    """
+    Left out: the class is case-hardened steel, the hardness the lowest of its range (rule of this program); the notes
+    say so. Raises NoSolution where there is no such class."""
     notes: list[Text] = []
     if name is None:
         name = DEFAULT
@@ -124,33 +138,52 @@ def strength_class(
         x = hardness if scale == "HV" else brinell_hardness(HV=hardness)
     elif any(A for A, *_ in contact + bending):
         notes.append(
-            Text("hardness not given; taken: the lowest of the class {name}, {low} {row} (rule of this program)", name=name,
-                low=Amount(low, form="g"), row=scale)
-        )  # fmt: skip
+            Text(
+                "hardness not given; taken: the lowest of the class {name}, {low} {row} (rule of this program)",
+                name=name,
+                low=Amount(low, form="g"),
+                row=scale,
+            )
+        )
     if x > high:
         notes.append(
-            Text("hardness {x} {row} is above the range of the class {name}; its stresses are those at {high}", x=Amount(x, form=".4g"),
-                row=scale, name=name, high=Amount(high, form="g"))
-        )  # fmt: skip
+            Text(
+                "hardness {x} {row} is above the range of the class {name}; its stresses are those at {high}",
+                x=Amount(x, form=".4g"),
+                row=scale,
+                name=name,
+                high=Amount(high, form="g"),
+            )
+        )
     A_H, x_H, B_H = _line_at(contact, x)
     A_F, x_F, B_F = _line_at(bending, x)
     return StrengthClass(
-        name=name, kind=kind, quality=quality, scale=scale, hardness=hardness, x=x, low=low, high=high,
-        sigma_Hlim=contact_number(A=A_H, x=x_H, B=B_H), sigma_Flim=bending_number(A=A_F, x=x_F, B=B_F),
+        name=name,
+        kind=kind,
+        quality=quality,
+        scale=scale,
+        hardness=hardness,
+        x=x,
+        low=low,
+        high=high,
+        sigma_Hlim=contact_number(A=A_H, x=x_H, B=B_H),
+        sigma_Flim=bending_number(A=A_F, x=x_F, B=B_F),
         brinell=x if scale == "HBW" or kind not in THROUGH_HARDENED else brinell_hardness(HV=x),
         proof_stress=None if proof is None else (proof_stress or proof * MEGAPASCAL),
-        slip_layer=None if slip is None else slip * 1e-3, notes=tuple(notes),
-    )  # fmt: skip
+        slip_layer=None if slip is None else slip * 1e-3,
+        notes=tuple(notes),
+    )
 
 
 STEEL_E = (190e9, 225e9)  # Pa: a material as stiff as this is taken for steel
 
 
 def of_wheel(wheel: Wheel, E: Pascal, proof_stress: Pascal | None = None) -> StrengthClass | None:
-    """The class of a wheel of the design, its lines under the wheel's name; None: it gives none, and its material is not for the default.
+    """The class of a wheel of the design, its lines under the wheel's name; None: it gives none, and its material is
+    not for the default.
 
-    `E`: of its material.  A steel that the table names is taken for case-hardened only where that is one of its classes.
-    """
+    `E`: of its material.  A steel that the table names is taken for case-hardened only where that is one of its
+    classes."""
     if wheel.gear_material is None:
         usual = classes_of(wheel.material)
         if DEFAULT not in usual if usual else not STEEL_E[0] <= E <= STEEL_E[1]:
@@ -179,9 +212,13 @@ def _unknown(name: str) -> NoSolution:
     what = Text('strength class "{name}"', name=name)
     if "adi" in name.casefold().replace("-", " ").split() or "austemper" in name.casefold():
         return NoSolution(
-            what, Text("austempered ductile iron is not among the materials of ISO 6336-5"),
-            Text("rate it by its maker's own fatigue data; for a first guess take a class that is surely weaker (nodular iron, pearlitic)"),
-        )  # fmt: skip
+            what,
+            Text("austempered ductile iron is not among the materials of ISO 6336-5"),
+            Text(
+                "rate it by its maker's own fatigue data; for a first guess take a class that is surely weaker "
+                "(nodular iron, pearlitic)"
+            ),
+        )
     if usual := classes_of(name):
         why = Text("it is a steel, not a class: its strength depends on the heat treatment")
         return NoSolution(what, why, Text("choose {or_}", or_=_or(usual)))

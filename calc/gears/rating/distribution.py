@@ -1,26 +1,43 @@
 # SPDX-License-Identifier: Apache-2.0
-"""How unevenly the teeth share the load: along the face width (K_Hβ, K_Fβ, method C) and between tooth pairs (K_Hα, K_Fα, method B).
+"""How unevenly the teeth share the load: along the face width (K_Hβ, K_Fβ, method C) and between tooth pairs (K_Hα,
+K_Fα, method B).
 
-ISO 6336-1, with what an accuracy grade lets the flanks deviate (ISO 1328-1:2013) and what running in takes away again.  No helix
-modification is reckoned with (B_1 = B_2 = 1), and the contact pattern is not proven: f_sh and f_ma add up.
+ISO 6336-1, with what an accuracy grade lets the flanks deviate (ISO 1328-1:2013) and what running in takes away again.
+No helix modification is reckoned with (B_1 = B_2 = 1), and the contact pattern is not proven: f_sh and f_ma add up.
 
-The tolerances hold for 5 ≤ z ≤ 1000, 5 mm ≤ d ≤ 15 m, 0.5 mm ≤ m_n ≤ 70 mm, 4 mm ≤ b ≤ 1.2 m, β ≤ 45° and grades 1 to 11; the standard
-forbids to go on beyond.  ISO 6336-1:2006 cites the tables of 1995: they differ by a rounding step here and there.
-"""
+The tolerances hold for 5 ≤ z ≤ 1000, 5 mm ≤ d ≤ 15 m, 0.5 mm ≤ m_n ≤ 70 mm, 4 mm ≤ b ≤ 1.2 m, β ≤ 45° and grades 1 to
+11; the standard forbids to go on beyond.  ISO 6336-1:2006 cites the tables of 1995: they differ by a rounding step here
+and there."""
 
 import math
 
 from ...sheet.formula import formula
 from ...sheet.functions import cos, largest, pi, power, smallest, sqrt
 from ...sheet.text import Amount, Text
-from ...sheet.units import Metre, MetrePerSecond, Newton, NewtonPerMetre, Number, Pascal, PerPascal, Radian, RevPerSecond
+from ...sheet.units import (
+    Metre,
+    MetrePerSecond,
+    Newton,
+    NewtonPerMetre,
+    Number,
+    Pascal,
+    PerPascal,
+    Radian,
+    RevPerSecond,
+)
 
 CLAUSE_7 = Text("ISO 6336-1:2006, clause 7, method C")
 CLAUSE_8 = Text("ISO 6336-1:2006, clause 8, method B, the same in 2019")
 NAMES = {
-    "w_m": "(F_m/b)", "f_Hbeta": "f_Hβ", "F_betax": "F_βx", "F_betay": "F_βy", "c_gamma_beta": "c_γβ", "c_gamma_alpha": "c_γα",
-    "K_Hbeta": "K_Hβ", "f": "f_α",
-}  # fmt: skip
+    "w_m": "(F_m/b)",
+    "f_Hbeta": "f_Hβ",
+    "F_betax": "F_βx",
+    "F_betay": "F_βy",
+    "c_gamma_beta": "c_γβ",
+    "c_gamma_alpha": "c_γα",
+    "K_Hbeta": "K_Hβ",
+    "f": "f_α",
+}
 LEAST_BEND: PerPascal = 5e-12  # 0.005 mm·µm/N
 LEAST_SLENDER = 3.0  # b/h
 ISO_1328 = Text("ISO 1328-1:2013, clause 5")
@@ -33,30 +50,42 @@ MICROMETRE: Metre = 1e-6
 MEGAPASCAL: Pascal = 1e6
 MOST_RUN_IN: Metre = 3e-6  # of a base pitch, hardened flanks
 MOST_RUN_IN_BETA: Metre = 6e-6  # of a helix, hardened flanks
-CAPS = ((10.0, 40e-6), (5.0, 80e-6))  # above this speed [m/s] no larger deviation runs in [m]; twice that speed class, half of it
+CAPS = (
+    (10.0, 40e-6),
+    (5.0, 80e-6),
+)  # above this speed [m/s] no larger deviation runs in [m]; twice that speed class, half of it
 RANGES = (("d", 5e-3, 15.0), ("m_n", 0.5e-3, 70e-3), ("b", 4e-3, 1.2))
 HARD = ("Eh", "IF", "NT", "NV")  # case, induction and flame hardened, nitrided, nitrocarburised
 SOFT_IRON = ("GG", "GGG(ferr.)")
 
 
-# --- deviations of the flanks ---------------------------------------------------------------------------------------------------
+# --- deviations of the flanks
+# ---------------------------------------------------------------------------------------------------
 @formula("f_pT", Text("{iso_1328}: single pitch, before rounding", iso_1328=ISO_1328), unit="µm", names={"A": "Q"})
 def single_pitch_tolerance(d: Metre, m_n: Metre, A: Number) -> Metre:
     return MICROMETRE * (0.001 * d / MILLIMETRE + 0.4 * m_n / MILLIMETRE + 5) * 2 ** ((A - 5) / 2)
 
 
-@formula("f_fαT", Text("{iso_1328}: form of the profile, before rounding", iso_1328=ISO_1328), unit="µm", names={"A": "Q"})
+@formula(
+    "f_fαT", Text("{iso_1328}: form of the profile, before rounding", iso_1328=ISO_1328), unit="µm", names={"A": "Q"}
+)
 def profile_form_tolerance(m_n: Metre, A: Number) -> Metre:
     return MICROMETRE * (0.55 * m_n / MILLIMETRE + 5) * 2 ** ((A - 5) / 2)
 
 
-@formula("f_HβT", Text("{iso_1328}: slope of the helix, before rounding", iso_1328=ISO_1328), unit="µm", names={"A": "Q"})
+@formula(
+    "f_HβT", Text("{iso_1328}: slope of the helix, before rounding", iso_1328=ISO_1328), unit="µm", names={"A": "Q"}
+)
 def helix_slope_tolerance(d: Metre, b: Metre, A: Number) -> Metre:
     return MICROMETRE * (0.05 * sqrt(d / MILLIMETRE) + 0.35 * sqrt(b / MILLIMETRE) + 4) * 2 ** ((A - 5) / 2)
 
 
-@formula("f", Text("{iso_1328}, 5.2.3", iso_1328=ISO_1328), unit="µm",
-    shows="rounded: above 10 µm to 1 µm, from 5 µm to 0.5 µm, below to 0.1 µm")  # fmt: skip
+@formula(
+    "f",
+    Text("{iso_1328}, 5.2.3", iso_1328=ISO_1328),
+    unit="µm",
+    shows="rounded: above 10 µm to 1 µm, from 5 µm to 0.5 µm, below to 0.1 µm",
+)
 def rounded(f: Metre) -> Metre:
     """Halves go up."""
     um = f * 1e6
@@ -78,13 +107,21 @@ def out_of_range(m_n: Metre, b: Metre, *diameters: Metre) -> list[Text]:
     """Sizes for which ISO 1328-1 has no tolerance; the formulas are then extrapolated."""
     sizes = {"d": diameters, "m_n": (m_n,), "b": (b,)}
     return [
-        Text("{symbol} = {size} mm ({low} to {high} mm)", symbol=symbol, size=Amount(size * 1e3, form=".4g"),
-            low=Amount(low * 1e3, form="g"), high=Amount(high * 1e3, form="g"))
-        for symbol, low, high in RANGES for size in sizes[symbol] if not low <= size <= high
-    ]  # fmt: skip
+        Text(
+            "{symbol} = {size} mm ({low} to {high} mm)",
+            symbol=symbol,
+            size=Amount(size * 1e3, form=".4g"),
+            low=Amount(low * 1e3, form="g"),
+            high=Amount(high * 1e3, form="g"),
+        )
+        for symbol, low, high in RANGES
+        for size in sizes[symbol]
+        if not low <= size <= high
+    ]
 
 
-# --- running in ------------------------------------------------------------------------------------------------------------
+# --- running in
+# ------------------------------------------------------------------------------------------------------------
 @formula("v", "kinematics: circumferential speed at the reference circle")
 def pitch_line_velocity(d: Metre, n: RevPerSecond) -> MetrePerSecond:
     return pi * d * abs(n)
@@ -95,7 +132,11 @@ def run_in_hard(f: Metre) -> Metre:
     return smallest(0.075 * f, MOST_RUN_IN)
 
 
-@formula("y_α", Text("{run_in}: structural, quenched and tempered steel, pearlitic and bainitic iron", run_in=RUN_IN), unit="µm")
+@formula(
+    "y_α",
+    Text("{run_in}: structural, quenched and tempered steel, pearlitic and bainitic iron", run_in=RUN_IN),
+    unit="µm",
+)
 def run_in_steel(f: Metre, sigma_Hlim: Pascal) -> Metre:
     return 160 * MEGAPASCAL / sigma_Hlim * f
 
@@ -110,8 +151,12 @@ def run_in_beta_hard(F_betax: Metre) -> Metre:
     return smallest(0.15 * F_betax, MOST_RUN_IN_BETA)
 
 
-@formula("y_β", Text("{run_in}: structural, quenched and tempered steel, pearlitic and bainitic iron", run_in=RUN_IN_BETA), unit="µm",
-    names=F_BETA)  # fmt: skip
+@formula(
+    "y_β",
+    Text("{run_in}: structural, quenched and tempered steel, pearlitic and bainitic iron", run_in=RUN_IN_BETA),
+    unit="µm",
+    names=F_BETA,
+)
 def run_in_beta_steel(F_betax: Metre, sigma_Hlim: Pascal) -> Metre:
     """Never more than F_βx itself."""
     return smallest(320 * MEGAPASCAL / sigma_Hlim, 1.0) * F_betax
@@ -130,9 +175,8 @@ def mean_run_in(y_1: Metre, y_2: Metre) -> Metre:
 def running_in(f: Metre, kind: str, sigma_Hlim: Pascal, v: MetrePerSecond) -> Metre:
     """y_α of one wheel (y_p, y_f): what running in takes off a deviation `f` of pitch or profile.
 
-    `kind`: the class of ISO 6336-5 (Eh, IF, NT…, NV…, St, V, GTS, GGG, GG, …).  Above 5 and above 10 m/s the allowance of soft flanks
-    grows no further than that of 80 and 40 µm.
-    """
+    `kind`: the class of ISO 6336-5 (Eh, IF, NT…, NV…, St, V, GTS, GGG, GG, …).  Above 5 and above 10 m/s the allowance
+    of soft flanks grows no further than that of 80 and 40 µm."""
     if kind.startswith(HARD):
         return run_in_hard(f=f)
     f = _capped(f, v)
@@ -151,19 +195,26 @@ def _capped(f: Metre, v: MetrePerSecond) -> Metre:
     return next((min(f, most) for speed, most in CAPS if v > speed), f)
 
 
-# --- along the face width --------------------------------------------------------------------------------------------------
+# --- along the face width
+# --------------------------------------------------------------------------------------------------
 @formula("F_m/b", Text("{clause_7}: mean load per face width", clause_7=CLAUSE_7), unit="N/mm")
 def mean_load(w: NewtonPerMetre, K_V: Number) -> NewtonPerMetre:
     return w * K_V
 
 
-@formula("F_βx,min", Text("{clause_7}: smallest misalignment to reckon with", clause_7=CLAUSE_7), unit="µm", names=NAMES)
+@formula(
+    "F_βx,min", Text("{clause_7}: smallest misalignment to reckon with", clause_7=CLAUSE_7), unit="µm", names=NAMES
+)
 def least_misalignment(w_m: NewtonPerMetre, f_Hbeta: Metre) -> Metre:
     return largest(LEAST_BEND * w_m, 0.5 * f_Hbeta)
 
 
-@formula("F_βx", Text("{clause_7}: misalignment before running in, contact pattern not proven", clause_7=CLAUSE_7), unit="µm",
-    names={"F_min": "F_βx,min"})  # fmt: skip
+@formula(
+    "F_βx",
+    Text("{clause_7}: misalignment before running in, contact pattern not proven", clause_7=CLAUSE_7),
+    unit="µm",
+    names={"F_min": "F_βx,min"},
+)
 def initial_misalignment(f_sh: Metre, f_ma: Metre, F_min: Metre) -> Metre:
     return largest(1.33 * f_sh + f_ma, F_min)
 
@@ -174,7 +225,9 @@ def effective_misalignment(F_betax: Metre, y_beta: Metre) -> Metre:
 
 
 @formula(
-    "ξ_β", Text("{clause_7}: misalignment in terms of the deflection of the teeth, F_βy·c_γβ/(2·F_m/b)", clause_7=CLAUSE_7), names=NAMES
+    "ξ_β",
+    Text("{clause_7}: misalignment in terms of the deflection of the teeth, F_βy·c_γβ/(2·F_m/b)", clause_7=CLAUSE_7),
+    names=NAMES,
 )
 def relative_misalignment(F_betay: Metre, c_gamma_beta: Pascal, w_m: NewtonPerMetre) -> Number:
     return F_betay * c_gamma_beta / (2 * w_m)
@@ -190,14 +243,22 @@ def face_factor_part(xi: Number) -> Number:
     return 2 * sqrt(xi)
 
 
-@formula("b_cal/b", Text("{clause_7}: share of the face width that touches", clause_7=CLAUSE_7), unit="%", names={"xi": "ξ_β"})
+@formula(
+    "b_cal/b",
+    Text("{clause_7}: share of the face width that touches", clause_7=CLAUSE_7),
+    unit="%",
+    names={"xi": "ξ_β"},
+)
 def contact_share(xi: Number) -> Number:
     return 1 / sqrt(largest(xi, 1.0))
 
 
 @formula(
     "N_F",
-    Text("{clause_7}: exponent of the face load factor at the root, from the smaller b/h of both wheels, at least 3", clause_7=CLAUSE_7),
+    Text(
+        "{clause_7}: exponent of the face load factor at the root, from the smaller b/h of both wheels, at least 3",
+        clause_7=CLAUSE_7,
+    ),
     names={"r": "(b/h)"},
 )
 def root_exponent(r: Number) -> Number:
@@ -214,7 +275,8 @@ def face_factor_root(K_Hbeta: Number, N_F: Number) -> Number:
     return power(K_Hbeta, N_F)
 
 
-# --- between tooth pairs ---------------------------------------------------------------------------------------------------
+# --- between tooth pairs
+# ---------------------------------------------------------------------------------------------------
 @formula("q_α", Text("{clause_8}: deviation in terms of the deflection of the teeth", clause_8=CLAUSE_8), names=NAMES)
 def relative_deviation(c_gamma_alpha: Pascal, f: Metre, y_alpha: Metre, w_m: NewtonPerMetre, K_Hbeta: Number) -> Number:
     """The larger of f_pb and f_fα counts; the load that decides is F_t·K_A·K_V·K_Hβ."""
@@ -241,12 +303,16 @@ def pair_limit_root(eps_gamma: Number, eps_alpha: Number) -> Number:
     return eps_gamma / (0.25 * eps_alpha + 0.75)
 
 
-@formula("K_Hα", Text("{clause_8}: within its limits", clause_8=CLAUSE_8), names={"K_max": "K_Hα,max", "K_alpha": "K_α"})
+@formula(
+    "K_Hα", Text("{clause_8}: within its limits", clause_8=CLAUSE_8), names={"K_max": "K_Hα,max", "K_alpha": "K_α"}
+)
 def pair_factor_flank(K_alpha: Number, K_max: Number) -> Number:
     return largest(1.0, smallest(K_alpha, K_max))
 
 
-@formula("K_Fα", Text("{clause_8}: within its limits", clause_8=CLAUSE_8), names={"K_max": "K_Fα,max", "K_alpha": "K_α"})
+@formula(
+    "K_Fα", Text("{clause_8}: within its limits", clause_8=CLAUSE_8), names={"K_max": "K_Fα,max", "K_alpha": "K_α"}
+)
 def pair_factor_root(K_alpha: Number, K_max: Number) -> Number:
     return largest(1.0, smallest(K_alpha, K_max))
 

@@ -1,16 +1,25 @@
 # SPDX-License-Identifier: Apache-2.0
 """Stiffness of the teeth, main resonance and dynamic factor K_V of a pair, ISO 6336-1, method B.
 
-The pair is one mass on the spring of its teeth; four ranges of speed about its resonance.  K_V is what the vibration of the teeth adds to
-the load; what comes from outside is in K_A.  A wheel with two mates is taken for each of its meshes alone.  Wheel 1 is the smaller one;
-stiffness is per face width: 1 N/(mm·µm) = 1 GPa.
-"""
+The pair is one mass on the spring of its teeth; four ranges of speed about its resonance.  K_V is what the vibration of
+the teeth adds to the load; what comes from outside is in K_A.  A wheel with two mates is taken for each of its meshes
+alone.  Wheel 1 is the smaller one; stiffness is per face width: 1 N/(mm·µm) = 1 GPa."""
 
 from ...sheet.formula import Formula, formula
 from ...sheet.functions import cos, modulus, pi, power, sin, sqrt
 from ...sheet.record import record
 from ...sheet.text import Text
-from ...sheet.units import KilogramPerMetre, KilogramPerMetre3, Metre, NewtonPerMetre, Number, Pascal, PerPascal, Radian, RevPerSecond
+from ...sheet.units import (
+    KilogramPerMetre,
+    KilogramPerMetre3,
+    Metre,
+    NewtonPerMetre,
+    Number,
+    Pascal,
+    PerPascal,
+    Radian,
+    RevPerSecond,
+)
 
 CLAUSE_9 = Text("ISO 6336-1:2006, clause 9, the same in 2019")
 CLAUSE_6 = Text("ISO 6336-1:2006, clause 6, the same in 2019")
@@ -28,13 +37,24 @@ MICROMETRE: Metre = 1e-6
 COARSE = 6  # from this grade on tip relief brings nothing: B_k = 1
 
 
-# --- stiffness -------------------------------------------------------------------------------------------------------------
-@formula("q'", Text("{clause_9}: compliance of a tooth pair; holds for x_1 ≥ x_2 and −0.5 ≤ x_1 + x_2 ≤ 2", clause_9=CLAUSE_9))
+# --- stiffness
+# -------------------------------------------------------------------------------------------------------------
+@formula(
+    "q'",
+    Text("{clause_9}: compliance of a tooth pair; holds for x_1 ≥ x_2 and −0.5 ≤ x_1 + x_2 ≤ 2", clause_9=CLAUSE_9),
+)
 def tooth_compliance(z_n1: Number, z_n2: Number, x_1: Number, x_2: Number) -> PerPascal:
     return UNIT_COMPLIANCE * (
-        0.04723 + 0.15551 / z_n1 + 0.25791 / z_n2 - 0.00635 * x_1 - 0.11654 * x_1 / z_n1
-        - 0.00193 * x_2 - 0.24188 * x_2 / z_n2 + 0.00529 * x_1**2 + 0.00182 * x_2**2
-    )  # fmt: skip
+        0.04723
+        + 0.15551 / z_n1
+        + 0.25791 / z_n2
+        - 0.00635 * x_1
+        - 0.11654 * x_1 / z_n1
+        - 0.00193 * x_2
+        - 0.24188 * x_2 / z_n2
+        + 0.00529 * x_1**2
+        + 0.00182 * x_2**2
+    )
 
 
 @formula("c'_th", Text("{clause_9}: theoretical single stiffness", clause_9=CLAUSE_9), unit="GPa", names={"q": "q'"})
@@ -42,13 +62,18 @@ def theoretical_stiffness(q: PerPascal) -> Pascal:
     return 1 / q
 
 
-@formula("C_B", Text("{clause_9}: basic rack factor; dedendum in modules, the same tool for both wheels", clause_9=CLAUSE_9))
+@formula(
+    "C_B", Text("{clause_9}: basic rack factor; dedendum in modules, the same tool for both wheels", clause_9=CLAUSE_9)
+)
 def basic_rack_factor(h_fP: Number, alpha_n: Radian) -> Number:
     return (1 + 0.5 * (1.2 - h_fP)) * (1 - 0.02 * (20 - alpha_n / DEGREE))
 
 
 @formula(
-    "c'", Text("{clause_9}: single stiffness from 100 N/mm on; C_M = 0.8, C_R = 1", clause_9=CLAUSE_9), unit="GPa", names={"c_th": "c'_th"}
+    "c'",
+    Text("{clause_9}: single stiffness from 100 N/mm on; C_M = 0.8, C_R = 1", clause_9=CLAUSE_9),
+    unit="GPa",
+    names={"c_th": "c'_th"},
 )
 def single_stiffness(c_th: Pascal, C_B: Number, beta: Radian, e: Number) -> Pascal:
     return c_th * C_M * C_R * C_B * cos(beta) * e
@@ -59,13 +84,22 @@ def modulus_ratio(E_1: Pascal, E_2: Pascal) -> Number:
     return 2 * E_1 * E_2 / (E_1 + E_2) / E_STEEL
 
 
-@formula("c'", Text("{clause_9}: single stiffness below 100 N/mm", clause_9=CLAUSE_9), unit="GPa", names={"c": "c'_100"})
+@formula(
+    "c'", Text("{clause_9}: single stiffness below 100 N/mm", clause_9=CLAUSE_9), unit="GPa", names={"c": "c'_100"}
+)
 def light_load_stiffness(c: Pascal, w: NewtonPerMetre) -> Pascal:
     return c * power(w / LIGHT, 0.25)
 
 
-@formula("c_γα", Text("{clause_9}: mesh stiffness; holds for ε_α ≥ 1.2 and β ≤ 30°, spur gears below are up to 10 % softer",
-    clause_9=CLAUSE_9), unit="GPa", names={"c": "c'"})  # fmt: skip
+@formula(
+    "c_γα",
+    Text(
+        "{clause_9}: mesh stiffness; holds for ε_α ≥ 1.2 and β ≤ 30°, spur gears below are up to 10 % softer",
+        clause_9=CLAUSE_9,
+    ),
+    unit="GPa",
+    names={"c": "c'"},
+)
 def mesh_stiffness(c: Pascal, eps_alpha: Number) -> Pascal:
     return c * (0.75 * eps_alpha + 0.25)
 
@@ -75,7 +109,8 @@ def face_stiffness(c_gamma_alpha: Pascal) -> Pascal:
     return 0.85 * c_gamma_alpha
 
 
-# --- resonance -------------------------------------------------------------------------------------------------------------
+# --- resonance
+# -------------------------------------------------------------------------------------------------------------
 @formula("d_i", "dynamics, disc that stands for a wheel with a rim: the mass of the rim alone counts", unit="mm")
 def inside_of_rim(d_f: Metre, s_R: Metre) -> Metre:
     return d_f - 2 * s_R
@@ -86,7 +121,11 @@ def mean_diameter(d_a: Metre, d_f: Metre) -> Metre:
     return (d_a + d_f) / 2
 
 
-@formula("m*", Text("{clause_6}: mass of a ring per face width, reduced to the line of action", clause_6=CLAUSE_6), names={"rho": "ρ_W"})
+@formula(
+    "m*",
+    Text("{clause_6}: mass of a ring per face width, reduced to the line of action", clause_6=CLAUSE_6),
+    names={"rho": "ρ_W"},
+)
 def wheel_mass(rho: KilogramPerMetre3, d_m: Metre, d_i: Metre, d_b: Metre) -> KilogramPerMetre:
     return pi / 8 * rho * (d_m**4 - d_i**4) / d_b**2
 
@@ -96,7 +135,9 @@ def reduced_mass(m_1: KilogramPerMetre, m_2: KilogramPerMetre) -> KilogramPerMet
     return m_1 * m_2 / (m_1 + m_2)
 
 
-@formula("n_E1", Text("{clause_6}: speed of wheel 1 at the main resonance", clause_6=CLAUSE_6), unit="rpm", names=C_GAMMA)
+@formula(
+    "n_E1", Text("{clause_6}: speed of wheel 1 at the main resonance", clause_6=CLAUSE_6), unit="rpm", names=C_GAMMA
+)
 def resonance_speed(z_1: Number, c_gamma_alpha: Pascal, m_red: KilogramPerMetre) -> RevPerSecond:
     return sqrt(c_gamma_alpha / m_red) / (2 * pi * z_1)
 
@@ -111,7 +152,8 @@ def lower_resonance(w: NewtonPerMetre) -> Number:
     return 0.5 + 0.35 * sqrt(w / LIGHT)
 
 
-# --- excitation ------------------------------------------------------------------------------------------------------------
+# --- excitation
+# ------------------------------------------------------------------------------------------------------------
 @record
 class Excitation:
     """What shakes the teeth, each over the load that holds them together."""
@@ -126,7 +168,11 @@ def pitch_parameter(c: Pascal, f_pb: Metre, y_p: Metre, w: NewtonPerMetre) -> Nu
     return c * (f_pb - y_p) / w
 
 
-@formula("B_f", Text("{clause_6}: effect of the profile, after running in", clause_6=CLAUSE_6), names={"c": "c'", "f_falpha": "f_fα"})
+@formula(
+    "B_f",
+    Text("{clause_6}: effect of the profile, after running in", clause_6=CLAUSE_6),
+    names={"c": "c'", "f_falpha": "f_fα"},
+)
 def profile_parameter(c: Pascal, f_falpha: Metre, y_f: Metre, w: NewtonPerMetre) -> Number:
     return c * (f_falpha - y_f) / w
 
@@ -136,7 +182,9 @@ def relief_parameter(c: Pascal, C_a: Metre, w: NewtonPerMetre) -> Number:
     return modulus(1 - c * C_a / w)
 
 
-@formula("C_ay", Text("{clause_6}: tip relief that running in makes where none is ground", clause_6=CLAUSE_6), unit="µm")
+@formula(
+    "C_ay", Text("{clause_6}: tip relief that running in makes where none is ground", clause_6=CLAUSE_6), unit="µm"
+)
 def run_in_relief(sigma_Hlim: Pascal) -> Metre:
     return MICROMETRE * ((sigma_Hlim / MEGAPASCAL / 97 - 18.45) ** 2 / 18 + 1.5)
 
@@ -146,7 +194,8 @@ def mean_relief(C_a1: Metre, C_a2: Metre) -> Metre:
     return (C_a1 + C_a2) / 2
 
 
-# --- coefficients by the total contact ratio; constants up to ε_γ = 2 ------------------------------------------------------------
+# --- coefficients by the total contact ratio; constants up to ε_γ = 2
+# ------------------------------------------------------------
 @formula("C_v2", Text("{clause_6}: ε_γ above 2", clause_6=CLAUSE_6))
 def profile_coefficient(eps_gamma: Number) -> Number:
     return 0.57 / (eps_gamma - 0.3)
@@ -177,13 +226,16 @@ def _by_overlap(above_two: Formula[..., Number], up_to_two: Number, eps_gamma: N
     return above_two(eps_gamma=eps_gamma) if eps_gamma > 2 else up_to_two
 
 
-# --- the four ranges -------------------------------------------------------------------------------------------------------
+# --- the four ranges
+# -------------------------------------------------------------------------------------------------------
 @formula("K_N", Text("{clause_6}: rise of the dynamic factor with N, below the main resonance", clause_6=CLAUSE_6))
 def growth(B_p: Number, C_v2: Number, B_f: Number, C_v3: Number, B_k: Number) -> Number:
     return C_V1 * B_p + C_v2 * B_f + C_v3 * B_k
 
 
-@formula("K_V", Text("{clause_6}: dynamic factor below the main resonance, N ≤ N_S", clause_6=CLAUSE_6), names={"K": "K_N"})
+@formula(
+    "K_V", Text("{clause_6}: dynamic factor below the main resonance, N ≤ N_S", clause_6=CLAUSE_6), names={"K": "K_N"}
+)
 def factor_below(N: Number, K: Number) -> Number:
     return N * K + 1
 
@@ -198,7 +250,11 @@ def factor_above(B_p: Number, C_v6: Number, B_f: Number, C_v7: Number) -> Number
     return C_V5 * B_p + C_v6 * B_f + C_v7
 
 
-@formula("K_V", Text("{clause_6}: between, 1.15 < N < 1.5", clause_6=CLAUSE_6), names={"K_115": "K_V,1.15", "K_150": "K_V,1.5"})
+@formula(
+    "K_V",
+    Text("{clause_6}: between, 1.15 < N < 1.5", clause_6=CLAUSE_6),
+    names={"K_115": "K_V,1.15", "K_150": "K_V,1.5"},
+)
 def factor_between(K_115: Number, K_150: Number, N: Number) -> Number:
     return K_150 + (K_115 - K_150) / 0.35 * (1.5 - N)
 
@@ -214,7 +270,9 @@ def dynamic_factor(B: Excitation, eps_gamma: Number, N: Number, N_S: Number) -> 
     if N <= N_S:
         K = growth(B_p=B.B_p, C_v2=C_v2, B_f=B.B_f, C_v3=_by_overlap(stiffness_coefficient, 0.23, eps_gamma), B_k=B.B_k)
         return factor_below(N=N, K=K)
-    resonant = factor_resonant(B_p=B.B_p, C_v2=C_v2, B_f=B.B_f, C_v4=_by_overlap(resonance_coefficient, 0.90, eps_gamma), B_k=B.B_k)
+    resonant = factor_resonant(
+        B_p=B.B_p, C_v2=C_v2, B_f=B.B_f, C_v4=_by_overlap(resonance_coefficient, 0.90, eps_gamma), B_k=B.B_k
+    )
     return resonant if N <= MAIN_TO else factor_between(K_115=resonant, K_150=_above(B, eps_gamma), N=N)
 
 
@@ -229,4 +287,8 @@ def speed_range(N: Number, N_S: Number) -> Text:
         return Text("below the main resonance")
     if N <= MAIN_TO:
         return Text("in the main resonance")
-    return Text("above the main resonance") if N >= ABOVE_FROM else Text("between the main resonance and the range above it")
+    return (
+        Text("above the main resonance")
+        if N >= ABOVE_FROM
+        else Text("between the main resonance and the range above it")
+    )

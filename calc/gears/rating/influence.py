@@ -1,15 +1,23 @@
 # SPDX-License-Identifier: Apache-2.0
 """The influence factors of one mesh, ISO 6336-1: K_V and K_Hα, K_Fα by method B, K_Hβ, K_Fβ by method C.
 
-The formulas are those of 2006 and of 2019 alike; the misalignment f_ma from the grade is that of 2019, the larger one, for both.  Below
-about 100 N/mm the factors grow because small deviations meet a small load; they stay finite, but they are no longer what the standard was
-made for, and a check says so.
-"""
+The formulas are those of 2006 and of 2019 alike; the misalignment f_ma from the grade is that of 2019, the larger one,
+for both.  Below about 100 N/mm the factors grow because small deviations meet a small load; they stay finite, but they
+are no longer what the standard was made for, and a check says so."""
 
 from ...sheet.errors import NoSolution
 from ...sheet.record import record
 from ...sheet.text import Amount, Text
-from ...sheet.units import KilogramPerMetre, KilogramPerMetre3, Metre, MetrePerSecond, Newton, NewtonPerMetre, Number, Pascal
+from ...sheet.units import (
+    KilogramPerMetre,
+    KilogramPerMetre3,
+    Metre,
+    MetrePerSecond,
+    Newton,
+    NewtonPerMetre,
+    Number,
+    Pascal,
+)
 from ...sheet.value import about
 from ..result import MeshResult, ToothSystem, WheelResult
 from . import distribution as k
@@ -22,9 +30,9 @@ from .stress import contact_ratio_factor, virtual_teeth
 class WheelOfPair:
     """What one wheel brings: its geometry, its solid, its flanks.
 
-    `kind`: the class of ISO 6336-5 (Eh, IF, NT…, NV…, St, V, GTS, GGG, GGG(ferr.), GG).  `inner_diameter`: of the disc that stands for
-    it, 0 for a solid one.  `sigma_Hlim` makes the running in of soft flanks, and the relief of grades 1 to 5.
-    """
+    `kind`: the class of ISO 6336-5 (Eh, IF, NT…, NV…, St, V, GTS, GGG, GGG(ferr.), GG).  `inner_diameter`: of the disc
+    that stands for it, 0 for a solid one.  `sigma_Hlim` makes the running in of soft flanks, and the relief of grades 1
+    to 5."""
 
     wheel: WheelResult
     E: Pascal
@@ -56,16 +64,26 @@ def inner_diameter(root_diameter: Metre, bore: Metre | None, rim: Metre | None) 
 
 
 def influence(
-    system: ToothSystem, mesh: MeshResult, driver: WheelOfPair, driven: WheelOfPair, *, F_t: Newton, K_A: Number, grade: Number, f_sh: Metre = 0.0,
-    f_ma: Metre | None = None, C_a: Metre | None = None, Z_eps: Number | None = None,
-) -> Influence:  # fmt: skip
+    system: ToothSystem,
+    mesh: MeshResult,
+    driver: WheelOfPair,
+    driven: WheelOfPair,
+    *,
+    F_t: Newton,
+    K_A: Number,
+    grade: Number,
+    f_sh: Metre = 0.0,
+    f_ma: Metre | None = None,
+    C_a: Metre | None = None,
+    Z_eps: Number | None = None,
+) -> Influence:
     """All factors of a mesh.
 
     `f_ma`: misalignment by manufacture; None: from the grade.  `C_a`: tip relief that is ground; None: none.
 
-    K_Hβ is that of the load as it is.  DIN 3990-11 takes at least 100 N/mm for its own form of it; ISO 6336-1 has no such floor, and with
-    it the peak of the load over the face width would fall with the load in place of with its root.  Both are shown.
-    """
+    K_Hβ is that of the load as it is.  DIN 3990-11 takes at least 100 N/mm for its own form of it; ISO 6336-1 has no
+    such floor, and with it the peak of the load over the face width would fall with the load in place of with its root.
+    Both are shown."""
     pair = (driver, driven) if driver.wheel.teeth <= driven.wheel.teeth else (driven, driver)
     one, two = pair[0].wheel, pair[1].wheel
     name = Text("mesh {pair}", pair=mesh.title)
@@ -117,26 +135,53 @@ def influence(
         K_Halpha = k.pair_factor_flank(K_alpha=K_alpha, K_max=most_H)
         K_Falpha = k.pair_factor_root(K_alpha=K_alpha, K_max=most_F)
     return Influence(
-        line_load=w, dynamic_factor=K_V, face_load_factor_flank=K_Hbeta, face_load_factor_root=K_Fbeta, face_load_factor_at_100=at_100,
-        transverse_load_factor_flank=K_Halpha, transverse_load_factor_root=K_Falpha, transverse_load_factor_flank_max=most_H,
-        transverse_load_factor_root_max=most_F, contact_width_share=share, resonance_ratio=N, resonance_speed=n_E1, reduced_mass=m_red,
-        single_stiffness=c_one, mesh_stiffness=c_gamma_alpha, mesh_stiffness_face=c_gamma_beta, pitch_line_velocity=speed,
-        base_pitch_deviation=dev.f_pb, profile_form_deviation=dev.f_falpha, manufacturing_misalignment=dev.f_ma,
-        effective_misalignment=F_betay, speed_range=v.speed_range(N, N_S), lower_resonance=N_S, misalignment_given=f_ma is not None,
+        line_load=w,
+        dynamic_factor=K_V,
+        face_load_factor_flank=K_Hbeta,
+        face_load_factor_root=K_Fbeta,
+        face_load_factor_at_100=at_100,
+        transverse_load_factor_flank=K_Halpha,
+        transverse_load_factor_root=K_Falpha,
+        transverse_load_factor_flank_max=most_H,
+        transverse_load_factor_root_max=most_F,
+        contact_width_share=share,
+        resonance_ratio=N,
+        resonance_speed=n_E1,
+        reduced_mass=m_red,
+        single_stiffness=c_one,
+        mesh_stiffness=c_gamma_alpha,
+        mesh_stiffness_face=c_gamma_beta,
+        pitch_line_velocity=speed,
+        base_pitch_deviation=dev.f_pb,
+        profile_form_deviation=dev.f_falpha,
+        manufacturing_misalignment=dev.f_ma,
+        effective_misalignment=F_betay,
+        speed_range=v.speed_range(N, N_S),
+        lower_resonance=N_S,
+        misalignment_given=f_ma is not None,
         out_of_range=tuple(k.out_of_range(system.m_n, mesh.face_width, one.pitch_diameter, two.pitch_diameter)),
-    )  # fmt: skip
+    )
 
 
-def _deviations(system: ToothSystem, mesh: MeshResult, pair: Pair, grade: Number, f_ma: Metre | None, speed: MetrePerSecond) -> _Deviations:
+def _deviations(
+    system: ToothSystem, mesh: MeshResult, pair: Pair, grade: Number, f_ma: Metre | None, speed: MetrePerSecond
+) -> _Deviations:
     """Of both wheels the larger; a wheel that is smaller in diameter is never the worse one of the same grade."""
 
     def graded(side: WheelOfPair) -> Text:
-        return Text("wheel {name} of mesh {pair}, grade {grade}", name=side.wheel.name, pair=mesh.title, grade=Amount(grade, form="g"))
+        return Text(
+            "wheel {name} of mesh {pair}, grade {grade}",
+            name=side.wheel.name,
+            pair=mesh.title,
+            grade=Amount(grade, form="g"),
+        )
 
     slopes = []
     for side in pair:
         with about(graded(side)):
-            slopes.append(k.rounded(f=k.helix_slope_tolerance(d=side.wheel.pitch_diameter, b=side.wheel.face_width, A=grade)))
+            slopes.append(
+                k.rounded(f=k.helix_slope_tolerance(d=side.wheel.pitch_diameter, b=side.wheel.face_width, A=grade))
+            )
     worse = max(pair, key=lambda side: side.wheel.pitch_diameter)
     with about(graded(worse)):
         f_pT = k.rounded(f=k.single_pitch_tolerance(d=worse.wheel.pitch_diameter, m_n=system.m_n, A=grade))
@@ -145,7 +190,10 @@ def _deviations(system: ToothSystem, mesh: MeshResult, pair: Pair, grade: Number
     with about(Text("mesh {pair}, running in", pair=mesh.title)):
         if f_ma is None:
             f_ma = k.mesh_misalignment(f_Hbeta1=slopes[0], f_Hbeta2=slopes[1])
-        y_p, y_f = (_mean_run_in([k.running_in(f, s.kind, s.sigma_Hlim, speed) for s in _unlike(pair)]) for f in (f_pb, f_falpha))
+        y_p, y_f = (
+            _mean_run_in([k.running_in(f, s.kind, s.sigma_Hlim, speed) for s in _unlike(pair)])
+            for f in (f_pb, f_falpha)
+        )
     return _Deviations(f_pb, f_falpha, f_ma, max(slopes), y_p, y_f)
 
 
@@ -162,18 +210,26 @@ def _mean_run_in(y: list[Metre]) -> Metre:
 def _stiffness(system: ToothSystem, name: Text, pair: Pair) -> Pascal:
     """c' from 100 N/mm on."""
     (E_1, one), (E_2, two) = ((side.E, side.wheel) for side in pair)
-    z_n1, z_n2 = (virtual_teeth(z=wheel.teeth, beta_b=system.base_helix_angle, beta=system.beta) for wheel in (one, two))
+    z_n1, z_n2 = (
+        virtual_teeth(z=wheel.teeth, beta_b=system.base_helix_angle, beta=system.beta) for wheel in (one, two)
+    )
     q = v.tooth_compliance(z_n1=z_n1, z_n2=z_n2, x_1=one.profile_shift, x_2=two.profile_shift)
     C_B = v.basic_rack_factor(h_fP=system.h_fP, alpha_n=system.alpha_n)
     if q <= 0 or C_B <= 0:
         shift_sum = Amount(one.profile_shift + two.profile_shift, form=".4g")
         raise NoSolution(
-            Text("{name}: no stiffness by ISO 6336-1 (q' = {q} mm·µm/N, C_B = {c_b})", name=name, q=Amount(q * 1e9, form=".4g"),
-                c_b=Amount(C_B, form=".4g")),
+            Text(
+                "{name}: no stiffness by ISO 6336-1 (q' = {q} mm·µm/N, C_B = {c_b})",
+                name=name,
+                q=Amount(q * 1e9, form=".4g"),
+                c_b=Amount(C_B, form=".4g"),
+            ),
             tried=Text("x_1 + x_2 = {profile_shift}; the formula holds from −0.5 to 2", profile_shift=shift_sum),
             advice=Text("give smaller profile shifts, more teeth, or a usual tool (addendum 1.25)"),
-        )  # fmt: skip
-    return v.single_stiffness(c_th=v.theoretical_stiffness(q=q), C_B=C_B, beta=system.beta, e=v.modulus_ratio(E_1=E_1, E_2=E_2))
+        )
+    return v.single_stiffness(
+        c_th=v.theoretical_stiffness(q=q), C_B=C_B, beta=system.beta, e=v.modulus_ratio(E_1=E_1, E_2=E_2)
+    )
 
 
 def _mass(side: WheelOfPair) -> KilogramPerMetre:
@@ -182,10 +238,17 @@ def _mass(side: WheelOfPair) -> KilogramPerMetre:
     d_m = v.mean_diameter(d_a=wheel.tip_diameter, d_f=wheel.root_diameter)
     if inside >= d_m:
         raise NoSolution(
-            Text("wheel {name}: its bore ({inner_diameter} mm) leaves nothing of its teeth", name=wheel.name,
-                inner_diameter=Amount(inside * 1e3, form=".4g")),
-            advice=Text("gears.wheels.{name}.bore_diameter_mm must be below {d_m} mm", name=wheel.name, d_m=Amount(d_m * 1e3, form=".4f")),
-        )  # fmt: skip
+            Text(
+                "wheel {name}: its bore ({inner_diameter} mm) leaves nothing of its teeth",
+                name=wheel.name,
+                inner_diameter=Amount(inside * 1e3, form=".4g"),
+            ),
+            advice=Text(
+                "gears.wheels.{name}.bore_diameter_mm must be below {d_m} mm",
+                name=wheel.name,
+                d_m=Amount(d_m * 1e3, form=".4f"),
+            ),
+        )
     return v.wheel_mass(rho=side.density, d_m=d_m, d_i=inside, d_b=wheel.base_diameter)
 
 

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The torque that the teeth are rated with: the mean of the power balance, and what the crank's irregularity adds by inertia.
+"""The torque that the teeth are rated with: the mean of the power balance, and what the crank's irregularity adds by
+inertia.
 
-The crank speeds up and slows down; whatever it drives has to follow through the teeth.  For a counter-shaft that is far more than its
-friction: the flanks then leave each other and hit (rattle).  Either the peak of mean and dynamic torque is rated, with K_A = 1, or K_A
-times the mean; never both.
-"""
+The crank speeds up and slows down; whatever it drives has to follow through the teeth.  For a counter-shaft that is far
+more than its friction: the flanks then leave each other and hit (rattle).  Either the peak of mean and dynamic torque
+is rated, with K_A = 1, or K_A times the mean; never both."""
 
 from collections.abc import Mapping
 
@@ -47,7 +47,8 @@ class Power:
 
 @record
 class Swing:
-    """The torque of the engine over its cycle, on its flywheel; `ratio`: speed of the first driver over that of the crank."""
+    """The torque of the engine over its cycle, on its flywheel; `ratio`: speed of the first driver over that of the
+    crank."""
 
     highest: NewtonMetre
     mean: NewtonMetre
@@ -58,7 +59,8 @@ class Swing:
 
 @record
 class Irregularity:
-    """How unevenly the first driver turns, and what hangs on the last wheel.  Either a given δ_s of one order, or the engine's torque."""
+    """How unevenly the first driver turns, and what hangs on the last wheel.  Either a given δ_s of one order, or the
+    engine's torque."""
 
     delta_s: Number | None  # (ω_max − ω_min)/ω
     order: Number | None  # turns of the first driver
@@ -79,7 +81,9 @@ class RatingLoad:
     of_peak: bool = False  # rated with the peak of mean and dynamic torque, not with K_A times the mean
 
 
-@formula("K_A", "ISO 6336-6: usual for a combustion engine that drives a uniform load through a balanced train", shows="1.25")
+@formula(
+    "K_A", "ISO 6336-6: usual for a combustion engine that drives a uniform load through a balanced train", shows="1.25"
+)
 def usual_application_factor() -> Number:
     return USUAL
 
@@ -110,14 +114,18 @@ def angular_acceleration(delta_s: Number, i: Number, omega: RadPerSecond) -> Rad
 
 
 @formula(
-    "ω'", "dynamics: what the engine's torque has above its mean accelerates the flywheel", names={"T": "T_max", "T_E": "T_m", "J": "J_F"}
+    "ω'",
+    "dynamics: what the engine's torque has above its mean accelerates the flywheel",
+    names={"T": "T_max", "T_E": "T_m", "J": "J_F"},
 )
 def acceleration_of_engine(T: NewtonMetre, T_E: NewtonMetre, J: KilogramMetre2, i_1: Number) -> RadPerSecond2:
     return (T - T_E) / J * i_1
 
 
 @formula(
-    "ω'", "dynamics: what the engine's torque lacks of its mean slows the flywheel down", names={"T": "T_min", "T_E": "T_m", "J": "J_F"}
+    "ω'",
+    "dynamics: what the engine's torque lacks of its mean slows the flywheel down",
+    names={"T": "T_min", "T_E": "T_m", "J": "J_F"},
 )
 def deceleration_of_engine(T: NewtonMetre, T_E: NewtonMetre, J: KilogramMetre2, i_1: Number) -> RadPerSecond2:
     return (T_E - T) / J * i_1
@@ -138,7 +146,11 @@ def with_driven(J: KilogramMetre2, J_2: KilogramMetre2, z_1: Number, z_2: Number
     return J + J_2 * (z_1 / z_2) ** 2
 
 
-@formula("T_dyn", "dynamics: torque at the driver that accelerates all that its mesh drives", names={"alpha": "ω'", "z_d": "z_1,train"})
+@formula(
+    "T_dyn",
+    "dynamics: torque at the driver that accelerates all that its mesh drives",
+    names={"alpha": "ω'", "z_d": "z_1,train"},
+)
 def dynamic_torque(J_2: KilogramMetre2, z_1: Number, z_2: Number, alpha: RadPerSecond2, z_d: Number) -> NewtonMetre:
     """The acceleration of a wheel is that of the first driver (z_d teeth) over the ratio of their teeth."""
     return J_2 * alpha * z_d / z_2 * z_1 / z_2
@@ -185,9 +197,14 @@ def _torques(train: TrainResult, power: Mapping[str, Watt] | Watt) -> dict[str, 
 
 
 def loads(
-    gears: GearsInputs, train: TrainResult, mean: Mapping[str, NewtonMetre], uneven: Irregularity | None, materials: Mapping[str, Material]
+    gears: GearsInputs,
+    train: TrainResult,
+    mean: Mapping[str, NewtonMetre],
+    uneven: Irregularity | None,
+    materials: Mapping[str, Material],
 ) -> dict[str, RatingLoad]:
-    """What every mesh is rated with.  A given application factor is taken with the mean; else the dynamic torque where it is known."""
+    """What every mesh is rated with.  A given application factor is taken with the mean; else the dynamic torque where
+    it is known."""
     up, down = _dynamic(gears, train, uneven, materials) if uneven is not None else ({}, {})
     rated = {}
     for key, T_m in mean.items():
@@ -199,7 +216,9 @@ def loads(
             elif T_dyn is None:
                 rated[key] = RatingLoad(T_m, None, None, T_m, usual_application_factor())
             else:
-                rated[key] = RatingLoad(T_m, T_dyn, T_min, peak_torque(T_m=T_m, T_dyn=T_dyn), factor_of_peak(), of_peak=True)
+                rated[key] = RatingLoad(
+                    T_m, T_dyn, T_min, peak_torque(T_m=T_m, T_dyn=T_dyn), factor_of_peak(), of_peak=True
+                )
     return rated
 
 
@@ -217,10 +236,14 @@ def _accelerations(first: WheelResult, uneven: Irregularity) -> tuple[RadPerSeco
 def _dynamic(
     gears: GearsInputs, train: TrainResult, uneven: Irregularity, materials: Mapping[str, Material]
 ) -> tuple[dict[str, NewtonMetre], dict[str, NewtonMetre]]:
-    """Dynamic torque at the driver of every mesh where the crank speeds up, and where it slows down; from the last mesh to the first."""
+    """Dynamic torque at the driver of every mesh where the crank speeds up, and where it slows down; from the last mesh
+    to the first."""
     meshes = list(train.meshes.items())
     first, last = _first(train), train.wheels[meshes[-1][1].driven]
-    inside = {w.name: inner_diameter(train.wheels[w.name].root_diameter, w.bore_diameter, w.rim_thickness) for w in gears.wheels}
+    inside = {
+        w.name: inner_diameter(train.wheels[w.name].root_diameter, w.bore_diameter, w.rim_thickness)
+        for w in gears.wheels
+    }
     faster, slower = _accelerations(first, uneven)
     inertia: dict[str, KilogramMetre2] = {}  # of a wheel and all that it drives
     for name, wheel in train.wheels.items():
@@ -291,7 +314,9 @@ class RatingContext:
     flank_rz: Metre
 
 
-def rating_context(gears: GearsInputs, train: TrainResult, materials: Mapping[str, Material], around: Surroundings) -> RatingContext:
+def rating_context(
+    gears: GearsInputs, train: TrainResult, materials: Mapping[str, Material], around: Surroundings
+) -> RatingContext:
     classes, bodies = dict[str, StrengthClass](), dict[str, Body]()
     for w in gears.wheels:
         wheel, solid = train.wheels[w.name], materials[w.material]

@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Strength against pitting and tooth breakage of one mesh, ISO 6336-2, -3 and -5.
 
-The stresses come in as nominal ones (K = 1) with the product of their load factors; the strength of every wheel follows from its class,
-its life and its surface.  S_H and S_F are on stress; on load, S_H counts squared and S_F as it is.
-"""
+The stresses come in as nominal ones (K = 1) with the product of their load factors; the strength of every wheel follows
+from its class, its life and its surface.  S_H and S_F are on stress; on load, S_H counts squared and S_F as it is."""
 
 from collections.abc import Mapping
 from functools import cache
@@ -78,7 +77,14 @@ def mesh_strength(driver: WheelStrength, driven: WheelStrength, load: MeshLoad) 
     softer = min(driver.strength.sigma_Hlim, driven.strength.sigma_Hlim)
     with about(Text("{pair}, film", pair=pair)):
         film = flank.film_factors(
-            softer, load.nu_40, load.v, load.flank_rz, load.flank_rz, driver.base_diameter, driven.base_diameter, load.alpha_wt
+            softer,
+            load.nu_40,
+            load.v,
+            load.flank_rz,
+            load.flank_rz,
+            driver.base_diameter,
+            driven.base_diameter,
+            load.alpha_wt,
         )
     contact, bending = {}, {}
     for own, mate in (sides, sides[::-1]):
@@ -90,30 +96,66 @@ def mesh_strength(driver: WheelStrength, driven: WheelStrength, load: MeshLoad) 
         S_H = min((c.S_H for c in contact.values() if c.S_H is not None), default=None)
         on_load = None if S_H is None else flank.contact_safety_on_load(S_H=S_H)
     return MeshStrength(
-        safety_contact=S_H, safety_contact_load=on_load, lubricant_factor=film.Z_L, velocity_factor=film.Z_v, roughness_factor=film.Z_R,
-        wheels=_stated(contact, bending), sides=sides, contact=contact, bending=bending,
-    )  # fmt: skip
+        safety_contact=S_H,
+        safety_contact_load=on_load,
+        lubricant_factor=film.Z_L,
+        velocity_factor=film.Z_v,
+        roughness_factor=film.Z_R,
+        wheels=_stated(contact, bending),
+        sides=sides,
+        contact=contact,
+        bending=bending,
+    )
 
 
 def _contact(own: WheelStrength, mate: WheelStrength, load: MeshLoad, film: flank.FlankFilm) -> ContactStrength:
     Z_BD = flank.single_pair(
-        load.alpha_wt, own.tip_diameter, own.base_diameter, own.teeth, mate.tip_diameter, mate.base_diameter, mate.teeth,
-        load.eps_alpha, load.eps_beta,
-    )  # fmt: skip
+        load.alpha_wt,
+        own.tip_diameter,
+        own.base_diameter,
+        own.teeth,
+        mate.tip_diameter,
+        mate.base_diameter,
+        mate.teeth,
+        load.eps_alpha,
+        load.eps_beta,
+    )
     Z_W = flank.work_hardening(
-        own.strength, mate.strength, load.flank_rz, load.flank_rz, film.rho_red, load.v, load.nu_40, own.teeth / mate.teeth
+        own.strength,
+        mate.strength,
+        load.flank_rz,
+        load.flank_rz,
+        film.rho_red,
+        load.v,
+        load.nu_40,
+        own.teeth / mate.teeth,
     )
     return flank.contact_strength(
-        own.strength, sigma_H0=load.sigma_H0, K_H=load.K_H, Z_BD=Z_BD, film=film, Z_W=Z_W, cycles=own.cycles, S_Hmin=S_H_LEAST
+        own.strength,
+        sigma_H0=load.sigma_H0,
+        K_H=load.K_H,
+        Z_BD=Z_BD,
+        film=film,
+        Z_W=Z_W,
+        cycles=own.cycles,
+        S_Hmin=S_H_LEAST,
     )
 
 
 def _bending(own: WheelStrength, load: MeshLoad) -> RootStrength:
     return root.root_strength(
-        own.strength, sigma_F0=own.sigma_F0, K_F=load.K_F, Y_B=root.rim_factor(own.name, own.tooth_depth, own.rim),
-        Y_DT=root.deep_tooth_factor(load.grade, load.eps_alphan), q_s=own.q_s, Rz_F=load.root_rz, m_n=load.m_n, loading=own.loading,
-        cycles=own.cycles, S_Fmin=S_F_LEAST,
-    )  # fmt: skip
+        own.strength,
+        sigma_F0=own.sigma_F0,
+        K_F=load.K_F,
+        Y_B=root.rim_factor(own.name, own.tooth_depth, own.rim),
+        Y_DT=root.deep_tooth_factor(load.grade, load.eps_alphan),
+        q_s=own.q_s,
+        Rz_F=load.root_rz,
+        m_n=load.m_n,
+        loading=own.loading,
+        cycles=own.cycles,
+        S_Fmin=S_F_LEAST,
+    )
 
 
 def _stated(contact: Mapping[str, ContactStrength], bending: Mapping[str, RootStrength]) -> dict[str, Stated]:
@@ -135,7 +177,8 @@ def _described(wheel: str, rows: tuple[Row, ...]) -> tuple[tuple[str, Described,
     )
 
 
-# Nominal stresses of one mesh, K = 1, with the factors that make them: those of the contact, and the form of each tooth from its tool.
+# Nominal stresses of one mesh, K = 1, with the factors that make them: those of the contact, and the form of each tooth
+# from its tool.
 
 ADVICE = Text("give more teeth, a larger profile shift, or a usual tool (addendum 1.25, tip radius 0.38)")
 
@@ -171,7 +214,12 @@ class ToothSection:
 
 
 def nominal_contact(
-    system: ToothSystem, mesh: MeshResult, driver: WheelResult, driven: WheelResult, F_t: Newton, materials: Mapping[str, Material]
+    system: ToothSystem,
+    mesh: MeshResult,
+    driver: WheelResult,
+    driven: WheelResult,
+    F_t: Newton,
+    materials: Mapping[str, Material],
 ) -> Contact:
     small, large = (driver, driven) if driver.teeth <= driven.teeth else (driven, driver)
     one, two = materials[small.material], materials[large.material]
@@ -179,7 +227,9 @@ def nominal_contact(
     Z_eps = s.contact_ratio_factor(mesh.transverse_contact_ratio, mesh.overlap_ratio)
     Z_beta = s.helix_factor_contact(system.beta)
     E_c, u = s.contact_modulus(one.poisson, one.E, two.poisson, two.E), large.teeth / small.teeth
-    return Contact(Z_H, Z_eps, Z_beta, s.contact_stress(Z_H, E_c, Z_eps, Z_beta, F_t, small.pitch_diameter, mesh.face_width, u))
+    return Contact(
+        Z_H, Z_eps, Z_beta, s.contact_stress(Z_H, E_c, Z_eps, Z_beta, F_t, small.pitch_diameter, mesh.face_width, u)
+    )
 
 
 def nominal_root(system: ToothSystem, mesh: MeshResult, wheel: WheelResult, F_t: Newton, edition: int) -> Root:
@@ -189,7 +239,9 @@ def nominal_root(system: ToothSystem, mesh: MeshResult, wheel: WheelResult, F_t:
         Y_beta = s.helix_factor_root(eps_beta, system.beta)
         return Root(form, s.root_stress(F_t, b, system.m_n, form.Y_F, form.Y_S, Y_beta), Y_beta)
     eps_alphan = s.virtual_contact_ratio(mesh.transverse_contact_ratio, system.base_helix_angle)
-    f_eps = s.load_distribution(eps_beta, eps_alphan) if eps_alphan < 2 else s.load_distribution_high(eps_beta, eps_alphan)
+    f_eps = (
+        s.load_distribution(eps_beta, eps_alphan) if eps_alphan < 2 else s.load_distribution_high(eps_beta, eps_alphan)
+    )
     Y_beta = s.helix_factor_root_2019(eps_beta, system.beta)
     return Root(form, s.root_stress_2019(F_t, b, system.m_n, form.Y_F, f_eps, form.Y_S, Y_beta), Y_beta)
 
@@ -219,7 +271,9 @@ def load_circle(system: ToothSystem, wheel: WheelResult, z_n: Number, eps_alpha:
     d_bn = s.virtual_base_diameter(system.m_n, z_n, system.alpha_n)
     if d_an <= d_bn:
         raise _outside(wheel, Text("its tip lies inside the base circle of the virtual wheel"))
-    return s.load_diameter(d_an, d_bn, system.m_n, system.alpha_n, s.virtual_contact_ratio(eps_alpha, system.base_helix_angle))
+    return s.load_diameter(
+        d_an, d_bn, system.m_n, system.alpha_n, s.virtual_contact_ratio(eps_alpha, system.base_helix_angle)
+    )
 
 
 def lever(system: ToothSystem, wheel: WheelResult, cut: ToothSection, d_en: Metre) -> tuple[Radian, Radian, Number]:
@@ -237,7 +291,10 @@ def lever(system: ToothSystem, wheel: WheelResult, cut: ToothSection, d_en: Metr
 
 def _outside(wheel: WheelResult, why: Text) -> NoSolution:
     what = Text(
-        "wheel {name} (z {teeth}, x {profile_shift}): outside the tooth form of ISO 6336-3, {why}", name=wheel.name, teeth=wheel.teeth,
-        profile_shift=Amount(wheel.profile_shift, form=".4g"), why=why,
-    )  # fmt: skip
+        "wheel {name} (z {teeth}, x {profile_shift}): outside the tooth form of ISO 6336-3, {why}",
+        name=wheel.name,
+        teeth=wheel.teeth,
+        profile_shift=Amount(wheel.profile_shift, form=".4g"),
+        why=why,
+    )
     return NoSolution(what, advice=ADVICE)

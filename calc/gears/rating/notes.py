@@ -27,18 +27,31 @@ def notes(context: RatingContext, rated: Mapping[str, MeshRating], load: Mapping
         if w.name not in context.classes:
             usual = classes_of(w.material)
             notes.append(
-                Text("Wheel {name}: no strength class is given, and that of {material} is not plain: its meshes have no load "
+                Text(
+                    "Wheel {name}: no strength class is given, and that of {material} is not plain: its meshes have "
+                    "no load "
                     "factors and no safety. Give gears.wheels.{name}.gear_material{choices}.",
-                    name=w.name, material=w.material, choices=Text(" ({usual})", usual=Text(" or ").join(usual)) if usual else "")
-            )  # fmt: skip
+                    name=w.name,
+                    material=w.material,
+                    choices=Text(" ({usual})", usual=Text(" or ").join(usual)) if usual else "",
+                )
+            )
     title = {key: train.meshes[key].title for key in rated}
-    notes += influence_notes({title[key]: one.influence for key, one in rated.items() if one.influence is not None}, gears.accuracy_grade)
+    notes += influence_notes(
+        {title[key]: one.influence for key, one in rated.items() if one.influence is not None}, gears.accuracy_grade
+    )
     if idle := [title[key] for key, one in rated.items() if one.influence is None and not one.tangential_force]:
         notes.append(
-            plural("Mesh {pairs}: no load, so no load factors and no safety.", "Meshes {pairs}: no load, so no load factors and no safety.",
-                n=len(idle), pairs=COMMA.join(idle))
-        )  # fmt: skip
-    notes += strength_notes({key: rating.strength for key, rating in rated.items() if rating.strength is not None}, gears.iso_6336_edition)
+            plural(
+                "Mesh {pairs}: no load, so no load factors and no safety.",
+                "Meshes {pairs}: no load, so no load factors and no safety.",
+                n=len(idle),
+                pairs=COMMA.join(idle),
+            )
+        )
+    notes += strength_notes(
+        {key: rating.strength for key, rating in rated.items() if rating.strength is not None}, gears.iso_6336_edition
+    )
     screened = [rating.screening for rating in rated.values() if rating.screening is not None]
     if context.oil is not None:
         notes += screening_notes(train.system, screened, context.oil.lubricant.oil.base)
@@ -53,7 +66,9 @@ def _load_notes(context: RatingContext, load: RatingLoad) -> Iterator[Text]:
         iso_6336_edition=gears.iso_6336_edition,
     )
     if gears.application_factor is not None:
-        yield Text("Load: the mean torque times the given application factor {application_factor}.", application_factor=K_A)
+        yield Text(
+            "Load: the mean torque times the given application factor {application_factor}.", application_factor=K_A
+        )
     elif load.dynamic is not None:
         yield Text("Load: the mean torque plus the dynamic torque of the crank's irregularity, its peak; K_A = 1.")
     else:
@@ -64,29 +79,47 @@ def _load_notes(context: RatingContext, load: RatingLoad) -> Iterator[Text]:
             k_a=K_A,
         )
     if gears.flank_rz is None:
-        yield Text("Flank roughness: not given; chosen: Rz {flank_rz} µm.", flank_rz=Amount(context.flank_rz * 1e6, form="g"))
+        yield Text(
+            "Flank roughness: not given; chosen: Rz {flank_rz} µm.", flank_rz=Amount(context.flank_rz * 1e6, form="g")
+        )
     if context.nu_40 is None:
-        yield Text("No oil is known: the lubricant factor is that of 100 mm²/s at 40 °C, and film and flash temperature have no value.")
+        yield Text(
+            "No oil is known: the lubricant factor is that of 100 mm²/s at 40 °C, and film and flash temperature have "
+            "no value."
+        )
 
 
 def influence_notes(factors: Mapping[str, Influence], grade: Number) -> Iterator[Text]:
     """What was assumed, and what is outside its range; `factors` by the titles of their meshes."""
     misaligned = [
         Text("{pair} {size}", pair=pair, size=Amount(one.manufacturing_misalignment * 1e6, "µm", form=".3g"))
-        for pair, one in factors.items() if not one.misalignment_given
-    ]  # fmt: skip
+        for pair, one in factors.items()
+        if not one.misalignment_given
+    ]
     if misaligned:
         yield Text(
-            "Misalignment by manufacture not given; chosen: {meshes} from the helix slopes that grade {grade} of ISO 1328-1 permits "
-            "both wheels of a mesh; no crowning.", meshes=COMMA.join(misaligned), grade=Amount(grade, form="g"),
-        )  # fmt: skip
+            "Misalignment by manufacture not given; chosen: {meshes} from the helix slopes that grade {grade} of ISO "
+            "1328-1 permits "
+            "both wheels of a mesh; no crowning.",
+            meshes=COMMA.join(misaligned),
+            grade=Amount(grade, form="g"),
+        )
     lighter = [
-        Text("{pair} {now} ({held})", pair=pair, now=Amount(one.face_load_factor_flank, form=".3g"), held=Amount(held, form=".3g"))
-        for pair, one in factors.items() if (held := one.face_load_factor_at_100) is not None
-    ]  # fmt: skip
+        Text(
+            "{pair} {now} ({held})",
+            pair=pair,
+            now=Amount(one.face_load_factor_flank, form=".3g"),
+            held=Amount(held, form=".3g"),
+        )
+        for pair, one in factors.items()
+        if (held := one.face_load_factor_at_100) is not None
+    ]
     if lighter:
-        yield Text("K_Hβ is that of the load as it is; in brackets what it would be held at 100 N/mm, as DIN 3990-11 does: {meshes}.",
-            meshes=COMMA.join(lighter))  # fmt: skip
+        yield Text(
+            "K_Hβ is that of the load as it is; in brackets what it would be held at 100 N/mm, as DIN 3990-11 does: "
+            "{meshes}.",
+            meshes=COMMA.join(lighter),
+        )
     beyond: dict[Text, list[str]] = {}
     for pair, one in factors.items():
         if one.out_of_range:
@@ -95,8 +128,10 @@ def influence_notes(factors: Mapping[str, Influence], grade: Number) -> Iterator
         yield plural(
             "Mesh {pairs}: ISO 1328-1 has no tolerances for {out_of_range}: they are extrapolated.",
             "Meshes {pairs}: ISO 1328-1 has no tolerances for {out_of_range}: they are extrapolated.",
-            n=len(pairs), pairs=COMMA.join(pairs), out_of_range=sizes,
-        )  # fmt: skip
+            n=len(pairs),
+            pairs=COMMA.join(pairs),
+            out_of_range=sizes,
+        )
 
 
 def strength_notes(meshes: Mapping[str, MeshStrength], edition: int) -> Iterator[Text]:
@@ -107,7 +142,9 @@ def strength_notes(meshes: Mapping[str, MeshStrength], edition: int) -> Iterator
         for note in side.strength.notes:
             noted.setdefault(note, {})[side.name] = None
     for note, names in noted.items():
-        yield plural("Wheel {names}: {note}.", "Wheels {names}: {note}.", n=len(names), names=COMMA.join(names), note=note)
+        yield plural(
+            "Wheel {names}: {note}.", "Wheels {names}: {note}.", n=len(names), names=COMMA.join(names), note=note
+        )
     if any(side.cycles is None for side in sides):
         knees = sorted({endurance(flank_knees(side.strength.kind)) for side in sides})
         yield Text(
@@ -133,7 +170,8 @@ def strength_notes(meshes: Mapping[str, MeshStrength], edition: int) -> Iterator
     )
     if edition >= 2019:
         yield Text(
-            "ISO 6336-2:2019 adds f_ZCa to the flanks of helical wheels without tip relief (from memory up to 1.2 on the square of the "
+            "ISO 6336-2:2019 adds f_ZCa to the flanks of helical wheels without tip relief (from memory up to 1.2 on "
+            "the square of the "
             "contact stress): not applied."
         )
 
@@ -143,36 +181,47 @@ def screening_notes(system: ToothSystem, screened: list[Screening], base: str) -
     if not screened:
         return
     loads = [s.line_load / 1e3 for s in screened]
-    light = Text(", and the line loads of {span} N/mm, with all load factors, are far below those of the tests.", span=_span(loads))
+    light = Text(
+        ", and the line loads of {span} N/mm, with all load factors, are far below those of the tests.",
+        span=_span(loads),
+    )
     yield Text(
         "Film against micropitting and flash temperature against scuffing are a screening, not a rating: that of "
         "the film is made from tests with {tested} (ISO/TS 6336-22:2018); here m_n is {m_n} mm, {span} m/s",
-        tested=TESTED, m_n=Amount(system.m_n * 1e3), span=_span([s.pitch_line_speed for s in screened]),
-    ) + (light if max(loads) < LIGHT / 1e3 else ".")  # fmt: skip
+        tested=TESTED,
+        m_n=Amount(system.m_n * 1e3),
+        span=_span([s.pitch_line_speed for s in screened]),
+    ) + (light if max(loads) < LIGHT / 1e3 else ".")
     if not all(s.load_stage_given for s in screened):
         yield Text(
-            "No FZG load stage of the oil is given: stage {load_stage} of the test A/8.3/90 is assumed for its scuffing temperature.",
+            "No FZG load stage of the oil is given: stage {load_stage} of the test A/8.3/90 is assumed for its "
+            "scuffing temperature.",
             load_stage=Amount(LOAD_STAGE, form="g"),
         )
     if not all(s.permissible_given for s in screened):
         yield Text(
-            "No micropitting test of the oil is given: a specific film thickness of {permissible_film} is taken as permissible.",
+            "No micropitting test of the oil is given: a specific film thickness of {permissible_film} is taken as "
+            "permissible.",
             permissible_film=Amount(PERMISSIBLE_FILM, form="g"),
         )
     if base not in ("mineral", "PAO", "PAG"):
         yield Text("The lubricant factor of {base} oil is not in the methods: it counts as mineral oil.", base=base)
     if alone := [s.title for s in screened if not s.method_applies]:
         yield plural(
-            "Mesh {pairs}: with ε_α of 2 or more the methods give no load sharing; one pair is taken to carry all, on the safe side.",
-            "Meshes {pairs}: with ε_α of 2 or more the methods give no load sharing; one pair is taken to carry all, on the safe side.",
-            n=len(alone), pairs=COMMA.join(alone),
-        )  # fmt: skip
+            "Mesh {pairs}: with ε_α of 2 or more the methods give no load sharing; one pair is taken to carry all, on "
+            "the safe side.",
+            "Meshes {pairs}: with ε_α of 2 or more the methods give no load sharing; one pair is taken to carry all, "
+            "on the safe side.",
+            n=len(alone),
+            pairs=COMMA.join(alone),
+        )
     if hot := [s.title for s in screened if s.specific_film_min is None]:
         yield plural(
             "Mesh {pairs}: a contact hotter than 500 °C is beyond the law of the oil: no film is given.",
             "Meshes {pairs}: contacts hotter than 500 °C are beyond the law of the oil: no film is given.",
-            n=len(hot), pairs=COMMA.join(hot),
-        )  # fmt: skip
+            n=len(hot),
+            pairs=COMMA.join(hot),
+        )
 
 
 def _span(numbers: Iterable[float]) -> Text:

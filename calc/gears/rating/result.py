@@ -38,11 +38,17 @@ class Influence:
     dynamic_factor: Number = value("Dynamic factor", "", "K_V")
     face_load_factor_flank: Number = value("Face load factor, flank", "", "K_Hβ")
     face_load_factor_root: Number = value("Face load factor, root", "", "K_Fβ")
-    face_load_factor_at_100: Number | None = value("Face load factor, flank, if the load were 100 N/mm", "", "K_Hβ,100", default=None)
+    face_load_factor_at_100: Number | None = value(
+        "Face load factor, flank, if the load were 100 N/mm", "", "K_Hβ,100", default=None
+    )
     transverse_load_factor_flank: Number = value("Transverse load factor, flank", "", "K_Hα")
     transverse_load_factor_root: Number = value("Transverse load factor, root", "", "K_Fα")
-    transverse_load_factor_flank_max: Number = value("Transverse load factor, flank: its limit, one pair carries all", "", "K_Hα,max")
-    transverse_load_factor_root_max: Number = value("Transverse load factor, root: its limit, one pair carries all", "", "K_Fα,max")
+    transverse_load_factor_flank_max: Number = value(
+        "Transverse load factor, flank: its limit, one pair carries all", "", "K_Hα,max"
+    )
+    transverse_load_factor_root_max: Number = value(
+        "Transverse load factor, root: its limit, one pair carries all", "", "K_Fα,max"
+    )
     contact_width_share: Number = value("Share of the face width that touches", "%", "b_cal/b")
     resonance_ratio: Number = value("Speed over that of the main resonance", "", "N")
     resonance_speed: RevPerSecond = value("Main resonance, speed of the smaller wheel", "rpm", "n_E1")
@@ -113,8 +119,12 @@ class SheetResult:
     form_factor_driven: Number | None = value("Source's sheet: form factor, driven", "", "Y_F,F", default=None)
     notch_parameter_driver: Number | None = value("Source's sheet: notch parameter, driver", "", "q_s", default=None)
     notch_parameter_driven: Number | None = value("Source's sheet: notch parameter, driven", "", "q_s", default=None)
-    stress_correction_driver: Number | None = value("Source's sheet: stress correction factor, driver", "", "Y_S", default=None)
-    stress_correction_driven: Number | None = value("Source's sheet: stress correction factor, driven", "", "Y_S", default=None)
+    stress_correction_driver: Number | None = value(
+        "Source's sheet: stress correction factor, driver", "", "Y_S", default=None
+    )
+    stress_correction_driven: Number | None = value(
+        "Source's sheet: stress correction factor, driven", "", "Y_S", default=None
+    )
     root_stress_driver: Pascal | None = value("Source's sheet: root stress, driver", "MPa", "σ_F,F", default=None)
     root_stress_driven: Pascal | None = value("Source's sheet: root stress, driven", "MPa", "σ_F,F", default=None)
     ball_angle_driver: Radian = value("Source's sheet: pressure angle at the ball, driver", "°", "α_tr")
@@ -125,10 +135,13 @@ class SheetResult:
 
 @result
 class MeshRating:
-    """One mesh.  Torques are those of its driver; `contact_stress` and `root_stress` are nominal, without load factors (K = 1)."""
+    """One mesh.  Torques are those of its driver; `contact_stress` and `root_stress` are nominal, without load factors
+    (K = 1)."""
 
     mean_torque: NewtonMetre = value("Mean torque at the driver", "N·m", "T_m")
-    dynamic_torque: NewtonMetre | None = value("Dynamic torque at the driver by the crank's irregularity", "N·m", "T_dyn", default=None)
+    dynamic_torque: NewtonMetre | None = value(
+        "Dynamic torque at the driver by the crank's irregularity", "N·m", "T_dyn", default=None
+    )
     least_torque: NewtonMetre | None = value("Least torque at the driver over the cycle", "N·m", "T_min", default=None)
     application_factor: Number = value("Application factor", "", "K_A")
     tangential_force: Newton = value("Tangential force at the reference circle", "N", "F_t")

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The rating of every mesh of a train, once its torque is known: load, nominal stresses, influence factors, strength, screening."""
+"""The rating of every mesh of a train, once its torque is known: load, nominal stresses, influence factors, strength,
+screening."""
 
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
@@ -42,14 +43,16 @@ def root_load_factor(K_A: Number, K_V: Number, beta: Number, alpha: Number) -> N
 
 
 def rating(
-    gears: GearsInputs, train: TrainResult, torque: Mapping[str, NewtonMetre] | NewtonMetre | Power, materials: Mapping[str, Material],
+    gears: GearsInputs,
+    train: TrainResult,
+    torque: Mapping[str, NewtonMetre] | NewtonMetre | Power,
+    materials: Mapping[str, Material],
     around: Surroundings = ALONE,
-) -> Outcome[RatingResult]:  # fmt: skip
+) -> Outcome[RatingResult]:
     """Stresses, load factors and safeties of every mesh by the edition of the inputs.
 
-    `torque` is the mean of the first driver, handed on without loss, or that of the driver in every mesh: by the mesh ("a_b"), else by
-    the driver's name; or the power of the one or the others.
-    """
+    `torque` is the mean of the first driver, handed on without loss, or that of the driver in every mesh: by the mesh
+    ("a_b"), else by the driver's name; or the power of the one or the others."""
     with trace() as lines:
         mean = mean_torques(train, torque)
         load = loads(gears, train, mean, around.uneven, materials)
@@ -59,8 +62,15 @@ def rating(
     finite(result, "gears", EXTREME)
     strengths = {key: mesh_rating.strength for key, mesh_rating in rated.items() if mesh_rating.strength is not None}
     influences = {key: mesh_rating.influence for key, mesh_rating in rated.items() if mesh_rating.influence is not None}
-    checks = [check for key, mesh_rating in rated.items() for check in c.checks(train.meshes[key], key, mesh_rating, load[key])]
-    checks += [*c.strength_checks(strengths), *c.unrated_checks(w.name for w in gears.wheels if w.name not in context.classes)]
+    checks = [
+        check
+        for key, mesh_rating in rated.items()
+        for check in c.checks(train.meshes[key], key, mesh_rating, load[key])
+    ]
+    checks += [
+        *c.strength_checks(strengths),
+        *c.unrated_checks(w.name for w in gears.wheels if w.name not in context.classes),
+    ]
     checks.append(c.roughness_check(gears.root_rz))
     for name, strength in context.classes.items():
         checks += c.hardness_checks(name, strength)
@@ -73,12 +83,19 @@ def rating(
             yield source_sheet.comparison(train, rated)
 
     return Outcome(
-        "gears", result=result, checks=tuple(checks), lines=tuple(lines), curves=Later(lambda: curves.curves(rated)), tables=Later(tables),
-        errata=Later(lambda: source_sheet.errata(train, rated)), notes=Later(lambda: notes(context, rated, load)),
-    )  # fmt: skip
+        "gears",
+        result=result,
+        checks=tuple(checks),
+        lines=tuple(lines),
+        curves=Later(lambda: curves.curves(rated)),
+        tables=Later(tables),
+        errata=Later(lambda: source_sheet.errata(train, rated)),
+        notes=Later(lambda: notes(context, rated, load)),
+    )
 
 
-# --- one mesh --------------------------------------------------------------------------------------------------------------
+# --- one mesh
+# --------------------------------------------------------------------------------------------------------------
 def _mesh(context: RatingContext, mesh: MeshResult, load: RatingLoad, mean: Mapping[str, NewtonMetre]) -> MeshRating:
     gears, train, system = context.gears, context.train, context.train.system
     driver, driven = wheels = train.wheels[mesh.driver], train.wheels[mesh.driven]
@@ -90,22 +107,35 @@ def _mesh(context: RatingContext, mesh: MeshResult, load: RatingLoad, mean: Mapp
     for wheel in wheels:
         with about(Text("root of {name} in {name2}", name=wheel.name, name2=pair)):
             roots[wheel.name] = nominal.nominal_root(system, mesh, wheel, F_t, gears.iso_6336_edition)
-    sheet = source_sheet.sheet(system, mesh, wheels, mean[next(iter(mean))]) if gears.source_sheet == "finotti" else None
+    sheet = (
+        source_sheet.sheet(system, mesh, wheels, mean[next(iter(mean))]) if gears.source_sheet == "finotti" else None
+    )
     rating = MeshRating(
-        mean_torque=load.mean, dynamic_torque=load.dynamic, least_torque=load.least, application_factor=load.K_A, tangential_force=F_t,
-        zone_factor=contact.Z_H, contact_ratio_factor=contact.Z_eps, helix_factor=contact.Z_beta, contact_stress=contact.sigma_H0,
+        mean_torque=load.mean,
+        dynamic_torque=load.dynamic,
+        least_torque=load.least,
+        application_factor=load.K_A,
+        tangential_force=F_t,
+        zone_factor=contact.Z_H,
+        contact_ratio_factor=contact.Z_eps,
+        helix_factor=contact.Z_beta,
+        contact_stress=contact.sigma_H0,
         root_helix_factor=roots[mesh.driven].Y_beta,
         form={id: stated for wheel, root in roots.items() for id, stated in _stated_form(wheel, root).items()},
         root_stress={f"root_stress_{wheel}": Stated(_labels(wheel)[3], root.sigma_F0) for wheel, root in roots.items()},
-        sheet=sheet, torque=load.rated, forms={wheel: root.form for wheel, root in roots.items()},
-    )  # fmt: skip
+        sheet=sheet,
+        torque=load.rated,
+        forms={wheel: root.form for wheel, root in roots.items()},
+    )
     rated = F_t > 0 and mesh.driver in context.classes and mesh.driven in context.classes
     return _loaded(context, mesh, load, rating, roots) if rated else rating
 
 
 def _stated_form(wheel: str, root: nominal.Root) -> dict[str, Stated]:
     ids, form = ("form_factor", "stress_correction", "notch_parameter"), root.form
-    return {f"{id}_{wheel}": Stated(about, x) for id, about, x in zip(ids, _labels(wheel), (form.Y_F, form.Y_S, form.q_s))}
+    return {
+        f"{id}_{wheel}": Stated(about, x) for id, about, x in zip(ids, _labels(wheel), (form.Y_F, form.Y_S, form.q_s))
+    }
 
 
 @cache
@@ -118,38 +148,74 @@ def _labels(wheel: str) -> tuple[Described, ...]:
     )
 
 
-def _loaded(context: RatingContext, mesh: MeshResult, load: RatingLoad, rating: MeshRating, roots: Mapping[str, nominal.Root]) -> MeshRating:
-    """The same with load factors, strength and screening: of a mesh that carries something, whose wheels have a strength class."""
+def _loaded(
+    context: RatingContext, mesh: MeshResult, load: RatingLoad, rating: MeshRating, roots: Mapping[str, nominal.Root]
+) -> MeshRating:
+    """The same with load factors, strength and screening: of a mesh that carries something, whose wheels have a
+    strength class."""
     gears, train, system = context.gears, context.train, context.train.system
     driver, driven = mesh.driver, mesh.driven
     given = next(m for m in gears.meshes if (m.driver, m.driven) == (driver, driven))
     K = influence(
-        system, mesh, context.bodies[driver], context.bodies[driven], F_t=rating.tangential_force, K_A=load.K_A, grade=gears.accuracy_grade,
-        f_sh=given.shaft_deflection or 0.0, f_ma=given.mesh_misalignment, C_a=gears.tip_relief, Z_eps=rating.contact_ratio_factor,
-    )  # fmt: skip
+        system,
+        mesh,
+        context.bodies[driver],
+        context.bodies[driven],
+        F_t=rating.tangential_force,
+        K_A=load.K_A,
+        grade=gears.accuracy_grade,
+        f_sh=given.shaft_deflection or 0.0,
+        f_ma=given.mesh_misalignment,
+        C_a=gears.tip_relief,
+        Z_eps=rating.contact_ratio_factor,
+    )
     with about(Text("mesh {pair}", pair=mesh.title)):
         K_H = contact_load_factor(load.K_A, K.dynamic_factor, K.face_load_factor_flank, K.transverse_load_factor_flank)
         K_F = root_load_factor(load.K_A, K.dynamic_factor, K.face_load_factor_root, K.transverse_load_factor_root)
         eps_alphan = s.virtual_contact_ratio(mesh.transverse_contact_ratio, system.base_helix_angle)
     strength = mesh_strength(
-        _side(context, driver, roots[driver], load), _side(context, driven, roots[driven], load),
+        _side(context, driver, roots[driver], load),
+        _side(context, driven, roots[driven], load),
         MeshLoad(
-            rating.contact_stress, K_H, K_F, mesh.working_pressure_angle, mesh.transverse_contact_ratio, eps_alphan, mesh.overlap_ratio,
-            system.m_n, K.pitch_line_velocity, REFERENCE_NU if context.nu_40 is None else context.nu_40, context.flank_rz, gears.root_rz,
+            rating.contact_stress,
+            K_H,
+            K_F,
+            mesh.working_pressure_angle,
+            mesh.transverse_contact_ratio,
+            eps_alphan,
+            mesh.overlap_ratio,
+            system.m_n,
+            K.pitch_line_velocity,
+            REFERENCE_NU if context.nu_40 is None else context.nu_40,
+            context.flank_rz,
+            gears.root_rz,
             gears.accuracy_grade,
         ),
-    )  # fmt: skip
+    )
     screened = None
     if context.oil is not None:
         mates = max(sum(name in (m.driver, m.driven) for m in gears.meshes) for name in (driver, driven))
         screened = screening(
-            system, mesh, train.wheels[driver], train.wheels[driven], F_t=rating.tangential_force, oil=context.oil,
-            materials=context.materials, roughness=context.flank_ra, load_factor=K_H, application_factor=load.K_A,
-            accuracy_grade=gears.accuracy_grade, mates=mates, load_stage=gears.scuffing_load_stage,
-            permissible_film=gears.permissible_film, mesh_stiffness=K.mesh_stiffness,
+            system,
+            mesh,
+            train.wheels[driver],
+            train.wheels[driven],
+            F_t=rating.tangential_force,
+            oil=context.oil,
+            materials=context.materials,
+            roughness=context.flank_ra,
+            load_factor=K_H,
+            application_factor=load.K_A,
+            accuracy_grade=gears.accuracy_grade,
+            mates=mates,
+            load_stage=gears.scuffing_load_stage,
+            permissible_film=gears.permissible_film,
+            mesh_stiffness=K.mesh_stiffness,
             structural_factor=min(context.structural[driver], context.structural[driven]),
-        )  # fmt: skip
-    return replace(rating, influence=K, contact_load_factor=K_H, root_load_factor=K_F, strength=strength, screening=screened)
+        )
+    return replace(
+        rating, influence=K, contact_load_factor=K_H, root_load_factor=K_F, strength=strength, screening=screened
+    )
 
 
 def _side(context: RatingContext, name: str, root: nominal.Root, load: RatingLoad) -> WheelStrength:
@@ -161,7 +227,15 @@ def _side(context: RatingContext, name: str, root: nominal.Root, load: RatingLoa
         with about(Text("wheel {name}", name=name)):
             cycles = load_cycles(n=abs(wheel.speed), L_h=gears.life, c=float(contacts_per_turn(driven, drives)))
     return WheelStrength(
-        name, context.classes[name], wheel.teeth, wheel.tip_diameter, wheel.base_diameter, wheel.tooth_depth,
-        rim_of(wheel.root_diameter, given.bore_diameter, given.rim_thickness), root.form.q_s, root.sigma_F0,
-        loading_of(driven, drives, reverses), cycles,
-    )  # fmt: skip
+        name,
+        context.classes[name],
+        wheel.teeth,
+        wheel.tip_diameter,
+        wheel.base_diameter,
+        wheel.tooth_depth,
+        rim_of(wheel.root_diameter, given.bore_diameter, given.rim_thickness),
+        root.form.q_s,
+        root.sigma_F0,
+        loading_of(driven, drives, reverses),
+        cycles,
+    )

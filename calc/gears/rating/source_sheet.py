@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The calculation sheet of Finotti 2013 for one pair, exactly as it computes: a result to compare with, beside what is wrong in it.
+"""The calculation sheet of Finotti 2013 for one pair, exactly as it computes: a result to compare with, beside what is
+wrong in it.
 
 Wheel 1 is the driver, u = z_2/z_1 also below 1.  It reproduces Fig. 4.20 and 4.22 and Tables 4.5 and 4.6.
 """
@@ -31,15 +32,25 @@ def transverse_addendum(h_aP0: Number, beta: Radian) -> Number:
 
 
 @formula("σ_H,F", Text("{sheet} (wrong: E, β for β_b, and √cos β of the withdrawn edition)", sheet=SHEET), unit="MPa")
-def contact_stress(beta: Radian, alpha_wt: Radian, alpha_t: Radian, Z_eps: Number, F_t: Newton, d_1: Metre, b: Metre, u: Number) -> Pascal:
+def contact_stress(
+    beta: Radian, alpha_wt: Radian, alpha_t: Radian, Z_eps: Number, F_t: Newton, d_1: Metre, b: Metre, u: Number
+) -> Pascal:
     return (
-        sqrt(0.175 * E_OF_SHEET) * sqrt(2 * cos(beta) * cos(alpha_wt) / (cos(alpha_t) ** 2 * sin(alpha_wt)))
-        * Z_eps * sqrt(cos(beta)) * sqrt(F_t / (d_1 * b) * (u + 1) / u)
-    )  # fmt: skip
+        sqrt(0.175 * E_OF_SHEET)
+        * sqrt(2 * cos(beta) * cos(alpha_wt) / (cos(alpha_t) ** 2 * sin(alpha_wt)))
+        * Z_eps
+        * sqrt(cos(beta))
+        * sqrt(F_t / (d_1 * b) * (u + 1) / u)
+    )
 
 
-@formula("d_en,F", Text("{sheet} (wrong: the transverse height of the outer single contact, not that of the virtual wheel)", sheet=SHEET),
-    unit="mm")  # fmt: skip
+@formula(
+    "d_en,F",
+    Text(
+        "{sheet} (wrong: the transverse height of the outer single contact, not that of the virtual wheel)", sheet=SHEET
+    ),
+    unit="mm",
+)
 def load_diameter(m_n: Metre, z_n: Number, d_D: Metre, d: Metre) -> Metre:
     return m_n * z_n + d_D - d
 
@@ -64,7 +75,9 @@ def ball(d_w: Metre, beta_b: Radian, eta: Radian, alpha_tr: Radian) -> Metre:
     return d_w * cos(beta_b) * sin(eta) / cos(alpha_tr)
 
 
-def sheet_contact(system: ToothSystem, mesh: MeshResult, driver: WheelResult, driven: WheelResult, F_t: Newton) -> Pascal:
+def sheet_contact(
+    system: ToothSystem, mesh: MeshResult, driver: WheelResult, driven: WheelResult, F_t: Newton
+) -> Pascal:
     """σ_H of the sheet."""
     Z_eps = s.contact_ratio_factor(mesh.transverse_contact_ratio, mesh.overlap_ratio)
     u = based_on(driven.teeth / driver.teeth, driven.teeth, driver.teeth)
@@ -75,14 +88,19 @@ def sheet_contact(system: ToothSystem, mesh: MeshResult, driver: WheelResult, dr
 def sheet_tooth_form(system: ToothSystem, wheel: WheelResult, sap_curvature: Metre) -> ToothForm:
     """Y_F and Y_S of the sheet; ρ at the outer single contact is that at the start of contact plus one base pitch."""
     cut = section(system, wheel)
-    d_D = f.diameter_at(wheel.base_diameter, based_on(sap_curvature + system.base_pitch, sap_curvature, system.base_pitch))
+    d_D = f.diameter_at(
+        wheel.base_diameter, based_on(sap_curvature + system.base_pitch, sap_curvature, system.base_pitch)
+    )
     alpha_en, gamma_e, arm = lever(system, wheel, cut, load_diameter(system.m_n, cut.z_n, d_D, wheel.pitch_diameter))
     Y_F = form_factor(arm, alpha_en, gamma_e, cut.chord, system.transverse_pressure_angle)
     return ToothForm(Y_F, s.stress_correction(s.slenderness(cut.chord, arm), cut.q_s), cut.q_s)
 
 
-def sheet(system: ToothSystem, mesh: MeshResult, wheels: tuple[WheelResult, WheelResult], T: NewtonMetre) -> SheetResult:
-    """The whole sheet of one mesh, T at its driver as the sheet takes it: that of the train's first driver, whatever its speed."""
+def sheet(
+    system: ToothSystem, mesh: MeshResult, wheels: tuple[WheelResult, WheelResult], T: NewtonMetre
+) -> SheetResult:
+    """The whole sheet of one mesh, T at its driver as the sheet takes it: that of the train's first driver, whatever
+    its speed."""
     driver, driven = wheels
     ends: dict[str, float] = {}  # fields of SheetResult that driver and driven have each
     with about(Text("source's sheet, mesh {pair}", pair=mesh.title)):
@@ -97,17 +115,24 @@ def sheet(system: ToothSystem, mesh: MeshResult, wheels: tuple[WheelResult, Whee
             try:
                 form = sheet_tooth_form(system, wheel, rho)
                 ends[f"root_stress_{end}"] = s.root_stress(F_t, mesh.face_width, system.m_n, form.Y_F, form.Y_S, Y_beta)
-                ends |= {f"form_factor_{end}": form.Y_F, f"stress_correction_{end}": form.Y_S, f"notch_parameter_{end}": form.q_s}
+                ends |= {
+                    f"form_factor_{end}": form.Y_F,
+                    f"stress_correction_{end}": form.Y_S,
+                    f"notch_parameter_{end}": form.q_s,
+                }
             except NoSolution:  # its load circle can miss the tooth where the right one does not: then it has no value
                 pass
             eta = space_angle(wheel.teeth, s_w, d_w)
             angle = ends[f"ball_angle_{end}"] = ball_angle(mesh.working_pressure_angle, eta)
             if 0 < angle < math.pi / 2:
                 ends[f"ideal_ball_{end}"] = ball(d_w, system.base_helix_angle, eta, angle)
-    return SheetResult(tool_addendum=addendum, tangential_force=F_t, contact_stress=sigma_H, helix_factor=Y_beta, **ends)
+    return SheetResult(
+        tool_addendum=addendum, tangential_force=F_t, contact_stress=sigma_H, helix_factor=Y_beta, **ends
+    )
 
 
-# --- beside what is right --------------------------------------------------------------------------------------------------
+# --- beside what is right
+# --------------------------------------------------------------------------------------------------
 ALIKE = 1e-3  # a value of the sheet that comes this near is not called wrong
 WRONG = {  # quantity: (its name, its unit, what is wrong in the sheet)
     "tangential_force": (Text("tangential force"), "N", Text("first wheel's speed for all")),
@@ -118,7 +143,8 @@ WRONG = {  # quantity: (its name, its unit, what is wrong in the sheet)
     "ideal_ball": (Text("ideal ball"), "mm", Text("α_wt·η for α_wt + η")),
 }
 CONTACT_OF_SHEET = Text(
-    "Its modulus of 210000 daN/mm² is ten times that of steel, so the stress is √10 too high; it also takes β for β_b in the zone factor, "
+    "Its modulus of 210000 daN/mm² is ten times that of steel, so the stress is √10 too high; it also takes β for β_b "
+    "in the zone factor, "
     "and √cos β of the withdrawn edition. Its root stresses stand in the table of the sheet."
 )
 
@@ -138,14 +164,27 @@ def comparison(train: TrainResult, rated: Mapping[str, MeshRating]) -> Table:
             differs = abs(theirs - ours) > ALIKE * abs(ours)
             rows.append((key.replace("_", "–"), what, unit, shown(theirs), shown(ours), wrong if differs else ""))
     return Table(
-        "source_sheet", Text("The sheet of Finotti 2013 for this load, beside ISO 6336 with K = 1"),
-        ((Text("Mesh"), ""), (Text("Quantity"), ""), (Text("Unit"), ""), (Text("Sheet"), ""), (Text("Right"), ""),
-            (Text("Wrong in the sheet"), "")), tuple(rows),
-        Text("To compare with, not to design by; with the source's power and speed it gives the printed values. E is 210000 daN/mm², "
-        "ten times that of steel, so σ_H is √10 too high, and has β for β_b in Z_H and √cos β, withdrawn, for Z_β. The height of the "
-        "outer single contact is carried to the virtual wheel without 1/cos² β_b, and Y_F has cos α_t for cos α_n. The ball has the "
-        "product of two angles in degrees for their sum."),
-    )  # fmt: skip
+        "source_sheet",
+        Text("The sheet of Finotti 2013 for this load, beside ISO 6336 with K = 1"),
+        (
+            (Text("Mesh"), ""),
+            (Text("Quantity"), ""),
+            (Text("Unit"), ""),
+            (Text("Sheet"), ""),
+            (Text("Right"), ""),
+            (Text("Wrong in the sheet"), ""),
+        ),
+        tuple(rows),
+        Text(
+            "To compare with, not to design by; with the source's power and speed it gives the printed values. E is "
+            "210000 daN/mm², "
+            "ten times that of steel, so σ_H is √10 too high, and has β for β_b in Z_H and √cos β, withdrawn, for "
+            "Z_β. The height of the "
+            "outer single contact is carried to the virtual wheel without 1/cos² β_b, and Y_F has cos α_t for cos "
+            "α_n. The ball has the "
+            "product of two angles in degrees for their sum."
+        ),
+    )
 
 
 def _share(rating: MeshRating) -> Number:
@@ -162,9 +201,14 @@ def _right(train: TrainResult, mesh: MeshResult, rating: MeshRating) -> Iterator
         wheel, system = train.wheels[name], train.system
         with untraced():
             ball_at_working_circle = ball_for_contact(
-                wheel.reference_thickness, wheel.pitch_diameter, system.transverse_pressure_angle, wheel.teeth, wheel.base_diameter,
-                system.base_helix_angle, mesh.working_pressure_angle,
-            )  # fmt: skip
+                wheel.reference_thickness,
+                wheel.pitch_diameter,
+                system.transverse_pressure_angle,
+                wheel.teeth,
+                wheel.base_diameter,
+                system.base_helix_angle,
+                mesh.working_pressure_angle,
+            )
         yield "form_factor", name, rating.forms[name].Y_F
         yield "stress_correction", name, rating.forms[name].Y_S
         yield "root_stress", name, rating.root_stress[f"root_stress_{name}"].number * share
@@ -172,7 +216,8 @@ def _right(train: TrainResult, mesh: MeshResult, rating: MeshRating) -> Iterator
 
 
 def errata(train: TrainResult, rated: Mapping[str, MeshRating]) -> tuple[Erratum, ...]:
-    """What the sheet of the source gives for every pair: the torque of the first wheel at each driver, and its own formulas."""
+    """What the sheet of the source gives for every pair: the torque of the first wheel at each driver, and its own
+    formulas."""
     errata = []
     first = train.wheels[next(iter(train.meshes.values())).driver]
     for key, mesh in train.meshes.items():
@@ -183,9 +228,12 @@ def errata(train: TrainResult, rated: Mapping[str, MeshRating]) -> tuple[Erratum
         if driver.teeth != first.teeth:
             force = rating.tangential_force * _share(rating) if rating.torque else 0.0
             speed = Text(
-                " With the first wheel's speed entered for {name}, its tangential force is {tangential_force} N instead of {force} N.",
-                name=driver.name, tangential_force=Amount(rating.sheet.tangential_force, form=".4g"), force=Amount(force, form=".4g"),
-            )  # fmt: skip
+                " With the first wheel's speed entered for {name}, its tangential force is {tangential_force} N "
+                "instead of {force} N.",
+                name=driver.name,
+                tangential_force=Amount(rating.sheet.tangential_force, form=".4g"),
+                force=Amount(force, form=".4g"),
+            )
         label = Text("{label} by the sheet of Finotti 2013", label=Text("Contact stress"))
         shown = UNITS["MPa"].shown(rating.sheet.contact_stress)
         source = Text("method of Finotti 2013, Tables 4.5 and 4.6")

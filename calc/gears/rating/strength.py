@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Strength of the flanks against pitting, ISO 6336-2: the film, the curvature at single contact, work hardening, the safety.
+"""Strength of the flanks against pitting, ISO 6336-2: the film, the curvature at single contact, work hardening, the
+safety.
 
-Every length is in the transverse section; "hard" and "soft" are the two flanks of a mesh.  The film factors are those of the softer
-material.  The size factor Z_X is 1: so for through-hardened teeth, and for surface-hardened ones whose case is deep enough for their size.
-"""
+Every length is in the transverse section; "hard" and "soft" are the two flanks of a mesh.  The film factors are those
+of the softer material.  The size factor Z_X is 1: so for through-hardened teeth, and for surface-hardened ones whose
+case is deep enough for their size."""
 
 from itertools import pairwise
 
@@ -17,10 +18,11 @@ from .classes import StrengthClass
 
 # Load cycles and the life factors Z_NT (flank) and Y_NT (root) of ISO 6336-2 and -3.
 #
-# The curves are straight lines between knees in log–log scale.  To the left of the first knee the strength is static and constant.  Past the
-# last knee but one the standard leaves a range: 0.85 at 10¹⁰ cycles, up to 1 with the best material, making, lubrication and experience; the
-# curves here take 0.85.  Where no life is given the factor is 1: the strength at the knee (5·10⁷ or 2·10⁶ on the flank, 3·10⁶ at the root).
-# The lubricant, surface and notch factors stay those of the long life on the whole curve; the standard drops them towards static strength.
+# The curves are straight lines between knees in log–log scale.  To the left of the first knee the strength is static
+# and constant.  Past the last knee but one the standard leaves a range: 0.85 at 10¹⁰ cycles, up to 1 with the best
+# material, making, lubrication and experience; the curves here take 0.85.  Where no life is given the factor is 1: the
+# strength at the knee (5·10⁷ or 2·10⁶ on the flank, 3·10⁶ at the root). The lubricant, surface and notch factors stay
+# those of the long life on the whole curve; the standard drops them towards static strength.
 
 FLANK = Text("ISO 6336-2:2006 and 2019, Table 2")
 ROOT = Text("ISO 6336-3:2006 and 2019, Table 1")
@@ -31,15 +33,26 @@ STEEL: Knees = ((1e5, 1.6), (5e7, 1.0), (LONGEST, 0.85))
 STEEL_PITTING: Knees = ((6e5, 1.6), (1e7, 1.3), (1e9, 1.0), (LONGEST, 0.85))
 NITRIDED: Knees = ((1e5, 1.3), (2e6, 1.0), (LONGEST, 0.85))
 NITROCARBURISED: Knees = ((1e5, 1.1), (2e6, 1.0), (LONGEST, 0.85))
-FLANK_CURVES = {"GG": NITRIDED, "GGG(ferr.)": NITRIDED, "NT(nitr.)": NITRIDED, "NV(nitr.)": NITRIDED, "NV(nitrocar.)": NITROCARBURISED}
+FLANK_CURVES = {
+    "GG": NITRIDED,
+    "GGG(ferr.)": NITRIDED,
+    "NT(nitr.)": NITRIDED,
+    "NV(nitr.)": NITRIDED,
+    "NV(nitrocar.)": NITROCARBURISED,
+}
 ROOT_THROUGH: Knees = ((1e4, 2.5), (3e6, 1.0), (LONGEST, 0.85))  # St, V, GTS, GGG(perl.)
 ROOT_HARDENED: Knees = ((1e3, 2.5), (3e6, 1.0), (LONGEST, 0.85))
 ROOT_NITRIDED: Knees = ((1e3, 1.6), (3e6, 1.0), (LONGEST, 0.85))
 ROOT_NITROCARBURISED: Knees = ((1e3, 1.1), (3e6, 1.0), (LONGEST, 0.85))
 ROOT_CURVES = {
-    "Eh": ROOT_HARDENED, "IF": ROOT_HARDENED, "GG": ROOT_NITRIDED, "GGG(ferr.)": ROOT_NITRIDED, "NT(nitr.)": ROOT_NITRIDED,
-    "NV(nitr.)": ROOT_NITRIDED, "NV(nitrocar.)": ROOT_NITROCARBURISED,
-}  # fmt: skip
+    "Eh": ROOT_HARDENED,
+    "IF": ROOT_HARDENED,
+    "GG": ROOT_NITRIDED,
+    "GGG(ferr.)": ROOT_NITRIDED,
+    "NT(nitr.)": ROOT_NITRIDED,
+    "NV(nitr.)": ROOT_NITRIDED,
+    "NV(nitrocar.)": ROOT_NITROCARBURISED,
+}
 
 
 @formula("N_L", "ISO 6336-6: load cycles of one flank; n_c: loaded contacts in a turn", names={"c": "n_c"})
@@ -74,9 +87,8 @@ class Segment:
 def contacts_per_turn(driven: int, drives: int) -> int:
     """Loaded contacts of the flank that sees most of them, and of the root, in one turn.
 
-    As a driven wheel one flank is loaded, as a driver the other: an idler loads each flank once a turn (and its root once each way), a
-    driver of two wheels the same flank twice.
-    """
+    As a driven wheel one flank is loaded, as a driver the other: an idler loads each flank once a turn (and its root
+    once each way), a driver of two wheels the same flank twice."""
     return max(driven, drives, 1)
 
 
@@ -132,21 +144,38 @@ PER_SECOND: MetrePerSecond = 1.0
 CENTISTOKE: SquareMetrePerSecond = 1e-6
 
 
-# --- curvature at the inner point of single contact ----------------------------------------------------------------------------
-@formula("M_BD", Text("{iacs}: curvature at the wheel's inner point of single contact against the pitch point; index m: mate", iacs=IACS_FLANK))
+# --- curvature at the inner point of single contact
+# ----------------------------------------------------------------------------
+@formula(
+    "M_BD",
+    Text(
+        "{iacs}: curvature at the wheel's inner point of single contact against the pitch point; index m: mate",
+        iacs=IACS_FLANK,
+    ),
+)
 def curvature_ratio(
     alpha_wt: Radian, d_a: Metre, d_b: Metre, z: Number, d_am: Metre, d_bm: Metre, z_m: Number, eps_alpha: Number
 ) -> Number:
-    return tan(alpha_wt) / sqrt((sqrt(d_a**2 / d_b**2 - 1) - 2 * pi / z) * (sqrt(d_am**2 / d_bm**2 - 1) - (eps_alpha - 1) * 2 * pi / z_m))
+    return tan(alpha_wt) / sqrt(
+        (sqrt(d_a**2 / d_b**2 - 1) - 2 * pi / z) * (sqrt(d_am**2 / d_bm**2 - 1) - (eps_alpha - 1) * 2 * pi / z_m)
+    )
 
 
-@formula("Z_BD", Text("{iacs}: single pair factor (Z_B of the smaller, Z_D of the larger wheel), straight from M_BD at ε_β = 0 "
-    "to 1 at ε_β ≥ 1, not below 1", iacs=IACS_FLANK), names={"M": "M_BD"})  # fmt: skip
+@formula(
+    "Z_BD",
+    Text(
+        "{iacs}: single pair factor (Z_B of the smaller, Z_D of the larger wheel), straight from M_BD at ε_β = 0 "
+        "to 1 at ε_β ≥ 1, not below 1",
+        iacs=IACS_FLANK,
+    ),
+    names={"M": "M_BD"},
+)
 def single_pair_factor(M: Number, eps_beta: Number) -> Number:
     return largest(M - smallest(eps_beta, 1.0) * (M - 1), 1.0)
 
 
-# --- film ------------------------------------------------------------------------------------------------------------------
+# --- film
+# ------------------------------------------------------------------------------------------------------------------
 @formula("C_ZL", Text("{iacs}: 0.83 up to 850 MPa, 0.91 from 1200 MPa", iacs=IACS_FLANK), names={"sigma": "σ_Hlim"})
 def lubricant_coefficient(sigma: Pascal) -> Number:
     return 0.83 + 0.08 * smallest(largest((sigma - SOFT) / SPAN, 0.0), 1.0)
@@ -167,12 +196,21 @@ def velocity_factor(C_Zv: Number, v: MetrePerSecond) -> Number:
     return C_Zv + 2 * (1 - C_Zv) / sqrt(0.8 + FAST / v)
 
 
-@formula("ρ_red", Text("{iacs}: radius of relative curvature at the pitch point; ρ = d_b/2·tan α_wt", iacs=IACS_FLANK), unit="mm")
+@formula(
+    "ρ_red",
+    Text("{iacs}: radius of relative curvature at the pitch point; ρ = d_b/2·tan α_wt", iacs=IACS_FLANK),
+    unit="mm",
+)
 def relative_radius(d_b1: Metre, d_b2: Metre, alpha_wt: Radian) -> Metre:
     return d_b1 * d_b2 / (d_b1 + d_b2) * tan(alpha_wt) / 2
 
 
-@formula("Rz_10", Text("{iacs}: mean roughness, brought to 10 mm of curvature", iacs=IACS_FLANK), unit="µm", names={"rho": "ρ_red"})
+@formula(
+    "Rz_10",
+    Text("{iacs}: mean roughness, brought to 10 mm of curvature", iacs=IACS_FLANK),
+    unit="µm",
+    names={"rho": "ρ_red"},
+)
 def relative_roughness(Rz_1: Metre, Rz_2: Metre, rho: Metre) -> Metre:
     return (Rz_1 + Rz_2) / 2 * power(RADIUS / rho, 1 / 3)
 
@@ -187,29 +225,55 @@ def roughness_factor(Rz_10: Metre, C_ZR: Number) -> Number:
     return power(ROUGHNESS / Rz_10, C_ZR)
 
 
-# --- work hardening --------------------------------------------------------------------------------------------------------------
-@formula("Rz_H", Text("{iacs}: roughness of the hard flank as it works on the soft one", iacs=IACS_FLANK), unit="µm",
-    names={"nu_40": "ν_40", "rho": "ρ_red"})  # fmt: skip
-def equivalent_roughness(Rz_hard: Metre, Rz_soft: Metre, rho: Metre, v: MetrePerSecond, nu_40: SquareMetrePerSecond) -> Metre:
-    return Rz_hard * power(RADIUS / rho, 0.33) * power(Rz_hard / Rz_soft, 0.66) / power(v / PER_SECOND * nu_40 / CENTISTOKE / 1500, 0.33)
+# --- work hardening
+# --------------------------------------------------------------------------------------------------------------
+@formula(
+    "Rz_H",
+    Text("{iacs}: roughness of the hard flank as it works on the soft one", iacs=IACS_FLANK),
+    unit="µm",
+    names={"nu_40": "ν_40", "rho": "ρ_red"},
+)
+def equivalent_roughness(
+    Rz_hard: Metre, Rz_soft: Metre, rho: Metre, v: MetrePerSecond, nu_40: SquareMetrePerSecond
+) -> Metre:
+    return (
+        Rz_hard
+        * power(RADIUS / rho, 0.33)
+        * power(Rz_hard / Rz_soft, 0.66)
+        / power(v / PER_SECOND * nu_40 / CENTISTOKE / 1500, 0.33)
+    )
 
 
-@formula("Z_W", Text("{iacs}: work hardening of a soft flank by a surface-hardened one; HBW counts from 130 to 470, Rz_H from "
-    "3 to 16 µm; not below 1", iacs=IACS_FLANK))  # fmt: skip
+@formula(
+    "Z_W",
+    Text(
+        "{iacs}: work hardening of a soft flank by a surface-hardened one; HBW counts from 130 to 470, Rz_H from "
+        "3 to 16 µm; not below 1",
+        iacs=IACS_FLANK,
+    ),
+)
 def work_hardening_by_hard(HBW: Number, Rz_H: Metre) -> Number:
     return largest(
-        (1.2 - (smallest(largest(HBW, 130.0), 470.0) - 130) / 1700) * (ROUGHNESS / smallest(largest(Rz_H, ROUGHNESS), ROUGHEST_FLANK)) ** 0.15,
+        (1.2 - (smallest(largest(HBW, 130.0), 470.0) - 130) / 1700)
+        * (ROUGHNESS / smallest(largest(Rz_H, ROUGHNESS), ROUGHEST_FLANK)) ** 0.15,
         1.0,
     )
 
 
-@formula("Z_W", Text("{iacs}: larger wheel, both through-hardened, pinion 1.2 times as hard or more; the ratio counts up to 1.7, "
-    "u up to 20", iacs=IACS_FLANK))  # fmt: skip
+@formula(
+    "Z_W",
+    Text(
+        "{iacs}: larger wheel, both through-hardened, pinion 1.2 times as hard or more; the ratio counts up to 1.7, "
+        "u up to 20",
+        iacs=IACS_FLANK,
+    ),
+)
 def work_hardening_through(HBW_1: Number, HBW_2: Number, u: Number) -> Number:
     return 1 + (0.00898 * smallest(HBW_1 / HBW_2, 1.7) - 0.00829) * (smallest(u, 20.0) - 1)
 
 
-# --- strength ----------------------------------------------------------------------------------------------------------------
+# --- strength
+# ----------------------------------------------------------------------------------------------------------------
 @formula("σ_H", "ISO 6336-2:2006: contact stress of one wheel; K_H = K_A·K_v·K_Hβ·K_Hα", unit="MPa")
 def contact_stress_of_wheel(Z_BD: Number, sigma_H0: Pascal, K_H: Number) -> Pascal:
     return Z_BD * sigma_H0 * sqrt(K_H)
@@ -259,7 +323,14 @@ class ContactStrength:
 
 
 def film_factors(
-    sigma_Hlim: Pascal, nu_40: SquareMetrePerSecond, v: MetrePerSecond, Rz_1: Metre, Rz_2: Metre, d_b1: Metre, d_b2: Metre, alpha_wt: Radian
+    sigma_Hlim: Pascal,
+    nu_40: SquareMetrePerSecond,
+    v: MetrePerSecond,
+    Rz_1: Metre,
+    Rz_2: Metre,
+    d_b1: Metre,
+    d_b2: Metre,
+    alpha_wt: Radian,
 ) -> FlankFilm:
     """`sigma_Hlim`: of the softer material; `nu_40`: the oil at 40 °C; `v`: at the pitch circle, above 0."""
     C_ZL = lubricant_coefficient(sigma=sigma_Hlim)
@@ -267,15 +338,26 @@ def film_factors(
     return FlankFilm(
         Z_L=lubricant_factor(C_ZL=C_ZL, nu_40=nu_40),
         Z_v=velocity_factor(C_Zv=velocity_coefficient(C_ZL=C_ZL), v=v),
-        Z_R=roughness_factor(Rz_10=relative_roughness(Rz_1=Rz_1, Rz_2=Rz_2, rho=rho), C_ZR=roughness_coefficient(sigma=sigma_Hlim)),
+        Z_R=roughness_factor(
+            Rz_10=relative_roughness(Rz_1=Rz_1, Rz_2=Rz_2, rho=rho), C_ZR=roughness_coefficient(sigma=sigma_Hlim)
+        ),
         rho_red=rho,
     )
 
 
 def single_pair(
-    alpha_wt: Radian, d_a: Metre, d_b: Metre, z: Number, d_am: Metre, d_bm: Metre, z_m: Number, eps_alpha: Number, eps_beta: Number
+    alpha_wt: Radian,
+    d_a: Metre,
+    d_b: Metre,
+    z: Number,
+    d_am: Metre,
+    d_bm: Metre,
+    z_m: Number,
+    eps_alpha: Number,
+    eps_beta: Number,
 ) -> Number:
-    """Z_B or Z_D of a wheel (index m: its mate).  Outside 1 < ε_α < 2 no point has single contact: 1 (rule of this program)."""
+    """Z_B or Z_D of a wheel (index m: its mate).  Outside 1 < ε_α < 2 no point has single contact: 1 (rule of this
+    program)."""
     if not 1 < eps_alpha < 2:
         return 1.0
     if (d_a / d_b) ** 2 - 1 <= (2 * pi / z) ** 2 or (d_am / d_bm) ** 2 - 1 <= ((eps_alpha - 1) * 2 * pi / z_m) ** 2:
@@ -293,30 +375,50 @@ def no_work_hardening() -> Number:
 
 
 def work_hardening(
-    own: StrengthClass, mate: StrengthClass, Rz: Metre, Rz_m: Metre, rho_red: Metre, v: MetrePerSecond, nu_40: SquareMetrePerSecond,
+    own: StrengthClass,
+    mate: StrengthClass,
+    Rz: Metre,
+    Rz_m: Metre,
+    rho_red: Metre,
+    v: MetrePerSecond,
+    nu_40: SquareMetrePerSecond,
     u: Number,
-) -> Number:  # fmt: skip
+) -> Number:
     """Z_W of a wheel; `u`: its teeth over those of its mate.  1 where no hard flank works on a softer steel one."""
     if own.through_hardened and mate.surface_hardened:
-        return work_hardening_by_hard(HBW=own.brinell, Rz_H=equivalent_roughness(Rz_hard=Rz_m, Rz_soft=Rz, rho=rho_red, v=v, nu_40=nu_40))
+        return work_hardening_by_hard(
+            HBW=own.brinell, Rz_H=equivalent_roughness(Rz_hard=Rz_m, Rz_soft=Rz, rho=rho_red, v=v, nu_40=nu_40)
+        )
     if own.through_hardened and mate.through_hardened and u > 1 and mate.brinell >= 1.2 * own.brinell:
         return work_hardening_through(HBW_1=mate.brinell, HBW_2=own.brinell, u=u)
     return no_work_hardening()
 
 
 def contact_strength(
-    own: StrengthClass, *, sigma_H0: Pascal, K_H: Number, Z_BD: Number, film: FlankFilm, Z_W: Number, cycles: Number | None, S_Hmin: Number,
+    own: StrengthClass,
+    *,
+    sigma_H0: Pascal,
+    K_H: Number,
+    Z_BD: Number,
+    film: FlankFilm,
+    Z_W: Number,
+    cycles: Number | None,
+    S_Hmin: Number,
     pitting: bool = False,
-) -> ContactStrength:  # fmt: skip
+) -> ContactStrength:
     """Stress and strength of one flank.  `cycles` None: the endurance limit."""
     Z_NT = flank_life(own.kind, cycles, pitting)
     sigma_H = contact_stress_of_wheel(Z_BD=Z_BD, sigma_H0=sigma_H0, K_H=K_H)
     sigma_HG = pitting_limit(sigma_Hlim=own.sigma_Hlim, Z_NT=Z_NT, Z_L=film.Z_L, Z_v=film.Z_v, Z_R=film.Z_R, Z_W=Z_W)
     return ContactStrength(
-        Z_BD=Z_BD, Z_NT=Z_NT, Z_W=Z_W, sigma_H=sigma_H, sigma_HG=sigma_HG,
+        Z_BD=Z_BD,
+        Z_NT=Z_NT,
+        Z_W=Z_W,
+        sigma_H=sigma_H,
+        sigma_HG=sigma_HG,
         sigma_HP=permissible_contact_stress(sigma_HG=sigma_HG, S_Hmin=S_Hmin),
         S_H=contact_safety(sigma_HG=sigma_HG, sigma_H=sigma_H) if sigma_H > 0 else None,
-    )  # fmt: skip
+    )
 
 
 # Strength of the tooth root, ISO 6336-3: rim, notch, surface, size, reversed load, the safety.
@@ -330,25 +432,35 @@ TEST_GEAR = 2.0  # Y_ST: stress correction of the gears by which σ_Flim was fou
 RIM_LEAST, RIM_FULL = 0.5, 1.2  # of s_R/h_t
 ROUGHEST_ROOT: Metre = 40e-6  # Rz of the root up to which Y_RrelT was found
 
-# Slip layer by proof stress (MPa → mm), ISO 6336-3, Table 3: St from memory and public code, the others in IACS UR M56 too.
+# Slip layer by proof stress (MPa → mm), ISO 6336-3, Table 3: St from memory and public code, the others in IACS UR M56
+# too.
 SLIP_ST = ((300.0, 0.0833), (400.0, 0.0445))
 SLIP_V = ((500.0, 0.0281), (600.0, 0.0194), (800.0, 0.0064), (1000.0, 0.0014))
 HARDENED = ("V", "GTS", "GGG(perl.)", "Eh", "IF")  # groups of Y_RrelT
 IRON = ("GG", "GGG(ferr.)")
-SIZE = {"St": (1.03, 0.006, 0.85), "V": (1.03, 0.006, 0.85), "GTS": (1.03, 0.006, 0.85), "GGG(perl.)": (1.03, 0.006, 0.85)}
+SIZE = {
+    "St": (1.03, 0.006, 0.85),
+    "V": (1.03, 0.006, 0.85),
+    "GTS": (1.03, 0.006, 0.85),
+    "GGG(perl.)": (1.03, 0.006, 0.85),
+}
 SIZE |= dict.fromkeys(IRON, (1.075, 0.015, 0.70))
 SIZE_HARDENED = (1.05, 0.010, 0.80)  # Eh, IF and the nitrided
 LOADING = {"pulsating": 1.0, "reversed": 0.7}
 
 
-# --- the body: factors of the stress -----------------------------------------------------------------------------------------
+# --- the body: factors of the stress
+# -----------------------------------------------------------------------------------------
 @formula("Y_B", Text("{iacs}: rim thickness factor of external teeth, 0.5 < s_R/h_t < 1.2", iacs=IACS_ROOT))
 def thin_rim_factor(h_t: Metre, s_R: Metre) -> Number:
     return 1.6 * ln(2.242 * h_t / s_R)
 
 
-@formula("Y_DT", Text("{iacs}: deep tooth factor of accuracy grades up to 4, 2.05 < ε_αn; not below 0.7", iacs=IACS_ROOT),
-    names={"eps_alphan": "ε_αn"})  # fmt: skip
+@formula(
+    "Y_DT",
+    Text("{iacs}: deep tooth factor of accuracy grades up to 4, 2.05 < ε_αn; not below 0.7", iacs=IACS_ROOT),
+    names={"eps_alphan": "ε_αn"},
+)
 def deep_tooth(eps_alphan: Number) -> Number:
     return largest(smallest(2.366 - 0.666 * eps_alphan, 1.0), 0.7)
 
@@ -358,9 +470,13 @@ def root_stress_of_wheel(sigma_F0: Pascal, Y_B: Number, Y_DT: Number, K_F: Numbe
     return sigma_F0 * Y_B * Y_DT * K_F
 
 
-# --- the material: factors of the strength -------------------------------------------------------------------------------------
+# --- the material: factors of the strength
+# -------------------------------------------------------------------------------------
 @formula(
-    "ρ'", Text("{iso}: slip layer, Table 3 by proof stress", iso=ISO), unit="mm", shows="straight line between the rows, held at both ends"
+    "ρ'",
+    Text("{iso}: slip layer, Table 3 by proof stress", iso=ISO),
+    unit="mm",
+    shows="straight line between the rows, held at both ends",
 )
 def slip_layer(R_p: Pascal, structural: Number) -> Metre:
     """`structural`: 1 for St, 0 for V, GTS and GGG(perl.)."""
@@ -374,35 +490,60 @@ def slip_layer(R_p: Pascal, structural: Number) -> Metre:
     return rows[-1][1] * 1e-3
 
 
-@formula("Y_δrelT", Text("{iacs}: relative notch sensitivity; the test gear has q_s = 2.5", iacs=IACS_ROOT), names={"rho": "ρ'"})
+@formula(
+    "Y_δrelT",
+    Text("{iacs}: relative notch sensitivity; the test gear has q_s = 2.5", iacs=IACS_ROOT),
+    names={"rho": "ρ'"},
+)
 def notch_sensitivity(rho: Metre, q_s: Number) -> Number:
     return (1 + sqrt(0.2 * rho / MILLIMETRE * (1 + 2 * q_s))) / (1 + sqrt(1.2 * rho / MILLIMETRE))
 
 
-@formula("Y_RrelT", Text("{iacs}: relative surface factor, hardened; Rz of the root from 1 to 40 µm, 1 at 10 µm", iacs=IACS_ROOT))
+@formula(
+    "Y_RrelT",
+    Text("{iacs}: relative surface factor, hardened; Rz of the root from 1 to 40 µm, 1 at 10 µm", iacs=IACS_ROOT),
+)
 def surface_hardened(Rz_F: Metre) -> Number:
     return 1.674 - 0.529 * power(Rz_F / MICRON + 1, 0.1)
 
 
-@formula("Y_RrelT", Text("{iacs}: relative surface factor, structural steel; Rz of the root from 1 to 40 µm, 1 at 10 µm", iacs=IACS_ROOT))
+@formula(
+    "Y_RrelT",
+    Text(
+        "{iacs}: relative surface factor, structural steel; Rz of the root from 1 to 40 µm, 1 at 10 µm", iacs=IACS_ROOT
+    ),
+)
 def surface_structural(Rz_F: Metre) -> Number:
     return 5.306 - 4.203 * power(Rz_F / MICRON + 1, 0.01)
 
 
-@formula("Y_RrelT", Text("{iacs}: relative surface factor, nitrided (iron: {iso}); Rz of the root from 1 to 40 µm", iacs=IACS_ROOT, iso=ISO))
+@formula(
+    "Y_RrelT",
+    Text(
+        "{iacs}: relative surface factor, nitrided (iron: {iso}); Rz of the root from 1 to 40 µm",
+        iacs=IACS_ROOT,
+        iso=ISO,
+    ),
+)
 def surface_nitrided(Rz_F: Metre) -> Number:
-    """At 10 µm it gives 0.994: so are its constants printed; older public texts have the exponent 1/200, which gives 1."""
+    """At 10 µm it gives 0.994: so are its constants printed; older public texts have the exponent 1/200, which gives
+    1."""
     return 4.299 - 3.259 * power(Rz_F / MICRON + 1, 0.0058)
 
 
-@formula("Y_RrelT", Text("{iacs}: relative surface factor, Rz of the root below 1 µm", iacs=IACS_ROOT),
-    shows="1.12 hardened, 1.07 structural steel, 1.025 others")  # fmt: skip
+@formula(
+    "Y_RrelT",
+    Text("{iacs}: relative surface factor, Rz of the root below 1 µm", iacs=IACS_ROOT),
+    shows="1.12 hardened, 1.07 structural steel, 1.025 others",
+)
 def surface_smooth(kind: str) -> Number:
     return (1.12 if kind in HARDENED else 1.07 if kind == "St" else 1.025) * 1.0
 
 
 @formula(
-    "Y_X", Text("{iacs}: size factor, 1 up to m_n = 5 mm (iron: {iso})", iacs=IACS_ROOT, iso=ISO), names={"Y": "Y_min", "a": "a_X", "b": "b_X"}
+    "Y_X",
+    Text("{iacs}: size factor, 1 up to m_n = 5 mm (iron: {iso})", iacs=IACS_ROOT, iso=ISO),
+    names={"Y": "Y_min", "a": "a_X", "b": "b_X"},
 )
 def size_factor(a: Number, b: Number, m_n: Metre, Y: Number) -> Number:
     return largest(smallest(a - b * m_n / MILLIMETRE, 1.0), Y)
@@ -413,9 +554,12 @@ def mean_stress_factor(loading: str) -> Number:
     return LOADING[loading] * 1.0
 
 
-@formula("σ_FG", "ISO 6336-3:2006: tooth root stress limit; Y_M for reversed load", unit="MPa",
-    names={"Y_drelT": "Y_δrelT"})  # fmt: skip
-def root_limit(sigma_Flim: Pascal, Y_ST: Number, Y_NT: Number, Y_drelT: Number, Y_RrelT: Number, Y_X: Number, Y_M: Number) -> Pascal:
+@formula(
+    "σ_FG", "ISO 6336-3:2006: tooth root stress limit; Y_M for reversed load", unit="MPa", names={"Y_drelT": "Y_δrelT"}
+)
+def root_limit(
+    sigma_Flim: Pascal, Y_ST: Number, Y_NT: Number, Y_drelT: Number, Y_RrelT: Number, Y_X: Number, Y_M: Number
+) -> Pascal:
     return sigma_Flim * Y_ST * Y_NT * Y_drelT * Y_RrelT * Y_X * Y_M
 
 
@@ -467,12 +611,18 @@ def rim_factor(wheel: str, h_t: Metre, s_R: Metre | None) -> Number:
         return solid_rim()
     if s_R <= RIM_LEAST * h_t:
         raise NoSolution(
-            Text("gears.wheels.{wheel}.rim_thickness_mm (or what its bore leaves) = {s_r}: rim factor Y_B", wheel=wheel,
-                s_r=Amount(s_R * 1000.0, form=".4g")),
+            Text(
+                "gears.wheels.{wheel}.rim_thickness_mm (or what its bore leaves) = {s_r}: rim factor Y_B",
+                wheel=wheel,
+                s_r=Amount(s_R * 1000.0, form=".4g"),
+            ),
             Text("ISO 6336-3 ends at half the tooth depth"),
-            Text("give it more than {rim_least} mm; from {rim_full} mm on the rim counts as solid",
-                rim_least=Amount(RIM_LEAST * h_t * 1000.0, form=".4g"), rim_full=Amount(RIM_FULL * h_t * 1000.0, form=".4g")),
-        )  # fmt: skip
+            Text(
+                "give it more than {rim_least} mm; from {rim_full} mm on the rim counts as solid",
+                rim_least=Amount(RIM_LEAST * h_t * 1000.0, form=".4g"),
+                rim_full=Amount(RIM_FULL * h_t * 1000.0, form=".4g"),
+            ),
+        )
     return thin_rim_factor(h_t=h_t, s_R=s_R)
 
 
@@ -482,7 +632,8 @@ def deep_tooth_factor(grade: int, eps_alphan: Number) -> Number:
 
 
 def loading_of(driven: int, drives: int, reverses: bool = False) -> str:
-    """How a wheel's root is loaded: reversed where it is driven by one and drives another, or where the torque changes its sign."""
+    """How a wheel's root is loaded: reversed where it is driven by one and drives another, or where the torque changes
+    its sign."""
     return "reversed" if (driven and drives) or reverses else "pulsating"
 
 
@@ -496,20 +647,44 @@ def surface_factor(kind: str, Rz_F: Metre) -> Number:
 
 
 def root_strength(
-    own: StrengthClass, *, sigma_F0: Pascal, K_F: Number, Y_B: Number, Y_DT: Number, q_s: Number, Rz_F: Metre, m_n: Metre, loading: str,
-    cycles: Number | None, S_Fmin: Number,
-) -> RootStrength:  # fmt: skip
+    own: StrengthClass,
+    *,
+    sigma_F0: Pascal,
+    K_F: Number,
+    Y_B: Number,
+    Y_DT: Number,
+    q_s: Number,
+    Rz_F: Metre,
+    m_n: Metre,
+    loading: str,
+    cycles: Number | None,
+    S_Fmin: Number,
+) -> RootStrength:
     """Stress and strength of one root.  `loading`: pulsating or reversed; `cycles` None: the endurance limit."""
-    rho = own.slip_layer if own.proof_stress is None else slip_layer(R_p=own.proof_stress, structural=float(own.kind == "St"))
+    rho = (
+        own.slip_layer
+        if own.proof_stress is None
+        else slip_layer(R_p=own.proof_stress, structural=float(own.kind == "St"))
+    )
     assert rho is not None  # every row of the table has one of the two
     a, b, least = SIZE.get(own.kind, SIZE_HARDENED)
     Y_NT, Y_drelT = root_life(own.kind, cycles), notch_sensitivity(rho=rho, q_s=q_s)
     Y_RrelT, Y_X = surface_factor(own.kind, Rz_F), size_factor(a=a, b=b, m_n=m_n, Y=least)
     Y_M = mean_stress_factor(loading=loading)
     sigma_F = root_stress_of_wheel(sigma_F0=sigma_F0, Y_B=Y_B, Y_DT=Y_DT, K_F=K_F)
-    sigma_FG = root_limit(sigma_Flim=own.sigma_Flim, Y_ST=TEST_GEAR, Y_NT=Y_NT, Y_drelT=Y_drelT, Y_RrelT=Y_RrelT, Y_X=Y_X, Y_M=Y_M)
+    sigma_FG = root_limit(
+        sigma_Flim=own.sigma_Flim, Y_ST=TEST_GEAR, Y_NT=Y_NT, Y_drelT=Y_drelT, Y_RrelT=Y_RrelT, Y_X=Y_X, Y_M=Y_M
+    )
     return RootStrength(
-        Y_B=Y_B, Y_DT=Y_DT, Y_NT=Y_NT, Y_drelT=Y_drelT, Y_RrelT=Y_RrelT, Y_X=Y_X, Y_M=Y_M, sigma_F=sigma_F, sigma_FG=sigma_FG,
+        Y_B=Y_B,
+        Y_DT=Y_DT,
+        Y_NT=Y_NT,
+        Y_drelT=Y_drelT,
+        Y_RrelT=Y_RrelT,
+        Y_X=Y_X,
+        Y_M=Y_M,
+        sigma_F=sigma_F,
+        sigma_FG=sigma_FG,
         sigma_FP=permissible_root_stress(sigma_FG=sigma_FG, S_Fmin=S_Fmin),
         S_F=bending_safety(sigma_FG=sigma_FG, sigma_F=sigma_F) if sigma_F > 0 else None,
-    )  # fmt: skip
+    )

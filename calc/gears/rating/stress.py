@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """Nominal stresses of ISO 6336, method B: contact σ_H0 and tooth root σ_F0, before any influence factor (every K = 1).
 
-Here wheel 1 is the smaller of the pair and u = z_2/z_1 ≥ 1.  The tooth form holds for external wheels cut by a rack, load at the
-outer point of single contact; all lengths of the virtual spur wheel (index n) are in the normal section, those with * in modules.
-"""
+Here wheel 1 is the smaller of the pair and u = z_2/z_1 ≥ 1.  The tooth form holds for external wheels cut by a rack,
+load at the outer point of single contact; all lengths of the virtual spur wheel (index n) are in the normal section,
+those with * in modules."""
 
 import math
 
@@ -28,7 +28,8 @@ def tangential_force(T: NewtonMetre, d: Metre) -> Newton:
     return 2 * abs(T) / d
 
 
-# --- contact ---------------------------------------------------------------------------------------------------------------
+# --- contact
+# ---------------------------------------------------------------------------------------------------------------
 @formula("Z_H", Text("{contact}: zone factor", contact=CONTACT))
 def zone_factor(beta_b: Radian, alpha_wt: Radian, alpha_t: Radian) -> Number:
     """>>> zone_factor(beta_b=0.3584, alpha_wt=0.376, alpha_t=0.3739)
@@ -52,15 +53,24 @@ def helix_factor_contact(beta: Radian) -> Number:
     return 1 / sqrt(cos(beta))
 
 
-@formula("σ_H0", Text("{contact}: nominal contact stress at the pitch point", contact=CONTACT), unit="MPa", names={"E_c": "E'"})
-def contact_stress(Z_H: Number, E_c: Pascal, Z_eps: Number, Z_beta: Number, F_t: Newton, d_1: Metre, b: Metre, u: Number) -> Pascal:
-    """>>> contact_stress(Z_H=2.34, E_c=36030000000.0, Z_eps=0.8312, Z_beta=1.038, F_t=31.89, d_1=0.05389, b=0.015, u=1.44)
+@formula(
+    "σ_H0",
+    Text("{contact}: nominal contact stress at the pitch point", contact=CONTACT),
+    unit="MPa",
+    names={"E_c": "E'"},
+)
+def contact_stress(
+    Z_H: Number, E_c: Pascal, Z_eps: Number, Z_beta: Number, F_t: Newton, d_1: Metre, b: Metre, u: Number
+) -> Pascal:
+    """>>> contact_stress(Z_H=2.34, E_c=36030000000.0, Z_eps=0.8312, Z_beta=1.038, F_t=31.89, d_1=0.05389, b=0.015,
+    u=1.44)
     9908138...
     """
     return Z_H * sqrt(E_c) * Z_eps * Z_beta * sqrt(F_t / (d_1 * b) * (u + 1) / u)
 
 
-# --- tooth root: the form of the tooth -----------------------------------------------------------------------------------------
+# --- tooth root: the form of the tooth
+# -----------------------------------------------------------------------------------------
 @formula("z_n", Text("{root}: teeth of the virtual spur wheel", root=ROOT))
 def virtual_teeth(z: Number, beta_b: Radian, beta: Radian) -> Number:
     return z / (cos(beta_b) ** 2 * cos(beta))
@@ -119,7 +129,10 @@ def virtual_base_diameter(m_n: Metre, z_n: Number, alpha_n: Radian) -> Metre:
 
 
 @formula(
-    "d_en", Text("{root}: circle of the outer single contact on the virtual wheel", root=ROOT), unit="mm", names={"eps_alphan": "ε_αn"}
+    "d_en",
+    Text("{root}: circle of the outer single contact on the virtual wheel", root=ROOT),
+    unit="mm",
+    names={"eps_alphan": "ε_αn"},
 )
 def load_diameter(d_an: Metre, d_bn: Metre, m_n: Metre, alpha_n: Radian, eps_alphan: Number) -> Metre:
     return 2 * sqrt((sqrt(d_an**2 - d_bn**2) / 2 - pi * m_n * cos(alpha_n) * (eps_alphan - 1)) ** 2 + d_bn**2 / 4)
@@ -136,8 +149,15 @@ def load_tooth_angle(x: Number, alpha_n: Radian, z_n: Number, alpha_en: Radian) 
 
 
 @formula("h*_Fe", Text("{root}: lever arm of the load; α_Fen = α_en − γ_e", root=ROOT))
-def lever_arm(gamma_e: Radian, alpha_en: Radian, d_en: Metre, m_n: Metre, z_n: Number, theta: Radian, G: Number, rho_aP0: Number) -> Number:
-    return ((cos(gamma_e) - sin(gamma_e) * tan(alpha_en - gamma_e)) * d_en / m_n - z_n * cos(pi / 3 - theta) - G / cos(theta) + rho_aP0) / 2
+def lever_arm(
+    gamma_e: Radian, alpha_en: Radian, d_en: Metre, m_n: Metre, z_n: Number, theta: Radian, G: Number, rho_aP0: Number
+) -> Number:
+    return (
+        (cos(gamma_e) - sin(gamma_e) * tan(alpha_en - gamma_e)) * d_en / m_n
+        - z_n * cos(pi / 3 - theta)
+        - G / cos(theta)
+        + rho_aP0
+    ) / 2
 
 
 @formula("Y_F", Text("{root}: form factor; α_Fen = α_en − γ_e", root=ROOT), names={"h": "h*_Fe", "s": "s*_Fn"})
@@ -160,7 +180,8 @@ def stress_correction(L: Number, q_s: Number) -> Number:
     return (1.2 + 0.13 * L) * power(q_s, 1 / (1.21 + 2.3 / L))
 
 
-# --- tooth root: the stress ------------------------------------------------------------------------------------------------------
+# --- tooth root: the stress
+# ------------------------------------------------------------------------------------------------------
 @formula("Y_β", "ISO 6336-3:2006: helix angle factor")
 def helix_factor_root(eps_beta: Number, beta: Radian) -> Number:
     return 1 - smallest(eps_beta, 1.0) * smallest(beta, BETA_MOST) / BETA_FULL
@@ -171,14 +192,20 @@ def helix_factor_root_2019(eps_beta: Number, beta: Radian) -> Number:
     return (1 - smallest(eps_beta, 1.0) * smallest(beta, BETA_MOST) / BETA_FULL) / cos(beta) ** 3
 
 
-@formula("f_ε", Text("{root_2019}: load distribution for ε_αn < 2; an overlap above 1 counts as 1", root_2019=ROOT_2019),
-    names={"eps_alphan": "ε_αn"})  # fmt: skip
+@formula(
+    "f_ε",
+    Text("{root_2019}: load distribution for ε_αn < 2; an overlap above 1 counts as 1", root_2019=ROOT_2019),
+    names={"eps_alphan": "ε_αn"},
+)
 def load_distribution(eps_beta: Number, eps_alphan: Number) -> Number:
     return sqrt(1 - smallest(eps_beta, 1.0) + smallest(eps_beta, 1.0) / eps_alphan)
 
 
-@formula("f_ε", Text("{root_2019}: load distribution for ε_αn ≥ 2; an overlap above 1 counts as 1", root_2019=ROOT_2019),
-    names={"eps_alphan": "ε_αn"})  # fmt: skip
+@formula(
+    "f_ε",
+    Text("{root_2019}: load distribution for ε_αn ≥ 2; an overlap above 1 counts as 1", root_2019=ROOT_2019),
+    names={"eps_alphan": "ε_αn"},
+)
 def load_distribution_high(eps_beta: Number, eps_alphan: Number) -> Number:
     return sqrt((1 - smallest(eps_beta, 1.0)) / 2 + smallest(eps_beta, 1.0) / eps_alphan)
 
@@ -189,5 +216,7 @@ def root_stress(F_t: Newton, b: Metre, m_n: Metre, Y_F: Number, Y_S: Number, Y_b
 
 
 @formula("σ_F0", Text("{root_2019}: nominal tooth root stress", root_2019=ROOT_2019), unit="MPa")
-def root_stress_2019(F_t: Newton, b: Metre, m_n: Metre, Y_F: Number, f_eps: Number, Y_S: Number, Y_beta: Number) -> Pascal:
+def root_stress_2019(
+    F_t: Newton, b: Metre, m_n: Metre, Y_F: Number, f_eps: Number, Y_S: Number, Y_beta: Number
+) -> Pascal:
     return F_t / (b * m_n) * Y_F * f_eps * Y_S * Y_beta

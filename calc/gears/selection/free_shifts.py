@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Which profile shifts of a train are free, and how the others follow from them.
 
-Wheels that a given centre distance ties together share one free shift: the mate's is the sum less it.  A mesh without centre distance
-leaves one more free; it can be held where it is now, left to what the design chooses, or freed.
-"""
+Wheels that a given centre distance ties together share one free shift: the mate's is the sum less it.  A mesh without
+centre distance leaves one more free; it can be held where it is now, left to what the design chooses, or freed."""
 
 from collections.abc import Mapping
 from contextlib import suppress
@@ -27,10 +26,11 @@ SAME = 1e-12
 
 @record
 class Freedom:
-    """One way to leave shifts free.  `gears`: the design put so; `removed`: keys of shifts that then follow; `held`: distances by mesh.
+    """One way to leave shifts free.  `gears`: the design put so; `removed`: keys of shifts that then follow; `held`:
+    distances by mesh.
 
-    The shift of a wheel is `start` + `sign`·(free shift − its start); `follows` names the free wheel, None where the shift is fixed.
-    """
+    The shift of a wheel is `start` + `sign`·(free shift − its start); `follows` names the free wheel, None where the
+    shift is fixed."""
 
     key: str
     name: Text  # of a row
@@ -49,7 +49,11 @@ class Freedom:
         for name, x in self.start.items():
             leader = self.follows[name]
             found[name] = (
-                x if leader is None else free[leader] if leader == name else x + self.sign[name] * (free[leader] - self.start[leader])
+                x
+                if leader is None
+                else free[leader]
+                if leader == name
+                else x + self.sign[name] * (free[leader] - self.start[leader])
             )
         return found
 
@@ -58,7 +62,8 @@ class Freedom:
         return self.key == "free" and other.key != "free"
 
     def bounds(self, lowest: Mapping[str, float], highest: float) -> dict[str, tuple[float, float, str, str]]:
-        """For each free shift (low, high, wheel that makes the low, wheel that makes the high): no wheel below its lowest or too high."""
+        """For each free shift (low, high, wheel that makes the low, wheel that makes the high): no wheel below its
+        lowest or too high."""
         found = {}
         for leader in self.free:
             ends: tuple[list[tuple[float, str]], list[tuple[float, str]]] = ([], [])
@@ -81,10 +86,11 @@ def settled(gears: GearsInputs, system: ToothSystem) -> Train | None:
 
 
 def freedoms(gears: GearsInputs, system: ToothSystem, axis: complex | None = None) -> tuple[Freedom, ...]:
-    """All ways, the one that is nearest to the design first.  Raises NoSolution where a given centre distance can not be.
+    """All ways, the one that is nearest to the design first.  Raises NoSolution where a given centre distance can not
+    be.
 
-    A distance between two given axes is not left free where it can be held; `axis`: that of the last wheel, from the crank's.
-    """
+    A distance between two given axes is not left free where it can be held; `axis`: that of the last wheel, from the
+    crank's."""
     parts = tied(gears)
     if len(parts) == 1:
         return (_freedom("train", Text("train"), gears, system, parts),)
@@ -94,13 +100,19 @@ def freedoms(gears: GearsInputs, system: ToothSystem, axis: complex | None = Non
         made = _freedom("designed", Text("as the design"), gears, system, given)
         found.append(replace(made, name=_copied(made, gears, given)))
     if now is not None:
-        held = {i: round(apart.get(i, now.distances[m.key]), HELD) for i, m in enumerate(gears.meshes) if m.centre_distance is None}
+        held = {
+            i: round(apart.get(i, now.distances[m.key]), HELD)
+            for i, m in enumerate(gears.meshes)
+            if m.centre_distance is None
+        }
         meshes = tuple(replace(m, centre_distance=held.get(i, m.centre_distance)) for i, m in enumerate(gears.meshes))
         name = Text("distance held") if len(held) == 1 else Text("distances held")
         whole = tied(fixed := replace(gears, meshes=meshes))
         with suppress(NoSolution):  # two given axes may be too far apart, or too near, for the shifts that are tried
             found.append(replace(_freedom("held", name, fixed, system, whole), held=held))
-    found.append(_freedom("free", Text("distance free") if len(parts) == 2 else Text("distances free"), gears, system, parts))
+    found.append(
+        _freedom("free", Text("distance free") if len(parts) == 2 else Text("distances free"), gears, system, parts)
+    )
     return tuple(way for way in found if all(way.gears.meshes[i].centre_distance for i in apart)) or tuple(found)
 
 
@@ -118,10 +130,14 @@ def _given(gears: GearsInputs, part: tuple[str, ...]) -> list[str]:
     return [w.name for w in gears.wheels if w.name in part and w.profile_shift is not None]
 
 
-def _freedom(key: str, name: Text, gears: GearsInputs, system: ToothSystem, free_parts: list[tuple[str, ...]]) -> Freedom:
+def _freedom(
+    key: str, name: Text, gears: GearsInputs, system: ToothSystem, free_parts: list[tuple[str, ...]]
+) -> Freedom:
     given = {n for part in free_parts for n in _given(gears, part)}
     free = tuple((_given(gears, part) or list(part))[0] for part in free_parts)
-    bare = replace(gears, wheels=tuple(replace(w, profile_shift=None) if w.name in given - set(free) else w for w in gears.wheels))
+    bare = replace(
+        gears, wheels=tuple(replace(w, profile_shift=None) if w.name in given - set(free) else w for w in gears.wheels)
+    )
     made, at = _settled_somewhere(bare, system, free)
     follows: dict[str, str | None] = dict.fromkeys(made.shifts)
     sign = dict.fromkeys(made.shifts, 0)
@@ -145,10 +161,14 @@ def _words(free: tuple[str, ...], followers: list[str]) -> Text:
 
 
 def _at(gears: GearsInputs, shifts: Mapping[str, float]) -> GearsInputs:
-    return replace(gears, wheels=tuple(replace(w, profile_shift=shifts.get(w.name, w.profile_shift)) for w in gears.wheels))
+    return replace(
+        gears, wheels=tuple(replace(w, profile_shift=shifts.get(w.name, w.profile_shift)) for w in gears.wheels)
+    )
 
 
-def _settled_somewhere(gears: GearsInputs, system: ToothSystem, free: tuple[str, ...]) -> tuple[Train, dict[str, float]]:
+def _settled_somewhere(
+    gears: GearsInputs, system: ToothSystem, free: tuple[str, ...]
+) -> tuple[Train, dict[str, float]]:
     own = {w.name: w.profile_shift or 0.0 for w in gears.wheels}
     for n, start in enumerate(STARTS):
         at = {name: own[name] if start is None else start for name in free}
@@ -168,4 +188,6 @@ def _copied(made: Freedom, gears: GearsInputs, given: list[tuple[str, ...]]) -> 
         for other in led if name not in led else ():
             if teeth[other] == teeth[name] and abs(made.start[other] - x) < SAME:
                 return Text("{wheel} as {other}", wheel=name, other=other)
-    return next(Text("{wheel} at {x}", wheel=name, x=Amount(x, form="g")) for name, x in made.start.items() if name not in led)
+    return next(
+        Text("{wheel} at {x}", wheel=name, x=Amount(x, form="g")) for name, x in made.start.items() if name not in led
+    )

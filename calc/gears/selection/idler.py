@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """The teeth of an idler, and by them its place, where walls or neighbours stand around the train.
 
-An idler's teeth do not change the ratio.  For each number of them the profile shifts stay as they are and its centre distances follow; the
-layout then finds its place, and the checks of the geometry and of the layout say what is against it.
-"""
+An idler's teeth do not change the ratio.  For each number of them the profile shifts stay as they are and its centre
+distances follow; the layout then finds its place, and the checks of the geometry and of the layout say what is against
+it."""
 
 import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
@@ -34,7 +34,8 @@ OF_TEETH = ("span_teeth", "measured_span", "measured_over_balls", "measured_over
 
 @record
 class Idler:
-    """A wheel between two others, with one number of teeth.  `against`: what is open of its own checks, the worst first."""
+    """A wheel between two others, with one number of teeth.  `against`: what is open of its own checks, the worst
+    first."""
 
     wheel: str
     teeth: int
@@ -58,10 +59,12 @@ class Idler:
 def idlers(gears: GearsInputs, axis: complex | None, progress: Progress | None = None) -> list[list[Idler]]:
     """The numbers of teeth of each wheel that drives and is driven and has no given place, the best first.
 
-    None where nothing stands around the train, or where it has no place.  `axis`: that of the last wheel, from the crank's.
-    """
+    None where nothing stands around the train, or where it has no place.  `axis`: that of the last wheel, from the
+    crank's."""
     found = []
-    between = {mesh.driver for mesh in gears.meshes} & {mesh.driven for mesh in gears.meshes} - {gears.meshes[-1].driven}
+    between = {mesh.driver for mesh in gears.meshes} & {mesh.driven for mesh in gears.meshes} - {
+        gears.meshes[-1].driven
+    }
     for wheel in gears.wheels if gears.walls or gears.neighbours else ():
         if wheel.name in between and wheel.position is None:
             rows = sorted(_tried(gears, wheel, axis, progress), key=lambda row: row.rank)
@@ -74,10 +77,17 @@ def _tried(gears: GearsInputs, wheel: Wheel, axis: complex | None, progress: Pro
     now, name, system = wheel.teeth, wheel.name, tooth_system(gears)
     if (train := settled(gears, system)) is None:
         return
-    given = {i: m.centre_distance for i, m in enumerate(gears.meshes) if name in (m.driver, m.driven) and m.centre_distance is not None}
+    given = {
+        i: m.centre_distance
+        for i, m in enumerate(gears.meshes)
+        if name in (m.driver, m.driven) and m.centre_distance is not None
+    }
     shifted = replace(gears, wheels=tuple(replace(w, profile_shift=train.shifts[w.name]) for w in gears.wheels))
-    gone = dict.fromkeys(f"gears.wheels.{name}.{key}" for key, one in keys(Wheel).items() if getattr(wheel, one.attribute) is not None
-        and one.attribute in OF_TEETH)  # fmt: skip
+    gone = dict.fromkeys(
+        f"gears.wheels.{name}.{key}"
+        for key, one in keys(Wheel).items()
+        if getattr(wheel, one.attribute) is not None and one.attribute in OF_TEETH
+    )
     low, high = max(LEAST, now - now // PART), now + now // PART
     without_backlash = {n: settled(_with(shifted, name, n, dict.fromkeys(given)), system) for n in range(low, high + 1)}
     for teeth, free in without_backlash.items():
@@ -88,13 +98,30 @@ def _tried(gears: GearsInputs, wheel: Wheel, axis: complex | None, progress: Pro
             grown = {i: free.distances[key] - present.distances[key] for i in given for key in [gears.meshes[i].key]}
             apart = {i: round(a + grown[i], HELD) for i, a in given.items()}
             distances = {f"gears.meshes.{i}.centre_distance_mm": round(a * 1e3, 4) for i, a in apart.items()}
-            yield _judged(_with(gears, name, teeth, apart), name, teeth, axis, {f"gears.wheels.{name}.teeth": teeth, **distances, **gone})
+            yield _judged(
+                _with(gears, name, teeth, apart),
+                name,
+                teeth,
+                axis,
+                {f"gears.wheels.{name}.teeth": teeth, **distances, **gone},
+            )
 
 
 def _with(gears: GearsInputs, name: str, teeth: int, apart: Mapping[int, Metre | None]) -> GearsInputs:
     """The train with other teeth of one wheel, nothing that was said of the old ones, and other centre distances."""
-    bare = {w.name: replace(w, teeth=teeth, span_teeth=None, measured_span=None, measured_over_balls=None, measured_over_pins=None,
-        measured_chordal_thickness=None) for w in gears.wheels if w.name == name}  # fmt: skip
+    bare = {
+        w.name: replace(
+            w,
+            teeth=teeth,
+            span_teeth=None,
+            measured_span=None,
+            measured_over_balls=None,
+            measured_over_pins=None,
+            measured_chordal_thickness=None,
+        )
+        for w in gears.wheels
+        if w.name == name
+    }
     meshes = tuple(replace(m, centre_distance=apart.get(i, m.centre_distance)) for i, m in enumerate(gears.meshes))
     return replace(gears, wheels=tuple(bare.get(w.name, w) for w in gears.wheels), meshes=meshes)
 
@@ -113,23 +140,44 @@ def _judged(gears: GearsInputs, name: str, teeth: int, axis: complex | None, cha
     return Idler(name, teeth, changes, placed.solution.wheels[name], max(sliding), tuple(against))
 
 
-# --- as tables ---------------------------------------------------------------------------------------------------------------
+# --- as tables
+# ---------------------------------------------------------------------------------------------------------------
 def idler_table(rows: Sequence[Idler], first: int, top: int) -> Table:
     """The design, the numbers that pass, numbered from `first`, and those beside them, which do not."""
     passing = passed(rows)
     near = {row.teeth + n for row in rows if row.passes or not row.changes for n in (-1, 1)}
-    fails = sorted((row for row in rows if row.teeth in near and row.changes and not row.passes), key=lambda row: row.teeth)
-    shown = [*((NOW, row) for row in rows if not row.changes), *((str(first + n), row) for n, row in enumerate(passing[:top]))]
+    fails = sorted(
+        (row for row in rows if row.teeth in near and row.changes and not row.passes), key=lambda row: row.teeth
+    )
+    shown = [
+        *((NOW, row) for row in rows if not row.changes),
+        *((str(first + n), row) for n, row in enumerate(passing[:top])),
+    ]
     cells = [_cells(number, row) for number, row in (*shown, *(("", row) for row in fails))]
     title = Text("Teeth of {wheel}: its place, and what is against it", wheel=rows[0].wheel)
     said = Text(
-        "With the profile shifts as they are. up, side: its axis from the crank's; room: to the nearest thing that it does not mesh with. "
-        "First the fewest warnings and notes, then the least sliding in its meshes. Rows without number fail; farther ones are left out."
+        "With the profile shifts as they are. up, side: its axis from the crank's; room: to the nearest thing that it "
+        "does not mesh with. "
+        "First the fewest warnings and notes, then the least sliding in its meshes. Rows without number fail; farther "
+        "ones are left out."
     )
     left = len(passing) - top
     note = said + Text(" {n} more; --top N shows more.", n=left) if left > 0 else said
-    labels = (NUMBER, ""), (Text("teeth"), ""), (Text("up"), "mm"), (Text("side"), "mm"), (Text("room"), "mm"), (Text("to"), "")
-    return Table(f"teeth_{rows[0].wheel}", title, (*labels, (Text("its own max |ζ_A|"), ""), (Text("against it"), "")), tuple(cells), note)
+    labels = (
+        (NUMBER, ""),
+        (Text("teeth"), ""),
+        (Text("up"), "mm"),
+        (Text("side"), "mm"),
+        (Text("room"), "mm"),
+        (Text("to"), ""),
+    )
+    return Table(
+        f"teeth_{rows[0].wheel}",
+        title,
+        (*labels, (Text("its own max |ζ_A|"), ""), (Text("against it"), "")),
+        tuple(cells),
+        note,
+    )
 
 
 def passed(rows: Iterable[Idler]) -> list[Idler]:

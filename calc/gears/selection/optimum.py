@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """The free shifts that make the largest specific sliding least, among those that keep every rule.
 
-Shifts are looked for on the lattice of round numbers that can be written into a design.  One free shift: every point of it is
-looked at.  Several: a grid that narrows around its best point, which follows that point until it stays.
-"""
+Shifts are looked for on the lattice of round numbers that can be written into a design.  One free shift: every point of
+it is looked at.  Several: a grid that narrows around its best point, which follows that point until it stays."""
 
 import math
 from collections.abc import Iterable, Iterator, Mapping
@@ -25,7 +24,13 @@ from .states import HARD_CASE, UNDERCUT, USUAL, Bar, ShiftRule, States, judge, k
 ROUND = 10_000  # points of the lattice per unit of the shift
 HIGHEST = keys(Wheel)["profile_shift"].about.high or 3.0  # shift coefficient: the end of its input
 OTHERS = 1e-3  # weight of all meshes beside the largest sliding: it decides only what the largest leaves open
-GRID = {1: 41, 2: 33, 3: 15, 4: 9, 5: 7}  # points a side (odd), by the number of free shifts; there is no search for more
+GRID = {
+    1: 41,
+    2: 33,
+    3: 15,
+    4: 9,
+    5: 7,
+}  # points a side (odd), by the number of free shifts; there is no search for more
 KEPT = 40  # grids that are kept for another bar: each of four free shifts takes about 2 MB
 
 
@@ -40,7 +45,8 @@ class ShiftCase:
 
 @record
 class Best:
-    """A point of the lattice.  `margin`: the least of all rules there; negative: no point keeps them, and this misses by least.
+    """A point of the lattice.  `margin`: the least of all rules there; negative: no point keeps them, and this misses
+    by least.
 
     `wanted`: what is made least.
     """
@@ -52,7 +58,8 @@ class Best:
 
 @record
 class Slice:
-    """Every point of the lattice along one free shift, the others standing still.  `low`, `high`: wheels whose shift ends it."""
+    """Every point of the lattice along one free shift, the others standing still.  `low`, `high`: wheels whose shift
+    ends it."""
 
     freedom: Freedom
     leader: str
@@ -63,7 +70,9 @@ class Slice:
     high: str
 
 
-def evaluated(case: ShiftCase, freedom: Freedom, free: Mapping[str, float | Array], cuts: Mapping[str, float]) -> States:
+def evaluated(
+    case: ShiftCase, freedom: Freedom, free: Mapping[str, float | Array], cuts: Mapping[str, float]
+) -> States:
     return states(case.system, freedom.gears, freedom.shifts(free), cuts)
 
 
@@ -72,7 +81,9 @@ def ends(case: ShiftCase, freedom: Freedom) -> dict[str, tuple[float, float, str
     return freedom.bounds(one.undercut_limit, HIGHEST)
 
 
-def slice_of(case: ShiftCase, freedom: Freedom, at: Mapping[str, float] | None = None, bar: Bar = HARD_CASE) -> Slice | None:
+def slice_of(
+    case: ShiftCase, freedom: Freedom, at: Mapping[str, float] | None = None, bar: Bar = HARD_CASE
+) -> Slice | None:
     """Along the first free shift, the others at `at`; None where undercut leaves nothing between its two ends."""
     leader = freedom.free[0]
     points = along(case, freedom, leader, at or {})
@@ -82,8 +93,11 @@ def slice_of(case: ShiftCase, freedom: Freedom, at: Mapping[str, float] | None =
     return Slice(freedom, leader, *points, judge(points[1], case.system, bar), by_low, by_high)
 
 
-def along(case: ShiftCase, freedom: Freedom, leader: str, at: Mapping[str, float] | None = None) -> tuple[Array, States] | None:
-    """Every point of the lattice along one free shift, the others at `at`, else as they are; None where undercut leaves none."""
+def along(
+    case: ShiftCase, freedom: Freedom, leader: str, at: Mapping[str, float] | None = None
+) -> tuple[Array, States] | None:
+    """Every point of the lattice along one free shift, the others at `at`, else as they are; None where undercut leaves
+    none."""
     low, high, _, _ = ends(case, freedom)[leader]
     t = multiples(1, low * ROUND, high * ROUND) / ROUND
     others = {name: freedom.start[name] for name in freedom.free} if at is None else at
@@ -97,10 +111,15 @@ def objective(found: States) -> Array:
 
 
 def best(
-    case: ShiftCase, freedom: Freedom, cuts: Mapping[str, float], bar: Bar, near: Iterable[Mapping[str, float]] = (),
+    case: ShiftCase,
+    freedom: Freedom,
+    cuts: Mapping[str, float],
+    bar: Bar,
+    near: Iterable[Mapping[str, float]] = (),
     known: dict[bytes, States] | None = None,
-) -> Best | None:  # fmt: skip
-    """None where undercut leaves no shift at all.  `near`: shifts beside which several free ones are looked for as well.
+) -> Best | None:
+    """None where undercut leaves no shift at all.  `near`: shifts beside which several free ones are looked for as
+    well.
 
     `known`: grids that were evaluated with the same freedom and cuts for another bar; those of this one are put there.
     """
@@ -148,9 +167,11 @@ def refined(case: ShiftCase, freedom: Freedom, at: float, bar: Bar) -> tuple[flo
 
 # Between which shifts each rule holds, and what is said where nothing keeps them all.
 
+
 @record
 class Limit:
-    """Where one rule holds along the free shift, around the optimum or nearest to it; None: nowhere.  `low`, `high`: what ends it."""
+    """Where one rule holds along the free shift, around the optimum or nearest to it; None: nowhere.  `low`, `high`:
+    what ends it."""
 
     rule: ShiftRule
     range: tuple[float, float] | None
@@ -182,7 +203,11 @@ def _end(along: Slice, side: str) -> str:
     """The wheel that ends the slice: by undercut, or by the end of what can be given."""
     wheel, i = (along.low, 0) if side == "low" else (along.high, -1)
     x = float(along.states.shifts[wheel][i])
-    return wheel if x < along.states.undercut_limit[wheel] + 1e-3 else Text("{wheel} at x = {x}", wheel=wheel, x=Amount(x, digits=3))
+    return (
+        wheel
+        if x < along.states.undercut_limit[wheel] + 1e-3
+        else Text("{wheel} at x = {x}", wheel=wheel, x=Amount(x, digits=3))
+    )
 
 
 def too_narrow(case: ShiftCase, way: Freedom) -> NoSolution:
@@ -191,10 +216,16 @@ def too_narrow(case: ShiftCase, way: Freedom) -> NoSolution:
     low, high, by_low, by_high = bounds[leader]
     return NoSolution(
         Text("no profile shift keeps all wheels from undercut"),
-        Text("shift of {leader}: {low_wheel} needs at least {low}, {high_wheel} at most {high}", leader=leader, low_wheel=by_low,
-             low=Amount(low, form=".4f"), high_wheel=by_high, high=Amount(high, form=".4f")),
+        Text(
+            "shift of {leader}: {low_wheel} needs at least {low}, {high_wheel} at most {high}",
+            leader=leader,
+            low_wheel=by_low,
+            low=Amount(low, form=".4f"),
+            high_wheel=by_high,
+            high=Amount(high, form=".4f"),
+        ),
         Text("give a larger centre distance, more teeth, or a tool with a smaller addendum"),
-    )  # fmt: skip
+    )
 
 
 def nothing(along: Slice) -> NoSolution:
@@ -210,9 +241,16 @@ def nothing(along: Slice) -> NoSolution:
             low, high = (Amount(x, form=".4f") for x in limit.range)
             passes.append(Text("{rule}: from {low} to {high}", rule=rule, low=low, high=high))
     tried = Text(
-        "shift of {leader}, {low} to {high}, passes by {rules}. The nearest is {nearest}: {symbol} of {place} is {value}, needs {limit}",
-        leader=along.leader, low=Amount(along.t[0], form=".4f"), high=Amount(along.t[-1], form=".4f"), rules=SEMICOLON.join(passes),
-        nearest=Amount(along.t[i], form=".4f"), symbol=worst.rule.symbol, place=worst.where.name, value=float(worst.value[i]),
+        "shift of {leader}, {low} to {high}, passes by {rules}. The nearest is {nearest}: {symbol} of {place} is "
+        "{value}, needs {limit}",
+        leader=along.leader,
+        low=Amount(along.t[0], form=".4f"),
+        high=Amount(along.t[-1], form=".4f"),
+        rules=SEMICOLON.join(passes),
+        nearest=Amount(along.t[i], form=".4f"),
+        symbol=worst.rule.symbol,
+        place=worst.where.name,
+        value=float(worst.value[i]),
         limit=worst.rule.limit,
-    )  # fmt: skip
+    )
     return NoSolution(Text("no profile shift keeps every rule"), tried, worst.rule.advice)

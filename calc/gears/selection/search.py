@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """The search for shifts: a gear train in, rows to choose from out.
 
-In this order: the optimum of each way to leave shifts free, what each pair alone would want, round shifts around the optimum, tip cuts
-with the shifts as they are, and tip cuts with the shift that is then the best.
-"""
+In this order: the optimum of each way to leave shifts free, what each pair alone would want, round shifts around the
+optimum, tip cuts with the shifts as they are, and tip cuts with the shift that is then the best."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
@@ -63,7 +62,8 @@ class ShiftRow:
 
 @record
 class ShiftsFound:
-    """What there is to choose.  `now`: None where the design contradicts itself.  `along`: what limits, wants and curve belong to.
+    """What there is to choose.  `now`: None where the design contradicts itself.  `along`: what limits, wants and curve
+    belong to.
 
     Numbered through in this order: `optima`, `wants` that pass, `around`, `cut_now` that pass, `cut_best`.
     """
@@ -93,24 +93,32 @@ class ShiftsFound:
 
 
 def search(gears: GearsInputs, progress: Progress | None = None, axis: complex | None = None) -> ShiftsFound:
-    """`axis`: of the last wheel, from the crank's.  Raises NoSolution where no shift keeps every rule, with the rules that stop it."""
+    """`axis`: of the last wheel, from the crank's.  Raises NoSolution where no shift keeps every rule, with the rules
+    that stop it."""
     case = ShiftCase(tooth_system(gears), gears)
     every = freedoms(gears, case.system, axis)
     ways = tuple(one for one in every if len(one.free) in GRID)
     if not ways:
-        raise NoSolution(Text("more shifts are free than can be searched"), advice=Text("give the centre distances of the train"))
+        raise NoSolution(
+            Text("more shifts are free than can be searched"), advice=Text("give the centre distances of the train")
+        )
     now = _now(case)
     if now is not None and (bar := eased(now.states, case.system)) is not None:
         case = replace(case, bars=(*case.bars, bar))
     offered: list[ShiftRow] = []
     passed: set[Text] = set()
-    work = [0.0, *np.cumsum([GRID[len(way.free)] ** len(way.free) for way in ways])]  # candidates, which is what takes the time
+    work = [
+        0.0,
+        *np.cumsum([GRID[len(way.free)] ** len(way.free) for way in ways]),
+    ]  # candidates, which is what takes the time
     for n, way in enumerate(ways):
         here = part(progress, 0.5 * work[n] / work[-1], 0.5 * work[n + 1] / work[-1])
         within = [row for row in offered if row.freedom is not None and way.contains(row.freedom)]
         rows = _optima(case, way, within=within, progress=here)
         passed |= {way.name for _ in rows}
-        offered += [row for row in rows if not any(_shown(row) > _shown(one) for one in within if _keeps(case, one, row.bar))]
+        offered += [
+            row for row in rows if not any(_shown(row) > _shown(one) for one in within if _keeps(case, one, row.bar))
+        ]
     optima = sorted(offered, key=lambda row: (_shown(row), len(row.free)))
     main = next((row for row in optima if len(row.free) == 1), optima[0] if optima else None)
     way = main.freedom if main and main.freedom else min(ways, key=lambda way: len(way.free))
@@ -125,18 +133,35 @@ def search(gears: GearsInputs, progress: Progress | None = None, axis: complex |
     i = int(np.argmin(np.abs(along.t - nearest[along.leader])))
     exact = refined(case, way, nearest[along.leader], bar) if main and len(way.free) == 1 else None
     return ShiftsFound(
-        case=case, freedoms=ways, now=now, optima=tuple(optima), wants=tuple(_wants(case, along, nearest)),
-        around=tuple(_around(case, along, nearest, i)), cut_now=tuple(_cut_now(case, now)), cut_best=cut_best,
-        limits=tuple(limits(along, i)), along=along, exact=exact,
+        case=case,
+        freedoms=ways,
+        now=now,
+        optima=tuple(optima),
+        wants=tuple(_wants(case, along, nearest)),
+        around=tuple(_around(case, along, nearest, i)),
+        cut_now=tuple(_cut_now(case, now)),
+        cut_best=cut_best,
+        limits=tuple(limits(along, i)),
+        along=along,
+        exact=exact,
         refused=tuple(one.name for one in ways if one.name not in passed),
-        no_better=tuple(one.name for one in ways if one.name in passed and not any(row.freedom is one for row in optima)),
+        no_better=tuple(
+            one.name for one in ways if one.name in passed and not any(row.freedom is one for row in optima)
+        ),
         unsought=tuple(one.name for one in every if one not in ways),
-    )  # fmt: skip
+    )
 
 
-# --- rows ------------------------------------------------------------------------------------------------------------------
+# --- rows
+# ------------------------------------------------------------------------------------------------------------------
 def _row(
-    case: ShiftCase, name: Text, freedom: Freedom | None, free: Mapping[str, float], cuts: Mapping[str, float], made: States, wants: str = ""
+    case: ShiftCase,
+    name: Text,
+    freedom: Freedom | None,
+    free: Mapping[str, float],
+    cuts: Mapping[str, float],
+    made: States,
+    wants: str = "",
 ) -> ShiftRow:
     """Judged by the strictest limits that it keeps; where it keeps none, by the usual ones."""
     for bar in (*case.bars, USUAL):
@@ -150,7 +175,9 @@ def _row(
 
 def _now(case: ShiftCase) -> ShiftRow | None:
     train = settled(case.gears, case.system)
-    return None if train is None else _row(case, Text("now"), None, {}, {}, states(case.system, case.gears, train.shifts))
+    return (
+        None if train is None else _row(case, Text("now"), None, {}, {}, states(case.system, case.gears, train.shifts))
+    )
 
 
 def _shown(row: ShiftRow) -> float:
@@ -180,7 +207,9 @@ def _optima(
     for n, bar in enumerate(case.bars):
         tell(progress, n / len(case.bars), name or way.name)
         near = [row.states.shifts for row in within if _keeps(case, row, bar)]
-        one = best(case, way, cuts or {}, bar, [{name: float(x[0]) for name, x in shifts.items()} for shifts in near], known)
+        one = best(
+            case, way, cuts or {}, bar, [{name: float(x[0]) for name, x in shifts.items()} for shifts in near], known
+        )
         if one is not None and one.margin >= 0:
             row = _row(case, name or way.name, way, one.free, cuts or {}, evaluated(case, way, one.free, cuts or {}))
             if not found or _shown(row) < _shown(found[-1]):
@@ -214,10 +243,13 @@ def _around(case: ShiftCase, along: Slice, at: Mapping[str, float], i: int) -> l
     low = max(along.t[passing[0]], along.t[i] - EACH_SIDE * AROUND)
     high = min(along.t[passing[1]], along.t[i] + EACH_SIDE * AROUND)
     n = np.arange(np.ceil(low / AROUND - 1e-6), np.floor(high / AROUND + 1e-6) + 1)
-    return [_along(case, along, at, float(t), Text("round")) for t in np.round(n * AROUND, 4) + 0.0 if t != at[along.leader]]
+    return [
+        _along(case, along, at, float(t), Text("round")) for t in np.round(n * AROUND, 4) + 0.0 if t != at[along.leader]
+    ]
 
 
-# --- tip cuts --------------------------------------------------------------------------------------------------------------
+# --- tip cuts
+# --------------------------------------------------------------------------------------------------------------
 def cut_steps(case: ShiftCase, wheel: Wheel) -> list[float]:
     """None, steps of a round part of the module, and that of the design."""
     wanted = CUT_STEP * case.system.m_n * 1e3
@@ -237,8 +269,11 @@ def _cut_now(case: ShiftCase, now: ShiftRow | None) -> list[ShiftRow]:
     return found
 
 
-def _cut_best(case: ShiftCase, way: Freedom, uncut: Sequence[ShiftRow], progress: Progress | None = None) -> list[ShiftRow]:
-    """Cuts by which the largest sliding is less than without them and by a smaller cut of the wheel, or which keep stricter limits."""
+def _cut_best(
+    case: ShiftCase, way: Freedom, uncut: Sequence[ShiftRow], progress: Progress | None = None
+) -> list[ShiftRow]:
+    """Cuts by which the largest sliding is less than without them and by a smaller cut of the wheel, or which keep
+    stricter limits."""
     found = []
     for n, wheel in enumerate(case.gears.wheels):
         reached, steps = list(uncut), cut_steps(case, wheel)

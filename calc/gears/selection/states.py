@@ -31,12 +31,13 @@ ByWheel = Mapping[str, float | Array]  # numbers or arrays that go together
 
 @record
 class States:
-    """Arrays over the combinations, by wheel, by mesh, or by mesh and wheel.  Where wheels can not mesh: no number (nan).
+    """Arrays over the combinations, by wheel, by mesh, or by mesh and wheel.  Where wheels can not mesh: no number
+    (nan).
 
-    `sliding` and `sliding_lpstc`: signed, negative in the dedendum; the latter is no number where ε_α is not from 1 to 2.
-    `margin`: (d_N − d_Ff)/2 with the fillet of the thinnest tooth (x_E of the lower allowance); d_N: where the mate's tip arrives.
-    `clearance`: at the wheel's root.  `tip_thickness`: normal.  `largest`: |ζ| of all at the start of contact.
-    """
+    `sliding` and `sliding_lpstc`: signed, negative in the dedendum; the latter is no number where ε_α is not from 1 to
+    2. `margin`: (d_N − d_Ff)/2 with the fillet of the thinnest tooth (x_E of the lower allowance); d_N: where the
+    mate's tip arrives. `clearance`: at the wheel's root.  `tip_thickness`: normal.  `largest`: |ζ| of all at the start
+    of contact."""
 
     shifts: Mapping[str, Array]
     cuts: Mapping[str, Array]
@@ -81,9 +82,8 @@ class _Circles:
 def states(system: ToothSystem, gears: GearsInputs, shifts: ByWheel, cuts: ByWheel | None = None) -> States:
     """`shifts` of every wheel and `cuts` (left out: those of the design).
 
-    A mesh of `gears` with a centre distance has it; with any other the distance follows without backlash.  The shifts have to agree
-    with the given distances; who makes them so is `freedom`.
-    """
+    A mesh of `gears` with a centre distance has it; with any other the distance follows without backlash.  The shifts
+    have to agree with the given distances; who makes them so is `freedom`."""
     with np.errstate(invalid="ignore", divide="ignore"):
         return _states(system, gears, shifts, cuts or {})
 
@@ -94,10 +94,14 @@ def _states(system: ToothSystem, gears: GearsInputs, shifts: ByWheel, cuts: ByWh
     every = np.broadcast_arrays(*(np.atleast_1d(np.asarray(one, dtype=float)) for one in given))
     x, k = dict(zip(names, every)), dict(zip(names, every[len(names) :]))
     tool = system.h_fP, system.rho_aP0, system.alpha_n
-    limits = {w.name: f.undercut_limit(*tool, w.teeth, system.transverse_pressure_angle, system.beta) for w in gears.wheels}
+    limits = {
+        w.name: f.undercut_limit(*tool, w.teeth, system.transverse_pressure_angle, system.beta) for w in gears.wheels
+    }
     circles, tips = {}, {}
     for wheel in gears.wheels:
-        circles[wheel.name], tips[wheel.name] = _circles(system, wheel, each(x[wheel.name]), each(k[wheel.name]), limits[wheel.name])
+        circles[wheel.name], tips[wheel.name] = _circles(
+            system, wheel, each(x[wheel.name]), each(k[wheel.name]), limits[wheel.name]
+        )
     distances: dict[str, Array] = {}
     ratios: dict[str, Array] = {}
     parts: tuple[dict[Place, Array], ...] = ({}, {}, {}, {}, {})
@@ -107,9 +111,18 @@ def _states(system: ToothSystem, gears: GearsInputs, shifts: ByWheel, cuts: ByWh
         ratios[key] = _mesh(system, key, a_w, (circles[mesh.driver], circles[mesh.driven]), parts)
     sap, sliding, lpstc, margin, clearance = parts
     return States(
-        shifts=x, cuts=k, distances=distances, undercut_limit=limits, tip_thickness=tips, contact_ratio=ratios, sap_diameter=sap,
-        sliding=sliding, sliding_lpstc=lpstc, margin=margin, clearance=clearance,
-    )  # fmt: skip
+        shifts=x,
+        cuts=k,
+        distances=distances,
+        undercut_limit=limits,
+        tip_thickness=tips,
+        contact_ratio=ratios,
+        sap_diameter=sap,
+        sliding=sliding,
+        sliding_lpstc=lpstc,
+        margin=margin,
+        clearance=clearance,
+    )
 
 
 def _circles(s: ToothSystem, wheel: Wheel, x: Number, k: Metre, x_min: Number) -> tuple[_Circles, Array]:
@@ -117,20 +130,33 @@ def _circles(s: ToothSystem, wheel: Wheel, x: Number, k: Metre, x_min: Number) -
     d = f.reference_diameter(wheel.teeth, s.transverse_module)
     d_b = f.base_diameter(d, alpha_t)
     d_a = f.tip_diameter(d, s.m_n, x, k)
-    s_at = f.thickness_at(d_a, f.reference_thickness(s.m_n, x, s.alpha_n, s.beta), d, alpha_t, f.pressure_angle_at(d_b, d_a))
+    s_at = f.thickness_at(
+        d_a, f.reference_thickness(s.m_n, x, s.alpha_n, s.beta), d, alpha_t, f.pressure_angle_at(d_b, d_a)
+    )
     d_Ff = _form_diameter(s, wheel, x, x_min, d, d_b)
     lower = wheel.span_allowance[1] if wheel.span_allowance else None
-    thinnest = d_Ff if lower is None else _form_diameter(s, wheel, generating_shift(x, lower, s.m_n, s.alpha_n), x_min, d, d_b)
+    thinnest = (
+        d_Ff if lower is None else _form_diameter(s, wheel, generating_shift(x, lower, s.m_n, s.alpha_n), x_min, d, d_b)
+    )
     made = _Circles(
-        wheel=wheel, d=d, d_b=d_b, d_a=d_a, d_f=f.root_diameter(d, s.m_n, x, s.h_fP), rho_a=f.curvature_at(d_a, d_b),
-        rho_F=f.curvature_at(d_Ff, d_b), d_Ff_E=thinnest,
-    )  # fmt: skip
+        wheel=wheel,
+        d=d,
+        d_b=d_b,
+        d_a=d_a,
+        d_f=f.root_diameter(d, s.m_n, x, s.h_fP),
+        rho_a=f.curvature_at(d_a, d_b),
+        rho_F=f.curvature_at(d_Ff, d_b),
+        d_Ff_E=thinnest,
+    )
     return made, many(f.normal_thickness_at(s_at, s.beta, d_a, d))
 
 
 def _form_diameter(s: ToothSystem, wheel: Wheel, x: Number, x_min: Number, d: Metre, d_b: Metre) -> Metre:
-    """By the closed form; below x_min and for a tool with protuberance from the trochoid, of many shifts between a few of them."""
-    straight = f.form_diameter(d, s.transverse_pressure_angle, f.straight_flank_depth(s.m_n, s.h_fP, s.rho_aP0, s.alpha_n, x), d_b)
+    """By the closed form; below x_min and for a tool with protuberance from the trochoid, of many shifts between a few
+    of them."""
+    straight = f.form_diameter(
+        d, s.transverse_pressure_angle, f.straight_flank_depth(s.m_n, s.h_fP, s.rho_aP0, s.alpha_n, x), d_b
+    )
     shifts = many(x)
     crossed = np.full(shifts.shape, True) if s.s_pr > 0 else shifts < x_min
     if not crossed.any():
@@ -151,7 +177,9 @@ def _distance(s: ToothSystem, mesh: Mesh, circles: dict[str, _Circles], x: dict[
     return f.centre_distance(z_1, z_2, s.transverse_module, alpha_t, f.angle_of_involute(involute))
 
 
-def _mesh(s: ToothSystem, key: str, a_w: Metre, wheels: tuple[_Circles, _Circles], parts: tuple[dict[Place, Array], ...]) -> Array:
+def _mesh(
+    s: ToothSystem, key: str, a_w: Metre, wheels: tuple[_Circles, _Circles], parts: tuple[dict[Place, Array], ...]
+) -> Array:
     """Fill the parts of one mesh in; gives its contact ratio."""
     sap, sliding, lpstc, margin, clearance = parts
     one, two = wheels
@@ -174,6 +202,7 @@ def _mesh(s: ToothSystem, key: str, a_w: Metre, wheels: tuple[_Circles, _Circles
 
 # What a choice of shifts has to keep, all without unit: lengths in normal modules.
 
+
 @record
 class ShiftRule:
     """`hard`: the limit below which nothing is offered, even where the design itself stands below the usual `limit`."""
@@ -189,33 +218,68 @@ class ShiftRule:
 
 
 UNDERCUT = ShiftRule(
-    "undercut", Text("Shift above undercut"), Name("x − x_min"), Text("undercut"), 0.0, 0.0, ISO,
+    "undercut",
+    Text("Shift above undercut"),
+    Name("x − x_min"),
+    Text("undercut"),
+    0.0,
+    0.0,
+    ISO,
     Text("take more teeth, or a smaller tool addendum"),
-)  # fmt: skip
+)
 TIP = ShiftRule(
-    "tip_thickness", Text("Normal tip thickness"), Name("s_an/m_n"), Name("s_an"), p.TIP_THICKNESS, p.TIP_THICKNESS, p.PRACTICE,
+    "tip_thickness",
+    Text("Normal tip thickness"),
+    Name("s_an/m_n"),
+    Name("s_an"),
+    p.TIP_THICKNESS,
+    p.TIP_THICKNESS,
+    p.PRACTICE,
     Text("cut the tips"),
-)  # fmt: skip
+)
 HARDENED = replace(
-    TIP, key="tip_thickness_hardened", name=Text("Normal tip thickness, case-hardened"), limit=p.TIP_THICKNESS_HARDENED,
+    TIP,
+    key="tip_thickness_hardened",
+    name=Text("Normal tip thickness, case-hardened"),
+    limit=p.TIP_THICKNESS_HARDENED,
     hard=p.TIP_THICKNESS_HARDENED,
-)  # fmt: skip
+)
 CONTACT = ShiftRule(
-    "contact_ratio", Text("Transverse contact ratio"), Name("ε_α"), Name("ε_α"), p.USUAL_CONTACT_RATIO, p.CONTACT_RATIO, p.PRACTICE,
+    "contact_ratio",
+    Text("Transverse contact ratio"),
+    Name("ε_α"),
+    Name("ε_α"),
+    p.USUAL_CONTACT_RATIO,
+    p.CONTACT_RATIO,
+    p.PRACTICE,
     Text("cut less off the tips, or take more teeth of a smaller module"),
-)  # fmt: skip
+)
 FILLET = ShiftRule(
-    "above_fillet", Text("Start of contact above the fillet of the thinnest tooth"), Name("(d_N − d_Ff)/(2·m_n)"), Text("fillet"),
-    p.USUAL_ABOVE_FILLET, p.ABOVE_FILLET, p.PRACTICE, Text("cut the tip of the mate"),
-)  # fmt: skip
+    "above_fillet",
+    Text("Start of contact above the fillet of the thinnest tooth"),
+    Name("(d_N − d_Ff)/(2·m_n)"),
+    Text("fillet"),
+    p.USUAL_ABOVE_FILLET,
+    p.ABOVE_FILLET,
+    p.PRACTICE,
+    Text("cut the tip of the mate"),
+)
 CLEARANCE = ShiftRule(
-    "tip_clearance", Text("Tip clearance"), Name("c/m_n"), Name("c"), p.USUAL_TIP_CLEARANCE, p.TIP_CLEARANCE,
-    Text("rule of this program for choosing"), Text("cut the tip of the mate, or take a tool with a larger addendum"),
-)  # fmt: skip
+    "tip_clearance",
+    Text("Tip clearance"),
+    Name("c/m_n"),
+    Name("c"),
+    p.USUAL_TIP_CLEARANCE,
+    p.TIP_CLEARANCE,
+    Text("rule of this program for choosing"),
+    Text("cut the tip of the mate, or take a tool with a larger addendum"),
+)
 HARD_CASE = (UNDERCUT, HARDENED, CONTACT, FILLET, CLEARANCE)
 USUAL = (UNDERCUT, TIP, CONTACT, FILLET, CLEARANCE)
 
-Bar = tuple[ShiftRule, ShiftRule, ShiftRule, ShiftRule, ShiftRule]  # for the shift, the tips, the contact ratio, the start of contact, the clearance
+Bar = tuple[
+    ShiftRule, ShiftRule, ShiftRule, ShiftRule, ShiftRule
+]  # for the shift, the tips, the contact ratio, the start of contact, the clearance
 
 
 @record
@@ -248,7 +312,8 @@ def judge(found: States, system: ToothSystem, bar: Bar) -> list[Judged]:
 
 
 def eased(now: States, system: ToothSystem) -> Bar | None:
-    """For a design that stands below a usual limit: no worse than it, nor below what is hard.  None where it keeps them all, or can not."""
+    """For a design that stands below a usual limit: no worse than it, nor below what is hard.  None where it keeps them
+    all, or can not."""
     every = judge(now, system, USUAL)
     limits = {}
     for rule in USUAL:

@@ -25,7 +25,8 @@ BARS = {  # by which limits a row is judged: its word in a column, and what it s
 }
 
 EXPLAIN = Text(
-    "x: profile shifts. max |ζ_A|: the largest specific sliding at the start of contact, of which wheel/in mesh with which. margin: the "
+    "x: profile shifts. max |ζ_A|: the largest specific sliding at the start of contact, of which wheel/in mesh with "
+    "which. margin: the "
     "least of all rules, and by which (of undercut: the shift above it, in hundredths)."
 )
 
@@ -52,14 +53,21 @@ def wants_table(found: ShiftsFound) -> Table | None:
     if not found.wants:
         return None
     wheels = [w.name for w in found.case.gears.wheels]
-    columns = [*_columns(NUMBER, Text("pair")), *_shifts_of(wheels), *_columns(Text("its own max |ζ_A|"), LARGEST, OF, Text("breaks"))]
+    columns = [
+        *_columns(NUMBER, Text("pair")),
+        *_shifts_of(wheels),
+        *_columns(Text("its own max |ζ_A|"), LARGEST, OF, Text("breaks")),
+    ]
     cells: list[Cells] = []
     for row in found.wants:
         own = _round(float(row.states.largest_of(row.wants)[0]), 3)
         breaks = EMPTY if row.passes else _stopped(row)
         shifts = (_shift(row, name) for name in wheels)
         cells.append((found.number(row), row.name, *shifts, own, _round(row.largest, 3), _of(row.of), breaks))
-    title = Text("What each pair alone would want ({way}), and the largest sliding of the train with it", way=found.along.freedom.name)
+    title = Text(
+        "What each pair alone would want ({way}), and the largest sliding of the train with it",
+        way=found.along.freedom.name,
+    )
     return Table("wants", title, tuple(columns), tuple(cells))
 
 
@@ -90,7 +98,8 @@ def _rows_table(found: ShiftsFound, id: str, title: Text, rows: list[tuple[str, 
 
 
 def _with_bars(table: Table, rows: list[ShiftRow]) -> Table:
-    """The limits that each row keeps, of which its margin is: in a column of their own, in the note where they are the same."""
+    """The limits that each row keeps, of which its margin is: in a column of their own, in the note where they are the
+    same."""
     kept = [_kept(row) for row in rows]
     bars = [bar for bar in BARS if bar in kept]
     if len(bars) > 1:
@@ -142,9 +151,12 @@ def sliding_table(found: ShiftsFound, top: int) -> Table:
     columns += _columns(Name("s_an/m_n"), Text("above fillet/m_n"), Name("c/m_n"))
     cells: list[Cells] = []
     for n, row in _now(found) + _numbered(found, (*found.optima[:top], *found.wants)):
-        cells += [(n if i == 0 else "", *_mesh_cells(found, row, key)) for i, key in enumerate(row.states.contact_ratio)]
+        cells += [
+            (n if i == 0 else "", *_mesh_cells(found, row, key)) for i, key in enumerate(row.states.contact_ratio)
+        ]
     note = Text(
-        "Signed, negative in the dedendum: A at the start of contact, B at the lowest point of single contact. The last three: the less of "
+        "Signed, negative in the dedendum: A at the start of contact, B at the lowest point of single contact. The "
+        "last three: the less of "
         "both wheels; above fillet: (d_N − d_Ff)/2 of the thinnest tooth."
     )
     return Table("sliding", Text("Specific sliding in every mesh"), tuple(columns), tuple(cells), note)
@@ -154,9 +166,16 @@ def _mesh_cells(found: ShiftsFound, row: ShiftRow, key: str) -> Cells:
     s, m_n, pair = row.states, found.case.system.m_n, key.split("_")
     at: list[Place] = [(key, wheel) for wheel in pair]
     zeta = [float(s.sliding[p][0]) for p in at] + [float(s.sliding_lpstc[p][0]) for p in at]
-    lengths = (min(float(s.tip_thickness[w][0]) for w in pair), *(min(float(by[p][0]) for p in at) for by in (s.margin, s.clearance)))
+    lengths = (
+        min(float(s.tip_thickness[w][0]) for w in pair),
+        *(min(float(by[p][0]) for p in at) for by in (s.margin, s.clearance)),
+    )
     ratio, a_w = float(s.contact_ratio[key][0]), float(s.distances[key][0])
-    return (key.replace("_", "–"), _round(a_w * 1e3, 4), *(_round(x, 3) for x in (*zeta, ratio, *(length / m_n for length in lengths))))
+    return (
+        key.replace("_", "–"),
+        _round(a_w * 1e3, 4),
+        *(_round(x, 3) for x in (*zeta, ratio, *(length / m_n for length in lengths))),
+    )
 
 
 def limits_table(found: ShiftsFound) -> Table:
@@ -168,9 +187,16 @@ def limits_table(found: ShiftsFound) -> Table:
         rows.append((one.rule.name, needs, *ends))
     leader, way = found.along.leader, found.along.freedom.name
     columns = _columns(
-        Text("rule"), Text("needs"), Text("x {wheel} from", wheel=leader), Text("stopped by"), Text("to"), Text("stopped by ")
+        Text("rule"),
+        Text("needs"),
+        Text("x {wheel} from", wheel=leader),
+        Text("stopped by"),
+        Text("to"),
+        Text("stopped by "),
     )
-    note = Text("Around the optimum, or nearest to it. Where nothing is named the rule holds to the end of undercut, or x = 3.")
+    note = Text(
+        "Around the optimum, or nearest to it. Where nothing is named the rule holds to the end of undercut, or x = 3."
+    )
     title = Text("Where each rule stops the shift of {wheel} ({way})", wheel=leader, way=way)
     return Table("limits", title, tuple(columns), tuple(rows), note)
 
@@ -195,7 +221,8 @@ def cuts_now_table(found: ShiftsFound) -> Table | None:
                 start: Cells = (n, wheel.name, round(k * 1e3, 6)) if i == 0 else ("", "", None)
                 cells.append((*start, *_cut_cells(row, key, wheel.name), largest if i == 0 else None))
     note = Text(
-        "One wheel is cut at a time. c: at the root of the mate. max |ζ_A|: of the whole train. A row without number breaks a rule."
+        "One wheel is cut at a time. c: at the root of the mate. max |ζ_A|: of the whole train. A row without number "
+        "breaks a rule."
     )
     title = Text("Tip cuts with the shifts as they are: what they do to both wheels")
     return Table("tip_cuts_now", title, tuple(columns), tuple(cells), note)
@@ -216,24 +243,37 @@ def cuts_best_table(found: ShiftsFound, top: int) -> Table | None:
     free = found.along.freedom.free
     columns = [*_columns(NUMBER, Text("cut")), (Name("k"), "mm"), *_shifts_of(free), *VERDICT]
     cells = [
-        (found.number(row), row.name, round(row.cuts[row.name] * 1e3, 6), *(_shift(row, name) for name in free), *_verdict(row))
+        (
+            found.number(row),
+            row.name,
+            round(row.cuts[row.name] * 1e3, 6),
+            *(_shift(row, name) for name in free),
+            *_verdict(row),
+        )
         for row in found.cut_best[:top]
     ]
     left = len(found.cut_best) - len(cells)
-    note = Text("One wheel is cut at a time, the others as they are; only cuts that lower the largest sliding, or keep stricter limits.")
+    note = Text(
+        "One wheel is cut at a time, the others as they are; only cuts that lower the largest sliding, or keep "
+        "stricter limits."
+    )
     note += Text(" {n} more; --top N shows more.", n=left) if left else EMPTY
     title = Text("Tip cuts with their best shift ({way})", way=found.along.freedom.name)
     return _with_bars(Table("tip_cuts_best", title, tuple(columns), tuple(cells), note), list(found.cut_best[:top]))
 
 
-# --- words -----------------------------------------------------------------------------------------------------------------
+# --- words
+# -----------------------------------------------------------------------------------------------------------------
 def summary(found: ShiftsFound) -> tuple[Text, ...]:
     """Which shifts are free, in each way."""
     words = []
     for way in found.freedoms:
         more = EMPTY
         if way.held:
-            held = (Text("{mesh} at {a} mm", mesh=_name(found.case.gears, i), a=Amount(a * 1e3, form=".4f")) for i, a in way.held.items())
+            held = (
+                Text("{mesh} at {a} mm", mesh=_name(found.case.gears, i), a=Amount(a * 1e3, form=".4f"))
+                for i, a in way.held.items()
+            )
             more = Text(" Held: {distances}.", distances=COMMA.join(held))
         elif opened := [f"{m.driver}–{m.driven}" for m in way.gears.meshes if m.centre_distance is None]:
             more = Text(" The centre distance {meshes} follows without backlash.", meshes=", ".join(opened))
@@ -242,32 +282,52 @@ def summary(found: ShiftsFound) -> tuple[Text, ...]:
         elif way.name in found.no_better:
             more += Text(" Nothing better so.")
         words.append(Text("{way}: {free}", way=way.name, free=way.words) + more)
-    words += [Text("{way}: not searched, more than {n} shifts are free.", way=way, n=max(GRID)) for way in found.unsought]
+    words += [
+        Text("{way}: not searched, more than {n} shifts are free.", way=way, n=max(GRID)) for way in found.unsought
+    ]
     if found.exact is not None:
         x, zeta = Amount(found.exact[0], form=".6f"), Amount(found.exact[1], form=".5f")
         words.append(
             Text(
-                "Before rounding the optimum of {way} is x {wheel} = {x}: max |ζ_A| = {zeta}.", way=found.along.freedom.name,
-                wheel=found.along.leader, x=x, zeta=zeta,
+                "Before rounding the optimum of {way} is x {wheel} = {x}: max |ζ_A| = {zeta}.",
+                way=found.along.freedom.name,
+                wheel=found.along.leader,
+                x=x,
+                zeta=zeta,
             )
-        )  # fmt: skip
+        )
     return tuple(words)
 
 
 def notes(found: ShiftsFound) -> tuple[Text, ...]:
-    made = [Text(
-        "Kept by numbered rows: x ≥ x_min, s_an ≥ {tip}·m_n, ε_α ≥ {contact}, start of contact {fillet}·m_n above the fillet of the "
-        "thinnest tooth, and c ≥ {clearance}·m_n.",
-        tip=TIP.limit, contact=CONTACT.limit, fillet=FILLET.limit, clearance=CLEARANCE.limit,
-    )]  # fmt: skip
+    made = [
+        Text(
+            "Kept by numbered rows: x ≥ x_min, s_an ≥ {tip}·m_n, ε_α ≥ {contact}, start of contact {fillet}·m_n above "
+            "the fillet of the "
+            "thinnest tooth, and c ≥ {clearance}·m_n.",
+            tip=TIP.limit,
+            contact=CONTACT.limit,
+            fillet=FILLET.limit,
+            clearance=CLEARANCE.limit,
+        )
+    ]
     below = [n for n, row in enumerate(found.all, 1) if not row.usual]
     if below:
         pairs = [(one, usual) for one, usual in zip(found.case.bars[-1], USUAL) if one is not usual]
         lower = COMMA.join(
-            Text("{symbol} ≥ {limit} instead of {usual}", symbol=one.symbol, limit=Amount(one.limit, form=".4g"), usual=usual.limit)
+            Text(
+                "{symbol} ≥ {limit} instead of {usual}",
+                symbol=one.symbol,
+                limit=Amount(one.limit, form=".4g"),
+                usual=usual.limit,
+            )
             for one, usual in pairs
         )
-        made.append(Text("The design itself is below that. No worse than it ({limits}): {rows}.", limits=lower, rows=_rows(below)))
+        made.append(
+            Text(
+                "The design itself is below that. No worse than it ({limits}): {rows}.", limits=lower, rows=_rows(below)
+            )
+        )
     thin, limit = [n for n, row in enumerate(found.all, 1) if _thinnest(found, row) < HARDENED.limit], HARDENED.limit
     if thin:
         made.append(Text("Tips under {limit}·m_n, not for case-hardened teeth: {rows}.", limit=limit, rows=_rows(thin)))
@@ -275,11 +335,15 @@ def notes(found: ShiftsFound) -> tuple[Text, ...]:
         made.append(Text("All have tips for case-hardened teeth ({limit}·m_n).", limit=limit))
     return (
         *made,
-        Text("Shifts are multiples of 0.0001. What follows from a centre distance or from the design's own rules has no key in the file."),
         Text(
-            "Spans, sizes over balls, backlash and root stresses change with the shifts: `contralbero check FILE --step gears` shows them."
+            "Shifts are multiples of 0.0001. What follows from a centre distance or from the design's own rules has "
+            "no key in the file."
         ),
-    )  # fmt: skip
+        Text(
+            "Spans, sizes over balls, backlash and root stresses change with the shifts: `contralbero check FILE "
+            "--step gears` shows them."
+        ),
+    )
 
 
 def _rows(numbers: list[int]) -> Text:
@@ -313,4 +377,7 @@ def changed(row: ShiftRow) -> Text:
     if row.freedom is not None:
         held = ((_name(row.freedom.gears, i), Amount(a * 1e3, form=".4f")) for i, a in row.freedom.held.items())
         words += [Text("{mesh} {a} mm", mesh=mesh, a=a) for mesh, a in held]
-    return COMMA.join(words + [Text("tip cut {wheel} {k}", wheel=name, k=Amount(k * 1e3, "mm", form="g")) for name, k in row.cuts.items()])
+    return COMMA.join(
+        words
+        + [Text("tip cut {wheel} {k}", wheel=name, k=Amount(k * 1e3, "mm", form="g")) for name, k in row.cuts.items()]
+    )

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""One class: its films and shafts, and the front of all their combinations.  It keeps no state: the same rows wherever it runs."""
+"""One class: its films and shafts, and the front of all their combinations.  It keeps no state: the same rows wherever
+it runs."""
 
 from dataclasses import replace
 from typing import Any
@@ -40,8 +41,8 @@ PROBED = 1.5  # ‰ of the diameter: a clearance that most journals have a film 
 
 @record
 class ClassFront:
-    """What one class gives.  `combinations` that were looked at; `crank`: crank power over that of both journals, intercept and slope;
-    `wheels`: mass of those that are not on the shaft."""
+    """What one class gives.  `combinations` that were looked at; `crank`: crank power over that of both journals,
+    intercept and slope; `wheels`: mass of those that are not on the shaft."""
 
     rows: DriveRows
     combinations: int
@@ -51,7 +52,8 @@ class ClassFront:
 
 
 def based(problem: Problem, choices: dict[str, Any]) -> Document:
-    """The document of a class with sizes that solve if any do: the largest seat, the shortest journals, the smallest core."""
+    """The document of a class with sizes that solve if any do: the largest seat, the shortest journals, the smallest
+    core."""
     document = problem.start
     seat = problem.sizes[f"bearings.{problem.seat}.diameter_mm"]
     small = "front" if problem.seat == "rear" else "rear"
@@ -74,19 +76,25 @@ def not_closed(made: Design, results: Results) -> Text:
         return Text("the shaft has more than two supports")
     if shaft.sections:
         return Text("the sections of the shaft are given")
-    if shaft.extras or (shaft.gear_z is not None and shaft.bearing_positions[0] < shaft.gear_z < shaft.bearing_positions[1]):
+    if shaft.extras or (
+        shaft.gear_z is not None and shaft.bearing_positions[0] < shaft.gear_z < shaft.bearing_positions[1]
+    ):
         return Text("further elements stand on the shaft")
     if bearings.supply == "axial_groove":
         return Text("films between axial grooves are not known on arrays")
     if any(getattr(bearings, place).load is not None for place in ("front", "rear")):
         return Text("loads of the bearings are given")
-    if solved is not None and solved.force * (shaft.bearing_positions[1] - shaft.bearing_positions[0]) > PURE * solved.couple:
+    if (
+        solved is not None
+        and solved.force * (shaft.bearing_positions[1] - shaft.bearing_positions[0]) > PURE * solved.couple
+    ):
         return Text("the shaft takes a force beside the couple")
     return EMPTY
 
 
 def class_of(problem: Problem, choices: dict[str, Any]) -> ClassFront:
-    """The front of one class on arrays.  Raises NoSolution where its loads can not be known, or the closed form does not hold."""
+    """The front of one class on arrays.  Raises NoSolution where its loads can not be known, or the closed form does
+    not hold."""
     with untraced():
         made, results = _solved(problem, choices)
         drive, sizes = _put(problem, made, results)
@@ -115,7 +123,9 @@ def _solved(problem: Problem, choices: dict[str, Any]) -> tuple[Design, Results]
     try:
         made = design(based(problem, choices))
     except BadInput as bad:
-        raise NoSolution(Text("no sizes in the ranges make a design"), Text("{why}", why=str(bad.errors[0].reason))) from None
+        raise NoSolution(
+            Text("no sizes in the ranges make a design"), Text("{why}", why=str(bad.errors[0].reason))
+        ) from None
     results = solve(made)
     if (shaft := results.outcomes["countershaft"]).state != "solved":
         raise NoSolution(Text("even the largest envelope of the ranges does not hold the couple"), shaft.reason)
@@ -146,9 +156,19 @@ def drive_of(made: Design, results: Results, filleted: bool = True) -> ShaftSurr
     gear = shaft_gear(made, results.result(TrainResult))
     z_1, z_2 = shaft.bearing_positions
     clearance = max(made.bearings.front.diameter, made.bearings.rear.diameter) / 2 - (shaft.outer_radius or 0.0)  # type: ignore[union-attr]
-    drive = ShaftSurroundings(made.materials[shaft.material], float(solved.couple), abs(float(solved.omega)), (z_1, z_2), clearance,
-        shaft.fillet_radius or 0.0, shaft.sector_effectiveness, (gear.diameter, gear.face_width) if gear else None, filleted,
-        gear_z=shaft.gear_z, holes=shaft.holes)  # fmt: skip
+    drive = ShaftSurroundings(
+        made.materials[shaft.material],
+        float(solved.couple),
+        abs(float(solved.omega)),
+        (z_1, z_2),
+        clearance,
+        shaft.fillet_radius or 0.0,
+        shaft.sector_effectiveness,
+        (gear.diameter, gear.face_width) if gear else None,
+        filleted,
+        gear_z=shaft.gear_z,
+        holes=shaft.holes,
+    )
     own = made.bearings
     if own is None or solved.slope_front is None or solved.slope_rear is None:
         return drive
@@ -166,7 +186,9 @@ def sizes_of(problem: Problem, made: Design, results: Results, drive: ShaftSurro
     R, r_0 = float(seats.max()) / 2 - drive.clearance, float(core.min())
     longest = {place: drive.longest(n, R, r_0) for n, place in enumerate(("front", "rear"))}
     found = {
-        place: _over_diameters(problem, place, tasks[place], variant, longest[place], _beside(problem, place, made, results))
+        place: _over_diameters(
+            problem, place, tasks[place], variant, longest[place], _beside(problem, place, made, results)
+        )
         for place in tasks
     }
     gear = shaft_gear(made, results.result(TrainResult))
@@ -199,7 +221,9 @@ def _surface(one: tuple[float, float] | None, made: Design) -> tuple[tuple[float
     return front, rear
 
 
-def _over_diameters(problem: Problem, place: str, task: BearingTask, variant: Variant, longest: float, beside: Beside) -> list[Films]:
+def _over_diameters(
+    problem: Problem, place: str, task: BearingTask, variant: Variant, longest: float, beside: Beside
+) -> list[Films]:
     advice = [name for name in ADVICE if problem.binds(f"bearings.{place}.{name}")]
     ratios = task.rules["length_ratio_usual" if "length_ratio_usual" in advice else "length_ratio"].check.limit
     assert isinstance(ratios, tuple)
@@ -207,7 +231,11 @@ def _over_diameters(problem: Problem, place: str, task: BearingTask, variant: Va
     found: list[Films] = []
     for d in problem.sizes[f"bearings.{place}.diameter_mm"] or ():
         at = replace(task.at_diameter(d * 1e-3), clearance=0.0)  # the design's own is not one of the steps
-        l = lengths(at, longest, ratios) if given is None else _within(np.array(given) * 1e-3, least_length(at) - LENGTH_STEP, longest)
+        l = (
+            lengths(at, longest, ratios)
+            if given is None
+            else _within(np.array(given) * 1e-3, least_length(at) - LENGTH_STEP, longest)
+        )
         if l.size and (one := films(at, variant, l, advice, problem.cycle, beside)) is not None and one.kept.any():
             found.append(one)
     return found
@@ -221,8 +249,14 @@ def sized(problem: Problem, choices: dict[str, Any], rows: DriveRows, n: int) ->
     """One row in the units of the keys."""
     mm = {name: round(float(getattr(rows, name)[n]) * 1e3, 6) for name in ("core", *_SIZES)}
     um = {place: round(float(getattr(rows, f"{place}_clearance")[n]) * 1e6, 6) for place in ("front", "rear")}
-    return Sized(choices, mm["core"], {p: mm[f"{p}_diameter"] for p in um}, {p: mm[f"{p}_length"] for p in um}, um,
-        problem.surfaces[int(rows.surface[n])])  # fmt: skip
+    return Sized(
+        choices,
+        mm["core"],
+        {p: mm[f"{p}_diameter"] for p in um},
+        {p: mm[f"{p}_length"] for p in um},
+        um,
+        problem.surfaces[int(rows.surface[n])],
+    )
 
 
 _SIZES = ("front_diameter", "front_length", "rear_diameter", "rear_length")

@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The front of one class: every combination of core, both journals and surfaces, the clearances chosen by what the slopes ask for.
+"""The front of one class: every combination of core, both journals and surfaces, the clearances chosen by what the
+slopes ask for.
 
-A combination passes where each journal bears its slope (films.py) in its shaft (shafts.py).  For every core, length, largest seat and level
-of margin the clearance of least power is read from a table over the slope; the table's steps are a thousandth of the slope's limit, and a
-slope counts as the next step above it, so that nothing passes by rounding.  The smaller journal is taken at every diameter that rubs less
-than all smaller ones: a larger one is heavier, and what it stiffens is counted in its own slope (in the other's, a thousandth of it, as if
-it were the stiffest).
-"""
+A combination passes where each journal bears its slope (films.py) in its shaft (shafts.py).  For every core, length,
+largest seat and level of margin the clearance of least power is read from a table over the slope; the table's steps are
+a thousandth of the slope's limit, and a slope counts as the next step above it, so that nothing passes by rounding.
+The smaller journal is taken at every diameter that rubs less than all smaller ones: a larger one is heavier, and what
+it stiffens is counted in its own slope (in the other's, a thousandth of it, as if it were the stiffest)."""
 
 from collections.abc import Iterator, Sequence
 
@@ -26,7 +26,8 @@ COARSE = 16  # every so-many-th combination makes the first front, which most ot
 
 @record
 class Sizes:
-    """What is combined within a class, SI: cores, surfaces of both journals, margins, films of both places over their diameters.
+    """What is combined within a class, SI: cores, surfaces of both journals, margins, films of both places over their
+    diameters.
 
     `seat`: "front" or "rear", the place of the largest journal; the other is never larger.
     """
@@ -45,7 +46,8 @@ class Sizes:
 
 @record
 class DriveRows:
-    """Combinations, an array each: sizes in SI, `power` of both journals, `mass` of the shaft, the number of its `surface`."""
+    """Combinations, an array each: sizes in SI, `power` of both journals, `mass` of the shaft, the number of its
+    `surface`."""
 
     core: Array
     front_diameter: Array
@@ -72,15 +74,18 @@ class DriveRows:
 
 
 def joined(parts: Sequence[DriveRows]) -> DriveRows:
-    return DriveRows(**{name: np.concatenate([getattr(part, name) for part in parts]) for name in DriveRows.__dataclass_fields__})
+    return DriveRows(
+        **{name: np.concatenate([getattr(part, name) for part in parts]) for name in DriveRows.__dataclass_fields__}
+    )
 
 
 @record
 class _Small:
-    """The smaller journal by length and step of slope: the least power of ever larger diameters, each less than that of the one before.
+    """The smaller journal by length and step of slope: the least power of ever larger diameters, each less than that of
+    the one before.
 
-    `power` and `diameter`: choices down, then lengths, then steps; `other`: what its bending adds to the other's slope, by length.
-    """
+    `power` and `diameter`: choices down, then lengths, then steps; `other`: what its bending adds to the other's slope,
+    by length."""
 
     length: Array
     power: Array
@@ -128,7 +133,9 @@ def _table(sizes: Sizes, films: Films, own: Array, surface: int, margin: Number)
     return least
 
 
-def _small(drive: ShaftSurroundings, sizes: Sizes, place: str, surface: int, margin: Number, lengths: Array) -> _Small | None:
+def _small(
+    drive: ShaftSurroundings, sizes: Sizes, place: str, surface: int, margin: Number, lengths: Array
+) -> _Small | None:
     layers_P: list[Array] = []
     layers_D: list[Array] = []
     best = np.full((lengths.size, STEPS + 1), np.inf)
@@ -154,7 +161,9 @@ def _small(drive: ShaftSurroundings, sizes: Sizes, place: str, surface: int, mar
     return _Small(lengths, np.array(layers_P), np.array(layers_D), other) if layers_P else None
 
 
-def _with_seat(drive: ShaftSurroundings, sizes: Sizes, small: _Small, big: Films, surface: int, margin: Number) -> DriveRows | None:
+def _with_seat(
+    drive: ShaftSurroundings, sizes: Sizes, small: _Small, big: Films, surface: int, margin: Number
+) -> DriveRows | None:
     """The front of power and mass with one largest journal."""
     front_is_small = sizes.seat == "rear"
     d = big.task.diameter
@@ -163,7 +172,9 @@ def _with_seat(drive: ShaftSurroundings, sizes: Sizes, small: _Small, big: Films
     unit = sizes.limit / STEPS
     own, there = (1, 0) if front_is_small else (0, 1)  # places of the big and of the small journal among the slopes
     with np.errstate(invalid="ignore"):
-        s_big = np.ceil(drive.turning(own, shaft.mass, shaft.slopes[own] + _along(small.other, not front_is_small)) / unit - 1e-9)
+        s_big = np.ceil(
+            drive.turning(own, shaft.mass, shaft.slopes[own] + _along(small.other, not front_is_small)) / unit - 1e-9
+        )
         s_small = np.ceil(drive.turning(there, shaft.mass, shaft.slopes[there]) / unit - 1e-9)
         fits = shaft.fits & (s_big <= STEPS) & (s_small <= STEPS)
     if not fits.any():
@@ -180,23 +191,38 @@ def _with_seat(drive: ShaftSurroundings, sizes: Sizes, small: _Small, big: Films
         if there_is.any():
             at = index[there_is]
             diameter = diameter[there_is]
-            found.append((power[there_is], base[at] + journal_mass(drive, diameter, small.length[i_s[at]]), diameter, at))
+            found.append(
+                (power[there_is], base[at] + journal_mass(drive, diameter, small.length[i_s[at]]), diameter, at)
+            )
     if not found:
         return None
     power, mass, diameter, at = (np.concatenate(x) for x in zip(*found))
     chosen = _least(power, mass)
     at = at[chosen]
     slopes = s_big[fits][at] * unit, s_small[fits][at] * unit
-    return _rows(drive, sizes, big, small, surface, margin, (i_c[at], i_s[at], i_b[at]), diameter[chosen], slopes,
-        (power[chosen], mass[chosen]))  # fmt: skip
+    return _rows(
+        drive,
+        sizes,
+        big,
+        small,
+        surface,
+        margin,
+        (i_c[at], i_s[at], i_b[at]),
+        diameter[chosen],
+        slopes,
+        (power[chosen], mass[chosen]),
+    )
 
 
 def _shafts(drive: ShaftSurroundings, core: Array, l_f: Array, l_r: Array, d: Metre, front_is_small: bool) -> Shafts:
-    """With the rear journal's own bending and mass within: where the rear one is the smaller, those are taken out again."""
+    """With the rear journal's own bending and mass within: where the rear one is the smaller, those are taken out
+    again."""
     shaft = shafts(drive, core, l_f, l_r, d, d)
     slopes, mass = list(shaft.slopes), shaft.mass
     if not front_is_small:
-        for n, (rear, front_) in enumerate(zip(journal_slopes(drive, False, d, l_r), journal_slopes(drive, True, d, l_f))):
+        for n, (rear, front_) in enumerate(
+            zip(journal_slopes(drive, False, d, l_r), journal_slopes(drive, True, d, l_f))
+        ):
             slopes[n] = slopes[n] - rear[None, None, :] + front_[None, :, None]
         mass = mass - journal_mass(drive, d, l_r)[None, None, :] + journal_mass(drive, d, l_f)[None, :, None]
     return Shafts(shaft.face, (slopes[0], slopes[1]), mass, shaft.fits)
@@ -215,9 +241,17 @@ def _least(power: Array, mass: Array) -> IndexArray:
 
 
 def _rows(
-    drive: ShaftSurroundings, sizes: Sizes, big: Films, small: _Small, surface: int, margin: Number, at: tuple[IndexArray, IndexArray, IndexArray],
-    diameter: Array, slopes: tuple[Array, Array], known: tuple[Array, Array],
-) -> DriveRows:  # fmt: skip
+    drive: ShaftSurroundings,
+    sizes: Sizes,
+    big: Films,
+    small: _Small,
+    surface: int,
+    margin: Number,
+    at: tuple[IndexArray, IndexArray, IndexArray],
+    diameter: Array,
+    slopes: tuple[Array, Array],
+    known: tuple[Array, Array],
+) -> DriveRows:
     """The clearances of the rows that are kept: those of least power that bear their slopes."""
     i_c, i_s, i_b = at
     place = "front" if sizes.seat == "rear" else "rear"

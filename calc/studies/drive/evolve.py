@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """The search without proof: NSGA-II over whole solutions, where films and shafts can not be combined on arrays.
 
-A force beside the couple, further elements, axial grooves, loads that are given: each candidate is solved whole, and its limits are the
-constraints.  What comes out passes as anything else that is shown; that nothing better exists is not known, and is not said.
-Deb, Pratap, Agarwal & Meyarivan 2002, A fast and elitist multiobjective genetic algorithm: NSGA-II; by pymoo, an extra.
-"""
+A force beside the couple, further elements, axial grooves, loads that are given: each candidate is solved whole, and
+its limits are the constraints.  What comes out passes as anything else that is shown; that nothing better exists is not
+known, and is not said. Deb, Pratap, Agarwal & Meyarivan 2002, A fast and elitist multiobjective genetic algorithm:
+NSGA-II; by pymoo, an extra."""
 
 from collections.abc import Callable
 from typing import Any
@@ -41,11 +41,14 @@ def may(problem: Problem) -> Text | None:
 
 
 def evolved(
-    problem: Problem, evaluations: int = EVALUATIONS, seed: int = 1, told: Callable[[int, int, int], None] | None = None,
+    problem: Problem,
+    evaluations: int = EVALUATIONS,
+    seed: int = 1,
+    told: Callable[[int, int, int], None] | None = None,
     enough: Callable[[], bool] = bool,
-) -> FrontFound:  # fmt: skip
-    """The best of some whole solutions, and where none passes what they break.  `told`: how many are done, of how many, how many pass.
-    `enough`, asked after each of them, ends it.
+) -> FrontFound:
+    """The best of some whole solutions, and where none passes what they break.  `told`: how many are done, of how many,
+    how many pass. `enough`, asked after each of them, ends it.
 
     Raises NoSolution where pymoo is not installed, or the shaft is none that is sized.
     """
@@ -58,7 +61,9 @@ def evolved(
         from pymoo.operators.mutation.pm import PM
         from pymoo.optimize import minimize
     except ImportError:
-        why = Text("the front of this drive can not be proved on arrays, and the search without proof needs {what}", what=NEEDS)
+        why = Text(
+            "the front of this drive can not be proved on arrays, and the search without proof needs {what}", what=NEEDS
+        )
         raise NoSolution(why) from None
     space = _Space(problem)
 
@@ -78,7 +83,9 @@ def evolved(
             if told is not None:
                 told(len(space.known), evaluations, len(space.passing))
 
-    algorithm = NSGA2(pop_size=POPULATION, crossover=SBX(prob=0.9, eta=10), mutation=PM(eta=15), eliminate_duplicates=True)
+    algorithm = NSGA2(
+        pop_size=POPULATION, crossover=SBX(prob=0.9, eta=10), mutation=PM(eta=15), eliminate_duplicates=True
+    )
     try:
         minimize(_Drives(), algorithm, ("n_eval", evaluations), seed=seed)
     except _Enough:
@@ -118,7 +125,8 @@ class _Space:
         return dict.fromkeys(("front", "rear"), max(x or 0.0 for x in widths) * 1e3)
 
     def sized(self, x: Array) -> Sized:
-        """The drive at a point: class, surfaces, core, diameters, then of each journal l/d and clearance over diameter."""
+        """The drive at a point: class, surfaces, core, diameters, then of each journal l/d and clearance over
+        diameter."""
         problem, sizes = self.problem, self.problem.sizes
         small = "front" if problem.seat == "rear" else "rear"
         seat = _at(sizes[f"bearings.{problem.seat}.diameter_mm"] or (), x[3])
@@ -132,13 +140,25 @@ class _Space:
             length[place] = _at(given, u) if given else round((low + u * (high - low)) / LENGTH_STEP) * LENGTH_STEP
             clearance[place] = round((NARROWEST + v * (WIDEST - NARROWEST)) * d * 1e3 / CLEARANCE_STEP) * CLEARANCE_STEP
         return Sized(
-            _at(tuple(problem.classes), x[0]), _at(sizes[CORE] or (), x[2]), diameter, length, clearance, _at(problem.surfaces, x[1])
+            _at(tuple(problem.classes), x[0]),
+            _at(sizes[CORE] or (), x[2]),
+            diameter,
+            length,
+            clearance,
+            _at(problem.surfaces, x[1]),
         )
 
     def scored(self, x: Array) -> tuple[Array, float]:
         """Objectives, each to be small, and by how much the limits are broken."""
         sized = self.sized(x)
-        key = (str(sized.choices), sized.core, *sized.diameter.values(), *sized.length.values(), *sized.clearance.values(), sized.surface)
+        key = (
+            str(sized.choices),
+            sized.core,
+            *sized.diameter.values(),
+            *sized.length.values(),
+            *sized.clearance.values(),
+            sized.surface,
+        )
         if key not in self.known:
             one, results = whole(self.problem, sized, self.before)
             self.before = results or self.before
@@ -153,11 +173,15 @@ class _Space:
         rows = np.array([row for _, row in good]).reshape(-1, len(problem.objectives))
         kept = front(np.round(rows, 9)) if len(good) else np.zeros(0, dtype=int)
         chosen = representatives(rows[kept], units, problem.rows)
-        drives = sorted((good[int(kept[n])][0] for n in chosen), key=lambda one: (one.objectives["power"], str(one.changes)))
+        drives = sorted(
+            (good[int(kept[n])][0] for n in chosen), key=lambda one: (one.objectives["power"], str(one.changes))
+        )
         worst = sorted((one for one in every if one[0].broken), key=lambda one: one[2])[:10]
         nothing = DriveRows(*(np.zeros(0) for _ in DriveRows.__dataclass_fields__))
         known = FrontTable(joined([nothing]), np.zeros(0, dtype=int), rows[kept], len(every), ())
-        return FrontFound(problem, known, tuple(drives), tuple(one for one, _, _ in worst), len(problem.classes), proved=False)
+        return FrontFound(
+            problem, known, tuple(drives), tuple(one for one, _, _ in worst), len(problem.classes), proved=False
+        )
 
 
 def _at(values: tuple[Any, ...], share: float) -> Any:

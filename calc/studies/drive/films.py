@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """One journal over diameter, length and clearance: what it rubs, and the slope that its film still bears.
 
-The films and the rules are those of the search for bearings, in its states at the corners of the tolerances.  Only the film at the edge
-knows the slope, and it does so in closed form: h − θ·l/2 ≥ (1 + margin)·h_K.
-"""
+The films and the rules are those of the search for bearings, in its states at the corners of the tolerances.  Only the
+film at the edge knows the slope, and it does so in closed form: h − θ·l/2 ≥ (1 + margin)·h_K."""
 
 from collections.abc import Sequence
 from dataclasses import replace
@@ -18,7 +17,17 @@ from ...bearings.loads import SMALL
 from ...bearings.routes import supply
 from ...bearings.routes.balance import settled
 from ...bearings.routes.states import BearingCase, Film, OperatingPoint
-from ...bearings.selection.grid import FEW, KEPT, LENGTH_STEP, OF_FILM, WIDEST, clearances, field_over, over_lengths, widest_usual
+from ...bearings.selection.grid import (
+    FEW,
+    KEPT,
+    LENGTH_STEP,
+    OF_FILM,
+    WIDEST,
+    clearances,
+    field_over,
+    over_lengths,
+    widest_usual,
+)
 from ...bearings.selection.states import BALANCED, HOT, BearingTask, judge
 from ...bearings.selection.variants import SUPPLIES, Variant
 from ...bearings.speeds import at_speeds, sweep_points
@@ -29,16 +38,21 @@ from ...sheet.record import record
 from ...sheet.search import multiples
 from ...sheet.units import Metre, Newton, Number, Radian, Watt
 
-# Films beside those of the corners: over the speeds of the engine, and over a turn with what stands still (weight and gear force).
+# Films beside those of the corners: over the speeds of the engine, and over a turn with what stands still (weight and
+# gear force).
 #
-# Both are those of the nominal clearance.  Where they are thinner than at the corners, they say what slope a journal bears.
+# Both are those of the nominal clearance.  Where they are thinner than at the corners, they say what slope a journal
+# bears.
 
-NEAR = 1.05  # of the film at the corners: speeds whose film is thicker than that at a few sizes are not looked at; rule of this program
+# of the film at the corners: speeds whose film is thicker than that at a few sizes are not looked at; rule of this
+# program
+NEAR = 1.05
 
 
 @record
 class Stands:
-    """What stands still on a bearing of one shaft: of its weight and of its gear, whose force goes with the power of the journals."""
+    """What stands still on a bearing of one shaft: of its weight and of its gear, whose force goes with the power of
+    the journals."""
 
     weight: Newton
     gear: Newton
@@ -52,14 +66,18 @@ class Stands:
 
 @record
 class Beside:
-    """`bench`: rows of the engine, None: films over the speeds are no limit; `standing`: what stands still, None: likewise."""
+    """`bench`: rows of the engine, None: films over the speeds are no limit; `standing`: what stands still, None:
+    likewise."""
 
     bench: tuple[BenchPoint, ...] | None = None
     standing: Stands | None = None
 
 
-def over_speeds(task: BearingTask, variant: Variant, length: Array, g: Array, corners: Array, bench: tuple[BenchPoint, ...]) -> Array | None:
-    """The thinnest film over the speeds that govern; None where that of the corners is thinner at every one of a few sizes."""
+def over_speeds(
+    task: BearingTask, variant: Variant, length: Array, g: Array, corners: Array, bench: tuple[BenchPoint, ...]
+) -> Array | None:
+    """The thinnest film over the speeds that govern; None where that of the corners is thinner at every one of a few
+    sizes."""
     rows, columns = (np.unique(np.linspace(0, n - 1, 2).astype(int)) for n in (g.size, length.size))
     seat, at = sweep_points(task.seat, task.duty.speed, bench, task.duty)
     rated = task.duty.speed if task.seat.inputs.speed_range is None else np.inf
@@ -83,7 +101,8 @@ def over_speeds(task: BearingTask, variant: Variant, length: Array, g: Array, co
 
 
 def over_a_turn(task: BearingTask, length: Array, g: Array, stands: Stands) -> Array:
-    """The film over the orbit, as bearings/stationary_load has it; where that is not known, under the largest load of the turn."""
+    """The film over the orbit, as bearings/stationary_load has it; where that is not known, under the largest load of
+    the turn."""
     few, between = over_lengths(length)
     seat, load = _sized(task.seat, few[None, :], g[:, None]), task.duty.load
     with np.errstate(all="ignore"):
@@ -102,8 +121,10 @@ def _over_orbit(film: Film, task: BearingTask, seat: BearingCase, length: Array,
     inputs, duty = seat.inputs, task.duty
     there = np.isfinite(many(film.film))
     over = np.full(there.shape, np.nan)
-    eps, phi, h_0, g = (each(np.broadcast_to(many(x), there.shape)[there]) for x in (
-        film.eccentricity, film.attitude if film.attitude is not None else np.nan, film.film, film.clearance))  # fmt: skip
+    eps, phi, h_0, g = (
+        each(np.broadcast_to(many(x), there.shape)[there])
+        for x in (film.eccentricity, film.attitude if film.attitude is not None else np.nan, film.film, film.clearance)
+    )
     bare = supply.bare_length(inputs, length[there])
     ratio = f.length_ratio(l=each(bare / 2 if supply.lands(inputs) == 2 else bare), d=task.diameter)
     try:
@@ -113,11 +134,15 @@ def _over_orbit(film: Film, task: BearingTask, seat: BearingCase, length: Array,
     F, omega = duty.load, f.angular_speed(n=duty.effective_speed)
     across = d.damping_xy(c_xy=k.c_xy, F=F, g=g, omega=omega)
     moving = Dynamics(
-        stiffness_xx=d.stiffness_xx(k_xx=k.k_xx, F=F, g=g), stiffness_xy=d.stiffness_xy(k_xy=k.k_xy, F=F, g=g),
-        stiffness_yx=d.stiffness_yx(k_yx=k.k_yx, F=F, g=g), stiffness_yy=d.stiffness_yy(k_yy=k.k_yy, F=F, g=g),
-        damping_xx=d.damping_xx(c_xx=k.c_xx, F=F, g=g, omega=omega), damping_xy=across, damping_yx=across,
+        stiffness_xx=d.stiffness_xx(k_xx=k.k_xx, F=F, g=g),
+        stiffness_xy=d.stiffness_xy(k_xy=k.k_xy, F=F, g=g),
+        stiffness_yx=d.stiffness_yx(k_yx=k.k_yx, F=F, g=g),
+        stiffness_yy=d.stiffness_yy(k_yy=k.k_yy, F=F, g=g),
+        damping_xx=d.damping_xx(c_xx=k.c_xx, F=F, g=g, omega=omega),
+        damping_xy=across,
+        damping_yx=across,
         damping_yy=d.damping_yy(c_yy=k.c_yy, F=F, g=g, omega=omega),
-    )  # fmt: skip
+    )
     over[there] = f.film_over_turn(h_0=h_0, a_n=orbit(moving, each(standing[there]), phi, duty, seat).film_loss)
     return over
 
@@ -127,16 +152,21 @@ def _sized(seat: BearingCase, l: Array, g: Array) -> BearingCase:
     return replace(seat, bearing=replace(seat.bearing, length=each(l)), clearance=clearance)
 
 
-ALWAYS = ("temperature", "specific_load", "heat_index", "length_ratio", "transition")  # rules that do not know the slope
+ALWAYS = (
+    "temperature",
+    "specific_load",
+    "heat_index",
+    "length_ratio",
+    "transition",
+)  # rules that do not know the slope
 
 
 @record
 class Films:
     """One journal at one diameter; arrays: clearances down, lengths across.
 
-    `power` as given; `once` and `twice`: thinnest film of all corners, at the load and at twice the load; `kept`: every rule that knows
-    neither slope nor margin.
-    """
+    `power` as given; `once` and `twice`: thinnest film of all corners, at the load and at twice the load; `kept`: every
+    rule that knows neither slope nor margin."""
 
     task: BearingTask
     length: Array  # (n,)
@@ -150,12 +180,15 @@ class Films:
     speeds: Array | None = None  # the same over the speeds, which margins are not counted of
 
     def bears(self, h_K: Metre, margin: Number, limit: Radian) -> Array:
-        """The slope that each candidate bears with a margin on all its films and on the slope itself; −∞ where it bears none."""
+        """The slope that each candidate bears with a margin on all its films and on the slope itself; −∞ where it bears
+        none."""
         thinnest = self.once if self.turn is None else np.minimum(self.once, self.turn)
         slope = np.minimum(2 * (thinnest - (1 + margin) * h_K) / self.length, (1 - margin) * limit)
         if self.speeds is not None:
             slope = np.minimum(slope, 2 * (self.speeds - h_K) / self.length)
-        bearing: Array = np.where(self.kept & (self.twice >= (1 + margin) * self.double * (1 + KEPT)) & (slope >= 0), slope, -np.inf)
+        bearing: Array = np.where(
+            self.kept & (self.twice >= (1 + margin) * self.double * (1 + KEPT)) & (slope >= 0), slope, -np.inf
+        )
         return bearing
 
 
@@ -168,13 +201,22 @@ Cycle = Sequence[tuple[float, float]]
 NOTHING = Beside()
 
 
-def films(task: BearingTask, variant: Variant, length: Array, advice: Sequence[str], cycle: Cycle = (), beside: Beside = NOTHING) -> Films | None:
-    """`task` at its diameter with its oil, supply and fits; `advice`: names of findings that are limits.  None: no candidate is left.
+def films(
+    task: BearingTask,
+    variant: Variant,
+    length: Array,
+    advice: Sequence[str],
+    cycle: Cycle = (),
+    beside: Beside = NOTHING,
+) -> Films | None:
+    """`task` at its diameter with its oil, supply and fits; `advice`: names of findings that are limits.  None: no
+    candidate is left.
 
-    `cycle`: speeds over the rated one with their shares, over which the power is a mean; `beside`: films that are limits beside.
+    `cycle`: speeds over the rated one with their shares, over which the power is a mean; `beside`: films that are
+    limits beside.
 
-    Clearances up to the usual factor; where none of these has a film that passes, up to the widest of the search for bearings.
-    """
+    Clearances up to the usual factor; where none of these has a film that passes, up to the widest of the search for
+    bearings."""
     found = _films(task, variant, length, clearances(task, widest_usual(task)), advice, beside)
     if found is None or not found.kept.any():
         found = _films(task, variant, length, clearances(task, WIDEST * task.diameter, FEW), advice, beside)
@@ -187,9 +229,16 @@ def _mean_power(found: Films, variant: Variant, cycle: Cycle) -> Array:
     for ratio, share in cycle:
         duty = task.duty
         at = at_speeds(
-            task.seat, duty.speed, duty, each_of(duty.speed * ratio), each_of(duty.supply_temperature), each_of(duty.supply_pressure)
+            task.seat,
+            duty.speed,
+            duty,
+            each_of(duty.speed * ratio),
+            each_of(duty.supply_temperature),
+            each_of(duty.supply_pressure),
         )
-        slower = replace(task, duty=OperatingPoint(**{name: float(np.ravel(x)[0]) for name, x in vars(at).items()}), corners=False)
+        slower = replace(
+            task, duty=OperatingPoint(**{name: float(np.ravel(x)[0]) for name, x in vars(at).items()}), corners=False
+        )
         field = field_over(slower, variant, found.length, found.clearance)
         assert field is not None
         mean += share * np.broadcast_to(field.states.power, mean.shape)
@@ -200,7 +249,9 @@ def each_of(number: float) -> Array:
     return np.array([number])
 
 
-def _films(task: BearingTask, variant: Variant, length: Array, g: Array, advice: Sequence[str], beside: Beside) -> Films | None:
+def _films(
+    task: BearingTask, variant: Variant, length: Array, g: Array, advice: Sequence[str], beside: Beside
+) -> Films | None:
     field = field_over(task, variant, length, g)
     if field is None:
         return None
@@ -222,12 +273,22 @@ def _films(task: BearingTask, variant: Variant, length: Array, g: Array, advice:
     if beside.bench is not None:
         speeds = over_speeds(task, variant, length, g, thin, beside.bench)
     return Films(
-        task, length, g, np.broadcast_to(states.power, shape), thin, thin_twice, kept, f.trumpler_film(d=task.diameter), turn, speeds
+        task,
+        length,
+        g,
+        np.broadcast_to(states.power, shape),
+        thin,
+        thin_twice,
+        kept,
+        f.trumpler_film(d=task.diameter),
+        turn,
+        speeds,
     )
 
 
 def lengths(task: BearingTask, longest: Metre, ratios: tuple[Number, Number]) -> Array:
-    """Whole steps within l/d `ratios`, those of each land where a groove parts the film, and up to the longest that the sectors leave."""
+    """Whole steps within l/d `ratios`, those of each land where a groove parts the film, and up to the longest that the
+    sectors leave."""
     inputs, d, shortest = task.seat.inputs, task.diameter, least_length(task)
     lands = supply.lands(inputs)
     lost = (inputs.groove_width or 0.0) if lands == 2 else 0.0

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""One drive of a front, as front.json has it: its neighbours, and what each objective costs in the others where it stands.
+"""One drive of a front, as front.json has it: its neighbours, and what each objective costs in the others where it
+stands.
 
-The file may be anybody's: what it says is taken for no result.  It names objectives and drives; the design itself is solved as always.
-"""
+The file may be anybody's: what it says is taken for no result.  It names objectives and drives; the design itself is
+solved as always."""
 
 import json
 from collections.abc import Mapping
@@ -26,7 +27,8 @@ BLOCK = 512
 
 
 def front(rows: Array) -> IndexArray:
-    """The places of the rows that no other beats (is nowhere larger and somewhere smaller); of equal rows the first.  Rising."""
+    """The places of the rows that no other beats (is nowhere larger and somewhere smaller); of equal rows the first.
+    Rising."""
     order = np.lexsort(rows.T[::-1])  # a row can only be beaten by one before it
     kept = np.zeros((0, rows.shape[1]))
     places: list[IndexArray] = []
@@ -61,12 +63,14 @@ def lower_left(x: Array, y: Array) -> IndexArray:
 
 
 def representatives(rows: Array, units: Array, count: int) -> list[int]:
-    """The best of every objective, the knee, then ever the row that is worst represented: what it lacks beside the nearest chosen one, in
-    units, in its worst objective (additive ε)."""
+    """The best of every objective, the knee, then ever the row that is worst represented: what it lacks beside the
+    nearest chosen one, in units, in its worst objective (additive ε)."""
     if not len(rows):
         return []
     scaled = rows / units
-    chosen = list(dict.fromkeys([int(np.lexsort((scaled.sum(1), scaled[:, n]))[0]) for n in range(rows.shape[1])] + [knee(rows)]))
+    chosen = list(
+        dict.fromkeys([int(np.lexsort((scaled.sum(1), scaled[:, n]))[0]) for n in range(rows.shape[1])] + [knee(rows)])
+    )
     lacks = np.full(len(rows), np.inf)
     for place in chosen:
         lacks = np.minimum(lacks, (scaled[place] - scaled).max(1))
@@ -99,11 +103,11 @@ class Broken(ValueError):
 
 @record
 class Picked:
-    """`number` of the drive, from 1; `rows`: the objectives of every drive, a column for each of `names`, in their units.
+    """`number` of the drive, from 1; `rows`: the objectives of every drive, a column for each of `names`, in their
+    units.
 
-    `limits`, `waived`: patterns of findings that were limits; `sizes` and `choices`: what was varied; `proved`, `combinations`, `done` of
-    the `classes`: what the front is the front of.
-    """
+    `limits`, `waived`: patterns of findings that were limits; `sizes` and `choices`: what was varied; `proved`,
+    `combinations`, `done` of the `classes`: what the front is the front of."""
 
     number: int
     names: tuple[str, ...]
@@ -139,8 +143,8 @@ class Picked:
         return -column if name == "margin" else column
 
     def costs(self) -> list[tuple[str, float, str, float]]:
-        """What more of one objective costs in another, along the front of the two: (wanted, its gain, paid, its loss), from this drive
-        to the next one that is better in the first.  Only where this drive stands on that front."""
+        """What more of one objective costs in another, along the front of the two: (wanted, its gain, paid, its loss),
+        from this drive to the next one that is better in the first.  Only where this drive stands on that front."""
         found = []
         for wanted in self.names:
             for paid in self.names:
@@ -158,7 +162,8 @@ class Picked:
 
 
 def picked(raw: bytes, data: Data) -> Picked | None:
-    """The drive that a design is of the front in a file; None: it is none of its drives.  Raises Broken where the file is no front."""
+    """The drive that a design is of the front in a file; None: it is none of its drives.  Raises Broken where the file
+    is no front."""
     if len(raw) > FRONT_BYTES:
         raise Broken(f"has {len(raw)} bytes; a front has at most {FRONT_BYTES}")
     try:
@@ -167,12 +172,15 @@ def picked(raw: bytes, data: Data) -> Picked | None:
         drives = about["drives"]
         if not names or set(names) - set(OBJECTIVES) or not isinstance(drives, list) or len(drives) > MOST_DRIVES:
             raise Broken("names objectives or drives that there are not")
-        rows = np.array([[float(one["objectives"][name]) for name in names] for one in drives], dtype=float).reshape(-1, len(names))
+        rows = np.array([[float(one["objectives"][name]) for name in names] for one in drives], dtype=float).reshape(
+            -1, len(names)
+        )
         if not np.isfinite(rows).all():
             raise Broken("has objectives that are no numbers")
         number = next((n for n, one in enumerate(drives, 1) if _is(data, one["changes"])), None)
         sizes = {
-            _word(key): None if values is None else tuple(map(float, values))[:MOST_DRIVES] for key, values in about["sizes_mm"].items()
+            _word(key): None if values is None else tuple(map(float, values))[:MOST_DRIVES]
+            for key, values in about["sizes_mm"].items()
         }
         choices = {_word(key): tuple(map(_word, values))[:MOST_WORDS] for key, values in about["choices"].items()}
         proved = bool(about["proved"])

@@ -15,13 +15,19 @@ from .run import FrontFound, key
 from .whole import Whole
 
 LABELS = {
-    "power": Text("power at the crank"), "mass": Text("shaft and wheels"), "seat": Text("largest seat"), "price": Text("price of a piece"),
+    "power": Text("power at the crank"),
+    "mass": Text("shaft and wheels"),
+    "seat": Text("largest seat"),
+    "price": Text("price of a piece"),
     "margin": Text("least margin"),
-}  # fmt: skip
+}
 UNIT = {"power": "W", "mass": "kg", "seat": "mm", "price": "€", "margin": "%"}
 CHOICES = {
-    "countershaft.material": Text("material"), "bearings.oil": Text("oil"), "bearings.supply": Text("supply"), FITS: Text("fits"),
-}  # fmt: skip
+    "countershaft.material": Text("material"),
+    "bearings.oil": Text("oil"),
+    "bearings.supply": Text("supply"),
+    FITS: Text("fits"),
+}
 END = "⊣"  # a size at the end of its range: beyond it may be better
 
 
@@ -32,8 +38,11 @@ def proof(found: FrontFound) -> Text:
 
 def proof_of(proved: bool, count: int, done: int, classes: int) -> Text:
     if done < classes:
-        return Text("Not exhaustive: the search was stopped at {done} of {classes} classes, and better drives may exist.", done=done,
-            classes=classes)  # fmt: skip
+        return Text(
+            "Not exhaustive: the search was stopped at {done} of {classes} classes, and better drives may exist.",
+            done=done,
+            classes=classes,
+        )
     if not proved:
         return Text("A search without proof (NSGA-II over {n} whole solutions): better drives may exist.", n=count)
     return Text("Exhaustive over the stated ranges and steps; nothing is said of what lies beyond or between them.")
@@ -58,7 +67,10 @@ def table(found: FrontFound, drives: Iterable[int] | None = None) -> Table:
         if drives is not None and n not in drives:
             continue
         s = one.sized
-        cells: list[str | float | None] = [float(n), *(round(one.objectives[name], DIGITS[name]) for name in problem.objectives)]
+        cells: list[str | float | None] = [
+            float(n),
+            *(round(one.objectives[name], DIGITS[name]) for name in problem.objectives),
+        ]
         cells += [Name(word(s.choices[name])) for name in varied]
         cells += [Name(_surfaces(problem, s.surface))] if surfaces else []
         cells += [Name(_size(problem, s, place)) for place in ("front", "rear")]
@@ -78,7 +90,11 @@ def word(choice: object) -> str:
 
 
 def _size(problem: Problem, s: Any, place: str) -> str:
-    end = END if f"bearings.{place}.diameter_mm" in _ends(problem, {f"bearings.{place}.diameter_mm": s.diameter[place]}) else ""
+    end = (
+        END
+        if f"bearings.{place}.diameter_mm" in _ends(problem, {f"bearings.{place}.diameter_mm": s.diameter[place]})
+        else ""
+    )
     return f"{s.diameter[place]:g}{end}×{s.length[place]:g}/{s.clearance[place]:g}"
 
 
@@ -109,7 +125,8 @@ def _ends(problem: Problem, sizes: Mapping[str, float]) -> list[str]:
     return found
 
 
-# --- the files --------------------------------------------------------------------------------------------------------------------
+# --- the files
+# --------------------------------------------------------------------------------------------------------------------
 def csv_text(found: FrontFound) -> str:
     """front.csv: what it is the front of, then a row for each drive, units in the head."""
     problem, out = found.problem, io.StringIO()
@@ -130,19 +147,37 @@ def json_text(found: FrontFound) -> str:
     """front.json: the problem and the drives, with the keys that make each of them."""
     problem = found.problem
     about = {
-        "schema": 1, "program": VERSION, "key": key(problem), "design": problem.start.sha256,
-        "proof": str(proof(found)), "proved": found.proved and found.whole,
-        "classes": len(problem.classes), "classes_done": found.done, "combinations": found.table.combinations,
-        "front_rows": len(found.table), "objectives": {name: UNIT[name] for name in problem.objectives},
+        "schema": 1,
+        "program": VERSION,
+        "key": key(problem),
+        "design": problem.start.sha256,
+        "proof": str(proof(found)),
+        "proved": found.proved and found.whole,
+        "classes": len(problem.classes),
+        "classes_done": found.done,
+        "combinations": found.table.combinations,
+        "front_rows": len(found.table),
+        "objectives": {name: UNIT[name] for name in problem.objectives},
         "sizes_mm": {name: list(values) if values is not None else None for name, values in problem.sizes.items()},
         "choices": {name: list(values) for name, values in problem.choices.items()},
-        "surfaces_um": [list(one) if one else None for one in problem.surfaces], "margins": list(problem.margins),
-        "most": problem.most, "limits": list(problem.limits), "waived": list(problem.waived), "said": [str(one) for one in problem.said],
-        "ties": {name: str(why) for name, why in TIED.items()}, "refused": [[n, str(why)] for n, why in found.table.refused],
+        "surfaces_um": [list(one) if one else None for one in problem.surfaces],
+        "margins": list(problem.margins),
+        "most": problem.most,
+        "limits": list(problem.limits),
+        "waived": list(problem.waived),
+        "said": [str(one) for one in problem.said],
+        "ties": {name: str(why) for name, why in TIED.items()},
+        "refused": [[n, str(why)] for n, why in found.table.refused],
         "dropped": [{"changes": one.changes, "broken": list(one.broken)} for one in found.dropped],
-    }  # fmt: skip
+    }
     about["drives"] = [
-        {"no": n, "objectives": one.objectives, "open": one.open, "at_end": at_end(problem, one), "changes": one.changes}
+        {
+            "no": n,
+            "objectives": one.objectives,
+            "open": one.open,
+            "at_end": at_end(problem, one),
+            "changes": one.changes,
+        }
         for n, one in enumerate(found.drives, 1)
     ]
     return json.dumps(about, ensure_ascii=False, indent=1, default=str) + "\n"
@@ -152,10 +187,23 @@ def stood(found: FrontFound) -> Text:
     """How far the search came."""
     done, classes = found.done, len(found.problem.classes)
     if not found.proved:
-        return Text("{n} drives solved whole, {drives} of their front shown", n=found.table.combinations, drives=len(found.drives))
-    words = Text("{n} combinations in {classes} classes, front of {rows}, {drives} of them solved whole",
-        n=power_of_ten(found.table.combinations), classes=done, rows=len(found.table), drives=len(found.drives))  # fmt: skip
-    return words if done == classes else Text("{words}; stopped at {done} of {classes} classes", words=words, done=done, classes=classes)
+        return Text(
+            "{n} drives solved whole, {drives} of their front shown",
+            n=found.table.combinations,
+            drives=len(found.drives),
+        )
+    words = Text(
+        "{n} combinations in {classes} classes, front of {rows}, {drives} of them solved whole",
+        n=power_of_ten(found.table.combinations),
+        classes=done,
+        rows=len(found.table),
+        drives=len(found.drives),
+    )
+    return (
+        words
+        if done == classes
+        else Text("{words}; stopped at {done} of {classes} classes", words=words, done=done, classes=classes)
+    )
 
 
 def power_of_ten(count: int) -> Name:
@@ -165,7 +213,8 @@ def power_of_ten(count: int) -> Name:
     return Name(f"{count / 10**digits:.1f}·10{str(digits).translate(str.maketrans('0123456789', '⁰¹²³⁴⁵⁶⁷⁸⁹'))}")
 
 
-# --- the problem in words -----------------------------------------------------------------------------------------------------------
+# --- the problem in words
+# -----------------------------------------------------------------------------------------------------------
 def said(problem: Problem) -> list[Text]:
     """The ranges, ties, requirements and objectives, a line each."""
     lines = [Text("objectives: {names}", names=COMMA.join([_objective(problem, name) for name in problem.objectives]))]
@@ -175,8 +224,12 @@ def said(problem: Problem) -> list[Text]:
         lines.append(Text("surfaces, journal and seat: {pairs} µm", pairs=pairs))
     lines += [Text("{key}: {why}", key=Name(name), why=why) for name, why in TIED.items()]
     more = [one for one in problem.limits if one not in LIMITS]
-    lines.append(Text("limits: those of every check, and of the findings {ids}", ids=Name(", ".join(one for one in (*LIMITS, *more)
-        if one not in problem.waived))))  # fmt: skip
+    lines.append(
+        Text(
+            "limits: those of every check, and of the findings {ids}",
+            ids=Name(", ".join(one for one in (*LIMITS, *more) if one not in problem.waived)),
+        )
+    )
     return [*lines, *problem.said]
 
 
@@ -187,11 +240,21 @@ def ranges(sizes: Mapping[str, Sequence[float] | None], choices: Mapping[str, Se
         if values is None:
             lines.append(Text("{key}: in steps of 0.5 mm, by l/d and the room that the sectors leave", key=Name(name)))
         elif len(values) > 1:
-            lines.append(Text("{key}: {n} values from {low} to {high} mm", key=Name(name), n=len(values), low=Amount(values[0], form="g"),
-                high=Amount(values[-1], form="g")))  # fmt: skip
+            lines.append(
+                Text(
+                    "{key}: {n} values from {low} to {high} mm",
+                    key=Name(name),
+                    n=len(values),
+                    low=Amount(values[0], form="g"),
+                    high=Amount(values[-1], form="g"),
+                )
+            )
         else:
             lines.append(Text("{key}: {value}", key=Name(name), value=Name(", ".join(f"{x:g}" for x in values) or "–")))
-    return lines + [Text("{key}: {values}", key=Name(name), values=Name(", ".join(map(word, values)))) for name, values in choices.items()]
+    return lines + [
+        Text("{key}: {values}", key=Name(name), values=Name(", ".join(map(word, values))))
+        for name, values in choices.items()
+    ]
 
 
 def _objective(problem: Problem, name: str) -> Text:

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Over what is searched: the values of every variable, by [optimise.vary] or by rule, and what is wrong with those that are given."""
+"""Over what is searched: the values of every variable, by [optimise.vary] or by rule, and what is wrong with those that
+are given."""
 
 import math
 from collections.abc import Iterable, Mapping, Sequence
@@ -40,11 +41,19 @@ TIED = {
     "bearings.rear.clearance_um": Text("is chosen in steps of 5 µm between what is left cold and the usual factor"),
 }
 WITHIN = {  # keys that a drive is given with another one
-    "bearings.journal_fit": FITS, "bearings.seat_fit": FITS,
-    **{f"bearings.{place}.{part}_roughness_um": SURFACES for place in ("front", "rear") for part in ("journal", "housing")},
+    "bearings.journal_fit": FITS,
+    "bearings.seat_fit": FITS,
+    **{
+        f"bearings.{place}.{part}_roughness_um": SURFACES
+        for place in ("front", "rear")
+        for part in ("journal", "housing")
+    },
     **{f"bearings.{place}.clearance_factor": f"bearings.{place}.clearance_um" for place in ("front", "rear")},
-}  # fmt: skip
-WIDTHS = Text('must be pairs of widths, journal and seat: ["IT6", "IT7"]; the clearance is searched for, and a fit with a place makes it')
+}
+WIDTHS = Text(
+    'must be pairs of widths, journal and seat: ["IT6", "IT7"]; the clearance is searched for, and a fit with a place '
+    "makes it"
+)
 
 
 class Variables:
@@ -67,7 +76,9 @@ class Variables:
 
     def wrong(self, key: str, why: Text, value: object = "") -> None:
         name = f"optimise.vary.{key}"
-        self.errors.append(InputError(self.start.lines.get(name, self.start.lines.get("optimise.vary", 0)), name, str(value), why))
+        self.errors.append(
+            InputError(self.start.lines.get(name, self.start.lines.get("optimise.vary", 0)), name, str(value), why)
+        )
 
     def values(self, key: str, otherwise: Sequence[float]) -> tuple[float, ...]:
         """Numbers of a key: those that are given, else those of the rule."""
@@ -104,14 +115,21 @@ class Variables:
         R = own[self.seat] / 2 - threaded
         core = (self.shaft.core_radius or 0.0) * 1e3 / R
         most = min(own[self.seat] + SEAT_REACH, self._widest_seat(), (self.own.most or {}).get("seat_mm", float("inf")))
-        through = self.tip if self.tip is not None and small == "front" else None  # the gear goes through the front seat
+        through = (
+            self.tip if self.tip is not None and small == "front" else None
+        )  # the gear goes through the front seat
         least = through + 2 * ROOM if through is not None else LEAST_SHARE * own[small]
         seats = self.values(f"bearings.{self.seat}.diameter_mm", _steps(LEAST_SEAT * own[self.seat], most))
         seats = tuple(d for d in seats if d <= most + 1e-9)
         found: dict[str, tuple[float, ...] | None] = {
-            CORE: self.values(CORE, _steps(max(min(CORE_SHARE[0], core - 0.1), 0.05) * R, min(max(CORE_SHARE[1], core + 0.1), 0.95) * R)),
+            CORE: self.values(
+                CORE,
+                _steps(max(min(CORE_SHARE[0], core - 0.1), 0.05) * R, min(max(CORE_SHARE[1], core + 0.1), 0.95) * R),
+            ),
             f"bearings.{self.seat}.diameter_mm": seats,
-            f"bearings.{small}.diameter_mm": self.values(f"bearings.{small}.diameter_mm", _steps(least, max(seats, default=0.0))),
+            f"bearings.{small}.diameter_mm": self.values(
+                f"bearings.{small}.diameter_mm", _steps(least, max(seats, default=0.0))
+            ),
         }
         for place in ("front", "rear"):
             key = f"bearings.{place}.length_mm"
@@ -126,8 +144,11 @@ class Variables:
         small = "front" if self.seat == "rear" else "rear"
         most = min(self._widest_seat(), (self.own.most or {}).get("seat_mm", float("inf")))
         through = self.tip is not None and small == "front" and f"bearings.{small}.diameter_mm" not in self.vary
-        return {CORE: (False, False), f"bearings.{self.seat}.diameter_mm": (False, most < float("inf")),
-            f"bearings.{small}.diameter_mm": (through, True)}  # fmt: skip
+        return {
+            CORE: (False, False),
+            f"bearings.{self.seat}.diameter_mm": (False, most < float("inf")),
+            f"bearings.{small}.diameter_mm": (through, True),
+        }
 
     def _widest_seat(self) -> float:
         support = self.shaft.support
@@ -197,7 +218,11 @@ class Variables:
         priced = [p.value for p in self.own.price if p.what == "surface"]
         pairs: list[Any] = said if isinstance(said, list) else priced
         for pair in pairs:
-            if not (isinstance(pair, list) and len(pair) == 2 and all(isinstance(x, (int, float)) and 0 < x <= 50 for x in pair)):
+            if not (
+                isinstance(pair, list)
+                and len(pair) == 2
+                and all(isinstance(x, (int, float)) and 0 < x <= 50 for x in pair)
+            ):
                 self.wrong(SURFACES, Text("must be pairs of Ra in µm, journal and seat: [0.4, 0.6]"), pair)
                 return (None,)
         if not pairs:
@@ -224,34 +249,50 @@ def _steps(low: float, high: float) -> tuple[float, ...]:
     return tuple(round(x, 6) for x in multiples(STEP, low, high).tolist()) if high >= low else ()
 
 
-# What is searched over, what must hold and what is wanted: read off the design and its [optimise], with the rules of this program beside.
+# What is searched over, what must hold and what is wanted: read off the design and its [optimise], with the rules of
+# this program beside.
 #
-# A class is one choice of everything that changes films or loads as a whole: material, oil, supply, fits, and any other key that is varied.
-# Within it core, diameters, lengths, clearances and surfaces are combined.  Outer radius and half-length of the sectors follow from the
-# journals (ties).
+# A class is one choice of everything that changes films or loads as a whole: material, oil, supply, fits, and any other
+# key that is varied. Within it core, diameters, lengths, clearances and surfaces are combined.  Outer radius and
+# half-length of the sectors follow from the journals (ties).
 
 LIMITS = (
-    "bearings.*.film_edge_corner", "bearings.*.film_double_load_corner", "bearings.*.temperature_corner",
-    "bearings.*.clearance_cold_corner", "bearings.*.film_edge_speeds", "bearings.*.film_edge_standing", "bearings.*.film_trumpler",
-    "bearings.*.length_ratio_usual", "bearings.*.supply_range", "countershaft.gear_seat", "countershaft.fillet_room",
-    "countershaft.holes.range", "countershaft.scatter.residual", "gears.*.backlash_chance", "gears.*.contact_ratio_usual",
-    "gears.*.span_width", "gears.*.safety_*_usual",
-)  # fmt: skip
+    "bearings.*.film_edge_corner",
+    "bearings.*.film_double_load_corner",
+    "bearings.*.temperature_corner",
+    "bearings.*.clearance_cold_corner",
+    "bearings.*.film_edge_speeds",
+    "bearings.*.film_edge_standing",
+    "bearings.*.film_trumpler",
+    "bearings.*.length_ratio_usual",
+    "bearings.*.supply_range",
+    "countershaft.gear_seat",
+    "countershaft.fillet_room",
+    "countershaft.holes.range",
+    "countershaft.scatter.residual",
+    "gears.*.backlash_chance",
+    "gears.*.contact_ratio_usual",
+    "gears.*.span_width",
+    "gears.*.safety_*_usual",
+)
 MARGIN_OF = (
-    "bearings.*.film_edge_corner", "bearings.*.film_double_load_corner", "bearings.*.film_edge_standing", "countershaft.slope_*",
-)  # fmt: skip
+    "bearings.*.film_edge_corner",
+    "bearings.*.film_double_load_corner",
+    "bearings.*.film_edge_standing",
+    "countershaft.slope_*",
+)
 MARGINS = (0.0, 0.05, 0.1, 0.2, 0.3)
 UNITS = {"power": ("W", 10.0), "mass": ("kg", 0.5), "seat": ("mm", 1.0), "price": ("EUR", 3.0), "margin": ("%", 10.0)}
 
 
 @record
 class Problem:
-    """`start`: the document with a shaft that is sized, by the changes `began` of the one that is asked about.  `sizes`: the values of
-    every size by its key, mm, None: by the rule of lengths.
+    """`start`: the document with a shaft that is sized, by the changes `began` of the one that is asked about.
+    `sizes`: the values of every size by its key, mm, None: by the rule of lengths.
 
-    `choices`: the values of everything else; `surfaces`: pairs of Ra, journal and seat, µm; None: as designed.  `seat`: the place of the
-    largest journal.  `most`: hard ends by objective, in its unit; margin is a least.  `said`: what was chosen here.
-    """
+    `choices`: the values of everything else; `surfaces`: pairs of Ra, journal and seat, µm; None: as designed.  `seat`:
+    the place of the largest journal.  `most`: hard ends by objective, in its unit; margin is a least.  `said`: what was
+    chosen here."""
 
     start: Document
     began: Changes
@@ -266,8 +307,12 @@ class Problem:
     limits: tuple[str, ...]
     waived: tuple[str, ...]
     units: dict[str, float]
-    cycle: tuple[tuple[float, float], ...]  # speed over the rated one, and share of the time; empty: the rated speed alone
-    bounded: dict[str, tuple[bool, bool]]  # whether the low and the high end of a range of sizes is a limit of the design itself
+    cycle: tuple[
+        tuple[float, float], ...
+    ]  # speed over the rated one, and share of the time; empty: the rated speed alone
+    bounded: dict[
+        str, tuple[bool, bool]
+    ]  # whether the low and the high end of a range of sizes is a limit of the design itself
     rows: int
     seed: int
     said: tuple[Text, ...]
@@ -303,10 +348,13 @@ class Problem:
 
     def margin(self, checks: Iterable[Check]) -> float:
         """The least margin of the films and the slopes, %."""
-        return min((c.margin * 100 for c in checks if any(fnmatchcase(c.id, one) for one in MARGIN_OF)), default=float("nan"))
+        return min(
+            (c.margin * 100 for c in checks if any(fnmatchcase(c.id, one) for one in MARGIN_OF)), default=float("nan")
+        )
 
     def price(self, choices: Mapping[str, Any], surface: tuple[float, float] | None) -> float | None:
-        """Of a piece, in EUR: its material with the tooling over a year, and what the rest adds; None: nothing is known of it."""
+        """Of a piece, in EUR: its material with the tooling over a year, and what the rest adds; None: nothing is known
+        of it."""
         return price(self.base, choices, surface)
 
 
@@ -319,9 +367,12 @@ def price(made: Design, choices: Mapping[str, Any], surface: tuple[float, float]
         return None
     total = own.piece + own.tooling / cost.pieces_per_year
     chosen = {
-        "fit": choices.get(FITS), "surface": list(surface) if surface is not None else None, "material": [material],
-        "supply": [choices.get("bearings.supply")], "oil": [choices.get("bearings.oil")],
-    }  # fmt: skip
+        "fit": choices.get(FITS),
+        "surface": list(surface) if surface is not None else None,
+        "material": [material],
+        "supply": [choices.get("bearings.supply")],
+        "oil": [choices.get("bearings.oil")],
+    }
     return total + sum(one.piece for one in _optimise(made).price if chosen[one.what] == one.value)
 
 
@@ -329,17 +380,25 @@ def _optimise(made: Design) -> OptimiseInputs:
     return made.optimise or OptimiseInputs()
 
 
-# --- reading --------------------------------------------------------------------------------------------------------------
+# --- reading
+# --------------------------------------------------------------------------------------------------------------
 def problem(document: Document, tip: float | None, said: Mapping[str, object] = {}) -> Problem:
-    """`tip`: diameter of the gear on the shaft in mm, None where there is none; `said`: the command line's own keys of [optimise], which go
-    before the file's.  Raises BadInput with everything that is wrong."""
+    """`tip`: diameter of the gear on the shaft in mm, None where there is none; `said`: the command line's own keys of
+    [optimise], which go before the file's.  Raises BadInput with everything that is wrong."""
     made = design(document)
     file = _optimise(made)
-    merged: dict[str, Any] = {key: {**(getattr(file, key) or {}), **one} if isinstance(one, dict) else one for key, one in said.items()}
+    merged: dict[str, Any] = {
+        key: {**(getattr(file, key) or {}), **one} if isinstance(one, dict) else one for key, one in said.items()
+    }
     own: OptimiseInputs = replace(file, **merged)
-    errors = [InputError(document.lines.get(f"optimise.{key}", 0), f"optimise.{key}", "", why) for key, why in own.problems()]
-    errors += [InputError(0, step, "", Text("is needed: a drive has a shaft on two bearings")) for step in ("countershaft", "bearings")
-        if getattr(made, step) is None]  # fmt: skip
+    errors = [
+        InputError(document.lines.get(f"optimise.{key}", 0), f"optimise.{key}", "", why) for key, why in own.problems()
+    ]
+    errors += [
+        InputError(0, step, "", Text("is needed: a drive has a shaft on two bearings"))
+        for step in ("countershaft", "bearings")
+        if getattr(made, step) is None
+    ]
     if errors:
         raise BadInput(document.place, errors)
     began, words = _sized(made)
@@ -362,20 +421,38 @@ def problem(document: Document, tip: float | None, said: Mapping[str, object] = 
     margins = tuple(dict.fromkeys([least, *(m for m in MARGINS if m > least)])) if "margin" in objectives else (least,)
     limits, waived = (*LIMITS, *(own.limits or ())), tuple(own.waive or ())
     return Problem(
-        start=start, began=began, base=made, sizes=sizes, choices=choices, surfaces=surfaces, seat=variables.seat, objectives=objectives,
-        margins=margins, most=most | {"margin": least * 100}, limits=limits, waived=waived,
-        units={key: UNITS[key][1] for key in objectives}, cycle=_cycle(made, own), bounded=variables.bounded(),
-        rows=own.rows, seed=own.seed, said=(*words, *variables.said),
-    )  # fmt: skip
+        start=start,
+        began=began,
+        base=made,
+        sizes=sizes,
+        choices=choices,
+        surfaces=surfaces,
+        seat=variables.seat,
+        objectives=objectives,
+        margins=margins,
+        most=most | {"margin": least * 100},
+        limits=limits,
+        waived=waived,
+        units={key: UNITS[key][1] for key in objectives},
+        cycle=_cycle(made, own),
+        bounded=variables.bounded(),
+        rows=own.rows,
+        seed=own.seed,
+        said=(*words, *variables.said),
+    )
 
 
 def _without_price(document: Document, objectives: tuple[str, ...], most: Mapping[str, float]) -> tuple[str, ...]:
-    """Where the price of some material is not known.  Raises BadInput where nothing else is wanted, or the price is bounded."""
+    """Where the price of some material is not known.  Raises BadInput where nothing else is wanted, or the price is
+    bounded."""
     left = tuple(one for one in objectives if one != "price")
     wrong = [key for key, needed in (("objectives", not left), ("most.price_EUR", "price" in most)) if needed]
     if wrong:
         why = Text("needs the price of every material: give each a row in countershaft.cost.alternatives")
-        raise BadInput(document.place, [InputError(document.lines.get(f"optimise.{key}", 0), f"optimise.{key}", "", why) for key in wrong])
+        raise BadInput(
+            document.place,
+            [InputError(document.lines.get(f"optimise.{key}", 0), f"optimise.{key}", "", why) for key in wrong],
+        )
     return left
 
 
@@ -384,7 +461,11 @@ def _cycle(made: Design, own: OptimiseInputs) -> tuple[tuple[float, float], ...]
     if not own.cycle:
         return ()
     bearings, gears, engine = made.bearings, made.gears, made.engine
-    if engine is None or (bearings is not None and bearings.speed is not None) or (gears is not None and gears.speed is not None):
+    if (
+        engine is None
+        or (bearings is not None and bearings.speed is not None)
+        or (gears is not None and gears.speed is not None)
+    ):
         why = Text("needs [engine], and no speed of its own in [bearings] or [gears]")
         raise BadInput("design", [InputError(0, "optimise.cycle", "", why)])
     hours = sum(point.hours for point in own.cycle)
@@ -392,12 +473,15 @@ def _cycle(made: Design, own: OptimiseInputs) -> tuple[tuple[float, float], ...]
 
 
 def _sized(made: Design) -> tuple[Changes, list[Text]]:
-    """What makes of it a design with a shaft that is sized, its fits written so that their corners are judged; and in words."""
+    """What makes of it a design with a shaft that is sized, its fits written so that their corners are judged; and in
+    words."""
     shaft, bearings = made.countershaft, made.bearings
     assert shaft is not None and bearings is not None
     said: list[Text] = []
     start: Changes = {}
-    R = max(bearings.front.diameter, bearings.rear.diameter) / 2 - (THREADED if shaft.radial_clearance is None else shaft.radial_clearance)
+    R = max(bearings.front.diameter, bearings.rear.diameter) / 2 - (
+        THREADED if shaft.radial_clearance is None else shaft.radial_clearance
+    )
     half = min(abs(z) - b.length / 2 for z, b in zip(shaft.bearing_positions, (bearings.front, bearings.rear)))
     given = {"outer_radius_mm": R, "core_radius_mm": 0.4 * R, "half_length_mm": half - 2 * (shaft.fillet_radius or 0.0)}
     if shaft.mode != "size" and not shaft.sections:
@@ -413,11 +497,21 @@ def _sized(made: Design) -> tuple[Changes, list[Text]]:
     widths = placed(bearings)
     start |= dict(zip(("bearings.journal_fit", "bearings.seat_fit"), widths or own))
     if widths:
-        said.append(Text("The fits {own} make the clearance; here it is searched for, with their widths, {widths}.",
-            own=Name("/".join(own)), widths=Name("/".join(widths))))  # fmt: skip
+        said.append(
+            Text(
+                "The fits {own} make the clearance; here it is searched for, with their widths, {widths}.",
+                own=Name("/".join(own)),
+                widths=Name("/".join(widths)),
+            )
+        )
     support = shaft.support
     if support is not None and support.wall is not None and support.wall_at_seat is None:
         seat = max(bearings.front.diameter, bearings.rear.diameter) * 1e3
         start["countershaft.support.wall_at_seat_mm"] = round(seat, 6)
-        said.append(Text("The wall beside the largest seat is taken as that of the design's own seat, {seat} mm.", seat=f"{seat:g}"))
+        said.append(
+            Text(
+                "The wall beside the largest seat is taken as that of the design's own seat, {seat} mm.",
+                seat=f"{seat:g}",
+            )
+        )
     return start, said

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """Where nothing passes: the nearest miss, and which one requirement would have to give way, and by how much.
 
-Only what the file calls a requirement is moved: the largest seat, the places of the bearings, the couple beyond the required one, the
-fillet, the margin, and what could be chosen otherwise (fits, surfaces, supply, oil).  Limits of checks are never relaxed; they are named.
-Each line is one change alone, sought on the tables and confirmed by a whole solution before it is said.
-"""
+Only what the file calls a requirement is moved: the largest seat, the places of the bearings, the couple beyond the
+required one, the fillet, the margin, and what could be chosen otherwise (fits, surfaces, supply, oil).  Limits of
+checks are never relaxed; they are named. Each line is one change alone, sought on the tables and confirmed by a whole
+solution before it is said."""
 
 import math
 from collections.abc import Callable, Iterator
@@ -38,7 +38,8 @@ WALL = "countershaft.support.wall"
 
 @record
 class RefusalLine:
-    """One change alone that lets something pass: its key, from and to in words, what it costs beside; `broken`: what it then breaks."""
+    """One change alone that lets something pass: its key, from and to in words, what it costs beside; `broken`: what it
+    then breaks."""
 
     key: str
     change: Text
@@ -48,7 +49,8 @@ class RefusalLine:
 
 @record
 class Refusal:
-    """`always`: checks that fail in every drive that was tried whole; `miss`: by how much the nearest misses, of 1; None: not known."""
+    """`always`: checks that fail in every drive that was tried whole; `miss`: by how much the nearest misses, of 1;
+    None: not known."""
 
     always: tuple[str, ...]
     miss: float | None
@@ -85,7 +87,8 @@ def _relaxed(problem: Problem, progress: Progress | None) -> Refusal:
     return Refusal((), miss, tuple(lines), tuple(useless), tuple(sorted(also)))
 
 
-# --- one question --------------------------------------------------------------------------------------------------------------
+# --- one question
+# --------------------------------------------------------------------------------------------------------------
 def quick(problem: Problem) -> Problem:
     """The same with few diameters of the smaller journal, and no margin but the least."""
     small = f"bearings.{'front' if problem.seat == 'rear' else 'rear'}.diameter_mm"
@@ -97,7 +100,8 @@ def quick(problem: Problem) -> Problem:
 
 
 def of_closest_fits(classes: list[dict[str, Any]]) -> list[dict[str, Any]]:
-    """Those of the closest fits: where their worst corners do not hold, those of wider fits, which enclose them, do not either."""
+    """Those of the closest fits: where their worst corners do not hold, those of wider fits, which enclose them, do not
+    either."""
 
     def within(one: dict[str, Any], other: dict[str, Any]) -> bool:
         pairs = [(parse(a), parse(b)) for a, b in zip(one[FITS], other[FITS])]
@@ -125,8 +129,8 @@ def _passing(problem: Problem, classes: list[dict[str, Any]]) -> Iterator[tuple[
 
 
 def _confirmed(problem: Problem) -> Whole | None:
-    """A drive of a changed problem, solved whole: of little power, the first that breaks nothing, else that which breaks least; None: there
-    is none."""
+    """A drive of a changed problem, solved whole: of little power, the first that breaks nothing, else that which
+    breaks least; None: there is none."""
     first, tried = of_closest_fits(problem.classes), list[Whole]()
     for classes in (first, [one for one in problem.classes if one not in first]):
         for choices, rows in _passing(problem, classes):
@@ -158,7 +162,8 @@ def _nearest_miss(problem: Problem) -> float | None:
     return least - low
 
 
-# --- the ways ----------------------------------------------------------------------------------------------------------------------
+# --- the ways
+# ----------------------------------------------------------------------------------------------------------------------
 Way = tuple[Text, Callable[[], RefusalLine | None]]
 
 
@@ -169,17 +174,39 @@ def _ways(problem: Problem) -> Iterator[Way]:
     if seats:
         yield Text("a larger seat"), lambda: _seat(problem, max(seats))
     z = shaft.bearing_positions
-    yield Text("bearings further apart"), lambda: _stretched(problem, "countershaft.bearing_positions_mm", 0.1,
-        lambda share: [round(x * 1e3 * (1 + share), 2) for x in z],
-        lambda value: Text("{a} → {b} mm", a=Name(_list([x * 1e3 for x in z])), b=Name(_list(value))))  # fmt: skip
+    yield (
+        Text("bearings further apart"),
+        lambda: _stretched(
+            problem,
+            "countershaft.bearing_positions_mm",
+            0.1,
+            lambda share: [round(x * 1e3 * (1 + share), 2) for x in z],
+            lambda value: Text("{a} → {b} mm", a=Name(_list([x * 1e3 for x in z])), b=Name(_list(value))),
+        ),
+    )
     x_o = shaft.overdesign * 100
-    yield Text("less couple beyond the required one"), lambda: _stretched(problem, "countershaft.overdesign_percent", 0.05,
-        lambda share: round(x_o - share * 100, 2), lambda value: Text("{a} → {b} %", a=Name(f"{x_o:g}"), b=Name(f"{value:g}")))  # fmt: skip
+    yield (
+        Text("less couple beyond the required one"),
+        lambda: _stretched(
+            problem,
+            "countershaft.overdesign_percent",
+            0.05,
+            lambda share: round(x_o - share * 100, 2),
+            lambda value: Text("{a} → {b} %", a=Name(f"{x_o:g}"), b=Name(f"{value:g}")),
+        ),
+    )
     r = problem.fillet
     if r:
-        yield Text("a smaller fillet"), lambda: _stretched(problem, "countershaft.fillet_radius_mm", 0.8,
-            lambda share: round(r * (1 - share), 3),
-            lambda value: Text("{a} → {b} mm", a=Name(f"{r:g}"), b=Name(f"{value:g}")))  # fmt: skip
+        yield (
+            Text("a smaller fillet"),
+            lambda: _stretched(
+                problem,
+                "countershaft.fillet_radius_mm",
+                0.8,
+                lambda share: round(r * (1 - share), 3),
+                lambda value: Text("{a} → {b} mm", a=Name(f"{r:g}"), b=Name(f"{value:g}")),
+            ),
+        )
     yield from _chosen(problem)
 
 
@@ -193,14 +220,21 @@ def _seat(problem: Problem, now: float) -> RefusalLine | None:
 
     def at(seat: float) -> Problem:
         one = quick(problem)
-        return replace(one, sizes={**one.sizes, key: (round(seat, 2),)}, most={k: v for k, v in one.most.items() if k != "seat"})
+        return replace(
+            one, sizes={**one.sizes, key: (round(seat, 2),)}, most={k: v for k, v in one.most.items() if k != "seat"}
+        )
 
     seat = _least(lambda d: passing(at(now + d)) is not None, SEAT_REACH)
     seat = None if seat is None else math.ceil(seat * 100 - 1e-6) / 100
     if seat is None or (one := _confirmed(at(now + seat))) is None:
         return None
     broken = tuple(id for id in one.broken if id not in (WALL, "optimise.most.seat"))
-    return RefusalLine(key, Text("{a} → {b} mm", a=Name(f"{now:g}"), b=Name(f"{now + seat:g}")), _wall(problem, now, now + seat), broken)
+    return RefusalLine(
+        key,
+        Text("{a} → {b} mm", a=Name(f"{now:g}"), b=Name(f"{now + seat:g}")),
+        _wall(problem, now, now + seat),
+        broken,
+    )
 
 
 def _wall(problem: Problem, now: float, seat: float) -> Text:
@@ -208,11 +242,17 @@ def _wall(problem: Problem, now: float, seat: float) -> Text:
     if support is None or support.wall is None or support.wall_at_seat is None:
         return EMPTY
     left = [(support.wall - (d * 1e-3 - support.wall_at_seat) / 2) * 1e3 for d in (now, seat)]
-    return Text("wall {a} → {b} mm, least_wall_mm {least}", a=Name(f"{left[0]:.2f}"), b=Name(f"{left[1]:.2f}"),
-        least=Name(f"{support.least_wall * 1e3:g}"))  # fmt: skip
+    return Text(
+        "wall {a} → {b} mm, least_wall_mm {least}",
+        a=Name(f"{left[0]:.2f}"),
+        b=Name(f"{left[1]:.2f}"),
+        least=Name(f"{support.least_wall * 1e3:g}"),
+    )
 
 
-def _stretched(problem: Problem, key: str, reach: float, value: Callable[[float], Any], words: Callable[[Any], Text]) -> RefusalLine | None:
+def _stretched(
+    problem: Problem, key: str, reach: float, value: Callable[[float], Any], words: Callable[[Any], Text]
+) -> RefusalLine | None:
     """One key moved by the least share that lets something pass."""
 
     def at(share: float) -> Problem | None:
@@ -251,7 +291,8 @@ def _least(holds: Callable[[float], bool], reach: float) -> float | None:
 
 
 def _chosen(problem: Problem) -> Iterator[Way]:
-    """What could be chosen otherwise, each alone: the closest fits, the smoothest surfaces, another supply, a thicker oil."""
+    """What could be chosen otherwise, each alone: the closest fits, the smoothest surfaces, another supply, a thicker
+    oil."""
     one, bearings = quick(problem), problem.base.bearings
     assert bearings is not None
     fits = [str(bearings.journal_fit), str(bearings.seat_fit)]
@@ -260,7 +301,10 @@ def _chosen(problem: Problem) -> Iterator[Way]:
         yield Text("closer fits, {fits}", fits=Name("/".join(closest))), lambda: _choice(one, FITS, closest)
     smooth = min(ROUGHNESSES) * 1e6
     if all(pair is None or max(pair) > smooth + 1e-9 for pair in problem.surfaces):
-        yield Text("smoother surfaces, {Ra} µm", Ra=Name(f"{smooth:g}/{smooth:g}")), lambda: _smooth(one, (smooth, smooth))
+        yield (
+            Text("smoother surfaces, {Ra} µm", Ra=Name(f"{smooth:g}/{smooth:g}")),
+            lambda: _smooth(one, (smooth, smooth)),
+        )
     for name in _thicker(problem):
         yield Text("the oil {name}", name=Name(name)), lambda name=name: _choice(one, "bearings.oil", name)  # type: ignore[misc]
     for supply, width in (("groove", bearings.groove_width), ("pocket", bearings.pocket_width)):
@@ -273,8 +317,11 @@ def _thicker(problem: Problem) -> list[str]:
     made, bearings = problem.base, problem.base.bearings
     assert bearings is not None
     at = bearings.supply_temperature
-    mu = {name: Lubricant(bearings.in_bearings(oil), bearings.viscosity_law).at(at).mu for name, oil in made.oils.items()
-        if ENGINE_OIL.match(name) or name == bearings.oil}  # fmt: skip
+    mu = {
+        name: Lubricant(bearings.in_bearings(oil), bearings.viscosity_law).at(at).mu
+        for name, oil in made.oils.items()
+        if ENGINE_OIL.match(name) or name == bearings.oil
+    }
     own = mu[bearings.oil]
     return sorted((name for name in mu if mu[name] > own * 1.02), key=lambda name: mu[name])
 
@@ -288,4 +335,6 @@ def _choice(problem: Problem, key: str, value: Any) -> RefusalLine | None:
 def _smooth(problem: Problem, pair: tuple[float, float]) -> RefusalLine | None:
     one = _confirmed(replace(problem, surfaces=(pair,)))
     words = Name("/".join(f"{x:g}" for x in pair))
-    return None if one is None else RefusalLine("bearings.surfaces", Text("Ra {pair} µm", pair=words), EMPTY, one.broken)
+    return (
+        None if one is None else RefusalLine("bearings.surfaces", Text("Ra {pair} µm", pair=words), EMPTY, one.broken)
+    )

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The whole search: every class, over processes where asked, their fronts joined, and rows solved whole until enough of them stand for all.
+"""The whole search: every class, over processes where asked, their fronts joined, and rows solved whole until enough of
+them stand for all.
 
-A class is the unit of work: it keeps no state, gives the same rows wherever it runs, and its result may be kept in a file, so that a run
-that was ended goes on where it stood.  Whatever the order in which classes come back, what is offered depends on the problem alone.
-"""
+A class is the unit of work: it keeps no state, gives the same rows wherever it runs, and its result may be kept in a
+file, so that a run that was ended goes on where it stood.  Whatever the order in which classes come back, what is
+offered depends on the problem alone."""
 
 import hashlib
 import json
@@ -37,12 +38,15 @@ NEIGHBOURS = 3  # of a row that fails when it is solved whole, are tried in its 
 NEAR = 16  # rows among which the neighbours of one are looked for
 FIRST = 4  # rows that are solved whole to find a first drive that passes
 HOPELESS = 6  # rows that fail whole by one and the same check: nothing that is varied moves it
-Told = Callable[[int, "FrontTable", str], None]  # classes that are done, what they have given together, and the last one's name
+Told = Callable[
+    [int, "FrontTable", str], None
+]  # classes that are done, what they have given together, and the last one's name
 
 
 @record
 class FrontTable:
-    """The front of all classes on arrays, from which whole solutions are chosen.  `objectives`: a column each, to be as small as can be."""
+    """The front of all classes on arrays, from which whole solutions are chosen.  `objectives`: a column each, to be as
+    small as can be."""
 
     rows: DriveRows
     of: Array  # the class of each row
@@ -56,7 +60,8 @@ class FrontTable:
 
 @record
 class FrontFound:
-    """`drives`: those that pass, solved whole, least power first; `dropped`: rows that did not.  `done`: of the classes.
+    """`drives`: those that pass, solved whole, least power first; `dropped`: rows that did not.  `done`: of the
+    classes.
 
     `proved`: whether the front is that of every combination; else it is what a search came to."""
 
@@ -80,7 +85,8 @@ def asked(document: Document, said: dict[str, object]) -> tuple[Problem, Results
     return problem_of(document, gear.tip_diameter * 1e3 if gear is not None else None, said), results
 
 
-# --- the classes ------------------------------------------------------------------------------------------------------------
+# --- the classes
+# ------------------------------------------------------------------------------------------------------------
 def one_class(problem: Problem, n: int) -> ClassFront:
     """One class; why it has no rows where its loads or its envelope have no solution."""
     try:
@@ -97,8 +103,9 @@ def _none() -> DriveRows:
 
 def classes(
     problem: Problem, processes: int = 1, parts: Path | None = None, scheduler: str = ""
-) -> Iterator[tuple[int, ClassFront]]:  # fmt: skip
-    """Every class as it is done.  `parts`: a folder in which results are kept and looked for; `scheduler`: address of a dask one."""
+) -> Iterator[tuple[int, ClassFront]]:
+    """Every class as it is done.  `parts`: a folder in which results are kept and looked for; `scheduler`: address of a
+    dask one."""
     waiting = []
     for n in promising(problem):
         if (known := _kept(problem, n, parts)) is not None:
@@ -116,11 +123,21 @@ def promising(problem: Problem) -> list[int]:
     return sorted(range(len(grades)), key=lambda n: grades[n])
 
 
-# --- what is kept ---------------------------------------------------------------------------------------------------------------
+# --- what is kept
+# ---------------------------------------------------------------------------------------------------------------
 def key(problem: Problem) -> str:
     """What a kept result holds for: the values of the design, what is varied, the program's version."""
-    what = [VERSION, problem.start.data, problem.sizes, problem.choices, problem.surfaces, problem.margins, problem.limits, problem.waived,
-        problem.cycle]  # fmt: skip
+    what = [
+        VERSION,
+        problem.start.data,
+        problem.sizes,
+        problem.choices,
+        problem.surfaces,
+        problem.margins,
+        problem.limits,
+        problem.waived,
+        problem.cycle,
+    ]
     return hashlib.sha256(json.dumps(what, sort_keys=True, default=str).encode()).hexdigest()[:16]
 
 
@@ -134,8 +151,12 @@ def _kept(problem: Problem, n: int, parts: Path | None) -> ClassFront | None:
             if len({len(column) for column in vars(rows).values()}) != 1:
                 return None
             count, c, a, wheels = (float(x) for x in file["about"])
-            return ClassFront(rows, int(count), (c, a), wheels, Text("{why}", why=str(file["why"])) if str(file["why"]) else EMPTY)
-    except Exception:  # a file that was cut off or written over, in any of the ways in which zipfile, zlib and numpy say so
+            return ClassFront(
+                rows, int(count), (c, a), wheels, Text("{why}", why=str(file["why"])) if str(file["why"]) else EMPTY
+            )
+    except (
+        Exception
+    ):  # a file that was cut off or written over, in any of the ways in which zipfile, zlib and numpy say so
         return None
 
 
@@ -145,11 +166,14 @@ def _keep(problem: Problem, n: int, one: ClassFront, parts: Path | None) -> None
     parts.mkdir(parents=True, exist_ok=True)
     path = parts / f"{key(problem)}-{n}.npz"
     made = BytesIO()
-    np.savez(made, about=np.array([one.combinations, *one.crank, one.wheels]), why=np.array(str(one.why)), **vars(one.rows))
+    np.savez(
+        made, about=np.array([one.combinations, *one.crank, one.wheels]), why=np.array(str(one.why)), **vars(one.rows)
+    )
     write_file(path, made.getvalue())
 
 
-# --- the front ----------------------------------------------------------------------------------------------------------------
+# --- the front
+# ----------------------------------------------------------------------------------------------------------------
 def table(problem: Problem, done: dict[int, ClassFront]) -> FrontTable:
     """The rows of all classes that no other beats in the objectives, within their hard ends."""
     parts, of, columns = [_none()], [np.zeros(0)], [np.zeros((0, len(problem.objectives)))]
@@ -162,7 +186,9 @@ def table(problem: Problem, done: dict[int, ClassFront]) -> FrontTable:
     rows, which, objectives = joined(parts), np.concatenate(of).astype(int), np.concatenate(columns)
     kept = front(objectives) if len(rows) else np.zeros(0, dtype=int)
     refused = tuple((n, one.why) for n, one in sorted(done.items()) if not len(one.rows))
-    return FrontTable(rows.at(kept), which[kept], objectives[kept], sum(one.combinations for one in done.values()), refused)
+    return FrontTable(
+        rows.at(kept), which[kept], objectives[kept], sum(one.combinations for one in done.values()), refused
+    )
 
 
 def _objectives(problem: Problem, n: int, one: ClassFront) -> Array:
@@ -170,9 +196,12 @@ def _objectives(problem: Problem, n: int, one: ClassFront) -> Array:
     rows, (c, a), choices = one.rows, one.crank, problem.classes[n]
     prices = np.array([problem.price(choices, surface) or 0.0 for surface in problem.surfaces])
     known = {
-        "power": c + a * rows.power, "mass": rows.mass + one.wheels, "seat": rows.seat * 1e3, "price": prices[rows.surface.astype(int)],
+        "power": c + a * rows.power,
+        "mass": rows.mass + one.wheels,
+        "seat": rows.seat * 1e3,
+        "price": prices[rows.surface.astype(int)],
         "margin": -rows.margin * 100,
-    }  # fmt: skip
+    }
     beyond = np.zeros(len(rows), dtype=bool)
     for name, bound in problem.most.items():
         beyond |= known[name] > (bound if name != "margin" else -bound) + 1e-6
@@ -185,9 +214,14 @@ def _sized(problem: Problem, known: FrontTable, place: int) -> Sized:
     return sized(problem, problem.classes[int(known.of[place])], known.rows, place)
 
 
-def solved(problem: Problem, known: FrontTable, told: Callable[[int, int], None] | None = None,
-    enough: Callable[[], bool] = bool) -> tuple[list[Whole], list[Whole]]:  # fmt: skip
-    """Rows that stand for all, solved whole, and those that were dropped.  A row that fails gives its place to its neighbours.
+def solved(
+    problem: Problem,
+    known: FrontTable,
+    told: Callable[[int, int], None] | None = None,
+    enough: Callable[[], bool] = bool,
+) -> tuple[list[Whole], list[Whole]]:
+    """Rows that stand for all, solved whole, and those that were dropped.  A row that fails gives its place to its
+    neighbours.
 
     A KeyboardInterrupt, or `enough` once there is a drive, ends it with those that there are by then."""
     wanted = _wanted(problem, known, problem.rows)
@@ -232,10 +266,14 @@ def _wanted(problem: Problem, known: FrontTable, count: int) -> list[int]:
 
 
 def _instead(scaled: Array, first: int, wanted: set[int], lacks: Mapping[int, float]) -> int | None:
-    """In the place of a row that fails: of its neighbours that are neither wanted nor solved the one that should lack least, by the row
-    nearest to it that was solved, and of these the nearest; None: there is none."""
+    """In the place of a row that fails: of its neighbours that are neither wanted nor solved the one that should lack
+    least, by the row nearest to it that was solved, and of these the nearest; None: there is none."""
     far = np.abs(scaled - scaled[first]).max(1)
-    near = [int(n) for n in np.argsort(far, kind="stable")[:NEAR] if np.isfinite(far[n]) and n not in wanted and n not in lacks]
+    near = [
+        int(n)
+        for n in np.argsort(far, kind="stable")[:NEAR]
+        if np.isfinite(far[n]) and n not in wanted and n not in lacks
+    ]
     done = list(lacks)
 
     def should_lack(place: int) -> float:
@@ -257,16 +295,27 @@ def _exact_front(problem: Problem, drives: list[Whole]) -> list[Whole]:
     """Those that no other beats in the numbers of the whole solutions, least power first."""
     if not drives:
         return []
-    rows = np.array([[(-1 if name == "margin" else 1) * one.objectives[name] for name in problem.objectives] for one in drives])
+    rows = np.array(
+        [[(-1 if name == "margin" else 1) * one.objectives[name] for name in problem.objectives] for one in drives]
+    )
     kept = [drives[int(n)] for n in front(np.round(rows, 9))]
     return sorted(kept, key=lambda one: (one.objectives["power"], one.objectives["mass"], str(one.changes)))
 
 
-def search(problem: Problem, processes: int = 1, parts: Path | None = None, told: Told | None = None,
-    solving: Callable[[int, int], None] | None = None, scheduler: str = "", stop: Callable[[], bool] = bool,
-    first: Callable[[Whole], None] | None = None, enough: Callable[[], bool] = bool) -> FrontFound:  # fmt: skip
-    """The front of whole drives.  `stop`, asked after each class, or a KeyboardInterrupt ends the classes; what is known by then is solved
-    whole and given, until `enough`, asked after each drive.  `first` is told the first drive that is known to pass."""
+def search(
+    problem: Problem,
+    processes: int = 1,
+    parts: Path | None = None,
+    told: Told | None = None,
+    solving: Callable[[int, int], None] | None = None,
+    scheduler: str = "",
+    stop: Callable[[], bool] = bool,
+    first: Callable[[Whole], None] | None = None,
+    enough: Callable[[], bool] = bool,
+) -> FrontFound:
+    """The front of whole drives.  `stop`, asked after each class, or a KeyboardInterrupt ends the classes; what is
+    known by then is solved whole and given, until `enough`, asked after each drive.  `first` is told the first drive
+    that is known to pass."""
     done: dict[int, ClassFront] = {}
     passing: Whole | None = None
     try:

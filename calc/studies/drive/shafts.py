@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
 """Shafts as arrays: sectors, slopes of the journals and mass over core, both journals' lengths and the largest seat.
 
-A pure couple on two journals: the sectors have a closed form (countershaft/sizing), the bending moment depends on no stiffness, and a slope
-is the integral of M·m/(E·I) + Q·q/(κ·G·A) over the pieces (principle of virtual work; m, q of a unit couple at the journal).  M is at most
-quadratic and m linear on each piece, so that two points of Gauss are exact.  What the shaft's own mass adds while it turns is a share
-that goes with mass and slope; whatever is offered is bent whole (countershaft/bending).
+A pure couple on two journals: the sectors have a closed form (countershaft/sizing), the bending moment depends on no
+stiffness, and a slope is the integral of M·m/(E·I) + Q·q/(κ·G·A) over the pieces (principle of virtual work; m, q of a
+unit couple at the journal).  M is at most quadratic and m linear on each piece, so that two points of Gauss are exact.
+What the shaft's own mass adds while it turns is a share that goes with mass and slope; whatever is offered is bent
+whole (countershaft/bending).
 
 z from mid-shaft, + towards the flywheel; SI throughout.
 """
@@ -25,19 +26,21 @@ from ...sheet.arrays import Array, BoolArray, each, many
 from ...sheet.record import record
 from ...sheet.units import Kilogram, Metre, NewtonMetre, Number, Radian, RadPerSecond
 
-TURNING = 0.05  # of m·ω²·L²·θ/C: the share that the mass of a bent shaft adds to a slope as it turns; by trying, bearings about the middle
+# of m·ω²·L²·θ/C: the share that the mass of a bent shaft adds to a slope as it turns; by trying, bearings about the
+# middle
+TURNING = 0.05
 SAFE = 1.25  # on that of the softest shaft of a class, where it is more; rule of this program
 GAUSS = (0.5 - 0.5 / math.sqrt(3), 0.5 + 0.5 / math.sqrt(3))
 
 
 @record
 class ShaftSurroundings:
-    """What all shafts of a class have in common.  `couple` that the sectors give; `gear`: diameter and width of its wheel.
+    """What all shafts of a class have in common.  `couple` that the sectors give; `gear`: diameter and width of its
+    wheel.
 
-    `clearance`: for threading; `fillet` 0: none is asked; `effectiveness`: share of the sectors' stiffness.
-    `added`: to the slope of the front and of the rear journal while the shaft turns, as TURNING.
-    `gear_z`: middle of its wheel where that is given, ahead of both journals or behind them; None: it stands against the front one.
-    """
+    `clearance`: for threading; `fillet` 0: none is asked; `effectiveness`: share of the sectors' stiffness. `added`: to
+    the slope of the front and of the rear journal while the shaft turns, as TURNING. `gear_z`: middle of its wheel
+    where that is given, ahead of both journals or behind them; None: it stands against the front one."""
 
     material: Material
     couple: NewtonMetre
@@ -68,12 +71,14 @@ class ShaftSurroundings:
         return turned
 
     def longest(self, n: int, R: Metre, r_0: Metre) -> Metre:
-        """The longest journal n that leaves the sectors the room that the couple needs, with that outer and core radius."""
+        """The longest journal n that leaves the sectors the room that the couple needs, with that outer and core
+        radius."""
         K = z.couple_number(C=self.couple, rho=self.material.density, omega=self.omega, R=R, r_0=r_0)
         return 2 * (abs(self.positions[n]) - math.sqrt(2 * K) - 2 * self.fillet)
 
     def stub(self, l_f: Array, l_r: Array) -> Array:
-        """The core between the wheel and the journal beside it; 0 where it stands against the front one, below it where they cross."""
+        """The core between the wheel and the journal beside it; 0 where it stands against the front one, below it where
+        they cross."""
         if self.gear is None or self.gear_z is None:
             return 0 * l_f + 0 * l_r
         half = self.gear[1] / 2
@@ -96,11 +101,11 @@ class ShaftSurroundings:
 
 @record
 class Shafts:
-    """Over core (first axis), length of the front (second) and of the rear journal (third); not a number where nothing fits.
+    """Over core (first axis), length of the front (second) and of the rear journal (third); not a number where nothing
+    fits.
 
-    `slopes`: of front and rear journal, without what the front journal's own bending adds; `mass` without the front journal; `fits`: the
-    envelope holds the couple, and the core beside a wheel its fillets.
-    """
+    `slopes`: of front and rear journal, without what the front journal's own bending adds; `mass` without the front
+    journal; `fits`: the envelope holds the couple, and the core beside a wheel its fillets."""
 
     face: Array
     slopes: tuple[Array, Array]
@@ -119,11 +124,15 @@ def journal_slopes(drive: ShaftSurroundings, front: bool, d: Metre, l: Array) ->
         at = start + (end - start) * share
         M = R * (at - z_1) if front else R * (at - z_2)
         for n in (0, 1):
-            total[n] = total[n] + _virtual(drive, n, at, M, R, drive.material.E * I, drive.shear * A) * (end - start) / 2
+            total[n] = (
+                total[n] + _virtual(drive, n, at, M, R, drive.material.E * I, drive.shear * A) * (end - start) / 2
+            )
     return total[0], total[1]
 
 
-def _virtual(drive: ShaftSurroundings, n: int, at: Array, M: Array, Q: Array | float, EI: Array | float, GA: Array | float) -> Array:
+def _virtual(
+    drive: ShaftSurroundings, n: int, at: Array, M: Array, Q: Array | float, EI: Array | float, GA: Array | float
+) -> Array:
     """The integrand of the slope of journal n, both counted so that a couple between them makes them positive."""
     x = (at - drive.positions[0]) / drive.span
     m, q = (1 - x if n == 0 else -x), -1 / drive.span
@@ -131,7 +140,13 @@ def _virtual(drive: ShaftSurroundings, n: int, at: Array, M: Array, Q: Array | f
     return integrand
 
 
-def with_turning(drive: ShaftSurroundings, core: Metre, d: tuple[Metre, Metre], l: tuple[Metre, Metre], turning: tuple[Radian, Radian]) -> ShaftSurroundings:
+def with_turning(
+    drive: ShaftSurroundings,
+    core: Metre,
+    d: tuple[Metre, Metre],
+    l: tuple[Metre, Metre],
+    turning: tuple[Radian, Radian],
+) -> ShaftSurroundings:
     """The same with what its mass adds to slopes, from one shaft of it that was bent whole as it turns."""
     l_f, l_r = (np.array([x]) for x in l)
     still = shafts(drive, np.array([core]), l_f, l_r, max(d), d[1])
@@ -185,8 +200,10 @@ def shafts(drive: ShaftSurroundings, core: Array, l_f: Array, l_r: Array, seat: 
 
         inner = [np.zeros_like(length), np.zeros_like(length)]
         for start, end, stiff, shear in (
-            (-f, -f + length, EI, GA), (-f + length, f - length, EI_0, GA_0), (f - length, f, EI, GA),
-        ):  # fmt: skip
+            (-f, -f + length, EI, GA),
+            (-f + length, f - length, EI_0, GA_0),
+            (f - length, f, EI, GA),
+        ):
             for share in GAUSS:
                 at = start + (end - start) * share
                 M, Q = state(at)
@@ -197,8 +214,9 @@ def shafts(drive: ShaftSurroundings, core: Array, l_f: Array, l_r: Array, seat: 
         slopes = [inner[n][:, place] for n in (0, 1)]
         E, G = material.E * math.pi / 4 * r_0**4, drive.shear * math.pi * r_0**2
         for start, end, pin in (
-            (z_1 + front / 2 + 0 * back, -F, z_1), (F, drive.positions[1] - back / 2 + 0 * front, drive.positions[1]),
-        ):  # fmt: skip
+            (z_1 + front / 2 + 0 * back, -F, z_1),
+            (F, drive.positions[1] - back / 2 + 0 * front, drive.positions[1]),
+        ):
             for share in GAUSS:
                 at = start + (end - start) * share
                 for n in (0, 1):
@@ -209,7 +227,11 @@ def shafts(drive: ShaftSurroundings, core: Array, l_f: Array, l_r: Array, seat: 
         stub = drive.stub(front, back)
         beside = beside + np.where(stub > TOUCH, stub, 0.0)
         free = (stub >= -TOUCH) & ~(drive.filleted & too_narrow(stub, drive.fillet))
-        weight = mass[:, place] + material.density * (math.pi * r_0**2 * beside + math.pi / 4 * rear**2 * back) + drive.gear_mass()
+        weight = (
+            mass[:, place]
+            + material.density * (math.pi * r_0**2 * beside + math.pi / 4 * rear**2 * back)
+            + drive.gear_mass()
+        )
     return Shafts(np.broadcast_to(F, slopes[0].shape), (slopes[0], slopes[1]), weight, fits[:, place] & free)
 
 

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A row put into the design and solved whole: only these are shown, and their numbers are those of the whole solution."""
+"""A row put into the design and solved whole: only these are shown, and their numbers are those of the whole
+solution."""
 
 import math
 from collections.abc import Mapping
@@ -35,8 +36,9 @@ class Sized:
 
 @record
 class Whole:
-    """A drive as the program solves it.  `objectives` by name, in their units; `broken`: what it does not keep, empty for one that passes;
-    `open`: how many other findings stay open; `lacks`: by how much of 1 its limits are passed over, all of them together."""
+    """A drive as the program solves it.  `objectives` by name, in their units; `broken`: what it does not keep, empty
+    for one that passes; `open`: how many other findings stay open; `lacks`: by how much of 1 its limits are passed
+    over, all of them together."""
 
     sized: Sized
     changes: Changes
@@ -93,7 +95,11 @@ def whole(problem: Problem, sized: Sized, before: Results | None = None) -> tupl
     fail = problem.broken(checks)
     broken = tuple(c.id for c in fail)
     objectives = {} if stopped else measured(problem, document, results, checks, sized)
-    over = tuple(f"optimise.most.{key}" for key, bound in problem.most.items() if objectives and _beyond(key, objectives.get(key), bound))
+    over = tuple(
+        f"optimise.most.{key}"
+        for key, bound in problem.most.items()
+        if objectives and _beyond(key, objectives.get(key), bound)
+    )
     count = sum(c.verdict == "warn" for c in checks)
     lacks = sum(map(_lack, fail)) + LARGE * len({*stopped, *over} - set(broken))
     return Whole(sized, made, document, objectives, (*stopped, *broken, *over), count, lacks), results
@@ -109,10 +115,17 @@ def _beyond(key: str, value: float | None, bound: float) -> bool:
     return value < bound - 1e-9 if key == "margin" else value > bound + 1e-9
 
 
-def measured(problem: Problem, document: Document, results: Results, checks: list[Check], sized: Sized) -> dict[str, float]:
+def measured(
+    problem: Problem, document: Document, results: Results, checks: list[Check], sized: Sized
+) -> dict[str, float]:
     """The objectives that are known, in their units."""
     watts = mean_power(problem, document, results) if problem.cycle else power(results)
-    found = {"power": watts, "mass": mass(results), "seat": max(sized.diameter.values()), "margin": problem.margin(checks)}
+    found = {
+        "power": watts,
+        "mass": mass(results),
+        "seat": max(sized.diameter.values()),
+        "margin": problem.margin(checks),
+    }
     cost = problem.price(sized.choices, sized.surface)
     return found if cost is None else found | {"price": cost}
 

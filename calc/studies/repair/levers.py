@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What may be changed for a finding, kind by kind: numbers that are moved, alone or together, and changes that are tried as they are."""
+"""What may be changed for a finding, kind by kind: numbers that are moved, alone or together, and changes that are
+tried as they are."""
 
 import math
 import re
@@ -24,27 +25,33 @@ from . import sizing as strength
 from .state import RepairState
 from .vary import ASKED, FREE
 
-# What kind of remedy a changed input is, in the words of the trade: a smaller clearance, a longer journal, a thicker core.
+# What kind of remedy a changed input is, in the words of the trade: a smaller clearance, a longer journal, a thicker
+# core.
+
 
 @dataclass(frozen=True)
 class Kind:
-    """`less`, `more`: the words for a smaller and a larger number; `other`: for another word, or a number that is taken out."""
+    """`less`, `more`: the words for a smaller and a larger number; `other`: for another word, or a number that is taken
+    out."""
 
     less: Text
     more: Text
     other: Text = EMPTY
 
 
-# Patterns of keys, the first that fits counts.  Keys of one row that stand in the same bearing, mass or mesh move together.
+# Patterns of keys, the first that fits counts.  Keys of one row that stand in the same bearing, mass or mesh move
+# together.
 KINDS: tuple[tuple[str, Kind], ...] = (
     (r".*\.(front|rear)\.clearance_(um|factor)", Kind(Text("smaller clearance"), Text("larger clearance"))),
     (r"bearings\.(front|rear)\.length_mm", Kind(Text("shorter journal"), Text("longer journal"))),
-    (r"bearings\.(front|rear)\.(journal|housing)_roughness_um", Kind(Text("smoother surfaces"), Text("rougher surfaces"))),
+    (r"bearings\.(front|rear)\.(journal|housing)_roughness_um", Kind(Text("smoother surfaces"),
+    Text("rougher surfaces"))),
     (r"bearings\.(front|rear)\.diameter_mm", Kind(Text("smaller journal"), Text("larger journal"))),
     (r"bearings\.(journal|seat)_fit", Kind(Text("closer fits"), Text("wider fits"), Text("closer fits"))),
     (r"bearings\.slope_mrad", Kind(Text("smaller slope"), Text("larger slope"), Text("slope of the shaft's bending"))),
     (r"(bearings|friction)\.oil", Kind(Text("thinner oil"), Text("thicker oil"), Text("another oil"))),
-    (r"bearings\.(hole_diameter|groove_width|pocket_width)_mm", Kind(Text("narrower oil supply"), Text("wider oil supply"))),
+    (r"bearings\.(hole_diameter|groove_width|pocket_width)_mm", Kind(Text("narrower oil supply"),
+    Text("wider oil supply"))),
     (r"bearings\.supply_pressure_bar", Kind(Text("less oil pressure"), Text("more oil pressure"))),
     (r"bearings\.housing_material", Kind(EMPTY, EMPTY, Text("another housing"))),
     (r"gears\.(housing|support)_material", Kind(EMPTY, EMPTY, Text("another housing"))),
@@ -73,7 +80,8 @@ KINDS: tuple[tuple[str, Kind], ...] = (
     (r"gears\.wheels\..*\.tip_diameter_tolerance_um", Kind(Text("smaller tips"), Text("larger tips"))),
     (r"gears\.wheels\..*\.position_mm", Kind(Text("wheel elsewhere"), Text("wheel elsewhere"))),
     (r"gears\.wheels\..*\.runout_um", Kind(Text("less runout"), Text("more runout"))),
-    (r"gears\.wheels\..*\.(gear_material|quality|hardness_HV)", Kind(Text("softer teeth"), Text("harder teeth"), Text("stronger teeth"))),
+    (r"gears\.wheels\..*\.(gear_material|quality|hardness_HV)", Kind(Text("softer teeth"), Text("harder teeth"),
+    Text("stronger teeth"))),
     (r"gears\.meshes\..*\.centre_distance_mm", Kind(Text("closer centres"), Text("wider centres"))),
     (r"gears\.meshes\..*\.tolerance_um", Kind(Text("closer tolerance"), Text("wider tolerance"))),
     (r"gears\.(wheels\..*\.)?face_width_mm", Kind(Text("narrower gears"), Text("wider gears"))),
@@ -99,7 +107,9 @@ def kind_of(document: Document, key: str) -> Kind:
     if (row := row_of(key)) is not None:
         return CALLED[row][1]
     label = Small(quantity_of(document.data, key).label)
-    return Kind(Text("smaller {label}", label=label), Text("larger {label}", label=label), Text("another {label}", label=label))
+    return Kind(
+        Text("smaller {label}", label=label), Text("larger {label}", label=label), Text("another {label}", label=label)
+    )
 
 
 def called(document: Document, key: str, now: object, new: object) -> Text:
@@ -112,7 +122,9 @@ def called(document: Document, key: str, now: object, new: object) -> Text:
     return kind.other or kind.less
 
 
-FIXED = re.compile(rf"{ASKED.pattern}|.*\.(slope_mrad|position_mm|firing_order|crank_angles_deg|speed_range_rpm)")  # not moved as numbers
+FIXED = re.compile(
+    rf"{ASKED.pattern}|.*\.(slope_mrad|position_mm|firing_order|crank_angles_deg|speed_range_rpm)"
+)  # not moved as numbers
 PLANS = 7  # kinds that are looked at
 SETS = 12  # changes of one kind that are tried as they are
 ALLOWANCE = 100.0  # µm off a span: what a change of it is measured against
@@ -120,7 +132,8 @@ ALLOWANCE = 100.0  # µm off a span: what a change of it is measured against
 
 @dataclass(frozen=True)
 class Lever:
-    """Inputs that move together, by the number of the first: where it stands, its description, and all changes for another number."""
+    """Inputs that move together, by the number of the first: where it stands, its description, and all changes for
+    another number."""
 
     now: float
     about: Quantity
@@ -143,7 +156,8 @@ class LeverPlan:
 
 
 def plans(state: RepairState, step: str, group: tuple[Check, ...]) -> list[LeverPlan]:
-    """In the order in which a designer would think of them: what the checks themselves name, what moves them, what else is free."""
+    """In the order in which a designer would think of them: what the checks themselves name, what moves them, what else
+    is free."""
     by_kind: dict[int | str, LeverPlan] = {}
     tried = [*_named(group), *_made_for(state, group)]
     keys = [*(next(iter(one)) for one in tried), *_keys(state, step, group)]
@@ -152,7 +166,12 @@ def plans(state: RepairState, step: str, group: tuple[Check, ...]) -> list[Lever
         one = by_kind.get(kind, LeverPlan(()))
         by_kind[kind] = replace(one, keys=(*one.keys, key))
     data = state.document.data
-    shut = [LeverPlan((key,), reason=reason) for one in by_kind.values() for key in one.keys if (reason := locked(data, key))]
+    shut = [
+        LeverPlan((key,), reason=reason)
+        for one in by_kind.values()
+        for key in one.keys
+        if (reason := locked(data, key))
+    ]
     return [*shut, *islice(filter(None, (_filled(state, kind, one, tried) for kind, one in by_kind.items())), PLANS)]
 
 
@@ -174,7 +193,8 @@ def _filled(state: RepairState, kind: int | str, plan: LeverPlan, tried: list[Ch
     return replace(plan, levers=tuple(moved), sets=tuple(sets[:SETS])) if moved or sets else None
 
 
-# --- what moves a finding --------------------------------------------------------------------------------------------------
+# --- what moves a finding
+# --------------------------------------------------------------------------------------------------
 def _keys(state: RepairState, step: str, group: tuple[Check, ...]) -> Iterator[str]:
     """Of a table the numbers in it; then the free numbers of the step in the same bearing, mesh or wheel."""
     every = [key for key, about in quantities(state.document.data) if about.kind in ("number", "integer", "series")]
@@ -217,7 +237,8 @@ MADE_FOR: tuple[tuple[tuple[str, ...], Callable[[RepairState, tuple[Check, ...]]
 )
 
 
-# --- words -----------------------------------------------------------------------------------------------------------------
+# --- words
+# -----------------------------------------------------------------------------------------------------------------
 def _words(state: RepairState, key: str) -> Iterator[Changes]:
     """Other words that may stand at a key, the nearest first."""
     about, now, last = quantity_of(state.document.data, key), value_at(state.document.data, key), key.rpartition(".")[2]
@@ -243,7 +264,9 @@ def _oils(state: RepairState) -> list[str]:
     own, *others = variants(bearings_case(state.design, state.results))
     T = state.design.bearings.supply_temperature if state.design.bearings is not None else 0.0
     mu = own.lubricant.at(T).mu
-    return [v.oil for v in sorted(others, key=lambda v: abs(math.log(v.lubricant.at(T).mu / mu))) if v.supply == own.supply]
+    return [
+        v.oil for v in sorted(others, key=lambda v: abs(math.log(v.lubricant.at(T).mu / mu))) if v.supply == own.supply
+    ]
 
 
 def _unlike(one: Material, other: Material) -> float:
@@ -252,7 +275,8 @@ def _unlike(one: Material, other: Material) -> float:
     return sum(abs(math.log(a / b)) for a, b in pairs if a > 0 and b > 0) + (one.kind != other.kind)
 
 
-# --- numbers ---------------------------------------------------------------------------------------------------------------
+# --- numbers
+# ---------------------------------------------------------------------------------------------------------------
 def levers(state: RepairState, keys: list[str]) -> Iterator[Lever]:
     """Of the keys of one kind in one place: what moves all of them, and other ways to do so."""
     key, data = keys[0], state.document.data
@@ -280,7 +304,8 @@ def levers(state: RepairState, keys: list[str]) -> Iterator[Lever]:
 
 
 def _scaled(state: RepairState, numbers: Mapping[str, list[float]], key: str, about: Quantity) -> Iterator[Lever]:
-    """All in one proportion; a journal that grows outwards, away from the masses; a core for which the slope is that of the bending."""
+    """All in one proportion; a journal that grows outwards, away from the masses; a core for which the slope is that of
+    the bending."""
     data, now = state.document.data, numbers[key][0]
     lists = {one for one in numbers if isinstance(value_at(data, one), list)}
 

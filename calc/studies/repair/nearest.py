@@ -30,9 +30,10 @@ Way = Callable[[RepairState, tuple[Check, ...], Progress | None], RepairState]
 
 @dataclass(frozen=True)
 class NearestRemedy:
-    """What repairs a step.  `changes`: KEY=VALUE, as `--set` takes them; `mends`: ids of checks that failed and hold with it (a step that
-    had no solution: its key).  `left`: what still fails in the step, and why; then it is a part of a remedy only.  `breaks`: ids of
-    checks of other steps that fail with it and did not before.  `document` and `results`: the design with it."""
+    """What repairs a step.  `changes`: KEY=VALUE, as `--set` takes them; `mends`: ids of checks that failed and hold
+    with it (a step that had no solution: its key).  `left`: what still fails in the step, and why; then it is a part of
+    a remedy only.  `breaks`: ids of checks of other steps that fail with it and did not before.  `document` and
+    `results`: the design with it."""
 
     step: str
     changes: tuple[str, ...]
@@ -57,8 +58,8 @@ class Unmended:
 
 @dataclass(frozen=True)
 class Nearest:
-    """Remedies in the order in which they are to be made, each on the design with those before; what then still fails; the design with
-    all of them.  `changes` and `words`: all of them together."""
+    """Remedies in the order in which they are to be made, each on the design with those before; what then still fails;
+    the design with all of them.  `changes` and `words`: all of them together."""
 
     remedies: tuple[NearestRemedy, ...]
     left: tuple[Unmended, ...]
@@ -75,26 +76,56 @@ class Nearest:
 
 Ways = dict[str, tuple[tuple[tuple[str, ...], str], ...]]
 
-# For each step: patterns of its checks, and what repairs them (module.function, imported when a check fails).  What is left goes to the
-# search over single numbers, then to the last ones.
+# For each step: patterns of its checks, and what repairs them (module.function, imported when a check fails).  What is
+# left goes to the search over single numbers, then to the last ones.
 WAYS: Ways = {
-    "countershaft": ((("countershaft.residual", "countershaft.residual_force"), "calc.studies.repair.sizing.balance"),
-                     (("countershaft.crossing",), "calc.studies.repair.sizing.shorter_journals")),
+    "countershaft": (
+        (("countershaft.residual", "countershaft.residual_force"), "calc.studies.repair.sizing.balance"),
+        (("countershaft.crossing",), "calc.studies.repair.sizing.shorter_journals"),
+    ),
     "bearings": ((("*",), "calc.studies.repair.trials.bearings_or_longer_journals"),),
     "gears": (
-        (("*.contact_ratio", "*.contact_ratio_least", "*.interference", "*.interference_least", "*.tip_clearance_least", "*.undercut",
-          "*.tip_thickness"), "calc.studies.repair.teeth.better_teeth"),
+        (
+            (
+                "*.contact_ratio",
+                "*.contact_ratio_least",
+                "*.interference",
+                "*.interference_least",
+                "*.tip_clearance_least",
+                "*.undercut",
+                "*.tip_thickness",
+            ),
+            "calc.studies.repair.teeth.better_teeth",
+        ),
         (("*.clearance", "*.position"), "calc.studies.repair.teeth.idler"),
-        (("*.backlash", "*.backlash_cold", "*.backlash_warm", "*.backlash_runout"), "calc.studies.repair.teeth.free_backlash"),
+        (
+            ("*.backlash", "*.backlash_cold", "*.backlash_warm", "*.backlash_runout"),
+            "calc.studies.repair.teeth.free_backlash",
+        ),
         (("*.safety_contact", "*.safety_bending"), "calc.studies.repair.sizing.stronger_teeth"),
     ),
-}  # fmt: skip
-UNSOLVED = {"bearings": "calc.studies.repair.sizing.nearest_bearings", "countershaft": "calc.studies.repair.sizing.resize", "gears": "calc.studies.repair.teeth.better_teeth"}
+}
+UNSOLVED = {
+    "bearings": "calc.studies.repair.sizing.nearest_bearings",
+    "countershaft": "calc.studies.repair.sizing.resize",
+    "gears": "calc.studies.repair.teeth.better_teeth",
+}
 LAST: Ways = {
-    "countershaft": ((("countershaft.envelope", "countershaft.envelope_length", "countershaft.crossing", "countershaft.mass_shape"),
-                      "calc.studies.repair.sizing.resize"),),
-    "gears": ((("*.clearance",), "calc.studies.repair.teeth.idler"),),  # once what else kept its teeth from passing is repaired
-}  # fmt: skip
+    "countershaft": (
+        (
+            (
+                "countershaft.envelope",
+                "countershaft.envelope_length",
+                "countershaft.crossing",
+                "countershaft.mass_shape",
+            ),
+            "calc.studies.repair.sizing.resize",
+        ),
+    ),
+    "gears": (
+        (("*.clearance",), "calc.studies.repair.teeth.idler"),
+    ),  # once what else kept its teeth from passing is repaired
+}
 
 
 def _way(name: str) -> Way:
@@ -105,7 +136,7 @@ def _way(name: str) -> Way:
 
 def remedy(
     document: Document, step: str, results: Results | None = None, progress: Progress | None = None, tries: int = TRIES
-) -> NearestRemedy:  # fmt: skip
+) -> NearestRemedy:
     """The nearest remedy of one step.  One without changes: nothing of it can be repaired, or nothing fails.
 
     `results`: where the design is solved already.  `progress` may raise `Cancelled`.
@@ -114,12 +145,17 @@ def remedy(
 
 
 def nearest(
-    document: Document, results: Results | None = None, progress: Progress | None = None, only: str | None = None, tries: int = TRIES
-) -> Nearest:  # fmt: skip
-    """The nearest design in which no limit fails, with what can not be repaired.  `only`: the limits of this step alone.
+    document: Document,
+    results: Results | None = None,
+    progress: Progress | None = None,
+    only: str | None = None,
+    tries: int = TRIES,
+) -> Nearest:
+    """The nearest design in which no limit fails, with what can not be repaired.  `only`: the limits of this step
+    alone.
 
-    `tries`: how many designs may be solved in the search over single numbers, where nothing better is known for a check.
-    """
+    `tries`: how many designs may be solved in the search over single numbers, where nothing better is known for a
+    check."""
     budget, start = Budget(tries), state_of(document, results)
     state, remedies, left = start, list[NearestRemedy](), dict[str, tuple[Unmended, ...]]()
     steps = [step for step in ORDER if only in (None, step)]
@@ -140,17 +176,22 @@ def nearest(
             break
     still = [one for step in steps if state.sick(step) for one in left.get(step) or _undone(state, step)]
     changes = words(start.document, start.results, state.changes)
-    return Nearest(tuple(remedies), tuple(still), tuple(assignments(state.changes)), changes, state.document, state.results)
+    return Nearest(
+        tuple(remedies), tuple(still), tuple(assignments(state.changes)), changes, state.document, state.results
+    )
 
 
 def _undone(state: RepairState, step: str) -> tuple[Unmended, ...]:
     """Checks that a remedy of another step made fail in the last round."""
-    return tuple(Unmended(step, c.id, c.name, Text("what repairs other steps makes it fail")) for c in state.failing(step))
+    return tuple(
+        Unmended(step, c.id, c.name, Text("what repairs other steps makes it fail")) for c in state.failing(step)
+    )
 
 
 def _without_needless(start: RepairState, state: RepairState) -> RepairState:
-    """The same without the changes without which nothing more fails, the last ones first: a search moves several numbers at once, and
-    what a later change repairs may need no earlier one.  A design is solved no further than to the first check that says so."""
+    """The same without the changes without which nothing more fails, the last ones first: a search moves several
+    numbers at once, and what a later change repairs may need no earlier one.  A design is solved no further than to the
+    first check that says so."""
     failing = {c.id for c in state.results.checks() if c.verdict == "fail"}
     worse: list[str] = []
 
@@ -159,7 +200,12 @@ def _without_needless(start: RepairState, state: RepairState) -> RepairState:
         worse.extend(c.id for c in outcome.checks if known and c.verdict == "fail" and c.id not in failing)
         return bool(worse)
 
-    mended = {part for c in start.results.checks() if c.verdict == "fail" and c.id not in failing for part in re.split("[._]", c.id)[1:]}
+    mended = {
+        part
+        for c in start.results.checks()
+        if c.verdict == "fail" and c.id not in failing
+        for part in re.split("[._]", c.id)[1:]
+    }
     of = {key: key.split(".")[-2] for key in state.changes if key.count(".") > 1}  # the element of each
     for key in reversed(state.changes) if len(state.changes) > 1 else ():
         if of.get(key) in mended and [*of.values()].count(of[key]) == 1:
@@ -211,7 +257,15 @@ class _Step:
             effect = Text("passes all checks of the {step}", step=title)
         changes = words(start.document, start.results, state.changes)
         remedy = NearestRemedy(
-            self.step, tuple(assignments(state.changes)), changes, effect, tuple(mends), left, breaks, state.document, state.results
+            self.step,
+            tuple(assignments(state.changes)),
+            changes,
+            effect,
+            tuple(mends),
+            left,
+            breaks,
+            state.document,
+            state.results,
         )
         return remedy, state
 
@@ -233,17 +287,26 @@ class _Step:
         return state
 
     def _round(self, state: RepairState, progress: Progress | None) -> RepairState:
-        """Every failing check once: by what is made for it, then by its own remedies and the search over single numbers, then by a
-        new start."""
+        """Every failing check once: by what is made for it, then by its own remedies and the search over single
+        numbers, then by a new start."""
         first, last = WAYS.get(self.step, ()), LAST.get(self.step, ())
         for n, (patterns, way) in enumerate(first):
-            failing = tuple(c for c in self._failing(state, patterns) if c.id not in self.why)  # not those that were tried in vain
-            state = self._by(state, failing, _way(way), part(progress, 0.5 * n / len(first), 0.5 * (n + 1) / len(first)))
+            failing = tuple(
+                c for c in self._failing(state, patterns) if c.id not in self.why
+            )  # not those that were tried in vain
+            state = self._by(
+                state, failing, _way(way), part(progress, 0.5 * n / len(first), 0.5 * (n + 1) / len(first))
+            )
         every = state.failing(self.step)
         sets = [every] * (len(every) > 1) + [(one,) for one in every]
         for n, checks in enumerate(sets):
             failing = tuple(c for c in state.failing(self.step) if c.id in {one.id for one in checks})
-            state = self._by(state, failing, self._one_number, part(progress, 0.5 + 0.4 * n / len(sets), 0.5 + 0.4 * (n + 1) / len(sets)))
+            state = self._by(
+                state,
+                failing,
+                self._one_number,
+                part(progress, 0.5 + 0.4 * n / len(sets), 0.5 + 0.4 * (n + 1) / len(sets)),
+            )
         for patterns, way in last:
             state = self._by(state, self._failing(state, patterns), _way(way), part(progress, 0.9, 1.0))
         return state
@@ -252,7 +315,8 @@ class _Step:
         return tuple(c for c in state.failing(self.step) if any(fnmatchcase(c.id, pattern) for pattern in patterns))
 
     def _one_number(self, state: RepairState, failing: tuple[Check, ...], progress: Progress | None) -> RepairState:
-        """By what a check itself names as a remedy, where that breaks nothing; else by the search over single numbers."""
+        """By what a check itself names as a remedy, where that breaks nothing; else by the search over single
+        numbers."""
         named = [dict(one.changes) for c in failing for one in c.remedies]
         try:
             made = first_repaired(state, self.step, [c.id for c in failing], named, progress, most=NAMED)
@@ -265,7 +329,9 @@ class _Step:
     def _by(self, state: RepairState, failing: tuple[Check, ...], way: Way, progress: Progress | None) -> RepairState:
         return (self._tried(state, failing, way, progress) if failing else None) or state
 
-    def _tried(self, state: RepairState, failing: tuple[Check, ...], way: Way, progress: Progress | None) -> RepairState | None:
+    def _tried(
+        self, state: RepairState, failing: tuple[Check, ...], way: Way, progress: Progress | None
+    ) -> RepairState | None:
         """The design as a way repairs it; None where it does not, with the reason noted."""
         ids = [c.id for c in failing]
         try:

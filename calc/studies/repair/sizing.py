@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A counter-shaft that leaves too much or does not fit: its masses set to what the engine asks for, or a shaft of the sizing search."""
+"""A counter-shaft that leaves too much or does not fit: its masses set to what the engine asks for, or a shaft of the
+sizing search."""
 
 import cmath
 import math
@@ -29,8 +30,10 @@ from .state import RepairState, broken, first_repaired, repaired
 
 # Bearings that fail: the nearest ones of the search that `choose` offers.
 
+
 def nearest_bearings(state: RepairState, failing: tuple[Check, ...], progress: Progress | None = None) -> RepairState:
-    """Lengths, clearances, oil and supply, and where these do not help surfaces, diameters and fits.  Raises NoSolution."""
+    """Lengths, clearances, oil and supply, and where these do not help surfaces, diameters and fits.  Raises
+    NoSolution."""
     case = bearings_case(state.design, state.results)
     if locked(state.document.data, "bearings.oil"):
         case = replace(case, oils={case.bearings.oil: case.oils[case.bearings.oil]})
@@ -50,14 +53,17 @@ UNKNOWN = Text("what the engine asks for is not known")
 
 
 def balance(state: RepairState, failing: tuple[Check, ...], progress: Progress | None = None) -> RepairState:
-    """Of the masses as few as will do, each by its mass, its angle or its radius alone where that is enough.  Raises NoSolution."""
+    """Of the masses as few as will do, each by its mass, its angle or its radius alone where that is enough.  Raises
+    NoSolution."""
     shaft = state.design.countershaft
     assert shaft is not None
     imbalance = state.results.result(ImbalanceResult)
     if imbalance is not None and shaft.pair != "yes" and _out_of_reach(failing, task(shaft, imbalance)):
         raise NoSolution(Text("what turns against the shaft is more than may be left, and no mass on it takes that"))
     if shaft.mode != "given":
-        raise NoSolution(Text("the sized pair gives what is asked of it; look at overdesign_percent and the further elements"))
+        raise NoSolution(
+            Text("the sized pair gives what is asked of it; look at overdesign_percent and the further elements")
+        )
     return first_repaired(state, "countershaft", [c.id for c in failing], balanced(state, shaft), progress, whole=True)
 
 
@@ -67,7 +73,8 @@ def _out_of_reach(failing: tuple[Check, ...], todo: ShaftTask) -> bool:
 
 
 def balanced(state: RepairState, shaft: CountershaftInputs) -> Iterator[Changes]:
-    """Masses that give what the engine asks for, the fewest changes first.  Raises NoSolution where that is not known."""
+    """Masses that give what the engine asks for, the fewest changes first.  Raises NoSolution where that is not
+    known."""
     imbalance, engine = state.results.result(ImbalanceResult), state.results.result(EngineResult)
     if imbalance is None or engine is None:
         raise NoSolution(UNKNOWN)
@@ -98,7 +105,8 @@ def _shifted(masses: tuple[EccentricMass, ...], now: list[complex], U: complex, 
 
 
 def _wanted(masses: tuple[EccentricMass, ...], now: list[complex], U: complex, P: complex) -> Iterator[list[complex]]:
-    """Unbalances that leave nothing: of one mass, the others as they are; of the first and the last; of all, turned and scaled alike."""
+    """Unbalances that leave nothing: of one mass, the others as they are; of the first and the last; of all, turned and
+    scaled alike."""
     for n, mass in enumerate(masses):
         others = sum(u for i, u in enumerate(now) if i != n)
         one = U - others
@@ -171,7 +179,8 @@ def resize(state: RepairState, failing: tuple[Check, ...], progress: Progress | 
     return first_repaired(state, "countershaft", ids, ways, part(progress, 0.3, 1.0), most=TRIED)
 
 
-# Teeth that are too weak: the smallest face width that is enough, and beyond half as much again a stronger class or quality.
+# Teeth that are too weak: the smallest face width that is enough, and beyond half as much again a stronger class or
+# quality.
 
 STEP = 0.5  # mm
 WIDER = 1.5  # times the face width that is tried before a stronger class; rule of this program
@@ -205,7 +214,8 @@ def wheels(state: RepairState, failing: tuple[Check, ...]) -> list[str]:
 
 
 def _wider(state: RepairState, names: list[str], ids: list[str], low: float, high: float) -> RepairState | None:
-    """The smallest face width between two multiples of the present one, on half millimetres; None where none is enough."""
+    """The smallest face width between two multiples of the present one, on half millimetres; None where none is
+    enough."""
     gears = state.design.gears
     assert gears is not None
     own = {w.name: w.face_width for w in gears.wheels if w.name in names and w.face_width is not None}
@@ -226,7 +236,8 @@ def _wider(state: RepairState, names: list[str], ids: list[str], low: float, hig
 
 
 def stronger(state: RepairState, names: list[str]) -> Iterator[Changes]:
-    """Classes and qualities that are stronger than those of the wheels, the weakest first: for each wheel alone, then for all."""
+    """Classes and qualities that are stronger than those of the wheels, the weakest first: for each wheel alone, then
+    for all."""
     gears = state.design.gears
     assert gears is not None
     some_wheels = [wheel for wheel in gears.wheels if wheel.name in names]
@@ -235,9 +246,11 @@ def stronger(state: RepairState, names: list[str]) -> Iterator[Changes]:
     for some in [*([wheel] for wheel in some_wheels), some_wheels]:
         now = [strength_class(w.gear_material or DEFAULT, w.quality, w.hardness) for w in some]
         enough = [
-            one for one in every if all(one.sigma_Hlim >= was.sigma_Hlim and one.sigma_Flim >= was.sigma_Flim for was in now)
+            one
+            for one in every
+            if all(one.sigma_Hlim >= was.sigma_Hlim and one.sigma_Flim >= was.sigma_Flim for was in now)
             and any(one.sigma_Hlim > was.sigma_Hlim or one.sigma_Flim > was.sigma_Flim for was in now)
-        ]  # fmt: skip
+        ]
         for one in enough[:TRIED]:
             yield dict(change for wheel in some for change in _class(wheel, one.name, one.quality))
 

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A design on its way: its document, what has been changed so far, and what it then gives.  Nothing is changed in place."""
+"""A design on its way: its document, what has been changed so far, and what it then gives.  Nothing is changed in
+place."""
 
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
@@ -17,7 +18,15 @@ from ...sheet.step import Outcome
 from ...sheet.text import Small, Text
 from ...solve import Results, solve
 
-ORDER = ("engine", "imbalance", "countershaft", "bearings", "gears", "friction", "mounting")  # in which steps are repaired: that of solving
+ORDER = (
+    "engine",
+    "imbalance",
+    "countershaft",
+    "bearings",
+    "gears",
+    "friction",
+    "mounting",
+)  # in which steps are repaired: that of solving
 TITLES = {step.key: Small(step.title) for step in STEPS}
 
 
@@ -47,12 +56,16 @@ class RepairState:
         return self.unsolved(step) or bool(self.failing(step))
 
     def with_changes(
-        self, changes: Mapping[str, object], known: Results | None = None, enough: Callable[[Outcome[object]], bool] | None = None
-    ) -> "RepairState":  # fmt: skip
-        """The same with keys changed, solved whole but for what judges nothing.  Raises BadInput where they are not allowed, or locked.
+        self,
+        changes: Mapping[str, object],
+        known: Results | None = None,
+        enough: Callable[[Outcome[object]], bool] | None = None,
+    ) -> "RepairState":
+        """The same with keys changed, solved whole but for what judges nothing.  Raises BadInput where they are not
+        allowed, or locked.
 
-        `known`: results of a design that is nearer to it, or of itself, whole or not.  `enough` ends the solution early, as in `solve`.
-        """
+        `known`: results of a design that is nearer to it, or of itself, whole or not.  `enough` ends the solution
+        early, as in `solve`."""
         document, made = self.document, dict(self.changes)
         for key, value in changes.items():
             if value == value_at(document.data, key):
@@ -64,7 +77,11 @@ class RepairState:
             made[key] = value
         wanted = design(document, (self.document, self.design))
         there = known is not None and known.design == wanted and known.outcomes.keys() >= self.results.outcomes.keys()
-        results = known if known is not None and there else solve(wanted, known or self.results, enough=enough, compared=False)
+        results = (
+            known
+            if known is not None and there
+            else solve(wanted, known or self.results, enough=enough, compared=False)
+        )
         return RepairState(document, results, made)
 
 
@@ -75,7 +92,8 @@ def state_of(document: Document, results: Results | None = None) -> RepairState:
 
 
 def broken(before: RepairState, after: RepairState, steps: Iterable[str] = ORDER) -> list[str]:
-    """Checks of these steps that fail now and did not before, and steps that lost their solution; of a step without one nothing counts."""
+    """Checks of these steps that fail now and did not before, and steps that lost their solution; of a step without one
+    nothing counts."""
     worse = []
     for step in steps:
         if before.outcome(step).state != "solved":
@@ -102,14 +120,20 @@ def repaired(before: RepairState, after: RepairState, step: str, ids: Iterable[s
 
 
 def first_repaired(
-    before: RepairState, step: str, ids: Iterable[str], ways: Iterable[Changes], progress: Progress | None = None, *, whole: bool = False,
+    before: RepairState,
+    step: str,
+    ids: Iterable[str],
+    ways: Iterable[Changes],
+    progress: Progress | None = None,
+    *,
+    whole: bool = False,
     most: int | None = None,
-) -> RepairState:  # fmt: skip
-    """The first of some ways, each a set of changes, by which the checks `ids` of a step hold; `most` of them are tried.
+) -> RepairState:
+    """The first of some ways, each a set of changes, by which the checks `ids` of a step hold; `most` of them are
+    tried.
 
-    One that breaks no check that held is preferred to one that breaks checks of later steps, which can be repaired in turn; with `whole`
-    one by which all of the step holds goes before.  Raises NoSolution where no way does.
-    """
+    One that breaks no check that held is preferred to one that breaks checks of later steps, which can be repaired in
+    turn; with `whole` one by which all of the step holds goes before.  Raises NoSolution where no way does."""
     wanted, earlier = list(ids), ORDER[: ORDER.index(step) + 1]
 
     def tried(changes: Changes) -> Trial[RepairState]:
@@ -119,7 +143,9 @@ def first_repaired(
             return Trial(None, why=bad.errors[0].reason)
         if not repaired(before, after, step, wanted):
             still = next((c for c in after.failing(step) if c.id in wanted), None)
-            return Trial(None, why=Text("{check} would still fail", check=still.name) if still else after.outcome(step).reason)
+            return Trial(
+                None, why=Text("{check} would still fail", check=still.name) if still else after.outcome(step).reason
+            )
         if worse := broken(before, after, earlier):
             return Trial(None, why=Text("{check} would then fail", check=worse[0]))
         later = broken(before, after) or any(map(after.unsolved, ORDER))

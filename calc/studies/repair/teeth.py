@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Teeth that are undercut, pointed, that touch the fillet of their mate or hand over too late: another shift, or another tip cut.
+"""Teeth that are undercut, pointed, that touch the fillet of their mate or hand over too late: another shift, or
+another tip cut.
 
-The rules are those of the search for shifts (`choose`).  That search looks for the least sliding; here every shift and every cut is looked
-at alone, and the nearest to the design that keeps the rules is taken.  Where there is none, the rows of that search.
-"""
+The rules are those of the search for shifts (`choose`).  That search looks for the least sliding; here every shift and
+every cut is looked at alone, and the nearest to the design that keeps the rules is taken.  Where there is none, the
+rows of that search."""
 
 import math
 from collections.abc import Iterator
@@ -60,12 +61,14 @@ def idler(state: RepairState, failing: tuple[Check, ...], progress: Progress | N
         raise NoSolution(Text("no other number of teeth of an idler is clear of what stands around the train"))
     now = {wheel.name: wheel.teeth for wheel in gears.wheels}
     rows.sort(key=lambda row: (abs(row.teeth - now[row.wheel]), row.largest))
-    return first_repaired(state, "gears", [c.id for c in failing], [row.changes for row in rows], part(progress, 0.6, 1.0), most=TRIED)
+    return first_repaired(
+        state, "gears", [c.id for c in failing], [row.changes for row in rows], part(progress, 0.6, 1.0), most=TRIED
+    )
 
 
 def _nearest(gears: GearsInputs) -> Iterator[tuple[int, float, Changes]]:
-    """Of every way to leave shifts free the nearest along each, and the nearest cut of each tip: which limits it keeps (the fewer the
-    later), how far it goes, and its keys."""
+    """Of every way to leave shifts free the nearest along each, and the nearest cut of each tip: which limits it keeps
+    (the fewer the later), how far it goes, and its keys."""
     case = ShiftCase(tooth_system(gears), gears)
     now = settled(gears, case.system)
     there = None if now is None else states(case.system, gears, now.shifts)
@@ -95,8 +98,11 @@ def _first(case: ShiftCase, made: States, bar: Bar, numbers: Array, start: float
 
 
 def _change(row: ShiftRow, gears: GearsInputs) -> float:
-    """From the design: the sum of the changes of all given shifts and, in modules, of all tip cuts; rule of this program."""
-    shifts = sum(abs(float(row.states.shifts[w.name][0]) - w.profile_shift) for w in gears.wheels if w.profile_shift is not None)
+    """From the design: the sum of the changes of all given shifts and, in modules, of all tip cuts; rule of this
+    program."""
+    shifts = sum(
+        abs(float(row.states.shifts[w.name][0]) - w.profile_shift) for w in gears.wheels if w.profile_shift is not None
+    )
     cuts = {wheel.name: wheel.tip_shortening for wheel in gears.wheels}
     return shifts + sum(abs(k - cuts[name]) for name, k in row.cuts.items()) / gears.module
 
@@ -119,7 +125,9 @@ def free_backlash(state: RepairState, failing: tuple[Check, ...], progress: Prog
         for one in jammed:
             if not -one.value < MOST:
                 value = Amount(one.value, "µm")
-                raise NoSolution(Text("{check} is {value}: thinner teeth alone do not free the pair", check=one.name, value=value))
+                raise NoSolution(
+                    Text("{check} is {value}: thinner teeth alone do not free the pair", check=one.name, value=value)
+                )
             mesh = one.id.split(".")[1]
             missing[mesh] = max(missing.get(mesh, 0), math.ceil(-one.value - 1e-6))
         state = state.with_changes(_thinner(state, missing))
@@ -127,14 +135,25 @@ def free_backlash(state: RepairState, failing: tuple[Check, ...], progress: Prog
 
 
 def _thinner(state: RepairState, missing: dict[str, int]) -> Changes:
-    """Each micrometre comes off the wheel that frees the most pairs by it, of several the one with the thickest teeth."""
+    """Each micrometre comes off the wheel that frees the most pairs by it, of several the one with the thickest
+    teeth."""
     gears = state.design.gears
     assert gears is not None
     pairs = {mesh.key: (mesh.driver, mesh.driven) for mesh in gears.meshes}
-    free = [wheel for wheel in gears.wheels if not locked(state.document.data, f"gears.wheels.{wheel.name}.span_allowance_um")]
+    free = [
+        wheel
+        for wheel in gears.wheels
+        if not locked(state.document.data, f"gears.wheels.{wheel.name}.span_allowance_um")
+    ]
     given = {wheel.name: [round(end * 1e6, 6) for end in wheel.span_allowance or (0.0, 0.0)] for wheel in free}
     if stuck := next((mesh for mesh in missing if not given.keys() & set(pairs[mesh])), None):
-        raise NoSolution(Text("the span allowances of {driver} and {driven} are locked", driver=pairs[stuck][0], driven=pairs[stuck][1]))
+        raise NoSolution(
+            Text(
+                "the span allowances of {driver} and {driven} are locked",
+                driver=pairs[stuck][0],
+                driven=pairs[stuck][1],
+            )
+        )
     left, less = dict(missing), dict.fromkeys(given, 0)
 
     def use(wheel: str) -> tuple[int, float]:
@@ -145,4 +164,6 @@ def _thinner(state: RepairState, missing: dict[str, int]) -> Changes:
         less[best] += 1
         left = {mesh: more - (best in pairs[mesh]) for mesh, more in left.items()}
     less = {name: n for name, n in less.items() if n}
-    return {f"gears.wheels.{name}.span_allowance_um": [whole(end - n) for end in given[name]] for name, n in less.items()}
+    return {
+        f"gears.wheels.{name}.span_allowance_um": [whole(end - n) for end in given[name]] for name, n in less.items()
+    }

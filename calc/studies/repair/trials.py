@@ -28,14 +28,14 @@ ALL_CORNERS, AS_GIVEN, BREAKS, NEAR, LOCKED = range(5)  # how good a way is
 
 @dataclass(frozen=True)
 class RepairOption:
-    """One remedy.  `kind`: in the words of the trade; `words`: the change in labels and units of the fields; `made`: each
-    key with its new value, `changes` the same as KEY=VALUE.
+    """One remedy.  `kind`: in the words of the trade; `words`: the change in labels and units of the fields; `made`:
+    each key with its new value, `changes` the same as KEY=VALUE.
 
-    `passes`: the finding and the limits of its group hold; `effect` says how far it comes.  `left`: names of what is still open in the
-    group; `breaks`: names of limits that fail then and did not, and of steps without a solution.  `verdicts`: step, before, after.
-    `power` [W], `mass` [kg]: before and after, of the crank's loss and the shaft; `cold` [µm]: the cold clearance, of a bearing.
-    `locked`: why it was not looked at.  `missing`: it gives an input that was not there.
-    """
+    `passes`: the finding and the limits of its group hold; `effect` says how far it comes.  `left`: names of what is
+    still open in the group; `breaks`: names of limits that fail then and did not, and of steps without a solution.
+    `verdicts`: step, before, after. `power` [W], `mass` [kg]: before and after, of the crank's loss and the shaft;
+    `cold` [µm]: the cold clearance, of a bearing. `locked`: why it was not looked at.  `missing`: it gives an input
+    that was not there."""
 
     kind: Text
     keys: tuple[str, ...]
@@ -64,8 +64,11 @@ class RepairOption:
     @property
     def rest(self) -> Text:
         """What it does beside: `+9 W, +0.4 kg, cold gap 32 µm; then fails: …`."""
-        parts = [Text("{change}", change=Amount(b - a, unit, form="+.3g")) for pair, unit in ((self.power, "W"), (self.mass, "kg"))
-                 if pair is not None and abs((b := pair[1]) - (a := pair[0])) > 5e-4 * abs(a)]  # fmt: skip
+        parts = [
+            Text("{change}", change=Amount(b - a, unit, form="+.3g"))
+            for pair, unit in ((self.power, "W"), (self.mass, "kg"))
+            if pair is not None and abs((b := pair[1]) - (a := pair[0])) > 5e-4 * abs(a)
+        ]
         if self.cold is not None:
             parts.append(Text("cold gap {gap}", gap=Amount(self.cold, "µm", digits=3)))
         text = COMMA.join(parts) if parts else EMPTY
@@ -82,7 +85,9 @@ def ranked(ways: Iterable[RepairOption]) -> tuple[RepairOption, ...]:
     return (*[way for way in every if not way.locked][: MOST - len(shut)], *shut)
 
 
-def repair_option(state: RepairState, after: RepairState, changes: Changes, group: tuple[Check, ...], kind: Text) -> RepairOption:
+def repair_option(
+    state: RepairState, after: RepairState, changes: Changes, group: tuple[Check, ...], kind: Text
+) -> RepairOption:
     """A way that was found, with all that it does."""
     left = _open_still(after, group)
     steps = [id for id in broken(state, after)]
@@ -94,12 +99,21 @@ def repair_option(state: RepairState, after: RepairState, changes: Changes, grou
     place = group[0].id.split(".")[1] if group and group[0].id.startswith("bearings.") else ""
     gap = then.values().get(f"bearings.{place}.clearance_cold") if place else None
     return RepairOption(
-        kind, tuple(changes), tuple(changes.items()), words(state.document, before, changes), _effect(group, left, quality), quality,
-        disturbance(state, changes.items()), tuple(c.name for c in left), breaks,
+        kind,
+        tuple(changes),
+        tuple(changes.items()),
+        words(state.document, before, changes),
+        _effect(group, left, quality),
+        quality,
+        disturbance(state, changes.items()),
+        tuple(c.name for c in left),
+        breaks,
         tuple((key, before.outcomes[key].verdict, then.outcomes[key].verdict) for key in ORDER),
-        _pair(before, then, "friction.total_loss"), _pair(before, then, "countershaft.mass"), gap.shown if gap is not None else None,
+        _pair(before, then, "friction.total_loss"),
+        _pair(before, then, "countershaft.mass"),
+        gap.shown if gap is not None else None,
         results=then,
-    )  # fmt: skip
+    )
 
 
 def _pair(before: Results, after: Results, id: str) -> tuple[float, float] | None:
@@ -110,7 +124,11 @@ def _pair(before: Results, after: Results, id: str) -> tuple[float, float] | Non
 def _open_still(after: RepairState, group: tuple[Check, ...]) -> tuple[Check, ...]:
     """Of a group what is not mended: a limit that failed must hold, all else must be closed."""
     there = {c.id: c for outcome in after.results.outcomes.values() for c in outcome.checks}
-    return tuple(there[c.id] for c in group if c.id in there and (there[c.id].open if c.verdict != "fail" else not there[c.id].holds))
+    return tuple(
+        there[c.id]
+        for c in group
+        if c.id in there and (there[c.id].open if c.verdict != "fail" else not there[c.id].holds)
+    )
 
 
 def _effect(group: tuple[Check, ...], left: tuple[Check, ...], quality: int) -> Text:
@@ -118,10 +136,18 @@ def _effect(group: tuple[Check, ...], left: tuple[Check, ...], quality: int) -> 
         worst = left[0]
         if worst.id != group[0].id:
             return Text("still open: {checks}", checks=worst.name)
-        return Text("comes to {value}, needs {limit}", value=Amount(worst.value, worst.unit, digits=3), limit=worst.limit_text())
+        return Text(
+            "comes to {value}, needs {limit}", value=Amount(worst.value, worst.unit, digits=3), limit=worst.limit_text()
+        )
     if left:
-        return plural("passes as given; {n} finding is still open", "passes as given; {n} findings are still open", n=len(left))
-    return Text("passes, also at every corner") if any("corner" in c.id or "worst" in c.id for c in group) else Text("passes")
+        return plural(
+            "passes as given; {n} finding is still open", "passes as given; {n} findings are still open", n=len(left)
+        )
+    return (
+        Text("passes, also at every corner")
+        if any("corner" in c.id or "worst" in c.id for c in group)
+        else Text("passes")
+    )
 
 
 PROBE = 0.02  # of the number, by which it is moved to see what it does
@@ -138,7 +164,9 @@ NEARER = 0.1  # share of what is missing that a change must bring to be worth a 
 class Trials:
     """The smallest change of one kind: whole designs are tried, each once."""
 
-    def __init__(self, state: RepairState, step: str, group: tuple[Check, ...], progress: Progress | None, name: Text) -> None:
+    def __init__(
+        self, state: RepairState, step: str, group: tuple[Check, ...], progress: Progress | None, name: Text
+    ) -> None:
         self.state, self.step, self.group, self.progress, self.name = state, step, group, progress, name
         self.ids = {c.id for c in group}
         self.known: dict[tuple[str, bool], RepairState | None] = {}
@@ -179,7 +207,9 @@ class Trials:
             self.ended = False
             begun = self.known.get((name, False))
             try:
-                after = self.state.with_changes(changes, begun.results if begun else None, None if whole else self._known)
+                after = self.state.with_changes(
+                    changes, begun.results if begun else None, None if whole else self._known
+                )
             except (BadInput, NoSolution):
                 after = None
             self.known[name, False] = after
@@ -210,7 +240,9 @@ class Trials:
         if not made:
             return None
         key = next((key for key in made if made[key] is not None), next(iter(made)))
-        way = repair_option(self.state, after, made, self.group, called(self.state.document, key, self._now(key), made[key]))
+        way = repair_option(
+            self.state, after, made, self.group, called(self.state.document, key, self._now(key), made[key])
+        )
         return way
 
     def _worth(self, way: RepairOption) -> bool:
@@ -245,7 +277,10 @@ class Trials:
                 beyond = high + copysign(max(abs(high - low), ROUND * lever.scale), high - lever.now)
                 numbers = [self._rounded(lever, low, high), self._rounded(lever, high, beyond), high]
             for number in numbers:
-                if self.score(self.tried(lever.at(number)), wanted) >= 0 and (way := self.way(lever.at(number) or {})) is not None:
+                if (
+                    self.score(self.tried(lever.at(number)), wanted) >= 0
+                    and (way := self.way(lever.at(number) or {})) is not None
+                ):
                     return way if not way.breaks or way.disturbance < LARGE else self._nearer(lever, number)
             return self._nearer(lever, ends) if not isinstance(ends, tuple) else None
         return None
@@ -276,8 +311,11 @@ class Trials:
     def _rounded(self, lever: Lever, low: float, high: float) -> float:
         return high if lever.about.kind == "integer" or low == high else rounded(low, high)
 
-    def _ends(self, lever: Lever, wanted: tuple[Check, ...], start: float, first: float, score: float) -> tuple[float, float] | float:
-        """The largest number (seen from now) that is known not to help and the smallest that does; or the one that comes nearest."""
+    def _ends(
+        self, lever: Lever, wanted: tuple[Check, ...], start: float, first: float, score: float
+    ) -> tuple[float, float] | float:
+        """The largest number (seen from now) that is known not to help and the smallest that does; or the one that
+        comes nearest."""
         sign = copysign(1.0, first - lever.now)
         end = lever.now + sign * FARTHEST[sign] * lever.scale
         end = self._rounded(lever, end - sign * ROUND * lever.scale, end)
@@ -295,7 +333,10 @@ class Trials:
             number = self._whole(lever, low + copysign(max(abs(step), 0.01 * lever.scale), step))
             number = min(number, end) if sign > 0 else max(number, end)
             while (changes := lever.at(number)) is None or isnan(here := self.score(self.tried(changes), wanted)):
-                number, before = self._whole(lever, (low + number) / 2), number  # not allowed, or without solution: half as far
+                number, before = (
+                    self._whole(lever, (low + number) / 2),
+                    number,
+                )  # not allowed, or without solution: half as far
                 if abs(number - low) < 0.01 * lever.scale or number == before:
                     return nearest
             if here > most:
@@ -322,9 +363,13 @@ class Trials:
         return lever.now + copysign(max(1.0, abs(round(number - lever.now))), number - lever.now)
 
 
-# Bearings that fail: the nearest ones that fit, else journals as long as their films ask for, with the bearings further out.
+# Bearings that fail: the nearest ones that fit, else journals as long as their films ask for, with the bearings further
+# out.
 
-def bearings_or_longer_journals(state: RepairState, failing: tuple[Check, ...], progress: Progress | None = None) -> RepairState:
+
+def bearings_or_longer_journals(
+    state: RepairState, failing: tuple[Check, ...], progress: Progress | None = None
+) -> RepairState:
     """Raises NoSolution where neither helps."""
     try:
         return bearings.nearest_bearings(state, failing, part(progress, 0.0, 0.5))
@@ -343,7 +388,9 @@ def longer_journals(state: RepairState, failing: tuple[Check, ...], progress: Pr
         if not group:
             continue
         here = part(progress, n / len(PLACES), (n + 1) / len(PLACES))
-        way = Trials(state, "bearings", group, here, named(state.document, key)).best(LeverPlan((key,), tuple(levers(state, [key]))))
+        way = Trials(state, "bearings", group, here, named(state.document, key)).best(
+            LeverPlan((key,), tuple(levers(state, [key])))
+        )
         if way is None or way.quality > AS_GIVEN:
             raise NoSolution(Text("no longer journal is enough, {place}", place=PLACES[place]))
         state = state.with_changes(dict(way.made), way.results)

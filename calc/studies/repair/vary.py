@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-"""One number at a time: the smallest relative change of a single input by which a check holds and nothing that held fails.
+"""One number at a time: the smallest relative change of a single input by which a check holds and nothing that held
+fails.
 
-First every number is moved a little, to see which way it helps and how far it would have to go; the most promising are then moved until
-the check holds, and the change is halved down to what is just enough.  What a design asks for (speeds, temperatures, limits) stays.
-"""
+First every number is moved a little, to see which way it helps and how far it would have to go; the most promising are
+then moved until the check holds, and the change is halved down to what is just enough.  What a design asks for (speeds,
+temperatures, limits) stays."""
 
 import math
 import re
@@ -86,9 +87,12 @@ class Number:
 
 
 class _Search:
-    """Tries whole designs, each once, while the budget lasts.  `checks`: those that are to hold; none: the step finds no solution."""
+    """Tries whole designs, each once, while the budget lasts.  `checks`: those that are to hold; none: the step finds
+    no solution."""
 
-    def __init__(self, state: RepairState, step: str, checks: tuple[Check, ...], progress: Progress | None, budget: Budget) -> None:
+    def __init__(
+        self, state: RepairState, step: str, checks: tuple[Check, ...], progress: Progress | None, budget: Budget
+    ) -> None:
         self.state, self.step, self.checks, self.progress, self.budget = state, step, checks, progress, budget
         self.ids = {c.id for c in checks}
         self.first = max(budget.left, 1)
@@ -130,12 +134,16 @@ class _Search:
         return math.nan if not margins or any(map(math.isnan, margins)) else min(margins)
 
 
-def repair(state: RepairState, step: str, checks: tuple[Check, ...], budget: Budget, progress: Progress | None = None) -> RepairState:
+def repair(
+    state: RepairState, step: str, checks: tuple[Check, ...], budget: Budget, progress: Progress | None = None
+) -> RepairState:
     """All these checks by one number.  Raises NoSolution where no single one helps, or not within the budget."""
     search, named = _Search(state, step, checks, progress, budget), _named(checks)
     numbers = list(_numbers(state, step, checks, named))
     best: tuple[float, RepairState] | None = None
-    for n, (not_named, need, sign, number) in enumerate(sorted(_hopes(search, numbers, named), key=lambda one: one[:2])):
+    for n, (not_named, need, sign, number) in enumerate(
+        sorted(_hopes(search, numbers, named), key=lambda one: one[:2])
+    ):
         if best is not None and (n >= BEST or best[0] <= GROWN[0] * need or (named and not_named)):
             break
         known = math.isfinite(search.margin(state)) and need < FARTHEST
@@ -152,11 +160,14 @@ def repair(state: RepairState, step: str, checks: tuple[Check, ...], budget: Bud
 
 
 def _hopes(search: _Search, numbers: list[Number], named: set[str]) -> Iterator[tuple[bool, float, float, Number]]:
-    """Of every number: whether it is not named, the relative change that is needed as far as a small one tells, and its sign."""
+    """Of every number: whether it is not named, the relative change that is needed as far as a small one tells, and its
+    sign."""
     now = search.margin(search.state)
     for number in numbers:
         last = not _is_named(number.key, named)
-        small, tried = next(((x, search.tried(number, c)) for x in (PROBE, -PROBE) if (c := number.moved(x)) is not None), (0.0, None))
+        small, tried = next(
+            ((x, search.tried(number, c)) for x in (PROBE, -PROBE) if (c := number.moved(x)) is not None), (0.0, None)
+        )
         gain = search.margin(tried) - now
         if search.passes(tried):
             yield last, PROBE, math.copysign(1.0, small), number
@@ -169,7 +180,8 @@ def _hopes(search: _Search, numbers: list[Number], named: set[str]) -> Iterator[
 
 
 def _moved(search: _Search, number: Number, sign: float, guesses: Sequence[float]) -> tuple[float, RepairState] | None:
-    """The smallest change of one number by which the checks hold, and the design with it; None where others then fail."""
+    """The smallest change of one number by which the checks hold, and the design with it; None where others then
+    fail."""
     ends = smallest(lambda change: search.holds(search.tried(number, number.moved(sign * change))), guesses, CLOSE)
     if ends is None:
         return None
@@ -185,11 +197,18 @@ def _moved(search: _Search, number: Number, sign: float, guesses: Sequence[float
 
 
 def _numbers(state: RepairState, step: str, checks: tuple[Check, ...], named: set[str]) -> Iterator[Number]:
-    """Those that are named first, then those of the step that are free and given, of the same bearing or wheel before others."""
+    """Those that are named first, then those of the step that are free and given, of the same bearing or wheel before
+    others."""
     free = re.compile(FREE[step])
-    every = [(key, about) for key, about in quantities(state.document.data) if about.kind in ("number", "integer", "series")]
+    every = [
+        (key, about) for key, about in quantities(state.document.data) if about.kind in ("number", "integer", "series")
+    ]
     first = [one for one in every if one[0] in named or (one[0].startswith(f"{step}.") and _is_named(one[0], named))]
-    rest = [one for one in every if one[0].startswith(f"{step}.") and free.fullmatch(one[0][len(step) + 1 :]) and one not in first]
+    rest = [
+        one
+        for one in every
+        if one[0].startswith(f"{step}.") and free.fullmatch(one[0][len(step) + 1 :]) and one not in first
+    ]
     near = {part for c in checks for part in c.id.split(".")[1].split("_")}
     rest.sort(key=lambda one: not near & set(one[0].split(".")))
     for key, about in [*first, *rest]:
@@ -204,7 +223,9 @@ def _numbers(state: RepairState, step: str, checks: tuple[Check, ...], named: se
 
 def _named(checks: tuple[Check, ...]) -> set[str]:
     """Keys that the remedies of the checks change, or that move them; that of a table stands for the numbers in it."""
-    keys = {key for c in checks for one in c.remedies for key, _ in one.changes} | {key for c in checks for key in c.moved_by}
+    keys = {key for c in checks for one in c.remedies for key, _ in one.changes} | {
+        key for c in checks for key in c.moved_by
+    }
     return {key for key in keys if not ASKED.fullmatch(key)}
 
 

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What would help against one finding: remedies of different kinds, each the smallest of its kind, with what it does to all the rest.
+"""What would help against one finding: remedies of different kinds, each the smallest of its kind, with what it does to
+all the rest.
 
-A kind that mends the finding at every corner of its group is best, then one that mends it as given, then one that breaks something
-else, then one that only comes nearer.  What is locked is shown too, and not searched.
-"""
+A kind that mends the finding at every corner of its group is best, then one that mends it as given, then one that
+breaks something else, then one that only comes nearer.  What is locked is shown too, and not searched."""
 
 import time
 from collections.abc import Iterator
@@ -29,20 +29,30 @@ def group_of(results: Results, finding: Check) -> tuple[Check, ...]:
     """What is open and shares the cause of a finding, of its kind or a worse one; the finding first."""
     kinds = KINDS[: max(KINDS.index(finding.kind), KINDS.index("caution") if finding.kind == "limit" else 0) + 1]
     cause = finding.cause or finding.id
-    same = [c for c in results.checks() if c.open and (c.cause or c.id) == cause and c.kind in kinds and c.id != finding.id]
+    same = [
+        c for c in results.checks() if c.open and (c.cause or c.id) == cause and c.kind in kinds and c.id != finding.id
+    ]
     return (finding, *same)
 
 
 def ways(
-    document: Document, finding: Check | str, results: Results | None = None, progress: Progress | None = None, seconds: float | None = None
-) -> tuple[RepairOption, ...]:  # fmt: skip
+    document: Document,
+    finding: Check | str,
+    results: Results | None = None,
+    progress: Progress | None = None,
+    seconds: float | None = None,
+) -> tuple[RepairOption, ...]:
     """The best few remedies of one finding, or of a step without a solution.  `progress` may raise `Cancelled`."""
     return ranked(search(document, finding, results, progress, seconds))
 
 
 def search(
-    document: Document, finding: Check | str, results: Results | None = None, progress: Progress | None = None, seconds: float | None = None
-) -> Iterator[RepairOption]:  # fmt: skip
+    document: Document,
+    finding: Check | str,
+    results: Results | None = None,
+    progress: Progress | None = None,
+    seconds: float | None = None,
+) -> Iterator[RepairOption]:
     """All of them, each as soon as it is found; `seconds`: after so many no further kind is begun."""
     state, ends = state_of(document, results), None if seconds is None else time.monotonic() + seconds
     step = finding if isinstance(finding, str) else finding.id.partition(".")[0]
@@ -65,14 +75,20 @@ def search(
         if way is not None and way.changes not in written:
             written.add(way.changes)
             yield way
-    if (group and group[0].kind != "limit") or any(c.missing for c in group) or (ends is not None and time.monotonic() > ends):
+    if (
+        (group and group[0].kind != "limit")
+        or any(c.missing for c in group)
+        or (ends is not None and time.monotonic() > ends)
+    ):
         return
     way = _whole_step(state, step, group, part(progress, len(looked_at) / (len(looked_at) + 1), 1.0))
     if way is not None and way.changes not in written:
         yield way
 
 
-def _whole_step(state: RepairState, step: str, group: tuple[Check, ...], progress: Progress | None) -> RepairOption | None:
+def _whole_step(
+    state: RepairState, step: str, group: tuple[Check, ...], progress: Progress | None
+) -> RepairOption | None:
     """The nearest design in which all limits of the step hold."""
     from .nearest import remedy
 

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Which balancing an engine calls for: what each leaves in numbers, and why.  The numbers are those of the imbalance step's remedies."""
+"""Which balancing an engine calls for: what each leaves in numbers, and why.  The numbers are those of the imbalance
+step's remedies."""
 
 from ...design.toml_file import Document, design
 from ...engine.result import EngineResult
@@ -14,23 +15,33 @@ from ...solve import Results, solve
 from .shaft import before_shaft, envelope, task
 
 REMEDIES = {  # the remedy of the imbalance step behind each balancing
-    "half": "crank", "shaft": "backward_shaft", "pair": "first_order_pair", "second": "second_order_shafts",
+    "half": "crank",
+    "shaft": "backward_shaft",
+    "pair": "first_order_pair",
+    "second": "second_order_shafts",
     "pair_and_second": "four_shafts",
-}  # fmt: skip
+}
 WHATS = {
-    "order_1_couple": (Text("couple of order 1"), "N·m"), "order_1_force": (Text("force of order 1"), "N"),
-    "order_2_couple": (Text("couple of order 2"), "N·m"), "order_2_force": (Text("force of order 2"), "N"),
-}  # fmt: skip
+    "order_1_couple": (Text("couple of order 1"), "N·m"),
+    "order_1_force": (Text("force of order 1"), "N"),
+    "order_2_couple": (Text("couple of order 2"), "N·m"),
+    "order_2_force": (Text("force of order 2"), "N"),
+}
 LABELS = {
-    "none": Text("none"), "half": Text("half on the crank"), "shaft": Text("one shaft at −ω"), "pair": Text("a pair at ±ω"),
-    "second": Text("a pair at ±2ω"), "pair_and_second": Text("pairs at ±ω and ±2ω"),
-}  # fmt: skip
+    "none": Text("none"),
+    "half": Text("half on the crank"),
+    "shaft": Text("one shaft at −ω"),
+    "pair": Text("a pair at ±ω"),
+    "second": Text("a pair at ±2ω"),
+    "pair_and_second": Text("pairs at ±ω and ±2ω"),
+}
 IMBALANCE = {"crank_balance_fraction": 0.5, "kinematics": "exact"}  # where a design has none yet
 
 
 @record
 class Left:
-    """A force or couple of one order, peak over a turn: with the rotating masses alone balanced, and with the balancing."""
+    """A force or couple of one order, peak over a turn: with the rotating masses alone balanced, and with the
+    balancing."""
 
     key: str
     what: Text
@@ -53,7 +64,8 @@ class Balancing:
 
 
 def options(document: Document, results: Results | None = None) -> tuple[Balancing, ...]:
-    """What there is to choose from for a design whose engine is known.  Raises NoSolution where it is not, BadInput where it is wrong."""
+    """What there is to choose from for a design whose engine is known.  Raises NoSolution where it is not, BadInput
+    where it is wrong."""
     known = with_imbalance(document, results)
     imbalance, engine = known.result(ImbalanceResult), known.result(EngineResult)
     if imbalance is None or engine is None:
@@ -63,7 +75,9 @@ def options(document: Document, results: Results | None = None) -> tuple[Balanci
     if "pair_and_second" in there and not _roughest(imbalance, engine.lambda_):
         there.remove("pair_and_second")
     return tuple(
-        Balancing(id, _label(id, imbalance), _left(imbalance, id), _mass(known, id), id == best, _why(id, best, imbalance))
+        Balancing(
+            id, _label(id, imbalance), _left(imbalance, id), _mass(known, id), id == best, _why(id, best, imbalance)
+        )
         for id in ("none", *there)
     )
 
@@ -81,7 +95,14 @@ def what_shakes(results: Results) -> Text:
     said = []
     for n, force, couple in _shaking(results):
         if couple and force:
-            said.append(Text("order {n}: force {force}, couple {couple}", n=n, force=Amount(force, "N"), couple=Amount(couple, "N·m")))
+            said.append(
+                Text(
+                    "order {n}: force {force}, couple {couple}",
+                    n=n,
+                    force=Amount(force, "N"),
+                    couple=Amount(couple, "N·m"),
+                )
+            )
         elif force:
             said.append(Text("force of order {n}: {force}", n=n, force=Amount(force, "N")))
         else:
@@ -93,7 +114,9 @@ def shakes_briefly(results: Results) -> Text:
     """The same in a column of a table: the unit tells a force from a couple."""
     said = []
     for n, force, couple in _shaking(results):
-        amounts = [Text("{size}", size=Amount(size, unit, digits=3)) for size, unit in ((force, "N"), (couple, "N·m")) if size]
+        amounts = [
+            Text("{size}", size=Amount(size, unit, digits=3)) for size, unit in ((force, "N"), (couple, "N·m")) if size
+        ]
         said.append(Text("order {n}: {size}", n=n, size=COMMA.join(amounts)))
     return SEMICOLON.join(said) if said else Text("nothing of order 1 or 2")
 
@@ -115,7 +138,8 @@ def with_imbalance(document: Document, results: Results | None = None) -> Result
 
 
 def second_shafts(imbalance: ImbalanceResult) -> tuple[int, bool] | None:
-    """Speed ratio of the shaft against the second order, and whether it has a mirrored twin; None where two unlike ones would be needed."""
+    """Speed ratio of the shaft against the second order, and whether it has a mirrored twin; None where two unlike ones
+    would be needed."""
     shafts = imbalance.remedy["second_order_shafts"].shafts
     if len(shafts) == 1:
         return round(next(iter(shafts.values())).speed_ratio), False
@@ -132,13 +156,16 @@ def _mirrored(F_f: complex, F_b: complex, C_f: complex, C_b: complex) -> bool:
     return all(abs(b.conjugate() - f) <= FIRST * abs(f) for f, b in ((F_f, F_b), (C_f, C_b)))
 
 
-# --- the numbers ----------------------------------------------------------------------------------------------------------
+# --- the numbers
+# ----------------------------------------------------------------------------------------------------------
 def _before(imbalance: ImbalanceResult, key: str) -> float:
     """The peak of an order without any balancing but that of the rotating masses; 0 where it is none."""
     _, n, what = key.split("_")
     order = imbalance.orders[f"order_{n}"]
     F_f, F_b, C_f, C_b = order.unbalanced if n == "1" else order.vectors
-    peak, one = (abs(F_f) + abs(F_b), imbalance.one_force) if what == "force" else (abs(C_f) + abs(C_b), imbalance.one_couple)
+    peak, one = (
+        (abs(F_f) + abs(F_b), imbalance.one_force) if what == "force" else (abs(C_f) + abs(C_b), imbalance.one_couple)
+    )
     return float(peak) if peak > SIGNIFICANT * one else 0.0
 
 
@@ -152,7 +179,9 @@ def _left(imbalance: ImbalanceResult, id: str) -> tuple[Left, ...]:
     left = []
     for key, (what, unit) in WHATS.items():
         before = _before(imbalance, key)
-        leaves = imbalance.remedy["crank"] if id == "second" and key.startswith("order_1") and remedy is not None else remedy
+        leaves = (
+            imbalance.remedy["crank"] if id == "second" and key.startswith("order_1") and remedy is not None else remedy
+        )
         after = before if leaves is None else float(getattr(leaves, key))
         one = imbalance.one_force if unit == "N" else imbalance.one_couple
         after = after if after > SIGNIFICANT * one else 0.0
@@ -167,8 +196,11 @@ def _mass(results: Results, id: str) -> Kilogram | None:
     assert imbalance is not None
     second = second_shafts(imbalance) if "second" in id else None
     shafts = {
-        "shaft": (-1,), "pair": (1, -1), "second": _both(second), "pair_and_second": (1, -1, *_both(second)) if second else (),
-    }.get(id, ())  # fmt: skip
+        "shaft": (-1,),
+        "pair": (1, -1),
+        "second": _both(second),
+        "pair_and_second": (1, -1, *_both(second)) if second else (),
+    }.get(id, ())
     try:
         masses = [envelope(results.design, results, task(results, ratio)).sized.mass for ratio in shafts]
     except NoSolution:
@@ -180,9 +212,11 @@ def _both(second: tuple[int, bool] | None) -> tuple[int, ...]:
     return () if second is None else (second[0], -second[0]) if second[1] else (second[0],)
 
 
-# --- what is called for ---------------------------------------------------------------------------------------------------
+# --- what is called for
+# ---------------------------------------------------------------------------------------------------
 def _called_for(imbalance: ImbalanceResult, lam: float) -> str:
-    """A shaft where anything of order 1 turns backward; else the crank's half, a pair at ±2 for a force of order 2, or nothing."""
+    """A shaft where anything of order 1 turns backward; else the crank's half, a pair at ±2 for a force of order 2, or
+    nothing."""
     F_f, F_b, C_f, C_b = (abs(v) for v in imbalance.orders["order_1"].unbalanced)
     force, couple = FIRST * imbalance.one_force, FIRST * imbalance.one_couple
     if F_b > force or C_b > couple:
@@ -216,17 +250,30 @@ def _why(id: str, best: str, imbalance: ImbalanceResult) -> Text:
         return Text("Counterweights take all of order 1: nothing of it turns backward.")
     if id == "shaft":
         if force:
-            return Text("With half on the crank it takes order 1 whole; its force rolls the engine where it stands beside the crank.")
+            return Text(
+                "With half on the crank it takes order 1 whole; its force rolls the engine where it stands beside the "
+                "crank."
+            )
         return Text("With half on the crank it takes the couple of order 1 whole.")
     if id == "pair" and first_pair(imbalance):
-        return Text("It takes order 1 without counterweights and without roll; bearings and train are not designed for it here.")
+        return Text(
+            "It takes order 1 without counterweights and without roll; bearings and train are not designed for it here."
+        )
     if id == "second" and second_shafts(imbalance) is not None:
         if best == "second":
-            return Text("Order 1 cancels; the force of order 2 is what is felt. Bearings and train are not designed for it here.")
+            return Text(
+                "Order 1 cancels; the force of order 2 is what is felt. Bearings and train are not designed for it "
+                "here."
+            )
         return Text(
-            "It takes order 2, where the comfort is worth it, and no more of order 1 than the crank; without bearings and train here."
+            "It takes order 2, where the comfort is worth it, and no more of order 1 than the crank; without bearings "
+            "and train here."
         )
-    return Text("Shafts that are no mirror images would take it; they are not designed here.") if id in ("pair", "second") else FOUR
+    return (
+        Text("Shafts that are no mirror images would take it; they are not designed here.")
+        if id in ("pair", "second")
+        else FOUR
+    )
 
 
 FOUR = Text("Four shafts leave nothing of order 1 or 2; they are not designed here.")

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Missing steps built by rules: a design with one step more, or with all that the balancing asks for which its engine calls."""
+"""Missing steps built by rules: a design with one step more, or with all that the balancing asks for which its engine
+calls."""
 
 import math
 from collections.abc import Callable, Mapping
@@ -21,8 +22,8 @@ from . import balancing as which
 from . import journals, shaft, train
 from .writing import Section, mm, table, up, written
 
-# The engine on four mounts at its corners: mass and size by rule of thumb, to be weighed and measured; stiffness for its six modes to lie
-# between the road's frequency and what shakes at idle.
+# The engine on four mounts at its corners: mass and size by rule of thumb, to be weighed and measured; stiffness for
+# its six modes to lie between the road's frequency and what shakes at idle.
 
 PER_LITRE = 110.0  # kg
 IDLE, SLOWEST, FASTEST = 0.33, 700.0, 1000.0  # share of the rated speed; rpm
@@ -50,7 +51,9 @@ def _scale(solved: MountingResult) -> float:
 
 def _size(engine: EngineInputs) -> tuple[Metre, Metre, Metre]:
     """Up, to the side, along the crank; a bank that leans gives of its height to the side."""
-    in_a_row = max(engine.bank_of_cylinder.count(bank) for bank in (1, 2)) if engine.bank_of_cylinder else engine.cylinders
+    in_a_row = (
+        max(engine.bank_of_cylinder.count(bank) for bank in (1, 2)) if engine.bank_of_cylinder else engine.cylinders
+    )
     leaning = {"inline": 0.0, "boxer": math.pi / 2}.get(engine.layout, (engine.bank_angle or 0.0) / 2)
     reach = 2.5 * (2 * engine.crank_radius + engine.rod_length)
     height = max(reach * math.cos(leaning), 4 * engine.bore)
@@ -63,32 +66,54 @@ def _sections(engine: EngineInputs, mass: float, stiffness: float) -> list[Secti
     idle = min(FASTEST, max(SLOWEST, up(IDLE * engine.rated_speed * 60, 50.0)))
     across = up(SHEAR * stiffness, 1.0)
     under: list[Section] = [
-        ("[[mounting.mounts]]", {
-            "name": (f"{end}-{side}", ""),
-            "position_mm": ([mm(-2 * engine.crank_radius), mm(y * width / 2), mm(z * 0.4 * length)], "assumed: corners, below the crank"),
-            "stiffness_N_mm": ([stiffness, across, across], "assumed: the modes between the road and what shakes at idle"),
-        })
-        for end, z in (("front", -1), ("rear", 1)) for side, y in (("left", -1), ("right", 1))
-    ]  # fmt: skip
+        (
+            "[[mounting.mounts]]",
+            {
+                "name": (f"{end}-{side}", ""),
+                "position_mm": (
+                    [mm(-2 * engine.crank_radius), mm(y * width / 2), mm(z * 0.4 * length)],
+                    "assumed: corners, below the crank",
+                ),
+                "stiffness_N_mm": (
+                    [stiffness, across, across],
+                    "assumed: the modes between the road and what shakes at idle",
+                ),
+            },
+        )
+        for end, z in (("front", -1), ("rear", 1))
+        for side, y in (("left", -1), ("right", 1))
+    ]
     return [
-        ("[mounting]", {
-            "mass_kg": (mass, "assumed: 110 kg a litre, with liquids and flywheel; weigh it"),
-            "centre_of_gravity_mm": ([mm(up(0.12 * height, 5e-3)), 0.0, 0.0], "assumed: above the crank, midway"),
-            "dimensions_mm": ([mm(height), mm(width), mm(length)], "assumed from stroke, rod, bore and pitch; the inertia follows"),
-            "idle_speed_rpm": (idle, "assumed: a third of the rated speed, 700 to 1000 rpm"),
-        }),
+        (
+            "[mounting]",
+            {
+                "mass_kg": (mass, "assumed: 110 kg a litre, with liquids and flywheel; weigh it"),
+                "centre_of_gravity_mm": ([mm(up(0.12 * height, 5e-3)), 0.0, 0.0], "assumed: above the crank, midway"),
+                "dimensions_mm": (
+                    [mm(height), mm(width), mm(length)],
+                    "assumed from stroke, rod, bore and pitch; the inertia follows",
+                ),
+                "idle_speed_rpm": (idle, "assumed: a third of the rated speed, 700 to 1000 rpm"),
+            },
+        ),
         *under,
-        ("[[mounting.points]]", {
-            "name": ("top", ""),
-            "position_mm": ([mm(up(0.7 * height, 5e-3)), 0.0, 0.0], "assumed: on the head"),
-        }),
-    ]  # fmt: skip
+        (
+            "[[mounting.points]]",
+            {"name": ("top", ""), "position_mm": ([mm(up(0.7 * height, 5e-3)), 0.0, 0.0], "assumed: on the head")},
+        ),
+    ]
 
 
 SHAFT_STEPS = ("countershaft", "bearings", "gears", "friction")
 KEPT = {"none": 0.0, "half": 0.5, "shaft": 0.5, "pair": 0.0}  # the share of the reciprocating masses on the crank
-ROLLING = "rolling bearings carry the shaft: a plain journal of usual length would run too hot at this load and speed (heat index)"
-NO_PLAIN = "rolling bearings carry the shaft: no plain ones were found that keep every limit at every corner of their tolerances"
+ROLLING = (
+    "rolling bearings carry the shaft: a plain journal of usual length would run too hot at this load and speed "
+    "(heat index)"
+)
+NO_PLAIN = (
+    "rolling bearings carry the shaft: no plain ones were found that keep every limit at every corner of their "
+    "tolerances"
+)
 APART = "not designed here for shafts that do not turn at -1 times crank speed"
 NONE = "no shaft: what shakes is left to the mounts"
 NOTHING = "nothing of order 1 turns backward, so no shaft at -1 is needed"
@@ -100,10 +125,9 @@ CRANK_ALONE = "no shaft: the counterweights of the crank are all the balancing"
 def built(document: Document, step: str, balancing: str = "") -> Document:
     """The document with the tables of a step, by the rules behind `new`.
 
-    For "imbalance" and "countershaft" `balancing` is the id of one of `options`; left out, the one that the engine calls for.  It takes
-    the place of the one before: what no longer fits the shaft goes.  Raises NoSolution with what was tried, BadInput where the design
-    that there is can not be understood.
-    """
+    For "imbalance" and "countershaft" `balancing` is the id of one of `options`; left out, the one that the engine
+    calls for.  It takes the place of the one before: what no longer fits the shaft goes.  Raises NoSolution with what
+    was tried, BadInput where the design that there is can not be understood."""
     builders: dict[str, Callable[[], Document]] = {
         "imbalance": lambda: _imbalance(document, balancing),
         "countershaft": lambda: _balanced(document, balancing),
@@ -122,13 +146,17 @@ def built(document: Document, step: str, balancing: str = "") -> Document:
 
 
 def hindrance(document: Document, step: str) -> Text:
-    """Why the rules can not build a step for the shaft that the design has, or has not; empty where nothing stands against it."""
+    """Why the rules can not build a step for the shaft that the design has, or has not; empty where nothing stands
+    against it."""
     if step not in SHAFT_STEPS[1:]:
         return EMPTY
     if given := as_table(document.data.get("countershaft")):
         ratio = given.get("speed_ratio", -1)
         if isinstance(ratio, (int, float)) and ratio != -1:
-            return Text("for a shaft that turns at {ratio} times crank speed no rules are known here", ratio=Amount(ratio, form="g"))
+            return Text(
+                "for a shaft that turns at {ratio} times crank speed no rules are known here",
+                ratio=Amount(ratio, form="g"),
+            )
     elif step == "bearings" or "countershaft" in as_table(document.data.get("without")):
         return Text("there is no shaft yet: the step Counter-shaft comes first")
     if step == "friction" and "gears" not in document.data:
@@ -137,7 +165,8 @@ def hindrance(document: Document, step: str) -> Text:
 
 
 def begun(document: Document) -> str:
-    """The text of all tables after engine and imbalance that a design to begin with has, what it does without among them."""
+    """The text of all tables after engine and imbalance that a design to begin with has, what it does without among
+    them."""
     results = _results(document)
     best = which.called_for(results)
     if best != "shaft":
@@ -168,7 +197,8 @@ def choice_made(document: Document) -> str:
     return "half" if as_table(document.data.get("imbalance")).get("crank_balance_fraction", 0.5) else "none"
 
 
-# --- one step -------------------------------------------------------------------------------------------------------------
+# --- one step
+# -------------------------------------------------------------------------------------------------------------
 def _imbalance(document: Document, balancing: str) -> Document:
     """With the share of the reciprocating masses that the balancing has on the crank."""
     known = which.with_imbalance(document)
@@ -226,14 +256,19 @@ def _speed(balancing: str, known: Results) -> tuple[int, bool]:
 def _holds(document: Document) -> bool:
     """Whether no limit of a design fails: what was made for another shaft may not fit this one."""
     try:
-        return all(outcome.verdict not in ("fail", "no_solution", "blocked") for outcome in _results(document).outcomes.values())
+        return all(
+            outcome.verdict not in ("fail", "no_solution", "blocked")
+            for outcome in _results(document).outcomes.values()
+        )
     except BadInput:
         return False
 
 
 def _bearings(document: Document) -> Document:
     """Plain bearings, or the word that rolling ones carry the shaft."""
-    alone = document.with_value("friction", None)  # which asks for the oil of the bearings, as the wheels ask for their loss
+    alone = document.with_value(
+        "friction", None
+    )  # which asks for the oil of the bearings, as the wheels ask for their loss
     if "gears" in document.data:
         alone = alone.with_value("gears.power_kW", 1.0)
     try:
@@ -249,7 +284,9 @@ def _none_reason(known: Results, balancing: str) -> str:
 
 def _accepted(document: Document, why: str) -> Document:
     """With what the balancing leaves, or takes otherwise, accepted for its reason: it was chosen."""
-    left = {c.id: why for c in _results(_upstream(document)).checks() if c.open and c.id.startswith("imbalance.order_1")}
+    left = {
+        c.id: why for c in _results(_upstream(document)).checks() if c.open and c.id.startswith("imbalance.order_1")
+    }
     return _put(document, {"accepted": {**as_table(document.data.get("accepted")), **left} or None})
 
 
@@ -263,7 +300,8 @@ def _upstream(document: Document) -> Document:
     return Document(shaft.before_shaft(document))
 
 
-# --- documents ------------------------------------------------------------------------------------------------------------
+# --- documents
+# ------------------------------------------------------------------------------------------------------------
 def _results(document: Document, before: Results | None = None) -> Results:
     return solve(design(document), before)
 
@@ -281,12 +319,16 @@ def _without(document: Document, reasons: dict[str, str]) -> Document:
 
 
 def _put(document: Document, tables: Mapping[str, object], asked: tuple[str, ...] = ()) -> Document:
-    """With tables put in or taken out (None), in the order of a design file; steps that are asked for are not left out any more."""
+    """With tables put in or taken out (None), in the order of a design file; steps that are asked for are not left out
+    any more."""
     data = {**document.data, **tables}
     without = {key: why for key, why in as_table(data.get("without")).items() if key not in asked}
     data["without"] = without or None
     order = [field.key for field in keys(Design).values()]
     known = {key: value for key, value in data.items() if value is not None}
     return replace(
-        document, data={key: known[key] for key in sorted(known, key=lambda key: order.index(key) if key in order else len(order))}
+        document,
+        data={
+            key: known[key] for key in sorted(known, key=lambda key: order.index(key) if key in order else len(order))
+        },
     )

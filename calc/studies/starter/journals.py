@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The bearings: journals that the shaft goes through, then lengths and clearances that hold at every corner, by the search for bearings."""
+"""The bearings: journals that the shaft goes through, then lengths and clearances that hold at every corner, by the
+search for bearings."""
 
 from collections.abc import Mapping
 from itertools import product
@@ -28,11 +29,13 @@ BEARINGS = Text("bearings to begin with")
 
 
 class TooFast(NoSolution):
-    """A plain journal of usual length carries off less heat than this load and speed make: a case for rolling bearings."""
+    """A plain journal of usual length carries off less heat than this load and speed make: a case for rolling
+    bearings."""
 
 
 def bearings(document: Document, results: Results) -> list[Section]:
-    """The tables of the bearings for the shaft of a design that has none.  Raises NoSolution, TooFast where no plain bearing carries it."""
+    """The tables of the bearings for the shaft of a design that has none.  Raises NoSolution, TooFast where no plain
+    bearing carries it."""
     made, shaft = results.design, results.result(CountershaftResult)
     if made.countershaft is None or shaft is None or made.engine is None:
         raise NoSolution(BEARINGS, Text("the shaft that they carry is not known"), Text("give [countershaft] first"))
@@ -43,7 +46,10 @@ def bearings(document: Document, results: Results) -> list[Section]:
     oils = _oils(made)
     base = document.with_value("countershaft.journals", None)  # the bearings have their sizes
     tried: list[Text] = []
-    for fits, oil in [*product(FITS[:1], oils), *product(FITS[1:], reversed(oils))]:  # closer fits with the oil that came nearest first
+    for fits, oil in [
+        *product(FITS[:1], oils),
+        *product(FITS[1:], reversed(oils)),
+    ]:  # closer fits with the oil that came nearest first
         for front in dict.fromkeys((narrowest, rear)):
             sections = changed(_sections(made, front, rear, length), {"bearings.oil": oil}, "assumed")
             begun = design(Document({**base.data, **table(sections)}))
@@ -55,7 +61,11 @@ def bearings(document: Document, results: Results) -> list[Section]:
             except NoSolution as none:
                 tried.append(none.text)
                 break  # a wider journal is no cooler
-            if settled.row is not None and settled.results is not None and settled.results.outcomes["bearings"].verdict == "pass":
+            if (
+                settled.row is not None
+                and settled.results is not None
+                and settled.results.outcomes["bearings"].verdict == "pass"
+            ):
                 return changed(sections, bearing_changes(settled.row, own), FOUND)
     raise NoSolution(BEARINGS, SEMICOLON.join(tried[:1]), Text("a stiffer shaft, a slower one, or rolling bearings"))
 
@@ -76,7 +86,9 @@ def _sizes(made: Design) -> tuple[Metre, Metre, Metre]:
         return one.diameter, other.diameter, max(one.length, other.length)
     radii = [section.outer_radius for section in shaft.sections] or [2 * mass.radius for mass in shaft.masses]
     outer = shaft.outer_radius if shaft.outer_radius is not None else max(radii, default=0.0)
-    ends = shaft.half_length if shaft.half_length is not None else max((abs(mass.z) for mass in shaft.masses), default=0.0)
+    ends = (
+        shaft.half_length if shaft.half_length is not None else max((abs(mass.z) for mass in shaft.masses), default=0.0)
+    )
     rear = up(2 * (outer + (shaft.radial_clearance or THREADED)), 0.5e-3)
     if made.gears is not None:
         wheel = next(wheel for wheel in made.gears.wheels if wheel.name == made.gears.meshes[-1].driven)
@@ -96,9 +108,11 @@ def _length(load: Newton, made: Design, rear: Metre, room: Metre) -> Metre:
     if length <= 0 or heat / length > limit:
         tried = Text(
             "{load} at {speed} on {length} of journal: a heat index of {index}",
-            load=Amount(load, "N"), speed=Amount(made.engine.rated_speed * 60, "rpm"), length=Amount(length * 1e3, "mm"),
+            load=Amount(load, "N"),
+            speed=Amount(made.engine.rated_speed * 60, "rpm"),
+            length=Amount(length * 1e3, "mm"),
             index=Amount(heat / length / N_RPM_MM if length > 0 else float("inf"), "N·rpm/mm"),
-        )  # fmt: skip
+        )
         raise TooFast(BEARINGS, tried, Text("rolling bearings"))
     return length
 
@@ -112,29 +126,42 @@ def _sections(made: Design, front: Metre, rear: Metre, length: Metre) -> list[Se
     through = f"assumed: 1 mm above the gear's tip, or l/d of {BEARING[1]:g}"
     clearance = ("clearance_factor", (0.75, "assumed: usual 0.4 to 0.8; a fast journal wants the oil"))
     return [
-        ("[bearings]", {
-            "oil": (OILS[0], "assumed"),
-            "supply_temperature_C": (90.0, "assumed: gallery of a warm engine"),
-            "supply_pressure_bar": (4.0, "assumed"),
-            "supply": ("hole", ""),
-            "hole_diameter_mm": (5.0, "assumed"),
-            "housing_material": _housing(made),
-        }),
-        ("[bearings.front]", {
-            "diameter_mm": (mm(front), "assumed: that of the rear" if front == rear else through),
-            "length_mm": (mm(length), "assumed: that of the rear bearing"),
-            clearance[0]: clearance[1],
-            **surfaces,
-        }),
-        ("[bearings.rear]", {
-            "diameter_mm": (mm(rear), "assumed: the sectors and their clearance go through"),
-            "length_mm": (mm(length), why),
-            clearance[0]: clearance[1],
-            **surfaces,
-        }),
-    ]  # fmt: skip
+        (
+            "[bearings]",
+            {
+                "oil": (OILS[0], "assumed"),
+                "supply_temperature_C": (90.0, "assumed: gallery of a warm engine"),
+                "supply_pressure_bar": (4.0, "assumed"),
+                "supply": ("hole", ""),
+                "hole_diameter_mm": (5.0, "assumed"),
+                "housing_material": _housing(made),
+            },
+        ),
+        (
+            "[bearings.front]",
+            {
+                "diameter_mm": (mm(front), "assumed: that of the rear" if front == rear else through),
+                "length_mm": (mm(length), "assumed: that of the rear bearing"),
+                clearance[0]: clearance[1],
+                **surfaces,
+            },
+        ),
+        (
+            "[bearings.rear]",
+            {
+                "diameter_mm": (mm(rear), "assumed: the sectors and their clearance go through"),
+                "length_mm": (mm(length), why),
+                clearance[0]: clearance[1],
+                **surfaces,
+            },
+        ),
+    ]
 
 
 def _housing(made: Design) -> tuple[str, str]:
     own = made.gears.housing_material if made.gears is not None else None
-    return (own, "as between the wheels") if own else (HOUSING, "assumed: expands like the shaft, so that the clearance stays when cold")
+    return (
+        (own, "as between the wheels")
+        if own
+        else (HOUSING, "assumed: expands like the shaft, so that the clearance stays when cold")
+    )

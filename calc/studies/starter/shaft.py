@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The shaft: the smallest envelope that carries what is asked of it with room to spare, and a core that keeps its journals straight."""
+"""The shaft: the smallest envelope that carries what is asked of it with room to spare, and a core that keeps its
+journals straight."""
 
 import math
 from dataclasses import replace
@@ -44,7 +45,8 @@ SHAFT, GIVE = Text("a counter-shaft to begin with"), Text("give [countershaft]")
 
 @record
 class StarterTask:
-    """What one shaft supplies: force and couple that turn like it, cylinder 1 at TDC; `ratio`: its speed over the crank's."""
+    """What one shaft supplies: force and couple that turn like it, cylinder 1 at TDC; `ratio`: its speed over the
+    crank's."""
 
     ratio: int
     F: complex
@@ -68,7 +70,8 @@ class Envelope:
 
 
 def task(results: Results, ratio: int) -> StarterTask:
-    """Of the engine whose crank carries the design's share: a shaft at +1 takes all that turns forward, so its crank carries none."""
+    """Of the engine whose crank carries the design's share: a shaft at +1 takes all that turns forward, so its crank
+    carries none."""
     train, imbalance = results.result(EngineResult), results.result(ImbalanceResult)
     if train is None or imbalance is None:
         raise NoSolution(SHAFT, Text("the engine's imbalance is not known"), Text("give [engine] and [imbalance]"))
@@ -79,12 +82,15 @@ def task(results: Results, ratio: int) -> StarterTask:
 
 
 def envelope(made: Design, results: Results, todo: StarterTask, core: float = CORES[0]) -> Envelope:
-    """The smallest outer radius at which the utilisation is comfortable, with the journals that go with it.  Raises NoSolution."""
+    """The smallest outer radius at which the utilisation is comfortable, with the journals that go with it.  Raises
+    NoSolution."""
     engine, train = made.engine, results.result(EngineResult)
     assert engine is not None and train is not None
     z = train.crank.z
     row = float(max(z) - min(z)) + engine.cylinder_pitch
-    span = up(max(row if abs(todo.ratio) == 1 or abs(todo.C) > 0.01 * row * abs(todo.F) else 0.0, 1.5 * engine.bore), 2e-3)
+    span = up(
+        max(row if abs(todo.ratio) == 1 or abs(todo.C) > 0.01 * row * abs(todo.F) else 0.0, 1.5 * engine.bore), 2e-3
+    )
     rho = made.materials[STEEL].density
     with untraced():
         U = f.asked_unbalance(x_o=OVERDESIGN, F_like=todo.F, omega=todo.omega)
@@ -165,22 +171,28 @@ def _sections(of: Envelope, share: float, todo: StarterTask, pair: bool, holes: 
     twin = {"pair": ("yes", "a mirrored second shaft turns the other way")} if pair else {}
     apart = "as far apart as the row of cylinders is long, or 1.5 bores"
     return [
-        ("[countershaft]", {
-            "mode": ("size", ""),
-            "material": (STEEL, "assumed: a usual shaft steel"),
-            "speed_ratio": (todo.ratio, ""),
-            **twin,
-            "bearing_positions_mm": ([mm(-of.span / 2), mm(of.span / 2)], f"assumed: {apart}"),
-            "outer_radius_mm": (mm(of.outer), narrowest),
-            "core_radius_mm": (mm(of.core), f"assumed: {share:g} of the outer radius{more}"),
-            "half_length_mm": (mm(of.half_length), "assumed: two fillets short of the journals"),
-            "radial_clearance_mm": (mm(THREADED), "assumed: for threading in"),
-            "fillet_radius_mm": (mm(FILLET), "assumed"),
-            "overdesign_percent": (OVERDESIGN * 100, "assumed: half of what the holes are to take"),
-        }),
-        ("[countershaft.holes]", {
-            "diameter_mm": (mm(holes.diameter), f"assumed: the narrowest that take {DRILLED * 100:g} %"),
-            "depth_mm": (mm(holes.depth), "assumed: 0.8 of the sectors' height, at most 20 mm"),
-            "count": (holes.count, "assumed: two in each sector"),
-        }),
-    ]  # fmt: skip
+        (
+            "[countershaft]",
+            {
+                "mode": ("size", ""),
+                "material": (STEEL, "assumed: a usual shaft steel"),
+                "speed_ratio": (todo.ratio, ""),
+                **twin,
+                "bearing_positions_mm": ([mm(-of.span / 2), mm(of.span / 2)], f"assumed: {apart}"),
+                "outer_radius_mm": (mm(of.outer), narrowest),
+                "core_radius_mm": (mm(of.core), f"assumed: {share:g} of the outer radius{more}"),
+                "half_length_mm": (mm(of.half_length), "assumed: two fillets short of the journals"),
+                "radial_clearance_mm": (mm(THREADED), "assumed: for threading in"),
+                "fillet_radius_mm": (mm(FILLET), "assumed"),
+                "overdesign_percent": (OVERDESIGN * 100, "assumed: half of what the holes are to take"),
+            },
+        ),
+        (
+            "[countershaft.holes]",
+            {
+                "diameter_mm": (mm(holes.diameter), f"assumed: the narrowest that take {DRILLED * 100:g} %"),
+                "depth_mm": (mm(holes.depth), "assumed: 0.8 of the sectors' height, at most 20 mm"),
+                "count": (holes.count, "assumed: two in each sector"),
+            },
+        ),
+    ]

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The train: three meshes, so that the shaft turns against the crank, with a wheel that goes through the shaft's seats; and its friction.
+"""The train: three meshes, so that the shaft turns against the crank, with a wheel that goes through the shaft's seats;
+and its friction.
 
-Trains and flanks are tried in the order in which they are usual; the first is taken that leaves nothing to be said of teeth and losses.
-"""
+Trains and flanks are tried in the order in which they are usual; the first is taken that leaves nothing to be said of
+teeth and losses."""
 
 import math
 from collections.abc import Iterator
@@ -46,7 +47,8 @@ TRAIN = Text("a train to begin with")
 
 @record
 class Train:
-    """One that is tried: the teeth of crank (as many on the shaft), central wheel and idler; module; face width in modules."""
+    """One that is tried: the teeth of crank (as many on the shaft), central wheel and idler; module; face width in
+    modules."""
 
     teeth: tuple[int, int, int]
     module: Metre
@@ -56,7 +58,9 @@ class Train:
 def tip(teeth: int, module: Metre, helix: Radian = HELIX) -> Metre:
     """The tip diameter of a wheel without profile shift."""
     with untraced():
-        return float(g.tip_diameter(g.reference_diameter(float(teeth), g.transverse_module(module, helix)), module, 0.0, 0.0))
+        return float(
+            g.tip_diameter(g.reference_diameter(float(teeth), g.transverse_module(module, helix)), module, 0.0, 0.0)
+        )
 
 
 def passing_seat(seat: Metre, teeth: int = WHEELS[0][0]) -> tuple[int, Metre]:
@@ -71,7 +75,8 @@ def gears(document: Document, results: Results) -> list[Section]:
 
 
 def friction(document: Document, results: Results) -> list[Section]:
-    """The table with the roughest flanks of which nothing is to be said.  Raises NoSolution where the design has no wheels."""
+    """The table with the roughest flanks of which nothing is to be said.  Raises NoSolution where the design has no
+    wheels."""
     if results.design.gears is None:
         raise NoSolution(Text("friction to begin with"), Text("the wheels are not known"), Text("give [gears] first"))
     best = None
@@ -110,7 +115,9 @@ def _passing(document: Document, results: Results) -> tuple[list[Section], list[
             why += [Text("{check}", check=c.name) for c in stopping[:1]]
             if not all(c.id.endswith(OF_FLANKS) for c in stopping):
                 break  # finer flanks do not help
-    raise NoSolution(TRAIN, SEMICOLON.join(dict.fromkeys(why)), Text("other teeth, modules or centre distances: give [gears]"))
+    raise NoSolution(
+        TRAIN, SEMICOLON.join(dict.fromkeys(why)), Text("other teeth, modules or centre distances: give [gears]")
+    )
 
 
 def _loaded(
@@ -125,7 +132,12 @@ def _loaded(
         wheels = _gears(made, train, power)
         results = solve(design(Document({**document.data, **table(wheels), **table(losses)})), results)
         balance = results.result(FrictionResult)
-        if power is None or balance is None or balance.delivered_power is None or 0 < balance.delivered_power < 2 * LEFT:
+        if (
+            power is None
+            or balance is None
+            or balance.delivered_power is None
+            or 0 < balance.delivered_power < 2 * LEFT
+        ):
             break
         power = round(up(power - balance.delivered_power / 1e3 + LEFT / 2e3, LEFT / 1e3), 6)
     return wheels, power, results
@@ -160,41 +172,72 @@ def _reaching(teeth: tuple[int, int, int], module: Metre, away: Metre) -> tuple[
 def _gears(made: Design, train: Train, power: float | None) -> list[Section]:
     crank, central, idler = train.teeth
     as_r753 = train.teeth == WHEELS[0]
-    driven = {} if power is None else {"power_kW": (power, "assumed: what rolling bearings, teeth and windage lose, up to the next 0.1 kW")}
+    driven = (
+        {}
+        if power is None
+        else {"power_kW": (power, "assumed: what rolling bearings, teeth and windage lose, up to the next 0.1 kW")}
+    )
     through = "assumed: the largest up to 2 whose wheel goes through the seats"
     wheels = {"crank": crank, "central": central, "idler": idler, "shaft": crank}
     usual = "assumed, as in the R753IE4" if as_r753 else "assumed: fewer, below the main resonance of the teeth"
     why = {"shaft": "as many as on the crank: ratio −1 by three meshes"}
-    bored = {"crank": "assumed: sits on the crank", "central": "assumed: turns on a pin", "idler": "assumed: turns on a pin"}
+    bored = {
+        "crank": "assumed: sits on the crank",
+        "central": "assumed: turns on a pin",
+        "idler": "assumed: turns on a pin",
+    }
 
     def bore(name: str) -> dict[str, tuple[object, str]]:
         if name not in bored:
             return {}
-        return {"bore_diameter_mm": (float(round(BORE * wheels[name] * train.module * 1e3 / math.cos(HELIX))), bored[name])}
+        return {
+            "bore_diameter_mm": (float(round(BORE * wheels[name] * train.module * 1e3 / math.cos(HELIX))), bored[name])
+        }
 
     return [
-        ("[gears]", {
-            "normal_module_mm": (mm(train.module), through if as_r753 else "assumed: below the main resonance of the teeth"),
-            "pressure_angle_deg": (20.0, ""),
-            "helix_angle_deg": (round(math.degrees(HELIX), 6), "assumed"),
-            "face_width_mm": (mm(up(train.face * train.module, 0.5e-3)), f"assumed: {train.face:g} modules"),
-            "tool_addendum": (1.41, "assumed: the tool of the R753IE4"),
-            "tool_tip_radius": (0.2, "assumed"),
-            "housing_material": (_housing(made), "assumed: the block, as of the bearings"),
-            **driven,
-        }),
-        *(("[[gears.wheels]]", {
-            "name": (name, ""),
-            "teeth": (teeth, why.get(name, usual)),
-            "span_allowance_um": (ALLOWANCE, "assumed: teeth shaved or ground, and free when the wheels are warmer"),
-            **bore(name),
-        }) for name, teeth in wheels.items()),
-        *(("[[gears.meshes]]", {
-            "driver": (driver, ""),
-            "driven": (driven, ""),
-            "tolerance_um": (TOLERANCE, "assumed: the allowances leave it a backlash"),
-        }) for driver, driven in pairwise(wheels)),
-    ]  # fmt: skip
+        (
+            "[gears]",
+            {
+                "normal_module_mm": (
+                    mm(train.module),
+                    through if as_r753 else "assumed: below the main resonance of the teeth",
+                ),
+                "pressure_angle_deg": (20.0, ""),
+                "helix_angle_deg": (round(math.degrees(HELIX), 6), "assumed"),
+                "face_width_mm": (mm(up(train.face * train.module, 0.5e-3)), f"assumed: {train.face:g} modules"),
+                "tool_addendum": (1.41, "assumed: the tool of the R753IE4"),
+                "tool_tip_radius": (0.2, "assumed"),
+                "housing_material": (_housing(made), "assumed: the block, as of the bearings"),
+                **driven,
+            },
+        ),
+        *(
+            (
+                "[[gears.wheels]]",
+                {
+                    "name": (name, ""),
+                    "teeth": (teeth, why.get(name, usual)),
+                    "span_allowance_um": (
+                        ALLOWANCE,
+                        "assumed: teeth shaved or ground, and free when the wheels are warmer",
+                    ),
+                    **bore(name),
+                },
+            )
+            for name, teeth in wheels.items()
+        ),
+        *(
+            (
+                "[[gears.meshes]]",
+                {
+                    "driver": (driver, ""),
+                    "driven": (driven, ""),
+                    "tolerance_um": (TOLERANCE, "assumed: the allowances leave it a backlash"),
+                },
+            )
+            for driver, driven in pairwise(wheels)
+        ),
+    ]
 
 
 def _housing(made: Design) -> str:
@@ -202,18 +245,16 @@ def _housing(made: Design) -> str:
 
 
 def _friction(made: Design, results: Results, flanks: float) -> list[Section]:
-    oil = {} if made.bearings is not None else {
-        "oil": ("5W-40", "assumed"), "oil_temperature_C": (90.0, "assumed: gallery of a warm engine")
-    }  # fmt: skip
+    oil = (
+        {}
+        if made.bearings is not None
+        else {"oil": ("5W-40", "assumed"), "oil_temperature_C": (90.0, "assumed: gallery of a warm engine")}
+    )
     words = {0.8: "assumed: ground", 0.4: "assumed: finely ground"}.get(flanks, "assumed: ground and polished")
     return [
-        ("[friction]", {
-            **oil,
-            "flank_roughness_um": (flanks, words),
-            "load_sharing": ("linear", ""),
-        }),
+        ("[friction]", {**oil, "flank_roughness_um": (flanks, words), "load_sharing": ("linear", "")}),
         *([] if made.bearings is not None else _rolling(made, results)),
-    ]  # fmt: skip
+    ]
 
 
 def _rolling(made: Design, results: Results) -> list[Section]:
@@ -223,13 +264,19 @@ def _rolling(made: Design, results: Results) -> list[Section]:
         return []
     bore = up(2 * own.core_radius, 5e-3)
     return [
-        ("[[friction.rolling_bearings]]", {
-            "name": ("shaft-bearings", ""),
-            "wheel": ("shaft", ""),
-            "kind": ("cylindrical-roller", "assumed: split cages, or one race off the shaft"),
-            "bore_mm": (mm(bore), "assumed: the core, up to the next 5 mm"),
-            "outside_diameter_mm": (mm(up(1.6 * bore, 5e-3)), "assumed: 1.6 bores"),
-            "load_N": (float(math.ceil(shaft.reaction_front + shaft.reaction_rear)), "of both bearings: the shaft's reactions"),
-            "count": (2, ""),
-        }),
-    ]  # fmt: skip
+        (
+            "[[friction.rolling_bearings]]",
+            {
+                "name": ("shaft-bearings", ""),
+                "wheel": ("shaft", ""),
+                "kind": ("cylindrical-roller", "assumed: split cages, or one race off the shaft"),
+                "bore_mm": (mm(bore), "assumed: the core, up to the next 5 mm"),
+                "outside_diameter_mm": (mm(up(1.6 * bore, 5e-3)), "assumed: 1.6 bores"),
+                "load_N": (
+                    float(math.ceil(shaft.reaction_front + shaft.reaction_rear)),
+                    "of both bearings: the shaft's reactions",
+                ),
+                "count": (2, ""),
+            },
+        )
+    ]

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The tables of a design to begin with: keys in their order, each with its value and with the rule that it comes from."""
+"""The tables of a design to begin with: keys in their order, each with its value and with the rule that it comes
+from."""
 
 import json
 import math
@@ -16,7 +17,9 @@ COLUMN = 31  # of the comments
 
 def written(sections: list[Section]) -> str:
     """As they stand in a file, comments from the same column on."""
-    return "".join(f"\n{header}\n" + "".join(_line(key, *row) for key, row in rows.items()) for header, rows in sections)
+    return "".join(
+        f"\n{header}\n" + "".join(_line(key, *row) for key, row in rows.items()) for header, rows in sections
+    )
 
 
 def _line(key: str, value: object, why: str) -> str:

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Many designs at once: inputs over lists, grids, a Latin hypercube or their tolerances; every value and verdict of a design is a row.
+"""Many designs at once: inputs over lists, grids, a Latin hypercube or their tolerances; every value and verdict of a
+design is a row.
 
 The designs of a chunk go through the steps at once, as far as they go one way (`abreast.py`).
 """
@@ -8,4 +9,16 @@ from .inputs import SweepPlan, Varied, grid, listed, sampled, toleranced, varied
 from .run import Sweep, sweep, swept
 from .table import Swept
 
-__all__ = ["Sweep", "SweepPlan", "Swept", "Varied", "grid", "listed", "sampled", "sweep", "swept", "toleranced", "varied"]
+__all__ = [
+    "Sweep",
+    "SweepPlan",
+    "Swept",
+    "Varied",
+    "grid",
+    "listed",
+    "sampled",
+    "sweep",
+    "swept",
+    "toleranced",
+    "varied",
+]

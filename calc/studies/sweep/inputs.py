@@ -30,7 +30,8 @@ TOLERANCE = Text("must be KEY=DEVIATION or KEY=LOWER:UPPER, like bearings.front.
 
 @record
 class Varied:
-    """One input and the values that it takes, in the unit of its key; or, drawn at random, `ends`: from one number to the other.
+    """One input and the values that it takes, in the unit of its key; or, drawn at random, `ends`: from one number to
+    the other.
 
     `normal`: it is drawn as parts come out of a process whose tolerance is three standard deviations to each side.
     """
@@ -43,7 +44,8 @@ class Varied:
 
 
 def varied(document: Document, texts: Sequence[str], *, drawn: bool = False) -> list[Varied]:
-    """The inputs to vary.  `drawn`: at random, so that a range has no number of values.  Raises BadInput with everything that is wrong."""
+    """The inputs to vary.  `drawn`: at random, so that a range has no number of values.  Raises BadInput with
+    everything that is wrong."""
 
     def one(key: str, said: str, about: Quantity) -> Varied:
         whole = about.kind in ("integer", "integers")
@@ -71,18 +73,23 @@ def toleranced(document: Document, texts: Sequence[str]) -> list[Varied]:
 
 
 def listed(document: Document, path: str) -> tuple[list[Varied], list[tuple[Value | None, ...]]]:
-    """The designs of a CSV file: keys in its first line, then a design in each.  An empty cell is left as the design has it."""
+    """The designs of a CSV file: keys in its first line, then a design in each.  An empty cell is left as the design
+    has it."""
     try:
         with open(Path(path), encoding="utf-8-sig", newline="") as file:
             lines = list(csv.reader(file))
     except UnicodeDecodeError as error:
         raise _bad(path, 0, "", Text("is no text in UTF-8 (byte {n}); save it again so", n=error.start)) from None
     except (OSError, ValueError, csv.Error) as error:
-        raise _bad(path, 0, "", Text("cannot be read: {reason}", reason=getattr(error, "strerror", None) or str(error))) from None
+        raise _bad(
+            path, 0, "", Text("cannot be read: {reason}", reason=getattr(error, "strerror", None) or str(error))
+        ) from None
     if len(lines) < 2 or not lines[0]:
         raise _bad(path, 1, "", Text("needs keys in its first line, and a design in each line below it"))
     if len(lines) > MOST_LISTED:
-        raise _bad(path, 0, "", Text("has {count} designs; at most {most} at once", count=len(lines) - 1, most=MOST_LISTED))
+        raise _bad(
+            path, 0, "", Text("has {count} designs; at most {most} at once", count=len(lines) - 1, most=MOST_LISTED)
+        )
     inputs = [Varied(key.strip()) for key in lines[0]]
     errors: list[InputError] = []
     kinds = [_about(document, one.key, path, errors) for one in inputs]
@@ -91,7 +98,9 @@ def listed(document: Document, path: str) -> tuple[list[Varied], list[tuple[Valu
     rows: list[tuple[Value | None, ...]] = []
     for n, line in enumerate(lines[1:], 2):
         if len(line) != len(inputs):
-            errors.append(InputError(n, "", "", Text("has {count} cells; needs {low}", count=len(line), low=len(inputs))))
+            errors.append(
+                InputError(n, "", "", Text("has {count} cells; needs {low}", count=len(line), low=len(inputs)))
+            )
             continue
         row: list[Value | None] = []
         for one, about, cell in zip(inputs, kinds, line):
@@ -107,7 +116,8 @@ def listed(document: Document, path: str) -> tuple[list[Varied], list[tuple[Valu
 
 
 def same_input(document: Document, inputs: Sequence[Varied]) -> str | None:
-    """The key of an input that another one of these is too, by whichever name of its element; None: all are different."""
+    """The key of an input that another one of these is too, by whichever name of its element; None: all are
+    different."""
     first: dict[tuple[str | int, ...], str] = {}
     for one in inputs:
         where = address(document.data, one.key)
@@ -131,7 +141,7 @@ def _bad(path: str, line: int, key: str, reason: Text) -> BadInput:
 
 def _read(
     document: Document, option: str, texts: Sequence[str], form: Text, one: Callable[[str, str, Quantity], Varied]
-) -> list[Varied]:  # fmt: skip
+) -> list[Varied]:
     found: list[Varied] = []
     errors: list[InputError] = []
     for text in texts:
@@ -142,10 +152,18 @@ def _read(
                 raise BadInput(option, [InputError(0, text, "", form)])
             made = one(key, said, about)
             single = about.count is not None and about.count[0] == 1  # where one number may stand for the list
-            if about.kind in ("series", "integers") and not single and not isinstance(address(document.data, key)[-1], int):
+            if (
+                about.kind in ("series", "integers")
+                and not single
+                and not isinstance(address(document.data, key)[-1], int)
+            ):
                 raise ValueError(f"is a list; vary one of its numbers by its place, like {key}.0")
             if (twice := same_input(document, [*found, made])) is not None:
-                raise ValueError("stands twice; give all its values at once" if twice == key else f"is {twice}, which stands here too")
+                raise ValueError(
+                    "stands twice; give all its values at once"
+                    if twice == key
+                    else f"is {twice}, which stands here too"
+                )
             found.append(made)
         except BadInput as bad:
             errors += [replace(e, key=f"{option} {e.key}") for e in bad.errors]

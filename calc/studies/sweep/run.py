@@ -28,16 +28,19 @@ from ..spread import spread
 from .inputs import Combination, SweepPlan, Varied, grid
 from .table import Chunk, InMemory, Solved, Store, Swept, chunk_of, in_memory, reason_of
 
-# Many designs in one pass through the steps, as lanes (`calc.sheet.lanes`); those that go different ways in as many passes as it takes.
+# Many designs in one pass through the steps, as lanes (`calc.sheet.lanes`); those that go different ways in as many
+# passes as it takes.
 #
-# What can not be told of many at once (why a design has no solution), what fails for one of them, and what lies on a limit to its last
-# digits is solved design by design.
+# What can not be told of many at once (why a design has no solution), what fails for one of them, and what lies on a
+# limit to its last digits is solved design by design.
 
 P = ParamSpec("P")
 R = TypeVar("R")
 FEW = 8  # designs, which are as quick one by one
 LAST_DIGITS = 1e-7  # of a limit: so near to it a verdict hangs on digits in which one design and many may differ
-FAILS: tuple[type[Exception], ...] = (Exception,)  # what many at once may fail at: each alone has its result, or says what is wrong
+FAILS: tuple[type[Exception], ...] = (
+    Exception,
+)  # what many at once may fail at: each alone has its result, or says what is wrong
 Pass = tuple[list[int], dict[str, Outcome[Any]], Singly]  # the places of the designs, and what is done of them
 
 
@@ -56,7 +59,8 @@ class _Parts(Parts):
 
 
 def passes(designs: Sequence[Design], *, compared: bool) -> Iterator[tuple[list[int], dict[str, Outcome[Any]] | None]]:
-    """The places of designs that went one way, with what the steps gave them as lanes; None: they are to be solved one by one."""
+    """The places of designs that went one way, with what the steps gave them as lanes; None: they are to be solved one
+    by one."""
     waiting: list[Pass] = [(list(range(len(designs))), {}, Singly([{}] * len(designs)))]
     while waiting:
         some, done, singly = waiting.pop()
@@ -78,8 +82,13 @@ def passes(designs: Sequence[Design], *, compared: bool) -> Iterator[tuple[list[
 
 
 def solved(
-    designs: Sequence[Design], step: str | None, wanted: frozenset[str], alone: Callable[[int], Solved], *, compared: bool
-) -> list[Solved]:  # fmt: skip
+    designs: Sequence[Design],
+    step: str | None,
+    wanted: frozenset[str],
+    alone: Callable[[int], Solved],
+    *,
+    compared: bool,
+) -> list[Solved]:
     """The rows of designs; `alone` solves the one at a place, `compared` as `calc.solve.solve` has it."""
     rows: dict[int, Solved] = {}
     for some, outcomes in passes(designs, compared=compared):
@@ -90,8 +99,11 @@ def solved(
     return [rows[n] for n in range(len(designs))]
 
 
-def _rows(outcomes: Mapping[str, Outcome[Any]], count: int, step: str | None, wanted: frozenset[str]) -> Iterator[Solved | None]:
-    """One for each lane; None where it has to be solved alone, to say what stands in words or on which side of a limit it is."""
+def _rows(
+    outcomes: Mapping[str, Outcome[Any]], count: int, step: str | None, wanted: frozenset[str]
+) -> Iterator[Solved | None]:
+    """One for each lane; None where it has to be solved alone, to say what stands in words or on which side of a limit
+    it is."""
     asked = [outcome for key, outcome in outcomes.items() if step in (None, key) and outcome.state != "not_asked"]
     values = [(v.id, _cells(v.shown), v.unit) for outcome in asked for v in outcome.values(wanted)]
     near, verdicts = np.full(count, any(outcome.reason for outcome in asked)), {}
@@ -181,10 +193,9 @@ class Sweep:
         return min(MOST, max(LEAST, -(-self.plan.count // CHUNKS)))
 
 
-def swept(
-    asked: Sweep, store: Store, told: Told | None = None, processes: int = 1, scheduler: str = ""
-) -> None:  # fmt: skip
-    """Fill the store with every chunk that it does not have.  Raises BadInput where a step or a value is asked for that there is not."""
+def swept(asked: Sweep, store: Store, told: Told | None = None, processes: int = 1, scheduler: str = "") -> None:
+    """Fill the store with every chunk that it does not have.  Raises BadInput where a step or a value is asked for that
+    there is not."""
     _known(asked)
     size = asked.size
     numbers = range(-(-asked.plan.count // size))
@@ -202,7 +213,8 @@ def swept(
 
 
 def sweep(document: Document, inputs: Sequence[Varied], step: str | None = None, wanted: Sequence[str] = ()) -> Swept:
-    """Every combination of the varied inputs, the last one changing fastest.  One that is no design is a row with its reason."""
+    """Every combination of the varied inputs, the last one changing fastest.  One that is no design is a row with its
+    reason."""
     asked, store = Sweep(document, grid(inputs), step, tuple(wanted)), InMemory()
     swept(asked, store)
     return in_memory(document, asked.plan.inputs, store)
@@ -213,12 +225,18 @@ def chunk(asked: Sweep, n: int) -> Chunk:
     size = asked.size
     at = asked.plan.rows(n * size, (n + 1) * size)
     with seldom_collected():  # once for all designs of the chunk, not once for each
-        return chunk_of(at, side_by_side(asked.document, asked.plan.inputs, at, asked.step, frozenset(asked.wanted)), asked.wanted)
+        return chunk_of(
+            at, side_by_side(asked.document, asked.plan.inputs, at, asked.step, frozenset(asked.wanted)), asked.wanted
+        )
 
 
 def side_by_side(
-    document: Document, inputs: Sequence[Varied], at: Sequence[Combination], step: str | None, wanted: frozenset[str] = frozenset()
-) -> list[Solved]:  # fmt: skip
+    document: Document,
+    inputs: Sequence[Varied],
+    at: Sequence[Combination],
+    step: str | None,
+    wanted: frozenset[str] = frozenset(),
+) -> list[Solved]:
     """All at once, as far as they go one way; else design by design.  `wanted`: only these values; none: all."""
     compared = not wanted or any(not BESIDE.isdisjoint(id.split(".")) for id in wanted)
     made = list(designs(document, inputs, at))
@@ -229,8 +247,12 @@ def side_by_side(
 
 
 def one_by_one(
-    document: Document, inputs: Sequence[Varied], at: Sequence[Combination], step: str | None, wanted: frozenset[str] = frozenset()
-) -> Iterator[Solved]:  # fmt: skip
+    document: Document,
+    inputs: Sequence[Varied],
+    at: Sequence[Combination],
+    step: str | None,
+    wanted: frozenset[str] = frozenset(),
+) -> Iterator[Solved]:
     """Design by design."""
     alone = _one_after_the_other(step, wanted, compared=True)
     return (alone(_needed(one, step)) if isinstance(one, Design) else one for one in designs(document, inputs, at))
@@ -264,7 +286,9 @@ def designs(document: Document, inputs: Sequence[Varied], at: Sequence[Combinati
 def _solved(results: Results, step: str | None, wanted: frozenset[str] = frozenset()) -> Solved:
     outcomes = [o for key, o in results.outcomes.items() if step in (None, key) and o.state != "not_asked"]
     values: dict[str, tuple[float | None, str]] = {v.id: (v.shown, v.unit) for o in outcomes for v in o.values(wanted)}
-    return Solved(values, {o.key: o.verdict for o in outcomes}, "; ".join(f"{o.key}: {o.reason}" for o in outcomes if o.reason))
+    return Solved(
+        values, {o.key: o.verdict for o in outcomes}, "; ".join(f"{o.key}: {o.reason}" for o in outcomes if o.reason)
+    )
 
 
 def _needed(one: Design, step: str | None) -> Design:
@@ -286,7 +310,9 @@ def _known(asked: Sweep) -> None:
     if not known.keys() >= set(asked.wanted):
         known |= next(one_by_one(asked.document, asked.plan.inputs, asked.plan.rows(0, 1), asked.step)).values
     if unknown := [id for id in asked.wanted if id not in known]:
-        raise BadInput(asked.document.place, [InputError(0, "--values", id, _no_value(id, list(known))) for id in unknown])
+        raise BadInput(
+            asked.document.place, [InputError(0, "--values", id, _no_value(id, list(known))) for id in unknown]
+        )
 
 
 def _no_value(id: str, known: Sequence[str]) -> Text:

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The table of a sweep: as CSV, as Parquet, or in memory; written chunk by chunk, so that it may be larger than the memory."""
+"""The table of a sweep: as CSV, as Parquet, or in memory; written chunk by chunk, so that it may be larger than the
+memory."""
 
 import csv
 import hashlib
@@ -29,7 +30,8 @@ Cell = float | str | None
 
 @record
 class Solved:
-    """`values`: number and unit by id; `verdicts` by step; `reason`: why it is no design, or which steps have no solution."""
+    """`values`: number and unit by id; `verdicts` by step; `reason`: why it is no design, or which steps have no
+    solution."""
 
     values: dict[str, tuple[float | None, str]]
     verdicts: dict[str, str]
@@ -87,7 +89,9 @@ def reason_of(errors: Iterable[InputError]) -> str:
     return "; ".join(replace(error, line=0).text("").removeprefix(": ") for error in errors)
 
 
-# Where the chunks of a sweep are until the table is written: in memory, or in a folder, where they outlive a run that is killed.
+# Where the chunks of a sweep are until the table is written: in memory, or in a folder, where they outlive a run that
+# is killed.
+
 
 class Store(Protocol):
     """Chunks by their numbers, from 0 on."""
@@ -122,7 +126,8 @@ class InMemory:
 
 @record
 class InFolder:
-    """A file for each chunk, whole at every moment: what the chunk is of in its first line, a design in each line after it.
+    """A file for each chunk, whole at every moment: what the chunk is of in its first line, a design in each line after
+    it.
 
     `key`: what the chunks hold for; those of another sweep are left alone.
     """
@@ -142,8 +147,17 @@ class InFolder:
         return True
 
     def keep(self, n: int, one: Chunk) -> None:
-        lines = [{"units": one.units, "steps": one.steps, "count": len(one.rows), "reasons": any(row.reason for row in one.rows)}]
-        text = "\n".join(map(json.dumps, [*lines, *([row.at, row.cells, row.verdicts, row.reason] for row in one.rows)]))
+        lines = [
+            {
+                "units": one.units,
+                "steps": one.steps,
+                "count": len(one.rows),
+                "reasons": any(row.reason for row in one.rows),
+            }
+        ]
+        text = "\n".join(
+            map(json.dumps, [*lines, *([row.at, row.cells, row.verdicts, row.reason] for row in one.rows)])
+        )
         self.folder.mkdir(parents=True, exist_ok=True)
         draft = self._file(n).with_suffix(".new")
         draft.write_text(text, encoding="utf-8")
@@ -159,7 +173,12 @@ class InFolder:
     def chunk(self, n: int) -> Chunk:
         first, *rest = self._file(n).read_text(encoding="utf-8").splitlines()
         about = json.loads(first)
-        rows = tuple([SweepRow(tuple(at), tuple(cells), tuple(verdicts), reason) for at, cells, verdicts, reason in map(json.loads, rest)])
+        rows = tuple(
+            [
+                SweepRow(tuple(at), tuple(cells), tuple(verdicts), reason)
+                for at, cells, verdicts, reason in map(json.loads, rest)
+            ]
+        )
         if len(rows) != about["count"]:
             raise ValueError("is cut off")
         return Chunk(about["units"], tuple(about["steps"]), rows)
@@ -187,7 +206,8 @@ NO_DESIGN = "bad_input"  # in place of a verdict
 
 @record
 class Swept:
-    """`header` of the columns and the rows under it: inputs that were varied, values in shown units, verdicts.  None: no such value."""
+    """`header` of the columns and the rows under it: inputs that were varied, values in shown units, verdicts.  None:
+    no such value."""
 
     header: tuple[str, ...]
     rows: list[list[Cell]]
@@ -274,7 +294,9 @@ def parquet() -> Any:
     try:
         return import_module("pyarrow"), import_module("pyarrow.parquet")
     except ImportError:
-        raise NoSolution(Text("a Parquet file needs pyarrow, which the extra `contralbero[parquet]` installs")) from None
+        raise NoSolution(
+            Text("a Parquet file needs pyarrow, which the extra `contralbero[parquet]` installs")
+        ) from None
 
 
 def write_parquet(path: Path, document: Document, inputs: Sequence[Varied], store: Store) -> Counter[str]:
@@ -282,7 +304,9 @@ def write_parquet(path: Path, document: Document, inputs: Sequence[Varied], stor
     arrow, files = parquet()
     found, counts = columns(document, inputs, store), Counter[str]()
     texts = len(found.header) - len(found.steps) - found.reasons
-    kinds = [arrow.string() if name in found.words or n >= texts else arrow.float64() for n, name in enumerate(found.header)]
+    kinds = [
+        arrow.string() if name in found.words or n >= texts else arrow.float64() for n, name in enumerate(found.header)
+    ]
     schema = arrow.schema(list(zip(found.header, kinds)))
     with files.ParquetWriter(path, schema) as writer:
         for n in range(len(store)):

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """What is done with each action of the table, and what the user sees of it; every deed ends with what must be true.
 
-A deed is named like its action, with an underscore where Python needs one.  It begins in step 2, where no field is being edited.
-"""
+A deed is named like its action, with an underscore where Python needs one.  It begins in step 2, where no field is
+being edited."""
 
 from collections.abc import Awaitable, Callable
 from pathlib import Path
@@ -29,15 +29,17 @@ FIRST_CHECK = "imbalance.order_2.couple"
 
 
 def deed(of: Deed) -> Deed:
-    """What is done with the action of this name, and seen of it.  It begins in step 2, where no field is being edited; `do` presses
-    the key, or runs the action from the palette."""
+    """What is done with the action of this name, and seen of it.  It begins in step 2, where no field is being edited;
+    `do` presses the key, or runs the action from the palette."""
     DEEDS[of.__name__.strip("_")] = of
     return of
 
 
 async def still(pilot: Pilot[int]) -> None:
     """Wait until the form stands, the results are those of the fields, and the curve is drawn."""
-    if making := [w for w in pilot.app.workers if w.group.startswith("form-")]:  # of none, it would wait for all workers
+    if making := [
+        w for w in pilot.app.workers if w.group.startswith("form-")
+    ]:  # of none, it would wait for all workers
         await pilot.app.workers.wait_for_complete(making)
     await solved(pilot)
     await drawn(pilot)
@@ -102,5 +104,8 @@ async def edited(pilot: Pilot[int], key: str = SHARE, value: str = "0.4") -> Ses
 
 def titles(pilot: Pilot[int]) -> list[str]:
     """The panes whose title is marked as the one with the focus."""
-    names, seen = ("Steps", "Picture", "Findings", "Calculation", *(f"{n} {step.title}" for n, step in enumerate(STEPS, 1))), text(pilot)
+    names, seen = (
+        ("Steps", "Picture", "Findings", "Calculation", *(f"{n} {step.title}" for n, step in enumerate(STEPS, 1))),
+        text(pilot),
+    )
     return [name for name in names if f"▸{name}" in seen]

@@ -66,7 +66,9 @@ async def read_at(pilot: Pilot[int]) -> float:
     """Where the curve is read, as the user sees it too."""
     await still(pilot)
     pane = work(pilot).query_one(CurvePane)
-    assert pane.reading is not None and pane.cursor is not None and pane.reading.at in text(pilot) and "◆" in text(pilot)
+    assert (
+        pane.reading is not None and pane.cursor is not None and pane.reading.at in text(pilot) and "◆" in text(pilot)
+    )
     return pane.cursor.place
 
 

@@ -10,7 +10,19 @@ from assistant.screens.workbench import Workbench
 from assistant.widgets.radio import Balance
 from assistant.widgets.steps import states_of
 from calc.design.model import STEPS
-from tests.assistant.action_tests import FIRST_CHECK, SECOND, SHARE, Do, back, deed, edited, over, still, text, to_checks
+from tests.assistant.action_tests import (
+    FIRST_CHECK,
+    SECOND,
+    SHARE,
+    Do,
+    back,
+    deed,
+    edited,
+    over,
+    still,
+    text,
+    to_checks,
+)
 from tests.assistant.driving import go_to, screen_rows, strike, told, type_in, until, work
 
 
@@ -22,7 +34,9 @@ async def undo(pilot: Pilot[int], do: Do) -> None:
     await still(pilot)
     assert session.value(SHARE) == 0.5 and "[0.5      ]" in text(pilot) and "edited" not in screen_rows(pilot)[0]
     form = work(pilot).form
-    assert form.last == session.place(SHARE) and pilot.app.focused is form  # no field had the focus: the next letter is a key again
+    assert (
+        form.last == session.place(SHARE) and pilot.app.focused is form
+    )  # no field had the focus: the next letter is a key again
     assert "Undone: " in told(pilot) and "0.4 → 0.5" in told(pilot)
 
 
@@ -60,7 +74,9 @@ async def nudged(pilot: Pilot[int], do: Do, shown: str, value: float) -> None:
 @deed
 async def down(pilot: Pilot[int], do: Do) -> None:
     await do()
-    await until(pilot, lambda: isinstance(pilot.app.focused, Balance) and "▸(•) one shaft" in text(pilot))  # first the question
+    await until(
+        pilot, lambda: isinstance(pilot.app.focused, Balance) and "▸(•) one shaft" in text(pilot)
+    )  # first the question
     await do()
     await until(pilot, lambda: "▸( ) a pair at ±ω" in text(pilot))
     await do()
@@ -84,12 +100,17 @@ async def up(pilot: Pilot[int], do: Do) -> None:
 
 @deed
 async def go_on(pilot: Pilot[int], do: Do) -> None:
-    """Accepts a field, with what was understood, and goes to the next; from a step that is done to the next; explains a check."""
+    """Accepts a field, with what was understood, and goes to the next; from a step that is done to the next; explains a
+    check."""
     box = await go_to(pilot, SHARE)
     await type_in(pilot, "0,4")
     await do()
     await still(pilot)
-    assert "[0.4      ]" in text(pilot) and pilot.app.focused is not box and work(pilot).form.here() == ("imbalance", "kinematics")
+    assert (
+        "[0.4      ]" in text(pilot)
+        and pilot.app.focused is not box
+        and work(pilot).form.here() == ("imbalance", "kinematics")
+    )
     await strike(pilot, "ctrl+z", "escape")
     await still(pilot)
     assert states_of(work(pilot).session)[1].done and pilot.app.focused is work(pilot).form

@@ -39,7 +39,9 @@ async def save(pilot: Pilot[int], do: Do) -> None:
     await do()
     await until(pilot, lambda: f"Saved: {session.home}" in told(pilot))
     after = session.home.read_text(encoding="utf-8")
-    assert load(session.home)[0].data["imbalance"]["crank_balance_fraction"] == 0.4 and after.count("\n") == before.count("\n")
+    assert load(session.home)[0].data["imbalance"]["crank_balance_fraction"] == 0.4 and after.count(
+        "\n"
+    ) == before.count("\n")
     assert session.home.with_name("light.toml.bak").read_text(encoding="utf-8") == before
     await pilot.pause()
     assert "edited" not in screen_rows(pilot)[0]
@@ -82,7 +84,9 @@ async def open_(pilot: Pilot[int], do: Do) -> None:
 @deed
 async def reload(pilot: Pilot[int], do: Do) -> None:
     session = await edited(pilot)
-    theirs = session.home.read_text(encoding="utf-8").replace("crank_balance_fraction = 0.5", "crank_balance_fraction = 0.3")
+    theirs = session.home.read_text(encoding="utf-8").replace(
+        "crank_balance_fraction = 0.5", "crank_balance_fraction = 0.3"
+    )
     session.home.write_text(theirs, encoding="utf-8")
     await do()
     await until(pilot, lambda: "light.toml is read anew. Undo returns to your edits." in told(pilot))

@@ -20,7 +20,21 @@ from assistant.widgets.checks import Checks
 from assistant.widgets.curve_pane import CurvePane
 from assistant.widgets.steps import BRIEF, Steps
 from calc.design.model import STEPS
-from tests.assistant.action_tests import DEEDS, SECOND, SHARE, Do, back, deed, edited, over, still, text, titles, to_checks, wide
+from tests.assistant.action_tests import (
+    DEEDS,
+    SECOND,
+    SHARE,
+    Do,
+    back,
+    deed,
+    edited,
+    over,
+    still,
+    text,
+    titles,
+    to_checks,
+    wide,
+)
 from tests.assistant.driving import screen_rows, strike, told, type_in, until, work
 
 
@@ -52,7 +66,9 @@ async def help_(pilot: Pilot[int], do: Do) -> None:
     await strike(pilot, "f1")
     await until(pilot, lambda: "This screen" in text(pilot))
     await strike(pilot, "end")
-    await until(pilot, lambda: "Step 6: Friction" in text(pilot) and "Tab Shift+Tab" in text(pilot))  # the keys, at the end
+    await until(
+        pilot, lambda: "Step 6: Friction" in text(pilot) and "Tab Shift+Tab" in text(pilot)
+    )  # the keys, at the end
     await back(pilot)
 
 
@@ -148,7 +164,9 @@ async def ready(pilot: Pilot[int], do: Do) -> None:
     """The closing page tells the numbers and what is left; Enter goes there, Esc back."""
     await do()
     await over(pilot, ReadyScreen)
-    assert re.search(r"couple for the shaft +573 → 0 N·m", text(pilot)) and re.search(r"3 Counter-shaft +2 cautions", text(pilot))
+    assert re.search(r"couple for the shaft +573 → 0 N·m", text(pilot)) and re.search(
+        r"3 Counter-shaft +2 cautions", text(pilot)
+    )
     assert "4 steps are left" in text(pilot) and re.search(r"○ 4 Bearings +to do", text(pilot))
     await back(pilot)
     await do()
@@ -209,7 +227,10 @@ async def fix(pilot: Pilot[int], do: Do) -> None:
     await strike(pilot, str(heavier))
     await until(
         pilot,
-        lambda: "mass of front 2 → 2.5 kg: First-order force left over" in told(pilot) and "passes. Undo takes it back" in told(pilot),
+        lambda: (
+            "mass of front 2 → 2.5 kg: First-order force left over" in told(pilot)
+            and "passes. Undo takes it back" in told(pilot)
+        ),
     )
     await still(pilot)
     assert session.value(mass) == 2.5 and "✗" not in text(pilot)
@@ -228,11 +249,15 @@ async def choose(pilot: Pilot[int], do: Do) -> None:
     await until(pilot, lambda: bool(shown.previews))
     await strike(pilot, "down")
     await until(pilot, lambda: "the design as it is" in text(pilot) and len(shown.previews) == 2)
-    assert "Evenly firing orders" in text(pilot) and "▸  2  1-3-2" in text(pilot) and shown.query_one(OfferList).has_focus
+    assert (
+        "Evenly firing orders" in text(pilot) and "▸  2  1-3-2" in text(pilot) and shown.query_one(OfferList).has_focus
+    )
     await strike(pilot, "up", "enter")
     await until(pilot, lambda: isinstance(pilot.app.screen, Workbench))
     await still(pilot)
-    assert list(work(pilot).session.value("engine.firing_order")) == [1, 2, 3] and "1; 2; 3" in text(pilot) + told(pilot)
+    assert list(work(pilot).session.value("engine.firing_order")) == [1, 2, 3] and "1; 2; 3" in text(pilot) + told(
+        pilot
+    )
 
 
 @deed

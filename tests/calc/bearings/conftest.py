@@ -1,4 +1,5 @@
-"""The source's bearings as the search sees them, with the room that the shaft leaves and without any, and what it finds: once for all tests."""
+"""The source's bearings as the search sees them, with the room that the shaft leaves and without any, and what it
+finds: once for all tests."""
 
 from dataclasses import replace
 

@@ -17,10 +17,18 @@ def alone(**changes):
         "housing_roughness_um": 0.4,
     }
     table = {
-        "oil": "SAE 30", "supply_temperature_C": 60.0, "supply_pressure_bar": 2.0, "supply": "hole", "hole_diameter_mm": 5.0,
-        "housing_material": "steel", "journal_material": "steel", "speed_rpm": 1500.0, "load_speed_ratio": 0.0,
-        "front": dict(bearing), "rear": dict(bearing),
-    }  # fmt: skip
+        "oil": "SAE 30",
+        "supply_temperature_C": 60.0,
+        "supply_pressure_bar": 2.0,
+        "supply": "hole",
+        "hole_diameter_mm": 5.0,
+        "housing_material": "steel",
+        "journal_material": "steel",
+        "speed_rpm": 1500.0,
+        "load_speed_ratio": 0.0,
+        "front": dict(bearing),
+        "rear": dict(bearing),
+    }
     for key, value in changes.items():
         part, _, name = key.rpartition("__")
         (table[part] if part else table)[name] = value
@@ -53,7 +61,10 @@ def test_a_standing_load_is_swept_at_its_own_size():
     standing = solve(design(alone(speed_range_rpm=[500.0, 3000.0]))).outcomes["bearings"].result.bearings["front"].sweep
     assert standing.thinnest_speed * 60 == pytest.approx(500)
     turning = (
-        solve(design(alone(speed_range_rpm=[500.0, 3000.0], load_speed_ratio=1.0))).outcomes["bearings"].result.bearings["front"].sweep
+        solve(design(alone(speed_range_rpm=[500.0, 3000.0], load_speed_ratio=1.0)))
+        .outcomes["bearings"]
+        .result.bearings["front"]
+        .sweep
     )
     assert turning.thinnest_speed * 60 == pytest.approx(3000)
 
@@ -71,16 +82,23 @@ def test_another_speed_than_the_engine_s_wants_its_own_loads(gamma):
     assert "bearings.speed_rpm" in {error.key for error in caught.value.errors}
 
 
-@pytest.mark.parametrize("changes, rise, film", [
-    # oil that is too thick for the table until it has warmed; rise [K] and film [µm] from an independent solution of the balance
-    ({"supply_temperature_C": -20.0}, 109.5, 25.5), ({"front__load_N": 20.0}, 55.8, None),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    "changes, rise, film",
+    [
+        # oil that is too thick for the table until it has warmed; rise [K] and film [µm] from an independent solution
+        # of the balance
+        ({"supply_temperature_C": -20.0}, 109.5, 25.5),
+        ({"front__load_N": 20.0}, 55.8, None),
+    ],
+)
 def test_oil_that_is_thick_at_first_warms_to_its_balance(changes, rise, film):
     found = solve(design(alone(**changes))).outcomes["bearings"]
     assert found.state == "solved", found.reason
     front = found.result.bearings["front"]
     assert front.temperature_rise == pytest.approx(rise, rel=0.01)
-    assert front.hot.friction_power == pytest.approx(front.hot.oil.rho * front.hot.oil.cp * front.oil_flow * front.temperature_rise)
+    assert front.hot.friction_power == pytest.approx(
+        front.hot.oil.rho * front.hot.oil.cp * front.oil_flow * front.temperature_rise
+    )
     if film:
         assert front.film * 1e6 == pytest.approx(film, rel=0.01)
 
@@ -123,7 +141,12 @@ def test_thin_oil_asks_for_less_load_or_clearance_and_not_for_more_clearance():
     small = dict(diameter_mm=20.0, length_mm=12.0, load_N=4000.0, clearance_um=90.0)
     heavy = {f"{place}__{key}": value for place in ("front", "rear") for key, value in small.items()}
     heavy |= dict(
-        oil="SAE 20", supply_temperature_C=27.0, supply_pressure_bar=1.0, hole_diameter_mm=2.0, speed_rpm=800.0, load_speed_ratio=1.0
+        oil="SAE 20",
+        supply_temperature_C=27.0,
+        supply_pressure_bar=1.0,
+        hole_diameter_mm=2.0,
+        speed_rpm=800.0,
+        load_speed_ratio=1.0,
     )
     reason = solve(design(alone(**heavy))).outcomes["bearings"].reason
     assert "less clearance" in reason and "more clearance" not in reason
@@ -131,7 +154,13 @@ def test_thin_oil_asks_for_less_load_or_clearance_and_not_for_more_clearance():
 
 def test_a_corner_that_is_seized_at_its_supply_has_no_film():
     """A steel journal in aluminium at −40 °C: a clearance of 30 µm at 20 °C is −6 µm, alone and as a corner."""
-    cold = dict(housing_material="EN AC-43100", supply_temperature_C=-40.0, speed_rpm=300.0, front__load_N=6000.0, rear__load_N=6000.0)
+    cold = dict(
+        housing_material="EN AC-43100",
+        supply_temperature_C=-40.0,
+        speed_rpm=300.0,
+        front__load_N=6000.0,
+        rear__load_N=6000.0,
+    )
     tight = solve(design(alone(**cold, front__clearance_um=30.0, rear__clearance_um=30.0))).outcomes["bearings"]
     assert "seized" in tight.reason
     wider = solve(design(alone(**cold, front__clearance_um=60.0, rear__clearance_um=60.0))).outcomes["bearings"]
@@ -154,12 +183,16 @@ GROOVE = {"hole_diameter_mm": None, "supply": "groove", "groove_width_mm": 4.0}
 @pytest.mark.parametrize(
     ("feed", "key", "load", "length"),
     [
-        ({}, "specific_load", 12000.0, 30.0), (GROOVE, "specific_load", 12000.0, 30.0),
-        ({}, "heat_index", 11000.0, 30.0), (GROOVE, "heat_index", 11000.0, 30.0),
-        ({}, "length_ratio_usual", 3000.0, 14.5), (GROOVE, "length_ratio_usual", 3000.0, 24.0),
-        ({}, "length_ratio_usual", 3000.0, 50.0), (GROOVE, "length_ratio_usual", 3000.0, 99.0),
+        ({}, "specific_load", 12000.0, 30.0),
+        (GROOVE, "specific_load", 12000.0, 30.0),
+        ({}, "heat_index", 11000.0, 30.0),
+        (GROOVE, "heat_index", 11000.0, 30.0),
+        ({}, "length_ratio_usual", 3000.0, 14.5),
+        (GROOVE, "length_ratio_usual", 3000.0, 24.0),
+        ({}, "length_ratio_usual", 3000.0, 50.0),
+        (GROOVE, "length_ratio_usual", 3000.0, 99.0),
     ],
-)  # fmt: skip
+)
 def test_the_length_that_a_check_names_is_just_enough(feed, key, load, length):
     """Of a bearing that a groove parts, too: its lands carry the load, and each of them has the ratio l/d."""
 

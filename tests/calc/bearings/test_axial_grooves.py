@@ -15,9 +15,13 @@ from calc.solve import solve
 from calc.studies.explain import chain
 
 KEYS = {
-    "supply": "axial_groove", "axial_groove_angles_deg": [90.0, 270.0], "axial_groove_width_mm": 5.0, "axial_groove_length_mm": 18.0,
-    "load_speed_ratio": 0.0, "slope_mrad": 0.0,
-}  # fmt: skip
+    "supply": "axial_groove",
+    "axial_groove_angles_deg": [90.0, 270.0],
+    "axial_groove_width_mm": 5.0,
+    "axial_groove_length_mm": 18.0,
+    "load_speed_ratio": 0.0,
+    "slope_mrad": 0.0,
+}
 
 
 def grooved(document, **changes):
@@ -40,7 +44,9 @@ def test_film_flow_and_coefficients_are_those_of_the_direct_solution(results, pl
     assert r.sommerfeld == pytest.approx(film.sommerfeld, rel=2e-3)
     assert r.attitude_angle == pytest.approx(film.attitude, abs=2e-3)
     assert r.friction_coefficient == pytest.approx(r.relative_clearance * film.friction, rel=2e-3)
-    assert r.side_flow == pytest.approx(film.side_flow * b.diameter * r.clearance_hot * r.duty.speed * b.length / 4, rel=5e-3)
+    assert r.side_flow == pytest.approx(
+        film.side_flow * b.diameter * r.clearance_hot * r.duty.speed * b.length / 4, rel=5e-3
+    )
     scale = r.load / (r.clearance_hot / 2)
     for name in ("xx", "xy", "yy"):
         assert getattr(r.dynamics, f"stiffness_{name}") == pytest.approx(getattr(film, f"k_{name}") * scale, rel=0.02)
@@ -61,7 +67,9 @@ def test_from_the_film_back_to_the_eccentricity(results):
     """There and back in the whole range; beyond it an error that names the range, or no number."""
     r = results.outcomes["bearings"].result.bearings["front"]
     b = r.seat.bearing
-    feeds = Feeds(tuple(Feed(angle, 2 * 5e-3 / b.diameter, 18e-3 / b.length) for angle in (math.pi / 2, 3 * math.pi / 2)))
+    feeds = Feeds(
+        tuple(Feed(angle, 2 * 5e-3 / b.diameter, 18e-3 / b.length) for angle in (math.pi / 2, 3 * math.pi / 2))
+    )
     ratio, eps = b.length / b.diameter, np.array([0.02, 0.1, 0.4, 0.7, 0.9, 0.98])
     S = film_at(eps, ratio, feeds).sommerfeld
     assert np.all(np.diff(S) < 0) and eccentricity_from(S[1:-1], ratio, feeds) == pytest.approx(eps[1:-1], abs=1e-5)
@@ -70,7 +78,10 @@ def test_from_the_film_back_to_the_eccentricity(results):
             eccentricity_from(float(beyond), ratio, feeds)
         assert (off.value.low, off.value.high) == pytest.approx((S[-1], S[0]), rel=1e-6)
         assert math.isnan(eccentricity_from(float(beyond), ratio, feeds, outside="nan"))
-    assert np.isnan(eccentricity_from(np.array([1.01 * S[0], S[2]]), ratio, feeds, outside="nan")).tolist() == [True, False]
+    assert np.isnan(eccentricity_from(np.array([1.01 * S[0], S[2]]), ratio, feeds, outside="nan")).tolist() == [
+        True,
+        False,
+    ]
 
 
 def test_the_grooves_thin_the_film_of_a_plain_bearing_with_the_same_oil(gamma, results):
@@ -82,20 +93,31 @@ def test_the_grooves_thin_the_film_of_a_plain_bearing_with_the_same_oil(gamma, r
 
 def test_what_leads_to_the_film_names_the_grooves(results):
     inputs = {key for link in chain(results, "bearings.front.film") for key in link.inputs}
-    assert {"bearings.axial_groove_angles_deg", "bearings.axial_groove_width_mm", "bearings.axial_groove_length_mm"} <= inputs
+    assert {
+        "bearings.axial_groove_angles_deg",
+        "bearings.axial_groove_width_mm",
+        "bearings.axial_groove_length_mm",
+    } <= inputs
 
 
 def test_routes_that_know_no_grooves_are_not_compared(results):
     outcome = results.outcomes["bearings"]
-    assert outcome.result.bearings["front"].routes_spread is None and outcome.result.bearings["front"].iso7902 is not None
+    assert (
+        outcome.result.bearings["front"].routes_spread is None and outcome.result.bearings["front"].iso7902 is not None
+    )
     assert not any(c.id.endswith("routes_spread") for c in outcome.checks)
     assert any("begins and ends at its axial grooves" in note for note in outcome.notes)
 
 
-@pytest.mark.parametrize("changes, words", [
-    ({"load_speed_ratio": 1.0}, "sweeps over axial grooves"), ({"axial_groove_angles_deg": None}, "needed with supply"),
-    ({"axial_groove_angles_deg": [90.0, 95.0]}, "overlap"), ({"axial_groove_length_mm": 30.0}, "smaller than the length"),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    "changes, words",
+    [
+        ({"load_speed_ratio": 1.0}, "sweeps over axial grooves"),
+        ({"axial_groove_angles_deg": None}, "needed with supply"),
+        ({"axial_groove_angles_deg": [90.0, 95.0]}, "overlap"),
+        ({"axial_groove_length_mm": 30.0}, "smaller than the length"),
+    ],
+)
 def test_grooves_that_make_no_sense_are_refused(gamma, changes, words):
     with pytest.raises(BadInput, match=words):
         design(grooved(gamma, **changes))

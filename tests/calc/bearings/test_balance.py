@@ -23,29 +23,48 @@ def test_all_at_once_are_what_each_is_alone(front, route, warm):
     loads, clearances = random.uniform(300, 4000, 40), random.uniform(50e-6, 160e-6, 40)
     many = settled(replace(front.seat, clearance=clearances), replace(front.duty, load=loads), warm=warm)
     for i in range(40):
-        one = balanced(route, replace(front.seat, clearance=float(clearances[i])), replace(front.duty, load=float(loads[i])))
-        for name in ("film", "eccentricity", "friction_power", "oil_flow", "temperature_rise", "attitude", "largest_pressure"):
+        one = balanced(
+            route, replace(front.seat, clearance=float(clearances[i])), replace(front.duty, load=float(loads[i]))
+        )
+        for name in (
+            "film",
+            "eccentricity",
+            "friction_power",
+            "oil_flow",
+            "temperature_rise",
+            "attitude",
+            "largest_pressure",
+        ):
             assert getattr(many, name)[i] == pytest.approx(getattr(one, name), rel=1e-6), name
 
 
 def test_lengths_diameters_speeds_and_supplies_may_be_arrays(front):
     bearing = replace(front.seat.bearing, length=np.array([0.02, 0.03]), diameter=np.array([0.05, 0.06]))
     duty = replace(
-        front.duty, speed=np.array([30.0, 40.0]), effective_speed=np.array([30.0, 40.0]), supply_temperature=np.array([100.0, 110.0]),
+        front.duty,
+        speed=np.array([30.0, 40.0]),
+        effective_speed=np.array([30.0, 40.0]),
+        supply_temperature=np.array([100.0, 110.0]),
         supply_pressure=np.array([3e5, 4e5]),
-    )  # fmt: skip
+    )
     many = settled(replace(front.seat, bearing=bearing), duty)
     for i in range(2):
         own = replace(front.seat.bearing, length=float(bearing.length[i]), diameter=float(bearing.diameter[i]))
         at = replace(
-            duty, speed=float(duty.speed[i]), effective_speed=float(duty.effective_speed[i]),
-            supply_temperature=float(duty.supply_temperature[i]), supply_pressure=float(duty.supply_pressure[i]),
-        )  # fmt: skip
+            duty,
+            speed=float(duty.speed[i]),
+            effective_speed=float(duty.effective_speed[i]),
+            supply_temperature=float(duty.supply_temperature[i]),
+            supply_pressure=float(duty.supply_pressure[i]),
+        )
         assert many.film[i] == pytest.approx(balanced(own_warm, replace(front.seat, bearing=own), at).film, rel=1e-6)
 
 
 def test_they_are_broadcast(front):
-    many = settled(replace(front.seat, clearance=np.array([[8e-5], [9e-5]])), replace(front.duty, load=np.array([500.0, 1000.0, 1500.0])))
+    many = settled(
+        replace(front.seat, clearance=np.array([[8e-5], [9e-5]])),
+        replace(front.duty, load=np.array([500.0, 1000.0, 1500.0])),
+    )
     assert many.film.shape == (2, 3)
     assert (np.diff(many.film, axis=1) < 0).all()
 
@@ -58,7 +77,9 @@ def test_what_has_no_film_is_nan_and_leaves_its_neighbours_alone(front):
     assert np.isfinite(many.film).tolist() == [False, True, False, False]
     for i in (0, 2, 3):
         with pytest.raises(NoSolution):
-            balanced(own_warm, replace(front.seat, clearance=float(clearances[i])), replace(front.duty, load=float(loads[i])))
+            balanced(
+                own_warm, replace(front.seat, clearance=float(clearances[i])), replace(front.duty, load=float(loads[i]))
+            )
 
 
 def test_a_film_that_breaks_down_above_is_still_found(gamma):
@@ -74,9 +95,12 @@ def test_a_film_that_breaks_down_above_is_still_found(gamma):
 
 @settings(max_examples=30, deadline=None)
 @given(
-    load=st.floats(50, 20000), clearance=st.floats(20e-6, 300e-6), length=st.floats(8e-3, 80e-3), speed=st.floats(5, 150),
+    load=st.floats(50, 20000),
+    clearance=st.floats(20e-6, 300e-6),
+    length=st.floats(8e-3, 80e-3),
+    speed=st.floats(5, 150),
     temperature=st.floats(40, 130),
-)  # fmt: skip
+)
 def test_every_film_closes_its_balance(front, load, clearance, length, speed, temperature):
     seat = replace(front.seat, clearance=np.array([clearance]), bearing=replace(front.seat.bearing, length=length))
     duty = replace(front.duty, load=load, speed=speed, effective_speed=speed, supply_temperature=temperature)

@@ -21,7 +21,9 @@ def outcome(document, **changes):
 
 
 def without_bench(document):
-    return replace(document, data={**document.data, "engine": {k: v for k, v in document.data["engine"].items() if k != "bench"}})
+    return replace(
+        document, data={**document.data, "engine": {k: v for k, v in document.data["engine"].items() if k != "bench"}}
+    )
 
 
 def verdicts(found):
@@ -29,7 +31,8 @@ def verdicts(found):
 
 
 def test_the_route_on_the_given_clearance(gamma_results):
-    """Reynolds, clearance as given, swept hole: front 10.38 µm, 6.22 K, 91.6 W at 1710 N (here 1706.8 N, the shaft's own reaction)."""
+    """Reynolds, clearance as given, swept hole: front 10.38 µm, 6.22 K, 91.6 W at 1710 N (here 1706.8 N, the shaft's
+    own reaction)."""
     r = gamma_results.outcomes["bearings"].result.bearings["front"].reynolds
     assert r.film * 1e6 == pytest.approx(10.38, rel=2e-3)
     assert r.temperature_rise == pytest.approx(6.22, rel=2e-3)
@@ -74,22 +77,35 @@ def test_what_an_oil_thinned_by_shear_leaves_is_told(gamma_results):
 def test_an_oil_that_carries_nothing_once_thinned_says_so(gamma):
     found = outcome(gamma, bearings__front__length_mm=7.0)
     assert any("front nothing, needs 9 µm" in note for note in found.notes)
-    assert any("the film at the edge falls to nothing:" in c.advice for c in found.checks if c.id == "bearings.front.shear_rate")
+    assert any(
+        "the film at the edge falls to nothing:" in c.advice
+        for c in found.checks
+        if c.id == "bearings.front.shear_rate"
+    )
 
 
 def test_what_a_slope_given_too_small_hides_is_told(gamma):
     """The film at the edge that its remedy tells is the one that the design has once the slope is left out."""
-    told = {c.id: c.remedies[0].effect.parts["edge"].number for c in outcome(gamma).checks if c.id.endswith("slope_given")}
+    told = {
+        c.id: c.remedies[0].effect.parts["edge"].number for c in outcome(gamma).checks if c.id.endswith("slope_given")
+    }
     left_out = outcome(gamma, bearings__slope_mrad=None).result.bearings
     assert len(told) == 2
     for id, edge in told.items():
         assert edge == pytest.approx(left_out[id.split(".")[1]].film_edge * 1e6, rel=1e-9)
 
 
-@pytest.mark.parametrize("kind, usual, most", [
-    ("grease", None, 20_000), ("ring", None, 40_000), ("ring_moving_air", None, 70_000), ("ring_fast_air", None, 200_000),
-    ("forced", None, 70_000), ("forced_cooled", 240_000, 500_000),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    "kind, usual, most",
+    [
+        ("grease", None, 20_000),
+        ("ring", None, 40_000),
+        ("ring_moving_air", None, 70_000),
+        ("ring_fast_air", None, 200_000),
+        ("forced", None, 70_000),
+        ("forced_cooled", 240_000, 500_000),
+    ],
+)
 def test_the_heat_index_is_held_against_the_row_of_its_lubrication(gamma_results, kind, usual, most):
     """Finotti 2013, Table 3.1, as printed; only the last row lets go beyond its range."""
     r = gamma_results.outcomes["bearings"].result.bearings["rear"]
@@ -135,7 +151,9 @@ def test_the_block_may_hold_the_housing_back(gamma):
 
 def test_the_thinnest_film_is_found_not_assumed(gamma_results):
     """The no-load row (2646 rpm) does not govern, and the hottest loaded row is not the fastest."""
-    assert gamma_results.outcomes["bearings"].result.bearings["front"].speed_of_thinnest_film * 60 == pytest.approx(2497)
+    assert gamma_results.outcomes["bearings"].result.bearings["front"].speed_of_thinnest_film * 60 == pytest.approx(
+        2497
+    )
 
 
 def test_without_a_bench_run_a_range_is_swept(gamma):
@@ -152,7 +170,9 @@ def test_a_full_groove_halves_the_bearing(gamma):
     assert r.temperature_rise == pytest.approx(3.68, rel=5e-3)
 
 
-@pytest.mark.parametrize("supply, more", [("pocket", {"pocket_width_mm": 8.0, "pocket_length_mm": 20.0}), ("shaft", {})])
+@pytest.mark.parametrize(
+    "supply, more", [("pocket", {"pocket_width_mm": 8.0, "pocket_length_mm": 20.0}), ("shaft", {})]
+)
 def test_other_supplies(gamma, supply, more):
     document = gamma.with_value("bearings.supply", supply)
     for key, value in more.items():
@@ -161,14 +181,20 @@ def test_other_supplies(gamma, supply, more):
 
 
 def test_no_oil_through_a_fast_shaft(gamma):
-    found = outcome(without_bench(gamma), bearings__supply="shaft", bearings__supply_pressure_bar=0.2, engine__rated_speed_rpm=6000.0)
+    found = outcome(
+        without_bench(gamma),
+        bearings__supply="shaft",
+        bearings__supply_pressure_bar=0.2,
+        engine__rated_speed_rpm=6000.0,
+    )
     assert found.state == "no_solution"
     assert "through the shaft" in found.reason
 
 
-@pytest.mark.parametrize("key, value, words", [
-    ("bearings.front.length_mm", 4.0, "l/d"), ("countershaft.masses.front.mass_kg", 300.0, "no film carries"),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    "key, value, words",
+    [("bearings.front.length_mm", 4.0, "l/d"), ("countershaft.masses.front.mass_kg", 300.0, "no film carries")],
+)
 def test_what_has_no_film_says_so(gamma, key, value, words):
     found = outcome(gamma.with_value(key, value), bearings__hole_diameter_mm=2.0)
     assert found.state == "no_solution"
@@ -193,8 +219,14 @@ def test_a_longer_bearing_has_a_thicker_film(gamma, length):
 @given(length=st.floats(22, 40), clearance=st.floats(40, 120), temperature=st.floats(80, 130))
 def test_all_heat_leaves_with_the_oil(gamma, length, clearance, temperature):
     """The film that is shown closes its own balance: P_f = ρ·c_p·Q·ΔT at the mean temperature."""
-    changed = gamma.with_value("bearings.front.clearance_factor", None).with_value("bearings.front.clearance_um", clearance)
-    hot = outcome(changed, bearings__front__length_mm=length, bearings__supply_temperature_C=temperature).result.bearings["front"].hot
+    changed = gamma.with_value("bearings.front.clearance_factor", None).with_value(
+        "bearings.front.clearance_um", clearance
+    )
+    hot = (
+        outcome(changed, bearings__front__length_mm=length, bearings__supply_temperature_C=temperature)
+        .result.bearings["front"]
+        .hot
+    )
     assert hot.mean_temperature == pytest.approx(temperature + hot.temperature_rise / 2, abs=1e-8)
     assert hot.friction_power == pytest.approx(hot.oil.rho * hot.oil.cp * hot.oil_flow * hot.temperature_rise, rel=1e-9)
 
@@ -234,9 +266,14 @@ def test_too_little_load_is_told_from_too_much(gamma):
 def test_without_supply_pressure_the_charts_take_their_own_flow(gamma):
     found = outcome(gamma, bearings__supply_pressure_bar=0.0)
     r = found.result.bearings["front"]
-    assert r.raimondi_boyd.temperature_rise == pytest.approx(10.7, abs=0.06)  # by an independent balance: 10.7 K front, 14.4 K rear
+    assert r.raimondi_boyd.temperature_rise == pytest.approx(
+        10.7, abs=0.06
+    )  # by an independent balance: 10.7 K front, 14.4 K rear
     assert found.result.bearings["rear"].raimondi_boyd.temperature_rise == pytest.approx(14.4, abs=0.2)
-    assert r.raimondi_boyd.oil_flow == r.raimondi_boyd_own_flow.oil_flow and r.raimondi_boyd.side_flow < r.raimondi_boyd.oil_flow
+    assert (
+        r.raimondi_boyd.oil_flow == r.raimondi_boyd_own_flow.oil_flow
+        and r.raimondi_boyd.side_flow < r.raimondi_boyd.oil_flow
+    )
     assert not any("no oil flows" in note for note in found.notes)
 
 
@@ -246,7 +283,8 @@ def test_a_hole_outside_the_range_of_its_factor_warns(gamma):
 
 
 def test_a_speed_range_is_judged_where_the_film_is_thinnest(gamma):
-    """From 800 to 6000 rpm the load of the eccentric masses is five times that of rated speed: the film fails there, and it is said."""
+    """From 800 to 6000 rpm the load of the eccentric masses is five times that of rated speed: the film fails there,
+    and it is said."""
     found = outcome(gamma, bearings__speed_range_rpm=[800.0, 6000.0])
     r = found.result.bearings["front"]
     assert r.speed_of_thinnest_film * 60 == pytest.approx(6000)
@@ -291,6 +329,8 @@ def test_the_design_stands_on_its_curves_and_fails_with_its_film(gamma_results):
         x, y = over_clearance.point
         line = next(s for s in over_clearance.series if s.label == "at the edge")
         assert np.interp(x, line.x, line.y) == pytest.approx(y, rel=1e-6)
-        assert over_speed.point == pytest.approx((2600, y))  # with the oil of the design, the line has that of the bench run
+        assert over_speed.point == pytest.approx(
+            (2600, y)
+        )  # with the oil of the design, the line has that of the bench run
         assert over_speed.fails == over_clearance.fails == (judged[f"bearings.{place}.film_edge"] == "fail")
     assert {judged[f"bearings.{place}.film_edge"] for place in ("front", "rear")} >= {"fail"}

@@ -22,7 +22,9 @@ def gamma():
 
 @pytest.fixture(scope="module")
 def drawn(gamma):
-    return {curve.id: {str(s.label): (s.x, s.y) for s in curve.series} for curve in gamma.outcomes["bearings"].whole.curves}
+    return {
+        curve.id: {str(s.label): (s.x, s.y) for s in curve.series} for curve in gamma.outcomes["bearings"].whole.curves
+    }
 
 
 @pytest.mark.parametrize("length_ratio, load, friction", [(1.0, 0.53, 0.30), (0.5, 0.43, 0.12), (0.25, 0.27, 0.03)])
@@ -51,7 +53,9 @@ def test_every_chart_passes_through_the_design(gamma, drawn, place):
         return values[f"bearings.{place}.{name}"].shown
 
     angle, pressure = drawn[f"pressure_around_{place}"]["as designed"]
-    assert pressure.max() == pytest.approx(v("film_pressure_max"), rel=3e-3) and 0 < angle[pressure.argmax()] < v("attitude_angle")
+    assert pressure.max() == pytest.approx(v("film_pressure_max"), rel=3e-3) and 0 < angle[pressure.argmax()] < v(
+        "attitude_angle"
+    )
     for x, name in (("clearance_effects", v("clearance")), ("length_effects", v("length_ratio"))):
         for label, (at, share) in drawn[f"{x}_{place}"].items():
             assert np.interp(name, at, share) == pytest.approx(1.0, abs=0.02), (x, label)
@@ -60,9 +64,13 @@ def test_every_chart_passes_through_the_design(gamma, drawn, place):
     for name in ("friction", "flow", "side_flow_ratio", "pressure_ratio"):
         (at,), (y,) = drawn[f"raimondi_boyd_{name}_{place}"]["as designed"]
         x, line = drawn[f"raimondi_boyd_{name}_{place}"][f"l/d = {short(v('length_ratio'))}"]
-        assert 10**at == pytest.approx(v("sommerfeld")) and np.interp(at, x[::-1], line[::-1]) == pytest.approx(y, rel=1e-2), name
+        assert 10**at == pytest.approx(v("sommerfeld")) and np.interp(at, x[::-1], line[::-1]) == pytest.approx(
+            y, rel=1e-2
+        ), name
     duty, friction = drawn[f"stribeck_{place}"]["full film"]
-    assert np.interp(v("mckee_number"), duty[::-1], friction[::-1]) == pytest.approx(v("friction_coefficient"), rel=5e-3)
+    assert np.interp(v("mckee_number"), duty[::-1], friction[::-1]) == pytest.approx(
+        v("friction_coefficient"), rel=5e-3
+    )
 
 
 @pytest.mark.parametrize("place", ["front", "rear"])
@@ -82,7 +90,10 @@ def test_pressure_along_falls_to_nothing_at_the_edges(gamma, drawn, place):
 @pytest.mark.parametrize("place", ["front", "rear"])
 def test_a_sloping_journal_has_its_peak_off_the_middle(gamma, drawn, place):
     """With the slope of the design, under the same load."""
-    (label, (z, p)), whole = list(drawn[f"pressure_along_{place}"].items())[1], drawn[f"pressure_along_{place}"]["as designed"]
+    (label, (z, p)), whole = (
+        list(drawn[f"pressure_along_{place}"].items())[1],
+        drawn[f"pressure_along_{place}"]["as designed"],
+    )
     r = gamma.outcomes["bearings"].result.bearings[place]
     assert f"{(r.film - r.film_edge) * 2 / r.seat.bearing.length * 1e3:.2f}" in label
     assert whole[1].max() < p.max() < 1.1 * whole[1].max() and z[p.argmax()] > 1 and p[0] == p[-1] == 0
@@ -91,17 +102,26 @@ def test_a_sloping_journal_has_its_peak_off_the_middle(gamma, drawn, place):
 
 def test_a_bearing_with_a_groove_is_drawn_as_its_two_lands():
     grooved = solve(
-        design(read(DESIGNS / "r753ie4_gamma.toml").with_value("bearings.supply", "groove").with_value("bearings.groove_width_mm", 4.0))
+        design(
+            read(DESIGNS / "r753ie4_gamma.toml")
+            .with_value("bearings.supply", "groove")
+            .with_value("bearings.groove_width_mm", 4.0)
+        )
     )
     curve = next(c for c in grooved.outcomes["bearings"].whole.curves if c.id == "pressure_along_rear")
     z, p = curve.series[0].x, curve.series[0].y
     length = grooved.outcomes["bearings"].result.bearings["rear"].seat.bearing.length * 1e3
-    assert len(curve.series) == 1 and (z[0], z[-1]) == pytest.approx((-length / 2, length / 2)) and p[abs(z) < 2.001].max() == 0
+    assert (
+        len(curve.series) == 1
+        and (z[0], z[-1]) == pytest.approx((-length / 2, length / 2))
+        and p[abs(z) < 2.001].max() == 0
+    )
 
 
 @pytest.mark.parametrize("place", ["front", "rear"])
 def test_the_load_that_a_length_bears_leaves_the_film_of_the_limit(gamma, drawn, place):
-    """Solved anew under that load, the film at the edge is Kreisle's; with the slope it is less than parallel, the more the longer."""
+    """Solved anew under that load, the film at the edge is Kreisle's; with the slope it is less than parallel, the more
+    the longer."""
     parallel, sloping = list(drawn[f"allowable_load_{place}"].values())[:2]
     assert (np.diff(parallel[1]) > 0).all() and (np.diff(sloping[1] / parallel[1]) < 0).all()
     r = gamma.outcomes["bearings"].result.bearings[place]

@@ -51,9 +51,14 @@ def test_eight_corners_each_as_solved_alone(gamma_results):
         journal, seat, oil = (signs[part.split()[0]] for part in name.split(", "))
         g = r.clearance + (seat - journal) * 15e-6
         at = BearingCase(
-            r.seat.bearing, r.seat.inputs, r.seat.lubricant, g, r.seat.journal_expansion, r.seat.housing_expansion,
+            r.seat.bearing,
+            r.seat.inputs,
+            r.seat.lubricant,
+            g,
+            r.seat.journal_expansion,
+            r.seat.housing_expansion,
             viscosity_factor=1 + 0.1 * oil,
-        )  # fmt: skip
+        )
         film = balanced(own_warm, at, r.duty)
         assert r.corners.columns["film"][i] == pytest.approx(film.film, rel=1e-6)
         assert r.corners.columns["outlet_temperature"][i] == pytest.approx(120 + film.temperature_rise, rel=1e-6)
@@ -62,7 +67,11 @@ def test_eight_corners_each_as_solved_alone(gamma_results):
 def test_the_worst_corner_is_named(gamma_results):
     found = {c.id: c for c in gamma_results.outcomes["bearings"].checks}
     edge = found["bearings.front.film_edge_corner"]
-    assert "smallest journal, largest seat, thinner oil" in edge.advice and edge.kind == "caution" and edge.verdict == "warn"
+    assert (
+        "smallest journal, largest seat, thinner oil" in edge.advice
+        and edge.kind == "caution"
+        and edge.verdict == "warn"
+    )
     assert edge.cause == "bearings.front.film_edge"
     assert "largest journal, smallest seat" in found["bearings.front.clearance_cold_corner"].advice
 
@@ -75,7 +84,9 @@ def test_a_corner_is_a_caution_whether_its_fits_are_given_or_assumed(gamma):
 
 def test_fits_alone_make_the_clearance(gamma):
     """H7/f7 at Ø59.5: 30 to 90 µm (ISO 286), the middle 60; at Ø81 36 to 106, the middle 71."""
-    document = gamma.with_value("bearings.front.clearance_factor", None).with_value("bearings.rear.clearance_factor", None)
+    document = gamma.with_value("bearings.front.clearance_factor", None).with_value(
+        "bearings.rear.clearance_factor", None
+    )
     found = outcome(document, seat_fit="H7", journal_fit="f7")
     r = found.result.bearings
     assert r["front"].clearance == pytest.approx(60e-6) and r["rear"].clearance == pytest.approx(71e-6)
@@ -103,7 +114,8 @@ def test_a_corner_without_film_warns_and_does_not_end_the_step(gamma):
 
 
 def test_fits_with_letters_make_the_corners_whatever_clearance_is_given(gamma):
-    """H7/f7 at Ø59.5 makes 30 to 90 µm, and no other: a given middle of 88 µm moves the judged film, not the corners."""
+    """H7/f7 at Ø59.5 makes 30 to 90 µm, and no other: a given middle of 88 µm moves the judged film, not the
+    corners."""
     document = gamma.with_value("bearings.front.clearance_factor", None).with_value("bearings.front.clearance_um", 88.0)
     r = front(outcome(document, seat_fit="H7", journal_fit="f7"))
     assert r.clearance == pytest.approx(88e-6)

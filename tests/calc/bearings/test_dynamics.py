@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Stiffness, damping, stability and orbit: closed forms, the direct solution at a displaced journal, a squeeze solution of another make."""
+"""Stiffness, damping, stability and orbit: closed forms, the direct solution at a displaced journal, a squeeze solution
+of another make."""
 
 import cmath
 import math
@@ -28,8 +29,8 @@ def matrices(k):
 def friswell(e):
     """Short bearing: Friswell, Penny, Garvey and Lees, Dynamics of Rotating Machines (2010), p. 177, a_uu … b_vv.
 
-    Their load points along −v, u is 90° further in the sense of rotation: here X along the load and Y stand for −v and u.
-    """
+    Their load points along −v, u is 90° further in the sense of rotation: here X along the load and Y stand for −v and
+    u."""
     pi = math.pi
     h = 1 / (pi**2 * (1 - e**2) + 16 * e**2) ** 1.5
     auu = h * 4 * (pi**2 * (2 - e**2) + 16 * e**2)
@@ -51,7 +52,9 @@ def short(e):
     )
     phi, c_rr = s.attitude_angle(eps=e), s.radial_damping(eps=e)
     c_xy = d.c_xy(c_rr=c_rr, eps=e, phi=phi)
-    K = np.array([[d.k_xx(q=q, phi=phi), d.k_xy(q=q, phi=phi)], [d.k_yx(eps=e, phi=phi, a=a), d.k_yy(eps=e, phi=phi, a=a)]])
+    K = np.array(
+        [[d.k_xx(q=q, phi=phi), d.k_xy(q=q, phi=phi)], [d.k_yx(eps=e, phi=phi, a=a), d.k_yy(eps=e, phi=phi, a=a)]]
+    )
     return K, np.array([[d.c_xx(c_rr=c_rr, eps=e, phi=phi), c_xy], [c_xy, d.c_yy(c_rr=c_rr, eps=e, phi=phi)]])
 
 
@@ -63,8 +66,8 @@ def test_the_short_bearing_in_closed_form(e):
 
 @pytest.mark.parametrize("e", [0.1, 0.3, 0.5])
 def test_a_bearing_of_a_tenth_of_its_diameter_is_nearly_short(e):
-    """The squeezed film of the short bearing ends with a step of pressure, which a finite one smooths over a length of the order of l:
-    its damping falls short by up to 4 %, in proportion to l/d; the stiffness by up to 2 %."""
+    """The squeezed film of the short bearing ends with a step of pressure, which a finite one smooths over a length of
+    the order of l: its damping falls short by up to 4 %, in proportion to l/d; the stiffness by up to 2 %."""
     for found, published in zip(matrices(coefficients(e, 0.1)), friswell(e)):
         assert found == pytest.approx(published, abs=0.04 * np.abs(published).max())
 
@@ -88,17 +91,20 @@ def test_stiffness_is_what_a_displaced_journal_feels(e, b):
 
 
 def other_squeeze(e, b, cells=(256, 24)):
-    """C_rr·c·ω/F with even steps and the mean film between nodes: as different from `reynolds` as the same equation allows.
+    """C_rr·c·ω/F with even steps and the mean film between nodes: as different from `reynolds` as the same equation
+    allows.
 
-    The film with and without a radial speed is solved for itself, free to rupture where it will behind the narrowest half.
-    """
+    The film with and without a radial speed is solved for itself, free to rupture where it will behind the narrowest
+    half."""
     n, m = cells
     theta, z = (np.arange(n) + 1) * 2 * math.pi / (n + 1), np.arange(m) / m
     dt, dz = theta[0], 1 / m
     h = 1 + e * np.cos(theta)
     left, right = ((1 + e * np.cos(theta + side * dt / 2)) ** 3 / dt**2 for side in (-1, 1))
     around = diags([left[1:], -(left + right), right[:-1]], [-1, 0, 1])
-    across = diags([np.ones(m - 1), -2 * np.ones(m), np.where(np.arange(m - 1) == 0, 2.0, 1.0)], [-1, 0, 1]) / (b * dz) ** 2
+    across = (
+        diags([np.ones(m - 1), -2 * np.ones(m), np.where(np.arange(m - 1) == 0, 2.0, 1.0)], [-1, 0, 1]) / (b * dz) ** 2
+    )
     matrix = csr_matrix(kron(around, eye(m)) + kron(diags(h**3), across))
     weight = np.outer(np.cos(theta), np.where(z == 0, 0.5, 1.0)).ravel() * dt * dz
     held = np.repeat(theta < math.pi / 2, m)
@@ -208,7 +214,8 @@ def test_for_a_load_that_stands_the_threshold_is_lunds(e, b):
         assert math.isinf(m)
 
 
-# --- the step's own object ----------------------------------------------------------------------------------------------------
+# --- the step's own object
+# ----------------------------------------------------------------------------------------------------
 LOAD, CLEARANCE, SPEED = 1710.0, 140e-6, 2600 / 60
 
 
@@ -216,7 +223,9 @@ def made(e=0.74, b=0.46, load_speed_ratio=1.0, mass=None) -> Dynamics:
     hot = SimpleNamespace(eccentricity=e, attitude=film_at(e, b).attitude, clearance=CLEARANCE)
     speed = SPEED * abs(1 - 2 * load_speed_ratio)
     duty = SimpleNamespace(load=LOAD, effective_speed=speed, speed=SPEED)
-    seat = SimpleNamespace(inputs=SimpleNamespace(load_speed_ratio=load_speed_ratio, bush_speed_ratio=0.0), grooves=None)
+    seat = SimpleNamespace(
+        inputs=SimpleNamespace(load_speed_ratio=load_speed_ratio, bush_speed_ratio=0.0), grooves=None
+    )
     return dynamics(hot, duty, seat, b, mass=mass)
 
 
@@ -244,13 +253,19 @@ def test_the_orbit_solves_its_equation_in_time():
     n = 64
     t = np.arange(n) / n * 2 * math.pi / omega
     # collocation with exact derivatives of the first harmonic
-    system = np.block([[K - 2 * m * omega**2 * np.eye(2), omega * C - 2 * m * omega**2 * J],
-                       [-omega * C + 2 * m * omega**2 * J, K - 2 * m * omega**2 * np.eye(2)]])  # fmt: skip
+    system = np.block(
+        [
+            [K - 2 * m * omega**2 * np.eye(2), omega * C - 2 * m * omega**2 * J],
+            [-omega * C + 2 * m * omega**2 * J, K - 2 * m * omega**2 * np.eye(2)],
+        ]
+    )
     p = np.linalg.solve(system, R_0 * np.array([1.0, 0.0, 0.0, 1.0]))  # u = p[:2]·cos Ωt + p[2:]·sin Ωt
     u = p[:2, None] * np.cos(omega * t) + p[2:, None] * np.sin(omega * t)
     v = omega * (p[2:, None] * np.cos(omega * t) - p[:2, None] * np.sin(omega * t))
     a = -(omega**2) * u - 2 * omega * J @ v - omega**2 * u
-    assert m * a + C @ v + K @ u == pytest.approx(R_0 * np.array([np.cos(omega * t), np.sin(omega * t)]), abs=1e-6 * R_0)
+    assert m * a + C @ v + K @ u == pytest.approx(
+        R_0 * np.array([np.cos(omega * t), np.sin(omega * t)]), abs=1e-6 * R_0
+    )
     size = np.hypot(*u)
     assert found.amplitude == pytest.approx(size.max(), rel=5e-3) and found.minor == pytest.approx(size.min(), rel=2e-2)
     towards = u[0] * math.cos(phi) + u[1] * math.sin(phi)
@@ -258,7 +273,8 @@ def test_the_orbit_solves_its_equation_in_time():
 
 
 def test_what_stands_still_feels_no_inertia():
-    """A journal on a film that is the same all round follows the standing force: in space it rests, whatever its mass."""
+    """A journal on a film that is the same all round follows the standing force: in space it rests, whatever its
+    mass."""
     same = dict(
         stiffness_xx=1e8,
         stiffness_xy=3e7,
@@ -271,7 +287,9 @@ def test_what_stands_still_feels_no_inertia():
     )
     light, heavy = (orbit_of(Dynamics(**same), 100.0, 272.0, 0.7, m) for m in (0.0, 100.0))
     assert heavy.amplitude == pytest.approx(light.amplitude, rel=1e-12)
-    assert light.amplitude == pytest.approx(light.minor, rel=1e-12) and light.film_loss == pytest.approx(light.amplitude, rel=1e-12)
+    assert light.amplitude == pytest.approx(light.minor, rel=1e-12) and light.film_loss == pytest.approx(
+        light.amplitude, rel=1e-12
+    )
     assert light.amplitude == pytest.approx(100.0 / math.hypot(1e8, 272.0 * 2e5 - 3e7), rel=1e-12)
 
 

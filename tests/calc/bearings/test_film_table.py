@@ -20,7 +20,10 @@ REFERENCE = Path(__file__).parents[2] / "reference"
 FINITE = [row for row in json.loads((REFERENCE / "bearings_reynolds.json").read_text())["rows"] if row["ld"] != "inf"]
 RANDOM = np.random.default_rng(1958)
 OFF_NODE = [
-    (math.tanh(RANDOM.uniform(math.atanh(0.02), math.atanh(0.98))), math.exp(RANDOM.uniform(math.log(0.1), math.log(2.0))))
+    (
+        math.tanh(RANDOM.uniform(math.atanh(0.02), math.atanh(0.98))),
+        math.exp(RANDOM.uniform(math.log(0.1), math.log(2.0))),
+    )
     for _ in range(40)
 ]
 CORNERS = [(e, b) for e in (0.02, 0.98) for b in (0.1, 2.0)]
@@ -88,7 +91,10 @@ def test_broadcasting():
 
 def test_round_trip():
     eccentricity, length_ratio = GRID
-    assert np.abs(eccentricity_from(film_at(eccentricity, length_ratio).sommerfeld, length_ratio) - eccentricity).max() < 1e-12
+    assert (
+        np.abs(eccentricity_from(film_at(eccentricity, length_ratio).sommerfeld, length_ratio) - eccentricity).max()
+        < 1e-12
+    )
 
 
 def test_the_load_rises_with_the_eccentricity_at_every_length():
@@ -136,9 +142,16 @@ def test_outside_the_table(function, first, length_ratio, words):
 
 
 def test_the_error_carries_its_numbers():
-    with pytest.raises(FilmRangeError, match=r"l/d 0\.05 is outside the film table, 0\.1 to 2 \(1 of 3 values are outside\)") as caught:
+    with pytest.raises(
+        FilmRangeError, match=r"l/d 0\.05 is outside the film table, 0\.1 to 2 \(1 of 3 values are outside\)"
+    ) as caught:
         film_at(0.5, np.array([0.3, 0.05, 0.4]))
-    assert (caught.value.quantity, caught.value.value, caught.value.low, caught.value.high) == ("length ratio l/d", 0.05, 0.1, 2.0)
+    assert (caught.value.quantity, caught.value.value, caught.value.low, caught.value.high) == (
+        "length ratio l/d",
+        0.05,
+        0.1,
+        2.0,
+    )
 
 
 def test_the_table_needs_no_scipy():
@@ -147,5 +160,11 @@ def test_the_table_needs_no_scipy():
         "eccentricity_from(film_at(0.5, 0.5).sommerfeld, 0.5);"
         "print([name for name in sys.modules if name.split('.')[0] == 'scipy'])"
     )
-    run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True, cwd=Path(film_table.__file__).parents[2])
+    run = subprocess.run(
+        [sys.executable, "-c", code],
+        capture_output=True,
+        text=True,
+        check=True,
+        cwd=Path(film_table.__file__).parents[2],
+    )
     assert run.stdout.strip() == "[]"

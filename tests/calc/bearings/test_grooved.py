@@ -1,4 +1,5 @@
-"""The film that begins and ends at its feed: against Someya's data book, against the plain bearing, and what must hold for any."""
+"""The film that begins and ends at its feed: against Someya's data book, against the plain bearing, and what must hold
+for any."""
 
 import math
 import tomllib
@@ -12,7 +13,9 @@ from hypothesis import strategies as st
 from calc.bearings.film.grooved import Feed, GroovedTable, _bends, _grid, _nodes_across, overlap, solve_grooved
 from calc.bearings.film.table import film_at
 
-REFERENCE = tomllib.loads((Path(__file__).parents[2] / "reference" / "someya_two_axial_grooves.toml").read_text(encoding="utf-8"))
+REFERENCE = tomllib.loads(
+    (Path(__file__).parents[2] / "reference" / "someya_two_axial_grooves.toml").read_text(encoding="utf-8")
+)
 TEN = math.radians(10)
 TWO = (Feed(math.pi / 2, TEN), Feed(3 * math.pi / 2, TEN))
 CELLS = (96, 8)
@@ -32,8 +35,8 @@ def test_load_and_friction_as_in_the_book(both):
 
 
 def test_attitude_and_side_flow_as_in_the_book(both):
-    """φ within 1.3°, but 2.5° at ε 0.2, l/d 1; the side flow within 6 % but at ε 0.8 and 0.9, l/d 1 (8 and 13 % more than the book's,
-    which falls there with ε)."""
+    """φ within 1.3°, but 2.5° at ε 0.2, l/d 1; the side flow within 6 % but at ε 0.8 and 0.9, l/d 1 (8 and 13 % more
+    than the book's, which falls there with ε)."""
     for row, film in zip(*both):
         assert math.degrees(film.attitude) == pytest.approx(row[2], abs=2.6 if row[1] == 0.2 else 1.35)
         loose = film.length_ratio == 1.0 and row[1] >= 0.8
@@ -41,8 +44,8 @@ def test_attitude_and_side_flow_as_in_the_book(both):
 
 
 def test_damping_as_in_the_book(both):
-    """C_xx within 6.5 %.  Across the load the book's values jump from row to row (l/d 1: 1.82, 2.00, 2.15); ours, which stay where they
-    are on grids four times as fine, are up to 17 % lower."""
+    """C_xx within 6.5 %.  Across the load the book's values jump from row to row (l/d 1: 1.82, 2.00, 2.15); ours, which
+    stay where they are on grids four times as fine, are up to 17 % lower."""
     for row, film in zip(*both):
         assert film.c_xx == pytest.approx(row[9], rel=0.065)
         for ours, book in zip((film.c_xy, film.c_yx, film.c_yy), row[10:]):
@@ -50,11 +53,12 @@ def test_damping_as_in_the_book(both):
 
 
 def test_stiffness_is_that_of_grooves_that_stay(both):
-    """The book's obey k_xy = k_xx·tan φ: they are taken from the locus ε, φ over the load, as if the grooves turned with it.
+    """The book's obey k_xy = k_xx·tan φ: they are taken from the locus ε, φ over the load, as if the grooves turned
+    with it.
 
-    So taken from our locus, over the book's own steps of ε, they come out as printed.  The stiffness of grooves that stay where they
-    were cut is another one: at l/d 1, ε 0.8 K_xx is 5.77 and not 6.10, where the plain bearing has 5.29.
-    """
+    So taken from our locus, over the book's own steps of ε, they come out as printed.  The stiffness of grooves that
+    stay where they were cut is another one: at l/d 1, ε 0.8 K_xx is 5.77 and not 6.10, where the plain bearing has
+    5.29."""
     rows, films = both
     for before, at, after, row in list(zip(films, films[1:], films[2:], rows[1:]))[1:]:
         assert row[6] == pytest.approx(row[5] * math.tan(math.radians(row[2])), rel=0.02)
@@ -71,10 +75,14 @@ def test_one_point_on_the_finest_grid():
     """l/d 1, ε 0.8: S 0.0469 and φ 32.1° in the book."""
     film = solve_grooved(0.8, 1.0, TWO)
     assert (film.sommerfeld, math.degrees(film.attitude)) == pytest.approx((0.0469, 32.1), rel=5e-3)
-    assert film.k_xx == pytest.approx(5.77, abs=0.01) and film_at(0.8, 1.0).sommerfeld == pytest.approx(0.0446, abs=1e-4)
+    assert film.k_xx == pytest.approx(5.77, abs=0.01) and film_at(0.8, 1.0).sommerfeld == pytest.approx(
+        0.0446, abs=1e-4
+    )
 
 
-@pytest.mark.parametrize("feeds", [TWO, (Feed(math.pi, TEN),), (Feed(math.pi / 2, 0.3, 0.6), Feed(3 * math.pi / 2, 0.3, 0.6))])
+@pytest.mark.parametrize(
+    "feeds", [TWO, (Feed(math.pi, TEN),), (Feed(math.pi / 2, 0.3, 0.6), Feed(3 * math.pi / 2, 0.3, 0.6))]
+)
 def test_finer_grids_change_nothing(feeds):
     coarse, fine = (solve_grooved(0.7, 0.5, feeds, cells=cells) for cells in ((96, 16), (192, 32)))
     assert coarse.sommerfeld == pytest.approx(fine.sommerfeld, rel=2e-3)
@@ -93,7 +101,8 @@ def test_a_narrow_groove_at_the_widest_film_is_the_plain_bearing():
 
 
 def test_a_pocket_lies_between_none_and_the_whole_length():
-    """The longer the pocket at ±90°, the less load at the same ε: S rises from the plain bearing's towards that of the groove."""
+    """The longer the pocket at ±90°, the less load at the same ε: S rises from the plain bearing's towards that of the
+    groove."""
     S = [
         solve_grooved(0.4, 1.0, tuple(Feed(f.angle, f.arc, share) for f in TWO), cells=(96, 16)).sommerfeld
         for share in (0.3, 0.6, 0.9, 1.0)
@@ -103,7 +112,9 @@ def test_a_pocket_lies_between_none_and_the_whole_length():
 
 def test_a_groove_in_the_load_zone_costs_most():
     """At 0° it parts the film where it carries."""
-    loaded, unloaded = (solve_grooved(0.6, 0.5, (Feed(angle, TEN),), cells=CELLS).sommerfeld for angle in (0.0, math.pi))
+    loaded, unloaded = (
+        solve_grooved(0.6, 0.5, (Feed(angle, TEN),), cells=CELLS).sommerfeld for angle in (0.0, math.pi)
+    )
     assert loaded > 1.5 * unloaded
 
 
@@ -115,9 +126,15 @@ def test_feed_pressure_of_opposite_grooves_lifts_nothing_and_one_above_presses_d
     assert above.side_flow > without.side_flow
 
 
-@pytest.mark.parametrize("eps, feeds, words", [
-    (0.99, TWO, "0.99"), (0.5, (), "one feed"), (0.5, (Feed(1.0, 0.2), Feed(1.1, 0.2)), "overlap"), (0.5, (Feed(0.0, 0.2), Feed(3.0, 0.2, 0.5)), "length"),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    "eps, feeds, words",
+    [
+        (0.99, TWO, "0.99"),
+        (0.5, (), "one feed"),
+        (0.5, (Feed(1.0, 0.2), Feed(1.1, 0.2)), "overlap"),
+        (0.5, (Feed(0.0, 0.2), Feed(3.0, 0.2, 0.5)), "length"),
+    ],
+)
 def test_what_has_no_meaning_is_refused(eps, feeds, words):
     with pytest.raises(ValueError, match=words):
         solve_grooved(eps, 0.5, feeds)
@@ -146,7 +163,8 @@ def test_feeds_overlap_where_they_are_nearer_than_half_of_both(a, b, one, other)
     assert overlap((Feed(a, one), Feed(b, other))) == (apart < 0)
 
 
-# --- the spline of daily use ---------------------------------------------------------------------------------------------------
+# --- the spline of daily use
+# ---------------------------------------------------------------------------------------------------
 def test_the_spline_gives_a_cubic_back():
     """Whose third derivative does not jump anywhere: between the nodes too, and at both ends."""
     x = np.linspace(0.1, 2.1, 9)

@@ -25,24 +25,31 @@ def deviations():
             film = solve_film(eps, b, cells=(96, 8))
             So, beta = iso.sommerfeld(eps=eps, b=b), iso.attitude_angle(eps=eps, b=b)
             side_flow = film.flow * film.side_flow_ratio * b / (8 * math.pi)
-            rows.append((
-                So * 2 * math.pi * film.sommerfeld - 1, f.friction_variable(So=So, eps=eps, phi=beta) / film.friction - 1,
-                flow.side_flow_factor(b=b, eps=eps) / side_flow - 1, math.degrees(beta - film.attitude),
-            ))  # fmt: skip
+            rows.append(
+                (
+                    So * 2 * math.pi * film.sommerfeld - 1,
+                    f.friction_variable(So=So, eps=eps, phi=beta) / film.friction - 1,
+                    flow.side_flow_factor(b=b, eps=eps) / side_flow - 1,
+                    math.degrees(beta - film.attitude),
+                )
+            )
         found[b] = [(min(column), max(column)) for column in zip(*rows)]
     return found
 
 
-@pytest.mark.parametrize("b, So, friction, side_flow, angle", [
-    # least and most over ε 0.1 to 0.95; in per cent, the angle in degrees: how good the standard is, and no better
-    (0.25, (-3.0, 4.5), (-3.9, 3.0), (-0.1, 0.2), (-2.3, 1.6)),
-    (1 / 3, (-2.9, 6.1), (-5.0, 3.0), (-0.2, 0.3), (-2.4, 1.6)),
-    (0.5, (-3.3, 5.6), (-5.1, 3.4), (-0.2, 0.6), (-2.3, 1.4)),
-    (0.6, (-5.3, 3.1), (-3.1, 5.6), (0.1, 0.7), (-2.3, 1.3)),
-    (0.75, (-9.6, -2.2), (1.4, 10.5), (-0.3, 0.8), (-2.1, 1.2)),
-    (0.85, (-10.7, -3.7), (2.7, 11.8), (-1.2, 0.9), (-1.9, 1.1)),
-    (1.0, (-3.1, 4.5), (-3.8, 3.1), (-3.5, 0.7), (-1.6, 1.2)),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    "b, So, friction, side_flow, angle",
+    [
+        # least and most over ε 0.1 to 0.95; in per cent, the angle in degrees: how good the standard is, and no better
+        (0.25, (-3.0, 4.5), (-3.9, 3.0), (-0.1, 0.2), (-2.3, 1.6)),
+        (1 / 3, (-2.9, 6.1), (-5.0, 3.0), (-0.2, 0.3), (-2.4, 1.6)),
+        (0.5, (-3.3, 5.6), (-5.1, 3.4), (-0.2, 0.6), (-2.3, 1.4)),
+        (0.6, (-5.3, 3.1), (-3.1, 5.6), (0.1, 0.7), (-2.3, 1.3)),
+        (0.75, (-9.6, -2.2), (1.4, 10.5), (-0.3, 0.8), (-2.1, 1.2)),
+        (0.85, (-10.7, -3.7), (2.7, 11.8), (-1.2, 0.9), (-1.9, 1.1)),
+        (1.0, (-3.1, 4.5), (-3.8, 3.1), (-3.5, 0.7), (-1.6, 1.2)),
+    ],
+)
 def test_the_distance_from_reynolds_equation(deviations, b, So, friction, side_flow, angle):
     found = deviations[b]
     for column, expected in zip(found[:3], (So, friction, side_flow)):
@@ -78,8 +85,12 @@ def test_the_route_closes_its_balance_with_both_flows(gamma):
         assert found.sommerfeld == pytest.approx(r.load * psi**2 / (d * l * oil.mu * omega), rel=1e-9)
         assert found.sommerfeld == pytest.approx(iso.sommerfeld(eps=found.eccentricity, b=l / d), rel=1e-9)
         assert found.film == pytest.approx(r.clearance / 2 * (1 - found.eccentricity))
-        assert found.side_flow == pytest.approx(d**3 * psi * omega * (l / d - 0.223 * (l / d) ** 3) * found.eccentricity / 4)
+        assert found.side_flow == pytest.approx(
+            d**3 * psi * omega * (l / d - 0.223 * (l / d) ** 3) * found.eccentricity / 4
+        )
         assert found.oil_flow == pytest.approx(found.side_flow + found.supply_flow)
         assert found.friction_power == pytest.approx(found.friction_coefficient * r.load * omega * d / 2)
-        assert found.friction_power == pytest.approx(oil.rho * oil.cp * found.oil_flow * found.temperature_rise, rel=1e-7)
+        assert found.friction_power == pytest.approx(
+            oil.rho * oil.cp * found.oil_flow * found.temperature_rise, rel=1e-7
+        )
         assert found.film == pytest.approx(r.reynolds.film, rel=0.01)  # measured: +0.9 % front, −0.1 % rear

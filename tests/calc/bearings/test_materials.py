@@ -45,13 +45,24 @@ def column(found, label):
     return {row[0]: row[at] for row in found.rows}
 
 
-# --- materials ----------------------------------------------------------------------------------------------------------
-@pytest.mark.parametrize("name, load, temperature, hardness", [
-    # J. Carvill, Mechanical Engineer's Data Handbook, 2.9.3: lower end of load capacity, MPa; °C; lower end of the shaft's hardness, HB.
-    # The white metals' hardness: Performance characteristics of bearing materials, Orion Corporation (130 to 170 HB).
-    ("SnSb8Cu4", 5.5, 150, 130), ("PbSb15SnAs", 5.5, 150, 130), ("CuPb24Sn", 10.3, 175, 200), ("CuSn10P", 30, 260, 300),
-    ("CuPb10Sn10", 20, 225, 300), ("AlSn6Cu", 30, 125, 200), ("AlSn20Cu", None, 125, 200), ("EN AC-43100", 5.0, None, None),
-])  # fmt: skip
+# --- materials
+# ----------------------------------------------------------------------------------------------------------
+@pytest.mark.parametrize(
+    "name, load, temperature, hardness",
+    [
+        # J. Carvill, Mechanical Engineer's Data Handbook, 2.9.3: lower end of load capacity, MPa; °C; lower end of the
+        # shaft's hardness, HB. The white metals' hardness: Performance characteristics of bearing materials, Orion
+        # Corporation (130 to 170 HB).
+        ("SnSb8Cu4", 5.5, 150, 130),
+        ("PbSb15SnAs", 5.5, 150, 130),
+        ("CuPb24Sn", 10.3, 175, 200),
+        ("CuSn10P", 30, 260, 300),
+        ("CuPb10Sn10", 20, 225, 300),
+        ("AlSn6Cu", 30, 125, 200),
+        ("AlSn20Cu", None, 125, 200),
+        ("EN AC-43100", 5.0, None, None),
+    ],
+)
 def test_published_values(name, load, temperature, hardness):
     m = bearing_materials()[name]
     assert m.specific_load == (None if load is None else pytest.approx(load * MPA))
@@ -59,7 +70,8 @@ def test_published_values(name, load, temperature, hardness):
 
 
 def test_emergency_running_goes_with_the_published_scale_of_compatibility():
-    """Orion Corporation, scale of compatibility: tin and lead babbitt 1, copper-lead 2, lead bronze 3, aluminium alloy 4, tin bronze 5."""
+    """Orion Corporation, scale of compatibility: tin and lead babbitt 1, copper-lead 2, lead bronze 3, aluminium alloy
+    4, tin bronze 5."""
     published = {"SnSb8Cu4": 1, "PbSb15SnAs": 1, "CuPb24Sn": 2, "CuPb10Sn10": 3, "AlSn6Cu": 4, "CuSn10P": 5}
     words = {1: "excellent", 2: "good", 3: "fair", 4: "fair", 5: "poor"}
     for name, number in published.items():
@@ -70,7 +82,9 @@ def test_emergency_running_goes_with_the_published_scale_of_compatibility():
 def test_every_row_says_where_its_numbers_come_from():
     for file in ("bearing_materials.toml", "running_bearings.toml"):
         rows = tomllib.loads((TABLES / file).read_text(encoding="utf-8"))["row"]
-        assert rows and all(any(word in row["source"] for word in ("Carvill", "Finotti", "end journals")) for row in rows)
+        assert rows and all(
+            any(word in row["source"] for word in ("Carvill", "Finotti", "end journals")) for row in rows
+        )
 
 
 def test_what_the_journal_runs_on():
@@ -110,8 +124,14 @@ def test_a_check_stands_only_where_the_row_has_the_number_and_never_fails(name):
         m.journal_hardness is not None
     )
     cautions = {"material_load", "material_temperature", "material_hardness"}
-    assert all(c.verdict == ("warn" if key in cautions else "note") for key, c in hard.items() if key != "material_emergency_running")
-    assert all(c.kind == ("caution" if key in cautions else "advice") and c.source and c.advice for key, c in hard.items())
+    assert all(
+        c.verdict == ("warn" if key in cautions else "note")
+        for key, c in hard.items()
+        if key != "material_emergency_running"
+    )
+    assert all(
+        c.kind == ("caution" if key in cautions else "advice") and c.source and c.advice for key, c in hard.items()
+    )
     assert "material_hardness" not in found(name)
 
 
@@ -131,16 +151,22 @@ def test_turns_of_the_load():
 
 
 def test_the_table_shows_what_the_harder_bearing_uses():
-    shown = table({"front": Running(1.1 * MPA, 8.0 * MPA, 126.0), "rear": Running(0.8 * MPA, 8.8 * MPA, 128.0)}, "EN AC-43100")
+    shown = table(
+        {"front": Running(1.1 * MPA, 8.0 * MPA, 126.0), "rear": Running(0.8 * MPA, 8.8 * MPA, 128.0)}, "EN AC-43100"
+    )
     assert shown.rows[0][0] == "EN AC-43100, chosen" and len(shown.rows) == len(bearing_materials())
     assert all(len(row) == len(shown.columns) for row in shown.rows)
     assert len({name for name, _ in shown.columns}) == len(shown.columns)
     assert column(shown, "p used")["SnSb8Cu4"] == pytest.approx(20.0)  # 1.1 of 5.5 MPa, the front
     assert column(shown, "p·v used")["SnSb8Cu4"] == pytest.approx(55.0)  # 8.8 of 16 MPa·m/s, the rear
-    assert column(shown, "in reserve")["AlSn20Cu"] == pytest.approx(-3.0) and column(shown, "p allowed")["AlSn20Cu"] is None
+    assert (
+        column(shown, "in reserve")["AlSn20Cu"] == pytest.approx(-3.0)
+        and column(shown, "p allowed")["AlSn20Cu"] is None
+    )
 
 
-# --- references ---------------------------------------------------------------------------------------------------------
+# --- references
+# ---------------------------------------------------------------------------------------------------------
 def test_loads_of_the_r754_are_those_of_its_design():
     results = solve(design_file.design(design_file.read(DESIGNS / "r754ie4_balance_shafts.toml")))
     supports = results.outcomes["countershaft"].values()
@@ -152,7 +178,8 @@ def test_loads_of_the_r754_are_those_of_its_design():
 
 
 def test_loads_of_the_r754_by_the_closed_form_for_two_equal_spans():
-    """Two spans of 112 mm, P = 0.453 kg · 11.933 mm · (2π·100/s)² at 58 mm from the middle of each: M₂ = −P·l₃·(l₁²−l₃²)/(2·l₁²)."""
+    """Two spans of 112 mm, P = 0.453 kg · 11.933 mm · (2π·100/s)² at 58 mm from the middle of each: M₂ =
+    −P·l₃·(l₁²−l₃²)/(2·l₁²)."""
     P, l1, l2 = 0.453 * 11.933e-3 * (2 * 3.141592653589793 * 100) ** 2, 0.112, 0.058
     l3 = l1 - l2
     M2 = -P * l3 * (l1**2 - l3**2) / (2 * l1**2)
@@ -162,12 +189,21 @@ def test_loads_of_the_r754_by_the_closed_form_for_two_equal_spans():
 
 
 def test_reference_table():
-    """p and W of Finotti 2013, 3.2.3.1: front of gamma 1.045 MPa and 161 687, rear 0.797 and 167 788, front of beta 1.105 and 171 015."""
+    """p and W of Finotti 2013, 3.2.3.1: front of gamma 1.045 MPa and 161 687, rear 0.797 and 167 788, front of beta
+    1.105 and 171 015."""
     shown = reference_table(GAMMA)
     p, W, u = column(shown, "p"), column(shown, "W"), column(shown, "u")
     assert [row[0] for row in shown.rows][:2] == ["front", "rear"] and len(shown.rows) == 2 + len(running_bearings())
-    assert (p["front"], p["rear"], p["R753IE4 beta, front"]) == (pytest.approx(1.045, abs=5e-4), pytest.approx(0.797, abs=5e-4), pytest.approx(1.105, abs=6e-4))  # fmt: skip
-    assert (W["front"], W["rear"], W["R753IE4 beta, front"]) == (pytest.approx(161687, abs=0.5), pytest.approx(167788, abs=0.5), pytest.approx(171015, abs=0.5))  # fmt: skip
+    assert (p["front"], p["rear"], p["R753IE4 beta, front"]) == (
+        pytest.approx(1.045, abs=5e-4),
+        pytest.approx(0.797, abs=5e-4),
+        pytest.approx(1.105, abs=6e-4),
+    )
+    assert (W["front"], W["rear"], W["R753IE4 beta, front"]) == (
+        pytest.approx(161687, abs=0.5),
+        pytest.approx(167788, abs=0.5),
+        pytest.approx(171015, abs=0.5),
+    )
     assert (u["front"], u["rear"]) == (pytest.approx(8.100, abs=5e-4), pytest.approx(11.027, abs=5e-4))
     assert p["front"] == p["R753IE4 gamma, front"] and W["rear"] == W["R753IE4 gamma, rear"]
     assert p["R754IE4, centre"] > 5 and W["R754IE4, centre"] > 500_000 and "goes beyond" in shown.note
@@ -183,58 +219,88 @@ def test_tables_leave_no_lines_behind():
     assert lines == []
 
 
-# --- applications -------------------------------------------------------------------------------------------------------
+# --- applications
+# -------------------------------------------------------------------------------------------------------
 def test_the_figure_has_27_rows_and_dashes_are_none():
     rows = applications()
     assert len(rows) == 27
-    assert rows["aircraft-crankpin"].relative_clearance is None and rows["hoist"].length_ratio_low is None and rows["hoist"].pv is None
+    assert (
+        rows["aircraft-crankpin"].relative_clearance is None
+        and rows["hoist"].length_ratio_low is None
+        and rows["hoist"].pv is None
+    )
     assert rows["steam-slow-main"].duty_low is None and rows["car-main"].pv is None
 
 
-@pytest.mark.parametrize("name, p, pv, duty, psi, ratio", [  # Chirone & Vullo 1979, after Finotti 2013, Figure 5.16
-    ("diesel-main", (2, 8), 35, (4, 5), 1, (0.8, 1.5)), ("car-main", (2, 12), None, (5, 7), 1, (0.8, 1.5)),
-    ("aircraft-crankpin", (5, 35), 90, (2.5, 2.5), None, (0.5, 1.5)), ("gas-gudgeon", (8, 14), None, (1.5, 2.5), 1, (0.8, 1.2)),
-    ("steam-turbine", (0.5, 2), 35, (25, 50), 1, (1, 2)), ("gearbox", (0.6, 1.7), 3.5, (10, 75), 1, (2, 4)),
-    ("locomotive-axle", (4, 4), 4, (7, 12), 1, (1.6, 1.8)), ("electric-machine", (0.7, 1.4), 2, (50, 50), 1, (1, 2)),
-    ("press-crankpin", (35, 55), None, None, 1, (1, 2)), ("machine-tool", (0.3, 2), 0.35, (0.5, 2.5), 1, (1, 3)),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    "name, p, pv, duty, psi, ratio",
+    [  # Chirone & Vullo 1979, after Finotti 2013, Figure 5.16
+        ("diesel-main", (2, 8), 35, (4, 5), 1, (0.8, 1.5)),
+        ("car-main", (2, 12), None, (5, 7), 1, (0.8, 1.5)),
+        ("aircraft-crankpin", (5, 35), 90, (2.5, 2.5), None, (0.5, 1.5)),
+        ("gas-gudgeon", (8, 14), None, (1.5, 2.5), 1, (0.8, 1.2)),
+        ("steam-turbine", (0.5, 2), 35, (25, 50), 1, (1, 2)),
+        ("gearbox", (0.6, 1.7), 3.5, (10, 75), 1, (2, 4)),
+        ("locomotive-axle", (4, 4), 4, (7, 12), 1, (1.6, 1.8)),
+        ("electric-machine", (0.7, 1.4), 2, (50, 50), 1, (1, 2)),
+        ("press-crankpin", (35, 55), None, None, 1, (1, 2)),
+        ("machine-tool", (0.3, 2), 0.35, (0.5, 2.5), 1, (1, 3)),
+    ],
+)
 def test_rows_of_the_figure(name, p, pv, duty, psi, ratio):
     row = applications()[name]
     assert (row.specific_load_low, row.specific_load_high) == pytest.approx((p[0] * MPA, p[1] * MPA))
     assert row.pv == (None if pv is None else pytest.approx(pv * MPA))
-    assert (row.duty_low, row.duty_high) == ((None, None) if duty is None else pytest.approx((duty[0] * 1e-8, duty[1] * 1e-8)))
+    assert (row.duty_low, row.duty_high) == (
+        (None, None) if duty is None else pytest.approx((duty[0] * 1e-8, duty[1] * 1e-8))
+    )
     assert row.relative_clearance == (None if psi is None else pytest.approx(psi * 1e-3))
     assert (row.length_ratio_low, row.length_ratio_high) == pytest.approx(ratio)
 
 
 def judged(name, **of):
-    given = dict(place="rear", p=1.045 * MPA, pv=8.46 * MPA, mu=6.6e-3, mu_n_over_p=2.7e-7, psi=1.35e-3, l_over_d=0.462) | of
+    given = (
+        dict(place="rear", p=1.045 * MPA, pv=8.46 * MPA, mu=6.6e-3, mu_n_over_p=2.7e-7, psi=1.35e-3, l_over_d=0.462)
+        | of
+    )
     return {c.id.removeprefix("bearings.rear."): c for c in application_checks(row=applications()[name], **given)}
 
 
 def test_the_source_design_violates_its_own_table_in_clearance_and_length():
     found = judged("diesel-main")
     assert {key: c.verdict for key, c in found.items()} == {
-        "application_load": "pass", "application_pv": "pass", "application_duty": "pass", "clearance_usual": "note",
+        "application_load": "pass",
+        "application_pv": "pass",
+        "application_duty": "pass",
+        "clearance_usual": "note",
         "length_ratio_application": "note",
-    }  # fmt: skip
+    }
     assert all(c.kind == "advice" and "Finotti 2013, Fig. 5.16" in c.source for c in found.values())
     assert (found["clearance_usual"].limit, found["length_ratio_application"].limit) == (1.0, (0.8, 1.5))
-    assert "exclude each other" in found["length_ratio_application"].advice and "0.25 to 0.75" in found["length_ratio_application"].advice
+    assert (
+        "exclude each other" in found["length_ratio_application"].advice
+        and "0.25 to 0.75" in found["length_ratio_application"].advice
+    )
     assert "exclude" not in judged("gas-main")["length_ratio_application"].advice  # 0.4 to 2 overlaps
 
 
 @pytest.mark.parametrize("name", applications())
 def test_each_application_yields_what_its_row_has(name):
     row, found = applications()[name], judged(name)
-    there = {"application_load": row.specific_load_high, "application_pv": row.pv, "application_duty": row.duty_low,
-             "clearance_usual": row.relative_clearance, "length_ratio_application": row.length_ratio_low}  # fmt: skip
+    there = {
+        "application_load": row.specific_load_high,
+        "application_pv": row.pv,
+        "application_duty": row.duty_low,
+        "clearance_usual": row.relative_clearance,
+        "length_ratio_application": row.length_ratio_low,
+    }
     assert set(found) == {key for key, number in there.items() if number is not None}
     assert row.specific_load_low <= row.specific_load_high and (row.duty_low or 0) <= (row.duty_high or 0)
 
 
 def test_duty_is_a_pure_number_in_revolutions_per_second():
-    """McKee's 30 cP·rpm/psi is 7.25·10⁻⁸ (1 cP, 1 rpm = 1/60 per second, 1 psi = 6894.757 Pa): the figure's values are of that size."""
+    """McKee's 30 cP·rpm/psi is 7.25·10⁻⁸ (1 cP, 1 rpm = 1/60 per second, 1 psi = 6894.757 Pa): the figure's values are
+    of that size."""
     assert film_duty(mu=30e-3, n_h=1 / 60, p=6894.757) == pytest.approx(7.25e-8, abs=5e-11)
     assert film_duty(mu=6.49260e-3, n_h=2600 / 60, p=1.0451e6) > applications()["diesel-main"].duty_low
 
@@ -251,11 +317,17 @@ def test_rows_are_of_their_kind_and_words_of_the_scale():
 
 def test_the_tables_are_read_without_numpy():
     code = (
-        "import sys; from calc.bearings.suitability import *; from calc.bearings.materials import *; bearing_materials(); applications(); bush_problem('x'); "
+        "import sys; from calc.bearings.suitability import *; from calc.bearings.materials import *; "
+        "bearing_materials(); applications(); bush_problem('x'); "
         "list(application_checks('front', applications()['diesel-main'], 1e6, 8e6, .006, 2e-7, 1e-3, .4)); "
         "list(checks('front', bearing_materials()['AlSn6Cu'], 1e6, 8e6, 120.)); print('numpy' in sys.modules)"
     )
-    assert subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, cwd=ROOT, check=True).stdout.strip() == "False"
+    assert (
+        subprocess.run(
+            [sys.executable, "-c", code], capture_output=True, text=True, cwd=ROOT, check=True
+        ).stdout.strip()
+        == "False"
+    )
 
 
 @pytest.mark.parametrize("name", applications())

@@ -14,7 +14,10 @@ from calc.bearings.film.reynolds import FilmSolution, radial_damping, solve_film
 REFERENCE = Path(__file__).parents[2] / "reference"
 CONVERGED = json.loads((REFERENCE / "bearings_reynolds.json").read_text())["rows"]
 PUBLISHED = json.loads((REFERENCE / "raimondi_boyd_1958.json").read_text())["rows"]
-WRONG_FLOW = {("inf", 0.8), ("inf", 0.9)}  # Raimondi and Boyd's Q 0.760 and 0.411; the closed form gives 0.7825 and 0.3891
+WRONG_FLOW = {
+    ("inf", 0.8),
+    ("inf", 0.9),
+}  # Raimondi and Boyd's Q 0.760 and 0.411; the closed form gives 0.7825 and 0.3891
 
 
 def named(row: dict) -> str:
@@ -33,10 +36,13 @@ def as_row(film: FilmSolution) -> dict[str, float]:
 
 
 def infinitely_long(eccentricity: float) -> dict[str, float]:
-    """Sommerfeld's substitution, the film ending where pressure and gradient vanish; integrals by the trapezoidal rule."""
+    """Sommerfeld's substitution, the film ending where pressure and gradient vanish; integrals by the trapezoidal
+    rule."""
 
     def gradient_at_end(angle: float) -> float:
-        return eccentricity * (math.sin(angle) * math.cos(angle) - angle) + 2.0 * (math.sin(angle) - angle * math.cos(angle))
+        return eccentricity * (math.sin(angle) * math.cos(angle) - angle) + 2.0 * (
+            math.sin(angle) - angle * math.cos(angle)
+        )
 
     low, high = math.pi, 1.5 * math.pi
     for _ in range(80):
@@ -109,7 +115,8 @@ def test_the_remainder_of_the_short_bearing_shrinks_with_the_square_of_the_lengt
 
 
 def test_a_centred_journal_moves_square_to_the_load():
-    """ε → 0: φ → 90° for the short bearing.  A long one keeps part of the film beyond the narrowest place, and falls short of it."""
+    """ε → 0: φ → 90° for the short bearing.  A long one keeps part of the film beyond the narrowest place, and falls
+    short of it."""
     assert math.degrees(solve_film(0.02, 0.1).attitude) == pytest.approx(90.0, abs=2.0)
     attitudes = [solve_film(0.02, length_ratio).attitude for length_ratio in (0.1, 0.5, 1.0, 2.0, math.inf)]
     assert attitudes == sorted(attitudes, reverse=True)
@@ -127,7 +134,9 @@ def test_more_load_means_thinner_film():
     assert all(after < before for before, after in pairwise(numbers))
 
 
-@pytest.mark.parametrize("eccentricity, length_ratio", [(0.02, 2.0), (0.6, 0.5), (0.98, 0.1), (0.98, 2.0), (0.3, math.inf)])
+@pytest.mark.parametrize(
+    "eccentricity, length_ratio", [(0.02, 2.0), (0.6, 0.5), (0.98, 0.1), (0.98, 2.0), (0.3, math.inf)]
+)
 def test_finer_grids_change_little(eccentricity, length_ratio):
     usual, fine = (as_row(solve_film(eccentricity, length_ratio, cells=cells)) for cells in ((192, 16), (384, 32)))
     assert usual == pytest.approx(fine, rel=1e-4)
@@ -135,16 +144,21 @@ def test_finer_grids_change_little(eccentricity, length_ratio):
 
 @pytest.mark.parametrize("eccentricity, length_ratio", [(0.1, 0.5), (0.6, 0.46), (0.9, 0.3), (0.98, 0.5), (0.3, 1.7)])
 def test_finer_grids_change_the_radial_damping_little(eccentricity, length_ratio):
-    usual, fine, finest = (radial_damping(eccentricity, length_ratio, cells=cells) for cells in ((192, 16), (384, 32), (768, 64)))
+    usual, fine, finest = (
+        radial_damping(eccentricity, length_ratio, cells=cells) for cells in ((192, 16), (384, 32), (768, 64))
+    )
     assert usual == pytest.approx(finest, rel=1e-3)
     assert fine == pytest.approx(finest, rel=5e-4)
 
 
 def test_a_centred_journal_is_damped_all_round_alike():
-    """Along the eccentricity as across it, 2·sin φ/ε over the load, for the short bearing; the longer it is the less."""
+    """Along the eccentricity as across it, 2·sin φ/ε over the load, for the short bearing; the longer it is the
+    less."""
     film = solve_film(0.02, 0.1)
     across = 2.0 * math.sin(film.attitude) / 0.02
-    assert 2.0 * math.pi * film.sommerfeld * radial_damping(0.02, 0.1, cells=(384, 32)) == pytest.approx(across, rel=0.05)
+    assert 2.0 * math.pi * film.sommerfeld * radial_damping(0.02, 0.1, cells=(384, 32)) == pytest.approx(
+        across, rel=0.05
+    )
 
 
 @pytest.mark.parametrize("length_ratio", [0.3, math.inf])
@@ -196,7 +210,8 @@ def test_slope_carries_more_at_the_same_middle_and_its_pressure_moves_to_the_edg
 
 
 def test_a_short_bearing_that_slopes_is_solved_by_quadrature():
-    """l/d small: (h³·Π')' = 6·(l/d)²·∂h/∂θ across, at each angle an integral over z; the pressure's own flow around is 3 % here."""
+    """l/d small: (h³·Π')' = 6·(l/d)²·∂h/∂θ across, at each angle an integral over z; the pressure's own flow around is
+    3 % here."""
     eps, tilt, ld, z = 0.5, 0.2, 0.1, np.linspace(-1, 1, 2001)
     peaks = []
     for theta in np.linspace(2.0, 3.0, 201):

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Friction over a turn under a turning and a standing load, against the load of every moment gone through one by one."""
+"""Friction over a turn under a turning and a standing load, against the load of every moment gone through one by
+one."""
 
 import math
 from dataclasses import replace
@@ -34,7 +35,8 @@ def errors(one, shares):
     return [found.power(share * found.load) - mean_over_a_turn(one, share) for share in shares]
 
 
-# --- the formula, where the answer is known ------------------------------------------------------------------------------------
+# --- the formula, where the answer is known
+# ------------------------------------------------------------------------------------
 @pytest.mark.parametrize("share", [0.0, 0.1, 0.4])
 def test_friction_by_the_square_of_the_load_is_exact(share):
     """The mean of |F + R_0·e^iθ|² is F² + R_0²."""
@@ -55,7 +57,8 @@ def test_friction_by_the_load_itself_grows_by_a_quarter_of_the_square():
     assert exact - found == pytest.approx(0.2**4 / 64, rel=0.02)
 
 
-# --- a journal -------------------------------------------------------------------------------------------------------------------
+# --- a journal
+# -------------------------------------------------------------------------------------------------------------------
 @pytest.mark.parametrize("place", PLACES)
 @pytest.mark.parametrize("share, tolerance", [(0.05, 2e-7), (0.2, 2e-5), (0.4, 3e-4)])
 def test_the_mean_is_that_of_720_moments(gamma_results, place, share, tolerance):
@@ -93,7 +96,9 @@ def test_many_duties_are_the_single_ones(gamma_results):
     shares, T = np.array([0.5, 1.0, 1.3]), np.array([90.0, 110.0, 120.0])
     many = rotating_load.response(one.seat, replace(one.duty, load=one.duty.load * shares, supply_temperature=T))
     for i in range(3):
-        alone = rotating_load.response(one.seat, replace(one.duty, load=one.duty.load * float(shares[i]), supply_temperature=float(T[i])))
+        alone = rotating_load.response(
+            one.seat, replace(one.duty, load=one.duty.load * float(shares[i]), supply_temperature=float(T[i]))
+        )
         assert many.friction_power[i] == pytest.approx(alone.friction_power, rel=1e-6)
         assert many.power(100.0)[i] == pytest.approx(alone.power(100.0), rel=1e-6)
 

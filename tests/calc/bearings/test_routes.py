@@ -13,13 +13,17 @@ def outcome(document, **changes):
     return solve(design(document)).outcomes["bearings"]
 
 
-@pytest.mark.parametrize("changes, place, film, rise, power", [
-    # 1710 N, clearance as given; film [µm], rise [K], power [W] from an independent solution of Reynolds' equation and of the balance
-    ({}, "rear", 12.22, 8.56, 186.2),
-    ({"supply": "groove", "groove_width_mm": 0.0}, "rear", 6.71, 3.90, 251.4),
-    ({}, "front", 10.38, 6.22, 91.6),
-    ({"supply": "groove", "groove_width_mm": 0.0}, "front", 5.81, 3.68, 119.5),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    "changes, place, film, rise, power",
+    [
+        # 1710 N, clearance as given; film [µm], rise [K], power [W] from an independent solution of Reynolds' equation
+        # and of the balance
+        ({}, "rear", 12.22, 8.56, 186.2),
+        ({"supply": "groove", "groove_width_mm": 0.0}, "rear", 6.71, 3.90, 251.4),
+        ({}, "front", 10.38, 6.22, 91.6),
+        ({"supply": "groove", "groove_width_mm": 0.0}, "front", 5.81, 3.68, 119.5),
+    ],
+)
 def test_the_own_solution_on_the_clearance_as_given(gamma, changes, place, film, rise, power):
     r = outcome(gamma, front__load_N=1710.0, rear__load_N=1710.0, **changes).result.bearings[place].reynolds
     assert r.film * 1e6 == pytest.approx(film, abs=0.006)
@@ -43,7 +47,9 @@ def test_the_spread_is_the_farthest_of_those_that_solve_the_film_at_the_same_oil
         assert set(r.side.compared) == {"raimondi_boyd_own_flow", "iso7902"}
         assert r.routes_spread == pytest.approx(max(abs(far) for far in r.side.compared.values()))
         assert abs(r.side.alike["iso7902"]) < 0.01
-        assert r.side.alike["raimondi_boyd"] == pytest.approx(r.side.alike["raimondi_boyd_own_flow"])  # only their flows differ
+        assert r.side.alike["raimondi_boyd"] == pytest.approx(
+            r.side.alike["raimondi_boyd_own_flow"]
+        )  # only their flows differ
 
 
 def test_the_note_says_who_is_off_and_why(gamma_results):
@@ -57,7 +63,8 @@ def test_the_note_says_who_is_off_and_why(gamma_results):
 
 
 def test_a_route_whose_flow_is_another_is_told_by_its_flow(gamma):
-    """At l/d = ½ the cubic is the chart itself: what is off is the flow of a groove alone, and so the oil's temperature."""
+    """At l/d = ½ the cubic is the chart itself: what is off is the flow of a groove alone, and so the oil's
+    temperature."""
     document = gamma.with_value("bearings.front.length_mm", 29.75).with_value("bearings.supply_pressure_bar", 0.4)
     found = outcome(document)
     note = next(t for t in found.tables if t.id == "routes_front").note

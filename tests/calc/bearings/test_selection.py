@@ -52,14 +52,28 @@ def test_the_rules_have_the_limits_of_the_checks(source):
     checks = {c.id: c for c in source.results.checks()}
     for place in ("front", "rear"):
         rules = task_of(source, place).rules
-        for key in ("film_edge", "film_double_load", "temperature", "specific_load", "heat_index", "length_ratio", "length_ratio_usual"):
+        for key in (
+            "film_edge",
+            "film_double_load",
+            "temperature",
+            "specific_load",
+            "heat_index",
+            "length_ratio",
+            "length_ratio_usual",
+        ):
             known = checks[f"bearings.{place}.{key}"]
-            assert (rules[key].check.limit, rules[key].check.sense, rules[key].check.unit) == (known.limit, known.sense, known.unit)
+            assert (rules[key].check.limit, rules[key].check.sense, rules[key].check.unit) == (
+                known.limit,
+                known.sense,
+                known.unit,
+            )
         assert rules["film_edge_trumpler"].check.limit == checks[f"bearings.{place}.film_double_load"].limit
         assert rules["temperature_rise"].check.limit == 15 and rules["clearance_cold"].check.limit == pytest.approx(20)
 
 
-@pytest.mark.parametrize("place, length, clearance", [("front", 0.0275, 80e-6), ("front", 0.041, 75e-6), ("rear", 0.033, 115e-6)])
+@pytest.mark.parametrize(
+    "place, length, clearance", [("front", 0.0275, 80e-6), ("front", 0.041, 75e-6), ("rear", 0.033, 115e-6)]
+)
 def test_a_candidate_is_what_the_step_finds(source, place, length, clearance):
     task = task_of(source, place)
     states = solved(task, [length], [clearance])
@@ -79,7 +93,8 @@ def test_a_candidate_is_what_the_step_finds(source, place, length, clearance):
 
 @pytest.mark.parametrize("temperature, pressure", [(120.0, 4e5), (60.0, 1e5), (5.0, 4e5)])
 def test_the_short_balance_is_the_full_one(source, temperature, pressure):
-    """Where the rise is one that is looked at; beyond there is no film, and never one where the full balance has none."""
+    """Where the rise is one that is looked at; beyond there is no film, and never one where the full balance has
+    none."""
     task = task_of(source)
     there = replace(task, duty=replace(task.duty, supply_temperature=temperature, supply_pressure=pressure))
     l, g = np.meshgrid(np.linspace(0.016, 0.044, 6), np.linspace(20e-6, 150e-6, 8))
@@ -167,7 +182,11 @@ def test_one_step_less_breaks_a_rule(found):
         assert len(shorter) == 2 and all(n.instead.margin < 0 for n in shorter)
         for n in around:
             if n.oil:
-                rows = [other for other in found.rows[1:] if (other.variant.oil, other.variant.supply) == (n.oil, row.variant.supply)]
+                rows = [
+                    other
+                    for other in found.rows[1:]
+                    if (other.variant.oil, other.variant.supply) == (n.oil, row.variant.supply)
+                ]
                 assert n.instead.margin < 0 or rows[0].power < row.power + n.more + 0.1
             else:
                 assert n.instead.margin < 0 or n.more >= -0.1 or row.what == "nearest" or outside(n)
@@ -180,7 +199,9 @@ def test_the_tables_have_a_cell_for_every_column(found):
     assert numbers == ["now", "1", "2", "3"]
     assert pareto_table(found).rows[0][0] == str(len(found.rows) + 1)
     assert "binds nothing" in choices_table(found, 1).note
-    assert choices_table(found, 1).title.startswith("Bearings that keep every limit") and beyond_table(found, 50) is None
+    assert (
+        choices_table(found, 1).title.startswith("Bearings that keep every limit") and beyond_table(found, 50) is None
+    )
 
 
 def test_what_ties_the_diameters(tight, source, sized):
@@ -220,13 +241,18 @@ def test_a_room_that_is_given_is_kept(sized):
 
 
 def test_rows_that_fit_come_first(tight, fitting):
-    """At 27.5 mm no oil keeps Trumpler's film at twice the load at the corners, whatever the fits: rows keep the limits as given."""
+    """At 27.5 mm no oil keeps Trumpler's film at twice the load at the corners, whatever the fits: rows keep the limits
+    as given."""
     assert fitting.kind == "given" and fitting.rows
     for row in fitting.rows:
         assert row.too_long == (0, 0)
         outcomes = tight.solve(with_row(tight.bearings, row)).outcomes
-        assert [c.id for step in ("countershaft", "bearings") for c in outcomes[step].checks if c.verdict == "fail"] == []
-    assert summary(fitting)[0].startswith("Nothing that fits keeps every limit: the front journal has room for 27.52 mm")
+        assert [
+            c.id for step in ("countershaft", "bearings") for c in outcomes[step].checks if c.verdict == "fail"
+        ] == []
+    assert summary(fitting)[0].startswith(
+        "Nothing that fits keeps every limit: the front journal has room for 27.52 mm"
+    )
     least = fitting.beyond[0]
     assert max(least.too_long) == min(max(row.too_long) for row in fitting.beyond)
     assert max(least.too_long) == pytest.approx(least.front.length - 0.027523, abs=2e-6)
@@ -247,7 +273,9 @@ def test_a_design_that_collides_hears_of_it_first(tight, fitting):
     """The room is that of the shaft without the overlap, and the design no row."""
     done = with_row(tight.bearings, fitting.beyond[0])
     again = search(replace(tight, bearings=done, results=tight.solve(done)))
-    assert "countershaft.crossing" in choices_table(again, 5).title and "FAILS countershaft.crossing" in summary(again)[0]
+    assert (
+        "countershaft.crossing" in choices_table(again, 5).title and "FAILS countershaft.crossing" in summary(again)[0]
+    )
     assert not any("it keeps every limit" in words for words in summary(again))
     rooms = [[some[0].room.longest for some in found.tasks.values()] for found in (again, fitting)]
     assert rooms[0] == pytest.approx(rooms[1])
@@ -289,7 +317,9 @@ def test_fits_with_a_place_become_widths(source):
     row = next(row for row in search(placed).rows if any(one.clearance != one.task.clearance for one in row.both))
     there = with_row(placed.bearings, row)
     assert (there.journal_fit, there.seat_fit) == ("IT7", "IT7")
-    assert {"bearings.journal_fit": "IT7", "bearings.seat_fit": "IT7"}.items() <= bearing_changes(row, placed.bearings).items()
+    assert {"bearings.journal_fit": "IT7", "bearings.seat_fit": "IT7"}.items() <= bearing_changes(
+        row, placed.bearings
+    ).items()
 
 
 def test_wider_clearances_where_the_oil_is_too_little(source):
@@ -337,9 +367,14 @@ def test_bearings_that_stand_alone_have_free_diameters(source, gamma, gamma_resu
     own = source.bearings
     front, rear = (replace(getattr(own, p), load=loads[p]) for p in ("front", "rear"))
     alone = replace(
-        design(gamma), engine=None, imbalance=None, countershaft=None, gears=None, friction=None,
+        design(gamma),
+        engine=None,
+        imbalance=None,
+        countershaft=None,
+        gears=None,
+        friction=None,
         bearings=replace(own, speed=2600 / 60, journal_material="20CrNi4", front=front, rear=rear),
-    )  # fmt: skip
+    )
     some = tasks(bearings_case(alone))
     assert [round(t.seat.bearing.diameter * 1e3, 6) for t in some["front"]] == [59.5, 50.5, 68.5, 77.5, 86.5]
     limits = [t.rules["film_double_load"].check.limit for t in some["front"]]
@@ -356,7 +391,8 @@ def test_the_supplies_are_those_with_a_width(source):
 
 @pytest.mark.slow
 def test_an_oil_that_is_left_out_has_no_row(sized):
-    """A thinner oil is not looked at where a thicker one has too thin a film: looked at after all, it has none either."""
+    """A thinner oil is not looked at where a thicker one has too thin a film: looked at after all, it has none
+    either."""
     some = search(sized)
     left = [variant for variant, why in some.refused if why.startswith("a thicker oil")]
     assert left
@@ -365,7 +401,9 @@ def test_an_oil_that_is_left_out_has_no_row(sized):
         assert best(fields_of(variant, some.tasks, slopes), slopes, by_power) is None
 
 
-@pytest.mark.parametrize("changes", [{"supply": "groove", "groove_width": 0.003}, {"supply": "pocket", "pocket_width": 0.012}])
+@pytest.mark.parametrize(
+    "changes", [{"supply": "groove", "groove_width": 0.003}, {"supply": "pocket", "pocket_width": 0.012}]
+)
 def test_other_supplies_are_searched_too(source, changes):
     """A groove all round parts the bearing into two, whose l/d is that of each; a pocket takes its width."""
     case = other(source, **changes)

@@ -1,4 +1,5 @@
-"""What the search for bearings says beside its tables: what is nearest where nothing passes, which diameters were looked at, which rows."""
+"""What the search for bearings says beside its tables: what is nearest where nothing passes, which diameters were
+looked at, which rows."""
 
 from dataclasses import replace
 from types import SimpleNamespace
@@ -31,30 +32,45 @@ def test_the_closest_has_the_largest_least_margin_of_all_fields(found, thin_and_
 
 
 def test_where_nothing_passes_the_nearest_is_named_with_what_stops_it(found, thin_and_thick):
-    """Of the variants the one whose worse bearing misses least; here by its governing limit, and with the advice of that."""
+    """Of the variants the one whose worse bearing misses least; here by its governing limit, and with the advice of
+    that."""
     said = nothing(thin_and_thick, found.slopes[0])
     margins = {v.name: min(one.margin for one in closest(fields, found.slopes[0])) for v, fields in thin_and_thick}
     best = max(margins, key=margins.get)
     worse = min(
-        closest(dict(thin_and_thick)[next(v for v, _ in thin_and_thick if v.name == best)], found.slopes[0]), key=lambda one: one.margin
+        closest(dict(thin_and_thick)[next(v for v, _ in thin_and_thick if v.name == best)], found.slopes[0]),
+        key=lambda one: one.margin,
     )
-    assert str(said.tried).startswith(f"nearest: {best}, front ") and f"needs {worse.governing.limit_text()}" in said.tried
+    assert (
+        str(said.tried).startswith(f"nearest: {best}, front ") and f"needs {worse.governing.limit_text()}" in said.tried
+    )
     assert said.advice == worse.governing.advice and (f"corner: {worse.corner}" in said.tried) == bool(worse.corner)
     assert "no bearing is left to look at" in str(nothing([], found.slopes[0]))
 
 
-# --- notes -----------------------------------------------------------------------------------------------------------------------
+# --- notes
+# -----------------------------------------------------------------------------------------------------------------------
 def free(found, best):
     """As if three front diameters were looked at and the rows had these."""
     task = found.tasks["front"][0]
-    looked = [replace(task, seat=replace(task.seat, bearing=replace(task.seat.bearing, diameter=d))) for d in (0.0595, 0.0505, 0.0685)]
+    looked = [
+        replace(task, seat=replace(task.seat, bearing=replace(task.seat.bearing, diameter=d)))
+        for d in (0.0595, 0.0505, 0.0685)
+    ]
     rows = [SimpleNamespace(both=(SimpleNamespace(diameter=d), SimpleNamespace(diameter=0.081))) for d in best]
     return SimpleNamespace(tasks={"front": looked, "rear": found.tasks["rear"]}, rows=rows, case=found.case)
 
 
-@pytest.mark.parametrize("best, end", [
-    ([0.0595, 0.0595, 0.0505], ""), ([0.0595, 0.0505], "50.5 mm"), ([0.0685, 0.0595], "68.5 mm"), ([0.0595], ""), ([], ""),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    "best, end",
+    [
+        ([0.0595, 0.0595, 0.0505], ""),
+        ([0.0595, 0.0505], "50.5 mm"),
+        ([0.0685, 0.0595], "68.5 mm"),
+        ([0.0595], ""),
+        ([], ""),
+    ],
+)
 def test_a_best_diameter_at_the_end_of_those_looked_at_is_said(found, best, end):
     """Of the first two rows, the nearest and the one of least power."""
     front, rear, shares = _diameters(free(found, best))
@@ -63,17 +79,30 @@ def test_a_best_diameter_at_the_end_of_those_looked_at_is_said(found, best, end)
     assert rear.startswith("The rear diameter stays as it is") and "% beside the design's" in shares
 
 
-@pytest.mark.parametrize("numbers, said", [
-    ([1], "row 1"), ([1, 2], "rows 1 to 2"), ([3, 5], "rows 3 and 5"), ([1, 2, 3, 7, 9, 10], "rows 1 to 3, 7 and 9 to 10"),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    "numbers, said",
+    [
+        ([1], "row 1"),
+        ([1, 2], "rows 1 to 2"),
+        ([3, 5], "rows 3 and 5"),
+        ([1, 2, 3, 7, 9, 10], "rows 1 to 3, 7 and 9 to 10"),
+    ],
+)
 def test_numbers_of_rows_are_put_together(numbers, said):
     assert rows_of(numbers) == said
 
 
-@pytest.mark.parametrize("rows, beyond, top, said", [
-    (8, 0, 8, ""), (8, 4, 12, ""), (8, 0, 5, "Rows 6 to 8: --top 8."), (0, 4, 2, "Rows 3 to 4: --top 4."),
-    (8, 4, 5, "Rows 6 to 12: --top 12 (from 9 on too long for their room)."), (8, 4, 10, "Rows 11 to 12: --top 12 (from 11 on too long for their room)."),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    "rows, beyond, top, said",
+    [
+        (8, 0, 8, ""),
+        (8, 4, 12, ""),
+        (8, 0, 5, "Rows 6 to 8: --top 8."),
+        (0, 4, 2, "Rows 3 to 4: --top 4."),
+        (8, 4, 5, "Rows 6 to 12: --top 12 (from 9 on too long for their room)."),
+        (8, 4, 10, "Rows 11 to 12: --top 12 (from 11 on too long for their room)."),
+    ],
+)
 def test_what_is_hidden_is_said_with_how_to_see_it(rows, beyond, top, said):
     assert hidden(SimpleNamespace(rows=range(rows), beyond=range(beyond)), top) == said
 
@@ -83,7 +112,8 @@ def test_what_fails_elsewhere_what_was_dropped_and_what_the_fits_take_is_said(fo
     more = replace(found, elsewhere={2: (check,), 5: (check,)}, dropped=("one", "other"), placed=True)
     said = "\n".join(notes(more))
     assert (
-        f"Another step then fails, with row 2, 5: {check.id} (" in said and "Dropped once the whole design was solved: one; other." in said
+        f"Another step then fails, with row 2, 5: {check.id} (" in said
+        and "Dropped once the whole design was solved: one; other." in said
     )
     assert "takes their widths alone" in said and f"Rows 1 to {found.verified} are solved as whole designs" in said
     plain = "\n".join(notes(found))
@@ -97,7 +127,10 @@ def test_clearances_wider_than_usual_and_those_not_of_the_application_are_said(f
         return replace(one, unusual=None, **changes)
 
     rows = [replace(row, front=pick(row.front), rear=pick(row.rear)) for row in found.rows[:3]]
-    assert not any("wider than K" in words or "relative clearance" in words for words in notes(replace(found, rows=tuple(rows), pareto=())))
+    assert not any(
+        "wider than K" in words or "relative clearance" in words
+        for words in notes(replace(found, rows=tuple(rows), pareto=()))
+    )
     unusual = next(one.unusual for one in found.rows[1].both if one.unusual)
     rows[1] = replace(rows[1], front=pick(rows[1].front, clearance=1e-3))
     rows[1] = replace(rows[1], rear=replace(rows[1].rear, unusual=unusual))
@@ -106,14 +139,28 @@ def test_clearances_wider_than_usual_and_those_not_of_the_application_are_said(f
 
 
 def test_what_changes_in_the_first_row_is_said(found):
-    """Oil and supply besides the sizes; the design itself where nothing changes; why, where no row has its own oil and supply."""
+    """Oil and supply besides the sizes; the design itself where nothing changes; why, where no row has its own oil and
+    supply."""
     first = found.rows[0]
     other = next(v for v in found.variants if v.oil != first.variant.oil and v.supply != first.variant.supply)
     words = summary(replace(found, rows=(replace(first, variant=other), *found.rows[1:])))
-    assert words[-1].startswith(f"Row 1 is nearest to the design: oil {other.oil}, supply by ") and "front length 27.5 → " in words[-1]
+    assert (
+        words[-1].startswith(f"Row 1 is nearest to the design: oil {other.oil}, supply by ")
+        and "front length 27.5 → " in words[-1]
+    )
     lost = replace(found, rows=found.rows[1:], refused=((found.variants[0], "too thin"),))
     assert summary(lost)[-1] == "No row has the design's own oil and supply: too thin."
     assert summary(replace(found, rows=())) == ()
-    asis = replace(first, front=replace(first.front, task=replace(first.front.task, length=first.front.length, clearance=first.front.clearance)),
-        rear=replace(first.rear, task=replace(first.rear.task, length=first.rear.length, clearance=first.rear.clearance)))  # fmt: skip
-    assert np.isclose(asis.change, 0) and summary(replace(found, rows=(asis,)))[-1] == "Row 1 is the design as it is: it keeps every limit."
+    asis = replace(
+        first,
+        front=replace(
+            first.front, task=replace(first.front.task, length=first.front.length, clearance=first.front.clearance)
+        ),
+        rear=replace(
+            first.rear, task=replace(first.rear.task, length=first.rear.length, clearance=first.rear.clearance)
+        ),
+    )
+    assert (
+        np.isclose(asis.change, 0)
+        and summary(replace(found, rows=(asis,)))[-1] == "Row 1 is the design as it is: it keeps every limit."
+    )

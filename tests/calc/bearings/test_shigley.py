@@ -10,7 +10,9 @@ from calc.bearings import formulas as f
 from calc.bearings.routes import raimondi_boyd as rb
 from calc.sheet.units import UNITS
 
-REFERENCE = tomllib.loads((Path(__file__).parents[2] / "reference" / "shigley_journal_bearing.toml").read_text(encoding="utf-8"))
+REFERENCE = tomllib.loads(
+    (Path(__file__).parents[2] / "reference" / "shigley_journal_bearing.toml").read_text(encoding="utf-8")
+)
 INCH, POUND_FORCE, PSI = 0.0254, 4.4482216, 6894.757
 
 
@@ -33,10 +35,15 @@ def found():
     Q_s = rb.side_flow(share=rb.side_flow_share(S=S, b=l / d), Q=Q)
     p_max = f.largest_pressure(p=F / (d * l), ratio=rb.pressure_ratio(S=S, b=l / d))
     return read._asdict() | {
-        "S": S, "film_in": f.film(g=g, eps=1 - rb.relative_film(S=S, b=l / d)) / INCH, "attitude": read.attitude,
-        "friction_coefficient": mu_f, "torque_lbf_in": mu_f * F * r / (POUND_FORCE * INCH), "flow_in3_s": Q / INCH**3,
-        "side_flow_in3_s": Q_s / INCH**3, "pressure_psi": p_max / PSI,
-    }  # fmt: skip
+        "S": S,
+        "film_in": f.film(g=g, eps=1 - rb.relative_film(S=S, b=l / d)) / INCH,
+        "attitude": read.attitude,
+        "friction_coefficient": mu_f,
+        "torque_lbf_in": mu_f * F * r / (POUND_FORCE * INCH),
+        "flow_in3_s": Q / INCH**3,
+        "side_flow_in3_s": Q_s / INCH**3,
+        "pressure_psi": p_max / PSI,
+    }
 
 
 @pytest.mark.parametrize("row", REFERENCE["value"], ids=lambda row: f"{row['example']} {row['what']}")
@@ -47,14 +54,17 @@ def test_the_examples(found, row):
 @pytest.mark.parametrize("S", [0.05, 0.1, 0.135, 0.2, 0.3, 0.5])
 @pytest.mark.parametrize("row", REFERENCE["temperature_rise"], ids=lambda row: f"l/d {row['length_ratio']:g}")
 def test_the_temperature_rise(row, S):
-    """ΔT/(p/(ρ·c_p)) by the balance against the book's fit of it: 0.99 to 1.11 times, since the fit does not meet the chart it is of."""
+    """ΔT/(p/(ρ·c_p)) by the balance against the book's fit of it: 0.99 to 1.11 times, since the fit does not meet the
+    chart it is of."""
     a, b, c = row["fit"]
     ratio = row["length_ratio"]
     d, g, n, p, rho, cp = 0.05, 50e-6, 30.0, 1.5e6, 860.0, 1900.0
     l, psi = ratio * d, g / d
     Q = rb.film_flow(Q_rel=rb.relative_flow(S=S, b=ratio), d=d, g=g, n_h=n, l=l)
     power = f.friction_power(f=psi * rb.friction_variable(S=S, b=ratio), F=p * d * l, u=math.pi * d * n)
-    rise = rb.temperature_rise(P_f=power, rho=rho, c_p=cp, Q=Q, Q_s=rb.side_flow(share=rb.side_flow_share(S=S, b=ratio), Q=Q))
+    rise = rb.temperature_rise(
+        P_f=power, rho=rho, c_p=cp, Q=Q, Q_s=rb.side_flow(share=rb.side_flow_share(S=S, b=ratio), Q=Q)
+    )
     assert 0.98 < rise / (4 * math.pi * p / (rho * cp)) / (a + b * S + c * S**2) < 1.12
 
 

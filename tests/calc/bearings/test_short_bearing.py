@@ -39,7 +39,9 @@ def test_the_load_is_the_integral_of_the_pressure():
     theta = np.linspace(0, math.pi, 200_001)
     angle = s.angle_of_largest_pressure(eps=eps)
     middle = s.middle_pressure(p_max=largest(eps, b), eps=eps, theta=theta, theta_m=angle)
-    along, across = (float(middle @ part) * theta[1] * 2 / 3 for part in (np.cos(theta), np.sin(theta)))  # zero at both ends
+    along, across = (
+        float(middle @ part) * theta[1] * 2 / 3 for part in (np.cos(theta), np.sin(theta))
+    )  # zero at both ends
     assert math.hypot(along, across) / 2 == pytest.approx(s.sommerfeld_din(eps=eps, b=b), rel=1e-8)
     assert math.atan2(across, -along) == pytest.approx(s.attitude_angle(eps=eps), rel=1e-8)
 
@@ -85,8 +87,8 @@ def direct_arc(b, eps, p):
 
 @pytest.mark.parametrize("bearing, degrees", [(FRONT, 102), (REAR, 90)], ids=["front", "rear"])
 def test_where_the_film_keeps_the_supply_out(bearing, degrees):
-    """4 bar: the direct solution gives 102 and 90 degrees.  The short bearing's own pressure comes nearer than its shape under the
-    finite bearing's peak; both fall short."""
+    """4 bar: the direct solution gives 102 and 90 degrees.  The short bearing's own pressure comes nearer than its
+    shape under the finite bearing's peak; both fall short."""
     b, eps, p = bearing
     direct, peak, film = direct_arc(b, eps, p)
     assert direct == pytest.approx(degrees, abs=0.7)
@@ -123,4 +125,6 @@ def test_limits_of_the_arc():
     assert s.blocked_arc(eps=0.7, p_s=0.0, p_max=1e6) == pytest.approx(math.pi)
     assert s.blocked_arc(eps=0.7, p_s=1e6, p_max=1e6) == s.blocked_arc(eps=0.7, p_s=2e6, p_max=1e6) == 0
     many = s.blocked_arc(eps=np.array([0.2, 0.7]), p_s=4e5, p_max=np.array([1e6, 3e6]))
-    assert many == pytest.approx([s.blocked_arc(eps=0.2, p_s=4e5, p_max=1e6), s.blocked_arc(eps=0.7, p_s=4e5, p_max=3e6)])
+    assert many == pytest.approx(
+        [s.blocked_arc(eps=0.2, p_s=4e5, p_max=1e6), s.blocked_arc(eps=0.7, p_s=4e5, p_max=3e6)]
+    )

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The bearings as a sketch: the journal within its clearance, at its eccentricity and attitude, with the film's verdict."""
+"""The bearings as a sketch: the journal within its clearance, at its eccentricity and attitude, with the film's
+verdict."""
 
 import math
 from itertools import pairwise
@@ -16,7 +17,11 @@ from tests.conftest import DESIGNS
 
 def circles(picture, place):
     clearance, journal = (
-        next(mark for mark in picture.primitives if isinstance(mark, Arc) and f"bearings.{place}.{key}" in mark.key.split())
+        next(
+            mark
+            for mark in picture.primitives
+            if isinstance(mark, Arc) and f"bearings.{place}.{key}" in mark.key.split()
+        )
         for key in ("clearance_um", "diameter_mm")
     )
     return clearance, journal
@@ -32,7 +37,9 @@ def test_the_journal_lies_in_its_clearance_as_the_film_holds_it(gamma, gamma_res
         x, y = journal.centre
         assert journal.radius == pytest.approx(found.seat.bearing.diameter / 2)
         assert math.hypot(x, y) == pytest.approx(gap * found.eccentricity)
-        assert math.atan2(x, -y) == pytest.approx(found.attitude_angle)  # from the load, which points down, anticlockwise
+        assert math.atan2(x, -y) == pytest.approx(
+            found.attitude_angle
+        )  # from the load, which points down, anticlockwise
         factor = gap / (found.clearance_hot / 2)
         assert f"gap × {factor:.0f}" in map(str, bearings.notes)
 

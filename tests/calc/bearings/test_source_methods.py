@@ -1,4 +1,5 @@
-"""The source's two methods, formula by formula: its printed iterations of the front bearing (F = 1710 N, 2600 rpm, 120 °C, 4 bar)."""
+"""The source's two methods, formula by formula: its printed iterations of the front bearing (F = 1710 N, 2600 rpm, 120
+°C, 4 bar)."""
 
 import json
 import math
@@ -15,7 +16,9 @@ from calc.bearings.routes.states import OutsideCharts
 from calc.library.catalogue import oils
 from calc.library.lubricant import Lubricant
 
-REFERENCE = json.loads((Path(__file__).parents[2] / "reference" / "finotti_front_bearing.json").read_text(encoding="utf-8"))
+REFERENCE = json.loads(
+    (Path(__file__).parents[2] / "reference" / "finotti_front_bearing.json").read_text(encoding="utf-8")
+)
 OIL = Lubricant(oils()["10W-40 Q8 T905"])
 F, N, D, L, P_S = 1710.0, 2600 / 60, 0.0595, 0.0275, 4e5
 U = f.surface_speed(D, N)
@@ -40,7 +43,9 @@ def test_the_other_properties_of_the_source_oil(name):
 
 def test_geometry():
     known = REFERENCE["geometry_front"]
-    assert (U, G, PSI, B, P) == pytest.approx((known["u"], known["g"], known["psi"], known["ld"], known["P"]), rel=1e-12)
+    assert (U, G, PSI, B, P) == pytest.approx(
+        (known["u"], known["g"], known["psi"], known["ld"], known["P"]), rel=1e-12
+    )
 
 
 @pytest.mark.parametrize("row", REFERENCE["raimondi_boyd_front"])
@@ -75,19 +80,32 @@ def test_falz_iteration(row):
     q_1 = flow.side_flow_factor(B, eps)
     Q_1 = flow.side_flow_din(D, PSI, omega, q_1)
     power = f.friction_power(friction, F, U)
-    found = (q_H, q_2, Q_2, q_1, Q_1, power, f.temperature_rise(power, oil.rho, oil.cp, Q_1 + Q_2), f.transition_speed(P, oil.mu, D))
+    found = (
+        q_H,
+        q_2,
+        Q_2,
+        q_1,
+        Q_1,
+        power,
+        f.temperature_rise(power, oil.rho, oil.cp, Q_1 + Q_2),
+        f.transition_speed(P, oil.mu, D),
+    )
     assert found == pytest.approx(tuple(row[k] for k in ("qH", "q2", "Q2", "q1", "Q1", "P", "dT", "nT")), rel=1e-9)
 
 
 def test_so_and_s_describe_the_same_state():
     mu = 7e-3
-    assert f.sommerfeld(mu, N, P, PSI) * f.sommerfeld_din(P, PSI, mu, f.angular_speed(N)) == pytest.approx(1 / (2 * 3.141592653589793))
+    assert f.sommerfeld(mu, N, P, PSI) * f.sommerfeld_din(P, PSI, mu, f.angular_speed(N)) == pytest.approx(
+        1 / (2 * 3.141592653589793)
+    )
 
 
 def test_falz_is_no_solution_of_reynolds_equation():
-    """Its film over the true one at the same So, l/d 0.4 to 1 and ε 0.1 to 0.95; at l/d ¼ up to 2.2 times, or less than none."""
+    """Its film over the true one at the same So, l/d 0.4 to 1 and ε 0.1 to 0.95; at l/d ¼ up to 2.2 times, or less than
+    none."""
     films = {
-        b: [falz.film(2.0, 1 / (2 * math.pi * film_at(e, b).sommerfeld), b) / (1 - e) for e in STEPS] for b in (0.25, 0.4, 0.6, 0.8, 1.0)
+        b: [falz.film(2.0, 1 / (2 * math.pi * film_at(e, b).sommerfeld), b) / (1 - e) for e in STEPS]
+        for b in (0.25, 0.4, 0.6, 0.8, 1.0)
     }
     usual = [h for b, row in films.items() if b >= 0.4 for h in row]
     assert (min(usual), max(usual)) == pytest.approx((0.50, 1.75), abs=0.01)
@@ -105,9 +123,15 @@ def test_the_friction_polynomial_is_guarded(b, holds):
     assert falz.polynomial_holds(b) is holds
 
 
-@pytest.mark.parametrize("b, S, film, friction", [
-    (0.4622, 0.05, 0.1343, None), (0.4622, 0.1588, 0.2564, 4.918), (0.3272, 0.3073, 0.2252, 9.225), (0.3272, 1.0, 0.4470, None),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    "b, S, film, friction",
+    [
+        (0.4622, 0.05, 0.1343, None),
+        (0.4622, 0.1588, 0.2564, 4.918),
+        (0.3272, 0.3073, 0.2252, 9.225),
+        (0.3272, 1.0, 0.4470, None),
+    ],
+)
 def test_chart_interpolation_of_the_source(b, S, film, friction):
     """The source's cubic in d/l; values by exact solutions, so the charts' own errors (S 1.4 % off at l/d 1, ε 0.4)
     stand between, and the cubic makes them up to twice as large."""
@@ -133,10 +157,13 @@ def test_full_groove_flow_is_that_of_two_lands():
     """(π/24)(1+1.5ε²)·d/(l−b_G) equals R–B's Q_s with l' = (l−b_G)/2."""
     mu, eps = 7e-3, 0.7
     q_2 = flow.groove_factor(eps, D, L, 0.003)
-    assert flow.supply_flow(D, PSI, P_S, mu, q_2) == pytest.approx(flow.groove_flow_of_finotti(P_S, D, G, eps, mu, (L - 0.003) / 2))
+    assert flow.supply_flow(D, PSI, P_S, mu, q_2) == pytest.approx(
+        flow.groove_flow_of_finotti(P_S, D, G, eps, mu, (L - 0.003) / 2)
+    )
 
 
-# --- the rear bearing: the same functions, Ø81 × 26.5, K = 0.61 ----------------------------------------------------------------
+# --- the rear bearing: the same functions, Ø81 × 26.5, K = 0.61
+# ----------------------------------------------------------------
 D_R, L_R = 0.081, 0.0265
 U_R = f.surface_speed(D_R, N)
 G_R = f.clearance_by_factor(0.61, D_R, U_R)
@@ -145,7 +172,8 @@ P_R = f.specific_load(F, D_R, L_R)
 
 
 def rear_by_charts():
-    """The three passes of the source from its chart readings (h₀/c, f*), ε = 1 − h₀/c; the rise of each is the guess of the next."""
+    """The three passes of the source from its chart readings (h₀/c, f*), ε = 1 − h₀/c; the rise of each is the guess of
+    the next."""
     rise, passes = 16.0, []
     for h_rel, f_v in ((0.232, 8.543), (0.247, 8.674), (0.249, 8.682)):
         oil = OIL.at(f.mean_temperature(120.0, rise))
@@ -158,7 +186,8 @@ def rear_by_charts():
 
 
 def test_the_rear_clearance_wants_k_061():
-    """The text prints 0.6; only 0.61 gives its numbers: 0.0900387 mm, 1.111589 ‰ (So = 0.5671 printed, 0.5487 with 0.6)."""
+    """The text prints 0.6; only 0.61 gives its numbers: 0.0900387 mm, 1.111589 ‰ (So = 0.5671 printed, 0.5487 with
+    0.6)."""
     assert (G_R, PSI_R) == pytest.approx((90.0387e-6, 1.111589e-3), rel=1e-6)
     oil = OIL.at(f.mean_temperature(120.0, 16.0))
     omega = f.angular_speed(N)
@@ -187,6 +216,8 @@ def test_falz_iteration_of_the_rear_bearing_keeps_the_low_branch():
         eps = f.eccentricity_of_film(film, G_R)
         _, friction = falz.friction(PSI_R, So, b)
         q_2 = flow.supply_factor(flow.opposite(eps), L_R, 0.004, flow.hole_factor(0.004 / L_R))
-        Q = flow.supply_flow(D_R, PSI_R, P_S, oil.mu, q_2) + flow.side_flow_din(D_R, PSI_R, omega, flow.side_flow_factor(b, eps))
+        Q = flow.supply_flow(D_R, PSI_R, P_S, oil.mu, q_2) + flow.side_flow_din(
+            D_R, PSI_R, omega, flow.side_flow_factor(b, eps)
+        )
         rise = f.temperature_rise(f.friction_power(friction, F, U_R), oil.rho, oil.cp, Q)
     assert film * 1e6 == pytest.approx(20.8, abs=0.05)

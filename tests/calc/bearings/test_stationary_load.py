@@ -30,7 +30,8 @@ def test_the_orbit_takes_something_of_the_film_and_grows_with_the_force(gamma_re
     outcome = gamma_results.outcomes["bearings"]
     r = outcome.result.bearings["front"]
     once, twice = (
-        with_standing(outcome, Standing(stationary_front=F, stationary_rear=F)).result.bearings["front"].standing for F in (40.0, 80.0)
+        with_standing(outcome, Standing(stationary_front=F, stationary_rear=F)).result.bearings["front"].standing
+        for F in (40.0, 80.0)
     )
     assert once.film_orbit < r.film
     assert r.film - twice.film_orbit == pytest.approx(2 * (r.film - once.film_orbit))
@@ -39,12 +40,17 @@ def test_the_orbit_takes_something_of_the_film_and_grows_with_the_force(gamma_re
 
 def test_a_force_as_large_as_half_the_load_has_no_orbit_of_first_order(gamma_results):
     outcome = gamma_results.outcomes["bearings"]
-    found = with_standing(outcome, Standing(stationary_front=1000.0, stationary_rear=1000.0)).result.bearings["front"].standing
+    found = (
+        with_standing(outcome, Standing(stationary_front=1000.0, stationary_rear=1000.0))
+        .result.bearings["front"]
+        .standing
+    )
     assert found.film_orbit is None and found.film_load_peak is not None
 
 
 def test_at_the_speed_of_equal_loads_both_are_equal(gamma_results):
-    """The turning load grows with the square of the speed: at n_0 it is as large as the standing part at rated speed."""
+    """The turning load grows with the square of the speed: at n_0 it is as large as the standing part at rated
+    speed."""
     r = gamma_results.outcomes["bearings"].result.bearings["front"]
     n_0 = r.standing.speed_of_equal_loads
     assert r.load * (n_0 / r.duty.speed) ** 2 == pytest.approx(r.standing.standing_load)

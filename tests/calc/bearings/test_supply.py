@@ -23,9 +23,17 @@ def solved(document, **changes):
     return solve(design(document)).outcomes["bearings"]
 
 
-@pytest.mark.parametrize("where, load, keeps", [
-    ("hole", 1.0, False), ("hole", 0.0, True), ("pocket", 1.0, False), ("pocket", 0.0, True), ("shaft", 1.0, True), ("shaft", 0.0, False),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    "where, load, keeps",
+    [
+        ("hole", 1.0, False),
+        ("hole", 0.0, True),
+        ("pocket", 1.0, False),
+        ("pocket", 0.0, True),
+        ("shaft", 1.0, True),
+        ("shaft", 0.0, False),
+    ],
+)
 def test_a_feed_keeps_its_angle_only_to_a_load_that_turns_with_it(gamma, where, load, keeps):
     inputs = replace(bearings(gamma), supply=where, load_speed_ratio=load)
     assert supply.keeps_its_angle(inputs) is keeps
@@ -47,8 +55,12 @@ def test_the_swept_hole_is_the_mean_over_all_angles():
 
 def test_a_part_groove_all_round_is_the_full_groove():
     full = flow.groove_factor(eps=0.6, d=0.06, l=0.03, b_G=0.004)
-    assert flow.part_groove_factor(eps=0.6, phi_A=-math.pi, phi_E=math.pi, d=0.06, l=0.03, b_G=0.004) == pytest.approx(full)
-    assert flow.swept_part_groove_factor(eps=0.6, delta_A=0.0, delta_E=2 * math.pi, d=0.06, l=0.03, b_G=0.004) == pytest.approx(full)
+    assert flow.part_groove_factor(eps=0.6, phi_A=-math.pi, phi_E=math.pi, d=0.06, l=0.03, b_G=0.004) == pytest.approx(
+        full
+    )
+    assert flow.swept_part_groove_factor(
+        eps=0.6, delta_A=0.0, delta_E=2 * math.pi, d=0.06, l=0.03, b_G=0.004
+    ) == pytest.approx(full)
 
 
 def test_a_part_groove_is_the_integral_of_the_gap_cubed():
@@ -70,7 +82,10 @@ def test_a_part_groove_opposite_a_standing_load_leaves_the_film_whole(gamma):
 
 
 def test_a_hole_through_the_shaft_gives_most_oil_opposite_the_load(gamma):
-    flows = [solved(gamma, supply="shaft", supply_angle_deg=a).result.bearings["front"].supply_flow for a in (180.0, 90.0, 20.0)]
+    flows = [
+        solved(gamma, supply="shaft", supply_angle_deg=a).result.bearings["front"].supply_flow
+        for a in (180.0, 90.0, 20.0)
+    ]
     assert flows[0] > flows[1] > flows[2] > 0
 
 
@@ -99,13 +114,23 @@ def test_a_bush_that_turns_against_the_journal_adds_its_speed(gamma):
     assert r.duty.sliding_ratio == pytest.approx(3)
 
 
-@pytest.mark.parametrize("changes, key", [
-    (dict(load_speed_ratio=0.5), "load_speed_ratio"), (dict(load_speed_ratio=0.505), "load_speed_ratio"),
-    (dict(bush_speed_ratio=-1.0, load_speed_ratio=0.0), "load_speed_ratio"), (dict(bush_speed_ratio=1.0), "bush_speed_ratio"),
-    (dict(groove_arc_deg=[200.0, 100.0]), "groove_arc_deg"), (dict(speed_range_rpm=[2600.0, 1000.0]), "speed_range_rpm"),
-    (dict(journal_fit="H7"), "journal_fit"), (dict(seat_fit="f7"), "seat_fit"), (dict(journal_fit="IT99"), "journal_fit"),
-    (dict(bush_material="wood"), "bush_material"), (dict(application="kettle"), "application"), (dict(front__load_N=0.0), "front.load_N"),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    "changes, key",
+    [
+        (dict(load_speed_ratio=0.5), "load_speed_ratio"),
+        (dict(load_speed_ratio=0.505), "load_speed_ratio"),
+        (dict(bush_speed_ratio=-1.0, load_speed_ratio=0.0), "load_speed_ratio"),
+        (dict(bush_speed_ratio=1.0), "bush_speed_ratio"),
+        (dict(groove_arc_deg=[200.0, 100.0]), "groove_arc_deg"),
+        (dict(speed_range_rpm=[2600.0, 1000.0]), "speed_range_rpm"),
+        (dict(journal_fit="H7"), "journal_fit"),
+        (dict(seat_fit="f7"), "seat_fit"),
+        (dict(journal_fit="IT99"), "journal_fit"),
+        (dict(bush_material="wood"), "bush_material"),
+        (dict(application="kettle"), "application"),
+        (dict(front__load_N=0.0), "front.load_N"),
+    ],
+)
 def test_what_can_not_be_is_refused_with_its_key(gamma, changes, key):
     from calc.sheet.errors import BadInput
 

@@ -40,19 +40,30 @@ def verdicts(made):
     return {check.id.removeprefix("countershaft."): check.verdict for check in made.checks}
 
 
-# --- a shaft to draw --------------------------------------------------------------------------------------------------------
+# --- a shaft to draw
+# --------------------------------------------------------------------------------------------------------
 UP = math.radians(210)
 POSITIONS = (-0.1675, 0.1675)
 
 
 def piece(start, end, radius, what, half_angle=None, angle=0.0, core=0.0):
-    return Piece(start * 1e-3, end * 1e-3, radius * 1e-3, core * 1e-3, half_angle and math.radians(half_angle), angle, what)
+    return Piece(
+        start * 1e-3, end * 1e-3, radius * 1e-3, core * 1e-3, half_angle and math.radians(half_angle), angle, what
+    )
 
 
 def drawn_shaft(front=70.0, rear=110.0) -> Outline:
     """Two opposed sectors between journals, a gear ahead."""
-    return outline((
-        piece(-196.25, -181.25, 29.35, "gear"), piece(-181.25, -153.75, 29.75, "journal"), piece(-153.75, -152, 15, "core"),
-        piece(-152, -1, 40.3, "sector", front, UP, 15), piece(-1, 1, 15, "core"), piece(1, 152, 40.3, "sector", rear, UP - math.pi, 15),
-        piece(152, 154.25, 15, "core"), piece(154.25, 180.75, 40.5, "journal"),
-    ), derived=True)  # fmt: skip
+    return outline(
+        (
+            piece(-196.25, -181.25, 29.35, "gear"),
+            piece(-181.25, -153.75, 29.75, "journal"),
+            piece(-153.75, -152, 15, "core"),
+            piece(-152, -1, 40.3, "sector", front, UP, 15),
+            piece(-1, 1, 15, "core"),
+            piece(1, 152, 40.3, "sector", rear, UP - math.pi, 15),
+            piece(152, 154.25, 15, "core"),
+            piece(154.25, 180.75, 40.5, "journal"),
+        ),
+        derived=True,
+    )

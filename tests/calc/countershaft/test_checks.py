@@ -1,4 +1,5 @@
-"""What the step passes and fails: residuals, slopes, envelope, supports, outline, holes; the limits themselves are crossed."""
+"""What the step passes and fails: residuals, slopes, envelope, supports, outline, holes; the limits themselves are
+crossed."""
 
 import math
 
@@ -17,9 +18,11 @@ def found(made, name):
     return check
 
 
-# --- what is left over -----------------------------------------------------------------------------------------------------------
+# --- what is left over
+# -----------------------------------------------------------------------------------------------------------
 @pytest.mark.parametrize(
-    "share, verdict", [(1.0, "pass"), (1.04, "pass"), (1.049, "warn"), (1.051, "fail"), (0.951, "warn"), (0.949, "fail")]
+    "share, verdict",
+    [(1.0, "pass"), (1.04, "pass"), (1.049, "warn"), (1.051, "fail"), (0.951, "warn"), (0.949, "fail")],
 )
 def test_five_percent_of_the_couple_may_be_left(share, verdict):
     masses = [{**m, "mass_kg": m["mass_kg"] * share} for m in (FRONT, REAR)]
@@ -30,8 +33,11 @@ def test_five_percent_of_the_couple_may_be_left(share, verdict):
 
 @pytest.mark.parametrize("fraction, aims", [(0.0, False), (0.44, False), (1.0, False), (0.48, True)])
 def test_what_turns_against_the_shaft_is_not_asked_of_its_masses(fraction, aims):
-    """A shaft as it should be: aiming at what it gives already would mend nothing where the crank's counterweights are wrong."""
-    made = outcome(None, {"crank_balance_fraction": fraction}, **SIZE, overdesign_percent=-10.0 if aims else 0.0, journals=JOURNALS)
+    """A shaft as it should be: aiming at what it gives already would mend nothing where the crank's counterweights are
+    wrong."""
+    made = outcome(
+        None, {"crank_balance_fraction": fraction}, **SIZE, overdesign_percent=-10.0 if aims else 0.0, journals=JOURNALS
+    )
     check = found(made, "residual")
     assert check.verdict == "fail" and ("Aim at" in check.advice) is aims
     assert ("turn against the shaft" in check.advice) is not aims
@@ -40,7 +46,11 @@ def test_what_turns_against_the_shaft_is_not_asked_of_its_masses(fraction, aims)
 def test_both_faults_of_a_shaft_are_told():
     masses = [{**m, "mass_kg": m["mass_kg"] * 0.9} for m in (FRONT, REAR)]
     advice = found(outcome(None, {"crank_balance_fraction": 0.4}, masses=masses), "residual").advice
-    assert "Aim at 572.9 N·m" in advice and "114.6 N·m turn against the shaft" in advice and "counterweights of the crank" in advice
+    assert (
+        "Aim at 572.9 N·m" in advice
+        and "114.6 N·m turn against the shaft" in advice
+        and "counterweights of the crank" in advice
+    )
 
 
 def test_of_a_shaft_at_twice_crank_speed_a_second_one_takes_the_rest():
@@ -66,7 +76,11 @@ def test_a_shaft_that_makes_the_second_order_worse_fails():
     masses = [{"name": "one", "mass_kg": 0.906, "radius_mm": 11.933, "angle_deg": 0.0, "z_mm": 0.0}]
     made = outcome("r754ie4_balance_shafts", masses=masses)
     check = found(made, "residual_force")
-    assert check.kind == "limit" and check.verdict == "fail" and check.value == pytest.approx(10617.73 + 4 * 2134.0647, abs=0.05)
+    assert (
+        check.kind == "limit"
+        and check.verdict == "fail"
+        and check.value == pytest.approx(10617.73 + 4 * 2134.0647, abs=0.05)
+    )
 
 
 def test_a_force_is_judged_by_one_cylinder():
@@ -76,7 +90,8 @@ def test_a_force_is_judged_by_one_cylinder():
     assert check.limit == pytest.approx(0.05 * 1.48935 * 0.0535 * (math.pi * 2600 / 30) ** 2, rel=1e-5)
 
 
-# --- slopes ------------------------------------------------------------------------------------------------------------------------
+# --- slopes
+# ------------------------------------------------------------------------------------------------------------------------
 @pytest.mark.parametrize(
     "slopes, front, rear",
     [([0.25], "warn", "warn"), ([0.2, 0.26], "pass", "fail"), ([0.26, 0.23], "fail", "pass"), ([0.24], "warn", "warn")],
@@ -88,14 +103,23 @@ def test_given_slopes_against_a_quarter_of_a_milliradian(gamma, slopes, front, r
 
 
 def test_a_thin_core_bends_too_far():
-    thick, thin = (outcome(core_radius_mm=r, journals=JOURNALS, sector_effectiveness=0.2, outer_radius_mm=40.5) for r in (15.0, 11.0))
-    assert verdicts(thick)["slope_rear"] == "pass" and verdicts(thin)["slope_rear"] == verdicts(thin)["slope_front"] == "fail"
+    thick, thin = (
+        outcome(core_radius_mm=r, journals=JOURNALS, sector_effectiveness=0.2, outer_radius_mm=40.5)
+        for r in (15.0, 11.0)
+    )
+    assert (
+        verdicts(thick)["slope_rear"] == "pass"
+        and verdicts(thin)["slope_rear"] == verdicts(thin)["slope_front"] == "fail"
+    )
     assert verdicts(thin)["first_critical_speed"] == "pass"
     assert found(thin, "slope_rear").value == pytest.approx(thin.result.slope_rear * 1e3)
 
 
-# --- envelope ----------------------------------------------------------------------------------------------------------------------
-@pytest.mark.parametrize("R, verdict", [(42.5, "pass"), (42.9, "pass"), (43.0, "pass"), (43.01, "fail"), (45.0, "fail")])
+# --- envelope
+# ----------------------------------------------------------------------------------------------------------------------
+@pytest.mark.parametrize(
+    "R, verdict", [(42.5, "pass"), (42.9, "pass"), (43.0, "pass"), (43.01, "fail"), (45.0, "fail")]
+)
 def test_what_must_go_through_the_seat(R, verdict):
     """Ø86.4 less 0.2 mm all round lets R 43.0 through: the clearance is the designer's own, and may be used up."""
     check = found(outcome(**{**SIZE, "outer_radius_mm": R}, journals=SEATS, radial_clearance_mm=0.2), "envelope")
@@ -123,11 +147,19 @@ def test_the_widest_sector_must_go_through(front, rear, room):
     """Two sectors of different radius under journals of 59.5 and 86.4 mm; the journals are no sectors."""
     sides = ((-152.0, -1.0, front, 210.0), (1.0, 152.0, rear, 30.0))
     sections = [
-        {"from_mm": a, "to_mm": b, "outer_radius_mm": R, "core_radius_mm": 15.0, "half_angle_deg": 70.0, "angle_deg": angle}
+        {
+            "from_mm": a,
+            "to_mm": b,
+            "outer_radius_mm": R,
+            "core_radius_mm": 15.0,
+            "half_angle_deg": 70.0,
+            "angle_deg": angle,
+        }
         for a, b, R, angle in sides
     ]
     sections += [
-        {"from_mm": a, "to_mm": b, "outer_radius_mm": R} for a, b, R in ((-182.0, -152.0, 29.75), (-1.0, 1.0, 15.0), (152.0, 182.0, 43.2))
+        {"from_mm": a, "to_mm": b, "outer_radius_mm": R}
+        for a, b, R in ((-182.0, -152.0, 29.75), (-1.0, 1.0, 15.0), (152.0, 182.0, 43.2))
     ]
     made = outcome(sections=sorted(sections, key=lambda one: one["from_mm"]), journals=SEATS, radial_clearance_mm=0.1)
     assert found(made, "envelope").value == pytest.approx(room)
@@ -135,7 +167,8 @@ def test_the_widest_sector_must_go_through(front, rear, room):
 
 @pytest.mark.parametrize("half_length, verdict", [(150.0, "pass"), (153.0, "warn"), (153.5, "fail"), (160.0, "fail")])
 def test_the_sectors_end_where_the_journals_begin(half_length, verdict):
-    """The nearer face is that of the rear journal: 167.5 − 29/2 = 153 mm.  Beyond it nothing is drawn, and it is judged all the same."""
+    """The nearer face is that of the rear journal: 167.5 − 29/2 = 153 mm.  Beyond it nothing is drawn, and it is judged
+    all the same."""
     made = outcome(**{**SIZE, "half_length_mm": half_length}, journals=SEATS)
     check = found(made, "envelope_length")
     assert check.verdict == verdict and check.value == pytest.approx(153.0 - half_length)
@@ -144,18 +177,23 @@ def test_the_sectors_end_where_the_journals_begin(half_length, verdict):
 
 def test_masses_too_large_to_stand_side_by_side_are_no_shaft():
     """4.5 kg as a sector of this size is 281 mm long."""
-    made = outcome(core_radius_mm=15.0, outer_radius_mm=40.3, journals=JOURNALS, masses=[{**FRONT, "mass_kg": 4.5}, REAR])
+    made = outcome(
+        core_radius_mm=15.0, outer_radius_mm=40.3, journals=JOURNALS, masses=[{**FRONT, "mass_kg": 4.5}, REAR]
+    )
     assert verdicts(made)["crossing"] == "fail" and found(made, "crossing").kind == "limit" and made.verdict == "fail"
 
 
 def test_a_mass_that_is_no_sector_leaves_the_bending_not_verified():
-    made = outcome(core_radius_mm=15.0, outer_radius_mm=40.3, journals=JOURNALS, masses=[{**FRONT, "radius_mm": 35.0}, REAR])
+    made = outcome(
+        core_radius_mm=15.0, outer_radius_mm=40.3, journals=JOURNALS, masses=[{**FRONT, "radius_mm": 35.0}, REAR]
+    )
     check = found(made, "mass_shape")
     assert check.verdict == "not_verified" and check.missing == ("countershaft.sections",)
     assert check.limit == pytest.approx(2 / 3 * (40.3**3 - 15**3) / (40.3**2 - 15**2))
 
 
-# --- supports, outline, holes ----------------------------------------------------------------------------------------------------------
+# --- supports, outline, holes
+# ----------------------------------------------------------------------------------------------------------
 def test_journals_of_its_own_are_screened():
     """24 × 21 mm at 6000 rpm under 2847.6 N: 5.65 MPa and 813 600 N·rpm/mm are beyond 5 MPa and 500 000."""
     made = verdicts(outcome("r754ie4_balance_shafts"))
@@ -168,10 +206,12 @@ def test_sections_and_masses_must_be_one_shaft(half_angle, verdict):
     """The couple of the sections goes with sin γ: 5 % below at 71.8°."""
     sector = {"outer_radius_mm": 40.3, "core_radius_mm": 15.0, "half_angle_deg": half_angle}
     sections = [
-        {"from_mm": -200.0, "to_mm": -152.0, "outer_radius_mm": 25.0}, {"from_mm": -152.0, "to_mm": -1.0, "angle_deg": 210.0, **sector},
-        {"from_mm": -1.0, "to_mm": 1.0, "outer_radius_mm": 15.0}, {"from_mm": 1.0, "to_mm": 152.0, "angle_deg": 30.0, **sector},
+        {"from_mm": -200.0, "to_mm": -152.0, "outer_radius_mm": 25.0},
+        {"from_mm": -152.0, "to_mm": -1.0, "angle_deg": 210.0, **sector},
+        {"from_mm": -1.0, "to_mm": 1.0, "outer_radius_mm": 15.0},
+        {"from_mm": 1.0, "to_mm": 152.0, "angle_deg": 30.0, **sector},
         {"from_mm": 152.0, "to_mm": 200.0, "outer_radius_mm": 25.0},
-    ]  # fmt: skip
+    ]
     masses = [{**m, "mass_kg": 2.608345, "radius_mm": 18.830668, "z_mm": z} for m, z in ((FRONT, -76.5), (REAR, 76.5))]
     made = outcome(sections=sections, masses=masses)
     check = found(made, "outline")
@@ -183,7 +223,10 @@ def test_sections_and_masses_must_be_one_shaft(half_angle, verdict):
 @pytest.mark.parametrize("beyond, verdict", [(-0.1, "warn"), (0.5, "pass"), (1.5, "pass"), (3.5, "warn")])
 def test_drilling_only_takes_away(beyond, verdict):
     """Four holes of 14 mm × 20 mm take 2.9 % of the couple."""
-    masses = [{**m, "mass_kg": 2.69 * (1 + beyond / 100), "radius_mm": 18.7, "z_mm": z} for m, z in ((FRONT, -76.8), (REAR, 76.8))]
+    masses = [
+        {**m, "mass_kg": 2.69 * (1 + beyond / 100), "radius_mm": 18.7, "z_mm": z}
+        for m, z in ((FRONT, -76.8), (REAR, 76.8))
+    ]
     holes = {"diameter_mm": 14.0, "depth_mm": 20.0, "count": 4}
     made = outcome(masses=masses, holes=holes, outer_radius_mm=40.5)
     check = found(made, "holes.range")

@@ -27,7 +27,9 @@ def test_table_4_1(gamma):
 
 def test_reactions_of_a_pure_couple(gamma):
     """±C/l: 572.9/0.335 = 1710.15 N in the source."""
-    same = gamma.with_value("countershaft.masses.front.mass_kg", 2.688).with_value("countershaft.masses.front.radius_mm", 18.731)
+    same = gamma.with_value("countershaft.masses.front.mass_kg", 2.688).with_value(
+        "countershaft.masses.front.radius_mm", 18.731
+    )
     r = shaft(same).result
     assert r.force == pytest.approx(0, abs=1e-6)
     assert r.reaction_front == pytest.approx(r.couple / 0.335)
@@ -35,19 +37,25 @@ def test_reactions_of_a_pure_couple(gamma):
 
 
 def test_one_degree_of_mistiming_leaves_ten_newton_metres(gamma):
-    turned = gamma.with_value("countershaft.masses.front.angle_deg", 211.0).with_value("countershaft.masses.rear.angle_deg", 31.0)
+    turned = gamma.with_value("countershaft.masses.front.angle_deg", 211.0).with_value(
+        "countershaft.masses.rear.angle_deg", 31.0
+    )
     assert shaft(turned).result.residual_order_1_couple == pytest.approx(10.0, abs=0.05)
 
 
 def test_a_shaft_without_mass_changes_nothing(gamma):
-    bare = gamma.with_value("countershaft.masses.front.mass_kg", 0.0).with_value("countershaft.masses.rear.mass_kg", 0.0)
+    bare = gamma.with_value("countershaft.masses.front.mass_kg", 0.0).with_value(
+        "countershaft.masses.rear.mass_kg", 0.0
+    )
     outcome = shaft(bare)
     assert outcome.result.residual_order_1_couple == pytest.approx(572.932, abs=5e-4)
     assert outcome.verdict == "fail"
 
 
 def test_a_shaft_without_mass_leaves_bearings_without_a_film(gamma):
-    bare = gamma.with_value("countershaft.masses.front.mass_kg", 0.0).with_value("countershaft.masses.rear.mass_kg", 0.0)
+    bare = gamma.with_value("countershaft.masses.front.mass_kg", 0.0).with_value(
+        "countershaft.masses.rear.mass_kg", 0.0
+    )
     results = solve(design(bare))
     assert results.outcomes["bearings"].state == "no_solution"
     assert "no load" in results.outcomes["bearings"].reason

@@ -15,9 +15,11 @@ from tests.calc.countershaft.shafts import drawn_shaft as shaft
 
 @settings(deadline=None)
 @given(
-    half=st.floats(0.05, math.pi), angle=st.floats(-7, 7), up=st.floats(-7, 7),
+    half=st.floats(0.05, math.pi),
+    angle=st.floats(-7, 7),
+    up=st.floats(-7, 7),
     core=st.one_of(st.just(0.0), st.floats(0.001, 0.039)),
-)  # fmt: skip
+)
 def test_the_silhouette_is_that_of_the_points_of_the_section(half, angle, up, core):
     """Against the highest and the lowest of many points of sector and core."""
     part = Piece(0.0, 0.1, 0.04, core, half, angle, "sector")
@@ -77,7 +79,9 @@ def test_the_curve_has_the_points_of_the_drawing():
     drawn = next(p for p in shaft_drawing(whole, POSITIONS) if p.layer == "OUTLINE")
     body = list(zip(curve.series[0].x, curve.series[0].y))
     assert body[0] == body[-1]
-    assert body[:-1] == [(pytest.approx(1e3 * x, rel=1e-12), pytest.approx(1e3 * y, rel=1e-12)) for x, y in drawn.points]
+    assert body[:-1] == [
+        (pytest.approx(1e3 * x, rel=1e-12), pytest.approx(1e3 * y, rel=1e-12)) for x, y in drawn.points
+    ]
     assert curve.series[2].x[0] == -167.5 and curve.series[2].y[0] == -29.75  # under the front journal
 
 
@@ -87,8 +91,8 @@ def test_the_axis_stands_out_as_far_at_both_ends():
 
 
 def test_supports_stand_under_the_journals():
-    """Triangles with their tips at the lowest point of the shaft in the mid-planes, upright on both legs; without a piece there on the axis,
-    where two pieces meet under the larger one."""
+    """Triangles with their tips at the lowest point of the shaft in the mid-planes, upright on both legs; without a
+    piece there on the axis, where two pieces meet under the larger one."""
     places = (*POSITIONS, -0.15375, 0.5)
     for (tip, right, left), z, low in zip(support_marks(shaft(), places), places, (0.02975, 0.0405, 0.02975, 0.0)):
         assert tip == pytest.approx((z, -low)) and right[1] == left[1] < -low
@@ -97,9 +101,13 @@ def test_supports_stand_under_the_journals():
 
 @pytest.mark.parametrize("half, radii", [(70.0, (40.3, 15.0)), (110.0, (40.3,)), (20.0, (40.3, 15.0)), (180.0, ())])
 def test_the_edges_that_are_seen_inside_the_silhouette(half, radii):
-    """Of the flat face on the side of who looks, R·cos γ and r_0·cos γ above the axis: the inner one only where the face is turned towards
-    him; a whole ring has none."""
+    """Of the flat face on the side of who looks, R·cos γ and r_0·cos γ above the axis: the inner one only where the
+    face is turned towards him; a whole ring has none."""
     drawn = shaft_drawing(outline((piece(0, 10, 40.3, "sector", half, UP, 15),), derived=False), ())
-    edges = [p.points for p in drawn if p.layer == "SECTORS" and isinstance(p, Polyline) and not p.closed and min(p.points)[1] > -0.0403]
+    edges = [
+        p.points
+        for p in drawn
+        if p.layer == "SECTORS" and isinstance(p, Polyline) and not p.closed and min(p.points)[1] > -0.0403
+    ]
     assert [y for (_, y), _ in edges] == pytest.approx([r * 1e-3 * math.cos(math.radians(half)) for r in radii])
     assert all((a[0], b[0], a[1]) == (0.0, 0.01, b[1]) for a, b in edges)

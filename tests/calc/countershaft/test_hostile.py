@@ -1,4 +1,5 @@
-"""What a design file may say of the counter-shaft and should not: every error named with its line, all at once, and never a traceback."""
+"""What a design file may say of the counter-shaft and should not: every error named with its line, all at once, and
+never a traceback."""
 
 import math
 from itertools import pairwise
@@ -58,53 +59,106 @@ SCATTER = "[countershaft.scatter]\nmass_g = %s\nradius_mm = 0.05\nangle_deg = 0.
 JOURNALS = "journals = [{ diameter_mm = 40.0, length_mm = 20.0 }%s]\n"
 
 
-@pytest.mark.parametrize("added, key, words", [
-    (SECTION % (-200, 200, -15, ""), "sections.0.outer_radius_mm", "above 0"),
-    (SECTION % (200, -200, 15, ""), "sections.0.to_mm", "behind from_mm"),
-    (SECTION % (-200, -200, 15, ""), "sections.0.to_mm", "behind from_mm"),
-    (SECTION % ("nan", 200, 15, ""), "sections.0.from_mm", "finite"),
-    (SECTION % (-200, 200, "inf", ""), "sections.0.outer_radius_mm", "finite"),
-    (SECTION % (-200, 200, 15, ", half_angle_deg = 90.0"), "sections.0.angle_deg", "needed with half_angle_deg"),
-    (SECTION % (-200, 200, 15, ", half_angle_deg = 190.0, angle_deg = 0.0"), "sections.0.half_angle_deg", "up to 180"),
-    (SECTION % (-200, 200, 15, ", half_angle_deg = 90.0, angle_deg = 0.0, core_radius_mm = 15.0"), "sections.0.core_radius_mm", "smaller"),
-    (SECTION % (-200, 200, 15, ", core_radius_mm = 5.0"), "sections.0.core_radius_mm", "belongs to a sector"),
-    (SECTION % (-160, 200, 15, ""), "bearing_positions_mm.0", "outside the shaft's sections"),
-    (SECTION % (-200, 100, 15, ""), "bearing_positions_mm.1", "outside the shaft's sections"),
-    (SECTION % (-170, 170, 15, "") + JOURNALS % ", { diameter_mm = 40.0, length_mm = 20.0 }", "bearing_positions_mm.0", "reaches beyond"),
-    ("sections = [{ from_mm = -200.0, to_mm = 10.0, outer_radius_mm = 15.0 }, { from_mm = 0.0, to_mm = 200.0, outer_radius_mm = 15.0 }]\n",
-     "sections.1.from_mm", "crosses section 0"),
-    ("sections = [{ from_mm = 5.0, to_mm = 200.0, outer_radius_mm = 15.0 }, { from_mm = -200.0, to_mm = 0.0, outer_radius_mm = 15.0 }]\n",
-     "sections.0.from_mm", "leaves a gap behind section 1"),
-    (SECTION % (-180, 180, 15, "") + 'extras = [{ name = "x", mass_kg = 0.1, radius_mm = 1.0, angle_deg = 0.0, z_mm = 300.0 }]\n',
-     "extras.0.z_mm", "outside the shaft's sections"),
-    (JOURNALS % "", "journals", "one for each of the 2"),
-    ("outer_radius_mm = 40.0\ncore_radius_mm = 40.0\n", "core_radius_mm", "smaller than outer_radius_mm"),
-    ("sector_effectiveness = 0.0\n", "sector_effectiveness", "from 0.1 to 1"),
-    ('balance_grade = "G5"\n', "balance_grade", '"G6.3"'),
-    ('pair = "maybe"\n', "pair", '"no", "yes"'),
-    ("speed_ratio = -1.5\n", "speed_ratio", "-1, 1, -2 or 2"),
-    ("speed_ratio = 0\n", "speed_ratio", "-1, 1, -2 or 2"),
-    ("outer_radius_mm = " + "9" * 400 + "\n", "outer_radius_mm", "up to 1000"),
-    ("radial_clearance_mm = -0.1\n", "radial_clearance_mm", "from 0 to 50"),
-    ("fillet_radius_mm = 0\n", "fillet_radius_mm", "above 0"),
-    ("holes = { diameter_mm = 14.0, depth_mm = 20.0, count = 0 }\n", "holes.count", "from 1 to 1000"),
-    ("holes = { diameter_mm = 14.0, depth_mm = 20.0, count = 2.0 }\n", "holes.count", "whole number"),
-    ("outer_radius_mm = 20.0\nholes = { diameter_mm = 14.0, depth_mm = 20.0, count = 2 }\n", "holes.depth_mm", "must stay below outer_radius_mm"),
-    (BOLTS % ("10", 45, 15, 11, 4), "bolts.thread", "metric thread"), (BOLTS % ("M10x9", 45, 15, 11, 4), "bolts.thread", "pitch of M10"),
-    (BOLTS % ("M999", 45, 15, 11, 4), "bolts.thread", "ISO 261"), (BOLTS % ("", 45, 15, 11, 4), "bolts.thread", "metric thread"),
-    (BOLTS % ("M10", 0, 15, 11, 4), "bolts.torque_Nm", "above 0"), (BOLTS % ("M10", 45, 11, 11, 4), "bolts.hole_diameter_mm", "bears on nothing"),
-    (BOLTS % ("M10", 45, 15, 10, 4), "bolts.hole_diameter_mm", "larger than the thread"), (BOLTS % ("M10", 45, 15, 11, 1), "bolts.count", "from 2 to 64"),
-    (DRAIN % (24.0, 22.5, "M18x1.5"), "oil_drain.hose_max_mm", "not be below hose_min_mm"),
-    (DRAIN % (22.5, 24.0, "G1/2"), "oil_drain.thread", "metric thread"),
-    (DRAIN % (22.5, 24.0, "M18") + "clamps = [{ nominal_mm = 22.0, opening_mm = 22.0 }]\n", "oil_drain.clamps.0.opening_mm", "larger"),
-    (SCATTER % (-1, 100), "scatter.mass_g", "from 0"), (SCATTER % (10, 0), "scatter.shafts", "from 100"),
-    ('support = { material = "cheese" }\n', "support.material", "is not known"),
-    ('cost = { pieces_per_year = 0, alternatives = [{ material = "steel", tooling_EUR = 1.0, piece_EUR = 1.0 }] }\n', "cost.pieces_per_year", "1"),
-    ('cost = { pieces_per_year = 1, alternatives = [{ material = "stell", tooling_EUR = 1.0, piece_EUR = 1.0 }] }\n',
-     "cost.alternatives.0.material", '"steel"'),
-    ('cost = { pieces_per_year = 1, alternatives = [{ material = "steel", tooling_EUR = 1.0, piece_EUR = 1.0 }, '
-     '{ material = "steel", tooling_EUR = 1.0, piece_EUR = 1.0 }] }\n', "cost.alternatives", "once"),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    "added, key, words",
+    [
+        (SECTION % (-200, 200, -15, ""), "sections.0.outer_radius_mm", "above 0"),
+        (SECTION % (200, -200, 15, ""), "sections.0.to_mm", "behind from_mm"),
+        (SECTION % (-200, -200, 15, ""), "sections.0.to_mm", "behind from_mm"),
+        (SECTION % ("nan", 200, 15, ""), "sections.0.from_mm", "finite"),
+        (SECTION % (-200, 200, "inf", ""), "sections.0.outer_radius_mm", "finite"),
+        (SECTION % (-200, 200, 15, ", half_angle_deg = 90.0"), "sections.0.angle_deg", "needed with half_angle_deg"),
+        (
+            SECTION % (-200, 200, 15, ", half_angle_deg = 190.0, angle_deg = 0.0"),
+            "sections.0.half_angle_deg",
+            "up to 180",
+        ),
+        (
+            SECTION % (-200, 200, 15, ", half_angle_deg = 90.0, angle_deg = 0.0, core_radius_mm = 15.0"),
+            "sections.0.core_radius_mm",
+            "smaller",
+        ),
+        (SECTION % (-200, 200, 15, ", core_radius_mm = 5.0"), "sections.0.core_radius_mm", "belongs to a sector"),
+        (SECTION % (-160, 200, 15, ""), "bearing_positions_mm.0", "outside the shaft's sections"),
+        (SECTION % (-200, 100, 15, ""), "bearing_positions_mm.1", "outside the shaft's sections"),
+        (
+            SECTION % (-170, 170, 15, "") + JOURNALS % ", { diameter_mm = 40.0, length_mm = 20.0 }",
+            "bearing_positions_mm.0",
+            "reaches beyond",
+        ),
+        (
+            "sections = [{ from_mm = -200.0, to_mm = 10.0, outer_radius_mm = 15.0 }, { from_mm = 0.0, to_mm = 200.0, "
+            "outer_radius_mm = 15.0 }]\n",
+            "sections.1.from_mm",
+            "crosses section 0",
+        ),
+        (
+            "sections = [{ from_mm = 5.0, to_mm = 200.0, outer_radius_mm = 15.0 }, { from_mm = -200.0, to_mm = 0.0, "
+            "outer_radius_mm = 15.0 }]\n",
+            "sections.0.from_mm",
+            "leaves a gap behind section 1",
+        ),
+        (
+            SECTION % (-180, 180, 15, "")
+            + 'extras = [{ name = "x", mass_kg = 0.1, radius_mm = 1.0, angle_deg = 0.0, z_mm = 300.0 }]\n',
+            "extras.0.z_mm",
+            "outside the shaft's sections",
+        ),
+        (JOURNALS % "", "journals", "one for each of the 2"),
+        ("outer_radius_mm = 40.0\ncore_radius_mm = 40.0\n", "core_radius_mm", "smaller than outer_radius_mm"),
+        ("sector_effectiveness = 0.0\n", "sector_effectiveness", "from 0.1 to 1"),
+        ('balance_grade = "G5"\n', "balance_grade", '"G6.3"'),
+        ('pair = "maybe"\n', "pair", '"no", "yes"'),
+        ("speed_ratio = -1.5\n", "speed_ratio", "-1, 1, -2 or 2"),
+        ("speed_ratio = 0\n", "speed_ratio", "-1, 1, -2 or 2"),
+        ("outer_radius_mm = " + "9" * 400 + "\n", "outer_radius_mm", "up to 1000"),
+        ("radial_clearance_mm = -0.1\n", "radial_clearance_mm", "from 0 to 50"),
+        ("fillet_radius_mm = 0\n", "fillet_radius_mm", "above 0"),
+        ("holes = { diameter_mm = 14.0, depth_mm = 20.0, count = 0 }\n", "holes.count", "from 1 to 1000"),
+        ("holes = { diameter_mm = 14.0, depth_mm = 20.0, count = 2.0 }\n", "holes.count", "whole number"),
+        (
+            "outer_radius_mm = 20.0\nholes = { diameter_mm = 14.0, depth_mm = 20.0, count = 2 }\n",
+            "holes.depth_mm",
+            "must stay below outer_radius_mm",
+        ),
+        (BOLTS % ("10", 45, 15, 11, 4), "bolts.thread", "metric thread"),
+        (BOLTS % ("M10x9", 45, 15, 11, 4), "bolts.thread", "pitch of M10"),
+        (BOLTS % ("M999", 45, 15, 11, 4), "bolts.thread", "ISO 261"),
+        (BOLTS % ("", 45, 15, 11, 4), "bolts.thread", "metric thread"),
+        (BOLTS % ("M10", 0, 15, 11, 4), "bolts.torque_Nm", "above 0"),
+        (BOLTS % ("M10", 45, 11, 11, 4), "bolts.hole_diameter_mm", "bears on nothing"),
+        (BOLTS % ("M10", 45, 15, 10, 4), "bolts.hole_diameter_mm", "larger than the thread"),
+        (BOLTS % ("M10", 45, 15, 11, 1), "bolts.count", "from 2 to 64"),
+        (DRAIN % (24.0, 22.5, "M18x1.5"), "oil_drain.hose_max_mm", "not be below hose_min_mm"),
+        (DRAIN % (22.5, 24.0, "G1/2"), "oil_drain.thread", "metric thread"),
+        (
+            DRAIN % (22.5, 24.0, "M18") + "clamps = [{ nominal_mm = 22.0, opening_mm = 22.0 }]\n",
+            "oil_drain.clamps.0.opening_mm",
+            "larger",
+        ),
+        (SCATTER % (-1, 100), "scatter.mass_g", "from 0"),
+        (SCATTER % (10, 0), "scatter.shafts", "from 100"),
+        ('support = { material = "cheese" }\n', "support.material", "is not known"),
+        (
+            'cost = { pieces_per_year = 0, alternatives = [{ material = "steel", tooling_EUR = 1.0, piece_EUR = 1.0 '
+            "}] }\n",
+            "cost.pieces_per_year",
+            "1",
+        ),
+        (
+            'cost = { pieces_per_year = 1, alternatives = [{ material = "stell", tooling_EUR = 1.0, piece_EUR = 1.0 '
+            "}] }\n",
+            "cost.alternatives.0.material",
+            '"steel"',
+        ),
+        (
+            'cost = { pieces_per_year = 1, alternatives = [{ material = "steel", tooling_EUR = 1.0, piece_EUR = 1.0 }, '
+            '{ material = "steel", tooling_EUR = 1.0, piece_EUR = 1.0 }] }\n',
+            "cost.alternatives",
+            "once",
+        ),
+    ],
+)
 def test_it_is_refused_by_its_key_and_line(added, key, words):
     found = [line for line in errors(HEAD + added) if f"countershaft.{key}:" in line]
     assert found and words in found[0], errors(HEAD + added)
@@ -112,14 +166,20 @@ def test_it_is_refused_by_its_key_and_line(added, key, words):
     assert FIRST <= named < FIRST + added.count("\n") or (key.startswith("bearing_positions_mm") and named == FIRST - 2)
 
 
-@pytest.mark.parametrize("old, new, key, words", [
-    ("mass_kg = 2.6", "mass_kg = -2.6", "masses.0.mass_kg", "from 0"), ("mass_kg = 2.6", "mass_kg = nan", "masses.0.mass_kg", "finite"),
-    ("z_mm = -76.5", "z_mm = -376.5", "masses.0.z_mm", "outside the span of the bearings"),
-    ("z_mm = -76.5", "z_mm = 1e308", "masses.0.z_mm", "from −5000 to 5000"),
-    ("[-167.5, 167.5]", "[-167.5, -167.5]", "bearing_positions_mm", "rise"), ("[-167.5, 167.5]", "[0.0]", "bearing_positions_mm", "entries"),
-    ("[-167.5, 167.5]", "[-167.5, inf]", "bearing_positions_mm", "finite"), ('"20CrNi4"', '"20CrNi5"', "material", '"20CrNi4"'),
-    ('mode = "given"', 'mode = "guess"', "mode", '"given", "size"'),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    "old, new, key, words",
+    [
+        ("mass_kg = 2.6", "mass_kg = -2.6", "masses.0.mass_kg", "from 0"),
+        ("mass_kg = 2.6", "mass_kg = nan", "masses.0.mass_kg", "finite"),
+        ("z_mm = -76.5", "z_mm = -376.5", "masses.0.z_mm", "outside the span of the bearings"),
+        ("z_mm = -76.5", "z_mm = 1e308", "masses.0.z_mm", "from −5000 to 5000"),
+        ("[-167.5, 167.5]", "[-167.5, -167.5]", "bearing_positions_mm", "rise"),
+        ("[-167.5, 167.5]", "[0.0]", "bearing_positions_mm", "entries"),
+        ("[-167.5, 167.5]", "[-167.5, inf]", "bearing_positions_mm", "finite"),
+        ('"20CrNi4"', '"20CrNi5"', "material", '"20CrNi4"'),
+        ('mode = "given"', 'mode = "guess"', "mode", '"given", "size"'),
+    ],
+)
 def test_what_the_head_says_wrongly(old, new, key, words):
     assert old in HEAD
     found = [line for line in errors(HEAD.replace(old, new)) if f"countershaft.{key}:" in line]
@@ -128,7 +188,9 @@ def test_what_the_head_says_wrongly(old, new, key, words):
 
 def test_size_without_envelope_names_all_three_at_once():
     found = errors(HEAD.replace('mode = "given"', 'mode = "size"'))
-    assert [line.split(": ")[1] for line in found] == [f"countershaft.{name}_mm" for name in ("outer_radius", "core_radius", "half_length")]
+    assert [line.split(": ")[1] for line in found] == [
+        f"countershaft.{name}_mm" for name in ("outer_radius", "core_radius", "half_length")
+    ]
 
 
 def test_all_errors_come_at_once_each_with_its_line():
@@ -137,13 +199,20 @@ def test_all_errors_come_at_once_each_with_its_line():
     found = {line.split(": ")[1]: int(line.split(":")[1]) for line in errors(text)}
     lines = text.splitlines()
     assert {key.removeprefix("countershaft.") for key in found} == {
-        "masses.0.mass_kg", "outer_radius_mm", "balance_grade", "bolts.thread", "bolts.count", "oil_drain.hose_max_mm", "oil_drain.thread",
-    }  # fmt: skip
+        "masses.0.mass_kg",
+        "outer_radius_mm",
+        "balance_grade",
+        "bolts.thread",
+        "bolts.count",
+        "oil_drain.hose_max_mm",
+        "oil_drain.thread",
+    }
     for key, number in found.items():
         assert key.rsplit(".", 1)[1] in lines[number - 1]
 
 
-# --- by chance ---------------------------------------------------------------------------------------------------------------
+# --- by chance
+# ---------------------------------------------------------------------------------------------------------------
 ODD = st.sampled_from([0.0, -1.0, 1e-9, 1e9, math.inf, math.nan, "x", True, None, [], {}])
 MATERIALS = st.sampled_from(["20CrNi4", "steel", "EN AC-43100", "42CrMo4"])
 number = st.floats
@@ -159,9 +228,13 @@ def rows(most, **parts):
 
 def elements(low, high, reach=140):
     return rows(
-        3, name=st.sampled_from(["one", "two", "three"]), mass_kg=number(low, high), radius_mm=number(0, 40), angle_deg=number(-360, 360),
+        3,
+        name=st.sampled_from(["one", "two", "three"]),
+        mass_kg=number(low, high),
+        radius_mm=number(0, 40),
+        angle_deg=number(-360, 360),
         z_mm=number(-reach, reach),
-    )  # fmt: skip
+    )
 
 
 @st.composite
@@ -184,38 +257,86 @@ def sections(draw):
 def shafts(draw):
     """A shaft that may be, but for one place where something may stand that may not."""
     positions = draw(st.sampled_from([[-167.5, 167.5], [-150.0, 0.0, 160.0], [-145.0, -50.0, 50.0, 145.0]]))
-    shaft = draw(table(
-        {
-            "mode": st.sampled_from(["given", "given", "size"]), "material": MATERIALS, "bearing_positions_mm": st.just(positions),
-            "masses": elements(0, 5).filter(bool), "outer_radius_mm": number(31, 80), "core_radius_mm": number(0, 30),
-            "half_length_mm": number(20, 180),
-        },
-        speed_ratio=st.sampled_from([-1, 1, 2, -2]), pair=st.sampled_from(["yes", "no"]), axis_mm=st.lists(number(-200, 200), min_size=2, max_size=2),
-        extras=elements(-0.1, 0.1, 240), overdesign_percent=number(-50, 50), radial_clearance_mm=number(0, 2), sections=sections(),
-        sector_effectiveness=number(0.1, 1), fillet_radius_mm=number(0.1, 5), gear_z_mm=number(-250, 250),
-        journals=st.lists(table({"diameter_mm": number(10, 120), "length_mm": number(5, 40)}), min_size=len(positions), max_size=len(positions)),
-        balance_grade=st.sampled_from(["G6.3", "G16", "G4000", "G0.4"]),
-        holes=table({"diameter_mm": number(1, 30), "depth_mm": number(1, 30), "count": st.just(6)}),
-        scatter=table(
-            {"mass_g": number(0, 500), "radius_mm": number(0, 5), "angle_deg": number(0, 20), "z_mm": number(0, 20), "shafts": st.just(100)},
-            timing_deg=number(0, 5), seed=st.integers(0, 99),
-        ),
-        bolts=table(
-            {"thread": st.sampled_from(["M10", "M8x1"]), "torque_Nm": number(1, 200), "friction": number(0.02, 0.5),
-             "head_diameter_mm": number(16, 30), "hole_diameter_mm": number(10.1, 15), "count": st.integers(2, 9)},
-            method=st.sampled_from(["vdi", "source"]), row_span_mm=number(1, 500),
-        ),
-        support=table({"material": MATERIALS}, wall_mm=number(0.1, 10), bolt_stress_MPa=number(0, 300), load_stress_MPa=number(0, 30)),
-        oil_drain=table(
-            {"hose_min_mm": number(10, 30), "hose_max_mm": number(30, 40), "thread": st.sampled_from(["M18x1.5", "M20"])},
-            slope_deg=number(1, 90), tilt_deg=number(0, 90), bore_mm=number(1, 30),
-        ),
-        cost=table({
-            "pieces_per_year": st.integers(1, 10**9),
-            "alternatives": st.lists(table({"material": MATERIALS, "tooling_EUR": number(0, 1e6), "piece_EUR": number(0, 1e3)}),
-                                     min_size=1, max_size=3, unique_by=lambda row: row["material"]),
-        }),
-    ))  # fmt: skip
+    shaft = draw(
+        table(
+            {
+                "mode": st.sampled_from(["given", "given", "size"]),
+                "material": MATERIALS,
+                "bearing_positions_mm": st.just(positions),
+                "masses": elements(0, 5).filter(bool),
+                "outer_radius_mm": number(31, 80),
+                "core_radius_mm": number(0, 30),
+                "half_length_mm": number(20, 180),
+            },
+            speed_ratio=st.sampled_from([-1, 1, 2, -2]),
+            pair=st.sampled_from(["yes", "no"]),
+            axis_mm=st.lists(number(-200, 200), min_size=2, max_size=2),
+            extras=elements(-0.1, 0.1, 240),
+            overdesign_percent=number(-50, 50),
+            radial_clearance_mm=number(0, 2),
+            sections=sections(),
+            sector_effectiveness=number(0.1, 1),
+            fillet_radius_mm=number(0.1, 5),
+            gear_z_mm=number(-250, 250),
+            journals=st.lists(
+                table({"diameter_mm": number(10, 120), "length_mm": number(5, 40)}),
+                min_size=len(positions),
+                max_size=len(positions),
+            ),
+            balance_grade=st.sampled_from(["G6.3", "G16", "G4000", "G0.4"]),
+            holes=table({"diameter_mm": number(1, 30), "depth_mm": number(1, 30), "count": st.just(6)}),
+            scatter=table(
+                {
+                    "mass_g": number(0, 500),
+                    "radius_mm": number(0, 5),
+                    "angle_deg": number(0, 20),
+                    "z_mm": number(0, 20),
+                    "shafts": st.just(100),
+                },
+                timing_deg=number(0, 5),
+                seed=st.integers(0, 99),
+            ),
+            bolts=table(
+                {
+                    "thread": st.sampled_from(["M10", "M8x1"]),
+                    "torque_Nm": number(1, 200),
+                    "friction": number(0.02, 0.5),
+                    "head_diameter_mm": number(16, 30),
+                    "hole_diameter_mm": number(10.1, 15),
+                    "count": st.integers(2, 9),
+                },
+                method=st.sampled_from(["vdi", "source"]),
+                row_span_mm=number(1, 500),
+            ),
+            support=table(
+                {"material": MATERIALS},
+                wall_mm=number(0.1, 10),
+                bolt_stress_MPa=number(0, 300),
+                load_stress_MPa=number(0, 30),
+            ),
+            oil_drain=table(
+                {
+                    "hose_min_mm": number(10, 30),
+                    "hose_max_mm": number(30, 40),
+                    "thread": st.sampled_from(["M18x1.5", "M20"]),
+                },
+                slope_deg=number(1, 90),
+                tilt_deg=number(0, 90),
+                bore_mm=number(1, 30),
+            ),
+            cost=table(
+                {
+                    "pieces_per_year": st.integers(1, 10**9),
+                    "alternatives": st.lists(
+                        table({"material": MATERIALS, "tooling_EUR": number(0, 1e6), "piece_EUR": number(0, 1e3)}),
+                        min_size=1,
+                        max_size=3,
+                        unique_by=lambda row: row["material"],
+                    ),
+                }
+            ),
+        )
+    )
     if draw(st.integers(0, 4)) == 4:
         spoiled(draw, shaft)
     return shaft

@@ -20,10 +20,23 @@ def section(start, end, R, **more):
 
 SECTOR = {"core_radius_mm": 15.0, "half_angle_deg": 90.0}
 SECTIONS = [
-    section(-181.25, -153.75, 29.75), section(-153.75, -152.0, 15.0), section(-152.0, -1.0, 40.3, angle_deg=210.0, **SECTOR),
-    section(-1.0, 1.0, 15.0), section(1.0, 152.0, 40.3, angle_deg=30.0, **SECTOR), section(152.0, 154.25, 15.0), section(154.25, 180.75, 40.5),
-]  # fmt: skip
-SAME = ("mass", "centre_of_gravity", "slope_front", "slope_rear", "slope_front_stiff", "first_critical_speed", "bending_stress")
+    section(-181.25, -153.75, 29.75),
+    section(-153.75, -152.0, 15.0),
+    section(-152.0, -1.0, 40.3, angle_deg=210.0, **SECTOR),
+    section(-1.0, 1.0, 15.0),
+    section(1.0, 152.0, 40.3, angle_deg=30.0, **SECTOR),
+    section(152.0, 154.25, 15.0),
+    section(154.25, 180.75, 40.5),
+]
+SAME = (
+    "mass",
+    "centre_of_gravity",
+    "slope_front",
+    "slope_rear",
+    "slope_front_stiff",
+    "first_critical_speed",
+    "bending_stress",
+)
 
 
 def value(made, name):
@@ -32,7 +45,8 @@ def value(made, name):
 
 @pytest.mark.parametrize("share", [1.0, 0.2])
 def test_masses_and_the_sections_that_they_stand_for_are_one_shaft(share):
-    """Half-annuli of R 40.3 on a core of 15, from 1 to 152 mm: 2.608345 kg at 18.830668 mm (by hand from the section)."""
+    """Half-annuli of R 40.3 on a core of 15, from 1 to 152 mm: 2.608345 kg at 18.830668 mm (by hand from the
+    section)."""
     given = result(masses=HALVES, sections=SECTIONS, sector_effectiveness=share)
     derived = result(masses=HALVES, journals=JOURNALS, sector_effectiveness=share, **CORE)
     assert derived.outline.derived and not given.outline.derived
@@ -48,21 +62,38 @@ def test_the_order_of_the_sections_in_the_file_does_not_matter():
     assert forward.slope_rear == backward.slope_rear and forward.mass == backward.mass
 
 
-@pytest.mark.parametrize("shaft, words", [
-    ({"journals": JOURNALS, "outer_radius_mm": 40.5}, "core_radius_mm"),
-    ({**CORE}, "[bearings] or [[countershaft.journals]]"),
-    ({}, "outer_radius_mm and [bearings]"),
-    ({**CORE, "core_radius_mm": 0.0, "journals": JOURNALS, "masses": HALVES}, "too thin"),
-    ({**CORE, "journals": JOURNALS, "masses": [{**FRONT, "mass_kg": 4.0}, REAR]}, "crosses"),
-    ({**CORE, "journals": JOURNALS, "masses": [{**FRONT, "radius_mm": 40.0}, REAR]}, "mass front: no sector from 15 to 40.3 mm"),
-    ({**CORE, "journals": JOURNALS, "masses": [{**FRONT, "z_mm": 0.0}, REAR]}, "crosses"),
-    ({"core_radius_mm": 45.0, "journals": JOURNALS}, "not smaller than the outer radius"),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    "shaft, words",
+    [
+        ({"journals": JOURNALS, "outer_radius_mm": 40.5}, "core_radius_mm"),
+        ({**CORE}, "[bearings] or [[countershaft.journals]]"),
+        ({}, "outer_radius_mm and [bearings]"),
+        ({**CORE, "core_radius_mm": 0.0, "journals": JOURNALS, "masses": HALVES}, "too thin"),
+        ({**CORE, "journals": JOURNALS, "masses": [{**FRONT, "mass_kg": 4.0}, REAR]}, "crosses"),
+        (
+            {**CORE, "journals": JOURNALS, "masses": [{**FRONT, "radius_mm": 40.0}, REAR]},
+            "mass front: no sector from 15 to 40.3 mm",
+        ),
+        ({**CORE, "journals": JOURNALS, "masses": [{**FRONT, "z_mm": 0.0}, REAR]}, "crosses"),
+        ({"core_radius_mm": 45.0, "journals": JOURNALS}, "not smaller than the outer radius"),
+    ],
+)
 def test_where_it_can_not_be_drawn_a_note_says_why_and_the_rest_is_solved(shaft, words):
     scatter = {"mass_g": 10.0, "radius_mm": 0.05, "angle_deg": 0.1, "z_mm": 0.1}
-    bolts = {"thread": "M10", "torque_Nm": 45.0, "friction": 0.12, "head_diameter_mm": 15.0, "hole_diameter_mm": 11.0, "count": 4}
+    bolts = {
+        "thread": "M10",
+        "torque_Nm": 45.0,
+        "friction": 0.12,
+        "head_diameter_mm": 15.0,
+        "hole_diameter_mm": 11.0,
+        "count": 4,
+    }
     made = outcome(**shaft, scatter=scatter, bolts=bolts)
-    (note,) = [note for note in made.notes if note.startswith("Mass, balance tolerance, bending and critical speed are not computed")]
+    (note,) = [
+        note
+        for note in made.notes
+        if note.startswith("Mass, balance tolerance, bending and critical speed are not computed")
+    ]
     assert words in note
     assert any(note.startswith("Scatter is not computed") for note in made.notes)
     r = made.result
@@ -99,7 +130,9 @@ def test_a_hairline_is_no_shaft():
     piece = Piece(0.0, 0.1, 0.05, 0.0, None, 0.0, "full")
     with pytest.raises(NoOutline, match="too thin"):
         outline((piece, Piece(0.1, 0.2, 0.00009, 0.0, None, 0.0, "core")), True)
-    assert outline((piece, Piece(0.1, 0.2, 0.00011, 0.0, None, 0.0, "core")), True).area[1] == pytest.approx(math.pi * 0.00011**2)
+    assert outline((piece, Piece(0.1, 0.2, 0.00011, 0.0, None, 0.0, "core")), True).area[1] == pytest.approx(
+        math.pi * 0.00011**2
+    )
 
 
 def test_the_gear_stands_where_it_is_put_or_against_the_front_journal(gamma):

@@ -59,7 +59,9 @@ def test_shafts_of_every_kind(name):
 
 
 def test_a_sector_stands_at_its_angle(gamma_results):
-    piece = next(piece for piece in gamma_results.outcomes["countershaft"].result.outline.pieces if piece.half_angle is not None)
+    piece = next(
+        piece for piece in gamma_results.outcomes["countershaft"].result.outline.pieces if piece.half_angle is not None
+    )
     points = sector_outline(piece)
     x, y = points[(len(points) // 2 - 1) // 2]
     assert math.hypot(x, y) == pytest.approx(piece.outer_radius)

@@ -6,10 +6,18 @@ from calc.library.catalogue import materials
 
 # E in GPa, Rm and Rp0.2 in MPa; the source gives no Rp0.2 of the grey iron
 TABLE = {
-    "DI-400": (160, 440, 305), "DI-600": (165, 722, 426), "DI-700": (161, 805, 487), "IDI PD 06": (170, 855, 592), "IDI": (170, 758, 455),
-    "ADI 800": (170, 858, 551), "ADI 1050": (163, 1110, 794), "ADI 1200": (148, 1330, 1046), "42CrMo4": (210, 1026, 882),
-    "EN-GJL-250": (110, 250, None), "EN AC-43100": (74.5, 220, 180),
-}  # fmt: skip
+    "DI-400": (160, 440, 305),
+    "DI-600": (165, 722, 426),
+    "DI-700": (161, 805, 487),
+    "IDI PD 06": (170, 855, 592),
+    "IDI": (170, 758, 455),
+    "ADI 800": (170, 858, 551),
+    "ADI 1050": (163, 1110, 794),
+    "ADI 1200": (148, 1330, 1046),
+    "42CrMo4": (210, 1026, 882),
+    "EN-GJL-250": (110, 250, None),
+    "EN AC-43100": (74.5, 220, 180),
+}
 
 
 @pytest.mark.parametrize("name", TABLE)
@@ -21,7 +29,9 @@ def test_stiffness_and_strength(name):
 
 
 def test_no_other_strength_is_stated():
-    assert {n for n, m in materials().items() if m.proof_stress is not None or m.tensile_strength is not None} == set(TABLE)
+    assert {n for n, m in materials().items() if m.proof_stress is not None or m.tensile_strength is not None} == set(
+        TABLE
+    )
 
 
 @pytest.mark.parametrize("name", materials())

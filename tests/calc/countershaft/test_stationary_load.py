@@ -10,7 +10,13 @@ from calc.solve import solve
 from tests.calc.countershaft.shafts import JOURNALS, result
 
 FRONT, REAR = -0.1675, 0.1675
-GEAR = Gear(diameter=0.054, tip_diameter=0.0587, face_width=0.015, normal_pressure_angle=math.radians(20), helix_angle=math.radians(21.916))
+GEAR = Gear(
+    diameter=0.054,
+    tip_diameter=0.0587,
+    face_width=0.015,
+    normal_pressure_angle=math.radians(20),
+    helix_angle=math.radians(21.916),
+)
 DRIVE = ShaftDrive(power=1400.0, speed=2600 / 60)
 
 
@@ -19,7 +25,8 @@ def stands(weight=None, gear=GEAR, z_G=-0.18875, drive=DRIVE, reactions=(1710.0,
 
 
 def test_tooth_force_by_hand():
-    """1.4 kW at 2600 rpm: T = 5.1419 N·m, F_t = 2·T/54 mm = 190.44 N, F_r = F_t·tan 20°/cos 21.916°, F_a = F_t·tan 21.916°."""
+    """1.4 kW at 2600 rpm: T = 5.1419 N·m, F_t = 2·T/54 mm = 190.44 N, F_r = F_t·tan 20°/cos 21.916°, F_a = F_t·tan
+    21.916°."""
     r = stands()
     assert r.gear_torque == pytest.approx(5.1419, abs=5e-5)
     assert r.gear_force_tangential == pytest.approx(190.44, abs=5e-3)
@@ -54,7 +61,9 @@ def test_thrust_only_adds():
 def test_the_largest_load_is_the_sum():
     r = stands(weight=(80.0, 45.0, 35.0), reactions=(1706.0, 1713.0))
     bare = stands()
-    assert r.stationary_front == pytest.approx(45 + bare.stationary_front) and r.stationary_rear == pytest.approx(35 + bare.stationary_rear)
+    assert r.stationary_front == pytest.approx(45 + bare.stationary_front) and r.stationary_rear == pytest.approx(
+        35 + bare.stationary_rear
+    )
     assert r.reaction_front_peak == pytest.approx(1706 + r.stationary_front)
     assert r.reaction_rear_peak == pytest.approx(1713 + r.stationary_rear)
 
@@ -70,7 +79,9 @@ def test_nothing_is_known_without_weight_and_drive():
 def test_the_weight_is_shared_by_the_lever():
     made = result(core_radius_mm=15.0, journals=JOURNALS)  # no gear here
     assert made.standing is not None and made.standing.gear_torque is None
-    assert made.standing.weight_rear / made.standing.weight == pytest.approx((made.centre_of_gravity - FRONT) / 0.335, rel=1e-12)
+    assert made.standing.weight_rear / made.standing.weight == pytest.approx(
+        (made.centre_of_gravity - FRONT) / 0.335, rel=1e-12
+    )
 
 
 def test_in_the_design(gamma):

@@ -1,4 +1,5 @@
-"""The step as a whole: shafts given and sized, further elements, twin shafts, speeds, supports, and what is handed on."""
+"""The step as a whole: shafts given and sized, further elements, twin shafts, speeds, supports, and what is handed
+on."""
 
 import cmath
 import math
@@ -17,7 +18,8 @@ def turned(mass, angle):
     return {**mass, "angle_deg": angle}
 
 
-# --- given and sized -----------------------------------------------------------------------------------------------------------
+# --- given and sized
+# -----------------------------------------------------------------------------------------------------------
 def test_the_mode_says_whether_the_masses_or_the_envelope_count():
     given = result(**ENVELOPE)
     sized = outcome(**SIZE)
@@ -31,7 +33,13 @@ def test_the_mode_says_whether_the_masses_or_the_envelope_count():
 def test_a_sized_shaft_given_back_as_masses_is_the_same_shaft():
     sized = result(**SIZE)
     masses = [
-        {"name": name, "mass_kg": one.mass, "radius_mm": 1e3 * one.radius, "angle_deg": math.degrees(one.angle), "z_mm": 1e3 * one.z}
+        {
+            "name": name,
+            "mass_kg": one.mass,
+            "radius_mm": 1e3 * one.radius,
+            "angle_deg": math.degrees(one.angle),
+            "z_mm": 1e3 * one.z,
+        }
         for name, one in sized.sector.items()
     ]
     given = result(masses=masses, **ENVELOPE, journals=JOURNALS)
@@ -58,7 +66,8 @@ def test_an_envelope_too_small_is_said_with_what_it_holds():
     assert made.state == "no_solution" and "552.8 N·m at most" in made.reason and "outer radius of" in made.reason
 
 
-# --- further elements ------------------------------------------------------------------------------------------------------------
+# --- further elements
+# ------------------------------------------------------------------------------------------------------------
 U = 577.685  # g·mm, of the hole and of the metal ahead of the gear
 EXTRAS = [
     {"name": "hole", "mass_kg": -U / 24e3, "radius_mm": 24.0, "angle_deg": 210.0, "z_mm": 167.5},
@@ -85,9 +94,11 @@ def test_sizing_takes_further_elements_into_account():
     assert abs(own) == pytest.approx(bare.couple - OMEGA**2 * U * 369.75e-9, rel=1e-9)
 
 
-# --- speed and twin ---------------------------------------------------------------------------------------------------------------
+# --- speed and twin
+# ---------------------------------------------------------------------------------------------------------------
 def test_a_twin_shaft_takes_what_turns_the_other_way():
-    """Nothing on the crank: vectors of 572.93 N·m turn in both senses; a shaft takes one of them, a mirrored pair both."""
+    """Nothing on the crank: vectors of 572.93 N·m turn in both senses; a shaft takes one of them, a mirrored pair
+    both."""
     crank = {"crank_balance_fraction": 0.0}
     alone, pair = result(None, crank), result(None, crank, pair="yes")
     assert alone.residual_order_1_couple == pytest.approx(572.932 + 0.0105, abs=1e-3)
@@ -111,7 +122,9 @@ def test_the_pair_of_the_source_takes_four_times_its_force_off_the_second_order(
     engine = result("r754ie4_balance_shafts", pair="no").residual_order_2_force + 4268.13
     assert engine == pytest.approx(10617.73, abs=0.05)
     assert result("r754ie4_balance_shafts").residual_order_2_force == pytest.approx(engine - 4 * 2134.0647, abs=0.05)
-    assert result("r754ie4_balance_shafts", speed_ratio=-2).residual_order_2_force == pytest.approx(engine - 4 * 2134.0647, abs=0.05)
+    assert result("r754ie4_balance_shafts", speed_ratio=-2).residual_order_2_force == pytest.approx(
+        engine - 4 * 2134.0647, abs=0.05
+    )
 
 
 def test_a_shaft_with_a_force_beside_the_crank_raises_a_roll_torque_that_a_twin_takes():
@@ -121,10 +134,13 @@ def test_a_shaft_with_a_force_beside_the_crank_raises_a_roll_torque_that_a_twin_
     assert result("r754ie4_balance_shafts", axis_mm=[0.0, 95.0]).roll_torque is None
 
 
-# --- supports ----------------------------------------------------------------------------------------------------------------------
+# --- supports
+# ----------------------------------------------------------------------------------------------------------------------
 def test_two_supports_carry_the_reactions_of_the_lever():
     made = result(journals=JOURNALS)
-    assert [s.reaction for s in made.support.values()] == pytest.approx([made.reaction_front, made.reaction_rear], rel=1e-12)
+    assert [s.reaction for s in made.support.values()] == pytest.approx(
+        [made.reaction_front, made.reaction_rear], rel=1e-12
+    )
     front = made.support["1"]
     assert front.specific_load == pytest.approx(made.reaction_front / (59.5e-3 * 27.5e-3))
     assert front.heat_index == pytest.approx(made.reaction_front * 2600 / 60 / 27.5e-3)
@@ -134,7 +150,9 @@ def test_a_third_support_in_the_middle_of_an_antisymmetric_shaft_carries_nothing
     masses = [{**FRONT, "z_mm": -76.0}, {**turned(FRONT, 30.0), "name": "rear", "z_mm": 76.0}]
     two, three = result(masses=masses), result(masses=masses, bearing_positions_mm=[-167.5, 0.0, 167.5])
     assert two.support == {}  # of two bearings the reactions of front and rear say it
-    assert [s.reaction for s in three.support.values()] == pytest.approx([two.couple / 0.335, 0, two.couple / 0.335], rel=1e-9, abs=1e-6)
+    assert [s.reaction for s in three.support.values()] == pytest.approx(
+        [two.couple / 0.335, 0, two.couple / 0.335], rel=1e-9, abs=1e-6
+    )
 
 
 def test_supports_in_line_with_a_force_carry_it_together():
@@ -143,7 +161,8 @@ def test_supports_in_line_with_a_force_carry_it_together():
     assert made.standing is None  # weight and gear force are given for two bearings alone
 
 
-# --- pictures -----------------------------------------------------------------------------------------------------------------------
+# --- pictures
+# -----------------------------------------------------------------------------------------------------------------------
 def test_what_is_left_grows_with_the_square_of_the_speed():
     made = outcome(masses=[{**FRONT, "mass_kg": 3.0}, REAR])
     curves = {curve.id: curve for curve in made.curves}
@@ -174,9 +193,11 @@ def test_the_locus_of_what_is_left_runs_with_the_crank(name, order):
     assert path == pytest.approx(like * np.exp(-1j * theta) + against * np.exp(1j * theta), abs=1e-6 * abs(path).max())
 
 
-# --- handed on ------------------------------------------------------------------------------------------------------------------------
+# --- handed on
+# ------------------------------------------------------------------------------------------------------------------------
 def test_bearings_take_the_computed_slope_unless_one_is_given(gamma):
-    """Finotti 2013, ch. 6: slopes of 0.15625 and 0.11501 mrad, given in the design; the film at the edge is lower by slope times l/2."""
+    """Finotti 2013, ch. 6: slopes of 0.15625 and 0.11501 mrad, given in the design; the film at the edge is lower by
+    slope times l/2."""
     free = gamma.with_value("bearings.slope_mrad", None)
     given, computed = solve(design(gamma)), solve(design(free))
     for results, slopes in ((given, (0.15625e-3, 0.11501e-3)), (computed, None)):
@@ -184,7 +205,11 @@ def test_bearings_take_the_computed_slope_unless_one_is_given(gamma):
         slopes = slopes or (shaft.slope_front, shaft.slope_rear)
         for bearing, slope, length in zip((films["front"], films["rear"]), slopes, (27.5e-3, 26.5e-3)):
             assert bearing.film - bearing.film_edge == pytest.approx(slope * length / 2, rel=1e-6)
-    assert given.outcomes["countershaft"].result.slope_front == computed.outcomes["countershaft"].result.slope_front != 0.15625e-3
+    assert (
+        given.outcomes["countershaft"].result.slope_front
+        == computed.outcomes["countershaft"].result.slope_front
+        != 0.15625e-3
+    )
 
 
 def test_the_step_is_taken_over_when_nothing_that_it_needs_has_changed(gamma):
@@ -192,7 +217,11 @@ def test_the_step_is_taken_over_when_nothing_that_it_needs_has_changed(gamma):
     name = "countershaft.solve"
     same = solve(design(gamma.with_value("friction.flank_roughness_um", 0.5)), before)
     assert same.parts[name][1] is before.parts[name][1]
-    for key, value in (("countershaft.masses.front.mass_kg", 2.7), ("bearings.front.length_mm", 30.0), ("engine.rated_speed_rpm", 2500.0)):
+    for key, value in (
+        ("countershaft.masses.front.mass_kg", 2.7),
+        ("bearings.front.length_mm", 30.0),
+        ("engine.rated_speed_rpm", 2500.0),
+    ):
         assert solve(design(gamma.with_value(key, value)), before).parts[name][1] is not before.parts[name][1], key
     fresh = solve(design(gamma.with_value("bearings.front.length_mm", 30.0))).values()
     again = solve(design(gamma.with_value("bearings.front.length_mm", 30.0)), before).values()
@@ -201,9 +230,19 @@ def test_the_step_is_taken_over_when_nothing_that_it_needs_has_changed(gamma):
 
 def test_every_published_value_is_a_plain_number():
     made = solve(
-        design(document(**SIZE, extras=EXTRAS, scatter={"mass_g": 10, "radius_mm": 0.05, "angle_deg": 0.1, "z_mm": 0.1, "shafts": 200}))
+        design(
+            document(
+                **SIZE,
+                extras=EXTRAS,
+                scatter={"mass_g": 10, "radius_mm": 0.05, "angle_deg": 0.1, "z_mm": 0.1, "shafts": 200},
+            )
+        )
     )
     values = {v.id: v.shown for v in made.outcomes["countershaft"].values()}
     assert all(isinstance(x, float) and math.isfinite(x) for x in values.values())
-    assert {"countershaft.sector.front.mass", "countershaft.scatter.couple_error", "countershaft.support.1.slope"} <= set(values)
+    assert {
+        "countershaft.sector.front.mass",
+        "countershaft.scatter.couple_error",
+        "countershaft.support.1.slope",
+    } <= set(values)
     assert verdicts(made.outcomes["countershaft"])["envelope"] == "fail"  # 43 mm do not go through a seat of 40.5

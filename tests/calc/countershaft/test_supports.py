@@ -1,4 +1,5 @@
-"""Shafts on several supports: Clapeyron's equation against the source's example, textbook cases and the finite-element beam."""
+"""Shafts on several supports: Clapeyron's equation against the source's example, textbook cases and the finite-element
+beam."""
 
 import math
 
@@ -17,7 +18,8 @@ R754 = (0.0, 112 * mm, 224 * mm)
 
 
 def test_the_second_order_shaft_of_the_source():
-    """Finotti 2013, 3.2.3.1 (R754IE4): 2134 N at 58 mm from the middle support, both sides, spans 112 mm: M2 = −44224.02 N·mm."""
+    """Finotti 2013, 3.2.3.1 (R754IE4): 2134 N at 58 mm from the middle support, both sides, spans 112 mm: M2 =
+    −44224.02 N·mm."""
     P, l1, l2 = 2134.0, 112 * mm, 58 * mm
     F, z = [P, P], [l1 - l2, l1 + l2]
     M = support_moments(F=F, z=z, z_s=R754)
@@ -41,7 +43,8 @@ def test_two_supports_by_the_lever():
 
 
 def test_three_equal_spans_under_a_force_in_the_middle():
-    """P at the middle of the second of three equal spans: M = −3·P·L/40 over both inner supports (symmetric: 5·M·L = −3/8·P·L²)."""
+    """P at the middle of the second of three equal spans: M = −3·P·L/40 over both inner supports (symmetric: 5·M·L =
+    −3/8·P·L²)."""
     M = support_moments(F=[1000.0], z=[1.5], z_s=(0.0, 1.0, 2.0, 3.0))
     assert M[1:3] == pytest.approx([-1000 * 3 / 40] * 2, rel=1e-12)
 
@@ -53,7 +56,8 @@ def test_a_load_over_a_support_goes_straight_into_it():
 
 
 def test_an_overhang():
-    """The moment at the end support is −P·a; a third of the way on it lifts: carried over as −½ to a support far beyond (two spans)."""
+    """The moment at the end support is −P·a; a third of the way on it lifts: carried over as −½ to a support far beyond
+    (two spans)."""
     M = support_moments(F=[100.0], z=[-0.2], z_s=(0.0, 1.0, 2.0))
     assert M == pytest.approx([-20, 5, 0], abs=1e-12)  # 2·M1·(1 + 1) = −M0·1
 
@@ -65,7 +69,9 @@ def test_wrong_supports_are_said():
 
 
 spans = st.lists(st.floats(0.05, 1.0), min_size=1, max_size=6)
-loads = st.lists(st.tuples(st.floats(-1000, 1000), st.floats(-1000, 1000), st.floats(-0.3, 1.3)), min_size=1, max_size=6)
+loads = st.lists(
+    st.tuples(st.floats(-1000, 1000), st.floats(-1000, 1000), st.floats(-0.3, 1.3)), min_size=1, max_size=6
+)
 
 
 def arranged(spans, loads):

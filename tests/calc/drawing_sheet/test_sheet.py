@@ -8,7 +8,21 @@ import pytest
 
 from calc.design.toml_file import Document, design, read
 from calc.draw.annotations import corners
-from calc.draw.drawing import CENTRE, DIMENSION, FRAME, LAYERS, TABLE, TEXT, VISIBLE, Area, Dimension, Hatch, Polyline, Words, hatch_lines
+from calc.draw.drawing import (
+    CENTRE,
+    DIMENSION,
+    FRAME,
+    LAYERS,
+    TABLE,
+    TEXT,
+    VISIBLE,
+    Area,
+    Dimension,
+    Hatch,
+    Polyline,
+    Words,
+    hatch_lines,
+)
 from calc.draw.lettering import room, strokes, written
 from calc.draw.workshop import shaft_sheet
 from calc.draw.workshop_sheet import BLOCK_LEFT, BLOCK_TOP, LEFT, LOW, RIGHT, TOP
@@ -19,10 +33,31 @@ from tests.conftest import DESIGNS, GAMMA
 MM = 1e-3
 SECTIONS = [
     {"from_mm": -190.0, "to_mm": -150.0, "outer_radius_mm": 12.0},
-    {"from_mm": -150.0, "to_mm": -20.0, "outer_radius_mm": 40.0, "core_radius_mm": 14.0, "half_angle_deg": 60.0, "angle_deg": 210.0},
+    {
+        "from_mm": -150.0,
+        "to_mm": -20.0,
+        "outer_radius_mm": 40.0,
+        "core_radius_mm": 14.0,
+        "half_angle_deg": 60.0,
+        "angle_deg": 210.0,
+    },
     {"from_mm": -20.0, "to_mm": 25.0, "outer_radius_mm": 14.0},
-    {"from_mm": 25.0, "to_mm": 60.0, "outer_radius_mm": 40.0, "core_radius_mm": 14.0, "half_angle_deg": 180.0, "angle_deg": 120.0},
-    {"from_mm": 60.0, "to_mm": 150.0, "outer_radius_mm": 40.0, "core_radius_mm": 14.0, "half_angle_deg": 140.0, "angle_deg": 300.0},
+    {
+        "from_mm": 25.0,
+        "to_mm": 60.0,
+        "outer_radius_mm": 40.0,
+        "core_radius_mm": 14.0,
+        "half_angle_deg": 180.0,
+        "angle_deg": 120.0,
+    },
+    {
+        "from_mm": 60.0,
+        "to_mm": 150.0,
+        "outer_radius_mm": 40.0,
+        "core_radius_mm": 14.0,
+        "half_angle_deg": 140.0,
+        "angle_deg": 300.0,
+    },
     {"from_mm": 150.0, "to_mm": 195.5, "outer_radius_mm": 12.0},
 ]
 
@@ -40,11 +75,15 @@ def with_sections():
 
 
 CASES = {
-    "gamma": lambda: variant("r753ie4_gamma", journal_fit="h6"), "sized": lambda: variant("r753ie4_sized"), "sections": with_sections,
-}  # fmt: skip
+    "gamma": lambda: variant("r753ie4_gamma", journal_fit="h6"),
+    "sized": lambda: variant("r753ie4_sized"),
+    "sections": with_sections,
+}
 
 
-@pytest.fixture(scope="module", params=[(case, lang) for case in CASES for lang in ("en", "it")], ids=lambda p: f"{p[0]}-{p[1]}")
+@pytest.fixture(
+    scope="module", params=[(case, lang) for case in CASES for lang in ("en", "it")], ids=lambda p: f"{p[0]}-{p[1]}"
+)
 def drawn(request):
     case, lang = request.param
     data = CASES[case]()
@@ -71,7 +110,8 @@ def overlap(a, b):
     return a[0] < b[2] and b[0] < a[2] and a[1] < b[3] and b[1] < a[3]
 
 
-# --- where it stands ------------------------------------------------------------------------------------------------------
+# --- where it stands
+# ------------------------------------------------------------------------------------------------------
 def test_nothing_leaves_the_frame_but_its_grid(drawn):
     for mark in drawn[1].marks:
         if mark.layer not in (FRAME, TABLE):
@@ -88,7 +128,9 @@ def test_no_two_texts_overlap(drawn):
 def test_no_line_of_a_dimension_goes_through_a_number(drawn):
     """Nor does a contour or an axis; a line under a number is its own."""
     numbers = [(cut(room(words), 0.25 * MM), words.text) for words in letters(drawn[1]) if words.layer == DIMENSION]
-    marks = [stroke for mark in drawn[1].marks for stroke in (strokes(mark) if isinstance(mark, Dimension) else (mark,))]
+    marks = [
+        stroke for mark in drawn[1].marks for stroke in (strokes(mark) if isinstance(mark, Dimension) else (mark,))
+    ]
     for mark in marks:
         if isinstance(mark, Polyline) and mark.layer in (DIMENSION, VISIBLE, CENTRE):
             points = (*mark.points, mark.points[0]) if mark.closed else mark.points
@@ -135,7 +177,8 @@ def test_letters_are_large_enough_to_be_read(drawn):
     assert {mark.layer for mark in drawn[1].marks} <= set(LAYERS)
 
 
-# --- what it says ---------------------------------------------------------------------------------------------------------
+# --- what it says
+# ---------------------------------------------------------------------------------------------------------
 def test_dimensions_are_those_of_the_design(drawn):
     results, sheet = drawn
     lengths = [mark for mark in sheet.marks if isinstance(mark, Dimension)]
@@ -145,7 +188,9 @@ def test_dimensions_are_those_of_the_design(drawn):
     shaft = results.design.countershaft
     whole = max(abs(mark.end[0] - mark.start[0]) for mark in lengths) / sheet.scale
     span = shaft.bearing_positions[-1] - shaft.bearing_positions[0]
-    assert any(abs(mark.end[0] - mark.start[0]) / sheet.scale == pytest.approx(span) for mark in lengths) and whole > span
+    assert (
+        any(abs(mark.end[0] - mark.start[0]) / sheet.scale == pytest.approx(span) for mark in lengths) and whole > span
+    )
 
 
 def test_the_final_design_is_rounded_as_a_drawing_is(sheet):
@@ -169,14 +214,22 @@ def test_the_final_design_is_rounded_as_a_drawing_is(sheet):
         "9.03 kg",
     ):
         assert text in said, text
-    assert said.count("A") >= 2 and said.count("B") >= 2 and "I" in said and "II" in said  # ends of cutting planes; planes of balancing
+    assert (
+        said.count("A") >= 2 and said.count("B") >= 2 and "I" in said and "II" in said
+    )  # ends of cutting planes; planes of balancing
 
 
 def test_the_tables_give_teeth_balancing_and_masses(sheet, gamma_results):
     said = [words.text for words in letters(sheet) if words.layer == TEXT]
     values = gamma_results.values()
-    assert "21.551 (−0.02/−0.03)" in said and "68.698 ±0.055" in said and "idler, 39" in said and "21.916°, left" in said
-    assert f"{values['countershaft.residual_unbalance_permitted'].shown:.0f} g·mm" in said and "G6.3" in said and "2600 rpm" in said
+    assert (
+        "21.551 (−0.02/−0.03)" in said and "68.698 ±0.055" in said and "idler, 39" in said and "21.916°, left" in said
+    )
+    assert (
+        f"{values['countershaft.residual_unbalance_permitted'].shown:.0f} g·mm" in said
+        and "G6.3" in said
+        and "2600 rpm" in said
+    )
     assert "2.691" in said and "210°" in said and "−77.67" in said
 
 
@@ -192,7 +245,9 @@ def test_a_given_cylinder_in_a_bearing_has_its_fit_and_its_roughness_too():
     data = variant("r753ie4_gamma", journal_fit="f7")
     data["countershaft"]["sections"] = SECTIONS
     said = [words.text for words in letters(shaft_sheet(solve(design(Document(data)))))]
-    assert said.count("⌀24 f7 (−0.02/−0.041)") == 2 and said.count("Ra 0.6") == 2 and "⌀28" in said  # ISO 286-2: f7 from 18 to 30 mm
+    assert (
+        said.count("⌀24 f7 (−0.02/−0.041)") == 2 and said.count("Ra 0.6") == 2 and "⌀28" in said
+    )  # ISO 286-2: f7 from 18 to 30 mm
 
 
 def test_the_clearance_of_the_journals_is_noted(sheet, gamma_results):
@@ -218,7 +273,13 @@ def test_the_title_block_says_what_the_document_says():
     document = read(DESIGNS / "r753ie4_sized.toml")
     sheet = shaft_sheet(solve(design(document)), data=document.data)
     said = [words.text for words in letters(sheet)]
-    for text in ("R753IE4 counter-shaft, sized", "R753IE4-S", "Counter-shaft of the R753IE4", "The Contralbero founders", "G16"):
+    for text in (
+        "R753IE4 counter-shaft, sized",
+        "R753IE4-S",
+        "Counter-shaft of the R753IE4",
+        "The Contralbero founders",
+        "G16",
+    ):
         assert text in said
     assert "grade of balancing" not in " ".join(said)
 

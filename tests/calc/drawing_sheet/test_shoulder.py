@@ -12,7 +12,15 @@ R, CORE = 0.043, 0.018
 
 
 def turned(radius, half=None, angle=0.0):
-    piece = Piece(0.0, 0.1, radius, CORE if half else 0.0, half and math.radians(half), math.radians(angle), "sector" if half else "core")
+    piece = Piece(
+        0.0,
+        0.1,
+        radius,
+        CORE if half else 0.0,
+        half and math.radians(half),
+        math.radians(angle),
+        "sector" if half else "core",
+    )
     return TurnedPiece(piece=piece, start=0.0, end=0.1, radius=radius)
 
 
@@ -27,7 +35,9 @@ def test_a_core_goes_on_into_that_of_a_sector(half):
     ((low, high),) = shoulders(turned(CORE), turned(R, half), 0.0)
     assert (low, high) == pytest.approx((min(CORE * math.cos(math.radians(half)), R * math.cos(math.radians(half))), R))
     ((low, high),) = shoulders(turned(R, half, 180.0), turned(CORE), 0.0)
-    assert (low, high) == pytest.approx((-R, max(-CORE * math.cos(math.radians(half)), -R * math.cos(math.radians(half)))))
+    assert (low, high) == pytest.approx(
+        (-R, max(-CORE * math.cos(math.radians(half)), -R * math.cos(math.radians(half))))
+    )
 
 
 def test_a_sector_on_the_far_side_hides_behind_the_core_as_far_as_that_reaches():

@@ -52,7 +52,8 @@ def test_largest_speed_of_the_piston():
 
 
 def test_where_the_piston_is_fastest():
-    """Two terms: cos α + λ cos 2α = 0 (Finotti 2013, 2.1), 73.88° at λ = 0.3282; exact: half a degree before, where the way turns over."""
+    """Two terms: cos α + λ cos 2α = 0 (Finotti 2013, 2.1), 73.88° at λ = 0.3282; exact: half a degree before, where the
+    way turns over."""
     e = result()
     lam = e.lambda_
     terms = math.degrees(math.acos((math.sqrt(1 + 8 * lam**2) - 1) / (4 * lam)))
@@ -78,7 +79,8 @@ def test_way_speed_and_acceleration_are_each_other_s_slopes(offset):
 
 
 def test_forces_of_one_cylinder():
-    """Finotti 2013, 2.2.3: M_alt·ω²·r of first order, λ of it at twice the frequency; their sum is M_alt·a but for the higher orders."""
+    """Finotti 2013, 2.2.3: M_alt·ω²·r of first order, λ of it at twice the frequency; their sum is M_alt·a but for the
+    higher orders."""
     outcome = solve(EngineInputs(**R753))
     e = outcome.result
     first, second, whole = next(curve for curve in outcome.curves if curve.id == "cylinder_forces").series
@@ -127,10 +129,17 @@ def test_the_usual_firing_order_is_chosen_and_said():
     assert "1-3-2" in c.chosen[0]
 
 
-@pytest.mark.parametrize("changes, key", [
-    ({"firing_order": (1, 2, 2)}, "firing_order"), ({"firing_order": (1, 2)}, "firing_order"), ({"strokes": 3}, "strokes"),
-    ({"rod_length": 0.05}, "rod_length_mm"), ({"rod_cg_to_big_end": 0.2}, "rod_cg_to_big_end_mm"), ({"layout": "vee"}, "bank_angle_deg"),
-    ({"cylinders": 13, "firing_order": None}, "cylinders"),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    "changes, key",
+    [
+        ({"firing_order": (1, 2, 2)}, "firing_order"),
+        ({"firing_order": (1, 2)}, "firing_order"),
+        ({"strokes": 3}, "strokes"),
+        ({"rod_length": 0.05}, "rod_length_mm"),
+        ({"rod_cg_to_big_end": 0.2}, "rod_cg_to_big_end_mm"),
+        ({"layout": "vee"}, "bank_angle_deg"),
+        ({"cylinders": 13, "firing_order": None}, "cylinders"),
+    ],
+)
 def test_what_makes_no_sense_is_named(changes, key):
     assert key in [k for k, _ in EngineInputs(**{**R753, **changes}).problems()]

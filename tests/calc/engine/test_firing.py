@@ -26,19 +26,34 @@ def angles(*degrees):
     return tuple(map(math.radians, degrees))
 
 
-@pytest.mark.parametrize("changes, order, intervals", [
-    (dict(crank_angles=angles(0, 240, 120), firing_order=None), (1, 3, 2), (240, 240, 240)),
-    (dict(crank_angles=angles(0, 120, 240), firing_order=None), (1, 2, 3), (240, 240, 240)),
-    (dict(cylinders=1, firing_order=None), (1,), (720,)),
-    (dict(cylinders=2, firing_order=None), (1, 2), (360, 360)),
-    (dict(cylinders=2, firing_order=None, crank_angles=angles(0, 180)), (1, 2), (180, 540)),
-    (dict(cylinders=4, firing_order=None, crank_angles=angles(0, 180, 180, 0)), (1, 3, 4, 2), (180, 180, 180, 180)),
-    (dict(cylinders=6, firing_order=None, crank_angles=angles(0, 240, 120, 120, 240, 0)), (1, 5, 3, 6, 2, 4), (120,) * 6),
-    (dict(cylinders=3, strokes=2, firing_order=(1, 3, 2)), (1, 3, 2), (120, 120, 120)),
-    (dict(cylinders=4, firing_order=(1, 3, 2, 4), crank_angles=angles(0, 270, 90, 180)), (1, 3, 2, 4), (270, 180, 90, 180)),
-    (dict(layout="vee", cylinders=2, bank_angle=math.radians(45), firing_order=None, crank_angles=(0.0, 0.0)), (1, 2), (405, 315)),
-    (dict(layout="boxer", cylinders=2, firing_order=None, crank_angles=angles(0, 180)), (1, 2), (360, 360)),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    "changes, order, intervals",
+    [
+        (dict(crank_angles=angles(0, 240, 120), firing_order=None), (1, 3, 2), (240, 240, 240)),
+        (dict(crank_angles=angles(0, 120, 240), firing_order=None), (1, 2, 3), (240, 240, 240)),
+        (dict(cylinders=1, firing_order=None), (1,), (720,)),
+        (dict(cylinders=2, firing_order=None), (1, 2), (360, 360)),
+        (dict(cylinders=2, firing_order=None, crank_angles=angles(0, 180)), (1, 2), (180, 540)),
+        (dict(cylinders=4, firing_order=None, crank_angles=angles(0, 180, 180, 0)), (1, 3, 4, 2), (180, 180, 180, 180)),
+        (
+            dict(cylinders=6, firing_order=None, crank_angles=angles(0, 240, 120, 120, 240, 0)),
+            (1, 5, 3, 6, 2, 4),
+            (120,) * 6,
+        ),
+        (dict(cylinders=3, strokes=2, firing_order=(1, 3, 2)), (1, 3, 2), (120, 120, 120)),
+        (
+            dict(cylinders=4, firing_order=(1, 3, 2, 4), crank_angles=angles(0, 270, 90, 180)),
+            (1, 3, 2, 4),
+            (270, 180, 90, 180),
+        ),
+        (
+            dict(layout="vee", cylinders=2, bank_angle=math.radians(45), firing_order=None, crank_angles=(0.0, 0.0)),
+            (1, 2),
+            (405, 315),
+        ),
+        (dict(layout="boxer", cylinders=2, firing_order=None, crank_angles=angles(0, 180)), (1, 2), (360, 360)),
+    ],
+)
 def test_a_crank_fires(changes, order, intervals):
     found = fired(**changes)
     assert found.order == order
@@ -47,7 +62,8 @@ def test_a_crank_fires(changes, order, intervals):
 
 @pytest.mark.parametrize("cylinders, strokes", [(3, 4), (5, 4), (6, 4), (4, 4), (3, 2), (5, 2), (7, 4)])
 def test_an_order_gives_a_crank_that_fires_in_it(cylinders, strokes):
-    """There and back: the crank of every order allows that order, evenly; four strokes on an even crank allow others as well."""
+    """There and back: the crank of every order allows that order, evenly; four strokes on an even crank allow others as
+    well."""
     from itertools import islice, permutations
 
     for rest in islice(permutations(range(2, cylinders + 1)), 60):
@@ -73,12 +89,16 @@ def test_dead_centres_that_rounding_parts_are_one(cylinder, off):
 
 def test_an_order_may_begin_anywhere():
     assert fired(firing_order=(3, 2, 1)).order == (1, 3, 2)
-    assert solved(firing_order=(3, 2, 1))[2].orders["order_1"].vectors == pytest.approx(solved()[2].orders["order_1"].vectors)
+    assert solved(firing_order=(3, 2, 1))[2].orders["order_1"].vectors == pytest.approx(
+        solved()[2].orders["order_1"].vectors
+    )
 
 
 def test_an_order_that_a_crank_can_not_fire_is_named():
     """The five's crank of 1-2-4-5-3 would need 1080° for the order turned round."""
-    inputs = EngineInputs(**{**R753, "cylinders": 5, "crank_angles": angles(0, -144, -576, -288, -432), "firing_order": (1, 3, 5, 4, 2)})
+    inputs = EngineInputs(
+        **{**R753, "cylinders": 5, "crank_angles": angles(0, -144, -576, -288, -432), "firing_order": (1, 3, 5, 4, 2)}
+    )
     ((key, reason),) = Design(schema=1, name="five", engine=inputs).problems()
     assert key == "engine.firing_order" and "1-2-4-5-3" in reason
 
@@ -89,7 +109,8 @@ def test_a_four_stroke_crank_may_fire_in_another_order_unevenly():
 
 
 @pytest.mark.parametrize(
-    "crank_angles, verdict", [(angles(0, 240, 120), "pass"), (angles(0, 230, 120), "note"), (angles(0, 239.5, 120), "pass")]
+    "crank_angles, verdict",
+    [(angles(0, 240, 120), "pass"), (angles(0, 230, 120), "note"), (angles(0, 239.5, 120), "pass")],
 )
 def test_uneven_firing_is_noted(crank_angles, verdict):
     outcome = engine.solve(EngineInputs(**{**R753, "crank_angles": crank_angles, "firing_order": None}))
@@ -132,13 +153,17 @@ def test_long_engines_find_a_crank_that_leaves_no_low_order(cylinders, left):
 
 
 V12 = dict(
-    layout="vee", cylinders=12, bank_angle=math.radians(60), firing_order=(1, 7, 5, 11, 3, 9, 6, 12, 2, 8, 4, 10),
+    layout="vee",
+    cylinders=12,
+    bank_angle=math.radians(60),
+    firing_order=(1, 7, 5, 11, 3, 9, 6, 12, 2, 8, 4, 10),
     bank_of_cylinder=(0,) * 6 + (1,) * 6,
-)  # fmt: skip
+)
 
 
 def test_a_vee_twelve_is_listed_on_common_pins():
-    """Every listed order has one pin for the two cylinders of a row; the maker's own is among those that leave least."""
+    """Every listed order has one pin for the two cylinders of a row; the maker's own is among those that leave
+    least."""
     inputs, e, _ = solved(**V12)
     found = firing_orders(ImbalanceInputs(), inputs, e)
     assert len({one.order for one in found}) == len(found)
@@ -149,20 +174,29 @@ def test_a_vee_twelve_is_listed_on_common_pins():
     )
 
 
-@pytest.mark.parametrize("changes", [
-    dict(layout="vee", cylinders=14, bank_angle=math.radians(60), firing_order=tuple(range(1, 15))),
-    dict(layout="vee", cylinders=12, bank_angle=math.radians(65), firing_order=tuple(range(1, 13))),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    "changes",
+    [
+        dict(layout="vee", cylinders=14, bank_angle=math.radians(60), firing_order=tuple(range(1, 15))),
+        dict(layout="vee", cylinders=12, bank_angle=math.radians(65), firing_order=tuple(range(1, 13))),
+    ],
+)
 def test_engines_that_can_not_be_listed_are_refused(changes):
     inputs, e, _ = solved(**changes)
     with pytest.raises(NoSolution, match="up to 9 cylinders"):
         firing_orders(ImbalanceInputs(), inputs, e)
 
 
-@pytest.mark.parametrize("changes, needed", [
-    (dict(layout="vee", cylinders=6, bank_angle=1.0), True), (dict(layout="boxer", cylinders=4), True), (dict(cylinders=13), True),
-    (dict(cylinders=12), False), (dict(layout="boxer", cylinders=2, crank_angles=angles(0, 180)), False),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    "changes, needed",
+    [
+        (dict(layout="vee", cylinders=6, bank_angle=1.0), True),
+        (dict(layout="boxer", cylinders=4), True),
+        (dict(cylinders=13), True),
+        (dict(cylinders=12), False),
+        (dict(layout="boxer", cylinders=2, crank_angles=angles(0, 180)), False),
+    ],
+)
 def test_where_no_usual_order_is_known_the_crank_is_asked_for(changes, needed):
     """Above twelve cylinders, and for banks."""
     found = dict(EngineInputs(**{**R753, "firing_order": None, **changes}).problems())
@@ -195,7 +229,9 @@ def test_orders_of_one_crank_stand_together(strokes, cylinders, cranks):
 
 
 def test_a_two_stroke_six_without_an_order_leaves_no_first_order():
-    assert solved(cylinders=6, strokes=2, firing_order=None)[2].orders["order_1"].couple_peak == pytest.approx(0, abs=1e-6)
+    assert solved(cylinders=6, strokes=2, firing_order=None)[2].orders["order_1"].couple_peak == pytest.approx(
+        0, abs=1e-6
+    )
 
 
 def test_crank_angles_are_counted_from_cylinder_1():
@@ -211,24 +247,37 @@ def test_a_boxer_numbered_by_banks_stands_where_one_numbered_in_turn_does(banks,
     """Cylinders 1 2 | 3 4 of the one are 1 3 | 2 4 of the other: the same engine."""
     from calc.engine.crank import crank as made
 
-    inputs = EngineInputs(**{**R753, "layout": "boxer", "cylinders": 4, "bank_of_cylinder": banks, "firing_order": order})
+    inputs = EngineInputs(
+        **{**R753, "layout": "boxer", "cylinders": 4, "bank_of_cylinder": banks, "firing_order": order}
+    )
     throws = made(inputs, 0.0)
     by_bank = {bank: [z for z, b in zip(throws.z, banks) if b == bank] for bank in (0, 1)}
     assert by_bank[0] == pytest.approx([-0.168, 0.056]) and by_bank[1] == pytest.approx([-0.056, 0.168])
 
 
 def test_the_table_of_the_crank_says_what_the_layout_was_taken_for():
-    outcome = engine.solve(EngineInputs(**{
-        **R753, "layout": "vee", "cylinders": 4, "bank_angle": math.pi / 2, "firing_order": None, "crank_angles": angles(0, 180, 0, 180),
-        "bank_of_cylinder": (0, 0, 1, 1),
-    }))  # fmt: skip
+    outcome = engine.solve(
+        EngineInputs(
+            **{
+                **R753,
+                "layout": "vee",
+                "cylinders": 4,
+                "bank_angle": math.pi / 2,
+                "firing_order": None,
+                "crank_angles": angles(0, 180, 0, 180),
+                "bank_of_cylinder": (0, 0, 1, 1),
+            }
+        )
+    )
     table = next(t for t in outcome.tables if t.id == "crank")
     assert [row[3] for row in table.rows] == [1, 2, 1, 2]
     assert [row[1] for row in table.rows] == [-45, -45, 45, 45]
     assert any("firing order is chosen" in note for note in outcome.notes)
 
 
-@pytest.mark.parametrize("strokes, cylinders", [(4, n) for n in (7, 9, 10, 11, 12)] + [(2, n) for n in (4, 5, 6, 7, 8, 9, 10, 11, 12)])
+@pytest.mark.parametrize(
+    "strokes, cylinders", [(4, n) for n in (7, 9, 10, 11, 12)] + [(2, n) for n in (4, 5, 6, 7, 8, 9, 10, 11, 12)]
+)
 def test_orders_that_are_taken_because_they_leave_least_do_so(strokes, cylinders):
     """What stands in the table of orders is what the ranking finds at λ = 0.3."""
     from calc.engine.inputs import usual_order
@@ -240,7 +289,8 @@ def test_orders_that_are_taken_because_they_leave_least_do_so(strokes, cylinders
 
 
 def test_of_equal_orders_the_one_that_spares_bearings_and_intake_leads():
-    """Finotti 2013, 2.3.4: of the six's four orders 1-5-3-6-2-4 is best for main bearings and intake; the two of the four are alike."""
+    """Finotti 2013, 2.3.4: of the six's four orders 1-5-3-6-2-4 is best for main bearings and intake; the two of the
+    four are alike."""
     six = EngineInputs(**{**R753, "cylinders": 6, "firing_order": (1, 5, 3, 6, 2, 4)})
     found = firing_orders(ImbalanceInputs(), six, engine.values(six))
     by_order = {one.order: (one.neighbours, one.same_half) for one in found}
@@ -255,11 +305,15 @@ def test_of_equal_orders_the_one_that_spares_bearings_and_intake_leads():
 
 @pytest.mark.parametrize("kinematics", ["exact", "two_term"])
 def test_the_design_stands_above_the_orders_as_the_list_has_it(kinematics):
-    """A five with an order that is not the best: its row is that of the same order further down; ranks, pins, and how many are shown."""
+    """A five with an order that is not the best: its row is that of the same order further down; ranks, pins, and how
+    many are shown."""
     imbalance = ImbalanceInputs(kinematics=kinematics)
     inputs, e, i = solved(imbalance, cylinders=5, firing_order=(1, 3, 5, 4, 2))
     found = firing_orders(imbalance, inputs, e)
-    own, rows = as_designed(imbalance, inputs, e), orders_table(found, 30, as_designed(imbalance, inputs, e), inputs).rows
+    own, rows = (
+        as_designed(imbalance, inputs, e),
+        orders_table(found, 30, as_designed(imbalance, inputs, e), inputs).rows,
+    )
     assert own.order == (1, 3, 5, 4, 2) and own.couple_1_forward == pytest.approx(i.orders["order_1"].couple_forward)
     same = next(row for row in rows[1:] if row[1] == "1-3-5-4-2")
     assert rows[0][0] == "" and rows[0][1:4] == same[1:4] and rows[0][4:] == pytest.approx(same[4:], abs=1e-6)

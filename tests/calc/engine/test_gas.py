@@ -1,4 +1,5 @@
-"""The gas of a cylinder: the simple cycle on the true volume of the slider-crank, the table of pressures, and bad inputs."""
+"""The gas of a cylinder: the simple cycle on the true volume of the slider-crank, the table of pressures, and bad
+inputs."""
 
 import math
 import tomllib
@@ -28,7 +29,11 @@ def prepared(gas=None, **changes):
 def way(engine, e, epsilon):
     alpha = np.asarray(e.tdc_angle + epsilon)
     return c.piston_way(
-        r=engine.crank_radius, lam=e.lambda_, phi_0=e.tdc_angle, alpha=alpha, beta=f.rod_angle(lam=e.lambda_, alpha=alpha, delta=e.delta)
+        r=engine.crank_radius,
+        lam=e.lambda_,
+        phi_0=e.tdc_angle,
+        alpha=alpha,
+        beta=f.rod_angle(lam=e.lambda_, alpha=alpha, delta=e.delta),
     )
 
 
@@ -47,7 +52,9 @@ def test_the_way_of_the_piston(offset):
     epsilon = np.linspace(0, 2 * np.pi, 1001)
     alpha = e.tdc_angle + epsilon
     speed = f.relative_speed(alpha=alpha, beta=f.rod_angle(lam=e.lambda_, alpha=alpha, delta=e.delta))
-    assert np.gradient(way(engine, e, epsilon), epsilon)[1:-1] == pytest.approx(speed[1:-1] * engine.crank_radius, abs=1e-6)
+    assert np.gradient(way(engine, e, epsilon), epsilon)[1:-1] == pytest.approx(
+        speed[1:-1] * engine.crank_radius, abs=1e-6
+    )
     assert way(engine, e, epsilon).max() <= e.stroke * (1 + 1e-12)
 
 
@@ -59,7 +66,9 @@ def test_down_stroke_of_the_offset_engine():
 
 @pytest.mark.parametrize("offset", [0.0, 0.007])
 def test_the_four_stroke_cycle_stroke_by_stroke(offset):
-    engine, e, cycle = prepared(GasInputs(**DIESEL, intake_pressure=1.2e5, exhaust_pressure=1.5e5), cylinder_offset=offset)
+    engine, e, cycle = prepared(
+        GasInputs(**DIESEL, intake_pressure=1.2e5, exhaust_pressure=1.5e5), cylinder_offset=offset
+    )
     bdc = math.degrees(c.dead_centre_angle(delta=e.delta, lam=e.lambda_))
     at = lambda degrees: float(pressure(engine, e, cycle, degrees))  # noqa: E731
     assert at(0) == at(9.99) == 150e5
@@ -85,12 +94,24 @@ def test_the_two_stroke_cycle_has_neither_exhaust_nor_intake():
 
 def test_what_was_taken_for_numbers_left_out_is_said():
     said = " ".join(prepared()[2].notes)
-    for words in ("crankcase pressure of 1.0 bar", "intake pressure of 1.0 bar", "exhaust pressure of 1.1 bar", "1.35", "1.28", "10°"):
+    for words in (
+        "crankcase pressure of 1.0 bar",
+        "intake pressure of 1.0 bar",
+        "exhaust pressure of 1.1 bar",
+        "1.35",
+        "1.28",
+        "10°",
+    ):
         assert words in said
     given = GasInputs(
-        **DIESEL, intake_pressure=1e5, exhaust_pressure=1.1e5, crankcase_pressure=1e5, compression_exponent=1.35, expansion_exponent=1.28,
+        **DIESEL,
+        intake_pressure=1e5,
+        exhaust_pressure=1.1e5,
+        crankcase_pressure=1e5,
+        compression_exponent=1.35,
+        expansion_exponent=1.28,
         constant_pressure_angle=10 * DEGREE,
-    )  # fmt: skip
+    )
     assert prepared(given)[2].notes == ()
 
 
@@ -103,7 +124,9 @@ EVERY_90 = ((-270, 1), (-180, 1), (-90, 2), (0, 60), (90, 6), (180, 3), (270, 1.
 
 def test_a_table_is_linear_between_its_points_and_closes_over_the_cycle():
     engine, e, cycle = prepared(GasInputs(pressure=table(*EVERY_90)))
-    assert pressure(engine, e, cycle, [0, 45, 90, 675, 630, 360, 405, 450]) / 1e5 == pytest.approx([60, 33, 6, 31, 2, 1, 1, 1])
+    assert pressure(engine, e, cycle, [0, 45, 90, 675, 630, 360, 405, 450]) / 1e5 == pytest.approx(
+        [60, 33, 6, 31, 2, 1, 1, 1]
+    )
     assert any("no point between" in note for note in cycle.notes)
 
 
@@ -117,14 +140,23 @@ def test_an_angle_a_cycle_away_is_the_same_angle():
 NINE = (*EVERY_90[:-1], (300, 1.1), (350, 1.0))
 
 
-@pytest.mark.parametrize("gas, key", [
-    (dict(), "peak_pressure_bar"), (dict(), "compression_ratio"), (dict(peak_pressure=80e5), "compression_ratio"),
-    (dict(compression_ratio=17.5), "peak_pressure_bar"), (dict(peak_pressure=40e5, compression_ratio=17.5), "peak_pressure_bar"),
-    (dict(peak_pressure=80e5, compression_ratio=17.5, intake_pressure=2e5), "peak_pressure_bar"),
-    (dict(peak_pressure=80e5, pressure=table(*NINE)), "peak_pressure_bar"), (dict(compression_ratio=17.5, pressure=table(*NINE)), "compression_ratio"),
-    (dict(expansion_exponent=1.3, pressure=table(*NINE)), "expansion_exponent"), (dict(pressure=table(*NINE[:7])), "pressure"),
-    (dict(pressure=table(*NINE, (90, 7))), "pressure.9.angle_deg"), (dict(pressure=table(*NINE, (450, 9))), "pressure.9.angle_deg"),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    "gas, key",
+    [
+        (dict(), "peak_pressure_bar"),
+        (dict(), "compression_ratio"),
+        (dict(peak_pressure=80e5), "compression_ratio"),
+        (dict(compression_ratio=17.5), "peak_pressure_bar"),
+        (dict(peak_pressure=40e5, compression_ratio=17.5), "peak_pressure_bar"),
+        (dict(peak_pressure=80e5, compression_ratio=17.5, intake_pressure=2e5), "peak_pressure_bar"),
+        (dict(peak_pressure=80e5, pressure=table(*NINE)), "peak_pressure_bar"),
+        (dict(compression_ratio=17.5, pressure=table(*NINE)), "compression_ratio"),
+        (dict(expansion_exponent=1.3, pressure=table(*NINE)), "expansion_exponent"),
+        (dict(pressure=table(*NINE[:7])), "pressure"),
+        (dict(pressure=table(*NINE, (90, 7))), "pressure.9.angle_deg"),
+        (dict(pressure=table(*NINE, (450, 9))), "pressure.9.angle_deg"),
+    ],
+)
 def test_what_makes_no_sense_is_named(gas, key):
     assert key in [k for k, _ in GasInputs(**gas).problems()]
 
@@ -147,7 +179,10 @@ def test_problems_of_a_two_stroke_engine():
 
 
 def test_numbers_out_of_range_are_named_by_the_file():
-    text = "\n".join(f"[[pressure]]\nangle_deg = {90 * i - 360}\npressure_bar = {-1 if i == 3 else 1}" for i in range(8)) + "\n[extra]\n"
+    text = (
+        "\n".join(f"[[pressure]]\nangle_deg = {90 * i - 360}\npressure_bar = {-1 if i == 3 else 1}" for i in range(8))
+        + "\n[extra]\n"
+    )
     reader = _Reader(Document(tomllib.loads(text)))
     reader.inputs(GasInputs, tomllib.loads(text), "engine.gas")
     assert {error.key for error in reader.errors} == {"engine.gas.pressure.3.pressure_bar", "engine.gas.extra"}

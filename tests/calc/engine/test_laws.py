@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What mechanics says of any slider-crank and its torque, whatever its numbers; the list of all such laws is docs/laws.md."""
+"""What mechanics says of any slider-crank and its torque, whatever its numbers; the list of all such laws is
+docs/laws.md."""
 
 import math
 
@@ -29,33 +30,54 @@ def engines(draw, **fixed):
     r, lam = draw(st.floats(0.01, 0.2)), draw(lambdas)
     L = r / lam
     said = dict(
-        crank_radius=r, rod_length=L, cylinder_offset=draw(offsets) * (L - r), piston_mass=draw(st.floats(0.05, 20)), rod_mass=draw(st.floats(0, 20)),
-        rod_cg_to_big_end=draw(st.floats(0, 1)) * L, rated_speed=draw(st.floats(5, 150)), cylinders=draw(st.integers(1, 8)),
-        strokes=draw(st.sampled_from([2, 4])), bore=draw(st.floats(0.02, 0.3)), firing_order=None,
-    )  # fmt: skip
+        crank_radius=r,
+        rod_length=L,
+        cylinder_offset=draw(offsets) * (L - r),
+        piston_mass=draw(st.floats(0.05, 20)),
+        rod_mass=draw(st.floats(0, 20)),
+        rod_cg_to_big_end=draw(st.floats(0, 1)) * L,
+        rated_speed=draw(st.floats(5, 150)),
+        cylinders=draw(st.integers(1, 8)),
+        strokes=draw(st.sampled_from([2, 4])),
+        bore=draw(st.floats(0.02, 0.3)),
+        firing_order=None,
+    )
     engine = EngineInputs(**{**R753, **said, **fixed})
     assert list(engine.problems()) == []
     return engine
 
 
 gases = st.builds(
-    GasInputs, peak_pressure=st.floats(60e5, 250e5), compression_ratio=st.floats(6, 20), intake_pressure=st.floats(0.4e5, 2e5),
-    exhaust_pressure=st.floats(0.8e5, 3e5), crankcase_pressure=st.floats(0.5e5, 1.5e5), compression_exponent=st.floats(1.2, 1.4),
-    expansion_exponent=st.floats(1.15, 1.4), constant_pressure_angle=st.floats(0.0, 0.6),
-)  # fmt: skip
+    GasInputs,
+    peak_pressure=st.floats(60e5, 250e5),
+    compression_ratio=st.floats(6, 20),
+    intake_pressure=st.floats(0.4e5, 2e5),
+    exhaust_pressure=st.floats(0.8e5, 3e5),
+    crankcase_pressure=st.floats(0.5e5, 1.5e5),
+    compression_exponent=st.floats(1.2, 1.4),
+    expansion_exponent=st.floats(1.15, 1.4),
+    constant_pressure_angle=st.floats(0.0, 0.6),
+)
 
 
 def motion(engine, e, alpha):
-    """Way, speed over ω·r and acceleration over ω²·r of the piston, and the rod's angle, at angles of the crank from the cylinder's axis."""
+    """Way, speed over ω·r and acceleration over ω²·r of the piston, and the rod's angle, at angles of the crank from
+    the cylinder's axis."""
     beta = f.rod_angle(lam=e.lambda_, alpha=alpha, delta=e.delta)
     x = c.piston_way(r=engine.crank_radius, lam=e.lambda_, phi_0=e.tdc_angle, alpha=alpha, beta=beta)
-    return x, f.relative_speed(alpha=alpha, beta=beta), f.relative_acceleration(alpha=alpha, beta=beta, lam=e.lambda_), beta
+    return (
+        x,
+        f.relative_speed(alpha=alpha, beta=beta),
+        f.relative_acceleration(alpha=alpha, beta=beta, lam=e.lambda_),
+        beta,
+    )
 
 
 @settings(max_examples=60, deadline=None)
 @given(engine=engines())
 def test_speed_and_acceleration_are_the_slopes_of_the_way(engine):
-    """dx/dα = r·v_rel and dv_rel/dα = a_rel, by the Fourier series of each over the turn; and no piston leaves its stroke."""
+    """dx/dα = r·v_rel and dv_rel/dα = a_rel, by the Fourier series of each over the turn; and no piston leaves its
+    stroke."""
     e = values(engine)
     size = 4096
     x, v, a, _ = motion(engine, e, np.arange(size) * TURN / size)
@@ -69,7 +91,8 @@ def test_speed_and_acceleration_are_the_slopes_of_the_way(engine):
 @settings(max_examples=60, deadline=None)
 @given(lam=st.floats(0.005, 0.4))
 def test_a_long_rod_moves_as_two_terms(lam):
-    """What cos α + λ·cos 2α leaves out goes with λ³: its largest amount is between 0.4·λ³ and λ³/(1 − λ²)^1.5 of ω²·r."""
+    """What cos α + λ·cos 2α leaves out goes with λ³: its largest amount is between 0.4·λ³ and λ³/(1 − λ²)^1.5 of
+    ω²·r."""
     alpha = np.linspace(0, TURN, 721)
     exact = f.relative_acceleration(alpha=alpha, beta=f.rod_angle(lam=lam, alpha=alpha, delta=0.0), lam=lam)
     off = np.abs(exact - f.relative_acceleration_two_term(alpha=alpha, lam=lam, delta=0.0)).max()
@@ -79,7 +102,8 @@ def test_a_long_rod_moves_as_two_terms(lam):
 @settings(max_examples=60, deadline=None)
 @given(engine=engines())
 def test_the_orders_hold_the_mean_square(engine):
-    """Parseval: the mean square of a over the turn is half the sum of the squared orders; orders above 8 hold less than λ_max⁸ of it."""
+    """Parseval: the mean square of a over the turn is half the sum of the squared orders; orders above 8 hold less than
+    λ_max⁸ of it."""
     e = values(engine)
     _, _, a, _ = motion(engine, e, np.arange(4096) * TURN / 4096)
     whole, orders = np.mean(a**2), sum(abs(c_n) ** 2 for c_n in e.harmonics) / 2
@@ -106,22 +130,29 @@ def test_torque_goes_with_mass_length_and_speed_squared(engine, masses, lengths,
     """Similar engines: T ~ m·l²·ω²."""
     said = {name: getattr(engine, name) * masses for name in ("piston_mass", "rod_mass", "crankpin_bearing_mass")}
     said |= {
-        name: getattr(engine, name) * lengths for name in ("crank_radius", "rod_length", "cylinder_offset", "rod_cg_to_big_end", "bore")
+        name: getattr(engine, name) * lengths
+        for name in ("crank_radius", "rod_length", "cylinder_offset", "rod_cg_to_big_end", "bore")
     }
     other = EngineInputs(**{**vars(engine), **said, "rated_speed": engine.rated_speed * speeds})
-    (one, _, _), (large, _, _) = (torque.solve(x, e := values(x), firing(x, e.crank).angles, None, None) for x in (engine, other))
+    (one, _, _), (large, _, _) = (
+        torque.solve(x, e := values(x), firing(x, e.crank).angles, None, None) for x in (engine, other)
+    )
     scale = masses * lengths**2 * speeds**2
     e = values(engine)
     dust = 1e-9 * scale * engine.cylinders * e.reciprocating_mass * (engine.crank_radius * e.angular_speed) ** 2
     assert abs(large.inertia_torque_peak - scale * one.inertia_torque_peak) < dust
-    assert abs(large.reaction_inertia_peak - scale * one.reaction_inertia_peak) < dust * engine.rod_length / engine.crank_radius
+    assert (
+        abs(large.reaction_inertia_peak - scale * one.reaction_inertia_peak)
+        < dust * engine.rod_length / engine.crank_radius
+    )
     assert np.abs(np.array(large.harmonics) - scale * np.array(one.harmonics)).max() < dust
 
 
 @settings(max_examples=40, deadline=None)
 @given(engine=engines())
 def test_even_firing_leaves_orders_of_the_firing_frequency(engine):
-    """Of the inertia torque only orders that are multiples of 2·N/strokes are left, and these are N times those of one cylinder."""
+    """Of the inertia torque only orders that are multiples of 2·N/strokes are left, and these are N times those of one
+    cylinder."""
     e = values(engine)
     N = engine.cylinders
     found, _, _ = torque.solve(engine, e, firing(engine, e.crank).angles, None, None)
@@ -136,7 +167,8 @@ def test_even_firing_leaves_orders_of_the_firing_frequency(engine):
 @settings(max_examples=60, deadline=None)
 @given(engine=engines(cylinders=1), epsilon=st.floats(0, TURN))
 def test_the_block_feels_the_side_thrust(engine, epsilon):
-    """The reaction −T + d·F of one cylinder is the moment −F·tan β·(r·cos α + L·cos β) of its side thrust about the crank's axis."""
+    """The reaction −T + d·F of one cylinder is the moment −F·tan β·(r·cos α + L·cos β) of its side thrust about the
+    crank's axis."""
     e = values(engine)
     _, T, F = (None if x is None else float(x[0]) for x in torque.at(engine, e, None, np.zeros(1), np.array([epsilon])))
     alpha = e.tdc_angle + epsilon
@@ -158,7 +190,9 @@ def test_the_rod_passes_the_pistons_force_to_the_pin(engine, F, alpha):
     S, N = throw_formulas.rod_force(F=F, beta=beta), throw_formulas.side_thrust(F=F, beta=beta)
     assert S**2 == pytest.approx(F**2 + N**2, rel=1e-12)
     F_t = throw_formulas.tangential_force(F=F, v_rel=f.relative_speed(alpha=alpha, beta=beta))
-    F_r = throw_formulas.radial_force(S=S, alpha=alpha, beta=beta, M_rot=0.0, r=engine.crank_radius, omega=e.angular_speed)
+    F_r = throw_formulas.radial_force(
+        S=S, alpha=alpha, beta=beta, M_rot=0.0, r=engine.crank_radius, omega=e.angular_speed
+    )
     assert math.hypot(F_t, F_r) == pytest.approx(abs(S), rel=1e-9)
 
 
@@ -190,7 +224,9 @@ def test_inertia_adds_nothing_to_the_mean_torque(engine, gas, faster):
     T_G, T_I, _ = torque.at(engine, e, cycle, fires, epsilon[:, None])
     mean_gas, mean_inertia = (c.running(epsilon, T.sum(-1))[-1] / cycle.length for T in (T_G, T_I))
     assert abs(mean_inertia) < 1e-7 * np.abs(T_I).sum(-1).max()
-    heavy = EngineInputs(**{**vars(engine), "rated_speed": engine.rated_speed * faster, "piston_mass": engine.piston_mass * 2})
+    heavy = EngineInputs(
+        **{**vars(engine), "rated_speed": engine.rated_speed * faster, "piston_mass": engine.piston_mass * 2}
+    )
     one, other = (torque.solve(x, values(x), fires, gas, None)[0] for x in (engine, heavy))
     assert one.mean_torque == pytest.approx(mean_gas, abs=1e-9 * np.abs(T_G).sum(-1).max())
     assert other.mean_torque == pytest.approx(one.mean_torque, abs=1e-12 * np.abs(T_G).sum(-1).max())

@@ -1,4 +1,5 @@
-"""The crank throw beside statics: equilibrium, work, a case by hand, and the notch factors beside another source's fit."""
+"""The crank throw beside statics: equilibrium, work, a case by hand, and the notch factors beside another source's
+fit."""
 
 import math
 from dataclasses import replace
@@ -18,8 +19,14 @@ from tests.calc.engine.test_gas import DIESEL
 from tests.calc.engine.test_torque import V6, engine_of, single
 
 SIZES = dict(
-    pin_diameter=0.055, pin_length=0.032, journal_diameter=0.062, journal_length=0.030, web_thickness=0.024, fillet_radius=0.003, material="42CrMo4",
-)  # fmt: skip
+    pin_diameter=0.055,
+    pin_length=0.032,
+    journal_diameter=0.062,
+    journal_length=0.030,
+    web_thickness=0.024,
+    fillet_radius=0.003,
+    material="42CrMo4",
+)
 GAS = GasInputs(**DIESEL)
 
 
@@ -35,9 +42,15 @@ def test_a_throw_by_hand():
     """
     gas = GasInputs(peak_pressure=101e5, compression_ratio=12.0, crankcase_pressure=1e5)
     _, _, _, (found, checks, _, tables) = solved(
-        single(bore=0.1, rated_speed=1e-6), gas, pin_diameter=0.05, journal_diameter=0.05, pin_length=0.03, journal_length=0.03, web_thickness=0.02,
+        single(bore=0.1, rated_speed=1e-6),
+        gas,
+        pin_diameter=0.05,
+        journal_diameter=0.05,
+        pin_length=0.03,
+        journal_length=0.03,
+        web_thickness=0.02,
         fillet_radius=None,
-    )  # fmt: skip
+    )
     top = found.top_dead_centre
     assert found.span == pytest.approx(0.1)
     assert top.gas_force == pytest.approx(25000 * math.pi)
@@ -64,7 +77,8 @@ def test_von_mises_by_hand():
 @pytest.mark.parametrize("changes", [single(), {}, dict(cylinder_offset=0.008), single(strokes=2)])
 @pytest.mark.parametrize("gas", [GAS, None])
 def test_equilibrium(changes, gas):
-    """Rod: length and side thrust give the piston's force.  Pin: rod less centrifugal force.  Journals: half of it each."""
+    """Rod: length and side thrust give the piston's force.  Pin: rod less centrifugal force.  Journals: half of it
+    each."""
     engine, e, _, (found, *_) = solved(changes, gas)
     for p in (found.largest_tangential, found.top_dead_centre):
         assert p.piston_force == pytest.approx((p.gas_force or 0.0) + p.inertia_force)
@@ -122,7 +136,9 @@ def test_nothing_passes_through_the_first_throw():
     engine, e, _ = engine_of(cylinders=4, firing_order=(1, 3, 4, 2))
     _, in_front = throw.pins(engine, e)
     assert in_front.sum(1).tolist() == [0, 1, 2, 3]
-    _, in_front = throw.pins(engine, replace(e, crank=replace(e.crank, z=e.crank.z[::-1])))  # numbered from the flywheel
+    _, in_front = throw.pins(
+        engine, replace(e, crank=replace(e.crank, z=e.crank.z[::-1]))
+    )  # numbered from the flywheel
     assert in_front.sum(1).tolist() == [3, 2, 1, 0]
 
 
@@ -130,18 +146,23 @@ def test_two_rods_on_a_pin():
     """V6 with three pins: both rods load the pin; split pins carry one rod each."""
     engine, e, fires = engine_of(**V6)
     assert throw.pins(engine, e)[0].sum(1).tolist() == [2] * 6
-    split = engine_of(**{**V6, "bank_angle": math.pi / 3, "crank_angles": tuple(math.radians(a) for a in (0, -60, 240, 180, 120, 60))})
+    split = engine_of(
+        **{**V6, "bank_angle": math.pi / 3, "crank_angles": tuple(math.radians(a) for a in (0, -60, 240, 180, 120, 60))}
+    )
     assert throw.pins(*split[:2])[0].sum(1).tolist() == [1] * 6
     assert sorted(throw.pins(*split[:2])[1].sum(1).tolist()) == [0, 1, 2, 3, 4, 5]
     found, _, notes, _ = throw.solve(engine, e, fires, GAS, ThrowInputs(**SIZES), materials())
     assert any("same pin" in note for note in notes)
     top = found.top_dead_centre
-    assert top.radial_force != pytest.approx(top.rod_force - e.rotating_mass * engine.crank_radius * e.angular_speed**2, rel=1e-3)
+    assert top.radial_force != pytest.approx(
+        top.rod_force - e.rotating_mass * engine.crank_radius * e.angular_speed**2, rel=1e-3
+    )
 
 
 @pytest.mark.parametrize("r_d", [0.04, 0.06, 0.1, 0.2])
 def test_notch_factor_in_bending_beside_another_fit(r_d):
-    """Roark's Formulas for Stress and Strain, table 17.1, square shoulder with fillet in a circular shaft, D/d = 2, h/r from 2 to 20.
+    """Roark's Formulas for Stress and Strain, table 17.1, square shoulder with fillet in a circular shaft, D/d = 2, h/r
+    from 2 to 20.
 
     The two fits of Peterson's chart are 6 % apart at 0.04, 4 % at 0.06 and 2 % at 0.1.
     """
@@ -152,12 +173,15 @@ def test_notch_factor_in_bending_beside_another_fit(r_d):
         7.374 - 4.834 * q**0.5 + 0.862 * q,
         -3.809 + 3.046 * q**0.5 - 0.595 * q,
     )
-    assert t.notch_bending(rho_d=r_d) == pytest.approx(sum(c / 2**i for i, c in enumerate(a)), rel=0.07 if r_d < 0.05 else 0.05)
+    assert t.notch_bending(rho_d=r_d) == pytest.approx(
+        sum(c / 2**i for i, c in enumerate(a)), rel=0.07 if r_d < 0.05 else 0.05
+    )
 
 
 @pytest.mark.parametrize("r_d", [0.125, 0.2, 0.3])
 def test_notch_factor_in_torsion_beside_another_fit(r_d):
-    """Peterson's Stress Concentration Factors, shoulder fillet in a round shaft, polynomial fit, h/r from 0.25 to 4, D/d = 2."""
+    """Peterson's Stress Concentration Factors, shoulder fillet in a round shaft, polynomial fit, h/r from 0.25 to 4,
+    D/d = 2."""
     q = 0.5 / r_d
     a = (
         0.905 + 0.783 * q**0.5 - 0.075 * q,
@@ -169,7 +193,8 @@ def test_notch_factor_in_torsion_beside_another_fit(r_d):
 
 
 def test_notch_stress_is_that_of_the_fillet():
-    """The pin's fillet stands at the web, where the moment is smaller than at its middle; the journal's is its section itself."""
+    """The pin's fillet stands at the web, where the moment is smaller than at its middle; the journal's is its section
+    itself."""
     *_, (found, checks, _, _) = solved()
     for p in (found.largest_tangential, found.top_dead_centre):
         at_web = p.reaction_front * (SIZES["journal_length"] / 2 + SIZES["web_thickness"])
@@ -177,19 +202,32 @@ def test_notch_stress_is_that_of_the_fillet():
         assert p.pin.notch_stress == pytest.approx(
             math.hypot(found.notch_bending_pin * sigma, math.sqrt(3) * found.notch_torsion_pin * p.pin.torsion_stress)
         )
-        bending, torsion = found.notch_bending_journal * p.journal.bending_stress, found.notch_torsion_journal * p.journal.torsion_stress
+        bending, torsion = (
+            found.notch_bending_journal * p.journal.bending_stress,
+            found.notch_torsion_journal * p.journal.torsion_stress,
+        )
         assert p.journal.notch_stress == pytest.approx(math.hypot(bending, math.sqrt(3) * torsion))
     kinds = {c.id: c.kind for c in checks}
     for place in ("pin", "journal"):
-        assert [kinds[f"engine.throw.{what}_{place}"] for what in ("stress", "notch_stress", "fillet")] == ["limit", "caution", "method"]
+        assert [kinds[f"engine.throw.{what}_{place}"] for what in ("stress", "notch_stress", "fillet")] == [
+            "limit",
+            "caution",
+            "method",
+        ]
 
 
-@pytest.mark.parametrize("sizes, id, verdict", [
-    (dict(pin_diameter=0.025), "engine.throw.stress_pin", "fail"), (dict(journal_diameter=0.02), "engine.throw.stress_journal", "fail"),
-    (dict(), "engine.throw.stress_pin", "pass"), (dict(fillet_radius=0.0002), "engine.throw.fillet_pin", "note"),
-    (dict(fillet_radius=0.0002), "engine.throw.fillet_journal", "note"), (dict(pin_diameter=0.037), "engine.throw.notch_stress_pin", "pass"),
-    (dict(pin_diameter=0.032), "engine.throw.notch_stress_pin", "warn"),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    "sizes, id, verdict",
+    [
+        (dict(pin_diameter=0.025), "engine.throw.stress_pin", "fail"),
+        (dict(journal_diameter=0.02), "engine.throw.stress_journal", "fail"),
+        (dict(), "engine.throw.stress_pin", "pass"),
+        (dict(fillet_radius=0.0002), "engine.throw.fillet_pin", "note"),
+        (dict(fillet_radius=0.0002), "engine.throw.fillet_journal", "note"),
+        (dict(pin_diameter=0.037), "engine.throw.notch_stress_pin", "pass"),
+        (dict(pin_diameter=0.032), "engine.throw.notch_stress_pin", "warn"),
+    ],
+)
 def test_verdicts(sizes, id, verdict):
     *_, (_, checks, _, _) = solved(**sizes)
     assert {c.id: c.verdict for c in checks}[id] == verdict
@@ -232,7 +270,9 @@ def test_names_and_lines_of_the_values():
 def test_the_gas_of_the_torque_may_be_handed_over():
     engine, e, fires = engine_of()
     cycle = torque.solve(engine, e, fires, GAS, None)[0].cycle
-    one, two = (throw.solve(engine, e, fires, GAS, ThrowInputs(**SIZES), materials(), given)[0] for given in (cycle, None))
+    one, two = (
+        throw.solve(engine, e, fires, GAS, ThrowInputs(**SIZES), materials(), given)[0] for given in (cycle, None)
+    )
     assert [p.shown for p in published(one, "throw")] == [p.shown for p in published(two, "throw")]
 
 

@@ -1,4 +1,5 @@
-"""The torque about the crank beside closed forms: work of the cycle, kinetic energy, Fourier series of the two-term motion."""
+"""The torque about the crank beside closed forms: work of the cycle, kinetic energy, Fourier series of the two-term
+motion."""
 
 import math
 from dataclasses import replace
@@ -21,7 +22,11 @@ from tests.calc.imbalance.test_engines import R753
 
 DEGREE = math.pi / 180
 V6 = dict(
-    layout="vee", cylinders=6, bank_angle=90 * DEGREE, firing_order=None, crank_angles=tuple(a * DEGREE for a in (0, 0, 240, 240, 120, 120))
+    layout="vee",
+    cylinders=6,
+    bank_angle=90 * DEGREE,
+    firing_order=None,
+    crank_angles=tuple(a * DEGREE for a in (0, 0, 240, 240, 120, 120)),
 )
 
 
@@ -40,9 +45,11 @@ def single(**changes):
     return dict(cylinders=1, firing_order=None, **changes)
 
 
-# --- inertia ----------------------------------------------------------------------------------------------------------------
+# --- inertia
+# ----------------------------------------------------------------------------------------------------------------
 def test_inertia_torque_of_a_long_rod():
-    """Two terms: T = m·r²·ω²·(λ/4·sin α − ½·sin 2α − ¾·λ·sin 3α − ¼·λ²·sin 4α), −v·a of sin α + ½λ·sin 2α and cos α + λ·cos 2α."""
+    """Two terms: T = m·r²·ω²·(λ/4·sin α − ½·sin 2α − ¾·λ·sin 3α − ¼·λ²·sin 4α), −v·a of sin α + ½λ·sin 2α and cos α +
+    λ·cos 2α."""
     lam = 0.01
     engine, e, fires = engine_of(**single(rod_length=0.0535 / lam, rod_cg_to_big_end=0.05))
     found, _, _ = torque.solve(engine, e, fires, None, None)
@@ -60,8 +67,14 @@ def test_inertia_torque_is_the_loss_of_kinetic_energy(offset):
     epsilon = np.linspace(0, 2 * np.pi, 2001)
     _, T, _ = torque.at(engine, e, None, fires, epsilon[:, None])
     alpha = e.tdc_angle + epsilon
-    v = f.relative_speed(alpha=alpha, beta=f.rod_angle(lam=e.lambda_, alpha=alpha, delta=e.delta)) * e.angular_speed * engine.crank_radius
-    assert running(epsilon, T[:, 0]) == pytest.approx(-e.reciprocating_mass * v**2 / 2, abs=1e-6 * e.reciprocating_mass * v.max() ** 2)
+    v = (
+        f.relative_speed(alpha=alpha, beta=f.rod_angle(lam=e.lambda_, alpha=alpha, delta=e.delta))
+        * e.angular_speed
+        * engine.crank_radius
+    )
+    assert running(epsilon, T[:, 0]) == pytest.approx(
+        -e.reciprocating_mass * v**2 / 2, abs=1e-6 * e.reciprocating_mass * v.max() ** 2
+    )
     assert abs(T[:-1].mean()) < 1e-12 * np.abs(T).max()
     assert T[0, 0] == pytest.approx(0, abs=1e-9)  # at TDC, with offset too
 
@@ -76,12 +89,18 @@ def test_the_harmonics_add_up_to_the_curve(changes):
     assert found.inertia_torque_peak >= np.abs(curve.series[0].y).max() * (1 - 1e-9)
 
 
-@pytest.mark.parametrize("changes, orders", [
-    (dict(cylinders=4, firing_order=(1, 3, 4, 2)), {2, 4, 6, 8}), ({}, {3, 6}), (dict(cylinders=6, firing_order=(1, 5, 3, 6, 2, 4)), {3, 6}),
-    (dict(cylinders=5, firing_order=None), {5}),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    "changes, orders",
+    [
+        (dict(cylinders=4, firing_order=(1, 3, 4, 2)), {2, 4, 6, 8}),
+        ({}, {3, 6}),
+        (dict(cylinders=6, firing_order=(1, 5, 3, 6, 2, 4)), {3, 6}),
+        (dict(cylinders=5, firing_order=None), {5}),
+    ],
+)
 def test_even_firing_leaves_multiples_of_half_the_cylinders(changes, orders):
-    """Four-stroke engines: orders N/2 and its multiples, those of whole number; each is N times that of one cylinder."""
+    """Four-stroke engines: orders N/2 and its multiples, those of whole number; each is N times that of one
+    cylinder."""
     found, _, _ = solved(**changes)
     one, _, _ = solved(**single())
     cylinders = changes.get("cylinders", 3)
@@ -108,7 +127,14 @@ def test_the_cylinders_stand_where_the_crank_says(changes):
 
 def test_without_gas_the_rest_is_unknown():
     found, curves, notes = solved(J=1.0)
-    assert found.gas_torque_peak is found.torque_peak is found.mean_torque is found.indicated_power is found.speed_irregularity is None
+    assert (
+        found.gas_torque_peak
+        is found.torque_peak
+        is found.mean_torque
+        is found.indicated_power
+        is found.speed_irregularity
+        is None
+    )
     assert [curve.id for curve in curves] == ["torque"]
     assert any("No gas" in note for note in notes)
     assert {p.id for p in published(found, "engine")} == {
@@ -121,13 +147,18 @@ def test_without_gas_the_rest_is_unknown():
     }
 
 
-# --- gas --------------------------------------------------------------------------------------------------------------------
+# --- gas
+# --------------------------------------------------------------------------------------------------------------------
 def work(engine, e, gas=DIESEL, p_in=1e5, p_ex=1.1e5, n_c=1.35, n_e=1.28, hold=10 * DEGREE):
     """∮p dV of the cycle in closed form; p·V^n constant."""
     area, h = math.pi / 4 * engine.bore**2, e.stroke / (gas["compression_ratio"] - 1)
     alpha = e.tdc_angle + hold
     x = piston_way(
-        r=engine.crank_radius, lam=e.lambda_, phi_0=e.tdc_angle, alpha=alpha, beta=f.rod_angle(lam=e.lambda_, alpha=alpha, delta=e.delta)
+        r=engine.crank_radius,
+        lam=e.lambda_,
+        phi_0=e.tdc_angle,
+        alpha=alpha,
+        beta=f.rod_angle(lam=e.lambda_, alpha=alpha, delta=e.delta),
     )
     H, s = h + e.stroke, e.stroke
     W = gas["peak_pressure"] * (x + (h + x) / (n_e - 1) * (1 - ((h + x) / H) ** (n_e - 1)))
@@ -136,7 +167,9 @@ def work(engine, e, gas=DIESEL, p_in=1e5, p_ex=1.1e5, n_c=1.35, n_e=1.28, hold=1
 
 
 @pytest.mark.parametrize("strokes", [2, 4])
-@pytest.mark.parametrize("changes", [{}, single(), dict(cylinder_offset=0.01), dict(cylinders=4, firing_order=(1, 3, 4, 2))])
+@pytest.mark.parametrize(
+    "changes", [{}, single(), dict(cylinder_offset=0.01), dict(cylinders=4, firing_order=(1, 3, 4, 2))]
+)
 def test_mean_torque_is_the_work_of_the_cycle(changes, strokes):
     """T_m = N·∮p dV over 4π (four-stroke), 2π (two-stroke)."""
     engine, e, fires = engine_of(**changes, strokes=strokes)
@@ -145,9 +178,13 @@ def test_mean_torque_is_the_work_of_the_cycle(changes, strokes):
     assert found.mean_torque == pytest.approx(expected, rel=1e-7)
     assert found.indicated_work == pytest.approx(work(engine, e), rel=1e-7)
     assert found.indicated_power == pytest.approx(expected * e.angular_speed, rel=1e-7)
-    assert found.indicated_mean_pressure == pytest.approx(work(engine, e) / (math.pi / 4 * engine.bore**2 * e.stroke), rel=1e-7)
+    assert found.indicated_mean_pressure == pytest.approx(
+        work(engine, e) / (math.pi / 4 * engine.bore**2 * e.stroke), rel=1e-7
+    )
     rated = values(replace(engine, rated_power=found.indicated_power))
-    assert rated.brake_mean_pressure == pytest.approx(found.indicated_mean_pressure, rel=1e-9)  # as if nothing were lost
+    assert rated.brake_mean_pressure == pytest.approx(
+        found.indicated_mean_pressure, rel=1e-9
+    )  # as if nothing were lost
     assert curve.limits == (("mean", found.mean_torque),)
     assert curve.series[2].x[-1] == pytest.approx(180 * strokes)
     assert curve.series[2].y[:-1].mean() == pytest.approx(expected, rel=2e-3)  # the drawn degrees miss the corners
@@ -184,7 +221,8 @@ def test_peaks_are_the_largest_of_a_fine_scan():
     gas = GasInputs(**DIESEL)
     found, _, _ = torque.solve(engine, e, fires, gas, None)
     T_G, T_I = (
-        part.sum(-1) for part in torque.at(engine, e, prepare(engine, e, gas), fires, np.linspace(0, 4 * np.pi, 72001)[:, None])[:2]
+        part.sum(-1)
+        for part in torque.at(engine, e, prepare(engine, e, gas), fires, np.linspace(0, 4 * np.pi, 72001)[:, None])[:2]
     )
     assert found.gas_torque_peak == pytest.approx(np.abs(T_G).max(), rel=1e-6)
     assert found.torque_peak == pytest.approx(np.abs(T_G + T_I).max(), rel=1e-6)
@@ -205,7 +243,10 @@ def test_speed_irregularity_against_the_energy_of_a_fine_scan(changes):
     gas = GasInputs(**DIESEL)
     found, _, _ = torque.solve(engine, e, fires, gas, 2.0)
     epsilon = np.linspace(0, 4 * np.pi, 72001)
-    T = sum(part.sum(-1) for part in torque.at(engine, e, prepare(engine, e, gas), fires, epsilon[:, None])[:2]) - found.mean_torque
+    T = (
+        sum(part.sum(-1) for part in torque.at(engine, e, prepare(engine, e, gas), fires, epsilon[:, None])[:2])
+        - found.mean_torque
+    )
     energy = np.cumsum((T[1:] + T[:-1]) / 2) * epsilon[1]
     assert found.energy_fluctuation == pytest.approx(np.ptp(energy), rel=1e-5)
     assert found.speed_irregularity == pytest.approx(found.energy_fluctuation / 2.0 / e.angular_speed**2)
@@ -217,7 +258,9 @@ def test_a_table_sampled_from_the_cycle_gives_the_same_torque():
     engine, e, fires = engine_of()
     cycle = prepare(engine, e, GasInputs(**DIESEL))
     degrees = np.sort(np.concatenate([np.arange(0, 720, 0.25), [10.0 + 1e-4, 180 + 1e-4, 360 - 1e-4, 720 - 1e-4]]))
-    rows = tuple(PressurePoint(angle=d * DEGREE, pressure=float(p)) for d, p in zip(degrees, pressure(engine, e, cycle, degrees)))
+    rows = tuple(
+        PressurePoint(angle=d * DEGREE, pressure=float(p)) for d, p in zip(degrees, pressure(engine, e, cycle, degrees))
+    )
     of_cycle, _, _ = torque.solve(engine, e, fires, GasInputs(**DIESEL), 1.0)
     of_table, _, _ = torque.solve(engine, e, fires, GasInputs(pressure=rows, crankcase_pressure=1e5), 1.0)
     for name in ("mean_torque", "torque_peak", "gas_torque_peak", "energy_fluctuation", "speed_irregularity"):
@@ -227,7 +270,9 @@ def test_a_table_sampled_from_the_cycle_gives_the_same_torque():
 
 def test_constant_pressure_turns_nothing_over():
     """The same pressure everywhere: no work, and the energy that the pistons store and give back is what fluctuates."""
-    gas = GasInputs(pressure=tuple(PressurePoint(angle=i * math.pi / 4, pressure=5e5) for i in range(16)), crankcase_pressure=5e5)
+    gas = GasInputs(
+        pressure=tuple(PressurePoint(angle=i * math.pi / 4, pressure=5e5) for i in range(16)), crankcase_pressure=5e5
+    )
     engine, e, fires = engine_of(**single())
     found, _, _ = torque.solve(engine, e, fires, gas, 1.0)
     assert found.mean_torque == pytest.approx(0, abs=1e-9)
@@ -256,7 +301,8 @@ def test_integration_and_peak_of_known_functions():
 
 
 def test_many_cylinders_are_one_after_the_other():
-    """Without one another's help: the torque of the engine is that of one cylinder, turned by each firing angle and added up."""
+    """Without one another's help: the torque of the engine is that of one cylinder, turned by each firing angle and
+    added up."""
     engine, e, fires = engine_of(**V6)
     one = replace(engine, cylinders=1, layout="inline", bank_angle=None, crank_angles=None)
     cycle = prepare(engine, e, GasInputs(**DIESEL))
@@ -268,7 +314,8 @@ def test_many_cylinders_are_one_after_the_other():
 
 @pytest.mark.parametrize("offset", [0.0, 0.012, -0.02])
 def test_the_torque_reaction_is_the_moment_of_the_side_thrust(offset):
-    """Statics of the piston: the liner carries the rod's side force at the height of the pin; that is all that turns the block."""
+    """Statics of the piston: the liner carries the rod's side force at the height of the pin; that is all that turns
+    the block."""
     engine, e, fires = engine_of(**single(cylinder_offset=offset))
     found, _, _ = torque.solve(engine, e, fires, None, None)
     theta = np.linspace(0, 2 * np.pi, 7201)
@@ -287,7 +334,8 @@ def test_the_torque_reaction_is_the_moment_of_the_side_thrust(offset):
 
 
 def test_forces_that_cancel_add_no_reaction():
-    """Inline three with offset: no force of orders 1 and 2, so the block feels the crank's torque of these orders, turned round."""
+    """Inline three with offset: no force of orders 1 and 2, so the block feels the crank's torque of these orders,
+    turned round."""
     engine, e, fires = engine_of(cylinder_offset=0.01)
     found, _, _ = torque.solve(engine, e, fires, None, None)
     crank = {name: stated.number for name, stated in found.inertia_torque.items()}

@@ -33,22 +33,26 @@ def errors(*args, **kwargs):
 
 
 def test_a_triangle_by_hand():
-    """T rises from 0 to 400 N·m over 180° and falls back to 0 over 180°, once a turn: T_m = 200 N·m; above it stands a triangle over 180°
-    of 200 N·m height, ΔE = 200·π/2 = 100·π J.
-    """
+    """T rises from 0 to 400 N·m over 180° and falls back to 0 over 180°, once a turn: T_m = 200 N·m; above it stands a
+    triangle over 180° of 200 N·m height, ΔE = 200·π/2 = 100·π J."""
     found = results([(0, 0), (180, 400), (360, 0)], 360)
     value = {id: v.inside for id, v in found.values().items()}
-    assert value["engine.mean_torque"] == pytest.approx(200) and value["engine.energy_fluctuation"] == pytest.approx(100 * math.pi)
+    assert value["engine.mean_torque"] == pytest.approx(200) and value["engine.energy_fluctuation"] == pytest.approx(
+        100 * math.pi
+    )
     omega = 2 * math.pi * 5500 / 60
     assert value["engine.speed_irregularity"] == pytest.approx(100 * math.pi / (0.11 * omega**2))
     assert value["engine.indicated_power"] == pytest.approx(200 * omega)
     assert (value["engine.torque_highest"], value["engine.torque_lowest"], value["engine.torque_peak"]) == (400, 0, 400)
-    assert math.degrees(value["engine.torque_peak_angle"]) == pytest.approx(180) and "engine.gas_torque_peak" not in value
+    assert (
+        math.degrees(value["engine.torque_peak_angle"]) == pytest.approx(180) and "engine.gas_torque_peak" not in value
+    )
 
 
 @pytest.mark.parametrize("start", [0, -90, 37.5])
 def test_a_turning_moment_of_khurmis_kind(start):
-    """T = 20000 + 9500 sin 2θ − 5700 cos 2θ N·m: the wave of amplitude √(9500² + 5700²) stands 90° above the mean, ΔE = its amplitude."""
+    """T = 20000 + 9500 sin 2θ − 5700 cos 2θ N·m: the wave of amplitude √(9500² + 5700²) stands 90° above the mean, ΔE =
+    its amplitude."""
     theta = start + np.arange(0, 180, 0.5)
     T = 20000 + 9500 * np.sin(np.radians(2 * theta)) - 5700 * np.cos(np.radians(2 * theta))
     value = {id: v.inside for id, v in results(list(zip(theta.tolist(), T.tolist())), 180).values().items()}
@@ -75,13 +79,24 @@ def test_the_diagram_stands_in_the_chain_and_in_a_figure():
     assert curve.series[0].y.tolist() == [0, 400, 0] and curve.limits[0][1] == pytest.approx(200)
 
 
-@pytest.mark.parametrize("rows, period, wanted", [
-    ([(0, 1), (10, 2)], None, ["engine.torque", "has 2 rows; needs at least 3"]),
-    ([(0, 1), (10, 2), (10, 3)], None, ["engine.torque.2.angle_deg: 10: must be above that of the row before"]),
-    ([(0, 1), (100, 2), (361, 1)], 360, ["engine.torque.2.angle_deg: 361: lies more than the period of 360° behind the first row"]),
-    ([(0, 1), (100, 2), (360, 5)], 360, ["engine.torque.2.torque_Nm: 5: must be that of the first row, 360° before it"]),
-    ([], 360, ["engine.torque_period_deg", "belongs to a torque diagram"]),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    "rows, period, wanted",
+    [
+        ([(0, 1), (10, 2)], None, ["engine.torque", "has 2 rows; needs at least 3"]),
+        ([(0, 1), (10, 2), (10, 3)], None, ["engine.torque.2.angle_deg: 10: must be above that of the row before"]),
+        (
+            [(0, 1), (100, 2), (361, 1)],
+            360,
+            ["engine.torque.2.angle_deg: 361: lies more than the period of 360° behind the first row"],
+        ),
+        (
+            [(0, 1), (100, 2), (360, 5)],
+            360,
+            ["engine.torque.2.torque_Nm: 5: must be that of the first row, 360° before it"],
+        ),
+        ([], 360, ["engine.torque_period_deg", "belongs to a torque diagram"]),
+    ],
+)
 def test_what_is_refused(rows, period, wanted):
     said = errors(rows, period)
     assert all(part in said for part in wanted), said

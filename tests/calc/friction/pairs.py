@@ -63,7 +63,8 @@ def wheel(name, z, m_t, alpha_t, tip_radius, b, E=206e9):
 
 
 def spur_pair():
-    """The spur pair of the gear friction thesis; its tips are assumed: r_a = r + m·(1 + X/2 + k), X the sum of the shifts."""
+    """The spur pair of the gear friction thesis; its tips are assumed: r_a = r + m·(1 + X/2 + k), X the sum of the
+    shifts."""
     m, alpha, z, X = 2.31e-3, 0.3146, (38, 76), 0.44808
     involute = math.tan(alpha) - alpha + 2 * math.tan(alpha) * X / sum(z)
     alpha_w = alpha
@@ -72,14 +73,19 @@ def spur_pair():
     a_w = m * sum(z) / 2 * math.cos(alpha) / math.cos(alpha_w)
     k = (a_w - m * sum(z) / 2) / m - X
     tips = [m * n / 2 + m * (1 + X / 2 + k) for n in z]
-    pinion, gear = wheel("pinion", z[0], m, alpha, tips[0], 30e-3, 219e9), wheel("gear", z[1], m, alpha, tips[1], 23e-3, 219e9)
+    pinion, gear = (
+        wheel("pinion", z[0], m, alpha, tips[0], 30e-3, 219e9),
+        wheel("gear", z[1], m, alpha, tips[1], 23e-3, 219e9),
+    )
     return MeshGeometry(pinion, gear, a_w, 0.0)
 
 
 def fzg(b=14e-3, tips=(41.23e-3, 59.18e-3)):
     """The FZG test gears of type C (z 16/24, m 4.5 mm, 91.5 mm)."""
     alpha = math.radians(20)
-    return MeshGeometry(wheel("pinion", 16, 4.5e-3, alpha, tips[0], b), wheel("gear", 24, 4.5e-3, alpha, tips[1], b), 91.5e-3, 0.0)
+    return MeshGeometry(
+        wheel("pinion", 16, 4.5e-3, alpha, tips[0], b), wheel("gear", 24, 4.5e-3, alpha, tips[1], b), 91.5e-3, 0.0
+    )
 
 
 def inv(angle):
@@ -99,9 +105,17 @@ def r753():
     tip = m_t * 25 / 2 + m_n * (1 + x_shaft)
     wheels = [
         wheel(name, z, m_t, alpha_t, r_a, b)
-        for name, z, r_a in (("crank", 25, tip), ("central", 36, 81.665e-3 / 2), ("idler", 39, 87.052e-3 / 2), ("shaft", 25, tip))
+        for name, z, r_a in (
+            ("crank", 25, tip),
+            ("central", 36, 81.665e-3 / 2),
+            ("idler", 39, 87.052e-3 / 2),
+            ("shaft", 25, tip),
+        )
     ]
-    meshes = [MeshGeometry(one, two, a_w, beta_b) for one, two, a_w in zip(wheels, wheels[1:], (65.808e-3, 80.555e-3, 68.698e-3))]
+    meshes = [
+        MeshGeometry(one, two, a_w, beta_b)
+        for one, two, a_w in zip(wheels, wheels[1:], (65.808e-3, 80.555e-3, 68.698e-3))
+    ]
     return {mesh.name: mesh for mesh in meshes}
 
 

@@ -27,38 +27,66 @@ def refused(document):
     return str(caught.value)
 
 
-# --- refused -----------------------------------------------------------------------------------------------------------------------
-@pytest.mark.parametrize("kind, entry", [
-    ("seals", {"diameter_mm": 40.0}), ("rolling_bearings", {"bore_mm": 20.0, "outside_diameter_mm": 42.0}),
-    ("plain_bearings", {"diameter_mm": 20.0, "length_mm": 12.0, "clearance_um": 40.0}), ("dips", {"depth_mm": 5.0, "oil_volume_L": 2.0}),
-    ("jets", {"flow_L_min": 1.0}), ("other_losses", {"power_W": 3.0}),
-])  # fmt: skip
+# --- refused
+# -----------------------------------------------------------------------------------------------------------------------
+@pytest.mark.parametrize(
+    "kind, entry",
+    [
+        ("seals", {"diameter_mm": 40.0}),
+        ("rolling_bearings", {"bore_mm": 20.0, "outside_diameter_mm": 42.0}),
+        ("plain_bearings", {"diameter_mm": 20.0, "length_mm": 12.0, "clearance_um": 40.0}),
+        ("dips", {"depth_mm": 5.0, "oil_volume_L": 2.0}),
+        ("jets", {"flow_L_min": 1.0}),
+        ("other_losses", {"power_W": 3.0}),
+    ],
+)
 def test_a_wheel_that_is_not_there_is_refused_and_one_that_is_carries(kind, entry):
     said = refused(changed(gamma(), friction={kind: [{"name": "x", "wheel": "idlr", **entry}]}))
     assert f"friction.{kind}.0.wheel" in said and 'did you mean "idler"?' in said
-    found = friction_of(changed(gamma(), friction={kind: [{"name": "shaft-x", "wheel": "idler", **entry}]})).result.wheels
+    found = friction_of(
+        changed(gamma(), friction={kind: [{"name": "shaft-x", "wheel": "idler", **entry}]})
+    ).result.wheels
     assert sum(found["idler"].parts()) > sum(friction_of(gamma()).result.wheels["idler"].parts())
     assert not any("begin with that of no wheel" in note for note in friction_of(gamma()).notes)
 
 
 def test_skf_asks_for_a_series_it_knows():
     said = refused(
-        changed(gamma(), friction={"rolling_bearings": [{"name": "idler", "bore_mm": 25.0, "outside_diameter_mm": 52.0, "method": "skf"}]})
+        changed(
+            gamma(),
+            friction={
+                "rolling_bearings": [{"name": "idler", "bore_mm": 25.0, "outside_diameter_mm": 52.0, "method": "skf"}]
+            },
+        )
     )
     assert "friction.rolling_bearings.0.series" in said and '"62"' in said and "palmgren" in said
-    needle = {"name": "idler", "bore_mm": 25.0, "outside_diameter_mm": 52.0, "method": "skf", "kind": "needle-roller", "series": "62"}
-    assert "deep-groove-ball and cylindrical-roller only" in refused(changed(gamma(), friction={"rolling_bearings": [needle]}))
+    needle = {
+        "name": "idler",
+        "bore_mm": 25.0,
+        "outside_diameter_mm": 52.0,
+        "method": "skf",
+        "kind": "needle-roller",
+        "series": "62",
+    }
+    assert "deep-groove-ball and cylindrical-roller only" in refused(
+        changed(gamma(), friction={"rolling_bearings": [needle]})
+    )
 
 
 def test_teeth_are_measured_or_estimated():
-    assert "friction.bulk_temperature_C" in refused(changed(pair(), friction={"bulk": "estimated", "bulk_temperature_C": 50.0}))
+    assert "friction.bulk_temperature_C" in refused(
+        changed(pair(), friction={"bulk": "estimated", "bulk_temperature_C": 50.0})
+    )
 
 
 def test_the_power_of_a_scenario_is_that_of_a_train_alone():
-    assert "friction.scenarios.0.power_kW" in refused(changed(gamma(), friction={"scenarios": [{"name": "a", "power_kW": 1.0}]}))
+    assert "friction.scenarios.0.power_kW" in refused(
+        changed(gamma(), friction={"scenarios": [{"name": "a", "power_kW": 1.0}]})
+    )
 
 
-# --- what once broke -----------------------------------------------------------------------------------------------------------------
+# --- what once broke
+# -----------------------------------------------------------------------------------------------------------------
 def test_a_helical_train_alone_with_bearings_is_shown_whole():
     wheels = [{"name": f"w{i}", "teeth": z} for i, z in enumerate((25, 36, 39))]
     meshes = [{"driver": "w0", "driven": "w1"}, {"driver": "w1", "driven": "w2"}]
@@ -105,7 +133,9 @@ def test_linke_has_no_gain():
 
 
 def test_a_jet_faster_than_the_teeth_is_told():
-    outcome = friction_of(changed(pair(), friction={"jets": [{"name": "pump", "flow_L_min": 2.0, "jet_speed_m_s": 30.0}]}))
+    outcome = friction_of(
+        changed(pair(), friction={"jets": [{"name": "pump", "flow_L_min": 2.0, "jet_speed_m_s": 30.0}]})
+    )
     assert outcome.result.thrown_oil_loss < 0
     assert any("drives its wheel" in note for note in outcome.notes)
 
@@ -120,7 +150,8 @@ def test_rolling_that_is_not_counted_is_told():
     assert "Not counted: rolling of EHL films" in balance.note
 
 
-# --- asked for ---------------------------------------------------------------------------------------------------------------------
+# --- asked for
+# ---------------------------------------------------------------------------------------------------------------------
 def test_a_scenario_is_explained_as_the_design_that_it_is(tmp_path, capsys):
     file = tmp_path / "design.toml"
     text = Path(gamma().place).read_text(encoding="utf-8")
@@ -153,7 +184,9 @@ def test_a_list_that_may_be_one_number_is_swept(capsys):
 def test_a_scenario_leaves_a_measured_temperature_as_its_design_does():
     from calc.friction.studies.scenarios import as_design
 
-    asked = changed(gamma(), friction={"bulk_temperature_C": 130.0, "scenarios": [{"name": "cold", "oil_temperature_C": 60.0}]})
+    asked = changed(
+        gamma(), friction={"bulk_temperature_C": 130.0, "scenarios": [{"name": "cold", "oil_temperature_C": 60.0}]}
+    )
     scenario = friction_of(asked).result.scenarios["cold"]
     document, friction = asked, design(asked).friction
     for key, value in as_design(friction, friction.scenarios[0], True).items():
@@ -162,7 +195,9 @@ def test_a_scenario_leaves_a_measured_temperature_as_its_design_does():
 
 
 def test_scenarios_stand_beside_the_design():
-    outcome = friction_of(changed(gamma(), friction={"scenarios": [{"name": "rough", "flank_roughness_um": 1.6}]})).whole
+    outcome = friction_of(
+        changed(gamma(), friction={"scenarios": [{"name": "rough", "flank_roughness_um": 1.6}]})
+    ).whole
     table = next(t for t in outcome.tables if t.id == "scenarios")
     assert [row[0] for row in table.rows] == ["as designed", "rough"]
     assert "Ra 1.6 µm" in table.rows[1][1]

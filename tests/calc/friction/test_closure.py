@@ -29,7 +29,8 @@ def only(mesh):
     return {mesh.name: mesh}
 
 
-# --- the balance ---------------------------------------------------------------------------------------------------------------
+# --- the balance
+# ---------------------------------------------------------------------------------------------------------------
 def test_the_losses_are_the_power_at_the_crank():
     parts = sum(VALUES[f"{part}_loss"] for part in ("bearing", "mesh", "windage", "other"))
     assert parts == pytest.approx(VALUES["total_loss"], rel=1e-9)
@@ -52,12 +53,17 @@ def test_every_mesh_passes_on_what_the_next_takes_in():
     for name, wheel, following in zip(names, wheels, [*names[1:], None]):
         takes = VALUES[f"{following}.power_in"] if following else SHAFT_POWER
         assert VALUES[f"{name}.power_out"] == pytest.approx(takes + VALUES[f"{wheel}.windage"], rel=1e-12)
-        assert VALUES[f"{name}.power_in"] - VALUES[f"{name}.power_out"] == pytest.approx(VALUES[f"{name}.loss"], rel=1e-9)
-        assert VALUES[f"{name}.efficiency"] == pytest.approx(VALUES[f"{name}.power_out"] / VALUES[f"{name}.power_in"], rel=1e-9)
+        assert VALUES[f"{name}.power_in"] - VALUES[f"{name}.power_out"] == pytest.approx(
+            VALUES[f"{name}.loss"], rel=1e-9
+        )
+        assert VALUES[f"{name}.efficiency"] == pytest.approx(
+            VALUES[f"{name}.power_out"] / VALUES[f"{name}.power_in"], rel=1e-9
+        )
 
 
 def test_the_train_is_of_the_expected_size():
-    """Rolling 1.5, 1.6, 1.6 W and the source's sliding 4.9, 4.0, 5.3 W from the shaft up; 285 to 295 W, 1.05 to 1.08 N·m at the crank."""
+    """Rolling 1.5, 1.6, 1.6 W and the source's sliding 4.9, 4.0, 5.3 W from the shaft up; 285 to 295 W, 1.05 to 1.08
+    N·m at the crank."""
     for name, rolling, sliding in (("idler_shaft", 1.5, 4.9), ("central_idler", 1.6, 4.0), ("crank_central", 1.6, 5.3)):
         assert VALUES[f"{name}.rolling_loss"] == pytest.approx(rolling, abs=0.06)
         assert VALUES[f"{name}.source.loss"] == pytest.approx(sliding, abs=0.06)
@@ -85,7 +91,15 @@ def test_down_the_train_is_up_the_train(film):
 
 def test_a_mesh_alone():
     pair = spur_pair()
-    found = closed(shaft_power=None, power=10000.0, speed=25.0, T=60.0, meshes=only(pair), film="source", oil="friction thesis 10W40")
+    found = closed(
+        shaft_power=None,
+        power=10000.0,
+        speed=25.0,
+        T=60.0,
+        meshes=only(pair),
+        film="source",
+        oil="friction thesis 10W40",
+    )
     values = shown(found)
     assert values["pinion_gear.loss"] == pytest.approx(66.1994, abs=1e-3)
     assert values["pinion_gear.power_in"] == 10000.0
@@ -110,11 +124,13 @@ def test_a_mesh_that_eats_more_than_it_gets_is_no_solution():
         power.upstream(only(pair), lambda name, P: 1.2 * P, lambda loads: {"pinion": 0.0, "gear": 100.0})
 
 
-# --- what is carried where -----------------------------------------------------------------------------------------------------
+# --- what is carried where
+# -----------------------------------------------------------------------------------------------------
 def test_other_losses_enter_at_the_wheel_that_they_name():
     base = VALUES["crank_power"]
     at_crank, at_idler, anywhere = (
-        shown(closed(other_losses=(OtherLoss(name=name, power=20.0),))) for name in ("crank seal", "idler bearing", "fuel pump")
+        shown(closed(other_losses=(OtherLoss(name=name, power=20.0),)))
+        for name in ("crank seal", "idler bearing", "fuel pump")
     )
     assert at_crank["crank_power"] == pytest.approx(base + 20, rel=1e-9)
     assert base + 20 < at_idler["crank_power"] < anywhere["crank_power"]
@@ -159,7 +175,9 @@ def test_reversing_a_mesh_swaps_approach_and_recess():
 
 def test_fuel_is_asked_for():
     assert "fuel" not in VALUES
-    assert shown(closed(specific_fuel_consumption=220e-3 / 3.6e6))["fuel"] == pytest.approx(0.220 * VALUES["total_loss"])
+    assert shown(closed(specific_fuel_consumption=220e-3 / 3.6e6))["fuel"] == pytest.approx(
+        0.220 * VALUES["total_loss"]
+    )
 
 
 def test_no_shaft_loss_leaves_the_windage():
@@ -168,7 +186,8 @@ def test_no_shaft_loss_leaves_the_windage():
     assert values["total_loss"] == pytest.approx(values["crank_power"], rel=1e-9)
 
 
-# --- what is said about it ---------------------------------------------------------------------------------------------------
+# --- what is said about it
+# ---------------------------------------------------------------------------------------------------
 def test_checks_note_the_regime_and_rough_flanks():
     verdicts = {c.id: c.verdict for c in TRAIN.checks}
     assert verdicts["friction.train.balance"] == "pass"
@@ -189,7 +208,8 @@ def test_at_high_load_the_ehl_formula_holds():
 
 
 def test_the_errors_of_the_source_stand_beside():
-    """For a helical train the film that it takes everywhere; what is wrong in its own spur calculation only with a spur pair."""
+    """For a helical train the film that it takes everywhere; what is wrong in its own spur calculation only with a spur
+    pair."""
     errata = {e.about: e for e in TRAIN.errata}
     assert set(errata) == {f"friction.{name}.film_min" for name in r753()}
     assert errata["friction.idler_shaft.film_min"].source_value < VALUES["idler_shaft.film_min"]
@@ -200,7 +220,15 @@ def test_the_errors_of_the_source_stand_beside():
 
 
 def test_the_elliptical_exponent_doubles_the_loss_of_the_thesis():
-    found = closed(shaft_power=None, power=100.0, speed=25.0, T=40.0, meshes=only(spur_pair()), film="source", oil="friction thesis 10W40")
+    found = closed(
+        shaft_power=None,
+        power=100.0,
+        speed=25.0,
+        T=40.0,
+        meshes=only(spur_pair()),
+        film="source",
+        oil="friction thesis 10W40",
+    )
     assert next(e.source_value for e in found.errata if e.about == "friction.oil_viscosity") == 128.58
     theirs = next(e.source_value for e in found.errata if e.about.endswith("source.loss"))
     assert 1.7 < theirs / shown(found)["pinion_gear.loss"] < 2.3
@@ -221,14 +249,17 @@ def test_lines_stand_once_and_can_be_read():
         assert all(line_text(line))
 
 
-# --- the mesh that eats its power ------------------------------------------------------------------------------------------------
+# --- the mesh that eats its power
+# ------------------------------------------------------------------------------------------------
 def failing(outcome):
     return {c.id for c in outcome.checks if c.verdict == "fail"}
 
 
 def test_a_train_that_delivers_nothing_fails():
     pair = only(spur_pair())
-    much, little, none = (closed(shaft_power=None, power=P, speed=25.0, T=40.0, meshes=pair) for P in (100.0, 1.0, 1e-9))
+    much, little, none = (
+        closed(shaft_power=None, power=P, speed=25.0, T=40.0, meshes=pair) for P in (100.0, 1.0, 1e-9)
+    )
     assert not failing(much)
     assert failing(little) == {"friction.train.delivered"}
     assert failing(none) == {"friction.train.delivered", "friction.pinion_gear.power_out"}
@@ -240,14 +271,23 @@ def test_a_chain_that_runs_dry_on_the_way_says_so():
         closed(shaft_power=None, power=0.2)
 
 
-# --- who carries what ----------------------------------------------------------------------------------------------------------
+# --- who carries what
+# ----------------------------------------------------------------------------------------------------------
 @pytest.mark.parametrize(
     "loss, wheel",
     [
-        ("crank", "crank"), ("crank seal", "crank"), ("crank-seal", "crank"), ("crank: seal", "crank"), ("crankcase-seal", "shaft"),
-        ("crank2 seal", "shaft"), ("pump", "shaft"), ("seal of crank", "shaft"), ("idler-2 bearing", "idler-2"), ("idler-3", "idler"),
+        ("crank", "crank"),
+        ("crank seal", "crank"),
+        ("crank-seal", "crank"),
+        ("crank: seal", "crank"),
+        ("crankcase-seal", "shaft"),
+        ("crank2 seal", "shaft"),
+        ("pump", "shaft"),
+        ("seal of crank", "shaft"),
+        ("idler-2 bearing", "idler-2"),
+        ("idler-3", "idler"),
     ],
-)  # fmt: skip
+)
 def test_the_carrier_of_a_loss(loss, wheel):
     wheels = ("crank", "idler", "idler-2", "shaft")
     assert carrier(OtherLoss(name=loss, power=1.0), wheels, "shaft") == wheel
@@ -255,15 +295,24 @@ def test_the_carrier_of_a_loss(loss, wheel):
 
 
 def test_a_note_says_which_wheel_carries_a_loss():
-    losses = (OtherLoss(name="idler seal", power=5.0), OtherLoss(name="crankcase-seal", power=7.0), OtherLoss(name="idler: oil", power=1.0))
+    losses = (
+        OtherLoss(name="idler seal", power=5.0),
+        OtherLoss(name="crankcase-seal", power=7.0),
+        OtherLoss(name="idler: oil", power=1.0),
+    )
     outcome = closed(other_losses=losses)
     notes = [n for n in outcome.notes if n.startswith("Other loss")]
     assert notes[0] == 'Other loss "idler seal", 5 W: carried by wheel idler.'
     assert notes[1].startswith('Other loss "crankcase-seal", 7 W: carried by wheel shaft, the last')
-    assert (shown(outcome)["idler.other_loss"], shown(outcome)["shaft.other_loss"], shown(outcome)["other_loss"]) == (6, 7, 13)
+    assert (shown(outcome)["idler.other_loss"], shown(outcome)["shaft.other_loss"], shown(outcome)["other_loss"]) == (
+        6,
+        7,
+        13,
+    )
 
 
-# --- every value can be explained ------------------------------------------------------------------------------------------------
+# --- every value can be explained
+# ------------------------------------------------------------------------------------------------
 @pytest.mark.parametrize("name", ["r753ie4_gamma.toml", "timing_pair.toml"])
 def test_every_value_is_what_a_line_returned_or_an_input(name):
     drawn = design(read(DESIGNS / name))
@@ -281,13 +330,16 @@ def test_what_the_given_power_means_is_said():
 
 
 def test_errata_are_methods_save_what_is_printed():
-    found = closed(shaft_power=None, power=100.0, speed=25.0, T=40.0, meshes=only(spur_pair()), oil="friction thesis 10W40")
+    found = closed(
+        shaft_power=None, power=100.0, speed=25.0, T=40.0, meshes=only(spur_pair()), oil="friction thesis 10W40"
+    )
     sources = {e.about: e.source for e in found.errata}
     assert sources.pop("friction.oil_viscosity").startswith("printed viscosity")
     assert len(sources) == 4 and all(s.startswith("method of the gear friction thesis") for s in sources.values())
 
 
-# --- what has no meaning -------------------------------------------------------------------------------------------------------
+# --- what has no meaning
+# -------------------------------------------------------------------------------------------------------
 @pytest.mark.parametrize("value", [float("nan"), float("inf"), -1.0])
 @pytest.mark.parametrize("what", ["shaft_power", "speed", "T"])
 def test_numbers_without_meaning_are_refused(what, value):
@@ -298,12 +350,20 @@ def test_numbers_without_meaning_are_refused(what, value):
 @pytest.mark.parametrize(
     "said",
     [
-        {"flank_roughness": (0.0,)}, {"flank_roughness": (float("nan"),)}, {"solid_friction": -0.1}, {"solid_friction": float("nan")},
-        {"mist_density": 0.0}, {"bulk_temperature": float("nan")}, {"other_losses": (OtherLoss(name="pump", power=-5.0),)},
-        {"meshes": {}}, {"speed": 0.0}, {"shaft_power": None}, {"shaft_power": None, "power": 0.0},
+        {"flank_roughness": (0.0,)},
+        {"flank_roughness": (float("nan"),)},
+        {"solid_friction": -0.1},
+        {"solid_friction": float("nan")},
+        {"mist_density": 0.0},
+        {"bulk_temperature": float("nan")},
+        {"other_losses": (OtherLoss(name="pump", power=-5.0),)},
+        {"meshes": {}},
+        {"speed": 0.0},
+        {"shaft_power": None},
+        {"shaft_power": None, "power": 0.0},
         {"shaft_power": None, "power": float("nan")},
     ],
-)  # fmt: skip
+)
 def test_inputs_without_meaning_are_refused(said):
     with pytest.raises(NoSolution):
         closed(**said)
@@ -313,11 +373,13 @@ def test_inputs_without_meaning_are_refused(said):
 @pytest.mark.parametrize(
     "said, words",
     [
-        ({"power": 1e8}, "above 1500 °C, where the laws of the oil end"), ({"power": 1e300}, "no number|above 1500"),
+        ({"power": 1e8}, "above 1500 °C, where the laws of the oil end"),
+        ({"power": 1e300}, "no number|above 1500"),
         ({"flank_roughness": (1e-306,)}, r"1·10⁻³⁰⁰ µm is so small.*friction\.flank_roughness_um"),
-        ({"power": float("nan")}, "is no value"), ({"power": float("inf")}, "is ∞"),
+        ({"power": float("nan")}, "is no value"),
+        ({"power": float("inf")}, "is ∞"),
     ],
-)  # fmt: skip
+)
 def test_numbers_far_outside_give_words_and_no_warning(said, words):
     with pytest.raises(NoSolution, match=words) as caught:
         closed(**{"shaft_power": None, "power": 100.0, "speed": 25.0, "T": 40.0, "meshes": only(spur_pair()), **said})
@@ -327,16 +389,26 @@ def test_numbers_far_outside_give_words_and_no_warning(said, words):
 @pytest.mark.filterwarnings("error")
 @settings(max_examples=40, deadline=None)
 @given(
-    power=st.floats(-15, 9), speed=st.floats(-3, 3.3), T=st.floats(-40, 200), Ra=st.floats(-200, -5), b=st.floats(-9, 0.3),
+    power=st.floats(-15, 9),
+    speed=st.floats(-3, 3.3),
+    T=st.floats(-40, 200),
+    Ra=st.floats(-200, -5),
+    b=st.floats(-9, 0.3),
     film=st.sampled_from(["judged", "source"]),
-)  # fmt: skip
+)
 def test_any_numbers_give_finite_values_or_words(power, speed, T, Ra, b, film):
     pair = spur_pair()
     pair = replace(pair, driver=replace(pair.driver, face_width=10**b), driven=replace(pair.driven, face_width=10**b))
     try:
         outcome = closed(
-            shaft_power=None, power=10**power, speed=10**speed, T=T, meshes=only(pair), flank_roughness=(10**Ra,), film=film
-        )  # fmt: skip
+            shaft_power=None,
+            power=10**power,
+            speed=10**speed,
+            T=T,
+            meshes=only(pair),
+            flank_roughness=(10**Ra,),
+            film=film,
+        )
     except NoSolution as none:
         assert none.what and none.advice and "nan" not in str(none)
         return
@@ -352,9 +424,12 @@ def test_a_mesh_that_nothing_drives_is_refused():
 
 @settings(max_examples=25, deadline=None)
 @given(
-    shaft_power=st.floats(1e-3, 1e5), speed=st.floats(0.5, 300.0), T=st.floats(0.0, 150.0), Ra=st.floats(0.05e-6, 5e-6),
+    shaft_power=st.floats(1e-3, 1e5),
+    speed=st.floats(0.5, 300.0),
+    T=st.floats(0.0, 150.0),
+    Ra=st.floats(0.05e-6, 5e-6),
     film=st.sampled_from(["judged", "source"]),
-)  # fmt: skip
+)
 def test_any_sensible_train_closes(shaft_power, speed, T, Ra, film):
     values = shown(closed(shaft_power=shaft_power, speed=speed, T=T, flank_roughness=(Ra,), film=film))
     assert values["total_loss"] == pytest.approx(values["crank_power"], rel=1e-9)
@@ -366,6 +441,20 @@ def test_any_sensible_train_closes(shaft_power, speed, T, Ra, film):
 if __name__ == "__main__":
     import json
 
-    chosen = ("loss", "sliding_loss", "rolling_loss", "loss_factor", "friction_mean", "film_min", "temperature_max", "source.loss")
-    names = [f"{mesh}.{name}" for mesh in r753() for name in chosen] + ["mesh_loss", "windage_loss", "crank_power", "crank_torque"]
+    chosen = (
+        "loss",
+        "sliding_loss",
+        "rolling_loss",
+        "loss_factor",
+        "friction_mean",
+        "film_min",
+        "temperature_max",
+        "source.loss",
+    )
+    names = [f"{mesh}.{name}" for mesh in r753() for name in chosen] + [
+        "mesh_loss",
+        "windage_loss",
+        "crank_power",
+        "crank_torque",
+    ]
     print(json.dumps({name: VALUES[name] for name in names}, indent=1))

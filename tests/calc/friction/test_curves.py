@@ -27,7 +27,8 @@ def test_curves_run_along_the_path():
 
 
 def test_the_shear_that_an_oil_bears():
-    """Both models meet at no pressure, 2·Λ/α; under pressure the judged one has a smaller α.  Warmer oil bears more before it thins."""
+    """Both models meet at no pressure, 2·Λ/α; under pressure the judged one has a smaller α.  Warmer oil bears more
+    before it thins."""
     limit, *judged = next(c for c in TRAIN.curves if c.id == "shear").series
     source = next(c for c in closed(film="source").curves if c.id == "shear").series[1:]
     assert limit.y == pytest.approx(0.047 * limit.x * 1e3)
@@ -36,8 +37,15 @@ def test_the_shear_that_an_oil_bears():
     assert judged[0].y[0] < judged[1].y[0] < judged[2].y[0]
 
 
-@pytest.mark.parametrize("lam, said", [
-    ((0.1, 0.2), "boundary"), ((0.1, 1.0), "boundary to mixed"), ((1.0, 2.0), "mixed"), ((1.0, 9.0), "mixed to full-film"), ((4.0, 9.0), "full-film"),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    "lam, said",
+    [
+        ((0.1, 0.2), "boundary"),
+        ((0.1, 1.0), "boundary to mixed"),
+        ((1.0, 2.0), "mixed"),
+        ((1.0, 9.0), "mixed to full-film"),
+        ((4.0, 9.0), "full-film"),
+    ],
+)
 def test_the_kind_of_lubrication(lam, said):
     assert str(regimes(*lam)) == said

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What tribology and the conservation of energy say of any mesh and train; the list of all such laws is docs/laws.md."""
+"""What tribology and the conservation of energy say of any mesh and train; the list of all such laws is
+docs/laws.md."""
 
 import math
 from dataclasses import replace
@@ -39,13 +40,19 @@ def meshes(draw, spur=None):
 
 
 points = dict(
-    mesh=meshes(), T=st.floats(20, 130), n=st.floats(2, 80), Ra=st.floats(0.1e-6, 2e-6), stress=st.floats(100e6, 1200e6),
-    law=st.sampled_from(["barus", "roelands"]), by_regime=st.booleans(),
-)  # fmt: skip
+    mesh=meshes(),
+    T=st.floats(20, 130),
+    n=st.floats(2, 80),
+    Ra=st.floats(0.1e-6, 2e-6),
+    stress=st.floats(100e6, 1200e6),
+    law=st.sampled_from(["barus", "roelands"]),
+    by_regime=st.booleans(),
+)
 
 
 def load_of(mesh, stress, n):
-    """A power that presses the flanks about as hard: w = 2π·p²·R/E_r on a curvature of a quarter of the smaller pitch radius's sine."""
+    """A power that presses the flanks about as hard: w = 2π·p²·R/E_r on a curvature of a quarter of the smaller pitch
+    radius's sine."""
     R, E_r = min(mesh.driver.base_radius, mesh.driven.base_radius) / 6, 226e9
     return 2 * math.pi * stress**2 * R / E_r * mesh.face_width * mesh.driver.base_radius * 2 * math.pi * n
 
@@ -54,25 +61,31 @@ def lost(mesh, T, n, Ra, stress, law="barus", by_regime=True, P=None, **said):
     own = friction(flank_roughness=(Ra,), pressure_law=law, **said)
     try:
         with np.errstate(all="ignore"):
-            return solve_mesh(case(own, mesh, oil_at(OIL, T), n), load_of(mesh, stress, n) if P is None else P, by_regime)
-    except (
-        NoSolution
-    ) as none:  # films of many hundred °C: the laws of the oil end there, and Roelands' oil stiffens with heat above some 400 °C
+            return solve_mesh(
+                case(own, mesh, oil_at(OIL, T), n), load_of(mesh, stress, n) if P is None else P, by_regime
+            )
+    except NoSolution as none:
+        # films of many hundred °C: the laws of the oil end there, and Roelands' oil stiffens with heat above some 400
+        # °C
         assert none.advice
         assume(False)
 
 
-# --- load and sliding along the path ----------------------------------------------------------------------------------------------
+# --- load and sliding along the path
+# ----------------------------------------------------------------------------------------------
 @settings(max_examples=40, deadline=None)
 @given(mesh=meshes(), sharing=st.sampled_from(["linear", "smooth"]), F=st.floats(1, 1e5))
 def test_the_teeth_in_contact_carry_the_whole_force(mesh, sharing, F):
-    """∫w·cos β_b over all contact lines is F_bt in the mean over a pitch; of spur pairs a base pitch apart at every moment.
+    """∫w·cos β_b over all contact lines is F_bt in the mean over a pitch; of spur pairs a base pitch apart at every
+    moment.
 
-    A helical load has kinks across the strips: the sum is right to 1e-4 by the usual number of them, and comes to F with more.
-    """
+    A helical load has kinks across the strips: the sum is right to 1e-4 by the usual number of them, and comes to F
+    with more."""
     way = path(mesh, sharing)
     w, _ = line_load(mesh, way, F)
-    assert float(np.sum(way.weight * w)) * math.cos(mesh.base_helix_angle) == pytest.approx(F, rel=1e-9 if mesh.spur else 1e-4)
+    assert float(np.sum(way.weight * w)) * math.cos(mesh.base_helix_angle) == pytest.approx(
+        F, rel=1e-9 if mesh.spur else 1e-4
+    )
     if not mesh.spur:
         fine = path(mesh, sharing, strips=60)
         carried = np.sum(fine.weight * line_load(mesh, fine, F)[0]) * math.cos(mesh.base_helix_angle)
@@ -98,7 +111,9 @@ def test_contact_lines_are_as_long_in_the_mean_as_all_that_is_in_contact(mesh):
     g_alpha, g_beta = way.epsilon_alpha * way.p_bt, way.epsilon_beta * way.p_bt
     said = dict(s=s, g_alpha=g_alpha, p_bt=way.p_bt, beta_b=mesh.base_helix_angle)
     lines = np.asarray(contact_length(g_beta=g_beta, **said))
-    assert lines.mean() == pytest.approx(way.epsilon_alpha * mesh.face_width / math.cos(mesh.base_helix_angle), rel=1e-4)
+    assert lines.mean() == pytest.approx(
+        way.epsilon_alpha * mesh.face_width / math.cos(mesh.base_helix_angle), rel=1e-4
+    )
     whole = np.asarray(contact_length(g_beta=2 * way.p_bt, **said))
     assert whole == pytest.approx(np.full(s.size, whole.mean()), rel=1e-9)
 
@@ -106,7 +121,8 @@ def test_contact_lines_are_as_long_in_the_mean_as_all_that_is_in_contact(mesh):
 @settings(max_examples=40, deadline=None)
 @given(mesh=meshes(), n=st.floats(1, 100))
 def test_flanks_slide_by_both_turns_and_roll_at_the_pitch_point(mesh, n):
-    """|u_1 − u_2| = (ω_1 + ω_2)·|x − C|: zero at C; sums of the curvatures are the line of action; 1/ρ = 1/ρ_1 + 1/ρ_2."""
+    """|u_1 − u_2| = (ω_1 + ω_2)·|x − C|: zero at C; sums of the curvatures are the line of action; 1/ρ = 1/ρ_1 +
+    1/ρ_2."""
     way = path(mesh)
     m = motion(mesh, way, n)
     assert np.abs(m.u_1 - m.u_2) == pytest.approx(np.asarray(m.V_s), abs=1e-9 * np.max(m.u_e))
@@ -123,7 +139,12 @@ def test_ohlendorfs_factor_is_the_sliding_of_pairs_that_share_half_and_half(mesh
     """H_v = ∫X·V_s dx/(v_b·p_bt) along the path, with X = ½ where two pairs are in contact."""
     way = path(mesh)
     H = ohlendorf_loss_factor(
-        eps_1=way.epsilon_1, eps_2=way.epsilon_2, eps_alpha=way.epsilon_alpha, z_1=mesh.driver.teeth, z_2=mesh.driven.teeth, beta_b=0.0
+        eps_1=way.epsilon_1,
+        eps_2=way.epsilon_2,
+        eps_alpha=way.epsilon_alpha,
+        z_1=mesh.driver.teeth,
+        z_2=mesh.driven.teeth,
+        beta_b=0.0,
     )
     both = 1 / mesh.driver.base_radius + 1 / mesh.driven.base_radius  # (ω_1 + ω_2)/v_b
 
@@ -134,11 +155,13 @@ def test_ohlendorfs_factor_is_the_sliding_of_pairs_that_share_half_and_half(mesh
     assert H == pytest.approx((slid(way.C_A, way.C_B) + slid(way.C_D, way.C_E)) / 2 + slid(way.C_B, way.C_D), rel=1e-9)
 
 
-# --- friction of a mesh -----------------------------------------------------------------------------------------------------------
+# --- friction of a mesh
+# -----------------------------------------------------------------------------------------------------------
 @settings(max_examples=30, deadline=None)
 @given(**{**points, "by_regime": st.just(False)}, mu_s=st.floats(0.02, 0.3))
 def test_mixed_friction_lies_between_oil_and_solids(mesh, T, n, Ra, stress, law, by_regime, mu_s):
-    """ξ·μ_s ≤ μ ≤ ξ·μ_s + (1 − ξ)·Λ at every place (elastic film), and the mean lies between the least and the largest."""
+    """ξ·μ_s ≤ μ ≤ ξ·μ_s + (1 − ξ)·Λ at every place (elastic film), and the mean lies between the least and the
+    largest."""
     found = lost(mesh, T, n, Ra, stress, law, by_regime, solid_friction=mu_s)
     xi, mu = (np.asarray(getattr(found.local, name)) for name in ("xi", "mu"))
     most = xi * mu_s + (1 - xi) * OIL.limiting_shear
@@ -165,8 +188,13 @@ def test_behind_a_thick_film_the_solids_do_not_count(mesh, T, n, Ra, stress, law
 def test_without_a_film_the_teeth_rub_as_coulomb_says(mesh, T, n, Ra, stress, law, by_regime, mu_s, load):
     """λ → 0: P_s = μ_s·H_VL·P, the loss factor that of the geometry: the efficiency knows neither speed nor load."""
     P = load_of(mesh, stress, n)
-    one, other = (lost(mesh, T, speed, Ra, stress, law, by_regime, P=p, solid_friction=mu_s) for speed, p in ((n, P), (n / 2, P * load)))
-    near = 0.02 if by_regime else 1e-6  # the film's share by Zhu and Hu goes with λ^0.64: here it still carries up to 0.3 %
+    one, other = (
+        lost(mesh, T, speed, Ra, stress, law, by_regime, P=p, solid_friction=mu_s)
+        for speed, p in ((n, P), (n / 2, P * load))
+    )
+    near = (
+        0.02 if by_regime else 1e-6
+    )  # the film's share by Zhu and Hu goes with λ^0.64: here it still carries up to 0.3 %
     assert one.sliding_loss == pytest.approx(mu_s * one.loss_factor * P, rel=near)
     assert other.sliding_loss == pytest.approx(mu_s * one.loss_factor * P * load, rel=near)
     assert one.friction_mean == pytest.approx(mu_s, rel=near)
@@ -188,11 +216,16 @@ def test_a_mesh_loses_as_much_either_way_round(mesh, T, n, Ra, stress, law, by_r
 @settings(max_examples=30, deadline=None)
 @given(**points, mu_s=st.floats(0.0, 0.3), more=st.floats(0.001, 0.2))
 def test_more_friction_of_the_solids_never_loses_less(mesh, T, n, Ra, stress, law, by_regime, mu_s, more):
-    """The loss does not fall with μ_s, and film and pressure do not know it; by no more than the sliding itself times what is added."""
+    """The loss does not fall with μ_s, and film and pressure do not know it; by no more than the sliding itself times
+    what is added."""
     one, other = (lost(mesh, T, n, Ra, stress, law, by_regime, solid_friction=mu) for mu in (mu_s, mu_s + more))
     assert one.loss <= other.loss * (1 + 1e-9)
     assert other.sliding_loss - one.sliding_loss <= more * one.loss_factor * one.load * (1 + 1e-6)
-    assert (other.film_min, other.pressure_max, other.rolling_loss) == (one.film_min, one.pressure_max, one.rolling_loss)
+    assert (other.film_min, other.pressure_max, other.rolling_loss) == (
+        one.film_min,
+        one.pressure_max,
+        one.rolling_loss,
+    )
 
 
 @settings(max_examples=25, deadline=None)
@@ -200,16 +233,24 @@ def test_more_friction_of_the_solids_never_loses_less(mesh, T, n, Ra, stress, la
 def test_pressure_goes_with_the_root_of_the_load(mesh, T, n, Ra, stress, law, by_regime, more):
     """p_H ~ √P at a speed (Hertz); at a power and half the speed the force is doubled: √2."""
     P = load_of(mesh, stress, n)
-    one, loaded, slow = (lost(mesh, T, speed, Ra, stress, law, by_regime, P=p) for speed, p in ((n, P), (n, P * more), (n / 2, P)))
+    one, loaded, slow = (
+        lost(mesh, T, speed, Ra, stress, law, by_regime, P=p) for speed, p in ((n, P), (n, P * more), (n / 2, P))
+    )
     assert loaded.pressure_max == pytest.approx(math.sqrt(more) * one.pressure_max, rel=1e-9)
     assert slow.pressure_max == pytest.approx(math.sqrt(2) * one.pressure_max, rel=1e-9)
     assert loaded.film_min < one.film_min
 
 
-# --- film and heat ------------------------------------------------------------------------------------------------------------------
+# --- film and heat
+# ------------------------------------------------------------------------------------------------------------------
 groups = dict(
-    eta=st.floats(1e-3, 0.5), u=st.floats(0.05, 50), R=st.floats(1e-3, 0.1), w=st.floats(1e2, 1e6), E=st.floats(1e9, 4e11), alpha=st.floats(2e-9, 3e-8),
-)  # fmt: skip
+    eta=st.floats(1e-3, 0.5),
+    u=st.floats(0.05, 50),
+    R=st.floats(1e-3, 0.1),
+    w=st.floats(1e2, 1e6),
+    E=st.floats(1e9, 4e11),
+    alpha=st.floats(2e-9, 3e-8),
+)
 
 
 def film_of(eta, u, R, w, E, alpha):
@@ -220,10 +261,11 @@ def film_of(eta, u, R, w, E, alpha):
         films.load_parameter(w=w, E_r=E, R=R),
     )
     H = (
-        films.film_rigid_isoviscous(U=U, W=W), films.film_rigid_piezoviscous(g_V=films.viscosity_group(W=W, G=G, U=U), U=U, W=W),
+        films.film_rigid_isoviscous(U=U, W=W),
+        films.film_rigid_piezoviscous(g_V=films.viscosity_group(W=W, G=G, U=U), U=U, W=W),
         films.film_elastic_isoviscous(g_E=films.elasticity_group(W=W, U=U), U=U, W=W),
         films.film_elastic_piezoviscous(G=G, e=films.EXPONENT, U=U, W=W),
-    )  # fmt: skip
+    )
     return films.governing_film(*H) * R, [h * R for h in H]
 
 
@@ -240,21 +282,30 @@ def test_the_film_between_flanks_knows_no_units(eta, u, R, w, E, alpha, kg, m, s
 @settings(max_examples=100, deadline=None)
 @given(**groups, more=st.floats(1.01, 3))
 def test_the_film_grows_with_speed_and_viscosity_and_falls_with_load(eta, u, R, w, E, alpha, more):
-    """η and u act as one, η·u; of rigid bodies the film does not know E, at constant viscosity not α; no regime is above the governing one."""
+    """η and u act as one, η·u; of rigid bodies the film does not know E, at constant viscosity not α; no regime is
+    above the governing one."""
     h, each = film_of(eta, u, R, w, E, alpha)
     assert h == max(each)
-    assert film_of(eta, u * more, R, w, E, alpha)[0] == pytest.approx(film_of(eta * more, u, R, w, E, alpha)[0], rel=1e-9)
+    assert film_of(eta, u * more, R, w, E, alpha)[0] == pytest.approx(
+        film_of(eta * more, u, R, w, E, alpha)[0], rel=1e-9
+    )
     assert film_of(eta, u * more, R, w, E, alpha)[0] > h >= film_of(eta, u, R, w * more, E, alpha)[0] * (1 - 1e-12)
     stiffer, thicker = film_of(eta, u, R, w, E * more, alpha)[1], film_of(eta, u, R, w, E, alpha * more)[1]
-    assert stiffer[:2] == pytest.approx(each[:2], rel=1e-9) and (thicker[0], thicker[2]) == pytest.approx((each[0], each[2]), rel=1e-9)
+    assert stiffer[:2] == pytest.approx(each[:2], rel=1e-9) and (thicker[0], thicker[2]) == pytest.approx(
+        (each[0], each[2]), rel=1e-9
+    )
     assert thicker[1] > each[1] and thicker[3] > each[3]
 
 
 @settings(max_examples=100, deadline=None)
 @given(B_1=st.floats(1e-5, 1e-1), B_2=st.floats(1e-5, 1e-1), M_1=st.floats(0, 1), M_2=st.floats(0, 1))
 def test_heat_is_shared_and_none_is_lost(B_1, B_2, M_1, M_2):
-    """The shares of both bodies are 1 together; alike bodies take half; the body of the larger resistance takes less."""
-    to_1, to_2 = traction.heat_partition(B_1=B_1, B_2=B_2, M_1=M_1, M_2=M_2), traction.heat_partition(B_1=B_2, B_2=B_1, M_1=M_2, M_2=M_1)
+    """The shares of both bodies are 1 together; alike bodies take half; the body of the larger resistance takes
+    less."""
+    to_1, to_2 = (
+        traction.heat_partition(B_1=B_1, B_2=B_2, M_1=M_1, M_2=M_2),
+        traction.heat_partition(B_1=B_2, B_2=B_1, M_1=M_2, M_2=M_1),
+    )
     assert to_1 + to_2 == pytest.approx(1.0, rel=1e-12) and 0 < to_1 < 1
     assert traction.heat_partition(B_1=B_1, B_2=B_1, M_1=M_1, M_2=M_1) == pytest.approx(0.5)
     assert traction.heat_partition(B_1=2 * B_1, B_2=B_2, M_1=M_1, M_2=M_2) < to_1
@@ -262,9 +313,14 @@ def test_heat_is_shared_and_none_is_lost(B_1, B_2, M_1, M_2):
 
 @settings(max_examples=100, deadline=None)
 @given(
-    p=st.floats(1e7, 1.5e9), eta=st.floats(1e-3, 1e3), V=st.floats(1e-4, 20), h=st.floats(1e-8, 1e-5), Lambda=st.floats(0.03, 0.12),
-    alpha=st.floats(3e-9, 3e-8), more=st.floats(1.01, 3),
-)  # fmt: skip
+    p=st.floats(1e7, 1.5e9),
+    eta=st.floats(1e-3, 1e3),
+    V=st.floats(1e-4, 20),
+    h=st.floats(1e-8, 1e-5),
+    Lambda=st.floats(0.03, 0.12),
+    alpha=st.floats(3e-9, 3e-8),
+    more=st.floats(1.01, 3),
+)
 def test_oil_shears_as_newton_when_slow_and_at_its_limit_when_fast(p, eta, V, h, Lambda, alpha, more):
     """Eyring: τ = η·V/h for little stress, never more, never above Λ·p, and rising with the sliding."""
     tau_E = traction.eyring_stress(Lambda=Lambda, alpha_f=alpha)
@@ -279,14 +335,18 @@ def test_oil_shears_as_newton_when_slow_and_at_its_limit_when_fast(p, eta, V, h,
         assert mu(slow) * p == pytest.approx(eta * slow / h, rel=1e-6)
 
 
-# --- the train ------------------------------------------------------------------------------------------------------------------------
+# --- the train
+# ------------------------------------------------------------------------------------------------------------------------
 @settings(max_examples=40, deadline=None)
 @given(
-    P=st.floats(10, 1e5), share=st.lists(st.floats(0, 0.1), min_size=3, max_size=3), standing=st.lists(st.floats(0, 1), min_size=3, max_size=3),
+    P=st.floats(10, 1e5),
+    share=st.lists(st.floats(0, 0.1), min_size=3, max_size=3),
+    standing=st.lists(st.floats(0, 1), min_size=3, max_size=3),
     needs=st.lists(st.floats(0, 5), min_size=3, max_size=3),
-)  # fmt: skip
+)
 def test_power_goes_down_the_train_as_it_came_up(P, share, standing, needs):
-    """Conservation of energy: the power that the last wheel needs makes the first one's, which delivers it again; none is left over."""
+    """Conservation of energy: the power that the last wheel needs makes the first one's, which delivers it again; none
+    is left over."""
     train = r753()
     own = dict(zip(train, zip(share, standing)))
 
@@ -305,15 +365,22 @@ def test_power_goes_down_the_train_as_it_came_up(P, share, standing, needs):
     assert first >= P
 
 
-# --- all but the meshes -----------------------------------------------------------------------------------------------------------------
+# --- all but the meshes
+# -----------------------------------------------------------------------------------------------------------------
 @settings(max_examples=60, deadline=None)
 @given(
-    n=st.floats(1, 300), r=st.floats(0.01, 0.3), b=st.floats(0.1, 2), eta=st.floats(1e-5, 0.1), rho=st.floats(1.2, 800), size=st.floats(0.2, 5),
-    faster=st.floats(0.2, 5), T=st.floats(0, 120),
-)  # fmt: skip
+    n=st.floats(1, 300),
+    r=st.floats(0.01, 0.3),
+    b=st.floats(0.1, 2),
+    eta=st.floats(1e-5, 0.1),
+    rho=st.floats(1.2, 800),
+    size=st.floats(0.2, 5),
+    faster=st.floats(0.2, 5),
+    T=st.floats(0, 120),
+)
 def test_discs_and_seals_lose_by_powers_of_size_and_speed(n, r, b, eta, rho, size, faster, T):
-    """Windage ~ n^2.8·r^4.6·ρ^0.8·η^0.2 of similar wheels (a turbulent disc: exponents of speed, density and viscosity belong together); seals
-    ~ d²·n, so at a constant pressure of the lip."""
+    """Windage ~ n^2.8·r^4.6·ρ^0.8·η^0.2 of similar wheels (a turbulent disc: exponents of speed, density and viscosity
+    belong together); seals ~ d²·n, so at a constant pressure of the lip."""
     said = dict(eta_m=eta, rho_m=rho, rho_0=24.0)
     one = windage.windage(b=b * r, r=r, n=n, **said)
     assert windage.windage(b=b * r * size, r=r * size, n=n, **said) == pytest.approx(size**4.6 * one, rel=1e-9)
@@ -322,13 +389,18 @@ def test_discs_and_seals_lose_by_powers_of_size_and_speed(n, r, b, eta, rho, siz
     assert slower == pytest.approx(faster ** (0.8 - 2.8) * one, rel=1e-9)
     assert windage.windage(b=b * r * 1.1, r=r, n=n, **said) > one > 0
     for law in (seals.simrit, lambda d_sh, n: seals.linke(T_oil=T, nu_40=9e-5, d_sh=d_sh, n=n)):
-        assert law(d_sh=r * size, n=n * faster) == pytest.approx(size**2 * faster * law(d_sh=r, n=n), rel=1e-9, abs=1e-12)
+        assert law(d_sh=r * size, n=n * faster) == pytest.approx(
+            size**2 * faster * law(d_sh=r, n=n), rel=1e-9, abs=1e-12
+        )
 
 
 @settings(max_examples=60, deadline=None)
-@given(h=st.floats(0, 1), r=st.floats(0.01, 0.3), b=st.floats(0.005, 0.1), z=st.integers(15, 150), size=st.floats(0.2, 5))
+@given(
+    h=st.floats(0, 1), r=st.floats(0.01, 0.3), b=st.floats(0.005, 0.1), z=st.integers(15, 150), size=st.floats(0.2, 5)
+)
 def test_a_wheel_is_wetted_as_deep_as_it_dips(h, r, b, z, size):
-    """Surface under oil: none at no depth, all of it (two faces, the rim and the flanks) at a whole diameter, between them rising; ~ l²."""
+    """Surface under oil: none at no depth, all of it (two faces, the rim and the flanks) at a whole diameter, between
+    them rising; ~ l²."""
 
     def wetted(depth, k=1.0):
         theta = churning.wetted_angle(h=2 * r * depth * k, r=r * k)
@@ -353,8 +425,8 @@ def test_a_wheel_is_wetted_as_deep_as_it_dips(h, r, b, z, size):
     r=st.floats(0.01, 0.3),
 )
 def test_thrown_oil_costs_its_change_of_momentum(rho, Q, v, jet, frame, r):
-    """P = ṁ·(v_t − v_j)·v_t: nothing where the oil comes as fast as the teeth, a gain where it comes faster; the force is the same in a frame
-    that moves along."""
+    """P = ṁ·(v_t − v_j)·v_t: nothing where the oil comes as fast as the teeth, a gain where it comes faster; the force
+    is the same in a frame that moves along."""
     one = jets.thrown_oil(rho=rho, Q=Q, v_t=v, v_j=jet)
     assert jets.thrown_oil(rho=rho, Q=Q, v_t=v, v_j=v) == 0 and (one > 0) == (jet < v)
     assert jets.pitch_line_speed(r=r, n=v / (2 * math.pi * r)) == pytest.approx(v, rel=1e-12)

@@ -28,7 +28,10 @@ def test_the_bands_are_as_wide_as_the_losses(name):
     (_, top), (_, bottom) = next(mark for mark in flow.primitives if isinstance(mark, Polyline)).points
     assert sum(before) == pytest.approx(top - bottom)  # they fill the line that the flow begins at
     assert before == pytest.approx(behind)
-    largest = max([mesh.judged.loss for mesh in found.meshes.values()] + [journal.friction_power for journal in found.journals.values()])
+    largest = max(
+        [mesh.judged.loss for mesh in found.meshes.values()]
+        + [journal.friction_power for journal in found.journals.values()]
+    )
     assert max(before) / sum(before) == pytest.approx(largest / found.total_loss)
 
 

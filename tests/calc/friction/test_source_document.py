@@ -38,15 +38,27 @@ def shown(x):
     return f"{x:#.4g}".rstrip(".")
 
 
-@pytest.mark.parametrize(("row", "file", "name"), [
-    *((f"{oil}, {T} °C", "temperatures", f"{oil.replace(' ', '-')}-{T}-C")
-      for oil in ("10W-40", "0W-30", "10W-40 synthetic", "MIL-L-23699E") for T in (40, 50, 60)),
-    ("10W-40, 40 °C, tips relieved", "tip_relief", "tips-relieved"),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    ("row", "file", "name"),
+    [
+        *(
+            (f"{oil}, {T} °C", "temperatures", f"{oil.replace(' ', '-')}-{T}-C")
+            for oil in ("10W-40", "0W-30", "10W-40 synthetic", "MIL-L-23699E")
+            for T in (40, 50, 60)
+        ),
+        ("10W-40, 40 °C, tips relieved", "tip_relief", "tips-relieved"),
+    ],
+)
 def test_the_scenarios(row, file, name):
     mesh = scenario(file, name)
     judged, source = mesh.judged, mesh.source
-    numbers = (source.sliding_loss, judged.sliding_loss, judged.rolling_loss, source.local.h[0] * 1e6, judged.local.h[0] * 1e6)
+    numbers = (
+        source.sliding_loss,
+        judged.sliding_loss,
+        judged.rolling_loss,
+        source.local.h[0] * 1e6,
+        judged.local.h[0] * 1e6,
+    )
     assert ROWS[row] == [shown(x) for x in numbers]
 
 
@@ -64,7 +76,10 @@ def light(T=40.0, P=100.0, by_regime=False, **change):
 def test_tip_relief_and_efficiency():
     linear, smooth = scenario("tip_relief", "as-generated"), scenario("tip_relief", "tips-relieved")
     assert f"from {shown(linear.source.loss_factor)} to {shown(smooth.source.loss_factor)}" in TEXT
-    falls = [1 - one.sliding_loss / two.sliding_loss for one, two in ((smooth.source, linear.source), (smooth.judged, linear.judged))]
+    falls = [
+        1 - one.sliding_loss / two.sliding_loss
+        for one, two in ((smooth.source, linear.source), (smooth.judged, linear.judged))
+    ]
     assert "by {:.0f} %\n  (source) or {:.0f} % (judged)".format(*(100 * x for x in falls)) in TEXT
     assert f"{linear.source.efficiency * 100:.2f} % at 100 W" in TEXT
     assert f"no less than {linear.judged.efficiency * 100:.2f} %" in TEXT
@@ -101,13 +116,22 @@ def test_temperature_moves_film_and_friction_only():
 
 def test_the_best_oil():
     for T in (40, 50, 60):
-        losses = {name: scenario("oils", f"{name}-{T}-C").source.loss for name in ("10W-40", "0W-30", "10W-40-synthetic", "MIL-L-23699E")}
+        losses = {
+            name: scenario("oils", f"{name}-{T}-C").source.loss
+            for name in ("10W-40", "0W-30", "10W-40-synthetic", "MIL-L-23699E")
+        }
         assert min(losses, key=losses.get) == "10W-40" and max(losses, key=losses.get) == "MIL-L-23699E"
 
 
-@pytest.mark.parametrize("name, row", [
-    ("C14", "C14, mineral VG 320, 75 °C"), ("C40", "C40, PAO VG 320, 80 °C"), ("H701", "H701, PAO VG 320, 80 °C"), ("H951", "H951, mineral VG 320, 75 °C"),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    "name, row",
+    [
+        ("C14", "C14, mineral VG 320, 75 °C"),
+        ("C40", "C40, PAO VG 320, 80 °C"),
+        ("H701", "H701, PAO VG 320, 80 °C"),
+        ("H951", "H951, mineral VG 320, 75 °C"),
+    ],
+)
 def test_beside_measured_gears(name, row):
     point, (c, P) = measured.POINTS[name], measured.at(name)
     ours = (measured.friction_of(c, P, by_regime) for by_regime in (False, True))
@@ -115,7 +139,12 @@ def test_beside_measured_gears(name, row):
 
 
 def test_beside_the_fit_elsewhere_and_schlenk():
-    off = np.array([measured.friction_of(c, P) / measured.fit(c, P, base, measured.FEUP["gold"]) for base, c, P in measured.held_out()])
+    off = np.array(
+        [
+            measured.friction_of(c, P) / measured.fit(c, P, base, measured.FEUP["gold"])
+            for base, c, P in measured.held_out()
+        ]
+    )
     assert f"at {off.size} other points" in TEXT and f"at {np.mean(abs(off - 1) <= 0.25) * 100:.0f} % of them" in TEXT
     assert f"{100 - 100 * np.exp(np.mean(np.log(off))):.0f} % below on average" in TEXT
     assert f"{100 - 100 * off.min():.0f} % below FEUP's fit" in TEXT
@@ -133,7 +162,10 @@ def test_beside_schlenk():
         off, base = measured.all_beside_schlenk(own), own.oil.base
         for X_L in (measured.LUBRICANT_FACTOR[base], measured.FEUP["lubricant_factor"][base]):
             met = measured.within(off / X_L, 0.25)
-            assert ROWS[f"{name}, {X_L:g}"] == [f"{met.sum()} of {met.size}", f"{(off / X_L).min():.2f} to {(off / X_L).max():.2f}"]
+            assert ROWS[f"{name}, {X_L:g}"] == [
+                f"{met.sum()} of {met.size}",
+                f"{(off / X_L).min():.2f} to {(off / X_L).max():.2f}",
+            ]
     X_L = measured.FEUP["lubricant_factor"]["mineral"]
     for T, rpm, Ra in measured.SCHLENK_AT:
         lam, off = measured.beside_schlenk(measured.OILS["FVA 3"], T, rpm, Ra)
@@ -143,7 +175,8 @@ def test_beside_schlenk():
     assert f"{100 - 100 * np.max(test):.0f} to {100 - 100 * np.min(test):.0f} % below" in TEXT
 
 
-# --- what the literature says ------------------------------------------------------------------------------------------------
+# --- what the literature says
+# ------------------------------------------------------------------------------------------------
 def spur(alpha=20.0, split=1):
     """16/24 teeth of 4.5 mm without shifts, or the same size with teeth split in two."""
     m, angle = 4.5e-3 / split, np.radians(alpha)
@@ -156,12 +189,18 @@ def trial(by_regime, mesh=None, Ra=0.4, rpm=2160.0, torque=183.4):
     return solve_mesh(c, torque * 2 * np.pi * rpm / 60, by_regime)
 
 
-@pytest.mark.parametrize("said, one, two, name", [
-    ("smaller module", {}, {"mesh": spur(split=2)}, "loss"), ("larger pressure angle", {}, {"mesh": spur(alpha=25.0)}, "loss"),
-    ("finer flanks", {"Ra": 0.8}, {"Ra": 0.2}, "loss"), ("more speed", {"rpm": 540.0}, {"rpm": 4320.0}, "friction_mean"),
-    ("more load", {"torque": 94.1}, {"torque": 302.0}, "friction_mean"), ("friction independent", {"Ra": 0.5}, {"Ra": 3.0}, "friction_mean"),
-    ("friction proportional", {"Ra": 0.5}, {"Ra": 3.0}, "friction_mean"),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    "said, one, two, name",
+    [
+        ("smaller module", {}, {"mesh": spur(split=2)}, "loss"),
+        ("larger pressure angle", {}, {"mesh": spur(alpha=25.0)}, "loss"),
+        ("finer flanks", {"Ra": 0.8}, {"Ra": 0.2}, "loss"),
+        ("more speed", {"rpm": 540.0}, {"rpm": 4320.0}, "friction_mean"),
+        ("more load", {"torque": 94.1}, {"torque": 302.0}, "friction_mean"),
+        ("friction independent", {"Ra": 0.5}, {"Ra": 3.0}, "friction_mean"),
+        ("friction proportional", {"Ra": 0.5}, {"Ra": 3.0}, "friction_mean"),
+    ],
+)
 def test_the_trends(said, one, two, name):
     row = next(row for row in ROWS if row.startswith(said))
     unit = " W" if name == "loss" else ""
@@ -186,7 +225,11 @@ def test_the_argument_falls_with_the_temperature():
         eta_f = lubricant.at(float(local.T_f[0])).mu
         alpha_f = lubricant.alpha(eta_f)
         p_m, V_s = np.pi / 4 * local.p_H[0], c.path.in_the_middle(c.motion.V_s)[0]
-        arguments.append(t.viscosity_under_pressure(eta_f, alpha_f, p_m) * V_s / (t.eyring_stress(c.oil.Lambda, alpha_f) * local.h[0]))
+        arguments.append(
+            t.viscosity_under_pressure(eta_f, alpha_f, p_m)
+            * V_s
+            / (t.eyring_stress(c.oil.Lambda, alpha_f) * local.h[0])
+        )
         shares.append(local.xi[0])
     assert arguments == sorted(arguments, reverse=True)
     assert "{}, {} and\n  {} at 40, 50 and 60 °C".format(*map(shown, arguments)) in TEXT
@@ -195,21 +238,37 @@ def test_the_argument_falls_with_the_temperature():
 
 def test_the_regime_at_100_w():
     c, found = light(by_regime=True)
-    w, _ = line_load(c.mesh, c.path, transverse_force(P=100.0, omega_1=c.motion.omega_1, r_b1=c.mesh.driver.base_radius))
+    w, _ = line_load(
+        c.mesh, c.path, transverse_force(P=100.0, omega_1=c.motion.omega_1, r_b1=c.mesh.driver.base_radius)
+    )
     w_C, R, u_e = (c.path.at_pitch_point(x) for x in (w, c.motion.R, c.motion.u_e))
-    W, U = films.load_parameter(w=w_C, E_r=c.motion.E_r, R=R), films.speed_parameter(eta_0=c.oil.eta_0, u_e=u_e, E_r=c.motion.E_r, R=R)
+    W, U = (
+        films.load_parameter(w=w_C, E_r=c.motion.E_r, R=R),
+        films.speed_parameter(eta_0=c.oil.eta_0, u_e=u_e, E_r=c.motion.E_r, R=R),
+    )
     G = films.materials_parameter(alpha=c.oil.alpha, E_r=c.motion.E_r)
-    assert f"g_V = {shown(films.viscosity_group(W=W, G=G, U=U))} and g_E = {shown(films.elasticity_group(W=W, U=U))}" in TEXT
+    assert (
+        f"g_V = {shown(films.viscosity_group(W=W, G=G, U=U))} and g_E = {shown(films.elasticity_group(W=W, U=U))}"
+        in TEXT
+    )
     assert f"{shown(found.film_min * 1e6)} µm thick" in TEXT
-    assert f"rolling, {shown(found.rolling_loss)} W at most against {shown(found.sliding_loss)} W" in " ".join(TEXT.split())
+    assert f"rolling, {shown(found.rolling_loss)} W at most against {shown(found.sliding_loss)} W" in " ".join(
+        TEXT.split()
+    )
     best, worst = scenario("oils", "10W-40-40-C").judged.loss, scenario("oils", "MIL-L-23699E-40-C").judged.loss
     assert f"{shown(best)} W against {shown(worst)} W" in TEXT
 
 
-@pytest.mark.parametrize(("formula", "row"), [
-    (lambda eta_0, beta, u_e, k_f: eta_0 * beta * (2 * u_e) ** 2 / k_f, "Gupta's thermal loading with the sum of the speeds"),
-    (lambda eta_0, beta, u_e, k_f: eta_0 * beta * u_e / k_f, "the same, speed not squared"),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    ("formula", "row"),
+    [
+        (
+            lambda eta_0, beta, u_e, k_f: eta_0 * beta * (2 * u_e) ** 2 / k_f,
+            "Gupta's thermal loading with the sum of the speeds",
+        ),
+        (lambda eta_0, beta, u_e, k_f: eta_0 * beta * u_e / k_f, "the same, speed not squared"),
+    ],
+)
 def test_the_thermal_loading_as_printed(monkeypatch, formula, row):
     monkeypatch.setattr(films.thermal_loading, "function", formula)
     assert ROWS[row][1] == shown(light()[1].loss)

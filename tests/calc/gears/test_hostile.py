@@ -17,16 +17,61 @@ AB = [mesh("a", "b")]
 
 TWINS = [wheel("a", 30, 0.0), wheel("b", 30, 0.0)]
 IMPOSSIBLE = {
-    "too close": ([wheel("a", 36, 0.0), wheel("b", 39)], [mesh("a", "b", 70.0)], {}, r"meshes\.0\.centre_distance_mm = 70: .* overlap"),
+    "too close": (
+        [wheel("a", 36, 0.0), wheel("b", 39)],
+        [mesh("a", "b", 70.0)],
+        {},
+        r"meshes\.0\.centre_distance_mm = 70: .* overlap",
+    ),
     "no distance": ([wheel("a", 36, -2.0), wheel("b", 39, -2.0)], AB, {}, r"a −2 and b −2 no centre distance"),
-    "tolerance": ([TWINS[0], wheel("b", 30)], [mesh("a", "b", 64.75, tolerance=5000)], {}, r"less its tolerance of 5 mm"),
-    "no flank": ([wheel("a", 8, -1.2), wheel("b", 60, 1.5)], AB, {}, r"wheels\.a\.profile_shift = −1\.2: the tip circle .* no involute"),
-    "cut away": ([wheel("a", 30, 0.0, cut=4.2), TWINS[1]], AB, {}, r"wheels\.a\..* and the tip cut 4\.2 mm: the tip circle"),
-    "derived": ([wheel("a", 60, 1.5), wheel("b", 8)], [mesh("a", "b", 73.3)], {}, r"b\.profile_shift = −1\.49.* \(it follows from"),
-    "no centre": ([wheel("a", 5, -2.0), wheel("b", 60, 2.5)], AB, dict(beta=0.0), r"cut through the centre of the wheel"),
-    "tool": (TWINS, AB, dict(alpha_n=30.0, tool=(1.4, 0.9)), r"gears\.tool_tip_radius = 0\.9 with .*corners of such a tool overlap"),
-    "allowance": ([wheel("a", 30, 0.0, allowance=(0, -5000)), TWINS[1]], AB, {}, r"wheels\.a\.span_allowance_um = −5000: takes away"),
-    "short tips": ([wheel("a", 30, 0.0, cut=2.8), wheel("b", 30, 0.0, cut=2.8)], AB, {}, r"flanks of a and b do not reach each other"),
+    "tolerance": (
+        [TWINS[0], wheel("b", 30)],
+        [mesh("a", "b", 64.75, tolerance=5000)],
+        {},
+        r"less its tolerance of 5 mm",
+    ),
+    "no flank": (
+        [wheel("a", 8, -1.2), wheel("b", 60, 1.5)],
+        AB,
+        {},
+        r"wheels\.a\.profile_shift = −1\.2: the tip circle .* no involute",
+    ),
+    "cut away": (
+        [wheel("a", 30, 0.0, cut=4.2), TWINS[1]],
+        AB,
+        {},
+        r"wheels\.a\..* and the tip cut 4\.2 mm: the tip circle",
+    ),
+    "derived": (
+        [wheel("a", 60, 1.5), wheel("b", 8)],
+        [mesh("a", "b", 73.3)],
+        {},
+        r"b\.profile_shift = −1\.49.* \(it follows from",
+    ),
+    "no centre": (
+        [wheel("a", 5, -2.0), wheel("b", 60, 2.5)],
+        AB,
+        dict(beta=0.0),
+        r"cut through the centre of the wheel",
+    ),
+    "tool": (
+        TWINS,
+        AB,
+        dict(alpha_n=30.0, tool=(1.4, 0.9)),
+        r"gears\.tool_tip_radius = 0\.9 with .*corners of such a tool overlap",
+    ),
+    "allowance": (
+        [wheel("a", 30, 0.0, allowance=(0, -5000)), TWINS[1]],
+        AB,
+        {},
+        r"wheels\.a\.span_allowance_um = −5000: takes away",
+    ),
+    "short tips": (
+        [wheel("a", 30, 0.0, cut=2.8), wheel("b", 30, 0.0, cut=2.8)],
+        AB,
+        {},
+        r"flanks of a and b do not reach each other",
+    ),
 }
 
 
@@ -51,7 +96,7 @@ def test_advice_names_the_least_centre_distance():
         ([wheel("a", 20, 0.4, cut=0.9), wheel("b", 40, 0.4, cut=0.9)], {"gears.a_b.contact_ratio"}),
         ([wheel("a", 20, 0.0, allowance=(30, 0)), wheel("b", 40, 0.0)], {"gears.a_b.backlash"}),
     ],
-)  # fmt: skip
+)
 def test_what_is_poor_fails_its_check_with_advice(wheels, failing):
     outcome = solve.geometry(train(wheels, AB, beta=0.0, tool=(1.25, 0.3)), SPEED)
     fails = {c.id: c for c in outcome.checks if c.verdict == "fail"}
@@ -78,16 +123,30 @@ def test_a_span_off_the_flank_is_seen():
 
 
 wheels = st.builds(
-    lambda name, z, x, cut, ends, span: wheel(name, z, x, cut=cut, span=span, allowance=ends and tuple(sorted(ends, reverse=True))),
-    st.just("a"), st.integers(5, 120), st.none() | st.floats(-3, 3), st.just(0.0) | st.floats(0, 3),
-    st.none() | st.tuples(st.floats(-5000, 5000), st.floats(-5000, 5000)), st.none() | st.integers(1, 30),
-)  # fmt: skip
+    lambda name, z, x, cut, ends, span: wheel(
+        name, z, x, cut=cut, span=span, allowance=ends and tuple(sorted(ends, reverse=True))
+    ),
+    st.just("a"),
+    st.integers(5, 120),
+    st.none() | st.floats(-3, 3),
+    st.just(0.0) | st.floats(0, 3),
+    st.none() | st.tuples(st.floats(-5000, 5000), st.floats(-5000, 5000)),
+    st.none() | st.integers(1, 30),
+)
 
 
 @given(
-    wheels, st.integers(5, 120), st.none() | st.floats(-3, 3), st.none() | st.floats(0.9, 1.2), st.none() | st.floats(0, 5000),
-    st.floats(0, 35), st.floats(10, 35), st.floats(0.5, 2), st.floats(0, 0.5, allow_subnormal=False), st.none() | st.floats(0.1, 20),
-)  # fmt: skip
+    wheels,
+    st.integers(5, 120),
+    st.none() | st.floats(-3, 3),
+    st.none() | st.floats(0.9, 1.2),
+    st.none() | st.floats(0, 5000),
+    st.floats(0, 35),
+    st.floats(10, 35),
+    st.floats(0.5, 2),
+    st.floats(0, 0.5, allow_subnormal=False),
+    st.none() | st.floats(0.1, 20),
+)
 @settings(max_examples=150, deadline=None, suppress_health_check=[HealthCheck.too_slow])
 def test_anything_gives_numbers_or_a_word(a, z, x, share, tolerance, beta, alpha_n, addendum, radius, ball):
     distance = None if share is None else share * (a.teeth + z) / math.cos(math.radians(beta))

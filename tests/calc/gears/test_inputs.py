@@ -13,17 +13,20 @@ GAMMA = read(Path(__file__).parents[3] / "designs" / "r753ie4_gamma.toml")
 
 WRONG = [
     ({"gears.wheels.crank.hand": "right", "gears.wheels.idler.hand": "left"}, "wheels.2.hand", "must be right"),
-    ({"gears.wheels.crank.hand": "right", "gears.wheels.central.hand": "right"}, "wheels.1.hand", "hands of a train alternate"),
+    ({"gears.wheels.crank.hand": "right", "gears.wheels.central.hand": "right"}, "wheels.1.hand", "hands of a train "
+                                                                                                  "alternate"),
     ({"gears.wheels.crank.gear_material": "16MnCr5"}, "wheels.0.gear_material", "choose"),
     ({"gears.wheels.crank.gear_material": "ADI"}, "wheels.0.gear_material", "austempered"),
     ({"gears.wheels.crank.gear_material": "case hardened"}, "wheels.0.gear_material", "case-hardened"),
     ({"gears.wheels.crank.measured_span_mm": 21.5}, "measured_span_mm", "needs span_teeth"),
-    ({"gears.ball_diameter_mm": None, "gears.wheels.crank.measured_over_balls_mm": 58.8}, "measured_over_balls_mm", "needs gears.ball_diameter_mm"),
+    ({"gears.ball_diameter_mm": None, "gears.wheels.crank.measured_over_balls_mm": 58.8}, "measured_over_balls_mm",
+    "needs gears.ball_diameter_mm"),
     ({"gears.support_material": None}, "support_share", "needs gears.support_material"),
     ({"gears.support_material": "cheese"}, "gears.support_material", "not known"),
     ({"gears.wheels.crank.tip_diameter_tolerance_um": [-100, 0]}, "tip_diameter_tolerance_um", "upper, lower"),
     ({"gears.iso_6336_edition": 2010}, "iso_6336_edition", "2006 or 2019"),
-    ({"gears.meshes.1.contributors_mm": [0.1], "gears.meshes.1.tolerance_um": None}, "stack", "either contributors_mm or stack"),
+    ({"gears.meshes.1.contributors_mm": [0.1], "gears.meshes.1.tolerance_um": None}, "stack", "either contributors_mm "
+                                                                                              "or stack"),
 ]  # fmt: skip
 
 

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What geometry and mechanics say of any involute gears beside tests/calc/gears/test_properties.py; the list of all such laws is docs/laws.md."""
+"""What geometry and mechanics say of any involute gears beside tests/calc/gears/test_properties.py; the list of all
+such laws is docs/laws.md."""
 
 import cmath
 import math
@@ -29,11 +30,13 @@ def system(alpha_n, beta, m_n=1e-3):
     return m_t, alpha_t
 
 
-# --- geometry -----------------------------------------------------------------------------------------------------------------
+# --- geometry
+# -----------------------------------------------------------------------------------------------------------------
 @settings(max_examples=80, deadline=None)
 @given(z_1=teeth, z_2=teeth, x_1=shifts, x_2=shifts, more=st.floats(1e-4, 0.5), alpha_n=angles, beta=helices)
 def test_shifts_and_centre_distance_say_the_same(z_1, z_2, x_1, x_2, more, alpha_n, beta):
-    """a_w·cos α_wt = a·cos α_t; the sum of shifts comes back from a_w; a_w rises with it, by no more than m_n, and is a where it is 0."""
+    """a_w·cos α_wt = a·cos α_t; the sum of shifts comes back from a_w; a_w rises with it, by no more than m_n, and is a
+    where it is 0."""
     m_t, alpha_t = system(alpha_n, beta)
 
     def distance(x_1, x_2):
@@ -59,7 +62,8 @@ def test_shifts_and_centre_distance_say_the_same(z_1, z_2, x_1, x_2, more, alpha
 @settings(max_examples=80, deadline=None)
 @given(z=teeth, x=shifts, alpha_n=angles, beta=helices, share=st.floats(0, 1))
 def test_teeth_and_spaces_fill_every_circle(z, x, alpha_n, beta, share):
-    """s_y(x) + s_y(−x) is the pitch less d_y·(inv α_y − inv α_t): a tooth and the space of its counterpart; pointed where both flanks meet."""
+    """s_y(x) + s_y(−x) is the pitch less d_y·(inv α_y − inv α_t): a tooth and the space of its counterpart; pointed
+    where both flanks meet."""
     m_t, alpha_t = system(alpha_n, beta)
     d = f.reference_diameter(z=z, m_t=m_t)
     d_b = f.base_diameter(d=d, alpha_t=alpha_t)
@@ -71,7 +75,8 @@ def test_teeth_and_spaces_fill_every_circle(z, x, alpha_n, beta, share):
     below = d_b + share * (d_p - d_b)
     thick = f.thickness_at(d_y=below, s_t=s_t, d=d, alpha_t=alpha_t, alpha_yt=f.pressure_angle_at(d_b=d_b, d_y=below))
     assert thick >= -1e-9 * d
-    # the line tangent to the base circle unwinds from it: arc from the tooth's foot to where it touches = radius of curvature
+    # the line tangent to the base circle unwinds from it: arc from the tooth's foot to where it touches = radius of
+    # curvature
     rho = f.curvature_at(d_y=below, d_b=d_b)
     alpha_y = f.pressure_angle_at(d_b=d_b, d_y=below)
     assert rho == pytest.approx(d_b / 2 * math.tan(alpha_y), abs=1e-7 * d)
@@ -81,7 +86,8 @@ def test_teeth_and_spaces_fill_every_circle(z, x, alpha_n, beta, share):
 @settings(max_examples=80, deadline=None)
 @given(z=teeth, alpha_n=angles, beta=helices, h=st.floats(1.0, 1.5), rho=st.floats(0, 0.3), more=st.floats(1e-3, 1))
 def test_undercut_begins_on_the_base_circle(z, alpha_n, beta, h, rho, more):
-    """At x_min the tool's straight flank ends where the line of action touches the base circle; with more shift the fillet begins above."""
+    """At x_min the tool's straight flank ends where the line of action touches the base circle; with more shift the
+    fillet begins above."""
     m_t, alpha_t = system(alpha_n, beta)
     d = z * m_t
     d_b = f.base_diameter(d=d, alpha_t=alpha_t)
@@ -104,8 +110,15 @@ def test_two_racks_have_the_largest_contact_ratio(z_1, z_2, alpha_n, beta):
     m_t, alpha_t = system(alpha_n, beta)
 
     def ratio(z_1, z_2):
-        d, T, p = [z * m_t for z in (z_1, z_2)], (z_1 + z_2) * m_t / 2 * math.sin(alpha_t), f.base_pitch(m_t=m_t, alpha_t=alpha_t)
-        tips = [f.curvature_at(d_y=f.tip_diameter(d=x, m_n=1e-3, x=0.0, k=0.0), d_b=f.base_diameter(d=x, alpha_t=alpha_t)) for x in d]
+        d, T, p = (
+            [z * m_t for z in (z_1, z_2)],
+            (z_1 + z_2) * m_t / 2 * math.sin(alpha_t),
+            f.base_pitch(m_t=m_t, alpha_t=alpha_t),
+        )
+        tips = [
+            f.curvature_at(d_y=f.tip_diameter(d=x, m_n=1e-3, x=0.0, k=0.0), d_b=f.base_diameter(d=x, alpha_t=alpha_t))
+            for x in d
+        ]
         starts = [T - tip for tip in tips]
         return f.transverse_contact_ratio(g_alpha=f.path_of_contact(T=T, rho_A1=starts[1], rho_A2=starts[0]), p_bt=p)
 
@@ -117,7 +130,8 @@ def test_two_racks_have_the_largest_contact_ratio(z_1, z_2, alpha_n, beta):
 @settings(max_examples=25, deadline=None)
 @given(pair=pairs())
 def test_both_flanks_move_alike_along_the_line_of_action(pair):
-    """The law of gearing: ω_1·r_b1 = ω_2·r_b2, so a constant ratio; both wheels have one base pitch; the pitch circles roll."""
+    """The law of gearing: ω_1·r_b1 = ω_2·r_b2, so a constant ratio; both wheels have one base pitch; the pitch circles
+    roll."""
     t, m = one(gears(pair))
     a, b = t.wheels["a"], t.wheels["b"]
     assert a.speed * a.base_diameter == pytest.approx(-b.speed * b.base_diameter, rel=1e-12)
@@ -125,8 +139,13 @@ def test_both_flanks_move_alike_along_the_line_of_action(pair):
     assert (m.working_diameter_driver + m.working_diameter_driven) / 2 == pytest.approx(m.centre_distance, rel=1e-12)
     for w in (a, b):
         assert math.pi * w.base_diameter / w.teeth == pytest.approx(t.system.base_pitch, rel=1e-12)
-    assert m.line_of_action**2 + ((a.base_diameter + b.base_diameter) / 2) ** 2 == pytest.approx(m.centre_distance**2, rel=1e-12)
-    for w, d_w, c in ((a, m.working_diameter_driver, m.tip_clearance_driver), (b, m.working_diameter_driven, m.tip_clearance_driven)):
+    assert m.line_of_action**2 + ((a.base_diameter + b.base_diameter) / 2) ** 2 == pytest.approx(
+        m.centre_distance**2, rel=1e-12
+    )
+    for w, d_w, c in (
+        (a, m.working_diameter_driver, m.tip_clearance_driver),
+        (b, m.working_diameter_driven, m.tip_clearance_driven),
+    ):
         mate = b if w is a else a
         assert w.root_diameter / 2 + c + mate.tip_diameter / 2 == pytest.approx(m.centre_distance, rel=1e-12)
         assert w.root_diameter < w.base_diameter / math.cos(m.working_pressure_angle) == pytest.approx(d_w, rel=1e-12)
@@ -149,7 +168,8 @@ def test_an_idler_changes_the_sense_and_not_the_ratio(pair, middle):
 @settings(max_examples=80, deadline=None)
 @given(z_1=st.integers(5, 150), z_2=st.integers(5, 150), z_3=st.integers(5, 150))
 def test_the_same_teeth_meet_when_both_have_made_whole_turns(z_1, z_2, z_3):
-    """N_m is the first whole number of turns of the driver after which the mate has made whole turns too; so for the marks of all wheels."""
+    """N_m is the first whole number of turns of the driver after which the mate has made whole turns too; so for the
+    marks of all wheels."""
     turns = int(room.turns_to_repeat(z_2=z_2, g_z=room.common_factor(z_1=z_1, z_2=z_2)))
     assert turns == next(n for n in range(1, z_2 + 1) if n * z_1 % z_2 == 0)
     marks = int(room.marks_period(z_1=z_1, z=(z_1, z_2, z_3)))
@@ -157,23 +177,35 @@ def test_the_same_teeth_meet_when_both_have_made_whole_turns(z_1, z_2, z_3):
     assert marks == math.lcm(turns, int(room.turns_to_repeat(z_2=z_3, g_z=room.common_factor(z_1=z_1, z_2=z_3))))
 
 
-# --- backlash -----------------------------------------------------------------------------------------------------------------
+# --- backlash
+# -----------------------------------------------------------------------------------------------------------------
 @settings(max_examples=60, deadline=None)
 @given(
-    z_1=teeth, z_2=teeth, alpha_n=angles, beta=helices, a=st.floats(1.0, 1.06), wider=st.floats(1.0001, 1.01), x=st.floats(-0.2, 0.2),
+    z_1=teeth,
+    z_2=teeth,
+    alpha_n=angles,
+    beta=helices,
+    a=st.floats(1.0, 1.06),
+    wider=st.floats(1.0001, 1.01),
+    x=st.floats(-0.2, 0.2),
     eps=st.floats(-2e-3, 2e-3),
-)  # fmt: skip
+)
 def test_backlash_grows_with_the_centres_and_with_the_whole(z_1, z_2, alpha_n, beta, a, wider, x, eps):
-    """∂j_bn/∂a = 2·sin α_wt·cos β_b at every distance; wheels and housing that grow alike keep their angle, and j grows as all lengths."""
+    """∂j_bn/∂a = 2·sin α_wt·cos β_b at every distance; wheels and housing that grow alike keep their angle, and j grows
+    as all lengths."""
     m_t, alpha_t = system(alpha_n, beta)
     beta_b, p_bt = f.base_helix_angle(beta=beta, alpha_n=alpha_n), f.base_pitch(m_t=m_t, alpha_t=alpha_t)
     d, d_b = [z * m_t for z in (z_1, z_2)], [z * m_t * math.cos(alpha_t) for z in (z_1, z_2)]
     s = [f.reference_thickness(m_n=1e-3, x=shift, alpha_n=alpha_n, beta=beta) for shift in (x, -x)]
-    s_b = [play.base_thickness(d_b=b, s_t=t, d=D, alpha_t=alpha_t, E_W=-2e-5, beta_b=beta_b) for b, t, D in zip(d_b, s, d)]
+    s_b = [
+        play.base_thickness(d_b=b, s_t=t, d=D, alpha_t=alpha_t, E_W=-2e-5, beta_b=beta_b) for b, t, D in zip(d_b, s, d)
+    ]
 
     def backlash(a_w):
         alpha_wt = f.working_pressure_angle(*d_b, a_w)
-        j = play.backlash_of_bases(p_bt=p_bt, s_b1=s_b[0], s_b2=s_b[1], d_b1=d_b[0], d_b2=d_b[1], alpha_wt=alpha_wt, beta_b=beta_b)
+        j = play.backlash_of_bases(
+            p_bt=p_bt, s_b1=s_b[0], s_b2=s_b[1], d_b1=d_b[0], d_b2=d_b[1], alpha_wt=alpha_wt, beta_b=beta_b
+        )
         return j, alpha_wt
 
     a_w = a * sum(d) / 2
@@ -183,12 +215,21 @@ def test_backlash_grows_with_the_centres_and_with_the_whole(z_1, z_2, alpha_n, b
     grown = play.expansion_of_wheels(eps_1=eps, eps_2=eps, d_b1=d_b[0], d_b2=d_b[1])
     assert play.effective_centre(a=a_w, eps_a=eps, eps_g=grown) == pytest.approx(a_w, rel=1e-12)
     warm = play.warm_backlash(
-        p_bt=p_bt, eps_1=eps, eps_2=eps, s_b1=s_b[0], s_b2=s_b[1], d_b1=d_b[0], d_b2=d_b[1], alpha_wt=alpha_wt, beta_b=beta_b
+        p_bt=p_bt,
+        eps_1=eps,
+        eps_2=eps,
+        s_b1=s_b[0],
+        s_b2=s_b[1],
+        d_b1=d_b[0],
+        d_b2=d_b[1],
+        alpha_wt=alpha_wt,
+        beta_b=beta_b,
     )
     assert warm == pytest.approx((1 + eps) * j, abs=1e-12 * sum(d))
 
 
-# --- stress and force -----------------------------------------------------------------------------------------------------------
+# --- stress and force
+# -----------------------------------------------------------------------------------------------------------
 @settings(max_examples=10, deadline=None)
 @given(pair=pairs(), T=st.floats(0.5, 500), load=st.floats(0.1, 10), scale=st.floats(0.3, 4))
 def test_nominal_stress_goes_with_the_load_and_not_with_the_size(pair, T, load, scale):
@@ -213,7 +254,8 @@ HERE = laid(TRIANGLE, AXIS).result
 @settings(max_examples=30, deadline=None)
 @given(turn=st.floats(0, 2 * math.pi), T=st.floats(0.1, 100), lost=st.floats(0.9, 1))
 def test_forces_of_the_teeth_cancel_and_turn_with_the_train(turn, T, lost):
-    """Over all axes the forces add up to nothing; a train that is turned as a whole has its forces turned, and as large; F ~ T."""
+    """Over all axes the forces add up to nothing; a train that is turned as a whole has its forces turned, and as
+    large; F ~ T."""
     ratio = SOLVED.wheels["idler"].teeth / SOLVED.wheels["crank"].teeth
 
     def loads(layout, T):
@@ -228,7 +270,14 @@ def test_forces_of_the_teeth_cancel_and_turn_with_the_train(turn, T, lost):
 
 
 @settings(max_examples=60, deadline=None)
-@given(T=st.floats(-500, 500), d_w=st.floats(0.01, 0.5), alpha=angles, beta=helices, gamma=st.floats(-4, 4), s=st.sampled_from([-1.0, 1.0]))
+@given(
+    T=st.floats(-500, 500),
+    d_w=st.floats(0.01, 0.5),
+    alpha=angles,
+    beta=helices,
+    gamma=st.floats(-4, 4),
+    s=st.sampled_from([-1.0, 1.0]),
+)
 def test_the_tooth_force_stands_square_to_the_flank(T, d_w, alpha, beta, gamma, s):
     """F_t, F_r and F_a are the parts of one normal force; its arm about the axis is the base radius: T = F_bt·r_b."""
     F_t = room.tangential_force(T_1=T, d_w1=d_w)
@@ -238,7 +287,9 @@ def test_the_tooth_force_stands_square_to_the_flank(T, d_w, alpha, beta, gamma, 
     on_driven = room.force_on_driven(F_rw=F_r, F_tw=F_t, gamma=gamma, s=s)
     assert abs(on_driven) == pytest.approx(F_bt, rel=1e-9, abs=1e-12)
     assert room.force_on_driver(F_2=on_driven) == -on_driven
-    pitch_point = d_w / 2 * cmath.exp(1j * gamma)  # from the driver's axis; its torque drives against the force of the driven wheel
+    pitch_point = (
+        d_w / 2 * cmath.exp(1j * gamma)
+    )  # from the driver's axis; its torque drives against the force of the driven wheel
     assert (pitch_point.conjugate() * -on_driven).imag == pytest.approx(-s * T, abs=1e-9 * (abs(T) + 1))
 
 
@@ -256,7 +307,9 @@ def test_the_two_places_of_an_idler_mirror_each_other(p, a, b, share, turn):
     q = p + c * cmath.exp(1j * turn)
     u = room.chord_foot(c=c, a_12=a, a_23=b)
     v = room.half_chord(a_12=a, u=u)
-    one_, other = (room.on_two_circles(p_1=p, gamma=room.line_of_centres(p_1=p, p_3=q), u=u, v=v, s=s) for s in (1.0, -1.0))
+    one_, other = (
+        room.on_two_circles(p_1=p, gamma=room.line_of_centres(p_1=p, p_3=q), u=u, v=v, s=s) for s in (1.0, -1.0)
+    )
     for place in (one_, other):
         assert abs(place - p) == pytest.approx(a, rel=1e-9) and abs(place - q) == pytest.approx(b, rel=1e-9)
     along = cmath.exp(1j * turn)

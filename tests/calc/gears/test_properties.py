@@ -15,16 +15,34 @@ from calc.sheet.quantity import published
 from tests.calc.gears.trains import SPEED, mesh, train, wheel
 
 LENGTHS_OF_WHEEL = (
-    "reference_diameter", "base_diameter", "tip_diameter", "root_diameter", "form_diameter", "tip_thickness", "tip_thickness_normal",
-    "over_balls", "chordal_thickness", "chordal_height", "span_length",
-)  # fmt: skip
+    "reference_diameter",
+    "base_diameter",
+    "tip_diameter",
+    "root_diameter",
+    "form_diameter",
+    "tip_thickness",
+    "tip_thickness_normal",
+    "over_balls",
+    "chordal_thickness",
+    "chordal_height",
+    "span_length",
+)
 LENGTHS_OF_MESH = (
-    "centre_distance", "working_diameter_driver", "sap_diameter_driven", "tip_clearance_driver", "backlash_min", "backlash_max",
+    "centre_distance",
+    "working_diameter_driver",
+    "sap_diameter_driven",
+    "tip_clearance_driver",
+    "backlash_min",
+    "backlash_max",
     "line_of_action",
-)  # fmt: skip
+)
 NUMBERS_OF_MESH = (
-    "transverse_contact_ratio", "overlap_ratio", "working_pressure_angle", "specific_sliding_driver", "specific_sliding_driven",
-)  # fmt: skip
+    "transverse_contact_ratio",
+    "overlap_ratio",
+    "working_pressure_angle",
+    "specific_sliding_driver",
+    "specific_sliding_driven",
+)
 
 
 @st.composite
@@ -38,10 +56,14 @@ def pairs(draw):
 def gears(pair, scale=1.0, swapped=False, allowance=(-20, -30)):
     names = ["a", "b"][:: -1 if swapped else 1]
     thin = tuple(e * scale * pair["m_n"] for e in allowance)
-    wheels = [wheel(n, z, x, cut=0.05 * scale * pair["m_n"], allowance=thin) for n, z, x in zip("ab", pair["z"], pair["x"])]
+    wheels = [
+        wheel(n, z, x, cut=0.05 * scale * pair["m_n"], allowance=thin) for n, z, x in zip("ab", pair["z"], pair["x"])
+    ]
     meshes = [mesh(*names, tolerance=10 * scale * pair["m_n"])]
     m_n = scale * pair["m_n"]
-    return train(wheels, meshes, m_n=m_n, beta=pair["beta"], b=scale * pair["m_n"] * pair["b"], tool=(1.25, 0.3), ball=1.75 * m_n)
+    return train(
+        wheels, meshes, m_n=m_n, beta=pair["beta"], b=scale * pair["m_n"] * pair["b"], tool=(1.25, 0.3), ball=1.75 * m_n
+    )
 
 
 def one(train_):
@@ -56,7 +78,9 @@ def test_lengths_scale_with_the_module(pair, scale):
     large, mesh_l = one(gears(pair, scale))
     for name in ("a", "b"):
         for length in LENGTHS_OF_WHEEL:
-            assert getattr(large.wheels[name], length) == pytest.approx(scale * getattr(small.wheels[name], length), rel=1e-9, abs=1e-12)
+            assert getattr(large.wheels[name], length) == pytest.approx(
+                scale * getattr(small.wheels[name], length), rel=1e-9, abs=1e-12
+            )
     for length in LENGTHS_OF_MESH:
         assert getattr(mesh_l, length) == pytest.approx(scale * getattr(mesh_s, length), rel=1e-9, abs=1e-11)
     for number in NUMBERS_OF_MESH:
@@ -77,7 +101,9 @@ def test_driver_and_driven_may_be_exchanged(pair):
             assert getattr(mesh_, name) == pytest.approx(getattr(back, mirrored), rel=1e-12, abs=1e-15)
     force = 100.0
     loads = [force * w.reference_diameter / 2 for w in (t.wheels["a"], u.wheels["b"])]
-    rated, mirror = (solve.rating(gears(pair, swapped=x is u), x, load, materials()).result for x, load in zip((t, u), loads))
+    rated, mirror = (
+        solve.rating(gears(pair, swapped=x is u), x, load, materials()).result for x, load in zip((t, u), loads)
+    )
     assert rated.meshes["a_b"].contact_stress == pytest.approx(mirror.meshes["b_a"].contact_stress, rel=1e-12)
 
 
@@ -148,7 +174,9 @@ def test_the_ball_touches_where_it_should(pair, share):
     alpha_t, beta_b, z = s.transverse_pressure_angle, s.base_helix_angle, w.teeth
     alpha_y = f.pressure_angle_at(w.base_diameter, d_y)
     D = m.ball_for_contact(w.reference_thickness, w.reference_diameter, alpha_t, z, w.base_diameter, beta_b, alpha_y)
-    alpha_K = f.angle_of_involute(m.ball_involute(w.reference_thickness, w.reference_diameter, alpha_t, D, w.base_diameter, beta_b, z))
+    alpha_K = f.angle_of_involute(
+        m.ball_involute(w.reference_thickness, w.reference_diameter, alpha_t, D, w.base_diameter, beta_b, z)
+    )
     assert m.ball_contact_diameter(w.base_diameter, alpha_K, D, beta_b) == pytest.approx(d_y, rel=1e-11)
 
 
@@ -158,7 +186,16 @@ def test_backlash_of_small_changes(pair, E):
     """j_bn = −ΣE_W ± 2·T_a·sin α_wt·cos β_b, for a tolerance of a ten-thousandth of the module."""
     E, T_a = E * 1e-6 * pair["m_n"], 1e-7 * pair["m_n"]
     wheels = [wheel(n, z, x, allowance=(E * 1e6, E * 1e6)) for n, z, x in zip("ab", pair["z"], pair["x"])]
-    t, mesh_ = one(train(wheels, [mesh("a", "b", tolerance=T_a * 1e6)], m_n=pair["m_n"], beta=pair["beta"], tool=(1.25, 0.3), ball=None))
+    t, mesh_ = one(
+        train(
+            wheels,
+            [mesh("a", "b", tolerance=T_a * 1e6)],
+            m_n=pair["m_n"],
+            beta=pair["beta"],
+            tool=(1.25, 0.3),
+            ball=None,
+        )
+    )
     slope = 2 * math.sin(mesh_.working_pressure_angle) * math.cos(t.system.base_helix_angle)
     assert mesh_.backlash_min == pytest.approx(-2 * E - slope * T_a, abs=2e-5 * T_a + 1e-12)
     assert mesh_.backlash_max == pytest.approx(-2 * E + slope * T_a, abs=2e-5 * T_a + 1e-12)

@@ -30,7 +30,9 @@ def test_the_pitch_circles_of_every_mesh_touch(name):
         first, second = circles[mesh.driver], circles[mesh.driven]
         apart = math.dist(first.centre, second.centre)
         assert apart == pytest.approx(mesh.centre_distance, abs=1e-5)
-        assert first.radius + second.radius == pytest.approx(apart, rel=5e-3)  # a wheel may have another pitch circle for each mate
+        assert first.radius + second.radius == pytest.approx(
+            apart, rel=5e-3
+        )  # a wheel may have another pitch circle for each mate
 
 
 def test_a_mesh_without_room_is_marked_at_its_place(gamma, gamma_results):
@@ -41,9 +43,12 @@ def test_a_mesh_without_room_is_marked_at_its_place(gamma, gamma_results):
 
 
 def test_teeth_that_fail_are_drawn_with_the_least_backlash(gamma_results):
-    """Below zero: drawn as teeth that run into each other, exaggerated by as much as makes 15 µm nearly 0.3 modules of 2 mm."""
+    """Below zero: drawn as teeth that run into each other, exaggerated by as much as makes 15 µm nearly 0.3 modules of
+    2 mm."""
     mesh = gamma_results.outcomes["gears"].result.meshes["central_idler"]
-    assert mesh.backlash_min == pytest.approx(-14.65e-6, abs=1e-7) and mesh.backlash_nominal == pytest.approx(36e-6, abs=1e-7)
+    assert mesh.backlash_min == pytest.approx(-14.65e-6, abs=1e-7) and mesh.backlash_nominal == pytest.approx(
+        36e-6, abs=1e-7
+    )
     notes = [str(note) for note in sketch(gamma_results.design, gamma_results).notes]
     assert "gap × 30" in notes  # with the 36 µm in the middle of the tolerances it would be 15
 
@@ -51,8 +56,8 @@ def test_teeth_that_fail_are_drawn_with_the_least_backlash(gamma_results):
 def test_wheels_with_places_stand_within_their_walls():
     _, asked = load(DESIGNS / "r753ie4_sized.toml")
     train = sketch(asked, solve(asked))
-    assert len([mark for mark in train.primitives if isinstance(mark, Polyline) and mark.key.startswith("gears.walls.")]) == len(
-        asked.gears.walls
-    )
+    assert len(
+        [mark for mark in train.primitives if isinstance(mark, Polyline) and mark.key.startswith("gears.walls.")]
+    ) == len(asked.gears.walls)
     assert train.beside and any("gap ×" in str(note) for note in train.notes)
     assert not sketches.failing(train)

@@ -26,30 +26,50 @@ def test_a_train_by_its_transverse_module():
     """m_t = m_n/cos β: every value of the gears is the same."""
     m_t = float(MODULE[1]) / math.cos(math.radians(float(HELIX[1])))
     by_normal, by_transverse = (
-        solve(design(parse(text.encode(), "d.toml"))) for text in (TEXT, TEXT.replace(MODULE[0], f"transverse_module_mm = {m_t!r}"))
+        solve(design(parse(text.encode(), "d.toml")))
+        for text in (TEXT, TEXT.replace(MODULE[0], f"transverse_module_mm = {m_t!r}"))
     )
-    one, other = ({id: v.shown for id, v in results.values().items() if id.startswith("gears.")} for results in (by_normal, by_transverse))
+    one, other = (
+        {id: v.shown for id, v in results.values().items() if id.startswith("gears.")}
+        for results in (by_normal, by_transverse)
+    )
     assert one == pytest.approx(other, rel=1e-6, abs=1e-5) and len(one) > 200
     keys = {key for link in Chains(by_transverse).of("gears.crank.tip_diameter") for key in link.inputs}
     assert "gears.transverse_module_mm" in keys and "gears.normal_module_mm" not in keys
 
 
-@pytest.mark.parametrize("new, wanted", [
-    ("", ["gears.normal_module_mm", "is missing; needs a number above 0 and up to 100 mm, or transverse_module_mm instead"]),
-    (f"{MODULE[0]}\ntransverse_module_mm = 2.4", ["gears.transverse_module_mm: 2.4", "leave one of the two out"]),
-    ("transverse_module_mm = -2.0", ["gears.transverse_module_mm: -2.0: must be a number above 0"]),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    "new, wanted",
+    [
+        (
+            "",
+            [
+                "gears.normal_module_mm",
+                "is missing; needs a number above 0 and up to 100 mm, or transverse_module_mm instead",
+            ],
+        ),
+        (f"{MODULE[0]}\ntransverse_module_mm = 2.4", ["gears.transverse_module_mm: 2.4", "leave one of the two out"]),
+        ("transverse_module_mm = -2.0", ["gears.transverse_module_mm: -2.0: must be a number above 0"]),
+    ],
+)
 def test_the_module_is_given_once(new, wanted):
     said = errors(TEXT.replace(MODULE[0], new))
     assert all(part in said for part in wanted), said
 
 
-@pytest.mark.parametrize("old, new, key", [
-    (r"teeth = \d+", "teeth = -70", "gears.wheels.0.teeth: -70: must be a whole number from 5 to 1000; "),
-    (r"teeth = \d+", "teeth = 70\ninternal = true", "gears.wheels.0.internal: "),
-    (r"driven = ", "internal = true\ndriven = ", "gears.meshes.0.internal: "),
-    (r"centre_distance_mm = [\d.]+", "centre_distance_mm = -40.0", "centre_distance_mm: -40.0: must be a number above 0 and up to 5000 mm; "),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    "old, new, key",
+    [
+        (r"teeth = \d+", "teeth = -70", "gears.wheels.0.teeth: -70: must be a whole number from 5 to 1000; "),
+        (r"teeth = \d+", "teeth = 70\ninternal = true", "gears.wheels.0.internal: "),
+        (r"driven = ", "internal = true\ndriven = ", "gears.meshes.0.internal: "),
+        (
+            r"centre_distance_mm = [\d.]+",
+            "centre_distance_mm = -40.0",
+            "centre_distance_mm: -40.0: must be a number above 0 and up to 5000 mm; ",
+        ),
+    ],
+)
 def test_internal_gears_are_refused_with_the_reason(old, new, key):
     said = errors(re.sub(old, new, TEXT, count=1))
     assert f"{key}internal gears are not computed: contact, interference" in said, said

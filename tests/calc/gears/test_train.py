@@ -21,15 +21,20 @@ from calc.solve import solve as whole_solve
 from tests.calc.gears.trains import SPEED, mesh, r753, shown, solved, train, wheel
 
 OF_A_WHEEL = (
-    "tip_diameter", "reference_diameter", "base_diameter", "root_diameter", "form_diameter", "profile_shift", "undercut_limit",
-    "tip_thickness", "tip_thickness_normal", "ball_diameter", "over_balls", "over_balls_min", "over_balls_max", "chordal_thickness",
+    "tip_diameter", "reference_diameter", "base_diameter", "root_diameter", "form_diameter", "profile_shift",
+    "undercut_limit",
+    "tip_thickness", "tip_thickness_normal", "ball_diameter", "over_balls", "over_balls_min", "over_balls_max",
+    "chordal_thickness",
     "chordal_height", "speed",
 )  # fmt: skip
 OF_A_MESH = (
-    "centre_distance", "transverse_contact_ratio", "overlap_ratio", "total_contact_ratio", "working_pressure_angle", "working_helix_angle",
-    "working_diameter_driver", "working_diameter_driven", "sap_diameter_driver", "sap_diameter_driven", "tip_clearance_driver",
+    "centre_distance", "transverse_contact_ratio", "overlap_ratio", "total_contact_ratio", "working_pressure_angle",
+    "working_helix_angle",
+    "working_diameter_driver", "working_diameter_driven", "sap_diameter_driver", "sap_diameter_driven",
+    "tip_clearance_driver",
     "tip_clearance_driven", "specific_sliding_driver", "specific_sliding_driven", "specific_sliding_lpstc_driver",
-    "specific_sliding_lpstc_driven", "backlash_min", "backlash_nominal", "backlash_max", "tangential_force", "contact_stress",
+    "specific_sliding_lpstc_driven", "backlash_min", "backlash_nominal", "backlash_max", "tangential_force",
+    "contact_stress",
 )  # fmt: skip
 DESIGNS = Path(__file__).parents[3] / "designs"
 TORQUE = 1350 / (2 * math.pi * SPEED)
@@ -44,9 +49,11 @@ def whole():
     return solve.with_residual_couple(solve.merge(geometry, rated), 572.93)
 
 
-# --- the source's train ------------------------------------------------------------------------------------------------------------
+# --- the source's train
+# ------------------------------------------------------------------------------------------------------------
 def test_shifts_follow_through_the_train(whole):
-    """36: 0.014 is given; the 39 follows from 80.555 mm (printed −0.312 mm), the shaft's 25 from 68.698 mm, the crank's is the shaft's."""
+    """36: 0.014 is given; the 39 follows from 80.555 mm (printed −0.312 mm), the shaft's 25 from 68.698 mm, the crank's
+    is the shaft's."""
     v = shown(whole)
     assert 2 * v["idler.profile_shift"] == pytest.approx(-0.312, abs=5e-4)
     assert v["crank.profile_shift"] == v["shaft.profile_shift"]
@@ -57,11 +64,14 @@ def test_shifts_follow_through_the_train(whole):
 
 def test_speeds(whole):
     v = shown(whole)
-    assert [v[f"{w}.speed"] for w in ("crank", "central", "idler", "shaft")] == pytest.approx([2600, -1805.56, 1666.67, -2600], abs=5e-3)
+    assert [v[f"{w}.speed"] for w in ("crank", "central", "idler", "shaft")] == pytest.approx(
+        [2600, -1805.56, 1666.67, -2600], abs=5e-3
+    )
 
 
 def test_second_pair_agrees_with_what_is_known_of_it(whole):
-    """Its sheet is not printed in full: ε_α 1.453, ε_β 0.891, k*·m_n 0.004 mm, and sliding of both wheels equal at the start of contact."""
+    """Its sheet is not printed in full: ε_α 1.453, ε_β 0.891, k*·m_n 0.004 mm, and sliding of both wheels equal at the
+    start of contact."""
     v = {k.removeprefix("idler_shaft."): n for k, n in shown(whole).items() if k.startswith("idler_shaft.")}
     assert v["transverse_contact_ratio"] == pytest.approx(1.453, abs=5e-4)
     assert v["overlap_ratio"] == pytest.approx(0.891, abs=5e-4)
@@ -75,17 +85,28 @@ def test_the_first_pair_can_jam_and_the_check_says_what_to_do(whole):
     (jams,) = [c for c in whole.checks if c.verdict == "fail"]
     assert jams.id == "gears.central_idler.backlash"
     assert [one.changes for one in jams.remedies] == [
-        (("gears.wheels.central.span_allowance_um", [-17, -35]),), (("gears.meshes.1.tolerance_um", 32),)
-    ]  # fmt: skip
-    assert jams.advice.startswith("To pass: Allowance of the span of central [−17; −35] µm (15 µm more off the span of its teeth) or")
+        (("gears.wheels.central.span_allowance_um", [-17, -35]),),
+        (("gears.meshes.1.tolerance_um", 32),),
+    ]
+    assert jams.advice.startswith(
+        "To pass: Allowance of the span of central [−17; −35] µm (15 µm more off the span of its teeth) or"
+    )
     assert all(c.kind == "advice" for c in whole.checks if c.verdict == "warn")
 
 
 def test_a_tolerance_that_its_parts_do_not_keep_is_no_remedy(gamma_results):
-    """Of the source's last design only the pair of central and idler has its parts between the centres listed: ±54 µm."""
-    ways = {c.id: {key for one in c.remedies for key, _ in one.changes} for c in gamma_results.outcomes["gears"].checks if c.remedies}
+    """Of the source's last design only the pair of central and idler has its parts between the centres listed: ±54
+    µm."""
+    ways = {
+        c.id: {key for one in c.remedies for key, _ in one.changes}
+        for c in gamma_results.outcomes["gears"].checks
+        if c.remedies
+    }
     assert ways["gears.central_idler.backlash_warm"] == {"gears.wheels.central.span_allowance_um"}
-    assert ways["gears.idler_shaft.backlash_cold"] == {"gears.wheels.idler.span_allowance_um", "gears.meshes.2.tolerance_um"}
+    assert ways["gears.idler_shaft.backlash_cold"] == {
+        "gears.wheels.idler.span_allowance_um",
+        "gears.meshes.2.tolerance_um",
+    }
 
 
 def test_one_outcome_with_every_promised_name(whole):
@@ -97,7 +118,10 @@ def test_one_outcome_with_every_promised_name(whole):
     for pair in ("crank_central", "central_idler", "idler_shaft"):
         for name in OF_A_MESH:
             assert f"{pair}.{name}" in v
-        ids = {f"gears.{pair}.{c}" for c in ("backlash", "contact_ratio", "contact_ratio_usual", "tip_clearance", "interference")}
+        ids = {
+            f"gears.{pair}.{c}"
+            for c in ("backlash", "contact_ratio", "contact_ratio_usual", "tip_clearance", "interference")
+        }
         assert ids <= {c.id for c in whole.checks}
     assert {"idler.span_5", "idler.span_5_min", "crank.span_4_max", "idler_shaft.root_stress_shaft"} <= v.keys()
     assert {"phase_error", "residual_couple"} <= v.keys()
@@ -127,10 +151,14 @@ def test_every_value_of_a_shipped_design_is_what_a_line_returned_or_an_input(nam
     assert [v.id for v in results.outcomes["gears"].values() if link_of(v.inside) is None] == []
 
 
-@pytest.mark.parametrize("teeth, wanted, verdict", [(25, -1.0, "pass"), (26, -1.0, "fail"), (25, 1.0, "fail"), (50, -0.5, "pass")])
+@pytest.mark.parametrize(
+    "teeth, wanted, verdict", [(25, -1.0, "pass"), (26, -1.0, "fail"), (25, 1.0, "fail"), (50, -0.5, "pass")]
+)
 def test_the_shaft_turns_as_it_must(teeth, wanted, verdict):
     wheels = [wheel("crank", 25, 0.0), wheel("central", 36, 0.0), wheel("idler", 39, 0.0), wheel("shaft", teeth, 0.0)]
-    outcome = solve.geometry(train(wheels, [mesh("crank", "central"), mesh("central", "idler"), mesh("idler", "shaft")]), SPEED)
+    outcome = solve.geometry(
+        train(wheels, [mesh("crank", "central"), mesh("central", "idler"), mesh("idler", "shaft")]), SPEED
+    )
     (found,) = [c for c in solve.with_speed_ratio(outcome, wanted).checks if c.id == "gears.train.speed_ratio"]
     assert (found.verdict, found.kind) == (verdict, "limit")
     assert f"crank 25 → central 36 → idler 39 → shaft {teeth}" in found.advice
@@ -172,7 +200,8 @@ def test_wheel_names_with_a_hyphen():
     assert "crank-1_idler-2.root_stress_crank-1" in shown(solve.merge(outcome, rated))
 
 
-# --- open shifts and distances ---------------------------------------------------------------------------------------------------------
+# --- open shifts and distances
+# ---------------------------------------------------------------------------------------------------------
 def shifts(wheels, meshes, **said):
     return {name: w.profile_shift for name, w in solved(train(wheels, meshes, **said)).wheels.items()}
 
@@ -185,13 +214,17 @@ def test_the_mate_is_derived_in_either_direction():
 
 def test_a_chain_is_derived_from_its_far_end():
     known = shifts([wheel("a", 25, 0.1), wheel("b", 36), wheel("c", 39)], [mesh("a", "b", 65.9), mesh("b", "c", 80.6)])
-    again = shifts([wheel("a", 25), wheel("b", 36), wheel("c", 39, known["c"])], [mesh("a", "b", 65.9), mesh("b", "c", 80.6)])
+    again = shifts(
+        [wheel("a", 25), wheel("b", 36), wheel("c", 39, known["c"])], [mesh("a", "b", 65.9), mesh("b", "c", 80.6)]
+    )
     assert again == pytest.approx(known, abs=1e-14)
 
 
 def test_open_shifts_are_chosen_and_said():
     """As many teeth: the same shift; else 0 for the first, and what follows from it."""
-    outcome = solve.geometry(train([wheel("a", 30), wheel("b", 40), wheel("c", 30, 0.2)], [mesh("a", "b", 75.6), mesh("b", "c")]), SPEED)
+    outcome = solve.geometry(
+        train([wheel("a", 30), wheel("b", 40), wheel("c", 30, 0.2)], [mesh("a", "b", 75.6), mesh("b", "c")]), SPEED
+    )
     assert outcome.result.wheels["a"].profile_shift == 0.2
     assert any("of a: not given; chosen: 0.2" in n for n in outcome.notes)
     outcome = solve.geometry(train([wheel("a", 30), wheel("b", 40)], [mesh("a", "b", 75.6)]), SPEED)
@@ -216,12 +249,17 @@ def test_two_given_shifts_that_jam():
 
 @pytest.mark.parametrize("less", [0.005, 0.05, 0.2])
 def test_two_given_shifts_make_the_backlash(less):
-    """j_bn = 2·m_n·sin α_n·Δx: the tooth is thinner by 2·m_n·Δx·tan α_n at the reference circle, and tan α_n·cos α_t·cos β_b/cos β = sin α_n."""
+    """j_bn = 2·m_n·sin α_n·Δx: the tooth is thinner by 2·m_n·Δx·tan α_n at the reference circle, and tan α_n·cos
+    α_t·cos β_b/cos β = sin α_n."""
     exact = shifts([wheel("a", 36, 0.014), wheel("b", 39)], [mesh("a", "b", 80.555)])["b"]
-    outcome = solve.geometry(train([wheel("a", 36, 0.014), wheel("b", 39, exact - less)], [mesh("a", "b", 80.555)]), SPEED)
+    outcome = solve.geometry(
+        train([wheel("a", 36, 0.014), wheel("b", 39, exact - less)], [mesh("a", "b", 80.555)]), SPEED
+    )
     t = outcome.result
     assert t.wheels["b"].profile_shift == exact - less and t.meshes["a_b"].centre_distance == 80.555e-3
-    assert t.meshes["a_b"].backlash_nominal == pytest.approx(2 * t.system.m_n * math.sin(t.system.alpha_n) * less, rel=1e-9)
+    assert t.meshes["a_b"].backlash_nominal == pytest.approx(
+        2 * t.system.m_n * math.sin(t.system.alpha_n) * less, rel=1e-9
+    )
     assert t.phase_error == pytest.approx(t.meshes["a_b"].play_angle) and t.meshes["a_b"].penetration == 0
     assert any("both profile shifts are given" in n for n in outcome.notes)
 
@@ -231,9 +269,13 @@ def test_a_loose_pair_touches_with_one_flank():
     t = solved(train([wheel("a", 36, 0.014), wheel("b", 39, -0.4)], [mesh("a", "b", 80.555)]))
     m = t.meshes["a_b"]
     both = flank(t.system, t.wheels["a"]), flank(t.system, t.wheels["b"])
-    j_wt = circumferential_backlash(m.working_diameter_driver, 36, m.working_thickness_driver, m.working_thickness_driven)
+    j_wt = circumferential_backlash(
+        m.working_diameter_driver, 36, m.working_thickness_driver, m.working_thickness_driven
+    )
     assert j_wt > 100e-6 and penetration(m.centre_distance, *both, j_wt) == 0.0
-    assert penetration(m.centre_distance, *both, j_wt + 2e-6) == pytest.approx(1e-6 * math.cos(m.working_pressure_angle), rel=0.02)
+    assert penetration(m.centre_distance, *both, j_wt + 2e-6) == pytest.approx(
+        1e-6 * math.cos(m.working_pressure_angle), rel=0.02
+    )
 
 
 def test_a_branching_train():
@@ -248,7 +290,9 @@ def test_a_branching_train():
 def test_nothing_heavier_than_numpy_is_loaded():
     heavy = "scipy", "matplotlib", "reportlab", "textual", "rich", "pint"
     code = f"import sys, calc.gears.solve; print([m for m in {heavy} if m in sys.modules])"
-    assert subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout.strip() == "[]"
+    assert (
+        subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout.strip() == "[]"
+    )
 
 
 def test_the_reference_diameter_is_found_by_its_old_name_too():

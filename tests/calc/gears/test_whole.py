@@ -9,7 +9,9 @@ from calc.design.toml_file import design, read
 from calc.solve import solve
 
 DESIGNS = Path(__file__).parents[3] / "designs"
-GAMMA, SHEET, PAIR = (read(DESIGNS / name) for name in ("r753ie4_gamma.toml", "finotti_gear_sheet.toml", "timing_pair.toml"))
+GAMMA, SHEET, PAIR = (
+    read(DESIGNS / name) for name in ("r753ie4_gamma.toml", "finotti_gear_sheet.toml", "timing_pair.toml")
+)
 
 
 def solved(document, **changes):
@@ -19,20 +21,28 @@ def solved(document, **changes):
 
 
 @pytest.mark.parametrize("document", [GAMMA, SHEET], ids=["gamma", "alone"])
-@pytest.mark.parametrize("changes, words", [
-    ({"meshes__1__centre_distance_mm": 50.0}, "it must exceed"), ({"wheels__idler__tip_shortening_mm": 4.5}, "no involute flank is left"),
-    ({"wheels__idler__span_allowance_um": [0, -4000]}, "it must stay above"), ({"wheels__central__profile_shift": 2.9}, ""),
-    ({"tool_tip_radius": 0.9}, "gears.tool_tip_radius"),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    "changes, words",
+    [
+        ({"meshes__1__centre_distance_mm": 50.0}, "it must exceed"),
+        ({"wheels__idler__tip_shortening_mm": 4.5}, "no involute flank is left"),
+        ({"wheels__idler__span_allowance_um": [0, -4000]}, "it must stay above"),
+        ({"wheels__central__profile_shift": 2.9}, ""),
+        ({"tool_tip_radius": 0.9}, "gears.tool_tip_radius"),
+    ],
+)
 def test_a_train_that_can_not_be_keeps_its_reason(document, changes, words):
     outcome = solved(document, **changes)
     assert outcome.state == "no_solution" and words in outcome.reason and len(outcome.reason) > 30
 
 
-@pytest.mark.parametrize("changes, part, words", [
-    ({"wheels__central__rim_thickness_mm": 0.5}, "rating", "rim_thickness_mm"),
-    ({"wheels__central__bore_diameter_mm": 90.0}, "rating", "bore"),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    "changes, part, words",
+    [
+        ({"wheels__central__rim_thickness_mm": 0.5}, "rating", "rim_thickness_mm"),
+        ({"wheels__central__bore_diameter_mm": 90.0}, "rating", "bore"),
+    ],
+)
 def test_a_part_without_solution_fails_and_the_rest_stays(changes, part, words):
     outcome = solved(GAMMA, **changes)
     failed = next(c for c in outcome.checks if c.id == f"gears.train.{part}")
@@ -72,9 +82,15 @@ def test_a_given_ball_has_to_fit(ball, verdict):
 def test_the_ends_of_the_tolerances_are_judged():
     long, short = (solved(SHEET, wheels__idler__tip_diameter_tolerance_um=ends) for ends in ([3000, 0], [0, -2500]))
     verdicts = {c.id: c.verdict for c in long.checks}
-    assert verdicts["gears.central_idler.tip_clearance_least"] == "fail" and verdicts["gears.central_idler.tip_clearance"] == "pass"
+    assert (
+        verdicts["gears.central_idler.tip_clearance_least"] == "fail"
+        and verdicts["gears.central_idler.tip_clearance"] == "pass"
+    )
     verdicts = {c.id: c.verdict for c in short.checks}
-    assert verdicts["gears.central_idler.contact_ratio_least"] == "warn" and verdicts["gears.central_idler.contact_ratio"] == "pass"
+    assert (
+        verdicts["gears.central_idler.contact_ratio_least"] == "warn"
+        and verdicts["gears.central_idler.contact_ratio"] == "pass"
+    )
     thin = {c.id: c for c in solved(SHEET, wheels__central__span_allowance_um=[-1200, -1300]).checks}
     assert thin["gears.central.tip_thickness"].verdict == "fail"
 
@@ -85,7 +101,9 @@ def test_an_iron_wheel_is_not_rated_as_case_hardened_steel():
         assert outcome.result.meshes["crank_central"].rating.strength is None
         assert outcome.result.meshes["idler_shaft"].rating.strength is not None
         assert any("gears.wheels.crank.gear_material" in note for note in outcome.notes)
-    named = solved(GAMMA, wheels__crank__material="42CrMo4", wheels__crank__gear_material="quenched and tempered alloy steel")
+    named = solved(
+        GAMMA, wheels__crank__material="42CrMo4", wheels__crank__gear_material="quenched and tempered alloy steel"
+    )
     assert named.state == "solved"
 
 

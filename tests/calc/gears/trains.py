@@ -23,19 +23,28 @@ def wheel(name, teeth, x=None, *, cut=0.0, span=None, allowance=None, **more):
 
 def mesh(driver, driven, a=None, *, tolerance=None, contributors=None):
     return Mesh(
-        driver=driver, driven=driven, centre_distance=None if a is None else a * 1e-3,
+        driver=driver,
+        driven=driven,
+        centre_distance=None if a is None else a * 1e-3,
         tolerance=None if tolerance is None else tolerance * 1e-6,
         contributors=None if contributors is None else tuple(c * 1e-3 for c in contributors),
-    )  # fmt: skip
+    )
 
 
 def train(wheels, meshes, *, m_n=2.0, alpha_n=20.0, beta=21.916, b=15.0, tool=(1.41, 0.2), ball=3.5, edition=2006):
     return GearsInputs(
         source_sheet="finotti",
-        normal_module=m_n * 1e-3, pressure_angle=math.radians(alpha_n), helix_angle=math.radians(beta), face_width=b * 1e-3,
-        tool_addendum=tool[0], tool_tip_radius=tool[1], ball_diameter=None if ball is None else ball * 1e-3, iso_6336_edition=edition,
-        wheels=tuple(wheels), meshes=tuple(meshes),
-    )  # fmt: skip
+        normal_module=m_n * 1e-3,
+        pressure_angle=math.radians(alpha_n),
+        helix_angle=math.radians(beta),
+        face_width=b * 1e-3,
+        tool_addendum=tool[0],
+        tool_tip_radius=tool[1],
+        ball_diameter=None if ball is None else ball * 1e-3,
+        iso_6336_edition=edition,
+        wheels=tuple(wheels),
+        meshes=tuple(meshes),
+    )
 
 
 def pair_1(cut=0.2, allowances=((-2, -20), (-20, -30)), span=(5, 6), **said):
@@ -48,10 +57,16 @@ def pair_1(cut=0.2, allowances=((-2, -20), (-20, -30)), span=(5, 6), **said):
 def r753(**said):
     """The whole train of the source's design; what it does not give is left open."""
     wheels = (
-        wheel("crank", 25, allowance=(-20, -30)), wheel("central", 36, 0.014, span=5, allowance=(-2, -20)),
-        wheel("idler", 39, cut=0.2, span=5, allowance=(-20, -30)), wheel("shaft", 25, allowance=(-20, -30)),
-    )  # fmt: skip
-    meshes = mesh("crank", "central"), mesh("central", "idler", 80.555, tolerance=55), mesh("idler", "shaft", 68.698, tolerance=55)
+        wheel("crank", 25, allowance=(-20, -30)),
+        wheel("central", 36, 0.014, span=5, allowance=(-2, -20)),
+        wheel("idler", 39, cut=0.2, span=5, allowance=(-20, -30)),
+        wheel("shaft", 25, allowance=(-20, -30)),
+    )
+    meshes = (
+        mesh("crank", "central"),
+        mesh("central", "idler", 80.555, tolerance=55),
+        mesh("idler", "shaft", 68.698, tolerance=55),
+    )
     return train(wheels, meshes, **said)
 
 

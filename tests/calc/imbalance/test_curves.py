@@ -13,7 +13,9 @@ def curves(shaft=None, **changes):
     return found, {curve.id: curve for curve in pictures(found, shaft)}
 
 
-@pytest.mark.parametrize("changes", [{}, dict(cylinders=4, firing_order=(1, 3, 4, 2)), dict(cylinders=1, firing_order=None)])
+@pytest.mark.parametrize(
+    "changes", [{}, dict(cylinders=4, firing_order=(1, 3, 4, 2)), dict(cylinders=1, firing_order=None)]
+)
 def test_the_chain_of_vectors_ends_on_the_locus(changes):
     _, drawn = curves(**changes)
     for curve in drawn.values():
@@ -22,7 +24,9 @@ def test_the_chain_of_vectors_ends_on_the_locus(changes):
             assert curve.along[0] == "crank angle, °"
             for k, theta in enumerate(np.radians(curve.along[1])):
                 end = chain.at(theta)[-1]
-                assert (end.imag, end.real) == pytest.approx((line.x[k], line.y[k]), abs=1e-6 * np.abs(line.y).max() + 1e-6)
+                assert (end.imag, end.real) == pytest.approx(
+                    (line.x[k], line.y[k]), abs=1e-6 * np.abs(line.y).max() + 1e-6
+                )
 
 
 def test_an_ideal_shaft_closes_the_chain():

@@ -22,11 +22,16 @@ ROWS = tomllib.loads((Path(__file__).parents[2] / "reference" / "balance.toml").
 @pytest.mark.parametrize("row", ROWS, ids=[r["engine"] for r in ROWS])
 def test_published_engine(row):
     changes = dict(
-        layout=row.get("layout", "inline"), cylinders=len(row["z"]), bank_of_cylinder=tuple(row["bank"]), rod_length=0.163,
-        axial_positions=tuple(0.112 * z for z in row["z"]), firing_order=tuple(row["order"]) if "order" in row else None,
-        crank_angles=tuple(math.radians(p) for p in row["phi"]) if "phi" in row else None, cylinder_offset=0.0,
+        layout=row.get("layout", "inline"),
+        cylinders=len(row["z"]),
+        bank_of_cylinder=tuple(row["bank"]),
+        rod_length=0.163,
+        axial_positions=tuple(0.112 * z for z in row["z"]),
+        firing_order=tuple(row["order"]) if "order" in row else None,
+        crank_angles=tuple(math.radians(p) for p in row["phi"]) if "phi" in row else None,
+        cylinder_offset=0.0,
         bank_angle=math.radians(row.get("bank_angle", 0)),
-    )  # fmt: skip
+    )
     engine, e, i = solved(ImbalanceInputs(crank_balance_fraction=0.0, kinematics="two_term"), **changes)
     scale = e.reciprocating_mass * engine.crank_radius * e.angular_speed**2
     for name, unit in (("first", scale), ("second", scale * e.lambda_)):
@@ -44,10 +49,15 @@ def test_published_engine_in_phase(row):
     """Modulus and phase of the same engines against the Fourier coefficients of their exact motion."""
     n = len(row["z"])
     engine, e, i = solved(
-        ImbalanceInputs(crank_balance_fraction=0.0), layout="vee", cylinders=n, firing_order=None, bank_of_cylinder=tuple(row["bank"]),
-        axial_positions=tuple(0.112 * z for z in row["z"]), crank_angles=tuple(math.radians(p) for p in row["phi"]),
+        ImbalanceInputs(crank_balance_fraction=0.0),
+        layout="vee",
+        cylinders=n,
+        firing_order=None,
+        bank_of_cylinder=tuple(row["bank"]),
+        axial_positions=tuple(0.112 * z for z in row["z"]),
+        crank_angles=tuple(math.radians(p) for p in row["phi"]),
         bank_angle=math.radians(row.get("bank_angle", 180 if row.get("layout") == "boxer" else 0)),
-    )  # fmt: skip
+    )
     force, couple = motion(engine, e, np.arange(256) * 2 * np.pi / 256)
     F, C = np.fft.fft(force) / 256, np.fft.fft(couple) / 256
     for order in (1, 2):
@@ -55,9 +65,10 @@ def test_published_engine_in_phase(row):
         assert np.abs(np.array(i.orders[f"order_{order}"].vectors) - expected).max() < 1e-10 * i.one_force
 
 
-@pytest.mark.parametrize("fraction, forward, vertical, horizontal", [
-    (0.0, 572.932, 1145.864, 0.0), (0.5, 0.0, 572.932, 572.932), (1.0, 572.932, 0.0, 1145.864),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    "fraction, forward, vertical, horizontal",
+    [(0.0, 572.932, 1145.864, 0.0), (0.5, 0.0, 572.932, 572.932), (1.0, 572.932, 0.0, 1145.864)],
+)
 def test_r753_first_order(fraction, forward, vertical, horizontal):
     """Finotti 2013, 2.5.3: 572.93 N·m; the share on the crank moves the forward vector only."""
     order = solved(ImbalanceInputs(crank_balance_fraction=fraction))[2].orders["order_1"]
@@ -97,7 +108,15 @@ def test_source_value_of_the_second_order_is_shown_beside():
 
 
 def test_order_two_does_not_know_the_counterweights():
-    assert len({solved(ImbalanceInputs(crank_balance_fraction=k))[2].orders["order_2"].couple_peak_vertical for k in (0.0, 0.5, 1.0)}) == 1
+    assert (
+        len(
+            {
+                solved(ImbalanceInputs(crank_balance_fraction=k))[2].orders["order_2"].couple_peak_vertical
+                for k in (0.0, 0.5, 1.0)
+            }
+        )
+        == 1
+    )
 
 
 angle = st.floats(0, 2 * math.pi)
@@ -112,14 +131,22 @@ angle = st.floats(0, 2 * math.pi)
     bank=st.floats(0.1, 3.0),
 )
 def test_phasors_equal_the_time_domain(phi, data, offset, kappa, bank):
-    """Any fan of cylinders with offset: the sum of the orders is the sum of the cylinders' forces at every crank angle."""
+    """Any fan of cylinders with offset: the sum of the orders is the sum of the cylinders' forces at every crank
+    angle."""
     n = len(phi)
     banks = data.draw(st.lists(st.integers(0, 1), min_size=n, max_size=n))
     z = data.draw(st.lists(st.floats(-1, 1), min_size=n, max_size=n))
     engine, e, i = solved(
-        ImbalanceInputs(crank_balance_fraction=kappa), layout="vee", cylinders=n, crank_angles=tuple(phi), bank_of_cylinder=tuple(banks), bank_angle=bank,
-        axial_positions=tuple(z), cylinder_offset=offset, firing_order=None,
-    )  # fmt: skip
+        ImbalanceInputs(crank_balance_fraction=kappa),
+        layout="vee",
+        cylinders=n,
+        crank_angles=tuple(phi),
+        bank_of_cylinder=tuple(banks),
+        bank_angle=bank,
+        axial_positions=tuple(z),
+        cylinder_offset=offset,
+        firing_order=None,
+    )
     turn = np.linspace(0, 2 * np.pi, 37)
     force, couple = np.zeros(turn.size, complex), np.zeros(turn.size, complex)
     psi = np.where(np.array(banks) == 1, bank / 2, -bank / 2)
@@ -159,7 +186,9 @@ def higher(e):
 def test_doubling_the_speed_quadruples_everything(factor):
     one, other = solved()[2], solved(rated_speed=factor * 2600 / 60)[2]
     for name, order in one.orders.items():
-        assert other.orders[name].couple_peak_vertical == pytest.approx(factor**2 * order.couple_peak_vertical, rel=1e-9, abs=1e-9)
+        assert other.orders[name].couple_peak_vertical == pytest.approx(
+            factor**2 * order.couple_peak_vertical, rel=1e-9, abs=1e-9
+        )
 
 
 def test_what_an_inline_four_leaves_is_seen():
@@ -174,9 +203,14 @@ def test_a_vee_engine_pairs_its_cylinders_by_bank():
     """V6 90°, three pins: √3 and no backward couple, however the cylinders are numbered."""
     degrees = (0, 240, 120, 0, 240, 120)
     _, _, i = solved(
-        ImbalanceInputs(crank_balance_fraction=0.0), layout="vee", cylinders=6, bank_angle=math.pi / 2, firing_order=None,
-        crank_angles=tuple(map(math.radians, degrees)), bank_of_cylinder=(0, 0, 0, 1, 1, 1),
-    )  # fmt: skip
+        ImbalanceInputs(crank_balance_fraction=0.0),
+        layout="vee",
+        cylinders=6,
+        bank_angle=math.pi / 2,
+        firing_order=None,
+        crank_angles=tuple(map(math.radians, degrees)),
+        bank_of_cylinder=(0, 0, 0, 1, 1, 1),
+    )
     first = i.orders["order_1"]
     assert first.couple_forward / i.one_couple == pytest.approx(math.sqrt(3))
     assert first.couple_backward == pytest.approx(0, abs=1e-6)

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What holds for any engine beside tests/calc/imbalance/test_properties.py; the list of all such laws is docs/laws.md."""
+"""What holds for any engine beside tests/calc/imbalance/test_properties.py; the list of all such laws is
+docs/laws.md."""
 
 import math
 
@@ -17,7 +18,9 @@ from tests.calc.imbalance.engines import R753, fans, solved
 
 def vectors(found):
     """F⁺ F⁻ C⁺ C⁻ of orders 1 to 8, zero where there is none."""
-    return np.array([found.orders[f"order_{n}"].vectors if f"order_{n}" in found.orders else (0, 0, 0, 0) for n in range(1, 9)])
+    return np.array(
+        [found.orders[f"order_{n}"].vectors if f"order_{n}" in found.orders else (0, 0, 0, 0) for n in range(1, 9)]
+    )
 
 
 @settings(max_examples=30, deadline=None)
@@ -29,22 +32,32 @@ def test_forces_go_with_mass_length_and_speed_squared(fan, masses, lengths, spee
         name: {**R753, **fan}[name] * lengths
         for name in ("crank_radius", "rod_length", "cylinder_offset", "rod_cg_to_big_end", "cylinder_pitch")
     }
-    said |= {"axial_positions": tuple(z * lengths for z in fan["axial_positions"]), "rated_speed": R753["rated_speed"] * speeds}
+    said |= {
+        "axial_positions": tuple(z * lengths for z in fan["axial_positions"]),
+        "rated_speed": R753["rated_speed"] * speeds,
+    }
     one, other = solved(**fan)[2], solved(**{**fan, **said})[2]
     scale = masses * lengths * speeds**2 * np.array([1, 1, lengths, lengths])
-    assert (np.abs(vectors(other) - scale * vectors(one)) < 2e-9 * scale * one.one_force * len(fan["axial_positions"])).all()
+    assert (
+        np.abs(vectors(other) - scale * vectors(one)) < 2e-9 * scale * one.one_force * len(fan["axial_positions"])
+    ).all()
 
 
 @settings(max_examples=30, deadline=None)
 @given(fan=fans(), kappa=st.floats(-1, 2), data=st.data())
 def test_two_engines_on_one_crank_add_up(fan, kappa, data):
-    """Superposition: cylinders 1 to k and cylinder 1 with the others make the vectors of the whole and of cylinder 1 once more."""
+    """Superposition: cylinders 1 to k and cylinder 1 with the others make the vectors of the whole and of cylinder 1
+    once more."""
     n = fan["cylinders"]
     k = data.draw(st.integers(1, n))
 
     def part(which):
-        some = {name: tuple(fan[name][i] for i in which) for name in ("crank_angles", "bank_of_cylinder", "axial_positions")}
-        return vectors(solved(ImbalanceInputs(crank_balance_fraction=kappa), **{**fan, **some, "cylinders": len(which)})[2])
+        some = {
+            name: tuple(fan[name][i] for i in which) for name in ("crank_angles", "bank_of_cylinder", "axial_positions")
+        }
+        return vectors(
+            solved(ImbalanceInputs(crank_balance_fraction=kappa), **{**fan, **some, "cylinders": len(which)})[2]
+        )
 
     front, rest, first, whole = part(range(k)), part([0, *range(k, n)]), part([0]), part(range(n))
     scale = solved()[2].one_force * n * (1 + abs(kappa))
@@ -57,7 +70,9 @@ def test_the_numbers_of_the_cylinders_do_not_matter(fan, data):
     """Cylinders 2 … N may be numbered anew in any order."""
     n = fan["cylinders"]
     order = [0, *data.draw(st.permutations(range(1, n)))]
-    anew = {name: tuple(fan[name][i] for i in order) for name in ("crank_angles", "bank_of_cylinder", "axial_positions")}
+    anew = {
+        name: tuple(fan[name][i] for i in order) for name in ("crank_angles", "bank_of_cylinder", "axial_positions")
+    }
     one, other = solved(**fan)[2], solved(**{**fan, **anew})[2]
     assert np.abs(vectors(one) - vectors(other)).max() < 2e-9 * one.one_force * n
 
@@ -65,7 +80,8 @@ def test_the_numbers_of_the_cylinders_do_not_matter(fan, data):
 @settings(max_examples=40, deadline=None)
 @given(fan=fans(), turn=st.floats(0, 2 * math.pi))
 def test_a_turned_throw_turns_its_vectors_by_the_order_times_its_angle(fan, turn):
-    """One cylinder at another throw, seen from the same crank angle: its vectors turn by ±n times the angle, without counterweights.
+    """One cylinder at another throw, seen from the same crank angle: its vectors turn by ±n times the angle, without
+    counterweights.
 
     A bank that is turned with its throw turns them by the angle alone, whatever the order.
     """
@@ -102,19 +118,30 @@ def test_two_counterweights_cancel_force_and_couple_of_the_crankpins(fan, kappa,
     assert abs(front + rear + pins.sum()) < 1e-9 * size / span
     assert abs((rear - front) * span / 2 + (pins * z).sum()) < 1e-9 * size
     assert crank_unbalance(M_eq=M_eq, r=r, theta_0=theta_0, phi=phi) == pytest.approx(pins.sum(), abs=1e-12 * size)
-    assert crank_product(M_eq=M_eq, r=r, theta_0=theta_0, z=z, phi=phi) == pytest.approx((pins * z).sum(), abs=1e-12 * size)
+    assert crank_product(M_eq=M_eq, r=r, theta_0=theta_0, z=z, phi=phi) == pytest.approx(
+        (pins * z).sum(), abs=1e-12 * size
+    )
 
 
 @settings(max_examples=20, deadline=None)
-@given(cylinders=st.integers(2, 12), strokes=st.sampled_from([2, 4]), lam=st.floats(0.05, 0.4), pitch=st.floats(0.05, 0.5))
+@given(
+    cylinders=st.integers(2, 12), strokes=st.sampled_from([2, 4]), lam=st.floats(0.05, 0.4), pitch=st.floats(0.05, 0.5)
+)
 def test_even_firing_leaves_forces_of_the_firing_frequency_only(cylinders, strokes, lam, pitch):
-    """Inline engines: forces of order n are N times one cylinder's where n is a multiple of 2·N/strokes, and zero elsewhere."""
+    """Inline engines: forces of order n are N times one cylinder's where n is a multiple of 2·N/strokes, and zero
+    elsewhere."""
     _, e, found = solved(
-        ImbalanceInputs(crank_balance_fraction=0.0), cylinders=cylinders, strokes=strokes, firing_order=None, rod_length=0.0535 / lam,
+        ImbalanceInputs(crank_balance_fraction=0.0),
+        cylinders=cylinders,
+        strokes=strokes,
+        firing_order=None,
+        rod_length=0.0535 / lam,
         cylinder_pitch=pitch,
-    )  # fmt: skip
+    )
     for n, (forward, backward, _, _) in enumerate(vectors(found), 1):
-        expected = cylinders * found.one_force * abs(e.harmonics[n - 1]) / 2 if n * strokes % (2 * cylinders) == 0 else 0.0
+        expected = (
+            cylinders * found.one_force * abs(e.harmonics[n - 1]) / 2 if n * strokes % (2 * cylinders) == 0 else 0.0
+        )
         for F in (forward, backward):
             assert abs(F) == pytest.approx(expected, abs=1e-8 * found.one_force * cylinders), n
 
@@ -125,6 +152,8 @@ def test_two_equal_couples_out_of_phase_leave_twice_the_sine_of_half_their_angle
     """|C − C·e^(iΔφ)| = 2·C·|sin(Δφ/2)|: of backlash, per degree and per tooth of mistiming; of forces alike."""
     left = abs(C - C * np.exp(1j * late))
     assert abs(residual_couple(C=C, Delta_phi=late)) == pytest.approx(left, rel=1e-9, abs=1e-12 * C)
-    degree, tooth = (pytest.approx(abs(C - C * np.exp(1j * angle)), rel=1e-9) for angle in (math.radians(1), 2 * math.pi / z))
+    degree, tooth = (
+        pytest.approx(abs(C - C * np.exp(1j * angle)), rel=1e-9) for angle in (math.radians(1), 2 * math.pi / z)
+    )
     assert f.couple_per_degree(C_S=C) == degree and f.couple_per_tooth(C_S=C, z=float(z)) == tooth
     assert f.force_per_degree(F_S=C) == degree and f.force_per_tooth(F_S=C, z=float(z)) == tooth

@@ -16,7 +16,8 @@ TWO_PI = 2 * np.pi
 
 
 def motion(inputs, e, theta):
-    """Force on the block and couple of all reciprocating masses at crank angles after TDC of cylinder 1, straight from the kinematics."""
+    """Force on the block and couple of all reciprocating masses at crank angles after TDC of cylinder 1, straight from
+    the kinematics."""
     r, L, d, w = inputs.crank_radius, inputs.rod_length, inputs.cylinder_offset, TWO_PI * inputs.rated_speed
     force = couple = 0
     psi = [(-1 if bank == 0 else 1) * inputs.bank_angle / 2 for bank in inputs.bank_of_cylinder]
@@ -106,9 +107,11 @@ def test_seen_from_the_other_end_the_couples_change_sign(fan):
 def test_a_mirrored_engine_turns_mirrored_vectors(fan):
     """Throws, banks and offset reflected at the vertical plane: every vector becomes its conjugate."""
     mirrored = {
-        **fan, "crank_angles": tuple(-phi for phi in fan["crank_angles"]), "cylinder_offset": -fan["cylinder_offset"],
+        **fan,
+        "crank_angles": tuple(-phi for phi in fan["crank_angles"]),
+        "cylinder_offset": -fan["cylinder_offset"],
         "bank_of_cylinder": tuple(1 - bank for bank in fan["bank_of_cylinder"]),
-    }  # fmt: skip
+    }
     one, other = solved(**fan)[2], solved(**mirrored)[2]
     scale = one.one_force * len(fan["axial_positions"])
     for name, order in one.orders.items():
@@ -138,10 +141,13 @@ def test_many_engines_at_once_are_the_same_as_one_by_one(fan, seed):
     random, count = np.random.default_rng(seed), 4
     inputs, _, _ = solved(**fan)
     varied = dict(
-        piston_mass=random.uniform(0.3, 2, count), rated_speed=random.uniform(10, 100, count), crank_radius=random.uniform(0.03, 0.06, count),
-        cylinder_offset=random.uniform(-0.01, 0.01, count), crank_angles=random.uniform(0, 6, (count, inputs.cylinders)),
+        piston_mass=random.uniform(0.3, 2, count),
+        rated_speed=random.uniform(10, 100, count),
+        crank_radius=random.uniform(0.03, 0.06, count),
+        cylinder_offset=random.uniform(-0.01, 0.01, count),
+        crank_angles=random.uniform(0, 6, (count, inputs.cylinders)),
         bank_angle=random.uniform(0.2, 3, count),
-    )  # fmt: skip
+    )
     cranks = replace(ImbalanceInputs(), crank_balance_fraction=random.uniform(0, 1, count))
     many = replace(inputs, **varied)
     e = engine.values(many)
@@ -149,7 +155,9 @@ def test_many_engines_at_once_are_the_same_as_one_by_one(fan, seed):
     for k in range(count):
         single = replace(inputs, **{name: tuple(x[k]) if x.ndim > 1 else x[k].item() for name, x in varied.items()})
         e_k = engine.values(single)
-        alone = imbalance.values(replace(cranks, crank_balance_fraction=cranks.crank_balance_fraction[k].item()), single, e_k)
+        alone = imbalance.values(
+            replace(cranks, crank_balance_fraction=cranks.crank_balance_fraction[k].item()), single, e_k
+        )
         assert e.acceleration_max[k] == pytest.approx(e_k.acceleration_max, rel=1e-12)
         scale = alone.one_force * inputs.cylinders
         for name, order in alone.orders.items():

@@ -25,7 +25,10 @@ def test_two_shafts_leave_nothing_of_their_order():
     ):
         for vector, shaft in zip(order.vectors[2:], shafts):
             own = supplied_couple(
-                i=shaft.speed_ratio, omega=e.angular_speed, P=shaft.unbalance_product, gamma=shaft.unbalance_product_phase
+                i=shaft.speed_ratio,
+                omega=e.angular_speed,
+                P=shaft.unbalance_product,
+                gamma=shaft.unbalance_product_phase,
             )
             assert abs(vector + own) < 1e-12 * abs(vector)
     assert pair.order_1_couple < 1e-9 * first.couple_peak and fast.order_2_couple < 1e-9 * second.couple_peak
@@ -39,7 +42,8 @@ def test_second_order_shafts_of_the_r753():
 
 
 def test_complete_balance_of_a_single_cylinder():
-    """Shafts at ±ω with ½·m·r each, at ±2ω with m·λ·r/8 each (mechanics textbook, ch. 48); the two-term motion leaves nothing."""
+    """Shafts at ±ω with ½·m·r each, at ±2ω with m·λ·r/8 each (mechanics textbook, ch. 48); the two-term motion leaves
+    nothing."""
     inputs, e, i = solved(ImbalanceInputs(crank_balance_fraction=0.0, kinematics="two_term"), **SINGLE)
     four = i.remedy["four_shafts"]
     moment = e.reciprocating_mass * inputs.crank_radius
@@ -52,11 +56,15 @@ def test_complete_balance_of_a_single_cylinder():
 
 def test_two_term_shafts_leave_091_percent_of_the_exact_motion():
     """λ = 0.28: shafts sized for two terms leave 0.91 % of the peak force of the exact motion."""
-    _inputs, e, i = solved(ImbalanceInputs(crank_balance_fraction=0.0, kinematics="two_term"), rod_length=0.0535 / 0.28, **SINGLE)
+    _inputs, e, i = solved(
+        ImbalanceInputs(crank_balance_fraction=0.0, kinematics="two_term"), rod_length=0.0535 / 0.28, **SINGLE
+    )
     turn = np.linspace(0, 2 * np.pi, 721)
     sine = e.lambda_ * np.sin(turn)
     exact = (
-        np.cos(turn) + e.lambda_ * np.cos(2 * turn) / np.sqrt(1 - sine**2) + e.lambda_ * sine**2 * np.cos(turn) ** 2 / (1 - sine**2) ** 1.5
+        np.cos(turn)
+        + e.lambda_ * np.cos(2 * turn) / np.sqrt(1 - sine**2)
+        + e.lambda_ * sine**2 * np.cos(turn) ** 2 / (1 - sine**2) ** 1.5
     )
     force = i.one_force * exact
     for name, n in (("forward", 1), ("backward", -1), ("forward_2", 2), ("backward_2", -2)):
@@ -67,7 +75,8 @@ def test_two_term_shafts_leave_091_percent_of_the_exact_motion():
 
 
 def test_twin_with_one_balance_shaft():
-    """Half on the crank and one shaft at −ω with U = m·r; 2·m·r·ω²·λ of second order stay; beside the crank it rolls the engine."""
+    """Half on the crank and one shaft at −ω with U = m·r; 2·m·r·ω²·λ of second order stay; beside the crank it rolls
+    the engine."""
     inputs, e, i = solved(ImbalanceInputs(kinematics="two_term"), axis=complex(-0.03, 0.08), **TWIN)
     remedy = i.remedy["backward_shaft"]
     assert remedy.shafts["backward"].unbalance == pytest.approx(e.reciprocating_mass * inputs.crank_radius)
@@ -84,21 +93,29 @@ def test_a_pure_couple_rolls_nothing():
 
 
 def test_counterweights_of_a_single_and_of_a_twin():
-    """m_cp = ½·m_rot·r/r_cp twice for the single; m_rot·(b/c)·(r/r_cp) at either end of the 180° twin (mechanics textbook, ch. 48)."""
+    """m_cp = ½·m_rot·r/r_cp twice for the single; m_rot·(b/c)·(r/r_cp) at either end of the 180° twin (mechanics
+    textbook, ch. 48)."""
     given = ImbalanceInputs(crank_balance_fraction=0.0, counterweight_span=0.08, counterweight_radius=0.04)
     inputs, e, i = solved(given, **SINGLE)
-    assert [w.mass for w in i.counterweight.values()] == pytest.approx([e.rotating_mass / 2 * inputs.crank_radius / 0.04] * 2)
+    assert [w.mass for w in i.counterweight.values()] == pytest.approx(
+        [e.rotating_mass / 2 * inputs.crank_radius / 0.04] * 2
+    )
     assert [math.degrees(w.angle) for w in i.counterweight.values()] == pytest.approx([180, 180])
     given = ImbalanceInputs(crank_balance_fraction=0.0, counterweight_span=0.2, counterweight_radius=0.04)
     inputs, e, i = solved(given, cylinders=2, firing_order=None, crank_angles=(0.0, math.pi))
-    assert [w.mass for w in i.counterweight.values()] == pytest.approx([e.rotating_mass * 0.112 / 0.2 * inputs.crank_radius / 0.04] * 2)
+    assert [w.mass for w in i.counterweight.values()] == pytest.approx(
+        [e.rotating_mass * 0.112 / 0.2 * inputs.crank_radius / 0.04] * 2
+    )
 
 
 def test_counterweights_of_the_inline_three():
-    """m_e·r_e = √3·a·m·r/l (Finotti 2013, 2.4), for the equivalent mass 1503.325 g at half of the reciprocating mass."""
+    """m_e·r_e = √3·a·m·r/l (Finotti 2013, 2.4), for the equivalent mass 1503.325 g at half of the reciprocating
+    mass."""
     given = ImbalanceInputs(counterweight_span=0.3, counterweight_radius=0.06)
     weights = solved(given)[2].counterweight
-    assert [w.mass * 0.06 for w in weights.values()] == pytest.approx([math.sqrt(3) * 0.112 * 1.503325 * 0.0535 / 0.3] * 2, rel=1e-6)
+    assert [w.mass * 0.06 for w in weights.values()] == pytest.approx(
+        [math.sqrt(3) * 0.112 * 1.503325 * 0.0535 / 0.3] * 2, rel=1e-6
+    )
     assert math.degrees(weights["rear"].angle - weights["front"].angle) % 360 == pytest.approx(180)
 
 

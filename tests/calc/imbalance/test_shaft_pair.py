@@ -1,4 +1,5 @@
-"""Two balance shafts at unequal heights: their roll about the crank's axis, against hand formulas and a turn in time."""
+"""Two balance shafts at unequal heights: their roll about the crank's axis, against hand formulas and a turn in
+time."""
 
 import cmath
 import math
@@ -24,7 +25,11 @@ def outcome(forward=None, backward=None, kinematics="exact", n=2, **changes):
     inputs = EngineInputs(**{**R753, **changes})
     e = engine.solve(inputs).result
     given = ImbalanceInputs(
-        crank_balance_fraction=0.0, kinematics=kinematics, forward_shaft_axis=forward, backward_shaft_axis=backward, shaft_pair_order=n
+        crank_balance_fraction=0.0,
+        kinematics=kinematics,
+        forward_shaft_axis=forward,
+        backward_shaft_axis=backward,
+        shaft_pair_order=n,
     )
     assert list(given.problems()) == []
     return e, imbalance.solve(given, inputs, e)
@@ -49,7 +54,9 @@ def test_unequal_heights_roll_by_half_the_force_times_the_height():
     assert found.force_forward == pytest.approx(force / 2)
     assert found.height_difference == pytest.approx(0.12)
     assert found.roll_torque == pytest.approx(force / 2 * 0.12)
-    assert made.result.remedy["second_order_shafts"].order_2_force < 1e-9 * force  # the force is taken wherever the shafts stand
+    assert (
+        made.result.remedy["second_order_shafts"].order_2_force < 1e-9 * force
+    )  # the force is taken wherever the shafts stand
 
 
 def test_sideways_places_that_are_no_mirror_roll_too():
@@ -77,16 +84,25 @@ def test_the_height_of_least_roll_is_that():
 
 
 @pytest.mark.parametrize("n", [1, 2])
-@pytest.mark.parametrize("changes", [SINGLE, {**SINGLE, "cylinder_offset": 0.008}, dict(cylinders=2, firing_order=(1, 2))])
+@pytest.mark.parametrize(
+    "changes", [SINGLE, {**SINGLE, "cylinder_offset": 0.008}, dict(cylinders=2, firing_order=(1, 2))]
+)
 def test_roll_against_a_turn_in_time(n, changes):
-    """Order n of the moment on the block, from positions in time: the pistons' energy turns the crank, each force acts at its place."""
+    """Order n of the moment on the block, from positions in time: the pistons' energy turns the crank, each force acts
+    at its place."""
     p_f, p_b = complex(0.11, 0.05), complex(-0.03, -0.07)
     e, made = outcome((p_f.real, p_f.imag), (p_b.real, p_b.imag), n=n, **changes)
     inputs = EngineInputs(**{**R753, **changes})
     found, remedy = made.result.shaft_pair, made.result.remedy
     shafts = remedy["first_order_pair" if n == 1 else "second_order_shafts"].shafts.values()
     turn = np.arange(4096) * 2 * np.pi / 4096
-    alpha, d, r, L, omega = turn + e.tdc_angle, inputs.cylinder_offset, inputs.crank_radius, inputs.rod_length, e.angular_speed
+    alpha, d, r, L, omega = (
+        turn + e.tdc_angle,
+        inputs.cylinder_offset,
+        inputs.crank_radius,
+        inputs.rod_length,
+        e.angular_speed,
+    )
     x = r * np.cos(alpha) + np.sqrt(L**2 - (r * np.sin(alpha) - d) ** 2)
 
     def slope(y):
@@ -100,7 +116,10 @@ def test_roll_against_a_turn_in_time(n, changes):
     for place, shaft in zip((p_f, p_b), shafts):
         force = shaft.unbalance * (n * omega) ** 2 * np.exp(1j * (shaft.unbalance_phase + shaft.speed_ratio * turn))
         of_shafts += place.real * force.imag - place.imag * force.real
-    for course, amount, phase in ((of_shafts, found.roll_torque, found.roll_torque_phase), (moment, found.reaction, found.reaction_phase)):
+    for course, amount, phase in (
+        (of_shafts, found.roll_torque, found.roll_torque_phase),
+        (moment, found.reaction, found.reaction_phase),
+    ):
         assert 2 * np.fft.rfft(course)[n] / 4096 == pytest.approx(cmath.rect(amount, phase), rel=1e-6)
     assert abs(2 * np.fft.rfft(of_shafts + moment)[n] / 4096) == pytest.approx(found.roll_left, rel=1e-6)
 
@@ -128,7 +147,9 @@ def test_without_places_or_forces_there_is_no_pair():
     assert bare.result.shaft_pair is None and not [t for t in bare.tables if t.id == "shaft_pair"]
     three = outcome((0.1, 0.09), (0.0, -0.09))[1]  # couples alone
     assert three.result.shaft_pair is None and any("carries a force of order 2" in note for note in three.notes)
-    assert outcome((0.1, 0.09), (0.0, -0.09), n=1, **FOUR)[1].result.shaft_pair is None  # a flat four has no force of first order
+    assert (
+        outcome((0.1, 0.09), (0.0, -0.09), n=1, **FOUR)[1].result.shaft_pair is None
+    )  # a flat four has no force of first order
 
 
 def test_one_place_needs_the_other():

@@ -19,7 +19,8 @@ def arrows(picture):
 
 @pytest.mark.parametrize("angle", [0.0, 1.2, 4.0])
 def test_the_shaft_turns_back_and_takes_what_the_crank_leaves(angle):
-    """A couple of order 1 of 573 N·m: half of it stands still in size and turns against the crank, and so does that of the shaft."""
+    """A couple of order 1 of 573 N·m: half of it stands still in size and turns against the crank, and so does that of
+    the shaft."""
     document, asked = load(DESIGNS / "r753ie4_gamma.toml")
     results = solve(asked)
     picture = sketch(asked, results, angle=angle)
@@ -30,7 +31,12 @@ def test_the_shaft_turns_back_and_takes_what_the_crank_leaves(angle):
     assert abs(shaft) == pytest.approx(abs(supplied))
     now, then = (complex(*arrows(sketch(asked, results, angle=at))["countershaft"]) for at in (angle, angle + 0.1))
     back = (then / now).imag
-    crank, later = (complex(*arrows(sketch(asked, results, angle=at))["imbalance.crank_balance_fraction"]) for at in (angle, angle + 0.1))
-    assert abs(back) == pytest.approx(math.sin(0.1)) and back * (later / crank).imag > 0  # what is left on the crank turns back too
+    crank, later = (
+        complex(*arrows(sketch(asked, results, angle=at))["imbalance.crank_balance_fraction"])
+        for at in (angle, angle + 0.1)
+    )
+    assert (
+        abs(back) == pytest.approx(math.sin(0.1)) and back * (later / crank).imag > 0
+    )  # what is left on the crank turns back too
     required = results.values()["imbalance.required_couple"].shown
     assert any(f"{required:.3g}" in word for word in sketches.words(picture))

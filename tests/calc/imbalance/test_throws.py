@@ -1,4 +1,5 @@
-"""The throws by themselves: polygons that close, static and dynamic balance, the six systems (Finotti 2013, 2.3.1 and 2.5.3)."""
+"""The throws by themselves: polygons that close, static and dynamic balance, the six systems (Finotti 2013, 2.3.1 and
+2.5.3)."""
 
 from itertools import pairwise
 
@@ -24,7 +25,8 @@ def outcome(**changes):
 
 
 def test_what_the_source_prints_of_the_r753():
-    """Finotti 2013, 2.5.3: 744.67 g beyond the rotating mass, 2953.41 N of it on a throw, 572.93 N·m; √3·a·F_c of the rotating mass."""
+    """Finotti 2013, 2.5.3: 744.67 g beyond the rotating mass, 2953.41 N of it on a throw, 572.93 N·m; √3·a·F_c of the
+    rotating mass."""
     throw = solved()[2].throw
     assert throw.rotating_not_balanced == pytest.approx(0.744675)
     assert throw.reciprocating_not_balanced == pytest.approx(0.744675)
@@ -35,10 +37,18 @@ def test_what_the_source_prints_of_the_r753():
 
 @pytest.mark.parametrize(
     "changes, static, dynamic",
-    [({}, True, False), (FOUR, True, True), (SIX, True, True), (TWIN_180, True, False), (TWIN_360, False, True), (SINGLE, False, True)],
+    [
+        ({}, True, False),
+        (FOUR, True, True),
+        (SIX, True, True),
+        (TWIN_180, True, False),
+        (TWIN_360, False, True),
+        (SINGLE, False, True),
+    ],
 )
 def test_static_and_dynamic_balance_by_the_throws_alone(changes, static, dynamic):
-    """Three throws: static, not dynamic; four and six: both; 180°: a couple F_c·b; 360° and one throw: a force (textbook, 48.3.2)."""
+    """Three throws: static, not dynamic; four and six: both; 180°: a couple F_c·b; 360° and one throw: a force
+    (textbook, 48.3.2)."""
     (said,) = [str(note) for note in outcome(**changes).notes if "bare throws" in note]
     assert ("a force of" not in said, "a couple of" not in said) == (static, dynamic)
 
@@ -48,9 +58,10 @@ def test_the_polygon_ends_where_the_resultant_does(changes):
     """It closes where the throws are balanced, and its second kind leaves the peak of the second order."""
     inputs, e, found = solved(**changes)
     for curve, sums, second in zip(
-        polygons(inputs, e, found.throw), (found.throw.force_together, found.throw.couple_together),
+        polygons(inputs, e, found.throw),
+        (found.throw.force_together, found.throw.couple_together),
         (found.orders["order_2"].force_peak, found.orders["order_2"].couple_peak),
-    ):  # fmt: skip
+    ):
         for variant, whole in zip(curve.variants, (sums, second)):
             lines = [s for s in curve.series if s.variant == variant]
             sides = [s for s in lines if s.label != "resultant"]
@@ -76,7 +87,8 @@ def test_the_cause_is_that_of_the_engine():
 
 
 def test_unlike_cylinders_leave_the_polygon_open():
-    """Rotating masses 0.8, 0.7 and 0.7 kg: the 0.1 kg too much on throw 1 is left as a force, and as its couple over one pitch more."""
+    """Rotating masses 0.8, 0.7 and 0.7 kg: the 0.1 kg too much on throw 1 is left as a force, and as its couple over
+    one pitch more."""
     inputs, e, found = solved(rotating_masses=(0.8, 0.7, 0.7), crankpin_bearing_mass=0.0)
     force = found.throw.force_together
     assert force == pytest.approx(0.1 * 272.2714**2 * 0.0535, rel=1e-6)

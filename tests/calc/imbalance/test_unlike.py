@@ -1,4 +1,5 @@
-"""Masses as they move and crank radii, one for all cylinders or one for each, and rotating masses that the crank balances in part."""
+"""Masses as they move and crank radii, one for all cylinders or one for each, and rotating masses that the crank
+balances in part."""
 
 import importlib.util
 import math
@@ -19,12 +20,17 @@ from calc.sheet.quantity import published
 from calc.solve import solve
 from tests.calc.imbalance.engines import R753, solved
 
-PLAIN = {key: value for key, value in R753.items() if key not in ("piston_mass", "rod_mass", "rod_cg_to_big_end", "crankpin_bearing_mass")}
+PLAIN = {
+    key: value
+    for key, value in R753.items()
+    if key not in ("piston_mass", "rod_mass", "rod_cg_to_big_end", "crankpin_bearing_mass")
+}
 ROOT = Path(__file__).parents[3]
 
-# Khurmi and Gupta, Theory of Machines, Balancing of Reciprocating Masses (from memory): an inside-cylinder locomotive, cylinders 0.7 m
-# apart, stroke 0.6 m, rotating masses of 150 kg at the crankpin and reciprocating ones of 180 kg per cylinder, wheels 1.5 m apart, cranks
-# at right angles; all of the rotating and two thirds of the reciprocating masses balanced at 0.6 m; 300 rpm.
+# Khurmi and Gupta, Theory of Machines, Balancing of Reciprocating Masses (from memory): an inside-cylinder locomotive,
+# cylinders 0.7 m apart, stroke 0.6 m, rotating masses of 150 kg at the crankpin and reciprocating ones of 180 kg per
+# cylinder, wheels 1.5 m apart, cranks at right angles; all of the rotating and two thirds of the reciprocating masses
+# balanced at 0.6 m; 300 rpm.
 LOCOMOTIVE = """
 schema = 1
 name = "locomotive"
@@ -61,23 +67,29 @@ def errors(text):
 
 def test_the_locomotive_of_khurmi():
     found = values(LOCOMOTIVE)
-    assert found["imbalance.counterweight.front.mass"] == pytest.approx(105e3, abs=0.5e3)  # g; 105 kg in each wheel, from a drawn polygon
-    assert found["imbalance.order_1.force_peak_vertical"] == pytest.approx(25127, rel=5e-4)  # variation of the tractive effort
+    assert found["imbalance.counterweight.front.mass"] == pytest.approx(
+        105e3, abs=0.5e3
+    )  # g; 105 kg in each wheel, from a drawn polygon
+    assert found["imbalance.order_1.force_peak_vertical"] == pytest.approx(
+        25127, rel=5e-4
+    )  # variation of the tractive effort
     assert found["imbalance.order_1.couple_peak_vertical"] == pytest.approx(8797, rel=5e-4)  # swaying couple
     assert found["engine.reciprocating_mass"] == 180e3 and found["engine.rotating_mass"] == 150e3
 
 
 def test_the_inner_masses_that_balance_four_cranks():
-    """Khurmi's kind of problem, worked by hand: cranks 1 and 4 with 400 kg 120° apart, planes 450, 750 and 600 mm apart; complete primary
-    balance gives masses and angles of 2 and 3 by two vector equations, and the secondary force is what is left: r = 300 mm, L = 1.2 m.
-    """
+    """Khurmi's kind of problem, worked by hand: cranks 1 and 4 with 400 kg 120° apart, planes 450, 750 and 600 mm
+    apart; complete primary balance gives masses and angles of 2 and 3 by two vector equations, and the secondary force
+    is what is left: r = 300 mm, L = 1.2 m."""
     z = np.array([0.0, 0.45, 1.2, 1.8]) - 0.9
     outer = 400 * np.exp(1j * np.array([0.0, math.radians(120)]))
     inner = np.linalg.solve([[1, 1], z[1:3]], [-outer.sum(), -(outer @ z[[0, 3]])])
     m = np.array([400, *np.abs(inner), 400])
     phi = np.angle([outer[0], *inner, outer[1]])
     left = abs(np.sum(m * np.exp(2j * phi))) * 0.3 * (2 * math.pi * 4) ** 2 * 0.3 / 1.2
-    text = LOCOMOTIVE.replace("cylinders = 2", "cylinders = 4").replace("rod_length_mm = 1500.0", "rod_length_mm = 1200.0")
+    text = LOCOMOTIVE.replace("cylinders = 2", "cylinders = 4").replace(
+        "rod_length_mm = 1500.0", "rod_length_mm = 1200.0"
+    )
     text = text.replace("= [0.0, 90.0]", f"= {np.degrees(phi).tolist()}\naxial_positions_mm = {(z * 1e3).tolist()}")
     text = text.replace("_kg = 180.0", f"_kg = {m.tolist()}").replace("rpm = 300.0", "rpm = 240.0")
     found = values(text.replace("crank_balance_fraction = 0.6666666666666666", "crank_balance_fraction = 0.0"))
@@ -91,24 +103,35 @@ def test_the_inner_masses_that_balance_four_cranks():
 
 @settings(max_examples=20, deadline=None)
 @given(
-    st.lists(st.floats(0.1, 500), min_size=3, max_size=3, unique=True), st.lists(st.floats(0.03, 0.08), min_size=3, max_size=3),
-    st.floats(0, 1), st.floats(0, 1.5),
-)  # fmt: skip
+    st.lists(st.floats(0.1, 500), min_size=3, max_size=3, unique=True),
+    st.lists(st.floats(0.03, 0.08), min_size=3, max_size=3),
+    st.floats(0, 1),
+    st.floats(0, 1.5),
+)
 def test_the_vectors_are_the_forces_over_a_turn(m, r, kappa, rho):
-    """Force and couple of all pistons, crank masses and counterweights, summed at 64 crank angles from the exact accelerations."""
+    """Force and couple of all pistons, crank masses and counterweights, summed at 64 crank angles from the exact
+    accelerations."""
     rotating = (5.0, 0.0, 7.0)
     inputs, e, found = solved(
-        ImbalanceInputs(crank_balance_fraction=kappa, rotating_balance_fraction=rho), piston_mass=None, rod_mass=None,
-        rod_cg_to_big_end=None, crankpin_bearing_mass=0.0, reciprocating_masses=tuple(m), rotating_masses=rotating,
-        crank_radius=r[0], crank_radii=tuple(r),
-    )  # fmt: skip
+        ImbalanceInputs(crank_balance_fraction=kappa, rotating_balance_fraction=rho),
+        piston_mass=None,
+        rod_mass=None,
+        rod_cg_to_big_end=None,
+        crankpin_bearing_mass=0.0,
+        reciprocating_masses=tuple(m),
+        rotating_masses=rotating,
+        crank_radius=r[0],
+        crank_radii=tuple(r),
+    )
     theta = np.arange(64) * (2 * np.pi / 64)
     r, omega = np.array(r), e.angular_speed
     lam = r / inputs.rod_length
     alpha = theta[:, None] + e.crank.phi
     s = np.sqrt(1 - (lam * np.sin(alpha)) ** 2)
     a = np.cos(alpha) + lam * np.cos(2 * alpha) / s + lam**3 * np.sin(2 * alpha) ** 2 / (4 * s**3)
-    force = np.array(m) * a * r * omega**2 + ((1 - rho) * np.array(rotating) - kappa * np.array(m)) * r * omega**2 * np.exp(1j * alpha)
+    force = np.array(m) * a * r * omega**2 + (
+        (1 - rho) * np.array(rotating) - kappa * np.array(m)
+    ) * r * omega**2 * np.exp(1j * alpha)
     scale = max(max(m), 7.0) * r.max() * omega**2
     for kind, arm, size in (("force", 1.0, scale), ("couple", e.crank.z, scale * 0.112)):
         spectrum = np.fft.fft((force * arm).sum(1)) / 64
@@ -118,19 +141,31 @@ def test_the_vectors_are_the_forces_over_a_turn(m, r, kappa, rho):
             assert getattr(one, f"{kind}_backward") == pytest.approx(abs(spectrum[-n]), abs=1e-9 * size)
 
 
-@pytest.mark.parametrize("nearly", [
-    dict(reciprocating_masses=(1.49, 1.49 + 1e-13, 1.49 - 1e-13)), dict(crank_radii=(0.0535, 0.0535 + 1e-15, 0.0535 - 1e-15)),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    "nearly",
+    [
+        dict(reciprocating_masses=(1.49, 1.49 + 1e-13, 1.49 - 1e-13)),
+        dict(crank_radii=(0.0535, 0.0535 + 1e-15, 0.0535 - 1e-15)),
+    ],
+)
 def test_what_hardly_differs_is_alike(nearly):
     """The sums with each mass and radius inside, and the torque, against those with the one mass and radius outside."""
     like = dict(reciprocating_masses=(1.49,), rotating_masses=(0.75,), crank_radius=0.0535)
     nearly = like | nearly
     none = dict(piston_mass=None, rod_mass=None, rod_cg_to_big_end=None, crankpin_bearing_mass=0.0)
     given = ImbalanceInputs(
-        crank_balance_fraction=0.3, rotating_balance_fraction=0.8, counterweight_span=0.3, counterweight_radius=0.04, bob_mass=1.0
+        crank_balance_fraction=0.3,
+        rotating_balance_fraction=0.8,
+        counterweight_span=0.3,
+        counterweight_radius=0.04,
+        bob_mass=1.0,
     )
     one, other = (
-        {v.id: v.shown for v in published(solved(given, **none, **masses)[2], "i") if not v.id.startswith(("i.order_8", "i.equivalent"))}
+        {
+            v.id: v.shown
+            for v in published(solved(given, **none, **masses)[2], "i")
+            if not v.id.startswith(("i.order_8", "i.equivalent"))
+        }
         for masses in (like, nearly)
     )  # order 8 is a millionth of order 1; the equivalent mass may be one for each
     assert one == pytest.approx(other, rel=1e-8, abs=1e-7)
@@ -143,9 +178,15 @@ def test_the_inertia_torque_of_unlike_cylinders():
     """Sum over the cylinders of −m·a·v/ω at 720 crank angles, and its orders; what each has by itself."""
     m, r = (1.0, 2.5, 4.0), np.array([0.05, 0.04, 0.06])
     changes = dict(
-        piston_mass=None, rod_mass=None, rod_cg_to_big_end=None, crankpin_bearing_mass=0.0, reciprocating_masses=m, rotating_masses=(1.0,),
-        crank_radius=r[0], crank_radii=tuple(r),
-    )  # fmt: skip
+        piston_mass=None,
+        rod_mass=None,
+        rod_cg_to_big_end=None,
+        crankpin_bearing_mass=0.0,
+        reciprocating_masses=m,
+        rotating_masses=(1.0,),
+        crank_radius=r[0],
+        crank_radii=tuple(r),
+    )
     inputs, e, _ = solved(**changes)
     t = engine.solve(inputs).solution.torque
     theta = np.arange(720) * (2 * np.pi / 720)
@@ -170,7 +211,8 @@ def test_cylinders_side_by_side_share_a_pin_only_at_one_radius():
 
 
 def test_each_throw_and_each_bob_stands_at_its_own_radius():
-    """The throws together, and what bobs of 0.5 kg lack of the equivalent masses: sums of m·r and m·r·z; the polygon ends where they do."""
+    """The throws together, and what bobs of 0.5 kg lack of the equivalent masses: sums of m·r and m·r·z; the polygon
+    ends where they do."""
     r = np.array([0.05, 0.04, 0.06])
     given = ImbalanceInputs(crank_balance_fraction=0.3, bob_mass=0.5)
     inputs, e, found = solved(given, crank_radius=r[0], crank_radii=tuple(r))
@@ -186,7 +228,9 @@ def test_each_throw_and_each_bob_stands_at_its_own_radius():
 
 
 def test_rotating_masses_that_the_crank_leaves():
-    inputs, e, none = solved(ImbalanceInputs(crank_balance_fraction=0.0, rotating_balance_fraction=0.0), cylinders=1, firing_order=None)
+    inputs, e, none = solved(
+        ImbalanceInputs(crank_balance_fraction=0.0, rotating_balance_fraction=0.0), cylinders=1, firing_order=None
+    )
     _, _, all_ = solved(ImbalanceInputs(crank_balance_fraction=0.0), cylinders=1, firing_order=None)
     more = none.orders["order_1"].force_forward - all_.orders["order_1"].force_forward
     assert more == pytest.approx(e.rotating_mass * inputs.crank_radius * e.angular_speed**2)
@@ -194,15 +238,27 @@ def test_rotating_masses_that_the_crank_leaves():
 
 
 def test_rotating_masses_that_are_left_are_not_laid_on_the_share_of_the_reciprocating_ones():
-    """With a tenth of the rotating masses left, half of the reciprocating ones leaves more than 0.6 of them does; no offset is in it."""
+    """With a tenth of the rotating masses left, half of the reciprocating ones leaves more than 0.6 of them does; no
+    offset is in it."""
     single = {
-        "schema": 1, "name": "d", "imbalance": {"crank_balance_fraction": 0.5, "rotating_balance_fraction": 0.9},
+        "schema": 1,
+        "name": "d",
+        "imbalance": {"crank_balance_fraction": 0.5, "rotating_balance_fraction": 0.9},
         "engine": {
-            "name": "one", "layout": "inline", "cylinders": 1, "strokes": 4, "bore_mm": 85.0, "crank_radius_mm": 36.0,
-            "rod_length_mm": 112.0, "cylinder_pitch_mm": 100.0, "reciprocating_masses_kg": [0.4], "rotating_masses_kg": [0.5],
-            "cylinder_offset_mm": 2.0, "rated_speed_rpm": 6000.0,
+            "name": "one",
+            "layout": "inline",
+            "cylinders": 1,
+            "strokes": 4,
+            "bore_mm": 85.0,
+            "crank_radius_mm": 36.0,
+            "rod_length_mm": 112.0,
+            "cylinder_pitch_mm": 100.0,
+            "reciprocating_masses_kg": [0.4],
+            "rotating_masses_kg": [0.5],
+            "cylinder_offset_mm": 2.0,
+            "rated_speed_rpm": 6000.0,
         },
-    }  # fmt: skip
+    }
     for shares, verdict in (((0.5, 0.9), "warn"), ((0.5, 1.0), "pass")):
         single["imbalance"] = dict(zip(("crank_balance_fraction", "rotating_balance_fraction"), shares))
         found = solve(design(Document(single))).outcomes["imbalance"]
@@ -221,7 +277,9 @@ def test_an_input_that_moves_a_value_stands_in_its_chain():
     spec = importlib.util.spec_from_file_location("provenance_of_unlike", ROOT / "bench" / "provenance.py")
     provenance = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(provenance)
-    text = LOCOMOTIVE.replace("_kg = 180.0", "_kg = [180.0, 200.0]").replace("kinematics", "rotating_balance_fraction = 0.9\nkinematics")
+    text = LOCOMOTIVE.replace("_kg = 180.0", "_kg = [180.0, 200.0]").replace(
+        "kinematics", "rotating_balance_fraction = 0.9\nkinematics"
+    )
     text = text.replace("rod_length", "crank_radii_mm = [300.0, 280.0]\nrod_length")
     document = parse(text.encode(), "d.toml")
     results = solve(design(document))
@@ -239,19 +297,54 @@ def test_an_input_that_moves_a_value_stands_in_its_chain():
             assert key.removesuffix(".1") in {k for link in chains.of(id) for k in link.inputs}, id
 
 
-@pytest.mark.parametrize("old, new, wanted", [
-    ("reciprocating_masses_kg = 180.0\n", "", ["engine.piston_mass_g", "engine.rod_mass_g", "is missing", "or reciprocating_masses_kg"]),
-    ("_kg = 180.0", "_kg = [180.0, 1.0, 2.0]", ["engine.reciprocating_masses_kg", "has 3 entries; needs one, or one per cylinder, 2"]),
-    ("_kg = 150.0", "_kg = -1.0", ["engine.rotating_masses_kg: -1.0", "from 0 to 1·10⁶ kg"]),
-    ("bore", "crank_radii_mm = [300.0]\nbore", ["engine.crank_radii_mm", "has 1 entries; needs one per cylinder, 2"]),
-    ("bore", "crank_radii_mm = [280.0, 300.0]\nbore", ["engine.crank_radii_mm", "must begin with crank_radius_mm"]),
-    ("rod_length_mm = 1500", "crank_radii_mm = [300.0, 950.0]\nrod_length_mm = 900", ["engine.crank_radii_mm: cylinder 2: 950 mm", "below rod_length_mm"]),
-    ("bore", "crank_radii_mm = [300.0, 280.0]\ncylinder_offset_mm = 5.0\nbore", ["engine.cylinder_offset_mm", "must be 0 where"]),
-    ("[imb", "crank_radii_mm = [300.0, 280.0]\n[engine.gas]\npeak_pressure_bar = 80.0\ncompression_ratio = 9.0\n[imb", ["of one stroke"]),
-    ("_kg = 180.0", "_kg = 0.0", ["engine.reciprocating_masses_kg: 0.0", "above 0"]),
-    ("rated", "piston_mass_g = 400.0\nrated", ["engine.piston_mass_g: 400.0: reciprocating_masses_kg has its mass already"]),
-    ("rated", "crankpin_bearing_mass_g = 4.0\nrated", ["engine.crankpin_bearing_mass_g: 4.0: rotating_masses_kg has its mass already"]),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    "old, new, wanted",
+    [
+        (
+            "reciprocating_masses_kg = 180.0\n",
+            "",
+            ["engine.piston_mass_g", "engine.rod_mass_g", "is missing", "or reciprocating_masses_kg"],
+        ),
+        (
+            "_kg = 180.0",
+            "_kg = [180.0, 1.0, 2.0]",
+            ["engine.reciprocating_masses_kg", "has 3 entries; needs one, or one per cylinder, 2"],
+        ),
+        ("_kg = 150.0", "_kg = -1.0", ["engine.rotating_masses_kg: -1.0", "from 0 to 1·10⁶ kg"]),
+        (
+            "bore",
+            "crank_radii_mm = [300.0]\nbore",
+            ["engine.crank_radii_mm", "has 1 entries; needs one per cylinder, 2"],
+        ),
+        ("bore", "crank_radii_mm = [280.0, 300.0]\nbore", ["engine.crank_radii_mm", "must begin with crank_radius_mm"]),
+        (
+            "rod_length_mm = 1500",
+            "crank_radii_mm = [300.0, 950.0]\nrod_length_mm = 900",
+            ["engine.crank_radii_mm: cylinder 2: 950 mm", "below rod_length_mm"],
+        ),
+        (
+            "bore",
+            "crank_radii_mm = [300.0, 280.0]\ncylinder_offset_mm = 5.0\nbore",
+            ["engine.cylinder_offset_mm", "must be 0 where"],
+        ),
+        (
+            "[imb",
+            "crank_radii_mm = [300.0, 280.0]\n[engine.gas]\npeak_pressure_bar = 80.0\ncompression_ratio = 9.0\n[imb",
+            ["of one stroke"],
+        ),
+        ("_kg = 180.0", "_kg = 0.0", ["engine.reciprocating_masses_kg: 0.0", "above 0"]),
+        (
+            "rated",
+            "piston_mass_g = 400.0\nrated",
+            ["engine.piston_mass_g: 400.0: reciprocating_masses_kg has its mass already"],
+        ),
+        (
+            "rated",
+            "crankpin_bearing_mass_g = 4.0\nrated",
+            ["engine.crankpin_bearing_mass_g: 4.0: rotating_masses_kg has its mass already"],
+        ),
+    ],
+)
 def test_what_is_refused(old, new, wanted):
     said = errors(LOCOMOTIVE.replace(old, new, 1))
     assert all(part in said for part in wanted), said

@@ -69,13 +69,18 @@ def test_least_squares_are_least():
     for j in range(3):
         for change in (-1e-4, 1e-4):
             tried = [bob + change * (k == j) for k, bob in enumerate(bobs)]
-            S = sum(b.mass * complex(b.x, b.y) for b in bodies) + sum(m * complex(b.x, b.y) for m, b in zip(tried, pins))
-            C = sum(b.mass * complex(b.x, b.y) * b.z for b in bodies) + sum(m * complex(b.x, b.y) * b.z for m, b in zip(tried, pins))
+            S = sum(b.mass * complex(b.x, b.y) for b in bodies) + sum(
+                m * complex(b.x, b.y) for m, b in zip(tried, pins)
+            )
+            C = sum(b.mass * complex(b.x, b.y) * b.z for b in bodies) + sum(
+                m * complex(b.x, b.y) * b.z for m, b in zip(tried, pins)
+            )
             assert abs(S) ** 2 + abs(C) ** 2 / a**2 > best
 
 
 def test_the_table_of_the_cranks_shows_what_they_are():
-    """Beside each other the bare crank, the stated one and that of every mode: masses of the bobs, S, C, and C·ω² at rated speed."""
+    """Beside each other the bare crank, the stated one and that of every mode: masses of the bobs, S, C, and C·ω² at
+    rated speed."""
     inputs, e, found = solved(GAMMA.imbalance)
     table = next(t for t in solve(GAMMA.imbalance, inputs, e).tables if t.id == "bobs")
     rows = {str(row[0]): row[1:] for row in table.rows}
@@ -84,7 +89,13 @@ def test_the_table_of_the_cranks_shows_what_they_are():
     assert [rows[name][:3] for name in ("bare", "as stated")] == [(None,) * 3, pytest.approx((stated,) * 3)]
     assert rows["equal (chosen)"][:3] == pytest.approx([bob.number * 1e3 for bob in found.webs.bob_mass.values()])
     for name, state in zip(rows, (found.webs.crank[key] for key in ("bare", "stated", "balanced"))):
-        shown = state.unbalance_up * 1e3, state.unbalance_side * 1e3, state.product_up * 1e6, state.product_side * 1e6, state.couple
+        shown = (
+            state.unbalance_up * 1e3,
+            state.unbalance_side * 1e3,
+            state.product_up * 1e6,
+            state.product_side * 1e6,
+            state.couple,
+        )
         assert rows[name][3:] == pytest.approx(shown, abs=1e-9), name
 
 
@@ -108,7 +119,10 @@ def test_given_unbalances_supply_it():
     assert found.unbalances_couple == pytest.approx(wanted.missing_forward_couple)
     assert found.unbalances_force == pytest.approx(0, abs=1e-9)
     assert found.unbalances_couple_left == pytest.approx(0, abs=1e-9)
-    assert solved(replace(GAMMA.imbalance, unbalances=given))[2].orders["order_1"].vectors == solved()[2].orders["order_1"].vectors
+    assert (
+        solved(replace(GAMMA.imbalance, unbalances=given))[2].orders["order_1"].vectors
+        == solved()[2].orders["order_1"].vectors
+    )
 
 
 def planar(cylinders=4):
@@ -129,11 +143,15 @@ def test_a_planar_crank_is_balanced_by_least_squares():
     assert any("least squares" in note for note in outcome.notes)
 
 
-@pytest.mark.parametrize("changes, key", [
-    (dict(crank_bodies=(CrankBody(name="web", mass=1.0, x=0.0, y=0.0, z=0.0),)), "crank_bodies"),
-    (dict(crank_bodies=(CrankBody(name="pin", mass=1.0, x=0.0, y=0.0, z=0.0, pin=2),)), "crank_bodies"),
-    (dict(counterweight_span=0.3), "counterweight_radius_mm"), (dict(counterweight_radius=0.3), "counterweight_span_mm"),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    "changes, key",
+    [
+        (dict(crank_bodies=(CrankBody(name="web", mass=1.0, x=0.0, y=0.0, z=0.0),)), "crank_bodies"),
+        (dict(crank_bodies=(CrankBody(name="pin", mass=1.0, x=0.0, y=0.0, z=0.0, pin=2),)), "crank_bodies"),
+        (dict(counterweight_span=0.3), "counterweight_radius_mm"),
+        (dict(counterweight_radius=0.3), "counterweight_span_mm"),
+    ],
+)
 def test_what_makes_no_sense_is_named(changes, key):
     assert key in [k for k, _ in ImbalanceInputs(**changes).problems()]
 
@@ -150,9 +168,14 @@ def test_a_bob_stands_on_a_pin_and_not_on_a_rod():
     """V6 90° on three pins, half on the crank, bobs of 0.4 kg: (2·M_eq − m_b)·r·a·√3·ω² is missing."""
     given = ImbalanceInputs(bob_mass=0.4)
     inputs, e, found = solved(
-        given, layout="vee", cylinders=6, bank_angle=math.pi / 2, firing_order=None, bank_of_cylinder=(0, 1) * 3,
+        given,
+        layout="vee",
+        cylinders=6,
+        bank_angle=math.pi / 2,
+        firing_order=None,
+        bank_of_cylinder=(0, 1) * 3,
         crank_angles=tuple(map(math.radians, (0, 0, 240, 240, 120, 120))),
-    )  # fmt: skip
+    )
     M_eq = e.rotating_mass + 0.5 * e.reciprocating_mass
     expected = (2 * M_eq - 0.4) * inputs.crank_radius * 0.112 * math.sqrt(3) * e.angular_speed**2
     assert found.webs.missing_forward_couple == pytest.approx(expected)
@@ -176,12 +199,15 @@ def test_a_crank_that_its_bobs_leave_out_of_balance_is_named():
 
 
 def test_what_the_balance_quality_permits_the_crank():
-    """ISO 21940-11: G·m/ω of the bodies and their bobs; judged where the webs to drill, which take all of it, are not found."""
+    """ISO 21940-11: G·m/ω of the bodies and their bobs; judged where the webs to drill, which take all of it, are not
+    found."""
     inputs, e, _ = solved()
     mass = sum(body.mass for body in GAMMA.imbalance.crank_bodies) + 3 * GAMMA.imbalance.bob_mass
     for grade, drill, verdict in (("G16", None, "pass"), ("G6.3", None, "note"), ("G6.3", 0.065, None)):
         outcome = solve(replace(GAMMA.imbalance, crank_balance_grade=grade, drill_radius=drill), inputs, e)
-        assert outcome.solution.webs.permitted_unbalance == pytest.approx(float(grade[1:]) * 1e-3 * mass / e.angular_speed)
+        assert outcome.solution.webs.permitted_unbalance == pytest.approx(
+            float(grade[1:]) * 1e-3 * mass / e.angular_speed
+        )
         assert {c.id: c.verdict for c in outcome.checks}.get("imbalance.crank.residual") == verdict
 
 
@@ -189,21 +215,33 @@ def drilled(found, bodies, radius):
     """The bodies with what is drilled out of them, as bodies of negative mass."""
     at = {body.name: body.z for body in bodies}
     return tuple(
-        CrankBody(name=f"{name}-hole", mass=-web.mass, x=radius * math.cos(web.angle), y=radius * math.sin(web.angle), z=at[name])
+        CrankBody(
+            name=f"{name}-hole",
+            mass=-web.mass,
+            x=radius * math.cos(web.angle),
+            y=radius * math.sin(web.angle),
+            z=at[name],
+        )
         for name, web in found.items()
     )
 
 
 @pytest.mark.parametrize("bob", [0.4274, None])
 def test_drilled_webs_leave_the_crank_balanced_on_its_bobs(bob):
-    """Finotti 2013, 2.6: which webs, and how many grams; here the residue of the source's crank, 0.74 kg·mm, at a radius of 65 mm."""
+    """Finotti 2013, 2.6: which webs, and how many grams; here the residue of the source's crank, 0.74 kg·mm, at a
+    radius of 65 mm."""
     given = replace(GAMMA.imbalance, drill_radius=0.065, bob_mass=bob)
     found = solved(given)[2].webs
     bobs = [bob] * 3 if bob else [stated.number for stated in found.bob_mass.values()]
     pins = {body.pin: body for body in given.crank_bodies if body.pin}
     hung = tuple(replace(pins[k + 1], name=f"bob-{k}", mass=m, pin=None) for k, m in enumerate(bobs))
-    state = solved(replace(given, crank_bodies=(*given.crank_bodies, *hung, *drilled(found.drill, given.crank_bodies, 0.065)),
-        bob_mass=None))[2].webs.crank["bare"]  # fmt: skip
+    state = solved(
+        replace(
+            given,
+            crank_bodies=(*given.crank_bodies, *hung, *drilled(found.drill, given.crank_bodies, 0.065)),
+            bob_mass=None,
+        )
+    )[2].webs.crank["bare"]
     assert state.force < 1e-6 and state.couple < 1e-6
     assert found.drilled_mass == pytest.approx(sum(web.mass for web in found.drill.values()))
     assert found.drilled_mass > 0.7 * found.crank["stated" if bob else "balanced"].unbalance / 0.065

@@ -16,17 +16,33 @@ SKEW = tensor((22.0, 24.0, 13.0), (0.25, -0.35, 1.60))
 
 
 def mounting(
-    places, stiffness, *, mass=310.0, inertia=(22.0, 24.0, 13.0), coupling=(0.0, 0.0, 0.0), eta=0.0, damping=None, turned=None, **more
+    places,
+    stiffness,
+    *,
+    mass=310.0,
+    inertia=(22.0, 24.0, 13.0),
+    coupling=(0.0, 0.0, 0.0),
+    eta=0.0,
+    damping=None,
+    turned=None,
+    **more,
 ):
     mounts = tuple(
         Mount(
-            name=f"mount-{n}", position=tuple(place), stiffness=tuple(k), dynamic_ratio=1.0, loss_factor=None if damping else eta,
-            damping=damping, turned=turned[n] if turned else None,
+            name=f"mount-{n}",
+            position=tuple(place),
+            stiffness=tuple(k),
+            dynamic_ratio=1.0,
+            loss_factor=None if damping else eta,
+            damping=damping,
+            turned=turned[n] if turned else None,
         )
         for n, (place, k) in enumerate(zip(places, stiffness))
-    )  # fmt: skip
+    )
     given = dict(centre_of_gravity=(0.0, 0.0, 0.0)) | more
-    return MountingInputs(mass=mass, inertia=inertia, inertia_coupling=coupling, idle_speed=15.0, mounts=mounts, **given)
+    return MountingInputs(
+        mass=mass, inertia=inertia, inertia_coupling=coupling, idle_speed=15.0, mounts=mounts, **given
+    )
 
 
 def four(h=0.18, **more):
@@ -93,12 +109,15 @@ def test_one_degree_of_freedom(r, published):
 
 
 CHASSIS = Chassis(
-    mass=2750.0, centre_of_gravity=(-0.15, 0.0, 0.8), inertia=(2300.0, 2400.0, 900.0), inertia_coupling=(0.0, 0.0, 60.0),
+    mass=2750.0,
+    centre_of_gravity=(-0.15, 0.0, 0.8),
+    inertia=(2300.0, 2400.0, 900.0),
+    inertia_coupling=(0.0, 0.0, 60.0),
     supports=tuple(
         Support(name=f"tyre-{n}", position=(-0.7, y, z), stiffness=(450e3, 250e3, 350e3), loss_factor=0.1)
         for n, (y, z) in enumerate(((-0.75, 1.35), (0.75, 1.35), (-0.75, 0.35), (0.75, 0.35)))
     ),
-)  # fmt: skip
+)
 
 
 def test_reciprocity_and_power():
@@ -127,9 +146,11 @@ def test_slow_and_fast_limits():
 
 def test_a_heavy_chassis_is_rigid_ground():
     heavy = Chassis(
-        mass=1e7, centre_of_gravity=(0.0, 0.0, 0.0), inertia=(1e8, 1e8, 1e8),
+        mass=1e7,
+        centre_of_gravity=(0.0, 0.0, 0.0),
+        inertia=(1e8, 1e8, 1e8),
         supports=(Support(name="ground", position=(0.0, 0.0, 0.0), stiffness=(1e9, 1e9, 1e9)),),
-    )  # fmt: skip
+    )
     f = np.arange(1, 7).astype(complex)[None, None]
     Omega = np.array([100.0])
     on_ground = np.asarray(respond(system(four(eta=0.1), SKEW), Omega, f).q)[0, 0]
@@ -174,7 +195,8 @@ def test_time_integration_comes_back_to_the_phasor():
     assert y[:6] == pytest.approx(q.real, abs=1e-6 * np.abs(q).max())
 
 
-# --- published cases -----------------------------------------------------------------------------------------------------
+# --- published cases
+# -----------------------------------------------------------------------------------------------------
 def of_two(K, M):
     return np.sqrt(eigen(np.array(K), np.array(M))[0])
 
@@ -184,20 +206,22 @@ def of_two(K, M):
     [
         # Edwards & Penney, Differential Equations, 7.4-24: a car on two axles
         ([[4000.0, -4000.0], [-4000.0, 104000.0]], [[100.0, 0], [0, 1000.0]], (6.13, 10.31), 0.006),
-        # Barton & Fieldhouse, Automotive Chassis Engineering, (3.83): body on wheel on tyre; the book rounds its polynomial
+        # Barton & Fieldhouse, Automotive Chassis Engineering, (3.83): body on wheel on tyre; the book rounds its
+        # polynomial
         ([[22e3, -22e3], [-22e3, 214e3]], [[317.5, 0], [0, 45.4]], (7.87, 68.73), 0.03),
         # Rao, Mechanical Vibrations: automobile (from memory)
         ([[40e3, 15e3], [15e3, 67.5e3]], [[1000.0, 0], [0, 810.0]], (5.8593, 9.4341), 6e-5),
         # Thomson, Theory of Vibration: automobile, lb and ft (from memory)
         ([[5000.0, 3500.0], [3500.0, 127250.0]], [[100.0, 0], [0, 1600.0]], (6.90, 9.06), 0.02),
     ],
-)  # fmt: skip
+)
 def test_two_degrees_of_freedom(K, M, printed, digits):
     assert of_two(K, M) == pytest.approx(printed, abs=digits)
 
 
 def test_an_engine_on_three_turned_mounts():
-    """SAIPA EF7, of the public files of NVHteam (hojjatkarami, SavedResults/file1_res.mat): full tensor, mounts turned about z and y."""
+    """SAIPA EF7, of the public files of NVHteam (hojjatkarami, SavedResults/file1_res.mat): full tensor, mounts turned
+    about z and y."""
     places = ((-0.066452, 0.463088, 0.156098), (-0.003592, -0.456004, 0.100914), (0.250718, -0.044719, -0.200540))
     k = ((349.5e3, 370.5e3, 553e3), (141e3, 57e3, 367.5e3), (640.5e3, 450e3, 225e3))
     turned = ((0.0, 0.0, math.pi / 2), (0.0, 0.0, 0.0), (0.0, -math.radians(10), 0.0))
@@ -206,7 +230,8 @@ def test_an_engine_on_three_turned_mounts():
     assert found.frequencies == pytest.approx([9.61067, 11.57906, 12.81533, 16.37214, 24.62196, 26.04758], rel=2e-5)
 
 
-# --- symmetries ------------------------------------------------------------------------------------------------------------
+# --- symmetries
+# ------------------------------------------------------------------------------------------------------------
 def levels_of(given, f):
     s = system(given, np.asarray(body.inertia(given)))
     q = np.asarray(respond(s, np.array([94.0]), f[None, None]).q)[0, 0]
@@ -226,9 +251,13 @@ def test_a_mirrored_engine_has_the_same_levels():
     k = [(260e3, 110e3, 90e3)] * 4
     one = mounting(places, k, coupling=(0.25, -0.35, 1.6), eta=0.12, turned=turned, points=points((0.4, 0.1, -0.2)))
     other = mounting(
-        [(x, -y, z) for x, y, z in places], k, coupling=(-0.25, 0.35, 1.6), eta=0.12, turned=[(-a, b, -c) for a, b, c in turned],
+        [(x, -y, z) for x, y, z in places],
+        k,
+        coupling=(-0.25, 0.35, 1.6),
+        eta=0.12,
+        turned=[(-a, b, -c) for a, b, c in turned],
         points=points((0.4, -0.1, -0.2)),
-    )  # fmt: skip
+    )
     signs = np.array([1, -1, 1, -1, 1, -1])  # a force to the side turns round, a moment about x and z too
     assert levels_of(other, f * signs) == pytest.approx(levels_of(one, f), rel=1e-9)
 

@@ -59,7 +59,8 @@ def test_even_firing_leaves_multiples_of_half_the_cylinders(driven):
 
 
 def test_seen_in_a_mirror_the_vectors_change_their_sense():
-    """y → −y: what turned forward turns backward, conjugated; up stays, the side and the moment about the vertical change sign."""
+    """y → −y: what turned forward turns backward, conjugated; up stays, the side and the moment about the vertical
+    change sign."""
     p, m = 3.0 - 1.0j, -0.5 + 2.0j
     q, w = m.conjugate(), p.conjugate()
     assert x.vertical(p=q, m=w) == pytest.approx(x.vertical(p=p, m=m))
@@ -69,7 +70,8 @@ def test_seen_in_a_mirror_the_vectors_change_their_sense():
 
 
 def test_a_three_cylinder_at_rated_speed_is_felt_about_half_as_much_with_the_shaft(results):
-    """Ford, SAE 850976, of a three-cylinder: a factor of two in the cabin; here a matter of plausibility, at the rated speed."""
+    """Ford, SAE 850976, of a three-cylinder: a factor of two in the cabin; here a matter of plausibility, at the rated
+    speed."""
     assert results.values()["mounting.rated.felt_seat"].shown == pytest.approx(2.0, abs=0.3)
 
 

@@ -11,7 +11,9 @@ from calc.mounting.inputs import Mobility, Mount
 from calc.mounting.system import respond, system
 from tests.calc.mounting.test_dynamics import SKEW, four
 
-MOUNT = Mount(name="one", position=(0.0, 0.0, 0.0), stiffness=(900e3, 420e3, 420e3), dynamic_ratio=1.3, loss_factor=0.12)
+MOUNT = Mount(
+    name="one", position=(0.0, 0.0, 0.0), stiffness=(900e3, 420e3, 420e3), dynamic_ratio=1.3, loss_factor=0.12
+)
 OMEGA = 2 * math.pi * np.array([15.0, 22.5, 60.0])
 
 
@@ -28,7 +30,9 @@ def test_a_spring_below_adds_its_softness():
 def test_the_mobility_of_a_spring_is_that_spring():
     """A foot of stiffness k_f has v/F = iΩ/k_f: given as a mobility it does what it does as a stiffness."""
     rows = tuple(
-        Mobility(frequency=f, x=(0.0, 2 * math.pi * f / 2e6), y=(0.0, 2 * math.pi * f / 2e6), z=(0.0, 2 * math.pi * f / 2e6))
+        Mobility(
+            frequency=f, x=(0.0, 2 * math.pi * f / 2e6), y=(0.0, 2 * math.pi * f / 2e6), z=(0.0, 2 * math.pi * f / 2e6)
+        )
         for f in (15.0, 22.5, 60.0)
     )
     turned = (0.1, 0.2, 0.3)

@@ -1,4 +1,5 @@
-"""Values of the shipped engine on its mounts once more, from its file by plain code that shares nothing with the step."""
+"""Values of the shipped engine on its mounts once more, from its file by plain code that shares nothing with the
+step."""
 
 import math
 import tomllib
@@ -65,7 +66,10 @@ def dynamic(mount):
 def test_six_frequencies_and_the_lowest_factor(file, published):
     squares = np.linalg.eigvals(np.linalg.solve(mass_matrix(file), matrix(file, dynamic)))
     expected = sorted(np.sqrt(squares.real) / (2 * math.pi))
-    found = sorted(published[f"mounting.frequency.{dof}"].shown for dof in ("bounce", "lateral", "fore_aft", "yaw", "pitch", "roll"))
+    found = sorted(
+        published[f"mounting.frequency.{dof}"].shown
+        for dof in ("bounce", "lateral", "fore_aft", "yaw", "pitch", "roll")
+    )
     assert found == pytest.approx(expected, rel=1e-9)
     assert published["mounting.window.lowest_factor"].shown == pytest.approx((6.0 / expected[0]) ** 2, rel=1e-9)
 

@@ -67,7 +67,7 @@ def put(key, value):
         ("output_torque_Nm", 100.0, "output_torque_Nm", "off_body"),
         ("mounts.0.foundation_loss", 0.1, "mounts.0.foundation_loss", "needs foundation_N_mm"),
     ],
-)  # fmt: skip
+)
 def test_a_wrong_entry_is_named(data, key, value, where, words):
     found = errors(data, put(key, value))
     assert words in found[f"mounting.{where}"]
@@ -85,16 +85,20 @@ def test_three_to_eight_mounts(data, count):
 
 def test_all_mistakes_come_at_once_each_with_its_line():
     text = PATH.read_text(encoding="utf-8")
-    text = text.replace("mass_kg = 310.0 ", "mass_kg = -3.0 ").replace('torque_path = "inside"', 'torque_path = "outside"')
+    text = text.replace("mass_kg = 310.0 ", "mass_kg = -3.0 ").replace(
+        'torque_path = "inside"', 'torque_path = "outside"'
+    )
     text = text.replace("hours = 1.5", "hours = 25.0").replace("idle_speed_rpm = 900.0", "idle_speed_rpm = 9000.0")
     with pytest.raises(BadInput) as bad:
         design(parse(text.encode(), "d.toml"))
     found = {error.key: error.line for error in bad.value.errors}
     lines = text.splitlines()
     for key, start in (
-        ("mounting.mass_kg", "mass_kg = -3.0"), ("mounting.torque_path", "torque_path"), ("mounting.operation.0.hours", "hours = 25"),
+        ("mounting.mass_kg", "mass_kg = -3.0"),
+        ("mounting.torque_path", "torque_path"),
+        ("mounting.operation.0.hours", "hours = 25"),
         ("mounting.idle_speed_rpm", "idle_speed_rpm = 9000"),
-    ):  # fmt: skip
+    ):
         assert lines[found[key] - 1].startswith(start)
 
 

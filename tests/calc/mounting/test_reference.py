@@ -27,7 +27,11 @@ def results(case):
 
 
 def rows(mounts, edit=""):
-    return [row for row in GIVEN if row["mounts"].startswith(mounts) and edit in row["edit"] and (bool(row["edit"]) == bool(edit))]
+    return [
+        row
+        for row in GIVEN
+        if row["mounts"].startswith(mounts) and edit in row["edit"] and (bool(row["edit"]) == bool(edit))
+    ]
 
 
 @pytest.mark.parametrize("row", rows("stiff"), ids=lambda row: row["value"])
@@ -36,7 +40,9 @@ def test_a_given_value(results, row):
 
 
 @pytest.mark.parametrize(
-    "edit", ["no [mounting.chassis]", "inertia_kgm2 left out, dimensions_mm = [750, 600, 850]"], ids=["rigid ground", "box"]
+    "edit",
+    ["no [mounting.chassis]", "inertia_kgm2 left out, dimensions_mm = [750, 600, 850]"],
+    ids=["rigid ground", "box"],
 )
 def test_a_given_value_of_an_edited_case(case, edit):
     if "chassis" in edit:
@@ -56,7 +62,9 @@ def test_closed_forms():
     assert np.degrees(aids.focal_angle(b=0.26, L=4.0, h=0.12)) == pytest.approx(by["mounting.focal.angle"], rel=REACHED)
     assert aids.focal_reach(b=0.26, L=4.0) * 1e3 == pytest.approx(by["mounting.focal.reach"], rel=REACHED)
     assert aids.four_bounce(k_x=260e3, m=310.0) == pytest.approx(by["closed form bounce"], rel=REACHED)
-    assert aids.four_yaw(k_y=110e3, c=0.25, k_z=90e3, b=0.26, J_x=22.0) == pytest.approx(by["closed form yaw"], rel=REACHED)
+    assert aids.four_yaw(k_y=110e3, c=0.25, k_z=90e3, b=0.26, J_x=22.0) == pytest.approx(
+        by["closed form yaw"], rel=REACHED
+    )
     pair = aids.four_coupled(k=90e3, k_x=260e3, h=0.18, a=0.25, m=310.0, J=24.0)
     assert pair[0] == pytest.approx(by["closed form fore_aft_pitch"], rel=REACHED)
 
@@ -68,16 +76,22 @@ def test_weightings():
 
 
 def test_values_that_tell_slips_apart(results):
-    """Order 1 at the seat at rated speed, weighted: a mirrored axis, an early shaft, moments about the origin would give others."""
+    """Order 1 at the seat at rated speed, weighted: a mirrored axis, an early shaft, moments about the origin would
+    give others."""
     step = results.outcomes["mounting"].result
     lines, n = step.levels, list(step.drive.orders).index(1.0)
     a = lines.weight["seat"][3, 0, :, n] * np.abs(lines.acceleration["seat"][3, :, :, n])
     order_1 = dict(zip(step.drive.variants, np.sqrt((a**2).sum(-1) / 2) * 1e6))
-    assert [order_1[name] for name in ("shaft", "scatter", "tooth")] == pytest.approx([96.571, 97.406, 648.077], abs=6e-4)
+    assert [order_1[name] for name in ("shaft", "scatter", "tooth")] == pytest.approx(
+        [96.571, 97.406, 648.077], abs=6e-4
+    )
     values = results.values()
     for mount, half, shaft in (
-        ("front-left", 0.6485, 0.4714), ("front-right", 0.6485, 0.4714), ("rear-left", 0.3522, 0.2754), ("rear-right", 0.3474, 0.3244),
-    ):  # fmt: skip
+        ("front-left", 0.6485, 0.4714),
+        ("front-right", 0.6485, 0.4714),
+        ("rear-left", 0.3522, 0.2754),
+        ("rear-right", 0.3474, 0.3244),
+    ):
         assert values[f"mounting.idle.half.{mount}.deflection_peak"].shown == pytest.approx(half, abs=6e-5)
         assert values[f"mounting.idle.shaft.{mount}.deflection_peak"].shown == pytest.approx(shaft, abs=6e-5)
 
@@ -90,9 +104,14 @@ def test_the_gas_is_computed_anew_between_its_nodes(results):
 def test_critical_speeds(results):
     values = results.values()
     for id, rpm in (
-        ("yaw.order_1", 1121), ("bounce.order_1", 1171), ("pitch.order_1", 1363), ("roll.order_1", 1841),
-        ("pitch.order_1_5", 909), ("roll.order_1_5", 1228), ("roll.order_2", 921),
-    ):  # fmt: skip
+        ("yaw.order_1", 1121),
+        ("bounce.order_1", 1171),
+        ("pitch.order_1", 1363),
+        ("roll.order_1", 1841),
+        ("pitch.order_1_5", 909),
+        ("roll.order_1_5", 1228),
+        ("roll.order_2", 921),
+    ):
         assert values[f"mounting.critical.{id}.speed"].shown == pytest.approx(rpm, abs=0.6)
 
 

@@ -1,4 +1,5 @@
-"""The step as a whole: what leads it, its checks, the search for mounts, transfer functions, and the same numbers with lines and without."""
+"""The step as a whole: what leads it, its checks, the search for mounts, transfer functions, and the same numbers with
+lines and without."""
 
 import copy
 import math

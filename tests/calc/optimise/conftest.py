@@ -18,7 +18,9 @@ FEW = {
 
 @pytest.fixture(scope="package")
 def sized():
-    return read(DESIGNS / "r753ie4_sized.toml").with_value("countershaft.fillet_radius_mm", 1.5)  # fillets that take room
+    return read(DESIGNS / "r753ie4_sized.toml").with_value(
+        "countershaft.fillet_radius_mm", 1.5
+    )  # fillets that take room
 
 
 @pytest.fixture(scope="package")

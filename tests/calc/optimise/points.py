@@ -26,14 +26,20 @@ class Point:
     def sized(self, problem, choices):
         mm, um = lambda x: round(float(x) * 1e3, 6), lambda x: round(float(x) * 1e6, 6)
         of = dict(zip(PLACES, self.journals))
-        return Sized(choices, mm(self.core), {p: mm(f.task.diameter) for p, (f, _, _) in of.items()},
-            {p: mm(f.length[i]) for p, (f, i, _) in of.items()}, {p: um(f.clearance[j]) for p, (f, _, j) in of.items()},
-            problem.surfaces[self.surface])  # fmt: skip
+        return Sized(
+            choices,
+            mm(self.core),
+            {p: mm(f.task.diameter) for p, (f, _, _) in of.items()},
+            {p: mm(f.length[i]) for p, (f, i, _) in of.items()},
+            {p: um(f.clearance[j]) for p, (f, _, j) in of.items()},
+            problem.surfaces[self.surface],
+        )
 
 
 @dataclass
 class Said:
-    """What the tables say: whether it passes at no margin, what it lacks of slope (below 0: what is left), slopes, mass, power."""
+    """What the tables say: whether it passes at no margin, what it lacks of slope (below 0: what is left), slopes,
+    mass, power."""
 
     passes: bool
     lacks: float
@@ -61,10 +67,14 @@ class Class:
             own = journal_slopes(self.drive, True, d_f, l_f)
         mass = float(shaft.mass[0, 0, 0] + journal_mass(self.drive, d_f, l_f)[0])
         slopes = tuple(float(self.drive.turning(n, mass, shaft.slopes[n][0, 0, 0] + own[n][0])) for n in (0, 1))
-        borne = [t.bears(self.sizes.asked(t, point.surface), margin, self.sizes.limit)[j, i] for t, i, j in point.journals]
+        borne = [
+            t.bears(self.sizes.asked(t, point.surface), margin, self.sizes.limit)[j, i] for t, i, j in point.journals
+        ]
         lacks = max((s - b) / self.sizes.limit for s, b in zip(slopes, borne))
         fits = bool(shaft.fits[0, 0, 0]) and lacks == lacks
-        return Said(fits and lacks <= 0, lacks if fits else np.inf, slopes, mass, float(f.power[j_f, i_f] + r.power[j_r, i_r]))
+        return Said(
+            fits and lacks <= 0, lacks if fits else np.inf, slopes, mass, float(f.power[j_f, i_f] + r.power[j_r, i_r])
+        )
 
     def random(self, rng):
         """A drive of the ranges whose journals each bear some slope in some shaft."""
@@ -75,7 +85,9 @@ class Class:
             if small.task.diameter <= big.task.diameter + 1e-9:
                 break
         return Point(
-            float(rng.choice(self.sizes.core)), (self._place(f, rng), self._place(r, rng)), int(rng.integers(len(self.sizes.surfaces)))
+            float(rng.choice(self.sizes.core)),
+            (self._place(f, rng), self._place(r, rng)),
+            int(rng.integers(len(self.sizes.surfaces))),
         )
 
     def _bearing(self, table):
@@ -102,7 +114,8 @@ class Class:
 
 
 def compared(of, count, seed=0):
-    """Random drives by both ways: how often they agree and, of those that fail whole alone, on what; the largest differences."""
+    """Random drives by both ways: how often they agree and, of those that fail whole alone, on what; the largest
+    differences."""
     rng, both, misses = np.random.default_rng(seed), {True: 0, False: 0}, []
     power = mass = 0.0
     over = []

@@ -12,14 +12,21 @@ from calc.studies.drive.run import search
 from tests.calc.optimise.points import PLACES, Class, Point
 
 GRID = {
-    "countershaft.core_radius_mm": [14.0, 16.0], "bearings.rear.diameter_mm": [85.0], "bearings.front.diameter_mm": [60.0],
-    "bearings.front.length_mm": [36.0, 38.0], "bearings.rear.length_mm": [30.0, 32.0],
-    "countershaft.material": ["20CrNi4"], "bearings.supply": ["hole"],
-}  # fmt: skip
+    "countershaft.core_radius_mm": [14.0, 16.0],
+    "bearings.rear.diameter_mm": [85.0],
+    "bearings.front.diameter_mm": [60.0],
+    "bearings.front.length_mm": [36.0, 38.0],
+    "bearings.rear.length_mm": [30.0, 32.0],
+    "countershaft.material": ["20CrNi4"],
+    "bearings.supply": ["hole"],
+}
 LARGE = GRID | {
-    "countershaft.core_radius_mm": [13.0, 15.0, 17.0], "bearings.rear.diameter_mm": [84.0, 86.0], "bearings.front.diameter_mm": [58.5, 64.0],
-    "bearings.front.length_mm": [35.0, 37.0, 39.0], "bearings.rear.length_mm": [29.0, 31.0],
-}  # fmt: skip
+    "countershaft.core_radius_mm": [13.0, 15.0, 17.0],
+    "bearings.rear.diameter_mm": [84.0, 86.0],
+    "bearings.front.diameter_mm": [58.5, 64.0],
+    "bearings.front.length_mm": [35.0, 37.0, 39.0],
+    "bearings.rear.length_mm": [29.0, 31.0],
+}
 UNITS = np.array([1.0, 0.01, 0.5])  # W, kg, mm
 
 
@@ -29,7 +36,9 @@ def every(one, clearances):
     for core in one.sizes.core:
         for f, r in product(*(one.sizes.films[p] for p in PLACES)):
             for i, k in product(range(f.length.size), range(r.length.size)):
-                columns = [np.flatnonzero(np.isin(np.round(t.clearance * 1e6), clearances[p])) for p, t in zip(PLACES, (f, r))]
+                columns = [
+                    np.flatnonzero(np.isin(np.round(t.clearance * 1e6), clearances[p])) for p, t in zip(PLACES, (f, r))
+                ]
                 for j, m in product(*columns):
                     drive, _ = one.whole(Point(float(core), ((f, i, int(j)), (r, k, int(m)))))
                     if not drive.broken:
@@ -53,8 +62,13 @@ def test_no_drive_of_a_tiny_grid_beats_the_front(sized):
 
 
 def test_without_any_choice_but_the_clearance_the_front_is_that_of_all(sized):
-    """One core, one size of each journal: the least power of all clearances, by a walk over every one about the best."""
-    vary = GRID | {"countershaft.core_radius_mm": [15.0], "bearings.front.length_mm": [37.0], "bearings.rear.length_mm": [31.0]}
+    """One core, one size of each journal: the least power of all clearances, by a walk over every one about the
+    best."""
+    vary = GRID | {
+        "countershaft.core_radius_mm": [15.0],
+        "bearings.front.length_mm": [37.0],
+        "bearings.rear.length_mm": [31.0],
+    }
     one = Class(sized, {"vary": vary, "objectives": ["power"], "rows": 1})
     (best,) = search(one.problem).drives
     near = {p: [best.sized.clearance[p] + 5 * k for k in (-1, 0, 1)] for p in PLACES}
@@ -64,7 +78,8 @@ def test_without_any_choice_but_the_clearance_the_front_is_that_of_all(sized):
 
 @pytest.mark.slow
 def test_the_front_of_a_grid_is_that_of_all_its_drives_solved_whole(sized, monkeypatch):
-    """864 whole solutions; the tables have the same clearances and no others, so that neither front is better than the other."""
+    """864 whole solutions; the tables have the same clearances and no others, so that neither front is better than the
+    other."""
     import calc.studies.drive.films as tables
 
     steps = {"front": [70, 80, 85], "rear": [90, 95, 100, 105]}

@@ -8,7 +8,9 @@ from hypothesis.extra.numpy import arrays
 
 from calc.studies.drive.front import front, knee, lower_left, representatives
 
-ROWS = st.integers(0, 60).flatmap(lambda n: st.integers(1, 4).flatmap(lambda k: arrays(np.int64, (n, k), elements=st.integers(0, 6))))
+ROWS = st.integers(0, 60).flatmap(
+    lambda n: st.integers(1, 4).flatmap(lambda k: arrays(np.int64, (n, k), elements=st.integers(0, 6)))
+)
 
 
 @given(ROWS)
@@ -16,9 +18,11 @@ def test_the_front_is_what_no_other_row_beats(rows):
     rows = rows.astype(float)
     places = front(rows)
     beaten = {
-        i for i in range(len(rows)) for j in range(len(rows))
+        i
+        for i in range(len(rows))
+        for j in range(len(rows))
         if (rows[j] <= rows[i]).all() and ((rows[j] < rows[i]).any() or (j < i and (rows[j] == rows[i]).all()))
-    }  # fmt: skip
+    }
     assert set(places.tolist()) == set(range(len(rows))) - beaten and list(places) == sorted(places)
 
 
@@ -34,7 +38,9 @@ def test_two_objectives_are_the_same_front(rows):
         return
     x, y = rows[:, 0].astype(float), rows[:, 1].astype(float)
     kept = rows[lower_left(x, y)][:, :2]
-    assert {tuple(r) for r in kept.tolist()} == {tuple(r) for r in rows[front(rows[:, :2].astype(float))][:, :2].tolist()}
+    assert {tuple(r) for r in kept.tolist()} == {
+        tuple(r) for r in rows[front(rows[:, :2].astype(float))][:, :2].tolist()
+    }
 
 
 def test_representatives_have_the_best_of_everything_and_leave_no_row_alone():

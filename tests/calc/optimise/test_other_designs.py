@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Designs that are not the shipped ones: engines of the table, starts that fail, envelopes that hold one drive or none, ends of ranges."""
+"""Designs that are not the shipped ones: engines of the table, starts that fail, envelopes that hold one drive or none,
+ends of ranges."""
 
 import numpy as np
 import pytest
@@ -36,11 +37,14 @@ def test_an_inline_three_of_ones_own_comes_to_drives(tmp_path):
     problem, _ = asked(document, {"vary": vary, "rows": 3, "objectives": ["power", "mass"]})
     found = search(problem)
     assert found.drives and found.dropped == ()
-    assert all(one.sized.diameter == {p: own["bearings"][p]["diameter_mm"] for p in ("front", "rear")} for one in found.drives)
+    assert all(
+        one.sized.diameter == {p: own["bearings"][p]["diameter_mm"] for p in ("front", "rear")} for one in found.drives
+    )
 
 
 def test_holes_that_would_run_into_the_core_or_out_of_the_sector(sized):
-    """Sizes of holes are limits that change with core, seat and length: what breaks them is not offered, and hides nothing."""
+    """Sizes of holes are limits that change with core, seat and length: what breaks them is not offered, and hides
+    nothing."""
     deep = changed(sized, {"countershaft.holes.depth_mm": 27.5})
     _, misses, *_ = compared(Class(deep, {"vary": SOME}), 14, 4)
     assert [broken for passes, broken, _ in misses if passes] == []
@@ -50,21 +54,34 @@ def test_holes_that_would_run_into_the_core_or_out_of_the_sector(sized):
 
 
 def test_a_range_that_holds_one_drive_and_one_that_holds_none(sized):
-    one = GRID | {"countershaft.core_radius_mm": [15.0], "bearings.front.length_mm": [37.0], "bearings.rear.length_mm": [31.0]}
+    one = GRID | {
+        "countershaft.core_radius_mm": [15.0],
+        "bearings.front.length_mm": [37.0],
+        "bearings.rear.length_mm": [31.0],
+    }
     problem, _ = asked(sized, {"vary": one, "rows": 9, "objectives": ["power", "mass", "seat"]})
     (only,) = search(problem).drives
     assert only.sized.core == 15.0 and set(at_end(problem, only)) == set()  # a single value is no end of a range
-    for key, value in (("bearings.front.length_mm", [20.0]), ("countershaft.core_radius_mm", [8.0]), ("bearings.rear.length_mm", [90.0])):
+    for key, value in (
+        ("bearings.front.length_mm", [20.0]),
+        ("countershaft.core_radius_mm", [8.0]),
+        ("bearings.rear.length_mm", [90.0]),
+    ):
         problem, _ = asked(sized, {"vary": one | {key: value}})
         assert search(problem).drives == ()
 
 
 def test_a_start_that_fails_and_has_no_film_is_as_good_as_any(sized):
     vary = {"vary": GRID | {"bearings.rear.diameter_mm": [85.0, 86.0]}, "rows": 4, "objectives": ["power", "mass"]}
-    broken = changed(sized, {
-        "bearings.rear.clearance_factor": None, "bearings.rear.clearance_um": 900.0, "bearings.front.length_mm": 16.0,
-        "countershaft.core_radius_mm": 8.0,
-    })  # fmt: skip
+    broken = changed(
+        sized,
+        {
+            "bearings.rear.clearance_factor": None,
+            "bearings.rear.clearance_um": 900.0,
+            "bearings.front.length_mm": 16.0,
+            "countershaft.core_radius_mm": 8.0,
+        },
+    )
     one, other = (search(asked(d, vary)[0]) for d in (sized, broken))
     assert one.drives and [d.changes for d in one.drives] == [d.changes for d in other.drives]
 
@@ -87,7 +104,8 @@ def test_a_length_off_the_usual_steps_and_values_out_of_order(sized):
 
 
 def test_a_gap_too_narrow_for_its_fillets_is_offered_where_that_is_waived(sized):
-    """The wheel stands a little ahead of its journal: the usual list refuses it, and with the finding waived it passes whole as well."""
+    """The wheel stands a little ahead of its journal: the usual list refuses it, and with the finding waived it passes
+    whole as well."""
     apart = changed(sized, {"countershaft.gear_z_mm": -195.0})
     usual, waived = (Class(apart, {"vary": SOME, **said}) for said in ({}, {"waive": ["countershaft.fillet_room"]}))
     assert usual.drive.filleted and not waived.drive.filleted

@@ -28,7 +28,13 @@ def kept(few, tmp_path):
 
 def test_a_part_comes_back_as_it_was(few, kept):
     one = running._kept(few, 0, kept.parent)
-    assert one is not None and one.combinations == 10**12 and one.crank == (3.0, 1.05) and one.wheels == 1.5 and not one.why
+    assert (
+        one is not None
+        and one.combinations == 10**12
+        and one.crank == (3.0, 1.05)
+        and one.wheels == 1.5
+        and not one.why
+    )
     assert all(np.array_equal(column, vars(rows(40))[name]) for name, column in vars(one.rows).items())
 
 
@@ -43,17 +49,24 @@ def test_whatever_happens_to_a_part_it_is_refused_or_what_it_was(few, kept):
         kept.write_bytes(broken)
         one = running._kept(few, 0, kept.parent)
         refused += one is None
-        assert one is None or all(np.array_equal(column, vars(rows(40))[name]) for name, column in vars(one.rows).items())
+        assert one is None or all(
+            np.array_equal(column, vars(rows(40))[name]) for name, column in vars(one.rows).items()
+        )
     assert refused > 300
 
 
 @pytest.mark.parametrize(
     "change",
     [
-        {"margins": (0.0,)}, {"surfaces": ((0.4, 0.4),)}, {"limits": ()}, {"waived": ("bearings.*",)}, {"cycle": ((0.5, 1.0),)},
-        {"sizes": {}}, {"choices": {}},
+        {"margins": (0.0,)},
+        {"surfaces": ((0.4, 0.4),)},
+        {"limits": ()},
+        {"waived": ("bearings.*",)},
+        {"cycle": ((0.5, 1.0),)},
+        {"sizes": {}},
+        {"choices": {}},
     ],
-)  # fmt: skip
+)
 def test_a_part_is_of_one_problem_alone(few, change):
     assert key(replace(few, **change)) != key(few)
 

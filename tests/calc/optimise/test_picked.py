@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""One drive of a front as its file has it: which it is, what is near, what each objective costs there; and files that are none."""
+"""One drive of a front as its file has it: which it is, what is near, what each objective costs there; and files that
+are none."""
 
 import json
 
@@ -14,13 +15,27 @@ DATA = {"countershaft": {"core_radius_mm": 15.0}, "bearings": {"front": {"length
 def front(rows, mine=1, **changed):
     """A front of power, mass and margin, of which the design is drive `mine` (from 0)."""
     drives = [
-        {"objectives": dict(zip(("power", "mass", "margin"), row)),
-         "changes": {"countershaft.core_radius_mm": 15.0 if n == mine else 20.0 + n, "bearings.front.clearance_factor": None}}
+        {
+            "objectives": dict(zip(("power", "mass", "margin"), row)),
+            "changes": {
+                "countershaft.core_radius_mm": 15.0 if n == mine else 20.0 + n,
+                "bearings.front.clearance_factor": None,
+            },
+        }
         for n, row in enumerate(rows)
-    ]  # fmt: skip
-    about = {"objectives": {"power": "W", "mass": "kg", "margin": "%"}, "drives": drives, "sizes_mm": {"bearings.front.length_mm": None},
-        "choices": {"bearings.fits": [["IT6", "IT7"]]}, "proved": True, "combinations": 10**11, "classes": 2,
-        "classes_done": 2, "limits": ["bearings.*"], "waived": []}  # fmt: skip
+    ]
+    about = {
+        "objectives": {"power": "W", "mass": "kg", "margin": "%"},
+        "drives": drives,
+        "sizes_mm": {"bearings.front.length_mm": None},
+        "choices": {"bearings.fits": [["IT6", "IT7"]]},
+        "proved": True,
+        "combinations": 10**11,
+        "classes": 2,
+        "classes_done": 2,
+        "limits": ["bearings.*"],
+        "waived": [],
+    }
     return json.dumps(about | changed).encode()
 
 
@@ -47,11 +62,24 @@ def test_a_design_that_is_none_of_the_drives():
 @pytest.mark.parametrize(
     "raw",
     [
-        b"", b"[]", b"{}", b"null", b"\xff\xfe", b"[" * 5000, front(ROWS, objectives={"beauty": "1"}), front(ROWS, drives=3),
-        front(ROWS, drives=[{}]), front([(float("nan"), 1, 1)]), front([("x", 1, 1)]), front(ROWS, choices=5), front(ROWS, sizes_mm=[1]),
-        front(ROWS, combinations="many"), front(ROWS, limits=7), b"x" * 5_000_000,
+        b"",
+        b"[]",
+        b"{}",
+        b"null",
+        b"\xff\xfe",
+        b"[" * 5000,
+        front(ROWS, objectives={"beauty": "1"}),
+        front(ROWS, drives=3),
+        front(ROWS, drives=[{}]),
+        front([(float("nan"), 1, 1)]),
+        front([("x", 1, 1)]),
+        front(ROWS, choices=5),
+        front(ROWS, sizes_mm=[1]),
+        front(ROWS, combinations="many"),
+        front(ROWS, limits=7),
+        b"x" * 5_000_000,
     ],
-)  # fmt: skip
+)
 def test_a_file_that_is_no_front_is_told(raw):
     with pytest.raises(Broken):
         picked(raw, DATA)

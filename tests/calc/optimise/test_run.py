@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The front of a small search: every row holds whole, nothing in its ranges beats it, and it does not matter how it was come by."""
+"""The front of a small search: every row holds whole, nothing in its ranges beats it, and it does not matter how it was
+come by."""
 
 import json
 from dataclasses import replace
@@ -25,7 +26,8 @@ def found(few, tmp_path_factory):
 
 @pytest.mark.parametrize("positions", [[-167.5, 167.5], [-166.0, 169.0]])
 def test_tables_say_what_the_whole_solution_says(sized, positions):
-    """Power, mass and verdict of rows from all over the front of a class; bearings about the middle of the shaft, and not."""
+    """Power, mass and verdict of rows from all over the front of a class; bearings about the middle of the shaft, and
+    not."""
     few, _ = asked(sized.with_value("countershaft.bearing_positions_mm", positions), {"vary": FEW})
     choices = few.classes[0]
     one = class_of(few, choices)
@@ -41,7 +43,8 @@ def test_tables_say_what_the_whole_solution_says(sized, positions):
 
 
 def test_nothing_in_the_ranges_beats_the_front(few, found):
-    """Random drives of the same steps, solved whole: those that pass are worse than the front by no more than a grid step is worth."""
+    """Random drives of the same steps, solved whole: those that pass are worse than the front by no more than a grid
+    step is worth."""
     rng = np.random.default_rng(7)
     names = list(few.objectives)
     units = np.array([{"power": 1.0, "mass": 0.01, "seat": 0.5, "price": 1.0, "margin": 5.0}[name] for name in names])
@@ -49,21 +52,33 @@ def test_nothing_in_the_ranges_beats_the_front(few, found):
     for _ in range(40):
         seat = rng.choice(few.sizes["bearings.rear.diameter_mm"])
         other = rng.choice(few.sizes["bearings.front.diameter_mm"])
-        drive, before = whole(few, Sized(
-            few.classes[0], float(rng.choice(few.sizes["countershaft.core_radius_mm"])), {"front": float(other), "rear": float(seat)},
-            {"front": float(rng.integers(66, 84)) / 2, "rear": float(rng.integers(58, 72)) / 2},
-            {"front": float(rng.integers(12, 24)) * 5, "rear": float(rng.integers(18, 25)) * 5}, None), before)  # fmt: skip
+        drive, before = whole(
+            few,
+            Sized(
+                few.classes[0],
+                float(rng.choice(few.sizes["countershaft.core_radius_mm"])),
+                {"front": float(other), "rear": float(seat)},
+                {"front": float(rng.integers(66, 84)) / 2, "rear": float(rng.integers(58, 72)) / 2},
+                {"front": float(rng.integers(12, 24)) * 5, "rear": float(rng.integers(18, 25)) * 5},
+                None,
+            ),
+            before,
+        )
         if drive.broken:
             continue
         passed += 1
         row = np.array([(-1 if name == "margin" else 1) * drive.objectives[name] for name in names])
-        assert ((front - row) / units).max(1).min() <= 0.4, drive.changes  # of a unit; of the margin, whose levels are steps, 2 %
+        assert ((front - row) / units).max(1).min() <= 0.4, (
+            drive.changes
+        )  # of a unit; of the margin, whose levels are steps, 2 %
     assert passed >= 5
 
 
 def test_every_drive_that_is_shown_holds_and_none_is_beaten_by_another(few, found):
     assert 5 <= len(found.drives) <= few.rows and found.whole and found.proved
-    rows = np.array([[(-1 if n == "margin" else 1) * one.objectives[n] for n in few.objectives] for one in found.drives])
+    rows = np.array(
+        [[(-1 if n == "margin" else 1) * one.objectives[n] for n in few.objectives] for one in found.drives]
+    )
     assert not any((a <= b).all() and (a < b).any() for a in rows for b in rows)
     assert all(one.broken == () for one in found.drives)
     powers = [one.objectives["power"] for one in found.drives]
@@ -72,9 +87,11 @@ def test_every_drive_that_is_shown_holds_and_none_is_beaten_by_another(few, foun
 
 
 def test_it_does_not_matter_how_the_front_was_come_by(sized, tmp_path):
-    """One process, two, and a run that goes on from parts of which one is cut off and one is of another problem: the same bytes."""
+    """One process, two, and a run that goes on from parts of which one is cut off and one is of another problem: the
+    same bytes."""
     problem, _ = asked(
-        sized, {"vary": {**FEW, "countershaft.material": ["20CrNi4", "ADI"], "bearings.supply": ["hole", "shaft"]}, "rows": 3}
+        sized,
+        {"vary": {**FEW, "countershaft.material": ["20CrNi4", "ADI"], "bearings.supply": ["hole", "shaft"]}, "rows": 3},
     )
     parts = tmp_path / "parts"
     first = csv_text(search(problem, 1, parts))
@@ -89,18 +106,24 @@ def test_it_does_not_matter_how_the_front_was_come_by(sized, tmp_path):
 
 
 def test_a_search_that_is_stopped_shows_what_passes_and_claims_no_proof(sized):
-    """The class of the closest fits comes first; its first drive that passes is told at once, and then the time is up."""
+    """The class of the closest fits comes first; its first drive that passes is told at once, and then the time is
+    up."""
     price = [{"what": "fit", "value": ["IT5", "IT6"], "piece_EUR": 2.0}]
     problem, _ = asked(sized.with_value("optimise", {"price": price}), {"vary": FEW, "rows": 8})
     told = []
     found = search(problem, stop=lambda: True, first=told.append, enough=lambda: True)
-    assert len(told) == len(found.drives) == 1 and not told[0].broken and found.drives[0].sized.choices["bearings.fits"] == ["IT5", "IT6"]
+    assert (
+        len(told) == len(found.drives) == 1
+        and not told[0].broken
+        and found.drives[0].sized.choices["bearings.fits"] == ["IT5", "IT6"]
+    )
     assert not found.whole and "stopped at 1 of 2 classes" in csv_text(found)
     assert "Not exhaustive" in csv_text(found) and json.loads(json_text(found))["proved"] is False
 
 
 def test_a_row_that_fails_gives_its_place_to_one_that_should_not(few):
-    """Rows on a line, of which one has failed: not the nearest beside another that fails, but the one beside a drive that passes."""
+    """Rows on a line, of which one has failed: not the nearest beside another that fails, but the one beside a drive
+    that passes."""
     line = np.array([[x] for x in (0.0, 0.9, 1.0, 2.1, 3.0)])
     assert _instead(line, 2, {0, 2, 4}, {2: 0.3}) == 1
     assert _instead(line, 2, {0, 2, 4}, {2: 0.3, 0: 0.5, 4: 0.0}) == 3
@@ -114,13 +137,18 @@ def test_closer_making_costs_and_is_chosen_where_it_pays(sized):
     found = search(problem)
     fits = {tuple(one.sized.choices["bearings.fits"]): one.objectives["price"] for one in found.drives}
     assert fits == {("IT7", "IT7"): 105.0, ("IT6", "IT6"): 107.0}
-    best = [min(one.objectives["power"] for one in found.drives if tuple(one.sized.choices["bearings.fits"]) == f) for f in fits]
+    best = [
+        min(one.objectives["power"] for one in found.drives if tuple(one.sized.choices["bearings.fits"]) == f)
+        for f in fits
+    ]
     assert min(best) < 252.5
 
 
 def test_over_a_duty_cycle_the_power_is_a_mean(sized):
     cycle = [{"speed_rpm": 900.0, "hours": 3.0}, {"speed_rpm": 2600.0, "hours": 1.0}]
-    problem, _ = asked(sized.with_value("optimise", {"cycle": cycle}), {"vary": FEW, "rows": 2, "objectives": ["power", "mass"]})
+    problem, _ = asked(
+        sized.with_value("optimise", {"cycle": cycle}), {"vary": FEW, "rows": 2, "objectives": ["power", "mass"]}
+    )
     found = search(problem)
     one, _ = whole(replace(problem, cycle=()), found.drives[0].sized)
     assert 0.25 * one.objectives["power"] < found.drives[0].objectives["power"] < 0.45 * one.objectives["power"]
@@ -128,7 +156,9 @@ def test_over_a_duty_cycle_the_power_is_a_mean(sized):
 
 def test_where_nothing_passes_each_line_holds_when_it_is_solved(sized):
     """The seat of the source's casting: what the spec of this search found, to within its grid."""
-    problem, _ = asked(sized, {"most": {"seat_mm": 82.0}, "vary": {"bearings.supply": ["hole"], "countershaft.material": ["20CrNi4"]}})
+    problem, _ = asked(
+        sized, {"most": {"seat_mm": 82.0}, "vary": {"bearings.supply": ["hole"], "countershaft.material": ["20CrNi4"]}}
+    )
     found = search(problem)
     assert found.drives == () and not len(found.table)
     why = refusal(found)
@@ -196,7 +226,10 @@ def test_a_search_without_proof_shows_only_what_passes(sized):
 )
 def test_what_can_not_be_varied_is_said_with_its_key(sized, said, key):
     with pytest.raises(BadInput) as bad:
-        asked(sized.with_value("optimise", {"price": said["price"]}) if "price" in said else sized, said if "price" not in said else {})
+        asked(
+            sized.with_value("optimise", {"price": said["price"]}) if "price" in said else sized,
+            said if "price" not in said else {},
+        )
     assert any(key in error.key for error in bad.value.errors)
 
 

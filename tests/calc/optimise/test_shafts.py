@@ -13,11 +13,21 @@ from calc.studies.drive.classes import drive_of
 from calc.studies.drive.shafts import journal_mass, journal_slopes, shafts
 from tests.conftest import DESIGNS
 
-SIZED = read(DESIGNS / "r753ie4_sized.toml").with_value("countershaft.fillet_radius_mm", 1.5)  # no fixture: a failure would print it whole
-SIZES = st.fixed_dictionaries({
-    "core": st.floats(12, 22), "seat": st.floats(84, 90), "other": st.floats(58.5, 84), "l_f": st.floats(20, 44), "l_r": st.floats(20, 44),
-    "eta": st.sampled_from([0.1, 0.2, 1.0]), "off": st.floats(-3, 3), "front_is_seat": st.booleans(),
-})  # fmt: skip
+SIZED = read(DESIGNS / "r753ie4_sized.toml").with_value(
+    "countershaft.fillet_radius_mm", 1.5
+)  # no fixture: a failure would print it whole
+SIZES = st.fixed_dictionaries(
+    {
+        "core": st.floats(12, 22),
+        "seat": st.floats(84, 90),
+        "other": st.floats(58.5, 84),
+        "l_f": st.floats(20, 44),
+        "l_r": st.floats(20, 44),
+        "eta": st.sampled_from([0.1, 0.2, 1.0]),
+        "off": st.floats(-3, 3),
+        "front_is_seat": st.booleans(),
+    }
+)
 
 
 def _solved(x):
@@ -27,11 +37,16 @@ def _solved(x):
     half = min(abs(z[0]) - x["l_f"] / 2, abs(z[1]) - x["l_r"] / 2) - 3.0
     document = SIZED
     for key, value in {
-        "countershaft.core_radius_mm": x["core"], "countershaft.outer_radius_mm": x["seat"] / 2 - 0.2,
-        "countershaft.half_length_mm": half, "countershaft.sector_effectiveness": x["eta"],
-        "countershaft.bearing_positions_mm": list(z), "bearings.front.diameter_mm": d_f, "bearings.rear.diameter_mm": d_r,
-        "bearings.front.length_mm": x["l_f"], "bearings.rear.length_mm": x["l_r"],
-    }.items():  # fmt: skip
+        "countershaft.core_radius_mm": x["core"],
+        "countershaft.outer_radius_mm": x["seat"] / 2 - 0.2,
+        "countershaft.half_length_mm": half,
+        "countershaft.sector_effectiveness": x["eta"],
+        "countershaft.bearing_positions_mm": list(z),
+        "bearings.front.diameter_mm": d_f,
+        "bearings.rear.diameter_mm": d_r,
+        "bearings.front.length_mm": x["l_f"],
+        "bearings.rear.length_mm": x["l_r"],
+    }.items():
         document = document.with_value(key, value)
     made = design(document)
     return made, solve(made, enough=lambda outcome: outcome.key == "countershaft"), (d_f * 1e-3, d_r * 1e-3)
@@ -52,15 +67,18 @@ def test_slopes_and_mass_are_those_of_the_step(x):
     slopes = [float(found.slopes[n][0, 0, 0] + own[n][0]) for n in (0, 1)]
     assert found.fits[0, 0, 0]
     for n, (still, turning) in enumerate(zip(slopes, (solved.slope_front, solved.slope_rear))):
-        assert -0.01 < still / turning - 1 < 0.03  # what the mass adds or takes as it turns: -0.6 to 2.9 % at the corners of these sizes
+        assert (
+            -0.01 < still / turning - 1 < 0.03
+        )  # what the mass adds or takes as it turns: -0.6 to 2.9 % at the corners of these sizes
         assert turning <= drive.turning(n, mass, still) * (1 + 1e-9)  # which the tables take
     assert mass == pytest.approx(solved.mass, rel=1e-7)
     assert found.face[0, 0, 0] == pytest.approx(made.countershaft.half_length, abs=1e-9)
 
 
 def test_an_envelope_that_does_not_hold_the_couple_does_not_fit():
-    made, results, _ = _solved({"core": 14, "seat": 86, "other": 60, "l_f": 30, "l_r": 30, "eta": 0.2, "off": 0,
-        "front_is_seat": False})  # fmt: skip
+    made, results, _ = _solved(
+        {"core": 14, "seat": 86, "other": 60, "l_f": 30, "l_r": 30, "eta": 0.2, "off": 0, "front_is_seat": False}
+    )
     drive = drive_of(made, results)
     long = np.array([0.03, 0.12])  # a journal that leaves the sectors no room
     found = shafts(drive, np.array([0.014]), np.array([0.03]), long, 0.086, 0.086)
@@ -69,7 +87,8 @@ def test_an_envelope_that_does_not_hold_the_couple_does_not_fit():
 
 
 def test_sectors_that_nearly_meet_are_closed_on_arrays_as_by_the_step():
-    """An envelope that the couple fills but for 0.01 mm: the gap of half a millimetre that the least mass has would hold no fillets."""
+    """An envelope that the couple fills but for 0.01 mm: the gap of half a millimetre that the least mass has would
+    hold no fillets."""
     x = {"core": 14, "seat": 84, "other": 60, "l_f": 36.53, "l_r": 36.53, "eta": 0.2, "off": 0, "front_is_seat": False}
     made, results, (d_f, d_r) = _solved(x)
     solved = results.result(CountershaftResult)

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Whether tables and the whole solution say the same of a drive: of the shipped shaft, and of others that no file has."""
+"""Whether tables and the whole solution say the same of a drive: of the shipped shaft, and of others that no file
+has."""
 
 import pytest
 
@@ -7,9 +8,10 @@ from tests.calc.optimise.points import Class, compared
 
 PLAIN = {"countershaft.material": ["20CrNi4"], "bearings.supply": "fixed"}
 SOME = PLAIN | {
-    "countershaft.core_radius_mm": {"from": 13.0, "to": 20.0, "step": 0.5}, "bearings.rear.diameter_mm": [84.0, 86.0, 88.5],
+    "countershaft.core_radius_mm": {"from": 13.0, "to": 20.0, "step": 0.5},
+    "bearings.rear.diameter_mm": [84.0, 86.0, 88.5],
     "bearings.front.diameter_mm": [58.5, 63.0, 70.0, 80.0],
-}  # fmt: skip
+}
 SWAPPED = SOME | {"bearings.rear.diameter_mm": [58.5, 63.0, 70.0], "bearings.front.diameter_mm": [84.0, 86.0]}
 CASES = {
     "pocket": ({"bearings.supply": "pocket", "bearings.pocket_width_mm": 12.0}, SOME),
@@ -20,7 +22,10 @@ CASES = {
     "a large fillet": ({"countershaft.fillet_radius_mm": 3.0}, SOME),
     "off the middle": ({"countershaft.bearing_positions_mm": [-166.0, 170.0]}, SOME),
     "off to the front": ({"countershaft.bearing_positions_mm": [-171.0, 166.0]}, SOME),
-    "a longer span, cooler oil": ({"countershaft.bearing_positions_mm": [-180.0, 180.0], "bearings.supply_temperature_C": 110.0}, SOME),
+    "a longer span, cooler oil": (
+        {"countershaft.bearing_positions_mm": [-180.0, 180.0], "bearings.supply_temperature_C": 110.0},
+        SOME,
+    ),
     "the gear apart": ({"countershaft.gear_z_mm": -215.0}, SOME),
     "the gear at the other end": ({"countershaft.gear_z_mm": 205.0}, SOME),
     "soft sectors": ({"countershaft.sector_effectiveness": 0.1}, SOME),
@@ -28,14 +33,19 @@ CASES = {
     "a floating bush": ({"bearings.bush_speed_ratio": 0.3}, SOME),
     "more room to thread": ({"countershaft.radial_clearance_mm": 1.0}, SOME),
     "the larger journal in front": (
-        {"bearings.front.diameter_mm": 86.4, "bearings.rear.diameter_mm": 59.5, "bearings.front.length_mm": 29.5, "bearings.rear.length_mm": 37.5},
+        {
+            "bearings.front.diameter_mm": 86.4,
+            "bearings.rear.diameter_mm": 59.5,
+            "bearings.front.length_mm": 29.5,
+            "bearings.rear.length_mm": 37.5,
+        },
         SWAPPED,
     ),
     "another material": ({}, SOME | {"countershaft.material": ["ADI"]}),
     "closer fits": ({"bearings.journal_fit": "IT5", "bearings.seat_fit": "IT6"}, SOME),
     "smoother": ({}, SOME | {"bearings.surfaces": [[0.4, 0.6], [0.2, 0.3]]}),
     "less couple": ({"engine.crank_radius_mm": 50.0}, SOME),
-}  # fmt: skip
+}
 
 
 def changed(document, changes):
@@ -49,7 +59,9 @@ def changed(document, changes):
 )
 def test_tables_and_the_whole_solution_agree(sized, name, count):
     """Half of the drives pass by the tables, the others miss by less than 15 % of the slope's limit."""
-    both, misses, power, mass, (least, most) = compared(Class(changed(sized, CASES[name][0]), {"vary": CASES[name][1]}), count, 3)
+    both, misses, power, mass, (least, most) = compared(
+        Class(changed(sized, CASES[name][0]), {"vary": CASES[name][1]}), count, 3
+    )
     assert misses == [] and min(both.values()) >= 2, misses
     assert power <= 0.05 and mass <= 1e-6
     assert -1e-9 <= least and most <= (0.003 if name != "off the middle" else 0.03)  # slopes: never below, little above
@@ -58,8 +70,11 @@ def test_tables_and_the_whole_solution_agree(sized, name, count):
 @pytest.mark.slow
 @pytest.mark.parametrize("name", CASES)
 def test_cases_that_no_file_has(sized, name):
-    """Never passed over by the tables and failing whole; what misses the other way is less than the slope that turning adds."""
-    both, misses, power, mass, (least, most) = compared(Class(changed(sized, CASES[name][0]), {"vary": CASES[name][1]}), 24, 5)
+    """Never passed over by the tables and failing whole; what misses the other way is less than the slope that turning
+    adds."""
+    both, misses, power, mass, (least, most) = compared(
+        Class(changed(sized, CASES[name][0]), {"vary": CASES[name][1]}), 24, 5
+    )
     assert [one for one in misses if one[0]] == [] and len(misses) <= 1, misses
     assert sum(both.values()) >= 23 and power <= 0.05 and mass <= 1e-6
     assert -1e-9 <= least and most <= (0.003 if "off" not in name else 0.03)

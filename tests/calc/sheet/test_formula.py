@@ -82,7 +82,9 @@ def test_a_call_returns_the_plain_number_and_records_nothing_outside_a_trace():
     assert pressure(F=1000.0, d=0.1, l=0.05) == pressure(1000.0, d=0.1, l=0.05)
 
 
-@pytest.mark.parametrize("call", [lambda: pressure(1710.0, 0.0595, 0.0275), lambda: pressure(l=0.0275, d=0.0595, F=1710.0)])
+@pytest.mark.parametrize(
+    "call", [lambda: pressure(1710.0, 0.0595, 0.0275), lambda: pressure(l=0.0275, d=0.0595, F=1710.0)]
+)
 def test_positional_and_keyword_calls_render_alike(call):
     assert line_text(only(call)) == ("p = F/(d·l)", "= 1710/(0.0595·0.0275) = 1.045 MPa", "a formula for this test")
 
@@ -95,16 +97,35 @@ def test_precedence_signs_roots_powers_and_written_constants():
 
 KNOWN = {"a": 0.7, "b": 1.3, "c": 1.9, "d": 0.4}
 NODES = {
-    "add": lambda x, y: x + y, "sub": lambda x, y: x - y, "mul": lambda x, y: x * y, "div": lambda x, y: x / y, "pow": lambda x, y: x**y,
-    "neg": lambda x: -x, "sqrt": lambda x: x**0.5, "cis": lambda x: np.exp(1j * x), "sum": lambda x: x,
-}  # fmt: skip
+    "add": lambda x, y: x + y,
+    "sub": lambda x, y: x - y,
+    "mul": lambda x, y: x * y,
+    "div": lambda x, y: x / y,
+    "pow": lambda x, y: x**y,
+    "neg": lambda x: -x,
+    "sqrt": lambda x: x**0.5,
+    "cis": lambda x: np.exp(1j * x),
+    "sum": lambda x: x,
+}
 A, TWO = expression.Expr("symbol", (), "a"), expression.Expr("number", (), "2")
 leaves = st.sampled_from(
-    [*(expression.Expr("symbol", (), name) for name in KNOWN), *(expression.Expr("number", (), n) for n in ("2", "3", "0.5", "−2"))]
+    [
+        *(expression.Expr("symbol", (), name) for name in KNOWN),
+        *(expression.Expr("number", (), n) for n in ("2", "3", "0.5", "−2")),
+    ]
 )
-trees = st.recursive(leaves, lambda inner: st.builds(
-    lambda head, one, other: expression.Expr(head, (one, other) if head in ("add", "sub", "mul", "div", "pow") else (one,)),
-    st.sampled_from(list(NODES)), inner, inner), max_leaves=8)  # fmt: skip
+trees = st.recursive(
+    leaves,
+    lambda inner: st.builds(
+        lambda head, one, other: expression.Expr(
+            head, (one, other) if head in ("add", "sub", "mul", "div", "pow") else (one,)
+        ),
+        st.sampled_from(list(NODES)),
+        inner,
+        inner,
+    ),
+    max_leaves=8,
+)
 
 
 def meant(tree):
@@ -119,11 +140,15 @@ def meant(tree):
 
 def read_again(text):
     """The value of what is written, by the rules of arithmetic."""
-    text = re.sub("[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+", lambda raised: "**" + raised[0].translate(str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")), text)
+    text = re.sub(
+        "[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+", lambda raised: "**" + raised[0].translate(str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")), text
+    )
     text = re.sub(r"√(\w+(?:\.\d+)?)", r"√(\1)", text)
     for sign, word in (("·", "*"), ("−", "-"), ("^", "**"), ("√", "root"), ("Σ", "")):
         text = text.replace(sign, word)
-    return eval(text, {"root": lambda x: (x + 0j) ** 0.5, "e": np.e, "i": 1j, **{name: complex(x) for name, x in KNOWN.items()}})
+    return eval(
+        text, {"root": lambda x: (x + 0j) ** 0.5, "e": np.e, "i": 1j, **{name: complex(x) for name, x in KNOWN.items()}}
+    )
 
 
 @given(tree=trees)
@@ -145,7 +170,9 @@ def test_an_array_is_shown_by_its_governing_value_and_where_it_occurs():
 
 
 def test_a_sum_shows_its_terms_and_a_vector_its_length_and_angle():
-    formula_text, numbers, _ = line_text(only(vector, np.array([1.0, 2.0]), np.array([0.5, 0.5]), np.array([0.0, np.pi / 2])))
+    formula_text, numbers, _ = line_text(
+        only(vector, np.array([1.0, 2.0]), np.array([0.5, 0.5]), np.array([0.0, np.pi / 2]))
+    )
     assert formula_text == "U = Σ(m·e·e^(i·γ))"
     assert numbers.startswith("= Σ((1; 2)·(0.5; 0.5)·e^(i·(0; 1.570796))) = 1.118∠63.43°")
 
@@ -166,16 +193,24 @@ def test_where_the_source_text_is_not_at_hand_name_and_arguments_stand_for_it(mo
     monkeypatch.setattr("linecache.getlines", lambda *_: [])
     expression.expression.cache_clear()
     try:
-        assert line_text(only(pressure, 1000.0, 0.1, 0.05))[:2] == ("p: pressure(F = 1000, d = 0.1, l = 0.05)", "= 0.2 MPa")
+        assert line_text(only(pressure, 1000.0, 0.1, 0.05))[:2] == (
+            "p: pressure(F = 1000, d = 0.1, l = 0.05)",
+            "= 0.2 MPa",
+        )
     finally:
         expression.expression.cache_clear()
 
 
 def test_json_has_what_the_terminal_has():
     assert line_json(only(pressure, 1000.0, 0.1, 0.05)) == {
-        "symbol": "p", "formula": "F/(d·l)", "substituted": "1000/(0.1·0.05)", "value": "0.2", "unit": "MPa",
-        "source": "a formula for this test", "about": "",
-    }  # fmt: skip
+        "symbol": "p",
+        "formula": "F/(d·l)",
+        "substituted": "1000/(0.1·0.05)",
+        "value": "0.2",
+        "unit": "MPa",
+        "source": "a formula for this test",
+        "about": "",
+    }
 
 
 def test_a_trace_keeps_order_and_subject_and_leaves_iterations_out():
@@ -189,14 +224,25 @@ def test_a_trace_keeps_order_and_subject_and_leaves_iterations_out():
     assert lines[1].arguments["F"].link is lines[0]
 
 
-@pytest.mark.parametrize("name, shown", [
-    ("alpha_wt", "α_wt"), ("omega", "ω"), ("d1", "d_1"), ("F_t", "F_t"), ("lambda_", "λ"), ("lam", "λ"), ("h_aP0", "h_aP0"), ("Delta_T", "ΔT"),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    "name, shown",
+    [
+        ("alpha_wt", "α_wt"),
+        ("omega", "ω"),
+        ("d1", "d_1"),
+        ("F_t", "F_t"),
+        ("lambda_", "λ"),
+        ("lam", "λ"),
+        ("h_aP0", "h_aP0"),
+        ("Delta_T", "ΔT"),
+    ],
+)
 def test_symbols(name, shown):
     assert symbol(name) == shown
 
 
-# --- numbers that give the result ----------------------------------------------------------------------------------------------
+# --- numbers that give the result
+# ----------------------------------------------------------------------------------------------
 def test_a_difference_shows_as_many_digits_as_its_result_needs():
     assert line_text(only(gap, 0.0658080476, 0.0657517430))[1] == "= 0.065808 − 0.0657517 = 56.3 µm"
     assert line_text(only(gap, 0.0658080476, 0.02))[1] == "= 0.06581 − 0.02 = 45810 µm"

@@ -40,7 +40,11 @@ def test_arrows_stand_outside_where_there_is_no_room():
     made = strokes(Dimension("DIMENSION", (0.0, 0.0), (2.0, 0.0), (0.0, -9.0), H, shift=12.0, label=Name("2")))
     tails = sorted(corner[0] for stroke in made if isinstance(stroke, Area) for corner in stroke.outlines[0])
     assert tails[0] == pytest.approx(-ARROW * H) and tails[-1] == pytest.approx(2.0 + ARROW * H)
-    (line,) = (stroke.points for stroke in made if isinstance(stroke, Polyline) and stroke.points[0][1] == stroke.points[1][1] == -9.0)
+    (line,) = (
+        stroke.points
+        for stroke in made
+        if isinstance(stroke, Polyline) and stroke.points[0][1] == stroke.points[1][1] == -9.0
+    )
     assert line[1][0] == pytest.approx(13.0 + width("2", H) / 2), "it goes on under its number"
 
 
@@ -62,5 +66,9 @@ def test_text_is_cut_or_broken_where_it_has_no_room():
     cut = shortened("much longer than that", H, 30.0)
     assert cut.endswith("…") and width(cut, H) <= 30.0
     lines = wrapped("one two three four five six seven", H, 25.0)
-    assert " ".join(lines) == "one two three four five six seven" and len(lines) > 2 and all(width(line, H) <= 25.0 for line in lines)
+    assert (
+        " ".join(lines) == "one two three four five six seven"
+        and len(lines) > 2
+        and all(width(line, H) <= 25.0 for line in lines)
+    )
     assert wrapped("unbreakable" * 9, H, 25.0)[0].endswith("…")

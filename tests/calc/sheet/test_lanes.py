@@ -1,4 +1,5 @@
-"""Lanes: every lane is what it would be alone, and what can not be told of many at once is an error and never a mixture."""
+"""Lanes: every lane is what it would be alone, and what can not be told of many at once is an error and never a
+mixture."""
 
 import operator
 import re
@@ -62,15 +63,43 @@ def test_an_operator_works_lane_by_lane_whichever_side_has_lanes(name, rows):
         same(act(points, points), [act(np.array(row), np.array(row)) for row in rows])
 
 
-@pytest.mark.parametrize("function", [
-    np.sqrt, np.exp, np.abs, np.max, np.sum, np.argmax, np.diff, np.isfinite, np.add.reduce,
-    lambda x: np.where(x > 0, x, THREE), lambda x: np.clip(x, -1.0, 2.0), lambda x: np.concatenate([x, THREE]), lambda x: np.stack([x, THREE], 1),
-    lambda x: np.append(x, x[0]), lambda x: np.any(x > 1), lambda x: np.interp([0.5, 1.5], [0.0, 1.0, 2.0], x), lambda x: np.fft.rfft(x),
-    lambda x: x[1], lambda x: x[::-1], lambda x: x[..., None] * THREE, lambda x: largest(x, 0.5), lambda x: smallest(x, THREE),
-    lambda x: argument(x + 1j * THREE), lambda x: resultant(x + 1j * THREE), lambda x: element(x, np.argmin(x)), lambda x: element(THREE, np.argmax(x)),
-    lambda x: one(np.max(x)), lambda x: sqrt(np.sum(x * x)), lambda x: abs(x), lambda x: -x, lambda x: np.add.reduce(x[:, None] * THREE),
-    lambda x: np.tile(x, 2),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    "function",
+    [
+        np.sqrt,
+        np.exp,
+        np.abs,
+        np.max,
+        np.sum,
+        np.argmax,
+        np.diff,
+        np.isfinite,
+        np.add.reduce,
+        lambda x: np.where(x > 0, x, THREE),
+        lambda x: np.clip(x, -1.0, 2.0),
+        lambda x: np.concatenate([x, THREE]),
+        lambda x: np.stack([x, THREE], 1),
+        lambda x: np.append(x, x[0]),
+        lambda x: np.any(x > 1),
+        lambda x: np.interp([0.5, 1.5], [0.0, 1.0, 2.0], x),
+        lambda x: np.fft.rfft(x),
+        lambda x: x[1],
+        lambda x: x[::-1],
+        lambda x: x[..., None] * THREE,
+        lambda x: largest(x, 0.5),
+        lambda x: smallest(x, THREE),
+        lambda x: argument(x + 1j * THREE),
+        lambda x: resultant(x + 1j * THREE),
+        lambda x: element(x, np.argmin(x)),
+        lambda x: element(THREE, np.argmax(x)),
+        lambda x: one(np.max(x)),
+        lambda x: sqrt(np.sum(x * x)),
+        lambda x: abs(x),
+        lambda x: -x,
+        lambda x: np.add.reduce(x[:, None] * THREE),
+        lambda x: np.tile(x, 2),
+    ],
+)
 @given(rows=ROWS)
 def test_a_function_of_points_works_lane_by_lane(function, rows):
     with np.errstate(all="ignore"):
@@ -103,12 +132,29 @@ def test_a_condition_is_one_thing_in_all_lanes_or_the_designs_go_apart():
         ["a", "b"][Lanes(np.array([0, 1]))]
 
 
-@pytest.mark.parametrize("spoil", [
-    float, complex, np.asarray, hash, lambda x: np.array([x, 1.0]), lambda x: {x: 1}, lambda x: np.linalg.norm(x), lambda x: len(x), list,
-    lambda x: bool(x * THREE > 0), lambda x: np.exp(x, out=np.empty(2)), lambda x: np.sum(x, -1), lambda x: np.max(x, 0), range,
-    lambda x: np.argmin(x[..., None] * THREE[None, :]), lambda x: np.diff(x[..., None] * THREE[None, :]),
-    lambda x: (x * THREE[:2, None] * THREE[:2]) @ (x * THREE[:2, None] * THREE[:2]), lambda x: np.cumsum(x * THREE),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    "spoil",
+    [
+        float,
+        complex,
+        np.asarray,
+        hash,
+        lambda x: np.array([x, 1.0]),
+        lambda x: {x: 1},
+        lambda x: np.linalg.norm(x),
+        lambda x: len(x),
+        list,
+        lambda x: bool(x * THREE > 0),
+        lambda x: np.exp(x, out=np.empty(2)),
+        lambda x: np.sum(x, -1),
+        lambda x: np.max(x, 0),
+        range,
+        lambda x: np.argmin(x[..., None] * THREE[None, :]),
+        lambda x: np.diff(x[..., None] * THREE[None, :]),
+        lambda x: (x * THREE[:2, None] * THREE[:2]) @ (x * THREE[:2, None] * THREE[:2]),
+        lambda x: np.cumsum(x * THREE),
+    ],
+)
 def test_what_lanes_can_not_be_is_an_error(spoil):
     with pytest.raises(TypeError):
         spoil(Lanes(np.array([1.0, 2.0])))
@@ -132,7 +178,8 @@ def test_designs_without_a_number_go_apart_and_where_none_has_one_there_is_no_so
         parted(Lanes(np.array([np.nan, np.nan])))
 
 
-# --- records ---------------------------------------------------------------------------------------------------------------
+# --- records
+# ---------------------------------------------------------------------------------------------------------------
 def test_records_side_by_side_and_each_again():
     parts = [
         Part(size=1.0, points=np.array([1.0, 2.0])),

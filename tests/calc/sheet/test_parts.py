@@ -13,12 +13,23 @@ class Size:
     places: object = None
 
 
-@pytest.mark.parametrize(("a", "b", "same"), [
-    (Size(length=1.0), Size(length=1.0), True), (Size(length=1.0), Size(length=2.0), False), (max, min, False), (max, max, True),
-    (Size(length=1.0, places=max), Size(length=1.0, places=min), False), (lambda: 1, lambda: 1, False),
-    (Size(length=1.0, places=np.ones(2)), Size(length=1.0, places=np.ones(2)), True), ({"a": (1.0, 2.0)}, {"a": (1.0, 2.0)}, True),
-    (Size(length=1.0, places=np.ones(2)), Size(length=1.0, places=np.ones(3)), False), ((1.0,), (1.0, 2.0), False), (1.0, 1, False),
-    (Size(length=1.0, places=None), Size(length=1.0, places=0.0), False), (float("nan"), float("nan"), False),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    ("a", "b", "same"),
+    [
+        (Size(length=1.0), Size(length=1.0), True),
+        (Size(length=1.0), Size(length=2.0), False),
+        (max, min, False),
+        (max, max, True),
+        (Size(length=1.0, places=max), Size(length=1.0, places=min), False),
+        (lambda: 1, lambda: 1, False),
+        (Size(length=1.0, places=np.ones(2)), Size(length=1.0, places=np.ones(2)), True),
+        ({"a": (1.0, 2.0)}, {"a": (1.0, 2.0)}, True),
+        (Size(length=1.0, places=np.ones(2)), Size(length=1.0, places=np.ones(3)), False),
+        ((1.0,), (1.0, 2.0), False),
+        (1.0, 1, False),
+        (Size(length=1.0, places=None), Size(length=1.0, places=0.0), False),
+        (float("nan"), float("nan"), False),
+    ],
+)
 def test_records_are_alike_where_all_their_parts_are(a, b, same):
     assert alike(a, b) is same

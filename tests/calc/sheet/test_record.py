@@ -26,14 +26,17 @@ class Film:
 GIVEN = {"diameter": 0.06, "length": 0.03, "journal_roughness": 6e-7, "housing_roughness": 6e-7}
 
 
-@pytest.mark.parametrize("make, words", [
-    (lambda: BearingInputs(**GIVEN, lenght=0.03), 'BearingInputs: unknown "lenght"; did you mean "length"?'),
-    (lambda: BearingInputs(diameter=0.06, lenght=0.03), 'BearingInputs: unknown "lenght"; did you mean "length"?'),
-    (lambda: Point(1.0, 2.0, zzz=3), 'Point: unknown "zzz"; it takes x, y, names'),
-    (lambda: Point(1.0), 'Point: "y" is missing'),
-    (lambda: Point(1.0, 2.0, (), 4), "Point: too many values, or one of them twice; it takes x, y, names"),
-    (lambda: Point(1.0, 2.0, x=1.0), "Point: too many values, or one of them twice; it takes x, y, names"),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    "make, words",
+    [
+        (lambda: BearingInputs(**GIVEN, lenght=0.03), 'BearingInputs: unknown "lenght"; did you mean "length"?'),
+        (lambda: BearingInputs(diameter=0.06, lenght=0.03), 'BearingInputs: unknown "lenght"; did you mean "length"?'),
+        (lambda: Point(1.0, 2.0, zzz=3), 'Point: unknown "zzz"; it takes x, y, names'),
+        (lambda: Point(1.0), 'Point: "y" is missing'),
+        (lambda: Point(1.0, 2.0, (), 4), "Point: too many values, or one of them twice; it takes x, y, names"),
+        (lambda: Point(1.0, 2.0, x=1.0), "Point: too many values, or one of them twice; it takes x, y, names"),
+    ],
+)
 def test_a_wrong_keyword_names_itself(make, words):
     with pytest.raises(TypeError) as error:
         make()

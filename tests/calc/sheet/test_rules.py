@@ -35,7 +35,13 @@ def test_the_limits_of_the_contract_are_limits():
     bearing = "film_edge film_double_load temperature specific_load heat_index clearance_cold transition"
     ids = [f"bearings.B.{name}" for name in bearing.split()]
     ids += [f"countershaft.{name}" for name in ("residual", "slope_front", "slope_rear", "envelope")]
-    ids += ["gears.M.backlash", "gears.M.contact_ratio", "gears.W.undercut", "gears.W.tip_thickness", "gears.M.safety_contact"]
+    ids += [
+        "gears.M.backlash",
+        "gears.M.contact_ratio",
+        "gears.W.undercut",
+        "gears.W.tip_thickness",
+        "gears.M.safety_contact",
+    ]
     assert all(ROWS[id].kinds[0] == "limit" for id in [*ids, "gears.W.safety_bending"])
 
 
@@ -74,7 +80,8 @@ def test_every_check_has_the_kind_of_its_row_and_is_on_a_value_that_there_is(num
 
 
 def templates() -> set[str]:
-    """The ids of all checks in the code, as patterns of regular expressions: what an f-string puts in may be anything."""
+    """The ids of all checks in the code, as patterns of regular expressions: what an f-string puts in may be
+    anything."""
     found = set()
     for file in CALC.rglob("*.py"):
         for node in ast.walk(ast.parse(file.read_text(encoding="utf-8"))):
@@ -99,7 +106,9 @@ def test_every_row_has_a_check_and_every_check_a_row():
     solved = {c.id for results in shipped() for c in results.checks()}
     for rule in rules():
         id = rule.id.replace("M", "a_b").replace("W", "w").replace("N", "n").replace("B", "b")
-        assert any(re.fullmatch(site, id) for site in sites) or any(rule_of(one).why == rule.why for one in solved), rule.id
+        assert any(re.fullmatch(site, id) for site in sites) or any(rule_of(one).why == rule.why for one in solved), (
+            rule.id
+        )
 
 
 def test_letters_stand_for_elements():

@@ -30,7 +30,8 @@ from calc.sheet.search import (
 from calc.sheet.text import EMPTY, Small, Text
 
 
-# --- candidates ------------------------------------------------------------------------------------------------------------
+# --- candidates
+# ------------------------------------------------------------------------------------------------------------
 def test_multiples_stand_on_the_step_with_the_own_number_between_them():
     assert multiples(0.5, 1.2, 3.0).tolist() == [1.5, 2.0, 2.5, 3.0]
     assert multiples(0.5, 1.2, 2.0, [1.7]).tolist() == [1.5, 1.7, 2.0]
@@ -45,7 +46,8 @@ def test_what_an_input_allows():
 
 
 @pytest.mark.parametrize(
-    "low, high, number", [(1.23, 1.34, 1.3), (99.0, 1234.0, 1000.0), (1.34, 1.23, 1.3), (-1.0, -1.26, -1.2), (0.0, 0.007, 0.007)]
+    "low, high, number",
+    [(1.23, 1.34, 1.3), (99.0, 1234.0, 1000.0), (1.34, 1.23, 1.3), (-1.0, -1.26, -1.2), (0.0, 0.007, 0.007)],
 )
 def test_a_round_number_beyond_the_first_and_not_beyond_the_second(low, high, number):
     assert rounded(low, high) == pytest.approx(number)
@@ -58,7 +60,8 @@ def test_the_steps_beside_a_number():
     assert beside(92.5e-6, 5e-6) == pytest.approx((85e-6, 100e-6))  # 90 and 95 are no more than that
 
 
-# --- many at once ----------------------------------------------------------------------------------------------------------
+# --- many at once
+# ----------------------------------------------------------------------------------------------------------
 @pytest.mark.parametrize("sense, limit", [(">=", 2.0), ("<=", 2.0), (">", 0.0), ("in", (1.0, 3.0))])
 def test_a_limit_on_an_array_is_a_check_on_each(sense, limit):
     values = np.array([-1.0, 0.0, 1.0, 1.9, 2.0, 2.5, 4.0])
@@ -118,7 +121,8 @@ def test_a_narrowing_grid_reaches_a_far_end_in_few_steps():
     assert grids < 200  # at step 1 alone it takes 7000
 
 
-# --- one after the other ---------------------------------------------------------------------------------------------------
+# --- one after the other
+# ---------------------------------------------------------------------------------------------------
 def test_a_budget_is_spent_once():
     budget = Budget(2)
     assert [budget.spend() for _ in range(4)] == [True, True, False, False] and budget.left == 0
@@ -155,7 +159,8 @@ def test_the_least_whole_number_that_gives_anything(limit):
     assert least_whole(evaluate, 1, 2) is None and least_whole(evaluate, 5, 4) is None
 
 
-# --- changes ---------------------------------------------------------------------------------------------------------------
+# --- changes
+# ---------------------------------------------------------------------------------------------------------------
 @inputs
 class Inner:
     length: float = quantity("Length", "mm", low=0, high=100)
@@ -170,7 +175,9 @@ class Outer:
 
 def test_changes_are_applied_as_if_the_file_had_them():
     before = Outer(oil="SAE 30", front=Inner(length=0.02, clearance=5e-5))
-    after = applied(before, {"outer.oil": "SAE 50", "outer.front.length_mm": 27.5, "outer.front.clearance_um": None}, "outer.")
+    after = applied(
+        before, {"outer.oil": "SAE 50", "outer.front.length_mm": 27.5, "outer.front.clearance_um": None}, "outer."
+    )
     assert after.oil == "SAE 50" and after.front.length == 27.5 / 1000 and after.front.clearance is None
     assert before.front.length == 0.02
 

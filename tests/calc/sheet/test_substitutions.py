@@ -21,9 +21,12 @@ from calc.studies.shipped import DESIGNS
 NUMBER = r"\d+(?:\.\d+)?(?:·10[⁰¹²³⁴⁵⁶⁷⁸⁹⁻]+)?"
 RAISED = {sign: plain for sign, plain in zip("⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "0123456789-")}
 WORDS = {
-    "π": math.pi, "e": math.e, "i": 1j, "sin": np.sin, "cos": np.cos, "tan": np.tan, "arcsin": np.arcsin, "arccos": np.arccos,
-    "arctan": np.arctan, "arsinh": np.arcsinh, "exp": np.exp, "ln": np.log, "ln1p": np.log1p, "lg": np.log10, "tanh": np.tanh,
-    "erf": np.vectorize(math.erf), "inv": lambda x: np.tan(x) - x, "arg": np.angle, "conj": np.conj, "Im": np.imag, "Re": np.real,
+    "π": math.pi, "e": math.e, "i": 1j, "sin": np.sin, "cos": np.cos, "tan": np.tan, "arcsin": np.arcsin,
+    "arccos": np.arccos,
+    "arctan": np.arctan, "arsinh": np.arcsinh, "exp": np.exp, "ln": np.log, "ln1p": np.log1p, "lg": np.log10,
+    "tanh": np.tanh,
+    "erf": np.vectorize(math.erf), "inv": lambda x: np.tan(x) - x, "arg": np.angle, "conj": np.conj, "Im": np.imag,
+    "Re": np.real,
     "max": lambda *x: np.max(x[0]) if len(x) == 1 else np.maximum.reduce(x),
     "min": lambda *x: np.min(x[0]) if len(x) == 1 else np.minimum.reduce(x),
     "rss": lambda x: np.sqrt(np.sum(np.square(x))), "Σ": np.sum, "sqrt": np.emath.sqrt, "abs": np.abs,
@@ -45,7 +48,12 @@ def raised(text: str) -> str:
 
 def worked_out(text: str):
     """The value of a printed substitution.  A list stands in parentheses with semicolons, a modulus between strokes."""
-    out, open_strokes, operand, close = [], 0, True, ""  # operand: one may begin here; close: of a root without parentheses
+    out, open_strokes, operand, close = (
+        [],
+        0,
+        True,
+        "",
+    )  # operand: one may begin here; close: of a root without parentheses
     for token in TOKEN.finditer(text):
         kind, found = token.lastgroup, token[0]
         if token["vector"]:
@@ -100,12 +108,15 @@ def agrees(again, text: str) -> bool:
         turn = 360.0 if text in ("180", "−180") else math.inf
         return abs(math.remainder(float(np.real(again)) - number(length), turn)) <= half_a_unit(length) * (1 + 1e-6)
     off = math.remainder(math.degrees(cmath.phase(again)) - number(angle), 360)
-    return abs(abs(again) - number(length)) <= half_a_unit(length) * (1 + 1e-6) and abs(off) <= half_a_unit(angle) * (1 + 1e-6)
+    return abs(abs(again) - number(length)) <= half_a_unit(length) * (1 + 1e-6) and abs(off) <= half_a_unit(angle) * (
+        1 + 1e-6
+    )
 
 
 @cache
 def printed():
-    """Of every line with a substitution: the design, the symbol, the numbers, the value without its unit, the unit's factor."""
+    """Of every line with a substitution: the design, the symbol, the numbers, the value without its unit, the unit's
+    factor."""
     from calc.sheet.expression import _result_unit, expression, result
 
     found = []
@@ -145,10 +156,19 @@ def test_no_dust_is_printed():
     assert not dusty, "\n".join(dusty)
 
 
-@pytest.mark.parametrize("text, value", [
-    ("2·10³·√4/(1 + 3)²", 250.0), ("|−1|·√(9 + 16)", 5.0), ("Σ((1; 2)·(3; 4))", 11.0), ("2∠90°", 2j), ("√π/2", math.sqrt(math.pi) / 2),
-    ("max(1, 2)^0.5", math.sqrt(2)), ("|3 − |−5||", 2.0), ("2i·3", 6j),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    "text, value",
+    [
+        ("2·10³·√4/(1 + 3)²", 250.0),
+        ("|−1|·√(9 + 16)", 5.0),
+        ("Σ((1; 2)·(3; 4))", 11.0),
+        ("2∠90°", 2j),
+        ("√π/2", math.sqrt(math.pi) / 2),
+        ("max(1, 2)^0.5", math.sqrt(2)),
+        ("|3 − |−5||", 2.0),
+        ("2i·3", 6j),
+    ],
+)
 def test_the_reader_itself(text, value):
     assert worked_out(text) == pytest.approx(value)
 

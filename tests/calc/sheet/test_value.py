@@ -26,7 +26,9 @@ def closing(x: Number) -> Number:
 @pytest.mark.parametrize("x", [1.25, 3, 2 - 1j, "20CrNi4", np.float64(0.1), np.complex128(1j)])
 def test_it_is_the_same_number(x):
     one = linked(x, "engine.bore_mm")
-    assert one == x and hash(one) == hash(x) and repr(one) == repr(x) and str(one) == str(x) and isinstance(one, type(x))
+    assert (
+        one == x and hash(one) == hash(x) and repr(one) == repr(x) and str(one) == str(x) and isinstance(one, type(x))
+    )
     assert link_of(one) == "engine.bore_mm" and link_of(x) is None
     for again in (pickle.loads(pickle.dumps(one)), copy.deepcopy(one), unlinked(one)):
         assert again == x and (type(again) is type(x) or isinstance(x, (int, str)))

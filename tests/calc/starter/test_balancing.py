@@ -10,10 +10,21 @@ from calc.studies.starter.balancing import options, what_shakes, with_imbalance
 from calc.studies.starter.build import built, choice_made
 
 CALLED = {
-    "single": "shaft", "twin-360": "shaft", "twin-180": "shaft", "inline-3": "shaft", "inline-5": "shaft", "v6-90": "shaft",
-    "boxer-2": "shaft", "inline-4": "second", "inline-6": "none", "v12-60": "none", "boxer-6": "none", "v2-90": "half", "v8-cross": "half",
+    "single": "shaft",
+    "twin-360": "shaft",
+    "twin-180": "shaft",
+    "inline-3": "shaft",
+    "inline-5": "shaft",
+    "v6-90": "shaft",
+    "boxer-2": "shaft",
+    "inline-4": "second",
+    "inline-6": "none",
+    "v12-60": "none",
+    "boxer-6": "none",
+    "v2-90": "half",
+    "v8-cross": "half",
     "v6-60": "half",
-}  # fmt: skip
+}
 
 
 def engine(name: str) -> Document:

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Steps that are missing are built by rules: from an own engine to ready, around what is there, and with reasons where nothing fits."""
+"""Steps that are missing are built by rules: from an own engine to ready, around what is there, and with reasons where
+nothing fits."""
 
 import re
 from dataclasses import replace
@@ -15,10 +16,19 @@ from calc.studies.shipped import DESIGNS, _rows
 from calc.studies.starter.build import APART, built, choice_made, hindrance
 
 DIESEL: Table = {
-    "name": "own inline three", "layout": "inline", "cylinders": 3, "strokes": 4, "bore_mm": 95.0, "crank_radius_mm": 55.0,
-    "rod_length_mm": 170.0, "cylinder_pitch_mm": 112.0, "firing_order": [1, 3, 2], "piston_mass_g": 1200.0, "rod_mass_g": 1100.0,
+    "name": "own inline three",
+    "layout": "inline",
+    "cylinders": 3,
+    "strokes": 4,
+    "bore_mm": 95.0,
+    "crank_radius_mm": 55.0,
+    "rod_length_mm": 170.0,
+    "cylinder_pitch_mm": 112.0,
+    "firing_order": [1, 3, 2],
+    "piston_mass_g": 1200.0,
+    "rod_mass_g": 1100.0,
     "rated_speed_rpm": 2800.0,
-}  # fmt: skip
+}
 STEPS = ("countershaft", "bearings", "gears", "friction")
 LENGTHS = ("bore_mm", "crank_radius_mm", "rod_length_mm", "cylinder_pitch_mm")
 
@@ -45,11 +55,26 @@ def open_findings(results: Results) -> list[str]:
 @pytest.mark.parametrize(
     "engine",
     [
-        DIESEL, shipped("twin-360", speed=0.8), shipped("twin-360", piston=1.2), shipped("single", speed=1.2, size=0.9),
-        shipped("inline-3", piston=0.8, size=1.2), shipped("boxer-2", speed=0.8), shipped("inline-5", size=0.8), shipped("v6-90", speed=1.2),
+        DIESEL,
+        shipped("twin-360", speed=0.8),
+        shipped("twin-360", piston=1.2),
+        shipped("single", speed=1.2, size=0.9),
+        shipped("inline-3", piston=0.8, size=1.2),
+        shipped("boxer-2", speed=0.8),
+        shipped("inline-5", size=0.8),
+        shipped("v6-90", speed=1.2),
     ],
-    ids=["diesel", "twin slower", "twin heavier", "single faster", "three wider", "boxer slower", "five smaller", "V6 faster"],
-)  # fmt: skip
+    ids=[
+        "diesel",
+        "twin slower",
+        "twin heavier",
+        "single faster",
+        "three wider",
+        "boxer slower",
+        "five smaller",
+        "V6 faster",
+    ],
+)
 def test_an_own_engine_is_ready_step_by_step(engine: Table) -> None:
     """As the session asks for one step after the other, with what the engine calls for."""
     document = reduce(built, STEPS, built(alone(engine), "imbalance"))
@@ -164,4 +189,6 @@ def test_the_engine_is_put_on_four_mounts(engine: str) -> None:
     assert outcome.verdict == "pass"
     window = outcome.result.window  # type: ignore[attr-defined]
     ceilings = [of.highest_factor for of in (window.half, window.shaft) if of is not None]
-    assert window.lowest_factor * min(ceilings) == pytest.approx(1, rel=0.15)  # midway, but for the rounding of the stiffness
+    assert window.lowest_factor * min(ceilings) == pytest.approx(
+        1, rel=0.15
+    )  # midway, but for the rounding of the stiffness

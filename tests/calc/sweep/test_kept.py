@@ -1,4 +1,5 @@
-"""Chunks that are kept: a run goes on where it stood, whoever computes them gives the same table, and damage is seen."""
+"""Chunks that are kept: a run goes on where it stood, whoever computes them gives the same table, and damage is
+seen."""
 
 import io
 import random
@@ -66,9 +67,10 @@ def test_kept_chunks_are_of_one_sweep_alone():
     key = key_of(GAMMA, TASK.plan, "friction", ("friction.total_loss",))
     others = [
         key_of(GAMMA.with_value("engine.bore_mm", 93.0), TASK.plan, "friction", ("friction.total_loss",)),
-        key_of(GAMMA, grid(INPUTS[:1]), "friction", ("friction.total_loss",)), key_of(GAMMA, TASK.plan, None, ("friction.total_loss",)),
+        key_of(GAMMA, grid(INPUTS[:1]), "friction", ("friction.total_loss",)),
+        key_of(GAMMA, TASK.plan, None, ("friction.total_loss",)),
         key_of(GAMMA, TASK.plan, "friction", ()),
-    ]  # fmt: skip
+    ]
     assert len({key, *others}) == 5
 
 

@@ -22,8 +22,13 @@ def test_every_design_is_known_by_its_place_alone(hypercube):
     assert all_of(plan) == all_of(plan, 50) == all_of(sampled(inputs, 50, 3, hypercube=hypercube), 1)
     assert all_of(plan) != all_of(sampled(inputs, 50, 4, hypercube=hypercube))
     assert all_of(grid(varied(GAMMA, ["engine.rod_length_mm=150:170:3", "engine.cylinders=2:3:2"]))) == [
-        (150.0, 2), (150.0, 3), (160.0, 2), (160.0, 3), (170.0, 2), (170.0, 3)
-    ]  # fmt: skip
+        (150.0, 2),
+        (150.0, 3),
+        (160.0, 2),
+        (160.0, 3),
+        (170.0, 2),
+        (170.0, 3),
+    ]
 
 
 def test_a_hypercube_has_one_design_in_each_part_of_every_range():
@@ -36,7 +41,8 @@ def test_a_hypercube_has_one_design_in_each_part_of_every_range():
 
 
 def test_tolerances_scatter_by_three_standard_deviations_to_each_side():
-    """As parts of a process do whose tolerance is ±3 σ: the mean, the deviation and the ends of a truncated normal distribution."""
+    """As parts of a process do whose tolerance is ±3 σ: the mean, the deviation and the ends of a truncated normal
+    distribution."""
     inputs = toleranced(GAMMA, ["engine.bore_mm=0.3", "engine.rod_length_mm=-0.1:0.5"])
     rows = np.array(all_of(sampled(inputs, 20_000, hypercube=False), 20_000))
     bore, rod = rows.T
@@ -50,13 +56,24 @@ def test_a_list_is_a_table_of_designs(tmp_path):
     file = tmp_path / "designs.csv"
     file.write_text("engine.bore_mm, bearings.oil\n90,SAE 30\n,SAE 50\n", encoding="utf-8")
     inputs, rows = listed(GAMMA, str(file))
-    assert [one.key for one in inputs] == ["engine.bore_mm", "bearings.oil"] and rows == [(90.0, "SAE 30"), (None, "SAE 50")]
+    assert [one.key for one in inputs] == ["engine.bore_mm", "bearings.oil"] and rows == [
+        (90.0, "SAE 30"),
+        (None, "SAE 50"),
+    ]
 
 
-@pytest.mark.parametrize(("text", "reason"), [
-    ("", "needs keys"), ("engine.bore_mm\n", "needs keys"), ("engine.bor_mm\n90\n", "did you mean"), ("engine.bore_mm\nwide\n", "2: engine.bore_mm: wide"),
-    ("engine.bore_mm\n90,91\n", "has 2 cells; needs 1"), ("engine.cylinders\n3.5\n", "whole numbers"), ("\x00\xff\n", "is no text in UTF-8"),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    ("text", "reason"),
+    [
+        ("", "needs keys"),
+        ("engine.bore_mm\n", "needs keys"),
+        ("engine.bor_mm\n90\n", "did you mean"),
+        ("engine.bore_mm\nwide\n", "2: engine.bore_mm: wide"),
+        ("engine.bore_mm\n90,91\n", "has 2 cells; needs 1"),
+        ("engine.cylinders\n3.5\n", "whole numbers"),
+        ("\x00\xff\n", "is no text in UTF-8"),
+    ],
+)
 def test_what_is_wrong_in_a_list_is_named(tmp_path, text, reason):
     file = tmp_path / "designs.csv"
     file.write_bytes(text.encode("latin-1"))

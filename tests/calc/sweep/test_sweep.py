@@ -15,7 +15,11 @@ GAMMA = read(Path(__file__).parents[3] / "designs" / "r753ie4_gamma.toml")
 
 
 def test_the_grid_runs_over_every_combination_the_last_input_fastest():
-    swept = sweep(GAMMA, varied(GAMMA, ["engine.rated_speed_rpm=1000:2000:3", "imbalance.crank_balance_fraction=0,0.5"]), "imbalance")
+    swept = sweep(
+        GAMMA,
+        varied(GAMMA, ["engine.rated_speed_rpm=1000:2000:3", "imbalance.crank_balance_fraction=0,0.5"]),
+        "imbalance",
+    )
     assert swept.header[:2] == ("engine.rated_speed_rpm", "imbalance.crank_balance_fraction")
     assert [tuple(row[:2]) for row in swept.rows] == [(n, k) for n in (1000.0, 1500.0, 2000.0) for k in (0.0, 0.5)]
 
@@ -30,23 +34,40 @@ def test_a_row_is_what_the_design_gives():
 
 def test_it_is_written_as_csv():
     text = io.StringIO()
-    sweep(GAMMA, varied(GAMMA, ["engine.rated_speed_rpm=2000,2600"]), "imbalance", ["imbalance.required_couple"]).write(text)
+    sweep(GAMMA, varied(GAMMA, ["engine.rated_speed_rpm=2000,2600"]), "imbalance", ["imbalance.required_couple"]).write(
+        text
+    )
     rows = list(csv.reader(text.getvalue().splitlines()))
     assert rows[0] == ["engine.rated_speed_rpm", "imbalance.required_couple [N·m]", "verdict.imbalance"]
     assert float(rows[2][1]) == pytest.approx(572.932, abs=5e-4)
 
 
 def test_elements_of_a_list_of_numbers_can_be_varied():
-    swept = sweep(GAMMA, varied(GAMMA, ["countershaft.bearing_positions_mm.1=160,167.5"]), "countershaft", ["countershaft.reaction_rear"])
+    swept = sweep(
+        GAMMA,
+        varied(GAMMA, ["countershaft.bearing_positions_mm.1=160,167.5"]),
+        "countershaft",
+        ["countershaft.reaction_rear"],
+    )
     assert swept.rows[0][1] > swept.rows[1][1]
 
 
-@pytest.mark.parametrize("text, reason", [
-    ("engine.rated_speed_rpm", "KEY=LOW:HIGH:NUMBER"), ("engine.rated_sped_rpm=1:2:3", "did you mean"), ("engine.cylinders=3:4:3", "whole numbers"),
-    ("engine.rated_speed_rpm=1000:2000", "LOW:HIGH:NUMBER"), ("engine.rated_speed_rpm=1000:2000:2.5", "whole NUMBER"),
-    ("engine.rated_speed_rpm=a:b:3", "KEY=LOW:HIGH:NUMBER"), ("engine.rated_speed_rpm=1:2:99999999", "at most"),
-    ("engine.rated_speed_rpm=1000:2000:1", "one value"), ("engine.firing_order=1,3,2", "is a list"), ("engine.rated_speed_rpm=1000:2000:1e9", "at most"), ("countershaft.bearing_positions_mm.5=1:2:2", "from 0 to 1"),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    "text, reason",
+    [
+        ("engine.rated_speed_rpm", "KEY=LOW:HIGH:NUMBER"),
+        ("engine.rated_sped_rpm=1:2:3", "did you mean"),
+        ("engine.cylinders=3:4:3", "whole numbers"),
+        ("engine.rated_speed_rpm=1000:2000", "LOW:HIGH:NUMBER"),
+        ("engine.rated_speed_rpm=1000:2000:2.5", "whole NUMBER"),
+        ("engine.rated_speed_rpm=a:b:3", "KEY=LOW:HIGH:NUMBER"),
+        ("engine.rated_speed_rpm=1:2:99999999", "at most"),
+        ("engine.rated_speed_rpm=1000:2000:1", "one value"),
+        ("engine.firing_order=1,3,2", "is a list"),
+        ("engine.rated_speed_rpm=1000:2000:1e9", "at most"),
+        ("countershaft.bearing_positions_mm.5=1:2:2", "from 0 to 1"),
+    ],
+)
 def test_what_can_not_be_varied_is_named(text, reason):
     with pytest.raises(BadInput, match=reason):
         varied(GAMMA, [text])
@@ -91,7 +112,10 @@ def test_cells_of_values_that_a_design_does_not_have_are_empty():
     """A circle has no axis; a centred cylinder no odd orders."""
     swept = sweep(GAMMA, varied(GAMMA, ["engine.cylinder_offset_mm=-10,0"]), "imbalance")
     columns = {name: [row[i] for row in swept.rows] for i, name in enumerate(swept.header)}
-    assert columns["imbalance.order_3.force_forward [N]"][1] is None and columns["imbalance.order_3.force_forward [N]"][0] is not None
+    assert (
+        columns["imbalance.order_3.force_forward [N]"][1] is None
+        and columns["imbalance.order_3.force_forward [N]"][0] is not None
+    )
     swept = sweep(GAMMA, varied(GAMMA, ["imbalance.crank_balance_fraction=0.25,0.5"]), "imbalance")
     axis = [row[swept.header.index("imbalance.order_1.couple_axis [°]")] for row in swept.rows]
     assert axis[0] is not None and axis[1] is None

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What film and flash temperature have in common: the load per length, the two bodies, the oil's friction factor, the way it arrives."""
+"""What film and flash temperature have in common: the load per length, the two bodies, the oil's friction factor, the
+way it arrives."""
 
 from collections.abc import Mapping
 from typing import Annotated
@@ -39,7 +40,12 @@ CONDUCTIVITY: WattPerMetreKelvin = 45.0  # of steel, ISO/TR 15144-1:2014, Table 
 SPECIFIC_HEAT: JoulePerKilogramKelvin = 440.0  # the same
 
 
-@formula("w_Bt", "ISO/TR 13989-1:2000 (11): transverse load per width, with all load factors", unit="N/mm", names={"K": "K_eff"})
+@formula(
+    "w_Bt",
+    "ISO/TR 13989-1:2000 (11): transverse load per width, with all load factors",
+    unit="N/mm",
+    names={"K": "K_eff"},
+)
 def line_load(K: Number, F_t: Newton, b: Metre) -> NewtonPerMetre:
     return K * F_t / b
 
@@ -54,13 +60,20 @@ def load_in_plane_of_action(w_Bt: NewtonPerMetre, alpha_t: Radian) -> NewtonPerM
     return w_Bt / cos(alpha_t)
 
 
-@formula("K_Bγ", "ISO/TR 13989-2:2000 (5) and ISO/TR 15144-1:2014 (88) to (90): more friction by more lines of contact",
-    shows="1 up to ε_γ = 2; 1 + 0.2·√((ε_γ − 2)(5 − ε_γ)); 1.3 from ε_γ = 3.5 on")  # fmt: skip
+@formula(
+    "K_Bγ",
+    "ISO/TR 13989-2:2000 (5) and ISO/TR 15144-1:2014 (88) to (90): more friction by more lines of contact",
+    shows="1 up to ε_γ = 2; 1 + 0.2·√((ε_γ − 2)(5 − ε_γ)); 1.3 from ε_γ = 3.5 on",
+)
 def helical_load_factor(eps_gamma: Number) -> Number:
     return 1.0 if eps_gamma <= 2 else 1.3 if eps_gamma >= 3.5 else 1 + 0.2 * sqrt((eps_gamma - 2) * (5 - eps_gamma))
 
 
-@formula("b_M", "ISO/TR 15144-1:2014 (82), (83): square of the thermal contact coefficient", names={"lam": "λ_M", "c": "c_M", "rho": "ρ_M"})
+@formula(
+    "b_M",
+    "ISO/TR 15144-1:2014 (82), (83): square of the thermal contact coefficient",
+    names={"lam": "λ_M", "c": "c_M", "rho": "ρ_M"},
+)
 def thermal_product(lam: WattPerMetreKelvin, rho: KilogramPerMetre3, c: JoulePerKilogramKelvin) -> ThermalProduct:
     return lam * rho * c
 
@@ -102,8 +115,8 @@ def structural_factor(kind: str) -> Number:
 def oil_bath(lubricant: Lubricant, oil_temperature: Celsius, lubrication: str = "spray") -> OilBath:
     """`lubrication` "spray", "dip" or "submerged".
 
-    The pressure-viscosity coefficient is that of ISO/TR 15144-1:2014 (9) to (11), which AGMA 925-A03 writes in other units.
-    """
+    The pressure-viscosity coefficient is that of ISO/TR 15144-1:2014 (9) to (11), which AGMA 925-A03 writes in other
+    units."""
     with about(Text("oil of the gears")):
         eta = lubricant.at(oil_temperature).mu
         alpha_38 = lubricant.alpha(lubricant.at(38.0).mu)
@@ -112,30 +125,46 @@ def oil_bath(lubricant: Lubricant, oil_temperature: Celsius, lubrication: str = 
 
 
 def load_of(
-    F_t: Newton, K: Number, K_A: Number, b: Metre, alpha_t: Radian, eps_gamma: Number, pair: tuple[str, str],
-    materials: Mapping[str, Material], Ra: tuple[Metre, Metre],
-) -> ScreeningLoad:  # fmt: skip
+    F_t: Newton,
+    K: Number,
+    K_A: Number,
+    b: Metre,
+    alpha_t: Radian,
+    eps_gamma: Number,
+    pair: tuple[str, str],
+    materials: Mapping[str, Material],
+    Ra: tuple[Metre, Metre],
+) -> ScreeningLoad:
     one, two = (materials[name] for name in pair)
     w_Bt = line_load(K=K, F_t=F_t, b=b)
     return ScreeningLoad(
-        F_t=F_t, w_Bt=w_Bt, w_t=load_in_plane_of_action(w_Bt=w_Bt, alpha_t=alpha_t), K=K, K_A=K_A,
+        F_t=F_t,
+        w_Bt=w_Bt,
+        w_t=load_in_plane_of_action(w_Bt=w_Bt, alpha_t=alpha_t),
+        K=K,
+        K_A=K_A,
         K_Bgamma=helical_load_factor(eps_gamma=eps_gamma),
         E_r=reduced_modulus(nu_1=one.poisson, E_1=one.E, nu_2=two.poisson, E_2=two.E),
         b_1=thermal_product(lam=CONDUCTIVITY, rho=one.density, c=SPECIFIC_HEAT),
         b_2=thermal_product(lam=CONDUCTIVITY, rho=two.density, c=SPECIFIC_HEAT),
         Ra=mean_roughness(Ra_1=Ra[0], Ra_2=Ra[1]),
-    )  # fmt: skip
+    )
 
 
 # What the screening of a mesh gives.
+
 
 @result
 class Screening:
     """Film and temperatures of one mesh at its load.  A screening, not a rating."""
 
-    specific_film_min: Number | None = value("Smallest specific film thickness (screening)", "", "λ_GF,min", default=None)
+    specific_film_min: Number | None = value(
+        "Smallest specific film thickness (screening)", "", "λ_GF,min", default=None
+    )
     film_min: Metre | None = value("Film thickness where the specific film is smallest", "µm", "h_min", default=None)
-    film_pressure: Pascal | None = value("Hertzian pressure where the specific film is smallest", "MPa", "p_dyn", default=None)
+    film_pressure: Pascal | None = value(
+        "Hertzian pressure where the specific film is smallest", "MPa", "p_dyn", default=None
+    )
     friction_film: Number = value("Mean coefficient of friction, micropitting method", "", "μ_m")
     bulk_temperature_film: Celsius = value("Bulk temperature, micropitting method", "°C", "Θ_M")
     flash_temperature_max: Kelvin = value("Highest flash temperature (screening)", "K", "Θ_fl,max")

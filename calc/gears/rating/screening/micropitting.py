@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The oil film against micropitting, ISO/TR 15144-1:2014 and ISO/TS 6336-22:2018, method B: its thickness over the roughness.
+"""The oil film against micropitting, ISO/TR 15144-1:2014 and ISO/TS 6336-22:2018, method B: its thickness over the
+roughness.
 
-The film is that of Dowson and Higginson with the oil at the temperature of the teeth, corrected for the heat of sliding (S_GF).  Unmodified
-profiles, external wheels.  Tests behind it: modules 3 to 11 mm, 8 to 60 m/s; results agree with others above 2 m/s (scope of
-ISO/TS 6336-22:2018).
-"""
+The film is that of Dowson and Higginson with the oil at the temperature of the teeth, corrected for the heat of sliding
+(S_GF).  Unmodified profiles, external wheels.  Tests behind it: modules 3 to 11 mm, 8 to 60 m/s; results agree with
+others above 2 m/s (scope of ISO/TS 6336-22:2018)."""
 
 import numpy as np
 
@@ -15,7 +15,18 @@ from ....sheet.functions import cos, modulus, pi, power, sqrt
 from ....sheet.linked_array import gathered
 from ....sheet.record import record
 from ....sheet.text import Text
-from ....sheet.units import Celsius, Kelvin, Metre, MetrePerSecond, NewtonPerMetre, Number, Pascal, PascalSecond, PerPascal, Radian
+from ....sheet.units import (
+    Celsius,
+    Kelvin,
+    Metre,
+    MetrePerSecond,
+    NewtonPerMetre,
+    Number,
+    Pascal,
+    PascalSecond,
+    PerPascal,
+    Radian,
+)
 from ....sheet.value import untraced
 from .load import OilBath, ScreeningLoad, ThermalProduct, transmitted_power
 from .path import Path, PathPoint
@@ -33,9 +44,13 @@ UNRELIEVED: Number = 1.0  # X_Ca of a profile without tip relief
 HOTTEST: Celsius = 500.0  # pressure-viscosity law: it vanishes at 510 °C
 
 
-# --- the film ----------------------------------------------------------------------------------------------------------------------
-@formula("α_Θ", Text("{iso} (8): pressure-viscosity coefficient at a temperature", iso=ISO),
-    names={"alpha_38": "α_38", "T": "Θ"})  # fmt: skip
+# --- the film
+# ----------------------------------------------------------------------------------------------------------------------
+@formula(
+    "α_Θ",
+    Text("{iso} (8): pressure-viscosity coefficient at a temperature", iso=ISO),
+    names={"alpha_38": "α_38", "T": "Θ"},
+)
 def pressure_viscosity_at(alpha_38: PerPascal, T: Celsius) -> PerPascal:
     return alpha_38 * (1 + FALL * (1 / (T + ZERO) - 1 / THIRTY_EIGHT))
 
@@ -46,7 +61,9 @@ def material_parameter(alpha_M: PerPascal, E_r: Pascal) -> Number:
 
 
 @formula("U_Y", Text("{iso} (12): velocity parameter", iso=ISO), names={"eta_M": "η_M"})
-def velocity_parameter(eta_M: PascalSecond, v_1: MetrePerSecond, v_2: MetrePerSecond, E_r: Pascal, rho_n: Metre) -> Number:
+def velocity_parameter(
+    eta_M: PascalSecond, v_1: MetrePerSecond, v_2: MetrePerSecond, E_r: Pascal, rho_n: Metre
+) -> Number:
     return eta_M * (v_1 + v_2) / (2 * E_r * rho_n)
 
 
@@ -62,12 +79,24 @@ def load_parameter(p_dyn: Pascal, E_r: Pascal) -> Number:
 
 @formula("Θ_fl", Text("{iso} (80): local flash temperature", iso=ISO), names={"b_1": "b_M1", "b_2": "b_M2"})
 def local_flash_temperature(
-    mu_m: Number, p_dyn: Pascal, v_1: MetrePerSecond, v_2: MetrePerSecond, b_1: ThermalProduct, b_2: ThermalProduct, rho_n: Metre,
+    mu_m: Number,
+    p_dyn: Pascal,
+    v_1: MetrePerSecond,
+    v_2: MetrePerSecond,
+    b_1: ThermalProduct,
+    b_2: ThermalProduct,
+    rho_n: Metre,
     E_r: Pascal,
-) -> Kelvin:  # fmt: skip
+) -> Kelvin:
     return (
-        sqrt(pi) / 2 * mu_m * p_dyn * modulus(v_1 - v_2) / (sqrt(b_1 * v_1) + sqrt(b_2 * v_2)) * sqrt(8 * rho_n * p_dyn / E_r)
-    )  # fmt: skip
+        sqrt(pi)
+        / 2
+        * mu_m
+        * p_dyn
+        * modulus(v_1 - v_2)
+        / (sqrt(b_1 * v_1) + sqrt(b_2 * v_2))
+        * sqrt(8 * rho_n * p_dyn / E_r)
+    )
 
 
 @formula("Θ_B", Text("{iso} (79): local contact temperature", iso=ISO), names={"T_M": "Θ_M", "T_fl": "Θ_fl"})
@@ -115,11 +144,13 @@ class WarmOil:
     G_M: Number
 
 
-def film(path: Path, load: ScreeningLoad, oil: OilBath, a: Metre, b: Metre, d: Metre, z: tuple[int, int], places: PathPoint) -> MicropittingFilm:
+def film(
+    path: Path, load: ScreeningLoad, oil: OilBath, a: Metre, b: Metre, d: Metre, z: tuple[int, int], places: PathPoint
+) -> MicropittingFilm:
     """The specific film thickness at the points of method B, the least of which counts, and along the path.
 
-    d is the reference diameter of the driver, z the teeth of both; `places` are the points, then the samples of the path.
-    """
+    d is the reference diameter of the driver, z the teeth of both; `places` are the points, then the samples of the
+    path."""
     warm, marks = _warm_oil(path, load, oil, a, b, d, z), path.marks()
     with untraced():
         thickness, _ = _local(path, load, warm, places)
@@ -135,16 +166,24 @@ def film(path: Path, load: ScreeningLoad, oil: OilBath, a: Metre, b: Metre, d: M
     h, p_dyn = _local(path, load, warm, path.at(rho))
     assert h is not None
     lam = specific_film(h_Y=h, Ra=load.Ra)
-    return MicropittingFilm(mu_m=warm.mu_m, T_M=warm.T_M, place=place, h=h, p_dyn=p_dyn, lam=lam, along=along[len(marks) :] / load.Ra)
+    return MicropittingFilm(
+        mu_m=warm.mu_m, T_M=warm.T_M, place=place, h=h, p_dyn=p_dyn, lam=lam, along=along[len(marks) :] / load.Ra
+    )
 
 
-def _warm_oil(path: Path, load: ScreeningLoad, oil: OilBath, a: Metre, b: Metre, d: Metre, z: tuple[int, int]) -> WarmOil:
+def _warm_oil(
+    path: Path, load: ScreeningLoad, oil: OilBath, a: Metre, b: Metre, d: Metre, z: tuple[int, int]
+) -> WarmOil:
     """Friction, bulk temperature, and the oil at that temperature."""
     X_R, v_SumC = teeth.roughness_factor(Ra=load.Ra, rho_nC=path.rho_nC), teeth.sum_of_speeds(v_C=path.v_C)
-    mu_m = teeth.mean_friction(w_t=load.w_t, K_Bgamma=load.K_Bgamma, v_SumC=v_SumC, rho_nC=path.rho_nC, eta=oil.eta, X_R=X_R, X_L=oil.X_L)
+    mu_m = teeth.mean_friction(
+        w_t=load.w_t, K_Bgamma=load.K_Bgamma, v_SumC=v_SumC, rho_nC=path.rho_nC, eta=oil.eta, X_R=X_R, X_L=oil.X_L
+    )
     eps_alpha, (z_1, z_2), beta_b = path.eps_alpha, z, path.beta_b
     if eps_alpha < 2:
-        H_v = teeth.ohlendorf_loss_factor(eps_1=path.eps_1, eps_2=path.eps_2, eps_alpha=eps_alpha, z_1=z_1, z_2=z_2, beta_b=beta_b)
+        H_v = teeth.ohlendorf_loss_factor(
+            eps_1=path.eps_1, eps_2=path.eps_2, eps_alpha=eps_alpha, z_1=z_1, z_2=z_2, beta_b=beta_b
+        )
     else:
         H_v = teeth.ohlendorf_loss_factor_high(eps_alpha=eps_alpha, z_1=z_1, z_2=z_2, beta_b=beta_b)
     P = transmitted_power(F_t=load.F_t, d=d, n=path.n_1)
@@ -155,19 +194,23 @@ def _warm_oil(path: Path, load: ScreeningLoad, oil: OilBath, a: Metre, b: Metre,
 
 
 def _local(path: Path, load: ScreeningLoad, warm: WarmOil, at: PathPoint) -> tuple[Metre | None, Pascal]:
-    """The film at a point or at many, and its Hertzian pressure; no film where a contact is too hot for the law of the oil."""
+    """The film at a point or at many, and its Hertzian pressure; no film where a contact is too hot for the law of the
+    oil."""
     p_dyn = hertz_pressure(E_r=load.E_r, w_t=load.w_t, X=at.X, rho_n=at.rho_n, beta_b=path.beta_b)
     T_fl = local_flash_temperature(
         mu_m=warm.mu_m, p_dyn=p_dyn, v_1=at.v_1, v_2=at.v_2, b_1=load.b_1, b_2=load.b_2, rho_n=at.rho_n, E_r=load.E_r
-    )  # fmt: skip
+    )
     T_B = contact_temperature(T_M=warm.T_M, T_fl=T_fl)
     if np.max(T_B) > HOTTEST:
         return None, p_dyn
     with untraced():
         eta_B = warm.oil.lubricant.at(T_B).mu
     S_GF = sliding_parameter(
-        alpha_B=pressure_viscosity_at(alpha_38=warm.oil.alpha_38, T=T_B), eta_B=eta_B, alpha_M=warm.alpha_M, eta_M=warm.eta_M
-    )  # fmt: skip
+        alpha_B=pressure_viscosity_at(alpha_38=warm.oil.alpha_38, T=T_B),
+        eta_B=eta_B,
+        alpha_M=warm.alpha_M,
+        eta_M=warm.eta_M,
+    )
     U_Y = velocity_parameter(eta_M=warm.eta_M, v_1=at.v_1, v_2=at.v_2, E_r=load.E_r, rho_n=at.rho_n)
     W_Y = load_parameter(p_dyn=p_dyn, E_r=load.E_r)
     return film_thickness(rho_n=at.rho_n, G_M=warm.G_M, U_Y=U_Y, W_Y=W_Y, S_GF=S_GF), p_dyn

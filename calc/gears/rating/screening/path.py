@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The points on the path of contact: curvatures, speeds, and the share of the load that one pair of teeth carries there.
+"""The points on the path of contact: curvatures, speeds, and the share of the load that one pair of teeth carries
+there.
 
-A place is told by ρ_1, the radius of curvature of the driver's flank: 0 where the line of action touches its base circle, T_1T_2 at
-that of the driven wheel.  A: contact begins; B: the pair before leaves; C: pitch point; D: the next pair comes; E: contact ends.
-The pair is loaded alone from B to D.
-"""
+A place is told by ρ_1, the radius of curvature of the driver's flank: 0 where the line of action touches its base
+circle, T_1T_2 at that of the driven wheel.  A: contact begins; B: the pair before leaves; C: pitch point; D: the next
+pair comes; E: contact ends. The pair is loaded alone from B to D."""
 
 from itertools import pairwise
 
@@ -29,18 +29,25 @@ FINEST: Number = 7.0  # the finest accuracy grade of which the load sharing stil
 BUTTRESS: Number = 0.2  # of sin β_b, in radii of curvature at the pitch point
 
 
-@formula("ρ_E", Text("{geometry}: the driver's radius of curvature at the end of contact", geometry=line.GEOMETRY), unit="mm",
-    names={"T": "T_1T_2", "rho_A2": "ρ_A2"})  # fmt: skip
+@formula(
+    "ρ_E",
+    Text("{geometry}: the driver's radius of curvature at the end of contact", geometry=line.GEOMETRY),
+    unit="mm",
+    names={"T": "T_1T_2", "rho_A2": "ρ_A2"},
+)
 def end_of_contact(T: Metre, rho_A2: Metre) -> Metre:
     return T - rho_A2
 
 
 @formula(
-    "X_Γ", Text("{iso_path}: unmodified profile; two pairs share the load as their accuracy lets them", iso_path=ISO_PATH),
-    shows="(Q − 2)/15 + 1/3·way from A to B; 1 from B to D; (Q − 2)/15 + 1/3·way from E to D; Q the accuracy grade, at least 7; at most 1",
-)  # fmt: skip
+    "X_Γ",
+    Text("{iso_path}: unmodified profile; two pairs share the load as their accuracy lets them", iso_path=ISO_PATH),
+    shows="(Q − 2)/15 + 1/3·way from A to B; 1 from B to D; (Q − 2)/15 + 1/3·way from E to D; Q the accuracy grade, "
+    "at least 7; at most 1",
+)
 def load_share(rho_1: Metre, rho_A: Metre, rho_B: Metre, rho_D: Metre, rho_E: Metre, Q: Number) -> Number:
-    """Of spur and narrow helical wheels (ε_γ below 2).  Transverse contact ratios of 2 and more are outside the method: 1."""
+    """Of spur and narrow helical wheels (ε_γ below 2).  Transverse contact ratios of 2 and more are outside the method:
+    1."""
     base = (max(Q, FINEST) - 2) / 15
     if not rho_A < rho_B <= rho_D:
         return 1.0 + 0.0 * rho_1
@@ -51,14 +58,20 @@ def load_share(rho_1: Metre, rho_A: Metre, rho_B: Metre, rho_D: Metre, rho_E: Me
     return each(np.clip(share, LIGHTEST, 1.0))  # the last digits of a contact ratio of 1 would make it nothing, or less
 
 
-@formula("ρ_AU − ρ_A", "ISO/TR 13989-1:2000 (49): way on which the ends of oblique contact lines are stiffer; ρ_C of the smaller wheel",
-    unit="mm")  # fmt: skip
+@formula(
+    "ρ_AU − ρ_A",
+    "ISO/TR 13989-1:2000 (49): way on which the ends of oblique contact lines are stiffer; ρ_C of the smaller wheel",
+    unit="mm",
+)
 def buttressed_way(rho_C: Metre, beta_b: Radian) -> Metre:
     return BUTTRESS * sin(beta_b) * rho_C
 
 
-@formula("X_but", "ISO/TR 13989-1:2000 (51) to (56): buttressing of helical teeth at the ends of the path",
-    shows="1 + 0.3·min(ε_β, 1) at A and E, falling to 1 over the way ρ_AU − ρ_A")  # fmt: skip
+@formula(
+    "X_but",
+    "ISO/TR 13989-1:2000 (51) to (56): buttressing of helical teeth at the ends of the path",
+    shows="1 + 0.3·min(ε_β, 1) at A and E, falling to 1 over the way ρ_AU − ρ_A",
+)
 def buttressing(rho_1: Metre, rho_A: Metre, rho_E: Metre, way: Metre, eps_beta: Number) -> Number:
     near = largest(1 - (rho_1 - rho_A) / way, 0.0) + largest(1 - (rho_E - rho_1) / way, 0.0)
     return 1 + 0.3 * min(eps_beta, 1.0) * smallest(near, 1.0)
@@ -90,7 +103,9 @@ class PathPoint:
 class Path:
     """The path of contact of a mesh; Q the accuracy grade."""
 
-    def __init__(self, system: ToothSystem, mesh: MeshResult, driver: WheelResult, driven: WheelResult, Q: Number) -> None:
+    def __init__(
+        self, system: ToothSystem, mesh: MeshResult, driver: WheelResult, driven: WheelResult, Q: Number
+    ) -> None:
         self.beta_b, self.n_1, self.n_2, self.Q = system.base_helix_angle, driver.speed, driven.speed, Q
         self.T, self.eps_alpha, self.eps_beta = mesh.line_of_action, mesh.transverse_contact_ratio, mesh.overlap_ratio
         self.A = mesh.sap_curvature_driver
@@ -118,7 +133,15 @@ class Path:
     def marks(self) -> dict[str, Metre]:
         """A, AB, B, C, D, DE, E: the points of method B, those that lie on the path."""
         A, B, D, E = self.A, self.B, self.D, self.E
-        places = {"A": A, "AB": based_on((A + B) / 2, A, B), "B": B, "C": self.C, "D": D, "DE": based_on((D + E) / 2, D, E), "E": E}
+        places = {
+            "A": A,
+            "AB": based_on((A + B) / 2, A, B),
+            "B": B,
+            "C": self.C,
+            "D": D,
+            "DE": based_on((D + E) / 2, D, E),
+            "E": E,
+        }
         return {name: rho for name, rho in places.items() if A <= rho <= E}
 
     @design_by_design

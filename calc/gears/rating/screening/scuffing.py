@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Scuffing by the flash temperature (Blok), ISO/TR 13989-1:2000, since then ISO/TS 6336-20: the hottest contact against the oil's limit.
+"""Scuffing by the flash temperature (Blok), ISO/TR 13989-1:2000, since then ISO/TS 6336-20: the hottest contact against
+the oil's limit.
 
-The flash temperature is written with the load, the speeds and the radii of the point itself; with equal materials it is the standard's
-μ_m·X_M·X_J·X_G·(X_Γ·w_Bt)^0.75·v_t^0.5/a^0.25 with X_M = E_r^0.25/B_M and the full angle factor of part 2.  K_Bγ multiplies the load as in
-DIN 3990-4 and in part 2, on the safe side.
-"""
+The flash temperature is written with the load, the speeds and the radii of the point itself; with equal materials it is
+the standard's μ_m·X_M·X_J·X_G·(X_Γ·w_Bt)^0.75·v_t^0.5/a^0.25 with X_M = E_r^0.25/B_M and the full angle factor of part
+2.  K_Bγ multiplies the load as in DIN 3990-4 and in part 2, on the safe side."""
 
 import numpy as np
 
@@ -14,7 +14,18 @@ from ....sheet.formula import formula
 from ....sheet.functions import cos, largest, modulus, power, sin, smallest, sqrt
 from ....sheet.record import record
 from ....sheet.text import Text
-from ....sheet.units import Celsius, Kelvin, Metre, MetrePerSecond, Newton, NewtonPerMetre, Number, Pascal, PascalSecond, Radian
+from ....sheet.units import (
+    Celsius,
+    Kelvin,
+    Metre,
+    MetrePerSecond,
+    Newton,
+    NewtonPerMetre,
+    Number,
+    Pascal,
+    PascalSecond,
+    Radian,
+)
 from ....sheet.value import based_on, untraced
 from .load import OilBath, ScreeningLoad, ThermalProduct
 from .path import Path, PathPoint
@@ -35,8 +46,11 @@ NAMES = {"T_oil": "Θ_oil", "T_flm": "Θ_flm", "T_M": "Θ_M", "T_fl": "Θ_fl,max
 LOAD_STAGE: Number = 10.0  # rule of this program: engine oils usually pass beyond it
 
 
-@formula("X_L", Text("{iso} (27): lubricant factor; X is 1 for mineral oil, 0.8 PAO, 0.7 PAG", iso=ISO),
-    names={"X": "X_base", "eta": "η_oil"})  # fmt: skip
+@formula(
+    "X_L",
+    Text("{iso} (27): lubricant factor; X is 1 for mineral oil, 0.8 PAO, 0.7 PAG", iso=ISO),
+    names={"X": "X_base", "eta": "η_oil"},
+)
 def lubricant_factor(X: Number, eta: PascalSecond) -> Number:
     return X * power(eta / MILLIPASCAL_SECOND, -0.05)
 
@@ -46,45 +60,58 @@ def roughness_factor(Ra: Metre) -> Number:
     return power(Ra / MICROMETRE, 0.25)
 
 
-@formula("v_gΣC", Text("{iso} (26): sum of the rolling speeds at the pitch point; pitch line no faster than 50 m/s", iso=ISO,
-    ))  # fmt: skip
+@formula(
+    "v_gΣC", Text("{iso} (26): sum of the rolling speeds at the pitch point; pitch line no faster than 50 m/s", iso=ISO)
+)
 def sum_of_speeds(v_C: MetrePerSecond, alpha_wt: Radian) -> MetrePerSecond:
     return 2 * smallest(v_C, FASTEST * sin(alpha_wt))
 
 
-@formula("μ_m", Text("{iso} (25): mean coefficient of friction", iso=ISO),
-    names={"v": "v_gΣC", "rho_relC": "ρ_rel,C"})  # fmt: skip
+@formula("μ_m", Text("{iso} (25): mean coefficient of friction", iso=ISO), names={"v": "v_gΣC", "rho_relC": "ρ_rel,C"})
 def mean_friction(w_Bt: NewtonPerMetre, v: MetrePerSecond, rho_relC: Metre, X_L: Number, X_R: Number) -> Number:
     return 0.060 * power(w_Bt / NEWTON_PER_MILLIMETRE / (v / METRE_PER_SECOND * rho_relC / MILLIMETRE), 0.2) * X_L * X_R
 
 
-@formula("C_eff", Text("{iso} (B.1): tip relief that the load calls for", iso=ISO), unit="µm",
-    names={"c_gamma": "c_γ"})  # fmt: skip
+@formula("C_eff", Text("{iso} (B.1): tip relief that the load calls for", iso=ISO), unit="µm", names={"c_gamma": "c_γ"})
 def deflection(K_A: Number, F_t: Newton, b: Metre, alpha_t: Radian, c_gamma: Pascal) -> Metre:
     return K_A * F_t / (b * cos(alpha_t) * c_gamma)
 
 
-@formula("X_J", Text("{iso} (45) to (48): approach factor, no tip relief: the shock before the pitch point", iso=ISO,
-    ))  # fmt: skip
+@formula("X_J", Text("{iso} (45) to (48): approach factor, no tip relief: the shock before the pitch point", iso=ISO))
 def approach_factor(C_eff: Metre, rho_C: Metre, rho_1: Metre, g_alpha: Metre) -> Number:
     return 1 + C_eff / DEFLECTION * (largest(rho_C - rho_1, NOTHING) / g_alpha) ** 3
 
 
-@formula("w", "statics: load per length of the contact line of one pair", unit="N/mm", names={"X": "X_Γ", "K_Bgamma": "K_Bγ"})
+@formula(
+    "w", "statics: load per length of the contact line of one pair", unit="N/mm", names={"X": "X_Γ", "K_Bgamma": "K_Bγ"}
+)
 def local_load(X: Number, K_Bgamma: Number, w_t: NewtonPerMetre) -> NewtonPerMetre:
     return X * K_Bgamma * w_t
 
 
-@formula("Θ_fl", "Blok 1937; ISO/TR 13989-1:2000 (5) and (A.5) in the speeds of both flanks", names={"b_1": "b_M1", "b_2": "b_M2"})
+@formula(
+    "Θ_fl",
+    "Blok 1937; ISO/TR 13989-1:2000 (5) and (A.5) in the speeds of both flanks",
+    names={"b_1": "b_M1", "b_2": "b_M2"},
+)
 def flash_temperature(
-    mu_m: Number, X_J: Number, w: NewtonPerMetre, v_1: MetrePerSecond, v_2: MetrePerSecond, b_1: ThermalProduct, b_2: ThermalProduct,
+    mu_m: Number,
+    X_J: Number,
+    w: NewtonPerMetre,
+    v_1: MetrePerSecond,
+    v_2: MetrePerSecond,
+    b_1: ThermalProduct,
+    b_2: ThermalProduct,
     b_H: Metre,
-) -> Kelvin:  # fmt: skip
+) -> Kelvin:
     return 1.11 * mu_m * X_J * w * modulus(v_1 - v_2) / ((sqrt(b_1 * v_1) + sqrt(b_2 * v_2)) * sqrt(2 * b_H))
 
 
-@formula("Θ_flm", Text("{iso} (24): mean flash temperature", iso=ISO),
-    shows="mean of Θ_fl along the path of contact, from A to E")  # fmt: skip
+@formula(
+    "Θ_flm",
+    Text("{iso} (24): mean flash temperature", iso=ISO),
+    shows="mean of Θ_fl along the path of contact, from A to E",
+)
 def mean_flash_temperature(T_fl: Kelvin, rho_1: Metre) -> Kelvin:
     flash, place = (many(x) if has_lanes(x) else np.asarray(x) for x in (T_fl, rho_1))
     area = np.sum((flash[1:] + flash[:-1]) * np.diff(place), -1) / 2
@@ -107,8 +134,11 @@ def contact_temperature(T_M: Celsius, T_fl: Kelvin) -> Celsius:
     return T_M + T_fl
 
 
-@formula("Θ_S", Text("{iso} (99): scuffing temperature from the load stage of the FZG test A/8.3/90", iso=ISO,
-    ), names={"S": "S_FZG"})  # fmt: skip
+@formula(
+    "Θ_S",
+    Text("{iso} (99): scuffing temperature from the load stage of the FZG test A/8.3/90", iso=ISO),
+    names={"S": "S_FZG"},
+)
 def scuffing_temperature(X_W: Number, X_L: Number, S: Number) -> Celsius:
     return EIGHTY + (0.85 + 1.4 * X_W) * X_L * S**2 * ONE_KELVIN
 
@@ -139,10 +169,20 @@ class Flash:
 
 
 def flash(
-    path: Path, load: ScreeningLoad, oil: OilBath, b: Metre, alpha_wt: Radian, alpha_t: Radian, places: PathPoint,
-    n_p: Number, S_FZG: Number, X_W: Number, c_gamma: Pascal,
-) -> Flash:  # fmt: skip
-    """The flash temperature along the path, and once more where it is highest; `places` are the points, then the samples of the path."""
+    path: Path,
+    load: ScreeningLoad,
+    oil: OilBath,
+    b: Metre,
+    alpha_wt: Radian,
+    alpha_t: Radian,
+    places: PathPoint,
+    n_p: Number,
+    S_FZG: Number,
+    X_W: Number,
+    c_gamma: Pascal,
+) -> Flash:
+    """The flash temperature along the path, and once more where it is highest; `places` are the points, then the
+    samples of the path."""
     X_L = lubricant_factor(X=oil.X_L, eta=oil.eta)
     X_R = roughness_factor(Ra=load.Ra)
     v = sum_of_speeds(v_C=path.v_C, alpha_wt=alpha_wt)
@@ -161,8 +201,16 @@ def flash(
     T_S = scuffing_temperature(X_W=X_W, X_L=X_L, S=S_FZG)
     S_B = safety(T_S=T_S, T_oil=oil.T_oil, T_B=T_B)
     return Flash(
-        mu_m=mu_m, T_fl=T_fl, T_M=T_M, T_B=T_B, T_S=T_S, S_B=S_B, margin=margin(T_S=T_S, T_B=T_B), rho_1=hottest, along=along
-    )  # fmt: skip
+        mu_m=mu_m,
+        T_fl=T_fl,
+        T_M=T_M,
+        T_B=T_B,
+        T_S=T_S,
+        S_B=S_B,
+        margin=margin(T_S=T_S, T_B=T_B),
+        rho_1=hottest,
+        along=along,
+    )
 
 
 def _local(path: Path, load: ScreeningLoad, mu_m: Number, C_eff: Metre, at: PathPoint) -> Kelvin:

@@ -1,4 +1,5 @@
-"""The beam against closed forms of elementary beam theory (Gere & Goodno, Mechanics of Materials, appendix of deflections)."""
+"""The beam against closed forms of elementary beam theory (Gere & Goodno, Mechanics of Materials, appendix of
+deflections)."""
 
 import math
 
@@ -25,7 +26,8 @@ def at(bent, z, of="w"):
     return getattr(bent, of)[i]
 
 
-# --- statics ------------------------------------------------------------------------------------------------------------------
+# --- statics
+# ------------------------------------------------------------------------------------------------------------------
 def test_uniform_load_between_two_pins():
     bent = bend(uniform(load=Q))
     assert at(bent, L / 2) == pytest.approx(5 * Q * L**4 / (384 * EI), rel=REL)
@@ -58,7 +60,9 @@ def test_a_linear_load():
     """From 0 to Q: slopes 7·q·L³/360 and 8·q·L³/360 over E·I, largest moment q·L²/(9·√3)."""
     bent = bend(uniform(load=[[0.0, Q]]))
     assert bent.slopes == pytest.approx([7 * Q * L**3 / (360 * EI), -8 * Q * L**3 / (360 * EI)], rel=REL)
-    assert abs(bent.moment).max() == pytest.approx(Q * L**2 / (9 * math.sqrt(3)), rel=1e-5)  # given at points 1 mm apart
+    assert abs(bent.moment).max() == pytest.approx(
+        Q * L**2 / (9 * math.sqrt(3)), rel=1e-5
+    )  # given at points 1 mm apart
     assert bent.reactions == pytest.approx([-Q * L / 6, -Q * L / 3], rel=REL)
 
 
@@ -87,10 +91,11 @@ def test_an_antisymmetric_uniform_load():
 
 
 def test_a_stepped_beam_by_hand():
-    """Half of E·I on the rear half, a force in the middle: by the moment areas, θ_front = P·L²/(16·E·I)·(1 + 1/3·(2 − 1)).
+    """Half of E·I on the rear half, a force in the middle: by the moment areas, θ_front = P·L²/(16·E·I)·(1 + 1/3·(2 −
+    1)).
 
-    M = P·z/2 up to the middle.  θ_f·L = ∫M·(L − z)/(E·I) dz = P/(2·E·I)·[(L/2)²·L/2 − (L/2)³/3 + 2·(L/2)³/3] = P·L³/(12·E·I).
-    """
+    M = P·z/2 up to the middle.  θ_f·L = ∫M·(L − z)/(E·I) dz = P/(2·E·I)·[(L/2)²·L/2 − (L/2)³/3 + 2·(L/2)³/3] =
+    P·L³/(12·E·I)."""
     bent = bend(beam([0, L / 2, L], [EI, EI / 2], [STIFF] * 2, [MU] * 2, [0, 0], [0, L], forces=([L / 2], [P])))
     assert bent.slopes[0] == pytest.approx(P * L**2 / (12 * EI), rel=REL)
 
@@ -114,27 +119,36 @@ lengths = st.floats(0.02, 0.5)
 
 @settings(max_examples=40, deadline=None)
 @given(
-    pieces=st.lists(st.tuples(lengths, st.floats(100, 1e6), st.floats(1e4, 1e9), st.floats(-5e4, 5e4)), min_size=1, max_size=6),
-    place=st.floats(0, 1), force=st.floats(-5000, 5000), first=st.floats(0, 0.4), second=st.floats(0.6, 1),
-)  # fmt: skip
+    pieces=st.lists(
+        st.tuples(lengths, st.floats(100, 1e6), st.floats(1e4, 1e9), st.floats(-5e4, 5e4)), min_size=1, max_size=6
+    ),
+    place=st.floats(0, 1),
+    force=st.floats(-5000, 5000),
+    first=st.floats(0, 0.4),
+    second=st.floats(0.6, 1),
+)
 def test_any_beam_is_in_equilibrium(pieces, place, force, first, second):
     ends = np.cumsum([0, *(p[0] for p in pieces)])
     whole, (l, stiffness, shear, q) = ends[-1], (np.array(x) for x in zip(*pieces))
     pins = np.array([first, second]) * whole
     bent = bend(beam(ends, stiffness, shear, np.ones(l.size), q, pins, forces=([place * whole], [force]), longest=0.05))
     middles = (ends[1:] + ends[:-1]) / 2
-    near = 1e-5 * (np.sum(abs(q) * l) + abs(force) + 1) + SAME * np.max(abs(q))  # an end that lies so close to a pin becomes one with it
+    near = 1e-5 * (np.sum(abs(q) * l) + abs(force) + 1) + SAME * np.max(
+        abs(q)
+    )  # an end that lies so close to a pin becomes one with it
     assert abs(np.sum(bent.reactions) + np.sum(q * l) + force) < near
     assert abs(np.sum(bent.reactions * pins) + np.sum(q * l * middles) + force * place * whole) < near * whole
 
 
-# --- vibration ----------------------------------------------------------------------------------------------------------------
+# --- vibration
+# ----------------------------------------------------------------------------------------------------------------
 def test_frequency_of_a_pinned_beam():
     assert natural_frequency(uniform()) == pytest.approx((math.pi / L) ** 2 * math.sqrt(EI / MU), rel=1e-6)
 
 
 def test_frequency_with_shear():
-    """ω² = E·I·k⁴/(μ·(1 + E·I·k²/(κ·G·A))), k = π/L, without rotary inertia: put w = sin kz into Timoshenko's equations."""
+    """ω² = E·I·k⁴/(μ·(1 + E·I·k²/(κ·G·A))), k = π/L, without rotary inertia: put w = sin kz into Timoshenko's
+    equations."""
     S, k = 2e6, math.pi / L
     exact = math.sqrt(EI * k**4 / (MU * (1 + EI * k**2 / S)))
     assert natural_frequency(uniform(shear=S, longest=2e-3)) == pytest.approx(exact, rel=1e-6)
@@ -187,21 +201,35 @@ def test_a_beam_without_mass_does_not_swing():
 
 @settings(max_examples=30, deadline=None)
 @given(
-    pieces=st.lists(st.tuples(lengths, st.floats(10, 1e6), st.floats(1e5, 1e9), st.floats(0.1, 100)), min_size=1, max_size=5),
-    first=st.floats(0, 0.45), second=st.floats(0.55, 1), mass=st.floats(0, 50),
-)  # fmt: skip
+    pieces=st.lists(
+        st.tuples(lengths, st.floats(10, 1e6), st.floats(1e5, 1e9), st.floats(0.1, 100)), min_size=1, max_size=5
+    ),
+    first=st.floats(0, 0.45),
+    second=st.floats(0.55, 1),
+    mass=st.floats(0, 50),
+)
 @example(pieces=[(0.02, 937919.5, 1e5, 1.0)], first=0.0, second=0.5546875, mass=0.875)  # whose higher shapes are dust
 def test_the_frequency_is_that_of_the_full_eigenvalue_problem(pieces, first, second, mass):
     ends = np.cumsum([0, *(p[0] for p in pieces)])
     _, stiffness, shear, mu = (np.array(x) for x in zip(*pieces))
-    model = beam(ends, stiffness, shear, mu, 0 * mu, np.array([first, second]) * ends[-1], masses=([ends[-1]], [mass]), longest=0.05)
+    model = beam(
+        ends,
+        stiffness,
+        shear,
+        mu,
+        0 * mu,
+        np.array([first, second]) * ends[-1],
+        masses=([ends[-1]], [mass]),
+        longest=0.05,
+    )
     free = np.ix_(model.free, model.free)
     C = np.linalg.inv(np.linalg.cholesky(model.K[free]))
     exact = 1 / math.sqrt(np.linalg.eigvalsh(C @ model.M[free] @ C.T)[-1])
     assert natural_frequency(model) == pytest.approx(exact, rel=1e-6)
 
 
-# --- turning ------------------------------------------------------------------------------------------------------------------
+# --- turning
+# ------------------------------------------------------------------------------------------------------------------
 def test_turning_raises_the_deflection_like_a_single_mass():
     """A load in the shape of the first mode: 1/(1 − (ω/ω_1)²) times the deflection at rest."""
     n = 80

@@ -1,4 +1,5 @@
-"""The bending of a whole shaft: a worked example computed by an independent finite-element program, limits, symmetries, hand sums."""
+"""The bending of a whole shaft: a worked example computed by an independent finite-element program, limits, symmetries,
+hand sums."""
 
 import cmath
 import math
@@ -29,19 +30,27 @@ def piece(start, end, R, r_0=0.0, half_angle=None, angle=0.0):
 
 
 def example(up=0.0, half_angle=HALF, R=40.3):
-    """Journals Ø59.5×27.5 and Ø81×26.5, span 335 mm, core Ø30, gear Ø53.9×15 and stub Ø30×12, half-annuli of R 40.3 from z 1 to 152 mm."""
+    """Journals Ø59.5×27.5 and Ø81×26.5, span 335 mm, core Ø30, gear Ø53.9×15 and stub Ø30×12, half-annuli of R 40.3
+    from z 1 to 152 mm."""
     return outline(
         (
-            piece(-208.25, -196.25, 15), piece(-196.25, -181.25, 53.9 / 2), piece(-181.25, -153.75, 59.5 / 2), piece(-153.75, -152, 15),
-            piece(-152, -1, R, 15, half_angle, up + math.pi), piece(-1, 1, 15), piece(1, 152, R, 15, half_angle, up), piece(152, 154.25, 15),
+            piece(-208.25, -196.25, 15),
+            piece(-196.25, -181.25, 53.9 / 2),
+            piece(-181.25, -153.75, 59.5 / 2),
+            piece(-153.75, -152, 15),
+            piece(-152, -1, R, 15, half_angle, up + math.pi),
+            piece(-1, 1, 15),
+            piece(1, 152, R, 15, half_angle, up),
+            piece(152, 154.25, 15),
             piece(154.25, 180.75, 40.5),
         ),
         False,
-    )  # fmt: skip
+    )
 
 
 def further(up=0.0):
-    """A hole of Ø12.13 through the rear journal at 24 mm radius, opposite to the rear mass, and an equal unbalance ahead of the gear."""
+    """A hole of Ø12.13 through the rear journal at 24 mm radius, opposite to the rear mass, and an equal unbalance
+    ahead of the gear."""
     hole = STEEL.density * math.pi / 4 * (12.13 * mm) ** 2 * 26.5 * mm
     front = 1e-9  # its mass is that of the stub; here it has unbalance alone
     return (
@@ -55,24 +64,32 @@ def bent(effectiveness=1.0, fillet=None, up=0.0, found=None, **more):
     return b.bending(found or example(up), STEEL, effectiveness=effectiveness, fillet_radius=fillet, **given)
 
 
-# --- the worked example ---------------------------------------------------------------------------------------------------------
+# --- the worked example
+# ---------------------------------------------------------------------------------------------------------
 def test_its_couple_and_its_mass():
-    """557.09 N·m of the masses alone, 572.93 with the further elements (their size is given to four digits), 8.914 kg."""
+    """557.09 N·m of the masses alone, 572.93 with the further elements (their size is given to four digits), 8.914
+    kg."""
     found, extras = example(), further()
     C = OMEGA**2 * sum(STEEL.density * S * p.length * (p.start + p.end) / 2 for S, p in zip(found.moment, found.pieces))
     assert C.real == pytest.approx(557.09, abs=0.005)
-    assert C.real + OMEGA**2 * sum((x.mass * x.radius * cmath.exp(1j * x.angle) * x.z).real for x in extras) == pytest.approx(
-        572.93, abs=0.01
-    )
+    assert C.real + OMEGA**2 * sum(
+        (x.mass * x.radius * cmath.exp(1j * x.angle) * x.z).real for x in extras
+    ) == pytest.approx(572.93, abs=0.01)
     assert weighed(found, STEEL.density, extras)[0] == pytest.approx(8.914, abs=5e-4)
 
 
 @pytest.mark.parametrize(
     ("share", "front", "rear", "frequency", "digit"),
-    [(1.0, 0.0495, 0.0530, 839, 1e-4), (0.5, 0.0868, 0.0922, 642, 1e-4), (0.25, 0.146, 0.155, 498, 1e-3), (1e-9, 0.524, 0.553, 265, 1e-3)],
-)  # fmt: skip
+    [
+        (1.0, 0.0495, 0.0530, 839, 1e-4),
+        (0.5, 0.0868, 0.0922, 642, 1e-4),
+        (0.25, 0.146, 0.155, 498, 1e-3),
+        (1e-9, 0.524, 0.553, 265, 1e-3),
+    ],
+)
 def test_slopes_and_frequency(share, front, rear, frequency, digit):
-    """All digits of an independent finite-element beam (elements of 1 mm, no rotary inertia); the last row is the core alone."""
+    """All digits of an independent finite-element beam (elements of 1 mm, no rotary inertia); the last row is the core
+    alone."""
     r = bent(share)
     assert r.slopes * 1e3 == pytest.approx([front, rear], abs=digit / 2)
     assert r.natural_frequency_without_rotary == pytest.approx(frequency, abs=0.5)
@@ -87,7 +104,8 @@ def test_rotary_inertia_lowers_the_frequency_by_one_part_in_eighty(share, lower)
 
 @pytest.mark.parametrize(("share", "journal", "slope"), [(0.227, 0, 0.15625), (0.376, 1, 0.11501)])
 def test_the_share_that_would_give_the_slopes_of_the_source(share, journal, slope):
-    """Finotti 2013, ch. 6: 0.15625 and 0.11501 mrad of the solid model; the shares, to three digits, from the independent beam."""
+    """Finotti 2013, ch. 6: 0.15625 and 0.11501 mrad of the solid model; the shares, to three digits, from the
+    independent beam."""
     assert bent(share).slopes[journal] * 1e3 == pytest.approx(slope, abs=3e-4)
 
 
@@ -102,7 +120,8 @@ def test_the_limit_is_reached_at_about_an_eighth_at_the_rear():
 
 
 def test_moment_stress_and_reactions():
-    """By hand from the rear: N = C/l − F_hole, M = N·15.5 mm + N²/(2·q) where N = q·s; the stress there 5.2 MPa of the half-annulus."""
+    """By hand from the rear: N = C/l − F_hole, M = N·15.5 mm + N²/(2·q) where N = q·s; the stress there 5.2 MPa of the
+    half-annulus."""
     r = bent(1.0)
     q = OMEGA**2 * STEEL.density * 2 / 3 * (40.3**3 - 15**3) * mm**3
     hole = -(OMEGA**2) * further()[0].mass * 24 * mm
@@ -135,7 +154,8 @@ def test_the_notch_at_its_end():
 
 
 def test_the_shoulder_of_two_sectors_on_one_core_is_that_of_their_edges():
-    """R 30 beside R 40 on a core of 15: D 80, d 60, whatever the core.  A step lower than a tenth of the fillet is said to be left out."""
+    """R 30 beside R 40 on a core of 15: D 80, d 60, whatever the core.  A step lower than a tenth of the fillet is said
+    to be left out."""
     found = outline((piece(-180, 0, 30, 15, HALF, math.pi), piece(0, 180, 40, 15, HALF)), False)
     assert bent(1.0, fillet=2 * mm, found=found, extras=()).step_over_fillet == pytest.approx(20 / 4)
     flat = outline((piece(-180, 0, 30), piece(0, 180, 30.1)), False)
@@ -150,7 +170,8 @@ def test_the_sense_of_rotation_does_not_matter():
     assert backward.speed == forward.speed > 0
 
 
-# --- what must hold for any shaft -------------------------------------------------------------------------------------------------
+# --- what must hold for any shaft
+# -------------------------------------------------------------------------------------------------
 def test_a_shaft_turned_about_its_axis_bends_the_same():
     a, c = bent(0.3), bent(0.3, up=0.7)
     assert c.slopes == pytest.approx(a.slopes, rel=1e-9)
@@ -174,7 +195,8 @@ def test_the_deflection_stands_in_the_plane_of_the_couple():
 
 
 def test_narrow_sectors_swing_across_their_plane_of_symmetry():
-    """Half-angle 30°: the section is weaker across; the frequency is that of a shaft with the weaker second moment throughout."""
+    """Half-angle 30°: the section is weaker across; the frequency is that of a shaft with the weaker second moment
+    throughout."""
     narrow = example(half_angle=math.radians(30))
     r = bent(1.0, found=narrow, extras=())
     S = [p.half_angle is not None for p in narrow.pieces]
@@ -187,7 +209,8 @@ def test_narrow_sectors_swing_across_their_plane_of_symmetry():
 
 
 def test_sideways_inertia_of_shapes_that_are_known():
-    """A half-circle about its axis of symmetry has half of the circle's; a sector of half a turn on either side all of it."""
+    """A half-circle about its axis of symmetry has half of the circle's; a sector of half a turn on either side all of
+    it."""
     R = 0.04
     assert f.sideways_inertia(R=R, r_0=0.0, gamma=HALF) == pytest.approx(math.pi * R**4 / 8)
     assert f.sideways_inertia(R=R, r_0=0.02, gamma=math.pi) == pytest.approx(math.pi * R**4 / 4)
@@ -207,7 +230,9 @@ def test_a_shaft_without_sectors_has_no_share():
     assert r.effectiveness_at_limit is None
     assert r.slopes == pytest.approx(r.slopes_stiff, rel=1e-12)
     P, EI = OMEGA**2 * 0.5 * 5 * mm, STEEL.E * math.pi * (15 * mm) ** 4 / 4
-    assert r.slopes[0] == pytest.approx(P * 0.335**2 / (16 * EI), rel=0.03)  # by the turning of the bent shaft some per cent more
+    assert r.slopes[0] == pytest.approx(
+        P * 0.335**2 / (16 * EI), rel=0.03
+    )  # by the turning of the bent shaft some per cent more
     assert r.plane == 0
 
 
@@ -236,10 +261,12 @@ def test_its_checks():
     r = bent(0.2, fillet=1 * mm)
     verdicts = {c.id: c.verdict for c in bending_checks(r, STEEL)}
     assert verdicts == {
-        "countershaft.first_critical_speed": "pass", "countershaft.bending_stress": "pass", "countershaft.notch_stress": "pass",
+        "countershaft.first_critical_speed": "pass",
+        "countershaft.bending_stress": "pass",
+        "countershaft.notch_stress": "pass",
         "countershaft.fillet": "note",  # t/r 25.3: beyond the fit
         "countershaft.fillet_room": "warn",  # the neck behind the rear sector is short
-    }  # fmt: skip
+    }
     for stress, verdict, missing in ((230e6, "pass", ()), (240e6, "not_verified", ("material.proof_stress_MPa",))):
         nameless = bending_checks(replace(r, bending_stress=stress), replace(STEEL, kind="steel", proof_stress=None))
         unknown = {c.id: c for c in nameless}["countershaft.bending_stress"]
@@ -263,7 +290,8 @@ def test_lines_lead_from_the_material_to_the_slopes():
 
 
 def test_the_shear_coefficient_and_the_edge():
-    """κ_s 0.89 at ν = 0.29; slopes 0.15625 and 0.11501 mrad over 27.5 and 26.5 mm: 2.15 and 1.52 µm; 0.25 mrad over 27.5 mm: 3.44 µm."""
+    """κ_s 0.89 at ν = 0.29; slopes 0.15625 and 0.11501 mrad over 27.5 and 26.5 mm: 2.15 and 1.52 µm; 0.25 mrad over
+    27.5 mm: 3.44 µm."""
     assert f.shear_coefficient(nu=0.29) == pytest.approx(0.89, abs=0.005)
     assert f.shear_modulus(E=206e9, nu=0.29) == pytest.approx(79.84e9, rel=1e-4)
     for theta, l, a in ((0.15625, 27.5, 2.15), (0.11501, 26.5, 1.52), (0.25, 27.5, 3.44)):

@@ -9,12 +9,27 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from calc.countershaft.making import bolts
-from calc.countershaft.making.inputs import COARSE, Bolts, pitch_diameter, root_diameter, stress_area, thread, thread_problem
+from calc.countershaft.making.inputs import (
+    COARSE,
+    Bolts,
+    pitch_diameter,
+    root_diameter,
+    stress_area,
+    thread,
+    thread_problem,
+)
 from calc.library.catalogue import Material, materials
 from calc.sheet.quantity import published
 from calc.sheet.value import link_of, trace
 
-SOURCE = {"thread": "M10x1.5", "torque": 45.0, "friction": 0.12, "head_diameter": 15e-3, "hole_diameter": 11e-3, "count": 4}
+SOURCE = {
+    "thread": "M10x1.5",
+    "torque": 45.0,
+    "friction": 0.12,
+    "head_diameter": 15e-3,
+    "hole_diameter": 11e-3,
+    "count": 4,
+}
 COUPLE = 572.921 * cmath.exp(1j * math.pi / 6)  # Finotti 2013, Table 4.1
 BEARINGS = (-0.1675, 0.1675)
 
@@ -23,7 +38,8 @@ def solved(F_S=0j, C_S=COUPLE, bearings=BEARINGS, support=None, **changes):
     return bolts.solve(Bolts(**{**SOURCE, **changes}), F_S, C_S, bearings, support)
 
 
-# --- threads ----------------------------------------------------------------------------------------------------------------
+# --- threads
+# ----------------------------------------------------------------------------------------------------------------
 @pytest.mark.parametrize("text", ["M10", "M10x1.5", "M10×1.5", " m10 X 1.50 ", "M10.0x1.5"])
 def test_ways_to_write_one_thread(text):
     assert thread(text) == (0.01, 0.0015)
@@ -69,12 +85,24 @@ def test_the_coarse_pitches_rise_with_the_diameter():
 @pytest.mark.parametrize(
     "text, says",
     [
-        ("", "metric thread"), ("10", "metric thread"), ("M", "metric thread"), ("M-10", "metric thread"), ("M10x", "metric thread"),
-        ("M10x1,5", "metric thread"), ("M10-1.5", "metric thread"), ("G1/2", "metric thread"), ("M١٠", "metric thread"),
-        ("M10x1.5x2", "metric thread"), ("M13", "no coarse pitch"), ("M70", "no coarse pitch"), ("M10x0", "from 0.2 to 1.5 mm"),
-        ("M10x2", "from 0.2 to 1.5 mm"), ("M0.5", "from M1 to M300"), ("M999x6", "from M1 to M300"),
+        ("", "metric thread"),
+        ("10", "metric thread"),
+        ("M", "metric thread"),
+        ("M-10", "metric thread"),
+        ("M10x", "metric thread"),
+        ("M10x1,5", "metric thread"),
+        ("M10-1.5", "metric thread"),
+        ("G1/2", "metric thread"),
+        ("M١٠", "metric thread"),
+        ("M10x1.5x2", "metric thread"),
+        ("M13", "no coarse pitch"),
+        ("M70", "no coarse pitch"),
+        ("M10x0", "from 0.2 to 1.5 mm"),
+        ("M10x2", "from 0.2 to 1.5 mm"),
+        ("M0.5", "from M1 to M300"),
+        ("M999x6", "from M1 to M300"),
     ],
-)  # fmt: skip
+)
 def test_what_is_no_thread_says_so(text, says):
     assert says in thread_problem(text)
     with pytest.raises(ValueError, match="ISO 261"):
@@ -118,7 +146,8 @@ def test_stress_areas_of_iso_898_1(name, area):
     assert found == pytest.approx(area, abs=0.5 if area > 100 else 0.05 if area > 10 else 0.005)
 
 
-# --- preload ----------------------------------------------------------------------------------------------------------------
+# --- preload
+# ----------------------------------------------------------------------------------------------------------------
 def test_the_source_reproduced():
     """Finotti 2013, Table 6.1: M10×1.5, 45 N·m, µ 0.12, 15 mm across flats: 27085.957 N."""
     r = solved(method="source")
@@ -145,7 +174,8 @@ def test_recorded_preload_of_the_source_bolt():
     assert r.bolt_tensile_stress / 1e6 == pytest.approx(470.18, abs=5e-3)
 
 
-# Preload kN and torque N·m of class 10.9 by VDI 2230 (2001), fine threads; heads of ISO 4017 (least bearing diameter), holes of ISO 273 medium.
+# Preload kN and torque N·m of class 10.9 by VDI 2230 (2001), fine threads; heads of ISO 4017 (least bearing diameter),
+# holes of ISO 273 medium.
 TABULATED = {
     ("M8x1", 11.63, 9.0): [(0.10, 30.4, 33.5), (0.12, 29.7, 38.3), (0.14, 28.9, 42.8)],
     ("M12x1.25", 16.63, 13.5): [(0.10, 72.1, 116), (0.12, 70.5, 133), (0.14, 68.7, 149)],
@@ -164,7 +194,12 @@ def test_tabulated_preloads_of_vdi_2230(bolt):
         assert r.bolt_preload_vdi / 1e3 == pytest.approx(force, rel=rounding)
 
 
-@given(st.sampled_from(["M6", "M8x1", "M10", "M12x1.25", "M16", "M24x2"]), st.floats(0.05, 0.2), st.floats(1.45, 1.7), st.floats(1.05, 1.2))
+@given(
+    st.sampled_from(["M6", "M8x1", "M10", "M12x1.25", "M16", "M24x2"]),
+    st.floats(0.05, 0.2),
+    st.floats(1.45, 1.7),
+    st.floats(1.05, 1.2),
+)
 def test_the_short_form_is_close_where_angles_are_small(name, mu, head, hole):
     D, _ = thread(name)
     r = solved(thread=name, friction=mu, head_diameter=head * D, hole_diameter=hole * D)
@@ -181,11 +216,14 @@ def test_more_friction_or_less_torque_gives_less_preload(torque, mu, factor):
 
 def test_without_friction_the_work_of_the_wrench_lifts_the_load():
     """2π·T = F·p: the frictionless screw."""
-    frictionless = bolts.preload(T=45.0, d_2=9e-3, alpha_h=bolts.helix_angle(p=1.5e-3, d_2=9e-3), rho=0.0, mu=0.0, r_h=6e-3)
+    frictionless = bolts.preload(
+        T=45.0, d_2=9e-3, alpha_h=bolts.helix_angle(p=1.5e-3, d_2=9e-3), rho=0.0, mu=0.0, r_h=6e-3
+    )
     assert frictionless == pytest.approx(2 * math.pi * 45.0 / 1.5e-3)
 
 
-# --- the joint --------------------------------------------------------------------------------------------------------------
+# --- the joint
+# --------------------------------------------------------------------------------------------------------------
 def test_the_end_force_is_the_reaction_where_the_bolts_stand_at_the_bearings():
     """Finotti 2013, 4.1: 572.9/0.335 = 1710.149 N for the pure couple; with F_S the larger of both reactions."""
     assert solved(C_S=572.9 + 0j).bolt_end_force == pytest.approx(1710.149, abs=5e-4)
@@ -238,7 +276,8 @@ def test_a_shaft_without_force_is_not_judged(couple):
     assert not any(p.id.endswith("_safety") for p in published(r, "countershaft"))
 
 
-# --- checks -----------------------------------------------------------------------------------------------------------------
+# --- checks
+# -----------------------------------------------------------------------------------------------------------------
 def test_checks_of_the_source_design():
     """The joint holds; the small head presses on the aluminium by more than its tensile strength of 220 MPa."""
     found = {c.id: c for c in bolts.checks(solved(support=materials()["EN AC-43100"]))}
@@ -253,28 +292,39 @@ def test_checks_of_the_source_design():
 
 
 @pytest.mark.parametrize(
-    "torque, slip, separation", [(45.0, "pass", "pass"), (24.0, "warn", "pass"), (20.0, "fail", "pass"), (2.0, "fail", "fail")]
+    "torque, slip, separation",
+    [(45.0, "pass", "pass"), (24.0, "warn", "pass"), (20.0, "fail", "pass"), (2.0, "fail", "fail")],
 )
 def test_a_joint_slips_before_it_opens(torque, slip, separation):
     verdicts = {c.id: c.verdict for c in bolts.checks(solved(torque=torque))}
     assert verdicts == {
-        "countershaft.bolts.slip": slip, "countershaft.bolts.separation": separation, "countershaft.bolts.strength": "pass",
-    }  # fmt: skip
+        "countershaft.bolts.slip": slip,
+        "countershaft.bolts.separation": separation,
+        "countershaft.bolts.strength": "pass",
+    }
 
 
 def test_the_stress_while_it_is_tightened():
-    """By hand: σ_z = F/A_s, τ = 16·M_G/(π·d_0³) with M_G = F·d_2/2·tan(α + ρ′), M10 of class 8.8 at 45 N·m; at 60 N·m it yields."""
+    """By hand: σ_z = F/A_s, τ = 16·M_G/(π·d_0³) with M_G = F·d_2/2·tan(α + ρ′), M10 of class 8.8 at 45 N·m; at 60 N·m
+    it yields."""
     r = solved()
     d_2, d_3 = 10 - 0.649519 * 1.5, 10 - 1.226869 * 1.5
     d_0, lead = (d_2 + d_3) / 2, math.atan(1.5 / (math.pi * d_2)) + math.atan(0.12 / math.cos(math.radians(30)))
-    sigma, tau = r.bolt_preload / (math.pi / 4 * d_0**2), 16 * r.bolt_preload * d_2 / 2 * math.tan(lead) / (math.pi * d_0**3)
+    sigma, tau = (
+        r.bolt_preload / (math.pi / 4 * d_0**2),
+        16 * r.bolt_preload * d_2 / 2 * math.tan(lead) / (math.pi * d_0**3),
+    )
     assert r.bolt_tightening_stress / 1e6 == pytest.approx(math.hypot(sigma, math.sqrt(3) * tau), rel=1e-9)
-    verdicts = {k: [c.verdict for c in bolts.checks(solved(torque=60.0, property_class=k)) if "strength" in c.id] for k in ("8.8", "10.9")}
+    verdicts = {
+        k: [c.verdict for c in bolts.checks(solved(torque=60.0, property_class=k)) if "strength" in c.id]
+        for k in ("8.8", "10.9")
+    }
     assert verdicts == {"8.8": ["fail"], "10.9": ["pass"]}
 
 
 @pytest.mark.parametrize(
-    "known, limit", [({"tensile_strength": 400e6, "proof_stress": 250e6}, 400), ({"proof_stress": 250e6}, 250), ({}, None)]
+    "known, limit",
+    [({"tensile_strength": 400e6, "proof_stress": 250e6}, 400), ({"proof_stress": 250e6}, 250), ({}, None)],
 )
 def test_the_pressure_is_judged_by_what_is_known(known, limit):
     support = Material(name="casting", E=70e9, density=2700.0, expansion=2e-5, **known)

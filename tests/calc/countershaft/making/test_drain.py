@@ -30,8 +30,8 @@ def verdicts(found):
 
 
 def test_the_source_design():
-    """Finotti 2013, 4.4: hose ends 22.5 and 24 mm → clamp 22, opening 24.5 mm; block M18×1.5 → washers 18×22×1.5; the bore
-    stands blank in its table, where a blank repeats the row above: 11 mm."""
+    """Finotti 2013, 4.4: hose ends 22.5 and 24 mm → clamp 22, opening 24.5 mm; block M18×1.5 → washers 18×22×1.5; the
+    bore stands blank in its table, where a blank repeats the row above: 11 mm."""
     r = drain.solve(asked(22.5, 24.0))
     shown = {p.id: p.shown for p in published(r, "countershaft")}
     assert shown == pytest.approx(
@@ -47,7 +47,9 @@ def test_the_source_design():
     )
     assert verdicts(r) == {"clamp": "pass", "clamp_din3021": "pass", "union": "pass"}
     margins = {c.id: c.value for c in drain.checks(r)}
-    assert margins["countershaft.drain.clamp"] == pytest.approx(0.5) and margins["countershaft.drain.clamp_din3021"] == pytest.approx(0.2)
+    assert margins["countershaft.drain.clamp"] == pytest.approx(0.5) and margins[
+        "countershaft.drain.clamp_din3021"
+    ] == pytest.approx(0.2)
     assert any("18 × 22 × 1.5" in note for note in drain.notes(r))
 
 
@@ -124,7 +126,9 @@ def test_the_designs_own_clamps_replace_those_of_the_program():
     assert not any("Table 4.3" in note for note in drain.notes(r))
 
 
-@given(st.floats(8, 60), st.floats(0, 6), st.lists(st.tuples(st.floats(5, 60), st.floats(0.1, 5)), min_size=1, max_size=8))
+@given(
+    st.floats(8, 60), st.floats(0, 6), st.lists(st.tuples(st.floats(5, 60), st.floats(0.1, 5)), min_size=1, max_size=8)
+)
 def test_a_clamp_that_is_taken_fits_both_ends_and_none_at_hand_grips_closer(low, more, sizes):
     at_hand = tuple(clamp(n, n + o) for n, o in sizes)
     hose = asked(low, low + more, clamps=at_hand)
@@ -138,7 +142,8 @@ def test_a_clamp_that_is_taken_fits_both_ends_and_none_at_hand_grips_closer(low,
         assert verdicts(r)["clamp"] in ("pass", "warn")
 
 
-# --- unions -------------------------------------------------------------------------------------------------------------------
+# --- unions
+# -------------------------------------------------------------------------------------------------------------------
 @pytest.mark.parametrize(
     "name, bore",
     [
@@ -168,7 +173,11 @@ def test_no_union_fits(name):
 
 
 def test_the_designs_own_unions_replace_those_of_the_program():
-    own = (Union(thread="M20x1.5", bore=13e-3), Union(thread="M20×1.50", bore=14e-3), Union(thread="M18x1.5", bore=20e-3))
+    own = (
+        Union(thread="M20x1.5", bore=13e-3),
+        Union(thread="M20×1.50", bore=14e-3),
+        Union(thread="M18x1.5", bore=20e-3),
+    )
     assert drain.solve(asked(22.5, 24.0, "M20x1.5", unions=own)).union_bore == 14e-3
     assert drain.solve(asked(22.5, 24.0, "M8x1", unions=own)).union_bore is None
 
@@ -180,8 +189,11 @@ def test_threads_of_the_table_can_be_read():
     assert len(drain.sleeves()) == 8 and all(not list(sleeve.problems()) for sleeve in drain.sleeves())
 
 
-# --- sleeves ------------------------------------------------------------------------------------------------------------------
-@pytest.mark.parametrize("name, bore", [("M8x1", 4), ("M12x1.5", 6), ("M14x1.5", 5), ("M18x1.5", 7.5), ("M22x1.5", 12), ("M10x1", None)])
+# --- sleeves
+# ------------------------------------------------------------------------------------------------------------------
+@pytest.mark.parametrize(
+    "name, bore", [("M8x1", 4), ("M12x1.5", 6), ("M14x1.5", 5), ("M18x1.5", 7.5), ("M22x1.5", 12), ("M10x1", None)]
+)
 def test_sleeves_of_the_source(name, bore):
     """Finotti 2013, 4.4: the ring goes over the thread; the only one for M10 takes no hose."""
     r = drain.solve(asked(22.5, 24.0, name))
@@ -200,7 +212,8 @@ def test_a_sleeve_of_the_design():
     assert [key for key, _ in Sleeve(ring=1.0, bore=1.0, end=1.0).problems()] == ["end_mm"]
 
 
-# --- tilted machine -----------------------------------------------------------------------------------------------------------
+# --- tilted machine
+# -----------------------------------------------------------------------------------------------------------
 @pytest.mark.parametrize("tilt, verdict", [(None, None), (30.0, "pass"), (45.0, "fail"), (60.0, "fail")])
 def test_the_slope_that_a_tilted_machine_leaves(tilt, verdict):
     """Finotti 2013, 3.2.2: 45° of the support, so that the oil leaves also on a slope."""
@@ -216,7 +229,8 @@ def test_a_tilt_needs_a_slope():
 @settings(max_examples=30)
 @given(st.floats(0.01, 1.57), st.floats(2e-3, 30e-3), st.floats(2e-6, 1e-3))
 def test_what_runs_off_is_half_of_a_full_pipe(theta, d, nu):
-    """Hagen and Poiseuille below Re = (64/0.316)^(4/3), where Blasius gives the same; both laws balance weight and wall friction."""
+    """Hagen and Poiseuille below Re = (64/0.316)^(4/3), where Blasius gives the same; both laws balance weight and wall
+    friction."""
     v_l, v_t = (speed(theta=theta, d=d, nu=nu) for speed in (laminar_speed, turbulent_speed))
     Q, v = run_off(d=d, v_l=v_l, v_t=v_t), min(v_l, v_t)
     assert Q == pytest.approx(v * math.pi * d**2 / 8)
@@ -234,21 +248,29 @@ def test_the_oil_of_the_bearings_against_what_runs_off(gamma_results):
         wanted = replace(shaft.result.drain.drain, bore=bore)
         solved = with_oil(replace(shaft, result=replace(shaft.result, drain=drain.solve(wanted))), bearings)
         found[bore] = next(c for c in solved.checks if c.id == "countershaft.drain.run_off")
-        assert solved.result.drain.drain_flow == bearings.bearings["rear"].oil_flow + bearings.bearings["front"].oil_flow / 2
+        assert (
+            solved.result.drain.drain_flow
+            == bearings.bearings["rear"].oil_flow + bearings.bearings["front"].oil_flow / 2
+        )
     assert [c.verdict for c in found.values()] == ["warn", "pass"]
     assert with_oil(shaft, bearings) is shaft
 
 
-# --- several ------------------------------------------------------------------------------------------------------------------
+# --- several
+# ------------------------------------------------------------------------------------------------------------------
 def test_two_circuits():
-    """Finotti 2013, 3.1.2: solution alpha has two; each is chosen and judged by itself, and what is noted of both is noted once."""
+    """Finotti 2013, 3.1.2: solution alpha has two; each is chosen and judged by itself, and what is noted of both is
+    noted once."""
     own = {"hose_min_mm": 15.4, "hose_max_mm": 16.4, "thread": "M14x1.5"}
     found = outcome(oil_drain=own, further_drains=[{**own, "name": "middle", "hose_max_mm": 17.0, "thread": "M22x1.5"}])
     assert found.result.drain.union_bore == 9e-3 and found.result.further_drains["middle"].union_bore == 12e-3
     assert {id: v for id, v in shaft_verdicts(found).items() if "drain" in id} == {
-        "drain.clamp": "pass", "drain.clamp_din3021": "pass", "drain.union": "pass",
-        "further_drains.middle.clamp": "fail", "further_drains.middle.union": "pass",
-    }  # fmt: skip
+        "drain.clamp": "pass",
+        "drain.clamp_din3021": "pass",
+        "drain.union": "pass",
+        "further_drains.middle.clamp": "fail",
+        "further_drains.middle.union": "pass",
+    }
     assert sum("clamps by" in note for note in found.notes) == 1
 
 

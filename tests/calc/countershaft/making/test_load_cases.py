@@ -23,12 +23,16 @@ def cases(**shaft):
 
 
 def test_the_four_cases_of_the_source():
-    """Finotti 2013, 4.7 (in chapter 6): 1710.15 N on either bearing, opposite each other, in four directions, and 27 086 N of each bolt;
-    its shaft leaves 6.8 N of force, so that its two reactions differ."""
+    """Finotti 2013, 4.7 (in chapter 6): 1710.15 N on either bearing, opposite each other, in four directions, and 27
+    086 N of each bolt; its shaft leaves 6.8 N of force, so that its two reactions differ."""
     (table,) = cases(support=SUPPORT, bolts=BOLTS)
     front = [complex(*row[2:4]) for row in table.rows]
     rear = [complex(*row[4:6]) for row in table.rows]
-    assert [round(cmath.phase(F) * 180 / cmath.pi) % 360 for F in front] == [row[1] for row in table.rows] == [0, 90, 180, 270]
+    assert (
+        [round(cmath.phase(F) * 180 / cmath.pi) % 360 for F in front]
+        == [row[1] for row in table.rows]
+        == [0, 90, 180, 270]
+    )
     assert all(abs(F) == pytest.approx(1710.15, rel=3e-3) and abs(F + other) < 10 for F, other in zip(front, rear))
     assert all(row[6] == pytest.approx(27085.957, abs=1e-3) for row in table.rows)
 

@@ -27,7 +27,9 @@ MASSES = (
 EXTRA = Extra(name="hole", mass=-0.05, radius=0.024, angle=100 * DEGREE, z=0.16)
 NONE = Scatter(mass=0.0, radius=0.0, angle=0.0, z=0.0)
 SOME = Scatter(mass=0.010, radius=1e-4, angle=0.05 * DEGREE, z=2e-4, timing=0.2 * DEGREE)
-HOLES = calibration(Holes(diameter=0.014, depth=0.020, count=4), 7860.0, 0.040, np.array([-0.0768, 0.0768]), OMEGA, 572.932)
+HOLES = calibration(
+    Holes(diameter=0.014, depth=0.020, count=4), 7860.0, 0.040, np.array([-0.0768, 0.0768]), OMEGA, 572.932
+)
 
 
 def vectors(masses=MASSES, extras=()):
@@ -41,9 +43,15 @@ FORCE, COUPLE = vectors()
 def target(grade="G6.3", couple_left=0.0, z_S=0.0, **changes):
     t = permitted(grade, 8.914, OMEGA, z_S, -0.1675, 0.1675, abs(COUPLE))
     made = sc.Target(
-        omega=OMEGA, couple=COUPLE, force=0j, couple_left=couple_left, z_f=-0.1675, z_r=0.1675,
-        permitted_front=t.residual_unbalance_permitted_front, permitted_rear=t.residual_unbalance_permitted_rear,
-    )  # fmt: skip
+        omega=OMEGA,
+        couple=COUPLE,
+        force=0j,
+        couple_left=couple_left,
+        z_f=-0.1675,
+        z_r=0.1675,
+        permitted_front=t.residual_unbalance_permitted_front,
+        permitted_rear=t.residual_unbalance_permitted_rear,
+    )
     return replace(made, **changes)
 
 
@@ -59,14 +67,17 @@ def total(r):
     return r.share_within + r.share_drilled_within + r.share_too_light + r.share_beyond_drilling
 
 
-# --- without chance ---------------------------------------------------------------------------------------------------------
+# --- without chance
+# ---------------------------------------------------------------------------------------------------------
 @pytest.mark.parametrize("extras", [(), (EXTRA,)])
 def test_without_scatter_every_shaft_is_the_drawing_exactly(extras):
     masses = heavier(0.02)
     r = found(NONE, masses, extras, holes=None, couple_left=7.0)
     nominal = 7.0 + abs(vectors(masses, extras)[1] - COUPLE)
     assert (r.residual == nominal).all()
-    assert r.residual_couple_median == r.residual_couple_95 == r.residual_couple_99 == r.residual_couple_largest == nominal
+    assert (
+        r.residual_couple_median == r.residual_couple_95 == r.residual_couple_99 == r.residual_couple_largest == nominal
+    )
     assert r.couple_error == 0
 
 
@@ -110,7 +121,8 @@ def test_a_shaft_that_must_carry_a_force_is_measured_against_that_force():
     assert found(NONE, masses, couple=couple, force=0j).share_within == 0
 
 
-# --- chance -----------------------------------------------------------------------------------------------------------------
+# --- chance
+# -----------------------------------------------------------------------------------------------------------------
 def test_the_numbers_drawn_are_normally_distributed_and_do_not_hang_together():
     """Of 200 001 a share is known to 0.1 %, and the correlation of two series to 0.3 % (one deviation)."""
     z = sc.normal(Random(1), 200_001)
@@ -122,11 +134,15 @@ def test_the_numbers_drawn_are_normally_distributed_and_do_not_hang_together():
     assert sc.normal(Random(1), 3, 5, 7).shape == (3, 5, 7)
 
 
-# --- closed forms -----------------------------------------------------------------------------------------------------------
+# --- closed forms
+# -----------------------------------------------------------------------------------------------------------
 PARTS = {
-    "mass": dict(mass=0.010), "radius": dict(radius=5e-5), "angle": dict(angle=0.1 * DEGREE), "position": dict(z=2e-4),
+    "mass": dict(mass=0.010),
+    "radius": dict(radius=5e-5),
+    "angle": dict(angle=0.1 * DEGREE),
+    "position": dict(z=2e-4),
     "timing": dict(timing=0.1 * DEGREE),
-}  # fmt: skip
+}
 
 
 @pytest.mark.parametrize("part", [*PARTS, "all"])
@@ -156,7 +172,9 @@ def test_timing_alone_leaves_the_chord_of_its_angle():
     delta = np.angle(timing)
     assert target().residual(couple, timing) == pytest.approx(2 * np.sin(np.abs(delta) / 2) * abs(COUPLE))
     r = found(replace(scatter, shafts=100_000))
-    assert r.residual_couple_median == pytest.approx(2 * math.sin(0.67449 * scatter.timing / 2) * abs(COUPLE), rel=0.015)
+    assert r.residual_couple_median == pytest.approx(
+        2 * math.sin(0.67449 * scatter.timing / 2) * abs(COUPLE), rel=0.015
+    )
 
 
 def test_timing_is_neither_seen_nor_mended_by_balancing():
@@ -169,13 +187,19 @@ def test_what_turns_the_other_way_stays_on_every_shaft():
     assert found(couple_left=20.0).residual == pytest.approx(found().residual + 20.0)
 
 
-# --- drilling ---------------------------------------------------------------------------------------------------------------
+# --- drilling
+# ---------------------------------------------------------------------------------------------------------------
 lengths = st.floats(0.0, 30.0)
 angles = st.floats(0.0, 2 * math.pi)
 
 
 @settings(max_examples=60, deadline=None)
-@given(st.lists(st.tuples(lengths, angles, lengths, angles), min_size=1, max_size=5), st.floats(-0.15, 0.0), st.floats(0.02, 0.15), angles)
+@given(
+    st.lists(st.tuples(lengths, angles, lengths, angles), min_size=1, max_size=5),
+    st.floats(-0.15, 0.0),
+    st.floats(0.02, 0.15),
+    angles,
+)
 def test_drilling_never_makes_a_shaft_worse(rows, z_1, z_2, gamma):
     deviation = np.array([[a * np.exp(1j * b), c * np.exp(1j * d)] for a, b, c, d in rows]).T
     masses = (replace(MASSES[0], z=z_1), replace(MASSES[1], z=z_2, angle=gamma), replace(MASSES[0], z=0.05, angle=1.0))
@@ -204,7 +228,8 @@ def test_shafts_within_tolerance_are_left_alone():
     assert (r.residual == r.drilled).all()
 
 
-# --- shares -----------------------------------------------------------------------------------------------------------------
+# --- shares
+# -----------------------------------------------------------------------------------------------------------------
 @pytest.mark.parametrize("share", [-0.005, 0.0, 0.0145])
 def test_a_wider_grade_lets_more_shafts_through(share):
     """The luck is the same whatever the grade."""
@@ -244,7 +269,8 @@ def test_as_many_shafts_as_were_asked_for(shafts):
     assert r.residual_couple_largest == r.residual.max()
 
 
-# --- what is said -----------------------------------------------------------------------------------------------------------
+# --- what is said
+# -----------------------------------------------------------------------------------------------------------
 def test_the_curve_is_the_distribution_and_has_the_limit():
     r = found()
     (curve,) = sc.curves(r, 28.6)

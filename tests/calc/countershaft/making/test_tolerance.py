@@ -44,7 +44,11 @@ def test_every_grade_that_can_be_chosen_has_a_number(grade):
 @given(st.floats(-0.4 * HALF, 0.4 * HALF))
 def test_the_planes_share_as_the_static_loads(z_S):
     r = found(z_S=z_S)
-    front, rear, U = r.residual_unbalance_permitted_front, r.residual_unbalance_permitted_rear, r.residual_unbalance_permitted
+    front, rear, U = (
+        r.residual_unbalance_permitted_front,
+        r.residual_unbalance_permitted_rear,
+        r.residual_unbalance_permitted,
+    )
     assert front + rear == pytest.approx(U)
     assert front * (z_S + HALF) == pytest.approx(rear * (HALF - z_S))
 
@@ -61,7 +65,8 @@ def test_front_and_rear_change_places_with_the_shaft_turned_round(z_S):
     [(0.9 * HALF, 0.3, 0.7), (1.2 * HALF, 0.3, 1.1), (2.0 * HALF, 0.5, 1.3), (-1.2 * HALF, 1.1, 0.3)],
 )
 def test_the_shares_of_the_planes_are_bounded(z_S, front, rear):
-    """ISO 21940-11: from 0.3 to 0.7 of U_per between the planes, from 0.3 to 1.3 where the centre of gravity overhangs one."""
+    """ISO 21940-11: from 0.3 to 0.7 of U_per between the planes, from 0.3 to 1.3 where the centre of gravity overhangs
+    one."""
     r = found(z_S=z_S)
     assert r.residual_unbalance_permitted_front == pytest.approx(front * r.residual_unbalance_permitted)
     assert r.residual_unbalance_permitted_rear == pytest.approx(rear * r.residual_unbalance_permitted)
@@ -69,7 +74,12 @@ def test_the_shares_of_the_planes_are_bounded(z_S, front, rear):
 
 @pytest.mark.parametrize(
     ("z_S", "words"),
-    [(0.0, ""), (0.9 * HALF, "near one bearing"), (1.1 * HALF, "overhangs the rear"), (-1.1 * HALF, "overhangs the front")],
+    [
+        (0.0, ""),
+        (0.9 * HALF, "near one bearing"),
+        (1.1 * HALF, "overhangs the rear"),
+        (-1.1 * HALF, "overhangs the front"),
+    ],
 )
 def test_a_share_that_is_not_the_static_load_is_said(z_S, words):
     said = list(notes(z_S, -HALF, HALF))

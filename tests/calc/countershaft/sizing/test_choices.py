@@ -42,26 +42,41 @@ def material(name, density):
 MATERIALS = {"steel": material("steel", STEEL), "ADI": material("ADI", ADI), "lead": material("lead", 11340.0)}
 FINOTTI = Cost(
     pieces_per_year=2000,
-    alternatives=(Alternative(material="steel", tooling=80e3, piece=65.0), Alternative(material="ADI", tooling=60e3, piece=55.0)),
+    alternatives=(
+        Alternative(material="steel", tooling=80e3, piece=65.0),
+        Alternative(material="ADI", tooling=60e3, piece=55.0),
+    ),
 )
 
 
 @pytest.fixture
 def case(gamma):
-    """Inputs of the shaft, the imbalance, the crank's speed, and the bearings of the source's final design; materials as here."""
+    """Inputs of the shaft, the imbalance, the crank's speed, and the bearings of the source's final design; materials
+    as here."""
     made = design(gamma)
     e = engine.values(made.engine)
     support = Support(material="EN AC-43100", wall=5.5e-3)
     shaft = replace(
-        made.countershaft, material="steel", cost=FINOTTI, support=support, outer_radius=None, core_radius=0.015, half_length=None,
-        radial_clearance=None, journals=(), extras=(), overdesign=0.0,
-    )  # fmt: skip
+        made.countershaft,
+        material="steel",
+        cost=FINOTTI,
+        support=support,
+        outer_radius=None,
+        core_radius=0.015,
+        half_length=None,
+        radial_clearance=None,
+        journals=(),
+        extras=(),
+        overdesign=0.0,
+    )
     return shaft, imbalance.values(made.imbalance, made.engine, e), e.angular_speed, made.bearings
 
 
-# --- other materials -----------------------------------------------------------------------------------------------------------
+# --- other materials
+# -----------------------------------------------------------------------------------------------------------
 def test_radius_for_another_density():
-    """Ø81 in steel (7860) to ADI (7200 kg/m³) at one length: 83.40 mm without, 83.28 mm with the core of radius 15; the source's 83.5."""
+    """Ø81 in steel (7860) to ADI (7200 kg/m³) at one length: 83.40 mm without, 83.28 mm with the core of radius 15; the
+    source's 83.5."""
     bare = f.radius_for(R=0.0405, r_0=0.0, rho=STEEL, rho_m=ADI)
     cored = f.radius_for(R=0.0405, r_0=0.015, rho=STEEL, rho_m=ADI)
     assert 2e3 * bare == pytest.approx(83.40, abs=5e-3)
@@ -69,7 +84,8 @@ def test_radius_for_another_density():
 
 
 def test_cost_of_the_source(case):
-    """Finotti 2013, 4.1: 2000 a year: 210 against 170 k€, so that ADI stays cheaper while its development costs below 40 k€."""
+    """Finotti 2013, 4.1: 2000 a year: 210 against 170 k€, so that ADI stays cheaper while its development costs below
+    40 k€."""
     found = compared(case[0], MATERIALS, 0.0405, 0.015, 5.379)
     assert list(found) == ["steel", "ADI"]
     assert (found["steel"].first_year_cost, found["ADI"].first_year_cost) == (210e3, 170e3)
@@ -80,7 +96,10 @@ def test_cost_of_the_source(case):
 
 def test_the_development_an_alternative_bears_does_not_depend_on_its_own(case):
     shaft = replace(
-        case[0], cost=replace(FINOTTI, alternatives=(FINOTTI.alternatives[0], replace(FINOTTI.alternatives[1], development=55e3)))
+        case[0],
+        cost=replace(
+            FINOTTI, alternatives=(FINOTTI.alternatives[0], replace(FINOTTI.alternatives[1], development=55e3))
+        ),
     )
     found = compared(shaft, MATERIALS, 0.0405, 0.015, 5.379)["ADI"]
     assert found.first_year_cost == 225e3 and found.bearable_development == 40e3
@@ -90,7 +109,8 @@ def test_the_development_an_alternative_bears_does_not_depend_on_its_own(case):
 
 
 def test_another_material_keeps_the_couple(case):
-    """Same length and half-angle at the other radius and density: the same couple, and the mass and wall that are said."""
+    """Same length and half-angle at the other radius and density: the same couple, and the mass and wall that are
+    said."""
     one = pair(560.0, OMEGA, STEEL, 0.0405, 0.015, 0.154)
     found = compared(case[0], MATERIALS, 0.0405, 0.015, 2 * one.mass)["ADI"]
     other = pair(560.0, OMEGA, ADI, found.outer_radius, 0.015, 0.154)
@@ -102,12 +122,15 @@ def test_another_material_keeps_the_couple(case):
 
 
 def test_the_whole_shaft_in_another_material(case):
-    """9.03 kg of steel, 5.379 of it sectors: in iron 5.254 and 3.348 kg and a ring of 0.056 kg around the journal; the source saves 350 g."""
+    """9.03 kg of steel, 5.379 of it sectors: in iron 5.254 and 3.348 kg and a ring of 0.056 kg around the journal; the
+    source saves 350 g."""
     seat = Seat(0.081, 0.0265, 1713.6)
     found = compared(case[0], MATERIALS, 0.0405, 0.015, 5.379, 9.03351, seat)
     ring = ADI * math.pi / 4 * (0.083284**2 - 0.081**2) * 0.0265
     assert found["ADI"].journal * 1e3 == pytest.approx(83.284, abs=5e-4)
-    assert found["ADI"].shaft_mass == pytest.approx(found["ADI"].eccentric_mass + (9.03351 - 5.379) * ADI / STEEL + ring, abs=1e-4)
+    assert found["ADI"].shaft_mass == pytest.approx(
+        found["ADI"].eccentric_mass + (9.03351 - 5.379) * ADI / STEEL + ring, abs=1e-4
+    )
     assert found["ADI"].mass_difference * 1e3 == pytest.approx(-350, abs=30)
     assert found["ADI"].specific_load * 0.083284 * 0.0265 == pytest.approx(1713.6, rel=1e-5)
     assert (found["steel"].journal, found["steel"].shaft_mass, found["steel"].mass_difference) == (
@@ -124,7 +147,11 @@ def test_what_is_not_known_is_left_out(case):
     assert [label for label, _ in compared_table(shaft, {"steel": only}).columns] == ["material", "density"]
     partly = replace(case[0], cost=replace(FINOTTI, alternatives=FINOTTI.alternatives[1:]))
     found = compared(partly, MATERIALS, 0.0405, 0.015, 5.0)
-    assert found["steel"].first_year_cost is None and found["ADI"].first_year_cost == 170e3 and found["ADI"].bearable_development is None
+    assert (
+        found["steel"].first_year_cost is None
+        and found["ADI"].first_year_cost == 170e3
+        and found["ADI"].bearable_development is None
+    )
 
 
 def test_the_table_of_materials_is_in_its_units(case):
@@ -139,17 +166,21 @@ def test_names_of_materials_as_names_of_values():
     assert key("ADI 800") == "ADI-800" and key("EN AC-43100") == "EN-AC-43100"
 
 
-# --- mass over radius -----------------------------------------------------------------------------------------------------------
+# --- mass over radius
+# -----------------------------------------------------------------------------------------------------------
 @pytest.mark.parametrize("force", [0j, 2e-3 + 1e-3j])
 def test_front(force):
-    """From the smallest radius that serves to that of the envelope; every point is the least mass of its radius, and it falls."""
+    """From the smallest radius that serves to that of the envelope; every point is the least mass of its radius, and it
+    falls."""
     P = 572.932 / OMEGA**2 + 0j
     curve = front_curve(force, P, OMEGA, 0.043, 0.015, 0.152, {"ADI": ADI, "steel": STEEL})
     assert [s.label for s in curve.series] == ["ADI", "steel"]
     for line, density in zip(curve.series, (ADI, STEEL)):
         assert line.x[-1] == pytest.approx(43) and np.all(np.diff(line.x) > 0) and np.all(np.diff(line.y) < 0)
         for i in (1, len(line.x) // 2, -1):
-            assert size(force, P, OMEGA, density, line.x[i] * 1e-3, 0.015, 0.152).mass == pytest.approx(line.y[i], rel=1e-7)
+            assert size(force, P, OMEGA, density, line.x[i] * 1e-3, 0.015, 0.152).mass == pytest.approx(
+                line.y[i], rel=1e-7
+            )
         with pytest.raises(TooSmall):
             size(force, P, OMEGA, density, line.x[0] * 1e-3 * (1 - 1e-6), 0.015, 0.152)
     assert front_curve(force, P, OMEGA, 0.039, 0.015, 0.152, {"ADI": ADI, "steel": STEEL}) is None
@@ -157,7 +188,8 @@ def test_front(force):
     assert only.label == "steel"
 
 
-# --- the envelope --------------------------------------------------------------------------------------------------------------
+# --- the envelope
+# --------------------------------------------------------------------------------------------------------------
 def test_the_envelope_is_derived_from_the_journals(case):
     shaft, _, _, bearings = case
     shaft = replace(shaft, fillet_radius=None)
@@ -182,7 +214,9 @@ def test_what_the_envelope_lacks_is_named(case):
     assert len(caught.value.errors) == 1 and "here.toml" in str(caught.value)
     with pytest.raises(BadInput) as caught:
         envelope(replace(shaft, core_radius=None), None, "here.toml")
-    assert {e.key for e in caught.value.errors} == {f"countershaft.{n}_mm" for n in ("outer_radius", "half_length", "core_radius")}
+    assert {e.key for e in caught.value.errors} == {
+        f"countershaft.{n}_mm" for n in ("outer_radius", "half_length", "core_radius")
+    }
     with pytest.raises(BadInput, match="smaller than the outer radius"):
         envelope(replace(shaft, core_radius=0.0405), bearings, "here")
     middle = replace(shaft, bearing_positions=(-0.15, 0.0, 0.15), journals=(Journal(diameter=0.06, length=0.03),) * 3)
@@ -192,13 +226,17 @@ def test_what_the_envelope_lacks_is_named(case):
 
 def test_an_unknown_material_of_the_cost_is_named(case):
     shaft = replace(
-        case[0], cost=replace(FINOTTI, alternatives=(*FINOTTI.alternatives, Alternative(material="mud", tooling=1.0, piece=1.0)))
+        case[0],
+        cost=replace(
+            FINOTTI, alternatives=(*FINOTTI.alternatives, Alternative(material="mud", tooling=1.0, piece=1.0))
+        ),
     )
     with pytest.raises(BadInput, match="mud"):
         candidates(shaft, MATERIALS, "here")
 
 
-# --- the ranking ---------------------------------------------------------------------------------------------------------------
+# --- the ranking
+# ---------------------------------------------------------------------------------------------------------------
 ROOM = Envelope(0.043, 0.015, 0.152, ())
 
 
@@ -216,7 +254,9 @@ def test_the_lightest_stands_first_and_each_is_the_least_of_its_radius(case):
     for name, cost in (("steel", 210e3), ("ADI", 170e3)):
         own = [c for c in found.shafts if c.material == name]
         radii = [c.sized.outer_radius for c in own]
-        assert radii == sorted(radii, reverse=True) and len(set(radii)) == len(radii) > 5  # lighter only by a larger radius
+        assert (
+            radii == sorted(radii, reverse=True) and len(set(radii)) == len(radii) > 5
+        )  # lighter only by a larger radius
         assert {c.first_year_cost for c in own} == {cost}
         smallest = MATERIALS[name].density
         with pytest.raises(TooSmall):
@@ -253,9 +293,12 @@ def test_the_table_and_the_keys_of_a_row(case):
     assert cells["outer radius"] == pytest.approx(43) and cells["half-angle of each"] == pytest.approx(68.25, abs=5e-3)
     assert cells["length of each"] == pytest.approx(104.62, abs=5e-3) and cells["first year"] == 210
     assert assignments(changes(found.shafts[0], ROOM)) == [
-        'countershaft.mode="size"', 'countershaft.material="steel"', "countershaft.outer_radius_mm=43.0", "countershaft.core_radius_mm=15.0",
+        'countershaft.mode="size"',
+        'countershaft.material="steel"',
+        "countershaft.outer_radius_mm=43.0",
+        "countershaft.core_radius_mm=15.0",
         "countershaft.half_length_mm=152.0",
-    ]  # fmt: skip
+    ]
 
 
 def test_unequal_sectors_stand_beside_each_other(case):

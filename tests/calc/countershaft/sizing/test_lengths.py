@@ -12,7 +12,8 @@ from calc.countershaft.sizing.sectors import pair_masses
 
 
 def random_tasks(count, seed):
-    """Unbalance and product over what the envelope can do, complex; some with hardly a force, some with hardly a couple."""
+    """Unbalance and product over what the envelope can do, complex; some with hardly a force, some with hardly a
+    couple."""
     random = np.random.default_rng(seed)
     a = random.uniform(0, 2.2, count) * np.exp(2j * np.pi * random.uniform(0, 1, count))
     p = random.uniform(0, 1.3, count) * np.exp(2j * np.pi * random.uniform(0, 1, count))
@@ -24,7 +25,8 @@ def random_tasks(count, seed):
 
 
 def searched(alpha, product, steps=300):
-    """Least mass (Σ β·γ) and least largest sin γ over a plain grid of both lengths, straight from the two equilibria."""
+    """Least mass (Σ β·γ) and least largest sin γ over a plain grid of both lengths, straight from the two
+    equilibria."""
     grid = np.linspace(1 / steps, 1, steps)
     f, r = grid[:, None], grid[None, :]
     z_f, z_r = f / 2 - 1, 1 - r / 2
@@ -37,7 +39,8 @@ def searched(alpha, product, steps=300):
 
 
 def test_the_search_is_the_least_of_a_grid_over_both_lengths():
-    """90 tasks: never heavier than the grid's best and within what the grid resolves; those that no grid point serves are refused."""
+    """90 tasks: never heavier than the grid's best and within what the grid resolves; those that no grid point serves
+    are refused."""
     alpha, product = random_tasks(90, 1)
     front, rear, u = lengths.lengths(alpha, product)
     mass = lengths.amount(lengths.task(alpha, product), front, rear)
@@ -68,7 +71,8 @@ def test_the_search_finds_the_closed_form():
 @settings(derandomize=True, max_examples=60, deadline=None)
 @given(st.complex_numbers(max_magnitude=1.8), st.complex_numbers(max_magnitude=1.0))
 def test_no_neighbour_is_lighter(alpha, product):
-    """Least to a millionth, where sectors in two planes make a kink: also against the best of fine steps around the lengths found."""
+    """Least to a millionth, where sectors in two planes make a kink: also against the best of fine steps around the
+    lengths found."""
     assume(abs(alpha) + abs(product) > 1e-3)
     front, rear, u = lengths.lengths(alpha, product)
     assume(u[0] <= 1)
@@ -82,10 +86,16 @@ def test_no_neighbour_is_lighter(alpha, product):
         assert lengths.amount(asked, f, r).min() >= mass * (1 - 1e-6) - 1e-15
 
 
-@pytest.mark.parametrize("alpha, product", [
-    (0.30679948576902455, 0.19702688854535458), (0.05572625775767707, 0.05015363198190936), (0.04229308463868905, 0.03811367206288815),
-    (-0.46152792829343003 - 0.005569833892390687j, -0.23078076807026965), (0.0078125, 0.0078125),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    "alpha, product",
+    [
+        (0.30679948576902455, 0.19702688854535458),
+        (0.05572625775767707, 0.05015363198190936),
+        (0.04229308463868905, 0.03811367206288815),
+        (-0.46152792829343003 - 0.005569833892390687j, -0.23078076807026965),
+        (0.0078125, 0.0078125),
+    ],
+)
 def test_of_two_minima_the_lower_is_taken(alpha, product):
     """One sector does almost everything; short or of full length, the other one makes a minimum of its own."""
     front, rear, _ = lengths.lengths(alpha, product)

@@ -20,10 +20,14 @@ C, RHO = 572.932, 7860.0  # N·m, kg/m³
 P = C / OMEGA**2 * cmath.rect(1, math.radians(30))
 
 
-# --- a pure couple -----------------------------------------------------------------------------------------------------------
+# --- a pure couple
+# -----------------------------------------------------------------------------------------------------------
 @pytest.mark.parametrize(
     "R, r_0, z_max, u, gamma, b, z_c, e, m",
-    [(40.5, 15, 154, 0.986, 83.70, 140.48, 83.76, 20.211, 2.283), (43, 15, 152, 0.839, 68.25, 104.62, 99.69, 24.370, 1.591)],
+    [
+        (40.5, 15, 154, 0.986, 83.70, 140.48, 83.76, 20.211, 2.283),
+        (43, 15, 152, 0.839, 68.25, 104.62, 99.69, 24.370, 1.591),
+    ],
 )
 def test_envelopes_of_the_closed_form(R, r_0, z_max, u, gamma, b, z_c, e, m):
     """Figures of the closed form, worked out apart from this program; half a unit of the last digit."""
@@ -38,14 +42,17 @@ def test_envelopes_of_the_closed_form(R, r_0, z_max, u, gamma, b, z_c, e, m):
 
 
 def test_an_envelope_that_is_too_small():
-    """R 40.2, core 15, ±152 mm: utilisation 1.037, at most 552.8 N·m.  What is said to be needed is then just enough."""
+    """R 40.2, core 15, ±152 mm: utilisation 1.037, at most 552.8 N·m.  What is said to be needed is then just
+    enough."""
     with pytest.raises(TooSmall, match=r"552\.8 N·m at most .utilisation 1\.037") as caught:
         pair(C, OMEGA, RHO, 0.0402, 0.015, 0.152)
     none = caught.value
     assert none.possible_couple == pytest.approx(552.8, abs=0.05)
     assert pair(C, OMEGA, RHO, none.outer_radius * (1 + 1e-9), 0.015, 0.152).utilisation == pytest.approx(1, abs=1e-7)
     assert pair(C, OMEGA, RHO, 0.0402, 0.015, none.half_length * (1 + 1e-9)).utilisation == pytest.approx(1, abs=1e-7)
-    assert pair(C - none.product * OMEGA**2 * (1 + 1e-9), OMEGA, RHO, 0.0402, 0.015, 0.152).utilisation == pytest.approx(1, abs=1e-7)
+    assert pair(
+        C - none.product * OMEGA**2 * (1 + 1e-9), OMEGA, RHO, 0.0402, 0.015, 0.152
+    ).utilisation == pytest.approx(1, abs=1e-7)
     for stands in ("outer radius of 40.66 mm", "half-length of 154.8 mm", "bring 272.3 kg·mm²"):
         assert stands in none.advice
     pair(C, OMEGA, RHO, 0.04066, 0.015, 0.152)
@@ -55,14 +62,21 @@ def test_an_envelope_that_is_too_small():
 def random_envelopes(count, seed):
     random = np.random.default_rng(seed)
     R = random.uniform(20e-3, 60e-3, count)
-    return np.column_stack([
-        random.uniform(50, 1500, count), random.uniform(100, 600, count), random.uniform(7000, 8000, count), R,
-        R * random.uniform(0, 0.7, count), random.uniform(60e-3, 250e-3, count),
-    ])  # fmt: skip
+    return np.column_stack(
+        [
+            random.uniform(50, 1500, count),
+            random.uniform(100, 600, count),
+            random.uniform(7000, 8000, count),
+            R,
+            R * random.uniform(0, 0.7, count),
+            random.uniform(60e-3, 250e-3, count),
+        ]
+    )
 
 
 def test_the_closed_form_is_the_least_of_a_search_over_half_angle_and_length():
-    """200 envelopes: mass to 0.1 %, and those in which no half-angle and length give the couple are called too small."""
+    """200 envelopes: mass to 0.1 %, and those in which no half-angle and length give the couple are called too
+    small."""
     fitting = 0
     for C_i, omega, rho, R, r_0, z_max in random_envelopes(200, 9):
         b = np.linspace(z_max / 20_000, z_max, 20_000)
@@ -128,7 +142,8 @@ def test_the_gap_of_two_unlike_sectors_is_closed_too():
     assert sum(u * z for u, z in parts) == pytest.approx(P_, rel=1e-9)
 
 
-# --- a force as well -----------------------------------------------------------------------------------------------------------
+# --- a force as well
+# -----------------------------------------------------------------------------------------------------------
 @settings(max_examples=40, deadline=None)
 @given(st.floats(0, 0.4), st.floats(0.05, 0.8), st.floats(-math.pi, math.pi), st.floats(-math.pi, math.pi))
 def test_the_sectors_give_what_is_asked_and_turn_and_mirror_with_it(force, couple, phase, turn):
@@ -171,7 +186,9 @@ def test_what_one_sector_can_do_leaves_the_other_without_mass():
 def test_a_little_force_changes_little():
     alone = size(0j, P, OMEGA, RHO, 0.043, 0.015, 0.152)
     for tiny in (1e-6, 1e-9, 1e-14):
-        assert size(tiny * abs(P), P, OMEGA, RHO, 0.043, 0.015, 0.152).mass == pytest.approx(alone.mass, rel=max(1e-8, 10 * tiny))
+        assert size(tiny * abs(P), P, OMEGA, RHO, 0.043, 0.015, 0.152).mass == pytest.approx(
+            alone.mass, rel=max(1e-8, 10 * tiny)
+        )
 
 
 def test_a_longer_or_wider_envelope_is_never_heavier():
@@ -192,9 +209,9 @@ def test_what_is_needed_is_just_enough(force):
         assert size(force, P, OMEGA, RHO, **{**envelope, key: exact * more}).utilisation == pytest.approx(1, abs=1e-7)
         with pytest.raises(TooSmall):
             size(force, P, OMEGA, RHO, **{**envelope, key: exact * (1 - 1e-7)})
-    assert size(force * none.possible * (1 - 1e-9), P * none.possible * (1 - 1e-9), OMEGA, RHO, **envelope).utilisation == pytest.approx(
-        1, abs=1e-7
-    )
+    assert size(
+        force * none.possible * (1 - 1e-9), P * none.possible * (1 - 1e-9), OMEGA, RHO, **envelope
+    ).utilisation == pytest.approx(1, abs=1e-7)
     if none.product is not None:
         rest = P * (1 - none.product * more / abs(P))
         assert size(force, rest, OMEGA, RHO, **envelope).utilisation == pytest.approx(1, abs=1e-7)
@@ -213,10 +230,11 @@ def test_nothing_to_balance_is_said():
         size(0j, 0j, OMEGA, RHO, 0.043, 0.015, 0.152)
 
 
-# --- further elements ------------------------------------------------------------------------------------------------------------
+# --- further elements
+# ------------------------------------------------------------------------------------------------------------
 def test_a_hole_and_its_counterpart_close_the_couple_of_a_full_envelope():
-    """A shaft R 40.3, core Ø30, ±152 mm: a Ø12.13 hole through the rear journal (26.5 mm) at 24 mm radius and as much unbalance at
-    z −202.25 mm on the other side bring 15.84 N·m; only with them does the envelope hold 572.932 N·m."""
+    """A shaft R 40.3, core Ø30, ±152 mm: a Ø12.13 hole through the rear journal (26.5 mm) at 24 mm radius and as much
+    unbalance at z −202.25 mm on the other side bring 15.84 N·m; only with them does the envelope hold 572.932 N·m."""
     hole = RHO * math.pi / 4 * 12.13e-3**2 * 26.5e-3
     assert hole * 24 == pytest.approx(0.578, abs=5e-4)
     rear = math.radians(30)
@@ -243,7 +261,8 @@ def test_elements_that_do_all_leave_nothing_to_size():
         size(0j, P, OMEGA, RHO, 0.043, 0.015, 0.152, extras)
 
 
-# --- what is handed on -------------------------------------------------------------------------------------------------------------
+# --- what is handed on
+# -------------------------------------------------------------------------------------------------------------
 @pytest.mark.parametrize("force", [0j, 3e-3 + 1e-3j])
 def test_masses_and_pieces_are_one_shaft(force):
     found = size(force, P, OMEGA, RHO, 0.043, 0.015, 0.152)
@@ -255,7 +274,9 @@ def test_masses_and_pieces_are_one_shaft(force):
         assert (piece.start + piece.end) / 2 == pytest.approx(mass.z)
         assert piece.what == "sector" and piece.angle == mass.angle
     assert pieces(found)[0].start == pytest.approx(-0.152) and pieces(found)[1].end == pytest.approx(0.152)
-    assert masses(force, P, RHO, np.array([0.043, 0.03]), 0.015, 0.152) == pytest.approx([found.mass, np.nan], rel=1e-8, nan_ok=True)
+    assert masses(force, P, RHO, np.array([0.043, 0.03]), 0.015, 0.152) == pytest.approx(
+        [found.mass, np.nan], rel=1e-8, nan_ok=True
+    )
 
 
 @pytest.mark.parametrize("force", [0j, 3e-3 + 1e-3j])

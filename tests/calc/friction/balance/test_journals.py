@@ -32,7 +32,8 @@ def friction_of(results):
     return results.outcomes["friction"].result
 
 
-# --- the journals ----------------------------------------------------------------------------------------------------------------
+# --- the journals
+# ----------------------------------------------------------------------------------------------------------------
 @pytest.mark.parametrize("place", PLACES)
 def test_a_journal_loses_what_the_turn_costs(gamma_results, place):
     found, one = friction_of(gamma_results).journals[place], gamma_results.outcomes["bearings"].result.bearings[place]
@@ -57,7 +58,9 @@ def test_the_standing_load_is_that_of_the_power_that_closes(gamma_results):
 
 def test_a_loss_on_the_shaft_is_felt_by_its_journals():
     """What else the shaft drives goes through its gear, whose force stands still on the journals."""
-    heavier = friction_of(solve(design(changed(gamma(), friction={"other_losses": [{"name": "shaft-pump", "power_W": 2000.0}]}))))
+    heavier = friction_of(
+        solve(design(changed(gamma(), friction={"other_losses": [{"name": "shaft-pump", "power_W": 2000.0}]})))
+    )
     lighter = friction_of(solve(design(gamma())))
     for place in PLACES:
         assert heavier.journals[place].standing_load > lighter.journals[place].standing_load
@@ -78,7 +81,11 @@ def test_without_a_shaft_the_bearings_step_says_what_is_lost():
     alone = {key: value for key, value in data.items() if key not in ("countershaft", "imbalance")}
     loads = {place: {**data["bearings"][place], "load_N": 1700.0} for place in PLACES}
     document = replace(
-        gamma(), data={**alone, "bearings": {**data["bearings"], **loads, "slope_mrad": [0.1, 0.1], "journal_material": "20CrNi4"}}
+        gamma(),
+        data={
+            **alone,
+            "bearings": {**data["bearings"], **loads, "slope_mrad": [0.1, 0.1], "journal_material": "20CrNi4"},
+        },
     )
     outcomes = solve(design(document)).outcomes
     bearings = outcomes["bearings"].result.bearings
@@ -87,7 +94,8 @@ def test_without_a_shaft_the_bearings_step_says_what_is_lost():
         assert found.friction_power == bearings[place].friction_power
 
 
-# --- many operating points -----------------------------------------------------------------------------------------------------
+# --- many operating points
+# -----------------------------------------------------------------------------------------------------
 def test_at_the_design_point_many_points_are_the_one(on, gamma_results):
     one = journals_of(on)
     many = journals_at(on, np.array([0.5, 1.0]), np.array([100.0, 120.0]))
@@ -106,7 +114,8 @@ def test_the_turning_load_grows_with_the_square_of_the_speed(on):
     assert shaft_loss(some, 250.0) == pytest.approx(shaft_loss(many, 250.0)[[0, 2]])
 
 
-# --- what is handed on -----------------------------------------------------------------------------------------------------------
+# --- what is handed on
+# -----------------------------------------------------------------------------------------------------------
 def test_the_power_of_the_balance_rates_the_teeth(gamma_results):
     train, found = gamma_results.outcomes["gears"].result, friction_of(gamma_results)
     for key, mesh in found.meshes.items():
@@ -122,5 +131,7 @@ def test_a_given_power_rates_the_teeth_and_leaves_the_balance(gamma_results):
     rated = train.meshes["crank_central"].rating.mean_torque
     assert rated == pytest.approx(1350 / (2 * math.pi * abs(train.wheels["crank"].speed)), rel=1e-9)
     for place in PLACES:
-        assert friction_of(given).journals[place].friction_power == pytest.approx(friction_of(gamma_results).journals[place].friction_power)
+        assert friction_of(given).journals[place].friction_power == pytest.approx(
+            friction_of(gamma_results).journals[place].friction_power
+        )
     assert friction_of(given).total_loss == pytest.approx(friction_of(gamma_results).total_loss, rel=1e-12)

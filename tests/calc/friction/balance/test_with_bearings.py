@@ -13,10 +13,22 @@ from calc.friction.inputs import OtherLoss, PlainBearing, RollingBearing
 from calc.friction.losses import bearings as plain_bearings
 from calc.friction.losses import bearings as rolling_bearings
 from calc.sheet.errors import NoSolution
-from tests.calc.friction.pairs import CRANK_SPEED, SHAFT_POWER, Fixed, closed, friction, lubricant, r753, shown, spur_pair
+from tests.calc.friction.pairs import (
+    CRANK_SPEED,
+    SHAFT_POWER,
+    Fixed,
+    closed,
+    friction,
+    lubricant,
+    r753,
+    shown,
+    spur_pair,
+)
 
 BUSH = PlainBearing(name="idler", diameter=0.025, length=0.02, clearance=40e-6)
-ROLLERS = RollingBearing(name="central", bore=0.02, outside_diameter=0.042, f_1=0.002)  # f_1 so large that the load counts
+ROLLERS = RollingBearing(
+    name="central", bore=0.02, outside_diameter=0.042, f_1=0.002
+)  # f_1 so large that the load counts
 BEARINGS = dict(plain_bearings=(BUSH,), rolling_bearings=(ROLLERS,))
 ONLY = {"pinion_gear": spur_pair()}
 
@@ -29,10 +41,15 @@ def check(values, meshes):
         F_bt = values[f"{key}.power_in"] / (2 * math.pi * values[f"{m.driver.name}.speed"] / 60 * m.driver.base_radius)
         for name in (m.driver.name, m.driven.name):
             forces[name] = forces.get(name, 0.0) + F_bt
-    for entry, power, nu in ((BUSH, plain_bearings.plain_bearing_power, oil.mu), (ROLLERS, rolling_bearings.power, oil.nu)):
+    for entry, power, nu in (
+        (BUSH, plain_bearings.plain_bearing_power, oil.mu),
+        (ROLLERS, rolling_bearings.power, oil.nu),
+    ):
         F = values[f"{entry.name}.bearing_force"]
         assert F == pytest.approx(forces[entry.name], rel=1e-9)
-        assert values[f"{entry.name}.bearing_loss"] == pytest.approx(power(entry, F, values[f"{entry.name}.speed"] / 60, nu), rel=1e-9)
+        assert values[f"{entry.name}.bearing_loss"] == pytest.approx(
+            power(entry, F, values[f"{entry.name}.speed"] / 60, nu), rel=1e-9
+        )
 
 
 @pytest.mark.parametrize("film", ["judged", "source"])
@@ -95,7 +112,9 @@ def test_many_operating_points_are_the_single_ones():
     for i in range(3):
         at = drive(said, r753(), lubricant(), float(T[i]), float(n[i]), Fixed(float(P[i])))
         alone = losses_of(at)
-        assert (many.mesh[i], many.wheels[i], many.total[i]) == pytest.approx((alone.mesh, alone.wheels, alone.total), rel=1e-8)
+        assert (many.mesh[i], many.wheels[i], many.total[i]) == pytest.approx(
+            (alone.mesh, alone.wheels, alone.total), rel=1e-8
+        )
         alone = losses_of(drive(said, r753(), lubricant(), float(T[i]), float(n[i]), None), float(P[i]))
         assert (below.mesh[i], below.wheels[i]) == pytest.approx((alone.mesh, alone.wheels), rel=1e-8)
 
@@ -109,14 +128,30 @@ def test_the_quick_sum_is_the_traced_balance():
 
 def test_a_bearing_that_eats_the_power_is_no_solution():
     with pytest.raises(NoSolution, match=r"mesh idler–shaft: power; .* come in.*gears\.power_kW"):
-        closed(shaft_power=None, power=100.0, rolling_bearings=(RollingBearing(name="idler", bore=0.05, outside_diameter=0.2, f_0=50.0),))
+        closed(
+            shaft_power=None,
+            power=100.0,
+            rolling_bearings=(RollingBearing(name="idler", bore=0.05, outside_diameter=0.2, f_0=50.0),),
+        )
 
 
 @settings(max_examples=20, deadline=None)
-@given(P=st.floats(1.0, 1e4), speed=st.floats(5.0, 100.0), T=st.floats(20.0, 140.0), f_1=st.floats(0.0, 0.02), pump=st.floats(0, 100))
+@given(
+    P=st.floats(1.0, 1e4),
+    speed=st.floats(5.0, 100.0),
+    T=st.floats(20.0, 140.0),
+    f_1=st.floats(0.0, 0.02),
+    pump=st.floats(0, 100),
+)
 def test_any_sensible_train_closes_with_bearings(P, speed, T, f_1, pump):
     bearings = (RollingBearing(name="idler", bore=0.02, outside_diameter=0.042, f_1=f_1),)
-    found = closed(shaft_power=P, speed=speed, T=T, rolling_bearings=bearings, other_losses=(OtherLoss(name="central pump", power=pump),))
+    found = closed(
+        shaft_power=P,
+        speed=speed,
+        T=T,
+        rolling_bearings=bearings,
+        other_losses=(OtherLoss(name="central pump", power=pump),),
+    )
     values = shown(found)
     assert values["total_loss"] == pytest.approx(values["crank_power"], rel=1e-9)
     for mesh in found.result.meshes.values():

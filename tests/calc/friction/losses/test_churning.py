@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Churning by Changenet and Velex: a wheel calculated by hand, its regimes and where they meet, how much of the wheel is under oil."""
+"""Churning by Changenet and Velex: a wheel calculated by hand, its regimes and where they meet, how much of the wheel
+is under oil."""
 
 import math
 from itertools import pairwise
@@ -54,7 +55,9 @@ def test_the_wetted_surface_is_two_segments_an_arc_and_flanks():
     assert half == pytest.approx(whole / 2)
 
 
-@pytest.mark.parametrize("which, Re", [("C_m1", (1.366 / 0.239) ** (1 / 0.21)), ("C_m2", (20.797 / 3.644) ** (1 / 0.21))])
+@pytest.mark.parametrize(
+    "which, Re", [("C_m1", (1.366 / 0.239) ** (1 / 0.21)), ("C_m2", (20.797 / 3.644) ** (1 / 0.21))]
+)
 def test_the_regimes_meet_at_a_reynolds_number_of_4000(which, Re):
     """By their own constants; below the power −0.21, above nothing."""
     assert Re == pytest.approx(4000, rel=1e-2)
@@ -64,7 +67,9 @@ def test_the_regimes_meet_at_a_reynolds_number_of_4000(which, Re):
     assert churned(nu=NU * 9424.78 / Re * 2)[which] == pytest.approx(at * 2**0.21, rel=1e-4)
 
 
-@pytest.mark.parametrize("gamma, share", [(0.0, 0), (749.9, 0), (750.0, 0), (875.0, 0.25), (1000.0, 0.5), (1250.0, 1), (1e4, 1)])
+@pytest.mark.parametrize(
+    "gamma, share", [(0.0, 0), (749.9, 0), (750.0, 0), (875.0, 0.25), (1000.0, 0.5), (1250.0, 1), (1e4, 1)]
+)
 def test_between_calm_and_wild_the_number_is_a_straight_line(gamma, share):
     assert c.torque_number(C_m1=1.0, C_m2=3.0, gamma=gamma) == pytest.approx(1 + 2 * share)
 
@@ -83,7 +88,8 @@ def test_the_constants_of_the_first_pair_are_one_law_in_two_forms():
     assert narrow["C_m1"] == pytest.approx(wide["C_m1"])
 
 
-# --- how deep ------------------------------------------------------------------------------------------------------------------
+# --- how deep
+# ------------------------------------------------------------------------------------------------------------------
 @pytest.mark.parametrize("tip, h", [(1.0, 0.0), (3.0, 0.0), (48.0, 45.0), (183.0, 180.0), (500.0, 180.0)])
 def test_the_depth_counts_at_the_reference_circle(tip, h):
     """The tips are 3 mm beyond; no deeper than the whole wheel."""
@@ -118,8 +124,12 @@ def test_tips_in_the_oil_cost_nothing_and_no_dip_is_none():
 
 @settings(max_examples=60, deadline=None)
 @given(
-    rpm=st.floats(1e-3, 2e4), depth=st.floats(1e-6, 1.0), nu=st.floats(1e-6, 0.05), volume=st.floats(1e-5, 1.0), b=st.floats(1e-3, 0.2)
-)  # fmt: skip
+    rpm=st.floats(1e-3, 2e4),
+    depth=st.floats(1e-6, 1.0),
+    nu=st.floats(1e-6, 0.05),
+    volume=st.floats(1e-5, 1.0),
+    b=st.floats(1e-3, 0.2),
+)
 def test_churning_is_finite_and_no_gain(rpm, depth, nu, volume, b):
     h = c.depth_of_reference_circle(h_t=depth, r_a=93e-3, r=R)
     P = churned(rpm, h, nu, b, volume)["P"]

@@ -55,7 +55,8 @@ def test_under_a_load_it_is_the_film_of_the_bearings_step(gamma_results):
 
 def test_too_much_load_has_no_film():
     with pytest.raises(
-        NoSolution, match=r"plain bearing idler: no film carries its load; S = .* under 1·10⁶ N, the table ends at .*a larger bush"
+        NoSolution,
+        match=r"plain bearing idler: no film carries its load; S = .* under 1·10⁶ N, the table ends at .*a larger bush",
     ):
         p.plain_bearing_power(bush(), 1e6, SPEED, ETA)
     with pytest.raises(NoSolution, match="no film carries"):
@@ -64,12 +65,18 @@ def test_too_much_load_has_no_film():
 
 @pytest.mark.parametrize("length", [2e-3, 60e-3])
 def test_a_length_outside_the_table_is_refused(length):
-    with pytest.raises(NoSolution, match=r"plain bearing idler; its length is .* diameters; choose a length between 0.1 and 2"):
+    with pytest.raises(
+        NoSolution, match=r"plain bearing idler; its length is .* diameters; choose a length between 0.1 and 2"
+    ):
         p.plain_bearing_power(bush(length=length), 100.0, SPEED, ETA)
 
 
 def test_many_operating_points_are_the_single_ones():
-    F, n, eta = np.array([0.0, 1.0, 100.0, 2000.0]), np.array([5.0, 30.0, 30.0, 80.0]), np.array([0.1, 0.02, 0.008, 0.008])
+    F, n, eta = (
+        np.array([0.0, 1.0, 100.0, 2000.0]),
+        np.array([5.0, 30.0, 30.0, 80.0]),
+        np.array([0.1, 0.02, 0.008, 0.008]),
+    )
     alone = [p.plain_bearing_power(bush(), *point) for point in zip(F.tolist(), n.tolist(), eta.tolist())]
     assert p.plain_bearing_power(bush(), F, n, eta) == pytest.approx(alone, rel=1e-12)
     assert p.plain_bearing_power(bush(), 100.0, n[1:], eta[1:]) == pytest.approx(
@@ -78,7 +85,9 @@ def test_many_operating_points_are_the_single_ones():
 
 
 @settings(max_examples=60, deadline=None)
-@given(F=st.just(0.0) | st.floats(1e-9, 5000), n=st.floats(0.1, 300), eta=st.floats(1e-3, 0.5), share=st.floats(0.11, 1.9))
+@given(
+    F=st.just(0.0) | st.floats(1e-9, 5000), n=st.floats(0.1, 300), eta=st.floats(1e-3, 0.5), share=st.floats(0.11, 1.9)
+)
 def test_friction_is_finite_and_no_less_than_petroff(F, n, eta, share):
     one = bush(length=share * 25e-3)
     try:

@@ -29,7 +29,8 @@ def by_palmgren(F, rpm, nu, f_0, f_1, d=25.0, D=52.0):
     return (M_0 + f_1 * F * d_m) * rpm * math.pi / 30 * 1e-3
 
 
-# --- Palmgren --------------------------------------------------------------------------------------------------------------------
+# --- Palmgren
+# --------------------------------------------------------------------------------------------------------------------
 @pytest.mark.parametrize("rpm, nu", [(3000.0, 15.0), (10000.0, 8.0), (100.0, 5.0), (1000.0, 1.5)])
 def test_palmgren_in_the_units_of_the_catalogues(rpm, nu):
     one = bearing(lubrication="bath", count=1)
@@ -51,8 +52,12 @@ def test_the_two_branches_meet_beside_2000():
 
 @pytest.mark.parametrize("lubrication, factor", [("bath", 1.0), ("mist", 0.5), ("jet", 2.0)])
 def test_how_the_oil_comes_changes_its_part(lubrication, factor):
-    assert power(bearing(lubrication=lubrication, f_1=0.0)) == pytest.approx(factor * power(bearing(lubrication="bath", f_1=0.0)))
-    assert power(bearing(lubrication=lubrication, f_0=0.0)) == pytest.approx(power(bearing(lubrication="bath", f_0=0.0)))
+    assert power(bearing(lubrication=lubrication, f_1=0.0)) == pytest.approx(
+        factor * power(bearing(lubrication="bath", f_1=0.0))
+    )
+    assert power(bearing(lubrication=lubrication, f_0=0.0)) == pytest.approx(
+        power(bearing(lubrication="bath", f_0=0.0))
+    )
 
 
 def test_given_factors_are_taken_as_they_are():
@@ -71,10 +76,13 @@ def test_the_load_is_shared():
 @pytest.mark.parametrize("kind", b.FACTORS)
 def test_every_type_has_factors(kind):
     f_0, f_1 = b.FACTORS[kind]
-    assert power(bearing(kind=kind, lubrication="bath", count=1)) == pytest.approx(by_palmgren(1000.0, 3000.0, 15.0, f_0, f_1))
+    assert power(bearing(kind=kind, lubrication="bath", count=1)) == pytest.approx(
+        by_palmgren(1000.0, 3000.0, 15.0, f_0, f_1)
+    )
 
 
-# --- SKF ---------------------------------------------------------------------------------------------------------------------------
+# --- SKF
+# ---------------------------------------------------------------------------------------------------------------------------
 def by_skf(F, rpm, nu, G_rr, G_sl, K_Z, mu_EHL, d=25.0, D=52.0):
     """The published equations in mm, N, N·mm, rpm and mm²/s; K_rs 3e-8, μ_bl 0.12.  The power of one bearing in W."""
     d_m = (d + D) / 2
@@ -103,7 +111,8 @@ def test_a_6205_by_skf(F, rpm, nu):
 
 
 def test_a_6205_lies_between_the_rules_of_thumb():
-    """0.5·μ·P·d with μ 0.0015 of SKF's catalogue is for a load of about C/10, 1.4 kN; the models are within a factor of two of it."""
+    """0.5·μ·P·d with μ 0.0015 of SKF's catalogue is for a load of about C/10, 1.4 kN; the models are within a factor of
+    two of it."""
     simple = 0.5 * 0.0015 * 1400 * 25e-3 * 3000 * math.pi / 30
     for one in (bearing(method="skf", series="62", count=1), bearing(count=1)):
         assert 0.5 < power(one, 1400.0) / simple < 2
@@ -112,23 +121,40 @@ def test_a_6205_lies_between_the_rules_of_thumb():
 def test_cylindrical_rollers_by_skf():
     """NU 2205: series 22."""
     one = bearing(kind="cylindrical-roller", method="skf", series="22", count=1, lubrication="bath")
-    assert power(one, 2000.0) == pytest.approx(by_skf(2000.0, 3000.0, 15.0, *rollers(1.40e-6, 0.0015), 5.1, 0.02), rel=1e-9)
+    assert power(one, 2000.0) == pytest.approx(
+        by_skf(2000.0, 3000.0, 15.0, *rollers(1.40e-6, 0.0015), 5.1, 0.02), rel=1e-9
+    )
 
 
-@pytest.mark.parametrize("kind, series", [
-    ("deep-groove-ball", "99"), ("deep-groove-ball", None), ("cylindrical-roller", "62"), ("needle-roller", "62"), ("tapered-roller", "302"),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    "kind, series",
+    [
+        ("deep-groove-ball", "99"),
+        ("deep-groove-ball", None),
+        ("cylindrical-roller", "62"),
+        ("needle-roller", "62"),
+        ("tapered-roller", "302"),
+    ],
+)
 def test_a_series_without_constants_is_refused_with_those_that_are_known(kind, series):
     with pytest.raises(
-        NoSolution, match=r"rolling bearing idler: SKF's model.*palmgren.*deep-groove-ball 2, 3,.*cylindrical-roller 4, 22"
+        NoSolution,
+        match=r"rolling bearing idler: SKF's model.*palmgren.*deep-groove-ball 2, 3,.*cylindrical-roller 4, 22",
     ) as caught:
         power(bearing(kind=kind, method="skf", series=series))
     assert (series or "not given") in str(caught.value)
 
 
-@pytest.mark.parametrize("said", [dict(), dict(method="skf", series="60"), dict(kind="cylindrical-roller", method="skf", series="4")])
+@pytest.mark.parametrize(
+    "said", [dict(), dict(method="skf", series="60"), dict(kind="cylindrical-roller", method="skf", series="4")]
+)
 def test_many_operating_points_are_the_single_ones(said):
-    one, F, rpm, nu = bearing(**said), np.array([0.0, 10.0, 1000.0]), np.array([100.0, 3000.0, 9000.0]), np.array([200.0, 15.0, 0.1])
+    one, F, rpm, nu = (
+        bearing(**said),
+        np.array([0.0, 10.0, 1000.0]),
+        np.array([100.0, 3000.0, 9000.0]),
+        np.array([200.0, 15.0, 0.1]),
+    )
     alone = [power(one, *point) for point in zip(F.tolist(), rpm.tolist(), nu.tolist())]
     assert power(one, F, rpm, nu) == pytest.approx(alone, rel=1e-12)
 

@@ -24,7 +24,8 @@ def test_simrit_is_a_torque_by_the_square_of_the_diameter():
 
 
 @pytest.mark.parametrize(
-    "T, nu_40, expected", [(80.0, 220e-6, 146e-7), (100.0, 100e-6, 91e-7), (100.0, 46e-6, 63e-7), (90.0, 100e-6, 107e-7)]
+    "T, nu_40, expected",
+    [(80.0, 220e-6, 146e-7), (100.0, 100e-6, 91e-7), (100.0, 46e-6, 63e-7), (90.0, 100e-6, 107e-7)],
 )
 def test_linke_by_hand(T, nu_40, expected):
     """Calculated by hand from the published equation, three oils by their ISO VG."""

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What the wheels lose besides their meshes: who carries it, that nothing is lost in the balance, what loads an idler's bush."""
+"""What the wheels lose besides their meshes: who carries it, that nothing is lost in the balance, what loads an idler's
+bush."""
 
 import math
 from dataclasses import replace
@@ -27,7 +28,8 @@ EVERYTHING = dict(
 )
 
 
-# --- the balance -------------------------------------------------------------------------------------------------------------------
+# --- the balance
+# -------------------------------------------------------------------------------------------------------------------
 def test_all_parts_together_are_the_power_at_the_crank():
     values = shown(closed(**EVERYTHING))
     parts = {part: values[f"{part}_loss"] for part in PARTS}
@@ -39,9 +41,13 @@ def test_all_parts_together_are_the_power_at_the_crank():
 def test_every_kind_of_loss_sums_over_the_wheels():
     values = shown(closed(**EVERYTHING))
     for kind, of_wheel in (
-        ("windage", "windage"), ("churning", "churning"), ("thrown_oil", "thrown_oil"), ("seal", "seal_loss"),
-        ("wheel_bearing", "bearing_loss"), ("other", "other_loss"),
-    ):  # fmt: skip
+        ("windage", "windage"),
+        ("churning", "churning"),
+        ("thrown_oil", "thrown_oil"),
+        ("seal", "seal_loss"),
+        ("wheel_bearing", "bearing_loss"),
+        ("other", "other_loss"),
+    ):
         each = [values.get(f"{name}.{of_wheel}", 0.0) for name in ("crank", "central", "idler", "shaft")]
         assert values[f"{kind}_loss"] == pytest.approx(sum(each), rel=1e-12), kind
 
@@ -51,12 +57,15 @@ def test_each_mesh_carries_the_wheels_behind_it():
 
     def own(name):
         return sum(
-            values.get(f"{name}.{part}", 0.0) for part in ("windage", "churning", "thrown_oil", "seal_loss", "bearing_loss", "other_loss")
+            values.get(f"{name}.{part}", 0.0)
+            for part in ("windage", "churning", "thrown_oil", "seal_loss", "bearing_loss", "other_loss")
         )
 
     assert values["idler_shaft.power_out"] == pytest.approx(own("shaft") + values["bearing_loss"], rel=1e-12)
     assert values["central_idler.power_out"] == pytest.approx(own("idler") + values["idler_shaft.power_in"], rel=1e-12)
-    assert values["crank_central.power_out"] == pytest.approx(own("central") + values["central_idler.power_in"], rel=1e-12)
+    assert values["crank_central.power_out"] == pytest.approx(
+        own("central") + values["central_idler.power_in"], rel=1e-12
+    )
     assert values["crank_power"] == pytest.approx(own("crank") + values["crank_central.power_in"], rel=1e-12)
 
 
@@ -70,18 +79,23 @@ def test_an_entry_counts_as_much_as_its_two_halves():
 
 def test_what_names_no_wheel_is_carried_by_the_last_and_is_told():
     outcome = closed(
-        seals=(Seal(name="flywheel", diameter=0.03),), jets=(Jet(name="nozzle", flow=1e-5, jet_speed=0.0),),
+        seals=(Seal(name="flywheel", diameter=0.03),),
+        jets=(Jet(name="nozzle", flow=1e-5, jet_speed=0.0),),
         dips=(Dip(name="idler", depth=5e-3, oil_volume=1e-3),),
-    )  # fmt: skip
+    )
     values = shown(outcome)
     assert {"shaft.seal_loss", "shaft.thrown_oil", "idler.churning"} <= values.keys()
-    assert any(note.startswith("Carried by wheel shaft, the last, ") and "flywheel, nozzle" in note for note in outcome.notes)
+    assert any(
+        note.startswith("Carried by wheel shaft, the last, ") and "flywheel, nozzle" in note for note in outcome.notes
+    )
 
 
 def test_no_entry_leaves_no_value():
     values = shown(closed())
     assert not [
-        id for id in values if "seal" in id or "churning" in id or "thrown" in id or "wheel_bearing" in id or id.endswith("bearing_force")
+        id
+        for id in values
+        if "seal" in id or "churning" in id or "thrown" in id or "wheel_bearing" in id or id.endswith("bearing_force")
     ]
 
 
@@ -102,7 +116,8 @@ def test_speeds_follow_the_teeth_and_many_points_are_the_single_ones():
                     assert np.broadcast_to(getattr(many[name], part), 3)[i] == pytest.approx(one, rel=1e-12)
 
 
-# --- bearings of the wheels ------------------------------------------------------------------------------------------------------
+# --- bearings of the wheels
+# ------------------------------------------------------------------------------------------------------
 def test_without_places_a_bush_carries_the_largest_that_its_teeth_can_push():
     outcome = closed(plain_bearings=EVERYTHING["plain_bearings"])
     values, meshes = shown(outcome), r753()
@@ -112,7 +127,9 @@ def test_without_places_a_bush_carries_the_largest_that_its_teeth_can_push():
     ]
     assert values["idler.bearing_force"] == pytest.approx(forces[1] + forces[2], rel=1e-9)
     oil = lubricant().at(120.0)
-    expected = plain_bearings.plain_bearing_power(EVERYTHING["plain_bearings"][0], forces[1] + forces[2], values["idler.speed"] / 60, oil.mu)
+    expected = plain_bearings.plain_bearing_power(
+        EVERYTHING["plain_bearings"][0], forces[1] + forces[2], values["idler.speed"] / 60, oil.mu
+    )
     assert values["idler.bearing_loss"] == pytest.approx(expected, rel=1e-9)
     speeds = speeds_of(meshes, CRANK_SPEED)
     most = most_force(meshes, {key: values[f"{key}.power_in"] for key in meshes}, speeds)
@@ -142,7 +159,11 @@ def bearing_forces(results):
 
 
 def test_in_their_places_the_bushes_carry_what_the_gear_step_says():
-    placed = bushes(gamma()).with_value("countershaft.axis_mm", [-60.0, 120.0]).with_value("gears.wheels.central.position_mm", [30.0, 59.0])
+    placed = (
+        bushes(gamma())
+        .with_value("countershaft.axis_mm", [-60.0, 120.0])
+        .with_value("gears.wheels.central.position_mm", [30.0, 59.0])
+    )
     results = solve(design(placed))
     for ours, theirs in bearing_forces(results).values():
         assert theirs.bearing_force is not None

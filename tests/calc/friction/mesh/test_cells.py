@@ -40,12 +40,19 @@ def test_one_regime_everywhere_is_one_or_nothing():
     assert (cells.below_zero(-some) == 1.0).all() and (cells.below_zero(some) == 0.0).all()
 
 
-@pytest.mark.parametrize("name, T, n, powers", [("spur", 20.0, 90.0, (10e3, 18e3)), ("helical", 120.0, 30.0, (420.0, 620.0))])
+@pytest.mark.parametrize(
+    "name, T, n, powers", [("spur", 20.0, 90.0, (10e3, 18e3)), ("helical", 120.0, 30.0, (420.0, 620.0))]
+)
 def test_the_loss_does_not_jump_with_the_power(name, T, n, powers):
-    """Between two powers one per cent apart no step of several per cent, and the default path is as good as a fine one."""
+    """Between two powers one per cent apart no step of several per cent, and the default path is as good as a fine
+    one."""
     o = oil("10W-40 Q8 T905", T)
     coarse = case(friction(), PAIRS[name], o, n)
-    fine = case(friction(), PAIRS[name], o, n, points=100) if name == "spur" else case(friction(), PAIRS[name], o, n, points=12, strips=31)
+    fine = (
+        case(friction(), PAIRS[name], o, n, points=100)
+        if name == "spur"
+        else case(friction(), PAIRS[name], o, n, points=12, strips=31)
+    )
     P = np.geomspace(*powers, 9)
     a, b, c = solve_mesh(coarse, P, True), solve_mesh(coarse, P * 1.0001, True), solve_mesh(fine, P, True)
     assert b.loss == pytest.approx(a.loss, rel=5e-3)

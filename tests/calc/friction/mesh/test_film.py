@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Film and rolling: spot values, the four regimes, and the constants of the rigid film from its own Reynolds equation."""
+"""Film and rolling: spot values, the four regimes, and the constants of the rigid film from its own Reynolds
+equation."""
 
 import math
 
@@ -43,7 +44,8 @@ def test_thermal_reduction_of_a_slow_contact_is_none():
     assert f.thermal_reduction(p_H=5e8, E_r=E_R, L=1e-12, S=0.0) == pytest.approx(1.0, abs=1e-4)
 
 
-# --- the rigid isoviscous film, from Reynolds' equation ---------------------------------------------------------------------
+# --- the rigid isoviscous film, from Reynolds' equation
+# ---------------------------------------------------------------------
 def rigid_constants(points=200_000):
     """Load, sliding and rolling of h = h₀ + x²/2R with the film ending where p and dp/dx vanish.
 
@@ -85,7 +87,8 @@ def test_ehl_rolling_grows_with_speed():
     assert fast / slow == pytest.approx(2**1.658)
 
 
-# --- regimes ---------------------------------------------------------------------------------------------------------------
+# --- regimes
+# ---------------------------------------------------------------------------------------------------------------
 def test_the_thickest_regime_governs():
     assert f.governing_film(H_IR=1.0, H_VR=4.0, H_IE=2.0, H_VE=3.0) == 4.0
 
@@ -108,7 +111,8 @@ def test_by_regime_the_film_is_never_thinner_than_the_source_has_it():
         assert judged.film_min >= source.film_min * (1 - 1e-12)
 
 
-# --- the oil of the mesh -----------------------------------------------------------------------------------------------------
+# --- the oil of the mesh
+# -----------------------------------------------------------------------------------------------------
 @pytest.mark.parametrize(("T", "eta"), [(40.0, 80.965), (60.0, 36.228), (100.0, 11.375), (120.0, 7.413)])
 def test_dynamic_viscosity_of_the_engine_oil(T, eta):
     assert lubricant().at(T).mu * 1e3 == pytest.approx(eta, abs=5e-4)

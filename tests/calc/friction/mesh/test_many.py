@@ -46,7 +46,9 @@ def test_they_are_the_single_ones(kind, at_once, by_regime, monkeypatch):
 def test_the_coarse_path_is_as_good_as_it_says(kind, tolerance):
     """With one film everywhere; where the regime changes on the path its place is only known to a position."""
     mesh, fine = MESHES[kind], {"points": 60 if kind == "spur" else 4, "strips": 41}
-    coarse, fine = (many.losses(friction(), mesh, lubricant(), T, N, P, by_regime=False, **more).loss for more in ({}, fine))
+    coarse, fine = (
+        many.losses(friction(), mesh, lubricant(), T, N, P, by_regime=False, **more).loss for more in ({}, fine)
+    )
     assert coarse == pytest.approx(fine, rel=tolerance)
 
 
@@ -57,7 +59,9 @@ def test_numbers_and_arrays_mix():
     assert np.ravel(one.loss)[0] == pytest.approx(found.loss[3], rel=1e-9)
 
 
-@pytest.mark.parametrize("said", [{"P": np.array([10.0, np.nan])}, {"N": np.array([0.0, 10.0])}, {"P": np.array([10.0, -1.0])}])
+@pytest.mark.parametrize(
+    "said", [{"P": np.array([10.0, np.nan])}, {"N": np.array([0.0, 10.0])}, {"P": np.array([10.0, -1.0])}]
+)
 def test_a_number_without_meaning_is_refused(said):
     with pytest.raises(NoSolution, match=r"mesh pinion–gear: (power|speed|force)"):
         many.losses(friction(), MESHES["spur"], lubricant(), 60.0, said.get("N", 25.0), said.get("P", 100.0))

@@ -8,7 +8,15 @@ import numpy as np
 import pytest
 
 from calc.friction.mesh.loss import case, loss_factor, solve_mesh
-from calc.friction.mesh.path import _legendre, line_load, linear_load_sharing, motion, path, smooth_load_sharing, transverse_force
+from calc.friction.mesh.path import (
+    _legendre,
+    line_load,
+    linear_load_sharing,
+    motion,
+    path,
+    smooth_load_sharing,
+    transverse_force,
+)
 from calc.library.contact import hertz_pressure, ohlendorf_loss_factor
 from calc.sheet.errors import NoSolution
 from tests.calc.friction.pairs import friction, fzg, oil, r753, reference, spur_pair
@@ -23,13 +31,20 @@ def wider(mesh, b):
 
 def tips(mesh, driver=1.0, driven=1.0):
     one, two = mesh.driver, mesh.driven
-    return replace(mesh, driver=replace(one, tip_radius=one.tip_radius * driver), driven=replace(two, tip_radius=two.tip_radius * driven))
+    return replace(
+        mesh,
+        driver=replace(one, tip_radius=one.tip_radius * driver),
+        driven=replace(two, tip_radius=two.tip_radius * driven),
+    )
 
 
-# --- published -------------------------------------------------------------------------------------------------------------
+# --- published
+# -------------------------------------------------------------------------------------------------------------
 def test_loss_factor_of_the_fzg_gears():
     known, p = VECTORS["fzg_c"], path(fzg())
-    H_V = ohlendorf_loss_factor(z_1=16, z_2=24, beta_b=0.0, eps_alpha=p.epsilon_alpha, eps_1=p.epsilon_1, eps_2=p.epsilon_2)
+    H_V = ohlendorf_loss_factor(
+        z_1=16, z_2=24, beta_b=0.0, eps_alpha=p.epsilon_alpha, eps_1=p.epsilon_1, eps_2=p.epsilon_2
+    )
     assert H_V == pytest.approx(known["ohlendorf_loss_factor"], abs=known["tolerance"])
 
 
@@ -50,7 +65,8 @@ def test_contact_ratios_of_the_train(name):
     assert p.epsilon_beta == pytest.approx(known["overlap_ratio"][name], abs=known["tolerance"])
 
 
-# --- the spur pair -----------------------------------------------------------------------------------------------------------
+# --- the spur pair
+# -----------------------------------------------------------------------------------------------------------
 def test_points_of_the_thesis_pair():
     """Computed by hand from its data: C_A … C_E, C_F, base pitch in mm."""
     p = path(spur_pair())
@@ -82,19 +98,24 @@ def test_ohlendorf_is_exact_where_two_pairs_share_half_and_half():
     share = np.where((p.x < p.C_B) | (p.x > p.C_D), 0.5, 1.0)
     F_bt = transverse_force(P=1000.0, omega_1=c.motion.omega_1, r_b1=mesh.driver.base_radius)
     H_VL = loss_factor(s=p.weight, w=share * F_bt / mesh.face_width, V_s=c.motion.V_s, P=1000.0)
-    H_V = ohlendorf_loss_factor(z_1=38, z_2=76, beta_b=0.0, eps_alpha=p.epsilon_alpha, eps_1=p.epsilon_1, eps_2=p.epsilon_2)
+    H_V = ohlendorf_loss_factor(
+        z_1=38, z_2=76, beta_b=0.0, eps_alpha=p.epsilon_alpha, eps_1=p.epsilon_1, eps_2=p.epsilon_2
+    )
     assert H_VL == pytest.approx(H_V, rel=1e-12)
     assert H_V == pytest.approx(0.098764, abs=1e-6)
 
 
-# --- helical -----------------------------------------------------------------------------------------------------------------
+# --- helical
+# -----------------------------------------------------------------------------------------------------------------
 @pytest.mark.parametrize("name", r753())
 def test_the_lines_carry_the_whole_force(name):
     mesh = r753()[name]
     p = path(mesh)
     w, _ = line_load(mesh, p, 100.0)
     assert np.sum(p.weight * w) * math.cos(mesh.base_helix_angle) == pytest.approx(100.0, rel=2e-4)
-    assert np.sum(p.weight) == pytest.approx(p.epsilon_alpha * mesh.face_width / math.cos(mesh.base_helix_angle), rel=1e-12)
+    assert np.sum(p.weight) == pytest.approx(
+        p.epsilon_alpha * mesh.face_width / math.cos(mesh.base_helix_angle), rel=1e-12
+    )
 
 
 def test_an_overlap_of_one_makes_the_load_uniform_and_the_loss_factor_closed():
@@ -105,16 +126,25 @@ def test_an_overlap_of_one_makes_the_load_uniform_and_the_loss_factor_closed():
     assert p.epsilon_beta == pytest.approx(1.0)
     assert np.ptp(p.carried) < 1e-12 * np.mean(p.carried)
     u, z_1 = 39 / 36, 36
-    expected = math.pi * (u + 1) / (z_1 * u * math.cos(mesh.base_helix_angle)) * (p.epsilon_1**2 + p.epsilon_2**2) / p.epsilon_alpha
+    expected = (
+        math.pi
+        * (u + 1)
+        / (z_1 * u * math.cos(mesh.base_helix_angle))
+        * (p.epsilon_1**2 + p.epsilon_2**2)
+        / p.epsilon_alpha
+    )
     c = case(friction(), mesh, oil(OIL, 120.0), 30.0)
     assert solve_mesh(c, 300.0, False).loss_factor == pytest.approx(expected, rel=1e-10)
 
 
-# --- how fine --------------------------------------------------------------------------------------------------------------
+# --- how fine
+# --------------------------------------------------------------------------------------------------------------
 @pytest.mark.parametrize(("sharing", "tolerance"), [("linear", 1e-7), ("smooth", 1e-5)])
 def test_positions_of_a_spur_pair_are_fine_enough(sharing, tolerance):
     said, o = friction(load_sharing=sharing), oil("friction thesis 10W40", 40.0)
-    coarse, fine = (solve_mesh(case(said, spur_pair(), o, 25.0, **more), 100.0, False) for more in ({}, {"points": 150}))
+    coarse, fine = (
+        solve_mesh(case(said, spur_pair(), o, 25.0, **more), 100.0, False) for more in ({}, {"points": 150})
+    )
     assert coarse.loss == pytest.approx(fine.loss, rel=tolerance)
 
 
@@ -122,20 +152,28 @@ def test_positions_of_a_spur_pair_are_fine_enough(sharing, tolerance):
 @pytest.mark.parametrize("b", [6e-3, 15e-3, 40e-3])
 def test_strips_of_a_helical_pair_are_fine_enough(b, by_regime):
     mesh, o = wider(r753()["crank_central"], b), oil(OIL, 120.0)
-    coarse, fine = (solve_mesh(case(friction(), mesh, o, 43.3, **more), 290.0, by_regime) for more in ({}, {"points": 6, "strips": 121}))
+    coarse, fine = (
+        solve_mesh(case(friction(), mesh, o, 43.3, **more), 290.0, by_regime)
+        for more in ({}, {"points": 6, "strips": 121})
+    )
     assert coarse.loss == pytest.approx(fine.loss, rel=2e-4)
     assert coarse.film_min == pytest.approx(fine.film_min, rel=5e-3)
 
 
-# --- what can not mesh ---------------------------------------------------------------------------------------------------------
+# --- what can not mesh
+# ---------------------------------------------------------------------------------------------------------
 @pytest.mark.parametrize(
     "mesh",
     [
-        tips(spur_pair(), driver=1.15), tips(spur_pair(), driven=1.1), tips(spur_pair(), 0.97, 0.97), tips(spur_pair(), 1.03, 1.03),
-        replace(spur_pair(), centre_distance=120e-3), replace(spur_pair(), centre_distance=142e-3),
+        tips(spur_pair(), driver=1.15),
+        tips(spur_pair(), driven=1.1),
+        tips(spur_pair(), 0.97, 0.97),
+        tips(spur_pair(), 1.03, 1.03),
+        replace(spur_pair(), centre_distance=120e-3),
+        replace(spur_pair(), centre_distance=142e-3),
         wider(tips(r753()["idler_shaft"], 0.97, 0.97), 2e-3),
     ],
-)  # fmt: skip
+)
 def test_teeth_that_do_not_mesh_are_refused(mesh):
     with pytest.raises(NoSolution, match="path of contact"):
         path(mesh)

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The spur pair of the gear friction thesis: recorded values of a second implementation, and what the regimes change."""
+"""The spur pair of the gear friction thesis: recorded values of a second implementation, and what the regimes
+change."""
 
 import numpy as np
 import pytest
@@ -15,7 +16,9 @@ TOLERANCE = 1e-4
 
 
 def solved(row, by_regime=False):
-    c = case(friction(load_sharing=row["load_sharing"]), spur_pair(), oil(row["oil"], row.get("temperature_C", 40.0)), SPEED)
+    c = case(
+        friction(load_sharing=row["load_sharing"]), spur_pair(), oil(row["oil"], row.get("temperature_C", 40.0)), SPEED
+    )
     return c, solve_mesh(c, row.get("power_W", 100.0), by_regime)
 
 
@@ -58,11 +61,15 @@ def test_oils_at_light_load(row):
     assert found.lambda_min == pytest.approx(row["lambda_min"], rel=TOLERANCE)
     assert np.max(local.lam) == pytest.approx(row["lambda_max"], rel=TOLERANCE)
     A, _, C, _, E = at_marks(local.h, local, c.path)
-    assert [A * 1e6, C * 1e6, E * 1e6] == pytest.approx([row["film_A_um"], row["film_C_um"], row["film_E_um"]], rel=TOLERANCE)
+    assert [A * 1e6, C * 1e6, E * 1e6] == pytest.approx(
+        [row["film_A_um"], row["film_C_um"], row["film_E_um"]], rel=TOLERANCE
+    )
     mu = at_marks(local.mu, local, c.path)
     assert (mu[0], mu[4]) == pytest.approx((row["friction_A"], row["friction_E"]), rel=TOLERANCE)
     # the hottest position lies between grid points where the tips are relieved
-    assert found.temperature_max - 40 == pytest.approx(row["warming_max_K"], rel=TOLERANCE if row["load_sharing"] == "linear" else 1e-3)
+    assert found.temperature_max - 40 == pytest.approx(
+        row["warming_max_K"], rel=TOLERANCE if row["load_sharing"] == "linear" else 1e-3
+    )
     assert solve_mesh(c, 100.0, True).rigid_share == pytest.approx(row["rigid_share"])
 
 
@@ -96,7 +103,9 @@ def test_nothing_slides_at_the_pitch_point():
 @pytest.mark.parametrize("by_regime", [False, True])
 def test_relieved_tips_carry_nothing_and_stay_finite(by_regime):
     c, found = solved(RECORDED["at_40_C_and_100_W"][1], by_regime)
-    w, w_f = line_load(c.mesh, c.path, transverse_force(P=100.0, omega_1=c.motion.omega_1, r_b1=c.mesh.driver.base_radius))
+    w, w_f = line_load(
+        c.mesh, c.path, transverse_force(P=100.0, omega_1=c.motion.omega_1, r_b1=c.mesh.driver.base_radius)
+    )
     assert np.asarray(w)[[-5, -1]] == pytest.approx([0.0, 0.0], abs=1e-9)
     assert np.min(w_f) == pytest.approx(0.01 * np.max(w))
     for column in (found.local.h, found.local.mu, found.local.q, found.local.T_f):

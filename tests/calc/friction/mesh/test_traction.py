@@ -19,7 +19,8 @@ from tests.calc.friction.pairs import friction, oil, r753, spur_pair
 OILS = ("friction thesis 10W40", "friction thesis 0W30", "friction thesis MIL-L-23699E")
 
 
-# --- the error function --------------------------------------------------------------------------------------------------------
+# --- the error function
+# --------------------------------------------------------------------------------------------------------
 def test_erf_of_an_array_is_that_of_math():
     x = np.concatenate((np.linspace(-7, 7, 20011), [0.0, 1e-300, 6.0, 1e9]))
     assert np.max(np.abs(erf(x) - np.array([math.erf(v) for v in x]))) < 6e-14
@@ -30,9 +31,11 @@ def test_erf_of_a_float_and_of_nan():
     assert np.isnan(erf(np.array([np.nan]))).all()
 
 
-# --- the temperature of the film ---------------------------------------------------------------------------------------------
+# --- the temperature of the film
+# ---------------------------------------------------------------------------------------------
 def warming(c, P):
-    """T → warmed(T) of a whole mesh with the EHL film, as `traction` has it; with the highest temperature that can come out."""
+    """T → warmed(T) of a whole mesh with the EHL film, as `traction` has it; with the highest temperature that can come
+    out."""
     w, w_f = line_load(c.mesh, c.path, transverse_force(P=P, omega_1=c.motion.omega_1, r_b1=c.mesh.driver.base_radius))
     m, lube = c.motion, c.oil.lubricant
     b_H, p_H = half_width(w_f, m.R, m.E_r), hertz_pressure(w_f, m.E_r, m.R)
@@ -45,7 +48,9 @@ def warming(c, P):
         eta_f = lube.at(T).mu
         alpha_f = lube.alpha(eta_f)
         tau_E = t.eyring_stress(lube.limiting_shear, alpha_f)
-        mu_f = t.fluid_friction(tau_E, p_m, t.viscosity_under_pressure(eta_f, alpha_f, p_m), m.V_s, h, lube.limiting_shear)
+        mu_f = t.fluid_friction(
+            tau_E, p_m, t.viscosity_under_pressure(eta_f, alpha_f, p_m), m.V_s, h, lube.limiting_shear
+        )
         return c.oil.T_m + t.friction_power(mixed.friction(xi, mu_s, mu_f), w, m.V_s) * R_th
 
     return warmed, c.oil.T_m + mixed.friction(xi, mu_s, lube.limiting_shear) * w * m.V_s * R_th
@@ -88,7 +93,9 @@ def test_secant_bisection_and_damped_steps_agree(name, P):
 def test_no_settling_names_position_and_residual(monkeypatch):
     monkeypatch.setattr(t, "PASSES", 1)
     c = case(friction(), spur_pair(), oil(OILS[0], 60.0), 25.0)
-    with pytest.raises(NoSolution, match=r"mesh pinion–gear: temperature of the film; .* mm from T₁: off by .* K after 1 passes"):
+    with pytest.raises(
+        NoSolution, match=r"mesh pinion–gear: temperature of the film; .* mm from T₁: off by .* K after 1 passes"
+    ):
         solve_mesh(c, 10000.0, False)
 
 
@@ -104,7 +111,8 @@ def test_a_response_that_jumps_is_met_from_inside_its_bracket():
     assert steep[0] == pytest.approx(40 + 60 / (1 + math.exp(3 * (steep[0] - 70))), abs=1e-6)
 
 
-# --- the law ---------------------------------------------------------------------------------------------------------------
+# --- the law
+# ---------------------------------------------------------------------------------------------------------------
 def test_fluid_friction_never_passes_the_limiting_shear():
     assert t.fluid_friction(5e6, 1e9, 1e6, 5.0, 1e-7, 0.047) == pytest.approx(0.047)
     assert t.fluid_friction(5e6, 1e9, 1.0, 0.0, 1e-7, 0.047) == 0.0

@@ -13,21 +13,32 @@ from calc.friction.mesh.geometry import column, flat
 from calc.friction.mesh.loss import Warming, case, solve_mesh
 from tests.calc.friction.pairs import friction, lubricant, r753, spur_pair
 
-# Four points from a rigid isoviscous film to heavy mixed friction; power W, speed rev/s, temperature °C, Λ, factor on α, Ra, μ_s
+# Four points from a rigid isoviscous film to heavy mixed friction; power W, speed rev/s, temperature °C, Λ, factor on
+# α, Ra, μ_s
 POINTS = {
-    "P": np.array([5.0, 300.0, 6000.0, 20000.0]), "n": np.array([10.0, 43.3, 25.0, 60.0]), "T": np.array([40.0, 120.0, 60.0, 90.0]),
-    "Lambda": np.array([0.03, 0.047, 0.06, 0.04]), "thickening": np.array([0.8, 1.0, 1.2, 1.1]),
-    "Ra": np.array([0.4e-6, 0.8e-6, 1.6e-6, 0.2e-6]), "mu_s": np.array([0.135, 0.1, 0.16, 0.12]),
-}  # fmt: skip
+    "P": np.array([5.0, 300.0, 6000.0, 20000.0]),
+    "n": np.array([10.0, 43.3, 25.0, 60.0]),
+    "T": np.array([40.0, 120.0, 60.0, 90.0]),
+    "Lambda": np.array([0.03, 0.047, 0.06, 0.04]),
+    "thickening": np.array([0.8, 1.0, 1.2, 1.1]),
+    "Ra": np.array([0.4e-6, 0.8e-6, 1.6e-6, 0.2e-6]),
+    "mu_s": np.array([0.135, 0.1, 0.16, 0.12]),
+}
 NUMBERS = (
-    "loss", "sliding_loss", "rolling_loss", "rolling_estimate", "efficiency", "loss_factor", "friction_mean", "film_min", "lambda_min",
-    "pressure_max", "temperature_max", "bulk_temperature", "deborah_max", "rigid_share", "load", "lead_at_pitch", "thermal_reduction_min",
+    "loss", "sliding_loss", "rolling_loss", "rolling_estimate", "efficiency", "loss_factor", "friction_mean",
+    "film_min", "lambda_min",
+    "pressure_max", "temperature_max", "bulk_temperature", "deborah_max", "rigid_share", "load", "lead_at_pitch",
+    "thermal_reduction_min",
 )  # fmt: skip
 MESHES = {"spur": spur_pair(), "helical": r753()["central_idler"]}
 WAYS = {
-    "plain": {}, "relieved": {"load_sharing": "smooth"}, "roelands": {"pressure_law": "roelands"}, "estimated": {"bulk": "estimated"},
-    "bodies": {"body_resistance": (0.02, 0.01)}, "all": {"bulk": "estimated", "body_resistance": (0.02,), "pressure_law": "roelands"},
-}  # fmt: skip
+    "plain": {},
+    "relieved": {"load_sharing": "smooth"},
+    "roelands": {"pressure_law": "roelands"},
+    "estimated": {"bulk": "estimated"},
+    "bodies": {"body_resistance": (0.02, 0.01)},
+    "all": {"bulk": "estimated", "body_resistance": (0.02,), "pressure_law": "roelands"},
+}
 
 
 def made(mesh, P, n, T, Lambda, thickening, Ra, mu_s, **said):
@@ -62,7 +73,9 @@ def test_four_points_at_once_are_four_times_one(kind, way, by_regime):
 def test_along_the_path_too(kind):
     many = solve_mesh(*made(MESHES[kind], **POINTS), True).local
     for i in range(4):
-        alone = solve_mesh(*made(MESHES[kind], **{name: float(values[i]) for name, values in POINTS.items()}), True).local
+        alone = solve_mesh(
+            *made(MESHES[kind], **{name: float(values[i]) for name, values in POINTS.items()}), True
+        ).local
         for name in ("p_H", "h", "lam", "xi", "mu", "q", "T_f"):
             assert getattr(many, name)[i] == pytest.approx(getattr(alone, name), rel=1e-8, abs=1e-9), name
         assert many.x == pytest.approx(alone.x)

@@ -26,7 +26,8 @@ def solved(P=5000.0, mesh="spur", T=60.0, n=25.0, by_regime=True, X_S=1.2, X_Ca=
     return solve_mesh(c, P, by_regime)
 
 
-# --- estimated by the loss -----------------------------------------------------------------------------------------------------
+# --- estimated by the loss
+# -----------------------------------------------------------------------------------------------------
 @pytest.mark.parametrize("by_regime", [True, False])
 @pytest.mark.parametrize("mesh", MESHES)
 @pytest.mark.parametrize("P", [10.0, 5000.0, 50000.0])
@@ -35,7 +36,7 @@ def test_the_estimate_is_the_warming_by_its_own_loss(P, mesh, by_regime):
     found = solved(P, mesh, bulk="estimated", by_regime=by_regime, X_S=1.0, X_Ca=1.3)
     own = bulk_rise(
         P=P, mu_m=found.friction_mean, H_v=found.loss_factor, a=m.centre_distance, b=m.face_width, X_S=1.0, X_Ca=1.3
-    )  # fmt: skip
+    )
     assert found.bulk_temperature == pytest.approx(60 + own, abs=1e-7)
     measured = solved(P, mesh, T=found.bulk_temperature, by_regime=by_regime)
     assert found.loss == pytest.approx(measured.loss, rel=1e-8)
@@ -56,9 +57,22 @@ def test_more_power_makes_warmer_teeth():
 
 def test_a_measured_temperature_counts_before_an_estimate():
     found = closed(
-        shaft_power=None, power=5000.0, speed=25.0, T=60.0, meshes={"pinion_gear": MESHES["spur"]}, bulk="estimated", bulk_temperature=75.0
+        shaft_power=None,
+        power=5000.0,
+        speed=25.0,
+        T=60.0,
+        meshes={"pinion_gear": MESHES["spur"]},
+        bulk="estimated",
+        bulk_temperature=75.0,
     )
-    alone = closed(shaft_power=None, power=5000.0, speed=25.0, T=60.0, meshes={"pinion_gear": MESHES["spur"]}, bulk_temperature=75.0)
+    alone = closed(
+        shaft_power=None,
+        power=5000.0,
+        speed=25.0,
+        T=60.0,
+        meshes={"pinion_gear": MESHES["spur"]},
+        bulk_temperature=75.0,
+    )
     mesh = found.result.meshes["pinion_gear"]
     assert mesh.judged.bulk_temperature is None
     assert mesh.judged.loss == alone.result.meshes["pinion_gear"].judged.loss
@@ -67,19 +81,25 @@ def test_a_measured_temperature_counts_before_an_estimate():
 def test_the_design_says_how_the_oil_comes():
     """gears.lubrication gives X_S."""
     documents = (
-        changed(pair(), gears={"lubrication": way, "power_kW": 5.0}, friction={"bulk": "estimated"}) for way in ("spray", "submerged")
+        changed(pair(), gears={"lubrication": way, "power_kW": 5.0}, friction={"bulk": "estimated"})
+        for way in ("spray", "submerged")
     )
-    spray, submerged = (solve(design(d)).outcomes["friction"].result.meshes["crank_pump"].judged.bulk_temperature for d in documents)
+    spray, submerged = (
+        solve(design(d)).outcomes["friction"].result.meshes["crank_pump"].judged.bulk_temperature for d in documents
+    )
     assert spray > submerged > 40
 
 
 def test_an_estimate_that_does_not_settle_names_mesh_and_residual(monkeypatch):
     monkeypatch.setattr(loss, "PASSES", 1)
-    with pytest.raises(NoSolution, match=r"mesh pinion–gear: temperature of the teeth; off by [0-9.]+ K after 1 passes"):
+    with pytest.raises(
+        NoSolution, match=r"mesh pinion–gear: temperature of the teeth; off by [0-9.]+ K after 1 passes"
+    ):
         solved(bulk="estimated")
 
 
-# --- by the bodies' resistance ---------------------------------------------------------------------------------------------------
+# --- by the bodies' resistance
+# ---------------------------------------------------------------------------------------------------
 def test_bodies_without_resistance_change_nothing():
     assert solved(body_resistance=(0.0,)).loss == solved(body_resistance=(0.0, 0.0)).loss == solved().loss
 
@@ -105,7 +125,8 @@ def test_all_the_heat_goes_into_the_body_that_does_not_resist():
 
 
 def test_the_skins_are_as_warm_as_their_heat_makes_them():
-    """T_m = T_b + q·(u_1·ε·M_1 + u_2·(1 − ε)·M_2)/(u_1 + u_2), by hand for equal speeds: half of q·(ε·M_1 + (1 − ε)·M_2)."""
+    """T_m = T_b + q·(u_1·ε·M_1 + u_2·(1 − ε)·M_2)/(u_1 + u_2), by hand for equal speeds: half of q·(ε·M_1 + (1 −
+    ε)·M_2)."""
     T_m = traction.skin_temperature(T_b=60.0, q=1000.0, epsilon=0.4, M_1=0.01, M_2=0.02, u_1=3.0, u_2=3.0)
     assert T_m == pytest.approx(60 + 500 * (0.4 * 0.01 + 0.6 * 0.02))
     assert surfaces.body_resistance(R_K=2.0, b=0.02, beta_b=0.0) == pytest.approx(0.04)
@@ -114,12 +135,14 @@ def test_the_skins_are_as_warm_as_their_heat_makes_them():
 def test_skins_that_do_not_settle_name_position_and_residual(monkeypatch):
     monkeypatch.setattr(loss, "PASSES", 2)
     with pytest.raises(
-        NoSolution, match=r"mesh pinion–gear: temperature of the skins; [0-9.]+ mm from T₁: off by .* K after 2 passes; less friction.body"
+        NoSolution,
+        match=r"mesh pinion–gear: temperature of the skins; [0-9.]+ mm from T₁: off by .* K after 2 passes; less friction.body",
     ):
         solved(body_resistance=(0.02,))
 
 
-# --- Roelands --------------------------------------------------------------------------------------------------------------------
+# --- Roelands
+# --------------------------------------------------------------------------------------------------------------------
 def under(law, eta, alpha, p):
     if law == "barus":
         return traction.viscosity_under_pressure(eta_f=eta, alpha_f=alpha, p_m=p)
@@ -147,12 +170,17 @@ def test_roelands_is_milder_than_barus_where_its_index_is_below_one(eta, alpha, 
 @given(eta=st.floats(1e-3, 1.0), alpha=st.floats(1e-9, 4e-8))
 def test_both_laws_begin_with_the_same_slope(eta, alpha):
     p = 1e3
-    assert np.log(under("roelands", eta, alpha, p) / eta) == pytest.approx(np.log(under("barus", eta, alpha, p) / eta), rel=1e-4, abs=1e-12)
+    assert np.log(under("roelands", eta, alpha, p) / eta) == pytest.approx(
+        np.log(under("barus", eta, alpha, p) / eta), rel=1e-4, abs=1e-12
+    )
 
 
 @pytest.mark.parametrize("mesh", MESHES)
 def test_roelands_lowers_friction_at_high_pressure_and_leaves_light_load(mesh):
-    heavy = [solved(100000.0, mesh, by_regime=False, pressure_law=law, solid_friction=0.0).loss for law in ("barus", "roelands")]
+    heavy = [
+        solved(100000.0, mesh, by_regime=False, pressure_law=law, solid_friction=0.0).loss
+        for law in ("barus", "roelands")
+    ]
     assert heavy[1] <= heavy[0]
     light = [solved(5.0, mesh, by_regime=False, pressure_law=law).loss for law in ("barus", "roelands")]
     assert light[1] == pytest.approx(light[0], rel=0.02)
@@ -161,15 +189,25 @@ def test_roelands_lowers_friction_at_high_pressure_and_leaves_light_load(mesh):
 def test_the_law_is_an_input_of_the_design():
     heavy = changed(pair(), gears={"power_kW": 100.0})
     one, two = (
-        solve(design(heavy.with_value("friction.pressure_law", law))).outcomes["friction"].result.meshes["crank_pump"].case
+        solve(design(heavy.with_value("friction.pressure_law", law)))
+        .outcomes["friction"]
+        .result.meshes["crank_pump"]
+        .case
         for law in ("barus", "roelands")
     )
     assert (one.surfaces.roelands, two.surfaces.roelands) == (False, True)
 
 
-# --- what both have in common -------------------------------------------------------------------------------------------------------
+# --- what both have in common
+# -------------------------------------------------------------------------------------------------------
 @pytest.mark.parametrize(
-    "said", [dict(bulk="estimated"), dict(body_resistance=(0.05, 0.01)), dict(pressure_law="roelands"), dict(load_sharing="smooth")]
+    "said",
+    [
+        dict(bulk="estimated"),
+        dict(body_resistance=(0.05, 0.01)),
+        dict(pressure_law="roelands"),
+        dict(load_sharing="smooth"),
+    ],
 )
 @pytest.mark.parametrize("by_regime", [True, False])
 def test_nothing_slides_at_c_and_no_film_is_colder_than_the_teeth(said, by_regime):
@@ -189,7 +227,10 @@ def test_nothing_slides_at_c_and_no_film_is_colder_than_the_teeth(said, by_regim
 def test_the_bulk_temperature_of_the_oil_is_kept_apart_from_that_of_the_teeth():
     """Wheel losses see the oil, the film sees the teeth."""
     only = {"pinion_gear": MESHES["spur"]}
-    cool, warm = (closed(shaft_power=None, power=5000.0, speed=25.0, T=60.0, meshes=only, bulk_temperature=T).result for T in (60.0, 90.0))
+    cool, warm = (
+        closed(shaft_power=None, power=5000.0, speed=25.0, T=60.0, meshes=only, bulk_temperature=T).result
+        for T in (60.0, 90.0)
+    )
     assert cool.wheels["pinion"].windage == warm.wheels["pinion"].windage
     assert warm.meshes["pinion_gear"].judged.film_min < cool.meshes["pinion_gear"].judged.film_min
     assert replace(cool, residual=0.0).oil_viscosity > warm.oil_viscosity

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The friction that is judged beside measured gears: FEUP's fit to FZG tests, at the four points of its reports and where it was not looked at,
-Schlenk's on the load stages of ISO 14635-1, with both lubricant factors; and that the friction source's model stands where it stood."""
+"""The friction that is judged beside measured gears: FEUP's fit to FZG tests, at the four points of its reports and
+where it was not looked at, Schlenk's on the load stages of ISO 14635-1, with both lubricant factors; and that the
+friction source's model stands where it stood."""
 
 import itertools
 import math
@@ -30,7 +31,10 @@ def gears(name):
     g = FEUP["gears"][name]
     m_n, beta, alpha_n = g["normal_module"] * 1e-3, math.radians(g["helix_angle"]), math.radians(20)
     m_t, alpha_t = m_n / math.cos(beta), math.atan(math.tan(alpha_n) / math.cos(beta))
-    one, two = (wheel(f"w{z}", z, m_t, alpha_t, r_a * 1e-3, g["face_width"] * 1e-3) for z, r_a in zip(g["teeth"], g["tip_radii"]))
+    one, two = (
+        wheel(f"w{z}", z, m_t, alpha_t, r_a * 1e-3, g["face_width"] * 1e-3)
+        for z, r_a in zip(g["teeth"], g["tip_radii"])
+    )
     return MeshGeometry(one, two, 91.5e-3, math.asin(math.sin(beta) * math.cos(alpha_n)) if beta else 0.0)
 
 
@@ -38,7 +42,9 @@ def lubricant(base):
     """An oil of FEUP's library by its own viscosities at 40 and 100 °C."""
     law = FEUP["oils"][base]
     nu40, nu100 = ((10**10 ** (law["m"] - law["n"] * math.log10(T + 273.15)) - 0.7) * 1e-6 for T in (40.0, 100.0))
-    plain = replace(oils()["FVA 3 (ref mineral)"], name=base, base=base, limiting_shear=None, pressure_viscosity_40=None, printed=())
+    plain = replace(
+        oils()["FVA 3 (ref mineral)"], name=base, base=base, limiting_shear=None, pressure_viscosity_40=None, printed=()
+    )
     return Lubricant(replace(plain, nu40=nu40, nu100=nu100, rho15=law["rho15"]), "d341")
 
 
@@ -68,10 +74,12 @@ def friction_of(c, P, by_regime=True):
     return float(solve_mesh(c, P, by_regime).friction_mean)
 
 
-# --- what was measured -----------------------------------------------------------------------------------------------------------
+# --- what was measured
+# -----------------------------------------------------------------------------------------------------------
 @pytest.mark.parametrize("name", POINTS)
 def test_the_fit_is_theirs_with_their_digits_and_another_with_gold_s(name):
-    """Their program exchanges the digits of s and t; with them its printed numbers come out, so nothing else differs."""
+    """Their program exchanges the digits of s and t; with them its printed numbers come out, so nothing else
+    differs."""
     p, (c, P) = POINTS[name], at(name)
     assert fit(c, P, p["oil"], FEUP["printed"]) == pytest.approx(p["fit"], abs=1.5e-4)
     assert fit(c, P, p["oil"], FEUP["gold"]) == pytest.approx(p["fit_mended"], abs=1e-4)
@@ -83,11 +91,16 @@ def test_the_exchange_of_digits(base, T):
     assert s * (lubricant(base).at(T).nu * 1e6) ** t == pytest.approx(FEUP["printed_alpha_GPa"][base], rel=2e-3)
     s, t = FEUP["gold"][base]
     own = lubricant(base)
-    assert s * (own.at(T).nu * 1e6) ** t == pytest.approx(own.alpha(own.at(T).mu) * 1e9, rel=0.03)  # and the program's own α
-    assert FEUP["printed"]["mineral"] == pytest.approx([10 * FEUP["gold"]["mineral"][1], FEUP["gold"]["mineral"][0] / 10])
+    assert s * (own.at(T).nu * 1e6) ** t == pytest.approx(
+        own.alpha(own.at(T).mu) * 1e9, rel=0.03
+    )  # and the program's own α
+    assert FEUP["printed"]["mineral"] == pytest.approx(
+        [10 * FEUP["gold"]["mineral"][1], FEUP["gold"]["mineral"][0] / 10]
+    )
 
 
-# --- the four points ---------------------------------------------------------------------------------------------------------------
+# --- the four points
+# ---------------------------------------------------------------------------------------------------------------
 @pytest.mark.parametrize("name", POINTS)
 @pytest.mark.parametrize("which, rel", [("fit", 0.20), ("fit_mended", 0.21)])
 def test_what_is_judged_meets_measured_gears(name, which, rel):
@@ -108,7 +121,8 @@ def test_the_source_s_law_has_not_moved():
     assert found == pytest.approx(was, rel=1e-13)
 
 
-# --- held out: nothing was chosen by these -------------------------------------------------------------------------------------------
+# --- held out: nothing was chosen by these
+# -------------------------------------------------------------------------------------------
 def held_out():
     for name, Ra in (("C40", (0.4, 0.31)), ("H501", (0.6, 0.6)), ("H701", (0.6, 0.6))):
         mesh = gears(name)
@@ -131,7 +145,8 @@ OILS = {"FVA 3": Lubricant(oils()["FVA 3 (ref mineral)"]), "M320": lubricant("mi
 
 
 def beside_schlenk(own, T, rpm, Ra, b=14e-3, first=5, change=lambda surfaces: surfaces, **said):
-    """FZG C gears on load stages `first` to 12 of ISO 14635-1: the mean λ, and the friction over Schlenk's with a lubricant factor of 1."""
+    """FZG C gears on load stages `first` to 12 of ISO 14635-1: the mean λ, and the friction over Schlenk's with a
+    lubricant factor of 1."""
     c = case(friction(flank_roughness=(Ra * 1e-6,), **said), fzg(b), oil_at(own, T), rpm / 60, points=12)
     P = np.array(STAGES[first - 1 :]) * 2 * math.pi * rpm / 60
     schlenk = regressions.of_schlenk(c, P, 0.195)
@@ -149,7 +164,8 @@ def within(off, rel):
 
 
 def test_fzg_gears_beside_schlenk():
-    """With the factor that FEUP's tests gave a mineral oil, the one of its printed 0.0483 and 0.0415: every point, and A/8.3/90."""
+    """With the factor that FEUP's tests gave a mineral oil, the one of its printed 0.0483 and 0.0415: every point, and
+    A/8.3/90."""
     X_L = FEUP["lubricant_factor"]["mineral"]
     assert within(all_beside_schlenk(OILS["FVA 3"]) / X_L, 0.25).all()
     for Ra in (0.3, 0.4, 0.5):
@@ -160,19 +176,25 @@ def test_no_model_meets_both_at_c14():
     """20 % above the fit as printed ends where 25 % below Schlenk with a lubricant factor of 1 has not begun."""
     p, (c, P) = POINTS["C14"], at("C14")
     schlenk = regressions.of_schlenk(c, P, 0.195)
-    assert schlenk.friction_mean * FEUP["lubricant_factor"]["mineral"] == pytest.approx(p["schlenk"], rel=0.005) and not schlenk.outside
+    assert (
+        schlenk.friction_mean * FEUP["lubricant_factor"]["mineral"] == pytest.approx(p["schlenk"], rel=0.005)
+        and not schlenk.outside
+    )
     assert 1.2 * p["fit"] < 0.75 * schlenk.friction_mean
 
 
 PUBLISHED_CHOICES = list(
-    itertools.product(LOAD_SHARES, (0.05, 0.06, 0.07, 0.08, 0.09, 0.1), (1.0, 1.25), (True, False), ("oil", "estimated"))
+    itertools.product(
+        LOAD_SHARES, (0.05, 0.06, 0.07, 0.08, 0.09, 0.1), (1.0, 1.25), (True, False), ("oil", "estimated")
+    )
 )
 
 
 @pytest.mark.slow
 def test_no_published_choice_does_better():
-    """Load share, friction of the peaks, roughness as Ra or rms, the film under its own pressure or the whole, teeth as warm as the oil or
-    warmer: of those that meet the four gears, only what is judged meets Schlenk everywhere with FEUP's factor, and none with 1."""
+    """Load share, friction of the peaks, roughness as Ra or rms, the film under its own pressure or the whole, teeth as
+    warm as the oil or warmer: of those that meet the four gears, only what is judged meets Schlenk everywhere with
+    FEUP's factor, and none with 1."""
     met, best = {}, 0.0
     for law, mu_s, rms, relieved, bulk in PUBLISHED_CHOICES:
 
@@ -191,11 +213,15 @@ def test_no_published_choice_does_better():
     assert len(met) == 57 and best < 0.75
 
 
-# --- the ends ------------------------------------------------------------------------------------------------------------------------
+# --- the ends
+# ------------------------------------------------------------------------------------------------------------------------
 def thick(**said):
     """Smooth flanks, cold oil: λ above 4 all along the path."""
     return case(
-        friction(flank_roughness=(0.05e-6,), **said), fzg(20e-3), oil_at(Lubricant(oils()["FVA 3 (ref mineral)"]), 60.0), 36.0
+        friction(flank_roughness=(0.05e-6,), **said),
+        fzg(20e-3),
+        oil_at(Lubricant(oils()["FVA 3 (ref mineral)"]), 60.0),
+        36.0,
     ), 40e3
 
 
@@ -228,9 +254,18 @@ def test_the_friction_of_the_peaks_is_a_published_one():
     assert PUBLISHED == (min(lubricated), max(lubricated))
 
 
-# --- the check that compares -----------------------------------------------------------------------------------------------------
+# --- the check that compares
+# -----------------------------------------------------------------------------------------------------
 def comparison(power, **said):
-    found = closed(shaft_power=None, power=power, speed=36.0, T=90.0, oil="FVA 3 (ref mineral)", meshes={"pinion_gear": fzg(20e-3)}, **said)
+    found = closed(
+        shaft_power=None,
+        power=power,
+        speed=36.0,
+        T=90.0,
+        oil="FVA 3 (ref mineral)",
+        meshes={"pinion_gear": fzg(20e-3)},
+        **said,
+    )
     mesh = found.result.meshes["pinion_gear"]
     return mesh, next((c for c in found.checks if c.id == "friction.pinion_gear.models"), None)
 
@@ -240,7 +275,9 @@ def test_a_check_compares_with_the_models_inside_their_range(said):
     mesh, check = comparison(41e3, flank_roughness=(0.4e-6,), **said)
     inside = [one.loss for one in mesh.published_models.values() if one is not None and not one.outside]
     assert len(inside) >= 3
-    assert check.value == pytest.approx(max(max(P / mesh.judged.sliding_loss, mesh.judged.sliding_loss / P) for P in inside))
+    assert check.value == pytest.approx(
+        max(max(P / mesh.judged.sliding_loss, mesh.judged.sliding_loss / P) for P in inside)
+    )
     assert check.kind == "caution" and check.verdict == ("warn" if check.value > 1.3 else "pass")
 
 

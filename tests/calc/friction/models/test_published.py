@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Published models of friction: what another program makes of two pairs, where each says that it is outside its range, their spread."""
+"""Published models of friction: what another program makes of two pairs, where each says that it is outside its range,
+their spread."""
 
 import math
 from dataclasses import replace
@@ -42,7 +43,8 @@ def h501():
     return MeshGeometry(one, two, a_w, math.asin(math.sin(beta) * math.cos(math.radians(20))))
 
 
-# --- FZG C, 40 mm wide ---------------------------------------------------------------------------------------------------------
+# --- FZG C, 40 mm wide
+# ---------------------------------------------------------------------------------------------------------
 def test_c40_has_the_same_path():
     p, mesh = path(c40()), c40()
     assert [mesh.driver.base_radius * 1e3, mesh.driven.base_radius * 1e3] == pytest.approx(C40["base_radii"], abs=1e-4)
@@ -65,7 +67,9 @@ def test_c40_presses_as_much():
     w = C40["torque_Nm"] / mesh.driver.base_radius / mesh.face_width
 
     def pressed(place, share):
-        return float(hertz_pressure(w=w * share, E_r=m.E_r, rho_n=relative_radius(rho_1=place, rho_2=p.C_F - place))) / 1e6
+        return (
+            float(hertz_pressure(w=w * share, E_r=m.E_r, rho_n=relative_radius(rho_1=place, rho_2=p.C_F - place))) / 1e6
+        )
 
     assert pressed(p.C_C, 1.0) == pytest.approx(C40["pressure_MPa"][0], abs=0.02)
     alone = max(pressed(x, 1.0) for x in np.linspace(p.C_B, p.C_D, 201))
@@ -78,9 +82,13 @@ def test_c40_presses_as_much():
 
 def schlenk_of(known, w_t, rho_C):
     return r.schlenk(
-        w_t=w_t, v_SumC=known["sum_of_speeds"], rho_C=rho_C, eta_0=known["viscosity_mPas"] * 1e-3, Ra=known["roughness_um"] * 1e-6,
+        w_t=w_t,
+        v_SumC=known["sum_of_speeds"],
+        rho_C=rho_C,
+        eta_0=known["viscosity_mPas"] * 1e-3,
+        Ra=known["roughness_um"] * 1e-6,
         X_L=known["lubricant_factor"],
-    )  # fmt: skip
+    )
 
 
 def test_c40_rubs_as_much_by_schlenk():
@@ -90,16 +98,23 @@ def test_c40_rubs_as_much_by_schlenk():
     mu = schlenk_of(C40, w, C40["radius_at_C"] * 1e-3)
     assert mu == pytest.approx(C40["friction_mean"], abs=1e-6)
     P = C40["torque_Nm"] * 2 * math.pi * 30.0
-    assert r.loss_of_mean_friction(P=P, mu_m=mu, H_V=C40["local_loss_factor"]) == pytest.approx(C40["power_lost"], rel=1e-4)
-    assert sum_of_speeds(v_C=p.at_pitch_point(motion(mesh, p, 30.0).u_e)) == pytest.approx(C40["sum_of_speeds"], abs=1e-4)
+    assert r.loss_of_mean_friction(P=P, mu_m=mu, H_V=C40["local_loss_factor"]) == pytest.approx(
+        C40["power_lost"], rel=1e-4
+    )
+    assert sum_of_speeds(v_C=p.at_pitch_point(motion(mesh, p, 30.0).u_e)) == pytest.approx(
+        C40["sum_of_speeds"], abs=1e-4
+    )
 
 
-# --- helical -----------------------------------------------------------------------------------------------------------------------
+# --- helical
+# -----------------------------------------------------------------------------------------------------------------------
 def test_h501_has_the_same_path():
     p = path(h501())
     assert [p.epsilon_1, p.epsilon_2] == pytest.approx(H501["contact_ratios"], abs=3e-5)
     assert p.epsilon_beta == pytest.approx(H501["overlap_ratio"], abs=1e-4)
-    said = dict(g_alpha=p.epsilon_alpha * p.p_bt, g_beta=p.epsilon_beta * p.p_bt, p_bt=p.p_bt, beta_b=h501().base_helix_angle)
+    said = dict(
+        g_alpha=p.epsilon_alpha * p.p_bt, g_beta=p.epsilon_beta * p.p_bt, p_bt=p.p_bt, beta_b=h501().base_helix_angle
+    )
     shortest = np.min(contact_length(s=np.linspace(0, p.p_bt, 20001), **said))
     assert shortest * 1e3 == pytest.approx(H501["least_length"], rel=1e-3)
 
@@ -107,7 +122,9 @@ def test_h501_has_the_same_path():
 def test_h501_loses_by_both_factors():
     """The local one is larger: Ohlendorf's knows no lines across the face."""
     mesh, p = h501(), path(h501())
-    H_V = ohlendorf(eps_1=p.epsilon_1, eps_2=p.epsilon_2, eps_alpha=p.epsilon_alpha, z_1=20, z_2=30, beta_b=mesh.base_helix_angle)
+    H_V = ohlendorf(
+        eps_1=p.epsilon_1, eps_2=p.epsilon_2, eps_alpha=p.epsilon_alpha, z_1=20, z_2=30, beta_b=mesh.base_helix_angle
+    )
     assert H_V == pytest.approx(H501["ohlendorf_loss_factor"], abs=2e-5)
     c = case(friction(), mesh, oil("10W-40 Q8 T905", 80.0), H501["speed_rpm"] / 60)
     H_VL = solve_mesh(c, H501["power_kW"] * 1e3, False).loss_factor
@@ -121,10 +138,13 @@ def test_h501_rubs_as_much_by_schlenk():
     rho_C = relative_radius(rho_1=p.C_C, rho_2=p.C_F - p.C_C)
     w = H501["normal_force"] / H501["least_length"] * 1e3
     assert schlenk_of(H501, w, rho_C) == pytest.approx(H501["friction_mean"], rel=1e-4)
-    assert H501["power_kW"] * 1e3 * H501["friction_mean"] * H501["local_loss_factor"] == pytest.approx(H501["power_lost"], rel=1e-3)
+    assert H501["power_kW"] * 1e3 * H501["friction_mean"] * H501["local_loss_factor"] == pytest.approx(
+        H501["power_lost"], rel=1e-3
+    )
 
 
-# --- where they say that they are outside --------------------------------------------------------------------------------------
+# --- where they say that they are outside
+# --------------------------------------------------------------------------------------
 def pinion(P, n=25.0, T=60.0, **said):
     return case(friction(**said), spur_pair(), oil("10W-40 Q8 T905", T), n), P
 
@@ -154,7 +174,9 @@ def test_the_speed_from_which_tests_of_gears_hold(of):
 
 
 def test_the_pressures_of_xu_and_kahraman_s_runs():
-    highest = {P: float(solve_mesh(*pinion(P), False).pressure_max) for P in (100.0, 8000.0, 13000.0, 200000.0, 300000.0)}
+    highest = {
+        P: float(solve_mesh(*pinion(P), False).pressure_max) for P in (100.0, 8000.0, 13000.0, 200000.0, 300000.0)
+    }
     for P, p_H in highest.items():
         outside = r.of_xu_kahraman(*pinion(P, flank_roughness=(0.3e-6,))).outside
         assert ("pressure up to" in outside) == (not 0.5e9 <= p_H <= 2.5e9), (P, p_H)
@@ -198,11 +220,16 @@ def test_the_table_names_what_does_not_run():
     assert len(table.rows) == 6
 
 
-# --- side by side -------------------------------------------------------------------------------------------------------------------
+# --- side by side
+# -------------------------------------------------------------------------------------------------------------------
 def test_the_spread_is_the_largest_over_the_smallest():
     found = closed(shaft_power=None, power=20000.0, speed=25.0, T=60.0, meshes=ONLY)
     mesh = found.result.meshes["pinion_gear"]
-    losses = [mesh.judged.loss, mesh.source.loss, *(one.loss for one in mesh.published_models.values() if one is not None)]
+    losses = [
+        mesh.judged.loss,
+        mesh.source.loss,
+        *(one.loss for one in mesh.published_models.values() if one is not None),
+    ]
     assert mesh.model_spread == pytest.approx(max(losses) / min(losses))
     assert 1 < mesh.model_spread < 5
     assert compared.spread_of([3.0, 1.0, 2.0]) == 3.0
@@ -235,7 +262,14 @@ def test_the_base_stock_lowers_the_friction(base, factor):
 
     for of in (r.of_schlenk, r.of_niemann):
         mineral = of(
-            case(friction(), r753()["idler_shaft"], oil_at(Lubricant(replace(lubricant().oil, base="mineral")), 80.0), 40.0), 5000.0, 0.13
+            case(
+                friction(),
+                r753()["idler_shaft"],
+                oil_at(Lubricant(replace(lubricant().oil, base="mineral")), 80.0),
+                40.0,
+            ),
+            5000.0,
+            0.13,
         )
         assert mean(of) == pytest.approx(factor * mineral.friction_mean)
 

@@ -46,7 +46,9 @@ def test_schlenk_counts_no_line_load_below_150_n_per_mm():
 
 def test_mean_friction_times_loss_factor_is_the_loss():
     c = case(friction(), r753()["idler_shaft"], oil("10W-40 Q8 T905", 120.0), 27.8)
-    assert r.of_schlenk(c, 280.0, 0.134).loss == pytest.approx(280 * 0.134 * r.of_schlenk(c, 280.0, 0.134).friction_mean)
+    assert r.of_schlenk(c, 280.0, 0.134).loss == pytest.approx(
+        280 * 0.134 * r.of_schlenk(c, 280.0, 0.134).friction_mean
+    )
     for of in (r.of_xu_kahraman, r.of_benedict_kelley):
         assert 0.005 < of(c, 280.0).friction_mean < 0.2
 
@@ -56,12 +58,15 @@ def test_xu_kahraman_is_not_shown_for_very_rough_flanks():
     assert r.of_xu_kahraman(c, 280.0) is None
 
 
-# --- windage -----------------------------------------------------------------------------------------------------------------
+# --- windage
+# -----------------------------------------------------------------------------------------------------------------
 def test_windage_in_the_mist_of_the_tests_is_the_published_form():
     """2.82·10⁻⁷ kW·(1 + 2.3·F/R)·n^2.8·R^4.6·(0.028·μ + 0.019)^0.2 with rpm, m, mPa·s; its 0.028 is rounded."""
     state = lubricant().at(120.0)
     rho_0 = a.mist_of_the_tests(rho_oil=state.rho)
-    eta_m = a.mist_viscosity(s_oil=a.oil_share(rho_m=rho_0, rho_oil=state.rho), eta_oil=state.mu, eta_air=a.AIR_VISCOSITY)
+    eta_m = a.mist_viscosity(
+        s_oil=a.oil_share(rho_m=rho_0, rho_oil=state.rho), eta_oil=state.mu, eta_air=a.AIR_VISCOSITY
+    )
     ours = a.windage(b=15e-3, r=42e-3, n=5000 / 60, eta_m=eta_m, rho_m=rho_0, rho_0=rho_0)
     published = 2.82e-7 * 1e3 * (1 + 2.3 * 15 / 42) * 5000**2.8 * 0.042**4.6 * (0.028 * state.mu * 1e3 + 0.019) ** 0.2
     assert ours == pytest.approx(published, rel=3e-3)

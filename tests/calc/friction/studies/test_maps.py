@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The map of losses: its design point is the closed balance, its axes are those that are asked for, what is missing is told."""
+"""The map of losses: its design point is the closed balance, its axes are those that are asked for, what is missing is
+told."""
 
 import numpy as np
 import pytest
@@ -25,12 +26,38 @@ def cell(found, T, rpm):
     return next(row[at] for row in found.rows if row[0] == pytest.approx(rpm))
 
 
-# --- the design point --------------------------------------------------------------------------------------------------------
-@pytest.mark.parametrize("document, T, rpm, rel", [
-    (gamma(), "120 °C", 2600.0, 1e-3), (pair(), "40 °C", 1500.0, 1e-3), (changed(pair(), gears={"power_kW": 20.0}), "40 °C", 1500.0, 1e-3),
-    (changed(pair(), gears={"power_kW": 20.0}, friction={"bulk": "estimated", "pressure_law": "roelands", "load_sharing": "smooth"}), "40 °C", 1500.0, 4e-3),  # its tips change their regime
-    (changed(gamma(), friction={"film": "source", "plain_bearings": [{"name": "idler", "diameter_mm": 25.0, "length_mm": 20.0, "clearance_um": 40.0}]}), "120 °C", 2600.0, 1e-3),
-])  # fmt: skip
+# --- the design point
+# --------------------------------------------------------------------------------------------------------
+@pytest.mark.parametrize(
+    "document, T, rpm, rel",
+    [
+        (gamma(), "120 °C", 2600.0, 1e-3),
+        (pair(), "40 °C", 1500.0, 1e-3),
+        (changed(pair(), gears={"power_kW": 20.0}), "40 °C", 1500.0, 1e-3),
+        (
+            changed(
+                pair(),
+                gears={"power_kW": 20.0},
+                friction={"bulk": "estimated", "pressure_law": "roelands", "load_sharing": "smooth"},
+            ),
+            "40 °C",
+            1500.0,
+            4e-3,
+        ),  # its tips change their regime
+        (
+            changed(
+                gamma(),
+                friction={
+                    "film": "source",
+                    "plain_bearings": [{"name": "idler", "diameter_mm": 25.0, "length_mm": 20.0, "clearance_um": 40.0}],
+                },
+            ),
+            "120 °C",
+            2600.0,
+            1e-3,
+        ),
+    ],
+)
 def test_the_design_point_is_the_closed_balance(document, T, rpm, rel):
     outcome = friction_of(document)
     assert cell(table(outcome), T, rpm) == pytest.approx(outcome.result.total_loss, rel=rel)
@@ -39,7 +66,9 @@ def test_the_design_point_is_the_closed_balance(document, T, rpm, rel):
 def test_another_point_is_the_design_solved_there():
     """Speed, power and oil temperature of the pair changed together: it carries its torque at every speed."""
     outcome = friction_of(pair())
-    at_half = friction_of(changed(pair(), gears={"speed_rpm": 1050.0, "power_kW": 0.07}, friction={"oil_temperature_C": 20.0}))
+    at_half = friction_of(
+        changed(pair(), gears={"speed_rpm": 1050.0, "power_kW": 0.07}, friction={"oil_temperature_C": 20.0})
+    )
     assert cell(table(outcome), "20 °C", 1050.0) == pytest.approx(at_half.result.total_loss, rel=1e-3)
 
 
@@ -51,7 +80,8 @@ def test_a_coarse_path_is_good_to_one_percent_of_the_meshes():
     assert abs(a - b) < 0.01 * a
 
 
-# --- axes --------------------------------------------------------------------------------------------------------------------------
+# --- axes
+# --------------------------------------------------------------------------------------------------------------------------
 def test_axes_hold_the_design_unless_asked():
     speeds, temperatures = maps.axes(friction(), 90.0, 40.0)
     assert speeds[-1] == 40.0 and speeds[0] == pytest.approx(16.0) and speeds.size == maps.SPEEDS
@@ -66,7 +96,11 @@ def test_axes_as_asked_in_any_order():
 
 
 def test_the_map_has_the_axes_of_its_keys():
-    found = table(friction_of(changed(pair(), friction={"map_temperatures_C": [100.0, 20.0, 60.0], "map_speeds_rpm": [500.0, 3000.0]})))
+    found = table(
+        friction_of(
+            changed(pair(), friction={"map_temperatures_C": [100.0, 20.0, 60.0], "map_speeds_rpm": [500.0, 3000.0]})
+        )
+    )
     assert found.columns == (("n", "rpm"), ("20 °C", "W"), ("60 °C", "W"), ("100 °C", "W"))
     assert [row[0] for row in found.rows] == pytest.approx(np.linspace(500, 3000, maps.SPEEDS))
     assert all(len(row) == 4 and None not in row for row in found.rows)
@@ -78,7 +112,8 @@ def test_losses_grow_with_the_speed():
         assert (np.diff(rows[:, 1:], axis=0) > 0).all()
 
 
-# --- what is missing, and what it costs ----------------------------------------------------------------------------------------
+# --- what is missing, and what it costs
+# ----------------------------------------------------------------------------------------
 def test_points_without_a_film_are_empty_and_told():
     hot = changed(gamma(), friction={"map_temperatures_C": [80.0, 200.0], "map_speeds_rpm": [1000.0, 12000.0]})
     outcome = friction_of(hot)
@@ -94,7 +129,9 @@ def test_points_without_a_film_are_empty_and_told():
 
 def test_no_point_at_all_is_a_note_and_no_map():
     """A power that the meshes eat at every point."""
-    outcome = friction_of(changed(gamma(), friction={"map_temperatures_C": [200.0], "map_speeds_rpm": [60000.0, 90000.0]}))
+    outcome = friction_of(
+        changed(gamma(), friction={"map_temperatures_C": [200.0], "map_speeds_rpm": [60000.0, 90000.0]})
+    )
     assert outcome.state == "solved"
     assert not [t for t in outcome.whole.tables if t.id == "map"]
     assert any(n.startswith("No map of losses over speed and temperature: ") for n in outcome.whole.notes)

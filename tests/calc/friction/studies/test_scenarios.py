@@ -25,27 +25,45 @@ def alone(document, **said):
 
 
 def with_words(document, oil=None, oil_temperature_C=None, **said):
-    """The design itself with a scenario's words.  Oil and temperature that come from the bearings are changed there too."""
-    own = {**said, **({"oil": oil} if oil else {}), **({"oil_temperature_C": oil_temperature_C} if oil_temperature_C else {})}
+    """The design itself with a scenario's words.  Oil and temperature that come from the bearings are changed there
+    too."""
+    own = {
+        **said,
+        **({"oil": oil} if oil else {}),
+        **({"oil_temperature_C": oil_temperature_C} if oil_temperature_C else {}),
+    }
     if "bearings" not in document.data:
         return changed(document, friction=own)
-    there = {**({"oil": oil} if oil else {}), **({"supply_temperature_C": oil_temperature_C} if oil_temperature_C else {})}
+    there = {
+        **({"oil": oil} if oil else {}),
+        **({"supply_temperature_C": oil_temperature_C} if oil_temperature_C else {}),
+    }
     return changed(document, friction=own, bearings=there)
 
 
-# --- the same train ----------------------------------------------------------------------------------------------------------------
+# --- the same train
+# ----------------------------------------------------------------------------------------------------------------
 @pytest.mark.parametrize("document", [gamma(), pair()], ids=["gamma", "pair"])
-@pytest.mark.parametrize("said", [
-    {}, {"oil": "SAE 30"}, {"oil_temperature_C": 85.0}, {"load_sharing": "smooth"}, {"flank_roughness_um": [0.3, 0.5]},
-    {"oil": "0W-20", "oil_temperature_C": 100.0, "flank_roughness_um": 1.2, "load_sharing": "smooth"},
-])  # fmt: skip
+@pytest.mark.parametrize(
+    "said",
+    [
+        {},
+        {"oil": "SAE 30"},
+        {"oil_temperature_C": 85.0},
+        {"load_sharing": "smooth"},
+        {"flank_roughness_um": [0.3, 0.5]},
+        {"oil": "0W-20", "oil_temperature_C": 100.0, "flank_roughness_um": 1.2, "load_sharing": "smooth"},
+    ],
+)
 def test_a_scenario_is_the_design_with_its_words(document, said):
     scenario = alone(document, **said)
     expected = friction_of(with_words(document, **said)).result
     assert scenario.total_loss == pytest.approx(expected.total_loss, rel=2e-9)
     assert scenario.crank_torque == pytest.approx(expected.crank_torque, rel=2e-9)
     assert scenario.mesh_loss == pytest.approx(expected.mesh_loss, rel=2e-9)
-    assert scenario.bearing_loss == (None if expected.bearing_loss is None else pytest.approx(expected.bearing_loss, rel=2e-9))
+    assert scenario.bearing_loss == (
+        None if expected.bearing_loss is None else pytest.approx(expected.bearing_loss, rel=2e-9)
+    )
     assert scenario.oil_viscosity == expected.oil_viscosity
     for key, mesh in expected.meshes.items():
         ours = scenario.meshes[key]
@@ -84,17 +102,24 @@ def test_the_design_itself_is_untouched():
     assert with_them.result.scenarios["hot"].total_loss != with_them.result.total_loss
 
 
-# --- what is wrong with one --------------------------------------------------------------------------------------------------------
+# --- what is wrong with one
+# --------------------------------------------------------------------------------------------------------
 def test_an_unknown_oil_is_an_error_with_its_place():
     with pytest.raises(BadInput, match=r'friction\.scenarios\.0\.oil: "SAE 31"') as caught:
         design(changed(pair(), friction={"scenarios": [{"name": "thick", "oil": "SAE 31"}]}))
     assert caught.value.place.endswith("timing_pair.toml") and caught.value.errors[0].line > 0
 
 
-@pytest.mark.parametrize("said, key", [
-    ({"oil_temperature_C": 900.0}, "oil_temperature_C"), ({"flank_roughness_um": 0.0}, "flank_roughness_um"), ({"power_kW": -1.0}, "power_kW"),
-    ({"load_sharing": "half"}, "load_sharing"), ({"speed": 1.0}, "speed"),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    "said, key",
+    [
+        ({"oil_temperature_C": 900.0}, "oil_temperature_C"),
+        ({"flank_roughness_um": 0.0}, "flank_roughness_um"),
+        ({"power_kW": -1.0}, "power_kW"),
+        ({"load_sharing": "half"}, "load_sharing"),
+        ({"speed": 1.0}, "speed"),
+    ],
+)
 def test_other_mistakes_have_theirs(said, key):
     with pytest.raises(BadInput, match=rf"friction\.scenarios\.0\.{key}"):
         design(changed(pair(), friction={"scenarios": [{"name": "x", **said}]}))
@@ -110,7 +135,8 @@ def test_a_scenario_without_solution_is_named():
     assert outcome.state == "no_solution" and outcome.reason.startswith("scenario much: ")
 
 
-# --- the three of the friction thesis ----------------------------------------------------------------------------------------
+# --- the three of the friction thesis
+# ----------------------------------------------------------------------------------------
 def thesis(name):
     outcome = friction_of(read(DESIGNS / f"thesis_{name}.toml"))
     return outcome, {key: one.meshes["crank_pump"].source for key, one in outcome.result.scenarios.items()}
@@ -121,8 +147,12 @@ NAMES = {"10W-40": "10W40", "0W-30": "0W30", "10W-40-synthetic": "10W40 syntheti
 
 def agree(found, row):
     for ours, key in (
-        ("loss", "loss_W"), ("efficiency", "efficiency"), ("loss_factor", "loss_factor"), ("friction_mean", "friction_mean"), ("lambda_min", "lambda_min"),
-    ):  # fmt: skip
+        ("loss", "loss_W"),
+        ("efficiency", "efficiency"),
+        ("loss_factor", "loss_factor"),
+        ("friction_mean", "friction_mean"),
+        ("lambda_min", "lambda_min"),
+    ):
         assert getattr(found, ours) == pytest.approx(row[key], rel=1e-4), ours
     assert found.pressure_max / 1e6 == pytest.approx(row["pressure_max_MPa"], rel=1e-4)
     ends = [float(np.asarray(found.local.h)[i]) * 1e6 for i in (0, -1)]

@@ -26,15 +26,19 @@ def loss(document, **friction):
     return friction_of(changed(document, friction=friction)).result.total_loss
 
 
-# --- the ends -------------------------------------------------------------------------------------------------------------------
+# --- the ends
+# -------------------------------------------------------------------------------------------------------------------
 @pytest.mark.parametrize("document", [LOADED, gamma()], ids=["pair", "gamma"])
-@pytest.mark.parametrize("name, low, high", [
-    ("friction of the solids μ_s", {"solid_friction": 0.065}, {"solid_friction": 0.1}),
-    ("flank roughness Ra", {"flank_roughness_um": 0.56}, {"flank_roughness_um": 1.04}),
-    ("density of the oil mist", {"mist_density_kgm3": 1.2}, {"mist_density_kgm3": 48.0}),
-    ("viscosity under pressure", {"pressure_law": "roelands"}, {"pressure_law": "barus"}),
-    ("film", {"film": "judged"}, {"film": "source"}),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    "name, low, high",
+    [
+        ("friction of the solids μ_s", {"solid_friction": 0.065}, {"solid_friction": 0.1}),
+        ("flank roughness Ra", {"flank_roughness_um": 0.56}, {"flank_roughness_um": 1.04}),
+        ("density of the oil mist", {"mist_density_kgm3": 1.2}, {"mist_density_kgm3": 48.0}),
+        ("viscosity under pressure", {"pressure_law": "roelands"}, {"pressure_law": "barus"}),
+        ("film", {"film": "judged"}, {"film": "source"}),
+    ],
+)
 def test_an_end_is_the_design_with_that_constant(document, name, low, high):
     _, _, at_low, at_high, *_ = rows(document)[name]
     assert at_low == pytest.approx(loss(document, **low), rel=1e-8)
@@ -44,7 +48,9 @@ def test_an_end_is_the_design_with_that_constant(document, name, low, high):
 @pytest.mark.parametrize("document, T", [(LOADED, 40.0), (gamma(), 120.0)], ids=["pair", "gamma"])
 def test_the_ends_of_the_temperature_of_the_teeth(document, T):
     _, _, at_low, at_high, *_ = rows(document)["temperature of the teeth"]
-    assert (at_low, at_high) == pytest.approx((loss(document, bulk_temperature_C=T), loss(document, bulk_temperature_C=T + 10)), rel=1e-8)
+    assert (at_low, at_high) == pytest.approx(
+        (loss(document, bulk_temperature_C=T), loss(document, bulk_temperature_C=T + 10)), rel=1e-8
+    )
 
 
 def test_the_ends_of_the_limiting_shear():
@@ -69,7 +75,9 @@ def test_the_ends_of_the_pressure_viscosity():
 
 def test_the_ends_of_a_friction_that_is_given():
     _, _, at_low, at_high, *_ = rows(changed(LOADED, friction={"solid_friction": 0.12}))["friction of the solids μ_s"]
-    assert (at_low, at_high) == pytest.approx((loss(LOADED, solid_friction=0.096), loss(LOADED, solid_friction=0.144)), rel=1e-8)
+    assert (at_low, at_high) == pytest.approx(
+        (loss(LOADED, solid_friction=0.096), loss(LOADED, solid_friction=0.144)), rel=1e-8
+    )
 
 
 @pytest.mark.parametrize("document", [LOADED, gamma()], ids=["pair", "gamma"])
@@ -91,10 +99,13 @@ def test_without_rolling_nothing_is_left_of_it():
     outcome = friction_of(pair())
     _, _, at_low, at_high, *_ = rows(pair())["rolling of the rigid film"]
     rolling = sum(mesh.judged.rolling_loss for mesh in outcome.result.meshes.values())
-    assert (at_low, at_high) == pytest.approx((outcome.result.total_loss - rolling, outcome.result.total_loss), rel=1e-9)
+    assert (at_low, at_high) == pytest.approx(
+        (outcome.result.total_loss - rolling, outcome.result.total_loss), rel=1e-9
+    )
 
 
-# --- their order and range ----------------------------------------------------------------------------------------------------
+# --- their order and range
+# ----------------------------------------------------------------------------------------------------
 @pytest.mark.parametrize("document", [LOADED, gamma(), pair()], ids=["loaded", "gamma", "pair"])
 def test_the_nominal_lies_inside_and_the_widest_is_first(document):
     nominal = friction_of(document).result.total_loss
@@ -109,10 +120,14 @@ def test_the_nominal_lies_inside_and_the_widest_is_first(document):
         assert span == pytest.approx(max(at_low, at_high, nominal) - min(at_low, at_high, nominal), abs=1e-9)
 
 
-@pytest.mark.parametrize("said, gone", [
-    ({"bulk_temperature_C": 60.0}, "temperature of the teeth"), ({"bulk": "estimated"}, "temperature of the teeth"),
-    ({"film": "source"}, "rolling of the rigid film"),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    "said, gone",
+    [
+        ({"bulk_temperature_C": 60.0}, "temperature of the teeth"),
+        ({"bulk": "estimated"}, "temperature of the teeth"),
+        ({"film": "source"}, "rolling of the rigid film"),
+    ],
+)
 def test_what_is_no_open_constant_of_a_design_is_left_out(said, gone):
     assert gone in rows(LOADED)
     found = rows(changed(LOADED, friction=said))

@@ -13,7 +13,13 @@ IRON = Material(name="iron", E=110e9, density=7200.0, expansion=11e-6)
 SOLIDS = {**materials(), "aluminium": ALUMINIUM, "iron": IRON}
 
 # Finotti 2013, Table 4.7, [mm]: the support of the 36 and that of the 39
-CENTRAL = {"centre position": 0.05, "seat": 0.025, "pin diameter": 0.018, "pin concentricity": 0.02, "circularity": 0.01}
+CENTRAL = {
+    "centre position": 0.05,
+    "seat": 0.025,
+    "pin diameter": 0.018,
+    "pin concentricity": 0.02,
+    "circularity": 0.01,
+}
 CENTRAL |= {"coaxiality": 0.01, "support pin": 0.02, "gear bore": 0.046, "bearing bore": 0.019}
 IDLER = {"centre position": 0.05, "seat": 0.025, "pin diameter": 0.013, "pin concentricity": 0.02, "circularity": 0.01}
 IDLER |= {"coaxiality": 0.01, "support pin": 0.016, "gear bore": 0.02}
@@ -24,7 +30,9 @@ def played(gears, housing=None):
 
 
 def parts(kind="radial", *columns):
-    return tuple(Contributor(name=name, field=field * 1e-3, kind=kind) for column in columns for name, field in column.items())
+    return tuple(
+        Contributor(name=name, field=field * 1e-3, kind=kind) for column in columns for name, field in column.items()
+    )
 
 
 def changed(gears, mesh=0, wheels=None, **said):

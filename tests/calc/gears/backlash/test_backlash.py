@@ -13,7 +13,7 @@ LIMITS = "backlash_min", "backlash_nominal", "backlash_max"
 @pytest.mark.parametrize(
     "allowances, expected",
     [(((-2, -20), (-20, -30)), (-14.7, 36.0, 86.8)), (((-20, -30), (-20, -30)), (3.3, 50.0, 96.8))],
-)  # fmt: skip
+)
 def test_first_pair(allowances, expected):
     """Recomputed from the allowances of Finotti 2013, 4.5, at 80.555 ± 0.055 mm: as printed the pair can jam."""
     v = shown(solve.geometry(pair_1(allowances=allowances), SPEED))
@@ -57,7 +57,8 @@ def test_an_allowance_acts_micrometre_for_micrometre(E):
 
 
 def test_phase_error_is_the_sum_of_the_largest_plays():
-    """Σ j_wt/(d_w/2), each reduced to the last wheel by the teeth between; at least what the normal backlash gives at the base circle."""
+    """Σ j_wt/(d_w/2), each reduced to the last wheel by the teeth between; at least what the normal backlash gives at
+    the base circle."""
     t = solved(r753())
     total = 0.0
     for pair in t.meshes.values():
@@ -70,14 +71,18 @@ def test_phase_error_is_the_sum_of_the_largest_plays():
 def test_a_tight_mesh_takes_nothing_from_the_phase_error():
     loose = train([wheel("a", 30, 0.0, allowance=(-20, -30)), wheel("b", 30, 0.0)], [mesh("a", "b")])
     fat = wheel("c", 30, 0.0, allowance=(90, 80))
-    tight = train([wheel("a", 30, 0.0, allowance=(-20, -30)), wheel("b", 30, 0.0), fat], [mesh("a", "b"), mesh("b", "c")])
+    tight = train(
+        [wheel("a", 30, 0.0, allowance=(-20, -30)), wheel("b", 30, 0.0), fat], [mesh("a", "b"), mesh("b", "c")]
+    )
     assert solved(tight).phase_error == pytest.approx(solved(loose).phase_error)
 
 
 def test_residual_couple_is_the_difference_of_two_vectors():
     outcome = solve.geometry(r753(), SPEED)
     error = outcome.result.phase_error
-    assert solve.residual_couple(outcome, 572.93) == pytest.approx(abs(572.93 - 572.93 * complex(math.cos(error), math.sin(error))))
+    assert solve.residual_couple(outcome, 572.93) == pytest.approx(
+        abs(572.93 - 572.93 * complex(math.cos(error), math.sin(error)))
+    )
     merged = solve.with_residual_couple(outcome, 572.93)
     assert shown(merged)["residual_couple"] == pytest.approx(solve.residual_couple(outcome, 572.93))
     assert merged.lines[-1].formula.symbol == "C_Δφ"

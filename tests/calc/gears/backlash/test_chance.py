@@ -1,4 +1,5 @@
-"""Trains by chance, against many more trains of a common random generator; and the phase error that their play leaves."""
+"""Trains by chance, against many more trains of a common random generator; and the phase error that their play
+leaves."""
 
 import itertools
 import math
@@ -17,7 +18,8 @@ MANY = 400_000
 
 
 def brute_force(gears, seed=1):
-    """Smallest backlash by mesh and free turn of the last wheel of very many trains, by the formulas for thickness at the working circle."""
+    """Smallest backlash by mesh and free turn of the last wheel of very many trains, by the formulas for thickness at
+    the working circle."""
     random, t = np.random.default_rng(seed), solved(gears)
     runouts = {w.name: w.runout or 0.0 for w in gears.wheels}
     E = {name: random.uniform(*sorted(w.allowance or (0, 0)), MANY) for name, w in t.wheels.items()}
@@ -49,7 +51,10 @@ def brute_force(gears, seed=1):
         j, alpha = normal(a)
         turn = (
             turn
-            + np.maximum(j, 0) / (wheels[1].base_diameter / np.cos(alpha) / 2) * wheels[1].teeth / t.wheels[gears.meshes[-1].driven].teeth
+            + np.maximum(j, 0)
+            / (wheels[1].base_diameter / np.cos(alpha) / 2)
+            * wheels[1].teeth
+            / t.wheels[gears.meshes[-1].driven].teeth
         )
         j, alpha = normal(a - (runouts[m.driver] + runouts[m.driven]) / 2)
         smallest[key] = j * np.cos(alpha) * math.cos(t.system.base_helix_angle)
@@ -57,13 +62,16 @@ def brute_force(gears, seed=1):
 
 
 def stacked():
-    gears = changed(r753(), 1, stack=parts("position", CENTRAL) + parts("fit", IDLER), wheels={"idler": {"runout": 25e-6}})
+    gears = changed(
+        r753(), 1, stack=parts("position", CENTRAL) + parts("fit", IDLER), wheels={"idler": {"runout": 25e-6}}
+    )
     return changed(gears, 2, stack=parts("runout", {"a": 0.03, "b": 0.02}) + parts("radial", {"c": 0.06}))
 
 
 @pytest.mark.parametrize("gears", [r753(), pair_1(), stacked()], ids=["tolerances", "pair", "kinds"])
 def test_against_brute_force(gears):
-    """Within three standard errors of 4096 trains drawn freely: of the spread 0.06 at the median, 0.10 at 5 %, 0.17 at 1 % (normal)."""
+    """Within three standard errors of 4096 trains drawn freely: of the spread 0.06 at the median, 0.10 at 5 %, 0.17 at
+    1 % (normal)."""
     found, (smallest, turn) = played(gears), brute_force(gears)
     for key, j in smallest.items():
         mine, spread = found.meshes[key], j.std()
@@ -72,11 +80,14 @@ def test_against_brute_force(gears):
         assert mine.share_jammed == pytest.approx((j < 0).mean(), abs=0.009)
     assert found.train.share_jammed == pytest.approx((np.min(list(smallest.values()), 0) < 0).mean(), abs=0.009)
     for name, p, error in (("median", 0.5, 0.06), ("95", 0.95, 0.10), ("99", 0.99, 0.17)):
-        assert getattr(found.train, f"phase_error_{name}") == pytest.approx(np.quantile(turn, p), abs=error * turn.std())
+        assert getattr(found.train, f"phase_error_{name}") == pytest.approx(
+            np.quantile(turn, p), abs=error * turn.std()
+        )
 
 
 def test_the_first_pair_can_jam_as_printed():
-    """Three even deviations, each ±w: the share beyond c is Σ ±(±w_1 ± w_2 ± w_3 − c)³ over the signs, where positive, over 6·8·w_1·w_2·w_3."""
+    """Three even deviations, each ±w: the share beyond c is Σ ±(±w_1 ± w_2 ± w_3 − c)³ over the signs, where positive,
+    over 6·8·w_1·w_2·w_3."""
     gears = pair_1(allowances=((-2, -20), (-20, -30)))
     t = solved(gears)
     m = t.meshes["central_idler"]
@@ -170,7 +181,11 @@ def test_a_mesh_beside_the_way_adds_no_phase_error():
 
 
 def test_what_does_not_vary_has_no_distribution():
-    gears = changed(r753(), 0, wheels={name: {"span_allowance": (-25e-6, -25e-6)} for name in ("crank", "central", "idler", "shaft")})
+    gears = changed(
+        r753(),
+        0,
+        wheels={name: {"span_allowance": (-25e-6, -25e-6)} for name in ("crank", "central", "idler", "shaft")},
+    )
     found = played(gears)
     assert found.meshes["crank_central"].share_jammed is None
     assert found.meshes["central_idler"].share_jammed is not None

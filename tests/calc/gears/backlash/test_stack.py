@@ -14,7 +14,8 @@ from tests.calc.gears.trains import pair_1, solved
 
 @pytest.mark.parametrize("columns, field", [((CENTRAL, IDLER), 0.1071), ((CENTRAL,), 0.0832), ((IDLER,), 0.0675)])
 def test_the_source_s_table(columns, field):
-    """Finotti 2013, Table 4.7: root of squares of both columns 0.1071 (stated 0.11, used ±0.055), of each alone 0.0832 and 0.0675."""
+    """Finotti 2013, Table 4.7: root of squares of both columns 0.1071 (stated 0.11, used ±0.055), of each alone 0.0832
+    and 0.0675."""
     gears = changed(pair_1(allowances=SHAVED), stack=parts("radial", *columns))
     assert 2e3 * played(gears).meshes["central_idler"].centre_tolerance_rss == pytest.approx(field, abs=0.00005)
     assert centre_tolerance(replace(gears.meshes[0], tolerance=None)) == pytest.approx(field / 2e3, abs=0.00005e-3)
@@ -29,10 +30,12 @@ def test_a_given_tolerance_judges_and_else_the_parts():
 
 
 @pytest.mark.parametrize(
-    "kind, share", [("position", 1 / 2), ("fit", math.sqrt(1 / 2)), ("runout", math.sqrt(1 / 2)), ("radial", math.sqrt(1 / 3))]
+    "kind, share",
+    [("position", 1 / 2), ("fit", math.sqrt(1 / 2)), ("runout", math.sqrt(1 / 2)), ("radial", math.sqrt(1 / 3))],
 )
 def test_one_part_of_each_kind(kind, share):
-    """Whatever its kind it moves the centre by half its field at most; its standard deviation is that of its distribution."""
+    """Whatever its kind it moves the centre by half its field at most; its standard deviation is that of its
+    distribution."""
     gears = changed(pair_1(allowances=SHAVED), stack=parts(kind, {"part": 0.06}))
     mesh = played(gears).meshes["central_idler"]
     assert mesh.centre_tolerance_worst == mesh.centre_tolerance_rss == pytest.approx(30e-6)
@@ -57,7 +60,10 @@ def test_runout_takes_half_of_each_wheel_s():
     mesh = played(gears).meshes["central_idler"]
     closer = solved(changed(pair_1(allowances=SHAVED), tolerance=80e-6)).meshes["central_idler"]
     assert mesh.backlash_min_runout == pytest.approx(closer.backlash_min, abs=1e-15)
-    assert solved(gears).meshes["central_idler"].backlash_min == solved(pair_1(allowances=SHAVED)).meshes["central_idler"].backlash_min
+    assert (
+        solved(gears).meshes["central_idler"].backlash_min
+        == solved(pair_1(allowances=SHAVED)).meshes["central_idler"].backlash_min
+    )
     assert alone()[1].backlash_min_runout is None
     one = changed(pair_1(allowances=SHAVED), wheels={"idler": {"runout": 30e-6}})
     assert mesh.backlash_min_runout < played(one).meshes["central_idler"].backlash_min_runout
@@ -94,7 +100,12 @@ def test_kinds_of_backlash_agree_with_each_other():
     assert play.backlash_circumferential / play.backlash_transverse == pytest.approx(circles)
     a = m.mesh.centre_distance - play.backlash_radial
     left = backlash_of_bases(
-        p_bt=m.system.base_pitch, s_b1=m.teeth[0].middle, s_b2=m.teeth[1].middle, d_b1=m.driver.base_diameter, d_b2=m.driven.base_diameter,
-        alpha_wt=working_pressure_angle(m.driver.base_diameter, m.driven.base_diameter, a), beta_b=m.system.base_helix_angle,
-    )  # fmt: skip
+        p_bt=m.system.base_pitch,
+        s_b1=m.teeth[0].middle,
+        s_b2=m.teeth[1].middle,
+        d_b1=m.driver.base_diameter,
+        d_b2=m.driven.base_diameter,
+        alpha_wt=working_pressure_angle(m.driver.base_diameter, m.driven.base_diameter, a),
+        beta_b=m.system.base_helix_angle,
+    )
     assert 0 < left < 0.2e-6 < m.mesh.backlash_nominal

@@ -23,9 +23,7 @@ def states(play, mesh="central–idler"):
     return {row[1]: row[4:] for row in table.rows if row[0] == mesh}
 
 
-@pytest.mark.parametrize(
-    "allowances, expected", [(PRINTED, (-14.7, 36.0, 86.8)), (SHAVED, (3.3, 50.0, 96.8))]
-)  # fmt: skip
+@pytest.mark.parametrize("allowances, expected", [(PRINTED, (-14.7, 36.0, 86.8)), (SHAVED, (3.3, 50.0, 96.8))])
 def test_the_reference_state_is_the_backlash_over_the_tolerance(allowances, expected):
     """Recomputed from the allowances of Finotti 2013, 4.5, at 80.555 ± 0.055 mm: as printed the first pair can jam."""
     play, _ = alone(allowances, housing="aluminium")
@@ -33,7 +31,8 @@ def test_the_reference_state_is_the_backlash_over_the_tolerance(allowances, expe
 
 
 def test_aluminium_and_iron_80_K_warmer():
-    """Small-change figures: a·Δα·80 K is 0.074 and 0.063 mm for aluminium 23·10⁻⁶/K, −0.003 mm for cast iron 11·10⁻⁶/K, on the wheels of
+    """Small-change figures: a·Δα·80 K is 0.074 and 0.063 mm for aluminium 23·10⁻⁶/K, −0.003 mm for cast iron 11·10⁻⁶/K,
+    on the wheels of
     11.5·10⁻⁶/K; the backlash of the aluminium housing rises by 0.049 and 0.042 mm."""
     shaft = played(r753(), "aluminium").meshes
     assert shaft["central_idler"].centre_change_running == pytest.approx(0.074e-3, abs=0.5e-6)
@@ -90,12 +89,12 @@ def test_without_tolerance_and_allowance_no_dust_is_judged():
 
 
 def free_turn_of_points(d_b, half, pitch, a, points=20001):
-    """How far the second wheel turns while a tooth of the first stands on the line of centres, by points along both flanks.
+    """How far the second wheel turns while a tooth of the first stands on the line of centres, by points along both
+    flanks.
 
-    `d_b`, `half`: base diameters, and half tooth angles at them; `pitch`: pitch angles.  Each point of the driver's flank is put into
-    polar coordinates of the second wheel, where the flank of its space has another angle at the same radius: the least of the
-    differences is the turn to contact.
-    """
+    `d_b`, `half`: base diameters, and half tooth angles at them; `pitch`: pitch angles.  Each point of the driver's
+    flank is put into polar coordinates of the second wheel, where the flank of its space has another angle at the same
+    radius: the least of the differences is the turn to contact."""
 
     def inv(r, r_b):
         x = np.arccos(r_b / r)
@@ -112,7 +111,8 @@ def free_turn_of_points(d_b, half, pitch, a, points=20001):
 
 
 @pytest.mark.parametrize(
-    "second, housing", [("steel", "aluminium"), ("ADI 1050", "aluminium"), ("ADI 1050", "iron"), ("EN AC-43100", "iron")]
+    "second, housing",
+    [("steel", "aluminium"), ("ADI 1050", "aluminium"), ("ADI 1050", "iron"), ("EN AC-43100", "iron")],
 )
 @pytest.mark.parametrize("T", [-30.0, 100.0])
 def test_wheels_of_two_materials_against_points_on_their_flanks(second, housing, T):
@@ -125,7 +125,9 @@ def test_wheels_of_two_materials_against_points_on_their_flanks(second, housing,
     s_b = [teeth.middle for teeth in m.teeth]
     d_b = m.driver.base_diameter, m.driven.base_diameter
     a = m.mesh.centre_distance * (1 + SOLIDS[housing].expansion * (T - 20))
-    turn = free_turn_of_points([k[0] * d_b[0], k[1] * d_b[1]], [s / d for s, d in zip(s_b, d_b)], [2 * np.pi / 36, 2 * np.pi / 39], a)
+    turn = free_turn_of_points(
+        [k[0] * d_b[0], k[1] * d_b[1]], [s / d for s, d in zip(s_b, d_b)], [2 * np.pi / 36, 2 * np.pi / 39], a
+    )
     expected = turn * k[1] * d_b[1] / 2 * math.cos(train_.system.base_helix_angle)
     found = t.at_state(m, grown, m.mesh.centre_distance, *s_b).backlash
     larger_pitch = max(0.0, k[1] - k[0]) * train_.system.base_pitch * math.cos(train_.system.base_helix_angle)
@@ -150,23 +152,34 @@ def test_wheels_warmer_than_an_iron_block_are_its_critical_state():
 
 
 def test_wheels_that_warm_up_first_are_the_critical_state_of_a_cold_aluminium_housing():
-    """It shrinks more than steel in the cold, and the wheels then grow before it does.  Nobody says by how much: advice, and no verdict."""
+    """It shrinks more than steel in the cold, and the wheels then grow before it does.  Nobody says by how much:
+    advice, and no verdict."""
     play, mesh_ = alone(housing="aluminium", housing_material="aluminium")
     assert mesh_.backlash_warming < mesh_.backlash_cold < mesh_.backlash_warmer
     taken = mesh_.backlash_cold - mesh_.backlash_warming
     a, alpha_wt = pair_1().meshes[0].centre_distance or 0.0, math.radians(20)
-    assert taken == pytest.approx(20 * 11.5e-6 * 2 * a * math.sin(alpha_wt), rel=0.25), "both wheels grow towards each other"
+    assert taken == pytest.approx(20 * 11.5e-6 * 2 * a * math.sin(alpha_wt), rel=0.25), (
+        "both wheels grow towards each other"
+    )
     advice = next(c for c in play.checks if c.id.endswith("backlash_warming"))
-    assert (advice.kind, advice.verdict) == ("advice", "note") and advice.value == pytest.approx(mesh_.backlash_warming * 1e6)
+    assert (advice.kind, advice.verdict) == ("advice", "note") and advice.value == pytest.approx(
+        mesh_.backlash_warming * 1e6
+    )
 
 
 def test_a_given_material_makes_it_a_limit():
-    kinds = {c.id.rpartition(".")[2]: c.kind for c in alone(housing="aluminium", housing_material="aluminium")[0].checks}
+    kinds = {
+        c.id.rpartition(".")[2]: c.kind for c in alone(housing="aluminium", housing_material="aluminium")[0].checks
+    }
     assert kinds["backlash_cold"] == kinds["backlash_warm"] == "limit"
-    assert {c.verdict for c in alone(housing="aluminium", housing_material="aluminium")[0].checks if c.id.endswith("cold")} == {"fail"}
+    assert {
+        c.verdict for c in alone(housing="aluminium", housing_material="aluminium")[0].checks if c.id.endswith("cold")
+    } == {"fail"}
 
 
-@pytest.mark.parametrize("name, housing, said", [("backlash_cold", "aluminium", {}), ("backlash_warm", "iron", {"wheels_warmer": 30.0})])
+@pytest.mark.parametrize(
+    "name, housing, said", [("backlash_cold", "aluminium", {}), ("backlash_warm", "iron", {"wheels_warmer": 30.0})]
+)
 def test_advice_just_passes(name, housing, said):
     """What the failing check advises passes, with less than 1 µm (of the span), or 1 µm of the tolerance, to spare."""
     tight = ((-12, -22), (-20, -30))
@@ -199,7 +212,14 @@ def test_the_curve_meets_the_table():
 
 
 def test_a_cold_that_lets_the_base_circles_overlap_is_no_solution():
-    gears = train([wheel("a", 20, 0.0), wheel("b", 20, 0.0)], [mesh("a", "b", tolerance=119.5)], m_n=0.1, alpha_n=20, beta=0.0, b=2.0)
+    gears = train(
+        [wheel("a", 20, 0.0), wheel("b", 20, 0.0)],
+        [mesh("a", "b", tolerance=119.5)],
+        m_n=0.1,
+        alpha_n=20,
+        beta=0.0,
+        b=2.0,
+    )
     solved(gears)  # at 20 °C it still meshes
     with pytest.raises(NoSolution, match="can not mesh"):
         played(replace(gears, lowest_temperature=-60.0), "aluminium")

@@ -38,7 +38,9 @@ def test_tangential_force_of_the_consistent_load():
     result = solved(gears)
     for key, m in result.meshes.items():
         at_reference = (
-            found.result.meshes[key].working_tangential_force * m.working_diameter_driver / result.wheels[m.driver].reference_diameter
+            found.result.meshes[key].working_tangential_force
+            * m.working_diameter_driver
+            / result.wheels[m.driver].reference_diameter
         )
         assert at_reference == pytest.approx(184.0, abs=0.05)
         assert found.result.meshes[key].axial_force == pytest.approx(at_reference * math.tan(gears.helix_angle))
@@ -94,13 +96,15 @@ def test_bounds_without_positions_hold_with_them(axis):
 
 
 def test_a_right_handed_driver_is_pushed_along_its_own_rotation():
-    """In space: at (r, 0, 0) a right-handed tooth runs along (0, sin β, cos β); its leading flank, normal (0, cos β, −sin β), is pushed
-    back by the mate, and the wheel that turns from x to y about +z is pushed towards +z."""
+    """In space: at (r, 0, 0) a right-handed tooth runs along (0, sin β, cos β); its leading flank, normal (0, cos β,
+    −sin β), is pushed back by the mate, and the wheel that turns from x to y about +z is pushed towards +z."""
     beta = r753().helix_angle
     trace, normal = (math.sin(beta), math.cos(beta)), (math.cos(beta), -math.sin(beta))
     assert trace[0] * normal[0] + trace[1] * normal[1] == pytest.approx(0)
     pushed = -normal[1]
-    assert math.copysign(1, loaded(handed(r753(), crank="right")).result.wheels["crank"].thrust) == math.copysign(1, pushed)
+    assert math.copysign(1, loaded(handed(r753(), crank="right")).result.wheels["crank"].thrust) == math.copysign(
+        1, pushed
+    )
     assert loaded(handed(r753(), crank="left")).result.wheels["crank"].thrust < 0
 
 
@@ -160,5 +164,7 @@ def test_hands_that_do_not_alternate_are_refused():
 
 def test_the_note_says_where_the_shaft_is_pushed():
     notes = loaded(r753()).notes
-    assert any("shaft, left-handed and turning against the crank, is pushed 74.02 N towards the front" in n for n in notes)
+    assert any(
+        "shaft, left-handed and turning against the crank, is pushed 74.02 N towards the front" in n for n in notes
+    )
     assert any("not given; chosen: crank right-handed" in n for n in notes)

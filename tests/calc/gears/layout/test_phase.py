@@ -16,7 +16,8 @@ FINE = 1e-8  # m: how far the outlines may be from the true curves
 
 
 def depth(gears, found, key, turned=0.0):
-    """How deep the driven wheel's outline stands in the driver's teeth, at most [m]; negative: they are apart by that angle's arc."""
+    """How deep the driven wheel's outline stands in the driver's teeth, at most [m]; negative: they are apart by that
+    angle's arc."""
     result = solved(gears)
     m = result.meshes[key]
     driver, driven = result.wheels[m.driver], result.wheels[m.driven]
@@ -24,7 +25,9 @@ def depth(gears, found, key, turned=0.0):
     flank = regions(result.system, driver, FINE)
     radius = np.concatenate([flank.fillet[0], flank.involute[0][1:]])
     half = np.concatenate([flank.fillet[1], flank.involute[1][1:]])
-    edge = outline(result.system, driven, FINE) * cmath.exp(1j * (two.tooth_angle + turned)) + two.position - one.position
+    edge = (
+        outline(result.system, driven, FINE) * cmath.exp(1j * (two.tooth_angle + turned)) + two.position - one.position
+    )
     edge = edge[np.abs(edge) < driver.tip_diameter / 2]
     pitch = 2 * np.pi / driver.teeth
     off = np.angle(edge) - one.tooth_angle
@@ -35,7 +38,8 @@ def depth(gears, found, key, turned=0.0):
 @pytest.mark.parametrize("tooth", [0.0, 0.05, -0.4])
 @pytest.mark.parametrize("key", ["crank_central", "central_idler", "idler_shaft"])
 def test_teeth_at_the_computed_angles_touch_and_do_not_overlap(key, tooth):
-    """Without allowances and at centre distances without backlash both flanks touch: 0 µm, to the points of the outlines."""
+    """Without allowances and at centre distances without backlash both flanks touch: 0 µm, to the points of the
+    outlines."""
     gears = replace(r753(), tooth_angle=tooth)
     found = layout(gears, solved(gears), ShaftInTrain(R753_AXIS, 0.3)).result
     assert depth(gears, found, key) == pytest.approx(0.0, abs=1e-7)
@@ -91,7 +95,9 @@ def test_a_turned_train_has_turned_teeth():
     there = laid(replace(gears, wheels=tuple(wheels), tooth_angle=angle), eccentric=0.3 + angle).result
     assert there.eccentric_offset == pytest.approx(here.eccentric_offset)
     for name, w in there.wheels.items():
-        pitches = (w.tooth_angle - here.wheels[name].tooth_angle - angle) * solved(gears).wheels[name].teeth / (2 * math.pi)
+        pitches = (
+            (w.tooth_angle - here.wheels[name].tooth_angle - angle) * solved(gears).wheels[name].teeth / (2 * math.pi)
+        )
         assert pitches == pytest.approx(round(pitches), abs=1e-8)
 
 
@@ -122,8 +128,10 @@ def test_hunting_teeth_of_the_train():
     """gcd(36, 39) = 3; (25, 36) and (39, 25) have no common factor."""
     found = laid(r753())
     assert {k: (m.common_factor, m.turns_to_repeat) for k, m in found.result.meshes.items()} == {
-        "crank_central": (1, 36), "central_idler": (3, 13), "idler_shaft": (1, 25),
-    }  # fmt: skip
+        "crank_central": (1, 36),
+        "central_idler": (3, 13),
+        "idler_shaft": (1, 25),
+    }
     judged = verdicts(found)
     assert [judged[f"{k}.hunting"] for k in found.result.meshes] == ["pass", "note", "pass"]
     said = [c.advice for c in found.checks if c.id.endswith(".hunting")]
@@ -138,9 +146,14 @@ def test_marks_meet_again_after_whole_turns_of_every_wheel_and_not_before():
     assert whole == [period]
 
 
-@pytest.mark.parametrize("journals, end, verdict, gap", [
-    ((59.5e-3, 40e-3), "front", "pass", 1.548), ((59.5e-3, 40e-3), "rear", "warn", -17.952), ((59.5e-3, 40e-3), None, "warn", -17.952),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    "journals, end, verdict, gap",
+    [
+        ((59.5e-3, 40e-3), "front", "pass", 1.548),
+        ((59.5e-3, 40e-3), "rear", "warn", -17.952),
+        ((59.5e-3, 40e-3), None, "warn", -17.952),
+    ],
+)
 def test_the_wheel_passes_through_the_seat_of_the_journal(journals, end, verdict, gap):
     found = laid(r753(), journals=journals, gear_end=end)
     assert verdicts(found)["train.assembly"] == verdict

@@ -80,7 +80,9 @@ def test_a_given_place_of_the_last_wheel_against_the_counter_shaft():
 def test_a_wheel_with_a_third_neighbour_takes_the_place_that_fits_it():
     pump = at("pump", 20, (24, 48))  # 30 mm above the upper place of the idler
     gears = triangle(meshes=(mesh("crank", "idler"), mesh("idler", "shaft"), mesh("idler", "pump")))
-    gears = replace(gears, wheels=(*gears.wheels[:2], at("shaft", 40, (0, 50)), pump), walls=(wall("head", 46, -80, 46, 90),))
+    gears = replace(
+        gears, wheels=(*gears.wheels[:2], at("shaft", 40, (0, 50)), pump), walls=(wall("head", 46, -80, 46, 90),)
+    )
     found = laid(gears)
     assert place(found, "idler") == pytest.approx(24 + 18j)
     assert "idler_pump.position" not in verdicts(found)
@@ -105,7 +107,8 @@ def test_two_idlers_in_a_row_keep_their_centre_distances():
 
 
 def test_two_idlers_in_a_row_find_the_most_room():
-    """No direction of a scan of its own leaves the tighter idler more, beyond what the step of the program's own scan costs."""
+    """No direction of a scan of its own leaves the tighter idler more, beyond what the step of the program's own scan
+    costs."""
     gears = replace(r753(), walls=(wall("cover", -60, 20, 160, 20),), neighbours=(screw("screw", 150, -10, 10),))
     outcome = laid(gears, 0.130 + 0.103j)
     found, system = outcome.result, solved(gears)
@@ -146,7 +149,9 @@ def test_clearances_take_runout_tolerance_and_the_upper_deviation():
     assert exact.clearance_neighbour * 1e3 == pytest.approx(38 - 21 - 4)
     idler = at("idler", 40, (24, 18), runout=40e-6, tip_diameter_tolerance=(20e-6, -100e-6))
     meshes = mesh("crank", "idler", 30, tolerance=50), mesh("idler", "shaft", 40, tolerance=30)
-    worse = laid(replace(gears, wheels=(gears.wheels[0], idler, gears.wheels[2]), meshes=meshes), AXIS).result.wheels["idler"]
+    worse = laid(replace(gears, wheels=(gears.wheels[0], idler, gears.wheels[2]), meshes=meshes), AXIS).result.wheels[
+        "idler"
+    ]
     assert (exact.clearance_wall - worse.clearance_wall) * 1e6 == pytest.approx(10 + 20 + 50)
 
 

@@ -16,7 +16,13 @@ def at(name, teeth, place=None, **more):
 def triangle(idler=None, walls=(), neighbours=(), meshes=None, **said):
     wheels = at("crank", 20), at("idler", 40, idler), at("shaft", 40)
     made = train(
-        wheels, meshes or (mesh("crank", "idler"), mesh("idler", "shaft")), m_n=1.0, beta=0.0, ball=None, tool=(1.25, 0.38), **said
+        wheels,
+        meshes or (mesh("crank", "idler"), mesh("idler", "shaft")),
+        m_n=1.0,
+        beta=0.0,
+        ball=None,
+        tool=(1.25, 0.38),
+        **said,
     )
     return replace(made, walls=tuple(walls), neighbours=tuple(neighbours))
 

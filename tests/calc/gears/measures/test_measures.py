@@ -1,4 +1,5 @@
-"""The measures of the source's wheels, their limits, their table of spans, the preferred ball, and the verdict on measured sizes."""
+"""The measures of the source's wheels, their limits, their table of spans, the preferred ball, and the verdict on
+measured sizes."""
 
 import math
 from dataclasses import replace
@@ -40,7 +41,8 @@ def test_printed_sizes(name, size, printed):
 
 @pytest.mark.parametrize(("name", "exact"), [("central", 3.236), ("idler", 3.492)])
 def test_ball_at_the_working_circle(name, exact):
-    """The source's sheet takes this ball; solved exactly where the sheet multiplies two angles (recorded: 3.236 and 3.492 mm)."""
+    """The source's sheet takes this ball; solved exactly where the sheet multiplies two angles (recorded: 3.236 and
+    3.492 mm)."""
     found, _, _ = of(pair_1(), name)
     assert found.ideal_balls["ideal_ball_at_mate"].number * 1e3 == pytest.approx(exact, abs=0.5e-3)
 
@@ -78,7 +80,9 @@ def test_sizes_at_the_limits_are_those_of_the_thinned_wheel():
     nominal, _, _ = of(other, "idler")
     for size in ("over_one_ball", "over_pins", "over_two_pins", "constant_chord"):
         assert getattr(found, f"{size}_min") == pytest.approx(getattr(nominal, size), abs=1e-15)
-    assert found.chordal_thickness_min == pytest.approx(geometry(other, SPEED).result.wheels["idler"].chordal_thickness, abs=1e-15)
+    assert found.chordal_thickness_min == pytest.approx(
+        geometry(other, SPEED).result.wheels["idler"].chordal_thickness, abs=1e-15
+    )
 
 
 def test_spans_of_the_idler():
@@ -118,7 +122,9 @@ def test_a_ball_that_lies_on_the_root_has_no_sizes():
 
 @pytest.mark.parametrize(("z", "beta", "m_n", "x"), [(25, 21.9, 2.0, 0.0), (60, 0.0, 1.0, 0.4), (18, 30.0, 6.0, 0.3)])
 def test_the_preferred_ball_is_the_nearest_that_suits(z, beta, m_n, x):
-    gears = train([wheel("a", z, x), wheel("mate", 40)], [mesh("a", "mate")], m_n=m_n, beta=beta, ball=None, tool=(1.25, 0.3))
+    gears = train(
+        [wheel("a", z, x), wheel("mate", 40)], [mesh("a", "mate")], m_n=m_n, beta=beta, ball=None, tool=(1.25, 0.3)
+    )
     a = geometry(gears, SPEED).result.wheels["a"]
     assert a.ball_diameter == a.preferred_ball  # chosen where none is given
     chosen, _, _ = of(replace(gears, ball_diameter=a.preferred_ball), "a")
@@ -127,21 +133,28 @@ def test_the_preferred_ball_is_the_nearest_that_suits(z, beta, m_n, x):
     for D in nearer:
         other, _, _ = of(replace(gears, ball_diameter=D), "a")
         low, high = a.form_diameter, a.tip_diameter
-        assert other.ball_contact_diameter is None or not (low < other.ball_contact_diameter < high < 2 * other.over_one_ball)
+        assert other.ball_contact_diameter is None or not (
+            low < other.ball_contact_diameter < high < 2 * other.over_one_ball
+        )
 
 
 def test_no_preferred_ball_is_small_enough():
-    a = geometry(train([wheel("a", 30), wheel("mate", 40)], [mesh("a", "mate")], m_n=0.3, ball=None), SPEED).result.wheels["a"]
+    a = geometry(
+        train([wheel("a", 30), wheel("mate", 40)], [mesh("a", "mate")], m_n=0.3, ball=None), SPEED
+    ).result.wheels["a"]
     assert a.preferred_ball is None and a.ball_diameter == a.ideal_ball
 
 
-# --- measured sizes -----------------------------------------------------------------------------------------------------------------
+# --- measured sizes
+# -----------------------------------------------------------------------------------------------------------------
 def verdicts(**sizes):
     found, checks, _ = of(pair_1(span=(5, 5)), "idler", **sizes)
     return found, {c.id.removeprefix("gears.idler."): c for c in checks}
 
 
-@pytest.mark.parametrize(("span", "verdict"), [(27.683e-3, "pass"), (27.6883e-3, "warn"), (27.6780e-3, "warn"), (27.700e-3, "warn")])
+@pytest.mark.parametrize(
+    ("span", "verdict"), [(27.683e-3, "pass"), (27.6883e-3, "warn"), (27.6780e-3, "warn"), (27.700e-3, "warn")]
+)
 def test_a_measured_span_is_judged_by_its_allowance(span, verdict):
     """Limits 27.6783 to 27.6883 mm."""
     found, checks = verdicts(measured_span=span)
@@ -166,7 +179,10 @@ def test_the_height_of_a_measured_chord_is_said():
     found, checks = verdicts(measured_chordal_thickness=2.8875e-3)
     advice = checks["measured_chordal_thickness"].advice
     height = geometry(pair_1(), SPEED).result.wheels["idler"].chordal_height
-    assert f"{height * 1e3:.4f} mm below a tip circle of 87.0521 mm" in advice and checks["measured_chordal_thickness"].verdict == "pass"
+    assert (
+        f"{height * 1e3:.4f} mm below a tip circle of 87.0521 mm" in advice
+        and checks["measured_chordal_thickness"].verdict == "pass"
+    )
     assert found.measured_chordal_thickness.normal_thickness > 2.8875e-3  # the arc
 
 
@@ -180,9 +196,16 @@ def test_ids_are_unique_and_every_line_has_its_wheel():
     gears = pair_1()
     whole = geometry(gears, SPEED)
     train_ = whole.result
-    sizes = dict(measured_span=33.59e-3, measured_over_balls=88.38e-3, measured_over_pins=88.45e-3, measured_chordal_thickness=2.89e-3)
+    sizes = dict(
+        measured_span=33.59e-3,
+        measured_over_balls=88.38e-3,
+        measured_over_pins=88.45e-3,
+        measured_chordal_thickness=2.89e-3,
+    )
     with trace() as lines:
-        found, checks, _ = measures(train_.system, replace(gears.wheels[1], **sizes), train_.wheels["idler"], working(train_, "idler"))
+        found, checks, _ = measures(
+            train_.system, replace(gears.wheels[1], **sizes), train_.wheels["idler"], working(train_, "idler")
+        )
     ids = [v.id for v in published(found, "gears.idler")]
     assert len(ids) == len(set(ids)) and "gears.idler.measured_span.normal_thickness" in ids
     assert len({c.id for c in checks}) == len(checks)

@@ -12,7 +12,12 @@ from calc.gears.train import tooth_system
 from tests.calc.gears.trains import mesh, train, wheel
 
 INCH = 25.4e-3
-WHEELS = [(25, 2.0, 21.916, 0.014, 3.5), (17, 3.0, 12.0, 0.3, 5.5), (39, 2.0, 33.0, -0.15, 3.5), (36, 2.0, 21.916, 0.014, 3.5)]
+WHEELS = [
+    (25, 2.0, 21.916, 0.014, 3.5),
+    (17, 3.0, 12.0, 0.3, 5.5),
+    (39, 2.0, 33.0, -0.15, 3.5),
+    (36, 2.0, 21.916, 0.014, 3.5),
+]
 
 
 def placed(z, m_n, beta, x, D):
@@ -92,8 +97,8 @@ def test_three_pins_of_an_odd_helical_wheel_lie_flat_an_axial_pitch_apart(z, m_n
 
 
 def test_published_size_over_pins_of_an_odd_helical_wheel():
-    """10.967749 in, quoted as the AGMA value in the tests of a public program (bfoster59/MOP): 127 teeth, normal pitch 12, 20°, 10.5°,
-    thickness 0.1309 in (π/24), pins of 0.144 in."""
+    """10.967749 in, quoted as the AGMA value in the tests of a public program (bfoster59/MOP): 127 teeth, normal pitch
+    12, 20°, 10.5°, thickness 0.1309 in (π/24), pins of 0.144 in."""
     system, _, _, d_K, _ = placed(127, 25.4 / 12, 10.5, 0.0, 0.144 * 25.4)
     assert over_pins(system, 127, d_K, 0.144 * INCH) / INCH == pytest.approx(10.967749, abs=0.5e-6)
 

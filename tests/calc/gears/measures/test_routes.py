@@ -1,4 +1,5 @@
-"""The routes to the tooth thickness: forward from one tooth and back again, and from published sizes back to their tooth."""
+"""The routes to the tooth thickness: forward from one tooth and back again, and from published sizes back to their
+tooth."""
 
 import math
 from itertools import pairwise
@@ -50,7 +51,9 @@ def test_four_routes_agree(said, thinner):
         assert route.normal_thickness == pytest.approx(s_n, abs=1e-9)
         assert route.transverse_thickness == pytest.approx(s_n / math.cos(system.beta), abs=2e-9)
         assert route.span_change == pytest.approx(2 * thinner * system.m_n * math.sin(system.alpha_n), abs=1e-9)
-        assert route.thickness_change == pytest.approx(s_n - nominal.reference_thickness * math.cos(system.beta), abs=1e-9)
+        assert route.thickness_change == pytest.approx(
+            s_n - nominal.reference_thickness * math.cos(system.beta), abs=1e-9
+        )
 
 
 @given(wheels())
@@ -90,7 +93,8 @@ def test_the_constant_chord_is_constant_and_ends_on_the_involute(said, other):
     found = measures(system, given_, a)[0]
     system, given_, b = solve(**(said | {"z": other}))
     assert measures(system, given_, b)[0].constant_chord == found.constant_chord
-    # its end in the normal section, turned back along the helix into the transverse section through the middle of the tooth
+    # its end in the normal section, turned back along the helix into the transverse section through the middle of the
+    # tooth
     along, high = found.constant_chord / 2, found.constant_chord * math.tan(system.alpha_n) / 2
     side, out = along * math.cos(system.beta), a.reference_diameter / 2 + high
     axial = -along * math.sin(system.beta)
@@ -103,7 +107,8 @@ def test_the_constant_chord_is_constant_and_ends_on_the_involute(said, other):
     assert a.tip_diameter / 2 - found.constant_chord_height == pytest.approx(out, rel=1e-12)
 
 
-# --- published sizes, measured ---------------------------------------------------------------------------------------------------
+# --- published sizes, measured
+# ---------------------------------------------------------------------------------------------------
 PUBLISHED = [
     ("V4", "measured_span", dict(z=24, x=0.0, m_n=3.0, beta=0.0, span=4), "32.8266", 0.4),
     ("V5", "measured_span", dict(z=24, x=0.0, m_n=3.0, beta=25.0, span=5), "42.0085", 0.4),
@@ -112,7 +117,7 @@ PUBLISHED = [
     ("V8", "measured_over_pins", dict(z=20, x=0.1, m_n=1.0, beta=15.0, ball=2.0), "24.5696", 0.4),
     ("V10", "measured_chordal_thickness", dict(z=12, x=0.1, m_n=10.0, beta=0.0), "17.8256", 0.3),
     ("V11", "measured_chordal_thickness", dict(z=16, x=0.1, m_n=5.0, beta=25.0), "8.5728", 0.2),
-]  # fmt: skip
+]
 
 
 @pytest.mark.parametrize(("name", "route", "said", "size", "x"), PUBLISHED)
@@ -121,10 +126,13 @@ def test_a_published_size_gives_back_the_shift_of_its_example(name, route, said,
     system, given_, a = solve(**said, sizes={route: float(size) * 1e-3})
     found = measured(system, given_, a)[route]
     half_digit = 0.5e-7
-    assert abs(found.normal_thickness - m.normal_thickness(system.m_n, x, system.alpha_n)) < 2 * half_digit  # a chord's is 1, a span's 1.06
+    assert (
+        abs(found.normal_thickness - m.normal_thickness(system.m_n, x, system.alpha_n)) < 2 * half_digit
+    )  # a chord's is 1, a span's 1.06
 
 
-# --- sizes of no tooth --------------------------------------------------------------------------------------------------------------
+# --- sizes of no tooth
+# --------------------------------------------------------------------------------------------------------------
 @pytest.mark.parametrize(
     ("route", "size", "words"),
     [

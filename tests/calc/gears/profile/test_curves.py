@@ -22,7 +22,12 @@ def drawn(whole):
 def test_every_mesh_is_drawn_and_the_tightest_comes_first(whole, drawn):
     assert list(drawn)[:4] == ["profile_central_idler", "sliding", "tooth_central", "tooth_idler"]
     assert {f"profile_{key}" for key in whole.meshes} <= set(drawn) and len(drawn) == 6
-    assert list(c.id for c in curves(whole, "idler_shaft"))[:4] == ["profile_idler_shaft", "sliding", "tooth_idler", "tooth_shaft"]
+    assert list(c.id for c in curves(whole, "idler_shaft"))[:4] == [
+        "profile_idler_shaft",
+        "sliding",
+        "tooth_idler",
+        "tooth_shaft",
+    ]
 
 
 def test_curves_are_small_and_in_true_scale(drawn):
@@ -49,10 +54,14 @@ def test_the_tip_circles_stand_about_their_wheels_and_end_the_path_of_contact(wh
             assert circle.label == f"tip circle of {name}"
             radius = whole.wheels[name].tip_diameter / 2
             assert np.abs(circle.x + 1j * circle.y - centre * 1e3) == pytest.approx(radius * 1e3)
-            assert np.abs(circle.x + 1j * circle.y).min() == pytest.approx(abs(radius - abs(centre)) * 1e3), "at the pitch point"
+            assert np.abs(circle.x + 1j * circle.y).min() == pytest.approx(abs(radius - abs(centre)) * 1e3), (
+                "at the pitch point"
+            )
             assert abs(path.x[touched] + 1j * path.y[touched] - centre * 1e3) == pytest.approx(radius * 1e3)
             assert min(circle.x) < min(path.x) and max(path.x) < max(circle.x)
-        assert max(np.abs(below.x + 1j * below.y - centres[0] * 1e3)) == pytest.approx(whole.wheels[m.driver].tip_diameter * 500)
+        assert max(np.abs(below.x + 1j * below.y - centres[0] * 1e3)) == pytest.approx(
+            whole.wheels[m.driver].tip_diameter * 500
+        )
 
 
 def test_sliding_shows_one_mesh_at_a_time(whole, drawn):
@@ -61,7 +70,9 @@ def test_sliding_shows_one_mesh_at_a_time(whole, drawn):
     for key, m in whole.meshes.items():
         own = [s for s in curve.series if s.variant == f"{m.driver}–{m.driven}"]
         assert [s.label for s in own] == [m.driver, m.driven], key
-        assert [min(s.y[0], s.y[-1]) for s in own] == pytest.approx([m.specific_sliding_driver, m.specific_sliding_driven])
+        assert [min(s.y[0], s.y[-1]) for s in own] == pytest.approx(
+            [m.specific_sliding_driver, m.specific_sliding_driven]
+        )
     single = {c.id: c for c in curves(solved(pair_1()))}["sliding"]
     assert single.variants == () and "central–idler" in single.title
 

@@ -47,11 +47,23 @@ def idler(whole):
 def test_circles_have_the_diameters_of_the_wheel(whole, idler):
     w = whole.wheels["idler"]
     found = {c.dxf.layer: c.dxf.radius * 2 * MM for c in idler.query("CIRCLE") if c.dxf.layer != "WORKING"}
-    assert found == pytest.approx({"TIP": w.tip_diameter, "REFERENCE": w.reference_diameter, "BASE": w.base_diameter,
-                                   "ROOT": w.root_diameter, "FORM": w.form_diameter}, rel=1e-12)  # fmt: skip
+    assert found == pytest.approx(
+        {
+            "TIP": w.tip_diameter,
+            "REFERENCE": w.reference_diameter,
+            "BASE": w.base_diameter,
+            "ROOT": w.root_diameter,
+            "FORM": w.form_diameter,
+        },
+        rel=1e-12,
+    )
     working = sorted(c.dxf.radius * 2 * MM for c in idler.query('CIRCLE[layer=="WORKING"]'))
-    assert working == pytest.approx(sorted([whole.meshes["central_idler"].working_diameter_driven,
-                                            whole.meshes["idler_shaft"].working_diameter_driver]), rel=1e-12)  # fmt: skip
+    assert working == pytest.approx(
+        sorted(
+            [whole.meshes["central_idler"].working_diameter_driven, whole.meshes["idler_shaft"].working_diameter_driver]
+        ),
+        rel=1e-12,
+    )
 
 
 def test_the_axes_cross_in_the_middle_and_stand_out_beyond_the_tips(whole):
@@ -111,10 +123,14 @@ def test_the_table_of_data_stands_on_the_drawing(whole, idler):
 
 @pytest.mark.parametrize("allowance", [(-2e-6, -20e-6), None])
 def test_tolerances_of_tip_and_root_stand_once_in_the_table(whole, allowance):
-    """The root's own tolerance stands beside what the allowance changes, E_W/sin α_n in diameter: the lowest of both, the highest of both."""
+    """The root's own tolerance stands beside what the allowance changes, E_W/sin α_n in diameter: the lowest of both,
+    the highest of both."""
     gears = r753()
     central = dataclasses.replace(
-        gears.wheels[1], span_allowance=allowance, tip_diameter_tolerance=(0.0, -1e-4), root_diameter_tolerance=(0.0, -3e-4)
+        gears.wheels[1],
+        span_allowance=allowance,
+        tip_diameter_tolerance=(0.0, -1e-4),
+        root_diameter_tolerance=(0.0, -3e-4),
     )
     gears = dataclasses.replace(gears, wheels=(gears.wheels[0], central, *gears.wheels[2:]))
     w, rows = whole.wheels["central"], dict(data_table(solved(gears), "central", gears))
@@ -122,17 +138,24 @@ def test_tolerances_of_tip_and_root_stand_once_in_the_table(whole, allowance):
     assert (low, high) == pytest.approx((w.tip_diameter * 1e3 - 0.1, w.tip_diameter * 1e3), abs=5.1e-5)
     low, high = (float(x) for x in rows["Root diameter d_f"].split(" to "))
     upper, lower = (E_W * 1e3 / math.sin(whole.system.alpha_n) for E_W in allowance or (0.0, 0.0))
-    assert (low, high) == pytest.approx((w.root_diameter * 1e3 + lower - 0.3, w.root_diameter * 1e3 + upper), abs=5.1e-5)
+    assert (low, high) == pytest.approx(
+        (w.root_diameter * 1e3 + lower - 0.3, w.root_diameter * 1e3 + upper), abs=5.1e-5
+    )
 
 
-@pytest.mark.parametrize("given, said", [(None, ("right", "left", "right", "left")), ("right", ("left", "right", "left", "right"))])
+@pytest.mark.parametrize(
+    "given, said", [(None, ("right", "left", "right", "left")), ("right", ("left", "right", "left", "right"))]
+)
 def test_the_hand_of_the_helix_stands_in_the_table(whole, given, said):
-    """Given of the central idler, or of no wheel: the hands alternate, and without any the first driver is right-handed."""
+    """Given of the central idler, or of no wheel: the hands alternate, and without any the first driver is
+    right-handed."""
     gears = r753()
     gears = dataclasses.replace(
         gears, wheels=tuple(dataclasses.replace(w, hand=given if w.name == "central" else None) for w in gears.wheels)
     )
-    assert [dict(data_table(whole, name, gears))["Helix angle"] for name in whole.wheels] == [f"21.916°, {hand}" for hand in said]
+    assert [dict(data_table(whole, name, gears))["Helix angle"] for name in whole.wheels] == [
+        f"21.916°, {hand}" for hand in said
+    ]
 
 
 def test_a_spur_wheel_has_no_hand():
@@ -152,7 +175,9 @@ def test_a_wheel_without_allowance_has_one_outline():
 
 
 def test_the_same_wheel_gives_the_same_bytes(whole):
-    assert dxf(wheel_drawing(whole, "idler", "x", r753()), LAYERS) == dxf(wheel_drawing(whole, "idler", "x", r753()), LAYERS)
+    assert dxf(wheel_drawing(whole, "idler", "x", r753()), LAYERS) == dxf(
+        wheel_drawing(whole, "idler", "x", r753()), LAYERS
+    )
 
 
 def test_a_wheel_is_drawn_and_written_in_half_a_second(whole):
@@ -161,7 +186,8 @@ def test_a_wheel_is_drawn_and_written_in_half_a_second(whole):
     assert time.process_time() - begun < 0.5
 
 
-# --- the train ---------------------------------------------------------------------------------------------------------------
+# --- the train
+# ---------------------------------------------------------------------------------------------------------------
 def placed(t, angle=0.3):
     """Every wheel at its distance from the one before, in a bent line: [up, side]."""
     at, found = 0j, {"crank": 0j}
@@ -173,10 +199,13 @@ def placed(t, angle=0.3):
 
 @pytest.mark.parametrize("bent", [True, False])
 def test_in_the_train_every_tooth_stands_in_a_space(whole, bent):
-    """At every pitch point: on the line of centres, the driver's nearest tooth and the driven wheel's nearest space agree."""
+    """At every pitch point: on the line of centres, the driver's nearest tooth and the driven wheel's nearest space
+    agree."""
     places = placed(whole) if bent else None
     drawing = train_drawing(whole, "x", places, tooth_angle=0.123)
-    outlines = [np.array([complex(*p) for p in line.points]) for line in drawing if isinstance(line, Polyline) and line.closed]
+    outlines = [
+        np.array([complex(*p) for p in line.points]) for line in drawing if isinstance(line, Polyline) and line.closed
+    ]
     lines = dict(zip(whole.wheels, outlines))
     centres = {name: line.mean() for name, line in lines.items()}
     if places is not None:
@@ -187,7 +216,9 @@ def test_in_the_train_every_tooth_stands_in_a_space(whole, bent):
         for name, towards in ((m.driver, gamma), (m.driven, gamma + np.pi)):
             seen = (lines[name] - centres[name]) * np.exp(-1j * towards)
             z = whole.wheels[name].teeth
-            phase.append(np.angle((np.abs(seen) * np.exp(1j * z * np.angle(seen))).sum()))  # of the teeth, from the line of centres
+            phase.append(
+                np.angle((np.abs(seen) * np.exp(1j * z * np.angle(seen))).sum())
+            )  # of the teeth, from the line of centres
         assert abs(np.angle(np.exp(1j * (phase[0] + phase[1] - np.pi)))) < 1e-6
 
 
@@ -198,11 +229,14 @@ def test_the_first_tooth_points_where_it_is_said(whole):
     at = np.array([complex(*p) for p in line.points])
     one = at.size // 25
     middle = at[one // 2]
-    assert abs(middle) * 2 == pytest.approx(whole.wheels["crank"].tip_diameter) and np.angle(middle) == pytest.approx(0.0, abs=1e-9)
+    assert abs(middle) * 2 == pytest.approx(whole.wheels["crank"].tip_diameter) and np.angle(middle) == pytest.approx(
+        0.0, abs=1e-9
+    )
 
 
 def test_a_train_that_is_not_placed_as_a_whole_stands_in_a_row(whole):
-    """Nothing given, or not every wheel; the first tooth of the first driver then points up, and the words under the drawing say which."""
+    """Nothing given, or not every wheel; the first tooth of the first driver then points up, and the words under the
+    drawing say which."""
     places = placed(whole)
     some = {name: places[name] for name in list(places)[1:]}
     all_alike = {
@@ -212,29 +246,42 @@ def test_a_train_that_is_not_placed_as_a_whole_stands_in_a_row(whole):
     assert len(all_alike) == 1
     row, bent = train_drawing(whole), train_drawing(whole, "", places)
     said = [[p.text for p in shapes if isinstance(p, Words)] for shapes in (row, bent)]
-    assert "In a row" in said[0][-1] and "Drawn up" in said[1][-1] and len(said[0]) == len(said[1]) == len(whole.wheels) + 2
+    assert (
+        "In a row" in said[0][-1]
+        and "Drawn up" in said[1][-1]
+        and len(said[0]) == len(said[1]) == len(whole.wheels) + 2
+    )
     at = np.array([complex(*p) for p in next(p for p in row if isinstance(p, Polyline) and p.closed).points])
     assert np.angle(at[at.size // 25 // 2]) == pytest.approx(math.pi / 2, abs=1e-9)
 
 
 @pytest.mark.parametrize("bent", [True, False])
 def test_the_words_of_a_train_stand_at_their_wheels_and_below_all_of_them(whole, bent):
-    """Names beside the axes; the title and what is said below the lowest tip circle, one under the other, from the leftmost on."""
+    """Names beside the axes; the title and what is said below the lowest tip circle, one under the other, from the
+    leftmost on."""
     drawing = train_drawing(whole, "A train", placed(whole) if bent else None)
     tips = {p.centre: p.radius for p in drawing if isinstance(p, Arc) and p.layer == "TIP"}
     words = [p for p in drawing if isinstance(p, Words)]
     names, below = words[:-3], words[-3:]
-    assert [p.text for p in names] == [f"{name}, z {w.teeth}" for name, w in whole.wheels.items()] and below[0].text == "A train"
+    assert [p.text for p in names] == [f"{name}, z {w.teeth}" for name, w in whole.wheels.items()] and below[
+        0
+    ].text == "A train"
     for word, (centre, radius) in zip(names, tips.items()):
         assert 0 < word.at[0] - centre[0] < radius / 4 and 0 < word.at[1] - centre[1] < radius / 4
     low, left = min(y - r for (_, y), r in tips.items()), min(x - r for (x, _), r in tips.items())
     assert [p.at[0] for p in below] == pytest.approx([left] * 3)
     heights = [p.at[1] for p in below]
-    assert low - 0.02 < heights[0] < low - below[0].height and all(b < a - below[0].height for a, b in pairwise(heights))
+    assert low - 0.02 < heights[0] < low - below[0].height and all(
+        b < a - below[0].height for a, b in pairwise(heights)
+    )
 
 
 def test_a_driver_of_two_wheels_has_them_on_different_sides():
-    t = solved(train([wheel("a", 20, 0.1), wheel("b", 30, 0.0), wheel("c", 30, 0.0)], [mesh("a", "b"), mesh("a", "c")], beta=0.0))
+    t = solved(
+        train(
+            [wheel("a", 20, 0.1), wheel("b", 30, 0.0), wheel("c", 30, 0.0)], [mesh("a", "b"), mesh("a", "c")], beta=0.0
+        )
+    )
     lines = [p for p in train_drawing(t) if isinstance(p, Polyline) and p.closed]
     b, c = (np.mean([complex(*p) for p in line.points]) for line in lines[1:])
     assert abs(b) == pytest.approx(t.meshes["a_b"].centre_distance) and abs(b - c) > t.wheels["b"].tip_diameter * 0.7
@@ -242,7 +289,8 @@ def test_a_driver_of_two_wheels_has_them_on_different_sides():
 
 @pytest.mark.parametrize("turned", [0.0, 0.05])
 def test_a_placed_train_is_drawn_with_the_teeth_of_its_layout(turned):
-    """Tooth 1 of every wheel begins its outline: the last wheel's the one nearest the eccentric, at any angle of the first driver's."""
+    """Tooth 1 of every wheel begins its outline: the last wheel's the one nearest the eccentric, at any angle of the
+    first driver's."""
     gears = dataclasses.replace(r753(), tooth_angle=turned)
     t = with_layout(geometry(gears, SPEED), gears, ShaftInTrain(0.130 + 0.103j, 2.0)).result
     places = {name: (w.position.real, w.position.imag) for name, w in t.layout.wheels.items()}
@@ -259,4 +307,6 @@ def test_a_train_that_stands_elsewhere_than_its_layout_meshes_there():
     gears = r753()
     t = with_layout(geometry(gears, SPEED), gears, ShaftInTrain(0.130 + 0.103j, 2.0)).result
     places = placed(t)
-    assert dxf(train_drawing(t, "x", places), LAYERS) == dxf(train_drawing(dataclasses.replace(t, layout=None), "x", places), LAYERS)
+    assert dxf(train_drawing(t, "x", places), LAYERS) == dxf(
+        train_drawing(dataclasses.replace(t, layout=None), "x", places), LAYERS
+    )

@@ -25,9 +25,11 @@ def depth(t):
 
 
 JAMS = [
-    (20, 0.0, 20, 0.0, (1.05, 0.38), 0.0), (20, 0.0, 60, 0.3, (1.1, 0.38), 0.0), (20, 0.0, 30, 0.0, (0.95, 0.3), 0.0),
+    (20, 0.0, 20, 0.0, (1.05, 0.38), 0.0),
+    (20, 0.0, 60, 0.3, (1.1, 0.38), 0.0),
+    (20, 0.0, 30, 0.0, (0.95, 0.3), 0.0),
     (25, 0.1, 36, 0.0, (1.12, 0.4), 20.0),
-]  # fmt: skip
+]
 
 
 @pytest.mark.parametrize("make", [r753, pair_1])
@@ -39,7 +41,8 @@ def test_the_wheels_of_the_source_roll_without_entering_each_other(make):
     assert len(checks(t, found)) == len(found)
 
 
-# --- against whole polygons --------------------------------------------------------------------------------------------------
+# --- against whole polygons
+# --------------------------------------------------------------------------------------------------
 def inside(points, polygon):
     """By the turns that a polygon makes about each point."""
     seen = polygon - points[:, None]
@@ -86,7 +89,8 @@ def test_a_root_that_is_too_shallow_is_entered_by_at_least_its_negative_clearanc
 
 
 def test_fillets_that_are_too_round_are_entered_though_the_formulas_pass():
-    """z 20/20, tool 1.05 / 0.38: tips clear the roots, contact starts above the form circles, and a tip's corner works on the fillet."""
+    """z 20/20, tool 1.05 / 0.38: tips clear the roots, contact starts above the form circles, and a tip's corner works
+    on the fillet."""
     t = pair(*JAMS[0])
     m = t.meshes["a_b"]
     assert m.tip_clearance_driver == pytest.approx(0.05 * t.system.m_n)
@@ -96,18 +100,37 @@ def test_fillets_that_are_too_round_are_entered_though_the_formulas_pass():
 
 
 def test_what_is_cut_off_the_tips_ends_the_interference():
-    cuts = [depth(solved(train([wheel("a", 20, 0.0, cut=c), wheel("b", 20, 0.0, cut=c)], [mesh("a", "b")], beta=0.0, tool=(1.05, 0.38))))
-            for c in (0.0, 0.02, 0.05, 0.4)]  # fmt: skip
+    cuts = [
+        depth(
+            solved(
+                train(
+                    [wheel("a", 20, 0.0, cut=c), wheel("b", 20, 0.0, cut=c)],
+                    [mesh("a", "b")],
+                    beta=0.0,
+                    tool=(1.05, 0.38),
+                )
+            )
+        )
+        for c in (0.0, 0.02, 0.05, 0.4)
+    ]
     assert cuts == sorted(cuts, reverse=True) and cuts[0] > cuts[1] > 0 and cuts[-1] == 0.0
 
 
 @settings(deadline=None, max_examples=60)
 @given(
-    z_1=st.integers(8, 60), z_2=st.integers(8, 90), x_1=st.floats(-0.4, 0.7), x_2=st.floats(-0.4, 0.7), beta=st.floats(0, 30),
-    addendum=st.floats(1.0, 1.45), rho=st.floats(0.0, 0.4), q=st.floats(0.0, 0.08), more=st.floats(0.0, 0.05),
-)  # fmt: skip
+    z_1=st.integers(8, 60),
+    z_2=st.integers(8, 90),
+    x_1=st.floats(-0.4, 0.7),
+    x_2=st.floats(-0.4, 0.7),
+    beta=st.floats(0, 30),
+    addendum=st.floats(1.0, 1.45),
+    rho=st.floats(0.0, 0.4),
+    q=st.floats(0.0, 0.08),
+    more=st.floats(0.0, 0.05),
+)
 def test_wheels_that_fit_the_rack_of_the_tool_do_not_enter_each_other(z_1, z_2, x_1, x_2, beta, addendum, rho, q, more):
-    """Where contact starts above the fillets and the tool's straight flank reaches 0.1 m_n deeper than the mate's tip."""
+    """Where contact starts above the fillets and the tool's straight flank reaches 0.1 m_n deeper than the mate's
+    tip."""
     gears = train([wheel("a", z_1, x_1), wheel("b", z_2, x_2)], [mesh("a", "b")], beta=beta, tool=(addendum, rho))
     try:
         t = solved(dataclasses.replace(gears, stock=q * 1e-3, protuberance=(q + more) * 1e-3))
@@ -131,7 +154,8 @@ def test_the_order_of_the_wheels_and_the_module_do_not_matter():
 
 
 def test_a_step_that_finishing_leaves_is_entered_though_contact_starts_above_it():
-    """Stock without protuberance: the form circles and the roots are clear of the mate's tip, the thick fillet between them is not."""
+    """Stock without protuberance: the form circles and the roots are clear of the mate's tip, the thick fillet between
+    them is not."""
     gears = train([wheel("a", 15, 0.0), wheel("b", 15, 0.0)], [mesh("a", "b")], beta=0.0, tool=(1.25, 0.1))
     stepped, covered = (solved(dataclasses.replace(gears, stock=6e-5, protuberance=pr)) for pr in (0.0, 6e-5))
     m, w = stepped.meshes["a_b"], stepped.wheels["a"]
@@ -160,22 +184,28 @@ def test_a_pointed_tooth_ends_where_its_flanks_meet(x):
         assert found.tip_radius * 2 == pytest.approx(w.pointed_diameter, rel=1e-14)
         assert float(found.cut.involute(found.tip_radius)) == pytest.approx(0.0, abs=1e-14)
     thin = flank(t.system, w, w.profile_shift - 0.01)
-    assert thin.tip_radius < found.tip_radius and float(thin.cut.involute(thin.tip_radius)) == pytest.approx(0.0, abs=1e-14)
+    assert thin.tip_radius < found.tip_radius and float(thin.cut.involute(thin.tip_radius)) == pytest.approx(
+        0.0, abs=1e-14
+    )
 
 
-# --- backlash ------------------------------------------------------------------------------------------------------------------
+# --- backlash
+# ------------------------------------------------------------------------------------------------------------------
 def flank_gap(a_w, own, mate):
-    """Smallest distance of the mate's flank from the involute of the wheel, in the transverse plane; negative: inside it.
+    """Smallest distance of the mate's flank from the involute of the wheel, in the transverse plane; negative: inside
+    it.
 
-    Both wheels stand in the middle of their backlash.  Each point of the mate is looked at in many turns, the best of them again.
-    """
+    Both wheels stand in the middle of their backlash.  Each point of the mate is looked at in many turns, the best of
+    them again."""
     base = mate.cut.base_radius
     form = max(float(mate.fillet[0][-1]), base)
     radius = np.hypot(base, np.linspace(math.sqrt(form**2 - base**2), math.sqrt(mate.tip_radius**2 - base**2), 101))
     points, pitch = radius * np.exp(1j * mate.cut.involute(radius)), 2 * np.pi / own.cut.teeth
     turns, best = np.linspace(-3, 3, 1501) * 2 * np.pi / mate.cut.teeth, np.inf
     for _ in range(3):
-        seen = a_w - points * np.exp(-1j * turns[:, None])  # the mate's tooth towards the wheel, turned on from the line of centres
+        seen = a_w - points * np.exp(
+            -1j * turns[:, None]
+        )  # the mate's tooth towards the wheel, turned on from the line of centres
         tooth = pitch / 2 + turns[:, None] * mate.cut.teeth / own.cut.teeth
         off = np.abs((np.angle(seen) - tooth + pitch / 2) % pitch - pitch / 2)
         there = (np.abs(seen) < own.tip_radius) & (np.abs(seen) >= own.fillet[0][-1])
@@ -188,7 +218,8 @@ def flank_gap(a_w, own, mate):
 
 @pytest.mark.parametrize("key", ["crank_central", "central_idler", "idler_shaft"])
 def test_allowances_leave_half_the_backlash_on_each_side(key):
-    """Both wheels in the middle of their play: j_bn/2 normal to the flanks, j_bn that of the middle of the allowances."""
+    """Both wheels in the middle of their play: j_bn/2 normal to the flanks, j_bn that of the middle of the
+    allowances."""
     t = solved(r753())
     m = t.meshes[key]
     thin = []
@@ -214,4 +245,6 @@ def test_a_centre_distance_that_is_too_small_is_found_too():
     m = t.meshes["central_idler"]
     both = [flank(t.system, t.wheels[name]) for name in (m.driver, m.driven)]
     closer = 1e-5
-    assert penetration(m.centre_distance - closer, *both) == pytest.approx(closer * math.sin(m.working_pressure_angle), rel=0.03)
+    assert penetration(m.centre_distance - closer, *both) == pytest.approx(
+        closer * math.sin(m.working_pressure_angle), rel=0.03
+    )

@@ -10,8 +10,18 @@ from calc.gears.profile.cut import Cut
 from calc.gears.profile.outline import outline, regions, shifts, tooth
 from tests.calc.gears.trains import mesh, r753, solved, train, wheel
 
-TOOTH = [(36, 0.014, 21.916, (1.41, 0.2)), (25, 0.0142, 21.916, (1.41, 0.2)), (20, 0.0, 0.0, (1.25, 0.38)), (80, -0.4, 10.0, (1.25, 0.0))]
-UNDERCUT = [(10, 0.0, 0.0, (1.25, 0.38)), (8, -0.3, 15.0, (1.25, 0.2)), (12, 0.0, 0.0, (1.25, 0.0)), (16, -0.02, 0.0, (1.25, 0.3))]
+TOOTH = [
+    (36, 0.014, 21.916, (1.41, 0.2)),
+    (25, 0.0142, 21.916, (1.41, 0.2)),
+    (20, 0.0, 0.0, (1.25, 0.38)),
+    (80, -0.4, 10.0, (1.25, 0.0)),
+]
+UNDERCUT = [
+    (10, 0.0, 0.0, (1.25, 0.38)),
+    (8, -0.3, 15.0, (1.25, 0.2)),
+    (12, 0.0, 0.0, (1.25, 0.0)),
+    (16, -0.02, 0.0, (1.25, 0.3)),
+]
 
 
 def cut_wheel(z, x, beta, tool):
@@ -30,7 +40,9 @@ def test_fillet_meets_the_involute_with_a_common_tangent(case):
     radius, angle = (float(a[0]) for a in cut.fillet(np.array([-system.alpha_n])))
     assert 2 * radius == pytest.approx(w.form_diameter, rel=1e-13)
     assert angle == pytest.approx(float(cut.involute(radius)), abs=1e-13)
-    dr, dtheta = (derivative(lambda phi, i=i: float(cut.fillet(np.array([phi]))[i][0]), -system.alpha_n) for i in (0, 1))
+    dr, dtheta = (
+        derivative(lambda phi, i=i: float(cut.fillet(np.array([phi]))[i][0]), -system.alpha_n) for i in (0, 1)
+    )
     tangent = math.atan2(radius * dtheta, dr)
     assert tangent == pytest.approx(-math.acos(w.base_diameter / 2 / radius), abs=1e-9)
 
@@ -43,7 +55,11 @@ def test_radius_rises_from_root_to_tip(case):
     assert flank.involute[0][-1] * 2 == pytest.approx(w.tip_diameter, rel=1e-13)
     radius = np.concatenate([flank.fillet[0], flank.involute[0][1:]])
     assert np.all(np.diff(radius) >= (0 if system.rho_aP0 else -1e-15))
-    for (r_1, a_1), (r_2, a_2) in ((flank.root, flank.fillet), (flank.fillet, flank.involute), (flank.involute, flank.tip)):
+    for (r_1, a_1), (r_2, a_2) in (
+        (flank.root, flank.fillet),
+        (flank.fillet, flank.involute),
+        (flank.involute, flank.tip),
+    ):
         assert (r_1[-1], a_1[-1]) == pytest.approx((r_2[0], a_2[0]), abs=1e-12)
 
 
@@ -67,7 +83,8 @@ def test_form_diameter_is_continuous_where_undercut_begins():
 
 
 def test_critical_section_of_iso_6336_on_the_real_fillet():
-    """z 20, tool 1.25 / 0.38: where the tangent stands at 30° the chord is 1.94475 and the radius 0.57295 modules (public test)."""
+    """z 20, tool 1.25 / 0.38: where the tangent stands at 30° the chord is 1.94475 and the radius 0.57295 modules
+    (public test)."""
     system, _ = cut_wheel(20, 0.0, 0.0, (1.25, 0.38))
     cut = Cut(system, 20, 0.0)
 
@@ -128,7 +145,8 @@ def test_teeth_touch_and_never_enter_each_other(pair, turn):
     assert -1e-9 < gap.min() < 2e-5
 
 
-# --- the polyline ------------------------------------------------------------------------------------------------------------
+# --- the polyline
+# ------------------------------------------------------------------------------------------------------------
 def off(points, line):
     """Largest distance of points from a polyline."""
     start, way = line[:-1], np.diff(line)
@@ -143,11 +161,24 @@ def test_the_polyline_stands_nowhere_further_off_than_the_chord_error(case, erro
     system, w = cut_wheel(*case)
     flank, cut = regions(system, w, error), Cut(system, w.teeth, w.profile_shift)
     fillet = cut.fillet(np.linspace(-np.pi / 2, cut.end_of_fillet, 3000))
-    r = np.hypot(w.base_diameter / 2, np.linspace(*(math.sqrt(max((d / 2) ** 2 - (w.base_diameter / 2) ** 2, 0.0))
-                 for d in (w.form_diameter, w.tip_diameter)), 3000))  # fmt: skip
+    r = np.hypot(
+        w.base_diameter / 2,
+        np.linspace(
+            *(
+                math.sqrt(max((d / 2) ** 2 - (w.base_diameter / 2) ** 2, 0.0))
+                for d in (w.form_diameter, w.tip_diameter)
+            ),
+            3000,
+        ),
+    )
     top = np.linspace(float(cut.involute(w.tip_diameter / 2)), 0, 500)
     ground = np.linspace(np.pi / w.teeth, fillet[1][0], 500)
-    exact = {"fillet": fillet, "involute": (r, cut.involute(r)), "tip": (w.tip_diameter / 2, top), "root": (w.root_diameter / 2, ground)}
+    exact = {
+        "fillet": fillet,
+        "involute": (r, cut.involute(r)),
+        "tip": (w.tip_diameter / 2, top),
+        "root": (w.root_diameter / 2, ground),
+    }
     for name, (radius, angle) in exact.items():
         drawn_r, drawn_a = getattr(flank, name)
         assert off(radius * np.exp(1j * angle), drawn_r * np.exp(1j * drawn_a)) <= error * 1.0001 + 1e-15, name
@@ -159,7 +190,8 @@ def test_a_coarser_polyline_has_fewer_points():
     assert sizes[0] > 5 * sizes[1] and sizes[1] > 2 * sizes[2] and sizes[1] < 200
 
 
-# --- allowances --------------------------------------------------------------------------------------------------------------
+# --- allowances
+# --------------------------------------------------------------------------------------------------------------
 @pytest.mark.parametrize("name", ["central", "idler", "shaft"])
 def test_the_outlines_at_both_ends_of_the_allowance_have_the_diameters_that_are_told(name):
     t = solved(r753())
@@ -174,9 +206,12 @@ def test_the_outlines_at_both_ends_of_the_allowance_have_the_diameters_that_are_
 
 @pytest.mark.parametrize("end, E_W", [("max", -20e-6), ("min", -30e-6)])
 def test_the_thinned_outline_is_thinner_by_the_change_of_the_span(end, E_W):
-    """Along the base tangent each flank stands back by half of the change of the span, ISO 21771: E_W in the normal section."""
+    """Along the base tangent each flank stands back by half of the change of the span, ISO 21771: E_W in the normal
+    section."""
     t = solved(r753())
     w = t.wheels["idler"]
     whole, thin = (Cut(t.system, w.teeth, x) for x in (w.profile_shift, shifts(t.system, w)[end]))
-    back = (whole.half_angle_at_base - thin.half_angle_at_base) * whole.base_radius * math.cos(t.system.base_helix_angle)
+    back = (
+        (whole.half_angle_at_base - thin.half_angle_at_base) * whole.base_radius * math.cos(t.system.base_helix_angle)
+    )
     assert back == pytest.approx(-E_W / 2, rel=1e-12)

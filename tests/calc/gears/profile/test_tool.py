@@ -1,4 +1,5 @@
-"""The tool with stock and protuberance: rolled through the space it cuts nothing more than the outline, and it touches it."""
+"""The tool with stock and protuberance: rolled through the space it cuts nothing more than the outline, and it touches
+it."""
 
 import dataclasses
 import math
@@ -15,14 +16,22 @@ from calc.sheet.errors import NoSolution
 from tests.calc.gears.trains import mesh, solved, train, wheel
 
 PLAIN = [
-    (36, 0.014, 21.916, (1.41, 0.2), 0.0, 0.0), (25, 0.0142, 21.916, (1.41, 0.2), 0.0, 0.0), (20, 0.0, 0.0, (1.25, 0.38), 0.0, 0.0),
-    (80, -0.4, 10.0, (1.25, 0.0), 0.0, 0.0), (10, 0.0, 0.0, (1.25, 0.38), 0.0, 0.0), (8, -0.3, 15.0, (1.25, 0.2), 0.0, 0.0),
-]  # fmt: skip
+    (36, 0.014, 21.916, (1.41, 0.2), 0.0, 0.0),
+    (25, 0.0142, 21.916, (1.41, 0.2), 0.0, 0.0),
+    (20, 0.0, 0.0, (1.25, 0.38), 0.0, 0.0),
+    (80, -0.4, 10.0, (1.25, 0.0), 0.0, 0.0),
+    (10, 0.0, 0.0, (1.25, 0.38), 0.0, 0.0),
+    (8, -0.3, 15.0, (1.25, 0.2), 0.0, 0.0),
+]
 PROTUBERANT = [
-    (25, 0.0, 21.916, (1.41, 0.2), 0.08, 0.1), (36, 0.1, 21.916, (1.4, 0.38), 0.1, 0.13), (100, -0.3, 0.0, (1.4, 0.39), 0.0, 0.02),
-    (40, 0.0, 15.0, (1.4, 0.2), 0.05, 0.15), (40, 0.0, 15.0, (1.25, 0.0), 0.02, 0.04), (10, 0.0, 0.0, (1.25, 0.38), 0.08, 0.1),
+    (25, 0.0, 21.916, (1.41, 0.2), 0.08, 0.1),
+    (36, 0.1, 21.916, (1.4, 0.38), 0.1, 0.13),
+    (100, -0.3, 0.0, (1.4, 0.39), 0.0, 0.02),
+    (40, 0.0, 15.0, (1.4, 0.2), 0.05, 0.15),
+    (40, 0.0, 15.0, (1.25, 0.0), 0.02, 0.04),
+    (10, 0.0, 0.0, (1.25, 0.38), 0.08, 0.1),
     (17, 0.15, 15.8, (1.4, 0.39), 0.1, 0.102),
-]  # fmt: skip
+]
 STEPPED = [(25, 0.0, 21.916, (1.41, 0.2), 0.08, 0.05), (40, 0.3, 0.0, (1.4, 0.38), 0.1, 0.0)]
 
 
@@ -34,7 +43,8 @@ def made(z, x, beta, tool, q=0.0, pr=0.0, m_n=2.0):
 
 
 def rack(system, w):
-    """The tool's tooth: its round corner as far as it stands out, and the finished flank above; each (from its middle, from the pitch line)."""
+    """The tool's tooth: its round corner as far as it stands out, and the finished flank above; each (from its middle,
+    from the pitch line)."""
     s, m_n = system, system.m_n
     rho, slant, alpha_t = s.rho_aP0 * m_n, math.cos(s.beta), s.transverse_pressure_angle
     bottom = (w.profile_shift - s.h_fP) * m_n
@@ -42,7 +52,9 @@ def rack(system, w):
     def flank(v):
         return np.pi * s.transverse_module / 4 + (v - w.profile_shift * m_n) * math.tan(alpha_t)
 
-    v_touch = bottom + rho * (1 - math.sin(s.alpha_n))  # where corner and flank of the tool touch; it stands s_pr beyond the finished one
+    v_touch = bottom + rho * (
+        1 - math.sin(s.alpha_n)
+    )  # where corner and flank of the tool touch; it stands s_pr beyond the finished one
     u_touch = flank(v_touch) + s.s_pr / (math.cos(s.alpha_n) * slant)
     phi = np.linspace(-np.pi / 2, -s.alpha_n + (0.3 if s.s_pr > 0 else 0.0), 400)
     u = u_touch + rho / slant * (np.cos(phi) - math.cos(s.alpha_n))
@@ -66,7 +78,11 @@ def test_the_tool_rolls_through_the_space_cuts_nothing_more_and_touches(case):
             R, angle = np.hypot(X, Y), np.pi / w.teeth - (np.arctan2(X, Y) - s / r)
             drawn = cut.involute(R) if upper else np.interp(R, *fillet)
             # at the very root the outline is a circle
-            there = (R < w.tip_diameter / 2) & (R > fillet[0][-1]) if upper else (R < fillet[0][-1]) & (R > fillet[0][0] + 1e-3 * m_n)
+            there = (
+                (R < w.tip_diameter / 2) & (R > fillet[0][-1])
+                if upper
+                else (R < fillet[0][-1]) & (R > fillet[0][0] + 1e-3 * m_n)
+            )
             found.append(((angle - drawn)[there] * R[there]).min(initial=np.inf))
     for found in gaps:
         assert -2e-6 * m_n < min(found) < 3e-3 * m_n
@@ -81,7 +97,11 @@ def test_the_flank_is_whole_from_root_to_tip(case):
     assert 2 * flank.root[0][0] == pytest.approx(w.root_diameter, rel=1e-13)
     assert 2 * flank.involute[0][0] == pytest.approx(w.form_diameter, rel=1e-12)
     assert 2 * flank.tip[0][-1] == pytest.approx(w.tip_diameter, rel=1e-13)
-    for (r_1, a_1), (r_2, a_2) in ((flank.root, flank.fillet), (flank.fillet, flank.involute), (flank.involute, flank.tip)):
+    for (r_1, a_1), (r_2, a_2) in (
+        (flank.root, flank.fillet),
+        (flank.fillet, flank.involute),
+        (flank.involute, flank.tip),
+    ):
         assert (r_1[-1], a_1[-1]) == pytest.approx((r_2[0], a_2[0]), abs=1e-12)
 
 
@@ -110,13 +130,16 @@ def test_the_corner_touches_the_flank_of_the_tool_s_pr_under_the_finished_one(ca
 
 @pytest.mark.parametrize("case", STEPPED)
 def test_stock_without_protuberance_leaves_a_step_of_its_size(case):
-    """Beside each other on the form circle: the end of the tool's fillet outside, the finished involute inside; s_pr along the base tangent."""
+    """Beside each other on the form circle: the end of the tool's fillet outside, the finished involute inside; s_pr
+    along the base tangent."""
     system, w = made(*case)
     flank = regions(system, w)
     (r_1, r_2), (a_1, a_2) = flank.fillet[0][-2:], flank.fillet[1][-2:]
     assert r_1 == pytest.approx(r_2, rel=1e-14) and a_1 > a_2
     step = (a_1 - a_2) * w.base_diameter / 2 * math.cos(system.base_helix_angle)
-    assert step == pytest.approx(finishing_step(system), rel=1e-9) and step == pytest.approx((case[4] - case[5]) * 1e-3, rel=1e-9)
+    assert step == pytest.approx(finishing_step(system), rel=1e-9) and step == pytest.approx(
+        (case[4] - case[5]) * 1e-3, rel=1e-9
+    )
     whole = tooth(system, w)
     assert np.all(np.diff(np.angle(whole[: whole.size // 2])) >= -1e-15)
 
@@ -150,7 +173,9 @@ def test_what_the_protuberance_must_be_like_is_said():
 @pytest.mark.parametrize("addendum, rho, said", [(1.25, 0.6, "at most "), (2.9, 0.3, "less than ")])
 def test_a_tool_whose_corners_overlap_says_what_it_can_have(q, pr, addendum, rho, said):
     """With the radius, or the addendum, that is said there is such a tool; with a little more there is none."""
-    with pytest.raises(NoSolution, match=f"tool_tip_radius = {rho} with gears.tool_addendum = {addendum}: the round corners") as caught:
+    with pytest.raises(
+        NoSolution, match=f"tool_tip_radius = {rho} with gears.tool_addendum = {addendum}: the round corners"
+    ) as caught:
         made(20, 0.0, 10.0, (addendum, rho), q, pr)
     limit = float(caught.value.advice.split(said)[1].split()[0].rstrip(",:"))
 
@@ -165,10 +190,17 @@ def test_a_tool_whose_corners_overlap_says_what_it_can_have(q, pr, addendum, rho
 
 @settings(deadline=None, max_examples=150)
 @given(
-    z=st.integers(8, 120), x=st.floats(-0.6, 0.9), beta=st.floats(0, 30), addendum=st.floats(1.0, 1.5), rho=st.floats(0.0, 0.4),
-    q=st.floats(0, 0.1), pr=st.floats(0, 0.15),
-)  # fmt: skip
-@example(z=9, x=0.0, beta=28.98289905353122, addendum=1.4291630101867394, rho=0.0, q=0.0, pr=0.0)  # rounding puts a chord at an end
+    z=st.integers(8, 120),
+    x=st.floats(-0.6, 0.9),
+    beta=st.floats(0, 30),
+    addendum=st.floats(1.0, 1.5),
+    rho=st.floats(0.0, 0.4),
+    q=st.floats(0, 0.1),
+    pr=st.floats(0, 0.15),
+)
+@example(
+    z=9, x=0.0, beta=28.98289905353122, addendum=1.4291630101867394, rho=0.0, q=0.0, pr=0.0
+)  # rounding puts a chord at an end
 def test_any_tool_makes_a_whole_flank_or_says_why_not(z, x, beta, addendum, rho, q, pr):
     try:
         system, w = made(z, x, beta, (addendum, rho), q, pr)

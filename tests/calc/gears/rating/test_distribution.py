@@ -14,7 +14,8 @@ def um(f):
 
 
 @pytest.mark.parametrize(
-    "f, to", [(0.3, 0.3), (4.94, 4.9), (4.96, 5.0), (5.2, 5.0), (5.25, 5.5), (8.74, 8.5), (10.0, 10.0), (10.5, 11), (11.49, 11)]
+    "f, to",
+    [(0.3, 0.3), (4.94, 4.9), (4.96, 5.0), (5.2, 5.0), (5.25, 5.5), (8.74, 8.5), (10.0, 10.0), (10.5, 11), (11.49, 11)],
 )
 def test_rounding(f, to):
     assert d.rounded(f=f * 1e-6) == um(to)
@@ -59,7 +60,10 @@ def test_soft_flanks_run_in_by_their_strength_and_speed(v, alpha, beta):
 
 
 @given(
-    f=st.floats(1e-7, 5e-4), sigma=st.floats(200e6, 2e9), v=st.floats(0, 60), kind=st.sampled_from(["Eh", "V", "St", "GGG", "GG", "GTS"])
+    f=st.floats(1e-7, 5e-4),
+    sigma=st.floats(200e6, 2e9),
+    v=st.floats(0, 60),
+    kind=st.sampled_from(["Eh", "V", "St", "GGG", "GG", "GTS"]),
 )
 def test_running_in_never_takes_more_than_there_is(f, sigma, v, kind):
     assert 0 <= d.running_in(f, kind, sigma, v) <= f

@@ -1,4 +1,5 @@
-"""Influence factors: the example of ISO/TR 6336-30, an independent recomputation, limits and symmetries, a very light load."""
+"""Influence factors: the example of ISO/TR 6336-30, an independent recomputation, limits and symmetries, a very light
+load."""
 
 import math
 from dataclasses import replace
@@ -27,24 +28,35 @@ def side(t, name, **said):
 
 def of(t, key, F_t=184.0, K_A=1.0, grade=7, first=None, second=None, **said):
     m = t.meshes[key]
-    return influence(t.system, m, first or side(t, m.driver), second or side(t, m.driven), F_t=F_t, K_A=K_A, grade=grade, **said)
+    return influence(
+        t.system, m, first or side(t, m.driver), second or side(t, m.driven), F_t=F_t, K_A=K_A, grade=grade, **said
+    )
 
 
-# --- ISO/TR 6336-30, example 1 -------------------------------------------------------------------------------------------------
-# m_n 8, α_n 20°, β 15.8°, z 17/103, x 0.145/0, a 500, b 100, tool 1.4/0.39, 9000 N·m at 360 rpm, grade 5, tip relief 70 µm.  The results
-# are those printed in ISO/TR 6336-30:2017, Annex A, as quoted in public code (gfsReboucas/Drivetrain, MATISO_6336.m, example_01).
+# --- ISO/TR 6336-30, example 1
+# -------------------------------------------------------------------------------------------------
+# m_n 8, α_n 20°, β 15.8°, z 17/103, x 0.145/0, a 500, b 100, tool 1.4/0.39, 9000 N·m at 360 rpm, grade 5, tip relief 70
+# µm.  The results are those printed in ISO/TR 6336-30:2017, Annex A, as quoted in public code (gfsReboucas/Drivetrain,
+# MATISO_6336.m, example_01).
 TORQUE = 9000.0
 
 
 @pytest.fixture(scope="module")
 def example():
     gears = train(
-        [wheel("pinion", 17), wheel("gear", 103, 0.0)], [mesh("pinion", "gear", 500.0)], m_n=8, beta=15.8, b=100, tool=(1.4, 0.39)
+        [wheel("pinion", 17), wheel("gear", 103, 0.0)],
+        [mesh("pinion", "gear", 500.0)],
+        m_n=8,
+        beta=15.8,
+        b=100,
+        tool=(1.4, 0.39),
     )
     t = geometry(gears, 6.0).result
     F_t = 2 * TORQUE / t.wheels["pinion"].pitch_diameter
     assert F_t == pytest.approx(127352, abs=0.5)
-    bend = 0.023e-6 * F_t / 100 * 1.003 * (100 / 141.34) ** 2  # f_sh of a pinion amid its bearings, eq. 57: F_m/b·0.023·(b/d_1)²
+    bend = (
+        0.023e-6 * F_t / 100 * 1.003 * (100 / 141.34) ** 2
+    )  # f_sh of a pinion amid its bearings, eq. 57: F_m/b·0.023·(b/d_1)²
     return of(t, "pinion_gear", F_t=F_t, grade=5, f_sh=bend, C_a=70e-6), t, F_t, bend
 
 
@@ -53,7 +65,9 @@ def test_stiffness_of_the_published_example(example):
     c_th = dynamic.theoretical_stiffness(q=q)
     assert c_th / N_PER_MM_UM == pytest.approx(17.85584, abs=5e-4)  # z_n printed to three decimals
     C_B = dynamic.basic_rack_factor(h_fP=1.4, alpha_n=math.radians(20))
-    c = dynamic.single_stiffness(c_th=c_th, C_B=C_B, beta=math.radians(15.8), e=dynamic.modulus_ratio(E_1=206e9, E_2=206e9))
+    c = dynamic.single_stiffness(
+        c_th=c_th, C_B=C_B, beta=math.radians(15.8), e=dynamic.modulus_ratio(E_1=206e9, E_2=206e9)
+    )
     assert c / N_PER_MM_UM == pytest.approx(12.37047, abs=5e-4)
     found, *_ = example  # x_1 = 0.1452 from a = 500 and x_2 = 0 where the example writes 0.145
     assert found.single_stiffness / N_PER_MM_UM == pytest.approx(12.37047, rel=1e-4)
@@ -77,7 +91,8 @@ def test_root_face_factor_of_the_published_example(example):
     assert found.face_load_factor_root == pytest.approx(1.12803, abs=1e-4)
 
 
-# --- recomputed in the units of the standard -----------------------------------------------------------------------------------
+# --- recomputed in the units of the standard
+# -----------------------------------------------------------------------------------
 def by_hand(t, key, F_t, K_A, f_pT, f_fa, f_Hb):
     """µm, N/mm, kg/mm, 1/min; hardened flanks, grades from 6 on, no shaft deflection."""
     m, s = t.meshes[key], t.system
@@ -102,7 +117,11 @@ def by_hand(t, key, F_t, K_A, f_pT, f_fa, f_Hb):
     N = abs(p.speed) * 60 / n_E
     fpb = f_pT * math.cos(s.transverse_pressure_angle)
     Bp, Bf = (c * (f - min(0.075 * f, 3)) / w for f in (fpb, f_fa))
-    KV = 1 + N * (0.32 * Bp + 0.57 / (eg - 0.3) * Bf + 0.096 / (eg - 1.56)) if eg > 2 else 1 + N * (0.32 * Bp + 0.34 * Bf + 0.23)
+    KV = (
+        1 + N * (0.32 * Bp + 0.57 / (eg - 0.3) * Bf + 0.096 / (eg - 1.56))
+        if eg > 2
+        else 1 + N * (0.32 * Bp + 0.34 * Bf + 0.23)
+    )
     Fx = max(f_Hb * math.sqrt(2), 0.005 * w * KV)
     Fy = Fx - min(0.15 * Fx, 6)
     KHb = 1 + Fy * 0.85 * cga / (2 * w * KV)
@@ -117,7 +136,8 @@ def by_hand(t, key, F_t, K_A, f_pT, f_fa, f_Hb):
 @pytest.mark.parametrize("F_t", [100.0, 1500.0, 3000.0, 20000.0])
 @pytest.mark.parametrize("beta", [0.0, 21.916])
 def test_independent_recomputation(F_t, beta):
-    """Grade 7 of ISO 1328-1:2013 for m_n 2, d 60 to 84, b 15, by hand: f_pT 12 µm, f_fα 12 µm; f_Hβ 11 to 12 µm, each wheel alike here."""
+    """Grade 7 of ISO 1328-1:2013 for m_n 2, d 60 to 84, b 15, by hand: f_pT 12 µm, f_fα 12 µm; f_Hβ 11 to 12 µm, each
+    wheel alike here."""
     gears = train([wheel("a", 30, 0.1), wheel("b", 30, 0.1)], [mesh("a", "b")], beta=beta)
     t = solved(gears)
     d = t.wheels["a"].pitch_diameter * 1e3
@@ -132,19 +152,27 @@ def test_independent_recomputation(F_t, beta):
     assert found.transverse_load_factor_flank == pytest.approx(limited, rel=1e-9)
 
 
-# --- limits and symmetries ------------------------------------------------------------------------------------------------------
+# --- limits and symmetries
+# ------------------------------------------------------------------------------------------------------
 def test_driver_and_driven_may_change_places():
     gears = [train([wheel("a", 25, 0.1), wheel("b", 39, 0.0)], [mesh(*pair)]) for pair in (("a", "b"), ("b", "a"))]
     there = geometry(gears[0], SPEED).result
     back = geometry(gears[1], SPEED * 25 / 39).result
     one, two = of(there, "a_b"), of(back, "b_a")
-    for name in ("dynamic_factor", "face_load_factor_flank", "transverse_load_factor_flank", "resonance_speed", "single_stiffness"):
+    for name in (
+        "dynamic_factor",
+        "face_load_factor_flank",
+        "transverse_load_factor_flank",
+        "resonance_speed",
+        "single_stiffness",
+    ):
         assert getattr(one, name) == pytest.approx(getattr(two, name), rel=1e-12)
 
 
 def test_a_pair_as_any_size_has_the_same_tooth_stiffness():
     small, large = (
-        solved(train([wheel("a", 25, 0.1), wheel("b", 39, 0.0)], [mesh("a", "b")], m_n=m_n, b=7.5 * m_n, ball=None)) for m_n in (2.0, 4.0)
+        solved(train([wheel("a", 25, 0.1), wheel("b", 39, 0.0)], [mesh("a", "b")], m_n=m_n, b=7.5 * m_n, ball=None))
+        for m_n in (2.0, 4.0)
     )
     one, two = of(small, "a_b", F_t=3000.0), of(large, "a_b", F_t=6000.0)
     assert two.single_stiffness == pytest.approx(one.single_stiffness, rel=1e-12)
@@ -190,7 +218,9 @@ def test_face_factor_is_continuous_where_the_contact_leaves_the_edge():
 
 
 def test_pair_factor_is_continuous_at_a_contact_ratio_of_two():
-    assert distribution.pair_factor(eps_gamma=2.0, q_alpha=1.7) == pytest.approx(distribution.pair_factor_high(eps_gamma=2.0, q_alpha=1.7))
+    assert distribution.pair_factor(eps_gamma=2.0, q_alpha=1.7) == pytest.approx(
+        distribution.pair_factor_high(eps_gamma=2.0, q_alpha=1.7)
+    )
 
 
 @pytest.mark.parametrize("eps_gamma", [1.4, 1.9, 2.2, 3.0])
@@ -236,12 +266,15 @@ def test_a_coarser_grade_is_never_better(grade):
     assert coarse.face_load_factor_flank > fine.face_load_factor_flank or coarse.dynamic_factor > fine.dynamic_factor
 
 
-# --- the very light load of a balance shaft's train -----------------------------------------------------------------------------
+# --- the very light load of a balance shaft's train
+# -----------------------------------------------------------------------------
 def test_a_light_load_is_said_to_be_outside_the_validity():
     found = of(TRAIN, "central_idler", F_t=100.0, K_A=1.25)
     checks = {c.id: c for c in influence_checks("central_idler", TRAIN.meshes["central_idler"], found)}
     load = checks["gears.central_idler.line_load"]
-    assert (load.verdict, load.kind, load.unit) == ("note", "method", "N/mm") and load.value == pytest.approx(100 * 1.25 / 15)
+    assert (load.verdict, load.kind, load.unit) == ("note", "method", "N/mm") and load.value == pytest.approx(
+        100 * 1.25 / 15
+    )
     assert "outside their validity" in load.advice
     assert "gears.central_idler.contact_width" not in checks  # said once, with the load
     assert checks["gears.central_idler.resonance"].verdict == "pass"
@@ -258,12 +291,15 @@ def test_light_loads_raise_the_factors():
     heavy = of(TRAIN, "central_idler", F_t=1500.0)
     assert found.face_load_factor_flank > 2 > found.face_load_factor_at_100
     assert found.dynamic_factor > heavy.dynamic_factor
-    assert of(TRAIN, "central_idler", F_t=30.0, grade=10).transverse_load_factor_flank > heavy.transverse_load_factor_flank
+    assert (
+        of(TRAIN, "central_idler", F_t=30.0, grade=10).transverse_load_factor_flank > heavy.transverse_load_factor_flank
+    )
 
 
 def test_the_peak_of_the_load_over_the_face_width_falls_with_the_load():
     peaks = [
-        (f := of(TRAIN, "central_idler", F_t=F)).face_load_factor_flank * f.line_load * f.dynamic_factor for F in (10, 50, 200, 1000, 5000)
+        (f := of(TRAIN, "central_idler", F_t=F)).face_load_factor_flank * f.line_load * f.dynamic_factor
+        for F in (10, 50, 200, 1000, 5000)
     ]
     assert peaks == sorted(peaks)
 
@@ -271,7 +307,9 @@ def test_the_peak_of_the_load_over_the_face_width_falls_with_the_load():
 def test_the_face_factor_of_100_newton_per_millimetre_stands_beside_that_of_a_light_load():
     found, there = of(TRAIN, "central_idler", F_t=100.0), of(TRAIN, "central_idler", F_t=1500.0)
     assert there.line_load == pytest.approx(100e3) and found.face_load_factor_flank > found.face_load_factor_at_100
-    assert found.face_load_factor_at_100 == pytest.approx(there.face_load_factor_flank, rel=0.15)  # there with its own K_V
+    assert found.face_load_factor_at_100 == pytest.approx(
+        there.face_load_factor_flank, rel=0.15
+    )  # there with its own K_V
 
 
 @pytest.mark.parametrize("F_t, K_A", [(0.0, 1.0), (-5.0, 1.0), (math.nan, 1.0), (10.0, 0.0)])
@@ -280,7 +318,8 @@ def test_without_load_there_are_no_factors(F_t, K_A):
         of(TRAIN, "central_idler", F_t=F_t, K_A=K_A)
 
 
-# --- what is shown ---------------------------------------------------------------------------------------------------------------
+# --- what is shown
+# ---------------------------------------------------------------------------------------------------------------
 def test_sizes_beyond_the_tolerance_standard_are_named():
     t = solved(train([wheel("a", 25, 0.1), wheel("b", 39, 0.0)], [mesh("a", "b")], m_n=0.4, b=3.0, ball=None))
     found = of(t, "a_b", F_t=10.0)

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The load of the rating: mean torque of a power, and the dynamic torque of an uneven crank from the energy of what it drives."""
+"""The load of the rating: mean torque of a power, and the dynamic torque of an uneven crank from the energy of what it
+drives."""
 
 import math
 from dataclasses import replace
@@ -38,8 +39,10 @@ def test_dynamic_torque_is_what_the_energy_behind_the_mesh_asks_for():
     ratio = {name: 25 / TRAIN.wheels[name].teeth for name in ("central", "idler", "shaft")}
     energy = J_S * ratio["shaft"] ** 2  # per ω²/2 of the crank
     for key, driver, driven in (
-        ("idler_shaft", "idler", "shaft"), ("central_idler", "central", "idler"), ("crank_central", "crank", "central"),
-    ):  # fmt: skip
+        ("idler_shaft", "idler", "shaft"),
+        ("central_idler", "central", "idler"),
+        ("crank_central", "crank", "central"),
+    ):
         if driven != "shaft":
             energy += inertia(driven) * ratio[driven] ** 2
         at_crank = energy * alpha
@@ -73,7 +76,8 @@ def test_a_factor_that_overlooks_the_known_torque_is_said():
 
 
 def test_the_engine_torque_accelerates_its_flywheel_and_all_behind():
-    """Up by what the torque has above its mean, down by what it lacks; a first driver that turns slower than the crank gets its share."""
+    """Up by what the torque has above its mean, down by what it lacks; a first driver that turns slower than the crank
+    gets its share."""
     swing = Swing(1000.0, 200.0, -300.0, 0.6, 1.0)
     found = rated(Irregularity(None, None, swing, 5e-3, True))["idler_shaft"]
     assert found.dynamic == pytest.approx(5e-3 * 800 / 0.6 * 39 / 25)
@@ -119,8 +123,10 @@ def test_gas_and_flywheel_load_the_teeth():
     """(T_hi − T_m)/J of the engine's own torque; a first driver that is not the crank turns with its share of it."""
     document = read(GAMMA)
     for key, value in (
-        ("engine.gas.peak_pressure_bar", 140.0), ("engine.gas.compression_ratio", 17.0), ("engine.flywheel_inertia_kgm2", 0.6),
-    ):  # fmt: skip
+        ("engine.gas.peak_pressure_bar", 140.0),
+        ("engine.gas.compression_ratio", 17.0),
+        ("engine.flywheel_inertia_kgm2", 0.6),
+    ):
         document = document.with_value(key, value)
     results = solve(design(document))
     torque, shaft = results.outcomes["engine"].result.torque, results.outcomes["countershaft"].result
@@ -130,5 +136,10 @@ def test_gas_and_flywheel_load_the_teeth():
     down = (torque.mean_torque - torque.torque_lowest) / 0.6
     assert mesh.least_torque == pytest.approx(mesh.mean_torque - shaft.moment_of_inertia * down * 39 / 25)
     assert torque.torque_lowest < torque.mean_torque < torque.torque_highest
-    slower = solve(design(document.with_value("gears.speed_rpm", 1300.0))).outcomes["gears"].result.meshes["idler_shaft"].rating
+    slower = (
+        solve(design(document.with_value("gears.speed_rpm", 1300.0)))
+        .outcomes["gears"]
+        .result.meshes["idler_shaft"]
+        .rating
+    )
     assert slower.dynamic_torque == pytest.approx(mesh.dynamic_torque / 2)

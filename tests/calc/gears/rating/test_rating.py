@@ -18,17 +18,21 @@ def stresses(gears, torque, solids=None):
 
 
 def test_source_train_at_a_consistent_load():
-    """4.958 N·m at crank and shaft are 184.0 N in every mesh; first pair 214.98, 15.746 and 15.156 MPa with the right factors of 2006."""
+    """4.958 N·m at crank and shaft are 184.0 N in every mesh; first pair 214.98, 15.746 and 15.156 MPa with the right
+    factors of 2006."""
     v = stresses(r753(), TORQUE)
     assert TORQUE == pytest.approx(4.958, abs=5e-4)
-    assert [v[f"{m}.tangential_force"] for m in ("crank_central", "central_idler", "idler_shaft")] == pytest.approx([184.0] * 3, abs=0.05)
+    assert [v[f"{m}.tangential_force"] for m in ("crank_central", "central_idler", "idler_shaft")] == pytest.approx(
+        [184.0] * 3, abs=0.05
+    )
     assert v["central_idler.contact_stress"] == pytest.approx(214.98, abs=5e-3)
     assert v["central_idler.root_stress_central"] == pytest.approx(15.746, abs=5e-4)
     assert v["central_idler.root_stress_idler"] == pytest.approx(15.156, abs=5e-4)
 
 
 def test_right_factors_at_the_source_torque():
-    """Finotti 2013 enters 2600 rpm for the 36: 4.958 N·m at the driver.  With the right factors 179.15, 10.935 and 10.525 MPa."""
+    """Finotti 2013 enters 2600 rpm for the 36: 4.958 N·m at the driver.  With the right factors 179.15, 10.935 and
+    10.525 MPa."""
     v = stresses(pair_1(), TORQUE)
     assert v["central_idler.contact_stress"] == pytest.approx(179.15, abs=5e-3)
     assert v["central_idler.root_stress_central"] == pytest.approx(10.935, abs=5e-4)
@@ -41,7 +45,8 @@ def test_steel_has_the_usual_elasticity_factor():
 
 @pytest.mark.parametrize("pair", ["crank_central", "central_idler", "idler_shaft"])
 def test_contact_stress_is_hertz_at_the_pitch_point(pair):
-    """Without Z_ε and Z_β: line contact of two cylinders with the normal radii of the pitch point, load F_bn over b/cos β_b."""
+    """Without Z_ε and Z_β: line contact of two cylinders with the normal radii of the pitch point, load F_bn over b/cos
+    β_b."""
     gears = r753()
     t = solved(gears)
     mesh_, system = t.meshes[pair], t.system
@@ -51,7 +56,9 @@ def test_contact_stress_is_hertz_at_the_pitch_point(pair):
     w = rated.tangential_force / math.cos(system.transverse_pressure_angle) / mesh_.face_width
     E_r = 206e9 / (1 - 0.3**2)  # 2/E_r = 2·(1 − ν²)/E
     hertz = math.sqrt(w * E_r / (2 * math.pi) * (1 / r_1 + 1 / r_2))
-    factors = s.contact_ratio_factor(mesh_.transverse_contact_ratio, mesh_.overlap_ratio) / math.sqrt(math.cos(system.beta))
+    factors = s.contact_ratio_factor(mesh_.transverse_contact_ratio, mesh_.overlap_ratio) / math.sqrt(
+        math.cos(system.beta)
+    )
     assert rated.contact_stress == pytest.approx(hertz * factors, rel=1e-12)
 
 
@@ -59,7 +66,9 @@ def test_softer_wheels_touch_softer():
     iron = {**materials(), "iron": Material(name="iron", E=206e9 / 4, poisson=0.3, density=7100.0, expansion=1e-5)}
     both = [wheel("a", 30, 0.0, material="iron"), wheel("b", 40, 0.0, material="iron")]
     steel, soft = train([wheel("a", 30, 0.0), wheel("b", 40, 0.0)], [mesh("a", "b")]), train(both, [mesh("a", "b")])
-    assert stresses(soft, 1.0, iron)["a_b.contact_stress"] == pytest.approx(stresses(steel, 1.0)["a_b.contact_stress"] / 2)
+    assert stresses(soft, 1.0, iron)["a_b.contact_stress"] == pytest.approx(
+        stresses(steel, 1.0)["a_b.contact_stress"] / 2
+    )
 
 
 def test_stress_grows_with_load_and_its_root():
@@ -96,23 +105,33 @@ def test_load_distribution_of_2019_at_its_ends(eps_beta, expected):
 
 @pytest.mark.parametrize(
     "eps_beta, low, high",
-    [(0.0, 1.0, math.sqrt(0.5)), (1.0, 1 / math.sqrt(2.3), 1 / math.sqrt(2.3)), (2.0, 1 / math.sqrt(2.3), 1 / math.sqrt(2.3))],
+    [
+        (0.0, 1.0, math.sqrt(0.5)),
+        (1.0, 1 / math.sqrt(2.3), 1 / math.sqrt(2.3)),
+        (2.0, 1 / math.sqrt(2.3), 1 / math.sqrt(2.3)),
+    ],
 )
 def test_the_load_of_the_root_at_the_ends_of_the_overlap(eps_beta, low, high):
-    """A spur pair: by one tooth, from ε_αn 2 on by two; with an overlap of 1 or more the lines of contact share it evenly."""
-    assert s.load_distribution(eps_beta, 2.3) == pytest.approx(low) and s.load_distribution_high(eps_beta, 2.3) == pytest.approx(high)
+    """A spur pair: by one tooth, from ε_αn 2 on by two; with an overlap of 1 or more the lines of contact share it
+    evenly."""
+    assert s.load_distribution(eps_beta, 2.3) == pytest.approx(low) and s.load_distribution_high(
+        eps_beta, 2.3
+    ) == pytest.approx(high)
 
 
 @pytest.mark.parametrize("h, rho, s_pr", [(1.25, 0.38, 0.0), (1.4, 0.2, 0.0), (1.4, 0.3, 0.05e-3)])
 def test_the_corner_of_the_tool_touches_its_flank(h, rho, s_pr):
-    """E is the distance of its centre from the middle of the tool's tooth: ρ away, at right angles, from the flank that stands s_pr out."""
+    """E is the distance of its centre from the middle of the tool's tooth: ρ away, at right angles, from the flank that
+    stands s_pr out."""
     m_n, alpha = 2e-3, math.radians(20)
     x = s.tool_half_width(m_n=m_n, h_fP=h, alpha_n=alpha, s_pr=s_pr, rho_aP0=rho)
     flank = m_n * (math.pi / 4 - (h - rho) * math.tan(alpha)) + s_pr / math.cos(alpha)  # at the height of the centre
     assert (flank - x) * math.cos(alpha) == pytest.approx(rho * m_n)
 
 
-@pytest.mark.parametrize("eps_beta, Z_eps", [(0.0, math.sqrt(2.5 / 3)), (1.0, math.sqrt(1 / 1.5)), (3.0, math.sqrt(1 / 1.5))])
+@pytest.mark.parametrize(
+    "eps_beta, Z_eps", [(0.0, math.sqrt(2.5 / 3)), (1.0, math.sqrt(1 / 1.5)), (3.0, math.sqrt(1 / 1.5))]
+)
 def test_contact_ratio_factor_at_its_ends(eps_beta, Z_eps):
     assert s.contact_ratio_factor(1.5, eps_beta) == pytest.approx(Z_eps)
 

@@ -34,7 +34,14 @@ def notes(system, screened, base):
 def spur(z_1=24, z_2=36, beta=0.0, x=(0.2, 0.1), b=15.0, **said):
     """A pair whose tool is that of ISO 53 A; ε_α below 2."""
     return train(
-        [wheel("a", z_1, x[0]), wheel("b", z_2, x[1])], [mesh("a", "b")], m_n=3.0, beta=beta, b=b, tool=(1.25, 0.38), ball=None, **said
+        [wheel("a", z_1, x[0]), wheel("b", z_2, x[1])],
+        [mesh("a", "b")],
+        m_n=3.0,
+        beta=beta,
+        b=b,
+        tool=(1.25, 0.38),
+        ball=None,
+        **said,
     )
 
 
@@ -58,7 +65,8 @@ def flash_at(p, rho, mu=0.06, w_t=150e3, b_M=13756.0**2, E_r=226e9):
     return scuffing.flash_temperature(mu, 1.0, w, at.v_1, at.v_2, b_M, b_M, b_H)
 
 
-# --- limits and symmetries --------------------------------------------------------------------------------------------------
+# --- limits and symmetries
+# --------------------------------------------------------------------------------------------------
 @pytest.mark.parametrize("gears, key", [(spur(), "a_b"), (r753(), "central_idler")])
 def test_no_flash_at_the_pitch_point(gears, key):
     """There the flanks roll: ζ = 0."""
@@ -79,9 +87,13 @@ def test_double_load_is_flash_times_two_to_the_three_quarters():
 
 
 def test_load_speed_and_roughness_act_as_they_should():
-    """With friction: flash ∝ F^0.95 without tip shock (∝ n^0.5·n^-0.2); roughness ∝ Ra^0.25; film falls by each of load and roughness."""
+    """With friction: flash ∝ F^0.95 without tip shock (∝ n^0.5·n^-0.2); roughness ∝ Ra^0.25; film falls by each of load
+    and roughness."""
     once, twice = screened(spur(), mesh_stiffness=1e25), screened(spur(), F_t=4000.0, mesh_stiffness=1e25)
-    fast, rough = screened(spur(), speed=2 * SPEED, mesh_stiffness=1e25), screened(spur(), roughness=(1.2e-6, 1.2e-6), mesh_stiffness=1e25)
+    fast, rough = (
+        screened(spur(), speed=2 * SPEED, mesh_stiffness=1e25),
+        screened(spur(), roughness=(1.2e-6, 1.2e-6), mesh_stiffness=1e25),
+    )
     flash = once.flash_temperature_max
     assert twice.flash_temperature_max / flash == pytest.approx(2**0.95)
     assert fast.flash_temperature_max / flash == pytest.approx(2**0.3)
@@ -97,14 +109,23 @@ def test_hotter_oil_makes_a_thinner_film_and_less_margin():
 
 
 def test_swapped_wheels_mirror():
-    """The other wheel drives, at the speed that keeps the mesh: film and flash run backwards; without the shock of the approach."""
+    """The other wheel drives, at the speed that keeps the mesh: film and flash run backwards; without the shock of the
+    approach."""
     there = spur(beta=15.0)
     back = replace(there, wheels=there.wheels[::-1], meshes=(mesh("b", "a"),))
     one = screened(there, mesh_stiffness=1e25)
     two = screened(back, "b_a", speed=SPEED * 24 / 36, mesh_stiffness=1e25)
     assert two.flash_temperature_max == pytest.approx(one.flash_temperature_max)
     assert two.specific_film_min == pytest.approx(one.specific_film_min)
-    assert (one.film_place, two.film_place) in {("A", "E"), ("E", "A"), ("B", "D"), ("D", "B"), ("C", "C"), ("AB", "DE"), ("DE", "AB")}
+    assert (one.film_place, two.film_place) in {
+        ("A", "E"),
+        ("E", "A"),
+        ("B", "D"),
+        ("D", "B"),
+        ("C", "C"),
+        ("AB", "DE"),
+        ("DE", "AB"),
+    }
     assert list(two.flash[::-1]) == pytest.approx(list(one.flash), abs=1e-9)
     assert list(two.specific_film[::-1]) == pytest.approx(list(one.specific_film))
     for name in ("friction_film", "friction_flash", "bulk_temperature_film", "bulk_temperature_flash"):
@@ -126,7 +147,9 @@ def test_a_small_change_makes_a_small_change():
     for a, b in ((p.A, p.B * (1 - 1e-12)), (p.B, p.D), (p.D * (1 + 1e-12), p.E)):
         along = np.array([flash_at(p, float(rho)) for rho in np.linspace(a, b, 400)])
         assert np.max(np.abs(np.diff(along))) < 0.02 * np.max(along)
-    assert screened(spur(), F_t=2000.002).contact_temperature_max == pytest.approx(screened(spur()).contact_temperature_max, abs=1e-4)
+    assert screened(spur(), F_t=2000.002).contact_temperature_max == pytest.approx(
+        screened(spur()).contact_temperature_max, abs=1e-4
+    )
 
 
 def test_mean_flash_is_an_integral():
@@ -156,18 +179,25 @@ def test_an_idler_is_heated_by_both_mates():
 
 @settings(max_examples=40, deadline=None)
 @given(
-    F_t=st.floats(1.0, 2e5), b=st.floats(5.0, 80.0), beta=st.floats(0.0, 30.0), z=st.tuples(st.integers(18, 60), st.integers(18, 60)),
-    T=st.floats(20.0, 140.0), Ra=st.floats(0.05e-6, 3e-6),
-)  # fmt: skip
+    F_t=st.floats(1.0, 2e5),
+    b=st.floats(5.0, 80.0),
+    beta=st.floats(0.0, 30.0),
+    z=st.tuples(st.integers(18, 60), st.integers(18, 60)),
+    T=st.floats(20.0, 140.0),
+    Ra=st.floats(0.05e-6, 3e-6),
+)
 def test_always_numbers(F_t, b, beta, z, T, Ra):
     found = screened(spur(*z, beta=beta, b=b), F_t=F_t, oil=load.oil_bath(Lubricant(OIL), T), roughness=(Ra, Ra))
     numbers = [found.flash_temperature_max, found.contact_temperature_max, found.scuffing_safety, found.scuffing_margin]
     assert all(math.isfinite(x) for x in numbers)
     assert found.contact_temperature_max > found.bulk_temperature_flash > T
-    assert found.specific_film_min is None or (0 < found.specific_film_min < 1000 and np.all(np.isfinite(found.specific_film)))
+    assert found.specific_film_min is None or (
+        0 < found.specific_film_min < 1000 and np.all(np.isfinite(found.specific_film))
+    )
 
 
-# --- the ends of the methods, and what is said --------------------------------------------------------------------------------
+# --- the ends of the methods, and what is said
+# --------------------------------------------------------------------------------
 @pytest.mark.parametrize("wrong", [{"F_t": 0.0}, {"roughness": (0.6e-6, 0.0)}, {"F_t": float("nan")}])
 def test_nothing_to_screen(wrong):
     with pytest.raises(NoSolution, match="a–b"):
@@ -200,7 +230,9 @@ def test_light_load_is_said():
     said = notes(t.system, light, "ester")
     assert "far below those of the tests" in said[0] and "12.3 N/mm" in said[0]
     assert any("ester" in note for note in said)
-    heavy = notes(t.system, [screened(r753(), "central_idler", F_t=6000.0, load_stage=10, permissible_film=0.3)], "mineral")
+    heavy = notes(
+        t.system, [screened(r753(), "central_idler", F_t=6000.0, load_stage=10, permissible_film=0.3)], "mineral"
+    )
     assert len(heavy) == 1 and "far below" not in heavy[0]
 
 
@@ -214,7 +246,13 @@ def test_a_thin_film_at_low_pressure_is_put_in_its_place():
 def test_many_teeth_in_contact_are_said():
     """ε_α of 2 and more without a helix: one pair is taken to carry all."""
     gears = train(
-        [wheel("a", 80, 0.0), wheel("b", 90, 0.0)], [mesh("a", "b")], m_n=2.0, alpha_n=15.0, beta=0.0, tool=(1.25, 0.2), ball=None
+        [wheel("a", 80, 0.0), wheel("b", 90, 0.0)],
+        [mesh("a", "b")],
+        m_n=2.0,
+        alpha_n=15.0,
+        beta=0.0,
+        tool=(1.25, 0.2),
+        ball=None,
     )
     assert solved(gears).meshes["a_b"].transverse_contact_ratio > 2
     found = screened(gears)

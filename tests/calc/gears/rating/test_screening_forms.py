@@ -1,4 +1,5 @@
-"""Film and flash temperature against the forms that are printed in public code and text, and the sharing of the load."""
+"""Film and flash temperature against the forms that are printed in public code and text, and the sharing of the
+load."""
 
 import math
 
@@ -11,9 +12,11 @@ from tests.calc.gears.rating.test_screening import flash_at, path_of, spur
 from tests.calc.gears.trains import SPEED, r753, solved
 
 
-# --- the published forms ------------------------------------------------------------------------------------------------------
+# --- the published forms
+# ------------------------------------------------------------------------------------------------------
 def test_thermo_elastic_factor_of_martensitic_steel():
-    """ISO/TR 13989-1:2000 (A.13), (A.14): X_M = 1000·E_r^0.25/B_M is 50.0 for E = 206000, ν = 0.3, B_M = 435; 435 is 13756 in SI."""
+    """ISO/TR 13989-1:2000 (A.13), (A.14): X_M = 1000·E_r^0.25/B_M is 50.0 for E = 206000, ν = 0.3, B_M = 435; 435 is
+    13756 in SI."""
     E_r = load.reduced_modulus(0.3, 206e9, 0.3, 206e9)
     assert 1000 * (E_r / 1e6) ** 0.25 / 435 == pytest.approx(50.0, abs=0.2)
     assert 435 / math.sqrt(1e-3) == pytest.approx(13756, abs=0.5)
@@ -21,7 +24,8 @@ def test_thermo_elastic_factor_of_martensitic_steel():
 
 @pytest.mark.parametrize("beta", [0.0, 8.0])
 def test_flash_temperature_is_the_form_for_cylindrical_gears(beta):
-    """ISO/TR 13989-1:2000 (A.5), (A.6) with the angle factor of part 2 (13), as printed in public code: constants 0.51 and 1.22.
+    """ISO/TR 13989-1:2000 (A.5), (A.6) with the angle factor of part 2 (13), as printed in public code: constants 0.51
+    and 1.22.
 
     Θ_fl = μ·X_M·X_G·(X_Γ·w_Bt)^0.75·v_t^0.5/a^0.25 in N/mm, m/s, mm; 0.51·1.22 is 1.11·(π/32)^0.25 to its two digits.
     """
@@ -29,18 +33,23 @@ def test_flash_temperature_is_the_form_for_cylindrical_gears(beta):
     t, p = solved(gears), path_of(gears)
     m, system = t.meshes["a_b"], t.system
     awt, at, an = m.working_pressure_angle, system.transverse_pressure_angle, system.alpha_n
-    X_ab = 1.22 * (math.sin(awt) * math.cos(an) * math.cos(system.beta)) ** 0.25 / math.sqrt(math.cos(awt) * math.cos(at))
+    X_ab = (
+        1.22 * (math.sin(awt) * math.cos(an) * math.cos(system.beta)) ** 0.25 / math.sqrt(math.cos(awt) * math.cos(at))
+    )
     v_t, a, u = math.pi * SPEED * t.wheels["a"].pitch_diameter, m.centre_distance * 1e3, 36 / 24
     for rho in (0.999 * p.E, p.B, p.D, 1.001 * p.A):
         G, X = rho / p.C - 1, p.at(rho).X
-        X_G = 0.51 * X_ab * math.sqrt(u + 1) * abs(math.sqrt(1 + G) - math.sqrt(1 - G / u)) / ((1 + G) * (u - G)) ** 0.25
+        X_G = (
+            0.51 * X_ab * math.sqrt(u + 1) * abs(math.sqrt(1 + G) - math.sqrt(1 - G / u)) / ((1 + G) * (u - G)) ** 0.25
+        )
         w_Bt = 150 * math.cos(at)  # N/mm
         theirs = 0.06 * (226e3**0.25 * 1000 / 435) * X_G * (X * w_Bt) ** 0.75 * math.sqrt(v_t) / a**0.25
         assert flash_at(p, rho) == pytest.approx(theirs, rel=2e-3)
 
 
 def test_flash_temperature_is_the_general_form():
-    """ISO/TR 13989-1:2000 (5), as printed in public code, whose constant 2.52 leaves out part of the pressure angle: 2.5 % lower."""
+    """ISO/TR 13989-1:2000 (5), as printed in public code, whose constant 2.52 leaves out part of the pressure angle:
+    2.5 % lower."""
     gears = spur(x=(0.0, 0.0))
     p, u = path_of(gears), 36 / 24
     rho_1 = p.E
@@ -54,7 +63,8 @@ def test_flash_temperature_is_the_general_form():
 
 
 def test_both_flash_temperatures_are_one_physics():
-    """ISO/TR 15144-1:2014 (80) has √π/2 where Blok has 1.11·π/4: 1.7 % apart at the same load, friction and pressure."""
+    """ISO/TR 15144-1:2014 (80) has √π/2 where Blok has 1.11·π/4: 1.7 % apart at the same load, friction and
+    pressure."""
     p = path_of(spur())
     at, E_r, w = p.at(p.E), 226e9, 150e3
     p_H = math.sqrt(E_r * w * at.X / (2 * math.pi * at.rho_n))
@@ -62,7 +72,9 @@ def test_both_flash_temperatures_are_one_physics():
     assert micro / flash_at(p, p.E, w_t=w) == pytest.approx(math.sqrt(math.pi) / 2 / (1.11 * math.pi / 4), rel=1e-12)
 
 
-@pytest.mark.parametrize("base, k, s", [("mineral", 2.657e-8, 0.1348), ("PAO", 1.466e-8, 0.0507), ("PAG", 1.392e-8, 0.1572)])
+@pytest.mark.parametrize(
+    "base, k, s", [("mineral", 2.657e-8, 0.1348), ("PAO", 1.466e-8, 0.0507), ("PAG", 1.392e-8, 0.1572)]
+)
 def test_pressure_viscosity_at_38_degrees(base, k, s):
     """ISO/TR 15144-1:2014 (9) to (11), as printed in public code: α_38 = k·η_38^s with η in Pa·s."""
     ours = base_stocks()[base]
@@ -71,7 +83,8 @@ def test_pressure_viscosity_at_38_degrees(base, k, s):
 
 
 def test_film_is_that_of_the_standard_in_its_own_units():
-    """ISO/TR 15144-1:2014 (4), (12): h in µm = 1600·ρ_n·G^0.6·U^0.7·W^-0.13·S^0.22, U = η·v_Σ/(2000·E_r·ρ_n), ρ in mm, E_r in N/mm²."""
+    """ISO/TR 15144-1:2014 (4), (12): h in µm = 1600·ρ_n·G^0.6·U^0.7·W^-0.13·S^0.22, U = η·v_Σ/(2000·E_r·ρ_n), ρ in mm,
+    E_r in N/mm²."""
     U = micropitting.velocity_parameter(0.01, 3.0, 2.0, 226e9, 7e-3)
     assert U == pytest.approx(0.01 * 5.0 / (2000 * 226000 * 7))
     h = micropitting.film_thickness(7e-3, 2800.0, U, 2e-5, 0.9)
@@ -90,7 +103,8 @@ def test_scuffing_temperature_of_load_stages():
     assert scuffing.scuffing_temperature(1.5, 1.0, 10.0) == pytest.approx(375.0)
 
 
-# --- load sharing -------------------------------------------------------------------------------------------------------------
+# --- load sharing
+# -------------------------------------------------------------------------------------------------------------
 def test_a_spur_pair_shares_by_thirds():
     p = path_of(spur())
     assert p.at(p.A).X == pytest.approx(1 / 3)

@@ -18,9 +18,11 @@ from calc.sheet.value import link_of, trace
 EH, QT = strength_class("case-hardened"), strength_class("quenched and tempered alloy steel", "MQ", 300.0)
 
 
-# --- example 1 of ISO/TR 6336-30, reference values as reprinted in the public code of gfsReboucas/Drivetrain -------------------
+# --- example 1 of ISO/TR 6336-30, reference values as reprinted in the public code of gfsReboucas/Drivetrain
+# -------------------
 def example_1():
-    """m_n 8, z 17/103, β 15.8°, a 500 mm; 9 kN·m at 360 rpm for 50 000 h; VG 320, Rz 6 µm; printed v, tip diameters as of the example."""
+    """m_n 8, z 17/103, β 15.8°, a 500 mm; 9 kN·m at 360 rpm for 50 000 h; VG 320, Rz 6 µm; printed v, tip diameters as
+    of the example."""
     beta, alpha_n = math.radians(15.8), math.radians(20)
     alpha_t = math.atan(math.tan(alpha_n) / math.cos(beta))
     d = [z * 8e-3 / math.cos(beta) for z in (17, 103)]
@@ -31,16 +33,36 @@ def example_1():
     eps_alpha = (sum(rho) - 0.5 * math.sin(alpha_wt)) / (math.pi * 8e-3 / math.cos(beta) * math.cos(alpha_t))
     eps_beta = 0.1 * math.sin(beta) / (math.pi * 8e-3)
     load = MeshLoad(
-        sigma_H0=1206.58207e6, K_H=(1301.35343 / 1206.58207) ** 2, K_F=1.0, alpha_wt=alpha_wt, eps_alpha=eps_alpha,
-        eps_alphan=1.6, eps_beta=eps_beta, m_n=8e-3, v=2.664, nu_40=320e-6, flank_rz=6e-6, root_rz=10e-6, grade=5,
-    )  # fmt: skip
+        sigma_H0=1206.58207e6,
+        K_H=(1301.35343 / 1206.58207) ** 2,
+        K_F=1.0,
+        alpha_wt=alpha_wt,
+        eps_alpha=eps_alpha,
+        eps_alphan=1.6,
+        eps_beta=eps_beta,
+        m_n=8e-3,
+        v=2.664,
+        nu_40=320e-6,
+        flank_rz=6e-6,
+        root_rz=10e-6,
+        grade=5,
+    )
     sides = [
         WheelStrength(
-            name=name, strength=EH, teeth=z, tip_diameter=a, base_diameter=b, tooth_depth=18e-3, rim=None, q_s=2.5, sigma_F0=200e6,
-            loading="pulsating", cycles=N,
+            name=name,
+            strength=EH,
+            teeth=z,
+            tip_diameter=a,
+            base_diameter=b,
+            tooth_depth=18e-3,
+            rim=None,
+            q_s=2.5,
+            sigma_F0=200e6,
+            loading="pulsating",
+            cycles=N,
         )
         for name, z, a, b, N in zip(("pinion", "wheel"), (17, 103), d_a, d_b, (1.080e9, 1.783e8))
-    ]  # fmt: skip
+    ]
     return *sides, load
 
 
@@ -58,7 +80,8 @@ def test_example_1_of_iso_tr_6336_30():
     assert found.safety_contact_load == pinion.S_H**2
 
 
-# --- a mesh ------------------------------------------------------------------------------------------------------------------------
+# --- a mesh
+# ------------------------------------------------------------------------------------------------------------------------
 def test_root_safety_is_the_product_of_its_factors():
     pinion, wheel, load = example_1()
     found = mesh_strength(pinion, wheel, replace(load, K_F=1.3)).bending["pinion"]
@@ -76,7 +99,10 @@ def test_an_idler_is_weaker_at_its_root_only():
 
 def test_safety_falls_with_the_load_and_its_root():
     pinion, wheel, load = example_1()
-    one, four = mesh_strength(pinion, wheel, load), mesh_strength(pinion, wheel, replace(load, K_H=4 * load.K_H, K_F=4 * load.K_F))
+    one, four = (
+        mesh_strength(pinion, wheel, load),
+        mesh_strength(pinion, wheel, replace(load, K_H=4 * load.K_H, K_F=4 * load.K_F)),
+    )
     assert four.safety_contact == pytest.approx(one.safety_contact / 2)
     assert four.safety_contact_load == pytest.approx(one.safety_contact_load / 4)
     assert four.bending["wheel"].S_F == pytest.approx(one.bending["wheel"].S_F / 4)
@@ -86,13 +112,18 @@ def test_the_order_of_the_wheels_does_not_matter():
     pinion, wheel, load = example_1()
     wheel = replace(wheel, strength=QT)
     one, two = mesh_strength(pinion, wheel, load), mesh_strength(wheel, pinion, load)
-    assert vars(one.contact["wheel"]) == vars(two.contact["wheel"]) and vars(one.bending["pinion"]) == vars(two.bending["pinion"])
+    assert vars(one.contact["wheel"]) == vars(two.contact["wheel"]) and vars(one.bending["pinion"]) == vars(
+        two.bending["pinion"]
+    )
     assert one.safety_contact == two.safety_contact == one.contact["wheel"].S_H
 
 
 def test_the_film_is_that_of_the_softer_wheel():
     pinion, wheel, load = example_1()
-    assert mesh_strength(pinion, replace(wheel, strength=QT), load).lubricant_factor > mesh_strength(pinion, wheel, load).lubricant_factor
+    assert (
+        mesh_strength(pinion, replace(wheel, strength=QT), load).lubricant_factor
+        > mesh_strength(pinion, wheel, load).lubricant_factor
+    )
 
 
 def test_values_have_the_contract_names():
@@ -116,11 +147,20 @@ def test_checks():
     meshes = {"pinion_wheel": mesh_strength(*example_1())}
     found = {c.id: c for c in strength_checks(meshes)}
     assert set(found) == {
-        "gears.pinion_wheel.safety_contact", "gears.pinion_wheel.safety_contact_usual", "gears.pinion.safety_bending",
-        "gears.pinion.safety_bending_usual", "gears.wheel.safety_bending", "gears.wheel.safety_bending_usual",
-    }  # fmt: skip
+        "gears.pinion_wheel.safety_contact",
+        "gears.pinion_wheel.safety_contact_usual",
+        "gears.pinion.safety_bending",
+        "gears.pinion.safety_bending_usual",
+        "gears.wheel.safety_bending",
+        "gears.wheel.safety_bending_usual",
+    }
     contact = found["gears.pinion_wheel.safety_contact"]
-    assert contact.verdict == "warn" and contact.limit == 1.0 and "weaker: pinion" in contact.name and "on load 1.06" in contact.name
+    assert (
+        contact.verdict == "warn"
+        and contact.limit == 1.0
+        and "weaker: pinion" in contact.name
+        and "on load 1.06" in contact.name
+    )
     assert found["gears.pinion_wheel.safety_contact_usual"].verdict == "note"
     assert "1.36 times the face width" in found["gears.pinion_wheel.safety_contact_usual"].advice  # (1.2/1.0285)²
     assert found["gears.pinion.safety_bending"].verdict == "pass"
@@ -141,7 +181,10 @@ def test_advice_on_width_would_just_pass():
 
 def test_bending_is_judged_by_the_weakest_mesh_of_a_wheel():
     pinion, wheel, load = example_1()
-    light, heavy = mesh_strength(pinion, wheel, load), mesh_strength(replace(pinion, name="other"), wheel, replace(load, K_F=1.5))
+    light, heavy = (
+        mesh_strength(pinion, wheel, load),
+        mesh_strength(replace(pinion, name="other"), wheel, replace(load, K_F=1.5)),
+    )
     found = {c.id: c for c in strength_checks({"pinion_wheel": light, "other_wheel": heavy})}
     assert found["gears.wheel.safety_bending"].value == pytest.approx(heavy.bending["wheel"].S_F)
     assert "in other–wheel" in found["gears.wheel.safety_bending"].name
@@ -161,8 +204,15 @@ def test_notes_say_what_was_assumed():
     endless = replace(pinion, cycles=None, strength=strength_class())
     notes = " ".join(strength_notes({"m": mesh_strength(endless, wheel, load)}, 2006))
     assert "5·10⁷ cycles" in notes and "Wheel pinion: strength class not given" in notes and "f_ZCa" not in notes
-    brief = " ".join(strength_notes({"m": mesh_strength(replace(pinion, cycles=1e5), replace(wheel, cycles=1e11), load)}, 2019))
-    assert "Short life of pinion" in brief and "10¹⁰ cycles of wheel" in brief and "f_ZCa" in brief and "No life" not in brief
+    brief = " ".join(
+        strength_notes({"m": mesh_strength(replace(pinion, cycles=1e5), replace(wheel, cycles=1e11), load)}, 2019)
+    )
+    assert (
+        "Short life of pinion" in brief
+        and "10¹⁰ cycles of wheel" in brief
+        and "f_ZCa" in brief
+        and "No life" not in brief
+    )
 
 
 def test_rough_roots_are_out_of_range():

@@ -55,7 +55,8 @@ def test_brinell_by_the_pairs_of_iso_898_1(HV, HBW):
 
 @pytest.mark.parametrize("name", class_names())
 def test_every_class_is_whole(name):
-    """Three qualities, better ones not weaker, lines that meet where one ends and the next begins, and one way to its slip layer."""
+    """Three qualities, better ones not weaker, lines that meet where one ends and the next begins, and one way to its
+    slip layer."""
     row = c._row(name)
     for part in ("contact", "bending"):
         for quality in ("ML", "MQ", "ME"):
@@ -117,8 +118,11 @@ def test_a_class_that_is_not_there_says_what_is(name, says):
 
 def test_a_steel_by_its_classes():
     assert set(classes_of("42crmo4")) == {
-        "induction-hardened", "nitrided, quenched and tempered steel", "nitrocarburised", "quenched and tempered alloy steel",
-    }  # fmt: skip
+        "induction-hardened",
+        "nitrided, quenched and tempered steel",
+        "nitrocarburised",
+        "quenched and tempered alloy steel",
+    }
     assert classes_of("20CrNi4") and not classes_of("unknown")
 
 

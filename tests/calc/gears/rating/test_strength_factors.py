@@ -16,7 +16,8 @@ from tests.calc.gears.trains import r753, solved
 EH, QT = strength_class("case-hardened"), strength_class("quenched and tempered alloy steel", "MQ", 300.0)
 
 
-# --- single pair factor ------------------------------------------------------------------------------------------------------
+# --- single pair factor
+# ------------------------------------------------------------------------------------------------------
 def of_train(pair, which):
     t = solved(r753())
     m = t.meshes[pair]
@@ -36,18 +37,31 @@ def test_curvature_ratio_is_hertz_at_the_inner_single_contact(pair, which):
     inner = x.one.tip_curvature - x.t.system.base_pitch
     assert inner > low
     M = f.curvature_ratio(
-        alpha_wt=alpha_wt, d_a=x.one.tip_diameter, d_b=x.one.base_diameter, z=x.one.teeth, d_am=x.two.tip_diameter,
-        d_bm=x.two.base_diameter, z_m=x.two.teeth, eps_alpha=x.m.transverse_contact_ratio,
-    )  # fmt: skip
+        alpha_wt=alpha_wt,
+        d_a=x.one.tip_diameter,
+        d_b=x.one.base_diameter,
+        z=x.one.teeth,
+        d_am=x.two.tip_diameter,
+        d_bm=x.two.base_diameter,
+        z_m=x.two.teeth,
+        eps_alpha=x.m.transverse_contact_ratio,
+    )
     assert M**2 == pytest.approx(pitch * (T - pitch) / (inner * (T - inner)), rel=1e-9)
 
 
 def pair_factor(eps_beta, eps_alpha=None):
     x = of_train("crank_central", "driver")
     return f.single_pair(
-        x.m.working_pressure_angle, x.one.tip_diameter, x.one.base_diameter, x.one.teeth, x.two.tip_diameter, x.two.base_diameter,
-        x.two.teeth, eps_alpha or x.m.transverse_contact_ratio, eps_beta,
-    )  # fmt: skip
+        x.m.working_pressure_angle,
+        x.one.tip_diameter,
+        x.one.base_diameter,
+        x.one.teeth,
+        x.two.tip_diameter,
+        x.two.base_diameter,
+        x.two.teeth,
+        eps_alpha or x.m.transverse_contact_ratio,
+        eps_beta,
+    )
 
 
 def test_single_pair_factor_falls_straight_to_one():
@@ -57,9 +71,11 @@ def test_single_pair_factor_falls_straight_to_one():
     assert f.single_pair_factor(M=0.9, eps_beta=0.0) == 1
 
 
-# --- film ----------------------------------------------------------------------------------------------------------------------
+# --- film
+# ----------------------------------------------------------------------------------------------------------------------
 @pytest.mark.parametrize(
-    "sigma, C_ZL, C_ZR", [(500, 0.83, 0.15), (850, 0.83, 0.15), (1025, 0.87, 0.115), (1200, 0.91, 0.08), (1500, 0.91, 0.08)]
+    "sigma, C_ZL, C_ZR",
+    [(500, 0.83, 0.15), (850, 0.83, 0.15), (1025, 0.87, 0.115), (1200, 0.91, 0.08), (1500, 0.91, 0.08)],
 )
 def test_coefficients_of_the_film(sigma, C_ZL, C_ZR):
     """IACS UR M56: straight between 850 and 1200 MPa (C_ZR = 0.32 − 0.0002·σ_Hlim), constant outside."""
@@ -72,7 +88,8 @@ def film(sigma=1500e6, nu=100e-6, v=10.0, Rz=4e-6, d=0.1):
 
 
 def test_film_factors_of_the_test_gears_are_one():
-    """Rz 3 µm at 10 mm of relative curvature; ν_40 100 mm²/s (1.2 + 1.34 ≈ 2.54) and v 10 m/s (√4) within a hundredth."""
+    """Rz 3 µm at 10 mm of relative curvature; ν_40 100 mm²/s (1.2 + 1.34 ≈ 2.54) and v 10 m/s (√4) within a
+    hundredth."""
     d = 40e-3 / math.tan(math.radians(20))  # ρ_red = 10 mm
     assert film(Rz=3e-6, d=d).Z_R == pytest.approx(1, rel=1e-12)
     assert film(v=10.0).Z_v == pytest.approx(1, rel=1e-12)
@@ -88,13 +105,16 @@ def test_a_thicker_film_strengthens(sigma, more):
     assert film(sigma, d=0.1 * more).Z_R > base.Z_R
 
 
-# --- work hardening ---------------------------------------------------------------------------------------------------------------
+# --- work hardening
+# ---------------------------------------------------------------------------------------------------------------
 def hardened(own, mate, Rz_m=1e-6, u=1.0):
     return f.work_hardening(own, mate, 4e-6, Rz_m, 0.01, 10.0, 100e-6, u)
 
 
 def test_work_hardening_of_a_soft_wheel_by_a_hard_one():
-    assert hardened(QT, EH) == pytest.approx(1.2 - (0.95 * 300 - 130) / 1700)  # the hard flank is smooth: Rz_H counts from 3 µm
+    assert hardened(QT, EH) == pytest.approx(
+        1.2 - (0.95 * 300 - 130) / 1700
+    )  # the hard flank is smooth: Rz_H counts from 3 µm
     assert hardened(EH, QT) == hardened(EH, EH) == hardened(QT, QT) == 1
     assert 1 <= hardened(QT, EH, Rz_m=6e-6) < hardened(QT, EH, Rz_m=4e-6) < hardened(QT, EH)
     assert f.work_hardening_by_hard(HBW=100.0, Rz_H=1e-6) == pytest.approx(1.2)
@@ -111,27 +131,49 @@ def test_work_hardening_of_a_larger_through_hardened_wheel():
     soft = strength_class("quenched and tempered alloy steel", "MQ", 200.0)
     assert hardened(soft, QT, u=3.0) == pytest.approx(1 + (0.00898 * 1.5 - 0.00829) * 2)
     assert hardened(soft, QT, u=0.5) == hardened(QT, soft, u=3.0) == 1
-    assert f.work_hardening_through(HBW_1=400.0, HBW_2=200.0, u=30.0) == pytest.approx(1 + 0.00698 * 19, abs=2e-4)  # its printed end
+    assert f.work_hardening_through(HBW_1=400.0, HBW_2=200.0, u=30.0) == pytest.approx(
+        1 + 0.00698 * 19, abs=2e-4
+    )  # its printed end
 
 
-# --- root: factors -----------------------------------------------------------------------------------------------------------------
+# --- root: factors
+# -----------------------------------------------------------------------------------------------------------------
 @pytest.mark.parametrize("q_s", [1.0, 2.5, 5.0])
 def test_notch_sensitivity_of_case_hardened_steel(q_s):
     """0.9434 + 0.0231·√(1 + 2·q_s): the usual form for hardened steels, in public code; 1 for the test gear."""
-    assert r.notch_sensitivity(rho=0.003e-3, q_s=q_s) == pytest.approx(0.9434 + 0.0231 * math.sqrt(1 + 2 * q_s), abs=1e-4)
+    assert r.notch_sensitivity(rho=0.003e-3, q_s=q_s) == pytest.approx(
+        0.9434 + 0.0231 * math.sqrt(1 + 2 * q_s), abs=1e-4
+    )
     assert r.notch_sensitivity(rho=0.1005e-3, q_s=2.5) == pytest.approx(1, rel=1e-12)
 
 
-@pytest.mark.parametrize("R_p, structural, printed", [(500, 0, 0.0281), (600, 0, 0.0194), (700, 0, 0.0129), (800, 0, 0.0064), (1000, 0, 0.0014),
-                                                      (200, 0, 0.0281), (1500, 0, 0.0014), (300, 1, 0.0833), (350, 1, 0.0639), (900, 1, 0.0445)])  # fmt: skip
+@pytest.mark.parametrize(
+    "R_p, structural, printed",
+    [
+        (500, 0, 0.0281),
+        (600, 0, 0.0194),
+        (700, 0, 0.0129),
+        (800, 0, 0.0064),
+        (1000, 0, 0.0014),
+        (200, 0, 0.0281),
+        (1500, 0, 0.0014),
+        (300, 1, 0.0833),
+        (350, 1, 0.0639),
+        (900, 1, 0.0445),
+    ],
+)
 def test_slip_layer(R_p, structural, printed):
     """ISO 6336-3, Table 3, as in IACS UR M56 and public code; straight between the rows."""
     assert r.slip_layer(R_p=R_p * 1e6, structural=float(structural)) == pytest.approx(printed * 1e-3, rel=1e-9)
 
 
-@pytest.mark.parametrize("kind, smooth", [("V", 1.120), ("Eh", 1.120), ("St", 1.070), ("NT(nitr.)", 1.025), ("GG", 1.025)])
+@pytest.mark.parametrize(
+    "kind, smooth", [("V", 1.120), ("Eh", 1.120), ("St", 1.070), ("NT(nitr.)", 1.025), ("GG", 1.025)]
+)
 def test_surface_factor(kind, smooth):
-    test_gear = 6e-3 if kind in ("NT(nitr.)", "GG") else 2e-3  # 1 at 10 µm within its printed digits; the exponent 0.0058 misses it
+    test_gear = (
+        6e-3 if kind in ("NT(nitr.)", "GG") else 2e-3
+    )  # 1 at 10 µm within its printed digits; the exponent 0.0058 misses it
     assert r.surface_factor(kind, 10e-6) == pytest.approx(1, abs=test_gear)
     assert r.surface_factor(kind, 0.5e-6) == smooth
     assert r.surface_factor(kind, 1e-6) == pytest.approx(smooth, abs=0.015)
@@ -139,7 +181,8 @@ def test_surface_factor(kind, smooth):
 
 
 @pytest.mark.parametrize(
-    "kind, m_n, Y_X", [("V", 5, 1), ("V", 10, 0.97), ("V", 40, 0.85), ("Eh", 10, 0.95), ("Eh", 25, 0.8), ("GG", 25, 0.7), ("Eh", 2, 1)]
+    "kind, m_n, Y_X",
+    [("V", 5, 1), ("V", 10, 0.97), ("V", 40, 0.85), ("Eh", 10, 0.95), ("Eh", 25, 0.8), ("GG", 25, 0.7), ("Eh", 2, 1)],
 )
 def test_size_factor(kind, m_n, Y_X):
     a, b, least = r.SIZE.get(kind, r.SIZE_HARDENED)
@@ -155,13 +198,16 @@ def test_rim():
         r.rim_factor("a", 4e-3, 2e-3)
 
 
-@pytest.mark.parametrize("grade, eps, Y_DT", [(7, 2.3, 1), (4, 2.0, 1), (4, 2.05, 1), (4, 2.3, 2.366 - 0.666 * 2.3), (3, 2.6, 0.7)])
+@pytest.mark.parametrize(
+    "grade, eps, Y_DT", [(7, 2.3, 1), (4, 2.0, 1), (4, 2.05, 1), (4, 2.3, 2.366 - 0.666 * 2.3), (3, 2.6, 0.7)]
+)
 def test_deep_tooth_factor(grade, eps, Y_DT):
     assert r.deep_tooth_factor(grade, eps) == pytest.approx(Y_DT)
 
 
 @pytest.mark.parametrize(
-    "driven, drives, reverses, Y_M", [(0, 1, False, 1), (1, 0, False, 1), (1, 1, False, 0.7), (1, 0, True, 0.7), (1, 2, True, 0.7)]
+    "driven, drives, reverses, Y_M",
+    [(0, 1, False, 1), (1, 0, False, 1), (1, 1, False, 0.7), (1, 0, True, 0.7), (1, 2, True, 0.7)],
 )
 def test_reversed_load(driven, drives, reverses, Y_M):
     assert r.mean_stress_factor(loading=r.loading_of(driven, drives, reverses)) == Y_M

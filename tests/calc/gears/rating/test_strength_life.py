@@ -13,7 +13,8 @@ KINDS = ("St", "V", "GTS", "GGG(perl.)", "GGG(ferr.)", "GG", "Eh", "IF", "NT(nit
 
 @pytest.mark.parametrize("N_L, printed, digits", [(1.080e9, 0.910, 3), (1.783e8, 0.962, 3)])
 def test_example_1_of_iso_tr_6336_30(N_L, printed, digits):
-    """Reference values of the example as reprinted in the public code of gfsReboucas/Drivetrain: case-hardened, past the knee."""
+    """Reference values of the example as reprinted in the public code of gfsReboucas/Drivetrain: case-hardened, past
+    the knee."""
     assert life.flank_life("Eh", N_L) == pytest.approx(printed, abs=0.5 * 10**-digits)
 
 
@@ -24,15 +25,19 @@ def test_values_of_another_program(N_L, printed):
     assert life.flank_life("Eh", N_L) == pytest.approx(printed, abs=0.5 * 10**-digits)
 
 
-# DIN 3990-11 (equations 4.05 to 4.10, 5.05, 5.06, in the public code of hanslhansl/din3990): exponent = factor·lg(static/endurance)
+# DIN 3990-11 (equations 4.05 to 4.10, 5.05, 5.06, in the public code of hanslhansl/din3990): exponent =
+# factor·lg(static/endurance)
 @pytest.mark.parametrize(
     "knees, i, static, factor",
     [
-        (life.flank_knees("V"), 0, 1.6, 0.3705), (life.flank_knees("NT(nitr.)"), 0, 1.3, 0.7686),
-        (life.flank_knees("NV(nitrocar.)"), 0, 1.1, 0.7686), (life.root_knees("V"), 0, 2.5, 0.4037),
-        (life.root_knees("Eh"), 0, 2.5, 0.2876), (life.root_knees("NT(nitr.)"), 0, 1.6, 0.2876),
+        (life.flank_knees("V"), 0, 1.6, 0.3705),
+        (life.flank_knees("NT(nitr.)"), 0, 1.3, 0.7686),
+        (life.flank_knees("NV(nitrocar.)"), 0, 1.1, 0.7686),
+        (life.root_knees("V"), 0, 2.5, 0.4037),
+        (life.root_knees("Eh"), 0, 2.5, 0.2876),
+        (life.root_knees("NT(nitr.)"), 0, 1.6, 0.2876),
     ],
-)  # fmt: skip
+)
 def test_exponents_of_din_3990(knees, i, static, factor):
     (N_1, Y_1), (N_2, Y_2) = knees[i : i + 2]
     assert Y_1 == static
@@ -50,7 +55,8 @@ def test_knees_of_the_flank(kind, knee, static, until):
 
 
 @pytest.mark.parametrize(
-    "kind, static, until", [("Eh", 2.5, 1e3), ("IF", 2.5, 1e3), ("V", 2.5, 1e4), ("GG", 1.6, 1e3), ("NV(nitrocar.)", 1.1, 1e3)]
+    "kind, static, until",
+    [("Eh", 2.5, 1e3), ("IF", 2.5, 1e3), ("V", 2.5, 1e4), ("GG", 1.6, 1e3), ("NV(nitrocar.)", 1.1, 1e3)],
 )
 def test_knees_of_the_root(kind, static, until):
     assert life.root_life(kind, 3e6) == life.root_life(kind) == 1

@@ -1,4 +1,5 @@
-"""The search for the shifts of the source's train, which takes the better part of a second, once for all of its tests."""
+"""The search for the shifts of the source's train, which takes the better part of a second, once for all of its
+tests."""
 
 import pytest
 

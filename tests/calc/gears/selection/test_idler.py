@@ -1,4 +1,5 @@
-"""Teeth and place of an idler between walls: what passes stands clear, meshes with both neighbours, and is what is then computed."""
+"""Teeth and place of an idler between walls: what passes stands clear, meshes with both neighbours, and is what is then
+computed."""
 
 from dataclasses import replace
 
@@ -43,11 +44,20 @@ def edited(gears, changes):
 def test_fewer_teeth_have_more_room_and_the_next_one_touches_the_cover(rows):
     by_teeth = {row.teeth: row for row in rows}
     assert sorted(by_teeth) == list(range(26, 53))
-    assert [row.teeth for row in passed(rows)] == [37, 38, 36, 35, 34, 33]  # 37 alone has no common factor and its mates well in reach
+    assert [row.teeth for row in passed(rows)] == [
+        37,
+        38,
+        36,
+        35,
+        34,
+        33,
+    ]  # 37 alone has no common factor and its mates well in reach
     assert by_teeth[39].changes == {} and by_teeth[39].place.clearance == pytest.approx(1.457e-3, abs=1e-6)
     assert [c.id for c in by_teeth[40].against if c.verdict == "fail"] == ["gears.idler.clearance"]
     assert by_teeth[40].place.nearest == "cover-below" and by_teeth[40].place.clearance < 0
-    assert [c.id for c in by_teeth[32].against if c.verdict == "fail"] == ["gears.idler.position"] and not by_teeth[32].passes
+    assert [c.id for c in by_teeth[32].against if c.verdict == "fail"] == ["gears.idler.position"] and not by_teeth[
+        32
+    ].passes
 
 
 def test_a_row_is_what_its_keys_give(sized, rows):
@@ -58,10 +68,16 @@ def test_a_row_is_what_its_keys_give(sized, rows):
         assert row.changes["gears.wheels.idler.span_teeth"] is None and len(row.changes) == 4
         made = geometry(changed := edited(gears, row.changes), 40.0).result
         there = layout(changed, made, ShaftInTrain(axis)).result.wheels["idler"]
-        assert (there.position, there.clearance, there.nearest) == (row.place.position, row.place.clearance, row.place.nearest)
+        assert (there.position, there.clearance, there.nearest) == (
+            row.place.position,
+            row.place.clearance,
+            row.place.nearest,
+        )
         assert {name: w.profile_shift for name, w in made.wheels.items()} == pytest.approx(before, abs=1e-4)
         ends = (complex(*gears.wheels[1].position), "central_idler"), (axis, "idler_shaft")
-        assert [abs(row.place.position - p) for p, _ in ends] == pytest.approx([made.meshes[key].centre_distance for _, key in ends])
+        assert [abs(row.place.position - p) for p, _ in ends] == pytest.approx(
+            [made.meshes[key].centre_distance for _, key in ends]
+        )
         reach = made.wheels["idler"].tip_diameter / 2 + made.meshes["central_idler"].centre_tolerance
         along = [np.linspace(complex(*w.from_), complex(*w.to), 2001) for w in gears.walls]
         gap = min(float(np.abs(line - row.place.position).min()) for line in along) - reach
@@ -82,7 +98,9 @@ def test_nothing_is_searched_without_walls_a_place_or_an_idler():
 
 def test_a_distance_that_is_not_given_is_not_written_and_without_a_tooth_there_is_no_row():
     gears = triangle(walls=(COVER,))
-    deep = replace(gears, wheels=tuple(replace(w, tip_shortening=2.1e-3) if w.name == "idler" else w for w in gears.wheels))
+    deep = replace(
+        gears, wheels=tuple(replace(w, tip_shortening=2.1e-3) if w.name == "idler" else w for w in gears.wheels)
+    )
     assert all(list(row.changes) in ([], ["gears.wheels.idler.teeth"]) for row in idlers(gears, AXIS)[0])
     assert idlers(deep, AXIS) == []
 

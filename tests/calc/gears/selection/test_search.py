@@ -1,4 +1,5 @@
-"""The shifts that are found: the source's pairs, freedom of a train, the best on the lattice and off it, limits, and what stops them."""
+"""The shifts that are found: the source's pairs, freedom of a train, the best on the lattice and off it, limits, and
+what stops them."""
 
 from dataclasses import replace
 from itertools import pairwise
@@ -27,7 +28,8 @@ def case_of(gears):
     return ShiftCase(tooth_system(gears), gears)
 
 
-# --- the source's pairs ------------------------------------------------------------------------------------------------------------
+# --- the source's pairs
+# ------------------------------------------------------------------------------------------------------------
 def test_first_pair_alone_is_balanced_where_it_was_computed_to_be(pair):
     """x_1·m_n = −0.1998 mm, both 0.972: the figures to reach for the source's pair with 0.2 mm off the 39."""
     x, largest = pair.exact
@@ -54,9 +56,11 @@ def test_optimum_of_a_train_is_no_better_than_that_of_its_worst_pair(source):
     assert all(row.largest < source.now.largest for row in source.optima)
 
 
-# --- freedom -----------------------------------------------------------------------------------------------------------------------
+# --- freedom
+# -----------------------------------------------------------------------------------------------------------------------
 def test_the_ways_of_the_source():
-    """80.555 and 68.698 mm tie three wheels; the crank's wheel follows the shaft's, or a held distance, or is free itself."""
+    """80.555 and 68.698 mm tie three wheels; the crank's wheel follows the shaft's, or a held distance, or is free
+    itself."""
     gears = r753()
     assert tied(gears) == [("crank",), ("central", "idler", "shaft")]
     designed, held, free = freedoms(gears, tooth_system(gears))
@@ -91,13 +95,21 @@ def test_a_wheel_that_nothing_gives_stands_at_none_and_too_many_free_shifts_are_
     gears = train([wheel("a", 25), wheel("b", 30), wheel("c", 25)], [mesh("a", "b"), mesh("a", "c", 55)])
     assert [way.name for way in freedoms(gears, tooth_system(gears))] == ["b at 0", "distance held", "distance free"]
     long = [f"w{i}" for i in range(7)]
-    found = search(train([wheel(name, 20 + 3 * i, 0.0) for i, name in enumerate(long)], [mesh(a, b) for a, b in pairwise(long)]))
-    assert found.unsought == ("distances free",) and "not searched" in " ".join(summary(found)) and found.optima[0].freedom.key == "held"
+    found = search(
+        train([wheel(name, 20 + 3 * i, 0.0) for i, name in enumerate(long)], [mesh(a, b) for a, b in pairwise(long)])
+    )
+    assert (
+        found.unsought == ("distances free",)
+        and "not searched" in " ".join(summary(found))
+        and found.optima[0].freedom.key == "held"
+    )
 
 
-# --- the best ----------------------------------------------------------------------------------------------------------------------
+# --- the best
+# ----------------------------------------------------------------------------------------------------------------------
 def test_one_free_shift_against_a_scan_of_its_own():
-    """No point of a grid ten times as fine, seen by single trains or all at once, is better by more than the lattice allows."""
+    """No point of a grid ten times as fine, seen by single trains or all at once, is better by more than the lattice
+    allows."""
     case = case_of(r753())
     for way in freedoms(case.gears, case.system)[:2]:
         found = best(case, way, {}, USUAL)
@@ -108,12 +120,19 @@ def test_one_free_shift_against_a_scan_of_its_own():
         assert np.min(many.largest[kept]) == pytest.approx(reached, abs=5e-4) and reached >= np.min(many.largest[kept])
 
 
-@pytest.mark.parametrize("gears", [
-    r753(), train([wheel("a", 20, 0.1), wheel("b", 47, 0.2)], [mesh("a", "b")], tool=(1.25, 0.38), beta=12.0),
-    train([wheel("a", 20, 0.1, cut=0.1), wheel("b", 33, 0.2, cut=0.1)], [mesh("a", "b")], tool=(1.4, 0.3), beta=0.0),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    "gears",
+    [
+        r753(),
+        train([wheel("a", 20, 0.1), wheel("b", 47, 0.2)], [mesh("a", "b")], tool=(1.25, 0.38), beta=12.0),
+        train(
+            [wheel("a", 20, 0.1, cut=0.1), wheel("b", 33, 0.2, cut=0.1)], [mesh("a", "b")], tool=(1.4, 0.3), beta=0.0
+        ),
+    ],
+)
 def test_two_free_shifts_against_a_grid(gears):
-    """A grid of 0.01 over everything finds nothing better than the search; where nothing passes, nothing that misses by less."""
+    """A grid of 0.01 over everything finds nothing better than the search; where nothing passes, nothing that misses by
+    less."""
     case = case_of(gears)
     way = freedoms(gears, case.system)[-1]
     found = best(case, way, {}, USUAL)
@@ -140,19 +159,26 @@ def test_three_free_shifts_find_the_symmetric_train():
 
 @pytest.mark.parametrize("found", ["source", "pair"])
 def test_rows_are_what_the_train_solved_alone_gives(found, request):
-    """Each numbered row, put into the design, has the sliding that it promises, and keeps the rules that are checks as well."""
+    """Each numbered row, put into the design, has the sliding that it promises, and keeps the rules that are checks as
+    well."""
     found = request.getfixturevalue(found)
     assert len(found.all) > 15
     for row in found.all:
         gears = row.freedom.gears if row.freedom else found.case.gears
         wheels = tuple(
-            replace(w, profile_shift=row.free.get(w.name, w.profile_shift), tip_shortening=row.cuts.get(w.name, w.tip_shortening))
+            replace(
+                w,
+                profile_shift=row.free.get(w.name, w.profile_shift),
+                tip_shortening=row.cuts.get(w.name, w.tip_shortening),
+            )
             for w in gears.wheels
         )
         made = solved(replace(gears, wheels=wheels))
         zeta = [abs(z) for m in made.meshes.values() for z in (m.specific_sliding_driver, m.specific_sliding_driven)]
         assert max(zeta) == pytest.approx(row.largest, rel=1e-10)
-        assert all(w.profile_shift >= w.undercut_limit and w.tip_thickness_normal >= 0.25 * 2e-3 for w in made.wheels.values())
+        assert all(
+            w.profile_shift >= w.undercut_limit and w.tip_thickness_normal >= 0.25 * 2e-3 for w in made.wheels.values()
+        )
         assert all(
             m.transverse_contact_ratio >= 1.25 and min(m.tip_clearance_driver, m.tip_clearance_driven) >= 0.2 * 2e-3
             for m in made.meshes.values()
@@ -176,7 +202,8 @@ def test_swapping_driver_and_driven_finds_the_same_teeth():
     assert one.exact == pytest.approx(other.exact, abs=1e-9)
 
 
-# --- limits, tip cuts, and what stops ----------------------------------------------------------------------------------------------
+# --- limits, tip cuts, and what stops
+# ----------------------------------------------------------------------------------------------
 def test_limits_are_where_the_rule_turns(source):
     """At each end the rule is kept, one step of the lattice further it is not."""
     case, along = source.case, source.along
@@ -187,7 +214,9 @@ def test_limits_are_where_the_rule_turns(source):
                 inside, outside = (
                     min(
                         float(j.margin[0])
-                        for j in judge(evaluated(case, along.freedom, {"central": t}, {}), case.system, source.optima[0].bar)
+                        for j in judge(
+                            evaluated(case, along.freedom, {"central": t}, {}), case.system, source.optima[0].bar
+                        )
                         if j.rule is one.rule
                     )
                     for t in (x, x + step)
@@ -206,9 +235,12 @@ def test_steps_of_the_tip_cut_are_round():
 
 
 def test_a_tip_cut_helps_the_mate_and_its_best_shift_uses_it(pair):
-    """A longer cut of one wheel lowers what its mate slides, so the best shift goes the other way; each row is better than no cut."""
+    """A longer cut of one wheel lowers what its mate slides, so the best shift goes the other way; each row is better
+    than no cut."""
     assert all(row.largest < pair.optima[0].largest for row in pair.cut_best)
-    of_central = sorted((row.cuts["central"], row.free["central"], row.largest) for row in pair.cut_best if "central" in row.cuts)
+    of_central = sorted(
+        (row.cuts["central"], row.free["central"], row.largest) for row in pair.cut_best if "central" in row.cuts
+    )
     assert [x for _, x, _ in of_central] == sorted(x for _, x, _ in of_central)
     assert [z for *_, z in of_central] == sorted((z for *_, z in of_central), reverse=True)
 
@@ -217,7 +249,11 @@ def test_where_the_tool_leaves_no_clearance_the_rule_is_named():
     gears = train([wheel("a", 30, 0.1), wheel("b", 40, 0.1)], [mesh("a", "b", 70.2)], beta=0.0, tool=(1.0, 0.2))
     with pytest.raises(NoSolution, match="no profile shift keeps every rule") as none:
         search(gears)
-    assert "clearance: nowhere" in none.value.tried and "c/m_n" in none.value.tried and "larger addendum" in none.value.advice
+    assert (
+        "clearance: nowhere" in none.value.tried
+        and "c/m_n" in none.value.tried
+        and "larger addendum" in none.value.advice
+    )
 
 
 def test_where_undercut_leaves_nothing_both_wheels_are_named():
@@ -228,7 +264,8 @@ def test_where_undercut_leaves_nothing_both_wheels_are_named():
 
 
 def test_a_design_below_what_is_usual_is_met_where_it_stands():
-    """Its fillet reaches further up than 0.1·m_n allows: rows are no worse than it, and a cut that keeps the usual limit is offered."""
+    """Its fillet reaches further up than 0.1·m_n allows: rows are no worse than it, and a cut that keeps the usual
+    limit is offered."""
     wheels = [wheel("crank", 38, 0.22404, cut=0.034808), wheel("pump", 76, 0.22404, cut=0.034808)]
     found = search(train(wheels, [mesh("crank", "pump")], m_n=2.31, alpha_n=18.02525, beta=0.0, tool=(1.25, 0.38)))
     assert not found.now.passes and found.now.least.rule.key == "above_fillet"
@@ -238,15 +275,21 @@ def test_a_design_below_what_is_usual_is_met_where_it_stands():
     assert any(row.usual and row.largest < found.now.largest for row in found.cut_best)
 
 
-# --- more freedom ------------------------------------------------------------------------------------------------------------------
+# --- more freedom
+# ------------------------------------------------------------------------------------------------------------------
 def timing(**changes):
     """The spur pair of a timing drive: its contact starts less far above the fillet than is usual."""
     wheels = [wheel("crank", 38, 0.22404, cut=0.034808), wheel("pump", 76, 0.22404, cut=0.034808)]
-    return train(wheels, [mesh("crank", "pump")], **{"m_n": 2.31, "alpha_n": 18.02525, "beta": 0.0, "tool": (1.25, 0.38), **changes})
+    return train(
+        wheels,
+        [mesh("crank", "pump")],
+        **{"m_n": 2.31, "alpha_n": 18.02525, "beta": 0.0, "tool": (1.25, 0.38), **changes},
+    )
 
 
 def test_the_limits_of_the_design_itself_are_looked_at_even_where_the_usual_ones_can_be_kept():
-    """With the distance free a far corner keeps the usual limits, with three times the sliding; by those of the design it is far less."""
+    """With the distance free a far corner keeps the usual limits, with three times the sliding; by those of the design
+    it is far less."""
     found = search(timing())
     free = [row for row in found.optima if row.freedom.key == "free"]
     assert [row.usual for row in free] == [False, True] and free[1].largest > 3 * found.now.largest
@@ -264,25 +307,41 @@ def test_a_row_says_which_limits_it_keeps(source):
     assert table.columns[-1][0] == "keeps" and [row[-1] for row in table.rows] == ["", "as now", "as now", "usual"]
     assert "as now: limits no lower than the design" in table.note
     same = choices_table(source, 20)
-    assert same.columns[-1][0] == "by" and "All numbered rows keep the usual limits and that of case-hardened tips." in same.note
+    assert (
+        same.columns[-1][0] == "by"
+        and "All numbered rows keep the usual limits and that of case-hardened tips." in same.note
+    )
 
 
-@pytest.mark.parametrize("gears", [
-    r753(), timing(), timing(tool=(1.4, 0.2)), train([wheel("a", 20, 0.3), wheel("b", 33, 0.1)], [mesh("a", "b")], beta=15.0),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    "gears",
+    [
+        r753(),
+        timing(),
+        timing(tool=(1.4, 0.2)),
+        train([wheel("a", 20, 0.3), wheel("b", 33, 0.1)], [mesh("a", "b")], beta=15.0),
+    ],
+)
 def test_more_freedom_never_ranks_worse(gears):
-    """By the limits that a row keeps, the way that contains its way has one that slides no more; also once the best of all is taken."""
+    """By the limits that a row keeps, the way that contains its way has one that slides no more; also once the best of
+    all is taken."""
     for _ in range(2):
         found = search(gears)
         case = found.case
         for row in found.optima:
             for way in found.freedoms:
                 if way.contains(row.freedom) and way.name not in found.no_better:
-                    rows = [one for one in found.optima if one.freedom is way and case.bars.index(one.bar) <= case.bars.index(row.bar)]
+                    rows = [
+                        one
+                        for one in found.optima
+                        if one.freedom is way and case.bars.index(one.bar) <= case.bars.index(row.bar)
+                    ]
                     assert min(round(one.largest, 4) for one in rows) <= round(row.largest, 4)
         assert not found.refused
         best_row = found.optima[0]
-        wheels = tuple(replace(w, profile_shift=best_row.free.get(w.name, w.profile_shift)) for w in best_row.freedom.gears.wheels)
+        wheels = tuple(
+            replace(w, profile_shift=best_row.free.get(w.name, w.profile_shift)) for w in best_row.freedom.gears.wheels
+        )
         gears = replace(best_row.freedom.gears, wheels=wheels)
 
 

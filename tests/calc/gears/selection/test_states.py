@@ -32,7 +32,11 @@ def compare(gears):
             at = (key, getattr(pair, side))
             assert many.sliding[at][0] == pytest.approx(getattr(pair, f"specific_sliding_{side}"), rel=1e-10)
             lpstc = getattr(pair, f"specific_sliding_lpstc_{side}")
-            assert math.isnan(many.sliding_lpstc[at][0]) if lpstc is None else many.sliding_lpstc[at][0] == pytest.approx(lpstc, rel=1e-10)
+            assert (
+                math.isnan(many.sliding_lpstc[at][0])
+                if lpstc is None
+                else many.sliding_lpstc[at][0] == pytest.approx(lpstc, rel=1e-10)
+            )
             assert many.clearance[at][0] == pytest.approx(getattr(pair, f"tip_clearance_{side}"), abs=1e-15)
             assert many.sap_diameter[at][0] == pytest.approx(getattr(pair, f"sap_diameter_{side}"), rel=1e-14)
     for name, made in one.wheels.items():
@@ -41,7 +45,9 @@ def compare(gears):
 
 
 @pytest.mark.parametrize(
-    "gears", [pair_1(), pair_1(cut=0.0), r753(), r753(tool=(1.25, 0.38), alpha_n=22.5, beta=0.0)], ids=["1", "1-uncut", "r753", "spur"]
+    "gears",
+    [pair_1(), pair_1(cut=0.0), r753(), r753(tool=(1.25, 0.38), alpha_n=22.5, beta=0.0)],
+    ids=["1", "1-uncut", "r753", "spur"],
 )
 def test_an_array_of_one_is_the_train_solved_alone(gears):
     compare(gears)
@@ -60,7 +66,9 @@ def test_undercut_and_protuberance_take_the_fillet_of_the_tool():
 def test_any_shift_and_cut_is_the_train_solved_alone(x, k_1, k_2):
     gears = pair_1()
     one, two = gears.wheels
-    compare(replace(gears, wheels=(replace(one, profile_shift=x, tip_shortening=k_1), replace(two, tip_shortening=k_2))))
+    compare(
+        replace(gears, wheels=(replace(one, profile_shift=x, tip_shortening=k_1), replace(two, tip_shortening=k_2)))
+    )
 
 
 def test_elements_do_not_know_of_each_other():
@@ -89,9 +97,11 @@ def test_base_circles_that_overlap_give_no_number():
     assert states(tooth_system(gears), gears, {"a": np.array([0.0, -2.0]), "b": -0.9}).largest[1] == np.inf
 
 
-# --- the source ------------------------------------------------------------------------------------------------------------
+# --- the source
+# ------------------------------------------------------------------------------------------------------------
 def test_tip_cut_of_the_source_on_both_wheels():
-    """Finotti 2013, Tables 4.20 and 4.4: 0.2 mm off the 39, printed with three decimals; the uncut 36 as specified for this program."""
+    """Finotti 2013, Tables 4.20 and 4.4: 0.2 mm off the 39, printed with three decimals; the uncut 36 as specified for
+    this program."""
     cut = of(pair_1(cut=0.0), {"idler": np.array([0.0, 0.2e-3])})
     central, idler = AT
     assert np.abs(cut.sliding[central]) == pytest.approx([0.952, 0.818], abs=5e-4)
@@ -103,7 +113,8 @@ def test_tip_cut_of_the_source_on_both_wheels():
 
 
 def test_margin_is_that_of_the_thinnest_tooth():
-    """Printed 0.463 mm with a form diameter 0.015 mm too large, nominal; the lower allowance brings the fillet further in."""
+    """Printed 0.463 mm with a form diameter 0.015 mm too large, nominal; the lower allowance brings the fillet further
+    in."""
     bare = pair_1(allowances=(None, None))
     assert of(bare).margin[AT[1]][0] * 1e3 == pytest.approx(0.463, abs=0.009)
     thin = pair_1(allowances=((0, -200), (0, -200)))
@@ -111,7 +122,9 @@ def test_margin_is_that_of_the_thinnest_tooth():
     x_E = generating_shift(one.profile_shift, one.span_allowance[1], thin.normal_module, thin.pressure_angle)
     nominal = solved(bare)
     fillet = (
-        solved(train([wheel("central", 36, x_E), wheel("idler", 39)], [mesh("central", "idler", 80.555)])).wheels["central"].form_diameter
+        solved(train([wheel("central", 36, x_E), wheel("idler", 39)], [mesh("central", "idler", 80.555)]))
+        .wheels["central"]
+        .form_diameter
     )
     sap = nominal.meshes["central_idler"].sap_diameter_driver
     assert of(thin).margin[AT[0]][0] == pytest.approx((sap - fillet) / 2, abs=1e-12)

@@ -1,4 +1,5 @@
-"""The tables of the search for shifts: what stands in them is what the trains of their rows are when they are solved alone."""
+"""The tables of the search for shifts: what stands in them is what the trains of their rows are when they are solved
+alone."""
 
 from dataclasses import replace
 
@@ -23,8 +24,14 @@ def trains(found):
         if id(row) not in known:
             gears = row.freedom.gears if row.freedom else found.case.gears
             shift, cut = row.free, row.cuts
-            wheels = (replace(w, profile_shift=shift.get(w.name, w.profile_shift), tip_shortening=cut.get(w.name, w.tip_shortening))
-                for w in gears.wheels)  # fmt: skip
+            wheels = (
+                replace(
+                    w,
+                    profile_shift=shift.get(w.name, w.profile_shift),
+                    tip_shortening=cut.get(w.name, w.tip_shortening),
+                )
+                for w in gears.wheels
+            )
             known[id(row)] = solved(replace(gears, wheels=tuple(wheels)))
         return known[id(row)]
 
@@ -65,7 +72,9 @@ def test_what_each_pair_wants_is_best_for_itself(found, trains):
         made = trains(row)
         m = made.meshes[row.wants]
         assert shown["its own max |ζ_A|"] == at(max(abs(m.specific_sliding_driver), abs(m.specific_sliding_driven)))
-        assert [shown["max |ζ_A|"]] * 2 == [at(max(sliding(made).values())), at(sliding(made)[shown["of"]])] and shown["breaks"] == ""
+        assert [shown["max |ζ_A|"]] * 2 == [at(max(sliding(made).values())), at(sliding(made)[shown["of"]])] and shown[
+            "breaks"
+        ] == ""
         assert [shown[f"x {name}"] for name in made.wheels] == [at(w.profile_shift, 5) for w in made.wheels.values()]
 
 
@@ -79,7 +88,8 @@ def test_the_rows_around_the_optimum_are_round_and_rise_on_both_sides(found):
 
 
 def test_the_sliding_of_every_mesh(found, trains):
-    """Of the design as it is, of the first optima and of what the pairs want: a row for each mesh, numbered at the first."""
+    """Of the design as it is, of the first optima and of what the pairs want: a row for each mesh, numbered at the
+    first."""
     rows = rows_of(tables.sliding_table(found, 1))
     shown = iter(rows)
     for row in (found.now, found.optima[0], *found.wants):
@@ -91,8 +101,14 @@ def test_the_sliding_of_every_mesh(found, trains):
                 f"{m.driver}–{m.driven}",
             )
             assert one["a_w"] == at(m.centre_distance * 1e3, 4) and one["ε_α"] == at(m.transverse_contact_ratio)
-            assert (one["ζ_A driver"], one["ζ_A driven"]) == (at(m.specific_sliding_driver), at(m.specific_sliding_driven))
-            assert (one["ζ_B driver"], one["ζ_B driven"]) == (at(m.specific_sliding_lpstc_driver), at(m.specific_sliding_lpstc_driven))
+            assert (one["ζ_A driver"], one["ζ_A driven"]) == (
+                at(m.specific_sliding_driver),
+                at(m.specific_sliding_driven),
+            )
+            assert (one["ζ_B driver"], one["ζ_B driven"]) == (
+                at(m.specific_sliding_lpstc_driver),
+                at(m.specific_sliding_lpstc_driven),
+            )
             assert one["s_an/m_n"] == at(min(w.tip_thickness_normal for w in both) / m_n)
             assert one["c/m_n"] == at(min(m.tip_clearance_driver, m.tip_clearance_driven) / m_n)
             active = m.sap_diameter_driver, m.sap_diameter_driven
@@ -115,13 +131,21 @@ def test_tip_cuts_one_by_one(found, trains):
         made, mate = trains(row), shown["mate"]
         m = next(m for m in made.meshes.values() if {m.driver, m.driven} == {wheel_of, mate})
         own, other = ("driver", "driven") if m.driver == wheel_of else ("driven", "driver")
-        assert (shown["ζ_A cut"], shown["ζ_A mate"]) == tuple(at(getattr(m, f"specific_sliding_{side}")) for side in (own, other))
-        assert (shown["ζ_B cut"], shown["ζ_B mate"]) == tuple(at(getattr(m, f"specific_sliding_lpstc_{side}")) for side in (own, other))
-        assert shown["ε_α"] == at(m.transverse_contact_ratio) and shown["s_an cut"] == at(made.wheels[wheel_of].tip_thickness_normal * 1e3)
+        assert (shown["ζ_A cut"], shown["ζ_A mate"]) == tuple(
+            at(getattr(m, f"specific_sliding_{side}")) for side in (own, other)
+        )
+        assert (shown["ζ_B cut"], shown["ζ_B mate"]) == tuple(
+            at(getattr(m, f"specific_sliding_lpstc_{side}")) for side in (own, other)
+        )
+        assert shown["ε_α"] == at(m.transverse_contact_ratio) and shown["s_an cut"] == at(
+            made.wheels[wheel_of].tip_thickness_normal * 1e3
+        )
         assert shown["d_Nf mate"] == at(getattr(m, f"sap_diameter_{other}") * 1e3)
         assert shown["c mate"] == at(getattr(m, f"tip_clearance_{other}") * 1e3)
         assert (shown["max |ζ_A|"], shown["no."]) == (
-            (at(max(sliding(made).values())), "now" if row is found.now else found.number(row)) if shown["cut"] else (None, "")
+            (at(max(sliding(made).values())), "now" if row is found.now else found.number(row))
+            if shown["cut"]
+            else (None, "")
         )
     assert all(first[name] == 1 + sum(name in row.cuts for row in found.cut_now) for name in first) and len(first) == 4
 
@@ -138,14 +162,21 @@ def test_tip_cuts_with_their_best_shift(found, trains):
 
 
 def test_what_there_is_to_say(found, monkeypatch):
-    """Which shifts are free and what distance is held; the optimum before rounding; tips for hardened teeth or under that."""
-    assert [words.split(":")[0] for words in tables.summary(found)[:3]] == ["crank as shaft", "distance held", "distance free"]
+    """Which shifts are free and what distance is held; the optimum before rounding; tips for hardened teeth or under
+    that."""
+    assert [words.split(":")[0] for words in tables.summary(found)[:3]] == [
+        "crank as shaft",
+        "distance held",
+        "distance free",
+    ]
     held = found.now.states.distances["crank_central"][0] * 1e3
     assert f"Held: crank–central at {held:.4f} mm" in tables.summary(found)[1]
     assert f"{found.exact[0]:.6f}" in tables.summary(found)[3] and f"{found.exact[1]:.5f}" in tables.summary(found)[3]
     assert any("All have tips for case-hardened teeth" in words for words in tables.notes(found))
     monkeypatch.setattr(tables, "HARDENED", replace(HARDENED, limit=0.7))
-    thin = [n for n, row in enumerate(found.all, 1) if min(s[0] for s in row.states.tip_thickness.values()) < 0.7 * 2e-3]
+    thin = [
+        n for n, row in enumerate(found.all, 1) if min(s[0] for s in row.states.tip_thickness.values()) < 0.7 * 2e-3
+    ]
     said = next(words for words in tables.notes(found) if words.startswith("Tips under 0.7·m_n"))
     assert 1 < len(thin) < len(found.all) and said.endswith(f"rows {', '.join(map(str, thin))}.")
 
