@@ -19,7 +19,7 @@ from pathlib import Path
 from typing import Any, TextIO
 
 from calc.sheet.errors import visible
-from calc.version import VERSION
+from calc.sheet.version import VERSION
 
 REPLACED = "contralbero.replaced"  # how an encoding treats a sign that it does not have
 SIGNS = {

@@ -16,11 +16,11 @@ from calc.sheet.check import SIGNS, URGENT, Check, grouped, named, pattern_of, s
 from calc.sheet.number import short
 from calc.sheet.step import Outcome, Table, no_such_check
 from calc.sheet.text import EMPTY, SPACE, Amount, Name, Text, plural
+from calc.sheet.version import VERSION
 from calc.solve import TITLES, Results
-from calc.version import VERSION
 
 if TYPE_CHECKING:
-    from calc.studies.effects import Effect
+    from calc.studies.explain import Effect
 
 
 # What the checks found, as plain text that fits a screen: limits first, then cautions, each group of one cause by its
@@ -303,7 +303,7 @@ def results_json(
     """The one JSON object of `check --json`; a number that is not finite is null.  `measured`: what the inputs do that
     move a check."""
     shown = [o.whole for key, o in results.outcomes.items() if step in (None, key)]
-    from calc.studies.effects import effects
+    from calc.studies.explain import effects
 
     moved = effects(document, results, [c for o in shown for c in o.checks if c.verdict in URGENT]) if measured else {}
     return {
@@ -345,7 +345,7 @@ def results_json(
 def check_json(check: Check, beyond: Sequence[Check] = (), moved: "Sequence[Effect] | None" = None) -> dict[str, Any]:
     """A check with everything that it knows.  `beyond`: the checks of the method that put it outside the validity of
     its formula; `moved`: what the inputs do that move it, where it was measured."""
-    from calc.studies.effects import Effect
+    from calc.studies.explain import Effect
 
     measured = moved if moved is not None else [Effect(key, None, None, "") for key in check.moved_by]
     return {

@@ -8,7 +8,7 @@ import sys
 from collections.abc import Callable
 from typing import NamedTuple
 
-from calc.version import VERSION
+from calc.sheet.version import VERSION
 
 ABOUT = """From the engine's data to the imbalance, the counter-rotating balance shaft, its plain bearings, its gear train and the
 friction it costs.  Without a command: the guided session."""  # noqa: E501

@@ -8,6 +8,15 @@ from .sheet.lazy import lazy
 __all__ = ["Design", "load_design", "solve_design"]
 
 if TYPE_CHECKING:
-    from .public import Design, load_design, solve_design
+    from .design.model import Design
+    from .design.toml_file import load_design
+    from .solve import solve as solve_design
 else:
-    __getattr__ = lazy(__name__, __all__)
+    __getattr__ = lazy(
+        __name__,
+        {
+            "Design": ".design.model",
+            "load_design": ".design.toml_file",
+            "solve_design": ".solve:solve",
+        },
+    )

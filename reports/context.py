@@ -32,7 +32,7 @@ from calc.studies.drive.front import Picked
 from calc.studies.explain import Chains
 
 from .blocks.words import WORDS
-from .setting.symbols import Symbol
+from .setting.boxes import Symbol
 
 # The logo of a title block: a PNG file beside the design, in which a stranger may have put anything.
 

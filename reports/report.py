@@ -7,15 +7,17 @@ The same design file and program give the same bytes: no date of printing, no pa
 from __future__ import annotations
 
 import hashlib
+from collections.abc import Callable
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from calc.design.disk import write_file
 from calc.design.toml_file import Document
 from calc.locale import LANGUAGES, language
 from calc.locale.language import said
-from calc.sheet.later import Later, aside
+from calc.sheet.later import Later, aside, prepared
 from calc.sheet.progress import Progress, part, tell
 from calc.sheet.step import Outcome, Step
 from calc.solve import Results
@@ -32,7 +34,6 @@ from .blocks.title_block import NOTE_LINES
 from .blocks.values import table_blocks, value_blocks
 from .blocks.words import verdict
 from .context import DEPTHS, Context, logo, stands
-from .figures.draughtsman import draughtsman
 from .figures.figures import figure_blocks
 from .figures.plots import Draughtsman, Plots
 from .figures.sketches import sketch_figure
@@ -41,6 +42,43 @@ from .pdf.binding import bind
 from .setting.flow import Block, Heading, bullet, composed, heading, paragraph
 from .setting.fonts import FACES, PAGE, WIDTH, widths
 from .setting.prose import BODY, HEADING, SECTION, lines
+
+if TYPE_CHECKING:
+    from .figures.plots import Job
+    from .figures.renderer import Recording
+
+
+# Figures drawn by a copy of this process, while it makes the rest.
+#
+# The copy is told what to draw and sends recordings back; what draws them, which takes longest to load, is not loaded
+# here.  This file loads nothing, so that the copy can begin to get ready before this process has loaded anything.
+
+
+def draughtsman() -> Draughtsman:
+    """One who draws the figures of one report: given its language and all of them, begins; hands them over when they
+    are asked for."""
+    return prepared(_ready)
+
+
+def _ready() -> Callable[[tuple[str, list[Job]]], list[Recording]]:
+    import matplotlib.backend_bases
+    import matplotlib.figure  # noqa: F401
+
+    from calc.locale import language
+
+    from .figures.plots import Plots, plot
+    from .setting.fonts import FACES, widths
+
+    for face in FACES:
+        widths(face)
+
+    def draw(asked: tuple[str, list[Job]]) -> list[Recording]:
+        lang, jobs = asked
+        plots = Plots(language(lang))
+        return [plot(plots, *job) for job in jobs]
+
+    return draw
+
 
 # What the contents name of a step; their row holds no more, and the errata stand in the summary as well.
 LISTED = ("inputs", "notes", "formulas", "results", "tables", "checks", "figures")

@@ -13,7 +13,7 @@ from calc.design.toml_file import Document, read
 from calc.design.toml_file import design as checked
 from calc.sheet.parts import SELDOM
 from calc.solve import Results, solve
-from calc.studies.validate import Unmet, ValidationRow, rows, unmet
+from calc.studies.published import Unmet, ValidationRow, rows, unmet
 
 settings.register_profile("untimed", deadline=None)  # how long an example takes depends on what else the machine does
 settings.load_profile("untimed")

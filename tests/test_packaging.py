@@ -8,7 +8,7 @@ import tomllib
 
 import pytest
 
-from calc.version import VERSION
+from calc.sheet.version import VERSION
 from tests.conftest import ROOT
 
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]

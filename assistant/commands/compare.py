@@ -18,6 +18,7 @@ from calc.sheet.check import Check
 from calc.sheet.errors import BadInput, InputError, visible
 from calc.sheet.step import Table
 from calc.sheet.text import Text, plural
+from calc.sheet.version import VERSION
 from calc.solve import Results, solve
 from calc.studies.compare import EQUAL, CheckDifference, Comparison, KeyResult, ValueDifference, compare
 from calc.studies.compare_tables import (
@@ -30,7 +31,6 @@ from calc.studies.compare_tables import (
     value_table,
     verdict_table,
 )
-from calc.version import VERSION
 
 MOST = 8  # verdicts that moved
 LONGEST = 24  # characters of a name above a column

@@ -21,9 +21,8 @@ from calc.sheet.number import short
 from calc.sheet.step import Table
 from calc.sheet.text import Amount, Name, Text
 from calc.sheet.units import UNITS
-from calc.studies.errata import Misprint, documents, misprints
-from calc.studies.validate import VALIDATION_KINDS, Unmet, ValidationRow, rows, unmet
-from calc.version import VERSION
+from calc.sheet.version import VERSION
+from calc.studies.published import VALIDATION_KINDS, Misprint, Unmet, ValidationRow, documents, misprints, rows, unmet
 
 WIDE = 116
 MOST = 12  # formulas that are named

@@ -15,9 +15,9 @@ from calc.design.limits import FRONT_BYTES, PDF_BYTES
 from calc.design.toml_file import Document, design, read
 from calc.sheet.errors import BadInput, InputError, visible
 from calc.sheet.text import COMMA, Amount, Text
+from calc.sheet.version import VERSION
 from calc.solve import Results, solve
-from calc.version import VERSION
-from reports.figures.draughtsman import draughtsman
+from reports.report import draughtsman
 from reports.verify.verify import Verdict, verify
 
 ENDINGS = ("pdf", "docx")

@@ -23,9 +23,9 @@ from calc.friction.studies.scenarios import ALONG, MODELS, tables
 from calc.sheet.errors import BadInput, InputError
 from calc.sheet.step import Outcome, Table
 from calc.sheet.text import Text
+from calc.sheet.version import VERSION
 from calc.solve import Results, solve
 from calc.studies.shipped import SCENARIOS
-from calc.version import VERSION
 
 HOW = "give [[friction.scenarios]]: name, and oil, oil_temperature_C, load_sharing, flank_roughness_um or power_kW"
 

@@ -20,8 +20,8 @@ from ..base_app import BaseApp
 from ..session.places import Place, label_of
 from ..session.route import GUIDES
 from ..widgets.checks import Checks
-from ..widgets.field_help import allowed, meaning
 from ..widgets.headings import ArrayHeading, TableHeading
+from ..widgets.rows import allowed, meaning
 from ..widgets.text import wrap
 from .dialogs import Once
 from .host import Host

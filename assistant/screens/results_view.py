@@ -12,12 +12,12 @@ from ..offers import CHOICES
 from ..session.calculation import CalculationSheet
 from ..session.places import named_key
 from ..widgets.field import Field
-from ..widgets.field_help import FieldHelp
 from ..widgets.form import Taken
 from ..widgets.headings import ArrayHeading, Fold, TableHeading
 from ..widgets.lines import FooterLine, MessageLine
 from ..widgets.picture import Picture
 from ..widgets.radio import Radio
+from ..widgets.rows import FieldHelp
 from .background_solve import BackgroundSolve
 from .host import Host
 from .slopes import Slopes

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from calc.design.addresses import Table
     from calc.design.toml_file import Document
     from calc.solve import Results
-    from calc.studies.effects import Effect
+    from calc.studies.explain import Effect
 
 MOST = 2  # inputs that are named for a check, and checks for an input
 MOVED = 5  # inputs that are moved for a check
@@ -84,7 +84,7 @@ class Slopes:
 
     def _find(self, name: str, document: "Document", results: "Results") -> None:
         """Runs in another thread."""
-        from calc.studies.effects import effects, moved_by  # which brings the solver with it
+        from calc.studies.explain import effects, moved_by  # which brings the solver with it
 
         worker = get_current_worker()
 

@@ -25,12 +25,12 @@ from ..widgets.checks import Checks
 from ..widgets.curve_pane import CurvePane, Pane
 from ..widgets.entry import Entry
 from ..widgets.field import Field
-from ..widgets.field_help import FieldHelp
 from ..widgets.form import Form
 from ..widgets.headings import ArrayHeading, TableHeading
 from ..widgets.item_list import ItemList
 from ..widgets.lines import FooterLine, MessageLine, TopLine
 from ..widgets.picture import Picture
+from ..widgets.rows import FieldHelp
 from ..widgets.steps import StepBar, Steps
 from ..widgets.table_list import TableList
 from .accept import AcceptActions

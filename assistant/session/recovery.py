@@ -16,7 +16,7 @@ from calc.design.disk import lock
 from calc.sheet.text import Text
 
 from . import numbers
-from .history import EditState
+from .editing import EditState
 from .places import Place, described
 from .saving import SaveError, differences, edited_text, fresh_text, write_atomic
 

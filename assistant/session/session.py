@@ -22,8 +22,7 @@ from calc.sheet.quantity import Published
 from calc.sheet.text import EMPTY, Text
 from calc.studies.shipped import DESIGNS, EXAMPLE
 
-from .editing import Editing
-from .history import EditState
+from .editing import Editing, EditState
 from .places import Place
 from .recovery import Edits, Memory, Presence, is_file, not_accepted
 from .saving import Draft, SaveError, free_name, fresh_text, write_atomic

@@ -23,8 +23,7 @@ from ..session.places import Place, key_at, owner
 from ..session.route import DOCUMENT, NOTE
 from ..session.session import Session
 from .entry import Choice, Entry
-from .field_help import allowed, meaning
-from .rows import RADIUS, FormRow
+from .rows import RADIUS, FormRow, allowed, meaning
 from .text import fit, pad, wrap
 
 LABEL, LABEL_NARROW = 22, 30  # cells, as in the style sheet

@@ -20,8 +20,7 @@ from ..session.places import content_at
 from ..session.route import ROUTE
 from ..session.session import Session
 from .entry import LEAVING
-from .field_help import heading_help
-from .rows import FormRow
+from .rows import FormRow, heading_help
 from .text import fit, pad
 
 TALL = 30  # rows of a screen that has room for a table of the elements

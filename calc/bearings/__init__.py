@@ -8,6 +8,20 @@ from ..sheet.lazy import lazy
 __all__ = ["Feed", "film_at", "relative_clearance", "solve_film", "solve_grooved", "sommerfeld", "specific_load"]
 
 if TYPE_CHECKING:
-    from .public import Feed, film_at, relative_clearance, solve_film, solve_grooved, sommerfeld, specific_load
+    from .film.grooved import Feed, solve_grooved
+    from .film.table import film_at
+    from .formulas import relative_clearance, sommerfeld, specific_load
+    from .solve import solve_film
 else:
-    __getattr__ = lazy(__name__, __all__)
+    __getattr__ = lazy(
+        __name__,
+        {
+            "Feed": ".film.grooved",
+            "film_at": ".film.table",
+            "relative_clearance": ".formulas",
+            "solve_film": ".solve",
+            "solve_grooved": ".film.grooved",
+            "sommerfeld": ".formulas",
+            "specific_load": ".formulas",
+        },
+    )

@@ -6,7 +6,6 @@ from collections.abc import Callable, Iterator
 from functools import partial
 
 from ..library.catalogue import Oil
-from ..library.fits import clearance_limits, parse
 from ..library.journal_rules import (
     DESIGN_FACTOR,
     FINOTTI,
@@ -24,6 +23,7 @@ from ..library.journal_rules import (
     USUAL_SPECIFIC_LOAD,
 )
 from ..library.oils import BEYOND_ROWS, LAW_RANGE, MORE_ROWS, OTHER_OIL, VISCOSITIES
+from ..library.tolerances import clearance_limits, parse
 from ..sheet.arrays import element, has_lanes
 from ..sheet.check import Check, check
 from ..sheet.remedy import Remedy, by_key, down, up

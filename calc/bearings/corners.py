@@ -7,7 +7,7 @@ from itertools import product
 
 import numpy as np
 
-from ..library.fits import deviations, parse, tolerance
+from ..library.tolerances import deviations, parse, tolerance
 from ..sheet.arrays import Array, each, many, one
 from ..sheet.linked_array import gathered, item
 from ..sheet.quantity import result, value

@@ -5,7 +5,7 @@ from collections.abc import Iterable
 from dataclasses import replace
 from math import pi
 
-from ..library import fits
+from ..library import tolerances as fits
 from ..library.catalogue import Oil
 from ..library.journal_rules import (
     COOLED,

@@ -9,10 +9,10 @@ import numpy as np
 
 from ..countershaft.result import CountershaftResult
 from ..engine.inputs import BenchPoint, EngineInputs
-from ..library.catalogue import Material, Oil
-from ..library.fits import deviations, parse
+from ..library.catalogue import Material, Oil, materials, oils
 from ..library.journal_rules import speed_factor
 from ..library.lubricant import Lubricant
+from ..library.tolerances import deviations, parse
 from ..sheet.arrays import element, many, one
 from ..sheet.check import Check, check
 from ..sheet.errors import NoSolution
@@ -21,7 +21,7 @@ from ..sheet.linked_array import gathered, item
 from ..sheet.remedy import by_key
 from ..sheet.step import Curve, Further, Outcome, Table
 from ..sheet.text import EMPTY, Amount, Text
-from ..sheet.units import Metre, Number, Radian, RevPerSecond
+from ..sheet.units import Celsius, Metre, Newton, Number, Pascal, Radian, RevPerSecond
 from ..sheet.value import about, based_on, trace, untraced
 from . import formulas as f
 from .checks import LOST_BY_SHEAR, checks, oil_checks
@@ -37,7 +37,7 @@ from .notes import errata, notes
 from .result import BearingResult, BearingsResult, route_result
 from .routes import supply
 from .routes.balance import balanced, closed, settled_together
-from .routes.routes import own_warm
+from .routes.routes import own_cold, own_warm
 from .routes.side_by_side import ROUTES, judged_alone, routes_table, side_by_side
 from .routes.states import BearingCase, Film, OperatingPoint
 from .speeds import TURNING, Sweep, sweep, sweep_points
@@ -370,3 +370,48 @@ def _blocked_arc(inputs: BearingsInputs, duty: OperatingPoint, hot: Film, ratio:
     omega = f.angular_speed(n=duty.effective_speed)
     p_max = f.short_bearing_pressure(mu=hot.oil.mu, omega=omega, psi=hot.relative_clearance, largest=largest)
     return short.blocked_arc(eps=eps, p_s=duty.supply_pressure, p_max=p_max)
+
+
+# Plain bearings from Python, in SI: `from calc import bearings`.
+
+
+def solve_film(
+    *,
+    diameter: Metre,
+    length: Metre,
+    clearance: Metre,
+    load: Newton,
+    speed: RevPerSecond,
+    oil: str | Oil,
+    supply_temperature: Celsius,
+    supply_pressure: Pascal = 3e5,
+    hole_diameter: Metre = 4e-3,
+    load_speed_ratio: Number = 1.0,
+    journal: str = "steel",
+    housing: str = "steel",
+    warm: bool = True,
+) -> Film:
+    """The film of one bearing in thermal balance, by this program's own solution of Reynolds' equation.
+
+    `clearance`: diametral, at 20 °C.  `speed`: of the journal, revolutions per second.  `oil`: a name of the table, or
+    an Oil. `load_speed_ratio`: 1, the load turns with the shaft; 0, it stands.  `journal`, `housing`: materials, by
+    whose expansion the clearance changes (`warm` False: it keeps its size).  Raises NoSolution where there is no film.
+    """
+    bearing = BearingInputs(
+        diameter=diameter, length=length, clearance=clearance, load=load, journal_roughness=0.0, housing_roughness=0.0
+    )
+    row = oils()[oil] if isinstance(oil, str) else oil
+    inputs = BearingsInputs(
+        oil=row.name,
+        supply_temperature=supply_temperature,
+        supply_pressure=supply_pressure,
+        supply="hole",
+        hole_diameter=hole_diameter,
+        housing_material=housing,
+        front=bearing,
+        rear=bearing,
+        load_speed_ratio=load_speed_ratio,
+    )
+    known = materials()
+    case = BearingCase(bearing, inputs, Lubricant(row), clearance, known[journal].expansion, known[housing].expansion)
+    return balanced(own_warm if warm else own_cold, case, operating_point(inputs, load, speed))

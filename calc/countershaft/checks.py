@@ -16,8 +16,8 @@ from ..sheet.units import Metre
 from .bending.shaft import RIGID, Bending
 from .inputs import CountershaftInputs
 from .result import CountershaftResult
+from .sizing.sectors import LEFT_OVER, WORDS, ShaftTask
 from .supports import Gear
-from .task import LEFT_OVER, WORDS, ShaftTask
 
 WEAKEST = 235e6  # Pa: proof stress of the weakest structural steel
 Journals = tuple[tuple[Metre, Metre], ...]

@@ -11,7 +11,7 @@ from ..sheet.text import EMPTY, Name, Text
 from ..sheet.units import Metre, RadPerSecond
 from .bending.shaft import Bending
 from .result import CountershaftResult
-from .task import LEFT_OVER, WORDS, ShaftTask
+from .sizing.sectors import LEFT_OVER, WORDS, ShaftTask
 
 STACK = "bending"
 

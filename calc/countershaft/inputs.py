@@ -6,8 +6,8 @@ import math
 from collections.abc import Iterable
 from itertools import pairwise
 
-from ..library.balance_quality import GRADES
 from ..library.journal_rules import LENGTH_RATIO
+from ..library.tolerances import BALANCE_GRADES
 from ..sheet.quantity import THUMB, choice, inputs, integer, quantity, series, table, tables, text
 from ..sheet.text import Amount, Text
 from .making.inputs import Bolts, Cost, FurtherDrain, OilDrain, Part, Support
@@ -351,7 +351,7 @@ class CountershaftInputs:
     journals: tuple[Journal, ...] = tables("Journals", Journal, default=())
     balance_grade: str = choice(
         "Balance quality grade",
-        *GRADES,
+        *BALANCE_GRADES,
         default="G6.3",
         help="ISO 21940-11; crank drives of engines G16 (rigidly mounted) and G40.",
     )

@@ -40,8 +40,8 @@ from .making.parts import Gathered, making
 from .notes import SLOPES_GIVEN, bending_notes, notes, outline_note, size_notes, supports_note
 from .outline import NoOutline, Outline, assembled, given, known, sectors_of, turning_inertia, vectors_of, weighed
 from .result import CountershaftResult, SupportResult
+from .sizing.sectors import ShaftTask, task
 from .supports import Gear, reactions
-from .task import ShaftTask, task
 
 if TYPE_CHECKING:
     from ..bearings.result import BearingsResult

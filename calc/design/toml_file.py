@@ -510,3 +510,11 @@ def design(document: Document, sound: Sound | None = None) -> Design:
 def load(path: Path | str) -> tuple[Document, Design]:
     document = read(path)
     return document, design(document)
+
+
+# Whole designs from Python: `from calc import load_design, solve_design`.
+
+
+def load_design(path: Path | str) -> Design:
+    """The design in a file; all that is wrong in it is raised at once, as BadInput."""
+    return load(path)[1]

@@ -12,8 +12,7 @@ from ..countershaft.result import CountershaftResult
 from ..friction.inputs import FrictionInputs
 from ..gears.inputs import GearsInputs
 from ..gears.result import MeshResult, TrainResult, WheelResult, working_circles
-from ..library.balance_quality import ISO
-from ..library.fits import deviations, parse
+from ..library.tolerances import ISO, deviations, parse
 from ..sheet.quantity import published
 from ..sheet.record import record
 from ..sheet.text import COMMA, Amount, Name, Text

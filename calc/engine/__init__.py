@@ -8,6 +8,17 @@ from ..sheet.lazy import lazy
 __all__ = ["EngineInputs", "angular_speed", "displacement", "mean_piston_speed", "solve_engine"]
 
 if TYPE_CHECKING:
-    from .public import EngineInputs, angular_speed, displacement, mean_piston_speed, solve_engine
+    from .formulas import angular_speed, displacement, mean_piston_speed
+    from .inputs import EngineInputs
+    from .solve import values as solve_engine
 else:
-    __getattr__ = lazy(__name__, __all__)
+    __getattr__ = lazy(
+        __name__,
+        {
+            "EngineInputs": ".inputs",
+            "angular_speed": ".formulas",
+            "displacement": ".formulas",
+            "mean_piston_speed": ".formulas",
+            "solve_engine": ".solve:values",
+        },
+    )

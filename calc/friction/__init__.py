@@ -8,6 +8,13 @@ from ..sheet.lazy import lazy
 __all__ = ["schlenk", "solve_loss"]
 
 if TYPE_CHECKING:
-    from .public import schlenk, solve_loss
+    from .models import schlenk
+    from .solve import solve_loss
 else:
-    __getattr__ = lazy(__name__, __all__)
+    __getattr__ = lazy(
+        __name__,
+        {
+            "schlenk": ".models",
+            "solve_loss": ".solve",
+        },
+    )

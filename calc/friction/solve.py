@@ -12,7 +12,7 @@ import numpy as np
 from ..gears.inputs import GearsInputs
 from ..gears.layout.forces import axis_forces
 from ..gears.result import TrainResult
-from ..library.catalogue import Material, Oil
+from ..library.catalogue import Material, Oil, materials, oils
 from ..library.lubricant import Lubricant
 from ..sheet.later import Later
 from ..sheet.step import Curve, Further, Outcome, Table, finite
@@ -23,7 +23,9 @@ from . import checks, curves
 from .balance import Forces, TrainDrive, balance, drive
 from .inputs import FrictionInputs
 from .journals import OnShaft, journals_of
+from .mesh.film import oil_at
 from .mesh.geometry import MeshGeometry, WheelGeometry
+from .mesh.loss import MeshLoss, case, losses, solve_mesh
 from .result import FrictionResult, engine_share, torque
 
 QUIET = partial(np.errstate, over="ignore", divide="ignore", invalid="ignore")  # what is not finite is refused
@@ -189,3 +191,28 @@ def _notes(gears: GearsInputs, closed: bool) -> tuple[Text, ...]:
     if gears.power is not None:
         return (Text("gears.power_kW rates the teeth only; the losses are those of the closed balance."),)
     return ()
+
+
+# The friction of a mesh from Python, in SI: `from calc import friction`.
+
+
+def solve_loss(
+    pair: TrainResult,
+    *,
+    power: Watt,
+    speed: RevPerSecond,
+    oil: str | Oil,
+    temperature: Celsius,
+    flank_roughness: Metre = 0.8e-6,
+) -> MeshLoss:
+    """The loss of the first mesh of a train (`gears.solve_pair` makes one of two wheels), whose teeth have the oil's
+    temperature.
+
+    `power` into the driver, `speed` of the driver in revolutions per second; these two and `temperature` may be arrays
+    of one length, an operating point each: so are the results then.  `flank_roughness`: Ra of both flanks."""
+    mesh = next(iter(meshes_of(pair, materials()).values()))
+    lubricant = Lubricant(oils()[oil] if isinstance(oil, str) else oil)
+    inputs = FrictionInputs(flank_roughness=(flank_roughness,))
+    if np.ndim(power) or np.ndim(speed) or np.ndim(temperature):
+        return losses(inputs, mesh, lubricant, T=temperature, n_1=speed, P=power)
+    return solve_mesh(case(inputs, mesh, oil_at(lubricant, temperature), speed), power, by_regime=True)

@@ -15,14 +15,14 @@ from ..sheet.later import Later
 from ..sheet.record import record
 from ..sheet.step import Outcome, Table, finite
 from ..sheet.text import Text
-from ..sheet.units import NewtonMetre, Number, RevPerSecond
+from ..sheet.units import Metre, NewtonMetre, Number, Radian, RevPerSecond
 from ..sheet.value import about, trace
 from .backlash.case import backlash_at_shaft
 from .backlash.formulas import residual_couple as _couple_of_phase_error
 from .backlash.solve import play, with_couple
 from .checks import checks, speed_ratio
 from .formulas import speed_ratio as speed_ratio_of
-from .inputs import GearsInputs
+from .inputs import GearsInputs, Mesh, Wheel
 from .layout.forces import forces
 from .layout.solve import ShaftInTrain, layout
 from .measures.solve import measures
@@ -230,3 +230,42 @@ def with_speed_ratio(
         return outcome
     crank = engine.rated_speed if engine is not None else None
     return replace(outcome, checks=(*outcome.checks, speed_ratio(outcome.result, wanted, crank)))
+
+
+# A pair of gears from Python, in SI: `from calc import gears`.
+
+DEGREES_20: Radian = math.radians(20.0)
+
+
+def solve_pair(
+    teeth: tuple[int, int],
+    *,
+    normal_module: Metre,
+    face_width: Metre,
+    helix_angle: Radian = 0.0,
+    pressure_angle: Radian = DEGREES_20,
+    profile_shift: tuple[Number | None, Number | None] = (None, None),
+    centre_distance: Metre | None = None,
+    tool_addendum: Number = 1.25,
+    tool_tip_radius: Number = 0.38,
+    speed: RevPerSecond = 1.0,
+) -> TrainResult:
+    """Geometry, measures and contact of two wheels: `wheels["driver"]`, `wheels["driven"]`, `meshes["driver_driven"]`.
+
+    What is left out of profile shifts and centre distance follows from the others; without any of them the shifts are
+    0, and without a distance there is no backlash.  Tool sizes in modules; `speed` of the driver.  Raises NoSolution
+    where the teeth cannot be made."""
+    wheels = tuple(
+        Wheel(name=name, teeth=z, profile_shift=x) for name, z, x in zip(("driver", "driven"), teeth, profile_shift)
+    )
+    train = GearsInputs(
+        normal_module=normal_module,
+        pressure_angle=pressure_angle,
+        helix_angle=helix_angle,
+        face_width=face_width,
+        tool_addendum=tool_addendum,
+        tool_tip_radius=tool_tip_radius,
+        wheels=wheels,
+        meshes=(Mesh(driver="driver", driven="driven", centre_distance=centre_distance),),
+    )
+    return geometry(train, speed).solution

@@ -8,6 +8,16 @@ from ..sheet.lazy import lazy
 __all__ = ["ImbalanceInputs", "couple_per_degree", "solve_imbalance", "unbalance_product"]
 
 if TYPE_CHECKING:
-    from .public import ImbalanceInputs, couple_per_degree, solve_imbalance, unbalance_product
+    from .formulas import couple_per_degree, unbalance_product
+    from .inputs import ImbalanceInputs
+    from .solve import solve_imbalance
 else:
-    __getattr__ = lazy(__name__, __all__)
+    __getattr__ = lazy(
+        __name__,
+        {
+            "ImbalanceInputs": ".inputs",
+            "couple_per_degree": ".formulas",
+            "solve_imbalance": ".solve",
+            "unbalance_product": ".formulas",
+        },
+    )

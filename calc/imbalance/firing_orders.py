@@ -19,8 +19,7 @@ from ..sheet.text import SPACE, Name, Text, plural
 from ..sheet.units import Newton, NewtonMetre
 from ..sheet.value import untraced
 from .inputs import ImbalanceInputs
-from .orders import Order, order
-from .unlike_cylinders import harmonics
+from .orders import Order, harmonics, order
 
 ALL, SOME = 9, 12  # cylinders up to which every order is tried, and up to which those of the cranks that are built are
 

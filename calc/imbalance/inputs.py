@@ -3,7 +3,7 @@
 
 from collections.abc import Iterable
 
-from ..library.balance_quality import GRADES
+from ..library.tolerances import BALANCE_GRADES
 from ..sheet.quantity import THUMB, choice, inputs, integer, quantity, series, tables, text
 from ..sheet.text import Text
 
@@ -180,7 +180,7 @@ class ImbalanceInputs:
     )
     crank_balance_grade: str = choice(
         "Balance quality grade of the crank",
-        *GRADES,
+        *BALANCE_GRADES,
         default="G16",
         help="ISO 21940-11; crank drives of engines G16 (rigidly mounted) and G40. Judged where the bodies of the "
         "crank are given.",

@@ -32,7 +32,7 @@ from ..sheet.units import (
     RadPerSecond,
 )
 from ..sheet.value import about, based_on
-from . import unlike_cylinders as u
+from . import orders as u
 from .inputs import ImbalanceInputs
 
 SHAFTS = Text("dynamics, rotating vector of the shaft against the vector that turns like it (Finotti 2013, 2.3.3)")

@@ -12,6 +12,7 @@ import numpy as np
 from ..engine.inputs import EngineInputs
 from ..engine.result import EngineResult
 from ..engine.solve import ORDERS
+from ..engine.solve import values as engine_values
 from ..sheet.arrays import each
 from ..sheet.later import Later
 from ..sheet.step import Outcome, Table
@@ -19,7 +20,7 @@ from ..sheet.text import Text
 from ..sheet.units import KilogramMetre, Newton, Radian, RadPerSecond
 from ..sheet.value import about, based_on, trace, untraced
 from . import formulas as f
-from . import unlike_cylinders as u
+from . import orders as u
 from .checks import checks, proposals
 from .curves import Shaft, pictures, remedy_table
 from .inputs import ImbalanceInputs
@@ -191,3 +192,17 @@ def with_shaft(outcome: Outcome[ImbalanceResult], shaft: Shaft, imbalance: Imbal
     )
     others = Later(lambda: (curve for curve in outcome.curves if curve.id.startswith("polygon")))
     return replace(outcome, curves=Later(lambda: (*pictures(found, shaft), *others)), tables=tables)
+
+
+# The imbalance of an engine from Python, in SI: `from calc import imbalance`.
+
+
+def solve_imbalance(
+    engine: EngineInputs, crank_balance_fraction: float = 0.5, kinematics: str = "exact"
+) -> ImbalanceResult:
+    """Forces and couples of orders 1 to 8, and what a counter-shaft must supply.
+
+    `crank_balance_fraction`: share of the reciprocating mass that the crank's own counterweights carry.  `kinematics`:
+    "exact" or "two_term".  A number of the engine may be an array, an engine each; so are the results."""
+    inputs = ImbalanceInputs(crank_balance_fraction=crank_balance_fraction, kinematics=kinematics)
+    return values(inputs, engine, engine_values(engine))

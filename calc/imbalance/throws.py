@@ -20,9 +20,8 @@ from ..sheet.quantity import result, value
 from ..sheet.step import Curve, Series, Table
 from ..sheet.text import EMPTY, Amount, Text
 from ..sheet.units import Kilogram, Metre, Newton, NewtonMetre, Number, Radian, RadPerSecond
-from .orders import DUST, Order
+from .orders import DUST, Order, harmonics, masses, measures, radius
 from .remedies import equivalent_mass
-from .unlike_cylinders import harmonics, masses, measures, radius
 
 SMALL = 0.05  # of one throw's force, and of its couple over one pitch
 POLYGON = Text("Finotti 2013, 2.3.1: polygon of the centrifugal forces, polygon of their moments")

@@ -15,7 +15,7 @@ import numpy as np
 from ..engine.crank import pin_of_cylinder
 from ..engine.inputs import EngineInputs
 from ..engine.result import EngineResult
-from ..library.balance_quality import grade_number, permitted_unbalance
+from ..library.tolerances import grade_number, permitted_unbalance
 from ..sheet.arrays import Array, ComplexArray, distinct, each, many, phasors
 from ..sheet.formula import formula
 from ..sheet.functions import argument, cis, imag, modulus, resultant, total
@@ -42,7 +42,7 @@ from ..sheet.units import (
 )
 from ..sheet.value import about, based_on, untraced
 from . import formulas as f
-from . import unlike_cylinders as u
+from . import orders as u
 from .inputs import ImbalanceInputs
 from .orders import DUST
 from .remedies import crank_masses

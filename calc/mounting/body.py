@@ -2,13 +2,26 @@
 """The engine as a rigid body: its inertia, given or estimated, and the axis about which the torque of the crank turns
 it."""
 
+import math
+
 import numpy as np
 
-from ..sheet.arrays import Array, each, many
+from ..sheet.arrays import Array, ComplexArray, each, many, phasors
 from ..sheet.formula import formula
-from ..sheet.units import Kilogram, KilogramMetre2, Metre, Number, Radian
+from ..sheet.linked_array import gathered
+from ..sheet.units import (
+    Kilogram,
+    KilogramMetre2,
+    Metre,
+    NewtonPerMetre,
+    NewtonSecondPerMetre,
+    Number,
+    PhasorNewtonPerMetre,
+    Radian,
+    RadPerSecond,
+)
 from ..sheet.value import based_on
-from .inputs import MountingInputs, tensor
+from .inputs import Mobility, Mount, MountingInputs, Support, tensor
 
 BOX, LEAST, MOST = 0.7, 0.5, 0.9  # of a full box: own assumption
 DOFS = ("bounce", "lateral", "fore_aft", "yaw", "pitch", "roll")
@@ -82,3 +95,132 @@ def displacement(r: Array) -> Array:
 def radius_of_gyration(mass: float, J: Array) -> float:
     """By which a force is compared with a moment."""
     return float(np.sqrt(np.trace(J) / (3 * mass)))
+
+
+# The stiffness of mounts and supports: dynamic, with loss, turned, on a foundation that gives; at rest, real, or at a
+# frequency.
+
+REFERENCE = 20.0  # Hz, at which the stiffness of a fractional mount is the given one
+
+
+@formula("k_dyn", "definition of the dynamic ratio of rubber", unit="N/mm")
+def dynamic_stiffness(k: NewtonPerMetre, d: Number) -> NewtonPerMetre:
+    return k * d
+
+
+@formula("k*", "definition of the loss factor: complex stiffness along an own axis")
+def lossy(k: NewtonPerMetre, eta: Number) -> PhasorNewtonPerMetre:
+    return k * (1 + 1j * eta)
+
+
+@formula("k*", "dynamics: spring with a viscous damper beside it, at one frequency")
+def damped(k: NewtonPerMetre, Omega: RadPerSecond, c: NewtonSecondPerMetre) -> PhasorNewtonPerMetre:
+    return k + 1j * Omega * c
+
+
+@formula(
+    "α",
+    "mathematics, causality: the exponent with which a stiffness of constant loss factor rises over frequency",
+    shows="2/π·arctan η",
+)
+def exponent(eta: Number) -> Number:
+    return 2 / math.pi * math.atan(eta)
+
+
+@formula("k_eff", "statics: two springs in series, mount and foundation")
+def in_series(k: PhasorNewtonPerMetre, k_f: PhasorNewtonPerMetre) -> PhasorNewtonPerMetre:
+    return k * k_f / (k + k_f)
+
+
+def rotation(turned: tuple[float, ...] | None) -> Array:
+    """The axes of a mount as columns: turned by a about x, then b about y, then c about z, all fixed."""
+    if turned is None:
+        return np.eye(3)
+    (ca, cb, cc), (sa, sb, sc) = (np.asarray(f(np.asarray(turned))).tolist() for f in (np.cos, np.sin))
+    x = np.array([[1.0, 0, 0], [0, ca, -sa], [0, sa, ca]])
+    y = np.array([[cb, 0, sb], [0, 1.0, 0], [-sb, 0, cb]])
+    z = np.array([[cc, -sc, 0], [sc, cc, 0], [0, 0, 1.0]])
+    turning: Array = z @ y @ x
+    return turning
+
+
+def static(mount: Mount) -> Array:
+    return np.asarray(mount.stiffness, dtype=float)
+
+
+def dynamic(mount: Mount) -> Array:
+    """Along its own axes, without loss and without foundation."""
+    return many(dynamic_stiffness(k=each(gathered(mount.stiffness)), d=mount.dynamic_ratio))
+
+
+def constant(spring: Mount | Support) -> bool:
+    """Whether its stiffness is the same at every frequency."""
+    if spring.damping:
+        return False
+    return isinstance(spring, Support) or (spring.frequency_dependence == "none" and not spring.mobility)
+
+
+def foundation(mount: Mount) -> ComplexArray | None:
+    """The foundation's own stiffness along the mount's axes."""
+    if mount.foundation is None:
+        return None
+    k_f = np.broadcast_to(np.asarray(mount.foundation, dtype=float), (3,))
+    return phasors(lossy(k=each(k_f), eta=mount.foundation_loss or 0.0))
+
+
+def at_rest(mount: Mount) -> ComplexArray:
+    """For the modes: dynamic, with its loss factor, on the foundation; no damper and no growth with frequency."""
+    k = phasors(lossy(k=each(dynamic(mount)), eta=mount.eta))
+    k_f = foundation(mount)
+    return k if k_f is None else phasors(in_series(k=each(k), k_f=each(k_f)))
+
+
+def real_at_rest(mount: Mount) -> Array:
+    """Its real counterpart: the springs alone in series."""
+    k = dynamic(mount)
+    if mount.foundation is None:
+        return k
+    k_f: Array = np.broadcast_to(np.asarray(mount.foundation, dtype=float), (3,))
+    return np.real(phasors(in_series(k=each(k), k_f=each(k_f))))
+
+
+def own(spring: Mount | Support, Omega: Array) -> ComplexArray:
+    """k* of the mount itself along its own axes (frequencies, 3)."""
+    k = dynamic(spring) if isinstance(spring, Mount) else np.asarray(spring.stiffness, dtype=float)
+    if spring.damping:
+        return phasors(damped(k=each(k), Omega=each(Omega[:, None]), c=spring.damping))
+    k_star = phasors(lossy(k=each(k), eta=spring.eta))
+    if isinstance(spring, Mount) and spring.frequency_dependence == "fractional":
+        rise = (Omega / (2 * math.pi * REFERENCE)) ** exponent(eta=spring.eta)
+        return np.asarray(rise)[:, None] * k_star
+    same: ComplexArray = np.broadcast_to(k_star, (Omega.size, 3))
+    return same
+
+
+def with_foundation(mount: Mount, k: ComplexArray, R: Array, Omega: Array) -> ComplexArray:
+    """The stiffness between engine and frame in engine axes (frequencies, 3, 3), from k* along the own axes."""
+    k_f = foundation(mount)
+    if k_f is not None:
+        k = phasors(in_series(k=each(k), k_f=each(k_f)))
+    if not mount.mobility:
+        turned: ComplexArray = (R * k[:, None, :]) @ R.T
+        return turned
+    softness = (R / k[:, None, :]) @ R.T + _receptance(mount.mobility, Omega)[:, :, None] * np.eye(3)
+    stiff: ComplexArray = np.asarray(np.linalg.inv(softness), dtype=complex)
+    return stiff
+
+
+def _receptance(rows: tuple[Mobility, ...], Omega: Array) -> ComplexArray:
+    """Displacement over force of the foundation along x, y, z: between the rows linear, beyond them the nearest."""
+    at, f = np.array([row.frequency for row in rows]), Omega / (2 * math.pi)
+    found = np.empty((Omega.size, 3), dtype=complex)
+    for i, axis in enumerate("xyz"):
+        real, imaginary = (np.array([getattr(row, axis)[part] for row in rows]) for part in (0, 1))
+        found[:, i] = (np.interp(f, at, real) + 1j * np.interp(f, at, imaginary)) / (1j * Omega)
+    return found
+
+
+def loss_at_rest(mount: Mount) -> Array:
+    """What of it is lost, as a stiffness."""
+    found: Array = at_rest(mount).imag
+    return found

@@ -15,7 +15,8 @@ from ..sheet.record import record
 from ..sheet.text import Text
 from ..sheet.units import Hertz, Kilogram, KilogramMetre2, Metre, NewtonPerMetre, Number, Radian, RevPerSecond
 from ..sheet.value import based_on, link_of, linked
-from . import body, modes, springs
+from . import body, modes
+from . import body as springs
 from .body import DOFS
 from .drive import EngineWrenches
 from .excitation import strength

@@ -11,11 +11,11 @@ from ..sheet.quantity import Described, Stated
 from ..sheet.text import Text
 from ..sheet.units import Metre, Newton, NewtonMetre, NewtonPerMetre, Number, Radian
 from ..sheet.value import based_on, link_of, linked
+from .body import static
 from .drive import EngineWrenches
 from .inputs import MountingInputs
 from .modes import stiffness_matrix
 from .result import Rest, StaticMount, Tree
-from .springs import static
 from .system import System
 
 GRAVITY = 9.80665  # m/s²

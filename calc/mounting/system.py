@@ -14,7 +14,7 @@ from ..sheet.formula import formula
 from ..sheet.record import record
 from ..sheet.units import Kilogram, PhasorMetre, PhasorNewton, PhasorNewtonPerMetre, RadPerSecond
 from ..sheet.value import based_on, link_of, linked
-from . import springs
+from . import body as springs
 from .body import displacement, mass_matrix
 from .inputs import Chassis, MountingInputs, Point, tensor
 

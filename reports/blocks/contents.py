@@ -12,11 +12,10 @@ from calc.library.publications import Publication, resolved
 from calc.sheet.text import Text
 
 from ..context import Context
-from ..setting.boxes import FAINT, Box, text
+from ..setting.boxes import BETWEEN, FAINT, SIGN, Box, text
 from ..setting.flow import Block, bullet, heading, on_paper_only, paragraph
 from ..setting.fonts import HEIGHT, WIDTH
 from ..setting.prose import BODY, GROUP, NOTE, SECTION, one_line, run
-from ..setting.symbols import BETWEEN, SIGN
 from ..setting.tables import Cell, Column, Group, Row, noted_below, table
 from ..setting.tags import Tag
 

@@ -19,11 +19,10 @@ from calc.sheet.quantity import Quantity
 from calc.sheet.text import Text
 from calc.sheet.value import Line, leaves, link_of
 
-from ..setting.boxes import text
+from ..setting.boxes import BETWEEN, Symbol, text
 from ..setting.flow import Block, heading, paragraph
 from ..setting.fonts import WIDTH
 from ..setting.prose import GROUP, NOTE, lines, run
-from ..setting.symbols import BETWEEN, Symbol
 from ..setting.typeset import symbol as set_symbol
 
 if TYPE_CHECKING:

@@ -6,7 +6,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from calc.version import VERSION
+from calc.sheet.version import VERSION
 
 from ..context import Context
 from ..setting.boxes import GREY

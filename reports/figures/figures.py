@@ -22,8 +22,7 @@ from ..setting.fonts import LEFT, WIDTH
 from ..setting.prose import STRONG, lines, run
 from ..setting.tags import FIGURE, Tag
 from .arrows import ARROW, head
-from .labels import Label, at_the_ends, at_the_point, margin, placed
-from .legend import draw_legend, legend
+from .labels import Label, at_the_ends, at_the_point, draw_legend, legend, margin, placed
 from .plots import ALONE, HIGH, LEFT_AXIS, LETTER, LOW, RIGHT_AXIS, Look, Plots, in_words, numbers
 from .tornado import Lying, lies
 

@@ -143,3 +143,23 @@ def fraction(over: Box, under: Box, size: float) -> Box:
         *moved(under.marks, (wide - under.width) / 2, -fall),
     )
     return Box(wide, rise + over.up, fall + under.down, marks)
+
+
+# A symbol of a chapter, and the name under which its pages are found among all that is indexed.
+
+SIGN = "§"  # what the name of a symbol begins with; no value is called so
+BETWEEN = "\n"  # several names of one block
+
+
+@dataclass(frozen=True, slots=True)
+class Symbol:
+    """What a symbol stands for in a chapter."""
+
+    chapter: str  # key of the step
+    name: str
+    meaning: str
+    unit: str
+
+    @property
+    def indexed(self) -> str:
+        return f"{SIGN}{self.chapter}{SIGN}{self.name}"

@@ -17,13 +17,12 @@ from calc.sheet.value import Equation, Line
 
 from ..blocks.nomenclature import noted_line
 from ..context import Context
-from .boxes import Box, row, space
+from .boxes import BETWEEN, Box, row, space
 from .boxes import text as text_box
 from .flow import Block, Formula
 from .fonts import WIDTH, clean
 from .prose import CELL, NOTE, SOURCE
 from .prose import lines as text_lines
-from .symbols import BETWEEN
 from .typeset import SetPiece, formula, lines, symbol
 
 if TYPE_CHECKING:

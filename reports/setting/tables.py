@@ -7,11 +7,10 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
-from .boxes import FAINT, Box
+from .boxes import BETWEEN, FAINT, Box
 from .flow import Block, Content, heading, paragraph
 from .fonts import WIDTH
 from .prose import CELL, GROUP, HEADER, NOTE, Style, lines, run
-from .symbols import BETWEEN
 from .tags import COLUMN, ROW, Tag
 
 if TYPE_CHECKING:

@@ -11,7 +11,7 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from typing import Any
 
-from calc.version import VERSION
+from calc.sheet.version import VERSION
 
 from ..setting.tags import FIGURE
 from .pdf_file import Malformed, Pdf, Reference, Stream, words

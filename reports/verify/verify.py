@@ -17,9 +17,9 @@ from calc.design.toml_file import design, parse
 from calc.locale import LANGUAGES
 from calc.sheet.errors import BadInput, InputError
 from calc.sheet.text import Text
+from calc.sheet.version import VERSION
 from calc.solve import Results, solve
 from calc.studies.compare import SAME, compare, relative, size_of_nothing
-from calc.version import VERSION
 
 from ..comparison import render as render_comparison
 from ..context import DEPTHS

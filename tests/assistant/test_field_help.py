@@ -11,7 +11,7 @@ from textual.widgets import Static
 
 from assistant.session.session import Session
 from assistant.widgets.field import Field
-from assistant.widgets.field_help import FieldHelp, allowed, foot, meaning
+from assistant.widgets.rows import FieldHelp, allowed, foot, meaning
 from calc.design.model import STEPS
 from calc.locale import language
 from calc.sheet.number import short

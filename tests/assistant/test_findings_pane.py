@@ -11,7 +11,7 @@ from assistant.widgets.lines import MessageLine
 from assistant.widgets.signs import Signs
 from assistant.widgets.steps import READY, Steps
 from assistant.widgets.text import bar
-from calc.studies.effects import effects, moved_by
+from calc.studies.explain import effects, moved_by
 from tests.assistant.conftest import Screen, solved
 from tests.assistant.driving import settled, strike, until, work
 

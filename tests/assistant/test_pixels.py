@@ -6,7 +6,7 @@ import re
 import numpy as np
 import pytest
 
-from assistant.widgets.pixels import CHUNK, iterm2, kitty, protocol, sixel
+from assistant.screens.curves import CHUNK, iterm2, kitty, protocol, sixel
 
 
 @pytest.mark.parametrize(

@@ -7,7 +7,7 @@ import pytest
 from calc.design.toml_file import design, parse, read
 from calc.sheet.errors import BadInput
 from calc.solve import solve
-from calc.studies.effects import effects
+from calc.studies.explain import effects
 from calc.studies.shipped import EXAMPLE
 
 OPEN, HOLDS, LIMIT = "bearings.front.slope_given", "bearings.rear.mckee", "bearings.front.film_edge"

@@ -24,8 +24,9 @@ from calc.gears.rating import strength as life
 from calc.gears.rating import strength as root_strength
 from calc.gears.rating.screening import load as screening_load
 from calc.library import fatigue as notch
-from calc.library import fits, journal_rules
+from calc.library import journal_rules
 from calc.library import oil_formulas as viscosity_index
+from calc.library import tolerances as fits
 from calc.library.catalogue import TABLES, Oil, ViscosityRow, shipped_oils
 from calc.library.lubricant import Lubricant
 from calc.sheet import functions as erf

@@ -9,7 +9,7 @@ import pytest
 
 from assistant.cli import main
 from assistant.commands.published import markdown
-from calc.studies.errata import documents, misprints, worked_out
+from calc.studies.published import documents, misprints, worked_out
 
 ROOT = Path(__file__).resolve().parents[2]
 

@@ -10,7 +10,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from calc.library.fits import (
+from calc.library.tolerances import (
     ALLOWED,
     GRADES,
     HOLES,
@@ -210,7 +210,9 @@ def test_coarse_grades_begin_above_1_mm():
 
 
 def test_fits_are_read_without_numpy():
-    code = "import sys; from calc.library.fits import *; deviations(parse('H7'), .05); print('numpy' in sys.modules)"
+    code = (
+        "import sys; from calc.library.tolerances import *; deviations(parse('H7'), .05); print('numpy' in sys.modules)"
+    )
     assert (
         subprocess.run(
             [sys.executable, "-c", code], capture_output=True, text=True, cwd=ROOT, check=True

@@ -12,9 +12,9 @@ from hypothesis import strategies as st
 from calc.library import contact as hertz
 from calc.library import contact as line
 from calc.library.catalogue import materials, oils
-from calc.library.fits import GRADES, SHAFTS, ToleranceField, clearance_limits, tolerance
 from calc.library.lubricant import Lubricant
 from calc.library.oil_formulas import of_index_0, of_index_100, viscosity_index
+from calc.library.tolerances import GRADES, SHAFTS, ToleranceField, clearance_limits, tolerance
 
 OILS = st.sampled_from(sorted(oils()))
 laws = st.sampled_from(["walther", "d341"])

@@ -10,9 +10,9 @@ import pytest
 
 from calc.locale import language
 from calc.sheet.step import Curve, Series
-from reports.figures.draughtsman import draughtsman
 from reports.figures.plots import ALONE, Job, Plots, plot
 from reports.figures.renderer import Recording
+from reports.report import draughtsman
 from tests.reports.reading import ROOT
 
 X = np.linspace(0.0, 5.0, 60)
@@ -42,7 +42,6 @@ def test_a_figure_is_the_same_whoever_draws_it(lang: str) -> None:
 
 def test_who_draws_is_there_before_anything_is_loaded() -> None:
     code = (
-        "import sys, reports.figures.draughtsman; assert not {'numpy', 'matplotlib', 'reportlab', 'calc.solve'} & "
-        "set(sys.modules)"
+        "import sys, reports.report; assert not {'numpy', 'matplotlib', 'reportlab', 'calc.solve'} & set(sys.modules)"
     )
     subprocess.run([sys.executable, "-c", code], cwd=ROOT, check=True)

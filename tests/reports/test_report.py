@@ -20,9 +20,9 @@ from calc.sheet.step import Outcome
 from calc.sheet.text import Amount, Text
 from calc.sheet.units import Newton
 from calc.sheet.value import Line
+from calc.sheet.version import VERSION
 from calc.solve import Results
 from calc.studies.explain import Chains
-from calc.version import VERSION
 from reports.blocks.words import WORDS
 from reports.context import Context, near
 from reports.report import write

@@ -10,7 +10,7 @@ from typing import Protocol, TypeVar
 
 from ...countershaft.inputs import CountershaftInputs
 from ...countershaft.result import CountershaftResult
-from ...library import fits
+from ...library import tolerances as fits
 from ...library.catalogue import Oil
 from ...library.lubricant import Lubricant
 from ...sheet.check import Check

@@ -8,7 +8,7 @@ over the hole (d²/(32·R) of its depth in the mean), are left out."""
 import math
 from collections.abc import Iterator
 
-from ...library.balance_quality import ISO, grade_number
+from ...library.tolerances import ISO, grade_number
 from ...sheet.arrays import Array, each
 from ...sheet.check import Check, check
 from ...sheet.formula import formula

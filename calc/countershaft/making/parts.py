@@ -21,7 +21,7 @@ from .. import formulas as f
 from ..inputs import CountershaftInputs, EccentricMass
 from ..outline import TOUCH, Piece
 from ..result import CountershaftResult
-from ..task import LEFT_OVER, ShaftTask
+from ..sizing.sectors import LEFT_OVER, ShaftTask
 from . import balance as holes
 from . import balance as tolerance
 from .balance import HolesResult, ToleranceResult

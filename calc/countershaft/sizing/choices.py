@@ -35,10 +35,9 @@ from ...sheet.value import about, untraced
 from ..formulas import asked_product, asked_unbalance, shaft_speed
 from ..inputs import THREADED, CountershaftInputs, Extra
 from ..making.inputs import Alternative
-from ..task import task
 from . import formulas as f
 from .formulas import first_year, radius_needed
-from .sectors import Sized, TooSmall, masses, remainder, size
+from .sectors import Sized, TooSmall, masses, remainder, size, task
 
 # The design's material beside others: what they make of the sectors, of the wall beside the seat, and of the cost.
 

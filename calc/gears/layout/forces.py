@@ -18,8 +18,7 @@ from ...sheet.value import about, trace
 from ..inputs import GearsInputs
 from ..result import MeshResult, TrainResult
 from . import formulas as f
-from .curves import forces_tables
-from .notes import forces_notes
+from .curves import forces_notes, forces_tables
 from .result import ForcesResult, LayoutResult, MeshForces, WheelForces
 
 

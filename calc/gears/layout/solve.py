@@ -13,8 +13,7 @@ from ..backlash.formulas import residual_couple
 from ..inputs import GearsInputs
 from ..result import TrainResult
 from . import formulas as f
-from .curves import layout_curve, tables
-from .notes import errata, notes
+from .curves import errata, layout_curve, notes, tables
 from .phase import Phase, hunting, phase
 from .positions import Placing, place
 from .result import LayoutResult, MeshLayout, WheelLayout

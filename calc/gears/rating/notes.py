@@ -11,8 +11,7 @@ from .classes import classes_of
 from .load import RatingContext, RatingLoad
 from .result import Influence, MeshRating, MeshStrength
 from .screening.load import Screening
-from .screening.scuffing import LOAD_STAGE
-from .screening.solve import PERMISSIBLE_FILM
+from .screening.scuffing import LOAD_STAGE, PERMISSIBLE_FILM
 from .strength import LONGEST, endurance, flank_knees, root_knees
 
 TESTED = Text("modules of 3 to 11 mm and 8 to 60 m/s")

@@ -26,7 +26,7 @@ from .load import REFERENCE_NU, Power, RatingContext, RatingLoad, Surroundings, 
 from .mesh_strength import MeshLoad, mesh_strength
 from .notes import notes
 from .result import MeshRating, RatingResult, WheelStrength
-from .screening.solve import screening
+from .screening.scuffing import screening
 from .strength import contacts_per_turn, load_cycles, loading_of, rim_of
 
 ALONE = Surroundings()

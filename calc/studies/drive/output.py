@@ -9,7 +9,7 @@ from typing import Any
 
 from ...sheet.step import Table
 from ...sheet.text import COMMA, Amount, Name, Text
-from ...version import VERSION
+from ...sheet.version import VERSION
 from .problem import CORE, FITS, LIMITS, TIED, Problem
 from .run import FrontFound, key
 from .whole import Whole

@@ -16,7 +16,7 @@ from ...design.locks import locked
 from ...design.model import Design
 from ...design.other_tables import OBJECTIVES, OptimiseInputs
 from ...design.toml_file import Document, design
-from ...library.fits import problem as fit_problem
+from ...library.tolerances import problem as fit_problem
 from ...sheet.check import Check
 from ...sheet.errors import BadInput, InputError
 from ...sheet.record import record

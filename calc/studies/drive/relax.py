@@ -17,8 +17,8 @@ from ...bearings.selection.states import ROUGHNESSES
 from ...bearings.selection.variants import ENGINE_OIL, FINEST, SUPPLY
 from ...design.model import Design
 from ...design.toml_file import design
-from ...library.fits import parse
 from ...library.lubricant import Lubricant
+from ...library.tolerances import parse
 from ...sheet.errors import BadInput, NoSolution
 from ...sheet.progress import Progress, tell
 from ...sheet.record import record

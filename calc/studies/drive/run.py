@@ -19,13 +19,13 @@ from ...design.disk import write_file
 from ...design.step_inputs import shaft_gear
 from ...design.toml_file import Document, design
 from ...gears.result import TrainResult
-from ...library.fits import parse
+from ...library.tolerances import parse
 from ...sheet.arrays import Array
 from ...sheet.errors import NoSolution
 from ...sheet.record import record
 from ...sheet.text import EMPTY, Text
+from ...sheet.version import VERSION
 from ...solve import Results, solve
-from ...version import VERSION
 from ..spread import spread
 from .classes import ClassFront, NotClosed, class_of, sized
 from .combine import DriveRows, joined

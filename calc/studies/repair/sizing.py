@@ -10,8 +10,7 @@ from dataclasses import replace
 from ...bearings.selection.search import bearing_changes, nearest_row
 from ...countershaft.inputs import CountershaftInputs, EccentricMass
 from ...countershaft.sizing.choices import asked, candidates, changes, choices, envelope
-from ...countershaft.sizing.sectors import TooSmall, remainder
-from ...countershaft.task import ShaftTask, task
+from ...countershaft.sizing.sectors import ShaftTask, TooSmall, remainder, task
 from ...design.locks import locked
 from ...engine.result import EngineResult
 from ...gears.inputs import Wheel

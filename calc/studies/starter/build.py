@@ -19,7 +19,8 @@ from ...sheet.text import EMPTY, Amount, Text
 from ...sheet.units import Metre
 from ...solve import Results, solve
 from . import balancing as which
-from . import journals, shaft, train
+from . import shaft, train
+from . import shaft as journals
 from .writing import Section, mm, table, up, written
 
 # The engine on four mounts at its corners: mass and size by rule of thumb, to be weighed and measured; stiffness for

@@ -20,7 +20,7 @@ from ...sheet.check import worst
 from ...sheet.errors import InputError, NoSolution
 from ...sheet.record import record
 from ...sheet.text import Text
-from ...version import VERSION
+from ...sheet.version import VERSION
 from .inputs import Combination, SweepPlan, Varied
 
 # One design of many, and many of them together as they are kept.

@@ -131,7 +131,7 @@ async def pixels(pilot: Pilot[int], do: Do) -> None:
     pane = await to_curve(pilot)
     written: list[Any] = []
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr("assistant.widgets.pixels.show", lambda curve, how, say: written.append((curve, how)))
+        patch.setattr("assistant.screens.curves.show", lambda curve, how, say: written.append((curve, how)))
         patch.setattr(pilot.app, "suspend", nullcontext)
         patch.setenv("CONTRALBERO_PIXELS", "none")
         await do()

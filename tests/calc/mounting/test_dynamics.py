@@ -7,9 +7,9 @@ import pytest
 
 from calc.mounting import body
 from calc.mounting import modal as aids
+from calc.mounting.body import real_at_rest
 from calc.mounting.inputs import Chassis, Mount, MountingInputs, Support, tensor
 from calc.mounting.modes import eigen, modes, roll_shares, stiffness_matrix
-from calc.mounting.springs import real_at_rest
 from calc.mounting.system import moves, respond, system, transmitted
 
 SKEW = tensor((22.0, 24.0, 13.0), (0.25, -0.35, 1.60))

@@ -6,7 +6,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from calc.mounting import springs
+from calc.mounting import body as springs
 from calc.mounting.inputs import Mobility, Mount
 from calc.mounting.system import respond, system
 from tests.calc.mounting.test_dynamics import SKEW, four

@@ -14,7 +14,7 @@ from calc.gears.rating.curves import screening_curves as curves
 from calc.gears.rating.notes import screening_notes
 from calc.gears.rating.screening import load, scuffing
 from calc.gears.rating.screening.path import Path
-from calc.gears.rating.screening.solve import screening
+from calc.gears.rating.screening.scuffing import screening
 from calc.gears.solve import geometry
 from calc.library.catalogue import materials, oils
 from calc.library.lubricant import Lubricant
