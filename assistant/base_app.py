@@ -34,16 +34,16 @@ class Legible(LineFilter):
     end."""
 
     def apply(self, segments: list[Segment], background: Color) -> list[Segment]:
-        if all(one.control or one.text.isprintable() for one in segments):
+        if all(segment.control or segment.text.isprintable() for segment in segments):
             return segments
-        made, owed = [], 0
-        for one in segments:
-            text = one.text if one.control else visible(one.text)
-            owed += cell_len(text) - cell_len(one.text)
-            if owed and not one.control:
+        printable, owed = [], 0
+        for segment in segments:
+            text = segment.text if segment.control else visible(segment.text)
+            owed += cell_len(text) - cell_len(segment.text)
+            if owed and not segment.control:
                 text, owed = _shortened(text, owed)
-            made.append(Segment(text, one.style, one.control))
-        return Segment.adjust_line_length(made, Segment.get_line_length(segments)) if owed else made
+            printable.append(Segment(text, segment.style, segment.control))
+        return Segment.adjust_line_length(printable, Segment.get_line_length(segments)) if owed else printable
 
 
 def _shortened(text: str, owed: int) -> tuple[str, int]:
@@ -130,6 +130,8 @@ class BaseApp(App[int]):
     def tell(self, text: Text, severity: SeverityLevel = "information") -> None:
         """Show a text for a moment; it is never read as markup."""
         self.forget(text)  # the same text is not shown twice at a time
-        for past in [one for one in self._notifications if one.severity == severity == "information"]:
+        for past in [
+            notification for notification in self._notifications if notification.severity == severity == "information"
+        ]:
             self._unnotify(past)  # what was done before that is no news
         self.notify(self.say(text), severity=severity, markup=False, timeout=10 if severity == "error" else 4)

@@ -43,25 +43,25 @@ class Offer:
         return assignments(self.keys(number))
 
 
-def _engine(made: Design, file: str, progress: Progress | None = None) -> Offer:
+def _engine(design: Design, file: str, progress: Progress | None = None) -> Offer:
     """Firing orders to choose from, ranked by what they leave."""
     from calc.engine import solve as engine
     from calc.imbalance.firing_orders import as_designed, crank_words, firing_orders, orders_table
 
-    assert made.engine is not None and made.imbalance is not None
-    inputs, crank = made.engine, made.imbalance
+    assert design.engine is not None and design.imbalance is not None
+    inputs, crank = design.engine, design.imbalance
     e = engine.values(inputs)
-    found = firing_orders(crank, inputs, e)
+    orders = firing_orders(crank, inputs, e)
 
     def said(number: int) -> Text:
-        one = found[number - 1]
-        order = "-".join(map(str, one.order))
-        return Text("now fires {order} (crank angles {angles}°)", order=order, angles=crank_words(one.crank_angles))
+        choice = orders[number - 1]
+        order = "-".join(map(str, choice.order))
+        return Text("now fires {order} (crank angles {angles}°)", order=order, angles=crank_words(choice.crank_angles))
 
     return Offer(
-        count=len(found),
-        table=lambda top: orders_table(found, top, as_designed(crank, inputs, e), inputs),
-        keys=lambda number: {"engine.firing_order": list(found[number - 1].order), "engine.crank_angles_deg": None},
+        count=len(orders),
+        table=lambda top: orders_table(orders, top, as_designed(crank, inputs, e), inputs),
+        keys=lambda number: {"engine.firing_order": list(orders[number - 1].order), "engine.crank_angles_deg": None},
         said=said,
         hint=Text(
             "`--apply N` writes the N-th order into the design, and the crank angles out of it; `--top N` shows more."
@@ -69,32 +69,34 @@ def _engine(made: Design, file: str, progress: Progress | None = None) -> Offer:
     )
 
 
-def _countershaft(made: Design, file: str, progress: Progress | None = None) -> Offer:
+def _countershaft(design: Design, file: str, progress: Progress | None = None) -> Offer:
     """Counter-shafts to choose from: radii and materials in the envelope of the design, the lightest first."""
     from calc.countershaft.sizing.choices import candidates, changes, choices, choices_table, envelope
     from calc.engine import solve as engine
     from calc.imbalance import solve as imbalance
 
-    assert made.engine is not None and made.imbalance is not None and made.countershaft is not None
-    shaft = made.countershaft
-    room = envelope(shaft, made.bearings, file)
-    materials = candidates(shaft, made.materials, file)
-    e = engine.values(made.engine)
-    found = choices(shaft, imbalance.values(made.imbalance, made.engine, e), e.angular_speed, room, materials, progress)
+    assert design.engine is not None and design.imbalance is not None and design.countershaft is not None
+    shaft = design.countershaft
+    room = envelope(shaft, design.bearings, file)
+    materials = candidates(shaft, design.materials, file)
+    e = engine.values(design.engine)
+    selection = choices(
+        shaft, imbalance.values(design.imbalance, design.engine, e), e.angular_speed, room, materials, progress
+    )
 
     def said(number: int) -> Text:
-        one = found.shafts[number - 1]
+        candidate = selection.shafts[number - 1]
         return Text(
             "now sizes its shaft in {material} within an outer radius of {radius}: {mass}",
-            material=one.material,
-            radius=Amount(one.sized.outer_radius * 1e3, "mm", form="g"),
-            mass=Amount(one.sized.mass, "kg"),
+            material=candidate.material,
+            radius=Amount(candidate.sized.outer_radius * 1e3, "mm", form="g"),
+            mass=Amount(candidate.sized.mass, "kg"),
         )
 
     return Offer(
-        count=len(found.shafts),
-        table=lambda top: choices_table(found, top, room),
-        keys=lambda number: changes(found.shafts[number - 1], room),
+        count=len(selection.shafts),
+        table=lambda top: choices_table(selection, top, room),
+        keys=lambda number: changes(selection.shafts[number - 1], room),
         said=said,
         hint=Text(
             "`--apply N` writes mode, material and envelope of the N-th shaft into the design; `--top N` shows more."
@@ -102,7 +104,7 @@ def _countershaft(made: Design, file: str, progress: Progress | None = None) -> 
     )
 
 
-def _bearings(made: Design, file: str, progress: Progress | None = None) -> Offer:
+def _bearings(design: Design, file: str, progress: Progress | None = None) -> Offer:
     """Bearings to choose from: lengths, clearances, oils and supplies that fit the shaft and keep every rule at the
     worst corner."""
     from calc.bearings.selection.search import bearing_changes, confirmed, search
@@ -119,22 +121,22 @@ def _bearings(made: Design, file: str, progress: Progress | None = None) -> Offe
     from calc.bearings.selection.variants import SUPPLY
     from calc.studies.bearings_case import bearings_case
 
-    assert made.bearings is not None
-    own = made.bearings
-    case = bearings_case(made)
-    found = search(case, progress=progress)
+    assert design.bearings is not None
+    bearings = design.bearings
+    case = bearings_case(design)
+    selection = search(case, progress=progress)
 
     def taken(number: int) -> Changes:
         """Rows that were not solved as whole designs are so now."""
-        row = found.all[number - 1]
-        if number > found.verified:
-            settled = confirmed(case, row, found.slopes[0])
+        row = selection.all[number - 1]
+        if number > selection.verified:
+            settled = confirmed(case, row, selection.slopes[0])
             if settled.row is None:
                 raise NoSolution(Text("row {row} does not pass", row=number), settled.why, Text("take another row"))
-        return bearing_changes(row, own)
+        return bearing_changes(row, bearings)
 
     def written(number: int) -> Text:
-        row = found.all[number - 1]
+        row = selection.all[number - 1]
         words = Text(
             "now has the bearings of row {row} ({change}; {oil}, {supply}): {power}",
             row=number,
@@ -146,23 +148,23 @@ def _bearings(made: Design, file: str, progress: Progress | None = None) -> Offe
         return Text("{row}; its journals are too long for their room", row=words) if any(row.too_long) else words
 
     def beside(top: int) -> tuple[Table, ...]:
-        too_long = beyond_table(found, top)
-        return (*((too_long,) if too_long else ()), neighbours_table(found), pareto_table(found))
+        too_long = beyond_table(selection, top)
+        return (*((too_long,) if too_long else ()), neighbours_table(selection), pareto_table(selection))
 
     return Offer(
-        count=len(found.all),
-        table=lambda top: choices_table(found, top),
+        count=len(selection.all),
+        table=lambda top: choices_table(selection, top),
         keys=taken,
         said=written,
         hint=Text("`--apply N` writes the N-th row, of every table with numbers, into the design."),
         beside=beside,
-        summary=summary(found),
-        notes=notes(found),
-        hidden=lambda top: hidden(found, top),
+        summary=summary(selection),
+        notes=notes(selection),
+        hidden=lambda top: hidden(selection, top),
     )
 
 
-def _gears(made: Design, file: str, progress: Progress | None = None) -> Offer:
+def _gears(design: Design, file: str, progress: Progress | None = None) -> Offer:
     """Profile shifts, tip cuts and the teeth of an idler to choose from, every rule of the teeth kept."""
     from calc.design.step_inputs import shaft_axis
     from calc.gears.selection.idler import idler_table, idlers, passed, written
@@ -181,11 +183,11 @@ def _gears(made: Design, file: str, progress: Progress | None = None) -> Offer:
         wants_table,
     )
 
-    assert made.gears is not None
-    axis = shaft_axis(made)
-    found = search(made.gears, part(progress, 0.0, 0.9), axis)
-    teeth = idlers(made.gears, axis, part(progress, 0.9, 1.0))
-    shifts, others = found.all, [row for rows in teeth for row in passed(rows)]
+    assert design.gears is not None
+    axis = shaft_axis(design)
+    selection = search(design.gears, part(progress, 0.0, 0.9), axis)
+    teeth = idlers(design.gears, axis, part(progress, 0.9, 1.0))
+    shifts, others = selection.all, [row for rows in teeth for row in passed(rows)]
 
     def keys(number: int) -> Changes:
         return changes(shifts[number - 1]) if number <= len(shifts) else others[number - 1 - len(shifts)].changes
@@ -202,58 +204,58 @@ def _gears(made: Design, file: str, progress: Progress | None = None) -> Offer:
         )
 
     def beside(top: int) -> tuple[Table, ...]:
-        first, own = len(shifts) + 1, []
+        first, idler_tables = len(shifts) + 1, []
         for rows in teeth:
-            own.append(idler_table(rows, first, top))
+            idler_tables.append(idler_table(rows, first, top))
             first += len(passed(rows))
         tables = (
-            *own,
-            sliding_table(found, top),
-            wants_table(found),
-            around_table(found),
-            limits_table(found),
-            cuts_now_table(found),
-            cuts_best_table(found, top),
+            *idler_tables,
+            sliding_table(selection, top),
+            wants_table(selection),
+            around_table(selection),
+            limits_table(selection),
+            cuts_now_table(selection),
+            cuts_best_table(selection, top),
         )
-        return tuple(one for one in tables if one is not None)
+        return tuple(table for table in tables if table is not None)
 
     return Offer(
         count=len(shifts) + len(others),
-        table=lambda top: choices_table(found, top),
+        table=lambda top: choices_table(selection, top),
         keys=keys,
         said=said,
         hint=Text("`--apply N` writes the N-th row, of every table with numbers, into the design."),
         beside=beside,
-        summary=summary(found),
-        notes=notes(found),
+        summary=summary(selection),
+        notes=notes(selection),
     )
 
 
-def _mounting(made: Design, file: str, progress: Progress | None = None) -> Offer:
+def _mounting(design: Design, file: str, progress: Progress | None = None) -> Offer:
     """Mounts to choose from: stiffness, shear ratio and inclination of front and rear, the purest modes first."""
     from calc.mounting.result import MountingResult
     from calc.mounting.selection import changes, choices, table
     from calc.solve import solve
 
-    assert made.mounting is not None
-    mounting, results = made.mounting, solve(made)
+    assert design.mounting is not None
+    mounting, results = design.mounting, solve(design)
     result = results.result(MountingResult)
     if result is None:
         raise NoSolution(Text("mounts can be chosen once the step is solved"), results.outcomes["mounting"].reason)
-    room, found = choices(mounting, result, progress)
+    room, ranked = choices(mounting, result, progress)
 
     def said(number: int) -> Text:
-        one = found[number - 1]
+        choice = ranked[number - 1]
         return Text(
             "now has mounts whose purest mode keeps {most} and whose most mixed keeps {least} of its energy",
-            most=Amount(100 * float(one.energies.max()), "%", digits=3),
-            least=Amount(100 * float(one.energies.min()), "%", digits=3),
+            most=Amount(100 * float(choice.energies.max()), "%", digits=3),
+            least=Amount(100 * float(choice.energies.min()), "%", digits=3),
         )
 
     return Offer(
-        count=len(found),
-        table=lambda top: table(found, room, top),
-        keys=lambda number: changes(found[number - 1], mounting, room),
+        count=len(ranked),
+        table=lambda top: table(ranked, room, top),
+        keys=lambda number: changes(ranked[number - 1], mounting, room),
         said=said,
         hint=Text("`--apply N` writes stiffness and inclination of every mount into the design; `--top N` shows more."),
     )

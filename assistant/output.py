@@ -150,11 +150,11 @@ def _kept(error: BaseException) -> Path | None:
 
 
 def _folders() -> list[Path]:
-    found = []
+    folders = []
     with suppress(Exception):  # it may be that which is at fault
         from .session.recovery import state_dir
 
-        found.append(state_dir() / "faults")
+        folders.append(state_dir() / "faults")
     with suppress(OSError):
-        found.append(Path(tempfile.gettempdir()))
-    return found
+        folders.append(Path(tempfile.gettempdir()))
+    return folders

@@ -52,8 +52,8 @@ def finding_lines(checks: Sequence[Check], everything: bool = False, odd: Sequen
     """All that is open, and what the user accepted; `odd`: inputs that are not usual, which stand before what are
     notes."""
     groups = [[check for check in group if check.open] for group in grouped(checks)]
-    found = [group for group in groups if group]
-    for group in found:
+    open_groups = [group for group in groups if group]
+    for group in open_groups:
         if everything:
             for check in group:
                 yield from _finding(check)
@@ -63,8 +63,8 @@ def finding_lines(checks: Sequence[Check], everything: bool = False, odd: Sequen
                 yield from _wrapped_finding(with_it(group[1:]))
     yield from _unusual(odd, len(odd) if everything else SHOWN)
     if not everything:
-        yield from _counts("advice", [group for group in found if group[0].kind == "advice"])
-        yield from _counts("method", [group for group in found if group[0].kind == "method"])
+        yield from _counts("advice", [group for group in open_groups if group[0].kind == "advice"])
+        yield from _counts("method", [group for group in open_groups if group[0].kind == "method"])
         yield from _outside(checks)
     for check in checks:
         if check.verdict == "accepted":
@@ -99,32 +99,32 @@ def _counts(kind: str, groups: Sequence[Sequence[Check]]) -> Iterator[str]:
         return
     checks = [check for group in groups for check in group]
     worst = named([min(checks, key=lambda check: (check.margin == check.margin, check.margin))])
-    one, many = {
+    single, many = {
         "advice": ("{n} piece of advice: {worst}", "{n} pieces of advice; the furthest: {worst}"),
         "method": ("{n} note on the calculation: {worst}", "{n} notes on the calculation; the furthest: {worst}"),
     }[kind]
-    yield from _wrapped_finding(plural(one, many, n=len(checks), worst=worst), f"{sign('note')}  ")
+    yield from _wrapped_finding(plural(single, many, n=len(checks), worst=worst), f"{sign('note')}  ")
 
 
 def _outside(checks: Sequence[Check]) -> Iterator[str]:
     """How many checks hold by a formula outside its validity, and what puts them there: of each kind the furthest."""
     methods = stretched(checks)
-    beyond = [found for check in checks if check.verdict == "pass" and (found := outside(check, methods))]
+    beyond = [causes for check in checks if check.verdict == "pass" and (causes := outside(check, methods))]
     if beyond:
         furthest: dict[str, Check] = {}
-        for method in sorted((one for found in beyond for one in found), key=severity):
+        for method in sorted((cause for group in beyond for cause in group), key=severity):
             furthest.setdefault(pattern_of(method.id), method)
-        one = "{n} check holds by a formula outside its validity: {methods}"
+        single = "{n} check holds by a formula outside its validity: {methods}"
         many = "{n} checks hold by formulas outside their validity: {methods}"
-        told = plural(one, many, n=len(beyond), methods=named([*furthest.values()]))
-        yield from _wrapped_finding(told, f"{sign('note')}  ")
+        sentence = plural(single, many, n=len(beyond), methods=named([*furthest.values()]))
+        yield from _wrapped_finding(sentence, f"{sign('note')}  ")
 
 
 def _unusual(odd: Sequence[Unusual], most: int) -> Iterator[str]:
     """The inputs outside what is usual, and their keys below."""
     if odd:
         yield from _wrapped_finding(told(odd, most), f"{sign('note')}  ")
-        yield from _wrapped_finding(" · ".join(one.key for one in odd[:most]))
+        yield from _wrapped_finding(" · ".join(oddity.key for oddity in odd[:most]))
 
 
 def lost_acceptances(results: Results) -> Iterator[str]:
@@ -258,11 +258,11 @@ def _wrapped(words: str, width: int, **how: bool) -> list[str]:
 
 def _row(cells: list[list[str]], widths: list[int], right: list[bool]) -> list[str]:
     """Cells beside each other, in as many lines as the tallest has; some stand to the right of their column."""
-    made = []
+    lines = []
     for n in range(max(map(len, cells), default=0)):
         parts = [cell[n] if n < len(cell) else "" for cell in cells]
-        made.append("  ".join(p.rjust(w) if r else p.ljust(w) for p, w, r in zip(parts, widths, right)).rstrip())
-    return made
+        lines.append("  ".join(p.rjust(w) if r else p.ljust(w) for p, w, r in zip(parts, widths, right)).rstrip())
+    return lines
 
 
 def check_line(check: Check, verdict: str) -> str:
@@ -278,18 +278,18 @@ def print_summary(results: Results, step: str | None = None, everything: bool = 
     """
     shown = {key: outcome for key, outcome in results.outcomes.items() if step in (None, key)}
     checks = [check for outcome in shown.values() for check in outcome.checks]
-    found = [*finding_lines(checks, everything, unusual(results.design, shown)), *lost_acceptances(results)]
-    for line in [*found, ""] if found else []:
+    findings = [*finding_lines(checks, everything, unusual(results.design, shown)), *lost_acceptances(results)]
+    for line in [*findings, ""] if findings else []:
         print(line)
     for key, outcome in shown.items():
         if key in OPTIONAL and outcome.state == "not_asked":
             continue
         values = {value.id: value for value in outcome.values(frozenset(HEADS[key].headlines))}
         heads = HEADS[key].heads(values)[:2]
-        said = str(outcome.reason) or " · ".join(
+        words = str(outcome.reason) or " · ".join(
             f"{head.id} {short(head.shown)} {head.unit}".rstrip() for head in heads
         )
-        first, *rest = _wrapped(said, LINE - 30) or [""]
+        first, *rest = _wrapped(words, LINE - 30) or [""]
         print(
             f"{TITLES[key]:<14} {sign(outcome.verdict):<14} {first}".rstrip(),
             *(" " * 30 + line for line in rest),
@@ -335,8 +335,8 @@ def results_json(
         "proposals": {o.key: list(o.proposals) for o in shown if o.proposals},
         "notes": {o.key: list(o.notes) for o in shown if o.notes},
         "unusual": [
-            {"key": one.key, "value": one.number, "usual": list(one.usual), "unit": one.about.unit}
-            for one in unusual(results.design, [o.key for o in shown])
+            {"key": oddity.key, "value": oddity.number, "usual": list(oddity.usual), "unit": oddity.about.unit}
+            for oddity in unusual(results.design, [o.key for o in shown])
         ],
         "reasons": {o.key: o.reason for o in shown if o.reason},
     }
@@ -360,14 +360,15 @@ def check_json(check: Check, beyond: Sequence[Check] = (), moved: "Sequence[Effe
         "margin": finite(check.margin),
         "utilisation": finite(check.utilisation),
         "verdict": check.verdict,
-        "outside": [one.id for one in beyond],
+        "outside": [method.id for method in beyond],
         "source": check.source,
         "advice": check.advice,
         "judges": check.value_id,
         "against": check.limit_id,
         "moved_by": [{"key": e.key, "slope": e.slope, "gain": e.gain, "unit": e.unit} for e in measured],
         "remedies": [
-            {"changes": dict(one.changes), "effect": one.effect, "words": one.words} for one in check.remedies
+            {"changes": dict(remedy.changes), "effect": remedy.effect, "words": remedy.words}
+            for remedy in check.remedies
         ],
         "missing": list(check.missing),
         "accepted": check.accepted,

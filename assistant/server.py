@@ -88,9 +88,11 @@ class Session(AppService):
 
     async def _open_app_process(self, width: int = 80, height: int = 24) -> Process:
         environment = self._build_environment(width=width, height=height)
-        made = await asyncio.create_subprocess_exec(*self.words, stdin=PIPE, stdout=PIPE, stderr=PIPE, env=environment)
-        self._process, self._stdin = made, made.stdin
-        return made
+        process = await asyncio.create_subprocess_exec(
+            *self.words, stdin=PIPE, stdout=PIPE, stderr=PIPE, env=environment
+        )
+        self._process, self._stdin = process, process.stdin
+        return process
 
     async def run(self) -> None:
         """Until it ends, and its tab with it."""
@@ -205,11 +207,11 @@ class Local(Server):
             await socket.prepare(request)
             await session.start(*_size(*(_number(request.query.get(key, "")) for key in ("width", "height"))))
             async for message in socket:
-                told = _told(message)
-                if told[:1] == ["ping"] and len(told) == 2 and isinstance(told[1], str):
-                    await socket.send_json(["pong", told[1][:100]])
+                decoded = _told(message)
+                if decoded[:1] == ["ping"] and len(decoded) == 2 and isinstance(decoded[1], str):
+                    await socket.send_json(["pong", decoded[1][:100]])
                 else:
-                    await asyncio.wait_for(session.take(told), ENDING)
+                    await asyncio.wait_for(session.take(decoded), ENDING)
         except asyncio.CancelledError:
             await socket.close()
         except (ConnectionError, TimeoutError):
@@ -245,10 +247,10 @@ def _told(message: Any) -> list[Any]:
     if message.type is not WSMsgType.TEXT:
         return []
     try:
-        found = json.loads(message.data)
+        decoded = json.loads(message.data)
     except (ValueError, RecursionError):
         return []
-    return found if isinstance(found, list) else []
+    return decoded if isinstance(decoded, list) else []
 
 
 def _number(digits: str) -> int:

@@ -123,7 +123,7 @@ def solve(
     """
     kept = before.parts if before is not None and before.recorded >= traced else {}
     part = Parts(TITLES, kept, stop=stop, enough=enough)
-    told = (
+    earlier = (
         [] if before is None or traced else [before] if before.recorded else list(before._told)
     )  # of what is recorded: no chain
     with seldom_collected(), recorded(traced):
@@ -131,10 +131,11 @@ def solve(
             outcomes = steps(part, design, compared)
         except Enough:
             outcomes = part.last
-    results = Results(design, outcomes, part.kept, traced, told)
+    results = Results(design, outcomes, part.kept, traced, earlier)
     if not traced:
         outcomes |= {
-            key: replace(outcome, lines=Later(partial(_lines, design, told, key))) for key, outcome in outcomes.items()
+            key: replace(outcome, lines=Later(partial(_lines, design, earlier, key)))
+            for key, outcome in outcomes.items()
         }
     if design.measured:
         bare = replace(results, outcomes=dict(outcomes))  # does not lead back to the outcomes that ask it
@@ -142,12 +143,12 @@ def solve(
     return results
 
 
-def _traced(design: Design, told: list[Results], stop: Callable[[], bool] = bool) -> Results:
+def _traced(design: Design, earlier: list[Results], stop: Callable[[], bool] = bool) -> Results:
     """The design with its lines.  `told`: the same from before, or an earlier version of it, which this takes the place
     of."""
-    if not told or told[0].design is not design:
-        told[:] = [solve(design, told[0] if told else None, stop, traced=True)]
-    return told[0]
+    if not earlier or earlier[0].design is not design:
+        earlier[:] = [solve(design, earlier[0] if earlier else None, stop, traced=True)]
+    return earlier[0]
 
 
 def _lines(design: Design, told: list[Results], key: str) -> Many[Line]:
@@ -287,31 +288,31 @@ def _gear_curves(train: TrainResult) -> tuple[Curve, ...]:
 
 
 def _placed(
-    part: Parts, g: Outcome[TrainResult], own: GearsInputs, design: Design, c: Outcome[CountershaftResult]
+    part: Parts, g: Outcome[TrainResult], inputs: GearsInputs, design: Design, c: Outcome[CountershaftResult]
 ) -> Outcome[TrainResult]:
     """A train whose geometry is known: its masses, its backlash and its place.  What finds no solution fails, the rest
     stays."""
-    g = part("gears", with_masses, g, own, design.materials)
-    played = part("gears", gears.with_play, g, own, design.materials, h.housing(design))
+    g = part("gears", with_masses, g, inputs, design.materials)
+    played = part("gears", gears.with_play, g, inputs, design.materials, h.housing(design))
     g = played if played.state == "solved" else gears.without(g, gears.BACKLASH, played.reason)
-    placed = part("gears", gears.with_layout, g, own, h.shaft_in_train(design, c))
+    placed = part("gears", gears.with_layout, g, inputs, h.shaft_in_train(design, c))
     return placed if placed.state == "solved" else gears.without(g, gears.LAYOUT, placed.reason)
 
 
 def _rated(
     part: Parts,
     g: Outcome[TrainResult],
-    own: GearsInputs,
+    inputs: GearsInputs,
     design: Design,
     e: Outcome[EngineResult],
     c: Outcome[CountershaftResult],
     f: Outcome[FrictionResult],
 ) -> Outcome[TrainResult]:
     """Its rating and its forces, once the closed balance has the power of every mesh."""
-    power = h.power(own, f)
+    power = h.power(inputs, f)
     if power is None:
         return gears.not_rated(g, h.not_rated(f))
-    rated = part("gears", gears.rating, own, g.solution, power, design.materials, h.around_gears(design, e, c))
+    rated = part("gears", gears.rating, inputs, g.solution, power, design.materials, h.around_gears(design, e, c))
     if rated.state != "solved":
         return gears.without(g, gears.RATING, rated.reason)
-    return gears.with_forces(gears.merge(g, rated), own)
+    return gears.with_forces(gears.merge(g, rated), inputs)

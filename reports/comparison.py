@@ -50,15 +50,17 @@ Side = tuple[Document, Results]
 
 
 def write(
-    a: Side, b: Side, found: Comparison, names: Names, path: Path, *, lang: str = "en", everything: bool = False
+    a: Side, b: Side, comparison: Comparison, names: Names, path: Path, *, lang: str = "en", everything: bool = False
 ) -> Path:
     """Write the report of a comparison to `path`; both design files are attached to it.  `names`: the two designs in
     the columns."""
-    made = render(a, b, found, names, lang=lang, everything=everything)
-    return write_file(path, made, inputs=[document.place for document, _ in (a, b)])
+    report = render(a, b, comparison, names, lang=lang, everything=everything)
+    return write_file(path, report, inputs=[document.place for document, _ in (a, b)])
 
 
-def render(a: Side, b: Side, found: Comparison, names: Names, *, lang: str = "en", everything: bool = False) -> bytes:
+def render(
+    a: Side, b: Side, comparison: Comparison, names: Names, *, lang: str = "en", everything: bool = False
+) -> bytes:
     """The report as the bytes of a PDF: the same designs give the same bytes.
 
     `everything`: after the conclusion and the inputs also the verdicts of the steps, and every check and value that
@@ -67,19 +69,21 @@ def render(a: Side, b: Side, found: Comparison, names: Names, *, lang: str = "en
         widths(face)
     (first, before), (second, after) = a, b
     context = Context(first, before, "", "engineer", language(lang))
-    made = _title(context, (a, b), names)
-    if found.equal:
-        made += paragraph(context.words["equal"], BODY, gap=8.0)
+    blocks = _title(context, (a, b), names)
+    if comparison.equal:
+        blocks += paragraph(context.words["equal"], BODY, gap=8.0)
     else:
-        made += _conclusion(context, found, names)
+        blocks += _conclusion(context, comparison, names)
         measured = compared_table((before.design, before.predicted), (after.design, after.predicted), names)
-        made += table_blocks(context, [in_language(measured, context.say)]) if measured is not None else []
-        made += _section(context, "inputs", [replace(input_table(found.inputs, names, ids=False), title=EMPTY)])
-        made += _details(context, found, names) if everything else paragraph(_more(context, found), NOTE, gap=8.0)
+        blocks += table_blocks(context, [in_language(measured, context.say)]) if measured is not None else []
+        blocks += _section(context, "inputs", [replace(input_table(comparison.inputs, names, ids=False), title=EMPTY)])
+        blocks += (
+            _details(context, comparison, names) if everything else paragraph(_more(context, comparison), NOTE, gap=8.0)
+        )
     w, title, control = context.words, f"{names[0]} – {names[1]}", after.design.control
     solved = attach.pair_bytes(names, (before, after))
     files = {name: (document.raw, w["file"]) for name, document in zip(attach.PAIR, (first, second))}
-    said = dict(
+    provenance = dict(
         depth=DEPTHS[everything],
         lang=lang,
         sha256=first.sha256,
@@ -87,22 +91,22 @@ def render(a: Side, b: Side, found: Comparison, names: Names, *, lang: str = "en
         results=hashlib.sha256(solved).hexdigest(),
     )
     return bind(
-        paginate(made),
+        paginate(blocks),
         files | {attach.RESULTS: (solved, w["solved"])},
         title=title,
         author=control.signatures()[0][1].name,
         revision=control.revision,
         kind="comparison",
-        said=said,
+        said=provenance,
         words=w,
     )
 
 
 def _title(context: Context, sides: tuple[Side, Side], names: Names) -> list[Block]:
     w = context.words
-    made = [lines_block([text_box(w["comparison"], BODY.size, colour=GREY)], 11.0, keep=True)]
-    made += [lines_block(lines(f"{names[0]} – {names[1]}", TITLE, WIDTH, 3), TITLE.leading, keep=True)]
-    made[-1] = replace(made[-1], anchor="summary", outline=(0, w["summary"]), tag=title_tag(TITLE.size))
+    blocks = [lines_block([text_box(w["comparison"], BODY.size, colour=GREY)], 11.0, keep=True)]
+    blocks += [lines_block(lines(f"{names[0]} – {names[1]}", TITLE, WIDTH, 3), TITLE.leading, keep=True)]
+    blocks[-1] = replace(blocks[-1], anchor="summary", outline=(0, w["summary"]), tag=title_tag(TITLE.size))
     rows = [
         (
             name,
@@ -114,20 +118,22 @@ def _title(context: Context, sides: tuple[Side, Side], names: Names) -> list[Blo
         for name, (d, r) in zip(names, sides)
     ]
     columns = ((EMPTY, ""), *((Name(w[key]), "") for key in ("design", "revision", "verdict", "file")))
-    made += table_blocks(context, [Table("designs", EMPTY, columns, tuple(rows))])
-    return made + paragraph(w["attached_pair"], NOTE, gap=2.0)
+    blocks += table_blocks(context, [Table("designs", EMPTY, columns, tuple(rows))])
+    return blocks + paragraph(w["attached_pair"], NOTE, gap=2.0)
 
 
-def _conclusion(context: Context, found: Comparison, names: Names) -> list[Block]:
+def _conclusion(context: Context, comparison: Comparison, names: Names) -> list[Block]:
     """What the comparison comes to: in sentences, then what moved and the key results."""
     sign = _signs(context)
-    said = sentences(found, names, sign)
-    made = [block for n, text in enumerate(said) for block in bullet(context.say(text), gap=8.0 if n == 0 else 1.5)]
-    tables = (moved_table(found, names, sign, MOVED), result_table(found, names))
+    conclusion = sentences(comparison, names, sign)
+    blocks = [
+        block for n, text in enumerate(conclusion) for block in bullet(context.say(text), gap=8.0 if n == 0 else 1.5)
+    ]
+    tables = (moved_table(comparison, names, sign, MOVED), result_table(comparison, names))
     alone = [
         block for table in tables if not table.rows and table.note for block in bullet(context.say(table.note), gap=1.5)
     ]
-    return made + alone + table_blocks(context, [in_language(table, context.say) for table in tables if table.rows])
+    return blocks + alone + table_blocks(context, [in_language(table, context.say) for table in tables if table.rows])
 
 
 def _signs(context: Context) -> Sign:
@@ -145,31 +151,31 @@ def _section(context: Context, key: str, tables: list[Table]) -> list[Block]:
     )
 
 
-def _more(context: Context, found: Comparison) -> str:
+def _more(context: Context, comparison: Comparison) -> str:
     """What is not shown."""
-    checks = plural("{n} check", "{n} checks", n=len(found.checks))
-    values = plural("{n} value", "{n} values", n=len(found.values))
+    checks = plural("{n} check", "{n} checks", n=len(comparison.checks))
+    values = plural("{n} value", "{n} values", n=len(comparison.values))
     return context.text("more_differ", checks=checks, values=values)
 
 
-def _details(context: Context, found: Comparison, names: Names) -> list[Block]:
+def _details(context: Context, comparison: Comparison, names: Names) -> list[Block]:
     """The verdicts of the steps, and every check and value that differs."""
     sign = _signs(context)
     values = []
     for step in STEPS:
-        of_step = [d for d in found.values if d.step == step.key and d.both]
+        of_step = [d for d in comparison.values if d.step == step.key and d.both]
         values.append(value_table(step.key, step.title, of_step, names, ids=False))
-    made = _section(context, "verdicts", [replace(verdict_table(found, names, sign), title=EMPTY)])
-    made += _section(
+    blocks = _section(context, "verdicts", [replace(verdict_table(comparison, names, sign), title=EMPTY)])
+    blocks += _section(
         context,
         "checks",
         [
-            replace(check_table(found.checks_moved, names, sign, ids=False), title=WORDS["moved"]),
-            replace(check_table(found.checks_lone, names, sign, ids=False), title=WORDS["lone"]),
-            replace(check_table(found.checks_kept, names, sign, ids=False), title=WORDS["kept"]),
+            replace(check_table(comparison.checks_moved, names, sign, ids=False), title=WORDS["moved"]),
+            replace(check_table(comparison.checks_lone, names, sign, ids=False), title=WORDS["lone"]),
+            replace(check_table(comparison.checks_kept, names, sign, ids=False), title=WORDS["kept"]),
         ],
     )
-    made += _section(context, "results", values)
-    if lone := sum(not d.both for d in found.values) + sum(not d.both for d in found.checks):
-        made += paragraph(context.text("lone_values", n=lone), NOTE, gap=6.0)
-    return made
+    blocks += _section(context, "results", values)
+    if lone := sum(not d.both for d in comparison.values) + sum(not d.both for d in comparison.checks):
+        blocks += paragraph(context.text("lone_values", n=lone), NOTE, gap=6.0)
+    return blocks

@@ -142,22 +142,22 @@ class Origins:
 
 def _came_from(line: Line, index: Index | None) -> tuple[list[Element], list[str]]:
     shape = getattr(line.value, "shape", ()) if index else ()
-    found: dict[Line, Index | None] = {}
+    elements: dict[Line, Index | None] = {}
     inputs: dict[str, None] = {}
     for argument in line.arguments.values():
-        own: Any = argument
+        number: Any = argument
         link = link_of(argument)
         if index and getattr(argument, "shape", ()) == shape:
-            own, link = own[index], _part(own, index) or link
+            number, link = number[index], _part(number, index) or link
         sources = leaves(link)
         entering = [leaf for leaf in sources if isinstance(leaf, Line)]
         if len(entering) > 1:
-            entering = [leaf for leaf in entering if _holds(leaf, own)] or entering
+            entering = [leaf for leaf in entering if _holds(leaf, number)] or entering
         for leaf in entering:
-            if leaf not in found:
-                found[leaf] = _index(leaf, own, index)
+            if leaf not in elements:
+                elements[leaf] = _index(leaf, number, index)
         inputs |= dict.fromkeys(leaf for leaf in sources if isinstance(leaf, str))
-    return list(found.items()), list(inputs)
+    return list(elements.items()), list(inputs)
 
 
 def _part(array: Any, index: Index) -> Link | None:
@@ -166,27 +166,27 @@ def _part(array: Any, index: Index) -> Link | None:
     return parts[index[0]] if parts else None
 
 
-def _holds(line: Line, own: Any) -> bool:
+def _holds(line: Line, number: Any) -> bool:
     """Whether a line gives this number, alone or among others."""
     value = line.value
-    if getattr(own, "ndim", 0) or not isinstance(own, (int, float, complex)):
+    if getattr(number, "ndim", 0) or not isinstance(number, (int, float, complex)):
         return False
-    return value == own if not isinstance(value, np.ndarray) else own in value
+    return value == number if not isinstance(value, np.ndarray) else number in value
 
 
-def _index(line: Line, own: Any, index: Index | None) -> Index | None:
+def _index(line: Line, number: Any, index: Index | None) -> Index | None:
     """The element of a line that is this number: the one at the same place, else the first that is equal."""
     value = line.value
     if (
         not isinstance(value, np.ndarray)
         or value.size < 2
-        or np.ndim(own)
-        or not isinstance(own, (int, float, complex))
+        or np.ndim(number)
+        or not isinstance(number, (int, float, complex))
     ):
         return None
-    if index and len(index) == value.ndim and all(i < n for i, n in zip(index, value.shape)) and value[index] == own:
+    if index and len(index) == value.ndim and all(i < n for i, n in zip(index, value.shape)) and value[index] == number:
         return index
-    equal = np.argwhere(value == own)
+    equal = np.argwhere(value == number)
     return tuple(equal[0].tolist()) if len(equal) else None
 
 
@@ -229,8 +229,8 @@ class Context:
 
     def text(self, key: str, /, n: float | None = None, **parts: Part) -> str:
         """A sentence of the report with its parts, in its language; `n`: the count of one that depends on it."""
-        template, one = WORDS[key].template, WORDS[key].one
-        return self.say(Text(template, **parts) if n is None else plural(one, template, n=n, **parts))
+        template, singular = WORDS[key].template, WORDS[key].one
+        return self.say(Text(template, **parts) if n is None else plural(singular, template, n=n, **parts))
 
     def written(self, value: float, unit: str = "") -> str:
         """A number as the report's language writes it, with its unit."""
@@ -302,7 +302,7 @@ class Context:
 def _main_curves(outcome: Outcome[object]) -> list[Curve]:
     """The curves of a step that a short report has.  All of them are made only where one of these is not a key curve:
     some take long."""
-    found: list[Curve] = []
+    chosen: list[Curve] = []
     for pattern in CURVES.get(outcome.key, ()):
         first = next(
             (
@@ -313,8 +313,8 @@ def _main_curves(outcome: Outcome[object]) -> list[Curve]:
             ),
             None,
         )
-        found += [first] if first is not None else []
-    return found
+        chosen += [first] if first is not None else []
+    return chosen
 
 
 def near(check: Check) -> bool:

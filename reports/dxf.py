@@ -165,11 +165,11 @@ def _words(space: "BaseLayout", words: Words) -> None:
 
 def _hatch(space: "BaseLayout", hatch: Hatch) -> None:
     """As a hatch of the program that opens the file, its lines where the report has them."""
-    made = space.add_hatch(dxfattribs={"layer": hatch.layer})
+    entity = space.add_hatch(dxfattribs={"layer": hatch.layer})
     apart = mm(hatch.spacing) * DIAGONAL
-    made.set_pattern_fill("ANSI31", color=256, definition=[[45.0, (0.0, 0.0), (-apart, apart), []]])
+    entity.set_pattern_fill("ANSI31", color=256, definition=[[45.0, (0.0, 0.0), (-apart, apart), []]])
     for outline in hatch.outlines:
-        made.paths.add_polyline_path([_at(point) for point in outline], is_closed=True)
+        entity.paths.add_polyline_path([_at(point) for point in outline], is_closed=True)
 
 
 def _dimension(document: "Drawing", space: "BaseLayout", dimension: Dimension) -> None:

@@ -109,8 +109,8 @@ def write(
     a depth or a language that there is not.  `progress` is told every section and every page; what it raises ends the
     writing, and no file is left. `draws`: who draws its figures, and may have begun to get ready before the design was
     solved."""
-    made = render(document, results, raw, depth=depth, lang=lang, front=front, progress=progress, draws=draws)
-    path = write_file(path, made, inputs=inputs_of(document, results))
+    report = render(document, results, raw, depth=depth, lang=lang, front=front, progress=progress, draws=draws)
+    path = write_file(path, report, inputs=inputs_of(document, results))
     tell(progress, 1.0, path.name)
     return path
 
@@ -186,9 +186,9 @@ def blocks(context: Context, progress: Progress | None = None, draws: Draughtsma
     """Everything that the report holds, in its order."""
     if context.depth == "engineer" and context.original is not None:
         for key, original in context.original.outcomes.items():
-            told = context.results.outcomes[key].key_curves
-            if isinstance(original.key_curves, Later) and isinstance(told, Later):
-                told.meanwhile()
+            curves = context.results.outcomes[key].key_curves
+            if isinstance(original.key_curves, Later) and isinstance(curves, Later):
+                curves.meanwhile()
     nearest = aside(partial(mended, context))
     if context.depth == "summary":
         summary = summary_blocks(context)
@@ -196,7 +196,7 @@ def blocks(context: Context, progress: Progress | None = None, draws: Draughtsma
     entries: list[ContentsEntry] = []
     body: list[Block] = []
     draws, plots = draws or draughtsman(), Plots(context.say)
-    steps = [one for one in context.steps() if context.audit or one[2].state != "not_asked"]
+    steps = [numbered for numbered in context.steps() if context.audit or numbered[2].state != "not_asked"]
     pictures = [_pictures(context, step, outcome, plots) for _, step, outcome in steps]
     if context.drive is not None:
         from .blocks.drawing import drive_blocks, front_figure  # of one design in a hundred
@@ -275,14 +275,14 @@ def _step(
     w = context.words
     asked = outcome.state != "not_asked"
     title, context.chapter = context.say(step.title), step.key
-    made = _section(f"{number}  {title}", step_anchor(step.key), entries, need=NEED if asked else 0.0)
+    chapter = _section(f"{number}  {title}", step_anchor(step.key), entries, need=NEED if asked else 0.0)
     reasons = {
         "not_asked": context.text("not_asked_text", key=step.key),
         "blocked": context.text("blocked_text", reason=outcome.reason),
         "no_solution": context.text("no_solution_text", reason=outcome.reason),
     }
     if outcome.state in reasons:
-        made += paragraph(f"{verdict(w, outcome.state)}: {reasons[outcome.state]}", BODY, gap=2.0)
+        chapter += paragraph(f"{verdict(w, outcome.state)}: {reasons[outcome.state]}", BODY, gap=2.0)
     for source in dict.fromkeys(line.formula.source for line in outcome.lines):
         context.cite(source, step, stands=False)
     original = (context.original or context.results).outcomes[step.key]
@@ -296,20 +296,20 @@ def _step(
     if context.audit:
         parts = _everything(context, step, outcome, sketch + figures)
     else:
-        made += sketch
+        chapter += sketch
         parts = chapter_parts(context, number, step, outcome, figures)
     for n, (key, make) in enumerate(parts):
         tell(progress, n / len(parts), f"{title}: {w[key]}")
         if section := make():
             anchor = f"{step.key}-{key}"
             if section[0].floats:  # a figure says what it is, and need not stand where it is spoken of
-                made += [replace(section[0], anchor=anchor, outline=(1, w[key])), *section[1:]]
+                chapter += [replace(section[0], anchor=anchor, outline=(1, w[key])), *section[1:]]
             else:
-                made += heading(w[key], SECTION, gap=8.5, after=1.0, anchor=anchor, outline=1)
-                made += section
+                chapter += heading(w[key], SECTION, gap=8.5, after=1.0, anchor=anchor, outline=1)
+                chapter += section
             if key in (LISTED if context.audit else CHAPTERS):
                 entries[-1].parts[w[key]] = anchor
-    return made
+    return chapter
 
 
 def _everything(context: Context, step: Step, outcome: Outcome[object], figures: list[Block]) -> Parts:

@@ -40,8 +40,8 @@ def run_check(asked: Namespace) -> int:
             "contralbero check",
             [InputError(0, "", "", Text("needs a design; usage: contralbero check FILE [--set KEY=VALUE …]"))],
         )
-    document, made = changed(read(file), changes)
-    results = solve(made)
+    document, changed_design = changed(read(file), changes)
+    results = solve(changed_design)
     verdict = exit_code(results.outcomes.values() if asked.step is None else [results.outcomes[asked.step]])
     if asked.json:
         import json
@@ -54,7 +54,10 @@ def run_check(asked: Namespace) -> int:
     else:
         print_results(results, asked.step, everything=not asked.short, findings=asked.all)
         if asked.step is None and not asked.all:
-            print(f"\nall values, tables and checks: --all, or --step {'|'.join(step.key for step in made.asked())}")
+            print(
+                f"\nall values, tables and checks: --all, or --step "
+                f"{'|'.join(step.key for step in changed_design.asked())}"
+            )
         sys.stdout.flush()  # the verdicts are there before the search ends
         if verdict:
             print("\n" + "\n".join(nearest_passing(document, results, file, changes, asked.step, short=asked.short)))
@@ -82,23 +85,25 @@ def nearest_passing(
     from calc.studies.repair.state import warned
 
     try:
-        found = nearest(document, results, progress=at_most(SEARCH_SECONDS), only=step, tries=TRIES)
+        repair = nearest(document, results, progress=at_most(SEARCH_SECONDS), only=step, tries=TRIES)
     except Cancelled:
         return [
             Text("no passing design found in {seconds} s; --step STEP looks for one step alone", seconds=SEARCH_SECONDS)
         ]
-    kept = {change.partition("=")[0] for change in found.changes}
-    all_changes = [*(change for change in changes if change.partition("=")[0].strip() not in kept), *found.changes]
+    kept = {change.partition("=")[0] for change in repair.changes}
+    all_changes = [*(change for change in changes if change.partition("=")[0].strip() not in kept), *repair.changes]
     kept_as = [f"kept as locked: {key} ({reason})" for key, reason in standing(document.data).items()]
     asked = ["--step", step] if step is not None else []
     command = shlex.join(["contralbero", "check", file, "--set", *all_changes, *asked, *(["--short"] if short else [])])
-    if not found.left:
-        warnings = [one for one in warned(results, found.results) if step is None or one.id.startswith(f"{step}.")]
+    if not repair.left:
+        warnings = [
+            warning for warning in warned(results, repair.results) if step is None or warning.id.startswith(f"{step}.")
+        ]
         then = [f"with new warnings: {named(warnings)}"] if warnings else []
-        return [*kept_as, f"to pass: {found.words}", *then, f"nearest passing design: {command}"]
-    lines = [f"repairs a part: {found.words}", f"a part of the way: {command}"] if found.changes else []
-    lines += [f"still fails: {one.id}: {one.why}" for one in found.left[1:]]
-    first = found.left[0]
+        return [*kept_as, f"to pass: {repair.words}", *then, f"nearest passing design: {command}"]
+    lines = [f"repairs a part: {repair.words}", f"a part of the way: {command}"] if repair.changes else []
+    lines += [f"still fails: {unmended.id}: {unmended.why}" for unmended in repair.left[1:]]
+    first = repair.left[0]
     return [*kept_as, *lines, f"no passing design found: {first.id} still fails: {first.why}"]
 
 
@@ -125,12 +130,12 @@ def changed(document: Document, changes: Iterable[str]) -> tuple[Document, Desig
         with suppress(BadInput):  # of an element that has another name now
             asked[".".join(map(str, address(document.data, key, whole=True)))] = key
     try:
-        made = design(document)
+        changed_design = design(document)
     except BadInput as bad:
         raise BadInput(document.place, errors + [replace(e, key=asked.get(e.key, e.key)) for e in bad.errors]) from None
     if errors:
         raise BadInput(document.place, errors)
-    return document, made
+    return document, changed_design
 
 
 def exit_code(outcomes: Iterable[Outcome[object]]) -> int:
@@ -159,8 +164,10 @@ def _scenario(asked: Namespace, document: Document, design: Design) -> int:
     for key, value in changes.items():
         document = document.with_value(key, value)
     if not asked.json:
-        told = ", ".join(f"{key} left out" if value is None else f"{key} = {value}" for key, value in changes.items())
-        print(f"scenario {name}: the design with {told or 'nothing changed'}\n")
+        assignments = ", ".join(
+            f"{key} left out" if value is None else f"{key} = {value}" for key, value in changes.items()
+        )
+        print(f"scenario {name}: the design with {assignments or 'nothing changed'}\n")
     return _explain(Namespace(**{**vars(asked), "value": f"friction.{rest}"}), document, design_of(document))
 
 
@@ -214,8 +221,8 @@ def _beyond(results: Results, id: str) -> str:
     """What puts the checks on a value, that hold, outside the validity of its formula; a line of its own."""
     checks = results.outcomes[id.partition(".")[0]].checks
     judged_by = [check for check in checks if check.value_id == id and check.verdict == "pass"]
-    found = list(dict.fromkeys(method for check in judged_by for method in outside(check, checks)))
-    return f"\nIts check holds by a formula outside its validity: {named(found)}" if found else ""
+    methods = list(dict.fromkeys(method for check in judged_by for method in outside(check, checks)))
+    return f"\nIts check holds by a formula outside its validity: {named(methods)}" if methods else ""
 
 
 def _print_chain(

@@ -51,25 +51,25 @@ def run_compare(asked: Namespace) -> int:
         return 2
     (a, made_a), (b, made_b) = solved
     sides = ((a, solve(made_a)), (b, solve(made_b)))
-    found = compare(a.data, b.data, sides[0][1], sides[1][1])
+    comparison = compare(a.data, b.data, sides[0][1], sides[1][1])
     if asked.output:
         spare(Path(asked.output), asked.a, asked.b)
-        return _write(sides, found, Path(asked.output), asked.lang, asked.all)
+        return _write(sides, comparison, Path(asked.output), asked.lang, asked.all)
     if asked.json:
         import json
 
-        print(json.dumps(comparison_json(sides, found), ensure_ascii=False, indent=1, default=str))  # a date
+        print(json.dumps(comparison_json(sides, comparison), ensure_ascii=False, indent=1, default=str))  # a date
     else:
-        print("\n".join(text(sides, found, asked.all)))
+        print("\n".join(text(sides, comparison, asked.all)))
     return 0
 
 
-def _write(sides: Sides, found: Comparison, path: Path, lang: str, everything: bool) -> int:
+def _write(sides: Sides, comparison: Comparison, path: Path, lang: str, everything: bool) -> int:
     from reports.comparison import write
 
     names = column_names(*(Path(document.place).stem for document, _ in sides))
     try:
-        write(*sides, found, names, path, lang=lang, everything=everything)
+        write(*sides, comparison, names, path, lang=lang, everything=everything)
     except OSError as error:
         raise BadInput(
             str(path),
@@ -82,14 +82,14 @@ def _write(sides: Sides, found: Comparison, path: Path, lang: str, everything: b
                 )
             ],
         ) from None
-    print("\n".join(sentences(found, names, sign)) if not found.equal else EQUAL)
+    print("\n".join(sentences(comparison, names, sign)) if not comparison.equal else EQUAL)
     print(f"\n{path}")
     return 0
 
 
 # --- text
 # -------------------------------------------------------------------------------------------------------------------
-def text(sides: Sides, found: Comparison, everything: bool) -> Iterator[str]:
+def text(sides: Sides, comparison: Comparison, everything: bool) -> Iterator[str]:
     """Which designs, what the comparison comes to, the inputs; `everything`: then all verdicts, checks and values that
     differ."""
     names = column_names(*(Path(document.place).stem for document, _ in sides))
@@ -97,31 +97,35 @@ def text(sides: Sides, found: Comparison, everything: bool) -> Iterator[str]:
     for name, (document, results) in zip(names, sides):
         yield visible(f"{name:<{wide}}  {results.design.name}   {document.place}".rstrip())
     yield ""
-    if found.equal:
+    if comparison.equal:
         yield EQUAL
         return
-    yield from sentences(found, names, sign)
+    yield from sentences(comparison, names, sign)
     (_, a), (_, b) = sides
     measured = compared_table((a.design, a.predicted), (b.design, b.predicted), names)
-    tables = [moved_table(found, names, sign, 0 if everything else MOST), result_table(found, names), measured]
-    for table in [*tables, input_table(found.inputs, names, full=everything)]:
+    tables = [
+        moved_table(comparison, names, sign, 0 if everything else MOST),
+        result_table(comparison, names),
+        measured,
+    ]
+    for table in [*tables, input_table(comparison.inputs, names, full=everything)]:
         if table is not None and table.rows:
             yield from _table(table)
         elif table is not None and table.note:
             yield from ("", *textwrap.wrap(table.note, LINE))
     if everything:
-        yield from _table(verdict_table(found, names, sign))
-        if found.checks:
-            yield from _table(check_table(found.checks, names, sign))
+        yield from _table(verdict_table(comparison, names, sign))
+        if comparison.checks:
+            yield from _table(check_table(comparison.checks, names, sign))
         for step in STEPS:
-            if of_step := [d for d in found.values if d.step == step.key]:
+            if of_step := [d for d in comparison.values if d.step == step.key]:
                 yield from _table(
                     value_table(step.key, Text("{step}: values that differ", step=step.title), of_step, names)
                 )
     else:
         yield ""
-        checks = plural("{n} check", "{n} checks", n=len(found.checks))
-        values = plural("{n} value", "{n} values", n=len(found.values))
+        checks = plural("{n} check", "{n} checks", n=len(comparison.checks))
+        values = plural("{n} value", "{n} values", n=len(comparison.values))
         yield Text("What differs in all: {checks}, {values}; --all lists them.", checks=checks, values=values)
 
 
@@ -137,20 +141,20 @@ def _table(table: Table) -> Iterator[str]:
 
 # --- JSON
 # -------------------------------------------------------------------------------------------------------------------
-def comparison_json(sides: Sides, found: Comparison) -> dict[str, Any]:
+def comparison_json(sides: Sides, comparison: Comparison) -> dict[str, Any]:
     """All that differs.  `in` says which design has a check or a value; a number that is not finite is null."""
     return {
         "schema": 1,
         "program": "contralbero",
         "version": VERSION,
         "designs": [{"file": d.place, "name": results.design.name, "sha256": d.sha256} for d, results in sides],
-        "equal": found.equal,
+        "equal": comparison.equal,
         "conclusion": {
-            "verdict": dict(zip("ab", found.whole)),
-            "results": [_key_result(result) for result in found.results],
+            "verdict": dict(zip("ab", comparison.whole)),
+            "results": [_key_result(result) for result in comparison.results],
         },
-        "inputs": [{"key": d.key, "label": d.label, "unit": d.unit, "a": d.a, "b": d.b} for d in found.inputs],
-        "steps": {v.step: {"a": v.a.verdict, "b": v.b.verdict, "moved": v.moved} for v in found.verdicts},
+        "inputs": [{"key": d.key, "label": d.label, "unit": d.unit, "a": d.a, "b": d.b} for d in comparison.inputs],
+        "steps": {v.step: {"a": v.a.verdict, "b": v.b.verdict, "moved": v.moved} for v in comparison.verdicts},
         "checks": [
             {
                 "id": d.id,
@@ -160,7 +164,7 @@ def comparison_json(sides: Sides, found: Comparison) -> dict[str, Any]:
                 "a": _check(d.a, d.before),
                 "b": _check(d.b, d.after),
             }
-            for d in found.checks
+            for d in comparison.checks
         ],
         "values": [
             {
@@ -172,7 +176,7 @@ def comparison_json(sides: Sides, found: Comparison) -> dict[str, Any]:
                 "a": finite(d.a),
                 "b": finite(d.b),
             }
-            for d in found.values
+            for d in comparison.values
         ],
     }
 

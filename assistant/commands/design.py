@@ -53,28 +53,28 @@ def run_design(given: Namespace) -> int:
 
 def own_keys(given: Namespace) -> dict[str, object]:
     """The keys of [optimise] that stand on the command line."""
-    found: dict[str, object] = {}
+    keys: dict[str, object] = {}
     if given.objectives:
-        found["objectives"] = [one.strip() for one in given.objectives.split(",")]
+        keys["objectives"] = [objective.strip() for objective in given.objectives.split(",")]
     if given.limit:
-        found["limits"] = list(given.limit)
+        keys["limits"] = list(given.limit)
     if given.rows is not None:
-        found["rows"] = given.rows
+        keys["rows"] = given.rows
     if given.seed is not None:
-        found["seed"] = given.seed
+        keys["seed"] = given.seed
     errors: list[InputError] = []
     for name in ("most", "least"):
         if getattr(given, name):
-            found[name] = dict(_bound(one, f"--{name}", errors) for one in getattr(given, name))
+            keys[name] = dict(_bound(bound, f"--{name}", errors) for bound in getattr(given, name))
     if given.vary:
-        found["vary"] = dict(_vary(one, errors) for one in given.vary)
+        keys["vary"] = dict(_vary(varied, errors) for varied in given.vary)
     if given.rows is not None and not 1 <= given.rows <= 2000:
         errors.append(InputError(0, "--rows", str(given.rows), Text("must be a whole number from 1 to 2000")))
     if given.time is not None and not 0 < given.time < float("inf"):
         errors.append(InputError(0, "--time", f"{given.time:g}", Text("must be a number of seconds above 0")))
     if errors:
         raise BadInput("contralbero design", errors)
-    return found
+    return keys
 
 
 def _bound(text: str, option: str, errors: list[InputError]) -> tuple[str, float]:
@@ -102,12 +102,12 @@ def _vary(text: str, errors: list[InputError]) -> tuple[str, object]:
     if not rest or len(parts) != 1:
         errors.append(InputError(0, "--vary", text, Text("must be KEY=LO:HI:STEP, KEY=VALUE,VALUE,… or KEY=fixed")))
         return key, ["?"]
-    return key, [_value(one.strip()) for one in rest.split(",")]
+    return key, [_value(value.strip()) for value in rest.split(",")]
 
 
 def _value(text: str) -> Any:
     if "/" in text:
-        return [_value(one) for one in text.split("/")]
+        return [_value(part) for part in text.split("/")]
     try:
         return int(text) if text.lstrip("+-").isdigit() else float(text)
     except ValueError:
@@ -166,12 +166,12 @@ def _search(given: Namespace, problem: Problem) -> int:
             flush=True,
         )
 
-    def first(one: Whole) -> None:
+    def first(drive: Whole) -> None:
         if not quiet:
             print(
                 Text(
                     "  first drive that passes: {drive}, after {seconds} s",
-                    drive=_numbers(problem, one.objectives),
+                    drive=_numbers(problem, drive.objectives),
                     seconds=f"{time.monotonic() - began:.0f}",
                 ),
                 flush=True,
@@ -180,31 +180,31 @@ def _search(given: Namespace, problem: Problem) -> int:
     began, most = time.monotonic(), given.time or float("inf")
     stop, enough = (lambda share=share: time.monotonic() - began > share * most for share in (SEARCHING, 1.0))
     try:
-        found = search(problem, processes, folder / "parts", told, None, given.scheduler or "", stop, first, enough)
+        front = search(problem, processes, folder / "parts", told, None, given.scheduler or "", stop, first, enough)
     except NotClosed as why:
-        found = _without_proof(given, problem, why, enough)
-    if not found.drives and not found.whole:
+        front = _without_proof(given, problem, why, enough)
+    if not front.drives and not front.whole:
         print(
             Text(
                 "no drive that passes is known yet: stopped at {done} of {classes} classes; the same command goes on",
-                done=found.done,
+                done=front.done,
                 classes=len(problem.classes),
             ),
             file=sys.stderr,
         )
         return 3
-    if not found.drives:
-        return nothing(given, found)
-    write(folder, found)
+    if not front.drives:
+        return nothing(given, front)
+    write(folder, front)
     if quiet:
         print(
-            json.dumps(json.loads(json_text(found)) | {"table": table_json(table(found))}, ensure_ascii=False, indent=1)
+            json.dumps(json.loads(json_text(front)) | {"table": table_json(table(front))}, ensure_ascii=False, indent=1)
         )
         return 0
-    title, *lines = table_lines(table(found))
+    title, *lines = table_lines(table(front))
     print(f"\n{title}")
     print("\n".join(lines))
-    print(f"\n{stood(found)}")
+    print(f"\n{stood(front)}")
     check, pick = (
         f"contralbero check {given.out}/001.toml",
         f"contralbero design {given.file} --out {given.out} --pick 1",
@@ -263,15 +263,15 @@ def _spare_others(folder: Path, source: Path) -> None:
         raise BadInput(str(folder), [InputError(0, "--out", name, why) for name in others])
 
 
-def write(folder: Path, found: FrontFound) -> None:
+def write(folder: Path, front: FrontFound) -> None:
     """Every drive as a design of its own, then the front."""
     folder.mkdir(parents=True, exist_ok=True)
     for old in _drives(folder):
         old.unlink()
-    for n, one in enumerate(found.drives, 1):
-        write_asked(folder / f"{n:03d}.toml", drive_text(found.problem, one.document), backup=False)
-    write_asked(folder / "front.csv", csv_text(found), backup=False)
-    write_asked(folder / "front.json", json_text(found), backup=False)
+    for n, drive in enumerate(front.drives, 1):
+        write_asked(folder / f"{n:03d}.toml", drive_text(front.problem, drive.document), backup=False)
+    write_asked(folder / "front.csv", csv_text(front), backup=False)
+    write_asked(folder / "front.json", json_text(front), backup=False)
 
 
 def drive_text(problem: Problem, drive: Document) -> str:
@@ -311,16 +311,16 @@ def _pick(given: Namespace, document: Document, problem: Problem) -> int:
     return 0
 
 
-def nothing(given: Namespace, found: FrontFound) -> int:
+def nothing(given: Namespace, front: FrontFound) -> int:
     """Exit 3: what stops the search, and what alone would have to give way."""
     from calc.studies.drive.relax import refusal
 
     print(
-        Text("nothing passes: {n} combinations", n=power_of_ten(found.table.combinations)), file=sys.stderr, flush=True
+        Text("nothing passes: {n} combinations", n=power_of_ten(front.table.combinations)), file=sys.stderr, flush=True
     )
-    for why, first in {str(why): n for n, why in reversed(found.table.refused)}.items():
-        print(f"  {named(found.problem.classes[first])}: {why}", file=sys.stderr)
-    why_not = refusal(found)
+    for why, first in {str(why): n for n, why in reversed(front.table.refused)}.items():
+        print(f"  {named(front.problem.classes[first])}: {why}", file=sys.stderr)
+    why_not = refusal(front)
     if why_not.always:
         print(Text("every drive that was solved whole breaks {ids}", ids=", ".join(why_not.always)), file=sys.stderr)
         print(
@@ -336,7 +336,7 @@ def nothing(given: Namespace, found: FrontFound) -> int:
     if why_not.lines:
         print(Text("One requirement alone would have to give way, all else as it is:"), file=sys.stderr)
     for line in why_not.lines:
-        beside = [str(one) for one in (line.beside,) if one]
+        beside = [str(note) for note in (line.beside,) if note]
         beside += [str(Text("then breaks {ids}", ids=", ".join(line.broken)))] if line.broken else []
         print(f"  {line.key:<34} {line.change}" + (f"   ({'; '.join(beside)})" if beside else ""), file=sys.stderr)
     if why_not.also:

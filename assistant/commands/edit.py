@@ -35,11 +35,11 @@ def run_choose(asked: Namespace) -> int:
             reason = Text("did you mean {near}? {reason}", near=near[0], reason=reason)
         raise BadInput("contralbero choose", [InputError(0, "STEP", asked.step, reason)])
     document = read(asked.file)
-    made = design(document)
+    parsed = design(document)
     if asked.top < 1:
         raise BadInput("--top", [InputError(0, "", str(asked.top), Text("must be a number of rows, 1 or more"))])
     try:
-        offer = offer_for(asked.step, made, asked.file)
+        offer = offer_for(asked.step, parsed, asked.file)
     except NoSolution as none:
         print(f"{asked.file}: {asked.step}: {none}", file=sys.stderr)
         return 3
@@ -58,10 +58,10 @@ def run_choose(asked: Namespace) -> int:
         return 0
     table = offer.table(asked.top)
     if asked.json:
-        beside = {one.id: table_json(one) for one in offer.beside(asked.top)}
-        found = {"schema": 1, "step": asked.step, **table_json(table), **({"tables": beside} if beside else {})}
-        found |= {key: said for key, said in (("summary", offer.summary), ("notes", offer.notes)) if said}
-        print(json.dumps(found, ensure_ascii=False, indent=1))
+        beside = {side_table.id: table_json(side_table) for side_table in offer.beside(asked.top)}
+        answer = {"schema": 1, "step": asked.step, **table_json(table), **({"tables": beside} if beside else {})}
+        answer |= {key: text for key, text in (("summary", offer.summary), ("notes", offer.notes)) if text}
+        print(json.dumps(answer, ensure_ascii=False, indent=1))
         return 0
     title, *lines = table_lines(table)
     print(title)
@@ -70,8 +70,8 @@ def run_choose(asked: Namespace) -> int:
     print("\n".join(([""] if offer.summary else []) + lines))
     if hidden := offer.hidden(asked.top):
         print(f"  {hidden}")
-    for one in offer.beside(asked.top):
-        print("\n" + "\n".join(table_lines(one)))
+    for side_table in offer.beside(asked.top):
+        print("\n" + "\n".join(table_lines(side_table)))
     if offer.notes:
         print()
     for words in offer.notes:
@@ -92,18 +92,18 @@ def _locked(document: Document, offer: Offer) -> Text:
         return EMPTY
 
 
-def _write(path: Path, document: Document, changes: list[str], step: str, said: str) -> None:
+def _write(path: Path, document: Document, changes: list[str], step: str, words: str) -> None:
     """Put a row into the file and say so; then the verdicts, the warnings of this step, and whatever fails."""
     before = document.raw.decode("utf-8")
-    _, made = changed(document, changes)
+    _, changed_design = changed(document, changes)
     text = edited_text(before, dict(parse_assignment(change) for change in changes))
     write_asked(path, text, expected=document.raw)
-    print(f"{path} {said}; as it was before: {path}.bak")
+    print(f"{path} {words}; as it was before: {path}.bak")
     if shut := locked_text(document, changes):
         print(Text("This {changes}", changes=shut))
     for comment in (Counter(_comments(before)) - Counter(_comments(text))).elements():
         print(f"A comment went with its key: {comment}")
-    results = solve(made)
+    results = solve(changed_design)
     print()
     for key, outcome in results.outcomes.items():
         if key != step and outcome.state != "not_asked":

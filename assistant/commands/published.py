@@ -33,10 +33,10 @@ def run_sources(asked: Namespace) -> int:
         lines = [*_all(register().values()), "", *_kinds()]
         chosen = list(register().values())
     else:
-        one = _meant(asked.name)
-        lines, chosen = list(_one(one)), [one]
+        publication = _meant(asked.name)
+        lines, chosen = list(_one(publication)), [publication]
     if asked.json:
-        rows = [_json(one) for one in chosen]
+        rows = [_json(entry) for entry in chosen]
         about: dict[str, Any] = {"schema": 1, "program": "contralbero", "version": VERSION, "publications": rows}
         if asked.name is None:
             about["kinds"] = {kind: str(meaning) for kind, meaning in KINDS.items()}
@@ -82,7 +82,7 @@ def _one(row: Publication) -> Iterator[str]:
         yield from _wrapped(f"{place}: {KNOWN[known]}")
     users = list(_users(row))
     cited = references(source for _, source in users)
-    used = {place for publication, found, _ in cited.values() if publication is row for place in found}
+    used = {place for publication, cited_at, _ in cited.values() if publication is row for place in cited_at}
     if places := [place for place in row.places if place in used]:
         yield "Cited"
         for place in places:
@@ -250,11 +250,14 @@ def _shown(inside: float, unit: str) -> float:
 
 def run_errata(asked: Namespace) -> int:
     source = _document_meant(asked.source) if asked.source else ""
-    found = list(misprints(source))
+    errata = list(misprints(source))
     if asked.json:
         import json
 
-        rows = [{**{f.name: getattr(one, f.name) for f in fields(Misprint)}, "command": one.command} for one in found]
+        rows = [
+            {**{f.name: getattr(erratum, f.name) for f in fields(Misprint)}, "command": erratum.command}
+            for erratum in errata
+        ]
         print(
             json.dumps(
                 {"schema": 1, "program": "contralbero", "version": VERSION, "errata": rows},
@@ -266,10 +269,10 @@ def run_errata(asked: Namespace) -> int:
         print(markdown())
     else:
         for name, title in documents().items():
-            if of_it := [one for one in found if one.source == name]:
+            if of_it := [erratum for erratum in errata if erratum.source == name]:
                 print(f"{title} ({name}): {len(of_it)} errors\n")
-                for one in of_it:
-                    print("\n".join(_lines(one)))
+                for erratum in of_it:
+                    print("\n".join(_lines(erratum)))
     return 0
 
 
@@ -282,19 +285,19 @@ def _document_meant(word: str) -> str:
     raise BadInput("contralbero errata", [InputError(0, "", f'"{word}"', known)])
 
 
-def _lines(one: Misprint) -> list[str]:
+def _lines(erratum: Misprint) -> list[str]:
     at = (
-        f"{one.place}, line {one.lines}"
-        if "," not in one.lines and "-" not in one.lines
-        else f"{one.place}, lines {one.lines}"
+        f"{erratum.place}, line {erratum.lines}"
+        if "," not in erratum.lines and "-" not in erratum.lines
+        else f"{erratum.place}, lines {erratum.lines}"
     )
     shown = [
-        f"  {one.about}  [{at}]",
-        *_wrapped_erratum("printed", one.printed),
-        *_wrapped_erratum("right", one.right),
-        *_wrapped_erratum("", one.why),
+        f"  {erratum.about}  [{at}]",
+        *_wrapped_erratum("printed", erratum.printed),
+        *_wrapped_erratum("right", erratum.right),
+        *_wrapped_erratum("", erratum.why),
     ]
-    return [*shown, *([f"    {'':<8}> {one.command}"] if one.command else []), ""]
+    return [*shown, *([f"    {'':<8}> {erratum.command}"] if erratum.command else []), ""]
 
 
 def _wrapped_erratum(head: str, text: str) -> list[str]:
@@ -325,9 +328,9 @@ def markdown() -> str:
             "| where | what | printed | right | why |",
             "|---|---|---|---|---|",
         ]
-        for one in of_it:
-            why = f"{one.why}<br>`{one.command}`" if one.command else one.why
-            cells = f"{one.place}; {one.lines}", one.about, one.printed, one.right, why
+        for erratum in of_it:
+            why = f"{erratum.why}<br>`{erratum.command}`" if erratum.command else erratum.why
+            cells = f"{erratum.place}; {erratum.lines}", erratum.about, erratum.printed, erratum.right, why
             out.append("| " + " | ".join(cell.replace("|", "\\|") for cell in cells) + " |")
     return "\n".join(out)
 
@@ -336,8 +339,8 @@ def markdown() -> str:
 
 
 def run_validate(asked: Namespace) -> int:
-    found, missed = rows(), list(unmet())
-    failed = [row for row in found if row.verdict == "fail"]
+    compared, missed = rows(), list(unmet())
+    failed = [row for row in compared if row.verdict == "fail"]
     if asked.json:
         import json
 
@@ -359,7 +362,7 @@ def run_validate(asked: Namespace) -> int:
                             "deviation": r.deviation,
                             "verdict": r.verdict,
                         }
-                        for r in found
+                        for r in compared
                     ],
                     "unmet": [
                         {
@@ -379,17 +382,17 @@ def run_validate(asked: Namespace) -> int:
             )
         )
         return 1 if failed else 0
-    for kind, of_kind in groupby(found, lambda row: row.kind):
+    for kind, of_kind in groupby(compared, lambda row: row.kind):
         print(f"\n{VALIDATION_KINDS[kind]}\n{'─' * len(VALIDATION_KINDS[kind])}")
         for source, of_it in groupby(of_kind, lambda row: row.source):
             print("\n".join([f"\n{source}", *map(_line, of_it)]))
     print(f"\n{(head := 'Printed, and not what this program gives')}\n{'─' * len(head)}")
-    for (source, why), of_source in groupby(missed, lambda one: (one.source, one.why)):
+    for (source, why), of_source in groupby(missed, lambda entry: (entry.source, entry.why)):
         reason = textwrap.wrap(why, WIDE, initial_indent="  ", subsequent_indent="  ", break_long_words=False)
         print("\n".join([f"\n{source}", *map(_missed, of_source), *reason]))
     print()
     for kind, title in VALIDATION_KINDS.items():
-        verdicts = [row.verdict for row in found if row.kind == kind]
+        verdicts = [row.verdict for row in compared if row.kind == kind]
         print(f"{title}: {verdicts.count('pass')} of {len(verdicts)} met within the tolerance of the source.")
     print(f"Printed, and not met: {len(missed)}, each with its reason above.")
     return 1 if failed else 0
@@ -402,8 +405,8 @@ def _line(row: ValidationRow) -> str:
     ).replace("-", "−")
 
 
-def _missed(one: Unmet) -> str:
+def _missed(entry: Unmet) -> str:
     return (
-        f"  differs {one.what:<52} theirs {short(one.printed, 6):>10}   {'':<8} "
-        f"ours {short(one.ours, 6):>10} {one.unit:<8} {short(one.deviation * 100, 2)} %"
+        f"  differs {entry.what:<52} theirs {short(entry.printed, 6):>10}   {'':<8} "
+        f"ours {short(entry.ours, 6):>10} {entry.unit:<8} {short(entry.deviation * 100, 2)} %"
     ).replace("-", "−")

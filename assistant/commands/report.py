@@ -137,33 +137,33 @@ TRUSTED = (Verdict.IDENTICAL, Verdict.SIGNED)
 
 def run_verify(asked: Namespace) -> int:
     path = Path(asked.file)
-    found = verify(_bytes(path), str(path))
+    verification = verify(_bytes(path), str(path))
 
     def say(text: str) -> None:
         """What stands in the file may hold anything; a terminal must not obey it."""
         print(visible(text))
 
-    say(f"{path}: {found.design}")
-    if found.version != VERSION:
+    say(f"{path}: {verification.design}")
+    if verification.version != VERSION:
         say(
-            f"written by version {found.version}; this is version {VERSION}: texts are compared, and what differs "
-            f"may come from that"
+            f"written by version {verification.version}; this is version {VERSION}: texts are compared, "
+            "and what differs may come from that"
         )
-    for name in found.changed:
+    for name in verification.changed:
         say(f"the attachment {name} is not the one that the report was written with")
-    for one in found.differences[: MOST if not asked.all else None]:
-        say(f"{one.what}: {one.was} in the report, {one.now} now")
-    if not asked.all and len(found.differences) > MOST:
-        print(f"and {len(found.differences) - MOST} more; --all lists them")
-    for number in found.signed:
+    for difference in verification.differences[: MOST if not asked.all else None]:
+        say(f"{difference.what}: {difference.was} in the report, {difference.now} now")
+    if not asked.all and len(verification.differences) > MOST:
+        print(f"and {len(verification.differences) - MOST} more; --all lists them")
+    for number in verification.signed:
         print(f"page {number} carries the field of a signature; what that shows is not the report's")
-    if found.front:
+    if verification.front:
         print(
             "what it says of the search for the whole drive is what the attachment front.json says; that is not "
             "searched again"
         )
-    print(LAST[found.verdict])
-    return 0 if found.verdict in TRUSTED else 1
+    print(LAST[verification.verdict])
+    return 0 if verification.verdict in TRUSTED else 1
 
 
 def _bytes(path: Path) -> bytes:
@@ -190,12 +190,12 @@ def run_export(asked: Namespace) -> int:
     spare(target, asked.file)
     wrong = _target_errors(kind, target) + _drawing_errors(asked, kind)
     try:
-        made = design(document)
+        parsed = design(document)
     except BadInput as bad:
         raise BadInput(document.place, wrong + bad.errors) from None
     if wrong:
         raise BadInput("contralbero export", wrong)
-    results = solve(made)
+    results = solve(parsed)
     if asked.transfer:
         text = transfer_text(document, results)
     else:

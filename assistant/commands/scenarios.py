@@ -37,19 +37,19 @@ def run_scenarios(asked: Namespace) -> int:
     unsolved = [
         (path, outcome) for path, _, results in solved if (outcome := results.outcomes["friction"]).result is None
     ]
-    found = [
+    cases = [
         (path, document, results, f)
         for path, document, results in solved
         if (f := results.result(FrictionResult)) is not None
     ]
-    shown = [(path, results.design.name, _tables(f, results.outcomes["friction"])) for path, _, results, f in found]
-    written = _write(Path(asked.output), found) if asked.output else []
+    shown = [(path, results.design.name, _tables(f, results.outcomes["friction"])) for path, _, results, f in cases]
+    written = _write(Path(asked.output), cases) if asked.output else []
     if asked.json:
         import json
 
         designs = [
-            {"file": path.name, "name": name, "tables": {t.id: table_json(t) for t in made}}
-            for path, name, made in shown
+            {"file": path.name, "name": name, "tables": {t.id: table_json(t) for t in shown_tables}}
+            for path, name, shown_tables in shown
         ]
         print(
             json.dumps(
@@ -59,9 +59,9 @@ def run_scenarios(asked: Namespace) -> int:
             )
         )
     else:
-        for n, (_, name, made) in enumerate(shown):
+        for n, (_, name, shown_tables) in enumerate(shown):
             print(("\n" if n else "") + name)
-            for table in made:
+            for table in shown_tables:
                 print("\n" + "\n".join(f"  {line}".rstrip() for line in table_lines(table)))
         for path in written:
             print(("\n" if path is written[0] else "") + str(path))
@@ -74,10 +74,10 @@ def run_scenarios(asked: Namespace) -> int:
 
 def _solved(path: Path) -> tuple[Document, Results]:
     document = read(path)
-    made = design(document)
-    if made.friction is None or not made.friction.scenarios:
+    parsed = design(document)
+    if parsed.friction is None or not parsed.friction.scenarios:
         raise BadInput(str(path), [InputError(0, "friction.scenarios", "", Text("there are none; {how}", how=HOW))])
-    return document, solve(made)
+    return document, solve(parsed)
 
 
 def _tables(friction: FrictionResult, outcome: Outcome[object]) -> tuple[Table, ...]:
@@ -85,7 +85,7 @@ def _tables(friction: FrictionResult, outcome: Outcome[object]) -> tuple[Table, 
     return *tables(friction), *(table for table in outcome.tables if table.id.startswith("models_"))
 
 
-def _write(folder: Path, found: list[tuple[Path, Document, Results, FrictionResult]]) -> list[Path]:
+def _write(folder: Path, cases: list[tuple[Path, Document, Results, FrictionResult]]) -> list[Path]:
     """The files that were written."""
     from reports.report import write
 
@@ -97,16 +97,16 @@ def _write(folder: Path, found: list[tuple[Path, Document, Results, FrictionResu
             [InputError(0, "-o", "", Text("is no folder to write to: {reason}", reason=error.strerror or str(error)))],
         ) from None
     written: list[Path] = []
-    inputs = [path for path, *_ in found]
-    for path, document, results, friction in found:
+    inputs = [path for path, *_ in cases]
+    for path, document, results, friction in cases:
         curves, report = folder / f"{path.stem}_curves.csv", folder / f"{path.stem}.pdf"
-        for one in (curves, report):
-            if one in written:
+        for target in (curves, report):
+            if target in written:
                 raise BadInput(
-                    str(one),
+                    str(target),
                     [InputError(0, "-o", "", Text("would be written for two designs; give them different names"))],
                 )
-            spare(one, *inputs)
+            spare(target, *inputs)
         write_asked(curves, curves_text(friction.scenarios or {}), inputs=inputs)
         with asked_for(report):
             write(document, results, document.raw, report)
@@ -114,12 +114,12 @@ def _write(folder: Path, found: list[tuple[Path, Document, Results, FrictionResu
     return written
 
 
-def curves_text(found: dict[str, Any]) -> str:
+def curves_text(scenarios: dict[str, Any]) -> str:
     """Along the path of every mesh: a row a position, for each scenario and model, in the units that the heads tell."""
     file = StringIO()
     rows = csv.writer(file, lineterminator="\n")
     rows.writerow(("mesh", "model", "scenario", "x, mm", *(label for _, _, label, _ in ALONG)))
-    for name, scenario in found.items():
+    for name, scenario in scenarios.items():
         for key, mesh in scenario.meshes.items():
             for model, words in MODELS:
                 local = getattr(mesh, model).local
@@ -160,9 +160,9 @@ def _report(document: Document, results: Results, path: Path) -> None:
 
     print(Text("writes {path}", path=str(path)), flush=True)
     old = _replaced(path)
-    made = render(document, results, tomli_w.dumps(document.data).encode("utf-8"))
+    pdf = render(document, results, tomli_w.dumps(document.data).encode("utf-8"))
     with asked_for(path):
-        write_file(path, made, expected=old, new=old is None)
+        write_file(path, pdf, expected=old, new=old is None)
 
 
 def _replaced(path: Path) -> bytes | None:

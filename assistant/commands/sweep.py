@@ -143,7 +143,10 @@ def _summary(counts: Counter[str], task: Sweep) -> str:
     )
     ends = [*task.plan.rows(0, 1), *task.plan.rows(task.plan.count - 1, task.plan.count)]
     odd = [
-        one for end in designs(task.document, task.plan.inputs, ends) if isinstance(end, Design) for one in unusual(end)
+        oddity
+        for end in designs(task.document, task.plan.inputs, ends)
+        if isinstance(end, Design)
+        for oddity in unusual(end)
     ]
-    furthest = {one.key: one for one in sorted(odd, key=lambda one: one.beyond)}
+    furthest = {oddity.key: oddity for oddity in sorted(odd, key=lambda entry: entry.beyond)}
     return "\n".join(filter(None, (f"{counts.total()} designs: " + ", ".join(words), told([*furthest.values()]))))

@@ -80,8 +80,8 @@ class ComparisonList(ItemList):
         self.waiting = text
         self.rebuild()
 
-    def show(self, found: Comparison, names: Names) -> None:
-        self.found, self.names = found, names
+    def show(self, comparison: Comparison, names: Names) -> None:
+        self.found, self.names = comparison, names
         self.rebuild()
 
     # --- content
@@ -94,8 +94,8 @@ class ComparisonList(ItemList):
                 else Text("The two designs are equal: no input, verdict, check or value differs.")
             )
             return [Item("", [Content(row) for row in wrap(text, width)])]
-        told = sentences(self.found, self.names, self._sign)
-        items = [Item("", [self._coloured(Content(row)) for text in told for row in wrap(say(text), width)])]
+        summary = sentences(self.found, self.names, self._sign)
+        items = [Item("", [self._coloured(Content(row)) for text in summary for row in wrap(say(text), width)])]
         self._heads = {"Conclusion": 0}
         for part in self._parts(self.found, width >= ROOMY):
             self._heads.setdefault(part.section, len(items))
@@ -131,39 +131,45 @@ class ComparisonList(ItemList):
                 row = row.stylize(self.app.signs.style(verdict), start, start + len(sign))
         return row
 
-    def _parts(self, found: Comparison, roomy: bool) -> list[ComparisonPart]:
-        names, n = self.names, len(found.inputs)
+    def _parts(self, comparison: Comparison, roomy: bool) -> list[ComparisonPart]:
+        names, n = self.names, len(comparison.inputs)
         parts = []
-        if checks := moved(found):
-            table = moved_table(found, names, self._sign)
+        if checks := moved(comparison):
+            table = moved_table(comparison, names, self._sign)
             parts.append(ComparisonPart("Conclusion", table.title, table, tuple(d.id for d in checks)))
-        if results := differing(found):
-            table = result_table(found, names)
+        if results := differing(comparison):
+            table = result_table(comparison, names)
             parts.append(ComparisonPart("Conclusion", table.title, table, tuple(r.either.id for r in results)))
         if n:
             title = plural("{n} input differs", "{n} inputs differ", n=n)
             parts.append(
                 ComparisonPart(
-                    "Inputs", title, input_table(found.inputs, names, ids=False), tuple(d.key for d in found.inputs)
+                    "Inputs",
+                    title,
+                    input_table(comparison.inputs, names, ids=False),
+                    tuple(d.key for d in comparison.inputs),
                 )
             )
         else:
             parts.append(ComparisonPart("Inputs", Text("No input differs."), None))
-        n = len(found.steps_moved)
+        n = len(comparison.steps_moved)
         changes = plural("{n} step changes its verdict", "{n} steps change their verdict", n=n)
         title = changes if n else Text("No step changes its verdict")
         parts.append(
             ComparisonPart(
-                "Verdicts", title, verdict_table(found, names, self._sign), tuple(v.step for v in found.verdicts)
+                "Verdicts",
+                title,
+                verdict_table(comparison, names, self._sign),
+                tuple(v.step for v in comparison.verdicts),
             )
         )
-        checks_moved, n = found.checks_moved, len(found.checks_moved)
+        checks_moved, n = comparison.checks_moved, len(comparison.checks_moved)
         changes = plural("{n} check changes its verdict", "{n} checks change their verdict", n=n)
         title = changes if n else Text("No check changes its verdict")
         parts.append(
             self._checks(title, checks_moved, roomy) if checks_moved else ComparisonPart("Checks", title, None)
         )
-        lone = [d for d in found.checks if not d.both and d.worse]
+        lone = [d for d in comparison.checks if not d.both and d.worse]
         if lone:
             parts.append(
                 self._checks(
@@ -176,7 +182,7 @@ class ComparisonList(ItemList):
                     roomy,
                 )
             )
-        if rest := found.checks_kept:
+        if rest := comparison.checks_kept:
             parts.append(
                 self._checks(
                     plural(
@@ -188,7 +194,7 @@ class ComparisonList(ItemList):
                     roomy,
                 )
             )
-        lone = [d for d in found.checks if not d.both and not d.worse]
+        lone = [d for d in comparison.checks if not d.both and not d.worse]
         if lone:
             parts.append(
                 self._checks(
@@ -202,18 +208,18 @@ class ComparisonList(ItemList):
                 )
             )
         for step in STEPS:
-            values = [d for d in found.values if d.step == step.key]
+            values = [d for d in comparison.values if d.step == step.key]
             if values:
                 title = plural("{step}: {n} value differs", "{step}: {n} values differ", n=len(values), step=step.title)
                 table = value_table(step.key, title, values, names, ids=False)
                 parts.append(ComparisonPart("Values", title, table, tuple(d.id for d in values)))
-        if not found.values:
+        if not comparison.values:
             parts.append(ComparisonPart("Values", Text("No value differs."), None))
         return parts
 
-    def _checks(self, title: Text, found: Sequence[CheckDifference], roomy: bool) -> ComparisonPart:
-        table = check_table(found, self.names, self._sign, ids=False, margins=roomy)
-        return ComparisonPart("Checks", title, table, tuple(d.id for d in found))
+    def _checks(self, title: Text, differences: Sequence[CheckDifference], roomy: bool) -> ComparisonPart:
+        table = check_table(differences, self.names, self._sign, ids=False, margins=roomy)
+        return ComparisonPart("Checks", title, table, tuple(d.id for d in differences))
 
     # --- sections
     @property
@@ -328,10 +334,10 @@ class CompareScreen(Once, Screen[str | None]):
         if event.found is None:
             shown.say(event.failure)
             return
-        found = event.found
-        counts = (len(found.inputs), len(found.steps_moved), len(found.checks), len(found.values))
+        comparison = event.found
+        counts = (len(comparison.inputs), len(comparison.steps_moved), len(comparison.checks), len(comparison.values))
         self.counts = dict(zip(list(SECTIONS)[1:], counts))
-        shown.show(found, (self.other.name, NOW))
+        shown.show(comparison, (self.other.name, NOW))
         self.show_place()
 
     # --- showing

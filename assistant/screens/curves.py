@@ -170,20 +170,20 @@ class CurveList(Once, ModalScreen[str | None]):
         options.styles.max_height = max(3, self.app.size.height - EDGES)
         width = max(20, min(110, self.app.size.width * 9 // 10) - SIDES)
         options.clear_options()
-        made: list[Option] = []
+        entries: list[Option] = []
         for group, kind in GROUPS:
-            if own := [leaf for leaf in left if isinstance(leaf, kind)]:
-                made.append(Option(Content.styled(self.app.say(group), "bold"), disabled=True))
-                made += [self._option(leaf, width) for leaf in own]
+            if leaves := [leaf for leaf in left if isinstance(leaf, kind)]:
+                entries.append(Option(Content.styled(self.app.say(group), "bold"), disabled=True))
+                entries += [self._option(leaf, width) for leaf in leaves]
         options.add_options(
-            made
+            entries
             or [
                 Option(
                     Content.styled(self.app.say(Text("Nothing has these words in its title.")), "dim"), disabled=True
                 )
             ]
         )
-        ids = [option.id for option in made]
+        ids = [option.id for option in entries]
         known = [id for id in ids if id is not None]
         options.highlighted = ids.index(self.current if self.current in known else known[0]) if known else None
 

@@ -91,12 +91,12 @@ class Choose(Once, ModalScreen[str | None]):
         """Put the cursor on the word that begins with, or has in it, what was typed."""
         low = [shown.lower() if word else "" for shown, word in zip(self.shown, self.words)]
         either = [f"{shown}\n{word.lower()}" for shown, word in zip(low, self.words)]  # or as the file has it
-        found = next(
+        index = next(
             (n for n, w in enumerate(low) if w.startswith(self._typed)),
             next((n for n, w in enumerate(either) if self._typed in w), None),
         )
-        if found is not None:
-            self.query_one(OptionList).highlighted = found
+        if index is not None:
+            self.query_one(OptionList).highlighted = index
         else:
             self._typed = self._typed[-1:]
 

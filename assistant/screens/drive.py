@@ -177,19 +177,19 @@ class Driving(Choosing):
             )
 
         try:
-            found = search(problem, PROCESSES, None, told, solving, stop=lambda: self._enough)
+            front = search(problem, PROCESSES, None, told, solving, stop=lambda: self._enough)
         except NotClosed:
-            found = evolved(problem, EVALUATIONS, problem.seed, evolving)
-        if not found.drives:
-            raise NoSolution(self._nothing(found, progress))
-        self.front = found
+            front = evolved(problem, EVALUATIONS, problem.seed, evolving)
+        if not front.drives:
+            raise NoSolution(self._nothing(front, progress))
+        self.front = front
         yield self.offered()
 
-    def _nothing(self, found: "FrontFound", progress: Progress) -> Text:
+    def _nothing(self, front: "FrontFound", progress: Progress) -> Text:
         """What alone would have to give way."""
         from calc.studies.drive.relax import refusal
 
-        why = refusal(found, progress)
+        why = refusal(front, progress)
         if why.always:
             return Text("every drive that was solved whole breaks {ids}", ids=", ".join(why.always))
         if why.lines:
@@ -222,7 +222,9 @@ class Driving(Choosing):
         front = self.front
         drives = front.drives if front is not None else ()
         return [
-            n for n, one in enumerate(drives, 1) if self.widest is None or one.objectives["seat"] <= self.widest + 1e-9
+            n
+            for n, drive in enumerate(drives, 1)
+            if self.widest is None or drive.objectives["seat"] <= self.widest + 1e-9
         ]
 
     def _key(self, n: int) -> tuple[float, int]:
@@ -245,8 +247,8 @@ class Driving(Choosing):
             by = Text("{by}; seats up to {seat} mm", by=by, seat=Name(f"{self.widest:g}"))
         return (stood(front), by, *(said(front.problem) if self.about else ()))
 
-    def show_found(self, found: Offer) -> None:
-        super().show_found(found)
+    def show_found(self, result: Offer) -> None:
+        super().show_found(result)
         self._draw()
 
     def show_end(self, failure: Text) -> None:
@@ -323,7 +325,7 @@ class Driving(Choosing):
         """The largest seat that is still shown, one step of those there are down or up."""
         if self.front is None:
             return
-        seats = sorted({one.objectives["seat"] for one in self.front.drives})
+        seats = sorted({drive.objectives["seat"] for drive in self.front.drives})
         at = len(seats) - 1 if self.widest is None else seats.index(self.widest)
         at = max(0, at + way)
         self.widest = None if at >= len(seats) - 1 else seats[at]

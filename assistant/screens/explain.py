@@ -63,8 +63,8 @@ class ChainList(ItemList):
                 )
             formula, numbers, source = line_text(link.line, say, say.number)
             entry = SheetEntry(f"{len(self.links) - number}", link.line.about, formula, numbers, source)
-            made = setter.entry(entry)
-            items.append(Item(str(number), made.rows, made.value, made.line))
+            block = setter.entry(entry)
+            items.append(Item(str(number), block.rows, block.value, block.line))
             items += [self._input(key, number, width) for key in dict.fromkeys(link.inputs)]
         return items + self._sources(width)
 
@@ -177,14 +177,14 @@ class Explain(Once, ModalScreen[str | None]):
             rows.append(Content.assemble((say(text), "bold"), (f"   {known.id}", "dim")))
         if (check := self.check) is not None:
             signs = self.app.signs
-            told = Text(
+            sentence = Text(
                 "{check}: {value}, {limit}, margin {margin}",
                 check=check.name,
                 value=Amount(check.value, check.unit),
                 limit=check.limit_text(),
                 margin=check.margin_text(),
             )
-            row = f"{signs.mark(self.verdict)} {signs.word(self.verdict)}  {say(told)}"
+            row = f"{signs.mark(self.verdict)} {signs.word(self.verdict)}  {say(sentence)}"
             rows += [Content.styled(row, signs.style(self.verdict)) for row in wrap(row, self.room, 2)]
             rows += [Content(row) for row in wrap(say(check.advice), self.room)] if check.advice else []
             rows.append(Content.styled(say(check.source), "dim"))

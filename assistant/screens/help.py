@@ -182,8 +182,8 @@ class HelpScreen(Once, ModalScreen[None]):
         from calc.sheet.expression import plain, symbol
 
         sign = f"   {plain(symbol(about.symbol))}" if about.symbol else ""
-        said = f"{meaning(about, say, sourced=False)} {allowed(about, say)}".strip()
-        lines = [Content.assemble((say(about.label), "bold"), sign, (f"   {key}{unit}", "dim")), Content(said)]
+        explanation = f"{meaning(about, say, sourced=False)} {allowed(about, say)}".strip()
+        lines = [Content.assemble((say(about.label), "bold"), sign, (f"   {key}{unit}", "dim")), Content(explanation)]
         if about.source:
             lines.append(Content.styled(say(Text("Source: {source}", source=about.source)), "dim"))
         if about.kind == "choice":
@@ -265,13 +265,13 @@ class HelpScreen(Once, ModalScreen[None]):
             group = f"{say(name):<{GROUP}}"
             actions = [(self.key_of(id), BY_ID[id]) for id in ids]
             if not tall:
-                said = "   ".join(f"{key} {say(action.title)}" for key, action in actions)
-                rows = wrap(" " * GROUP + said, self.room, GROUP)
+                line = "   ".join(f"{key} {say(action.title)}" for key, action in actions)
+                rows = wrap(" " * GROUP + line, self.room, GROUP)
                 lines += [Content.assemble((group, "$primary bold"), rows[0][GROUP:]), *map(Content, rows[1:])]
                 continue
             for n, (key, action) in enumerate(actions):
-                told = Text("{title}. {help}", title=action.title, help=action.help)
-                rows = wrap(" " * (GROUP + KEY) + say(told), self.room, GROUP + KEY)
+                help_text = Text("{title}. {help}", title=action.title, help=action.help)
+                rows = wrap(" " * (GROUP + KEY) + say(help_text), self.room, GROUP + KEY)
                 start = Content.assemble(
                     ("" if n else group, "$primary bold"), " " * (GROUP if n else 0), (f"{key:<{KEY}}", "bold")
                 )

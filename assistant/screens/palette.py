@@ -61,18 +61,18 @@ class PaletteEntry:
 def entries(app: BaseApp, work: Workbench | None) -> list[PaletteEntry]:
     """Everything that can be found now; `work` is the main screen if a design is open."""
     others = [language(code) for code in LANGUAGES if code != app.say.code]
-    found: list[PaletteEntry] = []
+    rows: list[PaletteEntry] = []
 
     def add(
         title: Text, help: str, does: Does, *also: str, keys: str = "", weight: float = OTHER, first: bool = False
     ) -> None:
         known = folded(" ".join([*(other(title) for other in others), *also]))
-        found.append(PaletteEntry(app.say(title), app.say(help), does, known, keys, weight, first))
+        rows.append(PaletteEntry(app.say(title), app.say(help), does, known, keys, weight, first))
 
     for part in (_actions, _designs, _fields, _results, _curves) if work is not None else ():
         part(work, add)  # type: ignore[arg-type]
     _program(app, work is not None, add)
-    return found
+    return rows
 
 
 Add = Callable[..., None]
@@ -120,9 +120,9 @@ def _fields(work: Workbench, add: Add) -> None:
 
 def _of_design() -> Iterator[tuple[str, Quantity]]:
     """What is asked with the first step: name, note and document control of the design."""
-    own = keys(Design)
+    design_keys = keys(Design)
     for (top,) in (NAME, NOTE, DOCUMENT):
-        about = own[str(top)].about
+        about = design_keys[str(top)].about
         if about.table is None:
             yield str(top), about
         else:
@@ -265,15 +265,17 @@ class Palette(ModalScreen[None]):
         words = folded(self._words).split()
         if words:
             scored = [(*entry.score(words), entry) for entry in self._entries]
-            best = sorted((one for one in scored if one[0] > 0), key=lambda one: -one[0])[:MOST]
+            best = sorted((candidate for candidate in scored if candidate[0] > 0), key=lambda candidate: -candidate[0])[
+                :MOST
+            ]
         else:
             best = [(1.0, [], entry) for entry in self._entries if entry.first]
         self.rows = [entry for _, _, entry in best]
-        found = self.query_one(PaletteHit)
-        width = max(8, found.size.width - 3)
-        found.clear_options()
-        found.add_options([Option(self._row(entry, spans, width)) for _, spans, entry in best])
-        found.highlighted = 0 if self.rows else None
+        hits = self.query_one(PaletteHit)
+        width = max(8, hits.size.width - 3)
+        hits.clear_options()
+        hits.add_options([Option(self._row(entry, spans, width)) for _, spans, entry in best])
+        hits.highlighted = 0 if self.rows else None
         self._show_help()
 
     def _row(self, entry: PaletteEntry, spans: list[tuple[int, int]], width: int) -> Content:
@@ -285,12 +287,12 @@ class Palette(ModalScreen[None]):
 
     def _show_help(self) -> None:
         at = self.query_one(PaletteHit).highlighted
-        told = (
+        help_text = (
             self.rows[at].help
             if at is not None and at < len(self.rows)
             else self.app.say(Text("Nothing has these words."))
         )
-        self.query_one("#palette-help", Static).update(Content.styled(told, "dim"))
+        self.query_one("#palette-help", Static).update(Content.styled(help_text, "dim"))
 
     def on_option_list_option_highlighted(self, event: OptionList.OptionHighlighted) -> None:
         event.stop()
@@ -302,9 +304,9 @@ class Palette(ModalScreen[None]):
 
     # --- keys
     def action_move(self, by: int) -> None:
-        found = self.query_one(PaletteHit)
-        if self.rows and found.highlighted is not None:
-            found.highlighted = max(0, min(len(self.rows) - 1, found.highlighted + by))
+        hits = self.query_one(PaletteHit)
+        if self.rows and hits.highlighted is not None:
+            hits.highlighted = max(0, min(len(self.rows) - 1, hits.highlighted + by))
 
     def action_leave(self) -> None:
         self._end()

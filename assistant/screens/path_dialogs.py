@@ -86,7 +86,11 @@ class PathDialog(Once, ModalScreen[Found]):
         text = self.text()
         rows: list[tuple[str, str]] = []  # what is shown, and the path that it stands for; none for a heading
         for heading, paths in self.offered() if text == self.start else ():
-            rows += [(self.app.say(heading), ""), *((self.cut(str(one)), str(one)) for one in paths)] if paths else []
+            rows += (
+                [(self.app.say(heading), ""), *((self.cut(str(choice)), str(choice)) for choice in paths)]
+                if paths
+                else []
+            )
         folder, names = self.folder, []
         try:
             path = self.path()

@@ -67,15 +67,15 @@ class Closing(ItemList):
         if self.session.results is None:
             return []
         say = self.app.say
-        told = [
+        pairs = [
             (say(word), say(value).replace("→", self.app.signs.mark("then")))
             for word, value in main_numbers(self.session.results)
         ]
-        if not told:
+        if not pairs:
             return []
         for count in (3, 2, 1):
-            deep = -(-len(told) // count)
-            columns = [told[n : n + deep] for n in range(0, len(told), deep)]
+            deep = -(-len(pairs) // count)
+            columns = [pairs[n : n + deep] for n in range(0, len(pairs), deep)]
             cells = [
                 (max(len(word) for word, _ in column) + 2, max(len(value) for _, value in column) + 4)
                 for column in columns
@@ -156,7 +156,7 @@ class Closing(ItemList):
         )  # how many hold by a formula that it puts out of its range
         stretched = [(method.id, Text("{what}: {n} of them", n=n, what=method.name)) for method, n in beyond.items()]
         yield self._part(Text("held by a formula outside its validity ({n})", n=sum(map(bool, held))), stretched, width)
-        odd = [(one.key.partition(".")[0], one.words) for one in unusual(session.design)]
+        odd = [(oddity.key.partition(".")[0], oddity.words) for oddity in unusual(session.design)]
         yield self._part(Text("not usual ({n})", n=len(odd)), odd, width)
         values = session.values()
         measured = [
@@ -204,7 +204,7 @@ def _bulleted(text: str, width: int) -> Iterator[tuple[str, str]]:
 
 
 def _title(step: str) -> Text:
-    return next((one.title for one in STEPS if one.key == step), Name(step))
+    return next((candidate.title for candidate in STEPS if candidate.key == step), Name(step))
 
 
 def picture(session: Session, columns: int, rows: int, app: BaseApp) -> Content:
@@ -312,7 +312,7 @@ class ReadyActions:
         elif to is not None:
             step, _, check = to.partition(".")
             host.at_pane("checks" if check else "inputs")
-            await host.open_step(next(one for one in STEPS if one.key == step), stay=bool(check))
+            await host.open_step(next(candidate for candidate in STEPS if candidate.key == step), stay=bool(check))
             if check:
                 host.checks.focus()
                 host.call_after_refresh(host.checks.go_to, to)

@@ -80,7 +80,7 @@ class WayList(ItemList):
         kind, change, rest = say(way.kind), say(way.words).replace("→", arrow), say(way.rest)
         state = "blocked" if way.locked else SIGN.get(way.quality, "fail")
         result, style = f"{signs.mark(state)} {say(self.result(way))}", signs.style(state)
-        kinds = max(len(say(one.kind)) for one in self.ways)
+        kinds = max(len(say(other.kind)) for other in self.ways)
         start = f" {number} "
         if width >= ROOMY:
             left = width - len(start) - kinds - 3 * GAP
@@ -216,8 +216,8 @@ class Remedies(Searching[RepairOption | None, RepairOption]):
 
         yield from search(self.session.document, self.finding, self.session.results, progress, SECONDS)
 
-    def show_found(self, found: RepairOption) -> None:
-        self.found.append(found)
+    def show_found(self, result: RepairOption) -> None:
+        self.found.append(result)
         self.show_ways()
 
     def show_end(self, failure: Text) -> None:

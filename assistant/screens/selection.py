@@ -79,7 +79,7 @@ class Searching(Once, ModalScreen[Chosen], Generic[Chosen, Found]):
         """What there is, one after the other; runs in another thread."""
         raise NotImplementedError
 
-    def show_found(self, found: Found) -> None:
+    def show_found(self, result: Found) -> None:
         raise NotImplementedError
 
     def show_end(self, failure: Text) -> None:
@@ -110,8 +110,8 @@ class Searching(Once, ModalScreen[Chosen], Generic[Chosen, Found]):
 
         failure = EMPTY
         try:
-            for found in self.search(progress):
-                self.call_later(self._found, number, found)
+            for result in self.search(progress):
+                self.call_later(self._found, number, result)
         except Cancelled:
             return
         except BadInput as bad:
@@ -130,9 +130,9 @@ class Searching(Once, ModalScreen[Chosen], Generic[Chosen, Found]):
         bar = f"{full * done}{empty * (self.BAR - done)} {share:4.0%}"
         self.show_state(f"{say(Text('searching …'))}  {bar}  {say(what)}   {say(self.BEHIND)}".rstrip())
 
-    def _found(self, number: int, found: Found) -> None:
+    def _found(self, number: int, result: Found) -> None:
         if number == self._round:
-            self.show_found(found)
+            self.show_found(result)
 
     def _ended(self, number: int, failure: Text) -> None:
         if number == self._round:
@@ -200,7 +200,7 @@ class OfferList(ItemList):
         items: list[Item] = []
         say = self.app.say
         last, taken = 1, set[str]()
-        for n, table in enumerate(in_language(one, say) for one in (offer.table(TOP), *offer.beside(TOP))):
+        for n, table in enumerate(in_language(raw_table, say) for raw_table in (offer.table(TOP), *offer.beside(TOP))):
             set_ = Setter(table, width, say, self._column)
             last = max(last, set_.last)
             part = say(Text("   ({columns}; Shift+→ ←)", columns=set_.part)) if set_.part else ""
@@ -299,9 +299,9 @@ class Choosing(Searching[tuple[str, ...] | None, Offer]):
     def search(self, progress: Progress) -> Iterator[Offer]:
         yield offer(self.step, self.session.design, self.session.name, progress)
 
-    def show_found(self, found: Offer) -> None:
-        self.offer = found
-        self.query_one(OfferList).show(found)
+    def show_found(self, result: Offer) -> None:
+        self.offer = result
+        self.query_one(OfferList).show(result)
         self.query_one(OfferList).focus()
 
     def show_end(self, failure: Text) -> None:
@@ -337,12 +337,12 @@ class Choosing(Searching[tuple[str, ...] | None, Offer]):
         assert self.offer is not None
         try:
             changes = tuple(self.offer.changes(number))
-            made = design(applied(self.session.document, changes))
+            trial = design(applied(self.session.document, changes))
         except NoSolution as none:
             return Preview(number, why=none.text)
         except BadInput as bad:
             return Preview(number, why=mistakes_text(bad))
-        answer: Answer = run(Job(0, made, self.session.results))
+        answer: Answer = run(Job(0, trial, self.session.results))
         return Preview(number, changes, answer.results, answer.failure)
 
     def on_choosing_previewed(self, event: Previewed) -> None:

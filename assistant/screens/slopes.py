@@ -119,9 +119,9 @@ class Slopes:
 
 def of_check(data: "Table", check: Check, effects: "tuple[Effect, ...]") -> Text:
     """`clearance −0.32 µm per µm; length +0.45 µm per mm`: the inputs that move a check most, over what they are."""
-    known = [one for one in effects if one.gain]
-    known.sort(key=lambda one: -abs((one.gain or 0.0) * _size(data, one.key)))
-    return SEMICOLON.join(_effect(data, check, one) for one in known[:MOST])
+    known = [effect for effect in effects if effect.gain]
+    known.sort(key=lambda effect: -abs((effect.gain or 0.0) * _size(data, effect.key)))
+    return SEMICOLON.join(_effect(data, check, effect) for effect in known[:MOST])
 
 
 def _effect(data: "Table", check: Check, effect: "Effect") -> Text:
@@ -138,11 +138,16 @@ def of_input(data: "Table", key: str, moved: "tuple[tuple[Check, Effect], ...]")
     """`film at the edge, front +0.45 µm per mm`: what an input moves most of the limits that it is meant for."""
     seen: dict[str, tuple[Check, Effect]] = {}
     for check, effect in moved:
-        if check.kind == "limit" and effect.slope and any(f"{key}.".startswith(f"{one}.") for one in check.moved_by):
+        if (
+            check.kind == "limit"
+            and effect.slope
+            and any(f"{key}.".startswith(f"{prefix}.") for prefix in check.moved_by)
+        ):
             seen.setdefault(check.cause or check.id, (check, effect))
     unit = quantity_of(data, key).unit
     return SEMICOLON.join(
-        slope(Small(check.name), one.slope or 0.0, check.unit, unit) for check, one in list(seen.values())[:MOST]
+        slope(Small(check.name), response.slope or 0.0, check.unit, unit)
+        for check, response in list(seen.values())[:MOST]
     )
 
 

@@ -95,8 +95,8 @@ class BeginDetail(VerticalScroll, can_focus=False):
         row, say, wide = self._row, self.app.say, self.wide
         if row is None:
             return
-        found = self._known.get(row.key)
-        room = self._room(found is not None and found.sketch is not None)
+        detail = self._known.get(row.key)
+        room = self._room(detail is not None and detail.sketch is not None)
         gap = [Content("")] if wide else []
         lines = [Content.styled(line, "bold") for line in wrap(say(row.title), room)]
         if row.kind in ("engine", "file") and (wide or row.kind == "file"):
@@ -110,37 +110,37 @@ class BeginDetail(VerticalScroll, can_focus=False):
         )
         if about and row.kind != "engine":
             lines += [*about, *gap]
-        if found is None and row.kind != "open":
+        if detail is None and row.kind != "open":
             lines.append(Content(self.app.signs.mark("more")))
-        for text in found.lines if found is not None else ():
+        for text in detail.lines if detail is not None else ():
             lines += [Content(line) for line in wrap(say(text), room, 2)]
         if row.kind == "engine" and wide:
             lines += [*gap, *about]
-        self._write(lines, found)
+        self._write(lines, detail)
 
-    def _write(self, lines: list[Content], found: Finding | None = None) -> None:
+    def _write(self, lines: list[Content], detail: Finding | None = None) -> None:
         self.query_one("#begin-text", Static).update(Content("\n").join(lines))
         picture = self.query_one("#begin-sketch", Static)
-        picture.display = found is not None and found.sketch is not None
-        if found is not None and found.sketch is not None:
+        picture.display = detail is not None and detail.sketch is not None
+        if detail is not None and detail.sketch is not None:
             from ..widgets.canvas import draw
 
             columns, rows = TALL if self.wide else (ICON[0], max(2, min(ICON[1], self.size.height)))
             columns = min(columns, self.size.width - 3)
-            picture.update(draw(found.sketch, columns, rows, self.app.signs, self.app.say))
+            picture.update(draw(detail.sketch, columns, rows, self.app.signs, self.app.say))
 
     def _find_out(self, row: Beginning) -> None:
         """Runs in another thread."""
         worker = get_current_worker()
         try:
-            found = finding(row, self.memory)
+            detail = finding(row, self.memory)
         except BadInput as bad:
-            found = Finding((bad.errors[0].text(bad.place),))
+            detail = Finding((bad.errors[0].text(bad.place),))
         if not worker.is_cancelled:
-            self.app.call_later(self.know, row, found)
+            self.app.call_later(self.know, row, detail)
 
-    def know(self, row: Beginning, found: Finding) -> None:
-        self._known[row.key] = found
+    def know(self, row: Beginning, detail: Finding) -> None:
+        self._known[row.key] = detail
         if self._row is row and self.is_attached:
             self._draw()
 
@@ -269,18 +269,18 @@ class Start(Screen[None]):
             self.ways.size.height > sum(len(rows) + 2 for _, rows in self._groups),
         )
         for heading, rows in self._groups:
-            found = (
+            ranked = (
                 sorted(self._found(words, rows), key=lambda pair: -round(pair[0], 1))
                 if words
                 else [(0.0, row) for row in rows]
             )
-            if found:
+            if ranked:
                 if options and tall:
                     self._rows.append(None)
                     options.append(Option(" ", disabled=True))
-                self._rows += [None, *(row for _, row in found)]
+                self._rows += [None, *(row for _, row in ranked)]
                 options.append(Option(Content.styled(f" {say(heading)}", "bold $primary not dim"), disabled=True))
-                options += [Option(self._row(row, width)) for _, row in found]
+                options += [Option(self._row(row, width)) for _, row in ranked]
         self.ways.clear_options()
         self.ways.add_options(options)
         stays = not words and before is not None and before in self._rows
@@ -308,15 +308,15 @@ class Start(Screen[None]):
         stands in the detail."""
         say, signs = self.app.say, self.app.signs
         mark = Content.styled(f" {signs.mark('edited')} ", "dim") if row.edited else Content(" " * SPACES)
-        found = self.query_one(BeginDetail).known(row)
+        detail = self.query_one(BeginDetail).known(row)
         room = width - TITLE - 1
         if room < 8:
             return mark + Content(fit(say(row.title), max(1, width)))
         beside, left = "", room - ABOUT if row.kind == "engine" else 0
         if BALANCING <= left:
-            beside = pad(f"  {say(found.balancing)}", BALANCING)
+            beside = pad(f"  {say(detail.balancing)}", BALANCING)
         if SIZE + SHAKES + BALANCING <= left:
-            beside = pad(f"  {say(found.shakes)}", SHAKES) + beside
+            beside = pad(f"  {say(detail.shakes)}", SHAKES) + beside
         if SIZE + BALANCING <= left:
             beside = f"{say(row.size):>{SIZE}}" + beside
         about = pad(say(row.about), room - len(beside))

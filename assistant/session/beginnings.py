@@ -41,11 +41,11 @@ class Beginning:
 
 def groups(memory: Memory, missing: Path | None = None) -> list[tuple[Text, list[Beginning]]]:
     """All ways to begin, under their headings; for a file that is not there, those that make it."""
-    made = [
+    engine_rows = [
         Beginning("engine", id, engine.name, engine.what, _size(engine_table(id)), words=_words(engine_table(id)))
         for id, engine in engines().items()
     ]
-    begin = (Text("Begin with an engine: every number of it can be replaced by your own"), made)
+    begin = (Text("Begin with an engine: every number of it can be replaced by your own"), engine_rows)
     example = Beginning(
         "example", str(EXAMPLE), Text("The worked example"), Text("a published design that fails: see where, and why")
     )
@@ -53,8 +53,8 @@ def groups(memory: Memory, missing: Path | None = None) -> list[tuple[Text, list
         return [begin]
     designs = [_of_file(path, memory) for path in memory.recent()[: RECENT + 1]]
     files = [Beginning("open", "", Text("Open a file …"), Text("a design that is there already")), example]
-    found = [(Text("Go on with"), designs[:1]), (Text("Recent"), designs[1:]), (Text("Open"), files), begin]
-    return [(heading, rows) for heading, rows in found if rows]
+    sections = [(Text("Go on with"), designs[:1]), (Text("Recent"), designs[1:]), (Text("Open"), files), begin]
+    return [(heading, rows) for heading, rows in sections if rows]
 
 
 def _of_file(path: Path, memory: Memory) -> Beginning:
@@ -138,15 +138,15 @@ def _verdicts(results: "Results") -> list[Text]:
     fails = [check for check in rows if check.verdict == "fail"]
     unsolved = [outcome.reason for outcome in results.outcomes.values() if outcome.state == "no_solution"]
     cautions = sum(check.verdict in ("warn", "not_verified") for check in rows)
-    said = [Text("No solution: {reason}", reason=reason) for reason in unsolved]
-    said += [plural("It fails in {n} place:", "It fails in {n} places:", n=len(fails))] if fails else []
-    said += [
+    lines = [Text("No solution: {reason}", reason=reason) for reason in unsolved]
+    lines += [plural("It fails in {n} place:", "It fails in {n} places:", n=len(fails))] if fails else []
+    lines += [
         Text("{name}: {value}, {limit}", name=c.name, value=Amount(c.value, c.unit), limit=c.limit_text())
         for c in fails
     ]
-    if not said:
-        said = [Text("Every limit holds.")]
-    return [*said, plural("{n} caution is open.", "{n} cautions are open.", n=cautions)] if cautions else said
+    if not lines:
+        lines = [Text("Every limit holds.")]
+    return [*lines, plural("{n} caution is open.", "{n} cautions are open.", n=cautions)] if cautions else lines
 
 
 def _shaking(id: str) -> Finding:
@@ -157,7 +157,7 @@ def _shaking(id: str) -> Finding:
 
     document = Document({"schema": 1, "name": id, "engine": engine_table(id)})
     results = with_imbalance(document)
-    best = next(one for one in options(document, results) if one.called_for)
+    best = next(option for option in options(document, results) if option.called_for)
     lines = (
         Text("Shakes: {what}.", what=what_shakes(results)),
         Text("It calls for: {balancing}.", balancing=best.label),

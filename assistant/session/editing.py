@@ -263,13 +263,13 @@ class Editing:
         """A further element of an array of tables, like the last one but with a name of its own.  Gives its index."""
         where = self.place(key) if not isinstance(key, str) else tuple(key.split("."))
         there = self.value(where) or []
-        made = dict(there[-1]) if there else {}
+        element = dict(there[-1]) if there else {}
         names = [item.get("name") for item in there]
-        if isinstance(made.get("name"), str):
-            base = made["name"].rstrip("0123456789").rstrip("-")
-            made["name"] = next(name for n in range(2, len(there) + 3) if (name := f"{base}-{n}") not in names)
+        if isinstance(element.get("name"), str):
+            base = element["name"].rstrip("0123456789").rstrip("-")
+            element["name"] = next(name for n in range(2, len(there) + 3) if (name := f"{base}-{n}") not in names)
         self.seal()
-        self._step(EditState(changed(self._state.data, where, [*there, made]), self._state.texts), where)
+        self._step(EditState(changed(self._state.data, where, [*there, element]), self._state.texts), where)
         self.seal()
         return len(there)
 

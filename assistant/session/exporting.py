@@ -82,13 +82,13 @@ def transfer_text(document: Document, results: Results) -> str:
     from calc.mounting.operations import rows as transfer_rows
     from calc.mounting.result import MountingResult
 
-    found = results.result(MountingResult)
-    if found is None or not found.system.mounting.points:
+    mounting = results.result(MountingResult)
+    if mounting is None or not mounting.system.mounting.points:
         reason = Text("needed with [[mounting.points]] for transfer functions")
         raise BadInput(document.place, [InputError(0, "mounting", "", reason)])
     file = StringIO()
     writer = csv.writer(file, lineterminator="\n")
-    header, numbers = transfer_rows(found)
+    header, numbers = transfer_rows(mounting)
     writer.writerow(header)
     writer.writerows([f"{x:.9g}" if math.isfinite(x) else "" for x in row] for row in numbers)
     return file.getvalue()
@@ -96,7 +96,7 @@ def transfer_text(document: Document, results: Results) -> str:
 
 def drawing_text(document: Document, results: Results) -> str:
     """The shaft as a DXF file.  Raises BadInput where its outline is not known, with what to add."""
-    shaft, found = results.design.countershaft, results.outcomes["countershaft"]
+    shaft, outcome = results.design.countershaft, results.outcomes["countershaft"]
     if shaft is None:
         raise BadInput(
             document.place,
@@ -109,10 +109,10 @@ def drawing_text(document: Document, results: Results) -> str:
                 )
             ],
         )
-    if found.state != "solved":
+    if outcome.state != "solved":
         raise BadInput(
             document.place,
-            [InputError(0, "countershaft", "", Text("there is no shaft to draw: {reason}", reason=found.reason))],
+            [InputError(0, "countershaft", "", Text("there is no shaft to draw: {reason}", reason=outcome.reason))],
         )
     from calc.countershaft.result import CountershaftResult
 
@@ -157,9 +157,11 @@ def gears_text(document: Document, results: Results, wheel: str | None = None, c
 
 def _positions(train: "TrainResult", gears: "GearsInputs") -> dict[str, tuple[float, float]]:
     """Where the axes stand, as far as it is known: found with the layout, or given."""
-    found = {w.name: (w.position[0], w.position[1]) for w in gears.wheels if w.position is not None}
+    positions = {w.name: (w.position[0], w.position[1]) for w in gears.wheels if w.position is not None}
     placed = train.layout.wheels if train.layout is not None else {}
-    return found | {name: (w.position.real, w.position.imag) for name, w in placed.items() if w.position is not None}
+    return positions | {
+        name: (w.position.real, w.position.imag) for name, w in placed.items() if w.position is not None
+    }
 
 
 def _train(document: Document, results: Results, wheel: str | None) -> "TrainResult":

@@ -199,12 +199,12 @@ def series(text: str, about: Quantity) -> list[Any]:
     read = [_parts(item, about) for item in items]
     if len({bool(unit) for _, unit in read}) > 1:
         raise NotUnderstood(Text("has units at some numbers only; give every number its unit, or none"))
-    found = [_converted(shown, unit, about) for shown, unit in read]
+    numbers = [_converted(shown, unit, about) for shown, unit in read]
     if about.kind == "integers":
-        if any(n != int(n) for n in found):
+        if any(n != int(n) for n in numbers):
             raise NotUnderstood(Text("must be {allowed}", allowed=about.allowed()))
-        return [int(n) for n in found]
-    return found
+        return [int(n) for n in numbers]
+    return numbers
 
 
 def _parts(text: str, about: Quantity) -> tuple[float, str]:
@@ -224,14 +224,14 @@ def _parts(text: str, about: Quantity) -> tuple[float, str]:
         raise NotUnderstood(
             Text("is ambiguous: the thousands are not separated here; write {number}", number=_ungrouped(digits))
         )
-    found = NUMBER.match(digits)
-    if found is None:
+    parsed = NUMBER.match(digits)
+    if parsed is None:
         if digits.lower().lstrip("+-").startswith(("nan", "inf")):
             raise NotUnderstood(Text("must be {allowed}, and finite", allowed=about.allowed()))
         raise NotUnderstood(Text("is no number; needs {allowed}", allowed=about.allowed()))
-    mantissa = found["number"].replace(",", ".")
-    power = found["e"] or found["power"] or (found["raised"] or "0").translate(RAISED)
-    return float(f"{mantissa}e{int(power)}"), behind or (found["unit"] or "").strip()
+    mantissa = parsed["number"].replace(",", ".")
+    power = parsed["e"] or parsed["power"] or (parsed["raised"] or "0").translate(RAISED)
+    return float(f"{mantissa}e{int(power)}"), behind or (parsed["unit"] or "").strip()
 
 
 class _Sum:
@@ -244,44 +244,44 @@ class _Sum:
         self._tokens: list[str] = []
         end = 0
         while end < len(text.rstrip()):
-            if (found := TOKEN.match(text, end)) is None:
+            if (token := TOKEN.match(text, end)) is None:
                 raise self._refused
-            self._tokens.append((found["number"] or found["sign"]).replace(",", ".").replace("×", "*"))
-            end = found.end()
+            self._tokens.append((token["number"] or token["sign"]).replace(",", ".").replace("×", "*"))
+            end = token.end()
         self._tokens.reverse()
 
     def value(self) -> float:
-        made = self._terms()
-        if self._tokens or not math.isfinite(made):
+        total = self._terms()
+        if self._tokens or not math.isfinite(total):
             raise self._refused
-        return float(f"{made:.12g}")
+        return float(f"{total:.12g}")
 
     def _next(self, *signs: str) -> str:
         return self._tokens.pop() if self._tokens and self._tokens[-1] in signs else ""
 
     def _terms(self) -> float:
-        made = self._factors()
+        total = self._factors()
         while sign := self._next("+", "-"):
-            made += self._factors() if sign == "+" else -self._factors()
-        return made
+            total += self._factors() if sign == "+" else -self._factors()
+        return total
 
     def _factors(self) -> float:
-        made = self._single()
+        product = self._single()
         while sign := self._next("*", "/"):
             by = self._single()
             if sign == "/" and not by:
                 raise self._refused
-            made = made * by if sign == "*" else made / by
-        return made
+            product = product * by if sign == "*" else product / by
+        return product
 
     def _single(self) -> float:
         if sign := self._next("+", "-"):
             return self._single() if sign == "+" else -self._single()
         if self._next("("):
-            made = self._terms()
+            total = self._terms()
             if not self._next(")"):
                 raise self._refused
-            return made
+            return total
         if not self._tokens or self._tokens[-1] in "+-*/()":
             raise NotUnderstood(Text("is not finished")) if not self._tokens else self._refused
         return float(self._tokens.pop())

@@ -59,16 +59,16 @@ def optional_table(where: Place) -> Place | None:
 
 def error_place(data: Any, key: str) -> Place:
     """The place that an error names; elements of arrays by index."""
-    found: list[str | int] = []
+    place: list[str | int] = []
     here = data
     for part in key.split(".") if key else ():
         if isinstance(here, list) and part.isdigit():
-            found.append(int(part))
+            place.append(int(part))
             here = here[int(part)] if int(part) < len(here) else {}
         else:
-            found.append(part)
+            place.append(part)
             here = here.get(part, {}) if isinstance(here, dict) else {}
-    return tuple(found)
+    return tuple(place)
 
 
 def key_at(where: Place) -> str:

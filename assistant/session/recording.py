@@ -61,16 +61,16 @@ class Recording:
 
     def steps(self) -> "list[Step]":
         """The steps as a replay file has them."""
-        found: list[Step] = []
+        replayed: list[Step] = []
         states = [self.start]
         for after in self._moves:
             if after is None:
                 states.pop()
-                found.append({"undo": True})
+                replayed.append({"undo": True})
             else:
-                found.append(step(states[-1], after))
+                replayed.append(step(states[-1], after))
                 states.append(after)
-        return found
+        return replayed
 
     def text(self, results: "Results") -> str:
         """The replay file.  `results` are those of the design as it is now."""
@@ -158,17 +158,17 @@ def _key(data: Table, place: Place) -> str | None:
     parts: list[str] = []
     here: Any = data
     for part in place:
-        found = None
+        part_name = None
         for name in _names(here, part):
             try:
                 if address(data, ".".join([*parts, name]), whole=True) == place[: len(parts) + 1]:
-                    found = name
+                    part_name = name
                     break
             except BadInput:
                 continue
-        if found is None:
+        if part_name is None:
             return None
-        parts.append(found)
+        parts.append(part_name)
         here = here[part] if isinstance(part, int) else here.get(part, {})
     return ".".join(parts)
 
@@ -187,13 +187,13 @@ def expected(results: "Results") -> Iterator[dict[str, Any]]:
     """What the replay is to come to: the verdict of every step, every check that fails, and the values that stand for
     the steps."""
     asked = results.design.asked()
-    for one in asked:
-        yield {"step": one.key, "verdict": results.outcomes[one.key].verdict}
+    for asked_step in asked:
+        yield {"step": asked_step.key, "verdict": results.outcomes[asked_step.key].verdict}
     for id in dict.fromkeys(check.id for check in results.checks() if check.verdict == "fail"):
         yield {"check": id, "verdict": "fail"}
     values = results.values()
-    for one in asked:
-        found = next(iter(one.heads(values)), None)
-        if found is not None and math.isfinite(found.shown):
-            held = {"rel": REL} if abs(found.shown) > NOTHING else {"abs": NOTHING}
-            yield {"value": found.id, "is": float(found.shown), "unit": found.unit, **held, "kind": "recorded"}
+    for asked_step in asked:
+        head = next(iter(asked_step.heads(values)), None)
+        if head is not None and math.isfinite(head.shown):
+            held = {"rel": REL} if abs(head.shown) > NOTHING else {"abs": NOTHING}
+            yield {"value": head.id, "is": float(head.shown), "unit": head.unit, **held, "kind": "recorded"}

@@ -55,11 +55,11 @@ class Presence:
 
 def present(state: Path, path: Path) -> set[str]:
     """The sessions that are at a design.  What those that were killed have left is taken away."""
-    found = set[str]()
+    sessions = set[str]()
     try:
         files = list((state / PRESENCE_FOLDER).glob(f"{design_key(path)}-*"))
     except OSError:
-        return found
+        return sessions
     for file in files:
         with contextlib.suppress(OSError):
             handle = os.open(file, os.O_RDWR)
@@ -67,10 +67,10 @@ def present(state: Path, path: Path) -> set[str]:
                 if lock(handle):
                     file.unlink(missing_ok=True)
             except BlockingIOError:
-                found.add(file.name.partition("-")[2])
+                sessions.add(file.name.partition("-")[2])
             finally:
                 os.close(handle)
-    return found
+    return sessions
 
 
 FOLDER = "contralbero"
@@ -120,19 +120,19 @@ class Edits:
 
 def not_accepted(valid: Table, state: EditState) -> dict[Place, str]:
     """The entries by which a state differs from the last valid design, as texts of their fields."""
-    found: dict[Place, str] = {}
+    texts: dict[Place, str] = {}
 
     def leaves(where: Place, content: Any) -> None:
         if isinstance(content, dict):
             for key, inner in content.items():
                 leaves((*where, key), inner)
         elif not (isinstance(content, list) and any(isinstance(item, dict) for item in content)):
-            found[where] = numbers.written(content, described(where))
+            texts[where] = numbers.written(content, described(where))
 
     if state.data is not valid:
         for where, content in differences(valid, state.data):
             leaves(where, content)
-    return found | {where: text for where, (text, _) in state.texts.items()}
+    return texts | {where: text for where, (text, _) in state.texts.items()}
 
 
 @dataclass(frozen=True)
@@ -189,9 +189,11 @@ class Memory:
 
     def _files(self, path: Path) -> list[Path]:
         """Of all sessions on a design, the last first."""
-        one = self._file(path, "")
+        base = self._file(path, "")
         try:
-            return sorted(one.parent.glob(f"{one.stem}*.toml"), key=lambda file: file.stat().st_mtime_ns, reverse=True)
+            return sorted(
+                base.parent.glob(f"{base.stem}*.toml"), key=lambda file: file.stat().st_mtime_ns, reverse=True
+            )
         except OSError:  # one has just been taken away
             return []
 
@@ -223,8 +225,12 @@ class Memory:
 
     def keeps(self, path: Path, edits: Edits) -> bool:
         """Whether these edits stand on the disk."""
-        found = _read(self._file(path, edits.session))
-        return found is not None and (found.data, found.typed, found.sha256) == (edits.data, edits.typed, edits.sha256)
+        stored = _read(self._file(path, edits.session))
+        return stored is not None and (stored.data, stored.typed, stored.sha256) == (
+            edits.data,
+            edits.typed,
+            edits.sha256,
+        )
 
     def drop(self, path: Path, session: str) -> None:
         with contextlib.suppress(OSError):
@@ -243,19 +249,19 @@ class Memory:
     def keys(self) -> dict[str, str]:
         """The user's own keys: `keys.toml` in this folder, the id of an action = its keys (`save = "ctrl+w,f12"`)."""
         try:
-            found = tomllib.loads((self.folder / "keys.toml").read_text(encoding="utf-8"))
+            table = tomllib.loads((self.folder / "keys.toml").read_text(encoding="utf-8"))
         except (OSError, ValueError):
             return {}
-        return {str(id): keys for id, keys in found.items() if isinstance(keys, str)}
+        return {str(id): keys for id, keys in table.items() if isinstance(keys, str)}
 
     def settings(self) -> Settings:
         """`settings.toml` in this folder; what is not understood in it is left at its own choice."""
-        found, own = self._settings(), Settings()
-        language, theme, guide = (found.get(name) for name in ("language", "theme", "guide"))
+        table, defaults = self._settings(), Settings()
+        language, theme, guide = (table.get(name) for name in ("language", "theme", "guide"))
         return Settings(
-            language if isinstance(language, str) else own.language,
-            theme if isinstance(theme, str) else own.theme,
-            guide if isinstance(guide, bool) else own.guide,
+            language if isinstance(language, str) else defaults.language,
+            theme if isinstance(theme, str) else defaults.theme,
+            guide if isinstance(guide, bool) else defaults.guide,
         )
 
     def set_setting(self, name: str, value: str | bool) -> None:
@@ -288,11 +294,11 @@ class Memory:
 
 def _read(file: Path) -> Edits | None:
     try:
-        found = tomllib.loads(file.read_text(encoding="utf-8"))
-        head = found["unsaved"]
-        typed = {tuple(entry["place"]): str(entry["text"]) for entry in found.get("typed", [])}
+        table = tomllib.loads(file.read_text(encoding="utf-8"))
+        head = table["unsaved"]
+        typed = {tuple(entry["place"]): str(entry["text"]) for entry in table.get("typed", [])}
         return Edits(
-            found["design"],
+            table["design"],
             datetime.fromisoformat(head["time"]),
             str(head["sha256"]),
             typed,

@@ -63,15 +63,15 @@ def edited_text(text: str, changes: Mapping[str, Any] | Iterable[tuple[Place, An
         place = _place(wanted, key) if isinstance(key, str) else key
         _set(document, place, value, kept=True)
         _set(wanted, place, value)
-    made = tomlkit.dumps(document)
-    if tomllib.loads(made) != wanted:
+    edited = tomlkit.dumps(document)
+    if tomllib.loads(edited) != wanted:
         raise SaveError(
             Text(
                 "the text of the design file can not be edited in place; save it under another name, or simplify its "
                 "notation"
             )
         )
-    return mark + (made.replace("\n", "\r\n") if crlf else made)
+    return mark + (edited.replace("\n", "\r\n") if crlf else edited)
 
 
 def fresh_text(data: Table) -> str:
@@ -86,7 +86,7 @@ def _place(data: Any, key: str) -> Place:
     table, _, id = key.partition(".")
     if id and table in REASONS:
         return table, id
-    found: list[str | int] = []
+    place: list[str | int] = []
     here = data
     for part in key.split("."):
         if isinstance(here, list):
@@ -97,14 +97,14 @@ def _place(data: Any, key: str) -> Place:
                 index = int(part)
             if index is None:
                 raise SaveError(Text('{key}: there is no element "{part}"', key=key, part=part))
-            found.append(index)
+            place.append(index)
             here = here[index] if index < len(here) else {}
         else:
-            found.append(
+            place.append(
                 int(part) if part.isdigit() and here == {} else part
             )  # no key is a number: an array that is not there yet
             here = here.get(part, {}) if isinstance(here, dict) else {}
-    return tuple(found)
+    return tuple(place)
 
 
 def _set(here: Any, place: Place, value: Any, kept: bool = False) -> None:
@@ -134,8 +134,8 @@ def _set(here: Any, place: Place, value: Any, kept: bool = False) -> None:
     elif kept:
         old = here[last] if isinstance(here, list) or last in here else None
         here[last] = _in_the_style_of(old, value)
-        if said := _said_of(old, here[last]):
-            here[last].trivia.comment = f"# {said}"
+        if comment := _said_of(old, here[last]):
+            here[last].trivia.comment = f"# {comment}"
     else:
         here[last] = value
 
@@ -143,10 +143,10 @@ def _set(here: Any, place: Place, value: Any, kept: bool = False) -> None:
 def _said_of(old: Any, new: Any) -> str:
     """What the comment of a value becomes beside another: where the old one came from does not hold of it, until it is
     back."""
-    said = getattr(getattr(old, "trivia", None), "comment", "").lstrip("# \t")
-    if said.startswith("was "):
-        return said.removeprefix(f"was {new.as_string()}, ")
-    return f"was {was}, {said}" if ORIGIN.match(said) and "\n" not in (was := old.as_string()) else ""
+    comment = getattr(getattr(old, "trivia", None), "comment", "").lstrip("# \t")
+    if comment.startswith("was "):
+        return comment.removeprefix(f"was {new.as_string()}, ")
+    return f"was {was}, {comment}" if ORIGIN.match(comment) and "\n" not in (was := old.as_string()) else ""
 
 
 def _new_table(kept: bool) -> Any:
@@ -187,16 +187,16 @@ def differences(old: Any, new: Any, place: Place = ()) -> list[tuple[Place, Any]
     An array of tables that lost elements is cut from its end, so that the places of the others hold.
     """
     if isinstance(old, dict) and isinstance(new, dict):
-        found = [((*place, key), None) for key in old if key not in new]
+        changes = [((*place, key), None) for key in old if key not in new]
         for key, value in new.items():
-            found += differences(old[key], value, (*place, key)) if key in old else [((*place, key), value)]
-        return found
+            changes += differences(old[key], value, (*place, key)) if key in old else [((*place, key), value)]
+        return changes
     if _tables(old) and _tables(new):
-        found = []
+        changes = []
         for i, (a, b) in enumerate(zip(old, new)):
-            found += differences(a, b, (*place, i))
-        found += [((*place, i), None) for i in range(len(old) - 1, len(new) - 1, -1)]
-        return found + [((*place, i), new[i]) for i in range(len(old), len(new))]
+            changes += differences(a, b, (*place, i))
+        changes += [((*place, i), None) for i in range(len(old) - 1, len(new) - 1, -1)]
+        return changes + [((*place, i), new[i]) for i in range(len(old), len(new))]
     return [] if old == new else [(place, new)]
 
 
@@ -208,7 +208,7 @@ def _tables(value: Any) -> bool:
 # --------------------------------------------------------------------------------------------------------------
 def spare(target: Path, *inputs: str | Path) -> None:
     """Raises BadInput where a command was asked to write over what it reads, before it does any work."""
-    if any(same_file(target, one) for one in inputs):
+    if any(same_file(target, source) for source in inputs):
         raise BadInput(
             str(target), [InputError(0, "", "", Text("is an input of this very command; give another name with -o"))]
         )
@@ -270,11 +270,11 @@ def write_atomic(
 
 def free_name(path: Path) -> Path:
     """The path, or the first with a number behind its name that does not exist yet."""
-    found, n = path, 1
-    while found.exists():
+    free, n = path, 1
+    while free.exists():
         n += 1
-        found = path.with_name(f"{path.stem}-{n}{path.suffix}")
-    return found
+        free = path.with_name(f"{path.stem}-{n}{path.suffix}")
+    return free
 
 
 # A design as it stands at one moment of its editing, to be written out while the editing goes on.

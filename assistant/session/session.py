@@ -76,7 +76,7 @@ class Session(Editing):
         memory = memory or Memory()
         wanted = path
         path = path or memory.last()
-        told = EMPTY
+        notice = EMPTY
         if path is not None:
             path = path.expanduser()
             if not is_file(path) and (begun := cls._begun(path, memory, now)) is not None:
@@ -86,14 +86,16 @@ class Session(Editing):
             except BadInput:
                 if wanted is not None:
                     raise
-                told = Text("The last design, {path}, can not be opened any more; this is the example.", path=str(path))
+                notice = Text(
+                    "The last design, {path}, can not be opened any more; this is the example.", path=str(path)
+                )
                 path = None
         if path is None:
             session = cls._read(EXAMPLE, memory, now)
         elif session.path is not None:
             memory.remember(session.path)
         session._put_back()
-        session.message = told or session.message
+        session.message = notice or session.message
         return session
 
     @classmethod

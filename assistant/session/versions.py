@@ -58,18 +58,18 @@ def past(session: Session) -> Iterator[Other]:
 def edit_text(before: Table, after: Table) -> Text:
     """What an edit changed, from what to what; empty where it changed nothing."""
     changed = inputs(before, after)
-    texts = [_input_text(one) for one in changed[:MOST]]
+    texts = [_input_text(difference) for difference in changed[:MOST]]
     if len(changed) > MOST:
         texts.append(Text("{count} more", count=len(changed) - MOST))
     return SEMICOLON.join(texts)
 
 
-def _input_text(one: InputDifference) -> Text:
-    old, new = (text if len(text) <= LONGEST else text[: LONGEST - 1] + "…" for text in input_texts(one))
-    label = named(one.key, one.label, step=True)
-    if not one.unit:
+def _input_text(difference: InputDifference) -> Text:
+    old, new = (text if len(text) <= LONGEST else text[: LONGEST - 1] + "…" for text in input_texts(difference))
+    label = named(difference.key, difference.label, step=True)
+    if not difference.unit:
         return Text("{label}: {old} → {new}", label=label, old=old, new=new)
-    return Text("{label}: {old} → {new} {unit}", label=label, old=old, new=new, unit=one.unit)
+    return Text("{label}: {old} → {new} {unit}", label=label, old=old, new=new, unit=difference.unit)
 
 
 def of_session(session: Session, other: Other) -> Chosen:
@@ -79,5 +79,5 @@ def of_session(session: Session, other: Other) -> Chosen:
 
 def of_file(path: Path) -> Chosen:
     """Another design file, checked.  Raises BadInput with every error of the file."""
-    document, made = load(path)
-    return Chosen(Name(path.stem), Name(str(path)), document.data, made)
+    document, loaded = load(path)
+    return Chosen(Name(path.stem), Name(str(path)), document.data, loaded)

@@ -303,9 +303,11 @@ def draw(sketch: Sketch, columns: int, rows: int, signs: Signs, say: Language, l
     if columns < 4 or rows < 2:
         return Content("")
     canvas = Canvas(columns, rows, signs, say, lit)
-    notes = noted(list(dict.fromkeys(say(note) for one in (sketch, *sketch.beside) for note in one.notes)), columns)
+    notes = noted(list(dict.fromkeys(say(note) for panel in (sketch, *sketch.beside) for note in panel.notes)), columns)
     below = notes if rows > 4 + len(notes) else []
-    for picture, frame in arranged([Spread(one, say) for one in (sketch, *sketch.beside)], columns, rows - len(below)):
+    for picture, frame in arranged(
+        [Spread(panel, say) for panel in (sketch, *sketch.beside)], columns, rows - len(below)
+    ):
         canvas.picture(picture, frame)
     for row, note in enumerate(below, rows - len(below)):
         canvas.put(row, max(0, (columns - cell_len(note)) // 2), note, FAINT)
@@ -395,9 +397,9 @@ class Canvas:
         Words have theirs behind them.
         """
         ends: dict[tuple[str, str], Point] = {}
-        told = {(mark.state, mark.key) for mark in sketch.primitives if isinstance(mark, Words)}
+        worded = {(mark.state, mark.key) for mark in sketch.primitives if isinstance(mark, Words)}
         for mark in sketch.primitives:
-            if mark.state and (mark.state, mark.key) not in told:
+            if mark.state and (mark.state, mark.key) not in worded:
                 corner = max(reach(mark), key=sum)
                 known = ends.get((mark.state, mark.key))
                 ends[mark.state, mark.key] = corner if known is None else max(known, corner, key=sum)
@@ -537,13 +539,13 @@ class Canvas:
             if len(colour) == 6
             else [grey if self.signs.dark else 0xFF - grey] * 3
         )
-        return "#" + "".join(f"{round(paper + (one - paper) * shade):02x}" for one in ink)
+        return "#" + "".join(f"{round(paper + (channel - paper) * shade):02x}" for channel in ink)
 
 
 def _head(dots: Floats) -> Floats:
     """The two strokes of an arrow's head."""
     tip = dots[-1]
-    back = next((tip - one for one in dots[-2::-1] if np.hypot(*(tip - one)) > 1), None)
+    back = next((tip - dot for dot in dots[-2::-1] if np.hypot(*(tip - dot)) > 1), None)
     if back is None:
         return dots[-1:]
     way = math.atan2(-back[1], -back[0])

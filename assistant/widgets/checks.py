@@ -173,8 +173,8 @@ class Checks(ItemList):
         assert self.outcome is not None
         checks, signs, say = self.outcome.checks, self.app.signs, self.app.say
         rows: list[CheckRow] = []
-        found = [[c for c in group if c.open] for group in self.outcome.causes]
-        shown = [group for group in found if group and group[0].kind in KINDS_SHOWN]
+        open_groups = [[c for c in group if c.open] for group in self.outcome.causes]
+        shown = [group for group in open_groups if group and group[0].kind in KINDS_SHOWN]
         for group in shown:
             mine = [c for c in group if c.kind in KINDS_SHOWN]
             unfolded = cause(group[0]) in self.unfolded
@@ -221,8 +221,10 @@ class Checks(ItemList):
         columns = self._columns([row for row in rows if row.check is not None], width)
         keys = [row.key for row in rows if row.key]
         chosen = self.key if self.key in keys else keys[0] if keys else ""
-        told = [Item("", [Content(row) for row in wrap(say(outcome.reason), max(1, width))])] if outcome.reason else []
-        items = [*told, Item("", [self._head(columns)])] if columns.numbers else told
+        reasons = (
+            [Item("", [Content(row) for row in wrap(say(outcome.reason), max(1, width))])] if outcome.reason else []
+        )
+        items = [*reasons, Item("", [self._head(columns)])] if columns.numbers else reasons
         for row in rows:
             if row.check is None:
                 items.append(Item(row.key, [(row.head or Content("")).truncate(width, ellipsis=True)]))
@@ -313,7 +315,7 @@ class Checks(ItemList):
         if advice := say(check.advice).removeprefix(say(sentence(check.remedies))).strip():
             tell(advice)
         if check.open and check.remedies:
-            ways = Name("; ").join(one.words for one in check.remedies)
+            ways = Name("; ").join(remedy.words for remedy in check.remedies)
             tell(say(Text("{key}: {ways}", key=self.app.shown_key("fix"), ways=ways)))
         if check.open and check.kind == "caution":
             tell(say(Text("{key} accepts it, with a reason.", key=self.app.shown_key("accept"))))

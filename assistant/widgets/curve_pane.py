@@ -105,8 +105,8 @@ class Legend:
     def _names(self) -> Iterator[Content]:
         series = self.sight.series
         if len(series) > 1 or (series and series[0].label):
-            for n, one in enumerate(series):
-                yield Content.styled(f"{self._mark(n)} {one.label}", self.app.signs.look(n).colour)
+            for n, line in enumerate(series):
+                yield Content.styled(f"{self._mark(n)} {line.label}", self.app.signs.look(n).colour)
         yield from self._chains()
         yield from self._limits()
 
@@ -230,10 +230,10 @@ class Pane(Vertical):
             beside, end = "", Content.styled(beside.removeprefix(" · "), "not bold")
         gap = max(1, width - len(name) - len(beside) - end.cell_length)
         mark = self.app.signs.mark("cursor") if self.here else " "
-        made = Content.assemble(mark, name, (beside, "not bold"), (" " * gap, "not underline"), end)
-        if made.markup != self._shown:
-            self._shown = made.markup
-            self.title.update(made, layout=False)
+        heading = Content.assemble(mark, name, (beside, "not bold"), (" " * gap, "not underline"), end)
+        if heading.markup != self._shown:
+            self._shown = heading.markup
+            self.title.update(heading, layout=False)
 
     def on_mount(self) -> None:
         self.name_of = self.app.say(self.name_of)
@@ -458,10 +458,10 @@ class CurvePane(Pane, can_focus=True):
         if (sight := self.sight) is not None and self._plot is not None and self._plot.is_attached:
             self._plot.draw(sight, self.app.signs, self.reading)
 
-    def _write(self, made: Content) -> None:
-        if self._written is None or not made.is_same(self._written):
-            self._written = made
-            self.legend.update(made)
+    def _write(self, content: Content) -> None:
+        if self._written is None or not content.is_same(self._written):
+            self._written = content
+            self.legend.update(content)
 
     # --- above a curve: what its lines are, or what is read off them.  Above a table: its head
     def _legend(self, sight: Sight) -> None:

@@ -89,8 +89,8 @@ class Field(Widget):
     def explained(self) -> tuple[str, str, str]:
         """What the foot of the form says about it."""
         locked, say = self.session.lock_reason(self.place), self.app.say
-        said = meaning(self.about, say)
-        text = f"{say(Text('Locked: {reason}', reason=locked))}. {said}".strip() if locked else said
+        explanation = meaning(self.about, say)
+        text = f"{say(Text('Locked: {reason}', reason=locked))}. {explanation}".strip() if locked else explanation
         return self.about.label, text, allowed(self.about, say)
 
     def _made(self) -> Entry | Choice:
@@ -205,7 +205,7 @@ class Field(Widget):
             return f"= {text}", "muted"
         if self.editing and self.was and self.was != text:
             return self.app.say(Text("was {text}", text=Name(self.was))), "muted"
-        if (usual := self.about.usual) and not all(usual[0] <= one <= usual[1] for one in _numbers(content)):
+        if (usual := self.about.usual) and not all(usual[0] <= number <= usual[1] for number in _numbers(content)):
             return (
                 f"{self.app.signs.mark('warn')} "
                 f"{self.app.say(Text('{low}–{high}', low=Amount(usual[0]), high=Amount(usual[1])))}",
@@ -291,7 +291,9 @@ class StrokeField(Field):
 
 def _numbers(content: object) -> list[int | float]:
     """The numbers that a field holds; what is not one yet is left out."""
-    return [one for one in (content if isinstance(content, list) else [content]) if isinstance(one, (int, float))]
+    return [
+        number for number in (content if isinstance(content, list) else [content]) if isinstance(number, (int, float))
+    ]
 
 
 def default_of(row: FormRow) -> str:
@@ -324,11 +326,15 @@ def stepped(session: Session, place: Place, default: str, by: int) -> str:
         step = about.step or 1.0
     else:
         step = about.step or _increment(abs(float(content)))
-    made = float(f"{content + by * step:.10g}")
+    number = float(f"{content + by * step:.10g}")
     low, high, above = about.low, about.high, about.above
-    if (low is not None and made < low) or (high is not None and made > high) or (above is not None and made <= above):
+    if (
+        (low is not None and number < low)
+        or (high is not None and number > high)
+        or (above is not None and number <= above)
+    ):
         return text
-    return numbers.written(int(made) if about.kind == "integer" else made, about)
+    return numbers.written(int(number) if about.kind == "integer" else number, about)
 
 
 def _increment(size: float) -> float:

@@ -84,7 +84,7 @@ class Taken(ItemList):
         )
 
     def build(self, width: int) -> list[Item]:
-        found = []
+        items = []
         values, say = self.session.values(), self.app.say
         label_width = LABEL_NARROW if width >= NARROW else LABEL  # as in the fields above
         for id in TAKEN.get(self.step, ()):
@@ -107,14 +107,14 @@ class Taken(ItemList):
             value = f"{text} {unit}".rstrip()
             room = max(1, min(18, width - label_width - len(origin) - 1))
             first = f"{labels[0]:<{label_width}}{fit(value, room):<{room}} {origin}"
-            found.append(
+            items.append(
                 Item(id, [Content.styled(row, "dim") for row in (first, *labels[1:])], value, f"{label} {value}")
             )
-        if found:
-            found.insert(
+        if items:
+            items.insert(
                 0, Item("", [Content(""), Content.styled(self.app.say(Text("From earlier steps")), "bold dim")])
             )
-        return found
+        return items
 
     def on_key(self, event: events.Key) -> None:
         """A value that another step owns is changed there."""
@@ -204,7 +204,9 @@ def identity(row: FormRow) -> Identity:
 
 def _said(row: FormRow, say: Language) -> FormRow:
     """A row with its words in the user's language."""
-    return replace(row, about=in_language(row.about, say), inside=tuple(_said(one, say) for one in row.inside))
+    return replace(
+        row, about=in_language(row.about, say), inside=tuple(_said(inner_row, say) for inner_row in row.inside)
+    )
 
 
 WIDE = 46  # cells of the form beside the other panes
@@ -275,14 +277,14 @@ class Form(VerticalScroll, can_focus=True, inherit_bindings=False):
     def refresh_fields(self, reasons: dict[Place, Text]) -> None:
         """Show what the session says; a design of another shape gets a form of another shape."""
         rows = self._rows()
-        found = {identity(row): row for row in rows}
+        by_identity = {identity(row): row for row in rows}
         for child in self.children:
             if isinstance(child, Todo):
                 child.rebuild()
         if [self._identities.get(child) for child in self.children] != [part for part, _ in self._parts.parts(rows)]:
             self.rebuild()
         for child in self.children:
-            row = found.get(self._identities.get(child, ()))
+            row = by_identity.get(self._identities.get(child, ()))
             if row is None:
                 continue
             if isinstance(child, Field):
@@ -294,8 +296,8 @@ class Form(VerticalScroll, can_focus=True, inherit_bindings=False):
                 child.redraw(row, reasons.get(row.place, EMPTY))
             elif isinstance(child, (Fold, CellColumns)):
                 child.redraw(row)
-            elif isinstance(child, Static) and str(child.content) != (made := self._parts.heading(row)).plain:
-                child.update(made, layout=False)
+            elif isinstance(child, Static) and str(child.content) != (heading := self._parts.heading(row)).plain:
+                child.update(heading, layout=False)
 
     def _settle(self) -> None:
         """When the focus has left a field: fields of a table that lost its last key go, and folds with mistakes
@@ -404,17 +406,17 @@ class Form(VerticalScroll, can_focus=True, inherit_bindings=False):
     # --- focus
     def stops(self) -> list[Widget]:
         """Everything in the form that takes the focus, in order."""
-        found: list[Widget] = []
+        focusable: list[Widget] = []
         for child in self.children:
             if isinstance(child, Field):
-                found.append(child.box)
+                focusable.append(child.box)
             elif isinstance(child, Cells):
-                found += [field.box for field in child.fields]
+                focusable += [field.box for field in child.fields]
             elif isinstance(child, (ArrayHeading, TableHeading, Fold, Radio)) or (
                 isinstance(child, Taken) and child.items
             ):
-                found.append(child)
-        return found
+                focusable.append(child)
+        return focusable
 
     def here(self) -> Place | None:
         """The place that has the focus."""

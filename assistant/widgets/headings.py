@@ -98,7 +98,7 @@ class ArrayHeading(Widget, can_focus=True):
     def cells(self) -> list[tuple[str, ...]]:
         """Their names, and what each must have beside it, below the labels."""
         assert self.row.about.table is not None
-        known = {key: one.about for key, one in keys(self.row.about.table).items()}
+        known = {key: field.about for key, field in keys(self.row.about.table).items()}
         columns = [
             key
             for key, about in known.items()

@@ -100,12 +100,12 @@ class ItemList(ScrollView, can_focus=True, inherit_bindings=False):
         if width < 2:
             return
         key = self.key
-        made = self.build(width - 1)
-        if made is self.items or (width == self._built and _same(made, self.items)):
-            self.items = made
+        items = self.build(width - 1)
+        if items is self.items or (width == self._built and _same(items, self.items)):
+            self.items = items
             self._go_where_wanted()
             return
-        self.items = made
+        self.items = items
         self._built = width
         self._rows = [(i, row) for i, item in enumerate(self.items) for row in item.rows]
         self._first = []
@@ -189,10 +189,10 @@ class ItemList(ScrollView, can_focus=True, inherit_bindings=False):
             return
         wanted = self._first[self.cursor] + by * max(1, self.size.height - 1)
         choosable = [i for i, item in enumerate(self.items) if item.key]
-        found = min(choosable, key=lambda i: abs(self._first[i] - wanted))
-        if found == self.cursor:  # an item higher than the list
-            found = choosable[max(0, min(len(choosable) - 1, choosable.index(found) + (1 if by > 0 else -1)))]
-        self._move(found)
+        nearest = min(choosable, key=lambda i: abs(self._first[i] - wanted))
+        if nearest == self.cursor:  # an item higher than the list
+            nearest = choosable[max(0, min(len(choosable) - 1, choosable.index(nearest) + (1 if by > 0 else -1)))]
+        self._move(nearest)
 
     def _move(self, index: int, *, top: bool = False) -> None:
         self.cursor = index

@@ -186,9 +186,9 @@ class TopLine(Widget):
         dim = "dim " if session.results is not None and not session.current else ""
         right: list[Content | tuple[str, str] | str] = []
         if session.results is not None:
-            found = tally(states_of(session), session.results)
-            for state, words in found.words:
-                text = f"{getattr(found, state)} {signs.mark(state)}" if short and state in OPEN else say(words)
+            counts = tally(states_of(session), session.results)
+            for state, words in counts.words:
+                text = f"{getattr(counts, state)} {signs.mark(state)}" if short and state in OPEN else say(words)
                 right += [(" " if short else " · ") if right else "", (text, dim + signs.style(state))]
             right.append("  ")
         if not session.valid:
@@ -200,13 +200,13 @@ class TopLine(Widget):
         else:
             time = say(Text("solved in {time}", time=Amount(session.seconds * 1000, "ms", form=".0f")))
         if width < FEWEST:  # which must be seen
-            told = (
+            wordings = (
                 Text("The window is too small: it needs {n} columns.", n=FEWEST),
                 Text("needs {n} columns", n=FEWEST),
                 Text("too small"),
             )
-            fitting = [f" {say(one)}" for one in told if len(say(one)) < width]
-            return Content(fitting[0] if fitting else fit(say(told[-1]), width))
+            fitting = [f" {say(wording)}" for wording in wordings if len(say(wording)) < width]
+            return Content(fitting[0] if fitting else fit(say(wordings[-1]), width))
         if self.app.writing:
             right = [*([] if short else right), (say(self.app.writing), "bold"), "  "]
         right.append((f"{time:>18}" if not short else time, "dim"))

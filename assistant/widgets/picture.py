@@ -70,8 +70,8 @@ class Picture(Widget, can_focus=True):
             if len(self._drawn) >= KEPT:
                 self._drawn.clear()
             self._drawn[key] = self._draw(columns, rows)
-        made, self.turns = self._drawn[key]
-        return made
+        drawing, self.turns = self._drawn[key]
+        return drawing
 
     def _draw(self, columns: int, rows: int) -> tuple[Content, bool]:
         """The picture, and whether it turns with the crank."""

@@ -251,13 +251,13 @@ class Plot(PlotWidget, can_focus=False, inherit_bindings=False):
             return
         (sight, signs), room = self._shown, self._scale_rectangle
         for name, limit in finite_limits(sight.curve):
-            said = f" {name} "
+            label = f" {name} "
             _, at = self.get_pixel_from_coordinate(self._x_min, limit)
-            lefts = range(room.right - len(said) - 1, room.x, -1)
+            lefts = range(room.right - len(label) - 1, room.x, -1)
             places = ((row, left) for row in (at, at - 1, at + 1) if room.y <= row < room.bottom for left in lefts)
-            found = ([(column, row) for column in range(left, left + len(said))] for row, left in places)
-            cells = next((cells for cells in found if not any(cell in self._taken for cell in cells)), [])
-            for cell, char in zip(cells, said):
+            candidates = ([(column, row) for column in range(left, left + len(label))] for row, left in places)
+            cells = next((cells for cells in candidates if not any(cell in self._taken for cell in cells)), [])
+            for cell, char in zip(cells, label):
                 canvas.set_pixel(*cell, char, signs.limit().colour)
             self._taken.update({cell: canvas.get_pixel(*cell) for cell in cells})
 

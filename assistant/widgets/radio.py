@@ -60,17 +60,17 @@ class Todo(Radio):
         reason = without.get(self.step, "") if isinstance(without, dict) else ""
         hindered = hindrance(self.session.document, self.step)
         if hindered:
-            said = say(Text("not built by rules: {why}", why=hindered))
-            rows = [Content.styled(row, "dim") for row in wrap(f"    {said}", width - 1, 4)]
-            items = [Item("", rows, line=said)]
+            words = say(Text("not built by rules: {why}", why=hindered))
+            rows = [Content.styled(row, "dim") for row in wrap(f"    {words}", width - 1, 4)]
+            items = [Item("", rows, line=words)]
         else:
             items = [self._offer(self.BUILD, say(ROUTE[self.step].builds), False, width)]
         leave = say(Text("leave it out"))
         return [*items, self._offer(self.LEAVE, f"{leave}: {reason}" if reason else leave, bool(reason), width)]
 
-    def _offer(self, key: str, said: str, on: bool, width: int) -> Item:
-        rows = wrap(self.button(on) + said, width - 1, 4)
-        return Item(key, [Content(row) for row in rows], line=said)
+    def _offer(self, key: str, words: str, on: bool, width: int) -> Item:
+        rows = wrap(self.button(on) + words, width - 1, 4)
+        return Item(key, [Content(row) for row in rows], line=words)
 
     def explained(self) -> tuple[str, str]:
         title, text = super().explained()
@@ -105,17 +105,19 @@ class Balance(Radio):
 
         worker = get_current_worker()
         try:
-            found = options(document, results)
+            balancings = options(document, results)
         except (BadInput, NoSolution):
-            found = ()
+            balancings = ()
         if not worker.is_cancelled:
-            self.call_later(self._show, found)
+            self.call_later(self._show, balancings)
 
-    def _show(self, found: "tuple[Balancing, ...]") -> None:
+    def _show(self, balancings: "tuple[Balancing, ...]") -> None:
         first = not self._known
-        self._known = found
+        self._known = balancings
         self.rebuild()
-        if first and (wanted := self.made() or next((one.id for one in found if one.called_for), "")):
+        if first and (
+            wanted := self.made() or next((balancing.id for balancing in balancings if balancing.called_for), "")
+        ):
             self.go_to(wanted)
 
     def made(self) -> str:
@@ -124,7 +126,7 @@ class Balance(Radio):
         return choice_made(self.session.document)
 
     def explained(self) -> tuple[str, str]:
-        known = next((one for one in self._known if one.id == self.key), None)
+        known = next((balancing for balancing in self._known if balancing.id == self.key), None)
         title, text = super().explained()
         return title, f"{self.app.say(known.why)} {text}" if known is not None else text
 
@@ -135,8 +137,8 @@ class Balance(Radio):
             wrong = Text("What each balancing leaves is told as soon as every input is understood.")
             return [Item("", [Content.styled(say(waits if self.session.valid else wrong), "dim")])]
         what = [Content.styled(" " * LABEL + say(left.what), "dim") for left in self._known[0].left]
-        items, made = [Item("", [*what])] if what else [], self.made()
-        for one in self._known:
+        items, built = [Item("", [*what])] if what else [], self.made()
+        for balancing in self._known:
             left = [
                 say(
                     Text(
@@ -145,13 +147,17 @@ class Balance(Radio):
                 )
                 if x.before != x.after
                 else say(Text("{after}", after=Amount(x.after, x.unit, digits=3)))
-                for x in one.left
+                for x in balancing.left
             ]
-            mass = say(Text("{mass}", mass=Amount(one.mass, "kg", digits=3))) if one.mass is not None else ""
-            first = pad(self.button(one.id == made) + say(one.label), LABEL) + (left[0] if left else "")
-            sign = f" {self.app.signs.mark('here')}" if one.called_for else ""
+            mass = (
+                say(Text("{mass}", mass=Amount(balancing.mass, "kg", digits=3))) if balancing.mass is not None else ""
+            )
+            first = pad(self.button(balancing.id == built) + say(balancing.label), LABEL) + (left[0] if left else "")
+            sign = f" {self.app.signs.mark('here')}" if balancing.called_for else ""
             end = f"{mass}{sign}"
             head = Content.assemble(f"{first:<{max(len(first) + 1, width - len(end) - 1)}}", end)
             more = [Content.styled(" " * LABEL + text, "dim") for text in left[1:]]
-            items.append(Item(one.id, [head.stylize("bold") if one.called_for else head, *more], line=head.plain))
+            items.append(
+                Item(balancing.id, [head.stylize("bold") if balancing.called_for else head, *more], line=head.plain)
+            )
         return items

@@ -113,8 +113,8 @@ class Reading:
 
 def axis(label: str) -> tuple[str, str]:
     """The name of an axis and its unit; what is explained in brackets behind it belongs to neither."""
-    said = re.sub(r" \([^()]*\)$", "", label)
-    name, _, unit = said.rpartition(", ")
+    bare_label = re.sub(r" \([^()]*\)$", "", label)
+    name, _, unit = bare_label.rpartition(", ")
     return (name, unit) if name else (unit, "")
 
 
@@ -128,9 +128,9 @@ def step_of(low: float, high: float) -> float:
 
 
 def largest_of(values: Any) -> float:
-    found = np.abs(np.asarray(values, float).ravel())
-    found = found[np.isfinite(found)]
-    return float(found.max()) if found.size else 0.0
+    magnitudes = np.abs(np.asarray(values, float).ravel())
+    magnitudes = magnitudes[np.isfinite(magnitudes)]
+    return float(magnitudes.max()) if magnitudes.size else 0.0
 
 
 class Digits:
@@ -265,10 +265,10 @@ class Reader:
         """Of each series; places in true scale all have the same."""
         axes = ("x", "y") if self.curve.equal else ("y",)
         dust = DUST * max(largest_of(getattr(s, name)) for s in self.curve.series for name in axes)
-        own = [max(largest_of(getattr(s, name)) for name in axes) for s in self.sight.series]
+        largest = [max(largest_of(getattr(s, name)) for name in axes) for s in self.sight.series]
         if self.curve.equal and axis(self.curve.y_label)[1] == PLACES:
-            own = [max(own)] * len(own)
-        return tuple(Digits(one, dust) for one in own)
+            largest = [max(largest)] * len(largest)
+        return tuple(Digits(size, dust) for size in largest)
 
     def read(self, cursor: Cursor) -> Reading:
         cursor = self.kept(cursor)
@@ -282,8 +282,8 @@ class Reader:
             )
         if self.kind == "bars":
             x = cursor.place
-            found = ((n, ys[xs == x]) for n, (xs, ys) in enumerate(self.points))
-            reads = tuple(self._one(n, x, float(y[0]) if y.size else math.nan) for n, y in found)
+            bars = ((n, ys[xs == x]) for n, (xs, ys) in enumerate(self.points))
+            reads = tuple(self._one(n, x, float(y[0]) if y.size else math.nan) for n, y in bars)
             return Reading(self._group(x), reads, x, cursor.line)
         at_point = _nearest(self._stops(cursor), cursor.place)
         if self.kind == "along":

@@ -61,12 +61,12 @@ class Asked:
 def routed(step: Step, data: Table, asked: Asked, opened: Collection[int]) -> list[FormRow]:
     """The rows of a step's form in the order in which they decide; of the folds only what is in the open ones."""
     leg = ROUTE[step.key]
-    found = [row for row in rows(step, data, asked) if row.place in asked.held or not idle(row.place, data)]
+    form_rows = [row for row in rows(step, data, asked) if row.place in asked.held or not idle(row.place, data)]
     if step.key == FIRST:
-        found.append(FormRow("stroke", (FIRST, STROKE), TWICE, required=True))
+        form_rows.append(FormRow("stroke", (FIRST, STROKE), TWICE, required=True))
     in_fold: list[list[FormRow]] = [[] for _ in leg.folds]
     deciding: list[list[FormRow]] = [[] for _ in leg.deciding]
-    for row in found:
+    for row in form_rows:
         path = path_of(row.place)
         if (n := fold_of(step.key, path)) is None:
             deciding[next(i for i, pattern in enumerate(leg.deciding) if covers(pattern, path))].append(row)
@@ -74,15 +74,15 @@ def routed(step: Step, data: Table, asked: Asked, opened: Collection[int]) -> li
             deciding[next(i for i, pattern in enumerate(leg.deciding) if covers(path, pattern))].insert(0, row)
         else:
             in_fold[n].append(row)
-    made = [_of_design(NAME, required=True)] if step.key == FIRST else []
-    made += [row for group in deciding for row in group]
+    ordered = [_of_design(NAME, required=True)] if step.key == FIRST else []
+    ordered += [row for group in deciding for row in group]
     for n, (title, _) in enumerate(leg.folds):
         if inside := in_fold[n]:
-            made.append(
+            ordered.append(
                 FormRow("fold", (step.key, f"+{n}"), Quantity("table", title), inside=tuple(inside), open=n in opened)
             )
-            made += inside if n in opened else []
-    return [*made, *_document(data, asked, opened)] if step.key == FIRST else made
+            ordered += inside if n in opened else []
+    return [*ordered, *_document(data, asked, opened)] if step.key == FIRST else ordered
 
 
 def _of_design(place: Place, *, required: bool = False) -> FormRow:
@@ -109,7 +109,7 @@ def rows(step: Step, data: Table, asked: Asked) -> list[FormRow]:
 
 def _rows(cls: type, data: Any, place: Place, asked: Asked, there: bool) -> Iterator[FormRow]:
     """Plain inputs before tables, so that none seems to belong to the table above it."""
-    known = {key: one.about for key, one in keys(cls).items()}
+    known = {key: field.about for key, field in keys(cls).items()}
     tables = [about.table for about in known.values() if about.kind == "table" and not about.optional]
     twins = [key for key, about in known.items() if about.kind == "table" and tables.count(about.table) > 1]
     for key in sorted(known, key=lambda key: known[key].kind in ("table", "tables")):
@@ -180,13 +180,13 @@ def meaning(about: Quantity, say: Language, *, sourced: bool = True) -> str:
     """What a quantity means and what is usual; `sourced`: with the source in brackets, behind the usual range or else
     the meaning."""
     source = f" ({say(about.source)})" if sourced and about.source else ""
-    said, usual = say(about.help), ""
+    words, usual = say(about.help), ""
     if about.usual:
         low, high = about.usual
         usual = f"{say(Text('Usual {low} to {high}', low=Amount(low), high=Amount(high, about.unit)))}{source}."
-    elif said and source:
-        said = f"{said.removesuffix('.')}{source}."
-    return " ".join(part for part in (said, usual) if part)
+    elif words and source:
+        words = f"{words.removesuffix('.')}{source}."
+    return " ".join(part for part in (words, usual) if part)
 
 
 def allowed(about: Quantity, say: Language) -> str:
@@ -201,10 +201,10 @@ def heading_help(about: Quantity, keys: Text, reason: Text, app: BaseApp) -> tup
     return about.label, f"{app.signs.mark('invalid')} {app.say(reason)}. {text}" if reason else text
 
 
-def foot(said: str, rest: str, more: str, width: int, height: int) -> list[str]:
+def foot(words: str, rest: str, more: str, width: int, height: int) -> list[str]:
     """What is said in so many rows; `rest` behind it where all of it has room, `more` where the last row has."""
-    rows = wrap(said, width)
-    if rest and len(longer := wrap(f"{said} {rest}", width)) <= height:
+    rows = wrap(words, width)
+    if rest and len(longer := wrap(f"{words} {rest}", width)) <= height:
         rows = longer
     if len(rows) > height:
         rows = rows[:height]
@@ -233,8 +233,8 @@ class FieldHelp(Widget):
     def render(self) -> Content:
         if not self.title:
             return Content("")
-        said = ": ".join(filter(None, (self.title, " ".join(filter(None, (self.text, self.moves))))))
+        words = ": ".join(filter(None, (self.title, " ".join(filter(None, (self.text, self.moves))))))
         rows = foot(
-            said, self.rest, f"  {self.app.say(Text('F1 more'))}", max(10, self.size.width - 2), self.size.height
+            words, self.rest, f"  {self.app.say(Text('F1 more'))}", max(10, self.size.width - 2), self.size.height
         )
         return Content.styled("\n".join(" " + row for row in rows), "dim")

@@ -57,7 +57,7 @@ class Steps(ItemList):
         items.append(Item(READY, self._ready(states, width)))
         if sum(len(item.rows) + 1 for item in items) > self.size.height + 1:
             return items
-        return [one for item in items for one in (item, Item("", [Content("")]))]
+        return [entry for item in items for entry in (item, Item("", [Content("")]))]
 
     def _step(self, n: int, state: StepState, width: int) -> list[Content]:
         signs: Signs = self.app.signs

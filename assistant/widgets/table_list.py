@@ -54,8 +54,8 @@ class Setter:
 
     def _loosest(self) -> int | None:
         """The widest column of words that can still be wrapped."""
-        found = [i for i, wide in enumerate(self.widths) if not self.numeric[i] and wide > LEAST]
-        return max(found, key=lambda i: self.widths[i], default=None)
+        loose = [i for i, wide in enumerate(self.widths) if not self.numeric[i] and wide > LEAST]
+        return max(loose, key=lambda i: self.widths[i], default=None)
 
     def _in_view(self, first: int) -> list[int]:
         shown = [0]
@@ -75,15 +75,15 @@ class Setter:
         return Text("columns {columns} of {n}", columns=columns, n=len(self.widths))
 
     def _line(self, texts: list[str]) -> str:
-        made = []
+        cells = []
         for text, i in zip(texts, self.columns):
             wide = self.widths[i]
-            made.append(
+            cells.append(
                 f"{' ' * (wide - cell_len(text))}{text}"
                 if self.numeric[i] and cell_len(text) <= wide
                 else pad(text, wide)
             )
-        return (" " * GAP).join(made).rstrip()
+        return (" " * GAP).join(cells).rstrip()
 
     def _block(self, texts: list[str], foot: bool = False) -> list[str]:
         """One row of cells that may be broken into several lines; the head stands on its foot."""
@@ -103,16 +103,18 @@ class Setter:
 
     def items(self) -> list[Item]:
         columns = self.table.columns
-        made = []
+        listed = []
         for n, row in enumerate(self.table.rows):
             texts = [cell_text(cell, self.say) for cell in row]
-            said = "; ".join(f"{label} {text} {unit}".strip() for (label, unit), text in zip(columns, texts) if text)
+            labelled = "; ".join(
+                f"{label} {text} {unit}".strip() for (label, unit), text in zip(columns, texts) if text
+            )
             rows = [Content(line) for line in self._block([texts[i] for i in self.columns])]
-            made.append(Item(f"{self.table.id} {n}", rows, "\t".join(texts), said))
+            listed.append(Item(f"{self.table.id} {n}", rows, "\t".join(texts), labelled))
         if self.table.note:
             note = [Content.styled(line, "dim") for line in wrap(self.table.note, self.width)]
-            made.append(Item("", [Content(""), *note]))
-        return made
+            listed.append(Item("", [Content(""), *note]))
+        return listed
 
 
 class TableList(ItemList):

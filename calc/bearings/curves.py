@@ -244,7 +244,7 @@ def _clearance(place: str, r: BearingResult) -> Iterator[Curve]:
 
 def _length(place: str, r: BearingResult) -> Iterator[Curve]:
     """Longer and thinner, shorter and thicker, with the same projected area and relative clearance."""
-    bearing, found = r.seat.bearing, []
+    bearing, points = r.seat.bearing, []
     area, psi = bearing.diameter * bearing.length, r.clearance / bearing.diameter
     for ratio in RATIOS:
         d = math.sqrt(area / ratio)
@@ -254,10 +254,10 @@ def _length(place: str, r: BearingResult) -> Iterator[Curve]:
                 own_warm, replace(unlinked(r.seat), bearing=other, clearance=psi * d), unlinked(r.duty), 1e-6
             )
             pressure = (film.largest_pressure or 0.0) / r.film_pressure_max
-            found.append((ratio, film.film / r.film, pressure, film.temperature_rise / r.temperature_rise))
+            points.append((ratio, film.film / r.film, pressure, film.temperature_rise / r.temperature_rise))
         except (NoSolution, ArithmeticError, ValueError):
             continue  # so short a bearing carries the load at no eccentricity of the table
-    ratios, *parts = np.array(found).T if found else np.zeros((4, 0))
+    ratios, *parts = np.array(points).T if points else np.zeros((4, 0))
     labels = (Text("smallest film"), Text("largest pressure"), Text("temperature rise"))
     title = Text("What the length of the {place} bearing does at the same projected area", place=IN_WORDS[place])
     series = tuple(Series(label, ratios, part) for label, part in zip(labels, parts))
@@ -308,7 +308,7 @@ def _raimondi_boyd(place: str, r: BearingResult) -> Iterator[Curve]:
 def _further_charts(place: str, r: BearingResult) -> Iterator[Curve]:
     """The other charts of 1958: friction, flow, side flow and pressure over S, with the design's point on the line of
     its length."""
-    own = film_at(float(r.eccentricity), float(np.clip(r.length_ratio, *LENGTH_RATIO_RANGE)))
+    design_film = film_at(float(r.eccentricity), float(np.clip(r.length_ratio, *LENGTH_RATIO_RANGE)))
     where = dict(place=IN_WORDS[place])
     parts = (
         ("friction", Text("lg f*, f* = (r/c)·f"), Text("Raimondi and Boyd: friction, {place} bearing", **where)),
@@ -326,7 +326,9 @@ def _further_charts(place: str, r: BearingResult) -> Iterator[Curve]:
             Series(Text("l/d = {ratio}", ratio=float(ratio)), np.log10(film.sommerfeld), scale(getattr(film, name)))
             for ratio, film in films.items()
         ]
-        lines.append(Series(AS_DESIGNED, np.array([math.log10(r.sommerfeld)]), scale(np.array([getattr(own, name)]))))
+        lines.append(
+            Series(AS_DESIGNED, np.array([math.log10(r.sommerfeld)]), scale(np.array([getattr(design_film, name)])))
+        )
         yield Curve(f"raimondi_boyd_{name}_{place}", title, LG_S, label, tuple(lines))
 
 
@@ -360,9 +362,9 @@ def _duty(place: str, r: BearingResult) -> Iterator[Curve]:
 
 def _oils(r: BearingResult) -> Iterator[Curve]:
     """Kinematic viscosity over temperature: the design's oil and usual ones."""
-    own, known = r.seat.lubricant, oils()
+    lubricant, known = r.seat.lubricant, oils()
     T = np.linspace(40.0, 150.0, 23)
-    shown = {own.oil.name: own} | {name: Lubricant(known[name]) for name in OILS if name in known}
+    shown = {lubricant.oil.name: lubricant} | {name: Lubricant(known[name]) for name in OILS if name in known}
     series = tuple(
         Series(Name(name), T, np.log10([oil.at(float(t)).nu * 1e6 for t in T])) for name, oil in shown.items()
     )

@@ -40,11 +40,11 @@ def with_standing(outcome: Outcome[BearingsResult], stands: Standing | None) -> 
     bearings, checks, notes = {}, list(outcome.checks), list[Text]()
     with trace() as lines:
         for place, load in (("front", stands.stationary_front), ("rear", stands.stationary_rear)):
-            one = outcome.result.bearings[place]
+            bearing = outcome.result.bearings[place]
             with about(Text("{place} bearing, standing part of the load", place=IN_WORDS[place])):
-                part = _standing(one, load, place, notes)
-            bearings[place] = replace(one, standing=part)
-            checks += _checks(place, one, part)
+                part = _standing(bearing, load, place, notes)
+            bearings[place] = replace(bearing, standing=part)
+            checks += _checks(place, bearing, part)
     return replace(
         outcome,
         result=replace(outcome.result, bearings=bearings),
@@ -54,12 +54,12 @@ def with_standing(outcome: Outcome[BearingsResult], stands: Standing | None) -> 
     )
 
 
-def _standing(one: BearingResult, R_0: float, place: str, notes: list[Text]) -> StandingResult:
-    peak = f.load_peak(F=one.load, R_0=R_0)
-    at_start = f.load_at_start(R_0=R_0, d=one.seat.bearing.diameter, l=one.seat.bearing.length)
+def _standing(bearing: BearingResult, R_0: float, place: str, notes: list[Text]) -> StandingResult:
+    peak = f.load_peak(F=bearing.load, R_0=R_0)
+    at_start = f.load_at_start(R_0=R_0, d=bearing.seat.bearing.diameter, l=bearing.seat.bearing.length)
     film_peak = film_orbit = amplitude = equal = None
     try:
-        film_peak = balanced(own_warm, one.seat, replace(one.duty, load=peak)).film
+        film_peak = balanced(own_warm, bearing.seat, replace(bearing.duty, load=peak)).film
     except NoSolution as none:
         words = Text(
             "{place} bearing: no film is found for the largest load of the turn ({none}).",
@@ -67,11 +67,11 @@ def _standing(one: BearingResult, R_0: float, place: str, notes: list[Text]) -> 
             none=none.text,
         )
         notes.append(words)
-    if one.seat.inputs.load_speed_ratio == 1.0:
-        equal = f.speed_of_equal_loads(n=one.duty.speed, R_0=R_0, R=one.load)
-    if R_0 < SMALL * one.load:
-        path = orbit(one.dynamics, R_0, one.attitude_angle, one.duty, one.seat)
-        amplitude, film_orbit = path.amplitude, f.film_over_turn(h_0=one.film, a_n=path.film_loss)
+    if bearing.seat.inputs.load_speed_ratio == 1.0:
+        equal = f.speed_of_equal_loads(n=bearing.duty.speed, R_0=R_0, R=bearing.load)
+    if R_0 < SMALL * bearing.load:
+        path = orbit(bearing.dynamics, R_0, bearing.attitude_angle, bearing.duty, bearing.seat)
+        amplitude, film_orbit = path.amplitude, f.film_over_turn(h_0=bearing.film, a_n=path.film_loss)
     return StandingResult(
         standing_load=R_0,
         load_peak=peak,
@@ -83,7 +83,7 @@ def _standing(one: BearingResult, R_0: float, place: str, notes: list[Text]) -> 
     )
 
 
-def _checks(place: str, one: BearingResult, part: StandingResult) -> Iterator[Check]:
+def _checks(place: str, bearing: BearingResult, part: StandingResult) -> Iterator[Check]:
     yield check(
         f"bearings.{place}.start_load",
         Text("Specific load at the start, {place}", place=IN_WORDS[place]),
@@ -96,13 +96,13 @@ def _checks(place: str, one: BearingResult, part: StandingResult) -> Iterator[Ch
     )
     thinnest = min((h for h in (part.film_load_peak, part.film_orbit) if h is not None), default=None)
     if thinnest is not None:
-        edge = f.film_at_edge_of_another(h_x=thinnest, h_0=one.film, h_edge=one.film_edge)
+        edge = f.film_at_edge_of_another(h_x=thinnest, h_0=bearing.film, h_edge=bearing.film_edge)
         yield check(
             f"bearings.{place}.film_edge_standing",
             Text("Film at the edge over a turn, with the standing load, {place}", place=IN_WORDS[place]),
             edge,
             ">=",
-            one.kreisle_film,
+            bearing.kreisle_film,
             "µm",
             Text("Kreisle, after Finotti 2013, 5.5.3, on the turning and the standing load together"),
             Text("As for the film at the edge; the standing part is weight and gear force."),

@@ -54,7 +54,7 @@ def _all_notes(
     for r in results.values():
         yield rising_rows(r.seat.lubricant.oil) or EMPTY
     if thinned := {place: r for place, r in results.items() if r.seat.lubricant.polymer_thickened}:
-        told = [
+        films = [
             Text(
                 "{place} {film}, needs {least}",
                 place=IN_WORDS[place],
@@ -68,7 +68,7 @@ def _all_notes(
             "and 10⁶ 1/s). With "
             "{share} less the film at the edge is: {films}.",
             share=Amount(100 * LOST_BY_SHEAR, "%"),
-            films=SEMICOLON.join(told),
+            films=SEMICOLON.join(films),
         )
     if fast := [place for place, r in results.items() if r.surface_speed > NO_RULE]:
         yield Text(

@@ -44,11 +44,11 @@ def sketch(design: Designed, results: Solved) -> Sketch:
     """Front and rear bearing of a design side by side."""
     outcome = results.outcomes["bearings"]
     inputs: BearingsInputs | None = design.bearings
-    found = outcome.result
-    if inputs is None or not isinstance(found, BearingsResult):
+    result = outcome.result
+    if inputs is None or not isinstance(result, BearingsResult):
         return awaited(outcome)
     checks = {check.id: check for check in outcome.checks}
-    gap = rounded(min(GAP * r.seat.bearing.diameter / r.clearance_hot for r in found.bearings.values()))
+    gap = rounded(min(GAP * r.seat.bearing.diameter / r.clearance_hot for r in result.bearings.values()))
     notes = (
         Text("gap × {factor}", factor=Amount(gap)),
         Text("the load points down"),
@@ -56,7 +56,7 @@ def sketch(design: Designed, results: Solved) -> Sketch:
     )
     front, *others = (
         Sketch(tuple(_bearing(place, r, inputs, gap, checks)), title=_title(place, r))
-        for place, r in found.bearings.items()
+        for place, r in result.bearings.items()
     )
     return Sketch(front.primitives, notes, title=front.title, beside=tuple(others))
 
@@ -99,12 +99,12 @@ def _bearing(
 
 def _films(key: str, r: BearingResult, centre: Point, journal: Metre, checks: dict[str, Check]) -> Iterator[Mark]:
     """The film at the edge against what it is to be, and that at twice the load where it is too thin."""
-    told = [
+    shown = [
         (check, words)
         for id, words in FILMS
         if (check := checks.get(f"{key}.{id}")) is not None and (id == "film_edge" or check.verdict == "fail")
     ]
-    for n, (check, words) in enumerate(told):
+    for n, (check, words) in enumerate(shown):
         limit = check.limit if isinstance(check.limit, float) else check.limit[0]
         text = Text(words.template, film=Amount(check.value, digits=2), asked=Amount(limit, digits=2))
         at = centre[0], centre[1] + (0.35 - 0.27 * n) * journal
@@ -133,9 +133,9 @@ def pressures(eccentricity: Number, attitude: Radian) -> list[tuple[Radian, Numb
     """Angles from the load and the share of the largest pressure there, in the shape that it has in a short bearing:
     p ~ sin θ/(1 + ε·cos θ)³, θ from the widest film to the narrowest one."""
     turns = [math.pi * n / CORNERS for n in range(CORNERS + 1)]
-    found = [math.sin(theta) / (1 + eccentricity * math.cos(theta)) ** 3 for theta in turns]
-    most = max(found)
-    return [(theta - math.pi + attitude, p / most) for theta, p in zip(turns, found) if p > LEAST * most]
+    shares = [math.sin(theta) / (1 + eccentricity * math.cos(theta)) ** 3 for theta in turns]
+    most = max(shares)
+    return [(theta - math.pi + attitude, p / most) for theta, p in zip(turns, shares) if p > LEAST * most]
 
 
 def _feed(inputs: BearingsInputs, centre: Point, journal: Metre, seat: Metre) -> Iterator[Mark]:

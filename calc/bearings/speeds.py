@@ -153,9 +153,13 @@ def _rows(
     low, high = inputs.speed_range or (SLOWEST * rated, rated)
     speeds = based_on(np.linspace(low, high, STEPS_WITHOUT_BENCH), low, high)
     T_in, p_s = duty.supply_temperature, duty.supply_pressure
-    own: list[Array] = [speeds, based_on(np.full(speeds.shape, T_in), T_in), based_on(np.full(speeds.shape, p_s), p_s)]
+    of_range: list[Array] = [
+        speeds,
+        based_on(np.full(speeds.shape, T_in), T_in),
+        based_on(np.full(speeds.shape, p_s), p_s),
+    ]
     speeds, temperatures, pressures = (
-        (gathered([*alone, *row]) for alone, row in zip(own, of_rows)) if with_bench else own
+        (gathered([*alone, *row]) for alone, row in zip(of_range, of_rows)) if with_bench else of_range
     )
     return speeds, temperatures, pressures
 

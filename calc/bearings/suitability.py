@@ -260,7 +260,7 @@ def _shown(inside: float | None, unit: str) -> float | None:
 
 # --- what runs already
 # --------------------------------------------------------------------------------------------------
-def reference_table(own: Iterable[Journal]) -> Table:
+def reference_table(journals: Iterable[Journal]) -> Table:
     """This design's journals beside those by which the source argues that steel may run in bare aluminium.
 
     p, W and u of all rows by the same formulas on the whole length: a groove is left out.
@@ -270,7 +270,7 @@ def reference_table(own: Iterable[Journal]) -> Table:
     rows: list[tuple[str | float | None, ...]] = []
     with untraced():
         for name, status, d, l, n, F in (
-            *((j.name, Text("this design"), j.diameter, j.length, j.speed, j.load) for j in own),
+            *((j.name, Text("this design"), j.diameter, j.length, j.speed, j.load) for j in journals),
             *((r.name, r.status, r.diameter, r.length, r.speed, r.load) for r in running_bearings().values()),
         ):
             p, u = f.specific_load(F=F, d=d, l=l), f.surface_speed(d=d, n=n)

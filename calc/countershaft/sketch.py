@@ -85,19 +85,19 @@ def sketch(design: Designed, results: Solved) -> Sketch:
     """The shaft of a design, as far as it is known."""
     outcome = results.outcomes[STEP]
     shaft: CountershaftInputs | None = design.countershaft
-    found = outcome.result
-    if shaft is None or not isinstance(found, CountershaftResult):
+    result = outcome.result
+    if shaft is None or not isinstance(result, CountershaftResult):
         return awaited(outcome)
     checks = tuple(outcome.checks)
     masses = judged(
         checks,
         *(f"{STEP}.{id}" for id in ("residual", "residual_force", "envelope", "envelope_length", "outline_force")),
     )
-    if found.outline is not None:
-        view, notes = _shaped(shaft, found.outline, masses), [Text("lengths in mm")]
-    elif found.sector:
+    if result.outline is not None:
+        view, notes = _shaped(shaft, result.outline, masses), [Text("lengths in mm")]
+    elif result.sector:
         view, notes = (
-            _envelope(shaft, tuple(found.sector.values()), masses),
+            _envelope(shaft, tuple(result.sector.values()), masses),
             [Text("lengths in mm"), Text("without its journals")],
         )
     elif shaft.masses:
@@ -107,12 +107,12 @@ def sketch(design: Designed, results: Solved) -> Sketch:
     side: list[Mark] = [
         Polyline(AXIS, ((view.start - SUPPORT * view.length, 0.0), (view.end + SUPPORT * view.length, 0.0)))
     ]
-    side += _side(view, found.outline)
+    side += _side(view, result.outline)
     side += _supports(view, checks)
     side += _dimensions(view)
     if shaft.holes is not None:
         side += _holes(view, shaft.holes, judged(checks, HOLES))
-    if found.bending is not None and (bent := _bent(view, found.bending, checks)) is not None:
+    if result.bending is not None and (bent := _bent(view, result.bending, checks)) is not None:
         side += bent[0]
         notes.append(Text("dashed: bending × {factor}", factor=Amount(bent[1])))
     return Sketch(tuple(side), tuple(notes), beside=(Sketch(tuple(_end_view(view)), title=Text("from the front")),))
@@ -128,10 +128,18 @@ def _envelope(shaft: CountershaftInputs, sectors: tuple[SizedSector, ...], state
     """A shaft that is sized, but has no journals yet: its sectors on the core, from bearing to bearing."""
     start, end = shaft.bearing_positions[0], shaft.bearing_positions[-1]
     R, r_0 = shaft.outer_radius or 0.0, shaft.core_radius or 0.0
-    heavy = sorted((one for one in sectors if one.half_angle), key=lambda one: one.z)
+    heavy = sorted((sector for sector in sectors if sector.half_angle), key=lambda sector: sector.z)
     pieces = [
-        Piece(one.z - one.length / 2, one.z + one.length / 2, R, r_0, one.half_angle, one.angle, "sector")
-        for one in heavy
+        Piece(
+            sector.z - sector.length / 2,
+            sector.z + sector.length / 2,
+            R,
+            r_0,
+            sector.half_angle,
+            sector.angle,
+            "sector",
+        )
+        for sector in heavy
     ]
     edges = [start, *(edge for piece in pieces for edge in (piece.start, piece.end)), end]
     pieces += [Piece(a, b, r_0, 0.0, None, 0.0, "core") for a, b in zip(edges[::2], edges[1::2]) if b > a]
@@ -296,7 +304,7 @@ def _end_view(view: View) -> Iterator[Mark]:
     sectors = [piece for piece in view.pieces if piece.half_angle is not None]
     for radius in sorted({round(p.outer_radius, 5) for p in view.pieces if p.what == "journal"}):
         yield Arc(CONTEXT, (0.0, 0.0), radius, key=JOURNALS)
-    told: set[tuple[Metre, Metre, Radian, Radian]] = set()
+    sizes: set[tuple[Metre, Metre, Radian, Radian]] = set()
     for piece in sectors:
         assert piece.half_angle is not None
         size = (
@@ -305,9 +313,9 @@ def _end_view(view: View) -> Iterator[Mark]:
             round(piece.half_angle, 2),
             round(piece.angle, 4),
         )
-        if size in told:
+        if size in sizes:
             continue
-        told.add(size)
+        sizes.add(size)
         edge = sector_outline(piece)
         yield Area(OUTLINE, (edge,), SHADES["sector"], _mass_keys(view, piece), view.state)
         yield Polyline(OUTLINE, edge, True, _mass_keys(view, piece), view.state)
@@ -322,11 +330,11 @@ def _points_around(view: View) -> Iterator[Mark]:
     """Masses of which only the places are known; those in one direction are one."""
     yield Arc(OUTLINE, (0.0, 0.0), POINT / 4 * view.radius)
     yield Arc(CONTEXT, (0.0, 0.0), max(mass.radius for mass in view.shaft.masses))
-    told: set[Point] = set()
+    places: set[Point] = set()
     for mass in view.shaft.masses:
         at = _from_up(mass.radius, mass.angle)
-        if (place := (round(at[0], 5), round(at[1], 5))) not in told:
-            told.add(place)
+        if (place := (round(at[0], 5), round(at[1], 5))) not in places:
+            places.add(place)
             yield from _point(view, (0.0, 0.0), at, mass)
             yield from _angle(view, mass.angle, f"{MASSES}.{mass.name}")
 

@@ -403,38 +403,43 @@ def with_oil(outcome: Outcome[CountershaftResult], bearings: "BearingsResult | N
         return outcome
     with trace() as lines:
         drain = _with_oil(shaft.drain, bearings) if shaft.drain is not None else None
-        further = {name: _with_oil(one, bearings) for name, one in (shaft.further_drains or {}).items()}
-    found = [
-        named(made, name) for name, one in {"": drain, **further}.items() if one is not None for made in _checks(one)
+        further = {
+            name: _with_oil(drain_result, bearings) for name, drain_result in (shaft.further_drains or {}).items()
+        }
+    oil_checks = [
+        named(drain_check, name)
+        for name, drain_result in {"": drain, **further}.items()
+        if drain_result is not None
+        for drain_check in _checks(drain_result)
     ]
     result = replace(shaft, drain=drain, further_drains=further or None)
     return (
-        replace(outcome, result=result, checks=(*outcome.checks, *found), lines=(*outcome.lines, *lines))
-        if found
+        replace(outcome, result=result, checks=(*outcome.checks, *oil_checks), lines=(*outcome.lines, *lines))
+        if oil_checks
         else outcome
     )
 
 
-def _with_oil(one: DrainResult, bearings: "BearingsResult") -> DrainResult:
-    drain, slope = one.drain, one.drain_slope
+def _with_oil(result: DrainResult, bearings: "BearingsResult") -> DrainResult:
+    drain, slope = result.drain, result.drain_slope
     if drain.bore is None or slope is None or slope <= 0:
-        return one
+        return result
     front, rear = bearings.bearings["front"], bearings.bearings["rear"]
     with about(Text("oil drain")):
         nu = max(bearing.seat.oil_at(bearing.outlet_temperature).nu for bearing in (front, rear))
         v_l, v_t = laminar_speed(theta=slope, d=drain.bore, nu=nu), turbulent_speed(theta=slope, d=drain.bore, nu=nu)
         flow = oil_taken(x_f=drain.oil_share[0], Q_f=front.oil_flow, x_r=drain.oil_share[1], Q_r=rear.oil_flow)
-        return replace(one, drain_flow=flow, drain_run_off=run_off(d=drain.bore, v_l=v_l, v_t=v_t))
+        return replace(result, drain_flow=flow, drain_run_off=run_off(d=drain.bore, v_l=v_l, v_t=v_t))
 
 
-def _checks(one: DrainResult) -> Iterator[Check]:
-    if one.drain_flow is not None and one.drain_run_off is not None:
+def _checks(result: DrainResult) -> Iterator[Check]:
+    if result.drain_flow is not None and result.drain_run_off is not None:
         yield check(
-            f"{one.drain.id}.run_off",
+            f"{result.drain.id}.run_off",
             Text("Oil of the bearings that the drain takes"),
-            one.drain_flow,
+            result.drain_flow,
             "<=",
-            one.drain_run_off,
+            result.drain_run_off,
             "L/min",
             Text("rule of this program: it must run off by itself, by the slope that the machine's tilt leaves"),
             Text("A wider bore, a steeper passage, or a drain more. Cold oil runs off far slower."),

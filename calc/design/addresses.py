@@ -23,7 +23,7 @@ def address(data: Table, key: str, whole: bool = False) -> tuple[str | int, ...]
 
     With `whole` the key may be that of a table, which else has to be one of a value in it.
     """
-    found: list[str | int] = []
+    path: list[str | int] = []
     here: object = data
     cls: type | None = Design
     parts = key.split(".")
@@ -39,7 +39,7 @@ def address(data: Table, key: str, whole: bool = False) -> tuple[str | int, ...]
                 raise _no_such(
                     key, Text('there is no element "{part}"; there are {names}', part=part, names=names or "none")
                 )
-            found.append(index)
+            path.append(index)
             here = here[index]
             continue
         if isinstance(here, tuple):  # a list of numbers, by place
@@ -52,27 +52,27 @@ def address(data: Table, key: str, whole: bool = False) -> tuple[str | int, ...]
                         count2=len(here) - 1,
                     ),
                 )
-            found.append(int(part))
+            path.append(int(part))
             break
         known = keys(cls) if cls is not None else {}
         if part not in known:
             raise _no_such(
                 key, unknown(part, known) if known else Text('"{parts}" has no parts', parts=".".join(parts[:i]))
             )
-        found.append(part)
+        path.append(part)
         about = known[part].about
         cls = about.table
         if about.kind in ("reasons", "open"):
             rest = ".".join(parts[i + 1 :])  # an id, which has dots of its own
             if not rest and not whole:
                 raise _no_such(key, Text("is a table; name one of its keys: ") + "bearings.front.mckee")
-            return (*found, rest) if rest else tuple(found)
+            return (*path, rest) if rest else tuple(path)
         here = here.get(part, [] if about.kind == "tables" else {}) if isinstance(here, dict) else {}
         if about.kind in ("series", "integers") and isinstance(here, list):
             here = tuple(here)
     if cls is not None and not whole:
         raise _no_such(key, Text("is a table; name one of its keys: ") + ", ".join(keys(cls)))
-    return tuple(found)
+    return tuple(path)
 
 
 def quantity_of(data: Table, key: str) -> Quantity:
@@ -128,12 +128,12 @@ def _changed(here: object, where: tuple[str | int, ...], value: object) -> objec
             for n, item in enumerate(here)
             if not (gone and n == first)
         ]
-    made = dict(as_table(here))
+    table = dict(as_table(here))
     if rest or value is not None:
-        made[str(first)] = _changed(made.get(str(first), {}), rest, value)
+        table[str(first)] = _changed(table.get(str(first), {}), rest, value)
     else:
-        made.pop(str(first), None)  # None: left out, the program chooses
-    return made
+        table.pop(str(first), None)  # None: left out, the program chooses
+    return table
 
 
 def parse_assignment(text: str) -> tuple[str, object]:

@@ -94,7 +94,7 @@ def write_file(
     """
     with _writing(path) as target:
         for name in (target, _backup(target)) if backup else (target,):
-            if any(same_file(name, one) for one in inputs):
+            if any(same_file(name, source) for source in inputs):
                 raise OSError(errno.EEXIST, Text("it is an input of this very command; give another name"))
         old = _standing(target)
         if new and old is not None:
@@ -188,8 +188,8 @@ def _put(draft: Path, data: bytes | Path, old: os.stat_result | None) -> None:
         if isinstance(data, Path):
             from shutil import copyfileobj  # which a check does not need
 
-            with data.open("rb") as made:
-                copyfileobj(made, file)
+            with data.open("rb") as source:
+                copyfileobj(source, file)
         else:
             file.write(data)
         file.flush()

@@ -143,15 +143,15 @@ def _any_of(patterns: tuple[str, ...]) -> re.Pattern[str]:
 def key_results(values: Mapping[str, Published]) -> dict[str, Published]:
     """The results of the first page by their patterns, each of the part where it is worst; no imbalance that the engine
     does not have."""
-    found = {}
+    results = {}
     of_any = {
         id: v for id, v in values.items() if like(id, tuple(pattern for pattern, _ in RESULTS)) and v.shown == v.shown
     }
     for pattern, worst in RESULTS:
         numbers = [v for id, v in of_any.items() if like(id, (pattern,))]
         if numbers:
-            found[pattern] = (min if worst == "min" else max)(numbers, key=lambda v: v.shown)
-    return {pattern: v for pattern, v in found.items() if v.shown or not pattern.startswith("imbalance.")}
+            results[pattern] = (min if worst == "min" else max)(numbers, key=lambda v: v.shown)
+    return {pattern: v for pattern, v in results.items() if v.shown or not pattern.startswith("imbalance.")}
 
 
 def is_least(pattern: str) -> bool:
@@ -173,12 +173,14 @@ def concerns(method: str, check: str) -> bool:
 
 def stretched(checks: Iterable[Check]) -> list[Check]:
     """The checks of the method among these that put others outside the validity of their formulas."""
-    return [one for one in checks if one.kind == "method" and not one.holds and pattern_of(one.id) in VALIDITY]
+    return [
+        check for check in checks if check.kind == "method" and not check.holds and pattern_of(check.id) in VALIDITY
+    ]
 
 
 def outside(check: Check, checks: Iterable[Check]) -> list[Check]:
     """The checks of the method, among those of its step, that put a check outside the validity of its formula."""
-    return [one for one in stretched(checks) if concerns(one.id, check.id)]
+    return [method_check for method_check in stretched(checks) if concerns(method_check.id, check.id)]
 
 
 def judged(check: Check, checks: Iterable[Check]) -> str:

@@ -41,7 +41,7 @@ def locked(data: Table, key: str) -> str:
     if (reason := GIVEN.get(key.partition(".")[0])) is not None:
         return reason
     place = _place(data, key)
-    return next((reason for one, reason in locks(data).items() if _within(place, _place(data, one))), "")
+    return next((reason for locked_key, reason in locks(data).items() if _within(place, _place(data, locked_key))), "")
 
 
 def _place(data: Table, key: str) -> tuple[str | int, ...]:
@@ -59,9 +59,9 @@ def _within(place: tuple[str | int, ...], outer: tuple[str | int, ...]) -> bool:
 def toggled(data: Table, key: str, reason: str) -> Table:
     """The tables with a key locked, or unlocked where it was: then the locks that hold it go, that of its table too."""
     now, place = dict(locks(data)), _place(data, key)
-    holding = [one for one in now if _within(place, _place(data, one))]
-    for one in holding:
-        del now[one]
+    holding = [locked_key for locked_key in now if _within(place, _place(data, locked_key))]
+    for locked_key in holding:
+        del now[locked_key]
     if not holding:
         now[key] = reason
     return {**data, "locked": now}

@@ -152,10 +152,10 @@ class Design:
             if (wrong := _no_key(key)) is not None:
                 yield f"locked.{key}", wrong
         for step, _ in self.without:
-            if step not in {one.key for one in STEPS}:
+            if step not in {known_step.key for known_step in STEPS}:
                 yield (
                     f"without.{step}",
-                    Text("is no step; there are {steps}", steps=", ".join(one.key for one in STEPS)),
+                    Text("is no step; there are {steps}", steps=", ".join(known_step.key for known_step in STEPS)),
                 )
             elif getattr(self, step) is not None:
                 yield f"without.{step}", Text("is a step of this design: take the table out, or this line")
@@ -212,7 +212,7 @@ class Design:
         if self.friction is not None and self.gears is not None and self.bearings is None and self.gears.power is None:
             yield "gears.power_kW", Text("needed where there is no [bearings] table whose loss the train carries")
 
-    def _mounting(self, own: MountingInputs) -> Iterable[tuple[str, Text]]:
+    def _mounting(self, mounting: MountingInputs) -> Iterable[tuple[str, Text]]:
         """What the mounts ask of the engine."""
         for key, there in (("engine", self.engine), ("imbalance", self.imbalance)):
             if there is None:
@@ -220,36 +220,36 @@ class Design:
         if self.engine is None:
             return
         rated = Amount(self.engine.rated_speed * 60, "rpm")
-        if own.idle_speed >= self.engine.rated_speed:
+        if mounting.idle_speed >= self.engine.rated_speed:
             yield "mounting.idle_speed_rpm", Text("must stay below the rated speed, {rated}", rated=rated)
-        if own.cylinder_spread is not None and len(own.cylinder_spread) not in (1, self.engine.cylinders):
-            count, n = len(own.cylinder_spread), self.engine.cylinders
+        if mounting.cylinder_spread is not None and len(mounting.cylinder_spread) not in (1, self.engine.cylinders):
+            count, n = len(mounting.cylinder_spread), self.engine.cylinders
             yield (
                 "mounting.cylinder_spread_percent",
                 Text("has {count} entries; needs one, or one per cylinder, {n}", count=count, n=n),
             )
         gas = self.engine.gas
-        for i, row in enumerate(own.operation):
+        for i, row in enumerate(mounting.operation):
             if row.has_gas and (gas is None or gas.pressure):
                 yield (
                     f"mounting.operation.{i}",
                     Text("its pressures need [engine.gas] with a peak pressure, of which they are changes"),
                 )
-        if own.torque_path == "off_body" and own.output_torque is None and gas is None:
+        if mounting.torque_path == "off_body" and mounting.output_torque is None and gas is None:
             yield "mounting.output_torque_Nm", Text("needed where no [engine.gas] gives the mean torque")
 
     def _gear_places(self) -> Iterable[tuple[str, Text]]:
         """Positions count from the crank's axis, on which the first driver stands where the engine drives it."""
-        own = self.gears
+        gears = self.gears
         if (
-            own is None
+            gears is None
             or self.engine is None
-            or (own.speed is not None and own.speed != self.engine.rated_speed)
-            or not own.meshes
+            or (gears.speed is not None and gears.speed != self.engine.rated_speed)
+            or not gears.meshes
         ):
             return
-        for i, wheel in enumerate(own.wheels):
-            if wheel.name == own.meshes[0].driver and wheel.position is not None and any(wheel.position):
+        for i, wheel in enumerate(gears.wheels):
+            if wheel.name == gears.meshes[0].driver and wheel.position is not None and any(wheel.position):
                 yield (
                     f"gears.wheels.{i}.position_mm",
                     Text("must be [0, 0]: it stands on the crank, from whose axis positions count"),
@@ -321,26 +321,26 @@ class Design:
                         ),
                     )
 
-    def _bearings(self, own: BearingsInputs) -> Iterable[tuple[str, Text]]:
+    def _bearings(self, bearings: BearingsInputs) -> Iterable[tuple[str, Text]]:
         """What the tables of bearings do not have, and what bearings need that stand alone."""
-        if own.bush_material is not None and (wrong := bush_problem(own.bush_material)) is not None:
+        if bearings.bush_material is not None and (wrong := bush_problem(bearings.bush_material)) is not None:
             yield "bearings.bush_material", wrong
-        if (wrong := application_problem(own.application)) is not None:
+        if (wrong := application_problem(bearings.application)) is not None:
             yield "bearings.application", wrong
-        if self.engine is None and own.speed is None:
+        if self.engine is None and bearings.speed is None:
             yield "bearings.speed_rpm", Text("needed where there is no [engine] table to take it from")
         if self.countershaft is None:
-            if own.journal_material is None:
+            if bearings.journal_material is None:
                 yield "bearings.journal_material", Text("needed where there is no [countershaft] table to take it from")
             for place in ("front", "rear"):
-                if getattr(own, place).load is None:
+                if getattr(bearings, place).load is None:
                     yield (
                         f"bearings.{place}.load_N",
                         Text("needed where there is no [countershaft] table whose reactions it carries"),
                     )
-        elif self.engine is not None and own.speed is not None and own.speed != self.engine.rated_speed:
+        elif self.engine is not None and bearings.speed is not None and bearings.speed != self.engine.rated_speed:
             for place in ("front", "rear"):
-                if getattr(own, place).load is None:
+                if getattr(bearings, place).load is None:
                     at = Text("{rated_speed} rpm", rated_speed=Amount(self.engine.rated_speed * 60, form="g"))
                     yield (
                         "bearings.speed_rpm",

@@ -99,7 +99,7 @@ def written(value: object, unit: str = "") -> Text | Amount:
     if value is None:
         return Text("left out")
     if isinstance(value, list):
-        row = Name("/").join(Text("{x}", x=written(one)) for one in value)
+        row = Name("/").join(Text("{x}", x=written(entry)) for entry in value)
         return Text("{row}°", row=row) if unit == "°" else Text("{row} {unit}", row=row, unit=unit) if unit else row
     return (
         Amount(value, unit, digits=DIGITS)

@@ -86,8 +86,8 @@ class DocumentControl:
     def words(self) -> Iterable[str]:
         """All that is printed of it."""
         yield from (self.number, self.project, self.customer, self.company, self.revision)
-        for _, one in self.signatures():
-            yield from (one.name, one.date)
+        for _, signature in self.signatures():
+            yield from (signature.name, signature.date)
         for change in self.changes:
             yield from (change.revision, change.date, change.what, change.by)
 
@@ -101,23 +101,23 @@ FORMER = {
 }
 
 
-def control(own: DocumentControl | None, former: Mapping[str, str]) -> DocumentControl:
+def control(given: DocumentControl | None, former: Mapping[str, str]) -> DocumentControl:
     """The table of a design, and what an old file says at its top in its place."""
-    made = own or DocumentControl()
-    prepared, checked = made.prepared or Signature(), made.checked or Signature()
+    document = given or DocumentControl()
+    prepared, checked = document.prepared or Signature(), document.checked or Signature()
     return replace(
-        made,
-        revision=made.revision or former["revision"],
+        document,
+        revision=document.revision or former["revision"],
         prepared=Signature(name=prepared.name or former["author"], date=prepared.date or former["date"]),
         checked=Signature(name=checked.name or former["checker"], date=checked.date),
-        approved=made.approved or Signature(),
+        approved=document.approved or Signature(),
     )
 
 
-def said_twice(own: DocumentControl | None, former: Mapping[str, str]) -> Iterable[tuple[str, Text]]:
+def said_twice(document: DocumentControl | None, former: Mapping[str, str]) -> Iterable[tuple[str, Text]]:
     """Keys of old files whose content stands in the table as well."""
     for key, (place, part) in FORMER.items():
-        there = getattr(own, place, None)
+        there = getattr(document, place, None)
         if former[key] and (getattr(there, part, "") if part else there):
             yield (
                 key,
@@ -195,7 +195,7 @@ class OptimiseInputs:
     def problems(self) -> Iterable[tuple[str, Text]]:
         for name in ("objectives", "limits", "waive"):
             given = getattr(self, name)
-            if given is not None and not (isinstance(given, list) and all(isinstance(one, str) for one in given)):
+            if given is not None and not (isinstance(given, list) and all(isinstance(word, str) for word in given)):
                 yield name, Text("must be a list of words")
             elif name == "objectives" and given is not None:
                 if not given or set(given) - set(OBJECTIVES):
@@ -205,11 +205,11 @@ class OptimiseInputs:
         if self.vary is not None and not isinstance(self.vary, dict):
             yield "vary", Text("must be a table of keys")
         elif isinstance(self.vary, dict):
-            for key, said in self.vary.items():
-                if (wrong := range_problem(said)) is not None:
+            for key, allowed in self.vary.items():
+                if (wrong := range_problem(allowed)) is not None:
                     yield f"vary.{key}", wrong
-        for n, one in enumerate(self.price):
-            if not isinstance(one.value, list):
+        for n, price in enumerate(self.price):
+            if not isinstance(price.value, list):
                 yield f"price.{n}.value", Text("must be a list, of one or two")
 
     def _bounds(self, name: str, known: tuple[str, ...]) -> Iterable[tuple[str, Text]]:
@@ -226,17 +226,17 @@ class OptimiseInputs:
                 yield f"{name}.{key}", Text("must be a number")
 
 
-def range_problem(said: object) -> Text | None:
+def range_problem(allowed: object) -> Text | None:
     """What is wrong with the values that a key may take; None: nothing."""
-    if isinstance(said, list):
-        return None if said else Text("is empty; give the values that it may take")
-    if isinstance(said, dict):
-        if set(said) != RANGE or not all(_number(x) for x in said.values()):
+    if isinstance(allowed, list):
+        return None if allowed else Text("is empty; give the values that it may take")
+    if isinstance(allowed, dict):
+        if set(allowed) != RANGE or not all(_number(x) for x in allowed.values()):
             return Text("must be a list of values, or numbers from, to and step")
-        if not (said["step"] > 0 and said["to"] >= said["from"]):
+        if not (allowed["step"] > 0 and allowed["to"] >= allowed["from"]):
             return Text("must rise from `from` to `to` by a step above zero")
         return None
-    return None if said == "fixed" else Text('must be a list of values, numbers from, to and step, or "fixed"')
+    return None if allowed == "fixed" else Text('must be a list of values, numbers from, to and step, or "fixed"')
 
 
 def _number(x: object) -> bool:

@@ -99,19 +99,19 @@ def compared_table(a: tuple[Design, Predicted], b: tuple[Design, Predicted], nam
     cells = []
     for row in rows.values():
         sides = [predicted.of(row)[0] for _, predicted in (a, b)]
-        shown = [cell for found in sides for cell in (found, _deviation(found, row.is_))]
+        shown = [cell for side in sides for cell in (side, _deviation(side, row.is_))]
         speeds = {predicted.speed(row) for _, predicted in (a, b)}
         cells.append((Name(row.value), speeds.pop() if len(speeds) == 1 else None, row.is_, Name(row.unit), *shown))
     return Table("measured", TITLE, tuple(columns), tuple(cells))
 
 
 def _row(row: Measured, predicted: Predicted) -> tuple[str | float | None, ...]:
-    found, verdict = predicted.of(row)
-    if found is not None and row.uncertainty is not None:
-        off = abs(found - row.is_) - row.uncertainty
+    value, verdict = predicted.of(row)
+    if value is not None and row.uncertainty is not None:
+        off = abs(value - row.is_) - row.uncertainty
         verdict = Text("inside") if off <= 0 else Text("outside, by {off}", off=Amount(off, row.unit))
-    deviation = _deviation(found, row.is_)
-    return Name(row.value), predicted.speed(row), row.is_, row.uncertainty, found, Name(row.unit), deviation, verdict
+    deviation = _deviation(value, row.is_)
+    return Name(row.value), predicted.speed(row), row.is_, row.uncertainty, value, Name(row.unit), deviation, verdict
 
 
 def _deviation(predicted: float | None, measured: float) -> float | None:
@@ -119,8 +119,8 @@ def _deviation(predicted: float | None, measured: float) -> float | None:
 
 
 def _predicted(row: Measured, design: Design, values: Values) -> tuple[float | None, Text]:
-    found = values.get(row.value)
-    given = (found.shown, found.unit) if found is not None else _input(design, row.value)
+    value = values.get(row.value)
+    given = (value.shown, value.unit) if value is not None else _input(design, row.value)
     if given is None:
         from difflib import get_close_matches
 
@@ -157,12 +157,12 @@ def _of_bench(address: str, design: Design, speed: float) -> bool:
 def at_speed(design: Design, speed: float, values: Values) -> Design:
     """The design at another speed of its engine: clearances as they were made, oil as the bench run had it there."""
     assert design.engine is not None
-    engine, own = replace(design.engine, rated_speed=speed, rated_power=None), design.bearings
+    engine, bearings = replace(design.engine, rated_speed=speed, rated_power=None), design.bearings
     changed = replace(design, engine=engine, measured=())
-    if own is None:
+    if bearings is None:
         return changed
     front, rear = (values.get(f"bearings.{place}.clearance") for place in ("front", "rear"))
-    own = replace(own, front=_as_made(own.front, front), rear=_as_made(own.rear, rear))
+    bearings = replace(bearings, front=_as_made(bearings.front, front), rear=_as_made(bearings.rear, rear))
     if design.engine.bench:
         import numpy as np
 
@@ -171,8 +171,8 @@ def at_speed(design: Design, speed: float, values: Values) -> Design:
             speeds = [row.speed for row in run]
             temperature = float(np.interp(speed, speeds, [row.oil_temperature for row in run]))
             pressure = float(np.interp(speed, speeds, [row.oil_pressure for row in run]))
-            own = replace(own, supply_temperature=temperature, supply_pressure=pressure)
-    return replace(changed, bearings=own)
+            bearings = replace(bearings, supply_temperature=temperature, supply_pressure=pressure)
+    return replace(changed, bearings=bearings)
 
 
 def _as_made(side: BearingInputs, clearance: Published | None) -> BearingInputs:

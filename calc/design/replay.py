@@ -142,13 +142,13 @@ def load(path: Path | str) -> Script:
 def _check_step(key: str, row: Table, error: Complain) -> None:
     for unknown in [key for key in row if key not in Step.__annotations__]:
         error(f"{key}.{unknown}", Text("is not known; a step has set and to, or unset, or undo, or report"))
-    one, many = isinstance(row.get("set"), str), isinstance(row.get("set"), dict) and bool(row["set"])
+    single, many = isinstance(row.get("set"), str), isinstance(row.get("set"), dict) and bool(row["set"])
     gone = row.get("unset")
     several = isinstance(gone, list) and bool(gone) and all(isinstance(name, str) for name in gone)
     kinds = ("set" in row or "unset" in row) + ("undo" in row) + ("report" in row)
-    wrong = kinds != 1 or one != ("to" in row) or ("set" in row and not one and not many)
+    wrong = kinds != 1 or single != ("to" in row) or ("set" in row and not single and not many)
     if "unset" in row:
-        wrong |= one or not (isinstance(gone, str) or several)
+        wrong |= single or not (isinstance(gone, str) or several)
     name = row.get("report", "out.pdf")
     if wrong or not isinstance(name, str) or row.get("undo", True) is not True:
         error(key, STEP)
@@ -247,10 +247,10 @@ def compare(results: Results, row: Expect) -> Compared:
     if "value" not in row:
         what = row.get("check") or row.get("step")
         if "check" in row:
-            found = next((c.verdict for c in results.checks() if c.id == what), "no such check")
+            actual = next((c.verdict for c in results.checks() if c.id == what), "no such check")
         else:
-            found = results.outcomes[what].verdict if what in results.outcomes else "no such step"
-        return Compared(str(what), row["verdict"], found, found == row["verdict"], kind, source)
+            actual = results.outcomes[what].verdict if what in results.outcomes else "no such step"
+        return Compared(str(what), row["verdict"], actual, actual == row["verdict"], kind, source)
     name, expected, unit = row["value"], float(row["is"]), row.get("unit", "")
     value = results.values().get(name)
     tolerance = max(abs(row.get("rel", 0.0) * expected), row.get("abs", 0.0))

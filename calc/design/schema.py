@@ -21,53 +21,53 @@ def schema() -> dict[str, Any]:
 def _table(cls: type) -> dict[str, Any]:
     """One table: its keys in their order, no others."""
     known = keys(cls)
-    required = [key for key, one in known.items() if not one.about.optional]
-    made: dict[str, Any] = {
+    required = [key for key, entry in known.items() if not entry.about.optional]
+    definition: dict[str, Any] = {
         "type": "object",
         "additionalProperties": False,
-        "properties": {k: _key(one.about) for k, one in known.items()},
+        "properties": {k: _key(entry.about) for k, entry in known.items()},
     }
-    return made | ({"required": required} if required else {})
+    return definition | ({"required": required} if required else {})
 
 
 def _key(about: Quantity) -> dict[str, Any]:
-    said = {"description": _words(about)}
+    definition = {"description": _words(about)}
     match about.kind:
         case "number" | "integer":
-            return said | _number(about)
+            return definition | _number(about)
         case "series" | "integers":
             low, high = about.count or (0, None)
             many = {"type": "array", "items": _number(about), "minItems": max(low, 1)} | (
                 {"maxItems": high} if high is not None else {}
             )
-            return said | (
+            return definition | (
                 {"anyOf": [many, _number(about)]} if low <= 1 else many
             )  # one number is read as a list of one
         case "choice":
             numbers = [
-                float(one) for one in about.choices if one.replace(".", "", 1).isdigit()
+                float(choice) for choice in about.choices if choice.replace(".", "", 1).isdigit()
             ]  # 8.8 may stand without quotes
-            return said | {"enum": [*about.choices, *numbers]}
+            return definition | {"enum": [*about.choices, *numbers]}
         case "table":
             assert about.table is not None
-            return said | _table(about.table)
+            return definition | _table(about.table)
         case "tables":
             assert about.table is not None
-            return said | {"type": "array", "items": _table(about.table)}
+            return definition | {"type": "array", "items": _table(about.table)}
         case "reasons":
-            return said | {"type": "object", "additionalProperties": {"type": "string", "minLength": 1}}
+            return definition | {"type": "object", "additionalProperties": {"type": "string", "minLength": 1}}
         case "open":
-            return said | {"type": ["array", "object"]}
+            return definition | {"type": ["array", "object"]}
         case _:
-            return said | {"type": "string"}  # a date of TOML is one to the editors
+            return definition | {"type": "string"}  # a date of TOML is one to the editors
 
 
 def _number(about: Quantity) -> dict[str, Any]:
-    made: dict[str, Any] = {"type": "integer" if about.kind in ("integer", "integers") else "number"}
+    definition: dict[str, Any] = {"type": "integer" if about.kind in ("integer", "integers") else "number"}
     for name, bound in (("minimum", about.low), ("maximum", about.high), ("exclusiveMinimum", about.above)):
         if bound is not None:
-            made[name] = bound
-    return made
+            definition[name] = bound
+    return definition
 
 
 def _words(about: Quantity) -> str:

@@ -75,8 +75,12 @@ def journals(design: Design) -> tuple[tuple[float, float], ...]:
     are not known."""
     if design.countershaft is not None and design.countershaft.journals:
         return tuple((j.diameter, j.length) for j in design.countershaft.journals)
-    own = design.bearings
-    return ((own.front.diameter, own.front.length), (own.rear.diameter, own.rear.length)) if own is not None else ()
+    bearings = design.bearings
+    return (
+        ((bearings.front.diameter, bearings.front.length), (bearings.rear.diameter, bearings.rear.length))
+        if bearings is not None
+        else ()
+    )
 
 
 def shaft_gear(design: Design, train: TrainResult | None) -> Gear | None:
@@ -87,23 +91,23 @@ def shaft_gear(design: Design, train: TrainResult | None) -> Gear | None:
     return Gear(wheel.pitch_diameter, wheel.tip_diameter, wheel.face_width, train.system.alpha_n, train.system.beta)
 
 
-def bearing_materials(design: Design, own: BearingsInputs) -> BearingMaterials:
+def bearing_materials(design: Design, bearings: BearingsInputs) -> BearingMaterials:
     """The oil of the bearings, and what journals and housing are made of; journals that are not given are those of the
     shaft."""
     shaft = design.countershaft.material if design.countershaft is not None else ""
     solids = design.materials
     return BearingMaterials(
-        oil=own.in_bearings(design.oils[own.oil]),
-        journal=solids[own.journal_material or shaft],
-        housing=solids[own.housing_material],
+        oil=bearings.in_bearings(design.oils[bearings.oil]),
+        journal=solids[bearings.journal_material or shaft],
+        housing=solids[bearings.housing_material],
     )
 
 
 def mesh_oil(design: Design) -> MeshOil | None:
     """The oil on the teeth: given, or that of the bearings; None where neither is."""
-    own, there = design.friction, design.bearings
-    name = (own.oil if own is not None else None) or (there.oil if there is not None else None)
-    temperature = own.oil_temperature if own is not None else None
+    friction, there = design.friction, design.bearings
+    name = (friction.oil if friction is not None else None) or (there.oil if there is not None else None)
+    temperature = friction.oil_temperature if friction is not None else None
     if temperature is None and there is not None:
         temperature = there.supply_temperature
     if name is None or temperature is None:
@@ -115,11 +119,11 @@ def mesh_oil(design: Design) -> MeshOil | None:
     )
 
 
-def power(own: GearsInputs, f: Outcome[FrictionResult]) -> Power | None:
+def power(gears: GearsInputs, f: Outcome[FrictionResult]) -> Power | None:
     """The power that loads the teeth: the given one, else that of each mesh in the closed balance; None where neither
     is known."""
-    if own.power is not None:
-        return Power(own.power)
+    if gears.power is not None:
+        return Power(gears.power)
     return Power({key: mesh.power_in for key, mesh in f.result.meshes.items()}) if f.result is not None else None
 
 
@@ -156,11 +160,11 @@ def irregularity(
 ) -> Irregularity | None:
     """How unevenly the first driver turns: given, else by the engine's torque on its flywheel; None where neither is
     known."""
-    own, crank = design.gears, design.engine
+    gears, crank = design.gears, design.engine
     speed = first_speed(design)
-    if own is None or speed is None:
+    if gears is None or speed is None:
         return None
-    delta_s, order, swing = own.speed_irregularity, own.irregularity_order, None
+    delta_s, order, swing = gears.speed_irregularity, gears.irregularity_order, None
     if delta_s is None:
         swing = _swing(engine, crank, speed)
         if swing is None:
@@ -206,8 +210,8 @@ def gear_end(design: Design, shaft: Outcome[CountershaftResult]) -> str | None:
 
 def housing(design: Design) -> str | None:
     """The material between the centres: that of the gears, else that of the bearings."""
-    own = design.gears.housing_material if design.gears is not None else None
-    return own or (design.bearings.housing_material if design.bearings is not None else None)
+    material = design.gears.housing_material if design.gears is not None else None
+    return material or (design.bearings.housing_material if design.bearings is not None else None)
 
 
 def shaft_in_train(design: Design, shaft: Outcome[CountershaftResult]) -> ShaftInTrain:
@@ -241,15 +245,15 @@ def shaft_on_engine(
     """The counter-shaft as the engine's mounts see it; None where there is none."""
     from ..mounting.drive import ShaftOnEngine  # which most designs do not need
 
-    own, result = design.countershaft, shaft.result
-    if own is None or result is None:
+    countershaft, result = design.countershaft, shaft.result
+    if countershaft is None or result is None:
         return None
     return ShaftOnEngine(
-        own.speed_ratio,
+        countershaft.speed_ratio,
         result.force_vector,
         result.couple_vector,
-        own.pair == "yes",
-        own.axis,
+        countershaft.pair == "yes",
+        countershaft.axis,
         shaft_errors(design, result, train.result),
         shaft_teeth(design),
     )

@@ -169,11 +169,11 @@ class Document:
         """The comments beside keys in the file, by these keys, elements of arrays by index; none beside what has been
         changed since."""
         text = self.raw.decode("utf-8-sig", "replace")
-        said = {key: words for key, words in remarks(text).items() if key in self.lines}
+        comments = {key: words for key, words in remarks(text).items() if key in self.lines}
         if 0 not in self.lines.values():
-            return said
+            return comments
         file = tomllib.loads(text)
-        return {key: words for key, words in said.items() if same_content(file, self.data, key)}
+        return {key: words for key, words in comments.items() if same_content(file, self.data, key)}
 
     def with_value(self, key: str, value: object) -> "Document":
         """The same document with one key changed (`bearings.front.length_mm`, `gears.wheels.shaft.teeth`); None takes
@@ -193,18 +193,18 @@ class Document:
 
 def same_content(a: Table, b: Table, key: str) -> bool:
     """Whether the same stands at a key, whose elements of arrays are indices, in elements of the same names."""
-    one: object = a
+    this: object = a
     other: object = b
     for part in key.split("."):
-        if isinstance(one, list) and isinstance(other, list):
+        if isinstance(this, list) and isinstance(other, list):
             n = int(part)
-            one, other = (rows[n] if n < len(rows) else None for rows in (one, other))
+            this, other = (rows[n] if n < len(rows) else None for rows in (this, other))
         else:
-            one, other = (table.get(part) if isinstance(table, dict) else None for table in (one, other))
-        names = [table.get("name") if isinstance(table, dict) else None for table in (one, other)]
+            this, other = (table.get(part) if isinstance(table, dict) else None for table in (this, other))
+        names = [table.get("name") if isinstance(table, dict) else None for table in (this, other)]
         if names[0] != names[1]:
             return False
-    return bool(one == other)
+    return bool(this == other)
 
 
 Sound = tuple[Document, Design]  # a document without errors, and the design that it is
@@ -332,15 +332,15 @@ class _Reader:
             elif not about.about.optional:
                 self.error(join(prefix, key), None, Text("is missing; needs {allowed}", allowed=about.about.allowed()))
                 values[about.attribute] = PLACEHOLDER[about.about.kind]
-        made = cls(**values)
+        inputs = cls(**values)
         try:
-            found = getattr(made, "problems", lambda: ())()
-            for key, reason in [(key, reason) for key, reason in found if join(prefix, key) not in self.wrong]:
+            problems = getattr(inputs, "problems", lambda: ())()
+            for key, reason in [(key, reason) for key, reason in problems if join(prefix, key) not in self.wrong]:
                 self.error(join(prefix, key), _plain(data, key), reason)
         except (TypeError, ValueError, AttributeError, LookupError):
             if not self.wrong:
                 raise  # a placeholder may stop a cross-check, nothing else may
-        return made
+        return inputs
 
     def value(self, about: Quantity, value: object, key: str, address: str, like: Like | None = None) -> object:
         match about.kind:
@@ -435,7 +435,7 @@ class _Reader:
             if isinstance(like, list) and [item.get("name") for item in like] == names
             else [None] * len(value)
         )
-        made: tuple[object, ...] = tuple(
+        elements: tuple[object, ...] = tuple(
             self.inputs(about.table, item, f"{key}.{i}", f"{address}.{i if name is None else name}", known)  # type: ignore[arg-type]
             for i, (item, name, known) in enumerate(zip(value, names, before))
         )
@@ -452,7 +452,7 @@ class _Reader:
                 if name in seen:
                     self.error(f"{key}.{i}.name", name, Text("stands twice; every element needs a name of its own"))
                 seen.add(name)
-        return made
+        return elements
 
     def reasons(self, value: object, key: str) -> tuple[tuple[str, str], ...]:
         if not isinstance(value, dict):
@@ -501,10 +501,10 @@ def design(document: Document, sound: Sound | None = None) -> Design:
     `sound`: a document of which this one was made, with its design: what is unchanged is taken over and not read again.
     """
     reader = _Reader(document)
-    made = reader.inputs(Design, document.data, "", like=(sound[0].data, sound[1]) if sound is not None else None)
+    checked = reader.inputs(Design, document.data, "", like=(sound[0].data, sound[1]) if sound is not None else None)
     if reader.errors:
         raise BadInput(document.place, reader.errors)
-    return made
+    return checked
 
 
 def load(path: Path | str) -> tuple[Document, Design]:

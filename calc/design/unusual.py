@@ -39,8 +39,10 @@ class Unusual:
 
 def unusual(design: Design, steps: Iterable[str] = KEYS) -> list[Unusual]:
     """The furthest outside first.  Ranges are those that the form shows beside a field."""
-    found = [one for step in steps if (inputs := getattr(design, step)) is not None for one in _of(inputs, step)]
-    return sorted(found, key=lambda one: -one.beyond)
+    outliers = [
+        outlier for step in steps if (inputs := getattr(design, step)) is not None for outlier in _of(inputs, step)
+    ]
+    return sorted(outliers, key=lambda outlier: -outlier.beyond)
 
 
 def _of(inputs: object, prefix: str) -> Iterator[Unusual]:
@@ -61,11 +63,13 @@ def _of(inputs: object, prefix: str) -> Iterator[Unusual]:
                 yield Unusual(here, about, numbers[beyond.index(most)], usual, most)
 
 
-def told(found: Sequence[Unusual], most: int = SHOWN) -> Text:
+def told(outliers: Sequence[Unusual], most: int = SHOWN) -> Text:
     """Of more than `most` the rest as a number; empty where there are none."""
-    if not found:
+    if not outliers:
         return EMPTY
-    inputs = SEMICOLON.join(one.words for one in found[:most])
-    if len(found) > most:
-        inputs = Text("{names}; {more} more", names=inputs, more=len(found) - most)
-    return plural("{n} input is not usual: {inputs}", "{n} inputs are not usual: {inputs}", n=len(found), inputs=inputs)
+    inputs = SEMICOLON.join(outlier.words for outlier in outliers[:most])
+    if len(outliers) > most:
+        inputs = Text("{names}; {more} more", names=inputs, more=len(outliers) - most)
+    return plural(
+        "{n} input is not usual: {inputs}", "{n} inputs are not usual: {inputs}", n=len(outliers), inputs=inputs
+    )

@@ -273,8 +273,8 @@ class Awaited(Protocol):
 
 def judged(checks: Iterable[Check], *ids: str) -> State:
     """The worst verdict of the checks with these ids, or whose ids go on after a dot."""
-    found = {c.verdict for c in checks if any(c.id == id or c.id.startswith(f"{id}.") for id in ids)}
-    return "fail" if "fail" in found else "warn" if "warn" in found else ""
+    verdicts = {c.verdict for c in checks if any(c.id == id or c.id.startswith(f"{id}.") for id in ids)}
+    return "fail" if "fail" in verdicts else "warn" if "warn" in verdicts else ""
 
 
 def awaited(outcome: Awaited) -> Sketch:

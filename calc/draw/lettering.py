@@ -90,20 +90,20 @@ def strokes(dimension: Dimension) -> tuple[Stroke, ...]:
         max(b + tail, middle + half) if dimension.shift or tail else b,
     ]
     way = -1.0 if tail else 1.0
-    made: list[Stroke] = []
+    marks: list[Stroke] = []
     for point in (first, last):
         start, sign = point[1 - n], 1.0 if level > point[1 - n] else -1.0
         if abs(level - start) > OFF * h:
-            made.append(
+            marks.append(
                 Polyline(
                     DIMENSION, (_at(point[n], start + sign * OFF * h, n), _at(point[n], level + sign * BEYOND * h, n))
                 )
             )
-    made += [Polyline(DIMENSION, (_at(reach[0], level, n), _at(reach[1], level, n)))]
-    made += [arrow(_at(a, level, n), _at(-way, 0.0, n), h), arrow(_at(b, level, n), _at(way, 0.0, n), h)]
+    marks += [Polyline(DIMENSION, (_at(reach[0], level, n), _at(reach[1], level, n)))]
+    marks += [arrow(_at(a, level, n), _at(-way, 0.0, n), h), arrow(_at(b, level, n), _at(way, 0.0, n), h)]
     above = level - OFF * h if dimension.upright else level + OFF * h
-    made.append(Words(DIMENSION, _at(middle, above, n), number, h, side="centre", turned=dimension.upright))
-    return tuple(made)
+    marks.append(Words(DIMENSION, _at(middle, above, n), number, h, side="centre", turned=dimension.upright))
+    return tuple(marks)
 
 
 def outside(length: Metre, height: Metre) -> bool:

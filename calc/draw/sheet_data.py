@@ -56,7 +56,7 @@ def turned(results: Results, solved: CountershaftResult) -> list[TurnedPiece]:
     assert solved.outline is not None and shaft is not None
     pieces = drawn(solved.outline)
     ends = [pieces[0].start, *(_boundary(a, b) for a, b in pairwise(pieces)), solved.outline.end]
-    made = []
+    turned_pieces = []
     for piece, (start, end) in zip(pieces, pairwise(ends)):
         radius, label, texture = piece.outer_radius, None, None
         if piece.what == "gear" and wheel is not None:
@@ -65,8 +65,8 @@ def turned(results: Results, solved: CountershaftResult) -> list[TurnedPiece]:
             label, texture = _cylinder(
                 results, piece, next((z for z in shaft.bearing_positions if start <= z <= end), None)
             )
-        made.append(TurnedPiece(piece, start, end, radius, label, texture))
-    return made
+        turned_pieces.append(TurnedPiece(piece, start, end, radius, label, texture))
+    return turned_pieces
 
 
 def _boundary(a: Piece, b: Piece) -> Metre:
@@ -86,14 +86,14 @@ def tips(wheel: WheelResult) -> Text:
 
 def _cylinder(results: Results, piece: Piece, support: Metre | None) -> tuple[Text, Text | None]:
     """Its diameter; where it runs in a bearing with its fit, as far as the design gives one, and its roughness."""
-    size, own, shaft = _diameter(piece.outer_radius), results.design.bearings, results.design.countershaft
-    if own is None or shaft is None or support is None:
+    size, bearings, shaft = _diameter(piece.outer_radius), results.design.bearings, results.design.countershaft
+    if bearings is None or shaft is None or support is None:
         return size, None
-    if own.journal_fit != ASSUMED_FIT:
-        field = parse(own.journal_fit, "shaft")
+    if bearings.journal_fit != ASSUMED_FIT:
+        field = parse(bearings.journal_fit, "shaft")
         named = Text("{size} {field}", size=size, field=str(field)) if field.letter else size
         size = deviated(named, *deviations(field, 2 * piece.outer_radius))
-    bearing = {shaft.bearing_positions[0]: own.front, shaft.bearing_positions[-1]: own.rear}.get(support)
+    bearing = {shaft.bearing_positions[0]: bearings.front, shaft.bearing_positions[-1]: bearings.rear}.get(support)
     return size, None if bearing is None else Text(
         "Ra {ra}", ra=number(UNITS["µm"].shown(bearing.journal_roughness), 2)
     )
@@ -101,10 +101,10 @@ def _cylinder(results: Results, piece: Piece, support: Metre | None) -> tuple[Te
 
 def missing(results: Results) -> Iterator[Text]:
     """What a drawing needs and this design does not give; nothing is put in its place."""
-    own, shaft = results.design.bearings, results.design.countershaft
-    if own is None or own.journal_fit == ASSUMED_FIT:
+    bearings, shaft = results.design.bearings, results.design.countershaft
+    if bearings is None or bearings.journal_fit == ASSUMED_FIT:
         yield Text("fits of the journals")
-    if own is None:
+    if bearings is None:
         yield Text("roughness of the journals")
     yield Text("heat treatment")
     yield Text("general and geometrical tolerances")
@@ -114,7 +114,7 @@ def missing(results: Results) -> Iterator[Text]:
         yield Text("fillets")
     if shaft is not None and shaft.holes is not None:
         yield Text("places of the calibration holes")
-    if own is not None and own.supply == "shaft":
+    if bearings is not None and bearings.supply == "shaft":
         yield Text("oil ways in the shaft")
 
 
@@ -131,11 +131,11 @@ def gear_rows(results: Results, wheel: WheelResult, say: Say) -> Rows:
     rows = [*_teeth(train, wheel, gears), *_sizes(wheel), *_mates(train, wheel)]
     if (friction := results.design.friction) is not None and (Ra := _flanks(friction, train, wheel.name)) is not None:
         rows.append((Text("Roughness of the flanks"), Text("Ra {ra}", ra=number(UNITS["µm"].shown(Ra), 2))))
-    own = next(one for one in gears.wheels if one.name == wheel.name)
-    if own.gear_material is not None:
-        rows.append((Text("Strength class, ISO 6336-5"), Name(own.gear_material)))
-    if own.hardness is not None:
-        rows.append((Text("Surface hardness"), Text("{hardness} HV", hardness=number(own.hardness, 0))))
+    wheel_inputs = next(inputs for inputs in gears.wheels if inputs.name == wheel.name)
+    if wheel_inputs.gear_material is not None:
+        rows.append((Text("Strength class, ISO 6336-5"), Name(wheel_inputs.gear_material)))
+    if wheel_inputs.hardness is not None:
+        rows.append((Text("Surface hardness"), Text("{hardness} HV", hardness=number(wheel_inputs.hardness, 0))))
     return [(say(label), say(value)) for label, value in rows]
 
 
@@ -282,10 +282,10 @@ def notes(results: Results, solved: CountershaftResult, up: float, data: Mapping
         )
     if shaft.fillet_radius is not None:
         yield Text("Fillets at the shoulders R{radius}.", radius=millimetres(shaft.fillet_radius))
-    if (own := results.design.bearings) is not None and (clearances := _clearances(results)) is not None:
+    if (bearings := results.design.bearings) is not None and (clearances := _clearances(results)) is not None:
         yield Text(
             "Diametral clearance of the journals in their bearings at {T} °C: {front} µm front, {rear} µm rear.",
-            T=number(UNITS["°C"].shown(own.clearance_reference_temperature), 1),
+            T=number(UNITS["°C"].shown(bearings.clearance_reference_temperature), 1),
             front=clearances[0],
             rear=clearances[1],
         )

@@ -67,14 +67,14 @@ def rows(spans: Sequence[Span], height: float) -> list[DimensionRow]:
     order = sorted(range(len(spans)), key=lambda n: (round(spans[n].length, 6), n))
     for place, n in enumerate(order):
         later = [spans[i] for i in order[place + 1 :]]
-        found = (
+        candidates = (
             DimensionRow(spans[n], level, shift)
             for shifts in (_near(spans[n], height), _far(spans[n], height))
             for level in range(len(spans) + 1)
             for shift in shifts
         )
         placed[n] = next(
-            (row for row in found if _clear(row, list(placed.values()), later, height)),
+            (row for row in candidates if _clear(row, list(placed.values()), later, height)),
             DimensionRow(spans[n], len(spans) + 1, 0.0),
         )
     return [placed[n] for n in range(len(spans))]
@@ -142,12 +142,12 @@ def shelves(
     ways = {
         n: [(y, right) for right in (asked[n].x <= middle, asked[n].x > middle) for y in heights] for n in inner_first
     }
-    found = _placed(asked, inner_first, ways, limits, taken)
-    if found is None:
+    places = _placed(asked, inner_first, ways, limits, taken)
+    if places is None:
         right_first = sorted(inner_first, key=lambda n: -asked[n].x)
         stairs = {n: [(bottom + step * level, True) for level in range(LEVELS * len(asked))] for n in inner_first}
-        found = _placed(asked, right_first, stairs, (-math.inf, math.inf), ()) or {n: ways[n][0] for n in inner_first}
-    return [found[n] for n in range(len(asked))]
+        places = _placed(asked, right_first, stairs, (-math.inf, math.inf), ()) or {n: ways[n][0] for n in inner_first}
+    return [places[n] for n in range(len(asked))]
 
 
 def _placed(
@@ -159,10 +159,10 @@ def _placed(
 ) -> dict[int, Place] | None:
     """The first way of each shelf that is free, in that order; one that has no place yet keeps all above it free for
     its line."""
-    found: dict[int, Place] = {}
+    places: dict[int, Place] = {}
     boxes = list(taken)
     for n in order:
-        tops = {i: found[i][0] if i in found else math.inf for i in range(len(asked)) if i != n}
+        tops = {i: places[i][0] if i in places else math.inf for i in range(len(asked)) if i != n}
         lines = [(asked[i].x - CLEAR, asked[i].foot, asked[i].x + CLEAR, top) for i, top in tops.items()]
         for y, right in ways[n]:
             shelf = asked[n]
@@ -171,16 +171,16 @@ def _placed(
                 (left, y - CLEAR, left + shelf.wide, y + shelf.high),
                 (shelf.x - CLEAR, shelf.foot, shelf.x + CLEAR, y),
             )
-            crossed = any(_overlap(box, one) or _overlap(line, one) for one in boxes) or any(
-                _overlap(box, one) for one in lines
+            crossed = any(_overlap(box, other) or _overlap(line, other) for other in boxes) or any(
+                _overlap(box, other) for other in lines
             )
             if limits[0] <= left and left + shelf.wide <= limits[1] and not crossed:
-                found[n] = y, right
+                places[n] = y, right
                 boxes.append(box)
                 break
         else:
             return None
-    return found
+    return places
 
 
 def _overlap(a: Box, b: Box) -> bool:
@@ -193,18 +193,18 @@ def _overlap(a: Box, b: Box) -> bool:
 SAME = 1e-7  # m: surfaces closer than this go on into one another
 
 
-def shoulders(one: TurnedPiece, other: TurnedPiece, up: Radian) -> list[tuple[Metre, Metre]]:
+def shoulders(piece: TurnedPiece, other: TurnedPiece, up: Radian) -> list[tuple[Metre, Metre]]:
     """The heights between which their surfaces do not go on into one another, on the side of who looks."""
-    heights = sorted({*_corners(one, up), *_corners(other, up)})
-    made: list[tuple[Metre, Metre]] = []
+    heights = sorted({*_corners(piece, up), *_corners(other, up)})
+    spans: list[tuple[Metre, Metre]] = []
     for a, b in pairwise(heights):
-        near, far = _depth(one, (a + b) / 2, up), _depth(other, (a + b) / 2, up)
+        near, far = _depth(piece, (a + b) / 2, up), _depth(other, (a + b) / 2, up)
         if b - a < SAME or near == far or abs(near - far) < SAME:  # equal as well where neither reaches so high
             continue
-        if made and a - made[-1][1] < SAME:
-            a = made.pop()[0]
-        made.append((a, b))
-    return made
+        if spans and a - spans[-1][1] < SAME:
+            a = spans.pop()[0]
+        spans.append((a, b))
+    return spans
 
 
 def _faces(piece: TurnedPiece, up: Radian) -> tuple[Radian, ...]:
@@ -294,9 +294,9 @@ class SideView:
                 below.append((self.by * z, -low))
         path = above + below[::-1]
         leaf.line(VISIBLE, *(point for point, before in zip(path, [path[-1], *path]) if point != before), closed=True)
-        for (one, (high, low)), (other, (next_high, next_low)) in pairwise(zip(self.pieces, self.reaches)):
-            x = self.by * one.end
-            for a, b in shoulders(one, other, self.up):
+        for (front_piece, (high, low)), (other, (next_high, next_low)) in pairwise(zip(self.pieces, self.reaches)):
+            x = self.by * front_piece.end
+            for a, b in shoulders(front_piece, other, self.up):
                 first, last = max(self.by * a, -min(low, next_low)), min(self.by * b, min(high, next_high))
                 if last - first > SHORT:  # the rest of the shoulder belongs to the contour
                     leaf.line(VISIBLE, (x, first), (x, last))
@@ -340,11 +340,11 @@ class SideView:
             label, texture = self.say(piece.label), self.say(piece.texture) if piece.texture is not None else ""
             asked.append(Shelf(x, high, *shelf_size(label, texture)))
             words.append((label, texture))
-        found = shelves(asked, self.top + 4.0, 4.0, (self.left - ROOM, self.right + ROOM), marks)
-        for one, (label, texture), (y, right) in zip(asked, words, found):
-            leaf.arrow((one.x, one.foot), math.pi / 2)
-            leaf.arrow((one.x, -one.foot), -math.pi / 2)
-            shelf(leaf, (one.x, -one.foot), y, right, label, texture)
+        places = shelves(asked, self.top + 4.0, 4.0, (self.left - ROOM, self.right + ROOM), marks)
+        for asked_shelf, (label, texture), (y, right) in zip(asked, words, places):
+            leaf.arrow((asked_shelf.x, asked_shelf.foot), math.pi / 2)
+            leaf.arrow((asked_shelf.x, -asked_shelf.foot), -math.pi / 2)
+            shelf(leaf, (asked_shelf.x, -asked_shelf.foot), y, right, label, texture)
 
     def _lengths(self, leaf: Leaf) -> None:
         """Every piece, the distances of the supports, and the whole; what follows from the others stands in

@@ -48,9 +48,9 @@ def on_sheet(angle: Radian, up: Radian) -> Radian:
 
 def kinds(pieces: list[TurnedPiece]) -> dict[str, TurnedPiece]:
     """The sectors that differ, each by the letter of its section."""
-    found: dict[tuple[float, ...], TurnedPiece] = {}
-    for one in pieces:
-        piece = one.piece
+    sections: dict[tuple[float, ...], TurnedPiece] = {}
+    for turned_piece in pieces:
+        piece = turned_piece.piece
         if piece.half_angle is not None:
             size = (
                 piece.outer_radius,
@@ -59,8 +59,8 @@ def kinds(pieces: list[TurnedPiece]) -> dict[str, TurnedPiece]:
                 math.cos(piece.angle),
                 math.sin(piece.angle),
             )
-            found.setdefault(tuple(round(x, 6) for x in size), one)
-    return dict(zip("ABCDEFGHJKLMNPQRSTUVWXYZ", found.values()))
+            sections.setdefault(tuple(round(x, 6) for x in size), turned_piece)
+    return dict(zip("ABCDEFGHJKLMNPQRSTUVWXYZ", sections.values()))
 
 
 def section(letter: str, piece: Piece, up: Radian, scale: float, say: Say) -> Leaf:
@@ -106,11 +106,11 @@ def _sized(leaf: Leaf, R: float, r: float, middle: Radian, half: Radian, labels:
 def end_view(pieces: list[TurnedPiece], gear: Metre | None, up: Radian, scale: float) -> Leaf:
     """The shaft from its front end: of every piece what no other hides."""
     leaf, by = Leaf(), scale * 1e3
-    turns = sorted({round(angle % TURN, 9) for one in pieces for angle in _ends(one.piece, up)} | {0.0})
+    turns = sorted({round(angle % TURN, 9) for piece in pieces for angle in _ends(piece.piece, up)} | {0.0})
     fields = list(zip(turns, [*turns[1:], TURN]))
     hidden = [0.0] * len(fields)
-    for one in pieces:
-        radii = [_radius(one, (a + b) / 2, up) for a, b in fields]
+    for piece in pieces:
+        radii = [_radius(piece, (a + b) / 2, up) for a, b in fields]
         if len(set(radii)) == 1 and all(radii[0] > h + FLAT for h in hidden):
             leaf.arc(VISIBLE, (0.0, 0.0), by * radii[0])
         else:
@@ -135,10 +135,10 @@ def _ends(piece: Piece, up: Radian) -> Iterator[Radian]:
         yield from (middle - piece.half_angle, middle + piece.half_angle)
 
 
-def _radius(one: TurnedPiece, at: Radian, up: Radian) -> Metre:
-    piece = one.piece
+def _radius(turned_piece: TurnedPiece, at: Radian, up: Radian) -> Metre:
+    piece = turned_piece.piece
     if piece.half_angle is None:
-        return one.radius
+        return turned_piece.radius
     aside = abs(math.remainder(at - on_sheet(piece.angle, up), TURN))
     return piece.outer_radius if aside < piece.half_angle else piece.core_radius
 
@@ -202,15 +202,15 @@ def _shaft_views(results: Results, solved: CountershaftResult, scale: float, say
     cut = kinds(pieces)
     views = Leaf()
     side = SideView(pieces, results.design.countershaft.bearing_positions, up, scale, say)
-    views.add(side.draw({letter: (one.start + one.end) / 2 for letter, one in cut.items()}, gear))
+    views.add(side.draw({letter: (piece.start + piece.end) / 2 for letter, piece in cut.items()}, gear))
     end = end_view(pieces, gear, up, scale)
     views.add(end, side.right + APART + OVER - end.extent[0], 0.0)
     left, y, right, _ = views.extent
     x, lowest = left, y
-    for letter, one in cut.items():
-        leaf = section(letter, one.piece, up, scale, say)
+    for letter, piece in cut.items():
+        leaf = section(letter, piece.piece, up, scale, say)
         box = leaf.extent
-        under = scale * 1e3 * (one.start + one.end) / 2  # its cutting plane, if there is room
+        under = scale * 1e3 * (piece.start + piece.end) / 2  # its cutting plane, if there is room
         at = min(max(x - box[0], under), max(right - box[2], x - box[0]))
         if at + box[2] > right + APART and x > left:
             x, y = left, lowest
@@ -233,7 +233,7 @@ def wheel_sheets(results: Results, say: Say = str, data: Mapping[str, object] | 
     train, gears = results.result(TrainResult), results.design.gears
     if train is None or gears is None:
         return []
-    bores = {one.name: one.bore_diameter for one in gears.wheels}
+    bores = {wheel_inputs.name: wheel_inputs.bore_diameter for wheel_inputs in gears.wheels}
     return [
         composed(
             DrawnPart(

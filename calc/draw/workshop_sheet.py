@@ -186,10 +186,10 @@ def tables(parts: Iterable[tuple[str, Rows, tuple[float, ...]]]) -> Leaf:
     leaf, y = Leaf(), 0.0
     for head, rows, columns in parts:
         if rows:
-            one = Leaf()
-            one.table(rows, columns, head)
-            leaf.add(one, 0.0, y)
-            y += one.extent[1] - BELOW
+            block = Leaf()
+            block.table(rows, columns, head)
+            leaf.add(block, 0.0, y)
+            y += block.extent[1] - BELOW
     return leaf
 
 

@@ -32,9 +32,9 @@ def checks(engine: EngineInputs, e: EngineResult, turning: TorqueResult) -> tupl
         "Finotti 2013, 2.1, and mechanics textbook, 48.3.3: usual 0.22 to 0.30; Finotti 2013, 2.2.4: 0.2 to 0.3"
     )
     lam = max(
-        (one.lambda_ for one in (e.cylinder or {}).values()),
+        (cylinder.lambda_ for cylinder in (e.cylinder or {}).values()),
         default=e.lambda_,
-        key=lambda one: abs(one - sum(CRANK_RATIO) / 2),
+        key=lambda ratio: abs(ratio - sum(CRANK_RATIO) / 2),
     )
     longer = (
         Text("A rod longer than usual: less second order, but a heavier rod and a taller engine.")

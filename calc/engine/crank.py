@@ -67,13 +67,13 @@ def in_order(phi: Array, psi: Array, strokes: int, order: tuple[int, ...]) -> Fi
 
 def most_even(phi: Array, psi: Array, strokes: int, usual: tuple[int, ...] = ()) -> Firing:
     """The most even of all firings that a crank allows; among equals the usual one, or else the first by number."""
-    found = evenest(phi, psi, strokes, usual)
-    said = Text(
+    firings = evenest(phi, psi, strokes, usual)
+    note = Text(
         "The firing order is chosen: one of {count} equally even ways in which this crank can fire; give firing_order "
         "for another.",
-        count=len(found),
+        count=len(firings),
     )
-    return replace(found[0], chosen=said if len(found) > 1 else EMPTY)
+    return replace(firings[0], chosen=note if len(firings) > 1 else EMPTY)
 
 
 def evenest(phi: Array, psi: Array, strokes: int, usual: tuple[int, ...] = ()) -> list[Firing]:
@@ -90,7 +90,7 @@ def evenest(phi: Array, psi: Array, strokes: int, usual: tuple[int, ...] = ()) -
     unevenness = np.abs(gaps - cycle / n).max(1)
     best = np.flatnonzero(unevenness <= unevenness.min() + 1e-9)
     orders = sorted((tuple((place[i] + 1).tolist()), i) for i in best)
-    orders.sort(key=lambda found: found[0] != usual)
+    orders.sort(key=lambda pair: pair[0] != usual)
     return [Firing(order, at[i], gaps[i]) for order, i in orders]
 
 
@@ -192,10 +192,10 @@ def firing(engine: EngineInputs, throws: Crank) -> Firing:
     usual = usual_order(engine.cylinders, engine.strokes)
     given = engine.firing_order or (usual if engine.crank_angles is None else None)
     first = given.index(1) if given else 0
-    found = in_order(throws.phi, throws.psi, engine.strokes, given[first:] + given[:first]) if given else None
-    found = found or most_even(throws.phi, throws.psi, engine.strokes, usual or ())
+    chosen = in_order(throws.phi, throws.psi, engine.strokes, given[first:] + given[:first]) if given else None
+    chosen = chosen or most_even(throws.phi, throws.psi, engine.strokes, usual or ())
     of = (throws.phi, throws.psi, engine.strokes, engine.firing_order)
-    return replace(found, angles=based_on(found.angles, *of), intervals=based_on(found.intervals, *of))
+    return replace(chosen, angles=based_on(chosen.angles, *of), intervals=based_on(chosen.intervals, *of))
 
 
 def sharing(engine: EngineInputs, throws: Crank) -> BoolArray:

@@ -35,8 +35,8 @@ PANEL = math.radians(1.0)  # of the integration over a cycle, with its middle
 )
 def own_angle(epsilon: Radian, fires: Radian, cycle: Radian) -> Radian:
     since: Array = np.mod(epsilon - fires, cycle)
-    found: Array = np.where((cycle - since < DUST) | (since < DUST), 0.0, since)
-    return each(found) if found.ndim else found.item()
+    angle: Array = np.where((cycle - since < DUST) | (since < DUST), 0.0, since)
+    return each(angle) if angle.ndim else angle.item()
 
 
 @formula("α", "definition of the crank angle from the cylinder's axis", names={"phi_0": "φ_0", "epsilon": "ε_k"})
@@ -110,8 +110,8 @@ def mixed_cycle(
     cycle: Radian,
 ) -> Pascal:
     ends = [epsilon <= eps_p, epsilon <= eps_bdc, epsilon < cycle - TURN, epsilon <= cycle - TURN + eps_bdc]
-    found: Array = np.select(ends, [p_max, p_2, p_ex, p_in], p_1)
-    return each(found) if found.ndim else found.item()
+    pressure: Array = np.select(ends, [p_max, p_2, p_ex, p_in], p_1)
+    return each(pressure) if pressure.ndim else pressure.item()
 
 
 @formula(
@@ -121,8 +121,8 @@ def mixed_cycle(
     shows="linear between the points of the table, which closes over the cycle",
 )
 def table_pressure(epsilon: Radian, angles: Radian, pressures: Pascal, cycle: Radian) -> Pascal:
-    found: Array = np.interp(many(epsilon), many(angles), many(pressures), period=cycle)
-    return each(found) if found.ndim else found.item()
+    pressure: Array = np.interp(many(epsilon), many(angles), many(pressures), period=cycle)
+    return each(pressure) if pressure.ndim else pressure.item()
 
 
 @record
@@ -212,9 +212,9 @@ def points(cycle: Cycle, fires: Array) -> Array:
     corners = np.mod(cycle.corners[:, None] + fires, cycle.length)
     edges = np.sort(np.concatenate([np.linspace(0.0, cycle.length, round(cycle.length / PANEL) + 1), corners.ravel()]))
     edges = edges[np.append(True, np.diff(edges) > DUST)]
-    found = np.empty(2 * edges.size - 1)
-    found[::2], found[1::2] = edges, (edges[:-1] + edges[1:]) / 2
-    return based_on(found, cycle.corners, cycle.length, fires)
+    grid = np.empty(2 * edges.size - 1)
+    grid[::2], grid[1::2] = edges, (edges[:-1] + edges[1:]) / 2
+    return based_on(grid, cycle.corners, cycle.length, fires)
 
 
 def running(epsilon: Array, y: Array) -> Array:
@@ -246,10 +246,10 @@ def first_highest(x: Array, y: Array) -> float:
     top = np.max(y)
     inner = np.arange(1, y.size - 1)
     peaks = inner[(y[1:-1] >= y[:-2]) & (y[1:-1] >= y[2:]) & (y[1:-1] > top - 1e-3 * abs(top))]
-    found = [highest(x[i - 1 : i + 2], y[i - 1 : i + 2]) for i in peaks.tolist()]
-    found += [(float(x[i]), float(y[i])) for i in (0, -1)]
-    best = max(height for _, height in found)
-    return min(place for place, height in found if height >= best - 1e-6 * abs(best))
+    candidates = [highest(x[i - 1 : i + 2], y[i - 1 : i + 2]) for i in peaks.tolist()]
+    candidates += [(float(x[i]), float(y[i])) for i in (0, -1)]
+    best = max(height for _, height in candidates)
+    return min(place for place, height in candidates if height >= best - 1e-6 * abs(best))
 
 
 def amounts(y: Array) -> Array:

@@ -194,11 +194,11 @@ def _doubled(gas: GasInputs, length: float) -> Iterator[tuple[str, Text]]:
         return
     order = sorted((point.angle % length, i) for i, point in enumerate(gas.pressure))
     pressure = [point.pressure for point in gas.pressure]
-    for (here, one), (there, other) in zip(order, [*order[1:], *((a + length, i) for a, i in order[:1])]):
+    for (here, this_point), (there, other) in zip(order, [*order[1:], *((a + length, i) for a, i in order[:1])]):
         if (
-            there - here < SAME_ANGLE and one != other and pressure[one] != pressure[other]
+            there - here < SAME_ANGLE and this_point != other and pressure[this_point] != pressure[other]
         ):  # a closed cycle ends as it began
-            first, second = sorted((one, other))
+            first, second = sorted((this_point, other))
             yield (
                 f"pressure.{second}.angle_deg",
                 Text(

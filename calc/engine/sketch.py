@@ -87,14 +87,14 @@ def _throws(engine: EngineInputs) -> tuple[list[Throw], Crank]:
     r, length, d = engine.crank_radius, engine.rod_length, engine.cylinder_offset
     placed = crank(engine, math.asin(d / (length + r)))
     radii = engine.crank_radii or (r,) * engine.cylinders
-    made = []
+    throws = []
     for k in range(engine.cylinders):
         bank, turned, r_k = float(placed.psi[k]), float(placed.theta_0 + placed.phi[k]), radii[k]
         pin = _from_up(r_k, turned - bank)
         piston = d, pin[1] + math.sqrt(length**2 - (pin[0] - d) ** 2)
         dead = math.sqrt((length - r_k) ** 2 - d**2), math.sqrt((length + r_k) ** 2 - d**2)
-        made.append(Throw(k + 1, float(placed.z[k]), bank, turned, pin, piston, dead))
-    return made, placed
+        throws.append(Throw(k + 1, float(placed.z[k]), bank, turned, pin, piston, dead))
+    return throws, placed
 
 
 def _from_up(radius: Metre, angle: Radian) -> Point:
@@ -109,14 +109,14 @@ def _turned(at: Point, angle: Radian) -> Point:
 
 def _pins(throws: Iterable[Throw]) -> list[tuple[Radian, str]]:
     """The directions of the throws, seen from the front, each with the numbers of its cylinders."""
-    found: list[tuple[Radian, list[str]]] = []
+    pins: list[tuple[Radian, list[str]]] = []
     for throw in throws:
-        same = next((numbers for angle, numbers in found if math.cos(angle - throw.turned) > 1 - SAME), None)
+        same = next((numbers for angle, numbers in pins if math.cos(angle - throw.turned) > 1 - SAME), None)
         if same is None:
-            found.append((throw.turned, [str(throw.number)]))
+            pins.append((throw.turned, [str(throw.number)]))
         else:
             same.append(str(throw.number))
-    return [(angle, "·".join(numbers)) for angle, numbers in found]
+    return [(angle, "·".join(numbers)) for angle, numbers in pins]
 
 
 def _number(symbol: str, length: Metre) -> Text:
@@ -223,17 +223,17 @@ def _row(engine: EngineInputs, throws: list[Throw]) -> Sketch:
         ]
     first, last = min(t.z for t in throws) - 0.65 * bore, max(t.z for t in throws) + 0.65 * bore
     marks.append(Polyline(AXIS, ((first, 0.0), (last, 0.0))))
-    one = sorted({round(throw.z, 9) for throw in throws if throw.bank == throws[0].bank})
-    if len(one) > 1:
+    places = sorted({round(throw.z, 9) for throw in throws if throw.bank == throws[0].bank})
+    if len(places) > 1:
         below = -1.25 * r if -1 not in folded.values() else -max(t.dead[1] for t in throws) - 0.6 * bore
         marks.append(
             Dimension(
                 DIMENSIONS,
-                (one[0], 0.0),
-                (one[1], 0.0),
-                (one[0], below),
+                (places[0], 0.0),
+                (places[1], 0.0),
+                (places[0], below),
                 key=PITCH,
-                label=_number("a", one[1] - one[0]),
+                label=_number("a", places[1] - places[0]),
             )
         )
     return Sketch(tuple(marks), title=Text("from the side"))

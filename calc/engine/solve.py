@@ -131,14 +131,14 @@ def turn_lowest(y: Number) -> Number:
 def values(engine: EngineInputs) -> EngineResult:
     """Masses, kinematics and harmonics.  A number of the engine may be an array, an engine each: so are the results."""
     reciprocating, rotating, of_each = masses(engine)
-    cylinders = [_alone(k, one) for k, one in enumerate(alone(engine), 1)] if engine.unlike_radii else []
+    cylinders = [_alone(k, single) for k, single in enumerate(alone(engine), 1)] if engine.unlike_radii else []
     lam = f.crank_ratio(r=engine.crank_radius, L=engine.rod_length)
     delta = f.offset_ratio(d=engine.cylinder_offset, L=engine.rod_length)
     omega = f.angular_speed(n=engine.rated_speed)
     phi_0 = f.tdc_angle(delta=delta, lam=lam)
     stroke = f.stroke(L=engine.rod_length, r=engine.crank_radius, d=engine.cylinder_offset)
     if cylinders:
-        volume = f.displacement_of_unlike(D=engine.bore, s=each(gathered(one.stroke for one in cylinders)))
+        volume = f.displacement_of_unlike(D=engine.bore, s=each(gathered(cylinder.stroke for cylinder in cylinders)))
     else:
         volume = f.displacement(N=engine.cylinders, D=engine.bore, s=stroke)
     mean_speed = f.mean_piston_speed(s=stroke, n=engine.rated_speed)
@@ -162,9 +162,9 @@ def values(engine: EngineInputs) -> EngineResult:
         unlike = replace(
             unlike,
             radius=each(gathered(engine.crank_radii or ())),
-            lambda_=each(gathered(one.lambda_ for one in cylinders)),
-            harmonics=_beside(one.harmonics for one in cylinders),
-            two_term=_beside(one.two_term for one in cylinders),
+            lambda_=each(gathered(cylinder.lambda_ for cylinder in cylinders)),
+            harmonics=_beside(cylinder.harmonics for cylinder in cylinders),
+            two_term=_beside(cylinder.two_term for cylinder in cylinders),
         )
     return EngineResult(
         reciprocating_mass=reciprocating,
@@ -203,14 +203,14 @@ def _beside(of_each: Iterable[tuple[complex, ...]]) -> tuple[complex, ...]:
 def _named(cylinders: Iterable[EngineResult]) -> dict[str, Cylinder]:
     return {
         str(k): Cylinder(
-            lambda_=one.lambda_,
-            stroke=one.stroke,
-            mean_piston_speed=one.mean_piston_speed,
-            piston_speed_max=one.piston_speed_max,
-            acceleration_max=one.acceleration_max,
-            acceleration_min=one.acceleration_min,
+            lambda_=cylinder.lambda_,
+            stroke=cylinder.stroke,
+            mean_piston_speed=cylinder.mean_piston_speed,
+            piston_speed_max=cylinder.piston_speed_max,
+            acceleration_max=cylinder.acceleration_max,
+            acceleration_min=cylinder.acceleration_min,
         )
-        for k, one in enumerate(cylinders, 1)
+        for k, cylinder in enumerate(cylinders, 1)
     }
 
 
@@ -261,10 +261,10 @@ def _given_torque(
 
     cycle = based_on(engine.strokes * np.pi, engine.strokes)
     period = engine.torque_period if engine.torque_period is not None else cycle
-    found, curve, repeats = torque_diagram.solve_diagram(
+    diagram, curve, repeats = torque_diagram.solve_diagram(
         engine.torque, period, e.angular_speed, engine.flywheel_inertia
     )
-    return replace(turning, **found), (curve, replace(turned, id=TURNED)), (note, repeats)
+    return replace(turning, **diagram), (curve, replace(turned, id=TURNED)), (note, repeats)
 
 
 def _throw(

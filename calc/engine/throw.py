@@ -127,8 +127,8 @@ class _Throw:
     def rod(self, fires: Radian, epsilon: Radian) -> Rod:
         """The forces of the cylinders that fire at `fires`, at crank angles ε of the engine."""
         engine, e = self.engine, self.e
-        own = c.own_angle(epsilon=epsilon, fires=fires, cycle=self.length)
-        alpha = c.crank_angle(phi_0=e.tdc_angle, epsilon=own)
+        angle = c.own_angle(epsilon=epsilon, fires=fires, cycle=self.length)
+        alpha = c.crank_angle(phi_0=e.tdc_angle, epsilon=angle)
         beta = f.rod_angle(lam=e.lambda_, alpha=alpha, delta=e.delta)
         v_rel = f.relative_speed(alpha=alpha, beta=beta)
         a_rel = f.relative_acceleration(alpha=alpha, beta=beta, lam=e.lambda_)
@@ -136,11 +136,11 @@ class _Throw:
         F_G = None
         if self.cycle:
             x = c.piston_way(r=engine.crank_radius, lam=e.lambda_, phi_0=e.tdc_angle, alpha=alpha, beta=beta)
-            F_G = c.gas_force(p=self.cycle.pressure(own, x), p_case=self.cycle.crankcase, D=engine.bore)
+            F_G = c.gas_force(p=self.cycle.pressure(angle, x), p_case=self.cycle.crankcase, D=engine.bore)
             F = t.piston_force(F_G=F_G, F_I=F_I)
         S = t.rod_force(F=F, beta=beta)
         return Rod(
-            crank_angle=own,
+            crank_angle=angle,
             gas_force=F_G,
             inertia_force=F_I,
             piston_force=F,
@@ -326,11 +326,11 @@ def _position(crank: _Throw, k: int, epsilon: float, shared: BoolArray, in_front
 # --------------------------------------------------------------------------------------------------
 def _checks(crank: _Throw, worst: Array, material: Material | None) -> tuple[Check, ...]:
     """Each place by the largest stress that it has on any throw, in either position."""
-    found: list[Check] = []
+    checks: list[Check] = []
     largest = worst.max((0, 1))
     throw, pitch = crank.throw, crank.engine.cylinder_pitch
     if crank.engine.cylinders > 1:
-        found.append(
+        checks.append(
             check(
                 "engine.throw.span",
                 Text("Distance of the main journals over the cylinder pitch"),
@@ -347,7 +347,7 @@ def _checks(crank: _Throw, worst: Array, material: Material | None) -> tuple[Che
     for i, (place, part) in enumerate(PLACES.items()):
         nominal, notch = (based_on(float(largest[n]), *crank.load, throw) for n in (i, i + 2))
         if limit is not None:
-            found.append(
+            checks.append(
                 check(
                     f"engine.throw.stress_{place}",
                     Text("Von Mises stress of the {part}, nominal", part=part),
@@ -360,7 +360,7 @@ def _checks(crank: _Throw, worst: Array, material: Material | None) -> tuple[Che
                 )
             )
         if limit is not None and place in crank.notch:
-            found.append(
+            checks.append(
                 check(
                     f"engine.throw.notch_stress_{place}",
                     Text("Von Mises stress at the fillet of the {part}", part=part),
@@ -373,7 +373,7 @@ def _checks(crank: _Throw, worst: Array, material: Material | None) -> tuple[Che
                 )
             )
         if place in crank.notch:
-            found.append(
+            checks.append(
                 check(
                     f"engine.throw.fillet_{place}",
                     Text("Fillet radius over diameter of the {part}", part=part),
@@ -385,7 +385,7 @@ def _checks(crank: _Throw, worst: Array, material: Material | None) -> tuple[Che
                     Text("Outside it the notch stress is an extrapolation."),
                 )
             )
-    return tuple(found)
+    return tuple(checks)
 
 
 def _notes(crank: _Throw, result: ThrowResult, shared: BoolArray, material: Material | None) -> tuple[Text, ...]:
@@ -476,7 +476,7 @@ def _tables(result: ThrowResult, worst: Array) -> tuple[Table, ...]:
         for words, p in positions
         for place, s in (("pin", p.pin), ("journal", p.journal))
     )
-    found = [
+    tables = [
         Table(
             "throw_forces",
             Text("Forces on the throw of cylinder {cylinder}", cylinder=cylinder),
@@ -507,7 +507,7 @@ def _tables(result: ThrowResult, worst: Array) -> tuple[Table, ...]:
         ),
     ]
     if worst.shape[1] > 1:
-        found.append(
+        tables.append(
             Table(
                 "throws",
                 Text("Nominal von Mises stress of every throw"),
@@ -525,4 +525,4 @@ def _tables(result: ThrowResult, worst: Array) -> tuple[Table, ...]:
                 Text("At its largest tangential force (F_t) and at its firing (TDC)."),
             )
         )
-    return tuple(found)
+    return tuple(tables)

@@ -200,8 +200,8 @@ def judged(
         if bears is None:
             return None
         with untraced():
-            found = [_worst(place, factors, forces, throw, r, bears.sensitivity) for place, factors in notch.items()]
-        _, place, k, parts = max(found, key=lambda one: one[0])
+            fillets = [_worst(place, factors, forces, throw, r, bears.sensitivity) for place, factors in notch.items()]
+        _, place, k, parts = max(fillets, key=lambda fillet: fillet[0])
         sigma_a, tau_a, sigma_m, tau_m = (based_on(part, *load, throw) for part in parts)
         a, m = amplitude(sigma=sigma_a, tau=tau_a), mean(sigma=sigma_m, tau=tau_m)
         equal = fatigue.equivalent_amplitude(sigma_a=a, sigma_m=m, M=bears.sensitivity)
@@ -245,14 +245,14 @@ def _worst(
     return float(equal.max()), place, int(k), (float(at[0]), float(at[1]), float(at[2]), float(at[3]))
 
 
-def check_of(found: ThrowFatigue, part: Text) -> Check:
+def check_of(result: ThrowFatigue, part: Text) -> Check:
     """The safety of the worst fillet, `part` its place in words."""
     return check(
         "engine.throw.fatigue",
         Text("Safety of the throws against fatigue, fillet of the {part}", part=part),
-        found.fatigue_safety,
+        result.fatigue_safety,
         ">=",
-        found.wanted,
+        result.wanted,
         "",
         Text("{fkm}: endless life at rated speed", fkm=fatigue.FKM),
         Text("A larger fillet, a larger diameter; rolling or hardening the fillets, which is not counted here."),

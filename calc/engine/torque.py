@@ -124,9 +124,9 @@ def torque_harmonics(T_k: NewtonMetre, fires: Radian) -> PhasorNewtonMetre:
 
 def _turned_harmonics(T_k: NewtonMetre, fires: Radian) -> PhasorNewtonMetre:
     turned = cis(each(-np.arange(1, ORDERS + 1)[:, None] * many(fires)))
-    one = each((np.fft.rfft(many(T_k), axis=0) * (2 / len(many(T_k))))[1 : ORDERS + 1])
-    found = phasors(one * resultant(turned) if np.ndim(one) == 1 else resultant(one * turned))
-    return each(np.where(np.abs(found) < 1e-12 * np.max(np.abs(T_k), initial=0.0), 0.0, found))
+    single = each((np.fft.rfft(many(T_k), axis=0) * (2 / len(many(T_k))))[1 : ORDERS + 1])
+    harmonics = phasors(single * resultant(turned) if np.ndim(single) == 1 else resultant(single * turned))
+    return each(np.where(np.abs(harmonics) < 1e-12 * np.max(np.abs(T_k), initial=0.0), 0.0, harmonics))
 
 
 @formula(
@@ -190,8 +190,8 @@ def at(
     M_alt, r, lam = e.reciprocating_mass, engine.crank_radius, e.lambda_
     if e.unlike is not None and np.ndim(fires):  # of one cylinder the mean mass, where they differ
         M_alt, r, lam = e.unlike.reciprocating, e.unlike.radius, e.unlike.lambda_
-    own = c.own_angle(epsilon=epsilon, fires=fires, cycle=length)
-    alpha = c.crank_angle(phi_0=e.tdc_angle, epsilon=own)
+    angle = c.own_angle(epsilon=epsilon, fires=fires, cycle=length)
+    alpha = c.crank_angle(phi_0=e.tdc_angle, epsilon=angle)
     beta = f.rod_angle(lam=lam, alpha=alpha, delta=e.delta)
     v_rel = f.relative_speed(alpha=alpha, beta=beta)
     a_rel = f.relative_acceleration(alpha=alpha, beta=beta, lam=lam)
@@ -200,7 +200,7 @@ def at(
     if gas is None:
         return None, T_I, F_I
     x = c.piston_way(r=r, lam=lam, phi_0=e.tdc_angle, alpha=alpha, beta=beta)
-    F_G = c.gas_force(p=gas.pressure(own, x), p_case=gas.crankcase, D=engine.bore)
+    F_G = c.gas_force(p=gas.pressure(angle, x), p_case=gas.crankcase, D=engine.bore)
     return c.torque_of(F=F_G, r=r, v_rel=v_rel), T_I, F_I
 
 
@@ -248,10 +248,10 @@ def _inertia(engine: EngineInputs, e: EngineResult, firing: Array) -> tuple[Torq
     d, fires = engine.cylinder_offset, each(firing)
     with about(Text("inertia torque of one cylinder")):
         if e.unlike is None:
-            _, one, F_I = at(engine, e, None, 0.0, each(epsilon[:-1]))
+            _, cylinder_torque, F_I = at(engine, e, None, 0.0, each(epsilon[:-1]))
         else:
-            _, one, F_I = at(engine, e, None, each(np.zeros(engine.cylinders)), each(epsilon[:-1, None]))
-        on_block = reaction(T=one, d=d, F_I=F_I)
+            _, cylinder_torque, F_I = at(engine, e, None, each(np.zeros(engine.cylinders)), each(epsilon[:-1, None]))
+        on_block = reaction(T=cylinder_torque, d=d, F_I=F_I)
     turned = np.exp(-1j * np.arange(POINTS // 2 + 1)[:, None] * firing)
 
     def together(T_k: NewtonMetre) -> Array:
@@ -259,18 +259,18 @@ def _inertia(engine: EngineInputs, e: EngineResult, firing: Array) -> tuple[Torq
         whole = np.fft.irfft(spectrum * turned.sum(1) if e.unlike is None else (spectrum * turned).sum(1), POINTS)
         return np.append(whole, whole[0])
 
-    whole, block = together(one), together(on_block)
+    whole, block = together(cylinder_torque), together(on_block)
     with about(Text("largest inertia torque")):
         peak = amount(
             T=inertia_torque(
-                T_k=at(engine, e, None, fires, based_on(c.first_highest(epsilon, c.amounts(whole)), one))[1]
+                T_k=at(engine, e, None, fires, based_on(c.first_highest(epsilon, c.amounts(whole)), cylinder_torque))[1]
             )
         )
     with about(Text("largest torque reaction of the inertia forces")):
         _, T_I, F_I = at(engine, e, None, fires, based_on(c.first_highest(epsilon, c.amounts(block)), on_block))
         peak_block = amount(T=reaction(T=inertia_torque(T_k=T_I), d=d, F_I=inertia_sum(F_k=F_I)))
     with about(Text("inertia torque")):
-        t = _harmonics(one, fires)
+        t = _harmonics(cylinder_torque, fires)
         orders = _amplitudes(t, Text("Inertia torque"), "T_")
     with about(Text("torque reaction of the inertia forces")):
         t_block = _harmonics(on_block, fires)
@@ -331,8 +331,8 @@ def _gas(
         best_block = c.first_highest(points, c.amounts(many(on_block)))
     best, best_block = based_on(best, gas_only), based_on(best_block, whole, force)
     with about(Text("cylinder 1 over its cycle")):
-        one, _, _ = at(engine, e, cycle, item(firing[0]), epsilon)  # its corners are among the points
-    W_i = indicated_work(T_k=one, epsilon=epsilon)
+        cylinder_torque, _, _ = at(engine, e, cycle, item(firing[0]), epsilon)  # its corners are among the points
+    W_i = indicated_work(T_k=cylinder_torque, epsilon=epsilon)
     T_m = mean_torque(N=engine.cylinders, W_i=W_i, strokes=engine.strokes)
     with about(Text("largest gas torque")):
         T_G_k = at(engine, e, cycle, fires, best)[0]
@@ -381,8 +381,8 @@ def _angle_of_peak(
     between = c.first_highest(epsilon, size)
     with untraced():
         T_G, T_I, _ = at(engine, e, cycle, fires, between)
-    found = c.amounts(many(T_G).sum() + (many(T_I).sum() if inertia else 0.0))
-    return between if found >= size.max() else float(epsilon[size.argmax()])
+    peak = c.amounts(many(T_G).sum() + (many(T_I).sum() if inertia else 0.0))
+    return between if peak >= size.max() else float(epsilon[size.argmax()])
 
 
 # --- curves
@@ -485,7 +485,7 @@ def solve_diagram(
     Delta_E = fluctuation(angles=angles, T=T, T_m=T_m, period=period)
     T_highest, T_lowest = highest(T=T), lowest(T=T)
     largest = int(np.argmax(np.abs(np.asarray(T))))
-    found = OfDiagram(
+    diagram = OfDiagram(
         torque_peak=amount(T=rows[largest].torque),
         torque_peak_angle=place(epsilon=rows[largest].angle),
         mean_torque=T_m,
@@ -508,4 +508,4 @@ def solve_diagram(
         "The torque is that of the diagram as given, of gas and inertia together, which repeats every {length}°.",
         length=Amount(math.degrees(period), form="g"),
     )
-    return found, curve, repeats
+    return diagram, curve, repeats

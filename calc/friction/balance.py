@@ -314,13 +314,13 @@ def require_temperature(T: Celsius) -> Celsius:
 
 def most_force(meshes: Meshes, loads: Mapping[str, Watt], speeds: Mapping[str, RevPerSecond]) -> dict[str, Newton]:
     """The forces of the teeth on each wheel if all push the same way; at no power, none."""
-    found = {name: 0.0 for mesh in meshes.values() for name in (mesh.driver.name, mesh.driven.name)}
+    forces = {name: 0.0 for mesh in meshes.values() for name in (mesh.driver.name, mesh.driven.name)}
     for name, P in loads.items():
         mesh = meshes[name]
         F_bt = transverse_force(P=P, omega_1=driver_speed(n_1=speeds[mesh.driver.name]), r_b1=mesh.driver.base_radius)
         for wheel in (mesh.driver.name, mesh.driven.name):
-            found[wheel] = found[wheel] + F_bt
-    return found
+            forces[wheel] = forces[wheel] + F_bt
+    return forces
 
 
 # --- the powers
@@ -404,15 +404,15 @@ def balance(d: TrainDrive, power: Watt | None = None) -> FrictionResult:
     P_B: Watt | None = None
     journals: dict[str, JournalResult] = {}
     if d.shaft is not None:
-        shaft, own = d.shaft, needed[d.last]
+        shaft, wheel_need = d.shaft, needed[d.last]
 
         def last(P: Watt) -> tuple[dict[str, JournalResult], Watt, Watt]:
             journals = shaft.journals(P)
             P_B = shaft.sum(journals)
             with about(Text("wheel {last}", last=d.last)):
-                return journals, P_B, with_bearings(P=own, P_B=P_B)
+                return journals, P_B, with_bearings(P=wheel_need, P_B=P_B)
 
-        journals, P_B, needed[d.last] = converged(closing_power, at_gear, last, lambda found: found[2])
+        journals, P_B, needed[d.last] = converged(closing_power, at_gear, last, lambda state: state[2])
         meshes, P_1, P_2 = *_up(d, needed, loads), None
     else:
         meshes, P_1, P_2 = _down(d, needed, loads)
@@ -477,16 +477,16 @@ def _up(d: TrainDrive, needed: Mapping[str, Watt], loads: Mapping[str, Watt]) ->
     """Every mesh at its load once more, with its lines, from the last to the first; and the power at the first
     driver."""
     carried = dict(needed)
-    found: dict[str, MeshResult] = {}
+    results: dict[str, MeshResult] = {}
     for name, mesh in reversed(list(d.meshes.items())):
         with about(Text("mesh {title}", title=mesh.title)):
             P_out = carried[mesh.driven.name]
-            found[name] = converged(
-                closing_power, loads[name], partial(_mesh, d, name, P_out=P_out), lambda one: one.power_in
+            results[name] = converged(
+                closing_power, loads[name], partial(_mesh, d, name, P_out=P_out), lambda result: result.power_in
             )
         with about(Text("wheel {name}", name=mesh.driver.name)):
-            carried[mesh.driver.name] = with_mesh(P=carried[mesh.driver.name], P_in=found[name].power_in)
-    return {name: found[name] for name in d.meshes}, carried[d.first]
+            carried[mesh.driver.name] = with_mesh(P=carried[mesh.driver.name], P_in=results[name].power_in)
+    return {name: results[name] for name in d.meshes}, carried[d.first]
 
 
 def _down(
@@ -494,19 +494,19 @@ def _down(
 ) -> tuple[dict[str, MeshResult], Watt, Watt]:
     """The same along the flow, of one chain whose first mesh has the power that is given; and what is delivered at its
     end."""
-    found: dict[str, MeshResult] = {}
+    results: dict[str, MeshResult] = {}
     P = loads[next(iter(d.meshes))]
     with about(Text("wheel {first}", first=d.first)):
         P_1 = with_mesh(P=needed[d.first], P_in=P)
     for name, mesh in d.meshes.items():
-        if found:
+        if results:
             with about(Text("wheel {name}", name=mesh.driver.name)):
                 P = passed_on(P_out=P, P=needed[mesh.driver.name])
         with about(Text("mesh {title}", title=mesh.title)):
-            found[name] = _mesh(d, name, P, None)
-        P = found[name].power_out
+            results[name] = _mesh(d, name, P, None)
+        P = results[name].power_out
     with about(Text("wheel {last}", last=d.last)):
-        return found, P_1, delivered(P_out=P, P=needed[d.last])
+        return results, P_1, delivered(P_out=P, P=needed[d.last])
 
 
 def _mesh(d: TrainDrive, name: str, P: Watt, P_out: Watt | None) -> MeshResult:
@@ -539,7 +539,7 @@ def _mesh(d: TrainDrive, name: str, P: Watt, P_out: Watt | None) -> MeshResult:
             beside = solve_mesh(c, P, not regimes)
     with about(Text("mesh {title}, regressions", title=mesh.title)):
         schlenk, niemann, xu_kahraman, benedict_kelley = published = regressions.beside(c, P, H_V)
-        losses = [judged.loss, *(one.loss for one in (beside, *published) if one is not None)]
+        losses = [judged.loss, *(model.loss for model in (beside, *published) if model is not None)]
         apart = spread_of(losses) if d.compared else None
     return MeshResult(
         judged=judged,

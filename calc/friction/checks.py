@@ -73,7 +73,9 @@ def _models(result: FrictionResult) -> Check:
     """How many of the published regressions hold for every mesh."""
     meshes = result.meshes.values()
     outside = [
-        name for name in MODELS if any(one is None or one.outside for one in (m.published_models[name] for m in meshes))
+        name
+        for name in MODELS
+        if any(regression is None or regression.outside for regression in (m.published_models[name] for m in meshes))
     ]
     return check(
         "friction.train.models",
@@ -198,9 +200,9 @@ def _of_mesh(id: str, friction: FrictionInputs, mesh: MeshResult) -> Iterator[Ch
         Text("The flanks touch: smoother flanks, thicker or cooler oil, more speed."),
     )
     inside = {
-        name: one.loss
-        for name, one in mesh.published_models.items()
-        if one is not None and not one.outside and one.loss > 0
+        name: regression.loss
+        for name, regression in mesh.published_models.items()
+        if regression is not None and not regression.outside and regression.loss > 0
     }
     elastic = by_regime(mesh).lead_at_pitch >= 1  # all of them come from loaded teeth and discs, whose films are EHL
     if inside and elastic and mesh.judged.sliding_loss > 0:

@@ -62,18 +62,18 @@ def _where(r: FrictionResult) -> Table:
 
 def _parts(r: FrictionResult) -> list[tuple[Text, float]]:
     """Every loss by its name."""
-    found: list[tuple[Text, float | None]] = []
+    losses: list[tuple[Text, float | None]] = []
     for mesh in r.meshes.values():
         m, title = mesh.judged, mesh.case.mesh.title
-        found += [
+        losses += [
             (Text("mesh {title}, sliding", title=title), m.sliding_loss),
             (Text("mesh {title}, rolling (bound)", title=title), m.rolling_loss or None),
         ]
-    found += [
+    losses += [
         (Text("journal {place} of the counter-shaft", place=IN_WORDS[place]), j.friction_power)
         for place, j in r.journals.items()
     ]
-    found += [
+    losses += [
         (Text("windage"), r.windage_loss),
         (Text("churning"), r.churning_loss),
         (Text("oil thrown onto wheels"), r.thrown_oil_loss),
@@ -81,7 +81,7 @@ def _parts(r: FrictionResult) -> list[tuple[Text, float]]:
         (Text("bearings of the wheels"), r.wheel_bearing_loss),
         (Text("other losses"), r.other_loss or None),
     ]
-    return [(name, P) for name, P in found if P is not None]
+    return [(name, P) for name, P in losses if P is not None]
 
 
 # --- curves
@@ -172,19 +172,19 @@ def _stribeck(name: str, mesh: MeshResult) -> Iterator[Curve]:
     c, m = mesh.case, mesh.judged
     try:
         at = replace(c, motion=motion(c.mesh, c.path, each(PACES * c.motion.omega_1 / (2 * pi))))
-        found = solve_mesh(at, each(PACES * m.load), mesh.by_regime is None)
+        sweep = solve_mesh(at, each(PACES * m.load), mesh.by_regime is None)
     except NoSolution:
         return
     line = Series(
-        Text("torque of the design, other speeds"), np.log10(found.lambda_min), np.asarray(found.friction_mean)
+        Text("torque of the design, other speeds"), np.log10(sweep.lambda_min), np.asarray(sweep.friction_mean)
     )
-    own = Series(Text("as designed"), np.log10([m.lambda_min]), np.array([m.friction_mean]))
+    designed = Series(Text("as designed"), np.log10([m.lambda_min]), np.array([m.friction_mean]))
     boundary, full = (Amount(math.log10(lam), form=".2f") for lam in MIXED)
     over = Text(
         "lg of the smallest λ (boundary below {boundary}, full film above {full})", boundary=boundary, full=full
     )
     title = Text("Mesh {title}: mean friction over λ (Stribeck)", title=c.mesh.title)
-    yield Curve(f"{name}.stribeck", title, over, Text("μ_m"), (line, own))
+    yield Curve(f"{name}.stribeck", title, over, Text("μ_m"), (line, designed))
 
 
 def _shear(d: TrainDrive) -> Curve:

@@ -126,7 +126,7 @@ class RollingBearing:
             yield "outside_diameter_mm", Text("must be larger than the bore")
         if self.method == "skf" and self.series not in (known := SKF_SERIES.get(self.kind, ())):
             rows = ", ".join(f'"{series}"' for series in known)
-            told = (
+            hint = (
                 Text("give one of {rows}", rows=rows)
                 if known
                 else Text(
@@ -135,7 +135,7 @@ class RollingBearing:
             )
             yield (
                 "series",
-                Text('method = "skf" needs the series of the bearing: {told}; or take method = "palmgren"', told=told),
+                Text('method = "skf" needs the series of the bearing: {told}; or take method = "palmgren"', told=hint),
             )
 
 

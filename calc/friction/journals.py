@@ -81,7 +81,7 @@ class Journals:
 
     def journals(self, P: Watt | None) -> dict[str, JournalResult]:
         stands = self.standing(P)
-        found = {}
+        journals = {}
         for place, answer in self.responses.items():
             R_0: Newton | None = None
             if stands is not None:
@@ -92,46 +92,48 @@ class Journals:
                     P_f = answer.power(R_0)
                 if self.unsteady[place]:
                     P_f = np.where(np.isfinite(P_f), P_f, answer.friction_power)  # type: ignore[assignment]
-            found[place] = JournalResult(standing_load=R_0, friction_power=P_f)
-        return found
+            journals[place] = JournalResult(standing_load=R_0, friction_power=P_f)
+        return journals
 
-    def notes(self, found: dict[str, JournalResult]) -> list[Text]:
-        said = []
-        for place, one in found.items():
+    def notes(self, journals: dict[str, JournalResult]) -> list[Text]:
+        notes = []
+        for place, journal in journals.items():
             F = self.responses[place].load
-            if one.standing_load is not None and self.unsteady[place]:
-                said.append(
+            if journal.standing_load is not None and self.unsteady[place]:
+                notes.append(
                     Text(
                         "{place} journal: no film is found 5 % beside its load; its friction is that of the turning "
                         "load.",
                         place=IN_TITLES[place],
                     )
                 )
-            elif one.standing_load is not None and one.standing_load > SECOND_ORDER * F:
+            elif journal.standing_load is not None and journal.standing_load > SECOND_ORDER * F:
                 share = Text(
                     "the standing load is {standing_load} % of the turning one",
-                    standing_load=Amount(one.standing_load / F * 100, form=".0f"),
+                    standing_load=Amount(journal.standing_load / F * 100, form=".0f"),
                 )
-                said.append(
+                notes.append(
                     Text(
                         "{place} journal: {share}; the mean over a turn, of second order in it, is rough.",
                         place=IN_TITLES[place],
                         share=share,
                     )
                 )
-        return said
+        return notes
 
 
 def journals_of(on: OnShaft) -> Journals:
     """At the speed and load of the bearings step."""
     responses, speed = {}, 0.0
-    for place, one in on.bearings.bearings.items():
-        speed = one.duty.speed
+    for place, bearing in on.bearings.bearings.items():
+        speed = bearing.duty.speed
         if on.turns:
             with about(Text("{place} bearing, over a turn", place=IN_WORDS[place])):
-                responses[place] = answered(one.beside, one.duty, one.friction_power)
+                responses[place] = answered(bearing.beside, bearing.duty, bearing.friction_power)
         else:
-            responses[place] = Response(load=one.load, friction_power=one.friction_power, slope=0.0, curvature=0.0)
+            responses[place] = Response(
+                load=bearing.load, friction_power=bearing.friction_power, slope=0.0, curvature=0.0
+            )
     return Journals(on, responses, speed)
 
 
@@ -143,15 +145,15 @@ def journals_at(on: OnShaft, ratio: float, T: Celsius, lubricant: Lubricant | No
     """
     responses, speed = {}, 0.0
     with untraced():
-        for place, one in on.bearings.bearings.items():
-            turns = one.seat.inputs.load_speed_ratio == TURNING
+        for place, bearing in on.bearings.bearings.items():
+            turns = bearing.seat.inputs.load_speed_ratio == TURNING
             duty = replace(
-                one.duty,
-                load=one.duty.load * (ratio**2 if turns else ratio**0),
-                speed=one.duty.speed * ratio,
-                effective_speed=one.duty.effective_speed * ratio,
+                bearing.duty,
+                load=bearing.duty.load * (ratio**2 if turns else ratio**0),
+                speed=bearing.duty.speed * ratio,
+                effective_speed=bearing.duty.effective_speed * ratio,
                 supply_temperature=T,
             )
-            seat = one.seat if lubricant is None else replace(one.seat, lubricant=lubricant)
+            seat = bearing.seat if lubricant is None else replace(bearing.seat, lubricant=lubricant)
             responses[place], speed = response(seat, duty), duty.speed
     return Journals(on, responses, speed)

@@ -190,23 +190,23 @@ def _X_L(c: MeshCase) -> Number:
 
 def _outside_tests(c: MeshCase, w_bt: NewtonPerMetre, u_C: MetrePerSecond) -> Text:
     """Line load from 150 N/mm, sum of the speeds from 1 m/s, pitch line up to 50 m/s."""
-    found = []
+    reasons = []
     v_t = (
         u_C * c.mesh.centre_distance / c.path.C_F
     )  # C rolls with the part of the pitch line's speed along the line of action
     if np.any(w_bt < LOWEST_LINE_LOAD):
-        found.append(Text("line load {min} N/mm, tests from 150", min=Amount(one(np.min(w_bt)) / 1000.0)))
+        reasons.append(Text("line load {min} N/mm, tests from 150", min=Amount(one(np.min(w_bt)) / 1000.0)))
     if np.any(2 * u_C < 1.0):
-        found.append(Text("sum of speeds {min} m/s, tests from 1", min=Amount(2 * one(np.min(u_C)))))
+        reasons.append(Text("sum of speeds {min} m/s, tests from 1", min=Amount(2 * one(np.min(u_C)))))
     if np.any(v_t > FASTEST):
-        found.append(
+        reasons.append(
             Text(
                 "pitch line {max} m/s, tests up to {fastest}",
                 max=Amount(one(np.max(v_t))),
                 fastest=Amount(FASTEST, form="g"),
             )
         )
-    return SEMICOLON.join(found) if found else EMPTY
+    return SEMICOLON.join(reasons) if reasons else EMPTY
 
 
 # --- integrated along the path
@@ -239,8 +239,8 @@ def of_xu_kahraman(c: MeshCase, P: Watt) -> Regression | None:
                 smooth=Amount(SMOOTH * 1000000.0, form="g"),
             )
         )
-    found = _summed(c, P, w, mu, SEMICOLON.join(outside) if outside else EMPTY)
-    return found if np.all(np.isfinite(found.loss)) else None
+    regression = _summed(c, P, w, mu, SEMICOLON.join(outside) if outside else EMPTY)
+    return regression if np.all(np.isfinite(regression.loss)) else None
 
 
 def of_benedict_kelley(c: MeshCase, P: Watt) -> Regression:
@@ -345,19 +345,19 @@ def table(
         ),
     ]
     for name, model in MODELS.items():
-        one, named = published[name], Text("{authors} {how}", authors=model.authors, how=model.how)
-        if one is None:
+        regression, named = published[name], Text("{authors} {how}", authors=model.authors, how=model.how)
+        if regression is None:
             rows.append((named, None, None, None, model.range, Text("runs away: not shown")))
             continue
         H = H_V if model.how is OHLENDORF else by_regime.loss_factor
         rows.append(
             (
                 named,
-                one.loss,
-                one.friction_mean,
+                regression.loss,
+                regression.friction_mean,
                 H,
                 model.range,
-                Text("outside: {outside}", outside=one.outside) if one.outside else "",
+                Text("outside: {outside}", outside=regression.outside) if regression.outside else "",
             )
         )
     columns = (

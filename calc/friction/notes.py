@@ -18,9 +18,9 @@ NOTEWORTHY = 0.2  # of the loss
 
 
 def notes(friction: FrictionInputs, result: FrictionResult, oil: Oil) -> tuple[Text, ...]:
-    found = [rises] if (rises := oils.rising_rows(oil.lubricant.oil)) is not None else []
+    notes = [rises] if (rises := oils.rising_rows(oil.lubricant.oil)) is not None else []
     if friction.bulk_temperature is None and friction.bulk == "oil":
-        found.append(
+        notes.append(
             Text(
                 "The teeth are taken as warm as the oil, {t_m} °C; their warming is estimated beside.",
                 t_m=Amount(oil.T_m),
@@ -37,7 +37,7 @@ def notes(friction: FrictionInputs, result: FrictionResult, oil: Oil) -> tuple[T
                 sliding_loss=Amount(m.sliding_loss),
             )
         thickest = float(np.max(np.asarray(m.local.lam)))
-        found.append(
+        notes.append(
             Text(
                 "Mesh {title}: λ from {lambda_min} to {thickest}, {regimes} lubrication; {rigid}.",
                 title=mesh.case.mesh.title,
@@ -49,7 +49,7 @@ def notes(friction: FrictionInputs, result: FrictionResult, oil: Oil) -> tuple[T
         )
         left_out = mesh.judged.rolling_estimate if friction.film == "judged" else None
         if left_out is not None and left_out > NOTEWORTHY * mesh.judged.loss:
-            found.append(
+            notes.append(
                 Text(
                     "Mesh {title}: where its film is EHL, rolling is not counted; Goksem and Hargreaves estimate it at "
                     "{left_out} W beside the {loss} W that are. So the loss can fall where more load ends the rigid "
@@ -61,7 +61,7 @@ def notes(friction: FrictionInputs, result: FrictionResult, oil: Oil) -> tuple[T
             )
     for mesh in result.meshes.values():
         if abs(mesh.power_in - mesh.judged.load) > JUMP * mesh.power_in:
-            found.append(
+            notes.append(
                 Text(
                     "Mesh {title}: its loss jumps where places on the path change their regime, and the balance falls "
                     "into "
@@ -72,14 +72,14 @@ def notes(friction: FrictionInputs, result: FrictionResult, oil: Oil) -> tuple[T
                 )
             )
     if friction.load_sharing != "linear" and not all(mesh.case.mesh.spur for mesh in result.meshes.values()):
-        found.append(
+        notes.append(
             Text(
                 "The load of a helical mesh is uniform along its contact lines: load_sharing counts for spur pairs "
                 "only."
             )
         )
     if friction.load_sharing == "smooth" or any(scenario.load_sharing == "smooth" for scenario in friction.scenarios):
-        found.append(
+        notes.append(
             Text(
                 "Film and friction are drawn where a place carries {loaded} % of the full load or more: a relieved "
                 "tip carries none.",
@@ -87,13 +87,13 @@ def notes(friction: FrictionInputs, result: FrictionResult, oil: Oil) -> tuple[T
             )
         )
     if friction.film == "source":
-        found.append(
+        notes.append(
             Text("The friction source's model is judged: EHL everywhere, its solid friction, no rolling loss.")
         )
     elif any(mesh.judged.rolling_loss for mesh in result.meshes.values()):
-        found.append(Text("The rolling loss of the rigid film supposes a full inlet: it is an upper bound."))
+        notes.append(Text("The rolling loss of the rigid film supposes a full inlet: it is an upper bound."))
     if any(mesh.xu_kahraman is None for mesh in result.meshes.values()):
-        found.append(
+        notes.append(
             Text(
                 "Xu and Kahraman's regression is not shown: it does not hold for flanks rougher than 2 µm together, "
                 "nor for any pressure."
@@ -107,10 +107,10 @@ def notes(friction: FrictionInputs, result: FrictionResult, oil: Oil) -> tuple[T
             law=rubbing.mixing.title,
             mu_s=Amount(rubbing.mu_s),
         )
-        found.append(touching)
+        notes.append(touching)
     assumed = next(value for value in oils.judged_values(oil.lubricant.oil) if value.key == "limiting_shear")
     where = Text("{source}; confidence {confidence}", source=assumed.source, confidence=assumed.confidence)
-    found.append(
+    notes.append(
         Text(
             "Limiting shear {lambda_} of the pressure, by {where}. Steel is taken to conduct 46 W/(m·K).",
             lambda_=Amount(oil.Lambda),
@@ -118,18 +118,18 @@ def notes(friction: FrictionInputs, result: FrictionResult, oil: Oil) -> tuple[T
         )
     )
     if not friction.seals:
-        found.append(Text("No shaft seals are counted, unless given ([[friction.seals]])."))
+        notes.append(Text("No shaft seals are counted, unless given ([[friction.seals]])."))
     if not friction.dips:
-        found.append(Text("No wheel dips into oil: churning is not counted ([[friction.dips]])."))
+        notes.append(Text("No wheel dips into oil: churning is not counted ([[friction.dips]])."))
     if not has_bearings(friction):
-        found.append(
+        notes.append(
             Text(
                 "The wheels' own bearings are not counted, unless given ([[friction.rolling_bearings]], "
                 "[[friction.plain_bearings]])."
             )
         )
     elif any(b.f_0 is None or b.f_1 is None for b in friction.rolling_bearings if b.method == "palmgren"):
-        found.append(
+        notes.append(
             Text("Palmgren's factors f_0 and f_1 by type are from memory: give those of the bearing's catalogue.")
         )
     if friction.rolling_bearings:
@@ -137,21 +137,21 @@ def notes(friction: FrictionInputs, result: FrictionResult, oil: Oil) -> tuple[T
             Text("{name} {count}", name=Name(b.name), count=Amount(b.count, form="d"))
             for b in friction.rolling_bearings
         )
-        found.append(Text("Rolling bearings, and how many share each load: {many}.", many=many))
+        notes.append(Text("Rolling bearings, and how many share each load: {many}.", many=many))
     if any(wheel.thrown_oil is not None and wheel.thrown_oil < 0 for wheel in result.wheels.values()):
-        found.append(Text("A jet of oil that is faster than the teeth drives its wheel: its loss is below zero."))
+        notes.append(Text("A jet of oil that is faster than the teeth drives its wheel: its loss is below zero."))
     if any(seal.method == "linke" for seal in friction.seals) and 0.0 in [
         wheel.seal_loss for wheel in result.wheels.values()
     ]:
-        found.append(
+        notes.append(
             Text(
                 "Linke's rule has no loss for shaft seals in so thin and hot an oil: it is outside its range; take "
                 "simrit."
             )
         )
     if friction.rolling_bearings or friction.plain_bearings:
-        found.append(Text("The wheels' bearings run in oil of friction.oil_temperature_C, or of the bearings' supply."))
-    found.append(
+        notes.append(Text("The wheels' bearings run in oil of friction.oil_temperature_C, or of the bearings' supply."))
+    notes.append(
         Text(
             "Windage in {mist_density} kg/m³; air alone has 1.2, the mist of the tests behind its formula about 24.",
             mist_density=Amount(friction.mist_density),
@@ -167,7 +167,7 @@ def notes(friction: FrictionInputs, result: FrictionResult, oil: Oil) -> tuple[T
     )
     strange = [entry.name for entry in entries if not carrier(entry, result.wheels, "")]
     if strange:
-        found.append(
+        notes.append(
             Text(
                 "Carried by wheel {last}, the last, for their names begin with that of no wheel: {strange}; wheel = "
                 "tells it.",
@@ -181,7 +181,7 @@ def notes(friction: FrictionInputs, result: FrictionResult, oil: Oil) -> tuple[T
         if (w := _body(result, carrier(d, result.wheels, last))).tip_radius - w.reference_radius >= d.depth
     ]
     if dry:
-        found.append(
+        notes.append(
             Text(
                 "Only teeth dip, not the reference circle, from which churning is counted: no loss is found for {dry}.",
                 dry=", ".join(dry),
@@ -191,7 +191,7 @@ def notes(friction: FrictionInputs, result: FrictionResult, oil: Oil) -> tuple[T
         dip.name for dip in friction.dips if dip.depth > 2 * _body(result, carrier(dip, result.wheels, last)).tip_radius
     ]
     if deep:
-        found.append(
+        notes.append(
             Text(
                 "Under oil altogether, which the correlation of churning was not made for: {deep}.",
                 deep=", ".join(deep),
@@ -200,7 +200,7 @@ def notes(friction: FrictionInputs, result: FrictionResult, oil: Oil) -> tuple[T
     for other in friction.other_losses:
         wheel = carrier(other, result.wheels, last)
         why = "" if carrier(other, result.wheels, "") else Text(", the last: its name begins with that of no wheel")
-        found.append(
+        notes.append(
             Text(
                 'Other loss "{name}", {power} W: carried by wheel {wheel}{why}.',
                 name=other.name,
@@ -209,7 +209,7 @@ def notes(friction: FrictionInputs, result: FrictionResult, oil: Oil) -> tuple[T
                 why=why,
             )
         )
-    return tuple(found)
+    return tuple(notes)
 
 
 def _body(result: FrictionResult, wheel: str) -> WheelGeometry:

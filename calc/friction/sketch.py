@@ -35,15 +35,15 @@ class Loss:
 def sketch(design: Designed, results: Solved) -> Sketch:
     """The losses of a design's train, those of the meshes first."""
     outcome = results.outcomes["friction"]
-    found = outcome.result
-    if design.friction is None or not isinstance(found, FrictionResult):
+    result = outcome.result
+    if design.friction is None or not isinstance(result, FrictionResult):
         return awaited(outcome)
     checks = tuple(outcome.checks)
     meshes = [
         Loss(Name(mesh.case.mesh.title), mesh.judged.loss, f"gears.meshes.{n}", judged(checks, f"friction.{name}"))
-        for n, (name, mesh) in enumerate(found.meshes.items())
+        for n, (name, mesh) in enumerate(result.meshes.items())
     ]
-    losses = _together(meshes, found.total_loss)
+    losses = _together(meshes, result.total_loss)
     losses += [
         Loss(
             Text("{place} bearing", place=IN_WORDS[place]),
@@ -51,23 +51,23 @@ def sketch(design: Designed, results: Solved) -> Sketch:
             f"bearings.{place}",
             judged(checks, f"friction.{place}"),
         )
-        for place, journal in found.journals.items()
+        for place, journal in result.journals.items()
     ]
     losses += [
-        Loss(Text("windage"), found.windage_loss),
-        Loss(Text("churning"), found.churning_loss or 0.0),
-        Loss(Text("oil thrown on"), found.thrown_oil_loss or 0.0),
-        Loss(Text("shaft seals"), found.seal_loss or 0.0),
-        Loss(Text("wheel bearings"), found.wheel_bearing_loss or 0.0),
-        Loss(Text("others"), found.other_loss),
+        Loss(Text("windage"), result.windage_loss),
+        Loss(Text("churning"), result.churning_loss or 0.0),
+        Loss(Text("oil thrown on"), result.thrown_oil_loss or 0.0),
+        Loss(Text("shaft seals"), result.seal_loss or 0.0),
+        Loss(Text("wheel bearings"), result.wheel_bearing_loss or 0.0),
+        Loss(Text("others"), result.other_loss),
     ]
-    shown = _shown(losses, found.total_loss)
+    shown = _shown(losses, result.total_loss)
     if not shown:
         return Sketch(notes=(Text("Nothing is lost."),))
     notes = [Text("widths to scale")]
-    if found.delivered_power:
-        notes.append(Text("beside {power} passed on", power=_watts(found.delivered_power)))
-    return Sketch(tuple(_flow(shown, found.total_loss)), tuple(notes), title=Text("all of it becomes heat in the oil"))
+    if result.delivered_power:
+        notes.append(Text("beside {power} passed on", power=_watts(result.delivered_power)))
+    return Sketch(tuple(_flow(shown, result.total_loss)), tuple(notes), title=Text("all of it becomes heat in the oil"))
 
 
 def _shown(losses: list[Loss], total: Watt) -> list[Loss]:

@@ -163,10 +163,10 @@ def further(d: TrainDrive, result: FrictionResult, power: Watt | None, on: OnSha
     with QUIET(), untraced():
         of_map, of_fuel, missing = maps.pictures(maps.over_speed_and_temperature(d, power, on), d)
         bars, table = _open_constants(d, result, power)
-        found = result.scenarios or {}
+        by_scenario = result.scenarios or {}
         ways = {key: curves.way(mesh) for key, mesh in result.meshes.items()}
         return Further(
-            curves=(*of_map, bars, *scenarios.curves(found, ways)),
+            curves=(*of_map, bars, *scenarios.curves(by_scenario, ways)),
             tables=(*of_fuel, table, *scenarios.tables(result)),
             notes=missing,
         )

@@ -152,7 +152,7 @@ def _clearance(
     at_root = {"driver": mesh.tip_clearance_driver, "driven": mesh.tip_clearance_driven}
     above = {"driver": mesh.form_margin_driver, "driven": mesh.form_margin_driven}
     low, tight = min(at_root, key=at_root.__getitem__), min(above, key=above.__getitem__)
-    own, mate = (driver, driven) if tight == "driver" else (driven, driver)
+    wheel, mate = (driver, driven) if tight == "driver" else (driven, driver)
     usual, needed, enough = (share * system.m_n for share in (p.TIP_CLEARANCE, p.ABOVE_FILLET, p.USUAL_ABOVE_FILLET))
     missing = math.ceil(max(0.0, usual - at_root[low]) * 1e6 - 1e-6) / 1e3
     tips = [mesh.driven if side == "driver" else mesh.driver for side, c in at_root.items() if c - at_root[low] < 1e-6]
@@ -170,7 +170,7 @@ def _clearance(
         "addendum or more teeth "
         "help as well.",
         mate=mate.name,
-        wheel=own.name,
+        wheel=wheel.name,
     )
     checks = [
         check(
@@ -195,7 +195,7 @@ def _clearance(
             Text("{iso}: (d_Nf − d_Ff)/2", iso=ISO),
             works_low,
             value_id=f"{id}.form_margin_{tight}",
-            remedies=lambda: _eased(mesh, own, mate, cuts, needed),
+            remedies=lambda: _eased(mesh, wheel, mate, cuts, needed),
         ),
         check(
             f"{id}.interference_usual",
@@ -207,7 +207,7 @@ def _clearance(
             _modules(p.USUAL_ABOVE_FILLET),
             works_low,
             value_id=f"{id}.form_margin_{tight}",
-            remedies=lambda: _eased(mesh, own, mate, cuts, enough),
+            remedies=lambda: _eased(mesh, wheel, mate, cuts, enough),
         ),
     ]
     if mesh.tip_clearance_min is not None:
@@ -237,18 +237,18 @@ def _clearance(
                 AT_THE_END,
                 works_low,
                 index=index,
-                remedies=lambda: _eased(mesh, own, mate, cuts, needed),
+                remedies=lambda: _eased(mesh, wheel, mate, cuts, needed),
             )
         )
     return checks
 
 
 def _eased(
-    mesh: MeshResult, own: WheelResult, mate: WheelResult, cuts: Mapping[str, Metre], enough: float
+    mesh: MeshResult, wheel: WheelResult, mate: WheelResult, cuts: Mapping[str, Metre], enough: float
 ) -> tuple[Remedy, ...]:
     """How much of the mate's tip has to go, so that it arrives far enough above the fillet."""
-    reach = own.form_diameter / 2 + enough
-    rho = math.sqrt(max(reach**2 - (own.base_diameter / 2) ** 2, 0.0))
+    reach = wheel.form_diameter / 2 + enough
+    rho = math.sqrt(max(reach**2 - (wheel.base_diameter / 2) ** 2, 0.0))
     left = math.hypot(mate.base_diameter / 2, max(mesh.line_of_action - rho, 0.0))
     cut = math.ceil((mate.tip_diameter / 2 - left) * 1e5 - 1e-6) / 1e2
     return (remedy(_cut(mate.name, cuts, cut)),) if cut > 0 else ()

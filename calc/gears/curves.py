@@ -44,9 +44,9 @@ def pitch_point_view(
 
     With `roll` 0 a tooth of the driver stands in the middle of a space of the driven wheel; `roll` turns the driver,
     anticlockwise. Without allowances and at the centre distance without backlash both flanks of that tooth touch."""
-    (driver, own), (driven, mate) = below, above
+    (driver, driver_regions), (driven, mate) = below, above
     turned = 1j * np.exp(1j * roll)
-    under = repeated(whole_tooth(own), driver.teeth, TEETH) * turned - 1j * mesh.working_diameter_driver / 2
+    under = repeated(whole_tooth(driver_regions), driver.teeth, TEETH) * turned - 1j * mesh.working_diameter_driver / 2
     turned = -1j * np.exp(1j * (np.pi / driven.teeth - roll * driver.teeth / driven.teeth))
     over = repeated(whole_tooth(mate), driven.teeth, TEETH_BETWEEN) * turned + 1j * mesh.working_diameter_driven / 2
     return under, over

@@ -64,11 +64,11 @@ def solve_mesh(
             line_of_action=T,
             centre_tolerance=tolerance,
         )
-        for end, own, mate, starts in (
+        for end, wheel, mate, starts in (
             ("driver", driver, driven, (rho_A1, rho_A2)),
             ("driven", driven, driver, (rho_A2, rho_A1)),
         ):
-            sizes = _side(system, a_w, alpha_wt, T, own, mate, *starts, 1 <= eps_alpha < 2)
+            sizes = _side(system, a_w, alpha_wt, T, wheel, mate, *starts, 1 <= eps_alpha < 2)
             values |= {f"{name}_{end}": size for name, size in sizes.items()}
     if tolerance or driver.tip_diameter_min is not None or driven.tip_diameter_min is not None:
         with about(Text("mesh {pair}, shortest tips and widest centres", pair=mesh.title)):
@@ -85,7 +85,7 @@ def _side(
     a_w: Metre,
     alpha_wt: Radian,
     T: Metre,
-    own: WheelResult,
+    wheel: WheelResult,
     mate: WheelResult,
     start: Metre,
     end: Metre,
@@ -93,24 +93,24 @@ def _side(
 ) -> dict[str, float]:
     """What a mesh makes of one of its wheels.  `start`, `end`: ρ_A of the wheel and of its mate; `single`: there is
     single contact."""
-    z, z_m, d_w = own.teeth, mate.teeth, f.working_diameter(a_w, own.teeth, mate.teeth)
+    z, z_m, d_w = wheel.teeth, mate.teeth, f.working_diameter(a_w, wheel.teeth, mate.teeth)
     sizes = {
         "working_diameter": d_w,
-        "sap_diameter": f.diameter_at(own.base_diameter, start),
+        "sap_diameter": f.diameter_at(wheel.base_diameter, start),
         "sap_curvature": start,
         "working_thickness": f.thickness_at(
-            d_w, own.reference_thickness, own.reference_diameter, system.transverse_pressure_angle, alpha_wt
+            d_w, wheel.reference_thickness, wheel.reference_diameter, system.transverse_pressure_angle, alpha_wt
         ),
-        "form_margin": above_fillet(own.base_diameter, T, mate.tip_curvature, own.form_diameter),
-        "tip_clearance": f.tip_clearance(a_w, own.root_diameter, mate.tip_diameter),
+        "form_margin": above_fillet(wheel.base_diameter, T, mate.tip_curvature, wheel.form_diameter),
+        "tip_clearance": f.tip_clearance(a_w, wheel.root_diameter, mate.tip_diameter),
         "specific_sliding": f.specific_sliding(T, start, z, z_m),
-        "specific_sliding_tip": f.specific_sliding(T, own.tip_curvature, z, z_m),
+        "specific_sliding_tip": f.specific_sliding(T, wheel.tip_curvature, z, z_m),
     }
     if single:
         rho_B = f.lowest_single_contact(T, end, system.base_pitch)
         sizes["specific_sliding_lpstc"] = f.specific_sliding(T, rho_B, z, z_m)
-        sizes["lpstc_diameter"] = f.diameter_at(own.base_diameter, rho_B)
-        sizes["hpstc_diameter"] = f.diameter_at(own.base_diameter, f.highest_single_contact(start, system.base_pitch))
+        sizes["lpstc_diameter"] = f.diameter_at(wheel.base_diameter, rho_B)
+        sizes["hpstc_diameter"] = f.diameter_at(wheel.base_diameter, f.highest_single_contact(start, system.base_pitch))
     return sizes
 
 
@@ -136,12 +136,12 @@ def _closest(a_w: Metre, tolerance: Metre, wheels: tuple[WheelResult, WheelResul
         return {}  # which the backlash says
     T = f.line_of_action(a, f.working_pressure_angle(wheels[0].base_diameter, wheels[1].base_diameter, a))
     clearances, margins = [], []
-    for own, mate in (wheels, wheels[::-1]):
-        d_f = own.root_diameter if own.root_diameter_max is None else own.root_diameter_max
-        d_Ff = own.form_diameter if own.form_diameter_max is None else own.form_diameter_max
+    for wheel, mate in (wheels, wheels[::-1]):
+        d_f = wheel.root_diameter if wheel.root_diameter_max is None else wheel.root_diameter_max
+        d_Ff = wheel.form_diameter if wheel.form_diameter_max is None else wheel.form_diameter_max
         d_a = mate.tip_diameter if mate.tip_diameter_max is None else mate.tip_diameter_max
         clearances.append(f.tip_clearance(a, d_f, d_a))
-        margins.append(above_fillet(own.base_diameter, T, f.curvature_at(d_a, mate.base_diameter), d_Ff))
+        margins.append(above_fillet(wheel.base_diameter, T, f.curvature_at(d_a, mate.base_diameter), d_Ff))
     return {"tip_clearance_min": min(clearances), "form_margin_min": min(margins)}
 
 

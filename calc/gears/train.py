@@ -162,7 +162,7 @@ def _compare(train: Train, mesh: Mesh, i: int, a: Metre, x: Number) -> Number:
         return x
     with untraced():
         j_bn = f.backlash_of_shifts(m_n=train.system.m_n, alpha_n=train.system.alpha_n, x_0=x, x_2=given)
-    said = dict(
+    values = dict(
         driver=mesh.driver,
         x_1=Amount(train.shifts[mesh.driver], form=".6g"),
         driven=mesh.driven,
@@ -175,7 +175,7 @@ def _compare(train: Train, mesh: Mesh, i: int, a: Metre, x: Number) -> Number:
             Text(
                 "Mesh {driver}–{driven}: centre distance and both profile shifts are given, {x_1} and {given}; before "
                 "allowances they leave a normal backlash of {j_bn}, none with {driven} {x}.",
-                **said,
+                **values,
             )
         )
         return given
@@ -186,7 +186,7 @@ def _compare(train: Train, mesh: Mesh, i: int, a: Metre, x: Number) -> Number:
             "{given}; the teeth jam by {j_bn}, and without backlash it needs {driven} {x}",
             i=i,
             centre_distance=mm(a, "g"),
-            **said,
+            **values,
         ),
         tried=Text(
             "shifts that agree within {contradiction}, or leave backlash", contradiction=Amount(CONTRADICTION, form="g")

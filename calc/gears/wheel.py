@@ -278,12 +278,12 @@ def with_masses(
     train = outcome.solution
     wheels = {}
     with trace() as lines:
-        for own in gears.wheels:
-            wheel = train.wheels[own.name]
-            with about(Text("wheel {name}, mass", name=own.name)):
-                inside = inner_diameter(wheel.root_diameter, own.bore_diameter, own.rim_thickness)
+        for given in gears.wheels:
+            wheel = train.wheels[given.name]
+            with about(Text("wheel {name}, mass", name=given.name)):
+                inside = inner_diameter(wheel.root_diameter, given.bore_diameter, given.rim_thickness)
                 m = wheel_mass(
                     rho=materials[wheel.material].density, b=wheel.face_width, d=wheel.reference_diameter, d_i=inside
                 )
-            wheels[own.name] = replace(wheel, mass=m)
+            wheels[given.name] = replace(wheel, mass=m)
     return replace(outcome, result=replace(train, wheels=wheels), lines=(*outcome.lines, *lines))

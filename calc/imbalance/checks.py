@@ -111,13 +111,13 @@ def _crank_checks(result: ImbalanceResult) -> tuple[Check, ...]:
     webs, force, couple = result.webs, result.one_force, result.one_couple
     if webs is None:
         return ()
-    made = []
+    checks = []
     if webs.crank is not None:
         name = "stated" if "stated" in webs.crank else "balanced"
         state = webs.crank[name]
         bobs = Text("with the bobs as stated") if name == "stated" else Text("with the bobs found")
         what = Text("Other bobs (bob_mode), or other webs: the list of bodies shows where mass is missing.")
-        made += [
+        checks += [
             check(
                 "imbalance.crank.force",
                 Text("Force of the crank {bobs}", bobs=bobs),
@@ -140,7 +140,7 @@ def _crank_checks(result: ImbalanceResult) -> tuple[Check, ...]:
             ),
         ]
         if webs.permitted_unbalance is not None and webs.drilled_mass is None:
-            made.append(
+            checks.append(
                 check(
                     "imbalance.crank.residual",
                     Text("Static unbalance of the crank {bobs}", bobs=bobs),
@@ -156,7 +156,7 @@ def _crank_checks(result: ImbalanceResult) -> tuple[Check, ...]:
                 )
             )
     if webs.unbalances_couple_left is not None:
-        made.append(
+        checks.append(
             check(
                 "imbalance.unbalances.couple_left",
                 Text("Wanted couple that pulley and flywheel leave"),
@@ -169,7 +169,7 @@ def _crank_checks(result: ImbalanceResult) -> tuple[Check, ...]:
             )
         )
     if webs.pin_deviation is not None:
-        made.append(
+        checks.append(
             check(
                 "imbalance.crank.throws",
                 Text("Pins of the crank's bodies against the throws"),
@@ -181,7 +181,7 @@ def _crank_checks(result: ImbalanceResult) -> tuple[Check, ...]:
                 Text("Look at crank_bodies_throw_at_tdc, and at x (up) and y (in the sense of rotation) of the pins."),
             )
         )
-    return tuple(made)
+    return tuple(checks)
 
 
 def proposals(result: ImbalanceResult, lam: Number, kappa: Number, rho: Number, shaft: bool) -> tuple[Text, ...]:
@@ -191,7 +191,7 @@ def proposals(result: ImbalanceResult, lam: Number, kappa: Number, rho: Number, 
     F_p, F_m, C_p, C_m = (abs(v) for v in result.orders["order_2"].vectors)
     first = FIRST * result.one_force, FIRST * result.one_couple
     second = SECOND * lam * result.one_force / 2, SECOND * lam * result.one_couple / 2  # of a pair: half of its peak
-    said = []
+    proposed = []
     turns_forward, turns_backward = _what(F_f, C_f, *first), _what(F_b, C_b, *first)
     if turns_forward:
         done = (
@@ -199,7 +199,7 @@ def proposals(result: ImbalanceResult, lam: Number, kappa: Number, rho: Number, 
             if abs(kappa - 0.5) < 1e-9
             else Text("the design has {kappa}", kappa=Amount(kappa, form="g"))
         )
-        said.append(
+        proposed.append(
             Text(
                 "Counterweights on the crank for half of the reciprocating mass (crank_balance_fraction 0.5; {done}), "
                 "because they {taken} of first order that turns forward: {turns_forward}.",
@@ -228,7 +228,7 @@ def proposals(result: ImbalanceResult, lam: Number, kappa: Number, rho: Number, 
                 "shafts at ±1 cost none.",
                 roll=Amount(roll),
             )
-        said.append(text)
+        proposed.append(text)
     plus, minus = _what(F_p, C_p, *second), _what(F_m, C_m, *second)
     shafts = result.remedy.get("second_order_shafts")
     if (
@@ -242,7 +242,7 @@ def proposals(result: ImbalanceResult, lam: Number, kappa: Number, rho: Number, 
             both=both,
         )
         speed = _one_speed(shafts.shafts)
-        said.append(
+        proposed.append(
             Text("Two shafts at ±2 times crank speed, where the comfort is worth it, because {left}", left=left)
             if speed is None
             else Text(
@@ -259,7 +259,7 @@ def proposals(result: ImbalanceResult, lam: Number, kappa: Number, rho: Number, 
         missing = _what(result.webs.missing_forward_force or 0.0, result.webs.missing_forward_couple, *first)
         if missing:
             direction = Amount(round(degrees(result.webs.missing_forward_couple_phase or 0.0), 3), "°")
-            said.append(
+            proposed.append(
                 Text(
                     "Unbalances on pulley and flywheel that supply {missing} (the couple at {direction}), because the "
                     "crank's own webs lack it for the share {kappa}; give them as [[imbalance.unbalances]] to see "
@@ -270,7 +270,7 @@ def proposals(result: ImbalanceResult, lam: Number, kappa: Number, rho: Number, 
                     kappa=Amount(kappa, form="g"),
                 )
             )
-    return tuple(said) or (
+    return tuple(proposed) or (
         Text("No remedy is called for: neither order 1 nor order 2 leaves a force or couple that counts."),
     )
 

@@ -35,39 +35,39 @@ def pictures(result: ImbalanceResult, shaft: Shaft | None = None) -> tuple[Curve
     with_ = Text("with the counter-shaft") if shaft is not None else Text("with an ideal counter-shaft")
     supplied = shaft if shaft is not None else (-vectors[1][1], -vectors[1][3])
     after = {**vectors, 1: (vectors[1][0], vectors[1][1] + supplied[0], vectors[1][2], vectors[1][3] + supplied[1])}
-    made: list[Curve] = []
+    curves: list[Curve] = []
     for kind, symbol, unit, at in KINDS:
-        one = result.one_couple if kind == "couple" else result.one_force
+        scale = result.one_couple if kind == "couple" else result.one_force
         if (
             max(abs(v) for pair in (vectors, after) for order in pair.values() for v in order[at : at + 2])
-            <= DRAWN * one
+            <= DRAWN * scale
         ):
             continue
         both = (
             ((WITHOUT, vectors), (with_, after))
-            if any(abs(v) > DUST * one for v in vectors[1][at : at + 2])
+            if any(abs(v) > DUST * scale for v in vectors[1][at : at + 2])
             else ((EMPTY, vectors),)
         )
         variants = tuple(name for name, _ in both) if len(both) > 1 else ()
-        made += [
-            _locus(kind, symbol, unit, at, both, variants, supplied[at // 2], one),
+        curves += [
+            _locus(kind, symbol, unit, at, both, variants, supplied[at // 2], scale),
             _bars(kind, symbol, unit, at, both, variants),
             _turn(kind, symbol, unit, at, both, variants),
         ]
     if result.required_couple > DRAWN * result.one_couple:
-        made.append(_mistiming("couple", Text("C, N·m"), result.required_couple))
+        curves.append(_mistiming("couple", Text("C, N·m"), result.required_couple))
     if result.required_force is not None and result.required_force > DRAWN * result.one_force:
-        made.append(_mistiming("force", Text("F, N"), result.required_force))
-    return tuple(made)
+        curves.append(_mistiming("force", Text("F, N"), result.required_force))
+    return tuple(curves)
 
 
 def _locus(
-    kind: str, symbol: str, unit: str, at: int, both: Both, variants: tuple[Text, ...], supplied: complex, one: float
+    kind: str, symbol: str, unit: str, at: int, both: Both, variants: tuple[Text, ...], supplied: complex, scale: float
 ) -> Curve:
     """The path of the lowest order that there is and of all orders together, and the vectors that draw the first of
     these."""
     before = both[0][1]
-    shown = next((n for n in sorted(before) if max(abs(v) for v in before[n][at : at + 2]) > DUST * one), 1)
+    shown = next((n for n in sorted(before) if max(abs(v) for v in before[n][at : at + 2]) > DUST * scale), 1)
     index = str(shown).translate(SUBSCRIPTS)
     degrees = np.arange(0, 361, 3.0)
     theta = np.radians(degrees)
@@ -83,7 +83,7 @@ def _locus(
         ]
         if variant and variant != WITHOUT:
             parts.append((Text("counter-shaft"), supplied, -1))
-        if parts := [part for part in parts if abs(part[1]) > DUST * one]:
+        if parts := [part for part in parts if abs(part[1]) > DUST * scale]:
             chains.append(
                 Turning(tuple(p[0] for p in parts), tuple(p[1] for p in parts), tuple(p[2] for p in parts), variant)
             )

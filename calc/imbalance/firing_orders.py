@@ -62,16 +62,16 @@ def firing_orders(imbalance: ImbalanceInputs, engine: EngineInputs, e: EngineRes
     for k in range(n):
         keys = keys * n + place[:, k] % throws
     _, first, which = distinct(keys)
-    found, angles = _left(imbalance, engine, e, place[first].astype(float))
+    residuals, angles = _left(imbalance, engine, e, place[first].astype(float))
     best = (
-        found
+        residuals
         if imbalance.crank_balance_fraction == 0.5
         else _left(replace(imbalance, crank_balance_fraction=0.5), engine, e, place[first].astype(float))[0]
     )
     left: Array = sum(
         (many(o.force_peak + o.couple_peak / engine.cylinder_pitch) for o in best.values()), np.zeros(len(first))
     )
-    one, two = found[1], found[2]
+    one, two = residuals[1], residuals[2]
     beside, half = _in_turn(engine, orders)
     mild = [(int(b), int(h)) for b, h in zip(beside, half)]
     mildest = dict(sorted(zip(which.tolist(), mild), reverse=True))  # of the orders of each crank
@@ -118,10 +118,10 @@ def _orders(engine: EngineInputs) -> Iterable[tuple[int, ...]]:
     n = engine.cylinders
     if n <= ALL:
         return ((1, *rest) for rest in permutations(range(2, n + 1)))
-    found = (
+    orders = (
         [] if n > SOME else list(_symmetric(n, engine.strokes)) if engine.layout == "inline" else list(_paired(engine))
     )
-    if not found:
+    if not orders:
         raise NoSolution(
             Text("firing orders of {n} cylinders in this layout are not listed", n=n),
             Text(
@@ -133,7 +133,7 @@ def _orders(engine: EngineInputs) -> Iterable[tuple[int, ...]]:
             ),
             Text("give the crank angles or one firing order; `check` shows what it leaves"),
         )
-    return found
+    return orders
 
 
 def _paired(engine: EngineInputs) -> Iterator[tuple[int, ...]]:
@@ -220,28 +220,37 @@ RANKED = Text(
 )
 
 
-def orders_table(found: list[FiringOrder], most: int, design: FiringOrder, engine: EngineInputs) -> Table:
+def orders_table(orders: list[FiringOrder], most: int, design: FiringOrder, engine: EngineInputs) -> Table:
     """The best orders, each with its number in the ranking, under the design as it is."""
-    rows = (("", *_row(design, engine)), *((float(n), *_row(one, engine)) for n, one in enumerate(found[:most], 1)))
+    rows = (
+        ("", *_row(design, engine)),
+        *((float(n), *_row(candidate, engine)) for n, candidate in enumerate(orders[:most], 1)),
+    )
     shown = plural(
         "{shown} of {n} order, under the design as it is.",
         "{shown} of {n} orders, under the design as it is.",
-        n=len(found),
+        n=len(orders),
         shown=len(rows) - 1,
     )
     return Table("firing_orders", TITLE, ((Text("no."), ""), *COLUMNS), rows, SPACE.join((shown, RANKED)))
 
 
-def cranks_table(found: list[FiringOrder], engine: EngineInputs, most: int = 12) -> Table:
+def cranks_table(orders: list[FiringOrder], engine: EngineInputs, most: int = 12) -> Table:
     """The best cranks, each with the best of the orders that it can fire in."""
     cranks = [
-        one for n, one in enumerate(found) if n == 0 or not np.allclose(found[n - 1].crank_angles, one.crank_angles)
+        candidate
+        for n, candidate in enumerate(orders)
+        if n == 0 or not np.allclose(orders[n - 1].crank_angles, candidate.crank_angles)
     ]
     note = Text(
-        "{n} orders on {cranks} different cranks; of each crank the best order.", n=len(found), cranks=len(cranks)
+        "{n} orders on {cranks} different cranks; of each crank the best order.", n=len(orders), cranks=len(cranks)
     )
     return Table(
-        "firing_orders", TITLE, COLUMNS, tuple(_row(one, engine) for one in cranks[:most]), SPACE.join((note, RANKED))
+        "firing_orders",
+        TITLE,
+        COLUMNS,
+        tuple(_row(candidate, engine) for candidate in cranks[:most]),
+        SPACE.join((note, RANKED)),
     )
 
 
@@ -249,8 +258,8 @@ def as_designed(imbalance: ImbalanceInputs, engine: EngineInputs, e: EngineResul
     """The design's own crank and order in the terms of the list."""
     judged = harmonics(e, imbalance.kinematics)
     with untraced():
-        found = {n: order(n, c_n, imbalance, engine, e) for n, c_n in enumerate(judged, 1) if np.any(c_n) or n <= 2}
-    one, two = found[1], found[2]
+        residuals = {n: order(n, c_n, imbalance, engine, e) for n, c_n in enumerate(judged, 1) if np.any(c_n) or n <= 2}
+    one, two = residuals[1], residuals[2]
     fires = firing(engine, e.crank).order
     beside, half = _in_turn(engine, np.array([fires], dtype=np.intp))
     return FiringOrder(
@@ -267,19 +276,19 @@ def as_designed(imbalance: ImbalanceInputs, engine: EngineInputs, e: EngineResul
     )
 
 
-def _row(one: FiringOrder, engine: EngineInputs) -> tuple[str | float, ...]:
-    throws = crank(replace(engine, crank_angles=tuple(one.crank_angles.tolist()), firing_order=None), 0.0)
+def _row(candidate: FiringOrder, engine: EngineInputs) -> tuple[str | float, ...]:
+    throws = crank(replace(engine, crank_angles=tuple(candidate.crank_angles.tolist()), firing_order=None), 0.0)
     pins = float(pin_of_cylinder(engine, throws).max() + 1)
     peaks = (
-        one.force_1,
-        one.couple_1_forward,
-        one.couple_1_backward,
-        one.force_2,
-        one.couple_2,
-        float(one.neighbours),
-        float(one.same_half),
+        candidate.force_1,
+        candidate.couple_1_forward,
+        candidate.couple_1_backward,
+        candidate.force_2,
+        candidate.couple_2,
+        float(candidate.neighbours),
+        float(candidate.same_half),
     )
-    return ("-".join(map(str, one.order)), crank_words(one.crank_angles), pins, *peaks)
+    return ("-".join(map(str, candidate.order)), crank_words(candidate.crank_angles), pins, *peaks)
 
 
 def crank_words(angles: Array) -> str:

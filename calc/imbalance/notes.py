@@ -21,17 +21,17 @@ MIDDLE = Text(
 
 
 def notes(
-    imbalance: ImbalanceInputs, engine: EngineInputs, found: ImbalanceResult, bobs: Iterable[Text]
+    imbalance: ImbalanceInputs, engine: EngineInputs, result: ImbalanceResult, bobs: Iterable[Text]
 ) -> tuple[Text, ...]:
     """`bobs`: what is told of the bobs of the balancing machine."""
-    undrilled = imbalance.drill_radius is not None and (found.webs is None or found.webs.drilled_mass is None)
+    undrilled = imbalance.drill_radius is not None and (result.webs is None or result.webs.drilled_mass is None)
     drilling = (UNDRILLED,) if undrilled else ()
     return (
-        verdict(found.throw, engine, imbalance.rotating_balance_fraction),
+        verdict(result.throw, engine, imbalance.rotating_balance_fraction),
         *bobs,
         *drilling,
         MIDDLE,
-        *roll_notes(imbalance, found.shaft_pair),
+        *roll_notes(imbalance, result.shaft_pair),
     )
 
 

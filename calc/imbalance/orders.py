@@ -59,8 +59,8 @@ def radius(engine: EngineInputs, e: EngineResult) -> Metre:
 
 def harmonics(e: EngineResult, kinematics: str = "two_term") -> tuple[complex, ...]:
     """The harmonics of a/(ω² r), those that all cylinders have or those of each."""
-    found = e if e.unlike is None else e.unlike
-    return found.harmonics if kinematics == "exact" else found.two_term
+    source = e if e.unlike is None else e.unlike
+    return source.harmonics if kinematics == "exact" else source.two_term
 
 
 def measures(engine: EngineInputs, e: EngineResult) -> tuple[Metre, Number]:

@@ -220,18 +220,26 @@ def remedies(
         i: int, F: PhasorNewton, C: PhasorNewtonMetre
     ) -> tuple[BalanceShaft | None, PhasorNewton, PhasorNewtonMetre]:
         """The shaft at i times crank speed that takes F and C, and what it supplies."""
-        found = BalanceShaft(speed_ratio=float(i))
+        balance_shaft = BalanceShaft(speed_ratio=float(i))
         F_S = C_S = 0j
         with about(Text("shaft at {i} times crank speed", i=Amount(i, form="+d"))):
             if np.any(np.abs(F) > SIGNIFICANT * one_force):
                 U, gamma = shaft_unbalance(F_n=F, i=float(i), omega=omega), unbalance_direction(F_n=F)
                 F_S = supplied_force(i=float(i), omega=omega, U=U, gamma=gamma)
-                found = replace(found, unbalance=U, unbalance_phase=gamma)
+                balance_shaft = replace(balance_shaft, unbalance=U, unbalance_phase=gamma)
             if np.any(np.abs(C) > SIGNIFICANT * one_couple):
                 P, gamma = shaft_product(C_n=C, i=float(i), omega=omega), product_direction(C_n=C)
                 C_S = supplied_couple(i=float(i), omega=omega, P=P, gamma=gamma)
-                found = replace(found, unbalance_product=P, unbalance_product_phase=gamma)
-        return (found if found.unbalance is not None or found.unbalance_product is not None else None), F_S, C_S
+                balance_shaft = replace(balance_shaft, unbalance_product=P, unbalance_product_phase=gamma)
+        return (
+            (
+                balance_shaft
+                if balance_shaft.unbalance is not None or balance_shaft.unbalance_product is not None
+                else None
+            ),
+            F_S,
+            C_S,
+        )
 
     F_f, F_b, C_f, C_b = first
     backward, backward_F, backward_C = shaft(-1, F_b, C_b)
@@ -254,7 +262,7 @@ def remedies(
             return BalancingRemedy(
                 title=title,
                 crank_balance_fraction=share,
-                shafts={name: found for name, found in shafts.items() if found},
+                shafts={name: balance_shaft for name, balance_shaft in shafts.items() if balance_shaft},
                 order_1_force=force_left(F_f=left_f, S_f=one[0], F_b=F_b, S_b=one[1]),
                 order_1_couple=couple_left(C_f=left_c, S_f=one[2], C_b=C_b, S_b=one[3]),
                 order_2_force=force_left(F_f=second[0], S_f=two[0], F_b=second[1], S_b=two[1]),
@@ -263,21 +271,23 @@ def remedies(
                 roll_torque_at_100_mm=roll_torque(p=0.1 + 0j, F=single) if single is not None else None,
             )
 
-    found = {"crank": remedy(Text("counterweights for half of the reciprocating mass"), 0.5, NONE, NONE)}
+    by_name = {"crank": remedy(Text("counterweights for half of the reciprocating mass"), 0.5, NONE, NONE)}
     if backward:
         one_shaft = (0j, backward_F, 0j, backward_C)
-        found["backward_shaft"] = remedy(Text("the same, and one shaft at −1"), 0.5, one_shaft, NONE, backward=backward)
+        by_name["backward_shaft"] = remedy(
+            Text("the same, and one shaft at −1"), 0.5, one_shaft, NONE, backward=backward
+        )
     if forward and backward:
-        found["first_order_pair"] = remedy(
+        by_name["first_order_pair"] = remedy(
             Text("two shafts at ±1"), 0.0, at_one, NONE, forward=forward, backward=backward
         )
     if plus or minus:
         how = Text("two shafts at ±2") if plus and minus else Text("one shaft at {what}2", what="+" if plus else "−")
-        found["second_order_shafts"] = remedy(
+        by_name["second_order_shafts"] = remedy(
             Text("crank as designed, {how}", how=how), kappa, NONE, at_two, forward_2=plus, backward_2=minus
         )
         if backward:
-            found["crank_and_shafts"] = remedy(
+            by_name["crank_and_shafts"] = remedy(
                 Text("half on the crank, one shaft at −1, {how}", how=how),
                 0.5,
                 (0j, backward_F, 0j, backward_C),
@@ -287,7 +297,7 @@ def remedies(
                 backward_2=minus,
             )
         if forward and backward:
-            found["four_shafts"] = remedy(
+            by_name["four_shafts"] = remedy(
                 Text("two shafts at ±1, {how}", how=how),
                 0.0,
                 at_one,
@@ -297,7 +307,7 @@ def remedies(
                 forward_2=plus,
                 backward_2=minus,
             )
-    return found
+    return by_name
 
 
 def counterweights(
@@ -309,11 +319,11 @@ def counterweights(
     """
     U = (u.crank_unbalance if unlike else crank_unbalance)(M_eq=M_eq, r=r, theta_0=theta_0, phi=phi)
     P = (u.crank_product if unlike else crank_product)(M_eq=M_eq, r=r, theta_0=theta_0, z=z, phi=phi)
-    found = {}
+    weights = {}
     for name, side in (("front", -1.0), ("rear", 1.0)):
         with about(Text("{name} counterweight", name=name)):
             U_cw = counterweight(U=U, P=P, l=span, side=side)
-            found[name] = Counterweight(
+            weights[name] = Counterweight(
                 mass=counterweight_mass(U_cw=U_cw, r_cw=radius), angle=counterweight_direction(U_cw=U_cw)
             )
-    return found
+    return weights

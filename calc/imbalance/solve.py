@@ -90,7 +90,7 @@ def values(
         )
     with about(Text("throws by themselves")):
         bare = throws(kappa, engine, e)
-    found = remedies(e.angular_speed, kappa, first.unbalanced, second.vectors, whole, one_force, one_couple, axis)
+    remedy = remedies(e.angular_speed, kappa, first.unbalanced, second.vectors, whole, one_force, one_couple, axis)
     return ImbalanceResult(
         orders=orders,
         required_couple=length,
@@ -99,8 +99,8 @@ def values(
         mistiming_per_degree=mistiming,
         mistiming_per_tooth=by_tooth,
         **forces,
-        remedy=found,
-        shaft_pair=shaft_pair(imbalance, e, found),
+        remedy=remedy,
+        shaft_pair=shaft_pair(imbalance, e, remedy),
         counterweight=weights,
         throw=bare,
         webs=webs(imbalance, engine, e),
@@ -145,7 +145,7 @@ def solve(
     `shaft`: the design has a counter-shaft, whose own step judges what is left of the backward couple.
     """
     with trace() as lines:
-        found, lam = values(imbalance, engine, e, shaft_teeth, axis), u.measures(engine, e)[1]
+        result, lam = values(imbalance, engine, e, shaft_teeth, axis), u.measures(engine, e)[1]
     shares = imbalance.crank_balance_fraction, imbalance.rotating_balance_fraction
     bobs = cache(lambda: bob_table(imbalance, engine, e))  # with notes
 
@@ -156,42 +156,42 @@ def solve(
             yield cranks_table(firing_orders(imbalance, engine, e), engine)
 
     def places() -> Iterator[Table]:
-        if found.shaft_pair:
-            yield pair_table(found.shaft_pair, imbalance.shaft_pair_order, found.remedy)
+        if result.shaft_pair:
+            yield pair_table(result.shaft_pair, imbalance.shaft_pair_order, result.remedy)
 
     return Outcome(
         "imbalance",
-        result=found,
-        checks=checks(found, lam, *shares, shaft),
+        result=result,
+        checks=checks(result, lam, *shares, shaft),
         lines=tuple(lines),
-        curves=Later(lambda: (*pictures(found), *polygons(engine, e, found.throw))),
+        curves=Later(lambda: (*pictures(result), *polygons(engine, e, result.throw))),
         tables=Later(
             lambda: (
-                remedy_table(found, *shares),
-                systems_table(found.throw, found.orders, found.one_force, found.one_couple, engine, e),
+                remedy_table(result, *shares),
+                systems_table(result.throw, result.orders, result.one_force, result.one_couple, engine, e),
                 *places(),
                 *bobs()[0],
                 *cranks(),
             )
         ),
-        errata=Later(lambda: errata(imbalance, found) if shaft else ()),
-        proposals=proposals(found, lam, *shares, shaft),
-        notes=Later(lambda: notes(imbalance, engine, found, bobs()[1])),
+        errata=Later(lambda: errata(imbalance, result) if shaft else ()),
+        proposals=proposals(result, lam, *shares, shaft),
+        notes=Later(lambda: notes(imbalance, engine, result, bobs()[1])),
     )
 
 
 def with_shaft(outcome: Outcome[ImbalanceResult], shaft: Shaft, imbalance: ImbalanceInputs) -> Outcome[ImbalanceResult]:
     """The same outcome, its figures and its table of remedies with the design's own counter-shaft: force and couple,
     cylinder 1 at TDC."""
-    found = outcome.solution
+    result = outcome.solution
     tables = Later(
         lambda: (
-            remedy_table(found, imbalance.crank_balance_fraction, imbalance.rotating_balance_fraction, shaft),
+            remedy_table(result, imbalance.crank_balance_fraction, imbalance.rotating_balance_fraction, shaft),
             *outcome.tables[1:],
         )
     )
     others = Later(lambda: (curve for curve in outcome.curves if curve.id.startswith("polygon")))
-    return replace(outcome, curves=Later(lambda: (*pictures(found, shaft), *others)), tables=tables)
+    return replace(outcome, curves=Later(lambda: (*pictures(result, shaft), *others)), tables=tables)
 
 
 # The imbalance of an engine from Python, in SI: `from calc import imbalance`.

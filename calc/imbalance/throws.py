@@ -83,8 +83,8 @@ def throws(kappa: Number, engine: EngineInputs, e: EngineResult) -> Throws:
     r, omega, M_rot, M_alt = measures(engine, e)[0], e.angular_speed, e.rotating_mass, e.reciprocating_mass
     M_eq = equivalent_mass(M_rot=M_rot, kappa=kappa, M_alt=M_alt)
     beyond = rotating_not_balanced(M_eq=M_eq, M_rot=M_rot)
-    one, more = centrifugal(m=M_rot, omega=omega, r=r), centrifugal(m=beyond, omega=omega, r=r)
-    every, rest = column(one), column(more)
+    force, more = centrifugal(m=M_rot, omega=omega, r=r), centrifugal(m=beyond, omega=omega, r=r)
+    every, rest = column(force), column(more)
     if e.unlike is not None:  # `one` and `more` are then those of the means
         (M_a, M_r), r = masses(e), radius(engine, e)
         every = centrifugal(m=M_r, omega=omega, r=r)
@@ -94,7 +94,7 @@ def throws(kappa: Number, engine: EngineInputs, e: EngineResult) -> Throws:
             r=r,
         )
     return Throws(
-        force=one,
+        force=force,
         force_together=together(F_c=every, phi=phi),
         couple_together=couple_together(F_c=every, z=z, phi=phi),
         rotating_not_balanced=beyond,
@@ -104,14 +104,14 @@ def throws(kappa: Number, engine: EngineInputs, e: EngineResult) -> Throws:
     )
 
 
-def polygons(engine: EngineInputs, e: EngineResult, found: Throws) -> tuple[Curve, ...]:
+def polygons(engine: EngineInputs, e: EngineResult, throws: Throws) -> tuple[Curve, ...]:
     """The vectors of the cylinders tip to tail: a closed polygon is balanced.  Inline also those of second order, at
     double angles."""
     crank = e.crank
-    if engine.cylinders < 2 or not found.force:
+    if engine.cylinders < 2 or not throws.force:
         return ()
     (M_alt, M_rot), r, c_2 = masses(e), radius(engine, e), harmonics(e, "exact")[1]
-    first = (found.force if e.unlike is None else M_rot * r * e.angular_speed**2) * np.exp(
+    first = (throws.force if e.unlike is None else M_rot * r * e.angular_speed**2) * np.exp(
         1j * (crank.theta_0 + crank.phi)
     )
     kinds = [(Text("throws: rotating masses, and order 1"), first)]
@@ -152,15 +152,15 @@ def _polygon(id: str, title: Text, unit: str, kinds: list[tuple[Text, ComplexArr
     )
 
 
-def verdict(found: Throws, engine: EngineInputs, rho: Number) -> Text:
+def verdict(throws: Throws, engine: EngineInputs, rho: Number) -> Text:
     """Static and dynamic balance of the throws by themselves: whether the crank needs counterweights for its rotating
     masses.
 
     `rho`: the share of these masses that the counterweights are taken to carry.
     """
-    force, couple = Amount(found.force_together), Amount(found.couple_together)
-    static = found.force_together <= SMALL * found.force
-    dynamic = found.couple_together <= SMALL * found.force * engine.cylinder_pitch
+    force, couple = Amount(throws.force_together), Amount(throws.couple_together)
+    static = throws.force_together <= SMALL * throws.force
+    dynamic = throws.couple_together <= SMALL * throws.force * engine.cylinder_pitch
     if static and dynamic:
         return Text(
             "The bare throws are balanced statically and dynamically: their rotating masses need no counterweights."
@@ -203,7 +203,7 @@ def verdict(found: Throws, engine: EngineInputs, rho: Number) -> Text:
 
 
 def systems_table(
-    found: Throws,
+    throws: Throws,
     orders: Mapping[str, Order],
     one_force: Newton,
     one_couple: NewtonMetre,
@@ -214,22 +214,22 @@ def systems_table(
     why."""
     crank, lam = e.crank, measures(engine, e)[1]
     first, second = orders["order_1"].unbalanced, orders["order_2"].vectors
-    closed, mirrored = found.force_together <= SMALL * found.force, _mirrored(crank)
+    closed, mirrored = throws.force_together <= SMALL * throws.force, _mirrored(crank)
     inline = not np.ptp(crank.psi)
     as_throws = Text("like those of the rotating masses") if inline else Text("by throws and banks together")
     rows = (
         (
             Text("centrifugal forces"),
-            found.force_together,
-            found.force,
+            throws.force_together,
+            throws.force,
             True,
             Text("the polygon of their vectors closes"),
             Text("the polygon of their vectors stays open"),
         ),
         (
             Text("couples of the centrifugal forces"),
-            found.couple_together,
-            found.force * engine.cylinder_pitch,
+            throws.couple_together,
+            throws.force * engine.cylinder_pitch,
             False,
             Text("the throws mirror each other about mid-engine")
             if mirrored
@@ -272,10 +272,10 @@ def systems_table(
                 name,
                 amount if is_force else None,
                 None if is_force else amount,
-                Text("balanced by themselves") if amount <= SMALL * one else Text("not balanced"),
-                why if amount <= SMALL * one else why_not,
+                Text("balanced by themselves") if amount <= SMALL * reference else Text("not balanced"),
+                why if amount <= SMALL * reference else why_not,
             )
-            for name, amount, one, is_force, why, why_not in rows
+            for name, amount, reference, is_force, why, why_not in rows
         ),
         Text("Peaks over the turn; balanced: within 5 % of one cylinder's, the couple over one pitch."),
     )

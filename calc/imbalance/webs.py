@@ -87,13 +87,13 @@ def removed(S: PhasorKilogramMetre, C: PhasorKilogramMetre2, z: Metre, psi: Radi
     sound = np.abs(np.linalg.det(systems)) > 1e-9
     shares = np.linalg.solve(systems[sound], np.broadcast_to(wanted, (int(sound.sum()), 4))[..., None])[..., 0]
     possible = np.flatnonzero(np.all(shares >= -1e-12, axis=1))
-    found: ComplexArray = np.full(places.size // 2, np.nan, complex)
+    unbalances: ComplexArray = np.full(places.size // 2, np.nan, complex)
     if possible.size:
         best = possible[np.argmin(np.sum(shares[possible], axis=1))]
         share = np.zeros(ends.size)
         share[chosen[sound][best]] = np.maximum(shares[best], 0.0)
-        found = np.sum((share * ends).reshape(2, -1), axis=0)
-    return each(found)
+        unbalances = np.sum((share * ends).reshape(2, -1), axis=0)
+    return each(unbalances)
 
 
 @formula("m_k", "Finotti 2013, 2.6: mass to drill out of a web", unit="g")
@@ -138,12 +138,12 @@ def drilling(
         U = phasors(removed(S=S, C=C, z=each(based_on(np.asarray(z)[webs], z)), psi=each(away)))
         if not np.all(np.isfinite(U)):
             return None, None
-        found = {
+        drillings = {
             bodies[k].name: WebDrilling(mass=drilled(U=u, r_d=radius), angle=direction(U=u))
             for k, u in zip(webs, (based_on(complex(u), U) for u in U))
             if abs(u) > DUST * float(np.sum(np.abs(U)))
         }
-        return found, in_all(m_k=each(gathered(web.mass for web in found.values())))
+        return drillings, in_all(m_k=each(gathered(web.mass for web in drillings.values())))
 
 
 TABLE = Text("Finotti 2013, 2.6: table of webs and pins, here for any throws")
@@ -204,8 +204,8 @@ def bobs_by_least_squares(
     """One bob per pin; `p` and `G` = p·z of each pin."""
     rows = np.array([np.real(p), np.imag(p), np.real(G) / a, np.imag(G) / a])
     target = np.array([S.real, S.imag, C.real / a, C.imag / a])
-    found: Array = np.linalg.lstsq(rows, -target, rcond=1e-9)[0]
-    return each(found)
+    bobs: Array = np.linalg.lstsq(rows, -target, rcond=1e-9)[0]
+    return each(bobs)
 
 
 @formula(
@@ -344,10 +344,10 @@ def webs(imbalance: ImbalanceInputs, engine: EngineInputs, e: EngineResult) -> W
     if not imbalance.crank_bodies and imbalance.bob_mass is None and not imbalance.unbalances:
         return None
     omega = e.angular_speed
-    found, bob = WebsResult(), imbalance.bob_mass
+    result, bob = WebsResult(), imbalance.bob_mass
     if imbalance.crank_bodies:
         with about(Text("crank on the balancing machine")):
-            found, masses = _bodies(_Machine(imbalance, engine), imbalance, engine, e)
+            result, masses = _bodies(_Machine(imbalance, engine), imbalance, engine, e)
         bob = masses if bob is None else bob
     wanted: complex | None = None
     if bob is not None:
@@ -367,8 +367,8 @@ def webs(imbalance: ImbalanceInputs, engine: EngineInputs, e: EngineResult) -> W
                     u.lacking_unbalance(r, *of, phi, bob, r_p, phi_p),
                 )
             wanted = wanted_couple(P=P, omega=omega)
-            found = replace(
-                found,
+            result = replace(
+                result,
                 equivalent_mass=M_eq if e.unlike is None or not np.ndim(M_eq) else None,
                 missing_forward_couple=f.couple_length(C=wanted),
                 missing_forward_couple_phase=f.couple_direction(C=wanted),
@@ -379,14 +379,14 @@ def webs(imbalance: ImbalanceInputs, engine: EngineInputs, e: EngineResult) -> W
         with about(Text("unbalances on the crank")):
             C_U = couple_of_unbalances(omega=omega, U=U_u, z=z, gamma=gamma)
             F_U = force_of_unbalances(omega=omega, U=U_u, gamma=gamma)
-            found = replace(
-                found,
+            result = replace(
+                result,
                 unbalances_couple=f.couple_length(C=C_U),
                 unbalances_couple_phase=f.couple_direction(C=C_U),
                 unbalances_force=f.force_length(F=F_U),
                 unbalances_couple_left=None if wanted is None else couple_not_supplied(C_pf=wanted, C_U=C_U),
             )
-    return found
+    return result
 
 
 class _Machine:

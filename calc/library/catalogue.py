@@ -138,8 +138,8 @@ class Oil:
 
     def problems(self) -> Iterable[tuple[str, Text]]:
         yield from self._viscosity_problems()
-        for i, one in enumerate(self.printed):
-            if any(one.temperature == other.temperature for other in self.printed[:i]):
+        for i, row in enumerate(self.printed):
+            if any(row.temperature == other.temperature for other in self.printed[:i]):
                 yield f"printed.{i}.temperature_C", Text("stands twice")
 
     def _viscosity_problems(self) -> Iterable[tuple[str, Text]]:
@@ -357,11 +357,11 @@ def grades() -> tuple[Grade, ...]:
     return tuple(CatalogueRows("oils.toml", "grade", Grade).values())
 
 
-def oils(own: Iterable[Oil] = ()) -> Mapping[str, Oil]:
+def oils(own_oils: Iterable[Oil] = ()) -> Mapping[str, Oil]:
     """Every oil that a design may name; its own override those of the table."""
-    return ByName(ChainMap({o.name: o for o in own}, shipped_oils()))  # type: ignore[arg-type]
+    return ByName(ChainMap({o.name: o for o in own_oils}, shipped_oils()))  # type: ignore[arg-type]
 
 
-def materials(own: Iterable[Material] = ()) -> Mapping[str, Material]:
+def materials(own_materials: Iterable[Material] = ()) -> Mapping[str, Material]:
     """Every material that a design may name; its own override those of the table."""
-    return ByName(ChainMap({m.name: m for m in own}, shipped_materials()))  # type: ignore[arg-type]
+    return ByName(ChainMap({m.name: m for m in own_materials}, shipped_materials()))  # type: ignore[arg-type]

@@ -73,7 +73,7 @@ class Lubricant:
                 (row_viscosity(mu_i=row.viscosity, rho_15=oil.rho15, T_i=row.temperature), row.temperature)
                 for row in oil.viscosities
             ]
-            self.lines = tuple(self._line(*one, *other) for one, other in pairwise(rows))
+            self.lines = tuple(self._line(*first, *other) for first, other in pairwise(rows))
 
     def _line(
         self, nu_1: SquareMetrePerSecond, T_1: Celsius, nu_2: SquareMetrePerSecond, T_2: Celsius

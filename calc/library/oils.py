@@ -80,12 +80,14 @@ def _own(oil: Oil) -> Iterator[JudgedValue]:
         if key in NO_VALUES or value is None:
             continue
         default = Text("{source}, or left out: the program's usual value", source=oil.source)
-        own = Claim(key, value, GIVEN, Name(oil.source) if value != about.field.default else default)
-        yield _judged(key, about.about, value, claims.get(key, own))
+        own_claim = Claim(key, value, GIVEN, Name(oil.source) if value != about.field.default else default)
+        yield _judged(key, about.about, value, claims.get(key, own_claim))
     row = keys(ViscosityRow)["viscosity_mPas"].about
-    for one in oil.viscosities:
-        here = replace(row, label=Text("Dynamic viscosity at {T} °C", T=Amount(one.temperature, form="g")))
-        yield _judged("viscosities", here, one.viscosity, Claim("viscosities", one.viscosity, GIVEN, Name(oil.source)))
+    for point in oil.viscosities:
+        here = replace(row, label=Text("Dynamic viscosity at {T} °C", T=Amount(point.temperature, form="g")))
+        yield _judged(
+            "viscosities", here, point.viscosity, Claim("viscosities", point.viscosity, GIVEN, Name(oil.source))
+        )
     if (claim := claims.get("specific_heat_J_kgK")) is not None:
         yield _judged(claim.key, SPECIFIC_HEAT, claim.value, claim)
 
@@ -132,86 +134,86 @@ def values_table(oil: Oil) -> Table:
 def rising_rows(oil: Oil) -> Text | None:
     """Where the viscosity rises with the temperature in an oil's own table; None where it falls throughout."""
     rises = [
-        Text("from {T} to {warmer} °C", T=Amount(one.temperature, form="g"), warmer=Amount(other.temperature, form="g"))
-        for one, other in zip(oil.viscosities, oil.viscosities[1:])
-        if other.viscosity > one.viscosity
+        Text("from {T} to {warmer} °C", T=Amount(row.temperature, form="g"), warmer=Amount(other.temperature, form="g"))
+        for row, other in zip(oil.viscosities, oil.viscosities[1:])
+        if other.viscosity > row.viscosity
     ]
-    said = Text(
+    note = Text(
         "The viscosity of {oil} rises {where}, though oil thins with heat: a misprint? It is taken as given.",
         oil=oil.name,
         where=COMMA.join(rises),
     )
-    return said if rises else None
+    return note if rises else None
 
 
 # --- printed viscosities
 # ---------------------------------------------------------------------------------------------------
 def printed_at(oil: Oil, T: Celsius) -> PrintedViscosity | None:
     """What is printed for an oil at a temperature."""
-    return next((one for one in oil.printed if abs(one.temperature - T) < 1e-9), None)
+    return next((printed for printed in oil.printed if abs(printed.temperature - T) < 1e-9), None)
 
 
 def printed_viscosities(lubricant: Lubricant) -> tuple[JudgedViscosity, ...]:
     """Each printed viscosity of an oil with its verdict."""
     with untraced():  # a judgement on the source: no part of a step's calculation
-        return tuple(_against_law(lubricant, one) for one in lubricant.oil.printed)
+        return tuple(_against_law(lubricant, printed) for printed in lubricant.oil.printed)
 
 
-def _against_law(lubricant: Lubricant, one: PrintedViscosity) -> JudgedViscosity:
-    state = lubricant.at(one.temperature)
-    implied = implied_viscosity(mu=one.viscosity, rho=state.rho)
-    kept = abs(one.viscosity / state.mu - 1) <= KEPT
-    reason = EMPTY if kept else SEMICOLON.join(_reasons(lubricant, one, implied))
-    sae = grade(implied) if one.temperature == 100 else EMPTY
-    return JudgedViscosity(one.temperature, one.viscosity, state.mu, implied, sae, kept, reason)
+def _against_law(lubricant: Lubricant, printed: PrintedViscosity) -> JudgedViscosity:
+    state = lubricant.at(printed.temperature)
+    implied = implied_viscosity(mu=printed.viscosity, rho=state.rho)
+    kept = abs(printed.viscosity / state.mu - 1) <= KEPT
+    reason = EMPTY if kept else SEMICOLON.join(_reasons(lubricant, printed, implied))
+    sae = grade(implied) if printed.temperature == 100 else EMPTY
+    return JudgedViscosity(printed.temperature, printed.viscosity, state.mu, implied, sae, kept, reason)
 
 
-def _reasons(lubricant: Lubricant, one: PrintedViscosity, implied: SquareMetrePerSecond) -> Iterator[Text]:
+def _reasons(lubricant: Lubricant, printed: PrintedViscosity, implied: SquareMetrePerSecond) -> Iterator[Text]:
     """Why a printed viscosity does not go with its oil, from the numbers alone."""
-    oil, T = lubricant.oil, one.temperature
-    own = lubricant.nu40 if T == 40 else lubricant.nu100 if T == 100 else lubricant.nu(T)
+    oil, T = lubricant.oil, printed.temperature
+    nu = lubricant.nu40 if T == 40 else lubricant.nu100 if T == 100 else lubricant.nu(T)
     implies = Text("implies {nu} mm²/s at {T} °C", nu=_mm2_s(implied), T=Amount(T, form="g"))
-    if T == 100 and grade(implied) != grade(own):
+    if T == 100 and grade(implied) != grade(nu):
         yield Text(
             "{implies}, {grade}; the oil has {nu}, {own}",
             implies=implies,
             grade=grade(implied),
-            nu=_mm2_s(own),
-            own=grade(own),
+            nu=_mm2_s(nu),
+            own=grade(nu),
         )
     else:
-        parts = dict(implies=implies, times=Amount(implied / own, digits=2), nu=_mm2_s(own))
+        parts = dict(implies=implies, times=Amount(implied / nu, digits=2), nu=_mm2_s(nu))
         yield (
             Text("{implies}, {times} times the {nu} that the oil has", **parts)
             if T in (40, 100)
             else Text("{implies}, {times} times the {nu} of its viscosity line", **parts)
         )
-    wrong = next((o for o in oil.printed if (o.temperature - T) * (o.viscosity - one.viscosity) > 0), None)
+    wrong = next((o for o in oil.printed if (o.temperature - T) * (o.viscosity - printed.viscosity) > 0), None)
     if wrong is not None:
         there = dict(mu=_mPas(wrong.viscosity), T=Amount(wrong.temperature, form="g"))
         yield (
             Text("less than the {mu} printed for {T} °C, though oil thins with heat", **there)
-            if one.viscosity < wrong.viscosity
+            if printed.viscosity < wrong.viscosity
             else Text("more than the {mu} printed for {T} °C, though oil thins with heat", **there)
         )
-        for name in _others(oil, one):
+        for name in _others(oil, printed):
             yield Text("equals the value printed for {name} at {T} °C: copied?", name=name, T=Amount(T, form="g"))
-    yield from _between(lubricant, one)
+    yield from _between(lubricant, printed)
 
 
-def _others(oil: Oil, one: PrintedViscosity) -> Iterator[str]:
+def _others(oil: Oil, printed: PrintedViscosity) -> Iterator[str]:
     """The oils of the table for which the same viscosity is printed at the same temperature."""
     for name, other in shipped_oils().items():
-        same = printed_at(other, one.temperature)
-        if name != oil.name and same is not None and same.viscosity == one.viscosity:
+        same = printed_at(other, printed.temperature)
+        if name != oil.name and same is not None and same.viscosity == printed.viscosity:
             yield name
 
 
-def _between(lubricant: Lubricant, one: PrintedViscosity) -> Iterator[Text]:
+def _between(lubricant: Lubricant, printed: PrintedViscosity) -> Iterator[Text]:
     """Whether a value agrees at least with those that are printed at 40 and 100 °C: the line through them."""
     oil = lubricant.oil
     ends = [printed_at(oil, 40.0), printed_at(oil, 100.0)]
-    if one.temperature in (40, 100) or ends[0] is None or ends[1] is None or oil.nu40 is None:
+    if printed.temperature in (40, 100) or ends[0] is None or ends[1] is None or oil.nu40 is None:
         return
     nu40, nu100 = (
         implied_viscosity(mu=end.viscosity, rho=lubricant.at(end.temperature).rho) for end in ends if end is not None
@@ -219,8 +221,8 @@ def _between(lubricant: Lubricant, one: PrintedViscosity) -> Iterator[Text]:
     other = replace(oil, nu40=nu40, nu100=nu100)
     if not LOWEST / 2 < nu100 < nu40 or line_problem(nu40, nu100) is not None:
         return
-    there = Lubricant(other, lubricant.law).at(one.temperature).mu
-    agrees = abs(one.viscosity / there - 1) <= KEPT
+    there = Lubricant(other, lubricant.law).at(printed.temperature).mu
+    agrees = abs(printed.viscosity / there - 1) <= KEPT
     yield (
         Text(
             "lies on the line through the values printed at 40 and 100 °C, which has {mu}, and shares their fault",

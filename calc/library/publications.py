@@ -144,7 +144,7 @@ def register() -> Mapping[str, Publication]:
     """Every publication by its name."""
     places: dict[str, dict[str, str]] = tomllib.loads(PLACES.read_text(encoding="utf-8"))
     rows = tomllib.loads(TABLE.read_text(encoding="utf-8"))["publication"]
-    known = (Publication(**{key: said for key, said in row.items() if key != "read"}) for row in rows)
+    known = (Publication(**{key: value for key, value in row.items() if key != "read"}) for row in rows)
     return {row.name: replace(row, places=places.get(row.name, {})) for row in known}
 
 
@@ -180,17 +180,17 @@ def _begins(source: str, kind: str) -> bool:
 
 
 def _citation(name: str, clause: str) -> Citation:
-    found = publication(name)
-    assert found is not None, name
-    if not found.places:
-        return Citation(name=name, publication=found, clause=clause, places=(), lost=())
+    row = publication(name)
+    assert row is not None, name
+    if not row.places:
+        return Citation(name=name, publication=row, clause=clause, places=(), lost=())
     numbers = _numbered(re.split(r"[:;]", clause, maxsplit=1)[0])
     return Citation(
         name=name,
-        publication=found,
+        publication=row,
         clause=clause,
-        places=tuple(n for n in numbers if n in found.places),
-        lost=tuple(n for n in numbers if n not in found.places),
+        places=tuple(n for n in numbers if n in row.places),
+        lost=tuple(n for n in numbers if n not in row.places),
     )
 
 
@@ -233,10 +233,10 @@ def _names() -> re.Pattern[str]:
 def references(sources: Iterable[str]) -> dict[str, tuple[Publication, list[str], list[Text]]]:
     """The publications that sources name, in the order in which they first do: the row, its places that are cited, how
     we know them."""
-    found: dict[str, tuple[Publication, list[str], list[Text]]] = {}
+    cited: dict[str, tuple[Publication, list[str], list[Text]]] = {}
     for source in sources:
         for citation in resolved(source).citations:
-            _, places, known = found.setdefault(citation.name, (citation.publication, [], []))
+            _, places, known = cited.setdefault(citation.name, (citation.publication, [], []))
             places += [place for place in citation.places if place not in places]
             known += [citation.known] if citation.known not in known else []
-    return found
+    return cited

@@ -51,11 +51,11 @@ def parse(text: str, of: str = "") -> ToleranceField:
 
     Raises ValueError with what was given and what is allowed.
     """
-    found = _WORD.fullmatch(text.strip())
+    match = _WORD.fullmatch(text.strip())
     letters = {"shaft": SHAFTS, "hole": HOLES}.get(of, SHAFTS + HOLES)
-    if found is None or found[1] not in ("IT", *letters) or int(found[2]) not in GRADES:
+    if match is None or match[1] not in ("IT", *letters) or int(match[2]) not in GRADES:
         raise ValueError(f'"{text}" is no tolerance class that is known here; allowed: {ALLOWED[of]}')
-    return ToleranceField(None if found[1] == "IT" else found[1], int(found[2]))
+    return ToleranceField(None if match[1] == "IT" else match[1], int(match[2]))
 
 
 def problem(text: str, of: str = "") -> Text | None:

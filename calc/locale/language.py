@@ -44,20 +44,20 @@ class Language:
         template = self._template(text)
         if template is None:
             return str(text)
-        told = (
+        words = (
             template.format_map({name: self.part(part) for name, part in text.parts.items()})
             if text.parts
             else template
         )
-        return told[:1].lower() + told[1:] if isinstance(text, Small) else told
+        return words[:1].lower() + words[1:] if isinstance(text, Small) else words
 
     def halves(self, text: Text) -> tuple[str, str]:
         """A Text in front of and behind the first comma of its template ("front bearing", "twice the load"); names keep
         their commas."""
         template = self._template(text) if self._catalogue is not None else text.template
         front, _, behind = (text.template if template is None else template).partition(", ")
-        told = {name: self.part(part) for name, part in text.parts.items()}
-        return front.format_map(told), behind.format_map(told)
+        parts = {name: self.part(part) for name, part in text.parts.items()}
+        return front.format_map(parts), behind.format_map(parts)
 
     def part(self, part: Part) -> str:
         """What stands in a place of a template."""
@@ -80,23 +80,23 @@ class Language:
         assert self._catalogue is not None
         template = text.template
         if text.one:
-            told = self._catalogue.ngettext(
+            translated = self._catalogue.ngettext(
                 text.one, template, round(text.number) if text.number == round(text.number) else 2
             )
             known = (
-                told is not text.one and told is not template
+                translated is not text.one and translated is not template
             )  # one's plural may be spelt as English spells the other
         else:
-            told = self._catalogue.gettext(template) if template else template
-            known = told is not template  # gettext hands back what it does not know
+            translated = self._catalogue.gettext(template) if template else template
+            known = translated is not template  # gettext hands back what it does not know
         if known or not WORD.search(PLACE.sub("", template)):
-            return told
+            return translated
         self.missing.add(template)
         return None
 
 
-def _numeral(found: re.Match[str]) -> str:
-    whole, decimals = found[1], found[2]
+def _numeral(match: re.Match[str]) -> str:
+    whole, decimals = match[1], match[2]
     if len(whole) > 4:
         whole = THIN.join([whole[: len(whole) % 3], *re.findall("...", whole[len(whole) % 3 :])]).lstrip(THIN)
     return f"{whole},{decimals}" if decimals else whole

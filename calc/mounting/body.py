@@ -71,8 +71,8 @@ def mass_matrix(m: Kilogram, J: KilogramMetre2) -> Kilogram:
     "e_T", "dynamics: axis about which a free body turns under a torque about the crank", shows="J⁻¹·e_z, of length 1"
 )
 def roll_axis(J: KilogramMetre2) -> Number:
-    found = np.linalg.solve(np.asarray(J), np.array([0.0, 0.0, 1.0]))
-    axis: Array = found / np.linalg.norm(found)
+    solved = np.linalg.solve(np.asarray(J), np.array([0.0, 0.0, 1.0]))
+    axis: Array = solved / np.linalg.norm(solved)
     return each(axis)
 
 
@@ -213,14 +213,14 @@ def with_foundation(mount: Mount, k: ComplexArray, R: Array, Omega: Array) -> Co
 def _receptance(rows: tuple[Mobility, ...], Omega: Array) -> ComplexArray:
     """Displacement over force of the foundation along x, y, z: between the rows linear, beyond them the nearest."""
     at, f = np.array([row.frequency for row in rows]), Omega / (2 * math.pi)
-    found = np.empty((Omega.size, 3), dtype=complex)
+    receptance = np.empty((Omega.size, 3), dtype=complex)
     for i, axis in enumerate("xyz"):
         real, imaginary = (np.array([getattr(row, axis)[part] for row in rows]) for part in (0, 1))
-        found[:, i] = (np.interp(f, at, real) + 1j * np.interp(f, at, imaginary)) / (1j * Omega)
-    return found
+        receptance[:, i] = (np.interp(f, at, real) + 1j * np.interp(f, at, imaginary)) / (1j * Omega)
+    return receptance
 
 
 def loss_at_rest(mount: Mount) -> Array:
     """What of it is lost, as a stiffness."""
-    found: Array = at_rest(mount).imag
-    return found
+    lost: Array = at_rest(mount).imag
+    return lost

@@ -325,14 +325,14 @@ def _range(mounting: MountingInputs, result: MountingResult) -> Iterator[Check]:
 def _helps(result: MountingResult) -> Iterator[Check]:
     if not result.has_shaft:
         return
-    found = [
+    ratios = [
         (number, f"mounting.{name}.{id}")
         for name in result.speeds
         for id in ("felt_seat", "felt_engine", "felt_force")
         if (number := result.leaf(f"{name}.{id}")) is not None
     ]
-    if found:
-        ratio, id = min(found)
+    if ratios:
+        ratio, id = min(ratios)
         yield check(
             "mounting.shaft_helps",
             Text("Smallest of all felt ratios, half over shaft"),

@@ -25,12 +25,12 @@ def seat_over_speed(result: MountingResult) -> tuple[Curve, ...]:
         (Text("felt by half of all people"), table()["perception"]["peak_m_s2"] / np.sqrt(2)),
         (Text("comfort"), next(row["above_m_s2"] for row in table()["comfort"] if row["above_m_s2"])),
     )
-    found = []
+    curves = []
     for seat, c in result.courses.items():
         series = tuple(
             Series(VARIANT_WORDS[variant], c.speeds * 60, c.total[v]) for v, variant in enumerate(c.variants)
         )
-        found.append(
+        curves.append(
             Curve(
                 f"seat_{seat}",
                 Text("Weighted acceleration at {seat} over speed", seat=Name(seat)),
@@ -40,12 +40,12 @@ def seat_over_speed(result: MountingResult) -> tuple[Curve, ...]:
                 limits,
             )
         )
-    return tuple(found)
+    return tuple(curves)
 
 
 def orders_at(result: MountingResult) -> tuple[Curve, ...]:
     """Bars by order at each operation, half beside shaft: order 1 goes, the firing order stays."""
-    found = []
+    curves = []
     for seat, weight in result.levels.weight.items():
         a = np.abs(result.levels.acceleration[seat])
         sizes = np.sqrt(((weight * a) ** 2).sum(2) / 2)  # (operations, variants, orders)
@@ -64,7 +64,7 @@ def orders_at(result: MountingResult) -> tuple[Curve, ...]:
                 operation=Name(operation),
                 speed=Amount(speed * 60, "rpm", digits=4),
             )
-            found.append(
+            curves.append(
                 Curve(
                     f"orders_{seat}_{operation}",
                     title,
@@ -75,7 +75,7 @@ def orders_at(result: MountingResult) -> tuple[Curve, ...]:
                     names=names,
                 )
             )
-    return tuple(found)
+    return tuple(curves)
 
 
 def forces(result: MountingResult) -> Curve:
@@ -152,13 +152,13 @@ def _shown(x: float | None, factor: float) -> float | None:
 
 def mode_table(result: MountingResult) -> Table:
     """Mode by mode its frequency, and where its energy stands."""
-    found = result.mode_data
+    modes = result.mode_data
     rows: tuple[tuple[str | float | None, ...], ...] = tuple(
         (
-            found.words(i),
-            float(found.frequencies[i]),
+            modes.words(i),
+            float(modes.frequencies[i]),
             result.modes[f"mode_{i + 1}"].loss_factor * 1.0,
-            *(round(100 * float(E), 1) + 0.0 for E in found.energy[:, i]),
+            *(round(100 * float(E), 1) + 0.0 for E in modes.energy[:, i]),
         )
         for i in range(6)
     )
@@ -214,11 +214,11 @@ def mode_pictures(mounting: MountingInputs, result: MountingResult) -> tuple[Mod
     centre = np.asarray(mounting.centre_of_gravity)
     mounts = np.array([mount.position for mount in mounting.mounts])
     axis = np.array([stated.number for stated in result.roll_axis.direction.values()])
-    found = []
+    pictures = []
     for i in range(6):
         moves = [_moves(places - centre, result.mode_data.shapes[:, i]) for places in (corners, mounts)]
         size = max(float(np.abs(part).max()) for part in moves)
-        found.append(
+        pictures.append(
             ModePicture(
                 result.mode_data.words(i),
                 float(result.mode_data.frequencies[i]),
@@ -230,7 +230,7 @@ def mode_pictures(mounting: MountingInputs, result: MountingResult) -> tuple[Mod
                 axis,
             )
         )
-    return tuple(found)
+    return tuple(pictures)
 
 
 def operating_shape(mounting: MountingInputs, result: MountingResult, operation: str, variant: str) -> ComplexArray:
@@ -242,8 +242,8 @@ def operating_shape(mounting: MountingInputs, result: MountingResult, operation:
     s, arms = result.system, box(mounting) - np.asarray(mounting.centre_of_gravity)
     r = respond(s, 2 * np.pi * result.levels.frequency[i], np.asarray(result.levels.wrench)[i, :, v : v + 1])
     rows = np.stack([displacement(arm) for arm in arms])
-    found: ComplexArray = np.einsum("pac,oc->pao", rows, np.asarray(r.q)[:, 0, :6])
-    return found
+    shape: ComplexArray = np.einsum("pac,oc->pao", rows, np.asarray(r.q)[:, 0, :6])
+    return shape
 
 
 def box(mounting: MountingInputs) -> Array:
@@ -259,8 +259,8 @@ def box(mounting: MountingInputs) -> Array:
 
 
 def _moves(arms: Array, shape: Array) -> Array:
-    found: Array = shape[:3] + np.cross(shape[3:], arms)
-    return found
+    moves: Array = shape[:3] + np.cross(shape[3:], arms)
+    return moves
 
 
 @record
@@ -277,8 +277,8 @@ def speed_map(result: MountingResult, seat: str, variant: str) -> SpeedMap:
     """`variant`: half or shaft."""
     c = result.courses[seat]
     crossings = tuple(
-        (one["speed"].number * 60, float(order.removeprefix("order_").replace("_", ".")), dof)
+        (crossing["speed"].number * 60, float(order.removeprefix("order_").replace("_", ".")), dof)
         for dof, orders in result.critical.items()
-        for order, one in orders.items()
+        for order, crossing in orders.items()
     )
     return SpeedMap(c.speeds * 60, c.orders, c.by_order[variant], crossings)

@@ -197,12 +197,12 @@ class ShaftOnEngine:
 
     def deviations(self) -> dict[str, tuple[Number, Radian]]:
         """Of each variant with the shaft: s and δ."""
-        found: dict[str, tuple[Number, Radian]] = {"shaft": (0.0, 0.0)}
+        deviations: dict[str, tuple[Number, Radian]] = {"shaft": (0.0, 0.0)}
         if self.errors is not None:
-            found["scatter"] = self.errors
+            deviations["scatter"] = self.errors
         if self.teeth is not None:
-            found["tooth"] = (0.0, based_on(2 * math.pi / self.teeth, self.teeth))
-        return found
+            deviations["tooth"] = (0.0, based_on(2 * math.pi / self.teeth, self.teeth))
+        return deviations
 
 
 @record
@@ -232,11 +232,11 @@ class EngineWrenches:
     def torque(self, speeds: Array) -> ComplexArray:
         """Order by order on the crank (speeds, orders): gas and inertia."""
         of_masses = self.torque_of_masses * self._squares(speeds)[:, None]
-        one = np.zeros_like(of_masses) if self.nodes is None else harmonics(self.engine, self.e, self.nodes, speeds)
+        gas = np.zeros_like(of_masses) if self.nodes is None else harmonics(self.engine, self.e, self.nodes, speeds)
         of_masses = based_on(of_masses, self.torque_of_masses, self.e.angular_speed, speeds)
         return phasors(
             x.all_cylinders(
-                t_one=each(one),
+                t_one=each(gas),
                 t_inertia=each(of_masses),
                 spread=each(self.spread),
                 fires=each(self.fires),
@@ -259,21 +259,21 @@ class EngineWrenches:
         """Of the gas of all cylinders; inertia adds nothing."""
         if self.nodes is None:
             return np.zeros(len(speeds))
-        one = harmonics(self.engine, self.e, self.nodes, speeds, mean=True)[:, 0].real / 2
-        found: Array = one * (1 + np.asarray(self.spread)).sum()
-        return found
+        gas = harmonics(self.engine, self.e, self.nodes, speeds, mean=True)[:, 0].real / 2
+        mean: Array = gas * (1 + np.asarray(self.spread)).sum()
+        return mean
 
     def wrench(self, speeds: Array, torque: ComplexArray) -> ComplexArray:
         """About the centre of gravity (speeds, orders, variants, 6)."""
         squares = self._squares(speeds)
-        found = np.swapaxes(self.inertia, 0, 1)[None] * squares[:, None, None, None]
-        found[..., 5] -= (np.asarray(torque) - self.torque_of_masses * squares[:, None])[:, :, None]
-        return based_on(found, self.inertia, torque, self.r_G, speeds)
+        wrench = np.swapaxes(self.inertia, 0, 1)[None] * squares[:, None, None, None]
+        wrench[..., 5] -= (np.asarray(torque) - self.torque_of_masses * squares[:, None])[:, :, None]
+        return based_on(wrench, self.inertia, torque, self.r_G, speeds)
 
     def frequencies(self, speeds: Array) -> Array:
         """Ω of every speed and order, in one row."""
-        found: Array = (2 * math.pi * np.asarray(speeds)[:, None] * self.orders).ravel()
-        return based_on(found, speeds)
+        frequencies: Array = (2 * math.pi * np.asarray(speeds)[:, None] * self.orders).ravel()
+        return based_on(frequencies, speeds)
 
     def _squares(self, speeds: Array) -> Array:
         return (np.asarray(speeds, dtype=float) / float(self.engine.rated_speed)) ** 2
@@ -335,13 +335,13 @@ def _first_order(n: Array, half: Moving, shaft: ShaftOnEngine | None) -> dict[st
     if not C_b or max(abs(F_f), abs(F_b), abs(C_f)) > PURE * abs(C_b):
         return {}
     left = C_b + shaft.couple
-    found = (
+    ratios = (
         {"shaft": x.couple_ratio(C=based_on(C_b, half[3]), C_left=based_on(left, half[3], shaft.couple))}
         if left
         else {}
     )
     others = {name: given for name, given in shaft.deviations().items() if name != "shaft" and any(given)}
-    return found | {name: x.first_order_ratio(s=s, delta=delta) for name, (s, delta) in others.items()}
+    return ratios | {name: x.first_order_ratio(s=s, delta=delta) for name, (s, delta) in others.items()}
 
 
 def _with_shaft(
@@ -366,7 +366,7 @@ def _with_shaft(
             M_z = x.shaft_roll(x_S=shaft.axis[0], Y=Y, y_S=side * shaft.axis[1], X=X)
             rolled[i] += M_z
             of.append(M_z)
-    parts = tuple(based_on(part, one, *of) for part, one in zip((F_f, F_b, C_f, C_b), half))
+    parts = tuple(based_on(part, before, *of) for part, before in zip((F_f, F_b, C_f, C_b), half))
     return parts, based_on(rolled, roll, *of)  # type: ignore[return-value]
 
 
@@ -380,9 +380,9 @@ def _spread(mounting: MountingInputs, engine: EngineInputs, order: tuple[int, ..
     from statistics import NormalDist
 
     quantiles = [NormalDist().inv_cdf((k + 0.5) / engine.cylinders) for k in range(engine.cylinders)]
-    found = np.zeros(engine.cylinders)
-    found[np.asarray(order) - 1] = given[0] * np.array(quantiles)
-    return based_on(found, given)
+    spread = np.zeros(engine.cylinders)
+    spread[np.asarray(order) - 1] = given[0] * np.array(quantiles)
+    return based_on(spread, given)
 
 
 def operating(mounting: MountingInputs, engine: EngineInputs) -> tuple[tuple[str, RevPerSecond, float], ...]:

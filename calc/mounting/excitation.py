@@ -22,8 +22,8 @@ REAL = "kinematics: a vector that turns forward and one that turns backward, as 
 def orders_of(strokes: int) -> Array:
     """0.5, 1, … 8 of a four-stroke engine, 1, 2, … 8 of a two-stroke."""
     first = 2.0 / strokes
-    found: Array = np.arange(1, round(HIGHEST / first) + 1, dtype=float) * first
-    return found
+    orders: Array = np.arange(1, round(HIGHEST / first) + 1, dtype=float) * first
+    return orders
 
 
 def order_word(n: float) -> str:
@@ -115,8 +115,8 @@ def one_cylinder(
     than one."""
     at = np.asarray(basis)
     parts = np.stack(np.broadcast_arrays(p_max, p_2, p_ex, p_in, p_case), -1)[..., None]
-    found: ComplexArray = np.sum(parts * at, -2)
-    return each(found)
+    torque: ComplexArray = np.sum(parts * at, -2)
+    return each(torque)
 
 
 @formula(
@@ -132,9 +132,9 @@ def all_cylinders(
     turned = np.exp(-1j * np.asarray(n)[:, None] * many(fires))
     sums = (turned * (1 + np.asarray(spread))).sum(-1)
     sums[np.abs(sums) < 1e-12 * turned.shape[1]] = 0.0
-    found = phasors(t_one) * sums + phasors(t_inertia)
-    found = np.where(np.abs(found) < 1e-12 * np.abs(found).max(-1, keepdims=True), 0.0, found)
-    return each(found)
+    torque = phasors(t_one) * sums + phasors(t_inertia)
+    torque = np.where(np.abs(torque) < 1e-12 * np.abs(torque).max(-1, keepdims=True), 0.0, torque)
+    return each(torque)
 
 
 @formula("T_n", "mathematics: amplitude of one order of the torque on the crank")
@@ -166,21 +166,21 @@ def index(n: Array, order: float) -> int:
 
 def integer(harmonics: tuple[complex, ...], n: Array) -> ComplexArray:
     """Harmonics of the turn at their places among the orders of the cycle."""
-    found = np.zeros(n.size, dtype=complex)
-    for order, one in enumerate(harmonics, 1):
-        found[index(n, order)] = one
-    return found
+    placed = np.zeros(n.size, dtype=complex)
+    for order, harmonic in enumerate(harmonics, 1):
+        placed[index(n, order)] = harmonic
+    return placed
 
 
 def moving(n: Array, orders: dict[str, Order], *, bare: bool) -> Moving:
     """F⁺ F⁻ C⁺ C⁻ of every order; `bare`: with no share of the reciprocating masses on the crank."""
-    found = np.zeros((4, n.size), dtype=complex)
+    placed = np.zeros((4, n.size), dtype=complex)
     sources = []
-    for word, one in orders.items():
-        vectors = one.unbalanced if bare else one.vectors
-        found[:, index(n, float(word.removeprefix("order_")))] = vectors
+    for word, order in orders.items():
+        vectors = order.unbalanced if bare else order.vectors
+        placed[:, index(n, float(word.removeprefix("order_")))] = vectors
         sources.append(vectors)
-    return tuple(based_on(part, *(four[i] for four in sources)) for i, part in enumerate(found))  # type: ignore[return-value]
+    return tuple(based_on(part, *(four[i] for four in sources)) for i, part in enumerate(placed))  # type: ignore[return-value]
 
 
 def turning_wrench(moving: Moving, roll: ComplexArray) -> ComplexArray:

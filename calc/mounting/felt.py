@@ -28,8 +28,8 @@ def grid(mounting: MountingInputs, driven: EngineWrenches) -> Array:
     """From idle to rated in steps of 10 rpm, and the rated speed itself."""
     idle, rated = float(mounting.idle_speed), float(driven.engine.rated_speed)
     speeds: Array = idle + STEP * np.arange(int(np.floor((rated - idle) / STEP + 1e-9)) + 1, dtype=float)
-    found: Array = speeds if rated - speeds[-1] < 1e-9 * rated else np.append(speeds, rated)
-    return found
+    all_speeds: Array = speeds if rated - speeds[-1] < 1e-9 * rated else np.append(speeds, rated)
+    return all_speeds
 
 
 Crossing = tuple[str, str, float]  # mode, order, speed
@@ -47,12 +47,12 @@ def courses(
     at = np.append(speeds, more)
     torque = driven.torque(at)
     n = len(speeds)
-    found = {
+    by_seat = {
         seat.name: course(s, driven, seat, at if i == 0 else speeds, torque if i == 0 else torque[:n])
         for i, seat in enumerate(seats)
     }
-    first = found[seats[0].name]
-    return {**found, seats[0].name: first.part(slice(0, n))}, first.part(slice(n, None))
+    first = by_seat[seats[0].name]
+    return {**by_seat, seats[0].name: first.part(slice(0, n))}, first.part(slice(n, None))
 
 
 def course_values(over_speed: dict[str, Course]) -> Tree | None:
@@ -140,9 +140,9 @@ def _day(result: MountingResult, name: str, role: str, v: int, which: list[int],
     operations = list(result.operations.values())
     of = [operations[i][result.drive.variants[v]][name] for i in which]
     if role == "hand":
-        a = [_number(one.weighted) for one in of]
+        a = [_number(level.weighted) for level in of]
         return weighting.hand_arm(a=each(based_on(np.array(a), a)), T=each(hours))
-    axes = [[_number(x) for x in (one.weighted_x, one.weighted_y, one.weighted_z)] for one in of]
+    axes = [[_number(x) for x in (level.weighted_x, level.weighted_y, level.weighted_z)] for level in of]
     return weighting.whole_body(a=each(based_on(np.array(axes), axes, lines.source)), T=each(hours))
 
 

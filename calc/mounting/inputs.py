@@ -21,8 +21,8 @@ def tensor(diagonal: tuple[float, ...], coupling: tuple[float, ...] | None, inte
     sign."""
     xy, yz, zx = coupling if coupling is not None else (0.0, 0.0, 0.0)
     off = np.array([[0.0, xy, zx], [xy, 0.0, yz], [zx, yz, 0.0]])
-    found: Array = np.diag(np.asarray(diagonal, dtype=float)) + (-off if integral else off)
-    return found
+    matrix: Array = np.diag(np.asarray(diagonal, dtype=float)) + (-off if integral else off)
+    return matrix
 
 
 def problem(diagonal: tuple[float, ...], coupling: tuple[float, ...] | None, integral: bool = False) -> Text | None:

@@ -50,8 +50,8 @@ def force(F: Newton) -> Newton:
 
 
 def _rms(x: float) -> float:
-    found = np.sqrt(np.sum(np.square(np.abs(x)), -1) / 2)
-    return each(found) if found.ndim else float(found)
+    rms = np.sqrt(np.sum(np.square(np.abs(x)), -1) / 2)
+    return each(rms) if rms.ndim else float(rms)
 
 
 @formula(
@@ -90,8 +90,8 @@ KINDS: tuple[tuple[Any, Any], ...] = (
 
 @formula("ΣF", "mathematics: root of the sum of squares of the mounts' rms forces", shows="√(Σ F_j²)")
 def force_sum(F: Newton) -> Newton:
-    found = np.sqrt(np.sum(np.square(F), -1))
-    return each(found) if found.ndim else float(found)
+    total = np.sqrt(np.sum(np.square(F), -1))
+    return each(total) if total.ndim else float(total)
 
 
 @formula(
@@ -102,8 +102,8 @@ def force_sum(F: Newton) -> Newton:
 )
 def deflection_peak(delta: Metre) -> Metre:
     """Of lines of orders 1, 2, … of the cycle (…, axes, orders)."""
-    found = peaks(np.asarray(delta)).max(-1)
-    return each(found) if found.ndim else float(found)
+    peak = peaks(np.asarray(delta)).max(-1)
+    return each(peak) if peak.ndim else float(peak)
 
 
 @formula(
@@ -135,8 +135,8 @@ def peaks(delta: ComplexArray) -> Array:
     row, i = np.arange(len(y)), y.argmax(-1)
     before, top, after = y[row, i - 1], y[row, i], y[row, (i + 1) % CIRCLE]
     bend = 2 * top - before - after  # the top of the parabola through the largest point and its neighbours
-    found: Array = top + np.where(bend > 0, (after - before) ** 2 / (8 * np.where(bend > 0, bend, 1.0)), 0.0)
-    return found.reshape(delta.shape[:-1])
+    largest: Array = top + np.where(bend > 0, (after - before) ** 2 / (8 * np.where(bend > 0, bend, 1.0)), 0.0)
+    return largest.reshape(delta.shape[:-1])
 
 
 @cache
@@ -267,12 +267,12 @@ def course(s: System, drive: EngineWrenches, point: Point, speeds: Array, torque
     driven = sorted({*np.flatnonzero(np.asarray(wrench[:, :, half]).any(axis=(0, 2))).tolist(), *drive.apart})
     apart = [driven.index(n) for n in drive.apart]
     of_half, of_each = np.asarray(wrench[:, driven, half : half + 1]), np.asarray(wrench[:, list(drive.apart)])
-    common, own = _weighted(
+    common, separate = _weighted(
         s, point, np.asarray(speeds)[:, None] * drive.orders[driven], (of_half, of_each), (slice(None), apart)
     )
     squares = np.zeros((len(speeds), len(drive.variants), drive.orders.size))
     squares[:, :, driven] = common[:, None, :, 0] ** 2
-    squares[:, :, list(drive.apart)] = np.swapaxes(own, 1, 2) ** 2
+    squares[:, :, list(drive.apart)] = np.swapaxes(separate, 1, 2) ** 2
     by_order = {name: np.sqrt(squares[:, i]) for i, name in enumerate(drive.variants) if name in ("half", "shaft")}
     return Course(
         np.asarray(speeds),
@@ -291,23 +291,26 @@ def _weighted(
     (speeds, orders)."""
     Omega, P = 2 * math.pi * f, _felt_rows(s, point)
     sizes = point_weights(point, f)[:, 0].swapaxes(1, 2) * (Omega**2)[:, :, None]  # (speeds, orders, 3)
-    found = []
+    rms = []
     if s.constant:
         _, whole = s.mount_stiffness(Omega.ravel()[:1])
         d = decomposed(s.stiffness(whole, Omega.ravel()[:1])[0], s.M)
         gains = gain(d.values, Omega.ravel()).reshape(*f.shape, -1)
         moved = [
-            ((one @ d.left.T) * gains[:, which, None, :]) @ (P @ d.right).T for one, which in zip(wrenches, orders)
+            ((wrench @ d.left.T) * gains[:, which, None, :]) @ (P @ d.right).T
+            for wrench, which in zip(wrenches, orders)
         ]
     else:
         moved = [
-            (respond_at(s, Omega[:, which].ravel(), one.reshape(-1, *one.shape[2:])) @ P.T).reshape(*one.shape[:3], 3)
-            for one, which in zip(wrenches, orders)
+            (respond_at(s, Omega[:, which].ravel(), wrench.reshape(-1, *wrench.shape[2:])) @ P.T).reshape(
+                *wrench.shape[:3], 3
+            )
+            for wrench, which in zip(wrenches, orders)
         ]
     for u, which in zip(moved, orders):
         a = np.abs(u) * sizes[:, which, None, :]
-        found.append(np.sqrt((a**2).sum(-1) / 2))
-    return found
+        rms.append(np.sqrt((a**2).sum(-1) / 2))
+    return rms
 
 
 def _felt_rows(s: System, point: Point) -> Array:

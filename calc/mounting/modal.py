@@ -93,23 +93,23 @@ class MountPair:
 
 def mount_pairs(mounting: MountingInputs) -> tuple[MountPair, ...]:
     """From the front to the flywheel; `h`: of the centre of gravity above them."""
-    found = []
+    pairs = []
     mounts = sorted(mounting.mounts, key=lambda mount: mount.position[2])
-    for i, one in enumerate(mounts):
+    for i, first in enumerate(mounts):
         for other in mounts[i + 1 :]:
-            if _mirrored(one, other):
-                b, L = abs(one.position[1] - other.position[1]) / 2, one.stiffness[0] / one.stiffness[1]
-                found.append(MountPair(one.name, other.name, b, L, mounting.centre_of_gravity[0] - one.position[0]))
-    return tuple(found)
+            if _mirrored(first, other):
+                b, L = abs(first.position[1] - other.position[1]) / 2, first.stiffness[0] / first.stiffness[1]
+                pairs.append(MountPair(first.name, other.name, b, L, mounting.centre_of_gravity[0] - first.position[0]))
+    return tuple(pairs)
 
 
-def _mirrored(one: Mount, other: Mount) -> bool:
-    (x, _, z), (x_2, _, z_2) = one.position, other.position
-    if abs(x - x_2) > SAME or abs(z - z_2) > SAME or abs(one.position[1] - other.position[1]) < SAME:
+def _mirrored(first: Mount, other: Mount) -> bool:
+    (x, _, z), (x_2, _, z_2) = first.position, other.position
+    if abs(x - x_2) > SAME or abs(z - z_2) > SAME or abs(first.position[1] - other.position[1]) < SAME:
         return False
-    if any(abs(a - b) > SAME * a for a, b in zip(one.stiffness, other.stiffness)):
+    if any(abs(a - b) > SAME * a for a, b in zip(first.stiffness, other.stiffness)):
         return False
-    (a, b, c), (d, e, f) = (mount.turned or (0.0, 0.0, 0.0) for mount in (one, other))
+    (a, b, c), (d, e, f) = (mount.turned or (0.0, 0.0, 0.0) for mount in (first, other))
     return abs(a + d) < EVEN and abs(b - e) < EVEN and abs(c + f) < EVEN
 
 
@@ -135,8 +135,8 @@ def four_coupled(k: NewtonPerMetre, k_x: NewtonPerMetre, h: Metre, a: Metre, m: 
     """Lateral with roll (a = b), fore and aft with pitch (a = c)."""
     K = np.array([[4 * k, 4 * k * h], [4 * k * h, 4 * (k * h**2 + k_x * a**2)]])
     root = np.sqrt(np.array([m, J]))
-    found: Array = np.sqrt(np.linalg.eigvalsh(K / np.outer(root, root))) / (2 * np.pi)
-    return each(found)
+    coupled: Array = np.sqrt(np.linalg.eigvalsh(K / np.outer(root, root))) / (2 * np.pi)
+    return each(coupled)
 
 
 # --- excitation
@@ -169,11 +169,11 @@ def matrices(mounting: MountingInputs, free: System, J: float) -> Matrices:
     K = modes.stiffness_matrix(k=each(based_on(k, mounts)), B=B, R=R)
     K_loss = modes.stiffness_matrix(k=each(based_on(loss, mounts)), B=B, R=R)
     M = body.mass_matrix(m=mounting.mass, J=J)
-    found = modes.modes(many(K), many(M))
+    solved = modes.modes(many(K), many(M))
     phi = modes.shapes(K=K, M=M)
     p = based_on(np.asarray(M) @ np.asarray(phi), phi, M)
     E = [[modes.energy(phi=_of(phi, j, i), p=_of(p, j, i)) for i in range(6)] for j in range(6)]
-    return Matrices(K, K_loss, M, J, found, E)
+    return Matrices(K, K_loss, M, J, solved, E)
 
 
 def of_modes(m: Matrices) -> dict[str, Mode]:
@@ -202,10 +202,10 @@ def _of(x: float, *place: int) -> float:
     return linked(float(np.asarray(x)[place]), link_of(x))
 
 
-def frequencies(m: Matrices, one: dict[str, Mode]) -> dict[str, Stated]:
+def frequencies(m: Matrices, mode_values: dict[str, Mode]) -> dict[str, Stated]:
     """By the coordinate that a mode is named after, which is not its number."""
     return {
-        dof: Stated(described(NAMED[dof], "Hz", "f"), one[f"mode_{m.found.of[i] + 1}"].frequency)
+        dof: Stated(described(NAMED[dof], "Hz", "f"), mode_values[f"mode_{m.found.of[i] + 1}"].frequency)
         for i, dof in enumerate(DOFS)
     }
 
@@ -227,14 +227,17 @@ def roll_axis(m: Matrices) -> RollAxis:
 
 def with_chassis(whole: System) -> Tree:
     """The frequencies of engine and frame together, slowest first."""
-    one = np.array([2 * math.pi * springs.REFERENCE])
-    found = modes.of_whole(whole.stiffness(whole.mount_stiffness(one)[1], one)[0], whole.M)
+    omega = np.array([2 * math.pi * springs.REFERENCE])
+    frequencies = modes.of_whole(whole.stiffness(whole.mount_stiffness(omega)[1], omega)[0], whole.M)
     about = described(Text("Frequency of engine and frame together"), "Hz", "f")
-    return {f"mode_{i}": {"frequency": Stated(about, based_on(float(f), whole.source))} for i, f in enumerate(found, 1)}
+    return {
+        f"mode_{i}": {"frequency": Stated(about, based_on(float(f), whole.source))}
+        for i, f in enumerate(frequencies, 1)
+    }
 
 
-def window(mounting: MountingInputs, driven: EngineWrenches, m: Matrices, one: dict[str, Mode]) -> Window:
-    f_min, f_max = one["mode_1"].frequency, one["mode_6"].frequency
+def window(mounting: MountingInputs, driven: EngineWrenches, m: Matrices, mode_values: dict[str, Mode]) -> Window:
+    f_min, f_max = mode_values["mode_1"].frequency, mode_values["mode_6"].frequency
     ceilings = {}
     speeds = np.array([float(mounting.idle_speed)])
     wrench = driven.wrench(speeds, driven.torque(speeds))[0]
@@ -258,21 +261,21 @@ def window(mounting: MountingInputs, driven: EngineWrenches, m: Matrices, one: d
 
 def focal(mounting: MountingInputs) -> Tree | None:
     """Of the pair at the front under `focal` itself; of several each by its first mount as well."""
-    found: Tree = {}
+    tree: Tree = {}
     pairs = mount_pairs(mounting)
     for i, pair in enumerate(pairs):
         of = (mounting.mounts, mounting.centre_of_gravity)
         b, L, h = (based_on(x, of) for x in (pair.b, pair.L, pair.h))
         reach = focal_reach(b=b, L=L)
         leans = L > 1 and 0 < h <= reach
-        one = Focal(angle=focal_angle(b=b, L=L, h=h) if leans else None, reach=reach)
+        focus = Focal(angle=focal_angle(b=b, L=L, h=h) if leans else None, reach=reach)
         if i == 0:
-            found["reach"] = Stated(described(REACH, "mm", "a_max"), one.reach)
-            if one.angle is not None:
-                found["angle"] = Stated(described(LEAN, "°", "φ"), one.angle)
+            tree["reach"] = Stated(described(REACH, "mm", "a_max"), focus.reach)
+            if focus.angle is not None:
+                tree["angle"] = Stated(described(LEAN, "°", "φ"), focus.angle)
         if len(pairs) > 1:
-            found[pair.first] = one
-    return found or None
+            tree[pair.first] = focus
+    return tree or None
 
 
 LEAN = Text("Inclination of the front pair that decouples roll from lateral")

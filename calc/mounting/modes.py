@@ -27,8 +27,8 @@ MIXED = 0.6  # energy below which a name alone says too little
 def stiffness_matrix(k: NewtonPerMetre, B: Number, R: Number) -> NewtonPerMetre:
     """`k` along own axes (mounts, 3), `B` how each mount moves with the body, `R` its axes."""
     D = np.swapaxes(np.asarray(R), 1, 2) @ np.asarray(B)
-    found: Array = np.einsum("jai,ja,jab->ib", D, np.asarray(k), D)
-    return each(found)
+    stiffness: Array = np.einsum("jai,ja,jab->ib", D, np.asarray(k), D)
+    return each(stiffness)
 
 
 @formula(
@@ -70,8 +70,8 @@ def energy(phi: Number, p: Number) -> Number:
 @formula("η_i", "definition of the loss factor of a mode", shows="φᵀ·Im K*·φ/ω²")
 def mode_loss(K_loss: NewtonPerMetre, K: NewtonPerMetre, M: Kilogram) -> Number:
     values, phi = eigen(np.asarray(K), np.asarray(M))
-    found: Array = np.einsum("im,ij,jm->m", phi, np.asarray(K_loss), phi) / values
-    return each(found)
+    losses: Array = np.einsum("im,ij,jm->m", phi, np.asarray(K_loss), phi) / values
+    return each(losses)
 
 
 @formula(
@@ -85,8 +85,8 @@ def roll_shares(K: NewtonPerMetre, M: Kilogram) -> Number:
     _, phi = eigen(np.asarray(K), mass)
     q = np.zeros(6)
     q[3:] = np.linalg.solve(mass[3:, 3:], np.array([0.0, 0.0, 1.0]))
-    found: Array = (phi.T @ mass @ q) ** 2 / (q @ mass @ q)
-    return each(found)
+    shares: Array = (phi.T @ mass @ q) ** 2 / (q @ mass @ q)
+    return each(shares)
 
 
 def eigen(K: Array, M: Array) -> tuple[Array, Array]:
@@ -168,11 +168,11 @@ def free_motion(K: Array, M: Array) -> Text:
 def _components(x: Array, form: str = ".2f") -> str:
     sign = -1.0 if x[np.argmax(np.abs(x))] < 0 and form == ".2f" else 1.0
     digits = int(form[1])
-    return ", ".join(format(round(sign * float(one), digits) + 0.0, form).replace("-", "−") for one in x)
+    return ", ".join(format(round(sign * float(component), digits) + 0.0, form).replace("-", "−") for component in x)
 
 
 def of_whole(K: ComplexArray, M: Array) -> Array:
     """Frequencies of the engine and the frame together, from the real part of the stiffness."""
     values, _ = eigen(K.real, M)
-    found: Array = np.sqrt(np.maximum(values, 0.0)) / (2 * math.pi)
-    return found
+    frequencies: Array = np.sqrt(np.maximum(values, 0.0)) / (2 * math.pi)
+    return frequencies

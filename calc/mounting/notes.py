@@ -148,7 +148,7 @@ def _worse(result: MountingResult) -> Iterator[Text]:
                     ratio=Amount(ratio, digits=3),
                 )
         for variant, words in VARIANTS.items():
-            half, with_it = (result.leaf(f"{name}.{one}.force_sum") for one in ("half", variant))
+            half, with_it = (result.leaf(f"{name}.{which}.force_sum") for which in ("half", variant))
             if half is not None and with_it is not None and with_it > half * (1 + NONE_BELOW):
                 yield Text(
                     "{words} makes it worse at {name}, {speed}: "

@@ -56,10 +56,10 @@ def operations(
     points, mounts = s.mounting.points, s.mounting.mounts
     _torque(tree, driven, rows, torque, there)
     for p, point in enumerate(points):
-        found = _points(
+        levels = _points(
             driven, lines, p, point.name, _felt(driven, lines, point.name, there) if point.role != "machine" else None
         )
-        for (name, _, _), of_operation in zip(rows, found):
+        for (name, _, _), of_operation in zip(rows, levels):
             for variant, level in zip(driven.variants, of_operation):
                 tree[name].setdefault(variant, {})[point.name] = level
     _mounts(tree, driven, lines, rows, [mount.name for mount in mounts], there)
@@ -166,7 +166,7 @@ def _mounts(
     F, shown, words = lines.force, _shown(driven), _words(driven, existing)
     whole = mapped(l.force, F.reshape(*F.shape[:3], -1), source=lines.source)
     peaks = mapped(l.deflection_peak, lines.deflection, source=lines.source, axes=2)
-    one = mapped(l.force, np.moveaxis(F[:, shown][..., existing], -1, -2), source=lines.source)
+    by_order = mapped(l.force, np.moveaxis(F[:, shown][..., existing], -1, -2), source=lines.source)
     sums = [[l.force_sum(F=each(gathered(of_variant))) for of_variant in of_operation] for of_operation in whole]
     together = described(Text("Forces of all mounts"), "N", "ΣF")
     for i, (name, _, _) in enumerate(rows):
@@ -175,7 +175,7 @@ def _mounts(
             for j, mount in enumerate(names):
                 parts = None
                 if v in shown:
-                    parts = {word: OrderForce(force=there(x)) for word, x in zip(words, one[i][shown.index(v)][j])}
+                    parts = {word: OrderForce(force=there(x)) for word, x in zip(words, by_order[i][shown.index(v)][j])}
                 here[mount] = MountLevel(
                     force=there(whole[i][v][j]), deflection_peak=there(peaks[i][v][j]), orders=parts
                 )
@@ -267,8 +267,8 @@ def transfer_functions(result: MountingResult, f: Array) -> ComplexArray:
     unit = np.broadcast_to(np.eye(6, dtype=complex), (len(f), 6, 6))
     q = respond_at(result.system, 2 * math.pi * np.asarray(f), unit)  # (frequencies, components, coordinates)
     P = np.stack([moves(result.system, point) for point in result.system.mounting.points])
-    found: ComplexArray = np.einsum("pac,fwc->fpaw", P, q)
-    return found
+    transfer: ComplexArray = np.einsum("pac,fwc->fpaw", P, q)
+    return transfer
 
 
 def rows(result: MountingResult) -> tuple[tuple[str, ...], list[list[float]]]:

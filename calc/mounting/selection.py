@@ -60,11 +60,11 @@ class Candidate:
 
     def mounts(self, mounting: MountingInputs, room: MountRoom) -> MountingInputs:
         """The design with it."""
-        made = []
+        mounts = []
         for mount, at, side in zip(mounting.mounts, room.rear, room.side):
             k, s, phi = self.variables[int(at)].tolist()
-            made.append(replace(mount, stiffness=(k, k * s, k * s), turned=(0.0, 0.0, -float(side) * phi)))
-        return replace(mounting, mounts=tuple(made))
+            mounts.append(replace(mount, stiffness=(k, k * s, k * s), turned=(0.0, 0.0, -float(side) * phi)))
+        return replace(mounting, mounts=tuple(mounts))
 
 
 def room(mounting: MountingInputs, result: MountingResult) -> MountRoom:
@@ -83,7 +83,10 @@ def room(mounting: MountingInputs, result: MountingResult) -> MountRoom:
     places = np.array([mount.position for mount in mounting.mounts])
     grounds = [mount.foundation for mount in mounting.mounts]
     ground = np.array(
-        [np.full(3, np.inf) if one is None else np.broadcast_to(np.asarray(one, dtype=float), (3,)) for one in grounds]
+        [
+            np.full(3, np.inf) if foundation is None else np.broadcast_to(np.asarray(foundation, dtype=float), (3,))
+            for foundation in grounds
+        ]
     )
     middle = float((places[:, 2].min() + places[:, 2].max()) / 2)
     return MountRoom(
@@ -104,14 +107,14 @@ def evaluated(at: MountRoom, points: Array) -> tuple[Array, Array, Array, Array]
     x = points.reshape(len(points), 2, 3) * STEPS
     mine = x[:, at.rear.astype(int)]  # (n, mounts, 3)
     k, s, phi = mine[..., 0], mine[..., 1], -at.side * mine[..., 2]
-    own = np.stack([k, k * s, k * s], -1) * at.ratio[:, None]
-    own = own / (1 + own / at.ground)
+    stiffness = np.stack([k, k * s, k * s], -1) * at.ratio[:, None]
+    stiffness = stiffness / (1 + stiffness / at.ground)
     c, d = np.cos(phi), np.sin(phi)
     along = np.stack([c, d, 0 * c], -1)[..., None, :] @ at.B  # (n, mounts, 1, 6): compression, then the two shears
     across = np.stack([-d, c, 0 * c], -1)[..., None, :] @ at.B
     flat = np.broadcast_to(at.B[:, 2:3], across.shape)
     D = np.concatenate([along, across, flat], -2)
-    K = np.einsum("nmai,nma,nmaj->nij", D, own, D)
+    K = np.einsum("nmai,nma,nmaj->nij", D, stiffness, D)
     values, phi_ = eigen(K, at.M)
     E = phi_ * (at.M @ phi_)
     of = assignments()[(E.reshape(-1, 36) @ _indicator()).argmax(-1)]  # (n, 6): the mode of each coordinate
@@ -126,10 +129,10 @@ def evaluated(at: MountRoom, points: Array) -> tuple[Array, Array, Array, Array]
 @cache
 def _indicator() -> Array:
     """Which entries of an energy table each of the 720 assignments adds up (36, 720)."""
-    found = np.zeros((36, len(assignments())))
+    indicator = np.zeros((36, len(assignments())))
     for j in range(6):
-        found[6 * j + assignments()[:, j], np.arange(len(assignments()))] = 1.0
-    return found
+        indicator[6 * j + assignments()[:, j], np.arange(len(assignments()))] = 1.0
+    return indicator
 
 
 def choices(
@@ -143,32 +146,37 @@ def choices(
         margin, missed, _, _ = evaluated(at, points)
         return margin, missed
 
-    found: dict[tuple[int, ...], Candidate] = {}
+    candidates: dict[tuple[int, ...], Candidate] = {}
     for n, start in enumerate(STARTS):
         tell(progress, n / len(STARTS), Text("start {n} of {count}", n=n + 1, count=len(STARTS)))
         best, _, _ = narrowed(evaluate, low, high, np.tile(start, 2), np.full(6, FIRST_STEP), SIDE)
         margin, missed, f, E = evaluated(at, best[None])
-        found.setdefault(
+        candidates.setdefault(
             tuple(best.tolist()),
             Candidate(best.reshape(2, 3) * STEPS, f[0], E[0], float(missed[0]), bool(margin[0] >= 0)),
         )
-    return at, tuple(sorted(found.values(), key=lambda one: (not one.inside, one.missed, -float(one.energies.min()))))
+    return at, tuple(
+        sorted(
+            candidates.values(),
+            key=lambda candidate: (not candidate.inside, candidate.missed, -float(candidate.energies.min())),
+        )
+    )
 
 
-def changes(one: Candidate, mounting: MountingInputs, at: MountRoom) -> Changes:
+def changes(candidate: Candidate, mounting: MountingInputs, at: MountRoom) -> Changes:
     """What writes it into the design."""
-    made = one.mounts(mounting, at)
-    found: Changes = {}
-    for mount in made.mounts:
+    design = candidate.mounts(mounting, at)
+    changed: Changes = {}
+    for mount in design.mounts:
         assert mount.turned is not None
-        found[f"mounting.mounts.{mount.name}.stiffness_N_mm"] = [round(k / 1e3, 6) for k in mount.stiffness]
-        found[f"mounting.mounts.{mount.name}.turned_deg"] = [
+        changed[f"mounting.mounts.{mount.name}.stiffness_N_mm"] = [round(k / 1e3, 6) for k in mount.stiffness]
+        changed[f"mounting.mounts.{mount.name}.turned_deg"] = [
             round(math.degrees(angle), 6) + 0.0 for angle in mount.turned
         ]
-    return found
+    return changed
 
 
-def table(found: tuple[Candidate, ...], at: MountRoom, top: int) -> Table:
+def table(candidates: tuple[Candidate, ...], at: MountRoom, top: int) -> Table:
     columns = (
         (Text("number"), ""),
         (Text("front"), "N/mm"),
@@ -186,13 +194,13 @@ def table(found: tuple[Candidate, ...], at: MountRoom, top: int) -> Table:
     rows = tuple(
         (
             n,
-            *(_shown(x) for part in one.variables for x in zip(part, (1e3, 1.0, math.pi / 180))),
-            float(one.frequencies.min()),
-            float(one.frequencies.max()),
-            *(100 * float(one.energies[DOFS.index(dof)]) for dof in ("bounce", "roll")),
-            100 * float(one.energies.min()),
+            *(_shown(x) for part in candidate.variables for x in zip(part, (1e3, 1.0, math.pi / 180))),
+            float(candidate.frequencies.min()),
+            float(candidate.frequencies.max()),
+            *(100 * float(candidate.energies[DOFS.index(dof)]) for dof in ("bounce", "roll")),
+            100 * float(candidate.energies.min()),
         )
-        for n, one in enumerate(found[:top], 1)
+        for n, candidate in enumerate(candidates[:top], 1)
     )
     return Table(
         "mounts",

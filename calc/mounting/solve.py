@@ -39,13 +39,13 @@ def solve(
     with trace() as lines:
         driven = drive(mounting, engine, e, imbalance, shaft)
         result = values(mounting, driven, body.inertia(mounting))
-        found = tuple(checks(mounting, engine, result))
+        judged = tuple(checks(mounting, engine, result))
         if mounting.inertia is None:
-            result, found = _over_boxes(mounting, engine, driven, result, found)
+            result, judged = _over_boxes(mounting, engine, driven, result, judged)
     return Outcome(
         "mounting",
         result=result,
-        checks=found,
+        checks=judged,
         lines=tuple(lines),
         curves=Later(partial(_curves, result)),
         tables=Later(partial(_tables, mounting, result)),
@@ -58,25 +58,25 @@ def values(mounting: MountingInputs, driven: EngineWrenches, J: float) -> Mounti
     """Every number of the step, of an engine with this inertia tensor."""
     free = system(mounting, many(J), frame=False)
     m = modal.matrices(mounting, free, J)
-    one = modal.of_modes(m)
+    mode_values = modal.of_modes(m)
     rest = statics.at_rest(mounting, free)
     rows = operating(mounting, driven.engine)
     speeds = gathered(speed for _, speed, _ in rows)
     torque = driven.torque(speeds)
     whole = free if mounting.chassis is None else system(mounting, many(J))
     lines = levels(whole, driven, speeds, torque)
-    frequency, there = modal.frequencies(m, one), existing(driven, lines)
+    frequency, there = modal.frequencies(m, mode_values), existing(driven, lines)
     rows_critical = crossings(mounting, driven, there, frequency)
     over_speed, at_critical = courses(mounting, whole, driven, [n for _, _, n in rows_critical])
     out = statics.output(mounting, driven, speeds)
     result = MountingResult(
         frequency=frequency,
         energy=modal.energies(m),
-        modes=one,
+        modes=mode_values,
         roll_axis=modal.roll_axis(m),
         with_chassis=modal.with_chassis(whole) if mounting.chassis is not None else None,
         static=statics.published(mounting, rest, out),
-        window=modal.window(mounting, driven, m, one),
+        window=modal.window(mounting, driven, m, mode_values),
         focal=modal.focal(mounting),
         critical=critical(rows_critical, at_critical),
         operations=operations(driven, lines, whole, rows, torque, there),
@@ -101,7 +101,7 @@ def _over_boxes(
     engine: EngineInputs,
     driven: EngineWrenches,
     result: MountingResult,
-    found: tuple[Check, ...],
+    judged: tuple[Check, ...],
 ) -> tuple[MountingResult, tuple[Check, ...]]:
     """With the range of every frequency, and with the check of the verdicts that hang on the estimate of the
     inertia."""
@@ -109,16 +109,16 @@ def _over_boxes(
 
     with untraced():
         others = [values(mounting, driven, body.inertia(mounting, share)) for share in (body.LEAST, body.MOST)]
-        verdicts = [{c.id: c.holds for c in checks(mounting, engine, one)} for one in others]
+        verdicts = [{c.id: c.holds for c in checks(mounting, engine, other)} for other in others]
     span: Tree = {}
     for dof in body.DOFS:
-        ends = [one.frequency[dof].number for one in (result, *others)]
+        ends = [case.frequency[dof].number for case in (result, *others)]
         span[dof] = {
             "lowest": Stated(described(Text("Lowest frequency over the range of the inertia"), "Hz"), min(ends)),
             "highest": Stated(described(Text("Highest frequency over the range of the inertia"), "Hz"), max(ends)),
         }
-    flips = [c.name for c in found if any(one.get(c.id, c.holds) != c.holds for one in verdicts)]
-    return replace(result, frequency_range=span), (*found, inertia_check(flips))
+    flips = [c.name for c in judged if any(verdict.get(c.id, c.holds) != c.holds for verdict in verdicts)]
+    return replace(result, frequency_range=span), (*judged, inertia_check(flips))
 
 
 def _curves(result: MountingResult) -> tuple[Curve, ...]:

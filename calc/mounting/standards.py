@@ -98,13 +98,13 @@ def scope(application: str, power: Watt | None, speed: RevPerSecond, machine_cla
     """`power`: rated; where it is not known the engine counts as small."""
     small, on_road = power is None or power <= SMALLEST, application in ROAD
     within = not small and not on_road
-    said = [WITHIN if within else NOT_BOTH if small and on_road else NOT_ROAD if on_road else NOT_SMALL]
+    notes = [WITHIN if within else NOT_BOTH if small and on_road else NOT_ROAD if on_road else NOT_SMALL]
     if within and machine_class is None:
-        said.append(NO_CLASS)
+        notes.append(NO_CLASS)
     printed = application == "generating-set" and power is not None and _printed(speed * 60, power / 1e3)
     if application == "generating-set":
-        said.append(SET if printed else SET_NOT_PRINTED)
-    return Scope(within, printed, (*said, COMPRESSORS, GENERAL, LOWER_BOUND))
+        notes.append(SET if printed else SET_NOT_PRINTED)
+    return Scope(within, printed, (*notes, COMPRESSORS, GENERAL, LOWER_BOUND))
 
 
 def _printed(rpm: float, kW: float) -> bool:
@@ -129,8 +129,8 @@ def grade(s: Metre, v: MetrePerSecond, a: MetrePerSecond2) -> Number:
         np.asarray(a) / (two_pi * t["corner_high_Hz"]),
     )
     worst = sizes.max(-1)
-    found = np.where(np.isfinite(worst), grades[np.searchsorted(limits, worst * (1 - 1e-12))], np.nan)
-    return each(found) if found.ndim else float(found)
+    graded = np.where(np.isfinite(worst), grades[np.searchsorted(limits, worst * (1 - 1e-12))], np.nan)
+    return each(graded) if graded.ndim else float(graded)
 
 
 def in_band(f: Array) -> Array:
@@ -183,8 +183,8 @@ def weight(H_h: PhasorNumber, H_l: PhasorNumber, H_t: PhasorNumber, H_s: PhasorN
 @formula("a_w", "ISO 2631-1, 6.2: weighted acceleration of all orders, rms", shows="√(Σ (W_n·|â_n|)²/2)", unit="m/s²")
 def weighted(W: Number, a: MetrePerSecond2) -> MetrePerSecond2:
     """Of the lines along the last axis."""
-    found = np.sqrt(np.sum(np.square(np.asarray(W) * np.abs(a)), -1) / 2)
-    return each(found) if found.ndim else float(found)
+    level = np.sqrt(np.sum(np.square(np.asarray(W) * np.abs(a)), -1) / 2)
+    return each(level) if level.ndim else float(level)
 
 
 @formula(

@@ -28,8 +28,8 @@ def rest(K_s: NewtonPerMetre, f: Newton) -> Metre:
 
 @formula("δ_s", "kinematics: deflection along the mount's own axes", shows="Rᵀ·B·q_s", unit="mm")
 def own_deflection(q_s: Metre, B: Number, R: Number) -> Metre:
-    found: Array = np.einsum("jba,jbc,c->ja", np.asarray(R), np.asarray(B), np.asarray(q_s))
-    return each(found)
+    deflection: Array = np.einsum("jba,jbc,c->ja", np.asarray(R), np.asarray(B), np.asarray(q_s))
+    return each(deflection)
 
 
 @formula("δ_1", "definition: amount of the deflection along the first own axis", unit="mm")
@@ -40,8 +40,8 @@ def first_axis(delta_s: Metre) -> Metre:
 @formula("F_s", "statics: upward force of the mount on the engine", shows="−up·R·diag(k)·δ_s")
 def load(k: NewtonPerMetre, delta_s: Metre, R: Number, up: Number) -> Newton:
     """Of all mounts; below 0: it is pulled."""
-    found: Array = -np.einsum("jab,jb,a->j", np.asarray(R), np.asarray(k) * np.asarray(delta_s), np.asarray(up))
-    return each(found)
+    loads: Array = -np.einsum("jab,jb,a->j", np.asarray(R), np.asarray(k) * np.asarray(delta_s), np.asarray(up))
+    return each(loads)
 
 
 @formula("φ_s", "kinematics: roll about the crank, positive from up to the side", shows="θ_z of q_s")

@@ -45,21 +45,23 @@ class System:
 
     def mount_stiffness(self, Omega: Array) -> tuple[ComplexArray, ComplexArray]:
         """Along the own axes of each mount itself (mounts, frequencies, 3), and with its foundation in engine axes."""
-        own = [springs.own(mount, Omega) for mount in self.mounting.mounts]
-        whole = [springs.with_foundation(m, k, R, Omega) for m, k, R in zip(self.mounting.mounts, own, self.axes)]
-        return np.stack(own), np.stack(whole)
+        own_stiffness = [springs.own(mount, Omega) for mount in self.mounting.mounts]
+        whole = [
+            springs.with_foundation(m, k, R, Omega) for m, k, R in zip(self.mounting.mounts, own_stiffness, self.axes)
+        ]
+        return np.stack(own_stiffness), np.stack(whole)
 
     def stiffness(self, whole: ComplexArray, Omega: Array) -> ComplexArray:
         """K* (frequencies, coordinates, coordinates) from that of the mounts."""
-        D, found = self.between, np.zeros((Omega.size, self.size, self.size), dtype=complex)
+        D, total = self.between, np.zeros((Omega.size, self.size, self.size), dtype=complex)
         for d, k in zip(D, whole):
-            found += d.T @ k @ d
+            total += d.T @ k @ d
         frame = self.mounting.chassis
         if frame is not None:
             for support, g in zip(frame.supports, self.ground):
                 R = springs.rotation(support.turned)
-                found += g.T @ ((R * springs.own(support, Omega)[:, None, :]) @ R.T) @ g
-        return found + self.static_frame
+                total += g.T @ ((R * springs.own(support, Omega)[:, None, :]) @ R.T) @ g
+        return total + self.static_frame
 
 
 def system(mounting: MountingInputs, J: Array, *, frame: bool = True) -> System:
@@ -88,9 +90,9 @@ def system(mounting: MountingInputs, J: Array, *, frame: bool = True) -> System:
         for j, support in enumerate(supports):
             ground[j, :, 6:] = _on_frame(chassis, support.name, support.position)
     axes = np.stack([springs.rotation(mount.turned) for mount in mounting.mounts])
-    own = mounting if chassis is mounting.chassis else _without_frame(mounting)
+    design = mounting if chassis is mounting.chassis else _without_frame(mounting)
     source = (J, mounting.mass, mounting.centre_of_gravity, mounting.mounts, chassis)
-    return System(own, size, M, between, axes, ground, arms, static_frame, source)
+    return System(design, size, M, between, axes, ground, arms, static_frame, source)
 
 
 def _without_frame(mounting: MountingInputs) -> MountingInputs:
@@ -110,13 +112,13 @@ def _on_frame(chassis: Chassis, name: str, position: tuple[float, ...]) -> Array
 
 def moves(s: System, point: Point) -> Array:
     """How a point moves with the coordinates (3, coordinates)."""
-    found = np.zeros((3, s.size))
+    motion = np.zeros((3, s.size))
     if point.on == "chassis":
         assert s.mounting.chassis is not None
-        found[:, 6:] = _on_frame(s.mounting.chassis, point.name, point.position)
+        motion[:, 6:] = _on_frame(s.mounting.chassis, point.name, point.position)
     else:
-        found[:, :6] = displacement(np.asarray(point.position) - np.asarray(s.mounting.centre_of_gravity))
-    return found
+        motion[:, :6] = displacement(np.asarray(point.position) - np.asarray(s.mounting.centre_of_gravity))
+    return motion
 
 
 @formula("q̂", "dynamics: steady state of a linear system under harmonic wrenches", shows="(K* − Ω²·M)⁻¹·f̂")
@@ -130,16 +132,16 @@ def steady_state(K: PhasorNewtonPerMetre, M: Kilogram, f: PhasorNewton, Omega: R
     right = np.zeros((w.size, mass.shape[0], force.shape[1]), dtype=complex)
     right[:, :6] = np.swapaxes(force, 1, 2)
     try:
-        found = np.linalg.solve(D, right)
+        response = np.linalg.solve(D, right)
     except np.linalg.LinAlgError:
-        found = np.stack([_one(d, r) for d, r in zip(D, right)])
-    return each(np.swapaxes(found, 1, 2))
+        response = np.stack([_one(d, r) for d, r in zip(D, right)])
+    return each(np.swapaxes(response, 1, 2))
 
 
 def _one(D: ComplexArray, right: ComplexArray) -> ComplexArray:
     try:
-        found: ComplexArray = np.asarray(np.linalg.solve(D, right), dtype=complex)
-        return found
+        solved: ComplexArray = np.asarray(np.linalg.solve(D, right), dtype=complex)
+        return solved
     except np.linalg.LinAlgError:
         return np.full_like(right, np.nan)
 
@@ -163,14 +165,14 @@ def gain(values: ComplexArray, Omega: Array) -> ComplexArray:
     """1/(λ − Ω²) (frequencies, modes); no number where an undamped resonance is hit."""
     gap = values - (Omega**2)[:, None]
     hit = np.abs(gap) <= RESONANT * np.abs(values)
-    found: ComplexArray = np.where(hit, np.nan, 1.0 / np.where(hit, 1.0, gap))
-    return found
+    gains: ComplexArray = np.where(hit, np.nan, 1.0 / np.where(hit, 1.0, gap))
+    return gains
 
 
 def _by_modes(K: ComplexArray, M: Array, f: ComplexArray, Omega: Array) -> ComplexArray:
     d = decomposed(K, M)
-    found: ComplexArray = ((f @ d.left.T) * gain(d.values, Omega)[:, None, :]) @ d.right.T
-    return found
+    response: ComplexArray = ((f @ d.left.T) * gain(d.values, Omega)[:, None, :]) @ d.right.T
+    return response
 
 
 @record
@@ -186,14 +188,14 @@ class Response:
 
 def respond(s: System, Omega: Array, f: ComplexArray) -> Response:
     """The steady state under wrenches about the engine's centre of gravity, (frequencies, cases, 6)."""
-    one = Omega[:1] if s.constant else Omega
-    own, whole = s.mount_stiffness(one)
-    K = s.stiffness(whole, one)
+    at = Omega[:1] if s.constant else Omega
+    own_stiffness, whole = s.mount_stiffness(at)
+    K = s.stiffness(whole, at)
     K_given = based_on(K[0] if s.constant else K, s.source)
     q = steady_state(K=each(K_given), M=each(based_on(s.M, s.source)), f=each(f), Omega=each(Omega))
     between = np.einsum("jac,fvc->jfva", s.between, phasors(q))
     force = np.einsum("jfab,jfvb->jfva", np.broadcast_to(whole, (len(whole), Omega.size, 3, 3)), between)
-    deflection = np.einsum("jba,jfvb->jfva", s.axes, force) / own[:, :, None, :]
+    deflection = np.einsum("jba,jfvb->jfva", s.axes, force) / own_stiffness[:, :, None, :]
     return Response(Omega, linked(phasors(q), link_of(q)), force, deflection)
 
 

@@ -68,11 +68,11 @@ def _rule(id: str, kind: str, cause: str, value: str, limit: str, moved_by: str,
 def _by_end() -> dict[tuple[str, int, str], list[tuple[CheckRule, list[str]]]]:
     """The rules and the parts of their ids by step, number of parts and last part; of several, those with fewer letters
     first."""
-    found: dict[tuple[str, int, str], list[tuple[CheckRule, list[str]]]] = {}
+    by_end: dict[tuple[str, int, str], list[tuple[CheckRule, list[str]]]] = {}
     parted = [(rule, rule.id.split(".")) for rule in rules()]
-    for rule, parts in sorted(parted, key=lambda one: sum(part in ELEMENTS for part in one[1])):
-        found.setdefault((parts[0], len(parts), parts[-1].removesuffix("W")), []).append((rule, parts))
-    return found
+    for rule, parts in sorted(parted, key=lambda entry: sum(part in ELEMENTS for part in entry[1])):
+        by_end.setdefault((parts[0], len(parts), parts[-1].removesuffix("W")), []).append((rule, parts))
+    return by_end
 
 
 @cache
@@ -311,7 +311,7 @@ def check(
     bound = (shown(limit[0]), shown(limit[1])) if isinstance(limit, tuple) else linked(shown(limit), link_of(limit))
     several = has_lanes(value, limit)  # of many designs, which are judged one by one: nobody reads remedies
     number = shown(value) if several or math.isfinite(value) else value
-    made = Check(
+    this_check = Check(
         id,
         name,
         linked(number, link_of(value)),
@@ -330,11 +330,13 @@ def check(
         rule.demand,
         rule.exact,
     )
-    ways = () if remedies is None or several or made.holds else remedies()
+    ways = () if remedies is None or several or this_check.holds else remedies()
     return (
-        replace(made, remedies=ways, advice=Text(" ").join([sentence(ways), advice] if advice else [sentence(ways)]))
+        replace(
+            this_check, remedies=ways, advice=Text(" ").join([sentence(ways), advice] if advice else [sentence(ways)])
+        )
         if ways
-        else made
+        else this_check
     )
 
 
@@ -355,8 +357,8 @@ def grouped(checks: Iterable[Check]) -> list[tuple[Check, ...]]:
     A group stands where its worst check does.  Checks of one kind and verdict keep their order, the limit that is
     missed furthest first."""
     groups: dict[str, list[Check]] = {}
-    for one in checks:
-        groups.setdefault(one.cause or one.id, []).append(one)
+    for check in checks:
+        groups.setdefault(check.cause or check.id, []).append(check)
     return sorted(
         (tuple(sorted(group, key=severity)) for group in groups.values()), key=lambda group: severity(group[0])[:3]
     )

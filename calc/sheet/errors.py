@@ -28,8 +28,8 @@ def visible(text: str, *, lines: bool = False) -> str:
     return hidden.sub(_written, text) if hidden.search(text) else text
 
 
-def _written(found: re.Match[str]) -> str:
-    pairs = found[0].encode("utf-16-be", "surrogatepass")
+def _written(match: re.Match[str]) -> str:
+    pairs = match[0].encode("utf-16-be", "surrogatepass")
     return "".join(f"\\u{pairs[n]:02x}{pairs[n + 1]:02x}" for n in range(0, len(pairs), 2))
 
 
@@ -47,8 +47,8 @@ class InputError:
 
     def text(self, place: str) -> Text:
         where = f"{place}:{self.line}" if self.line else place
-        found = ": ".join(visible(part) for part in (where, self.key, self.value) if part)
-        return Text("{where}: {reason}", where=found, reason=self.reason)
+        prefix = ": ".join(visible(part) for part in (where, self.key, self.value) if part)
+        return Text("{where}: {reason}", where=prefix, reason=self.reason)
 
 
 class BadInput(Exception):
@@ -83,8 +83,8 @@ class NoSolution(Exception):
 
 def text_of(error: Exception) -> Text:
     """What an error says: the Text that it was raised with, else its words as they stand."""
-    told = getattr(error, "text", None) or (error.args[0] if error.args else "")
-    return told if isinstance(told, Text) else Name(str(error))
+    words = getattr(error, "text", None) or (error.args[0] if error.args else "")
+    return words if isinstance(words, Text) else Name(str(error))
 
 
 class Cancelled(Exception):

@@ -161,10 +161,10 @@ def expression(formula: Equation) -> Expr | None:
     algorithm."""
     if formula.shows:
         return None
-    found = definition(formula.function)
-    if found is None:
+    parsed = definition(formula.function)
+    if parsed is None:
         return None
-    last = found.body[-1]
+    last = parsed.body[-1]
     if not isinstance(last, ast.Return) or last.value is None:
         raise TypeError(f"{formula.__name__}: a formula is one return expression, or says `shows=`")
     return _without_ones(_build(last.value, formula))

@@ -103,14 +103,14 @@ def described(formula: Equation) -> str:
     shown = f"   (shown in {formula.unit})" if formula.unit else ""
     head = f"{formula.__name__}({arguments}) -> {known.get('return', '-')}{shown}"
     body = f"{formula.symbol} = {formula.shows or _returned(formula.function)}"
-    own = inspect.cleandoc(formula.function.__doc__ or "")
-    return "\n\n".join(filter(None, (head, body, f"Source: {formula.source}", own)))
+    doc = inspect.cleandoc(formula.function.__doc__ or "")
+    return "\n\n".join(filter(None, (head, body, f"Source: {formula.source}", doc)))
 
 
 def _returned(function: Callable[..., object]) -> str:
     """The return expression of a function on one line; dots where its source text is not at hand."""
-    found = definition(function)
-    last = found.body[-1] if found is not None else None
+    parsed = definition(function)
+    last = parsed.body[-1] if parsed is not None else None
     return ast.unparse(last.value) if isinstance(last, ast.Return) and last.value else "…"
 
 
@@ -130,9 +130,9 @@ def definition(function: Callable[..., object]) -> ast.FunctionDef | None:
             source = textwrap.dedent(inspect.getsource(function))
         except (OSError, TypeError):
             return None
-    found = ast.parse(source).body[0]
-    assert isinstance(found, ast.FunctionDef)
-    return found
+    parsed = ast.parse(source).body[0]
+    assert isinstance(parsed, ast.FunctionDef)
+    return parsed
 
 
 FORMULAS: dict[str, Formula[..., object]] = {}  # every formula of the program: "module.function" → formula
@@ -157,8 +157,8 @@ def formula(
         )
 
     def decorate(function: "Callable[P, R]") -> "Formula[P, R]":  # as words: a thousand times evaluated they take 5 ms
-        made = Formula(function, symbol, source, shows, unit, governs, names or {})
-        FORMULAS[f"{function.__module__}.{function.__name__}"] = made
-        return made
+        decorated = Formula(function, symbol, source, shows, unit, governs, names or {})
+        FORMULAS[f"{function.__module__}.{function.__name__}"] = decorated
+        return decorated
 
     return decorate

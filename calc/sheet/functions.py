@@ -114,22 +114,22 @@ def resultant(x: N) -> N:
 def _resultant(x: ComplexArray) -> object:
     dust = 1e-12 * np.sum(np.abs(x), -1)
     if has_lanes(dust):
-        found = np.sum(x, -1)
-        if not np.iscomplexobj(found):
-            return np.where(np.abs(found) <= dust, 0.0, found)
-        real, imag = (np.where(np.abs(part) <= dust, 0.0, part) for part in (found.real, found.imag))
+        total = np.sum(x, -1)
+        if not np.iscomplexobj(total):
+            return np.where(np.abs(total) <= dust, 0.0, total)
+        real, imag = (np.where(np.abs(part) <= dust, 0.0, part) for part in (total.real, total.imag))
         return real + 1j * imag
     if x.ndim > 1:
-        found = np.sum(x, -1)
-        if not np.iscomplexobj(found):
-            return np.where(np.abs(found) > dust, found, 0.0)
-        found.real[np.abs(found.real) <= dust] = 0.0
-        found.imag[np.abs(found.imag) <= dust] = 0.0
-        return found
-    one = np.sum(x).item()
-    if isinstance(one, complex):
-        return complex(one.real if abs(one.real) > dust else 0.0, one.imag if abs(one.imag) > dust else 0.0)
-    return one if abs(one) > dust else abs(0.0 * one)  # NaN stays NaN
+        total = np.sum(x, -1)
+        if not np.iscomplexobj(total):
+            return np.where(np.abs(total) > dust, total, 0.0)
+        total.real[np.abs(total.real) <= dust] = 0.0
+        total.imag[np.abs(total.imag) <= dust] = 0.0
+        return total
+    scalar = np.sum(x).item()
+    if isinstance(scalar, complex):
+        return complex(scalar.real if abs(scalar.real) > dust else 0.0, scalar.imag if abs(scalar.imag) > dust else 0.0)
+    return scalar if abs(scalar) > dust else abs(0.0 * scalar)  # NaN stays NaN
 
 
 def joined(a: N, b: N) -> N:

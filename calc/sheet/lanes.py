@@ -106,8 +106,8 @@ class Lanes:
         """The elements of an array, along its last axis, at these places: of each lane those of its own."""
         data = x.data if type(x) is Lanes else np.broadcast_to(x, (self.lanes, *np.shape(x)))
         places = self.data if self.ndim else self.data[:, None]
-        found = np.take_along_axis(data, places.reshape(self.lanes, *(1,) * (data.ndim - 2), -1), -1)
-        return Lanes(found if self.ndim else found[..., 0])
+        taken = np.take_along_axis(data, places.reshape(self.lanes, *(1,) * (data.ndim - 2), -1), -1)
+        return Lanes(taken if self.ndim else taken[..., 0])
 
     def ravel(self) -> Lanes:
         return Lanes(self.data.reshape(len(self.data), -1))
@@ -140,7 +140,7 @@ class Lanes:
 
     def tolist(self) -> Any:
         """The elements of what each lane has."""
-        return [one.tolist() for one in self] if self.ndim else self
+        return [element.tolist() for element in self] if self.ndim else self
 
     # --- one way for all
     # -----------------------------------------------------------------------------------------------------
@@ -161,13 +161,13 @@ class Lanes:
             raise TypeError("the numbers of many designs are not one number")
         return float(first)
 
-    def _alike(self, found: Any) -> Any:
-        if found.ndim != 1:
+    def _alike(self, values: Any) -> Any:
+        if values.ndim != 1:
             raise TypeError("an array has no one truth")
-        same = found == found[0]
+        same = values == values[0]
         if not same.all():
             raise Diverged(same)
-        return found[0]
+        return values[0]
 
     def __array__(self, *args: Any, **kwargs: Any) -> Array:
         raise TypeError("the numbers of many designs are no plain array")
@@ -255,8 +255,8 @@ for _name in (
     _operator(_name)
 
 
-def wrapped(found: Any) -> Any:
-    return tuple(map(Lanes, found)) if isinstance(found, tuple) else Lanes(found)
+def wrapped(value: Any) -> Any:
+    return tuple(map(Lanes, value)) if isinstance(value, tuple) else Lanes(value)
 
 
 def level(inputs: Sequence[Any]) -> list[Any]:
@@ -272,16 +272,16 @@ def deep(data: Any, points: int) -> Any:
     return data.reshape(data.shape[0], *(1,) * missing, *data.shape[1:]) if missing else data
 
 
-def scattered(there: BoolArray, one: Any, other: Any) -> Lanes:
+def scattered(there: BoolArray, chosen: Any, other: Any) -> Lanes:
     """An array of the elements of `one` where `there` is true, and those of `other` elsewhere."""
-    count = count_of((one, other)) or 1
+    count = count_of((chosen, other)) or 1
     parts = [
         rows(x, count, (size,)).reshape(count, size)
-        for x, size in ((one, int(there.sum())), (other, int((~there).sum())))
+        for x, size in ((chosen, int(there.sum())), (other, int((~there).sum())))
     ]
-    found = np.empty((count, there.size), dtype=np.result_type(*parts))
-    found[:, there], found[:, ~there] = parts
-    return Lanes(found)
+    data = np.empty((count, there.size), dtype=np.result_type(*parts))
+    data[:, there], data[:, ~there] = parts
+    return Lanes(data)
 
 
 def rows(x: Any, count: int, shape: tuple[int, ...]) -> Array:
@@ -389,7 +389,7 @@ def _stack(parts: Sequence[Any], axis: int = 0) -> Lanes:
 @_handles(np.interp)
 def _interp(x: Any, places: Any, numbers: Any) -> Lanes:
     """Places that are the same in all lanes."""
-    return Lanes(np.stack([np.interp(x, places, one) for one in numbers.data]))
+    return Lanes(np.stack([np.interp(x, places, row) for row in numbers.data]))
 
 
 @_handles("rfft")
@@ -541,8 +541,8 @@ def _of_one_alone(*_: object, **__: object) -> NoReturn:
 
 def lane(x: T, k: int) -> T:
     """The record of one of the designs: plain numbers again."""
-    one: T = mapped(x, lambda lanes: _plain(lanes.data[k]))
-    return one
+    record: T = mapped(x, lambda lanes: _plain(lanes.data[k]))
+    return record
 
 
 class Singly:
@@ -595,12 +595,12 @@ def design_by_design(function: Callable[P, R]) -> Callable[P, R]:
     def called(*args: P.args, **kwargs: P.kwargs) -> R:
         if (singly := running.get()) is None or not (count := _lanes_of((args, kwargs))):
             return function(*args, **kwargs)
-        found = [singly.result(k, function, lane((args, kwargs), k)) for k in range(count)]
-        kinds = [type(one) if isinstance(one, Exception) else None for one in found]
+        results = [singly.result(k, function, lane((args, kwargs), k)) for k in range(count)]
+        kinds = [type(result) if isinstance(result, Exception) else None for result in results]
         _apart([kind is kinds[0] for kind in kinds])
-        if isinstance(found[0], Exception):
-            raise found[0]
-        merged: R = abreast(found)
+        if isinstance(results[0], Exception):
+            raise results[0]
+        merged: R = abreast(results)
         return merged
 
     return called
@@ -632,22 +632,22 @@ def point_by_point(function: Callable[P, R]) -> Callable[P, R]:
     def called(*args: P.args, **kwargs: P.kwargs) -> R:
         if running.get() is None or not any([type(x) is Lanes for x in args]):
             return function(*args, **kwargs)
-        found: R = mapped_arrays(function(*level(args), **kwargs), Lanes)
-        return found
+        result: R = mapped_arrays(function(*level(args), **kwargs), Lanes)
+        return result
 
     return called
 
 
 def _lanes_of(x: object) -> int:
     """How many lanes a record has; 0: none."""
-    found = [0]
+    seen = [0]
 
     def count(lanes: Lanes) -> Lanes:
-        found[:] = [lanes.lanes]
+        seen[:] = [lanes.lanes]
         return lanes
 
     mapped(x, count)
-    return found[0]
+    return seen[0]
 
 
 def some_lanes(x: T, which: Any) -> T:
@@ -656,8 +656,8 @@ def some_lanes(x: T, which: Any) -> T:
     return fewer
 
 
-def _plain(found: Any) -> Any:
-    return found.item() if found.ndim == 0 else found
+def _plain(value: Any) -> Any:
+    return value.item() if value.ndim == 0 else value
 
 
 def mapped(x: Any, change: Callable[[Lanes], Any]) -> Any:
@@ -668,16 +668,16 @@ def mapped(x: Any, change: Callable[[Lanes], Any]) -> Any:
     if kind in (float, int, str, bool, Text, Later) or x is None:
         return x
     if isinstance(x, dict):
-        found = {key: mapped(part, change) for key, part in x.items()}
-        return x if all(found[key] is part for key, part in x.items()) else found
+        changed = {key: mapped(part, change) for key, part in x.items()}
+        return x if all(changed[key] is part for key, part in x.items()) else changed
     if isinstance(x, (tuple, list)):
         parts = [mapped(part, change) for part in x]
         return x if all(a is b for a, b in zip(parts, x)) else _like(x, parts)
     if isinstance(x, type) or callable(x) or not hasattr(x, "__dict__"):
         return x
     names = _fields(x)
-    made = {name: mapped(x.__dict__[name], change) for name in names}
-    return x if all(made[name] is x.__dict__[name] for name in names) else _made(kind, made)
+    attributes = {name: mapped(x.__dict__[name], change) for name in names}
+    return x if all(attributes[name] is x.__dict__[name] for name in names) else _made(kind, attributes)
 
 
 def _fields(x: Any) -> Sequence[str]:
@@ -687,9 +687,9 @@ def _fields(x: Any) -> Sequence[str]:
 
 
 def _made(kind: type, parts: dict[str, Any]) -> Any:
-    made: Any = object.__new__(kind)
-    made.__dict__.update(parts)
-    return made
+    record: Any = object.__new__(kind)
+    record.__dict__.update(parts)
+    return record
 
 
 def _like(x: Any, parts: list[Any]) -> Any:

@@ -68,10 +68,10 @@ def prepared(ready: Callable[[], Callable[[G], T]]) -> Callable[[G], Callable[[]
             data = answer.read()
         os.waitpid(copy, 0)
         try:
-            found: T = pickle.loads(data)
+            loaded: T = pickle.loads(data)
         except (EOFError, pickle.UnpicklingError):
             return ready()(given)
-        return found
+        return loaded
 
     return begin
 
@@ -93,8 +93,8 @@ def _serve(ready: Callable[[], Callable[[Any], Any]], orders: int, writing: int)
         os.dup2(nowhere, stream)
     gc.disable()  # it ends soon
     work = ready()
-    with open(orders, "rb") as told, open(writing, "wb") as file:
-        pickle.dump(work(pickle.load(told)), file)
+    with open(orders, "rb") as incoming, open(writing, "wb") as file:
+        pickle.dump(work(pickle.load(incoming)), file)
 
 
 class Later(Sequence[T]):

@@ -117,22 +117,22 @@ def column(parts: Iterable[object], name: str) -> Any:  # a door: an array, and 
 
 
 @overload
-def where(there: "BoolArray", one: "float | Array", other: "Array") -> "Array": ...
+def where(there: "BoolArray", chosen: "float | Array", other: "Array") -> "Array": ...
 @overload
-def where(there: "BoolArray", one: "complex | ComplexArray", other: "ComplexArray") -> "ComplexArray": ...
+def where(there: "BoolArray", chosen: "complex | ComplexArray", other: "ComplexArray") -> "ComplexArray": ...
 def where(
-    there: "BoolArray", one: "complex | Array | ComplexArray", other: "Array | ComplexArray"
+    there: "BoolArray", chosen: "complex | Array | ComplexArray", other: "Array | ComplexArray"
 ) -> "Array | ComplexArray":
     """An array of the elements of `one` where `there` is true, and those of `other` elsewhere: both only as long as
     they are needed."""
-    if has_lanes(one, other):  # of many designs
+    if has_lanes(chosen, other):  # of many designs
         from .lanes import scattered
 
-        return cast("Array", scattered(there, one, other))
-    array = np.empty(there.size, dtype=np.result_type(one, other))
-    array[there], array[~there] = one, other
+        return cast("Array", scattered(there, chosen, other))
+    array = np.empty(there.size, dtype=np.result_type(chosen, other))
+    array[there], array[~there] = chosen, other
     parts = np.empty(there.size, dtype=object)
-    for mask, numbers in ((there, one), (~there, other)):
+    for mask, numbers in ((there, chosen), (~there, other)):
         links = getattr(numbers, "parts", ()) or (link_of(numbers),) * int(np.count_nonzero(mask))
         parts[mask] = np.fromiter(links, object, len(links))
     return linked_array(array, joined_links(parts), tuple(parts))

@@ -103,7 +103,7 @@ def alike(a: object, b: object) -> bool:
     if isinstance(a, dict) and isinstance(b, dict):
         return a.keys() == b.keys() and all(alike(part, b[key]) for key, part in a.items())
     if isinstance(a, tuple) and isinstance(b, tuple):
-        return len(a) == len(b) and all(alike(one, other) for one, other in zip(a, b))
+        return len(a) == len(b) and all(alike(element, other) for element, other in zip(a, b))
     if type(a).__eq__ is object.__eq__:
         return hasattr(a, "__dict__") and alike(vars(a), vars(b))
     return bool(a == b)

@@ -129,7 +129,7 @@ def _make(
     choices: tuple[str, ...] = (),
     table: type | None = None,
     free: bool = False,
-    **said: Unpack[_Numbers],
+    **options: Unpack[_Numbers],
 ) -> T:
     what = Quantity(
         kind,
@@ -142,61 +142,61 @@ def _make(
         choices=choices,
         table=table,
         free=free,
-        **said,
+        **options,
     )
     return field(default=default, kw_only=True, metadata={"quantity": what})
 
 
-def quantity(label: str, unit: str = "", *, default: T = REQUIRED, **said: Unpack[Said]) -> T:
+def quantity(label: str, unit: str = "", *, default: T = REQUIRED, **options: Unpack[Said]) -> T:
     """A number.  `low`, `high`, `above`, `usual`, `default` of the description are in the shown unit, except `default`
     (SI)."""
-    return _make("number", label, unit, default, **said)
+    return _make("number", label, unit, default, **options)
 
 
-def integer(label: str, *, default: T = REQUIRED, **said: Unpack[Said]) -> T:
-    return _make("integer", label, "", default, **said)
+def integer(label: str, *, default: T = REQUIRED, **options: Unpack[Said]) -> T:
+    return _make("integer", label, "", default, **options)
 
 
-def text(label: str, *, default: T = REQUIRED, **said: Unpack[Said]) -> T:
-    return _make("text", label, "", default, **said)
+def text(label: str, *, default: T = REQUIRED, **options: Unpack[Said]) -> T:
+    return _make("text", label, "", default, **options)
 
 
-def day(label: str, *, default: T = REQUIRED, free: bool = False, **said: Unpack[Said]) -> T:
+def day(label: str, *, default: T = REQUIRED, free: bool = False, **options: Unpack[Said]) -> T:
     """A date, in the Inputs class as ISO 8601 writes it.  `free`: any other words too, as old files have them."""
-    return _make("date", label, "", default, free=free, **said)
+    return _make("date", label, "", default, free=free, **options)
 
 
-def choice(label: str, *choices: str, default: T = REQUIRED, **said: Unpack[Said]) -> T:
-    return _make("choice", label, "", default, choices=choices, **said)
+def choice(label: str, *choices: str, default: T = REQUIRED, **options: Unpack[Said]) -> T:
+    return _make("choice", label, "", default, choices=choices, **options)
 
 
-def series(label: str, unit: str = "", *, default: T = REQUIRED, **said: Unpack[Said]) -> T:
+def series(label: str, unit: str = "", *, default: T = REQUIRED, **options: Unpack[Said]) -> T:
     """A list of numbers (a single number is read as a list of one)."""
-    return _make("series", label, unit, default, **said)
+    return _make("series", label, unit, default, **options)
 
 
-def integers(label: str, *, default: T = REQUIRED, **said: Unpack[Said]) -> T:
-    return _make("integers", label, "", default, **said)
+def integers(label: str, *, default: T = REQUIRED, **options: Unpack[Said]) -> T:
+    return _make("integers", label, "", default, **options)
 
 
-def table(label: str, cls: type, *, default: T = REQUIRED, **said: Unpack[Said]) -> T:
+def table(label: str, cls: type, *, default: T = REQUIRED, **options: Unpack[Said]) -> T:
     """A sub-table, itself an Inputs class."""
-    return _make("table", label, "", default, table=cls, **said)
+    return _make("table", label, "", default, table=cls, **options)
 
 
-def tables(label: str, cls: type, *, default: T = REQUIRED, **said: Unpack[Said]) -> T:
+def tables(label: str, cls: type, *, default: T = REQUIRED, **options: Unpack[Said]) -> T:
     """An array of tables; its elements are addressed by their `name`, else by index."""
-    return _make("tables", label, "", default, table=cls, **said)
+    return _make("tables", label, "", default, table=cls, **options)
 
 
-def reasons(label: str, **said: Unpack[Said]) -> tuple[tuple[str, str], ...]:
+def reasons(label: str, **options: Unpack[Said]) -> tuple[tuple[str, str], ...]:
     """A table whose keys are ids, each with a reason in words; in the Inputs class pairs of both."""
-    return _make("reasons", label, "", (), **said)
+    return _make("reasons", label, "", (), **options)
 
 
-def open_(label: str, *, default: T = REQUIRED, **said: Unpack[Said]) -> T:
+def open_(label: str, *, default: T = REQUIRED, **options: Unpack[Said]) -> T:
     """A list or a table of free form, which the Inputs class itself judges; there it stands as the file has it."""
-    return _make("open", label, "", default, **said)
+    return _make("open", label, "", default, **options)
 
 
 @record
@@ -212,12 +212,12 @@ class Key:
 @cache
 def keys(inputs: type) -> dict[str, Key]:
     """The keys of an Inputs class in their order: file key → Key."""
-    found = {}
+    by_key = {}
     for f in fields(inputs):
         if (about := f.metadata.get("quantity")) is not None:
             key = f.name.rstrip("_") + about.units.suffix  # `from_`: the key may be a word of Python
-            found[key] = Key(key, f.name, about, f)
-    return found
+            by_key[key] = Key(key, f.name, about, f)
+    return by_key
 
 
 def unknown(key: str, known: dict[str, Key]) -> Text:
@@ -302,33 +302,33 @@ def inputs(cls: type[T]) -> type[T]:
 def _shown(cls: type) -> tuple[tuple[str, Described | None, bool, str], ...]:
     """The fields of a class of results that are shown: a value's description, or whether a group is spread and the name
     that it had."""
-    found = []
+    shown = []
     for f in fields(cls):
         about, spread = f.metadata.get("value"), f.metadata.get("group")
         if about is not None or spread is not None:
-            found.append((f.name, about, bool(spread), f.metadata.get("former", "")))
-    return tuple(found)
+            shown.append((f.name, about, bool(spread), f.metadata.get("former", "")))
+    return tuple(shown)
 
 
 def insides(result: object) -> list[float]:
     """All values of a result as the formulas returned them, without their addresses."""
-    found: list[float] = []
-    _gather(result, found)
-    return found
+    numbers: list[float] = []
+    _gather(result, numbers)
+    return numbers
 
 
-def _gather(result: object, found: list[float]) -> None:
+def _gather(result: object, numbers: list[float]) -> None:
     if isinstance(result, dict):
         for part in result.values():
-            _gather(part, found)
+            _gather(part, numbers)
     elif isinstance(result, Stated):
-        found.append(result.number)
+        numbers.append(result.number)
     else:
         kind: type = type(result)
         for name, about, _, _ in _shown(kind):
             content = getattr(result, name)
             if content is not None:
-                found.append(content) if about is not None else _gather(content, found)
+                numbers.append(content) if about is not None else _gather(content, numbers)
 
 
 def published(

@@ -20,13 +20,13 @@ def record(cls: type[T]) -> type[T]:
     cls.__doc__ = (
         cls.__doc__ or cls.__name__
     )  # else the library writes one from the signature, half a millisecond a class
-    made = dataclass(init=False, repr=False, eq=False)(cls)
-    made.__init__ = _init(made.__dataclass_fields__)  # type: ignore[attr-defined, method-assign]
-    made.__setattr__ = made.__delattr__ = _refuse  # type: ignore[method-assign]
-    made.__repr__ = printed.line  # type: ignore[method-assign]
-    if made.__str__ is object.__str__:  # a class may say more of itself
-        made.__str__ = printed.table  # type: ignore[method-assign]
-    return made
+    record_class = dataclass(init=False, repr=False, eq=False)(cls)
+    record_class.__init__ = _init(record_class.__dataclass_fields__)  # type: ignore[attr-defined, method-assign]
+    record_class.__setattr__ = record_class.__delattr__ = _refuse  # type: ignore[method-assign]
+    record_class.__repr__ = printed.line  # type: ignore[method-assign]
+    if record_class.__str__ is object.__str__:  # a class may say more of itself
+        record_class.__str__ = printed.table  # type: ignore[method-assign]
+    return record_class
 
 
 def _init(fields: dict[str, Field[object]]) -> Callable[..., None]:

@@ -60,15 +60,15 @@ def _written(value: object, unit: str) -> Text | Amount:
 
 def remedy(*changes: Change, effect: Text = EMPTY) -> Remedy:
     """All of the changes at once."""
-    words = listed([one.words for one in changes])
+    words = listed([change.words for change in changes])
     if effect:
         words = Text("{change} ({effect})", change=words, effect=effect)
-    return Remedy(tuple((one.key, one.value) for one in changes), effect, words)
+    return Remedy(tuple((change.key, change.value) for change in changes), effect, words)
 
 
 def sentence(remedies: tuple[Remedy, ...]) -> Text:
     """Each of them would do."""
-    return Text("To pass: {ways}.", ways=alternatives([one.words for one in remedies])) if remedies else EMPTY
+    return Text("To pass: {ways}.", ways=alternatives([way.words for way in remedies])) if remedies else EMPTY
 
 
 def by_key(
@@ -111,7 +111,7 @@ def assignment(key: str, value: object) -> str:
     if value is None:
         return f"{key}="
     if isinstance(value, (list, tuple)):
-        return f"{key}=[{', '.join(assignment('', one)[1:] for one in value)}]"
+        return f"{key}=[{', '.join(assignment('', element)[1:] for element in value)}]"
     return f"{key}={json.dumps(value, ensure_ascii=False)}" if isinstance(value, str) else f"{key}={value!r}"
 
 
@@ -123,13 +123,13 @@ def applied(inputs: T, changes: Mapping[str, object], prefix: str = "") -> T:
     """An Inputs record with numbers, words and sub-tables changed, as if its file had been; `prefix`: its own key with
     a dot behind."""
     cls: type = type(inputs)
-    known, made = keys(cls), dict[str, object]()
+    known, changed = keys(cls), dict[str, object]()
     for key, value in changes.items():
         head, _, rest = key.removeprefix(prefix).partition(".")
-        one = known[head]
-        here = made.get(one.attribute, getattr(inputs, one.attribute))
+        entry = known[head]
+        here = changed.get(entry.attribute, getattr(inputs, entry.attribute))
         if rest:
-            made[one.attribute] = applied(here, {rest: value})
+            changed[entry.attribute] = applied(here, {rest: value})
         else:
-            made[one.attribute] = one.about.units.inside(value) if isinstance(value, (int, float)) else value
-    return replace(inputs, **made)  # type: ignore[type-var]
+            changed[entry.attribute] = entry.about.units.inside(value) if isinstance(value, (int, float)) else value
+    return replace(inputs, **changed)  # type: ignore[type-var]

@@ -32,13 +32,13 @@ DUST = 1e-9  # of the limit: a margin that is negative by rounding only
 
 # --- candidates
 # ------------------------------------------------------------------------------------------------------------
-def multiples(step: float, low: float, high: float, own: Iterable[float] = ()) -> Array:
+def multiples(step: float, low: float, high: float, extra: Iterable[float] = ()) -> Array:
     """Whole multiples of a step from `low` to `high`, in order; shape (n,).
 
     `own` numbers stand in the place of a multiple that they equal but for rounding, else between them.
     """
     steps: Array = np.multiply(np.arange(math.ceil(low / step - 1e-6), math.floor(high / step + 1e-6) + 1), step)
-    given = list(own)
+    given = list(extra)
     for number in given:
         steps = steps[np.abs(steps - number) > step * 1e-5]
     return np.sort(np.append(steps, given)) if given else steps
@@ -109,13 +109,13 @@ def judged(
 
 def least(limits: Iterable[Judged]) -> Array:
     """The least margin of all limits, candidate by candidate."""
-    margin: Array = np.min(np.array([one.margin for one in limits]), axis=0)
+    margin: Array = np.min(np.array([limit.margin for limit in limits]), axis=0)
     return margin
 
 
 def governing(limits: Iterable[Judged], index: int) -> Judged:
     """The limit with the least margin of one candidate."""
-    return min(limits, key=lambda one: float(one.margin[index]))
+    return min(limits, key=lambda limit: float(limit.margin[index]))
 
 
 def first(kept: BoolArray, *wanted: Array) -> tuple[np.intp, ...] | None:
@@ -211,11 +211,11 @@ def first_good(
     tried = list(candidates)[:most]
     for n, candidate in enumerate(tried):
         tell(progress, n / len(tried), what)
-        one = evaluate(candidate)
-        if one.result is None:
-            best = best if best.result is not None else one
-        elif best.result is None or one.rank < best.rank:
-            best = one
+        trial = evaluate(candidate)
+        if trial.result is None:
+            best = best if best.result is not None else trial
+        elif best.result is None or trial.rank < best.rank:
+            best = trial
         if best.result is not None and best.rank == 0:
             break
     return best
@@ -245,6 +245,6 @@ def least_whole(evaluate: Callable[[int], R | None], low: int, high: int) -> R |
     best = evaluate(high) if high >= low else None
     while best is not None and low < high:
         middle = (low + high) // 2
-        one = evaluate(middle)
-        best, low, high = (best, middle + 1, high) if one is None else (one, low, middle)
+        result = evaluate(middle)
+        best, low, high = (best, middle + 1, high) if result is None else (result, low, middle)
     return best

@@ -37,8 +37,8 @@ class Step:
     def heads(self, values: Mapping[str, Published]) -> list[Published]:
         """The values that stand for the step, of those that there are; what is 0 stands for nothing where another is
         not."""
-        found = [values[id] for id in self.headlines if id in values]
-        return [value for value in found if value.shown] or found
+        present = [values[id] for id in self.headlines if id in values]
+        return [value for value in present if value.shown] or present
 
 
 def axis_label(label: str, unit: str) -> Text:
@@ -252,16 +252,16 @@ class Solved(Protocol):
 def accepted(outcomes: Iterable[Outcome[object]], reasons: tuple[tuple[str, str], ...]) -> dict[str, Outcome[object]]:
     """The outcomes by their keys, with the checks that the user accepts by id and reason; what there is to say of an
     entry is a note."""
-    found = {outcome.key: outcome for outcome in outcomes}
+    by_key = {outcome.key: outcome for outcome in outcomes}
     if not reasons:
-        return found
-    solved = [key for key, outcome in found.items() if outcome.state == "solved"]
+        return by_key
+    solved = [key for key, outcome in by_key.items() if outcome.state == "solved"]
     for key in solved:
         # with the first of them what is of no step, or of one without checks
         others = (id for id, _ in reasons if key == solved[0] and id.partition(".")[0] not in solved)
         mine = {id: reason for id, reason in reasons if id.startswith(f"{key}.")} | dict.fromkeys(others, "")
-        found[key] = _accepted(found[key], mine) if mine else found[key]
-    return found
+        by_key[key] = _accepted(by_key[key], mine) if mine else by_key[key]
+    return by_key
 
 
 def _accepted(outcome: Outcome[R], reasons: dict[str, str]) -> Outcome[R]:

@@ -101,13 +101,13 @@ class Text(str):
 WITHOUT_PARTS: dict[str, Text] = {}  # the Texts without parts by their templates: most are asked for again and again
 
 
-def _text(cls: type[T], template: str, parts: Mapping[str, Part], one: str = "", number: float = 0) -> T:
-    form = one if one and number == 1 else template
+def _text(cls: type[T], template: str, parts: Mapping[str, Part], singular: str = "", number: float = 0) -> T:
+    form = singular if singular and number == 1 else template
     if parts:
         form = form.format_map({name: part if isinstance(part, str) else english(part) for name, part in parts.items()})
-    made = str.__new__(cls, form)
-    made.template, made.parts, made.one, made.number = template, parts, one, number
-    return made
+    text = str.__new__(cls, form)
+    text.template, text.parts, text.one, text.number = template, parts, singular, number
+    return text
 
 
 def english(part: Part) -> str:
@@ -119,9 +119,9 @@ def english(part: Part) -> str:
     return str(part).replace("-", "−") if isinstance(part, int) else str(part)
 
 
-def plural(one: str, many: str, /, n: float, **parts: Part) -> Text:
+def plural(singular: str, many: str, /, n: float, **parts: Part) -> Text:
     """A Text that depends on a count: `plural("{n} warning", "{n} warnings", n=43)`."""
-    return _text(Text, many, {"n": n, **parts}, one, n)
+    return _text(Text, many, {"n": n, **parts}, singular, n)
 
 
 class Name(Text):
@@ -139,9 +139,9 @@ class Small(Text):
     __slots__ = ()
 
     def __new__(cls, label: Text) -> "Small":
-        made = str.__new__(cls, label[:1].lower() + label[1:])
-        made.template, made.parts, made.one, made.number = label.template, label.parts, label.one, label.number
-        return made
+        small = str.__new__(cls, label[:1].lower() + label[1:])
+        small.template, small.parts, small.one, small.number = label.template, label.parts, label.one, label.number
+        return small
 
     def __reduce__(self) -> tuple[object, ...]:
         return Small, (_text(Text, self.template, self.parts, self.one, self.number),)

@@ -190,8 +190,8 @@ def joined_links(links: Iterable[Link | None]) -> Link | None:
     parts: dict[Line | str, None] = {}
     for link in links:
         if isinstance(link, tuple):
-            for one in link:
-                parts[one] = None
+            for part in link:
+                parts[part] = None
         elif link is not None:
             parts[link] = None
     return tuple(parts) if len(parts) > 1 else next(iter(parts), None)
@@ -226,7 +226,7 @@ def based_on(x: T, *sources: object) -> T:
         getattr(number, "parts", None) is not None
     ):  # an array: element by element, where all that it was made of knows its elements
         parts = [getattr(source, "parts", ()) for source in sources if link_of(source) is not None]
-        if parts and all(len(one) == len(x) for one in parts):  # type: ignore[arg-type]
+        if parts and all(len(part) == len(x) for part in parts):  # type: ignore[arg-type]
             number.parts = tuple(map(joined_links, zip(*parts)))  # type: ignore[attr-defined]
     return number
 
@@ -241,12 +241,12 @@ def converged(formula: Equation, x: T, last: Callable[[T], R], closes: Callable[
     if lines is None:
         return last(x)
     entering = Entering()
-    own = Line(formula, {"from": entering}, x, subject.get())
-    lines.append(own)
+    line = Line(formula, {"from": entering}, x, subject.get())
+    lines.append(line)
     start = len(lines)
-    result = last(linked(x, own))
+    result = last(linked(x, line))
     inside, outside = set(lines[start:]), dict[Line | str, None]()
-    waiting, seen = [*leaves(link_of(closes(result)))], {own}
+    waiting, seen = [*leaves(link_of(closes(result)))], {line}
     while waiting:
         leaf = waiting.pop()
         if leaf not in inside:
@@ -259,7 +259,7 @@ def converged(formula: Equation, x: T, last: Callable[[T], R], closes: Callable[
                     waiting += link
                 elif link is not None:
                     waiting.append(link)  # type: ignore[arg-type]
-    outside.pop(own, None)
+    outside.pop(line, None)
     entering.link = tuple(outside)
     return result
 

@@ -61,8 +61,8 @@ class InputDifference:
 def inputs(a: Table, b: Table) -> list[InputDifference]:
     """The keys that differ between the tables of two design files: the steps in their order, then what only names or
     explains."""
-    found = list(_keys(Design, a, b, ""))
-    return sorted(found, key=lambda d: LAST.index(d.step) + 1 if d.step in LAST else 0)
+    differences = list(_keys(Design, a, b, ""))
+    return sorted(differences, key=lambda d: LAST.index(d.step) + 1 if d.step in LAST else 0)
 
 
 def _keys(cls: type, a: Table, b: Table, prefix: str, within: str = "") -> Iterator[InputDifference]:
@@ -74,10 +74,10 @@ def _keys(cls: type, a: Table, b: Table, prefix: str, within: str = "") -> Itera
         if about.kind == "tables":
             yield from _elements(about, as_list(mine), as_list(theirs), here, within)
         elif about.kind == "reasons":
-            one, other = as_table(mine), as_table(theirs)
-            for id in one | other:
-                if one.get(id) != other.get(id):
-                    yield InputDifference(f"{here}.{id}", about.label, "", one.get(id), other.get(id))
+            first, other = as_table(mine), as_table(theirs)
+            for id in first | other:
+                if first.get(id) != other.get(id):
+                    yield InputDifference(f"{here}.{id}", about.label, "", first.get(id), other.get(id))
         elif about.kind == "table" and mine is not None and theirs is not None:
             assert about.table is not None
             yield from _keys(about.table, as_table(mine), as_table(theirs), f"{here}.", within)
@@ -103,14 +103,14 @@ def _elements(about: Quantity, a: list[object], b: list[object], here: str, with
         return
     mine, theirs = _named(a), _named(b)
     for name in united(mine, theirs):
-        one, other = mine.get(name), theirs.get(name)
-        if one is not None and other is not None:
+        first, other = mine.get(name), theirs.get(name)
+        if first is not None and other is not None:
             yield from _keys(
-                about.table, one, other, f"{here}.{name}.", _called(one) if _called(one) == _called(other) else ""
+                about.table, first, other, f"{here}.{name}.", _called(first) if _called(first) == _called(other) else ""
             )
         else:
             yield InputDifference(
-                f"{here}.{name}", Text("{label}: {name}", label=about.label, name=name), "", one, other, within
+                f"{here}.{name}", Text("{label}: {name}", label=about.label, name=name), "", first, other, within
             )
 
 
@@ -257,9 +257,9 @@ class KeyResult:
 
     @property
     def either(self) -> Published:
-        one = self.b or self.a
-        assert one is not None
-        return one
+        published = self.b or self.a
+        assert published is not None
+        return published
 
     @property
     def better(self) -> bool | None:
@@ -318,8 +318,8 @@ class Comparison:
     @property
     def only_accepted(self) -> bool:
         """The verdict as a whole differs by what is accepted alone."""
-        one, other = (worst(v.unaccepted for v in some) for some in zip(*((v.a, v.b) for v in self.verdicts)))
-        return self.whole[0] != self.whole[1] and one == other
+        first, other = (worst(v.unaccepted for v in some) for some in zip(*((v.a, v.b) for v in self.verdicts)))
+        return self.whole[0] != self.whole[1] and first == other
 
 
 def compare(a: Table, b: Table, results_a: "Results", results_b: "Results", same: float = SAME) -> Comparison:
@@ -353,7 +353,7 @@ def _judged(results: "Results", step: str) -> Judged:
 
 
 def _checks(a: "Results", b: "Results", same: float) -> list[CheckDifference]:
-    found: list[CheckDifference] = []
+    differences: list[CheckDifference] = []
     for step in STEPS:
         checks = [results.outcomes[step.key].checks for results in (a, b)]
         mine, theirs = ({c.id: c for c in each} for each in checks)
@@ -361,13 +361,13 @@ def _checks(a: "Results", b: "Results", same: float) -> list[CheckDifference]:
         floors = size_of_nothing((c.unit, x) for c in either for x in (c.value, *_limits(c)))
         differ = []
         for id in united(mine, theirs):
-            one, other = mine.get(id), theirs.get(id)
-            verdicts = ["" if c is None else judged(c, each) for c, each in zip((one, other), checks)]
-            size = math.inf if one is None or other is None else _between(one, other, floors[one.unit])
-            if size > same or verdicts[0] != verdicts[1] or (one and other and _kind(one) != _kind(other)):
-                differ.append(CheckDifference(id, one, other, size, *verdicts))
-        found += sorted(differ, key=lambda d: (not d.moved, not d.both, -d.relative if d.both else not d.worse))
-    return found
+            first, other = mine.get(id), theirs.get(id)
+            verdicts = ["" if c is None else judged(c, each) for c, each in zip((first, other), checks)]
+            size = math.inf if first is None or other is None else _between(first, other, floors[first.unit])
+            if size > same or verdicts[0] != verdicts[1] or (first and other and _kind(first) != _kind(other)):
+                differ.append(CheckDifference(id, first, other, size, *verdicts))
+        differences += sorted(differ, key=lambda d: (not d.moved, not d.both, -d.relative if d.both else not d.worse))
+    return differences
 
 
 def _kind(check: Check) -> tuple[str, str, str]:
@@ -385,27 +385,27 @@ def _between(a: Check, b: Check, floor: float) -> float:
 
 
 def _values(a: "Results", b: "Results", same: float) -> list[ValueDifference]:
-    found: list[ValueDifference] = []
+    differences: list[ValueDifference] = []
     for step in STEPS:
         mine, theirs = ({v.id: v for v in results.outcomes[step.key].values()} for results in (a, b))
         floors = size_of_nothing((v.unit, v.shown) for v in (*mine.values(), *theirs.values()))
         differ = []
         for id in united(mine, theirs):
-            one, other = mine.get(id), theirs.get(id)
-            either = other or one
+            first, other = mine.get(id), theirs.get(id)
+            either = other or first
             assert either is not None
-            if one is None or other is None:
-                there = (one.shown if one else None, other.shown if other else None)
+            if first is None or other is None:
+                there = (first.shown if first else None, other.shown if other else None)
                 differ.append(ValueDifference(id, either.label, either.unit, *there, math.inf))
                 continue
-            if _is_phase(id, one.unit):
-                size = _turned(one, other, mine, theirs, floors)
+            if _is_phase(id, first.unit):
+                size = _turned(first, other, mine, theirs, floors)
             else:
-                size = relative(one.shown, other.shown, floors[one.unit])
-            if size > same or one.unit != other.unit:
-                differ.append(ValueDifference(id, other.label, other.unit, one.shown, other.shown, size))
-        found += sorted(differ, key=lambda d: (not d.both, -d.relative if d.both else 0.0))
-    return found
+                size = relative(first.shown, other.shown, floors[first.unit])
+            if size > same or first.unit != other.unit:
+                differ.append(ValueDifference(id, other.label, other.unit, first.shown, other.shown, size))
+        differences += sorted(differ, key=lambda d: (not d.both, -d.relative if d.both else 0.0))
+    return differences
 
 
 def _key_results(a: "Results", b: "Results") -> Iterator[KeyResult]:
@@ -415,14 +415,14 @@ def _key_results(a: "Results", b: "Results") -> Iterator[KeyResult]:
     }
     ours, others = key_results(mine), key_results(theirs)
     for pattern in ours | others:
-        one, other = ours.get(pattern), others.get(pattern)
+        first, other = ours.get(pattern), others.get(pattern)
         floor = floors[pattern.partition(".")[0]]
         size = (
-            relative(one.shown, other.shown, floor.get(one.unit, 0.0))
-            if one is not None and other is not None
+            relative(first.shown, other.shown, floor.get(first.unit, 0.0))
+            if first is not None and other is not None
             else math.inf
         )
-        yield KeyResult(one, other, is_least(pattern), size)
+        yield KeyResult(first, other, is_least(pattern), size)
 
 
 def _is_phase(id: str, unit: str) -> bool:
@@ -446,11 +446,11 @@ def turn(a: float, b: float) -> float:
 
 def size_of_nothing(numbers: Iterable[tuple[str, float]]) -> dict[str, float]:
     """By unit, the size up to which a number is nothing.  Numbers without a unit have nothing in common."""
-    found: dict[str, float] = {}
+    floors: dict[str, float] = {}
     for unit, number in numbers:
         size = abs(number) * NOTHING if unit and math.isfinite(number) else 0.0
-        found[unit] = max(found.get(unit, 0.0), size)
-    return found
+        floors[unit] = max(floors.get(unit, 0.0), size)
+    return floors
 
 
 def relative(a: float, b: float, floor: float = 0.0) -> float:

@@ -35,13 +35,15 @@ Sign = Callable[[str], str]  # how a verdict is written
 
 # --- inputs
 # -----------------------------------------------------------------------------------------------------------------
-def input_table(found: Sequence[InputDifference], names: Names, *, ids: bool = True, full: bool = False) -> Table:
+def input_table(differences: Sequence[InputDifference], names: Names, *, ids: bool = True, full: bool = False) -> Table:
     """`ids`: by their keys, which say the unit too, else by their labels.  `full`: tables that only one design has are
     written out."""
     if ids:
-        by_key = tuple((d.key, *input_texts(d, full=full)) for d in found)
+        by_key = tuple((d.key, *input_texts(d, full=full)) for d in differences)
         return Table("inputs", Text("Inputs that differ"), columns((Text("Key"), ""), names), by_key)
-    rows = tuple((named(d.key, d.label, step=True, within=d.within), *input_texts(d, full=full), d.unit) for d in found)
+    rows = tuple(
+        (named(d.key, d.label, step=True, within=d.within), *input_texts(d, full=full), d.unit) for d in differences
+    )
     return Table("inputs", Text("Inputs that differ"), columns((Text("Input"), ""), names, (Text("Unit"), "")), rows)
 
 
@@ -103,11 +105,11 @@ def judged_text(judged: Judged, sign: Sign) -> Text:
 
 
 def check_table(
-    found: Sequence[CheckDifference], names: Names, sign: Sign, *, ids: bool = True, margins: bool = True
+    differences: Sequence[CheckDifference], names: Names, sign: Sign, *, ids: bool = True, margins: bool = True
 ) -> Table:
     """`ids`: checks by their ids, else by their names."""
     rows = []
-    for d in found:
+    for d in differences:
         beside = [check.margin_text() if check else "" for check in (d.a, d.b)] if margins else []
         rows.append((*check_row(d, sign, ids=ids), *beside))
     heads = [(Text("Margin, {name}", name=name), "") for name in names] if margins else []
@@ -146,10 +148,12 @@ def limit_text(d: CheckDifference) -> Text:
 
 # --- values
 # -----------------------------------------------------------------------------------------------------------------
-def value_table(step: str, title: Text, found: Sequence[ValueDifference], names: Names, *, ids: bool = True) -> Table:
+def value_table(
+    step: str, title: Text, differences: Sequence[ValueDifference], names: Names, *, ids: bool = True
+) -> Table:
     """The values of one step; `ids`: by their ids with the labels last, else by their labels."""
     rows = []
-    for d in found:
+    for d in differences:
         cells = (*pair(d.a, d.b), d.unit, change_text(d))
         rows.append((d.id, *cells, d.label) if ids else (named(d.id, d.label), *cells))
     head = columns((Text("Value"), ""), names, (Text("Unit"), ""), (Text("Change"), ""))
@@ -198,28 +202,28 @@ ACCEPTED, NOT_ACCEPTED = Text("accepted"), Text("no longer accepted")
 WAYS = (WORSE, NEW, NOT_ACCEPTED, BETTER, ACCEPTED, GONE)  # in the order in which they are read
 
 
-def sentences(found: Comparison, names: Names, sign: Sign) -> list[Text]:
+def sentences(comparison: Comparison, names: Names, sign: Sign) -> list[Text]:
     """The conclusion in a few sentences; `names`: of the two designs."""
-    both = [d for d in found.checks_moved if _hard(d)]
-    lone = [d for d in found.checks_lone if _hard(d)]
-    made = [_whole(found, names, sign)]
-    if found.steps_moved:
+    both = [d for d in comparison.checks_moved if _hard(d)]
+    lone = [d for d in comparison.checks_lone if _hard(d)]
+    texts = [_whole(comparison, names, sign)]
+    if comparison.steps_moved:
         steps = [
             Text("{step} {before} → {after}", step=v.title, before=sign(v.a.verdict), after=sign(v.b.verdict))
-            for v in found.steps_moved
+            for v in comparison.steps_moved
         ]
-        made.append(Text("Steps: {moves}.", moves=COMMA.join(steps)))
+        texts.append(Text("Steps: {moves}.", moves=COMMA.join(steps)))
     if not both:
-        made.append(Text("No limit and no caution changes its verdict."))
+        texts.append(Text("No limit and no caution changes its verdict."))
     if some := [d for d in both if _way(d) == WORSE]:
-        made.append(Text("Limits and cautions to the worse: {moves}.", moves=_moves(some, sign)))
+        texts.append(Text("Limits and cautions to the worse: {moves}.", moves=_moves(some, sign)))
     if some := [d for d in both if _way(d) == BETTER]:
-        made.append(Text("Limits and cautions to the better: {moves}.", moves=_moves(some, sign)))
+        texts.append(Text("Limits and cautions to the better: {moves}.", moves=_moves(some, sign)))
     if some := [d for d in both if d.accepted]:
-        made.append(Text("Accepted in one of them only: {moves}.", moves=_moves(some, sign)))
+        texts.append(Text("Accepted in one of them only: {moves}.", moves=_moves(some, sign)))
     for name, some in zip(names, ([d for d in lone if d.b is None], [d for d in lone if d.a is None])):
         if some:
-            made.append(
+            texts.append(
                 plural(
                     "Only in {name}: {n} limit or caution that does not pass.",
                     "Only in {name}: {n} limits or cautions that do not pass.",
@@ -227,23 +231,25 @@ def sentences(found: Comparison, names: Names, sign: Sign) -> list[Text]:
                     name=name,
                 )
             )
-    if found.unusual[0] and found.unusual[0] == found.unusual[1]:
-        made.append(Text("In both {inputs}.", inputs=found.unusual[0]))
+    if comparison.unusual[0] and comparison.unusual[0] == comparison.unusual[1]:
+        texts.append(Text("In both {inputs}.", inputs=comparison.unusual[0]))
     else:
-        made += [Text("In {name} {inputs}.", name=name, inputs=odd) for name, odd in zip(names, found.unusual) if odd]
-    ways = Counter(result.better for result in found.results if result.a is not None and result.b is not None)
+        texts += [
+            Text("In {name} {inputs}.", name=name, inputs=odd) for name, odd in zip(names, comparison.unusual) if odd
+        ]
+    ways = Counter(result.better for result in comparison.results if result.a is not None and result.b is not None)
     if ways:
         counts = dict(better=ways[True], worse=ways[False], same=ways[None], share=Amount(NOTABLE * 100, "%"))
-        made.append(Text("Key results: {better} better, {worse} worse, {same} the same within {share}.", **counts))
-    return made
+        texts.append(Text("Key results: {better} better, {worse} worse, {same} the same within {share}.", **counts))
+    return texts
 
 
-def _whole(found: Comparison, names: Names, sign: Sign) -> Text:
-    before, after = found.whole
+def _whole(comparison: Comparison, names: Names, sign: Sign) -> Text:
+    before, after = comparison.whole
     if before == after:
         return Text("{a} → {b}: the whole stays {verdict}.", a=names[0], b=names[1], verdict=sign(before))
     parts = dict(a=names[0], b=names[1], before=sign(before), after=sign(after))
-    if found.only_accepted:
+    if comparison.only_accepted:
         return Text("{a} → {b}: the whole goes from {before} to {after}, by what is accepted.", **parts)
     if ORDER.index(after) > ORDER.index(before):
         return Text("{a} → {b}: the whole goes from {before} to {after}, to the worse.", **parts)
@@ -267,20 +273,20 @@ def _moves(some: Sequence[CheckDifference], sign: Sign) -> Text:
 
 # --- the two tables
 # ---------------------------------------------------------------------------------------------------------
-def moved(found: Comparison) -> list[CheckDifference]:
+def moved(comparison: Comparison) -> list[CheckDifference]:
     """The limits and cautions whose verdict moved, what got worse first, and those of one design only that do not
     pass."""
-    return sorted((d for d in (*found.checks_moved, *found.checks_lone) if _hard(d)), key=_urgency)
+    return sorted((d for d in (*comparison.checks_moved, *comparison.checks_lone) if _hard(d)), key=_urgency)
 
 
-def differing(found: Comparison) -> list[KeyResult]:
+def differing(comparison: Comparison) -> list[KeyResult]:
     """The key results that differ, or that one design does not have."""
-    return [result for result in found.results if not _same(result)]
+    return [result for result in comparison.results if not _same(result)]
 
 
-def moved_table(found: Comparison, names: Names, sign: Sign, most: int = 0) -> Table:
+def moved_table(comparison: Comparison, names: Names, sign: Sign, most: int = 0) -> Table:
     """What moved; `most`: of it, the others as a number; 0: all."""
-    rows = moved(found)
+    rows = moved(comparison)
     shown = rows[:most] if most else rows
     left = len(rows) - len(shown)
     note = plural("{n} more limit or caution moved.", "{n} more limits or cautions moved.", n=left) if left else EMPTY
@@ -307,10 +313,10 @@ def _way(d: CheckDifference) -> Text:
     return NEW if d.a is None else GONE
 
 
-def result_table(found: Comparison, names: Names) -> Table:
+def result_table(comparison: Comparison, names: Names) -> Table:
     """The key results that differ, each of the part where it is worst; which are the same stands below."""
-    rows = tuple(map(_row, differing(found)))
-    same = [in_context(r.either.label, r.either.id) for r in found.results if _same(r)]
+    rows = tuple(map(_row, differing(comparison)))
+    same = [in_context(r.either.label, r.either.id) for r in comparison.results if _same(r)]
     note = Text("The same in both: {names}.", names=COMMA.join(same)) if same else EMPTY
     head = columns((Text("Key result"), ""), names, (Text("Unit"), ""), (Text("Change"), ""), (EMPTY, ""))
     return Table("key_results", Text("Key results"), head, rows, note)

@@ -22,10 +22,10 @@ def shaft(results: Results) -> tuple[Primitive, ...]:
     """The side view of the counter-shaft as lines; nothing where its outline is not known."""
     from ..draw.shaft_outline import shaft_drawing
 
-    asked, found = results.design.countershaft, results.result(CountershaftResult)
-    if asked is None or found is None or found.outline is None:
+    asked, solved = results.design.countershaft, results.result(CountershaftResult)
+    if asked is None or solved is None or solved.outline is None:
         return ()
-    return shaft_drawing(found.outline, asked.bearing_positions)
+    return shaft_drawing(solved.outline, asked.bearing_positions)
 
 
 def sheets(results: Results, say: Say = str, data: Mapping[str, object] | None = None) -> list[WorkshopSheet]:
@@ -35,8 +35,8 @@ def sheets(results: Results, say: Say = str, data: Mapping[str, object] | None =
     """
     if results.design.countershaft is None:
         return wheel_sheets(results, say, data)
-    made = shaft_sheet(results, say, data)
-    return [] if made is None else [made]
+    sheet = shaft_sheet(results, say, data)
+    return [] if sheet is None else [sheet]
 
 
 def wheels(results: Results) -> Table | None:
@@ -59,15 +59,15 @@ def wheels(results: Results) -> Table | None:
 
 def train(results: Results) -> tuple[Primitive, ...]:
     """The wheels of a simple train as circles in a row, each with its name; nothing where a wheel drives two others."""
-    found = results.result(TrainResult)
-    if found is None or len({mesh.driver for mesh in found.meshes.values()}) < len(found.meshes):
+    solved = results.result(TrainResult)
+    if solved is None or len({mesh.driver for mesh in solved.meshes.values()}) < len(solved.meshes):
         return ()
     places: dict[str, float] = {}
-    for mesh in found.meshes.values():
+    for mesh in solved.meshes.values():
         places[mesh.driven] = places.setdefault(mesh.driver, 0.0) + mesh.centre_distance
     drawn: list[Primitive] = []
     for name, x in places.items():
-        radius = found.wheels[name].tip_diameter / 2
+        radius = solved.wheels[name].tip_diameter / 2
         drawn += [Arc("OUTLINE", (x, 0.0), radius, 0.0, 2 * pi), Arc("AXIS", (x, 0.0), radius / 12, 0.0, 2 * pi)]
         drawn.append(Words("TEXT", (x, -radius), Name(name), radius / 4))
     return tuple(drawn)

@@ -41,8 +41,8 @@ def origin(results: Results, value_id: str) -> str | None:
 
 def needs(line: Line) -> tuple[list[Line], list[str]]:
     """The lines and the inputs that the arguments of a line come from."""
-    found = dict.fromkeys(leaf for argument in line.arguments.values() for leaf in leaves(link_of(argument)))
-    return [leaf for leaf in found if isinstance(leaf, Line)], [leaf for leaf in found if isinstance(leaf, str)]
+    sources = dict.fromkeys(leaf for argument in line.arguments.values() for leaf in leaves(link_of(argument)))
+    return [leaf for leaf in sources if isinstance(leaf, Line)], [leaf for leaf in sources if isinstance(leaf, str)]
 
 
 class Chains:
@@ -77,19 +77,19 @@ class Chains:
     def of_check(self, check: Check) -> tuple[list[Link], list[str]]:
         """The chain of the number that a check judges, published or not, and the inputs that it is taken from straight
         away."""
-        found = self.judged(check)
-        return self._links([leaf for leaf in found if isinstance(leaf, Line)]), [
-            leaf for leaf in found if isinstance(leaf, str)
+        sources = self.judged(check)
+        return self._links([leaf for leaf in sources if isinstance(leaf, Line)]), [
+            leaf for leaf in sources if isinstance(leaf, str)
         ]
 
     def judged(self, check: Check) -> tuple[Line | str, ...]:
         """The lines that gave the number which a check judges, and the inputs that it was taken from."""
-        known = next((one for one in self.results.checks() if one.id == check.id), check)
+        known = next((candidate for candidate in self.results.checks() if candidate.id == check.id), check)
         return leaves(link_of(known.value))
 
     def asked(self, check: Check) -> tuple[Line | str, ...]:
         """The same of the limit that it is held against; nothing where the limit stands for itself."""
-        known = next((one for one in self.results.checks() if one.id == check.id), check)
+        known = next((candidate for candidate in self.results.checks() if candidate.id == check.id), check)
         of_value = self.values[check.limit_id].inside if check.limit_id in self.values else None
         ends = known.limit if isinstance(known.limit, tuple) else (known.limit,)
         return leaves(joined_links(map(link_of, ends))) or leaves(link_of(of_value))
@@ -136,8 +136,8 @@ def _columns(inputs: object, prefix: str = "") -> Iterator[list[tuple[str, str]]
         elif key.about.kind == "tables" and content:
             for part in keys_of(_class(content[0])).values():
                 yield [
-                    (f"{here}.{getattr(one, 'name', i)}.{part.key}", f"{here}.*.{part.key}")
-                    for i, one in enumerate(content)
+                    (f"{here}.{getattr(element, 'name', i)}.{part.key}", f"{here}.*.{part.key}")
+                    for i, element in enumerate(content)
                 ]
 
 
@@ -192,11 +192,11 @@ Moved = tuple[float, dict[str, Check]] | None
 
 def _keys(check: Check, known: dict[str, Quantity]) -> list[str]:
     """The keys of single inputs: in place of the key of a table those of the numbers in it."""
-    found: dict[str, None] = {}
+    keys: dict[str, None] = {}
     for key in check.moved_by:
-        inside = [one for one in known if one.startswith(f"{key}.") and known[one].kind in KINDS]
-        found |= dict.fromkeys([key] if key in known else inside)
-    return list(found)
+        inside = [inner for inner in known if inner.startswith(f"{key}.") and known[inner].kind in KINDS]
+        keys |= dict.fromkeys([key] if key in known else inside)
+    return list(keys)
 
 
 def _moved(document: Document, results: Results, key: str, about: Quantity, stop: Callable[[], bool]) -> Moved:
@@ -240,6 +240,6 @@ def moved_by(
     if about is None or about.kind not in KINDS or value_at(document.data, key) is None:
         return ()
     moved = _moved(document, results, key, about, stop)
-    found = [(check, _effect(check, key, about, moved)) for check in results.checks()]
-    there = [(check, effect) for check, effect in found if effect.gain]
-    return tuple(sorted(there, key=lambda one: -abs((one[1].gain or 0.0) / (abs(one[0].nearest[0]) or 1.0))))
+    moves = [(check, _effect(check, key, about, moved)) for check in results.checks()]
+    there = [(check, effect) for check, effect in moves if effect.gain]
+    return tuple(sorted(there, key=lambda pair: -abs((pair[1].gain or 0.0) / (abs(pair[0].nearest[0]) or 1.0))))

@@ -105,11 +105,11 @@ def _deviation(theirs: float, ours: float) -> float:
 def rows() -> list[ValidationRow]:
     """Every comparison, kind by kind, case by case."""
     designs, known = _known()
-    found = [row for case in known["case"] for row in _case(case, designs)]
-    found += [row for film in known["film"] for row in _film(film)]
-    found += [_oil(oil) for oil in known["oil"]]
-    found += _raimondi_boyd()
-    return sorted(found, key=lambda row: list(VALIDATION_KINDS).index(row.kind))
+    comparisons = [row for case in known["case"] for row in _case(case, designs)]
+    comparisons += [row for film in known["film"] for row in _film(film)]
+    comparisons += [_oil(oil) for oil in known["oil"]]
+    comparisons += _raimondi_boyd()
+    return sorted(comparisons, key=lambda row: list(VALIDATION_KINDS).index(row.kind))
 
 
 def unmet() -> Iterator[Unmet]:
@@ -118,8 +118,8 @@ def unmet() -> Iterator[Unmet]:
     for case in known["unmet"]:
         values = _solved(_document(case, designs)).values()
         for expect in case["expect"]:
-            found = values[expect["value"]]
-            yield Unmet(case["source"], expect["value"], float(expect["is"]), found.shown, found.unit, case["why"])
+            value = values[expect["value"]]
+            yield Unmet(case["source"], expect["value"], float(expect["is"]), value.shown, value.unit, case["why"])
 
 
 def _known() -> tuple[dict[str, Table], dict[str, list[Case]]]:
@@ -142,8 +142,8 @@ def _case(case: Case, designs: dict[str, Table]) -> Iterator[ValidationRow]:
     for expect in case["expect"]:
         published = float(expect["is"])
         tolerance = max(expect.get("abs", 0.0), abs(published) * expect.get("rel", 0.0))
-        found = values.get(expect["value"])
-        ours = found.shown if found is not None and found.unit == expect.get("unit", "") else float("nan")
+        value = values.get(expect["value"])
+        ours = value.shown if value is not None and value.unit == expect.get("unit", "") else float("nan")
         yield ValidationRow(
             case["kind"], case["source"], expect["value"], published, ours, tolerance, expect.get("unit", "")
         )
@@ -155,9 +155,11 @@ def _film(case: Case) -> Iterator[ValidationRow]:
     ours = film_at(eccentricity_from(S, ratio), ratio)
     for expect in case["expect"]:
         name, published = expect["what"], float(expect["is"])
-        found = getattr(ours, name) / UNITS[expect.get("unit", "")].factor
+        calculated = getattr(ours, name) / UNITS[expect.get("unit", "")].factor
         what, unit = f"{name} at S = {S:g}, l/d = {ratio:g}", expect.get("unit", "")
-        yield ValidationRow(case["kind"], case["source"], what, published, found, abs(published) * expect["rel"], unit)
+        yield ValidationRow(
+            case["kind"], case["source"], what, published, calculated, abs(published) * expect["rel"], unit
+        )
 
 
 def _oil(case: Case) -> ValidationRow:

@@ -200,17 +200,17 @@ def main_numbers(results: "Results") -> tuple[tuple[Text, Text], ...]:
         return Amount(value.shown, value.unit, digits=digits) if value is not None else None
 
     def extreme(which: Callable[[list[float]], float], *names: str) -> Amount | None:
-        found = [value for id, value in values.items() if id.rpartition(".")[2] in names and id.count(".") <= 2]
-        return Amount(which([value.shown for value in found]), found[0].unit, digits=3) if found else None
+        matching = [value for id, value in values.items() if id.rpartition(".")[2] in names and id.count(".") <= 2]
+        return Amount(which([value.shown for value in matching]), matching[0].unit, digits=3) if matching else None
 
-    found: list[tuple[Text, Text | Amount | None]] = []
+    numbers: list[tuple[Text, Text | Amount | None]] = []
     if (balance := _balance(values)) is not None:
-        found.append(balance)
+        numbers.append(balance)
     if (mass := shown("countershaft.mass")) is not None and design.countershaft is not None:
         outer = design.countershaft.outer_radius
         size = Text("{mass}, Ø{diameter}", mass=mass, diameter=Amount(outer * 2e3, "mm", digits=3)) if outer else mass
-        found.append((Text("shaft"), size))
-    found += [
+        numbers.append((Text("shaft"), size))
+    numbers += [
         (Text("slope"), extreme(max, "slope_front", "slope_rear")),
         (Text("first critical speed"), shown("countershaft.first_critical_speed")),
     ]
@@ -219,18 +219,18 @@ def main_numbers(results: "Results") -> tuple[tuple[Text, Text], ...]:
         films = Text(
             "{front} / {rear}", front=Amount(front.shown, digits=3), rear=Amount(rear.shown, rear.unit, digits=3)
         )
-        found.append((Text("films at the edge"), films))
+        numbers.append((Text("films at the edge"), films))
     wheels = [wheel.name for wheel in design.gears.wheels] if design.gears is not None else []
-    found.append((Text("oil leaves with"), extreme(max, "outlet_temperature")))
-    found.append((Text("backlash"), _backlash(values)))
-    found.append((Text("S_H"), extreme(min, "safety_contact")))
-    found.append((Text("S_F"), extreme(min, *(f"safety_bending_{name}" for name in wheels))))
+    numbers.append((Text("oil leaves with"), extreme(max, "outlet_temperature")))
+    numbers.append((Text("backlash"), _backlash(values)))
+    numbers.append((Text("S_H"), extreme(min, "safety_contact")))
+    numbers.append((Text("S_F"), extreme(min, *(f"safety_bending_{name}" for name in wheels))))
     if (loss := shown("friction.total_loss")) is not None:
         rpm = Amount(design.engine.rated_speed * 60, "rpm", form=".0f") if design.engine is not None else None
-        found.append((Text("loss"), Text("{loss} at {speed}", loss=loss, speed=rpm) if rpm is not None else loss))
+        numbers.append((Text("loss"), Text("{loss} at {speed}", loss=loss, speed=rpm) if rpm is not None else loss))
     return tuple(
         (word, value if isinstance(value, Text) else Text("{value}", value=value))
-        for word, value in found
+        for word, value in numbers
         if value is not None
     )
 
@@ -333,11 +333,11 @@ class Tally:
     @property
     def words(self) -> tuple[tuple[str, Text], ...]:
         """`1 limit fails`, `2 cautions`, each with its state; then how many steps are ready."""
-        found = [
+        counts = [
             (state, plural(words.one, words.template, n=n)) for state, words in KINDS if (n := getattr(self, state))
         ]
         steps = Text("ready") if self.ready == self.of else Text("ready {n} of {count}", n=self.ready, count=self.of)
-        return (*found, ("ready" if self.ready == self.of else "todo", steps))
+        return (*counts, ("ready" if self.ready == self.of else "todo", steps))
 
 
 def tally(states: Sequence[StepState], results: "Results | None") -> Tally:

@@ -62,17 +62,17 @@ def chapter_parts(context: Context, number: int, step: Step, outcome: Outcome[ob
 
 def finding_blocks(context: Context, outcome: Outcome[object]) -> list[Block]:
     """How the step came out, and what is open or accepted, one line a cause, the worst first."""
-    said = f"{verdict(context.words, outcome.verdict)}: {counted(context, outcome.checks)}."
-    told = paragraph(context.say(outcome.reason), BODY, gap=2.0, keep=True) if outcome.reason else []
-    made = told + paragraph(said, BODY, gap=1.0, keep=True) if outcome.state == "solved" else []
+    summary = f"{verdict(context.words, outcome.verdict)}: {counted(context, outcome.checks)}."
+    reason = paragraph(context.say(outcome.reason), BODY, gap=2.0, keep=True) if outcome.reason else []
+    blocks = reason + paragraph(summary, BODY, gap=1.0, keep=True) if outcome.state == "solved" else []
     rows: list[Row] = []
     for group in grouped(outcome.checks):
-        found = [check for check in group if check.verdict != "pass"]
-        if found:
-            worst, more = found[0], len(found) - 1
+        findings = [check for check in group if check.verdict != "pass"]
+        if findings:
+            worst, more = findings[0], len(findings) - 1
             name = name_of(context, worst) + (f" ({context.text('more_twins', count=more)})" if more else "")
             rows.append(_row(context, worst, name))
-    return made + (table(_columns(context, outcome.checks), rows) if rows else [])
+    return blocks + (table(_columns(context, outcome.checks), rows) if rows else [])
 
 
 def kept_blocks(context: Context, checks: list[Check]) -> list[Block]:
@@ -89,10 +89,10 @@ def kept_blocks(context: Context, checks: list[Check]) -> list[Block]:
         if len(group) > 1:
             name += f" ({context.text('more_twins', count=len(group) - 1)})"
         rows.append(_row(context, least, name, _range(context, group)))
-    made = table(_columns(context, hard), rows) if rows else []
-    if made and len(hard) < len(checks):
-        made = noted_below(made, context.text("soft_hold", n=len(checks) - len(hard)))
-    return made
+    blocks = table(_columns(context, hard), rows) if rows else []
+    if blocks and len(hard) < len(checks):
+        blocks = noted_below(blocks, context.text("soft_hold", n=len(checks) - len(hard)))
+    return blocks
 
 
 def _range(context: Context, group: list[Check]) -> str:
@@ -104,8 +104,8 @@ def _range(context: Context, group: list[Check]) -> str:
 
 
 def _row(context: Context, check: Check, name: str, value: str = "") -> Row:
-    found = value or shown_value(context, check), context.say(check.limit_text()), context.say(check.margin_text())
-    return sign_cell(context, context.state(check)), name, *found
+    cells = value or shown_value(context, check), context.say(check.limit_text()), context.say(check.margin_text())
+    return sign_cell(context, context.state(check)), name, *cells
 
 
 def _columns(context: Context, checks: Iterable[Check]) -> tuple[Column, ...]:
@@ -122,14 +122,16 @@ def derivation(context: Context, step: Step, traced: list[Line]) -> list[Block]:
     """The blocks of the formulas of a step."""
     if not traced:
         return []
-    made = paragraph(f"{context.words['substitution']} {context.words['ranges']}", NOTE, gap=1.0, keep=True)
+    blocks = paragraph(f"{context.words['substitution']} {context.words['ranges']}", NOTE, gap=1.0, keep=True)
     labels = {about: Label(*context.say.halves(about)) for about in dict.fromkeys(line.about for line in traced)}
     for about, entries in _runs([(labels[line.about], line) for line in traced]):
         if about:
-            made += heading(about[:1].upper() + about[1:], GROUP, gap=7.0, after=1.0)
+            blocks += heading(about[:1].upper() + about[1:], GROUP, gap=7.0, after=1.0)
         for entry in entries:
-            made += entry_blocks(entry, context.cite(entry.formula.source, step), SIGN, labelled=False, context=context)
-    return made
+            blocks += entry_blocks(
+                entry, context.cite(entry.formula.source, step), SIGN, labelled=False, context=context
+            )
+    return blocks
 
 
 def _runs(traced: list[Labelled]) -> Iterable[tuple[str, list[EquationEntry]]]:

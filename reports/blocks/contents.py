@@ -43,7 +43,7 @@ def contents_blocks(context: Context, entries: list[ContentsEntry], names: list[
 
     `names`: the parts that there may be, in their order.
     """
-    made = on_paper_only(heading(context.words["contents"], SECTION, gap=12.0, after=1.0))
+    blocks = on_paper_only(heading(context.words["contents"], SECTION, gap=12.0, after=1.0))
     parts = {name: run(name, NOTE) for name in names if any(name in entry.parts for entry in entries)}
     share = (PARTS - sum(box.width + NUMBER for box in parts.values())) / max(len(parts), 1)
     columns: dict[str, tuple[float, Box]] = {}
@@ -52,8 +52,8 @@ def contents_blocks(context: Context, entries: list[ContentsEntry], names: list[
         columns[name] = x, box
         x += box.width + NUMBER + share
     rows = [_row(entry, columns) for entry in entries]
-    made += [replace(b, keep=i < len(rows) - 1) for i, b in enumerate(rows)]
-    return made
+    blocks += [replace(b, keep=i < len(rows) - 1) for i, b in enumerate(rows)]
+    return blocks
 
 
 def _row(entry: ContentsEntry, columns: dict[str, tuple[float, Box]]) -> Block:
@@ -89,13 +89,13 @@ ROWS = int((HEIGHT - 50.0) / NOTE.leading)  # of a page, below the heading
 
 def index_blocks(blocks: Iterable[Block]) -> list[Block]:
     """The entries of what these blocks hold, in columns down the page."""
-    found = {name for block in blocks if block.indexed for name in block.indexed.split(BETWEEN)}
-    names = sorted((name for name in found if not name.startswith(SIGN)), key=lambda name: (name.casefold(), name))
-    made = []
+    indexed = {name for block in blocks if block.indexed for name in block.indexed.split(BETWEEN)}
+    names = sorted((name for name in indexed if not name.startswith(SIGN)), key=lambda name: (name.casefold(), name))
+    pages = []
     for start in range(0, len(names), COLUMNS * ROWS):
         some = names[start : start + COLUMNS * ROWS]
-        made.append(_page(some, -(-len(some) // COLUMNS)))
-    return made
+        pages.append(_page(some, -(-len(some) // COLUMNS)))
+    return pages
 
 
 def _page(names: list[str], rows: int) -> Block:
@@ -106,13 +106,13 @@ def _page(names: list[str], rows: int) -> Block:
 
     def entry(pen: Pen, y: float, n: int, name: str) -> None:
         x, base = n // rows * (EACH + GUTTER), y - (n % rows + 0.78) * NOTE.leading
-        found = pen.places.get(name, [])
-        pages = ", ".join(map(str, found[:MOST])) + (" …" if len(found) > MOST else "")
+        page_numbers = pen.places.get(name, [])
+        pages = ", ".join(map(str, page_numbers[:MOST])) + (" …" if len(page_numbers) > MOST else "")
         number = one_line(pages, NOTE, NUMBERS)
         pen.put(one_line(name, NOTE, EACH - NUMBERS - 4.0), x, base)
         pen.put(number, x + EACH - number.width, base)
-        if found:
-            pen.link(x, base - 2.0, EACH, NOTE.leading, f"page-{found[0]}", name)
+        if page_numbers:
+            pen.link(x, base - 2.0, EACH, NOTE.leading, f"page-{page_numbers[0]}", name)
 
     return Block(rows * NOTE.leading, draw)
 
@@ -143,7 +143,7 @@ def source_blocks(context: Context) -> list[Block]:
     publication says."""
     w = context.words
     published: dict[str, _Reference] = {}
-    own: dict[str, None] = {}
+    rules: dict[str, None] = {}
     for source, steps in context.sources.items():
         if not context.audit and source not in context.cited:
             continue
@@ -155,23 +155,23 @@ def source_blocks(context: Context) -> list[Block]:
             of_it.users |= dict.fromkeys(steps)
             of_it.known |= {citation.known: None}
         if stands and not citations:
-            own.setdefault(text)
+            rules.setdefault(text)
     ordered = dict(sorted(published.items(), key=lambda item: (item[0].casefold(), item[0])))
-    if not ordered and not (context.audit and own):
+    if not ordered and not (context.audit and rules):
         return []
-    made = paragraph(w["sources_note"] if context.audit else w["sources_rest"], NOTE, gap=1.0) + _register(
+    blocks = paragraph(w["sources_note"] if context.audit else w["sources_rest"], NOTE, gap=1.0) + _register(
         context, ordered
     )
     if not context.audit:
-        return made
+        return blocks
     for name, of_it in ordered.items():
         if of_it.clauses:
-            made += heading(f"{name} ({', '.join(of_it.users)})", GROUP, gap=5.0, after=0.0)
-            made += [block for clause in _together(of_it.clauses) for block in bullet(clause, NOTE, gap=0.5)]
-    if own:
-        made += heading(w["own"], SECTION, gap=9.0, after=0.0)
-        made += [block for clause in _together(own) for block in bullet(clause, NOTE, gap=0.5)]
-    return made
+            blocks += heading(f"{name} ({', '.join(of_it.users)})", GROUP, gap=5.0, after=0.0)
+            blocks += [block for clause in _together(of_it.clauses) for block in bullet(clause, NOTE, gap=0.5)]
+    if rules:
+        blocks += heading(w["own"], SECTION, gap=9.0, after=0.0)
+        blocks += [block for clause in _together(rules) for block in bullet(clause, NOTE, gap=0.5)]
+    return blocks
 
 
 def _register(context: Context, published: dict[str, _Reference]) -> list[Block]:
@@ -190,16 +190,20 @@ def _register(context: Context, published: dict[str, _Reference]) -> list[Block]
 
 
 def _source_row(context: Context, name: str, of_it: _Reference) -> tuple[Cell, ...]:
-    one = of_it.publication
-    title = f"{context.say(Text(one.title))}{REMEMBERED * one.title_from_memory} ({context.say(Text(one.edition))})"
-    status = f"{context.say(replace(one, status_from_memory=False).status_text)}{REMEMBERED * one.status_from_memory}"
+    publication = of_it.publication
+    title = (
+        f"{context.say(Text(publication.title))}{REMEMBERED * publication.title_from_memory} "
+        f"({context.say(Text(publication.edition))})"
+    )
+    status = context.say(replace(publication, status_from_memory=False).status_text)
+    status += REMEMBERED * publication.status_from_memory
     return Cell(name), Cell(title), Cell(status), Cell(", ".join(map(context.say, of_it.known)))
 
 
 def _together(clauses: dict[str, None]) -> list[str]:
     """One line for all clauses that begin alike, in their order."""
-    found: dict[str, list[str]] = {}
+    by_head: dict[str, list[str]] = {}
     for clause in clauses:
         head, mark, rest = clause.partition(": ")
-        found.setdefault(head, []).extend([rest] if mark else [])
-    return [f"{head}: {' · '.join(rests)}" if rests else head for head, rests in found.items()]
+        by_head.setdefault(head, []).extend([rest] if mark else [])
+    return [f"{head}: {' · '.join(rests)}" if rests else head for head, rests in by_head.items()]

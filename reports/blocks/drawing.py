@@ -113,47 +113,47 @@ def _chords(arc: Arc) -> tuple[Point, ...]:
 BINDING = 6  # limits with the least margins
 
 
-def front_figure(context: Context, one: Picked, plots: Plots) -> list[Block]:
+def front_figure(context: Context, picked: Picked, plots: Plots) -> list[Block]:
     """Where the drive stands on its front, if that is one of power and mass."""
-    if "power" not in one.names or "mass" not in one.names or len(one.line("mass", "power")) <= 1:
+    if "power" not in picked.names or "mass" not in picked.names or len(picked.line("mass", "power")) <= 1:
         return []
     context.figures += 1
-    return figure_blocks([(context.figures, _curve(one))], context.words["figure"], plots)
+    return figure_blocks([(context.figures, _curve(picked))], context.words["figure"], plots)
 
 
-def drive_blocks(context: Context, one: Picked, figure: list[Block]) -> list[Block]:
+def drive_blocks(context: Context, picked: Picked, figure: list[Block]) -> list[Block]:
     """Everything of the chapter below its title."""
     say = context.say
-    proof = proof_of(one.proved, one.combinations, one.done, one.classes)
+    proof = proof_of(picked.proved, picked.combinations, picked.done, picked.classes)
     intro = Text(
         "Drive {n} of {count} that were solved whole; {combinations} combinations were searched. {proof}",
-        n=one.number,
-        count=len(one.rows),
-        combinations=power_of_ten(one.combinations),
+        n=picked.number,
+        count=len(picked.rows),
+        combinations=power_of_ten(picked.combinations),
         proof=proof,
     )
-    made = paragraph(say(intro), BODY)
-    made += heading(say(Text("What was varied")), SECTION, gap=8.5, after=1.0)
-    made += [block for line in ranges(one.sizes, one.choices) for block in bullet(say(line))]
-    made += figure
-    made += table_blocks(context, _said(context, [_neighbours(one), *_costs(one)]))
-    binding = _binding(context, one)
+    blocks = paragraph(say(intro), BODY)
+    blocks += heading(say(Text("What was varied")), SECTION, gap=8.5, after=1.0)
+    blocks += [block for line in ranges(picked.sizes, picked.choices) for block in bullet(say(line))]
+    blocks += figure
+    blocks += table_blocks(context, _said(context, [_neighbours(picked), *_costs(picked)]))
+    binding = _binding(context, picked)
     if binding:
-        made += heading(say(Text("What binds it")), SECTION, gap=8.5, after=1.0)
-        made += check_blocks(context, binding)
-    return made
+        blocks += heading(say(Text("What binds it")), SECTION, gap=8.5, after=1.0)
+        blocks += check_blocks(context, binding)
+    return blocks
 
 
 def _said(context: Context, tables: list[Table]) -> list[Table]:
     from calc.locale.language import in_language
 
-    return [in_language(one, context.say) for one in tables]
+    return [in_language(table, context.say) for table in tables]
 
 
-def _curve(one: Picked) -> Curve:
+def _curve(picked: Picked) -> Curve:
     """The drives that no other beats in power and mass, and where this one stands."""
-    line = one.line("mass", "power")
-    mass, power = (one.mine[one.names.index(name)] for name in ("mass", "power"))
+    line = picked.line("mass", "power")
+    mass, power = (picked.mine[picked.names.index(name)] for name in ("mass", "power"))
     front = Series(Text("no drive is lighter with less power"), line[:, 0], line[:, 1])
     return Curve(
         "drive_front",
@@ -165,21 +165,21 @@ def _curve(one: Picked) -> Curve:
     )
 
 
-def _neighbours(one: Picked) -> Table:
-    columns = ((Text("no."), ""), *((LABELS[name], UNITS[name][0]) for name in one.names))
-    rows = [(float(n), *(float(f"{x:.6g}") for x in one.rows[n - 1])) for n in one.nearest()]
-    note = Text("The drives nearest to number {n}, which is this one.", n=one.number)
+def _neighbours(picked: Picked) -> Table:
+    columns = ((Text("no."), ""), *((LABELS[name], UNITS[name][0]) for name in picked.names))
+    rows = [(float(n), *(float(f"{x:.6g}") for x in picked.rows[n - 1])) for n in picked.nearest()]
+    note = Text("The drives nearest to number {n}, which is this one.", n=picked.number)
     return Table("drive_neighbours", Text("Around it on the front"), columns, tuple(rows), note)
 
 
-def _costs(one: Picked) -> list[Table]:
+def _costs(picked: Picked) -> list[Table]:
     rows: list[tuple[str | float | None, ...]] = [
         (
             Text("{gain} of {wanted}", gain=Amount(gain, UNITS[wanted][0]), wanted=LABELS[wanted]),
             Text("{loss} of {paid}", loss=Amount(loss, UNITS[paid][0]), paid=LABELS[paid]),
             Text("{slope}", slope=Amount(loss / gain, f"{UNITS[paid][0]}/{UNITS[wanted][0]}")),
         )
-        for wanted, gain, paid, loss in one.costs()
+        for wanted, gain, paid, loss in picked.costs()
     ]
     if not rows:
         return []
@@ -191,14 +191,14 @@ def _costs(one: Picked) -> list[Table]:
     return [Table("drive_costs", Text("What each objective costs in another"), columns, tuple(rows), note)]
 
 
-def _binding(context: Context, one: Picked) -> list[Check]:
+def _binding(context: Context, picked: Picked) -> list[Check]:
     """The limits of this drive with the least margins, findings that were limits of the search among them."""
 
     def binds(check: Check) -> bool:
-        asked = any(fnmatchcase(check.id, p) for p in one.limits) and not any(
-            fnmatchcase(check.id, p) for p in one.waived
+        asked = any(fnmatchcase(check.id, p) for p in picked.limits) and not any(
+            fnmatchcase(check.id, p) for p in picked.waived
         )
         return (check.kind == "limit" or asked) and check.verdict != "not_verified" and check.margin == check.margin
 
-    found = [check for check in context.results.checks() if binds(check)]
-    return sorted(found, key=lambda check: check.margin)[:BINDING]
+    checks = [check for check in context.results.checks() if binds(check)]
+    return sorted(checks, key=lambda check: check.margin)[:BINDING]

@@ -96,10 +96,10 @@ def _column(about: Quantity, say: Language) -> Column:
 
 def _left_out(key: Key, say: Language) -> str:
     """The label of a key that is left out, with what the help says about that."""
-    said = LEFT_OUT.split(say(key.about.help))[-1].rstrip(".") if LEFT_OUT.search(key.about.help) else ""
+    explanation = LEFT_OUT.split(say(key.about.help))[-1].rstrip(".") if LEFT_OUT.search(key.about.help) else ""
     label = say(key.about.label)
     label = label if label[1:2].isupper() else label[:1].lower() + label[1:]
-    return f"{label} ({said})" if said else label
+    return f"{label} ({explanation})" if explanation else label
 
 
 def _part_name(part: dict[str, Any], i: int) -> str:
@@ -253,27 +253,31 @@ def input_blocks(context: Context, step: Step) -> list[Block]:
     data = context.document.data.get(step.key)
     if not isinstance(data, dict):
         return []
-    made = _Tables(context)
-    made.plain("", step.inputs, data, step.key)
+    tables = _Tables(context)
+    tables.plain("", step.inputs, data, step.key)
     w = context.words
-    if made.default:
-        made.blocks = noted_below(made.blocks, w["defaults"], gap=3.0)
+    if tables.default:
+        tables.blocks = noted_below(tables.blocks, w["defaults"], gap=3.0)
     if context.audit:
-        made.blocks += remarks(context, step.key)
-    if made.left_out and context.audit:
-        made.blocks += paragraph(context.text("left_out", names="; ".join(dict.fromkeys(made.left_out))), NOTE, gap=1.0)
-    return made.blocks
+        tables.blocks += remarks(context, step.key)
+    if tables.left_out and context.audit:
+        tables.blocks += paragraph(
+            context.text("left_out", names="; ".join(dict.fromkeys(tables.left_out))), NOTE, gap=1.0
+        )
+    return tables.blocks
 
 
 def remarks(context: Context, *tables: str) -> list[Block]:
     """What the author of the design says in the file beside the keys of tables; without an audit only what is
     assumed."""
-    said: dict[str, list[str]] = {}  # a comment → the keys beside which it stands
+    by_comment: dict[str, list[str]] = {}  # a comment → the keys beside which it stands
     for key, words in context.document.remarks.items():
         if key.partition(".")[0] in tables and (context.audit or ASSUMED.match(words)):
-            said.setdefault(words if len(words) <= REMARK else f"{words[:REMARK]}…", []).append(_called(context, key))
-    told = " · ".join(f"{'; '.join(called)} “{words}”" for words, called in said.items())
-    return bullet(context.text("remarks", remarks=told), NOTE, gap=0.7) if said else []
+            by_comment.setdefault(words if len(words) <= REMARK else f"{words[:REMARK]}…", []).append(
+                _called(context, key)
+            )
+    listing = " · ".join(f"{'; '.join(called)} “{words}”" for words, called in by_comment.items())
+    return bullet(context.text("remarks", remarks=listing), NOTE, gap=0.7) if by_comment else []
 
 
 def _called(context: Context, key: str) -> str:
@@ -355,9 +359,11 @@ def _catalogue(context: Context, kind: str, entries: Sequence[Any]) -> list[Bloc
             if known is None:
                 cells.append("–")
             else:
-                said = isinstance(known, str)
+                is_text = isinstance(known, str)
                 cells.append(
-                    context.say(_written(key.about, known)) if said else context.say.number(exact(known, rounded=True))
+                    context.say(_written(key.about, known))
+                    if is_text
+                    else context.say.number(exact(known, rounded=True))
                 )
         rows.append(cells)
     return table(head, rows, gap=6.0)

@@ -168,8 +168,8 @@ def noted_line(context: Context, line: Line) -> str:
         known = context.symbols.get((context.chapter, written))
         if known is not None:
             names.append(known.indexed)
-        elif (told := _origin(context, written, value)) is not None:
-            names.append(_noted(context, written, *told))
+        elif (origin := _origin(context, written, value)) is not None:
+            names.append(_noted(context, written, *origin))
     return BETWEEN.join(filter(None, dict.fromkeys(names)))
 
 
@@ -180,8 +180,8 @@ def _meaning(context: Context, line: Line) -> tuple[str, str]:
         return label, unit
     if (id := context.chains.value_of.get(line)) is not None and context.values[id].symbol == name:
         return context.say(context.values[id].label), unit
-    _, _, told = context.say(line.formula.source).partition(": ")
-    return _short(told) if told else context.say(BY_NAME[line.formula.__name__]), unit
+    _, _, description = context.say(line.formula.source).partition(": ")
+    return _short(description) if description else context.say(BY_NAME[line.formula.__name__]), unit
 
 
 def _short(words: str) -> str:
@@ -194,27 +194,27 @@ def _short(words: str) -> str:
 
 def _origin(context: Context, name: str, value: object) -> tuple[str, str] | None:
     """What an argument is, where it comes from one line or one input."""
-    found = leaves(link_of(value))
-    if len(found) != 1:
+    origins = leaves(link_of(value))
+    if len(origins) != 1:
         return None
-    if isinstance(found[0], Line):
-        return _meaning(context, found[0])
+    if isinstance(origins[0], Line):
+        return _meaning(context, origins[0])
     try:
-        about = quantity_of(context.document.data, found[0])
+        about = quantity_of(context.document.data, origins[0])
     except BadInput:
         return None
-    own = found[0].startswith(f"{context.chapter}.") and about.symbol and symbol(about.symbol) == name
-    if not own and not _same(value, value_at(context.document.data, found[0]), about):
+    own_key = origins[0].startswith(f"{context.chapter}.") and about.symbol and symbol(about.symbol) == name
+    if not own_key and not _same(value, value_at(context.document.data, origins[0]), about):
         return None  # what is made of an input is something else: the tolerance of a diameter
-    return (not own and _labels(context).get((context.chapter, name))) or context.say(about.label), about.unit
+    return (not own_key and _labels(context).get((context.chapter, name))) or context.say(about.label), about.unit
 
 
 def _same(value: object, given: object, about: Quantity) -> bool:
     """Whether an argument is an input as it is given, or one of its numbers; what is left out is not compared."""
     if given is None or isinstance(given, str) or not isinstance(value, (int, float)):
         return True
-    numbers = [one for one in (given if isinstance(given, list) else [given]) if isinstance(one, (int, float))]
-    return any(isclose(value, about.units.inside(one), rel_tol=1e-9) for one in numbers)
+    numbers = [number for number in (given if isinstance(given, list) else [given]) if isinstance(number, (int, float))]
+    return any(isclose(value, about.units.inside(number), rel_tol=1e-9) for number in numbers)
 
 
 def _labels(context: Context) -> dict[tuple[str, str], str]:
@@ -228,39 +228,39 @@ def _labels(context: Context) -> dict[tuple[str, str], str]:
         ]
         for id, name, label in named:
             if name and not label[:1].islower():
-                of, told = (id.partition(".")[0], name), context.say(label)
-                context.labels[of] = _in_common(context.labels.get(of, told), told, id)
+                of, wording = (id.partition(".")[0], name), context.say(label)
+                context.labels[of] = _in_common(context.labels.get(of, wording), wording, id)
     return context.labels
 
 
-def _in_common(one: str, other: str, id: str) -> str:
+def _in_common(label: str, other: str, id: str) -> str:
     """What a symbol is called without the part that it is of, the form factor of each wheel; `id`: of the value that is
     called `other`."""
-    own, words = one.split(), other.split()
-    same = [a for a, b in takewhile(lambda pair: pair[0].strip(",") == pair[1].strip(","), zip(own, words))]
-    if one == other or len(same) == len(words) or words[len(same)].strip(",") not in re.split(r"[._]", id):
-        return one
+    label_words, words = label.split(), other.split()
+    same = [a for a, b in takewhile(lambda pair: pair[0].strip(",") == pair[1].strip(","), zip(label_words, words))]
+    if label == other or len(same) == len(words) or words[len(same)].strip(",") not in re.split(r"[._]", id):
+        return label
     while same and len(same[-1]) <= PREPOSITION:
         del same[-1]
-    return " ".join(same).rstrip(",") if len(same) > 1 else one
+    return " ".join(same).rstrip(",") if len(same) > 1 else label
 
 
 def nomenclature_blocks(context: Context) -> list[Block]:
     """The symbols of each chapter in two columns, row by row."""
-    made = paragraph(context.words["nomenclature_note"], NOTE, gap=1.0) if context.symbols else []
+    blocks = paragraph(context.words["nomenclature_note"], NOTE, gap=1.0) if context.symbols else []
     for number, step, _ in context.steps():
-        own = sorted((one for one in context.symbols.values() if one.chapter == step.key), key=_order)
-        rows = [_Entry(one) for one in own]
+        symbols = sorted((entry for entry in context.symbols.values() if entry.chapter == step.key), key=_order)
+        rows = [_Entry(entry) for entry in symbols]
         if rows:
-            made += heading(f"{number}  {context.say(step.title)}", GROUP, gap=3.0, after=0.0)
-            made += [_row(rows[n : n + COLUMNS]) for n in range(0, len(rows), COLUMNS)]
-    return made
+            blocks += heading(f"{number}  {context.say(step.title)}", GROUP, gap=3.0, after=0.0)
+            blocks += [_row(rows[n : n + COLUMNS]) for n in range(0, len(rows), COLUMNS)]
+    return blocks
 
 
-def _order(one: Symbol) -> tuple[bool, str, str]:
+def _order(entry: Symbol) -> tuple[bool, str, str]:
     """Latin letters before Greek ones, each with its capital."""
-    base = one.name.lstrip("|∠ΔΣ(")
-    return base[:1] > "z", base.casefold(), one.name
+    base = entry.name.lstrip("|∠ΔΣ(")
+    return base[:1] > "z", base.casefold(), entry.name
 
 
 class _Entry:

@@ -105,14 +105,14 @@ def _asked(context: Context, pattern: str) -> bool:
 def demand(context: Context, proof: Proof, known: Known) -> Walk:
     """What the numbers that are judged come from; what another proof derives is quoted from there."""
     check = proof.governing
-    roots = [context.chains.judged(one) for one in proof.checks]
+    roots = [context.chains.judged(twin) for twin in proof.checks]
     most = HELD if check.verdict == "pass" else MOST[check.kind]
     return _walk(context, roots, most, PROVEN.get(pattern_of(check.id), ()), known)
 
 
 def limit(context: Context, proof: Proof, known: Known) -> Walk:
     """What the limits come from; nothing where other proofs derive it."""
-    roots = [context.chains.asked(one) for one in proof.checks]
+    roots = [context.chains.asked(check) for check in proof.checks]
     if all(line in known for root in roots for line in _lines(root)):
         return Walk([], [], [])
     return _walk(context, roots, LIMIT, (), {})
@@ -220,16 +220,20 @@ def _inputs(context: Context, roots: Sequence[tuple[Line | str, ...]], shown: Ma
 def _places(context: Context, shown: Mapping[Line, Index | None], reached: list[Element]) -> dict[Line, Place]:
     """The elements of arrays that are followed, each named by where it lies; `reached`: all that the numbers come
     from."""
-    coordinates = [(one, at) for one, at in reached if at and one.formula.symbol in COORDINATES]
+    coordinates = [(coordinate, at) for coordinate, at in reached if at and coordinate.formula.symbol in COORDINATES]
     places = {}
     for line, index in shown.items():
         shape: Index = getattr(line.value, "shape", ())
         if index is None or prod(shape) < 2:
             continue
-        lies = (one for one, at in coordinates if at == index and getattr(one.value, "shape", ()) == shape)
-        if (one := next(lies, None)) is not None:
-            number, unit = result(one, index)
-            words = f"({one.formula.symbol} = {with_unit(context.say.number(number), unit)})"
+        lies = (
+            coordinate
+            for coordinate, at in coordinates
+            if at == index and getattr(coordinate.value, "shape", ()) == shape
+        )
+        if (coordinate := next(lies, None)) is not None:
+            number, unit = result(coordinate, index)
+            words = f"({coordinate.formula.symbol} = {with_unit(context.say.number(number), unit)})"
         else:
             words = context.say(Text("(place {number} of {size})", number=index[-1] + 1, size=shape[-1]))
         places[line] = Place(index, words)
@@ -249,15 +253,15 @@ STRIPE: Colour = (0.95, 0.95, 0.95)
 
 def proof_blocks(context: Context, number: int, step: Step, outcome: Outcome[object]) -> list[Block]:
     """The proofs of a step, numbered, and what leads to the value that stands for it."""
-    found = proofs(context, outcome.checks)
+    step_proofs = proofs(context, outcome.checks)
     known: Known = {}
-    made: list[Block] = []
-    for n, proof in enumerate(found, 1):
+    blocks: list[Block] = []
+    for n, proof in enumerate(step_proofs, 1):
         walk = demand(context, proof, known)
         held = limit(context, proof, known)
-        made += _proof(context, f"{number}.{n}", step, proof, walk, held)
+        blocks += _proof(context, f"{number}.{n}", step, proof, walk, held)
         known = walk.derived(f"{number}.{n}") | dict.fromkeys(held.lines, f"{number}.{n}") | known
-    return made + _headline(context, step, {check.value_id for proof in found for check in proof.checks}, known)
+    return blocks + _headline(context, step, {check.value_id for proof in step_proofs for check in proof.checks}, known)
 
 
 def _headline(context: Context, step: Step, proven: set[str], known: Known) -> list[Block]:
@@ -266,8 +270,11 @@ def _headline(context: Context, step: Step, proven: set[str], known: Known) -> l
     if head is None or head.id in proven or not head.shown or not (walk := value(context, head.id, known)).entries:
         return []
     title = f"{context.say(head.label)}: {context.written(head.shown, head.unit)}"
-    made = [_title(context, [(Cell(title, STRONG), "", "", "", "")], (0.35, 0.35, 0.35)), *_walked(context, step, walk)]
-    return [*made[:-1], replace(made[-1], keep=False)]
+    blocks = [
+        _title(context, [(Cell(title, STRONG), "", "", "", "")], (0.35, 0.35, 0.35)),
+        *_walked(context, step, walk),
+    ]
+    return [*blocks[:-1], replace(blocks[-1], keep=False)]
 
 
 def _proof(context: Context, number: str, step: Step, proof: Proof, walk: Walk, held: Walk) -> list[Block]:
@@ -275,31 +282,31 @@ def _proof(context: Context, number: str, step: Step, proof: Proof, walk: Walk, 
     for n, check in enumerate(proof.checks):
         name = f"{number}  {name_of(context, check)}" if n == 0 else name_of(context, check)
         state = context.state(check)
-        found = Cell(f"{shown_value(context, check)} · {context.say(check.limit_text())}", STRONG)
+        judgement = Cell(f"{shown_value(context, check)} · {context.say(check.limit_text())}", STRONG)
         rows.append(
             (
                 Cell(name, STRONG),
-                found,
+                judgement,
                 Cell(context.say(check.margin_text()), STRONG),
                 used(context, check),
                 sign_style(context, state),
             )
         )
-    made = [_title(context, rows, STATE_COLOURS[context.state(proof.governing)])]
+    blocks = [_title(context, rows, STATE_COLOURS[context.state(proof.governing)])]
     for check in proof.checks[:1]:
         context.cite(check.source, step)
-        made += _line(context, "limit_is", limit=context.say(check.limit_text()), source=check.source)
-    made += _walked(context, step, held, quoting=False)
+        blocks += _line(context, "limit_is", limit=context.say(check.limit_text()), source=check.source)
+    blocks += _walked(context, step, held, quoting=False)
     if not _reached(proof.governing, walk):
-        made += _line(context, "no_formula")
+        blocks += _line(context, "no_formula")
     if not walk.entries:
         moved = [key for key in proof.governing.moved_by if key not in walk.inputs]
         walk = Walk([], [], [*walk.inputs, *moved])
-    made += _walked(context, step, walk)
-    made += _after(context, proof)
-    last = made[-1]
-    made[-1] = replace(last, keep=False)
-    return made
+    blocks += _walked(context, step, walk)
+    blocks += _after(context, proof)
+    last = blocks[-1]
+    blocks[-1] = replace(last, keep=False)
+    return blocks
 
 
 def _reached(check: Check, walk: Walk) -> bool:
@@ -317,9 +324,9 @@ def _reached(check: Check, walk: Walk) -> bool:
 
 def _after(context: Context, proof: Proof) -> list[Block]:
     """The twins, what the formulas are not made for, and what would mend it."""
-    made: list[Block] = []
+    blocks: list[Block] = []
     if proof.others:
-        told = [
+        twins = [
             Text(
                 "{name} {value} {limit} ({margin})",
                 name=_short(context, check),
@@ -330,9 +337,9 @@ def _after(context: Context, proof: Proof) -> list[Block]:
             for check in proof.others[:NAMED]
         ]
         more = [context.text("more_twins", count=len(proof.others) - NAMED)] if len(proof.others) > NAMED else []
-        made += _line(context, "also_judged", checks="; ".join([*map(context.say, told), *more]))
-    for method in dict.fromkeys(one for check in proof.checks for one in context.outside(check)):
-        made += _line(
+        blocks += _line(context, "also_judged", checks="; ".join([*map(context.say, twins), *more]))
+    for method in dict.fromkeys(method for check in proof.checks for method in context.outside(check)):
+        blocks += _line(
             context,
             "outside_of",
             name=name_of(context, method),
@@ -341,12 +348,12 @@ def _after(context: Context, proof: Proof) -> list[Block]:
         )
     check = proof.governing
     if check.missing:
-        made += _line(context, "not_known", keys=", ".join(check.missing))
+        blocks += _line(context, "not_known", keys=", ".join(check.missing))
     if check.accepted:
-        made += _line(context, "accepted_because", reason=check.accepted)
-    for advice in dict.fromkeys(one.advice for one in proof.checks if one.advice and not one.holds):
-        made += paragraph(context.say(advice), NOTE, x=INDENT, gap=1.2)
-    return made
+        blocks += _line(context, "accepted_because", reason=check.accepted)
+    for advice in dict.fromkeys(twin.advice for twin in proof.checks if twin.advice and not twin.holds):
+        blocks += paragraph(context.say(advice), NOTE, x=INDENT, gap=1.2)
+    return blocks
 
 
 def _short(context: Context, check: Check) -> str:
@@ -394,24 +401,24 @@ def _walked(context: Context, step: Step, walk: Walk, *, quoting: bool = True) -
     """The formulas of a walk, and below them in small type what they take from elsewhere."""
     several = [entry for entry in walk.entries if len(entry.lines) > 1]
     sign = column_of_signs(several) if several else SIGN
-    made: list[Block] = []
+    blocks: list[Block] = []
     for entry in walk.entries:
         source = context.cite(entry.formula.source, step)
-        made += entry_blocks(
+        blocks += entry_blocks(
             entry, source, sign if entry in several else SIGN, labelled=entry in several, context=context, gap=CLOSE
         )
-    if made and quoting and (walk.quoted or walk.inputs):
-        made[-1] = replace(made[-1], keep=True)
-    if context.chapter not in context.ranges and any(map(_ranges, made)):
+    if blocks and quoting and (walk.quoted or walk.inputs):
+        blocks[-1] = replace(blocks[-1], keep=True)
+    if context.chapter not in context.ranges and any(map(_ranges, blocks)):
         context.ranges.add(context.chapter)
-        made += _line(context, "ranges")
+        blocks += _line(context, "ranges")
     if quoting and walk.quoted:
-        made += _listed(context, "with_values", walk.quoted)
+        blocks += _listed(context, "with_values", walk.quoted)
     if quoting and walk.inputs:
-        made += _listed(
+        blocks += _listed(
             context, "from_inputs", [_given(context, key) for key in _together(shortened(walk.inputs, context.design))]
         )
-    return made
+    return blocks
 
 
 def _ranges(block: Block) -> bool:

@@ -50,16 +50,19 @@ def sketch_blocks(context: Context) -> list[Block]:
     boxes = [_box(part) for part in parts]
     wide, high = sum(right - left for left, _, right, _ in boxes), max(top - low for _, low, _, top in boxes)
     scale = min((WIDTH - BETWEEN * (len(parts) - 1)) / wide, HIGH / high)
-    words = NOTE.leading if any(isinstance(one, Words) for part in parts for one in part) else 0.0
+    words = NOTE.leading if any(isinstance(primitive, Words) for part in parts for primitive in part) else 0.0
 
-    names = [context.design.name, *(one.text for part in parts for one in part if isinstance(one, Words))]
+    names = [
+        context.design.name,
+        *(primitive.text for part in parts for primitive in part if isinstance(primitive, Words)),
+    ]
 
     def draw(pen: Pen, y: float) -> None:
         x = 0.0
         for part, (left, low, right, top) in zip(parts, boxes):
             middle = y - scale * high / 2
-            for one in part:
-                _draw(pen, one, scale, x - scale * left, middle - scale * (low + top) / 2)
+            for primitive in part:
+                _draw(pen, primitive, scale, x - scale * left, middle - scale * (low + top) / 2)
             x += scale * (right - left) + BETWEEN
 
     return [Block(scale * high + words + 4.0, draw, gap=8.0, content=Picture(), tag=Tag(FIGURE, alt="; ".join(names)))]
@@ -67,34 +70,34 @@ def sketch_blocks(context: Context) -> list[Block]:
 
 def _side_view(drawn: tuple[Primitive, ...]) -> list[Primitive]:
     """Of the shaft's sheet the lines that lie within the outline of its side view."""
-    lines = [one for one in drawn if isinstance(one, Polyline)]
-    outline = next((one for one in lines if one.layer == "OUTLINE"), None)
+    lines = [line for line in drawn if isinstance(line, Polyline)]
+    outline = next((line for line in lines if line.layer == "OUTLINE"), None)
     if outline is None:
         return []
     reach = max(abs(y) for _, y in outline.points) * 1.4
-    return [one for one in lines if all(abs(y) <= reach for _, y in one.points)]
+    return [line for line in lines if all(abs(y) <= reach for _, y in line.points)]
 
 
 def _box(part: list[Primitive]) -> tuple[float, float, float, float]:
     """Left, lower, right and upper end of what is drawn."""
     points: list[Point] = []
-    for one in part:
-        if isinstance(one, Polyline):
-            points += one.points
-        elif isinstance(one, Arc):
-            (x, y), r = one.centre, one.radius
+    for primitive in part:
+        if isinstance(primitive, Polyline):
+            points += primitive.points
+        elif isinstance(primitive, Arc):
+            (x, y), r = primitive.centre, primitive.radius
             points += [(x - r, y - r), (x + r, y + r)]
     xs, ys = zip(*points)
     return min(xs), min(ys), max(xs), max(ys)
 
 
-def _draw(pen: Pen, one: Primitive, scale: float, x: float, y: float) -> None:
+def _draw(pen: Pen, primitive: Primitive, scale: float, x: float, y: float) -> None:
     """One primitive with the origin of its sheet at this place."""
 
     def at(point: Point) -> tuple[float, float]:
         return LEFT + x + scale * point[0], y + scale * point[1]
 
-    match one:
+    match primitive:
         case Polyline(layer=layer, points=points, closed=closed):
             thick, colour = LINES.get(layer, THIN)
             pen.line(
@@ -119,32 +122,32 @@ def step_anchor(key: str) -> str:
 def summary_blocks(context: Context) -> list[Block]:
     """The head of every report: what is calculated and how it came out."""
     w, results = context.words, context.results
-    made = title_blocks(context)
-    made += _verdict(context)
-    made += _object(context)
-    made += sketch_blocks(context)
+    blocks = title_blocks(context)
+    blocks += _verdict(context)
+    blocks += _object(context)
+    blocks += sketch_blocks(context)
     if rows := _key_results(context):
-        made += heading(w["key_results"], SECTION, gap=9.0, after=0.0)
-        made += paired_table(context, "", rows)
-    made += heading(w["steps"], SECTION, gap=9.0, after=0.0)
-    made += _steps(context)
-    made += paragraph(context.text("kinds", margin=Amount(THIN_MARGIN * 100, "%")), NOTE, gap=2.0)
+        blocks += heading(w["key_results"], SECTION, gap=9.0, after=0.0)
+        blocks += paired_table(context, "", rows)
+    blocks += heading(w["steps"], SECTION, gap=9.0, after=0.0)
+    blocks += _steps(context)
+    blocks += paragraph(context.text("kinds", margin=Amount(THIN_MARGIN * 100, "%")), NOTE, gap=2.0)
     if attention := attention_blocks(context, results.checks()):
-        made += heading(w["attention"], SECTION, gap=9.0, after=0.0)
-        made += attention
-    return made
+        blocks += heading(w["attention"], SECTION, gap=9.0, after=0.0)
+        blocks += attention
+    return blocks
 
 
 def closing_blocks(context: Context, mended: Mended | None, above: list[Block]) -> list[Block]:
     """What stands below that: the nearest design that passes, the record of changes, and where no chapters follow what
     they would say."""
     results = context.results
-    made = above + (_nearest(context, mended) if mended is not None else []) + change_blocks(context)
+    blocks = above + (_nearest(context, mended) if mended is not None else []) + change_blocks(context)
     if context.depth != "summary":  # the proposals stand with their steps
-        return made
+        return blocks
     if errata := sum(len(outcome.errata) for outcome in results.outcomes.values()):
-        made += paragraph(context.text("errata_count", n=errata), NOTE, gap=6.0)
-    return made + _proposals(context, made)
+        blocks += paragraph(context.text("errata_count", n=errata), NOTE, gap=6.0)
+    return blocks + _proposals(context, blocks)
 
 
 def _object(context: Context) -> list[Block]:
@@ -187,20 +190,20 @@ def mended(context: Context) -> Mended | None:
         return None
     from calc.studies.repair.nearest import nearest
 
-    found = nearest(context.document, results, tries=0)
-    return Mended(found.words, found.passes, tuple((one.name, one.why) for one in found.left[:3]))
+    repair = nearest(context.document, results, tries=0)
+    return Mended(repair.words, repair.passes, tuple((unmended.name, unmended.why) for unmended in repair.left[:3]))
 
 
-def _nearest(context: Context, found: Mended) -> list[Block]:
+def _nearest(context: Context, nearest: Mended) -> list[Block]:
     """The nearest design that passes, with all that it changes."""
-    made = heading(context.words["nearest_title"], SECTION, gap=9.0, after=0.0)
-    if found.changes:
-        made += paragraph(
-            context.text("nearest_passes" if found.passes else "nearest_part", changes=found.changes), CELL, gap=1.0
+    blocks = heading(context.words["nearest_title"], SECTION, gap=9.0, after=0.0)
+    if nearest.changes:
+        blocks += paragraph(
+            context.text("nearest_passes" if nearest.passes else "nearest_part", changes=nearest.changes), CELL, gap=1.0
         )
-    for name, why in found.left:
-        made += paragraph(context.text("nearest_left", name=name, why=why), CELL, gap=1.0)
-    return made if found.changes or found.left else []
+    for name, why in nearest.left:
+        blocks += paragraph(context.text("nearest_left", name=name, why=why), CELL, gap=1.0)
+    return blocks if nearest.changes or nearest.left else []
 
 
 def _proposals(context: Context, above: list[Block]) -> list[Block]:
@@ -209,12 +212,12 @@ def _proposals(context: Context, above: list[Block]) -> list[Block]:
     proposals = [proposal for _, _, outcome in context.steps() for proposal in outcome.proposals]
     pages = len(paginate(above))
     for count in range(len(proposals), 0, -1):
-        made = heading(w["proposals"], SECTION, gap=9.0, after=0.0)
-        made += [block for proposal in proposals[:count] for block in bullet(proposal, CELL)]
+        blocks = heading(w["proposals"], SECTION, gap=9.0, after=0.0)
+        blocks += [block for proposal in proposals[:count] for block in bullet(proposal, CELL)]
         if count < len(proposals):
-            made += paragraph(context.text("more_proposals", count=len(proposals) - count), NOTE, gap=1.0)
-        if len(paginate(above + made)) == pages:
-            return made
+            blocks += paragraph(context.text("more_proposals", count=len(proposals) - count), NOTE, gap=1.0)
+        if len(paginate(above + blocks)) == pages:
+            return blocks
     return []
 
 
@@ -271,13 +274,13 @@ def _steps(context: Context) -> list[Block]:
             )
             rows.append((title, sign_cell(context, state), Cell(words, NOTE), "", "", ""))
             continue
-        found = (
+        cells = (
             name_of(context, worst),
             shown_value(context, worst),
             context.say(worst.limit_text()),
             context.say(worst.margin_text()),
         )
-        rows.append((title, sign_cell(context, state), *found))
+        rows.append((title, sign_cell(context, state), *cells))
     columns = (
         Column(w["step"], width=84.0),
         Column(w["verdict"], width=60.0),

@@ -34,20 +34,20 @@ FRAME, LINE = (0.2, 0.2, 0.2), (0.62, 0.62, 0.62)
 def title_blocks(context: Context) -> list[Block]:
     w, design = context.words, context.design
     control = design.control
-    made = _heading(context)
+    blocks = _heading(context)
     if design.note:
-        made += paragraph(design.note, BODY, gap=2.0, most=NOTE_LINES)
+        blocks += paragraph(design.note, BODY, gap=2.0, most=NOTE_LINES)
     facts = [(w[key], getattr(control, key)) for key in ("number", "revision", "project", "customer", "company")]
     facts = [(label, value) for label, value in facts if value]
     facts += [(w["file"], f"{context.sha256[:SHORT_HASH]}…"), (w["program"], PROGRAM)]
-    made += [_facts(facts), _signatures(context)]
-    made += on_paper_only(
+    blocks += [_facts(facts), _signatures(context)]
+    blocks += on_paper_only(
         paragraph(w["attached"] if context.depth == "summary" else f"{w['attached']} {w['in_si']}", NOTE, gap=2.0)
     )
-    said = (design.name, design.note, *control.words())
-    if not all(map(writable, said)) and not any(MISSING in s for s in said):
-        made += on_paper_only(paragraph(w["missing_glyphs"], NOTE, gap=0.0))
-    return made
+    texts = (design.name, design.note, *control.words())
+    if not all(map(writable, texts)) and not any(MISSING in s for s in texts):
+        blocks += on_paper_only(paragraph(w["missing_glyphs"], NOTE, gap=0.0))
+    return blocks
 
 
 def change_blocks(context: Context) -> list[Block]:
@@ -79,9 +79,9 @@ def _heading(context: Context) -> list[Block]:
             with pen.tagged(Tag(FIGURE, alt=logo.name)):
                 pen.figure(lambda: canvas.drawImage(logo.image, *place, mask="auto"))
 
-    said = Heading(context.design.name, 0)
+    content = Heading(context.design.name, 0)
     tag = title_tag(TITLE.size)
-    return [Block(height, draw, keep=True, anchor="summary", outline=(0, w["summary"]), content=said, tag=tag)]
+    return [Block(height, draw, keep=True, anchor="summary", outline=(0, w["summary"]), content=content, tag=tag)]
 
 
 def _facts(facts: list[tuple[str, str]]) -> Block:
@@ -117,7 +117,7 @@ def _signatures(context: Context) -> Block:
     w = context.words
     ends = (*SIGN_AT[1:], WIDTH)
     heads = ["", w["name"], w["date"], w["signature"]]
-    rows = [(w[key], one.name, one.date, "") for key, one in context.design.control.signatures()]
+    rows = [(w[key], signer.name, signer.date, "") for key, signer in context.design.control.signatures()]
     head = NOTE.leading + 1.0
     whole = Tag("Table")
     height = head + SIGN * len(rows)
@@ -138,8 +138,8 @@ def _signatures(context: Context) -> Block:
             _upright(pen, x, y, height)
         _frame(pen, y, height, top_line=False)
 
-    said = Rows([Column(words) for words in heads], rows, [b - a for a, b in zip(SIGN_AT, ends)])
-    return Block(height, draw, keep=True, content=said, tag=whole)
+    content = Rows([Column(words) for words in heads], rows, [b - a for a, b in zip(SIGN_AT, ends)])
+    return Block(height, draw, keep=True, content=content, tag=whole)
 
 
 def _upright(pen: Pen, x: float, top: float, height: float) -> None:

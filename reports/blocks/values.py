@@ -47,16 +47,16 @@ def value_blocks(context: Context, outcome: Outcome[object], values: Iterable[Pu
         parts.setdefault(prefix, _Part(prefix, ", ".join(context.belongs(value.id)))).values[name] = value
     nothing = [p for p in parts.values() if p.zero and p.prefix and not context.audit]
     zero = [p.name for p in nothing]
-    made: list[Block] = []
+    blocks: list[Block] = []
     for cluster in _clusters(p for p in parts.values() if p not in nothing):
         if len(cluster) == 1:
-            made += _single(context, cluster[0])
+            blocks += _single(context, cluster[0])
         else:
             for start in range(0, len(cluster), ACROSS):
-                made += _beside(context, cluster[start : start + ACROSS], zero)
+                blocks += _beside(context, cluster[start : start + ACROSS], zero)
     if zero:
-        made = noted_below(made, context.text("zero_values", names=" · ".join(dict.fromkeys(zero))), gap=3.0)
-    return made
+        blocks = noted_below(blocks, context.text("zero_values", names=" · ".join(dict.fromkeys(zero))), gap=3.0)
+    return blocks
 
 
 def _clusters(parts: Iterable[_Part]) -> list[list[_Part]]:
@@ -153,7 +153,7 @@ def _beside(context: Context, parts: list[_Part], zero: list[str]) -> list[Block
 # --------------------------------------------------------------------------------------------------
 def table_blocks(context: Context, tables: Iterable[Table]) -> list[Block]:
     """What belongs side by side: numbers to the right, words to the left; a note in small type below."""
-    made: list[Block] = []
+    blocks: list[Block] = []
     for shown in tables:
         rows = [[_shown(cell, context) for cell in row] for row in shown.rows]
         columns = [_headed(context, shown, i, _one_line) for i in range(len(shown.columns))]
@@ -169,10 +169,10 @@ def table_blocks(context: Context, tables: Iterable[Table]) -> list[Block]:
             # A table of numbers alone ends with its last column.
             width = min(WIDTH, sum(w or 0.0 for w in fixed) + GAP * (len(some) - 1) + 0.01) if all(fixed) else WIDTH
             cells = [[row[i] for i in some] for row in rows] or [[Cell()] * len(some)]
-            made += named_table(title, [columns[i] for i in some], cells, width=width)
+            blocks += named_table(title, [columns[i] for i in some], cells, width=width)
         if shown.note:
-            made = noted_below(made, shown.note)
-    return made
+            blocks = noted_below(blocks, shown.note)
+    return blocks
 
 
 def _shown(cell: str | float | None, context: Context) -> Cell:
@@ -219,12 +219,12 @@ def _fitting(columns: list[Column]) -> list[list[int]]:
     if not columns:
         return []
     wide = [column.width or LEAST_WORDS for column in columns]
-    found = parts = _filled(wide, WIDTH)
+    division = parts = _filled(wide, WIDTH)
     room = WIDTH
-    while len(parts) == len(found) > 1 and room > WIDTH / 2:
-        found, room = parts, room - 10.0
+    while len(parts) == len(division) > 1 and room > WIDTH / 2:
+        division, room = parts, room - 10.0
         parts = _filled(wide, room)
-    return found
+    return division
 
 
 def _filled(wide: list[float], room: float) -> list[list[int]]:

@@ -170,9 +170,9 @@ class _Writer:
     def line(self, style: str, within: Any = None) -> Any:
         """A new paragraph; its style is set by its id, which python-docx else looks up in ten times the time that all
         the rest takes."""
-        made = (within or self.file).add_paragraph()
-        made._p.style = self.styles[style]
-        return made
+        paragraph = (within or self.file).add_paragraph()
+        paragraph._p.style = self.styles[style]
+        return paragraph
 
     def picture(self, png: bytes, captions: tuple[str, ...]) -> None:
         shape = self.file.add_picture(io.BytesIO(png), width=Pt(WIDTH))
@@ -215,32 +215,32 @@ class _Writer:
             for n in range(max(map(len, full)))
             if any(_says(row[n]) for row in full) or (columns and columns[n].header)
         ]
-        made = self.file.add_table(rows=0, cols=len(used), style="Table Grid")
+        table = self.file.add_table(rows=0, cols=len(used), style="Table Grid")
         if any(column.header for column in columns):
-            row = made.add_row()
+            row = table.add_row()
             row._tr.get_or_add_trPr().append(OxmlElement("w:tblHeader"))
             for cell, n in zip(row.cells, used):
                 self.cell(cell, Cell(columns[n].header, HEADER), columns[n])
         for given in body:
-            cells = made.add_row().cells
+            cells = table.add_row().cells
             if isinstance(given, Group):
                 self.cell(cells[0].merge(cells[-1]), Cell(given.words, HEADER), Column())
                 continue
             for place, n in zip(cells, used):
-                one = given[n]
-                self.cell(place, Cell(one) if isinstance(one, str) else one, columns[n] if columns else Column())
-        self.spread(made, [widths[n] + PAD for n in used] if widths else [1.0] * len(used))
+                entry = given[n]
+                self.cell(place, Cell(entry) if isinstance(entry, str) else entry, columns[n] if columns else Column())
+        self.spread(table, [widths[n] + PAD for n in used] if widths else [1.0] * len(used))
         self.line(SOURCE)  # two tables that touch would become one
 
-    def spread(self, made: Any, shares: Sequence[float]) -> None:
+    def spread(self, table: Any, shares: Sequence[float]) -> None:
         """Columns as wide as on paper, the table as wide as the text."""
-        made.autofit = False
-        made._tbl.tblPr.insert_element_before(
+        table.autofit = False
+        table._tbl.tblPr.insert_element_before(
             parse_xml(CELLS), "w:tblLook"
         )  # in the order of the schema, which Word asks for
-        for column, share in zip(made.columns, shares):
+        for column, share in zip(table.columns, shares):
             column.width = Pt(WIDTH * share / sum(shares))
-        for row in made.rows:
+        for row in table.rows:
             for place, share in zip(row._tr.tc_lst, shares):
                 if place.grid_span == 1:
                     place.width = Pt(WIDTH * share / sum(shares))

@@ -50,13 +50,13 @@ def symbol(name: str) -> str:
     """A symbol with its indices."""
     if len(name) > 2 and name[0] == name[-1] == "|":
         return brackets(symbol(name[1:-1]), "|", "|")
-    made = ""
+    markup = ""
     for letters, below, above in symbol_parts(name):
         base = run(letters, upright=not letters.isalpha() or all(c in UPRIGHT_LETTERS for c in letters))
-        made += scripts(
+        markup += scripts(
             base, words(below) if below else "", words(above) if above else ""
         )  # no operators, if they are signs
-    return made
+    return markup
 
 
 def scripts(base: str, below: str, above: str) -> str:
@@ -71,8 +71,8 @@ def scripts(base: str, below: str, above: str) -> str:
 # ------------------------------------------------------------------------------------------------------------------
 def tree(of: Expr, outer: float = 0.0) -> str:
     """A tree, in brackets where what stands around it (`outer`) binds more strongly."""
-    rank, made = _ranked(of, outer)
-    return brackets(made) if rank < outer else made
+    rank, markup = _ranked(of, outer)
+    return brackets(markup) if rank < outer else markup
 
 
 def brackets(inside: str, left: str = "(", right: str = ")") -> str:

@@ -48,14 +48,14 @@ def arrows(curve: Curve) -> list[Arrow]:
     lengths = [abs(p) for chain in curve.turning for p in chain.phasors if isfinite(p)]
     least = LEAST * max(lengths, default=0.0)
     numbers: dict[str, int] = {}
-    found: dict[tuple[str, complex, complex], Arrow] = {}
+    by_vector: dict[tuple[str, complex, complex], Arrow] = {}
     for chain in curve.turning:
         points = chain.at(0.0)
         for name, tail, tip in zip(chain.names, points, points[1:]):
             if isfinite(tail) and isfinite(tip) and abs(tip - tail) > 0.0 and abs(tip - tail) >= least:
                 number = numbers.setdefault(name, len(numbers) + 1)
-                found.setdefault((name, tail, tip), Arrow(number, name, tail, tip, chain.variant))
-    return list(found.values())
+                by_vector.setdefault((name, tail, tip), Arrow(number, name, tail, tip, chain.variant))
+    return list(by_vector.values())
 
 
 def head(tail: Point, tip: Point) -> tuple[Point, list[Point]]:

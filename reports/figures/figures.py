@@ -168,13 +168,13 @@ def _apart(number: int, curve: Curve) -> list[tuple[str, Curve]]:
     """A curve with its number; two variants of many lines are the figures a and b, where like lines look alike."""
     if curve.equal or curve.bars or len(curve.variants) != 2 or len(curve.series) <= CROWDED:
         return [(str(number), curve)]
-    made = []
+    curves = []
     for letter, variant in zip("ab", curve.variants):
-        own = tuple(replace(s, variant=EMPTY) for s in curve.series if s.variant in ("", variant))
-        made.append(
-            (f"{number}{letter}", replace(curve, title=COMMA.join((curve.title, variant)), series=own, variants=()))
+        series = tuple(replace(s, variant=EMPTY) for s in curve.series if s.variant in ("", variant))
+        curves.append(
+            (f"{number}{letter}", replace(curve, title=COMMA.join((curve.title, variant)), series=series, variants=()))
         )
-    return made
+    return curves
 
 
 def _alone(two: list[tuple[str, Curve]], wide: bool) -> bool:

@@ -80,7 +80,7 @@ class Label:
 def placed(labels: list[Label], pieces: Any, frame: Extent) -> list[tuple[Box, Point, bool]]:
     """The words with their places, and whether no line is under them."""
     taken: list[Extent] = []
-    made = []
+    places = []
     for label in labels:
         best: tuple[float, Extent, bool] | None = None
         for cost, box in _places(label.box(), frame):
@@ -93,24 +93,24 @@ def placed(labels: list[Label], pieces: Any, frame: Extent) -> list[tuple[Box, P
                 best = cost + CROSSED_LABEL * bool(across), box, not across
         _, box, clear = best or (0.0, label.box(), False)
         taken.append(box)
-        made.append((label.words, (box[0], box[1] + DOWN * SIZE), clear))
-    return made
+        places.append((label.words, (box[0], box[1] + DOWN * SIZE), clear))
+    return places
 
 
 def _places(box: Extent, frame: Extent) -> list[tuple[float, Extent]]:
     """Places for words with what they cost, the cheapest first, all within the frame."""
-    made = []
+    places = []
     for ring in range(STEPS + 1):
         for x, y in WAYS if ring else ((0.0, 0.0),):
             dx, dy = ring * STEP * x * (1.6 if ring else 1.0), ring * STEP * y
             dx = min(max(dx, frame[0] - box[0]), frame[2] - box[2])
             dy = min(max(dy, frame[1] - box[1]), frame[3] - box[3])
-            made.append((FAR_LABEL * ring, (box[0] + dx, box[1] + dy, box[2] + dx, box[3] + dy)))
-    return made
+            places.append((FAR_LABEL * ring, (box[0] + dx, box[1] + dy, box[2] + dx, box[3] + dy)))
+    return places
 
 
-def meet(one: Extent, other: Extent) -> bool:
-    return one[0] < other[2] + 1.5 and other[0] < one[2] + 1.5 and one[1] < other[3] and other[1] < one[3]
+def meet(box: Extent, other: Extent) -> bool:
+    return box[0] < other[2] + 1.5 and other[0] < box[2] + 1.5 and box[1] < other[3] and other[1] < box[3]
 
 
 def crossed(box: Extent, pieces: Any) -> bool:

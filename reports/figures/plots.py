@@ -96,14 +96,14 @@ def series_label(curve: Curve, series: Series) -> str:
 def in_words(curve: Curve, plots: Plots) -> str:
     """What a figure shows, for whoever can not see it: its axes, every line with the least and the greatest of its
     values, the limits."""
-    said = [f"{curve.x_label}; {curve.y_label}"]
-    said += [f"{load.label} {plots.short(load.size)} {curve.load_unit}" for load in curve.loads]
+    phrases = [f"{curve.x_label}; {curve.y_label}"]
+    phrases += [f"{load.label} {plots.short(load.size)} {curve.load_unit}" for load in curve.loads]
     for series in curve.series:
         seen = numbers(series.y)
         seen = seen[np.isfinite(seen)]
         reach = f"{plots.short(float(seen.min()))} … {plots.short(float(seen.max()))}" if seen.size else "–"
-        said.append(": ".join(filter(None, (series_label(curve, series), reach))))
-    return "; ".join([*said, *(f"{label} {plots.short(value)}" for label, value in limits(curve))])
+        phrases.append(": ".join(filter(None, (series_label(curve, series), reach))))
+    return "; ".join([*phrases, *(f"{label} {plots.short(value)}" for label, value in limits(curve))])
 
 
 def limit_words(curve: Curve, plots: Plots) -> list[str]:
@@ -160,13 +160,13 @@ class Plots:
     def axes(self, width: float, height: float, curve: Curve, right: float = RIGHT_AXIS) -> Any:
         """Empty axes for a figure of this size and kind."""
         kind = (width, height, right, curve.equal, curve.bars)
-        if (found := self.made.get(kind)) is None:
-            found = self.made[kind] = _new_axes(*kind)
-        for old in [*found.lines, *found.patches, *found.collections]:
+        if (axes := self.made.get(kind)) is None:
+            axes = self.made[kind] = _new_axes(*kind)
+        for old in [*axes.lines, *axes.patches, *axes.collections]:
             old.remove()
-        found.dataLim.set_points(np.array([[np.inf, np.inf], [-np.inf, -np.inf]]))
-        found.autoscale(True)
-        return found
+        axes.dataLim.set_points(np.array([[np.inf, np.inf], [-np.inf, -np.inf]]))
+        axes.autoscale(True)
+        return axes
 
 
 def _new_axes(width: float, height: float, right: float, equal: bool, bars: bool) -> Any:
@@ -355,11 +355,13 @@ def hatching(i: int, x: float, y: float, width: float, height: float) -> list[li
     """The diagonals across the i-th kind of bar, in points: none for the first four."""
     if i < len(BARS):
         return []
-    made = []
+    diagonals = []
     for n in range(1, int((width + height) / HATCH) + 1):
         c = n * HATCH - height  # the diagonal meets the lower edge's line at x + c
-        made.append([(x + max(c, 0.0), y + max(-c, 0.0)), (x + min(c + height, width), y + min(height, width - c))])
-    return made
+        diagonals.append(
+            [(x + max(c, 0.0), y + max(-c, 0.0)), (x + min(c + height, width), y + min(height, width - c))]
+        )
+    return diagonals
 
 
 def _letter(plots: Plots, frame: Recorder, axes: Any, curve: Curve, look: Look) -> None:

@@ -65,27 +65,27 @@ class LineRenderer(RendererBase):
     def _path(self, path: Path, transform: Any, *, simplify: bool) -> str:
         clean = path.cleaned(transform=transform, remove_nans=True, simplify=simplify)
         points, codes = np.asarray(clean.vertices).tolist(), np.asarray(clean.codes).tolist()
-        made: list[str] = []
+        operators: list[str] = []
         i = 0
         while i < len(codes):
             x, y = points[i]
             match codes[i]:
                 case Path.MOVETO:
-                    made.append(f"{x:.2f} {y:.2f} m")
+                    operators.append(f"{x:.2f} {y:.2f} m")
                 case Path.LINETO:
-                    made.append(f"{x:.2f} {y:.2f} l")
+                    operators.append(f"{x:.2f} {y:.2f} l")
                 case Path.CURVE3:  # as the cubic with the same shape
                     (a, b), (c, d), (e, f) = points[i - 1], points[i], points[i + 1]
                     cubic = (a + 2 * c) / 3, (b + 2 * d) / 3, (e + 2 * c) / 3, (f + 2 * d) / 3, e, f
-                    made.append(" ".join(f"{v:.2f}" for v in cubic) + " c")
+                    operators.append(" ".join(f"{v:.2f}" for v in cubic) + " c")
                     i += 1
                 case Path.CURVE4:
-                    made.append(" ".join(f"{v:.2f}" for p in points[i : i + 3] for v in p) + " c")
+                    operators.append(" ".join(f"{v:.2f}" for p in points[i : i + 3] for v in p) + " c")
                     i += 2
                 case Path.CLOSEPOLY:
-                    made.append("h")
+                    operators.append("h")
             i += 1
-        return " ".join(made)
+        return " ".join(operators)
 
     def draw_image(self, gc: GraphicsContextBase, x: float, y: float, im: Any, transform: Any = None) -> None:
         raise NotImplementedError("the report's figures are lines")

@@ -73,13 +73,13 @@ def sketch_figure(context: Context, step: Step, outcome: Outcome[object]) -> lis
         return []
     results = context.original or context.results
     sketch: Sketch = import_module(f"calc.{step.key}.sketch").sketch(context.design, results)
-    parts = [one for one in (sketch, *sketch.beside) if one.primitives]
+    parts = [part for part in (sketch, *sketch.beside) if part.primitives]
     if not parts:
         return []
     context.figures += 1
     caption = f"{context.words['figure']} {context.figures}. {context.say(step.title)}"
     notes = "; ".join(map(context.say, sketch.notes))
-    return [_rows([_Picture(one, context.say) for one in parts], caption + (f" ({notes})" if notes else ""))]
+    return [_rows([_Picture(part, context.say) for part in parts], caption + (f" ({notes})" if notes else ""))]
 
 
 class _Row:
@@ -89,16 +89,18 @@ class _Row:
         self.pictures = pictures
         room = WIDTH - BETWEEN * (len(pictures) - 1)
         low, high = 10.0, HIGH
-        if sum(one.width(high) for one in pictures) > room:
+        if sum(picture.width(high) for picture in pictures) > room:
             for _ in range(12):
                 middle = (low + high) / 2
-                low, high = (middle, high) if sum(one.width(middle) for one in pictures) <= room else (low, middle)
+                low, high = (
+                    (middle, high) if sum(picture.width(middle) for picture in pictures) <= room else (low, middle)
+                )
             high = low
-        self.scales = [one.scale(high) for one in pictures]
-        self.widths = [one.width(high) for one in pictures]
+        self.scales = [picture.scale(high) for picture in pictures]
+        self.widths = [picture.width(high) for picture in pictures]
         self.apart = BETWEEN + (room - sum(self.widths)) / len(pictures)
-        self.titled = NOTE.leading + 2.0 if any(one.title for one in pictures) else 0.0
-        self.drawn = max(one.height(scale) for one, scale in zip(pictures, self.scales))
+        self.titled = NOTE.leading + 2.0 if any(picture.title for picture in pictures) else 0.0
+        self.drawn = max(picture.height(scale) for picture, scale in zip(pictures, self.scales))
 
     @property
     def height(self) -> float:
@@ -106,11 +108,11 @@ class _Row:
 
     def draw(self, pen: Pen, y: float) -> None:
         x = (self.apart - BETWEEN) / 2
-        for one, width, scale in zip(self.pictures, self.widths, self.scales):
-            if one.title:
-                title = one_line(one.title, NOTE, width + self.apart - 4.0)
+        for picture, width, scale in zip(self.pictures, self.widths, self.scales):
+            if picture.title:
+                title = one_line(picture.title, NOTE, width + self.apart - 4.0)
                 pen.put(title, x + (width - title.width) / 2, y - 0.78 * NOTE.leading)
-            one.draw(pen, x, y - self.height, (width, self.drawn), scale)
+            picture.draw(pen, x, y - self.height, (width, self.drawn), scale)
             x += width + self.apart
 
 
@@ -129,7 +131,7 @@ def _rows(pictures: list[_Picture], caption: str) -> Block:
             pen.put(line, 0.0, y + APART - 5.0 - (i + 0.78) * STRONG.leading)
 
     below = len(under) * STRONG.leading
-    alt = "; ".join([caption, *(words for one in pictures for words in one.words)])
+    alt = "; ".join([caption, *(words for picture in pictures for words in picture.words)])
     high = sum(row.height for row in rows) + APART * (len(rows) - 1) + 5.0 + below
     return Block(high, draw, gap=6.0, content=Picture((caption,), below), tag=Tag(FIGURE, alt=alt))
 
@@ -173,7 +175,7 @@ class _Picture:
         """Left, lower, right and upper end, with all words, in points from the picture's origin."""
         corners = [
             (self.left * scale, self.low * scale, self.right * scale, self.top * scale),
-            *(one.box(scale) for one in self.labels),
+            *(label.box(scale) for label in self.labels),
         ]
         lefts, lows, rights, tops = zip(*corners)
         return min(lefts) - 1.0, min(lows) - 1.0, max(rights) + 1.0, max(tops) + 1.0
@@ -187,7 +189,7 @@ class _Picture:
             return dx + scale * point[0], dy + scale * point[1]
 
         strokes: list[list[Point]] = []
-        for area in (one for one in self.marks if isinstance(one, Area)):
+        for area in (mark for mark in self.marks if isinstance(mark, Area)):
             grey = 1 - DARK * min(1.0, area.shade)
             pen.shape([[at(point) for point in outline] for outline in area.outlines], (grey, grey, grey))
         for mark in self.marks:
@@ -204,7 +206,7 @@ class _Picture:
                     pen.line([(px - TICK, py - TICK), (px + TICK, py + TICK)], 0.5, GREY)
         pieces = np.array([(*a, *b) for path in strokes for a, b in pairwise(path)]).reshape(-1, 4)
         frame = (LEFT + x - FREE, y, LEFT + x + size[0] + FREE, y + size[1])
-        for box, (bx, by), clear in placed([one.moved(scale, dx, dy) for one in self.labels], pieces, frame):
+        for box, (bx, by), clear in placed([label.moved(scale, dx, dy) for label in self.labels], pieces, frame):
             if not clear:
                 pen.panel(
                     bx - LEFT - 0.8, by - 0.24 * LETTERS.size, box.width + 1.6, 0.98 * LETTERS.size, (1.0, 1.0, 1.0)

@@ -135,8 +135,8 @@ class Lying:
 def _range(curve: Curve) -> tuple[float, float]:
     """From where to where the axis goes: nought and all bars and limits are on it."""
     ends = [y[np.isfinite(y)] for y in (numbers(s.y) for s in curve.series)]
-    found = np.concatenate([*ends, [0.0], [value for _, value in limits(curve)]])
-    least, most = float(found.min()), float(found.max())
+    values = np.concatenate([*ends, [0.0], [value for _, value in limits(curve)]])
+    least, most = float(values.min()), float(values.max())
     room = 0.05 * (most - least)
     return (least - room if least < 0 else 0.0, most + room if most > 0 else 0.0) if room > 0 else (-1.0, 1.0)
 

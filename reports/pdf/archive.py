@@ -56,8 +56,8 @@ def profile() -> bytes:
             places[held] = at + len(contents)
             contents += held + bytes(-len(held) % 4)
         table += name.encode() + struct.pack(">II", places[held], len(held))
-    made = struct.pack(">I", len(tags)) + table + contents
-    return _header(128 + len(made)) + made
+    body = struct.pack(">I", len(tags)) + table + contents
+    return _header(128 + len(body)) + body
 
 
 def _header(size: int) -> bytes:
@@ -119,7 +119,7 @@ def archive(document: Any, tree: Tree, lang: str) -> None:
 
 def xmp(info: Any, lang: str) -> bytes:
     """What the document says about itself, the same as in its information dictionary."""
-    said = [
+    properties = [
         (ONE, "title", info.title),
         (LISTED, "creator", info.author),
         (ONE, "description", info.subject),
@@ -128,12 +128,12 @@ def xmp(info: Any, lang: str) -> bytes:
         (PLAIN, "pdf:Producer", info.producer),
         (PLAIN, "xmp:CreatorTool", info.creator),
     ]
-    made = [
+    elements = [
         form.format(name, words.translate(ESCAPED), "Seq" if name == "creator" else "Bag")
-        for form, name, words in said
+        for form, name, words in properties
         if words
     ]
-    return XMP.format(part=PART, level=LEVEL, said="\n".join(made)).encode()
+    return XMP.format(part=PART, level=LEVEL, said="\n".join(elements)).encode()
 
 
 def _intent(document: Any) -> PDFDictionary:

@@ -39,8 +39,8 @@ def _solved(results: Results) -> dict[str, object]:
     }
 
 
-def _json(found: object) -> bytes:
-    return json.dumps(found, separators=(",", ":"), allow_nan=False).encode()
+def _json(value: object) -> bytes:
+    return json.dumps(value, separators=(",", ":"), allow_nan=False).encode()
 
 
 def attach(canvas: Canvas, files: dict[str, tuple[bytes, str]]) -> None:
@@ -77,10 +77,10 @@ def _specification(canvas: Canvas, name: str, raw: bytes, description: str) -> o
     )
 
 
-def keywords(program: str, **said: str) -> str:
+def keywords(program: str, **provenance: str) -> str:
     """What `verify` needs to know of a report, as its list of keywords: `Contralbero 0.1.0, depth:engineer,
     sha256:…`."""
-    return ", ".join([program, *(f"{key}:{value}" for key, value in said.items())])
+    return ", ".join([program, *(f"{key}:{value}" for key, value in provenance.items())])
 
 
 class Undated(PDFInfo):  # type: ignore[misc]
@@ -88,7 +88,7 @@ class Undated(PDFInfo):  # type: ignore[misc]
     bytes."""
 
     def format(self, document: object) -> object:
-        said = {
+        entries = {
             "Title": self.title,
             "Author": self.author,
             "Subject": self.subject,
@@ -96,7 +96,7 @@ class Undated(PDFInfo):  # type: ignore[misc]
             "Creator": self.creator,
             "Producer": self.producer,
         }
-        return PDFDictionary({k: PDFString(v) for k, v in said.items() if v}).format(document)
+        return PDFDictionary({k: PDFString(v) for k, v in entries.items() if v}).format(document)
 
 
 def describe(canvas: Canvas, *, title: str, author: str, subject: str, keywords: str, program: str) -> None:

@@ -100,12 +100,12 @@ def packed(document: Any) -> bytes:
     file = PDFFile(document._pdfVersion)
     entries: list[tuple[int, int, int]] = [(0, 0, 65535)]
     small: list[tuple[int, bytes]] = []
-    for number, made in _objects(document):
+    for number, body in _objects(document):
         entries.append((OPEN, 0, 0))
-        if made.endswith(b"endstream\n"):
-            entries[number] = (OPEN, file.add(_object(number, made.removesuffix(b"endstream\n") + b"\nendstream\n")), 0)
+        if body.endswith(b"endstream\n"):
+            entries[number] = (OPEN, file.add(_object(number, body.removesuffix(b"endstream\n") + b"\nendstream\n")), 0)
         else:
-            small.append((number, made))
+            small.append((number, body))
     for start in range(0, len(small), EACH):
         some = small[start : start + EACH]
         for n, (number, _) in enumerate(some):
@@ -114,8 +114,8 @@ def packed(document: Any) -> bytes:
     at = file.offset
     entries.append((OPEN, at, 0))
     identity = document.ID().partition(b"%")[0].strip()
-    said = b"/Root %s /Info %s /ID %s" % (root.format(document), info.format(document), identity)
-    file.add(_object(len(entries) - 1, _table(entries, said)))
+    trailer = b"/Root %s /Info %s /ID %s" % (root.format(document), info.format(document), identity)
+    file.add(_object(len(entries) - 1, _table(entries, trailer)))
     file.add(b"startxref\n%d\n%%%%EOF\n" % at)
     return bytes(file.format(document))
 
@@ -128,27 +128,27 @@ def _objects(document: Any) -> Iterator[tuple[int, bytes]]:
         number += 1
 
 
-def _object(number: int, made: bytes) -> bytes:
-    return b"%d 0 obj\n%sendobj\n" % (number, made)
+def _object(number: int, body: bytes) -> bytes:
+    return b"%d 0 obj\n%sendobj\n" % (number, body)
 
 
-def _stream(said: bytes, contents: bytes) -> bytes:
+def _stream(entries: bytes, contents: bytes) -> bytes:
     raw = zlib.compress(contents)
-    return b"<< %s /Filter /FlateDecode /Length %d >>\nstream\n%s\nendstream\n" % (said, len(raw), raw)
+    return b"<< %s /Filter /FlateDecode /Length %d >>\nstream\n%s\nendstream\n" % (entries, len(raw), raw)
 
 
 def _pack(some: list[tuple[int, bytes]]) -> bytes:
     heads, at = [], 0
-    for number, made in some:
+    for number, body in some:
         heads.append(b"%d %d" % (number, at))
-        at += len(made) + 1
+        at += len(body) + 1
     first = b" ".join(heads) + b"\n"
     return _stream(
-        b"/Type /ObjStm /N %d /First %d" % (len(some), len(first)), first + b"\n".join(made for _, made in some)
+        b"/Type /ObjStm /N %d /First %d" % (len(some), len(first)), first + b"\n".join(body for _, body in some)
     )
 
 
-def _table(entries: Iterable[tuple[int, int, int]], said: bytes) -> bytes:
+def _table(entries: Iterable[tuple[int, int, int]], trailer: bytes) -> bytes:
     """Where every object is: each entry as its difference from the one above, which are nearly all alike."""
     rows, above = [], bytes(7)
     for kind, where, n in entries:
@@ -156,7 +156,7 @@ def _table(entries: Iterable[tuple[int, int, int]], said: bytes) -> bytes:
         rows.append(b"\x02" + bytes((a - b) & 255 for a, b in zip(row, above)))
         above = row
     size = b"/Type /XRef /Size %d /W [1 4 2] /DecodeParms << /Predictor 12 /Columns 7 >> " % len(rows)
-    return _stream(size + said, b"".join(rows))
+    return _stream(size + trailer, b"".join(rows))
 
 
 # Pages made into a document: what it says about itself, the files inside it, its running heads.

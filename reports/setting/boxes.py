@@ -42,27 +42,27 @@ EMPTY = Box(0.0, 0.0, 0.0)
 
 
 def moved(marks: tuple[Mark, ...], dx: float, dy: float) -> list[Mark]:
-    made: list[Mark] = []
+    shifted: list[Mark] = []
     for m in marks:
         if m[0] == "path":
-            made.append(("path", tuple((x + dx, y + dy) for x, y in m[1]), *m[2:]))
+            shifted.append(("path", tuple((x + dx, y + dy) for x, y in m[1]), *m[2:]))
         else:
-            made.append((m[0], m[1] + dx, m[2] + dy, *m[3:]))
-    return made
+            shifted.append((m[0], m[1] + dx, m[2] + dy, *m[3:]))
+    return shifted
 
 
 def scaled(box: Box, by: float) -> Box:
     """The same box, smaller: the last resort for what can not be broken."""
-    made: list[Mark] = []
+    marks: list[Mark] = []
     for m in box.marks:
         match m[0]:
             case "text":
-                made.append(("text", m[1] * by, m[2] * by, m[3], m[4], m[5] * by, *m[6:]))
+                marks.append(("text", m[1] * by, m[2] * by, m[3], m[4], m[5] * by, *m[6:]))
             case "path":
-                made.append(("path", tuple((x * by, y * by) for x, y in m[1]), m[2] * by, m[3]))
+                marks.append(("path", tuple((x * by, y * by) for x, y in m[1]), m[2] * by, m[3]))
             case _:
-                made.append((m[0], *(v * by for v in m[1:5]), *m[5:]))
-    return Box(box.width * by, box.up * by, box.down * by, tuple(made))
+                marks.append((m[0], *(v * by for v in m[1:5]), *m[5:]))
+    return Box(box.width * by, box.up * by, box.down * by, tuple(marks))
 
 
 @lru_cache(maxsize=20_000)

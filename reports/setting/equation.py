@@ -110,23 +110,25 @@ def entry_blocks(
         if n >= entry.parts and not entry.full:
             rest += calculations
             continue
-        own, said, others, numbers = _calculated(calculations, sign, context.say, entry.places, labelled=labelled)
-        if n and len(parts) > 2 and not entry.full and (len(own) > 1 or own[0][1].height > TALL):
+        own_rows, words, others, numbers = _calculated(calculations, sign, context.say, entry.places, labelled=labelled)
+        if n and len(parts) > 2 and not entry.full and (len(own_rows) > 1 or own_rows[0][1].height > TALL):
             rest += calculations
             continue
-        more = _others(others, own, said, context)
-        groups.append((_with_others(own, more, sign), [*said, more], numbers, more))
+        more = _others(others, own_rows, words, context)
+        groups.append((_with_others(own_rows, more, sign), [*words, more], numbers, more))
     if more := _others(rest, [], [], context, written=entry.lines[0][0].variant):
-        own, said, numbers, before = groups.pop()
-        groups.append((_with_others(own, more, sign), [*said, more], numbers, " ".join(filter(None, (before, more)))))
-    (own, said, numbers, more), *later = groups
+        own_rows, words, numbers, before = groups.pop()
+        groups.append(
+            (_with_others(own_rows, more, sign), [*words, more], numbers, " ".join(filter(None, (before, more))))
+        )
+    (own_rows, words, numbers, more), *later = groups
     content = Formula(first, tuple(numbers), more, source)
-    first_block = _block(head, rows + own, sign, source, " ".join([*words_of_all, *said]), content, gap=gap)
+    first_block = _block(head, rows + own_rows, sign, source, " ".join([*words_of_all, *words]), content, gap=gap)
     return [
         replace(first_block, indexed=indexed),
         *(
-            _block(None, own, sign, "", " ".join(said), Formula(None, tuple(numbers), more, ""), gap=LEAD)
-            for own, said, numbers, more in later
+            _block(None, own_rows, sign, "", " ".join(words), Formula(None, tuple(numbers), more, ""), gap=LEAD)
+            for own_rows, words, numbers, more in later
         ),
     ]
 
@@ -137,30 +139,30 @@ def _calculated(
     """The first calculation of a part with its numbers: its rows, the same as words, the part's other calculations, and
     its lines."""
     full = calculations[0][0]
-    own: list[tuple[str, Box]] = []
-    said: list[str] = []
+    rows: list[tuple[str, Box]] = []
+    words: list[str] = []
     others: list[Labelled] = []
     lines: list[tuple[str, Shown]] = []
     for label, line in calculations:
-        if label != full or len(said) >= MOST:
+        if label != full or len(words) >= MOST:
             others.append((label, line))
-        elif (again := spoken_numbers(made := shown(line, say, places.get(line)))) not in said:
-            name = label.text() if labelled and not said else ""
-            said.append(again)
-            lines.append((name, made))
-            own += [(name if i == 0 else "", r) for i, r in enumerate(_number_lines(made, sign))]
-    return own, said, others, lines
+        elif (again := spoken_numbers(shown_line := shown(line, say, places.get(line)))) not in words:
+            name = label.text() if labelled and not words else ""
+            words.append(again)
+            lines.append((name, shown_line))
+            rows += [(name if i == 0 else "", r) for i, r in enumerate(_number_lines(shown_line, sign))]
+    return rows, words, others, lines
 
 
-def _with_others(own: list[tuple[str, Box]], more: str, sign: float) -> list[tuple[str, Box]]:
+def _with_others(rows: list[tuple[str, Box]], more: str, sign: float) -> list[tuple[str, Box]]:
     """The rows of a part with the values of its other calculations: behind its last number where there is room, else
     below."""
     if not more:
-        return own
-    told, (label, last) = text_lines(more, NOTE, COLUMN - sign, 12), own[-1]
-    if len(told) == 1 and last.width + APART + told[0].width <= COLUMN - sign:
-        return [*own[:-1], (label, row([last, told[0]], APART))]
-    return [*own, *(("", line) for line in told)]
+        return rows
+    more_lines, (label, last) = text_lines(more, NOTE, COLUMN - sign, 12), rows[-1]
+    if len(more_lines) == 1 and last.width + APART + more_lines[0].width <= COLUMN - sign:
+        return [*rows[:-1], (label, row([last, more_lines[0]], APART))]
+    return [*rows, *(("", line) for line in more_lines)]
 
 
 def _parts(labelled: list[Labelled]) -> dict[str, list[Labelled]]:
@@ -172,29 +174,29 @@ def _parts(labelled: list[Labelled]) -> dict[str, list[Labelled]]:
 
 
 def _others(
-    rest: list[Labelled], own: list[tuple[str, Box]], said: list[str], context: Context, written: str = ""
+    rest: list[Labelled], rows: list[tuple[str, Box]], words: list[str], context: Context, written: str = ""
 ) -> str:
     """The further calculations of a part by their values; what says the same as the one in full is left out.
 
     Those of other parts are of the kind that is `written` out above, "twice the load", unless they say another.
     """
-    known = {s.rpartition("= ")[2] for s in said}
-    found: dict[str, dict[str, None]] = {}
-    told: set[tuple[str, str]] = set()  # a part's values: what a variant has in common with the part is not repeated
+    known = {s.rpartition("= ")[2] for s in words}
+    by_part: dict[str, dict[str, None]] = {}
+    seen: set[tuple[str, str]] = set()  # a part's values: what a variant has in common with the part is not repeated
     unit = ""
     for label, line in rest:
         value, of = result(line)
         value = context.say.number(value)
         if with_unit(value, of) not in known:
-            if label.variant and (label.part, value) in told:
+            if label.variant and (label.part, value) in seen:
                 continue
-            told.add((label.part, value))
+            seen.add((label.part, value))
             variant = "" if label.variant == written else label.variant
-            found.setdefault("" if own else label.part, {})[f"{variant} {value}".strip()] = None
+            by_part.setdefault("" if rows else label.part, {})[f"{variant} {value}".strip()] = None
             unit = of
-    if not found:
+    if not by_part:
         return ""
-    listed = [f"{part} {', '.join(values)}".strip() for part, values in found.items()]
+    listed = [f"{part} {', '.join(values)}".strip() for part, values in by_part.items()]
     more = f"; {context.text('more', count=len(listed) - LISTED)}" if len(listed) > LISTED else ""
     return context.text("others", values=with_unit("; ".join(listed[:LISTED]), unit) + more)
 
@@ -228,16 +230,16 @@ def _value(line: Shown) -> list[SetPiece]:
 
 def shown(line: Line, say: Language, place: Place | None = None) -> Shown:
     """A line as the report shows it."""
-    made = show(line, place.index if place else None)
+    shown_line = show(line, place.index if place else None)
     number = say.number
-    where = place.words if place and made.where else say(made.where)
+    where = place.words if place and shown_line.where else say(shown_line.where)
     return replace(
-        made,
-        shows=Name(say(made.shows)),
+        shown_line,
+        shows=Name(say(shown_line.shows)),
         where=Name(where),
-        value=number(made.value),
-        formula=made.formula and respelled(made.formula, number),
-        numbers=made.numbers and respelled(made.numbers, number),
+        value=number(shown_line.value),
+        formula=shown_line.formula and respelled(shown_line.formula, number),
+        numbers=shown_line.numbers and respelled(shown_line.numbers, number),
     )
 
 
@@ -274,15 +276,15 @@ def _whole(line: Shown, sign: float) -> list[Box]:
 def _hung(set_lines: list[Box]) -> list[Box]:
     """Lines after the first go in a little, behind the equals sign."""
     indent = 1.1 * SIZE
-    made = set_lines[:1]
+    hung = set_lines[:1]
     for line in set_lines[1:]:
         starts_equal = bool(line.marks) and line.marks[0][0] == "text" and line.marks[0][3] == "="
-        made.append(line if starts_equal or line.width + indent > COLUMN else row([space(indent), line]))
-    return made
+        hung.append(line if starts_equal or line.width + indent > COLUMN else row([space(indent), line]))
+    return hung
 
 
 def _block(
-    head: Box | None, rows: list[tuple[str, Box]], sign: float, source: str, said: str, content: Formula, *, gap: float
+    head: Box | None, rows: list[tuple[str, Box]], sign: float, source: str, words: str, content: Formula, *, gap: float
 ) -> Block:
     """One formula as a block: its lines below each other, the source to the right."""
     beside = text_lines(source, SOURCE, SOURCE_WIDTH) if source else []
@@ -302,7 +304,7 @@ def _block(
     y = max(y, labelled)
     lift = bases[0] - SOURCE.size * 0.76
     height = max(y, (lift if lift > 0 else 0.0) + len(beside) * SOURCE.leading)
-    start = ("begin", 0.0, 0.0, clean(said))
+    start = ("begin", 0.0, 0.0, clean(words))
 
     def draw(pen: Pen, top: float) -> None:
         pen.put(Box(0.0, 0.0, 0.0, (start,)), 0.0, top)

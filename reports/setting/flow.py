@@ -157,10 +157,10 @@ def paginate(blocks: Iterable[Block], height: float = HEIGHT, share: float = 1.0
 
 def composed(blocks: Iterable[Block]) -> list[Page]:
     """Pages of which the last one of running text is worth its paper: else the gaps are closed, if that saves it."""
-    made = list(blocks)
-    pages = paginate(made)
+    all_blocks = list(blocks)
+    pages = paginate(all_blocks)
     for share in CLOSER:
-        closer = paginate(made, HEIGHT, share)
+        closer = paginate(all_blocks, HEIGHT, share)
         if len(closer) < len(pages):
             return closer
         last = next((page for page in reversed(closer) if page.size is None), None)
@@ -205,7 +205,7 @@ def paragraph(
     """A paragraph, line by line, so that it may run over a page; its first and last two lines stay together."""
     set_lines = text_lines(words, style, WIDTH - x, most)
     n, tag = len(set_lines), Tag("P")
-    made = [
+    blocks = [
         lines_block(
             [line],
             style.leading,
@@ -216,7 +216,7 @@ def paragraph(
         )
         for i, line in enumerate(set_lines)
     ]
-    return [replace(made[0], content=TextContent(words, style)), *made[1:]]
+    return [replace(blocks[0], content=TextContent(words, style)), *blocks[1:]]
 
 
 def bullet(words: str, style: Style = BODY, *, sign: str = "–", indent: float = 10.0, gap: float = 1.5) -> list[Block]:
@@ -250,19 +250,19 @@ def heading(
     ruled: bool = False,
 ) -> list[Block]:
     """A heading stays with what follows; it may carry an entry of the outline."""
-    made = text_lines(words, style, WIDTH, 4)
+    set_lines = text_lines(words, style, WIDTH, 4)
     level = 1 if style is HEADING else 2 if style is SECTION else 3
     entry = (outline, title or words) if outline is not None else None
 
     def draw(pen: Pen, y: float) -> None:
-        for i, line in enumerate(made):
+        for i, line in enumerate(set_lines):
             pen.put(line, 0.0, y - (i + 0.78) * style.leading)
         if ruled:
-            pen.rule(0.0, y - style.leading * len(made) - 1.5, WIDTH, 0.7, BLACK)
+            pen.rule(0.0, y - style.leading * len(set_lines) - 1.5, WIDTH, 0.7, BLACK)
 
-    height = style.leading * len(made) + after + (2.0 if ruled else 0.0)
-    said = Heading(words, level)
-    return [Block(height, draw, gap, True, None, need, anchor, entry, content=said, tag=title_tag(style.size))]
+    height = style.leading * len(set_lines) + after + (2.0 if ruled else 0.0)
+    content = Heading(words, level)
+    return [Block(height, draw, gap, True, None, need, anchor, entry, content=content, tag=title_tag(style.size))]
 
 
 def on_paper_only(blocks: list[Block]) -> list[Block]:

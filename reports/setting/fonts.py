@@ -34,7 +34,7 @@ def widths(face: str) -> dict[str, float]:
 @cache
 def face_of(character: str, face: str) -> str:
     """The face that a character of a text in this face is taken from; empty where none has it."""
-    return next((one for one in (face, *OTHERS) if character in widths(one)), "")
+    return next((candidate for candidate in (face, *OTHERS) if character in widths(candidate)), "")
 
 
 @cache
@@ -58,16 +58,16 @@ def clean(text: str) -> str:
     """The text as it can be written: composed, without control characters, and a ▯ where there is no glyph."""
     if all(map(_stays, text)):
         return text
-    made = []
+    characters = []
     for c in unicodedata.normalize("NFC", text):
         kind = unicodedata.category(c)
         if c.isspace() or kind == "Cc":
-            made.append(" ")
+            characters.append(" ")
         elif kind != "Cf" and face_of(c, UPRIGHT):
-            made.append(c)
+            characters.append(c)
         elif kind not in ("Cf", "Mn", "Me"):
-            made.append(MISSING)
-    return "".join(made)
+            characters.append(MISSING)
+    return "".join(characters)
 
 
 @cache
@@ -84,8 +84,8 @@ def unicode_map(written: str) -> str:
     pairs = [(code, int(letter, 16)) for code, letter in re.findall(r"^<(\w+)> <(\w+)>$", rest, re.M)]
     lines = [f"<{code}> <{chr(letter).encode('utf-16-be').hex().upper()}>" for code, letter in pairs if letter]
     blocks = [lines[n : n + 100] for n in range(0, len(lines), 100)]
-    made = [line for block in blocks for line in (f"{len(block)} beginbfchar", *block, "endbfchar")]
-    return "\n".join([head + "endcodespacerange", *made, rest[rest.index("endcmap") :]])
+    body = [line for block in blocks for line in (f"{len(block)} beginbfchar", *block, "endbfchar")]
+    return "\n".join([head + "endcodespacerange", *body, rest[rest.index("endcmap") :]])
 
 
 def writable(text: str) -> bool:

@@ -141,7 +141,7 @@ class Pen:
         if self.code:
             code.append("q 1 j 1 J")
             for element, some in groupby(self.code, itemgetter(1)):
-                code += [self._begin(element), *(one for one, _ in some), "EMC"]
+                code += [self._begin(element), *(operator for operator, _ in some), "EMC"]
             code.append("Q")
         for draw, element in self.figures:
             self.element = element
@@ -156,27 +156,27 @@ class Pen:
 
     def _text(self) -> list[str]:
         """The operators of all text; one text object, so that marked passages may span lines."""
-        made = ["BT"]
+        operators = ["BT"]
         font: tuple[str, float] | None = None
         colour: Colour | None = None
         hidden = False
         marked: Element | bool | None = False  # False: before the first
         for n, (x, y, mark, element) in enumerate(self.text):
             if element is not marked:
-                made += ["EMC"] * (marked is not False) + [self._begin(element)]
+                operators += ["EMC"] * (marked is not False) + [self._begin(element)]
                 marked = element
             if mark[0] in ("begin", "end"):
-                made.append("EMC" if mark[0] == "end" else f"/Span <</ActualText <{hexed(mark[3])}>>> BDC")
+                operators.append("EMC" if mark[0] == "end" else f"/Span <</ActualText <{hexed(mark[3])}>>> BDC")
                 continue
             _, _, _, words, face, size, paint, stretch, unseen = mark
             if paint != colour:
-                made.append(f"{_rgb(paint)} rg")
+                operators.append(f"{_rgb(paint)} rg")
                 colour = paint
             if unseen != hidden:
-                made.append(f"{3 if unseen else 0} Tr")
+                operators.append(f"{3 if unseen else 0} Tr")
                 hidden = unseen
             turned = "0 1 -1 0" if mark[0] == "turned" else "1 0 0 1" if stretch == 1.0 else f"1 0 0 {stretch:.3f}"
-            made.append(f"{turned} {x:.2f} {y:.2f} Tm")
+            operators.append(f"{turned} {x:.2f} {y:.2f} Tm")
             blank = (
                 self._encoded(face, " ")
                 if n + 1 < len(self.text) and self._breaks(x, y, element, *self.text[n + 1])
@@ -184,10 +184,10 @@ class Pen:
             )
             for name, string in [*self._encoded(face, words), *blank]:
                 if (name, size) != font:
-                    made.append(f"{name} {size:.3f} Tf")
+                    operators.append(f"{name} {size:.3f} Tf")
                     font = (name, size)
-                made.append(f"<{string}> Tj")
-        return [*made, *["EMC"] * (marked is not False), "ET"]
+                operators.append(f"<{string}> Tj")
+        return [*operators, *["EMC"] * (marked is not False), "ET"]
 
     @staticmethod
     def _breaks(

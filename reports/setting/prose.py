@@ -69,24 +69,24 @@ def broken(words: str, style: Style, width: float, most: int = 0) -> tuple[str, 
     limit = width + 1e-6
     if _set_width(words, style) <= limit:
         return (words.strip(),)
-    made: list[str] = []
+    broken_lines: list[str] = []
     line, x, blank = "", 0.0, _set_width(" ", style)
     for part, apart, wide in _tokens(words, style, limit):
         if line and x + blank * apart + wide > limit:
-            made.append(line)
+            broken_lines.append(line)
             line, x = "", 0.0
-            if most and len(made) > most:
+            if most and len(broken_lines) > most:
                 break
         if line and apart:
             line, x = line + " ", x + blank
         line, x = line + part, x + wide
-    made += [line] if line else []
-    if most and len(made) > most:
-        last = made[most - 1]
+    broken_lines += [line] if line else []
+    if most and len(broken_lines) > most:
+        last = broken_lines[most - 1]
         while last and _set_width(last + " …", style) > limit:
             last = last[:-1]
-        made = [*made[: most - 1], last.rstrip() + " …"]
-    return tuple(made) or ("",)
+        broken_lines = [*broken_lines[: most - 1], last.rstrip() + " …"]
+    return tuple(broken_lines) or ("",)
 
 
 def _set_width(words: str, style: Style) -> float:

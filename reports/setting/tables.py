@@ -72,7 +72,7 @@ def table(
     left = [sum(wide[:i]) + GAP * i for i in range(len(wide))]
     top = _header(columns, wide, left, width) if header and any(c.header for c in columns) else None
     whole = Tag("Table")
-    made: list[Block] = [replace(top, gap=gap, keep=True, tag=Tag("TR", whole))] if top is not None else []
+    blocks: list[Block] = [replace(top, gap=gap, keep=True, tag=Tag("TR", whole))] if top is not None else []
     held: list[Block] = []
     for n, r in enumerate(rows):
         if isinstance(r, Group):
@@ -80,14 +80,14 @@ def table(
             continue
         parts = [replace(part, tag=Tag("TR", whole)) for part in _row(columns, r, wide, left, width, top)]
         if held:
-            made += held
+            blocks += held
             held = []
-        elif n in (1, len(rows) - 1) and made and made[-1].repeat is top and not made[-1].keep:
-            made[-1] = replace(made[-1], keep=True)  # two rows at least before and after a page's end
-        made += parts
-    if made and top is None:
-        made[0] = replace(made[0], gap=gap)
-    return [replace(made[0], content=Rows(columns if header else [], rows, wide)), *made[1:]] if made else made
+        elif n in (1, len(rows) - 1) and blocks and blocks[-1].repeat is top and not blocks[-1].keep:
+            blocks[-1] = replace(blocks[-1], keep=True)  # two rows at least before and after a page's end
+        blocks += parts
+    if blocks and top is None:
+        blocks[0] = replace(blocks[0], gap=gap)
+    return [replace(blocks[0], content=Rows(columns if header else [], rows, wide)), *blocks[1:]] if blocks else blocks
 
 
 def named_table(
@@ -111,9 +111,9 @@ def _cell(cell: str | Cell) -> Cell:
 def natural(cell: Cell, column: Column) -> float:
     """The width that a cell would like to have."""
     style = cell.style or column.style
-    own = cell.box.width if cell.box is not None else run(cell.words, style).width if len(cell.words) < 400 else WIDTH
+    width = cell.box.width if cell.box is not None else run(cell.words, style).width if len(cell.words) < 400 else WIDTH
     under = run(cell.under[0], cell.under[1]).width * 0.5 if cell.under and len(cell.under[0]) < 400 else 0.0
-    return max(own + (5.0 if column.align == "r" else 0.0), under)
+    return max(width + (5.0 if column.align == "r" else 0.0), under)
 
 
 def longest(words: str, style: Style) -> float:
@@ -197,13 +197,13 @@ def _header(columns: Sequence[Column], wide: list[float], left: list[float], wid
 
 
 def _group(words: str, width: float, top: Block | None, across: int) -> Block:
-    made = lines(words, GROUP, width, 4)
-    tall = GROUP.leading * len(made) + 2 * PAD + 3.0
+    set_lines = lines(words, GROUP, width, 4)
+    tall = GROUP.leading * len(set_lines) + 2 * PAD + 3.0
 
     def draw(pen: Pen, y: float) -> None:
         with pen.cell(f"{ROW} /ColSpan {across}"):
-            for i, line in enumerate(made):
-                pen.put(line, 0.0, y - tall + PAD + GROUP.leading * (len(made) - 0.78 - i))
+            for i, line in enumerate(set_lines):
+                pen.put(line, 0.0, y - tall + PAD + GROUP.leading * (len(set_lines) - 0.78 - i))
         pen.rule(0.0, y - tall, width, 0.4, FAINT)
 
     return Block(tall, draw, keep=True, repeat=top)
@@ -222,11 +222,11 @@ def _row(
     content = [
         _words(cell, column, w) for cell, column, w in zip(given, columns, wide)
     ]  # per column: its lines with their leading
-    said = [len(made) for made in content]
+    counts = [len(set_lines) for set_lines in content]
     for i, cell in enumerate(given):
         if cell.under and cell.under[0]:
             # What stands below may run on under neighbours that are no taller than the words above it.
-            free = all(n <= said[i] and not other.under for n, other in zip(said[i + 1 :], given[i + 1 :]))
+            free = all(n <= counts[i] and not other.under for n, other in zip(counts[i + 1 :], given[i + 1 :]))
             style = cell.under[1]
             content[i] += [
                 (line, style.leading) for line in lines(cell.under[0], style, width - left[i] if free else wide[i])

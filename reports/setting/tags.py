@@ -78,10 +78,12 @@ class Element(PDFObject):  # type: ignore[misc]
 
     def write(self, pages: list[bytes], annotations: Callable[[str], bytes], root: bytes) -> None:
         """What it is as an object, once every element has its reference; `pages`: references to all pages."""
-        made = [b"<< /S /%s /P %s" % (self.role.encode(), self.parent.reference if self.parent is not None else root)]
+        entries = [
+            b"<< /S /%s /P %s" % (self.role.encode(), self.parent.reference if self.parent is not None else root)
+        ]
         page = next((kid.page for kid in self.kids if isinstance(kid, TaggedPiece)), None)
         if page is not None:
-            made.append(b"/Pg " + pages[page])
+            entries.append(b"/Pg " + pages[page])
         kids = []
         for kid in self.kids:
             if isinstance(kid, Element):
@@ -93,12 +95,12 @@ class Element(PDFObject):  # type: ignore[misc]
             else:
                 kids.append(b"%d" % kid.number)
         if kids:
-            made.append(b"/K " + (kids[0] if len(kids) == 1 else b"[%s]" % b" ".join(kids)))
+            entries.append(b"/K " + (kids[0] if len(kids) == 1 else b"[%s]" % b" ".join(kids)))
         if self.alt:
-            made.append(f"/Alt <{hexed(self.alt)}>".encode())
+            entries.append(f"/Alt <{hexed(self.alt)}>".encode())
         if self.attributes:
-            made.append(f"/A << {self.attributes} >>".encode())
-        self.written = b" ".join([*made, b">>"])
+            entries.append(f"/A << {self.attributes} >>".encode())
+        self.written = b" ".join([*entries, b">>"])
 
     def format(self, document: Any) -> bytes:
         return self.written
@@ -217,11 +219,11 @@ class Link(PDFObject):  # type: ignore[misc]
 
     def format(self, document: Any) -> bytes:
         box = " ".join(f"{x:.2f}" for x in self.corners)
-        made = (
+        entries = (
             f"/Type /Annot /Subtype /Link /Border [0 0 0] /F {PRINTED} /Contents <{hexed(self.words)}> /Rect [{box}]"
         ).encode()
         parent = b"" if self.parent is None else b" /StructParent %d" % self.parent
-        return b"<< %s%s /Dest %s >>" % (made, parent, self.to.format(document))
+        return b"<< %s%s /Dest %s >>" % (entries, parent, self.to.format(document))
 
 
 def hexed(words: str) -> str:

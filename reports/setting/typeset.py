@@ -42,25 +42,25 @@ class SetPiece:
 def symbol(name: str, size: float, colour: Colour = BLACK) -> Box:
     """A symbol as the sheet writes it: `C_1⁻,res` → C with a raised minus and the index "1,res"; operators may stand
     between."""
-    made: list[Box] = []
+    boxes: list[Box] = []
     small = max(SMALLEST, size * SMALL)
     for letters, below, above in symbol_parts(name):
         if letters:
             for upright, some in groupby(letters, lambda c: not c.isalpha() or c in UPRIGHT_LETTERS):
-                made.append(text("".join(some), size, UPRIGHT if upright else ITALIC, colour))
+                boxes.append(text("".join(some), size, UPRIGHT if upright else ITALIC, colour))
         if below or above:
-            made.append(_scripts(below, above, size, small, colour))
-    return row(made)
+            boxes.append(_scripts(below, above, size, small, colour))
+    return row(boxes)
 
 
 def symbol_parts(name: str) -> list[tuple[str, str, str]]:
     """The pieces of a symbol: letters of one kind, or another sign, each with what stands below and above it at the
     right."""
-    made: list[tuple[str, str, str]] = []
+    parts: list[tuple[str, str, str]] = []
 
     def script(below: str, above: str) -> None:
-        letters = made.pop()[0] if made and not (made[-1][1] or made[-1][2]) else ""
-        made.append((letters, below, above))
+        letters = parts.pop()[0] if parts and not (parts[-1][1] or parts[-1][2]) else ""
+        parts.append((letters, below, above))
 
     at = 0
     while at < len(name):
@@ -72,11 +72,11 @@ def symbol_parts(name: str) -> list[tuple[str, str, str]]:
             at += 1
         elif word := LETTERS.match(name, at):
             at = word.end()
-            made.append((word[0], "", ""))
+            parts.append((word[0], "", ""))
         else:
-            made.append((name[at], "", ""))
+            parts.append((name[at], "", ""))
             at += 1
-    return made
+    return parts
 
 
 def _scripts(below: str, above: str, size: float, small: float, colour: Colour) -> Box:
@@ -121,8 +121,8 @@ class Setter:
 
     def pieces(self, tree: Expr, outer: float = 0.0, open: float = 0.0) -> list[SetPiece]:
         """The row of a tree, in brackets where what stands around it (`outer`) binds more strongly."""
-        rank, made = self._pieces(tree, outer, open)
-        return self.bracketed(made, open) if rank < outer else made
+        rank, pieces = self._pieces(tree, outer, open)
+        return self.bracketed(pieces, open) if rank < outer else pieces
 
     def bracketed(self, inside: list[SetPiece], open: float, left: str = "(", right: str = ")") -> list[SetPiece]:
         up, down = max(p.box.up for p in inside), max(p.box.down for p in inside)
@@ -212,9 +212,9 @@ class Setter:
         while over.head == "div":  # a/b/c as one fraction
             over, under = over.args[0], Expr("mul", (over.args[1], under))
         if not self.script:
-            made = fraction(self.box(over), self.box(under), self.size)
-            if made.width <= self.column * TIGHT:
-                return 4.4, [SetPiece(self.fitted(made))]
+            box = fraction(self.box(over), self.box(under), self.size)
+            if box.width <= self.column * TIGHT:
+                return 4.4, [SetPiece(self.fitted(box))]
         slash = SetPiece(_spaced("/", self.size, 0.04 * self.size), None if self.script else open + 0.5)
         return 2.0, [*self.pieces(over, 2, open), slash, *self.pieces(under, 2.5, open)]
 
@@ -238,9 +238,9 @@ class Setter:
         return 4.0, [*under[:-1], SetPiece(row([under[-1].box, script]), under[-1].open)]
 
     def root(self, of: Expr, open: float) -> tuple[float, list[SetPiece]]:
-        made = radical(self.box(of), self.size)
-        if made.width <= self.column * TIGHT:
-            return 4.5, [SetPiece(self.fitted(made))]
+        box = radical(self.box(of), self.size)
+        if box.width <= self.column * TIGHT:
+            return 4.5, [SetPiece(self.fitted(box))]
         return 4.5, [SetPiece(self.word("√")), *self.bracketed(self.pieces(of, 0, open), open)]
 
     def exponential(self, of: Expr, unit: str, open: float) -> tuple[float, list[SetPiece]]:
@@ -261,7 +261,7 @@ class Setter:
 # ------------------------------------------------------------------------------------------------------------------
 def lines(pieces: list[SetPiece], width: float) -> list[Box]:
     """Pieces broken into lines of at most this width, at the outermost operators that fill a line well."""
-    made: list[Box] = []
+    set_lines: list[Box] = []
     start = 0
     while start < len(pieces):
         x, end = 0.0, start
@@ -287,9 +287,9 @@ def lines(pieces: list[SetPiece], width: float) -> list[Box]:
                     best += 1
             end = best
         line = row([p.box for p in pieces[start:end]])
-        made.append(scaled(line, width / line.width) if line.width > width else line)
+        set_lines.append(scaled(line, width / line.width) if line.width > width else line)
         start = end
-    return made
+    return set_lines
 
 
 def _whole(pieces: list[SetPiece], start: int, width: float) -> int:

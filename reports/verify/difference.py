@@ -43,9 +43,9 @@ CODE = re.compile(rb"<([0-9A-F]{2})> <([0-9A-F]{4,})>")
 def covered(rectangle: Rectangle, under: Iterable[tuple[Rectangle, str]]) -> str:
     """What a rectangle covers of what is printed on a page; empty where it is nothing."""
     left, low, right, top = rectangle
-    found = [text for (a, b, c, d), text in under if _reaches(left, right, a, c) and _reaches(low, top, b, d)]
-    said = " ".join(found)
-    return said if len(said) <= MOST_PRINTED else f"{said[:MOST_PRINTED]} …"
+    texts = [text for (a, b, c, d), text in under if _reaches(left, right, a, c) and _reaches(low, top, b, d)]
+    passage = " ".join(texts)
+    return passage if len(passage) <= MOST_PRINTED else f"{passage[:MOST_PRINTED]} …"
 
 
 def _reaches(start: float, end: float, low: float, high: float) -> bool:
@@ -91,27 +91,27 @@ def printed(pdf: Pdf, page: Any) -> Iterator[tuple[Rectangle, str]]:
 
 def contents(pdf: Pdf, page: Any) -> bytes:
     """The operators of a page."""
-    found = pdf.entries(page).get("Contents")
-    parts = pdf.items(found) or [found]
+    entry = pdf.entries(page).get("Contents")
+    parts = pdf.items(entry) or [entry]
     if len(parts) > PARTS:
         raise Malformed(f"a page has {len(parts):,} contents; at most {PARTS} are read")
-    return b"\n".join(pdf.data(one) for one in parts)
+    return b"\n".join(pdf.data(part) for part in parts)
 
 
 def _corners(token: re.Match[bytes]) -> list[tuple[float, float]]:
     """The points of an operator that draws."""
     if token["points"]:
-        numbers = [float(one) for one in token["points"].split()]
+        numbers = [float(number) for number in token["points"].split()]
         return list(zip(numbers[::2], numbers[1::2]))
     if token["area"]:
-        x, y, wide, high = (float(one) for one in token["area"].split())
+        x, y, wide, high = (float(number) for number in token["area"].split())
     else:
         wide, _, _, high, x, y = _six(token["image"])
     return [(x, y), (x + wide, y + high)]
 
 
 def _six(numbers: bytes) -> tuple[float, float, float, float, float, float]:
-    a, b, c, d, e, f = (float(one) for one in numbers.split())
+    a, b, c, d, e, f = (float(number) for number in numbers.split())
     return a, b, c, d, e, f
 
 
@@ -131,7 +131,7 @@ def _font(pdf: Pdf, font: dict[str, Any]) -> Font:
         int(code, 16): bytes.fromhex(to.decode()).decode("utf-16-be")
         for code, to in CODE.findall(pdf.data(font.get("ToUnicode")))
     }
-    return int(font.get("FirstChar", 0)), [float(one) for one in pdf.items(font.get("Widths"))], letters
+    return int(font.get("FirstChar", 0)), [float(width) for width in pdf.items(font.get("Widths"))], letters
 
 
 def _set(font: Font | None, codes: bytes) -> tuple[float, str]:
@@ -164,13 +164,13 @@ class Difference:
 def attachments(pdf: Pdf) -> dict[str, list[bytes]]:
     """Every file inside the document, by any way that a reader may take to it: a specification can name two."""
     names = _leaves(pdf, pdf.entries(pdf.root.get("Names")).get("EmbeddedFiles"), "Names")
-    listed = [one for node in names for one in pdf.items(node.get("Names"))[1::2]]
-    found: dict[str, list[bytes]] = {}
+    listed = [entry for node in names for entry in pdf.items(node.get("Names"))[1::2]]
+    by_name: dict[str, list[bytes]] = {}
     for specification in map(pdf.entries, [*listed, *pdf.items(pdf.root.get("AF"))]):
         files = [pdf.data(stream) for stream in pdf.entries(specification.get("EF")).values()]
         for name in {words(specification[key]) for key in ("F", "UF") if key in specification}:
-            found.setdefault(name, []).extend(files)
-    return dict(sorted((name, files) for name, files in found.items() if files))
+            by_name.setdefault(name, []).extend(files)
+    return dict(sorted((name, files) for name, files in by_name.items() if files))
 
 
 def page_references(pdf: Pdf) -> list[Reference]:
@@ -180,22 +180,22 @@ def page_references(pdf: Pdf) -> list[Reference]:
     ] = []  # each after the one that it stands in, with what it counts
     waiting, met = [pdf.root.get("Pages")], set()
     while waiting:
-        one = waiting.pop()
-        if not isinstance(one, Reference) or one.number in met:
+        node = waiting.pop()
+        if not isinstance(node, Reference) or node.number in met:
             raise Malformed("a page stands there twice, or is none")
-        met.add(one.number)
-        entries = pdf.entries(one)
+        met.add(node.number)
+        entries = pdf.entries(node)
         kids = pdf.items(entries["Kids"]) if "Kids" in entries else None
         if entries.get("Type") != ("Page" if kids is None else "Pages"):
             raise Malformed("a page does not say that it is one")
-        nodes.append((one, entries.get("Count", 0), kids))
+        nodes.append((node, entries.get("Count", 0), kids))
         waiting += reversed(kids or [])
     within: dict[int, int] = {}
-    for one, count, kids in reversed(nodes):
-        within[one.number] = 1 if kids is None else sum(within[kid.number] for kid in kids)
-        if kids is not None and count != within[one.number]:
+    for node, count, kids in reversed(nodes):
+        within[node.number] = 1 if kids is None else sum(within[kid.number] for kid in kids)
+        if kids is not None and count != within[node.number]:
             raise Malformed("it does not have as many pages as it says")
-    return [one for one, _, kids in nodes if kids is None]
+    return [node for node, _, kids in nodes if kids is None]
 
 
 def _leaves(pdf: Pdf, top: Any, key: str) -> list[dict[str, Any]]:
@@ -206,14 +206,14 @@ def _numbered(pdf: Pdf, top: Any, key: str) -> Iterator[int]:
     """The objects of a tree that have a key, each object once, however often the tree names it."""
     waiting, met = [top], set()
     while waiting:
-        one = waiting.pop()
-        if isinstance(one, Reference):
-            if one.number in met:
+        node = waiting.pop()
+        if isinstance(node, Reference):
+            if node.number in met:
                 continue
-            met.add(one.number)
-        entries = pdf.entries(one)
-        if isinstance(one, Reference) and key in entries:
-            yield one.number
+            met.add(node.number)
+        entries = pdf.entries(node)
+        if isinstance(node, Reference) and key in entries:
+            yield node.number
         waiting += reversed(pdf.items(entries.get("Kids")))
 
 
@@ -221,22 +221,24 @@ def about(old: Pdf, new: Pdf, version: str) -> list[Difference]:
     """What the document says and does as a whole, where that is another thing."""
     was, is_now = old.info, new.info
     keys = dict.fromkeys([*was, *is_now]) if version == VERSION else TOLD
-    told = [(key, words(was.get(key)), words(is_now.get(key))) for key in keys if key not in OF_THE_PROGRAM]
-    found = [Difference(f"the document's {key.lower()}", a or "–", b or "–") for key, a, b in told if a != b]
+    statements = [(key, words(was.get(key)), words(is_now.get(key))) for key in keys if key not in OF_THE_PROGRAM]
+    differences = [
+        Difference(f"the document's {key.lower()}", a or "–", b or "–") for key, a, b in statements if a != b
+    ]
     if version != VERSION:
-        return found
+        return differences
     try:
         same(old.data(old.root.get("Metadata")), new.data(new.root.get("Metadata")))
     except Malformed as error:
-        found.append(Difference("the document's metadata", str(error), "as this program has them"))
+        differences.append(Difference("the document's metadata", str(error), "as this program has them"))
     compared = _Compared(old, new)
     if not compared.alike(old.root.get("StructTreeRoot"), new.root.get("StructTreeRoot")):
-        found.append(Difference("the document's structure", "otherwise", "as this program has it"))
+        differences.append(Difference("the document's structure", "otherwise", "as this program has it"))
     for key in dict.fromkeys([*new.root, *old.root]):
         if key not in APART and not compared.alike(old.root.get(key), new.root.get(key)):
             now = "as this program has it" if key in new.root else "nothing of that kind"
-            found.append(Difference("the document as a whole", key if key in old.root else f"no {key}", now))
-    return found
+            differences.append(Difference("the document as a whole", key if key in old.root else f"no {key}", now))
+    return differences
 
 
 def pages(old: Pdf, new: Pdf, version: str) -> list[Difference]:
@@ -245,31 +247,33 @@ def pages(old: Pdf, new: Pdf, version: str) -> list[Difference]:
     before, after = compared.pages
     if len(before) != len(after):
         return [Difference("pages", str(len(before)), str(len(after)))]
-    found = []
+    differences = []
     for number, (was, now) in enumerate(zip(before, after), 1):
         name = f"page {number}"
         texts = _text(old, was).replace(f"{PROGRAM} {version}", f"{PROGRAM} {VERSION}").split(), _text(new, now).split()
         if texts[0] != texts[1]:
             first = next((n for n, (a, b) in enumerate(zip(*texts)) if a != b), min(map(len, texts)))
-            found.append(Difference(name, *(" ".join(some[max(0, first - 3) : first + 4]) for some in texts)))
+            differences.append(Difference(name, *(" ".join(some[max(0, first - 3) : first + 4]) for some in texts)))
         elif version == VERSION and not compared.drawn_alike(number - 1):
-            found.append(Difference(f"{name}, what is drawn on it", "otherwise", "as this program draws it"))
+            differences.append(Difference(f"{name}, what is drawn on it", "otherwise", "as this program draws it"))
         laid, links = (pdf.items(pdf.entries(page).get("Annots")) for pdf, page in ((old, was), (new, now)))
         if version == VERSION and len(laid) < len(links):
-            found.append(Difference(f"{name}, laid over it", f"{len(laid)} links", f"{len(links)} links"))
-        for n, one in enumerate(laid if version == VERSION else ()):
-            if not (n < len(links) and compared.alike(one, links[n])):
-                found.append(
+            differences.append(Difference(f"{name}, laid over it", f"{len(laid)} links", f"{len(links)} links"))
+        for n, annotation in enumerate(laid if version == VERSION else ()):
+            if not (n < len(links) and compared.alike(annotation, links[n])):
+                differences.append(
                     Difference(
-                        f"{name}, laid over it", words(old.entries(one).get("Subtype")), "nothing, or something else"
+                        f"{name}, laid over it",
+                        words(old.entries(annotation).get("Subtype")),
+                        "nothing, or something else",
                     )
                 )
-    return found
+    return differences
 
 
 def _text(pdf: Pdf, page: Reference) -> str:
     try:
-        return " ".join(said for _, said in printed(pdf, page))
+        return " ".join(text for _, text in printed(pdf, page))
     except (ValueError, TypeError, IndexError):  # in another program's way, or in none
         return ""
 
@@ -332,10 +336,10 @@ class _Compared:
 
 def _whole(pdf: Pdf, page: Reference) -> dict[str, Any]:
     """A page with what it inherits."""
-    found, above = dict(pdf.entries(page)), pdf.entries(page)
+    entries, above = dict(pdf.entries(page)), pdf.entries(page)
     for _ in range(len(pdf.objects)):
         above = pdf.entries(above.get("Parent"))
         if not above:
             break
-        found = {**{key: above[key] for key in INHERITED if key in above}, **found}
-    return found
+        entries = {**{key: above[key] for key in INHERITED if key in above}, **entries}
+    return entries

@@ -124,23 +124,23 @@ class Pdf:
         """What a reference leads to; anything else is itself."""
         if not isinstance(of, Reference):
             return of
-        found = self.objects.get(of.number) if of.generation == 0 else None  # no object is of another
-        if isinstance(found, tuple):  # one of a stream of objects that nobody has asked for yet
-            data, at = found
-            found, _ = self._value(data, at)
-            self.objects[of.number] = found
-        if isinstance(found, Reference):
+        value = self.objects.get(of.number) if of.generation == 0 else None  # no object is of another
+        if isinstance(value, tuple):  # one of a stream of objects that nobody has asked for yet
+            data, at = value
+            value, _ = self._value(data, at)
+            self.objects[of.number] = value
+        if isinstance(value, Reference):
             raise Malformed(f"object {of.number} is a reference")
-        return found
+        return value
 
     def entries(self, of: Any) -> dict[str, Any]:
         """Of a dictionary, or of a stream; of anything else none."""
-        found = self.value(of)
-        return found.entries if isinstance(found, Stream) else found if isinstance(found, dict) else {}
+        value = self.value(of)
+        return value.entries if isinstance(value, Stream) else value if isinstance(value, dict) else {}
 
     def items(self, of: Any) -> list[Any]:
-        found = self.value(of)
-        return found if isinstance(found, list) else []
+        value = self.value(of)
+        return value if isinstance(value, list) else []
 
     def data(self, of: Any) -> bytes:
         """The data of a stream, unpacked; of anything else none."""
@@ -164,51 +164,51 @@ class Pdf:
             at = _end(BLANK, raw, at)
             if at == len(raw):
                 break
-            if found := OBJECT.match(raw, at):
-                at = self._object(section, found)
-            elif found := COMMENT.match(raw, at):
+            if token := OBJECT.match(raw, at):
+                at = self._object(section, token)
+            elif token := COMMENT.match(raw, at):
                 section.remarks += 1
-                at = found.end()
-            elif found := TABLE.match(raw, at):
+                at = token.end()
+            elif token := TABLE.match(raw, at):
                 section.at = at
-                table = _entries(found[1])
-                trailer, at = self._value(raw, found.end())
+                table = _entries(token[1])
+                trailer, at = self._value(raw, token.end())
                 if not isinstance(trailer, dict):
                     raise Malformed(f"the trailer at byte {at} is no dictionary")
                 self._listed(section, table, trailer)
-            elif found := START.match(raw, at):
-                section.start, section.end = int(found[1]), found.end()
+            elif token := START.match(raw, at):
+                section.start, section.end = int(token[1]), token.end()
                 self.sections.append(section)
-                section, at = Section(), found.end()
+                section, at = Section(), token.end()
             else:
                 raise Malformed(f"what stands at byte {at} is no object")
         if section != Section() or not self.sections:
             raise Malformed("it has no end")
 
-    def _object(self, section: Section, found: re.Match[bytes]) -> int:
-        number, generation = int(found[1]), int(found[2])
+    def _object(self, section: Section, token: re.Match[bytes]) -> int:
+        number, generation = int(token[1]), int(token[2])
         if number in section.places or generation:
             raise Malformed(
                 f"object {number} stands there twice"
                 if not generation
                 else f"object {number} is of generation {generation}"
             )
-        section.places[number] = found.start()
-        made, at = self._value(self.raw, found.end())
-        if isinstance(made, dict) and (data := DATA.match(self.raw, at)):
-            length = made.get("Length")
+        section.places[number] = token.start()
+        value, at = self._value(self.raw, token.end())
+        if isinstance(value, dict) and (data := DATA.match(self.raw, at)):
+            length = value.get("Length")
             if type(length) is not int or not 0 <= length <= len(self.raw):
                 raise Malformed(f"object {number} does not say how long it is")
             ends = DATA_END.match(self.raw, data.end() + length)
             if ends is None:
                 raise Malformed(f"object {number} is not as long as it says")
-            made, at = Stream(made, self.raw[data.end() : data.end() + length]), ends.end()
-        self.objects[number], self.places[number] = made, found.start()
-        if isinstance(made, Stream) and made.entries.get("Type") == "ObjStm":
-            self._unfold(number, made)
-        if isinstance(made, Stream) and made.entries.get("Type") == "XRef":
-            section.at = found.start()
-            self._listed(section, self._table(made), made.entries)
+            value, at = Stream(value, self.raw[data.end() : data.end() + length]), ends.end()
+        self.objects[number], self.places[number] = value, token.start()
+        if isinstance(value, Stream) and value.entries.get("Type") == "ObjStm":
+            self._unfold(number, value)
+        if isinstance(value, Stream) and value.entries.get("Type") == "XRef":
+            section.at = token.start()
+            self._listed(section, self._table(value), value.entries)
         ends = OBJECT_END.match(self.raw, at)
         if ends is None:
             raise Malformed(f"object {number} has no end")
@@ -229,7 +229,7 @@ class Pdf:
         if (
             not isinstance(count, int)
             or len(heads) != 2 * count
-            or not all(one.isdigit() and len(one) <= 10 for one in heads)
+            or not all(head.isdigit() and len(head) <= 10 for head in heads)
         ):
             raise Malformed("a stream of objects does not say where they are")
         self._count(count)
@@ -246,17 +246,17 @@ class Pdf:
         if len(data) != wide * sum(index[1::2]):
             raise Malformed("the table of objects is not as long as it says")
         self._count(len(data) // wide)
-        found: Table = {}
+        table: Table = {}
         numbers = (first + n for first, count in zip(index[::2], index[1::2]) for n in range(count))
         for number, at in zip(numbers, range(0, len(data), wide)):
             row, place = data[at : at + wide], widths[0] + widths[1]
             sort = int.from_bytes(row[: widths[0]]) if widths[0] else 1
-            if number in found:
+            if number in table:
                 raise Malformed(f"the table of objects has number {number} twice")
-            one, other = int.from_bytes(row[widths[0] : place]), int.from_bytes(row[place:])
+            second, other = int.from_bytes(row[widths[0] : place]), int.from_bytes(row[place:])
             here = sort == 1 and not other  # no object is of another generation than 0
-            found[number] = one if here else (one, other) if sort == 2 else None
-        return found
+            table[number] = second if here else (second, other) if sort == 2 else None
+        return table
 
     # --- values
     def _count(self, more: int = 1) -> None:
@@ -266,28 +266,28 @@ class Pdf:
 
     def _value(self, data: bytes, at: int, depth: int = 0) -> tuple[Any, int]:
         """The value that begins there, and where it ends."""
-        found = TOKEN.match(data, at)
-        if found is None or found["close"] or depth > PDF_DEPTH:
+        token = TOKEN.match(data, at)
+        if token is None or token["close"] or depth > PDF_DEPTH:
             raise Malformed(f"what stands at byte {at} is no value")
         self._count()
-        end = found.end()
-        match found.lastgroup:
+        end = token.end()
+        match token.lastgroup:
             case "reference":
-                number, generation, _ = found["reference"].split()
+                number, generation, _ = token["reference"].split()
                 return Reference(int(number), int(generation)), end
             case "number":
-                digits = found["number"]
+                digits = token["number"]
                 return (float(digits) if b"." in digits else int(digits)), end
             case "name":
-                return _name(found["name"]), end
+                return _name(token["name"]), end
             case "hex":
-                digits = found["hex"].translate(None, b"\0\t\n\f\r ")
+                digits = token["hex"].translate(None, b"\0\t\n\f\r ")
                 return bytes.fromhex((digits + b"0" * (len(digits) % 2)).decode()), end
             case "text":
                 return _text(data, end)
             case "word":
-                return {b"true": True, b"false": False, b"null": None}[found["word"]], end
-        if found["open"] == b"[":
+                return {b"true": True, b"false": False, b"null": None}[token["word"]], end
+        if token["open"] == b"[":
             items, end = self._until(b"]", data, end, depth)
             return items, end
         items, end = self._until(b">>", data, end, depth)
@@ -301,11 +301,11 @@ class Pdf:
     def _until(self, close: bytes, data: bytes, at: int, depth: int) -> tuple[list[Any], int]:
         items: list[Any] = []
         while True:
-            found = TOKEN.match(data, at)
-            if found is not None and found["close"]:
-                if found["close"] != close:
+            token = TOKEN.match(data, at)
+            if token is not None and token["close"]:
+                if token["close"] != close:
                     raise Malformed(f"what stands at byte {at} closes something else")
-                return items, found.end()
+                return items, token.end()
             item, at = self._value(data, at, depth + 1)
             items.append(item)
 
@@ -313,18 +313,18 @@ class Pdf:
         filters = stream.entries.get("Filter", [])
         filters = filters if isinstance(filters, list) else [filters]
         if not filters:
-            found = stream.packed
+            data = stream.packed
         elif filters == ["FlateDecode"]:
             work = zlib.decompressobj()
             try:
-                found = work.decompress(stream.packed, PDF_UNPACKED - self._unpacked + 1)
+                data = work.decompress(stream.packed, PDF_UNPACKED - self._unpacked + 1)
             except zlib.error as error:
                 raise Malformed(f"a stream can not be unpacked ({error})") from None
-            if not work.eof and len(found) + self._unpacked <= PDF_UNPACKED:
+            if not work.eof and len(data) + self._unpacked <= PDF_UNPACKED:
                 raise Malformed("a stream has no end")
         else:
             raise Malformed("a stream is packed in a way that no report has")
-        self._unpacked += len(found)
+        self._unpacked += len(data)
         if self._unpacked > PDF_UNPACKED:
             raise Malformed(f"its streams hold more than {PDF_UNPACKED:,} bytes")
         how = stream.entries.get("DecodeParms")
@@ -332,7 +332,7 @@ class Pdf:
             how = how[0]
         if not isinstance(how, dict | None):
             raise Malformed("a stream is packed in a way that no report has")
-        return _rows(found, how) if how and how.get("Predictor", 1) != 1 else found
+        return _rows(data, how) if how and how.get("Predictor", 1) != 1 else data
 
 
 def words(of: Any) -> str:
@@ -343,12 +343,12 @@ def words(of: Any) -> str:
 
 
 def _end(pattern: re.Pattern[bytes], raw: bytes, at: int) -> int:
-    found = pattern.match(raw, at)
-    return found.end() if found is not None else at
+    matched = pattern.match(raw, at)
+    return matched.end() if matched is not None else at
 
 
 def _numbers(of: Any) -> bool:
-    return isinstance(of, list) and all(type(one) is int and 0 <= one < 10**10 for one in of)
+    return isinstance(of, list) and all(type(number) is int and 0 <= number < 10**10 for number in of)
 
 
 def _name(raw: bytes) -> Name:
@@ -362,15 +362,15 @@ def _name(raw: bytes) -> Name:
 def _text(data: bytes, at: int) -> tuple[bytes, int]:
     """A text in round brackets, of which there may be pairs in it."""
     begin, deep = at, 1
-    for found in re.compile(rb"\\.|[()]", re.S).finditer(data, at):
-        deep += {b"(": 1, b")": -1}.get(found[0], 0)
+    for mark in re.compile(rb"\\.|[()]", re.S).finditer(data, at):
+        deep += {b"(": 1, b")": -1}.get(mark[0], 0)
         if deep == 0:
-            return ESCAPE.sub(_plain, data[begin : found.start()]), found.end()
+            return ESCAPE.sub(_plain, data[begin : mark.start()]), mark.end()
     raise Malformed(f"the text at byte {begin} has no end")
 
 
-def _plain(found: re.Match[bytes]) -> bytes:
-    octal, line, letter = found.groups()
+def _plain(escape: re.Match[bytes]) -> bytes:
+    octal, line, letter = escape.groups()
     if octal:
         return bytes([int(octal, 8) & 255])
     return b"" if line else LETTERS.get(letter, letter) if letter else b"\n"
@@ -388,30 +388,30 @@ def _rows(data: bytes, how: dict[str, Any]) -> bytes:
         or len(data) % (wide + 1)
     ):
         raise Malformed("a stream is packed in a way that no report has")
-    made, above = [], bytes(wide)
+    rows, above = [], bytes(wide)
     for at in range(0, len(data), wide + 1):
         row = data[at + 1 : at + 1 + wide]
         if data[at] not in (0, 2):
             raise Malformed("a stream is packed in a way that no report has")
         above = bytes((a + b) & 255 for a, b in zip(row, above)) if data[at] == 2 else row
-        made.append(above)
-    return b"".join(made)
+        rows.append(above)
+    return b"".join(rows)
 
 
 def _entries(raw: bytes) -> Table:
     """Where a table of lines says that objects are."""
-    found: Table = {}
+    table: Table = {}
     lines = raw.split(b"\n") if b"\n" in raw else raw.split(b"\r")
     number = 0
     for line in map(bytes.split, lines):
         if len(line) == 2:
             number = int(line[0])
         elif line:
-            if number in found:
+            if number in table:
                 raise Malformed(f"the table of objects has number {number} twice")
-            found[number] = int(line[0]) if line[2] == b"n" and line[1] == b"00000" else None
+            table[number] = int(line[0]) if line[2] == b"n" and line[1] == b"00000" else None
             number += 1
-    return found
+    return table
 
 
 # Whether the tables of a PDF lead to the objects that stand in it (ISO 32000-1, 7.5.4 to 7.5.8).
@@ -421,7 +421,7 @@ def _entries(raw: bytes) -> Table:
 
 def demand_tables(pdf: Pdf) -> None:
     """Raises Malformed if one who follows the tables from the end finds anything but the last object of each number."""
-    found: Table = {}
+    places: Table = {}
     trailers: list[dict[str, Any]] = []
     at: Any = pdf.sections[-1].start
     while at is not None:
@@ -431,16 +431,16 @@ def demand_tables(pdf: Pdf) -> None:
         if "XRefStm" in trailer:
             raise Malformed("it has two tables for the same objects")
         for number, place in table.items():
-            found.setdefault(number, place)
+            places.setdefault(number, place)
         trailers.append(trailer)
         at = trailer.get("Prev")
-    said = pdf.trailer
-    root, info = said.get("Root"), said.get("Info")
+    last_trailer = pdf.trailer
+    root, info = last_trailer.get("Root"), last_trailer.get("Info")
     trailer = trailers[0]
     if trailer.get("Root") != root or trailer.get("Info", info) != info:
         raise Malformed("its trailer is not the last one")
-    for number in sorted({*found, *pdf.places} - {0}):
+    for number in sorted({*places, *pdf.places} - {0}):
         kind = pdf.objects.get(number)
         itself = isinstance(kind, Stream) and kind.entries.get("Type") == "XRef"  # needs not stand in itself
-        if found.get(number) != pdf.places.get(number) and not (itself and number not in found):
+        if places.get(number) != pdf.places.get(number) and not (itself and number not in places):
             raise Malformed(f"object {number} is not where its table says")

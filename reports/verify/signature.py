@@ -39,16 +39,16 @@ def _statements(raw: bytes) -> dict[str, object]:
         top = ElementTree.fromstring(raw)
     except (ElementTree.ParseError, ValueError, LookupError):
         raise Malformed("the metadata can not be read") from None
-    found: dict[str, object] = {}
-    for about in top[0] if [one.tag for one in top] == [RDF + "RDF"] else top:
+    statements: dict[str, object] = {}
+    for about in top[0] if [element.tag for element in top] == [RDF + "RDF"] else top:
         if about.tag != RDF + "Description":
             raise Malformed("the metadata hold more than a description")
-        said = [(key, value) for key, value in about.attrib.items() if key != RDF + "about"]
-        for key, value in [*said, *((one.tag, _shape(one)) for one in about)]:
-            if key in found:
+        attributes = [(key, value) for key, value in about.attrib.items() if key != RDF + "about"]
+        for key, value in [*attributes, *((child.tag, _shape(child)) for child in about)]:
+            if key in statements:
                 raise Malformed(f"the metadata have {key.rpartition('}')[2]} twice")
-            found[key] = value
-    return found
+            statements[key] = value
+    return statements
 
 
 def _shape(of: ElementTree.Element, depth: int = 0) -> object:
@@ -56,7 +56,7 @@ def _shape(of: ElementTree.Element, depth: int = 0) -> object:
         raise Malformed("the metadata are nested too deeply")
     text = (of.text or "").strip()
     return (
-        (of.tag, sorted(of.attrib.items()), text, [_shape(one, depth + 1) for one in of])
+        (of.tag, sorted(of.attrib.items()), text, [_shape(child, depth + 1) for child in of])
         if len(of) or of.attrib
         else text
     )
@@ -75,12 +75,12 @@ ANY_OBJECT = re.compile(rb"\d\s+\d+\s+obj")
 Rectangle = tuple[float, float, float, float]
 
 
-def fields(made: bytes, raw: bytes, pages: list[Reference]) -> list[tuple[int, Rectangle]]:
+def fields(report: bytes, raw: bytes, pages: list[Reference]) -> list[tuple[int, Rectangle]]:
     """The fields of signatures that were appended to a document, each with the number of its page from 1 and its place.
 
     Raises Malformed, with what else was appended.
     """
-    old, new = Pdf(made), Pdf(raw, len(made))
+    old, new = Pdf(report), Pdf(raw, len(report))
     _demand(bool(new.sections), "no object is in it")
     _layout(old, new)
     return _Appended(old, new).fields(pages)
@@ -107,9 +107,9 @@ def _layout(old: Pdf, new: Pdf) -> None:
         _demand(_equal(trailer.get("Size"), size), "its trailer has another number of objects")
         before, at = section, section.end
     _demand(new.raw[at:] in (b"", b"\n", b"\r\n"), "something stands after its end")
-    appended, said = new.raw[old.sections[-1].end :], sum(len(section.places) for section in new.sections)
+    appended, count = new.raw[old.sections[-1].end :], sum(len(section.places) for section in new.sections)
     _demand(
-        len(ANY_OBJECT.findall(appended)) == said and appended.count(b"startxref") == len(new.sections),
+        len(ANY_OBJECT.findall(appended)) == count and appended.count(b"startxref") == len(new.sections),
         "there is an object within an object",
     )
 
@@ -120,15 +120,17 @@ class _Appended:
     def __init__(self, old: Pdf, new: Pdf) -> None:
         self.old, self.new = old, new
         self.size = int(old.trailer["Size"])
-        for found in new.objects.values():
-            kind = found.entries.get("Type") if isinstance(found, Stream) else None
+        for value in new.objects.values():
+            kind = value.entries.get("Type") if isinstance(value, Stream) else None
             _demand(kind != "ObjStm", "there are objects in a stream")
 
     def fields(self, pages: list[Reference]) -> list[tuple[int, Rectangle]]:
         _demand(self.old.trailer["Root"].number in self.new.objects, "there is no field of a signature")
         root, info = self.old.trailer["Root"], self.old.trailer["Info"]
         metadata = self.old.root["Metadata"]
-        others = {n for n in self.new.objects if n < self.size} - {one.number for one in (root, info, metadata, *pages)}
+        others = {n for n in self.new.objects if n < self.size} - {
+            reference.number for reference in (root, info, metadata, *pages)
+        }
         _demand(not others, f"object {min(others, default=0)} of the report is replaced")
         if info.number in self.new.objects:
             self._same(self.old.info, self.new.entries(info), OF_THE_PROGRAM, "what the document says about itself")
@@ -191,14 +193,17 @@ class _Appended:
 
     def _entries(self, of: Any) -> dict[str, Any]:
         """Of a dictionary that was appended, with what it was appended with."""
-        found = self.new.value(of)
-        _demand(isinstance(found, dict) or of is None, "a dictionary is missing")
-        return found or {}
+        entries = self.new.value(of)
+        _demand(isinstance(entries, dict) or of is None, "a dictionary is missing")
+        return entries or {}
 
     def _references(self, of: Any) -> list[Reference]:
-        found = self.new.value(of)
-        _demand(isinstance(found, list) and all(isinstance(one, Reference) for one in found), "a list is missing")
-        return list(found)
+        references = self.new.value(of)
+        _demand(
+            isinstance(references, list) and all(isinstance(reference, Reference) for reference in references),
+            "a list is missing",
+        )
+        return list(references)
 
     def _same(self, before: dict[str, Any], now: dict[str, Any], free: set[str], what: str) -> None:
         other = {
@@ -224,7 +229,11 @@ def _equal(a: Any, b: Any) -> bool:
 
 
 def _rectangle(of: Any) -> Rectangle:
-    right = isinstance(of, list) and len(of) == 4 and all(type(one) in (int, float) and isfinite(one) for one in of)
+    right = (
+        isinstance(of, list)
+        and len(of) == 4
+        and all(type(number) in (int, float) and isfinite(number) for number in of)
+    )
     _demand(right, "a rectangle does not stand where it is used")
     x, y, x_2, y_2 = map(float, of)
     return min(x, x_2), min(y, y_2), max(x, x_2), max(y, y_2)

@@ -79,20 +79,22 @@ def verify(raw: bytes, place: str) -> Verification:
 
     `place`: the name of the file, for messages.  Raises BadInput for a file that is no report of this program, or whose
     design this version does not accept."""
-    pdf, said, attached = _read(raw, place)
-    return replace(_verified(raw, place, pdf, said, attached), front="front" in said)
+    pdf, provenance, attached = _read(raw, place)
+    return replace(_verified(raw, place, pdf, provenance, attached), front="front" in provenance)
 
 
-def _verified(raw: bytes, place: str, pdf: Pdf, said: dict[str, str], attached: dict[str, list[bytes]]) -> Verification:
-    made = (_comparison if "other" in said else _report)(place, said, attached)
-    version = said["version"]
-    if raw == made.raw:
-        return Verification(made.name, version, Verdict.IDENTICAL)
-    differences = list(made.differences)
-    fresh = Pdf(made.raw)
-    if raw.startswith(made.raw):
+def _verified(
+    raw: bytes, place: str, pdf: Pdf, provenance: dict[str, str], attached: dict[str, list[bytes]]
+) -> Verification:
+    again = (_comparison if "other" in provenance else _report)(place, provenance, attached)
+    version = provenance["version"]
+    if raw == again.raw:
+        return Verification(again.name, version, Verdict.IDENTICAL)
+    differences = list(again.differences)
+    fresh = Pdf(again.raw)
+    if raw.startswith(again.raw):
         try:
-            return _signed(made, fresh, raw, version)
+            return _signed(again, fresh, raw, version)
         except Malformed as error:
             differences.append(
                 Difference("what was appended to the report", str(error), "nothing, or fields of signatures alone")
@@ -102,9 +104,9 @@ def _verified(raw: bytes, place: str, pdf: Pdf, said: dict[str, str], attached: 
     except Malformed as error:
         raise _unreadable(place, error) from None
     verdict = Verdict.SAVED_ANEW if version == VERSION else Verdict.OTHER_VERSION
-    if made.changed or differences:
+    if again.changed or differences:
         verdict = Verdict.DIFFERS
-    return Verification(made.name, version, verdict, tuple(made.changed), tuple(differences))
+    return Verification(again.name, version, verdict, tuple(again.changed), tuple(differences))
 
 
 def is_report(raw: bytes) -> bool:
@@ -117,18 +119,18 @@ def is_report(raw: bytes) -> bool:
     return len(pdf.sections) == 1
 
 
-def _signed(made: _Again, fresh: Pdf, raw: bytes, version: str) -> Verification:
+def _signed(again: _Again, fresh: Pdf, raw: bytes, version: str) -> Verification:
     """A report to which fields of signatures were appended.  Raises Malformed for anything else."""
     sheets = page_references(fresh)
-    laid = fields(made.raw, raw, sheets)
+    laid = fields(again.raw, raw, sheets)
     under = {n: list(printed(fresh, sheets[n - 1])) for n, _ in laid}
-    found = [(n, covered(place, under[n])) for n, place in laid]
+    passages = [(n, covered(place, under[n])) for n, place in laid]
     hidden = tuple(
-        Difference(f"page {n}, under the field of a signature", "covered", f"“{text}”") for n, text in found if text
+        Difference(f"page {n}, under the field of a signature", "covered", f"“{text}”") for n, text in passages if text
     )
-    numbers = tuple(sorted({n for n, _ in found}))
+    numbers = tuple(sorted({n for n, _ in passages}))
     return Verification(
-        made.name, version, Verdict.COVERED if hidden else Verdict.SIGNED, differences=hidden, signed=numbers
+        again.name, version, Verdict.COVERED if hidden else Verdict.SIGNED, differences=hidden, signed=numbers
     )
 
 
@@ -143,38 +145,40 @@ class _Again:
     raw: bytes
 
 
-def _report(place: str, said: dict[str, str], attached: dict[str, list[bytes]]) -> _Again:
+def _report(place: str, provenance: dict[str, str], attached: dict[str, list[bytes]]) -> _Again:
     """The report of one design."""
     _demand(place, attached, (NAME, RESULTS))
-    first = _one_with(attached[NAME], said["sha256"])
+    first = _one_with(attached[NAME], provenance["sha256"])
     document = parse(first, f"{place}: {NAME}")
-    made = design(document)
-    wanted = {NAME: said["sha256"], RESULTS: said["results"]}
-    if name := made.control.logo:
+    attached_design = design(document)
+    wanted = {NAME: provenance["sha256"], RESULTS: provenance["results"]}
+    if name := attached_design.control.logo:
         if name not in attached:
             raise _refused(place, Text("has no attachment {names}, the logo of its design", names=name))
-        wanted[name] = said.get("logo", "")
+        wanted[name] = provenance.get("logo", "")
     front = None
-    if "front" in said:
+    if "front" in provenance:
         _demand(place, attached, (FRONT,))
-        wanted[FRONT] = said["front"]
-        front = _one_with(attached[FRONT], said["front"])
+        wanted[FRONT] = provenance["front"]
+        front = _one_with(attached[FRONT], provenance["front"])
     changed = _changed(attached, wanted)
-    results = solve(made)
+    results = solve(attached_design)
     try:
         before = json.loads(attached[RESULTS][0])
         differences = _values(before, json.loads(results_bytes(results)), results)
     except BROKEN:
         raise _unread(place) from None
     picture = _one_with(attached[name], wanted[name]) if name else None
-    again = render(document, results, first, depth=said["depth"], lang=said["lang"], logo_file=picture, front=front)
+    again = render(
+        document, results, first, depth=provenance["depth"], lang=provenance["lang"], logo_file=picture, front=front
+    )
     return _Again(results.design.name, changed, differences, again)
 
 
-def _comparison(place: str, said: dict[str, str], attached: dict[str, list[bytes]]) -> _Again:
+def _comparison(place: str, provenance: dict[str, str], attached: dict[str, list[bytes]]) -> _Again:
     """The comparison of two designs."""
     _demand(place, attached, (*PAIR, RESULTS))
-    wanted = dict(zip((*PAIR, RESULTS), (said["sha256"], said["other"], said["results"])))
+    wanted = dict(zip((*PAIR, RESULTS), (provenance["sha256"], provenance["other"], provenance["results"])))
     documents = [parse(_one_with(attached[name], wanted[name]), f"{place}: {name}") for name in PAIR]
     first, second = ((document, solve(design(document))) for document in documents)
     try:
@@ -184,9 +188,15 @@ def _comparison(place: str, said: dict[str, str], attached: dict[str, list[bytes
         both = [_values(before[side], now[side], results) for side, (_, results) in zip("ab", (first, second))]
     except BROKEN:
         raise _unread(place) from None
-    differences = [replace(one, what=f"{name}: {one.what}") for name, found in zip(PAIR, both) for one in found]
+    differences = [
+        replace(difference, what=f"{name}: {difference.what}")
+        for name, of_side in zip(PAIR, both)
+        for difference in of_side
+    ]
     compared = compare(first[0].data, second[0].data, first[1], second[1])
-    again = render_comparison(first, second, compared, names, lang=said["lang"], everything=said["depth"] == "audit")
+    again = render_comparison(
+        first, second, compared, names, lang=provenance["lang"], everything=provenance["depth"] == "audit"
+    )
     return _Again(f"{first[1].design.name} – {second[1].design.name}", _changed(attached, wanted), differences, again)
 
 
@@ -203,10 +213,10 @@ def _demand(place: str, attached: dict[str, list[bytes]], names: tuple[str, ...]
 
 def _changed(attached: dict[str, list[bytes]], wanted: dict[str, str]) -> list[str]:
     """The attachments that are not those which the document was written with."""
-    found = [
-        name for name, sum in wanted.items() if {hashlib.sha256(one).hexdigest() for one in attached[name]} != {sum}
+    names = [
+        name for name, sum in wanted.items() if {hashlib.sha256(file).hexdigest() for file in attached[name]} != {sum}
     ]
-    return found + [name for name in attached if name not in wanted]
+    return names + [name for name in attached if name not in wanted]
 
 
 def _read(raw: bytes, place: str) -> tuple[Pdf, dict[str, str], dict[str, list[bytes]]]:
@@ -220,19 +230,23 @@ def _read(raw: bytes, place: str) -> tuple[Pdf, dict[str, str], dict[str, list[b
         attached = attachments(pdf)
     except Malformed as error:
         raise _unreadable(place, error) from None
-    said = dict(reversed(KEYWORD.findall(keywords)))  # of one that stands twice the first
+    provenance = dict(reversed(KEYWORD.findall(keywords)))  # of one that stands twice the first
     version = re.match(r"Contralbero (\S+?)(?:,|$)", keywords)
-    known = said.get("depth") in DEPTHS and said.get("lang") in LANGUAGES and {"sha256", "results"} <= set(said)
+    known = (
+        provenance.get("depth") in DEPTHS
+        and provenance.get("lang") in LANGUAGES
+        and {"sha256", "results"} <= set(provenance)
+    )
     if version is None or not known:
         raise _refused(
             place, Text("is no report of this program, or was written before reports could be verified; write it anew")
         )
-    return pdf, {**said, "version": version[1]}, attached
+    return pdf, {**provenance, "version": version[1]}, attached
 
 
 def _one_with(files: list[bytes], sum: str) -> bytes:
     """Of the files of one name that which the report was written with; where there is none the first."""
-    return next((one for one in files if hashlib.sha256(one).hexdigest() == sum), files[0])
+    return next((file for file in files if hashlib.sha256(file).hexdigest() == sum), files[0])
 
 
 def _unread(place: str) -> BadInput:
@@ -252,19 +266,21 @@ def _refused(place: str, reason: Text) -> BadInput:
 
 def _values(before: dict[str, Any], now: dict[str, Any], results: Results) -> list[Difference]:
     """What differs by more than rounding, in the order of the report; and what is only on one side."""
-    found = []
+    differences = []
     floors = {o.key: size_of_nothing((v.unit, v.shown) for v in o.values()) for o in results.outcomes.values()}
     units = {v.id: v.unit for o in results.outcomes.values() for v in o.values()}
     if more := sorted(set(before) - set(PARTS)):
-        found.append(Difference(f"the attachment {RESULTS}", ", ".join(more), "nothing of that name"))
+        differences.append(Difference(f"the attachment {RESULTS}", ", ".join(more), "nothing of that name"))
     for part in PARTS:
         what = part.removesuffix("s")
         for id in dict.fromkeys([*before[part], *now[part]]):
             was, is_now = (side[part].get(id, "–") for side in (before, now))
             floor = floors.get(id.partition(".")[0], {}).get(units.get(id, ""), 0.0)
             if was != is_now and not _near(was, is_now, floor):
-                found.append(Difference(f"{what} {id}", *("no number" if x is None else str(x) for x in (was, is_now))))
-    return found
+                differences.append(
+                    Difference(f"{what} {id}", *("no number" if x is None else str(x) for x in (was, is_now)))
+                )
+    return differences
 
 
 def _near(a: Any, b: Any, floor: float) -> bool:

@@ -73,9 +73,9 @@ def build() -> Array:
 
 
 def main(path: Path = TABLE) -> None:
-    made = BytesIO()
-    np.save(made, build(), allow_pickle=False)
-    write_file(path, made.getvalue())
+    buffer = BytesIO()
+    np.save(buffer, build(), allow_pickle=False)
+    write_file(path, buffer.getvalue())
 
 
 if __name__ == "__main__":

@@ -439,8 +439,8 @@ def _between_grooves(hot: Film, seat: BearingCase, ratio: Number) -> Coefficient
     assert grooves is not None
     at = film_at(hot.eccentricity, ratio, grooves)
     names = ("k_xx", "k_xy", "k_yx", "k_yy", "c_xx", "c_xy", "c_yy")
-    found = {name: grooved_coefficient(value=getattr(at, name), eps=hot.eccentricity, b=ratio) for name in names}
-    return Coefficients(**found)
+    terms = {name: grooved_coefficient(value=getattr(at, name), eps=hot.eccentricity, b=ratio) for name in names}
+    return Coefficients(**terms)
 
 
 def orbit(film: Dynamics, R_0: Newton, phi: Radian, duty: OperatingPoint, seat: BearingCase) -> Orbit:

@@ -110,14 +110,14 @@ def solve_grooved(
     """The film at ε, l/d, with its coefficients.  `feed_pressure`: over μ·ω·(r/c)².  Raises ValueError outside 0.02 <=
     ε <= 0.98."""
     _require(eccentricity, feeds)
-    found: list[Array] = []
+    states: list[Array] = []
     phi = math.atan2(math.pi * math.sqrt(1 - eccentricity**2), 4 * eccentricity)
     for coarser in LEVELS:
         force = _force_of(length_ratio, feeds, feed_pressure, (cells[0] // coarser, max(cells[1] // coarser, 4)))
         phi = _attitude(lambda angle, of=force: _aside(of, eccentricity, angle), phi)  # type: ignore[misc]
         if coarser <= 2:
-            found.append(_state(force, eccentricity, phi))
-    coarse, fine = found
+            states.append(_state(force, eccentricity, phi))
+    coarse, fine = states
     phi, load, side_flow, peak, *rates = (fine + (fine - coarse) / 3).tolist()
     So = load / 2
     k_xx, k_xy, k_yx, k_yy, c_xx, c_xy, c_yx, c_yy = (rate / load for rate in rates)
@@ -153,7 +153,7 @@ def _require(eccentricity: float, feeds: tuple[Feed, ...]) -> None:
 def overlap(feeds: tuple[Feed, ...]) -> bool:
     turns = sorted((feed.angle % (2 * math.pi), feed.arc) for feed in feeds)
     after = [*turns[1:], (turns[0][0] + 2 * math.pi, turns[0][1])]
-    return any(one + arc / 2 >= other - next_arc / 2 for (one, arc), (other, next_arc) in zip(turns, after))
+    return any(angle + arc / 2 >= other - next_arc / 2 for (angle, arc), (other, next_arc) in zip(turns, after))
 
 
 Force = Callable[[float, float, float, float], _Force]
@@ -175,20 +175,20 @@ def _force_of(length_ratio: float, feeds: tuple[Feed, ...], feed_pressure: float
 
 
 def _aside(force: Force, eccentricity: float, angle: float) -> float:
-    found = force(eccentricity * math.cos(angle), eccentricity * math.sin(angle), 0.0, 0.0)
-    return math.atan2(found.aside, found.along)
+    components = force(eccentricity * math.cos(angle), eccentricity * math.sin(angle), 0.0, 0.0)
+    return math.atan2(components.aside, components.along)
 
 
 def _attitude(across: Callable[[float], float], phi: float) -> float:
     """The angle at which no force stands across the load: the line of centres turned back by what the force is off,
     then secants."""
-    one, off = phi, across(phi)
+    previous, off = phi, across(phi)
     other = phi - 0.5 * off
     for _ in range(ITERATION_LIMIT):
         far = across(other)
-        if abs(other - one) < TURN_TOLERANCE or far == off:
+        if abs(other - previous) < TURN_TOLERANCE or far == off:
             return other
-        one, other, off = other, other - far * (other - one) / (far - off), far
+        previous, other, off = other, other - far * (other - previous) / (far - off), far
     raise ArithmeticError(Text("no attitude angle found"))
 
 
@@ -387,9 +387,9 @@ class GroovedTable:
         step = self.x[1] - self.x[0]
         right = ((x - self.x[cell]) / step)[..., None]
         left = 1.0 - right
-        found: Array = left * self.values[cell] + right * self.values[cell + 1]
-        found += step**2 / 6 * ((left**3 - left) * self.bends[cell] + (right**3 - right) * self.bends[cell + 1])
-        return found
+        values: Array = left * self.values[cell] + right * self.values[cell + 1]
+        values += step**2 / 6 * ((left**3 - left) * self.bends[cell] + (right**3 - right) * self.bends[cell + 1])
+        return values
 
 
 @record
@@ -481,8 +481,8 @@ def film_at(
     eps = np.asarray(eccentricity, dtype=float)
     values = np.moveaxis(table.at(np.arctanh(eps)), -1, 0)
     S = np.exp(-values[0]) / (2 * math.pi * length_ratio**2 * short_bearing_load(eps))
-    found = [eps, S, *values[1:5], *(values[5:] / (eps * (1 - eps)))]
-    return GroovedPoint(*found) if eps.ndim else GroovedPoint(*map(float, found))
+    film_values = [eps, S, *values[1:5], *(values[5:] / (eps * (1 - eps)))]
+    return GroovedPoint(*film_values) if eps.ndim else GroovedPoint(*map(float, film_values))
 
 
 # --- as lines of the calculation

@@ -289,10 +289,10 @@ def _of_many_designs(function: Callable[..., Any], first: Any, second: Any, outs
     """Designs whose point lies outside the table go apart, unless that may be."""
     from ...sheet.lanes import parted
 
-    found: Any = point_by_point(lambda *numbers: function(*_many(*numbers), "nan"))(first, second)
+    film: Any = point_by_point(lambda *numbers: function(*_many(*numbers), "nan"))(first, second)
     if outside == "raise":
-        parted(found if has_lanes(found) else found[0] if isinstance(found, tuple) else found.eccentricity)
-    return found
+        parted(film if has_lanes(film) else film[0] if isinstance(film, tuple) else film.eccentricity)
+    return film
 
 
 # One point
@@ -381,8 +381,8 @@ def _scalar(value: float | Array) -> bool:
 
 def _many(first: float | Array, second: float | Array) -> tuple[Array, Array]:
     """The first as an array, the second broadcast to it; one l/d for all stays one."""
-    one, two = np.asarray(first, dtype=np.float64), np.asarray(second, dtype=np.float64)
-    return (one, two) if two.ndim == 0 else tuple(np.broadcast_arrays(one, two))  # type: ignore[return-value]
+    first_array, two = np.asarray(first, dtype=np.float64), np.asarray(second, dtype=np.float64)
+    return (first_array, two) if two.ndim == 0 else tuple(np.broadcast_arrays(first_array, two))  # type: ignore[return-value]
 
 
 def _sum(parts: Iterable[Array]) -> Array:

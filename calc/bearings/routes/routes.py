@@ -131,17 +131,17 @@ def _with_grooves(
             grooved.sheared_share(eps=eps, b=ratio, grooves=grooves),
         )
     else:
-        one = np.unique(np.asarray(ratio))
-        if one.size != 1:
+        ratios = np.unique(np.asarray(ratio))
+        if ratios.size != 1:
             raise NoSolution(
                 Text("axial grooves are not searched over lengths and diameters"),
                 EMPTY,
                 Text("choose sizes with a hole"),
             )
         eps = each(
-            grooved.eccentricity_from(np.where(np.asarray(g) > 0, S, np.nan), one.item(), grooves, outside="nan")
+            grooved.eccentricity_from(np.where(np.asarray(g) > 0, S, np.nan), ratios.item(), grooves, outside="nan")
         )
-        state = grooved.film_at(eps, one.item(), grooves)
+        state = grooved.film_at(eps, ratios.item(), grooves)
         phi, q_s, p_rel, land = state.attitude, state.side_flow, state.pressure_ratio, state.sheared
     f_v = f.friction_variable_grooved(So=So, eps=eps, phi=phi, k_s=duty.sliding_ratio, land=land)
     Q_1 = flow.side_flow_grooved(Q_rel=q_s, d=b.diameter, g=g, n_h=duty.effective_speed, l=l)

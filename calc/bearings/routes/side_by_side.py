@@ -95,36 +95,36 @@ def side_by_side(place: str, seat: BearingCase, duty: OperatingPoint, ratio: flo
             except (NoSolution, OutsideCharts) as outside:
                 silent[name] = text_of(outside)
     whole = _whole(seat)
-    own = films.get("reynolds")
-    if own is None:
+    own_film = films.get("reynolds")
+    if own_film is None:
         return RouteResultBeside(films, {}, {}, None, silent, ratio, whole)
-    deviations = {name: abs(film.film / own.film - 1) for name, film in films.items() if name != "reynolds"}
+    deviations = {name: abs(film.film / own_film.film - 1) for name, film in films.items() if name != "reynolds"}
     alike: dict[str, float] = {}
     spread: float | None = None
     for name in deviations:
         counts = seat.grooves is None and _compared(name, films[name], ratio)
-        same = _at_the_same_oil(place, name, seat, duty, own, shown=counts)
+        same = _at_the_same_oil(place, name, seat, duty, own_film, shown=counts)
         if same is None:
             continue
-        alike[name] = same.film / own.film - 1
+        alike[name] = same.film / own_film.film - 1
         if counts:
-            far = f.film_deviation(h_0=same.film, reference=own.film)
+            far = f.film_deviation(h_0=same.film, reference=own_film.film)
             spread = far if spread is None or far > spread else spread
     return RouteResultBeside(films, deviations, alike, spread, silent, ratio, whole)
 
 
 @design_by_design
 def _at_the_same_oil(
-    place: str, name: str, seat: BearingCase, duty: OperatingPoint, own: Film, *, shown: bool
+    place: str, name: str, seat: BearingCase, duty: OperatingPoint, own_film: Film, *, shown: bool
 ) -> Film | None:
     """The route's film with the oil as warm as in the own solution; `shown`: by lines of the calculation."""
     title, route = ROUTES[name]
     try:
         if not shown:
             with untraced():
-                return route(seat, duty, own.temperature_rise)
+                return route(seat, duty, own_film.temperature_rise)
         with about(Text("{place} bearing, {title}, at the same oil", place=IN_WORDS[place], title=title)):
-            return route(seat, duty, own.temperature_rise)
+            return route(seat, duty, own_film.temperature_rise)
     except (NoSolution, OutsideCharts, FilmRangeError):
         return None
 
@@ -140,10 +140,10 @@ def reason(name: str, side: RouteResultBeside) -> Text:
     film, ratio = side.films[name], side.ratio
     if name in ("raimondi_boyd", "falz") and ratio < side.whole * (1 - 1e-9):
         return Text("it takes the whole length, where the groove parts the film")
-    own = side.films["reynolds"]
+    own_film = side.films["reynolds"]
     if name in side.alike and abs(side.alike[name]) < side.deviations[name] / 2:
-        hotter = Text("hotter") if film.temperature_rise > own.temperature_rise else Text("cooler")
-        flow, own_flow = (Amount(Q * 6e4, form=".3g") for Q in (film.oil_flow, own.oil_flow))
+        hotter = Text("hotter") if film.temperature_rise > own_film.temperature_rise else Text("cooler")
+        flow, own_flow = (Amount(Q * 6e4, form=".3g") for Q in (film.oil_flow, own_film.oil_flow))
         return Text(
             "its flow is {oil_flow} against {oil_flow2} L/min, which leaves its oil {hotter}",
             oil_flow=flow,
@@ -185,9 +185,9 @@ def film_reason(name: str, film: Film, ratio: float) -> Text:
 def routes_table(place: str, side: RouteResultBeside) -> Table:
     """All that have an answer; the note says why the others have none."""
     rows: list[tuple[str | float | None, ...]] = []
-    own = side.films.get("reynolds")
+    own_film = side.films.get("reynolds")
     for name, film in side.films.items():
-        far = None if own is None or name == "reynolds" else (film.film / own.film - 1) * 100
+        far = None if own_film is None or name == "reynolds" else (film.film / own_film.film - 1) * 100
         same = side.alike.get(name)
         rows.append(
             (

@@ -51,7 +51,7 @@ class CandidateField:
         """Every rule on every candidate, by its key."""
         known: dict[Radian, dict[str, Judged]] = self.__dict__.setdefault("_judged", {})
         if slope not in known:
-            known[slope] = {one.rule.key: one for one in judge(self.task, self.states, slope)}
+            known[slope] = {limit.rule.key: limit for limit in judge(self.task, self.states, slope)}
         return known[slope]
 
     def passing(self, slope: Radian) -> BoolArray:
@@ -59,18 +59,18 @@ class CandidateField:
         known: dict[Radian, BoolArray] = self.__dict__.setdefault("_passing", {})
         if slope not in known:
             every = self.judged(slope).items()
-            known[slope] = np.all([one.margin >= (KEPT if key in OF_FILM else 0.0) for key, one in every], axis=0)
+            known[slope] = np.all([limit.margin >= (KEPT if key in OF_FILM else 0.0) for key, limit in every], axis=0)
         return known[slope]
 
     def wanted(self, slope: Radian) -> tuple[bool, BoolArray]:
         """Those of the candidates that keep every rule which have a usual clearance, else all; and whether they have
         none."""
-        every, one = self.passing(slope), usual(self.task, self.states.clearance)
-        kept = every if one is None else every & (one.margin >= 0)
+        every, clearance_limit = self.passing(slope), usual(self.task, self.states.clearance)
+        kept = every if clearance_limit is None else every & (clearance_limit.margin >= 0)
         return not kept.any(), kept if kept.any() else every
 
     def _least(self, slope: Radian, *keys: str) -> Array:
-        return least(one for key, one in self.judged(slope).items() if key in keys)
+        return least(limit for key, limit in self.judged(slope).items() if key in keys)
 
     def holds(self, slope: Radian) -> bool:
         """Whether some candidate keeps the rules on the film that smoother surfaces do not help, whatever its heat and
@@ -115,12 +115,12 @@ class CandidateField:
         return np.where(moved < 1e-9, 0.0, moved) + abs(task.seat.bearing.diameter / task.diameter - 1)
 
 
-def alike(one: BearingTask, other: BearingTask) -> bool:
+def alike(task: BearingTask, other: BearingTask) -> bool:
     """Whether two bearings have the same candidates with the same films."""
     return (
-        vars(one.duty) == vars(other.duty)
-        and vars(one.seat.bearing) == vars(other.seat.bearing)
-        and (one.length, one.clearance, one.room.longest, one.corners)
+        vars(task.duty) == vars(other.duty)
+        and vars(task.seat.bearing) == vars(other.seat.bearing)
+        and (task.length, task.clearance, task.room.longest, task.corners)
         == (other.length, other.clearance, other.room.longest, other.corners)
     )
 

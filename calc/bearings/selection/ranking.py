@@ -56,11 +56,11 @@ class Pick:
 
     @property
     def change(self) -> Number:
-        own = self.task
+        task = self.task
         return (
-            abs(self.length / own.length - 1)
-            + abs(self.clearance / own.clearance - 1)
-            + abs(self.diameter / own.diameter - 1)
+            abs(self.length / task.length - 1)
+            + abs(self.clearance / task.clearance - 1)
+            + abs(self.diameter / task.diameter - 1)
         )
 
     def with_slope(self, slope: Radian) -> "Pick":
@@ -87,31 +87,31 @@ class BearingRow:
     @property
     def film(self) -> Metre:
         """The thinnest of both bearings, at the edge and the worst corner."""
-        return min(one.film_edge for one in self.both)
+        return min(pick.film_edge for pick in self.both)
 
     @property
     def margin(self) -> Number:
-        return min(one.margin for one in self.both)
+        return min(pick.margin for pick in self.both)
 
     @property
     def change(self) -> Number:
-        return sum(one.change for one in self.both)
+        return sum(pick.change for pick in self.both)
 
     @property
     def corners(self) -> bool:
         """Whether it is judged at the corners of the tolerances, or as given."""
-        return all(one.task.corners for one in self.both)
+        return all(pick.task.corners for pick in self.both)
 
     @property
     def level(self) -> int:
         """By how many steps the surfaces of both are smoother."""
-        return sum(one.task.level for one in self.both)
+        return sum(pick.task.level for pick in self.both)
 
     @property
     def too_long(self) -> tuple[Metre, Metre]:
         """By how much each journal is longer than its room; 0: it fits, or its room is not known."""
         front, rear = (
-            max(one.length - one.task.room.longest, 0.0) if one.task.room.longest else 0.0 for one in self.both
+            max(pick.length - pick.task.room.longest, 0.0) if pick.task.room.longest else 0.0 for pick in self.both
         )
         return front, rear
 
@@ -126,7 +126,7 @@ def picks(task: BearingTask, length: Sequence[float], clearance: Sequence[float]
 
 
 def _pick(task: BearingTask, films: States, slope: Radian) -> Pick:
-    limits = {one.rule.key: one for one in judge(task, films, slope)}
+    limits = {limit.rule.key: limit for limit in judge(task, films, slope)}
     worst, psi = governing(limits.values(), 0), usual(task, films.clearance)
     state = worst.where if isinstance(worst.where, Text) else int(np.broadcast_to(worst.where, (1,))[0])
     corner = state if isinstance(state, Text) else task.states[state].name if state > 0 else EMPTY
@@ -140,7 +140,7 @@ def _pick(task: BearingTask, films: States, slope: Radian) -> Pick:
         float(limits["temperature_rise"].value[0]),
         float(mckee(task, films)[0]),
         float(least(limits.values())[0]),
-        tuple(check_of(one, 0) for one in limits.values()),
+        tuple(check_of(limit, 0) for limit in limits.values()),
         check_of(worst, 0),
         corner,
         check_of(psi, 0) if psi is not None and psi.margin[0] < 0 else None,
@@ -150,29 +150,31 @@ def _pick(task: BearingTask, films: States, slope: Radian) -> Pick:
 
 # --- orders
 # ----------------------------------------------------------------------------------------------------------------
-def by_power(one: CandidateField) -> tuple[Array, Array]:
+def by_power(field: CandidateField) -> tuple[Array, Array]:
     """The least power, the smaller change where powers are alike."""
-    return np.round(one.states.power / ALIKE), one.change()
+    return np.round(field.states.power / ALIKE), field.change()
 
 
-def by_change(one: CandidateField) -> tuple[Array, Array]:
+def by_change(field: CandidateField) -> tuple[Array, Array]:
     """The smallest change from the design, the least power where changes are the same."""
-    return np.round(one.change(), 9), one.states.power
+    return np.round(field.change(), 9), field.states.power
 
 
-def by_excess(one: CandidateField) -> tuple[Array, Array]:
+def by_excess(field: CandidateField) -> tuple[Array, Array]:
     """The least length beyond the room, the least power where that is the same."""
-    room = one.task.room.longest
-    return (0 * one.states.length if room is None else np.maximum(one.states.length - room, 0.0)), one.states.power
+    room = field.task.room.longest
+    return (
+        0 * field.states.length if room is None else np.maximum(field.states.length - room, 0.0)
+    ), field.states.power
 
 
 def best(fields: Fields, slopes: Slopes, order: Order) -> tuple[Pick, Pick] | None:
     """Of one oil and supply the first by an order, surfaces as they are before smoother ones; None where a bearing has
     no candidate."""
     both = [(_best(fields[place], slopes[place], order), slopes[place]) for place in PLACES]
-    if any(one is None for one, _ in both):
+    if any(ranked is None for ranked, _ in both):
         return None
-    front, rear = (_at(one[1], one[2], slope) for one, slope in both if one is not None)
+    front, rear = (_at(ranked[1], ranked[2], slope) for ranked, slope in both if ranked is not None)
     return front, rear
 
 
@@ -180,15 +182,19 @@ def rank(fields: Fields, slopes: Slopes, order: Order) -> tuple[float, ...] | No
     """Level of the surfaces, how many clearances are not usual, and what is wanted of the first by an order, as the
     grids have them; None: there is none."""
     both = [_best(fields[place], slopes[place], order) for place in PLACES]
-    return None if None in both else tuple(sum(pair) for pair in zip(*(one[0] for one in both if one is not None)))
+    return (
+        None
+        if None in both
+        else tuple(sum(pair) for pair in zip(*(ranked[0] for ranked in both if ranked is not None)))
+    )
 
 
 def best_diameters(fields: Fields, slopes: Slopes) -> dict[str, Metre] | None:
     """Those that need least power; None where a bearing has no candidate."""
     both = {
-        place: one[1].task.seat.bearing.diameter
+        place: ranked[1].task.seat.bearing.diameter
         for place in PLACES
-        if (one := _best(fields[place], slopes[place], by_power))
+        if (ranked := _best(fields[place], slopes[place], by_power))
     }
     return both if len(both) == len(PLACES) else None
 
@@ -199,11 +205,11 @@ def _best(
     """Rank, field and place of the first by an order, a usual clearance before others."""
     every = []
     for field in fields:
-        one, two = order(field)
+        primary, two = order(field)
         unusual, kept = field.wanted(slope)
-        if (index := first(kept, one, two)) is not None:
-            every.append(((field.task.level, unusual, float(one[index]), float(two[index])), field, index))
-    return min(every, key=lambda one: one[0], default=None)
+        if (index := first(kept, primary, two)) is not None:
+            every.append(((field.task.level, unusual, float(primary[index]), float(two[index])), field, index))
+    return min(every, key=lambda entry: entry[0], default=None)
 
 
 def closest(fields: Fields, slopes: Slopes) -> tuple[Pick, Pick] | None:
@@ -239,7 +245,7 @@ def pareto(every: Iterable[tuple[Variant, Fields]], slopes: Slopes) -> list[Bear
             able.append((variant, fields, min(side.min() for side in sides), min(side.max() for side in sides)))
     if not able:
         return []
-    low, high = min(one[2] for one in able), max(one[3] for one in able)
+    low, high = min(entry[2] for entry in able), max(entry[3] for entry in able)
     step = next((s for s in STEPS if (high - low) / s < MOST), STEPS[-1])
     rows: list[BearingRow] = []
     for film in np.arange(np.floor(low / step), np.floor(high / step) + 1) * step:
@@ -247,13 +253,19 @@ def pareto(every: Iterable[tuple[Variant, Fields]], slopes: Slopes) -> list[Bear
             (variant, [_least_with(fields[place], slopes[place], film) for place in PLACES])
             for variant, fields, *_ in able
         ]
-        variant, both = min(pairs, key=lambda pair: sum(one[0] if one is not None else np.inf for one in pair[1]))
+        variant, both = min(
+            pairs, key=lambda pair: sum(candidate[0] if candidate is not None else np.inf for candidate in pair[1])
+        )
         if None in both:
             continue
         row = BearingRow(
             "more film",
             variant,
-            *(_at(one[1], one[2], slopes[place]) for place, one in zip(PLACES, both) if one is not None),
+            *(
+                _at(candidate[1], candidate[2], slopes[place])
+                for place, candidate in zip(PLACES, both)
+                if candidate is not None
+            ),
         )
         while rows and row.film >= rows[-1].film and row.power <= rows[-1].power:
             rows.pop()

@@ -66,11 +66,11 @@ def confirmed(case: SelectionCase, row: BearingRow, slopes: dict[str, Radian]) -
     results = case.solve(with_row(case.bearings, row))
     there = results.outcomes["bearings"]
     again = slopes_of(case, results, slopes)
-    front, rear = (one.with_slope(again[place]) for place, one in zip(PLACES, row.both))
+    front, rear = (pick.with_slope(again[place]) for place, pick in zip(PLACES, row.both))
     failing = [c for c in there.checks if c.verdict == "fail"]
     if row.corners:
         failing += [c for c in there.checks if c.id.endswith(CORNER) and c.verdict != "fail" and not c.margin >= 0]
-    failing += [one.governing for one in (front, rear) if one.margin < 0]
+    failing += [pick.governing for pick in (front, rear) if pick.margin < 0]
     others = [
         c
         for key, o in results.outcomes.items()
@@ -105,52 +105,52 @@ def settle(case: SelectionCase, row: BearingRow, fields: Fields, slopes: dict[st
 def slopes_of(case: SelectionCase, results: Solution | None = None, before: Slopes | None = None) -> dict[str, Radian]:
     """As given, else of the shaft's bending; where its outline is not known any more, as before; zero where it never
     was."""
-    own = case.bearings
-    if own.slope is not None:
-        return {"front": own.slope[0], "rear": own.slope[-1]}
+    bearings = case.bearings
+    if bearings.slope is not None:
+        return {"front": bearings.slope[0], "rear": bearings.slope[-1]}
     shaft = (results or drawn(case)).result(CountershaftResult)
     if shaft is None or shaft.slope_front is None or shaft.slope_rear is None:
         return dict(before or dict.fromkeys(PLACES, 0.0))
     return {"front": shaft.slope_front, "rear": shaft.slope_rear}
 
 
-def with_row(own: BearingsInputs, row: BearingRow) -> BearingsInputs:
+def with_row(bearings: BearingsInputs, row: BearingRow) -> BearingsInputs:
     """The design's bearings as a row has them: as they then stand in the file."""
-    return applied(own, bearing_changes(row, own), "bearings.")
+    return applied(bearings, bearing_changes(row, bearings), "bearings.")
 
 
-def bearing_changes(row: BearingRow, own: BearingsInputs) -> Changes:
+def bearing_changes(row: BearingRow, bearings: BearingsInputs) -> Changes:
     """The keys that put a row into a design with these bearings; a clearance that stays keeps its key."""
     written: Changes = {}
-    fits = fits_to_write(row, own)
-    for place, one in zip(PLACES, row.both):
-        at, b = f"bearings.{place}", one.task.seat.bearing
-        if one.diameter != one.task.diameter:
-            written[f"{at}.diameter_mm"] = digits(one.diameter / 1e-3)
-        if one.length != one.task.length:
-            written[f"{at}.length_mm"] = digits(one.length / 1e-3)
-        if _moved(one) or fits is not None:  # factor K or fits would make another clearance of a new diameter or fit
-            written |= {f"{at}.clearance_factor": None, f"{at}.clearance_um": digits(one.clearance / 1e-6)}
-        if one.task.level:
+    fits = fits_to_write(row, bearings)
+    for place, pick in zip(PLACES, row.both):
+        at, b = f"bearings.{place}", pick.task.seat.bearing
+        if pick.diameter != pick.task.diameter:
+            written[f"{at}.diameter_mm"] = digits(pick.diameter / 1e-3)
+        if pick.length != pick.task.length:
+            written[f"{at}.length_mm"] = digits(pick.length / 1e-3)
+        if _moved(pick) or fits is not None:  # factor K or fits would make another clearance of a new diameter or fit
+            written |= {f"{at}.clearance_factor": None, f"{at}.clearance_um": digits(pick.clearance / 1e-6)}
+        if pick.task.level:
             written[f"{at}.journal_roughness_um"] = digits(b.journal_roughness / 1e-6)
             written[f"{at}.housing_roughness_um"] = digits(b.housing_roughness / 1e-6)
     if fits is not None:
         written |= {"bearings.journal_fit": fits[0], "bearings.seat_fit": fits[1]}
-    if row.variant.oil != own.oil:
+    if row.variant.oil != bearings.oil:
         written["bearings.oil"] = row.variant.oil
-    if row.variant.supply != own.supply:
+    if row.variant.supply != bearings.supply:
         written["bearings.supply"] = row.variant.supply
     return written
 
 
-def fits_to_write(row: BearingRow, own: BearingsInputs) -> tuple[str, str] | None:
+def fits_to_write(row: BearingRow, bearings: BearingsInputs) -> tuple[str, str] | None:
     """Closer fits; or widths for fits with a place, which would make another clearance than the row's.  None: they
     stay."""
-    return row.variant.fits or (placed(own) if any(map(_moved, row.both)) else None)
+    return row.variant.fits or (placed(bearings) if any(map(_moved, row.both)) else None)
 
 
-def _moved(one: Pick) -> bool:
-    return one.clearance != one.task.clearance or one.diameter != one.task.diameter
+def _moved(pick: Pick) -> bool:
+    return pick.clearance != pick.task.clearance or pick.diameter != pick.task.diameter
 
 
 VERIFIED = 4  # rows that are solved as whole designs before they are shown; the others when they are taken
@@ -216,7 +216,10 @@ def search(case: SelectionCase, progress: Progress | None = None) -> BearingsFou
     dropped: list[Text] = []
     of: Every = [(variant, in_room(fields, slopes)) for variant, fields in every]
     kind, rows = "all", _settled(case, of, slopes, dropped, part(progress, 0.5, 0.6))
-    able = all(any(one.carries(slopes[place]) for _, fields in every for one in fields[place]) for place in PLACES)
+    able = all(
+        any(candidates.carries(slopes[place]) for _, fields in every for candidates in fields[place])
+        for place in PLACES
+    )
     ways = _further(case, offered, bearings, slopes) if able and not rows else []
     for n, (way, some, asked) in enumerate(ways):
         here = part(progress, 0.6 + 0.4 * n / len(ways), 0.6 + 0.4 * (n + 1) / len(ways))
@@ -224,9 +227,9 @@ def search(case: SelectionCase, progress: Progress | None = None) -> BearingsFou
         rows = _settled(case, of, slopes, dropped, part(here, 0.5, 1.0))
         if rows:
             break
-    fitting = [one.row for one in rows if one.row is not None]
-    own = {id(row.variant) for row in fitting} if kind == "all" else set()
-    pairs = ((variant, best(fields, slopes, by_excess)) for variant, fields in every if id(variant) not in own)
+    fitting = [settled.row for settled in rows if settled.row is not None]
+    fitting_ids = {id(row.variant) for row in fitting} if kind == "all" else set()
+    pairs = ((variant, best(fields, slopes, by_excess)) for variant, fields in every if id(variant) not in fitting_ids)
     beyond = [
         row for variant, pair in pairs if pair for row in (BearingRow("too long", variant, *pair),) if any(row.too_long)
     ]
@@ -251,10 +254,10 @@ def search(case: SelectionCase, progress: Progress | None = None) -> BearingsFou
         tuple(pareto(of if fitting else every, slopes)),
         bearings,
         tuple(offered),
-        (slopes, *(one.slopes for one in rows[:verified])),
+        (slopes, *(settled.slopes for settled in rows[:verified])),
         tuple(refused),
         tuple(dropped),
-        {number: one.broken for number, one in enumerate(rows, 1) if one.broken},
+        {number: settled.broken for number, settled in enumerate(rows, 1) if settled.broken},
         tuple(crossings(case.results)),
         placed(case.bearings) is not None,
         verified,
@@ -272,11 +275,11 @@ def nearest_row(case: SelectionCase, progress: Progress | None = None, only: Seq
     offered = list(only) or variants(case)
     fields = short_fields(offered, bearings, slopes, part(progress, 0.0, 0.3))
     first = next(fields)
-    own = _nearest(case, [first], slopes, [])
+    nearest = _nearest(case, [first], slopes, [])
     if (
-        own is not None and own.row is not None and own.row.level == 0
+        nearest is not None and nearest.row is not None and nearest.row.level == 0
     ):  # sizes alone: no other oil or supply goes before
-        return own
+        return nearest
     ways: list[Iterable[tuple[Variant, Fields]]] = [chain([first], fields)]
     if not only:
         further = _further(case, offered, bearings, slopes)
@@ -301,22 +304,24 @@ def _further(
 
     The closest fits allow all that wider ones do: where no oil has a film that passes with these, no closer ones are
     looked at."""
-    ways = [("fits", [replace(one, fits=fits) for one in offered], bearings) for fits in closer_fits(case.bearings)]
+    ways = [
+        ("fits", [replace(variant, fits=fits) for variant in offered], bearings) for fits in closer_fits(case.bearings)
+    ]
     if ways:
-        thick = sorted(ways[-1][1], key=lambda one: -one.lubricant.at(case.bearings.supply_temperature).mu)
+        thick = sorted(ways[-1][1], key=lambda variant: -variant.lubricant.at(case.bearings.supply_temperature).mu)
         if not any(_may_pass(fields, slopes) for _, fields in short_fields(thick, bearings, slopes)):
             ways = []
     return ways if case.bearings.fits_given else [*ways, ("given", offered, as_given(bearings))]
 
 
 def _may_pass(fields: Fields, slopes: Slopes) -> bool:
-    return all(any(one.holds(slopes[place]) for one in fields[place]) for place in PLACES)
+    return all(any(candidates.holds(slopes[place]) for candidates in fields[place]) for place in PLACES)
 
 
 def _possible(bearings: Tasks) -> Tasks:
     """The same.  Raises NoSolution where the oil enters hotter than it may leave: no film has to be solved to know that
     none passes."""
-    for task in (one for some in bearings.values() for one in some):
+    for task in (each_task for some in bearings.values() for each_task in some):
         if (coolest := without_rise(task)).margin < 0:
             check = check_of(coolest, ())
             tried = Text("even without any rise: {limit}", limit=against(check))
@@ -343,18 +348,18 @@ def fields_of(
             if mu < known.get(key, 0.0):
                 continue
             same = (
-                one
-                for one in fields["front"]
-                if place == "rear" and alike(one.task, task) and slopes["front"] == slopes["rear"]
+                front
+                for front in fields["front"]
+                if place == "rear" and alike(front.task, task) and slopes["front"] == slopes["rear"]
             )
             twin = next(same, None)
-            one = twin.of(task) if twin is not None else field(task, variant, slopes[place], short)
-            if one is None:
+            candidates = twin.of(task) if twin is not None else field(task, variant, slopes[place], short)
+            if candidates is None:
                 continue
-            fields[place].append(one)
-            if one.holds(slopes[place]):
+            fields[place].append(candidates)
+            if candidates.holds(slopes[place]):
                 held = True
-            elif not one.hot(slopes[place]):
+            elif not candidates.hot(slopes[place]):
                 known[key] = max(mu, known.get(key, 0.0))
         if short and not held:
             break
@@ -377,16 +382,18 @@ def in_room(fields: Fields, slopes: Slopes) -> dict[str, list[CandidateField]]:
     passes."""
     inside: dict[str, list[CandidateField]] = {place: [] for place in PLACES}
     for place in PLACES:
-        for one in (some for outside in fields[place] if (some := outside.in_room()) is not None):
-            inside[place] += _smooth_enough(one, slopes[place]) if one.holds(slopes[place]) else [one]
+        for candidates in (some for outside in fields[place] if (some := outside.in_room()) is not None):
+            inside[place] += (
+                _smooth_enough(candidates, slopes[place]) if candidates.holds(slopes[place]) else [candidates]
+            )
     return inside
 
 
-def _smooth_enough(one: CandidateField, slope: Radian) -> list[CandidateField]:
+def _smooth_enough(candidates: CandidateField, slope: Radian) -> list[CandidateField]:
     """With its own surfaces and smoother ones, up to the first that lets some candidate pass; its own alone where none
     does."""
     levels = list[CandidateField]()
-    for level in one.smoother():
+    for level in candidates.smoother():
         levels.append(level)
         if level.passing(slope).any():
             return levels
@@ -437,17 +444,17 @@ def _by_nearness(
     Variants come in this order, so that the next oil or supply is only solved where those before have nothing that
     holds."""
     waiting: list[tuple[tuple[float, ...], int, Variant, Fields]] = []
-    own, stage = case.bearings, 0
+    bearings, stage = case.bearings, 0
     for n, (variant, fields) in enumerate(every):
-        fed, oil = variant.supply != own.supply, variant.oil != own.oil
+        fed, oil = variant.supply != bearings.supply, variant.oil != bearings.oil
         if (next_stage := 2 if fed else int(oil)) > stage:
             stage = next_stage
-            waiting.sort(key=lambda one: one[:2])
+            waiting.sort(key=lambda entry: entry[:2])
             while waiting and waiting[0][0][0] == 0:
                 yield waiting.pop(0)[2:]
-        if (one := rank(fields, slopes, by_change)) is not None:
-            waiting.append(((one[0], fed, oil, *one[1:]), n, variant, fields))
-    for _, _, variant, fields in sorted(waiting, key=lambda one: one[:2]):
+        if (ranked := rank(fields, slopes, by_change)) is not None:
+            waiting.append(((ranked[0], fed, oil, *ranked[1:]), n, variant, fields))
+    for _, _, variant, fields in sorted(waiting, key=lambda entry: entry[:2]):
         yield variant, fields
 
 
@@ -467,13 +474,17 @@ def _settled(
     done: list[Settled] = []
     while waiting and len(rows) < VERIFIED:
         waiting.sort(key=_rank)
-        one = waiting.pop(0)
-        assert one.row is not None
-        if one in done:  # still the least after its slopes were read again
-            rows.append(one)
+        candidate = waiting.pop(0)
+        assert candidate.row is not None
+        if candidate in done:  # still the least after its slopes were read again
+            rows.append(candidate)
             continue
-        tell(progress, 0.3 + 0.7 * len(done) / VERIFIED, Text("{row} in the whole design", row=one.row.variant.name))
-        settled = settle(case, one.row, by_variant[id(one.row.variant)], slopes)
+        tell(
+            progress,
+            0.3 + 0.7 * len(done) / VERIFIED,
+            Text("{row} in the whole design", row=candidate.row.variant.name),
+        )
+        settled = settle(case, candidate.row, by_variant[id(candidate.row.variant)], slopes)
         if settled.row is None:
             dropped.append(settled.why)
         else:
@@ -482,10 +493,10 @@ def _settled(
     return [*rows, *sorted(waiting, key=_rank)] if rows else []
 
 
-def _rank(one: Settled) -> tuple[int, float, float]:
+def _rank(settled: Settled) -> tuple[int, float, float]:
     """Smoother surfaces are the dearer ones; then power."""
-    assert one.row is not None
-    return one.row.level, one.row.power, one.row.change
+    assert settled.row is not None
+    return settled.row.level, settled.row.power, settled.row.change
 
 
 def as_is(bearings: Tasks, variant: Variant, slopes: Slopes, *, corners: bool) -> BearingRow | None:
@@ -495,7 +506,7 @@ def as_is(bearings: Tasks, variant: Variant, slopes: Slopes, *, corners: bool) -
     for place in PLACES:
         task = replace(bearings[place][0].with_oil(variant.lubricant, variant.supply), corners=corners)
         both += picks(task, [task.length], [task.clearance], slopes[place])
-    return BearingRow("now", variant, *both) if all(one.power == one.power for one in both) else None
+    return BearingRow("now", variant, *both) if all(pick.power == pick.power for pick in both) else None
 
 
 # --- why there is nothing
@@ -506,7 +517,7 @@ def _stopped(both: tuple[Pick, Pick] | None) -> Text:
             "no length is left between l/d, oil supply and room, or no clearance between the cold one and the usual "
             "factor K"
         )
-    worse = min(both, key=lambda one: one.margin)
+    worse = min(both, key=lambda pick: pick.margin)
     return Text("{limit} at {size}", limit=against(worse.governing), size=size(worse.length, worse.clearance))
 
 
@@ -524,7 +535,7 @@ def _none_whole(dropped: list[Text]) -> NoSolution:
 def nothing(every: Every, slopes: Slopes) -> NoSolution:
     """What comes nearest over all oils and supplies, and what stops it."""
     nearest = [
-        (min(one.margin for one in both), variant, both)
+        (min(pick.margin for pick in both), variant, both)
         for variant, fields in every
         if (both := closest(fields, slopes)) is not None
     ]
@@ -532,8 +543,8 @@ def nothing(every: Every, slopes: Slopes) -> NoSolution:
         advice = Text("more room for the journals, a narrower oil supply, or a smaller journal")
         return NoSolution(Text("no bearing is left to look at"), _stopped(None), advice)
     _, variant, both = max(nearest, key=lambda row: row[0])
-    worse = min(both, key=lambda one: one.margin)
-    front, rear = (size(one.length, one.clearance) for one in both)
+    worse = min(both, key=lambda pick: pick.margin)
+    front, rear = (size(pick.length, pick.clearance) for pick in both)
     tried = Text(
         "nearest: {row}, front {front}, rear {rear}, stopped by {limit}",
         row=variant.name,

@@ -105,11 +105,15 @@ class BearingRule:
         return judged(self, np.asarray(units.all_shown(value)), bound, self.check.sense, where)
 
 
-def check_of(one: Judged, index: Index) -> Check:
+def check_of(judgement: Judged, index: Index) -> Check:
     """The check of one candidate."""
-    limit = one.limit if isinstance(one.limit, tuple) else float(np.broadcast_to(one.limit, one.margin.shape)[index])
+    limit = (
+        judgement.limit
+        if isinstance(judgement.limit, tuple)
+        else float(np.broadcast_to(judgement.limit, judgement.margin.shape)[index])
+    )
     judged_one: Check = replace(
-        one.rule.check, value=float(np.broadcast_to(one.value, one.margin.shape)[index]), limit=limit
+        judgement.rule.check, value=float(np.broadcast_to(judgement.value, judgement.margin.shape)[index]), limit=limit
     )
     return judged_one
 
@@ -122,14 +126,17 @@ def rules(place: str, checks: Iterable[Check]) -> dict[str, BearingRule]:
     )
     trumpler = Text("Film at the edge by Trumpler, {place}", place=PLACE[place])
     rise = Text("Temperature rise, {place}", place=PLACE[place])
-    own = {
+    own_checks = {
         "film_edge_trumpler": replace(doubled, id=f"{at}.film_edge_trumpler", name=trumpler, advice=edge.advice),
         "temperature_rise": replace(hot, id=f"{at}.temperature_rise", name=rise, limit=RISE[0], unit="K", source=RISES),
         "clearance_cold": replace(cold, sense=">=", limit=UNITS["µm"].shown(LEAST_COLD), source=OWN),
     }
     if (usual := known.get(f"{at}.{USUAL}")) is not None:
-        own[USUAL] = usual
-    return {key: BearingRule(key, one) for key, one in ({key: known[f"{at}.{key}"] for key in READ} | own).items()}
+        own_checks[USUAL] = usual
+    return {
+        key: BearingRule(key, check)
+        for key, check in ({key: known[f"{at}.{key}"] for key in READ} | own_checks).items()
+    }
 
 
 # How long the journals may be beside the sectors, as far as the shaft is known.
@@ -169,9 +176,11 @@ def room(given: CountershaftInputs | None, shaft: CountershaftResult | None, pla
         return JournalRoom(
             None, Text("the outline of the shaft is not known, and so neither is the room for the journals")
         )
-    own = next((p for p in shaft.outline.pieces if p.what == "journal" and p.start <= z <= p.end), None)
+    journal = next((p for p in shaft.outline.pieces if p.what == "journal" and p.start <= z <= p.end), None)
     fixed = ("sector", "full", "journal") if given.gear_z is None else ("sector", "full", "journal", "gear")
-    faces = [min(abs(z - p.start), abs(z - p.end)) for p in shaft.outline.pieces if p.what in fixed and p is not own]
+    faces = [
+        min(abs(z - p.start), abs(z - p.end)) for p in shaft.outline.pieces if p.what in fixed and p is not journal
+    ]
     if not faces:
         return JournalRoom(None, Text("nothing stands beside the journal"))
     return JournalRoom(

@@ -66,47 +66,49 @@ POWER, EDGE, MCKEE = Name("P_f"), Name("h_edge"), Name("ZN/P")
 Cells = tuple[str | float | None, ...]
 
 
-def titles(found: BearingsFound) -> tuple[Text, Text]:
+def titles(choices: BearingsFound) -> tuple[Text, Text]:
     """Of the rows that fit, and of those that are too long."""
-    known = any(some[0].room.longest is not None for some in found.tasks.values())
+    known = any(some[0].room.longest is not None for some in choices.tasks.values())
     keeps = (
         Text("Bearings that fit and keep every limit")
         if known
         else Text("Bearings that keep every limit (their room is not known)")
     )
-    fits = "/".join(found.rows[0].variant.fits or ()) if found.rows else ""
+    fits = "/".join(choices.rows[0].variant.fits or ()) if choices.rows else ""
     of = {
         "all": Text("{keeps}: the nearest, then the least power of each oil and supply", keeps=keeps),
         "fits": Text("{keeps} with closer fits, {fits}", keeps=keeps, fits=fits),
         "given": Text("No bearing that fits keeps every limit at every corner: these keep them as given"),
         "none": Text("No bearing fits: those that keep every limit are too long for their room"),
-    }[found.kind]
-    if found.crossing:
-        fail = found.crossing[0].id
+    }[choices.kind]
+    if choices.crossing:
+        fail = choices.crossing[0].id
         of = {
             "all": Text("The design FAILS {check}. {keeps}", check=fail, keeps=keeps),
             "fits": Text("The design FAILS {check}. {keeps} with closer fits", check=fail, keeps=keeps),
             "given": Text("The design FAILS {check}. Those that fit keep the limits only as given", check=fail),
             "none": Text("The design FAILS {check}. No bearing fits", check=fail),
-        }[found.kind]
+        }[choices.kind]
     return of, Text("Bearings that keep every limit and are too long for their room")
 
 
-def choices_table(found: BearingsFound, top: int) -> Table:
+def choices_table(choices: BearingsFound, top: int) -> Table:
     """The design as it is, then the first `top` rows; where none fits, those that are too long."""
-    return _rows_table("bearings", titles(found)[0], found, (found.rows or found.beyond)[:top], 1, now=True)
+    return _rows_table("bearings", titles(choices)[0], choices, (choices.rows or choices.beyond)[:top], 1, now=True)
 
 
-def beyond_table(found: BearingsFound, top: int) -> Table | None:
+def beyond_table(choices: BearingsFound, top: int) -> Table | None:
     """Rows that are too long for the room, numbered on, so many that `top` are shown in all."""
-    shown = found.beyond[: max(top - len(found.rows), 0)] if found.rows else ()
-    return _rows_table("too_long", titles(found)[1], found, shown, len(found.rows) + 1, now=False) if shown else None
+    shown = choices.beyond[: max(top - len(choices.rows), 0)] if choices.rows else ()
+    return (
+        _rows_table("too_long", titles(choices)[1], choices, shown, len(choices.rows) + 1, now=False) if shown else None
+    )
 
 
 def _rows_table(
-    id: str, title: Text, found: BearingsFound, rows: tuple[BearingRow, ...], first: int, *, now: bool
+    id: str, title: Text, choices: BearingsFound, rows: tuple[BearingRow, ...], first: int, *, now: bool
 ) -> Table:
-    shown: list[tuple[str, BearingRow]] = [(Text("now"), found.now)] if now and found.now is not None else []
+    shown: list[tuple[str, BearingRow]] = [(Text("now"), choices.now)] if now and choices.now is not None else []
     shown += [(str(number), row) for number, row in enumerate(rows, first)]
     of = [row for _, row in shown]
     wide, extra = _wide(of), _extra(of)
@@ -135,7 +137,7 @@ def _rows_table(
 
 def _wide(rows: list[BearingRow]) -> bool:
     """Whether some row has another diameter."""
-    return any(one.diameter != one.task.diameter for row in rows for one in row.both)
+    return any(pick.diameter != pick.task.diameter for row in rows for pick in row.both)
 
 
 def _extra(rows: list[BearingRow]) -> Text:
@@ -145,25 +147,28 @@ def _extra(rows: list[BearingRow]) -> Text:
 
 def _size_columns(wide: bool) -> list[tuple[Text, str]]:
     pairs = (
-        (Text("{letter} d×l", letter=one) if wide else Text("{letter} l", letter=one), Text("{letter} g", letter=one))
-        for one in LETTER.values()
+        (
+            Text("{letter} d×l", letter=letter) if wide else Text("{letter} l", letter=letter),
+            Text("{letter} g", letter=letter),
+        )
+        for letter in LETTER.values()
     )
     return [column for size, clearance in pairs for column in ((size, "mm"), (clearance, "µm"))]
 
 
 def _sizes(row: BearingRow, wide: bool) -> Cells:
     cells: list[str | float | None] = []
-    for one in row.both:
-        size = Text("{d}×{l}", d=short_mm(one.diameter), l=short_mm(one.length))
-        cells.append(size if wide else _rounded(one.length * 1e3, 4))
-        cells.append(_rounded(one.clearance * 1e6, 3))
+    for pick in row.both:
+        size = Text("{d}×{l}", d=short_mm(pick.diameter), l=short_mm(pick.length))
+        cells.append(size if wide else _rounded(pick.length * 1e3, 4))
+        cells.append(_rounded(pick.clearance * 1e6, 3))
     return tuple(cells)
 
 
 def _cells(number: str, row: BearingRow, wide: bool, extra: Text) -> Cells:
     worse, letter = min(zip(row.both, LETTER.values()), key=lambda pair: pair[0].margin)
-    films = (row.film * 1e6, min(one.film_double_load for one in row.both) * 1e6, max(one.rise for one in row.both))
-    mckee = () if wide and extra else (min(one.mckee for one in row.both),)
+    films = (row.film * 1e6, min(pick.film_double_load for pick in row.both) * 1e6, max(pick.rise for pick in row.both))
+    mckee = () if wide and extra else (min(pick.mckee for pick in row.both),)
     numbers = (_rounded(x, 3) for x in (*films, *mckee, round(worse.margin * 100, 1)))
     by = Text("{rule} {letter}", rule=RULES[_key(worse)], letter=letter)
     cells: Cells = (*_first_cells(number, row, wide), _rounded(row.power, 4), *numbers, by)
@@ -185,16 +190,16 @@ def _too_long(row: BearingRow) -> Text:
 def _asks(row: BearingRow) -> Text:
     """Smoother surfaces and closer fits that a row needs."""
     words: list[str] = []
-    for letter, one in zip(LETTER.values(), row.both):
-        if one.task.level:
-            b = one.task.seat.bearing
+    for letter, pick in zip(LETTER.values(), row.both):
+        if pick.task.level:
+            b = pick.task.seat.bearing
             both = Amount(b.journal_roughness * 1e6), Amount(b.housing_roughness * 1e6)
             words.append(Text("{letter} Ra {journal}/{seat}", letter=letter, journal=both[0], seat=both[1]))
     return COMMA.join([*words, *(["/".join(row.variant.fits)] if row.variant.fits else [])])
 
 
-def _key(one: Pick) -> str:
-    return one.governing.id.rsplit(".", 1)[1]
+def _key(pick: Pick) -> str:
+    return pick.governing.id.rsplit(".", 1)[1]
 
 
 def _rounded(number: float, digits: int = 6) -> float | None:
@@ -204,19 +209,19 @@ def _rounded(number: float, digits: int = 6) -> float | None:
 def changed(row: BearingRow) -> Text:
     """`front length 27.5 → 31 mm, rear clearance 90 → 80 µm`; empty where nothing changes but oil and supply."""
     words: list[Text] = []
-    for place, one in zip(PLACES, row.both):
-        own, b = one.task, one.task.seat.bearing
+    for place, pick in zip(PLACES, row.both):
+        task, b = pick.task, pick.task.seat.bearing
         for what, now, to, factor, unit in (
-            (Text("diameter"), own.diameter, one.diameter, 1e-3, "mm"),
-            (Text("length"), own.length, one.length, 1e-3, "mm"),
-            (Text("clearance"), own.clearance, one.clearance, 1e-6, "µm"),
+            (Text("diameter"), task.diameter, pick.diameter, 1e-3, "mm"),
+            (Text("length"), task.length, pick.length, 1e-3, "mm"),
+            (Text("clearance"), task.clearance, pick.clearance, 1e-6, "µm"),
         ):
             if abs(to - now) > 1e-9 * now:
                 ends = Amount(now / factor), Amount(to / factor, unit)
                 words.append(
                     Text("{place} {what} {now} → {to}", place=PLACE[place], what=what, now=ends[0], to=ends[1])
                 )
-        if own.level:
+        if task.level:
             both = Amount(b.journal_roughness * 1e6, "µm"), Amount(b.housing_roughness * 1e6, "µm")
             words.append(
                 Text("{place} Ra {journal} (journal), {seat} (seat)", place=PLACE[place], journal=both[0], seat=both[1])
@@ -242,8 +247,8 @@ class Neighbour:
 
 def neighbours(row: BearingRow, variants: tuple[Variant, ...], slopes: Slopes) -> Iterator[Neighbour]:
     """Of each bearing: one step shorter, one tighter, one wider, and the next thinner oil."""
-    for place, one in zip(PLACES, row.both):
-        l, g = one.length, one.clearance
+    for place, chosen in zip(PLACES, row.both):
+        l, g = chosen.length, chosen.clearance
         (shorter, _), (tighter, wider) = beside(l, LENGTH_STEP), beside(g, CLEARANCE_STEP)
         steps = (
             (Text("l {now} → {to}", now=Amount(l * 1e3), to=Amount(shorter * 1e3, "mm")), shorter, g),
@@ -251,26 +256,26 @@ def neighbours(row: BearingRow, variants: tuple[Variant, ...], slopes: Slopes) -
             (Text("g {now} → {to}", now=Amount(g * 1e6), to=Amount(wider * 1e6, "µm")), l, wider),
         )
         kept = [step for step in steps if min(step[1:]) > 0]
-        made = picks(
-            one.task, [length for _, length, _ in kept], [clearance for _, _, clearance in kept], slopes[place]
+        tried = picks(
+            chosen.task, [length for _, length, _ in kept], [clearance for _, _, clearance in kept], slopes[place]
         )
-        for (change, *_), pick in zip(kept, made):
-            yield Neighbour(PLACE[place], change, pick, one, pick.power - one.power)
+        for (change, *_), pick in zip(kept, tried):
+            yield Neighbour(PLACE[place], change, pick, chosen, pick.power - chosen.power)
     oil = thinner(list(variants), replace(row.variant, fits=None), row.front.task.duty.supply_temperature)
     if oil is not None:  # in both bearings, which share it; the worse of them says
         both = []
-        for place, one in zip(PLACES, row.both):
-            task = one.task.with_oil(oil.lubricant, oil.supply)
-            both.append((picks(task, [one.length], [one.clearance], slopes[place])[0], one))
+        for place, chosen in zip(PLACES, row.both):
+            task = chosen.task.with_oil(oil.lubricant, oil.supply)
+            both.append((picks(task, [chosen.length], [chosen.clearance], slopes[place])[0], chosen))
         worse, of = min(both, key=lambda pair: pair[0].margin)
-        more = sum(pick.power - one.power for pick, one in both)
+        more = sum(pick.power - chosen.power for pick, chosen in both)
         yield Neighbour(Text("both"), Text("oil {oil}", oil=oil.oil), worse, of, more, oil.oil)
 
 
-def outside(one: Neighbour) -> Text:
+def outside(neighbour: Neighbour) -> Text:
     """Which bound of the search the step passes; empty: none."""
-    to, of = one.instead, one.of
-    if one.oil or to.clearance <= of.clearance:
+    to, of = neighbour.instead, neighbour.of
+    if neighbour.oil or to.clearance <= of.clearance:
         return EMPTY
     usual = widest_usual(of.task)
     if of.clearance <= usual + SAME:
@@ -278,13 +283,13 @@ def outside(one: Neighbour) -> Text:
     return Name(f"≤ {WIDEST_CLEARANCE * 1e3:g} ‰") if to.clearance > WIDEST_CLEARANCE * of.diameter + SAME else EMPTY
 
 
-def neighbours_table(found: BearingsFound) -> Table:
+def neighbours_table(choices: BearingsFound) -> Table:
     """For the first rows: what lies one step outside, and why it is not offered."""
-    shown = (found.rows or found.beyond)[:EXPLAINED]
+    shown = (choices.rows or choices.beyond)[:EXPLAINED]
     rows = [
-        (str(number), one.place, one.change, *_outcome(found, row, one))
+        (str(number), neighbour.place, neighbour.change, *_outcome(choices, row, neighbour))
         for number, row in enumerate(shown, 1)
-        for one in neighbours(row, found.variants, found.slopes_of_row(number))
+        for neighbour in neighbours(row, choices.variants, choices.slopes_of_row(number))
     ]
     columns = (
         NUMBER,
@@ -304,42 +309,44 @@ def neighbours_table(found: BearingsFound) -> Table:
     return Table("neighbours", title, tuple((label, "") for label in columns), tuple(rows), note)
 
 
-def _outcome(found: BearingsFound, row: BearingRow, one: Neighbour) -> Cells:
+def _outcome(choices: BearingsFound, row: BearingRow, neighbour: Neighbour) -> Cells:
     """What stops it, the value, the limit and the corner; or what it costs, and which bound of the search it passes."""
-    c = one.instead.governing
-    if one.instead.margin < 0:
+    c = neighbour.instead.governing
+    if neighbour.instead.margin < 0:
         digits = 4 if f"≥ {short(c.value)} {c.unit}" != c.limit_text() else 6  # a miss that four digits would hide
         return (
-            _key(one.instead),
+            _key(neighbour.instead),
             value_of(c, digits),
             c.limit_text(),
-            CORNERS.get(one.instead.corner, one.instead.corner),
+            CORNERS.get(neighbour.instead.corner, neighbour.instead.corner),
         )
-    more = Amount(abs(one.more), "W", form=".2g")
-    words = Text("passes, {power} more", power=more) if one.more >= 0 else Text("passes, {power} less", power=more)
-    wanted = (one.oil, row.variant.supply)
+    more = Amount(abs(neighbour.more), "W", form=".2g")
+    words = (
+        Text("passes, {power} more", power=more) if neighbour.more >= 0 else Text("passes, {power} less", power=more)
+    )
+    wanted = (neighbour.oil, row.variant.supply)
     if n := next(
-        (n for n, other in enumerate(found.rows, 1) if (other.variant.oil, other.variant.supply) == wanted), 0
+        (n for n, other in enumerate(choices.rows, 1) if (other.variant.oil, other.variant.supply) == wanted), 0
     ):
         words = Text("{words} (row {n})", words=words, n=n)
-    bound = outside(one)
+    bound = outside(neighbour)
     return (Text("end of the search") if bound else "", words, bound, "")
 
 
-def pareto_table(found: BearingsFound) -> Table:
+def pareto_table(choices: BearingsFound) -> Table:
     """More film for more power: numbered on from the rows, so that these can be taken as well."""
-    wide, extra = _wide(list(found.pareto)), _extra(list(found.pareto))
+    wide, extra = _wide(list(choices.pareto)), _extra(list(choices.pareto))
     columns = [(NUMBER, ""), (OIL, ""), (SUPPLIED, ""), *_size_columns(wide), (POWER, "W"), (EDGE, "µm")]
     columns += [(extra, "mm" if extra == TOO_LONG else "")] if extra else []
     rows = []
-    for number, row in enumerate(found.pareto, len(found.rows) + len(found.beyond) + 1):
+    for number, row in enumerate(choices.pareto, len(choices.rows) + len(choices.beyond) + 1):
         last = (_too_long(row) if extra == TOO_LONG else _asks(row),) if extra else ()
         rows.append((*_first_cells(str(number), row, wide), _rounded(row.power, 4), _rounded(row.film * 1e6, 3), *last))
     note = Text("h_edge: the thinner of both. Between two rows lies no candidate with less power for its film.")
     title = Text("Pareto set: power against film")
-    if not found.rows:
+    if not choices.rows:
         title = Text("Pareto set: power against film, whatever the room")
-    elif found.kind == "given":
+    elif choices.kind == "given":
         title = Text("Pareto set: power against film, of those that keep every limit as given")
     return Table("pareto", title, tuple(columns), tuple(rows), note)
 
@@ -347,48 +354,50 @@ def pareto_table(found: BearingsFound) -> Table:
 # What is said about the rows: two or three lines before the tables, a list behind them.
 
 
-def summary(found: BearingsFound) -> tuple[Text, ...]:
+def summary(choices: BearingsFound) -> tuple[Text, ...]:
     """What fails now, what nearest is, and by how much the room is missed."""
-    words = [Text("The design as it is FAILS {id}: {limit}.", id=c.id, limit=against(c)) for c in found.crossing]
-    if found.kind in ("given", "none"):
-        words.append(_missed(found))
-    if not found.rows:
+    words = [Text("The design as it is FAILS {id}: {limit}.", id=c.id, limit=against(c)) for c in choices.crossing]
+    if choices.kind in ("given", "none"):
+        words.append(_missed(choices))
+    if not choices.rows:
         return tuple(words)
-    first, own = found.rows[0], found.variants[0]
+    first, own_variant = choices.rows[0], choices.variants[0]
     if first.what != "nearest":
-        why = next((why for v, why in found.refused if v is own), SEMICOLON.join(found.dropped) or Text("no film"))
+        why = next(
+            (why for v, why in choices.refused if v is own_variant), SEMICOLON.join(choices.dropped) or Text("no film")
+        )
         return (*words, Text("No row has the design's own oil and supply: {why}.", why=why))
     change = [
-        Text("oil {oil}", oil=first.variant.oil) if first.variant.oil != own.oil else EMPTY,
+        Text("oil {oil}", oil=first.variant.oil) if first.variant.oil != own_variant.oil else EMPTY,
         Text("supply by {supply}", supply=SUPPLY[first.variant.supply])
-        if first.variant.supply != own.supply
+        if first.variant.supply != own_variant.supply
         else EMPTY,
         changed(first),
     ]
     if any(change):
         nearest = Text("Row 1 is nearest to the design: {change}.", change=COMMA.join(filter(None, change)))
-        words.append(nearest + (_at_corners(found, first) if found.kind == "given" else EMPTY))
-    elif found.kind == "given":
+        words.append(nearest + (_at_corners(choices, first) if choices.kind == "given" else EMPTY))
+    elif choices.kind == "given":
         words.append(Text("Row 1 is the design as it is: it keeps every limit as given."))
     else:
         words.append(Text("Row 1 is the design as it is: it keeps every limit."))
     return tuple(words)
 
 
-def _missed(found: BearingsFound) -> Text:
+def _missed(choices: BearingsFound) -> Text:
     """Which journal has how much room, and by how much the nearest is too long."""
     Ra = Amount(ROUGHNESSES[-1] * 1e6, "µm")
-    if not found.beyond:
+    if not choices.beyond:
         return Text(
             "Nothing of any length keeps every limit, not with Ra down to {Ra}, nor with fits two grades closer.", Ra=Ra
         )
-    row, number = found.beyond[0], len(found.rows) + 1
+    row, number = choices.beyond[0], len(choices.rows) + 1
     long = [(place, x) for place, x in zip(PLACES, row.too_long) if x > 0]
     rooms = [
         Text(
             "the {place} journal has room for {room}",
             place=PLACE[place],
-            room=mm(found.tasks[place][0].room.longest or 0.0),
+            room=mm(choices.tasks[place][0].room.longest or 0.0),
         )
         for place, _ in long
     ]
@@ -403,27 +412,27 @@ def _missed(found: BearingsFound) -> Text:
     )
 
 
-def _at_corners(found: BearingsFound, row: BearingRow) -> Text:
+def _at_corners(choices: BearingsFound, row: BearingRow) -> Text:
     """The worst corner of a row that is judged as given."""
-    slopes = found.slopes_of_row(1)
+    slopes = choices.slopes_of_row(1)
     there = [
-        picks(replace(one.task, corners=True), [one.length], [one.clearance], slopes[p])[0]
-        for p, one in zip(PLACES, row.both)
+        picks(replace(pick.task, corners=True), [pick.length], [pick.clearance], slopes[p])[0]
+        for p, pick in zip(PLACES, row.both)
     ]
-    below = [c for one in there for c in one.checks if c.margin < 0 and not c.id.endswith("clearance_cold")]
+    below = [c for pick in there for c in pick.checks if c.margin < 0 and not c.id.endswith("clearance_cold")]
     return Text(" Below at a corner: {limits}.", limits=SEMICOLON.join(map(against, below))) if below else EMPTY
 
 
-def notes(found: BearingsFound) -> tuple[Text, ...]:
+def notes(choices: BearingsFound) -> tuple[Text, ...]:
     """A list: what is kept, the room, what was looked at, what else fails, and what was refused."""
-    return (*_kept(found), *_rooms(found), *_diameters(found), *_searched(found), *_refused(found))
+    return (*_kept(choices), *_rooms(choices), *_diameters(choices), *_searched(choices), *_refused(choices))
 
 
-def _kept(found: BearingsFound) -> Iterator[Text]:
-    n, last, end = len(found.rows), len(found.rows) + len(found.beyond), len(found.all)
+def _kept(choices: BearingsFound) -> Iterator[Text]:
+    n, last, end = len(choices.rows), len(choices.rows) + len(choices.beyond), len(choices.all)
     rows = Text("Every row keeps")
-    if found.kind == "given":
-        rows = Text("Rows {a} to {b} keep", a=n + 1, b=last) if found.beyond else Text("To keep would be")
+    if choices.kind == "given":
+        rows = Text("Rows {a} to {b} keep", a=n + 1, b=last) if choices.beyond else Text("To keep would be")
     yield Text(
         "{rows}, at the worst corner of the tolerances: the film at the edge by Kreisle and by Trumpler, Trumpler's "
         "film at twice the "
@@ -434,9 +443,11 @@ def _kept(found: BearingsFound) -> Iterator[Text]:
         rise=Amount(RISE[0], "K"),
         cold=Amount(LEAST_COLD * 1e6, "µm"),
     )
-    if found.kind == "given":
+    if choices.kind == "given":
         rows = (
-            Text("Rows 1 to {n} and {a} to {b}", n=n, a=last + 1, b=end) if found.pareto else Text("Rows 1 to {n}", n=n)
+            Text("Rows 1 to {n} and {a} to {b}", n=n, a=last + 1, b=end)
+            if choices.pareto
+            else Text("Rows 1 to {n}", n=n)
         )
         yield Text(
             "{rows} keep all that as given, and at the corners of the tolerances, which are only assumed, some "
@@ -446,16 +457,16 @@ def _kept(found: BearingsFound) -> Iterator[Text]:
         )
 
 
-def _rooms(found: BearingsFound) -> Iterator[Text]:
+def _rooms(choices: BearingsFound) -> Iterator[Text]:
     for place in PLACES:
-        room = found.tasks[place][0].room
+        room = choices.tasks[place][0].room
         if room.longest is None:
             yield Text("Room of the {place} journal: {why}.", place=PLACE[place], why=room.why)
         else:
             yield Text(
                 "Room of the {place} journal: {room}; {why}.", place=PLACE[place], room=mm(room.longest), why=room.why
             )
-    if found.beyond:
+    if choices.beyond:
         yield Text(
             "A journal that is too long asks for sectors that give way: their masses moved, a shorter half_length_mm, "
             "or the true shape as "
@@ -465,26 +476,26 @@ def _rooms(found: BearingsFound) -> Iterator[Text]:
         )
 
 
-def _diameters(found: BearingsFound) -> Iterator[Text]:
+def _diameters(choices: BearingsFound) -> Iterator[Text]:
     """What ties them, or which were looked at, and where the best row stands at their end."""
     for n, place in enumerate(PLACES):
-        if len(found.tasks[place]) == 1:
-            why = tied(found.case, place) or Text("no other has an answer")
+        if len(choices.tasks[place]) == 1:
+            why = tied(choices.case, place) or Text("no other has an answer")
             yield Text("The {place} diameter stays as it is: {why}.", place=PLACE[place], why=why)
             continue
-        looked = sorted(task.seat.bearing.diameter for task in found.tasks[place])
+        looked = sorted(task.seat.bearing.diameter for task in choices.tasks[place])
         free = Text(
             "The {place} diameter is free: {diameters} mm are looked at, nothing between.",
             place=PLACE[place],
             diameters=COMMA.join(Text("{d}", d=short_mm(d)) for d in looked),
         )
-        ends = {row.both[n].diameter for row in found.rows[:2]} & {looked[0], looked[-1]}
+        ends = {row.both[n].diameter for row in choices.rows[:2]} & {looked[0], looked[-1]}
         yield free + (
             Text(" {d}, in the first rows, is the end of it: beyond may be better.", d=mm(ends.pop()))
             if ends
             else EMPTY
         )
-    if any(len(some) > 1 for some in found.tasks.values()):
+    if any(len(some) > 1 for some in choices.tasks.values()):
         shares = COMMA.join(Text("{share}", share=Amount(share * 100, form="+.0f")) for share in DIAMETERS)
         yield Text(
             "Diameters stand {shares} % beside the design's; another supply takes the one that needs least power with "
@@ -494,7 +505,7 @@ def _diameters(found: BearingsFound) -> Iterator[Text]:
         )
 
 
-def _searched(found: BearingsFound) -> Iterator[Text]:
+def _searched(choices: BearingsFound) -> Iterator[Text]:
     K = USUAL_FACTORS[1]
     yield Text(
         "Lengths stand on half millimetres, clearances on 5 µm up to those of the factor K = {K} (the greatest that "
@@ -505,7 +516,7 @@ def _searched(found: BearingsFound) -> Iterator[Text]:
     beyond = [
         PLACE[p]
         for p in PLACES
-        if any(one.clearance > widest_usual(one.task) + SAME for one in (getattr(r, p) for r in found.rows))
+        if any(pick.clearance > widest_usual(pick.task) + SAME for pick in (getattr(r, p) for r in choices.rows))
     ]
     if beyond:
         where = listed(beyond)
@@ -514,7 +525,7 @@ def _searched(found: BearingsFound) -> Iterator[Text]:
             places=where,
             K=K,
         )
-    unusual = {n: c for n, row in enumerate(found.all, 1) for one in row.both if (c := one.unusual) is not None}
+    unusual = {n: c for n, row in enumerate(choices.all, 1) for pick in row.both if (c := pick.unusual) is not None}
     if unusual:
         yield Text(
             "The relative clearance of the application, {limit} (clearance_usual), goes before a wider one. Not kept, "
@@ -523,21 +534,21 @@ def _searched(found: BearingsFound) -> Iterator[Text]:
             limit=next(iter(unusual.values())).limit_text(),
             rows=rows_of(list(unusual)),
         )
-    if found.placed:
+    if choices.placed:
         yield Text(
             "The design's fits have a place and so make the clearance: a row with another one takes their widths "
             "alone (IT7 for f7)."
         )
-    if found.verified:
-        yield Text("Rows 1 to {n} are solved as whole designs; the others when they are taken.", n=found.verified)
-    for id in dict.fromkeys(c.id for checks in found.elsewhere.values() for c in checks):
-        there = {number: c for number, checks in found.elsewhere.items() for c in checks if c.id == id}
+    if choices.verified:
+        yield Text("Rows 1 to {n} are solved as whole designs; the others when they are taken.", n=choices.verified)
+    for id in dict.fromkeys(c.id for checks in choices.elsewhere.values() for c in checks):
+        there = {number: c for number, checks in choices.elsewhere.items() for c in checks if c.id == id}
         numbers, first = COMMA.join(map(str, there)), next(iter(there.values()))
         yield Text(
             "Another step then fails, with row {rows}: {id} ({limit}).", rows=numbers, id=id, limit=against(first)
         )
-    if found.dropped:
-        yield Text("Dropped once the whole design was solved: {rows}.", rows=SEMICOLON.join(found.dropped))
+    if choices.dropped:
+        yield Text("Dropped once the whole design was solved: {rows}.", rows=SEMICOLON.join(choices.dropped))
 
 
 def rows_of(numbers: list[int]) -> Text:
@@ -552,11 +563,11 @@ def rows_of(numbers: list[int]) -> Text:
     return plural("row {rows}", "rows {rows}", n=len(numbers), rows=listed(parts))
 
 
-def _refused(found: BearingsFound) -> Iterator[Text]:
+def _refused(choices: BearingsFound) -> Iterator[Text]:
     """Oils without a row: each with its reason by the design's supply, by another the thickest one's."""
-    for supply in dict.fromkeys(v.supply for v, _ in found.refused):
-        rows = [(v.oil, why) for v, why in found.refused if v.supply == supply]
-        if supply == found.variants[0].supply:
+    for supply in dict.fromkeys(v.supply for v, _ in choices.refused):
+        rows = [(v.oil, why) for v, why in choices.refused if v.supply == supply]
+        if supply == choices.variants[0].supply:
             oils = SEMICOLON.join(Text("{oil} ({why})", oil=oil, why=why) for oil, why in rows)
         else:
             names = COMMA.join(oil for oil, _ in rows)
@@ -564,12 +575,12 @@ def _refused(found: BearingsFound) -> Iterator[Text]:
         yield Text("Without a row by {supply}: {oils}.", supply=SUPPLY[supply], oils=oils)
 
 
-def hidden(found: BearingsFound, top: int) -> Text:
+def hidden(choices: BearingsFound, top: int) -> Text:
     """Which rows are not shown, and how to see them."""
-    last = len(found.rows) + len(found.beyond)
+    last = len(choices.rows) + len(choices.beyond)
     if top >= last:
         return EMPTY
-    beyond = max(top, len(found.rows)) + 1
-    if found.rows and found.beyond:
+    beyond = max(top, len(choices.rows)) + 1
+    if choices.rows and choices.beyond:
         return Text("Rows {a} to {b}: --top {b} (from {c} on too long for their room).", a=top + 1, b=last, c=beyond)
     return Text("Rows {a} to {b}: --top {b}.", a=top + 1, b=last)

@@ -131,7 +131,7 @@ def tied(case: SelectionCase, place: str) -> Text:
 
     The largest seat lets the sectors through where they are small enough for it, the front one the gear.
     """
-    shaft, own = case.shaft, case.bearings
+    shaft, bearings = case.shaft, case.bearings
     if shaft is None:
         return EMPTY
     if shaft.sections:
@@ -142,27 +142,27 @@ def tied(case: SelectionCase, place: str) -> Text:
     R = max(radii, default=shaft.outer_radius)
     if R is None:
         return Text("the shaft's outline is not known")
-    d = getattr(own, place).diameter
-    if R <= d / 2 + 1e-9 and d >= max(own.front.diameter, own.rear.diameter):
+    d = getattr(bearings, place).diameter
+    if R <= d / 2 + 1e-9 and d >= max(bearings.front.diameter, bearings.rear.diameter):
         return Text("the sectors are threaded in through its seat")
     if place == "front" and case.gear_tip is not None and case.gear_tip < d:
         return Text("the gear goes through its seat")
     return EMPTY
 
 
-def _solved(case: SelectionCase, own: BearingsInputs) -> Solution:
+def _solved(case: SelectionCase, bearings: BearingsInputs) -> Solution:
     """Results in which the bearings have an answer: those of the design, else of one with other lengths and clearances.
 
     Only loads, speeds and limits are taken from them, which do not depend on either.
     """
-    results = case.results if own is case.bearings else case.solve(own, last=True)
+    results = case.results if bearings is case.bearings else case.solve(bearings, last=True)
     outcome = results.outcomes["bearings"]
     if outcome.state == "solved":
         return results
     if outcome.state == "blocked":
         raise NoSolution(Text("the bearings are not solved yet"), outcome.reason, Text("solve the steps before"))
     for ratio, psi in PROBES:
-        probed = case.solve(_with_both(own, partial(_probe, ratio, psi)), last=True)
+        probed = case.solve(_with_both(bearings, partial(_probe, ratio, psi)), last=True)
         if probed.outcomes["bearings"].state == "solved":
             return probed
     raise NoSolution(
@@ -173,10 +173,10 @@ def _solved(case: SelectionCase, own: BearingsInputs) -> Solution:
 
 
 def _with_both(
-    own: BearingsInputs, change: Callable[[BearingInputs], BearingInputs], places: Sequence[str] = PLACES
+    bearings: BearingsInputs, change: Callable[[BearingInputs], BearingInputs], places: Sequence[str] = PLACES
 ) -> BearingsInputs:
-    front, rear = (change(b) if place in places else b for place, b in zip(PLACES, (own.front, own.rear)))
-    return replace(own, front=front, rear=rear)
+    front, rear = (change(b) if place in places else b for place, b in zip(PLACES, (bearings.front, bearings.rear)))
+    return replace(bearings, front=front, rear=rear)
 
 
 def _probe(ratio: float, psi: float, b: BearingInputs) -> BearingInputs:
@@ -184,33 +184,37 @@ def _probe(ratio: float, psi: float, b: BearingInputs) -> BearingInputs:
 
 
 def _task(
-    case: SelectionCase, own: BearingsInputs, solved: Solution, place: str, at_own: BearingTask | None = None
+    case: SelectionCase, bearings: BearingsInputs, solved: Solution, place: str, at_own: BearingTask | None = None
 ) -> BearingTask:
     """`at_own`: the same bearing at the design's diameter, whose length and clearance are those that a change counts
     from."""
     there = solved.result(BearingsResult)
     assert there is not None  # what `_solved` gave
-    one = there.bearings[place]
-    bearing: BearingInputs = getattr(own, place)
+    result = there.bearings[place]
+    bearing: BearingInputs = getattr(bearings, place)
     space = room(case.shaft, drawn(case).result(CountershaftResult), place, bearing.diameter)
-    widths = placed(own)  # a clearance that is searched for is not that of the fits: they are taken as widths about it
-    about = replace(own, journal_fit=widths[0], seat_fit=widths[1]) if widths else own
-    seat = replace(one.seat, bearing=bearing, inputs=about)
+    widths = placed(
+        bearings
+    )  # a clearance that is searched for is not that of the fits: they are taken as widths about it
+    about = replace(bearings, journal_fit=widths[0], seat_fit=widths[1]) if widths else bearings
+    seat = replace(result.seat, bearing=bearing, inputs=about)
     if at_own is not None:
         l, g, d = at_own.length, at_own.clearance, at_own.diameter
     else:
-        l, g, d = bearing.length, _clearance(own, bearing, one), bearing.diameter
-    factor = one.least_speed / one.transition_speed
-    return BearingTask(place, seat, one.duty, rules(place, solved.outcomes["bearings"].checks), space, factor, l, g, d)
+        l, g, d = bearing.length, _clearance(bearings, bearing, result), bearing.diameter
+    factor = result.least_speed / result.transition_speed
+    return BearingTask(
+        place, seat, result.duty, rules(place, solved.outcomes["bearings"].checks), space, factor, l, g, d
+    )
 
 
-def _clearance(inputs: BearingsInputs, bearing: BearingInputs, one: BearingResult) -> float:
+def _clearance(inputs: BearingsInputs, bearing: BearingInputs, result: BearingResult) -> float:
     """The design's own, whatever clearance the bearing was solved with."""
     if bearing.clearance is not None:
         return bearing.clearance
-    if one.seat.bearing.clearance is None:
-        return one.seat.clearance
-    return clearance_of(inputs, bearing, one.duty.speed)  # the design itself has no film
+    if result.seat.bearing.clearance is None:
+        return result.seat.clearance
+    return clearance_of(inputs, bearing, result.duty.speed)  # the design itself has no film
 
 
 def drawn(case: SelectionCase) -> Solution:
@@ -235,47 +239,47 @@ def crossings(results: Solution) -> list[Check]:
     ]
 
 
-def placed(own: BearingsInputs) -> tuple[str, str] | None:
+def placed(bearings: BearingsInputs) -> tuple[str, str] | None:
     """The widths alone of fits that both have a place, which makes the clearance; None: they have none."""
-    fields = [fits.parse(own.journal_fit), fits.parse(own.seat_fit)]
+    fields = [fits.parse(bearings.journal_fit), fits.parse(bearings.seat_fit)]
     return None if any(field.letter is None for field in fields) else (f"IT{fields[0].grade}", f"IT{fields[1].grade}")
 
 
-def closer_fits(own: BearingsInputs) -> list[tuple[str, str]]:
+def closer_fits(bearings: BearingsInputs) -> list[tuple[str, str]]:
     """Fits of journal and seat by one grade closer and by two, up to IT5; widths about the clearance where they have a
     place."""
-    widths = placed(own)
+    widths = placed(bearings)
     if widths is not None:
-        own = replace(own, journal_fit=widths[0], seat_fit=widths[1])
-    fields = [fits.parse(own.journal_fit), fits.parse(own.seat_fit)]
+        bearings = replace(bearings, journal_fit=widths[0], seat_fit=widths[1])
+    fields = [fits.parse(bearings.journal_fit), fits.parse(bearings.seat_fit)]
     closer: list[tuple[str, str]] = []
     for steps in (1, 2):
         grades = [max(min(field.grade, FINEST), field.grade - steps) for field in fields]
         words = tuple(f"{field.letter or 'IT'}{grade}" for field, grade in zip(fields, grades))
-        if words not in [(own.journal_fit, own.seat_fit), *closer]:
+        if words not in [(bearings.journal_fit, bearings.seat_fit), *closer]:
             closer.append((words[0], words[1]))
     return closer
 
 
-def _with_diameters(own: BearingsInputs, share: float, places: list[str]) -> BearingsInputs:
+def _with_diameters(bearings: BearingsInputs, share: float, places: list[str]) -> BearingsInputs:
     """Diameters changed by a share, on the step of their input."""
     step = DIAMETER.units.inside(DIAMETER.step or 0.5)
     return _with_both(
-        own, lambda b: replace(b, diameter=round(max(round(b.diameter * (1 + share) / step), 1) * step, 9)), places
+        bearings, lambda b: replace(b, diameter=round(max(round(b.diameter * (1 + share) / step), 1) * step, 9)), places
     )
 
 
 def variants(case: SelectionCase) -> list[Variant]:
     """The design's oil and supply first, then every engine oil, thickest first, with every supply that the design has
     the width for."""
-    own = case.bearings
-    lubricants = {name: Lubricant(own.in_bearings(oil), own.viscosity_law) for name, oil in case.oils.items()}
-    others = own.viscosity is None  # else every oil has the same viscosity
-    oils = [n for n in lubricants if n == own.oil or (others and (n in case.own_oils or ENGINE_OIL.match(n)))]
-    oils.sort(key=lambda name: (name != own.oil, -lubricants[name].at(own.supply_temperature).mu))
+    bearings = case.bearings
+    lubricants = {name: Lubricant(bearings.in_bearings(oil), bearings.viscosity_law) for name, oil in case.oils.items()}
+    others = bearings.viscosity is None  # else every oil has the same viscosity
+    oils = [n for n in lubricants if n == bearings.oil or (others and (n in case.own_oils or ENGINE_OIL.match(n)))]
+    oils.sort(key=lambda name: (name != bearings.oil, -lubricants[name].at(bearings.supply_temperature).mu))
     supplies = [
-        own.supply,
-        *(s for s, width in SUPPLIES.items() if s != own.supply and getattr(own, width) is not None),
+        bearings.supply,
+        *(s for s, width in SUPPLIES.items() if s != bearings.supply and getattr(bearings, width) is not None),
     ]
     return [Variant(name, fed, lubricants[name]) for fed in supplies for name in oils]
 

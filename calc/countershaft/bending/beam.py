@@ -82,17 +82,17 @@ def _shapes(L: Array, Phi: Array) -> tuple[Array, Array]:
 
     The solution of the unloaded Timoshenko element for unit displacements of its ends (Przemieniecki, Theory of Matrix
     Structural Analysis, 5.6), Φ = 12·E·I/(κ·G·A·L²)."""
-    one, o = np.ones_like(L), np.zeros_like(L)
+    ones, o = np.ones_like(L), np.zeros_like(L)
     w = np.array(
         [
-            [one + Phi, -Phi, -3 * one, 2 * one],
+            [ones + Phi, -Phi, -3 * ones, 2 * ones],
             [o, L * (1 + Phi / 2), -L * (2 + Phi / 2), L],
-            [o, Phi, 3 * one, -2 * one],
+            [o, Phi, 3 * ones, -2 * ones],
             [o, -L * Phi / 2, -L * (1 - Phi / 2), L],
         ]
     )
     theta = np.array(
-        [[o, -6 / L, 6 / L], [one + Phi, -(4 + Phi), 3 * one], [o, 6 / L, -6 / L], [o, -(2 - Phi), 3 * one]]
+        [[o, -6 / L, 6 / L], [ones + Phi, -(4 + Phi), 3 * ones], [o, 6 / L, -6 / L], [o, -(2 - Phi), 3 * ones]]
     )
     return np.moveaxis(w, 2, 0) / (1 + Phi)[:, None, None], np.moveaxis(theta, 2, 0) / (1 + Phi)[:, None, None]
 
@@ -147,8 +147,8 @@ def beam(
     w, theta = _shapes(L, Phi)
     power = np.arange(4)
     over_length = 1 / (power[:, None] + power[None, :] + 1)  # ∫ξ^i·ξ^j dξ
-    one, a, b, c = np.ones_like(L), L / 2, (4 + Phi) * L**2 / 12, (2 - Phi) * L**2 / 12
-    K = np.array([[one, a, -one, a], [a, b, -a, c], [-one, -a, one, -a], [a, c, -a, b]])
+    ones, a, b, c = np.ones_like(L), L / 2, (4 + Phi) * L**2 / 12, (2 - Phi) * L**2 / 12
+    K = np.array([[ones, a, -ones, a], [a, b, -a, c], [-ones, -a, ones, -a], [a, c, -a, b]])
     K = np.moveaxis(K, 2, 0) * (12 * EI / (L**3 * (1 + Phi)))[:, None, None]
     M = (mu * L)[:, None, None] * (w @ over_length @ w.transpose(0, 2, 1))
     of_section = np.broadcast_to(np.asarray(rotary, dtype=float), ends.size - 1)[piece]

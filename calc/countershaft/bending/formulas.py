@@ -71,8 +71,8 @@ def bending_stiffness(E: Pascal, I: Metre4) -> NewtonMetre2:
     shows="π·r_0⁴/4 of a sector, I of a full section",
 )
 def core_inertia(I: Metre4, r_0: Metre, sector: BoolArray) -> Metre4:
-    found = np.where(sector, pi * r_0**4 / 4, I)
-    return cast(Metre4, found)
+    inertia = np.where(sector, pi * r_0**4 / 4, I)
+    return cast(Metre4, inertia)
 
 
 @formula(
@@ -148,8 +148,8 @@ def slopes(
     u: Bent,
 ) -> Radian:
     """`u` is the solution for the other arguments, from which the moments are taken too."""
-    found = np.abs(u.slopes)
-    return cast(Radian, found)
+    angles = np.abs(u.slopes)
+    return cast(Radian, angles)
 
 
 @formula(

@@ -79,12 +79,12 @@ def stresses(
     z_M = f.moment_place(u=bent)
     here = [i for i in range(start.size) if start[i] - STEP <= z_M <= end[i] + STEP]
     i = max(here, key=lambda i: float(c[i] / I[i]))
-    own = np.flatnonzero((bent.moment_z >= start[k] - STEP) & (bent.moment_z <= end[k] + STEP))
+    indices = np.flatnonzero((bent.moment_z >= start[k] - STEP) & (bent.moment_z <= end[k] + STEP))
     known = dict(
         largest_moment_z=z_M,
         stress_at_largest_moment=f.bending_stress(M=M_max, c=item(c[i]), I=item(I[i])),
         bending_stress=item(stress[k]),
-        bending_stress_z=based_on(float(bent.moment_z[own[size[own].argmax()]]), bent),
+        bending_stress_z=based_on(float(bent.moment_z[indices[size[indices].argmax()]]), bent),
     )
     notch_of, notes = ({}, ()) if fillet is None else _notch(outline, bent, c, fillet)
     return known | notch_of, notes
@@ -182,9 +182,9 @@ def resultants(
         [(z, F)] for z, F in zip(np.ravel(forces[0]).tolist(), np.ravel((np.asarray(forces[1]) * back).real).tolist())
     ]
     sums = [(sum(z * F for z, F in group), sum(F for _, F in group)) for group in groups]
-    found = [(moment / F, F) for moment, F in sums if F]
-    largest = max((abs(F) for _, F in found), default=0.0)
-    return tuple((z, F) for z, F in found if abs(F) >= LEAST * largest)
+    loads = [(moment / F, F) for moment, F in sums if F]
+    largest = max((abs(F) for _, F in loads), default=0.0)
+    return tuple((z, F) for z, F in loads if abs(F) >= LEAST * largest)
 
 
 RIGID = 1.5  # first critical speed over the shaft's, from which it counts as rigid

@@ -116,7 +116,7 @@ def making(
 
         loads = (result.reaction_front, result.reaction_rear)
         seats = [Seat(d, l, load) for (d, l), load in zip((journals[0], journals[-1]), loads)] if journals else []
-        seat = max(seats, key=lambda one: one.diameter, default=None)
+        seat = max(seats, key=lambda candidate: candidate.diameter, default=None)
         other = compared(shaft, materials, R, shaft.core_radius, result.eccentric_mass, result.mass, seat)
         to.tables += Later(lambda: [compared_table(shaft, other)])
     support = materials[shaft.support.material] if shaft.support is not None else None
@@ -286,15 +286,15 @@ def _scatter(
 def _drains(shaft: CountershaftInputs, to: Gathered) -> "dict[str, DrainResult]":
     """The drains by their names, the first one without; what is noted of all is noted once."""
     asked = ([("", shaft.oil_drain)] if shaft.oil_drain is not None else []) + [
-        (one.name, one) for one in shaft.further_drains
+        (inputs.name, inputs) for inputs in shaft.further_drains
     ]
     if not asked:
         return {}
     from . import drain
 
-    chosen = {name: drain.solve(one) for name, one in asked}
-    to.checks += [drain.named(check, name) for name, one in chosen.items() for check in drain.checks(one)]
-    to.notes += dict.fromkeys(note for one in chosen.values() for note in drain.notes(one))
+    chosen = {name: drain.solve(inputs) for name, inputs in asked}
+    to.checks += [drain.named(check, name) for name, result in chosen.items() for check in drain.checks(result)]
+    to.notes += dict.fromkeys(note for result in chosen.values() for note in drain.notes(result))
     return chosen
 
 

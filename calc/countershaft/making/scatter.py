@@ -222,7 +222,7 @@ def drill(deviation: ComplexArray, influence: ComplexArray, least: float, most: 
     raised, by halved steps, which leads to the smallest maximum (its dual is concave in the weight).  The best of these
     tries is kept, and taking off nothing is one of them: drilling never makes a shaft worse."""
     masses, shafts = influence.shape[1], deviation.shape[1]
-    own = np.einsum(
+    matrix = np.einsum(
         "ji,jk->jik", influence.conj(), influence
     ).real  # |left|² of plane j = |deviation|² − 2·pull·x + x·own·x
     pull = np.einsum("ji,js->jis", influence.conj(), deviation).real
@@ -233,11 +233,11 @@ def drill(deviation: ComplexArray, influence: ComplexArray, least: float, most: 
         if not 0 < sweep < SWEEPS:
             pulls = pull[1] + weight * (pull[0] - pull[1])
         for i in range(masses):
-            back, more = own[1, i], own[0, i] - own[1, i]
+            back, more = matrix[1, i], matrix[0, i] - matrix[1, i]
             wanted = x[i] + (pulls[i] - back @ x - weight * (more @ x)) / (back[i] + weight * more[i])
             x[i] = np.minimum(np.maximum(wanted, least), most)
         if sweep >= SWEEPS - 1:
-            front, rear = (square[j] + ((own[j] @ x - 2 * pull[j]) * x).sum(0) for j in (0, 1))
+            front, rear = (square[j] + ((matrix[j] @ x - 2 * pull[j]) * x).sum(0) for j in (0, 1))
             now = np.maximum(front, rear)
             best, lowest = np.where(now < lowest, x, best), np.minimum(now, lowest)
             weight, step = weight + step * np.sign(front - rear), step / 2

@@ -90,13 +90,13 @@ def compared(
     `R` and `r_0`: of the design's sectors, None where they are not known; `eccentric_mass`: both together;
     `shaft_mass`: the whole shaft, `seat`: its largest journal, where they are known."""
     costs = {a.material: a for a in shaft.cost.alternatives} if shaft.cost is not None else {}
-    own = costs.get(shaft.material)
+    own_cost = costs.get(shaft.material)
     results = {}
     for name in named(shaft, materials):
         with about(Text("material {material}", material=name)):
             sized = _size(shaft, materials[shaft.material], materials.get(name), R, r_0, eccentric_mass)
             sized |= _whole(sized, materials[shaft.material], eccentric_mass, shaft_mass, seat)
-            results[key(name)] = MaterialResult(name=name, **sized, **_cost(shaft, costs.get(name), own))
+            results[key(name)] = MaterialResult(name=name, **sized, **_cost(shaft, costs.get(name), own_cost))
     return results
 
 
@@ -116,7 +116,12 @@ def key(name: str) -> str:
 
 
 def _size(
-    shaft: CountershaftInputs, own: Material, other: Material | None, R: Metre | None, r_0: Metre | None, mass: Kilogram
+    shaft: CountershaftInputs,
+    material: Material,
+    other: Material | None,
+    R: Metre | None,
+    r_0: Metre | None,
+    mass: Kilogram,
 ) -> dict[str, float]:
     if other is None:
         return {}
@@ -124,17 +129,17 @@ def _size(
     if R is None or r_0 is None:
         return sizes
     wall = shaft.support.wall if shaft.support is not None else None
-    if other.name == own.name:
+    if other.name == material.name:
         sizes |= {"outer_radius": R, "bore_growth": 0.0, "eccentric_mass": mass}
         return sizes if wall is None else sizes | {"wall_left": wall}
-    R_m = f.radius_for(R=R, r_0=r_0, rho=own.density, rho_m=other.density)
+    R_m = f.radius_for(R=R, r_0=r_0, rho=material.density, rho_m=other.density)
     sizes |= {"outer_radius": R_m, "bore_growth": f.bore_growth(R_m=R_m, R=R)}
-    sizes["eccentric_mass"] = f.mass_for(m=mass, rho=own.density, rho_m=other.density, R=R, R_m=R_m, r_0=r_0)
+    sizes["eccentric_mass"] = f.mass_for(m=mass, rho=material.density, rho_m=other.density, R=R, R_m=R_m, r_0=r_0)
     return sizes if wall is None else sizes | {"wall_left": f.wall_left(w=wall, R_m=R_m, R=R)}
 
 
 def _whole(
-    sized: dict[str, float], own: Material, mass: Kilogram, shaft_mass: Kilogram | None, seat: Seat | None
+    sized: dict[str, float], material: Material, mass: Kilogram, shaft_mass: Kilogram | None, seat: Seat | None
 ) -> dict[str, float]:
     """The journal that grows with its seat, and the mass of the whole shaft; the rest of it keeps its shape."""
     if seat is None or "bore_growth" not in sized:
@@ -147,7 +152,7 @@ def _whole(
             m_S=shaft_mass,
             m=mass,
             rho_m=sized["density"],
-            rho=own.density,
+            rho=material.density,
             d_m=d,
             d=seat.diameter,
             l=seat.length,
@@ -156,20 +161,20 @@ def _whole(
     return whole
 
 
-def _cost(shaft: CountershaftInputs, one: Alternative | None, own: Alternative | None) -> dict[str, float]:
-    if shaft.cost is None or one is None:
+def _cost(shaft: CountershaftInputs, alternative: Alternative | None, own_cost: Alternative | None) -> dict[str, float]:
+    if shaft.cost is None or alternative is None:
         return {}
     N = shaft.cost.pieces_per_year
-    year = f.first_year(K_T=one.tooling, K_D=one.development, N=N, c=one.piece)
+    year = f.first_year(K_T=alternative.tooling, K_D=alternative.development, N=N, c=alternative.piece)
     costs = {"first_year_cost": year}
-    if own is None or one.material == own.material:
+    if own_cost is None or alternative.material == own_cost.material:
         return costs
-    theirs = f.first_year(K_T=own.tooling, K_D=own.development, N=N, c=own.piece)
-    costs["bearable_development"] = f.bearable_development(K_1=theirs, K_1a=year, K_Da=one.development)
-    first, other = own.tooling + own.development, one.tooling + one.development
-    if (own.piece - one.piece) * (other - first) > 0:  # else the same one is the cheaper at any volume
-        K, K_a = (f.before_first_piece(K_T=x.tooling, K_D=x.development) for x in (own, one))
-        costs["break_even"] = f.break_even(K=K, K_a=K_a, c=own.piece, c_a=one.piece)
+    theirs = f.first_year(K_T=own_cost.tooling, K_D=own_cost.development, N=N, c=own_cost.piece)
+    costs["bearable_development"] = f.bearable_development(K_1=theirs, K_1a=year, K_Da=alternative.development)
+    first, other = own_cost.tooling + own_cost.development, alternative.tooling + alternative.development
+    if (own_cost.piece - alternative.piece) * (other - first) > 0:  # else the same one is the cheaper at any volume
+        K, K_a = (f.before_first_piece(K_T=x.tooling, K_D=x.development) for x in (own_cost, alternative))
+        costs["break_even"] = f.break_even(K=K, K_a=K_a, c=own_cost.piece, c_a=alternative.piece)
     return costs
 
 
@@ -386,12 +391,12 @@ def choices(
                 radius_needed(R=room.outer_radius, r_0=room.core_radius, u=largest.utilisation), room.outer_radius
             ):
                 try:
-                    one = size(U, P, omega_S, material.density, R, room.core_radius, room.half_length, shaft.extras)
+                    sized = size(U, P, omega_S, material.density, R, room.core_radius, room.half_length, shaft.extras)
                 except TooSmall:  # the last digit of the smallest radius
                     continue
-                shafts.append(Choice(name, one, cost))
+                shafts.append(Choice(name, sized, cost))
     if not shafts:
-        raise max(refused.items(), key=lambda one: materials[one[0]][0].density)[1]
+        raise max(refused.items(), key=lambda refusal: materials[refusal[0]][0].density)[1]
     return Choices(tuple(sorted(shafts, key=lambda c: (c.sized.mass, c.sized.outer_radius))), refused)
 
 

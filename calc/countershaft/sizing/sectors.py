@@ -303,7 +303,8 @@ def eccentric_masses(sized: Sized) -> tuple[EccentricMass, ...]:
     """The sectors as the eccentric masses of a shaft, "front" and "rear"."""
     sides = (("front", sized.front), ("rear", sized.rear))
     return tuple(
-        EccentricMass(name=name, mass=one.mass, radius=one.radius, angle=one.angle, z=one.z) for name, one in sides
+        EccentricMass(name=name, mass=sector.mass, radius=sector.radius, angle=sector.angle, z=sector.z)
+        for name, sector in sides
     )
 
 

@@ -231,14 +231,14 @@ TABLE = Text("Reynolds 1886, full bearing with Swift–Stieber film end; this pr
 
 @formula("ε", TABLE, shows="ε from S(ε, l/d): table of Reynolds' solutions, inverted; lighter loads: 0")
 def eccentricity(S: Number, b: Number) -> Number:
-    found = np.nan_to_num(eccentricity_from(np.asarray(S, dtype=float), b, outside="nan"))
-    return array(found) if found.ndim else float(found)
+    eps = np.nan_to_num(eccentricity_from(np.asarray(S, dtype=float), b, outside="nan"))
+    return array(eps) if eps.ndim else float(eps)
 
 
 @formula("φ", TABLE, shows="φ from the table of Reynolds' solutions at ε, l/d; π/2 where ε is 0")
 def attitude(eps: Number, b: Number) -> Radian:
-    found = np.nan_to_num(film_at(np.asarray(eps, dtype=float), b, outside="nan").attitude, nan=math.pi / 2)
-    return array(found) if found.ndim else float(found)
+    angle = np.nan_to_num(film_at(np.asarray(eps, dtype=float), b, outside="nan").attitude, nan=math.pi / 2)
+    return array(angle) if angle.ndim else float(angle)
 
 
 @formula(

@@ -53,8 +53,8 @@ class WheelResult:
 
     def parts(self) -> tuple[Watt, ...]:
         """All that the wheel loses, part by part."""
-        found = (self.windage, self.churning, self.thrown_oil, self.seal_loss, self.bearing_loss, self.other_loss)
-        return tuple(part for part in found if part is not None)
+        losses = (self.windage, self.churning, self.thrown_oil, self.seal_loss, self.bearing_loss, self.other_loss)
+        return tuple(part for part in losses if part is not None)
 
 
 @formula("α_t", "geometry: transverse pressure angle, by reference and base circle")
@@ -102,10 +102,10 @@ def speeds_of(meshes: Mapping[str, MeshGeometry], first_speed: RevPerSecond) -> 
 
 def carried_by(entries: Iterable[Entry], wheels: Iterable[str], last: str) -> dict[str, list[Entry]]:
     """The entries of a table of losses by the wheel that carries them."""
-    found: dict[str, list[Entry]] = {}
+    carried: dict[str, list[Entry]] = {}
     for entry in entries:
-        found.setdefault(carrier(entry, wheels, last), []).append(entry)
-    return found
+        carried.setdefault(carrier(entry, wheels, last), []).append(entry)
+    return carried
 
 
 def unloaded(
@@ -129,7 +129,7 @@ def unloaded(
         rho_m = require(Text("density of the mist"), friction.mist_density)
         rho_0 = mist_of_the_tests(rho_oil=state.rho)
         eta_m = mist_viscosity(s_oil=oil_share(rho_m=rho_m, rho_oil=state.rho), eta_oil=state.mu, eta_air=AIR_VISCOSITY)
-    found: dict[str, WheelResult] = {}
+    results: dict[str, WheelResult] = {}
     for name, n in speeds.items():
         wheel, beta_b = bodies[name]
         with about(Text("wheel {name}", name=name)):
@@ -140,7 +140,7 @@ def unloaded(
                         P=P_X, P_i=require(Text("other loss {name}", name=other.name), other.power, zero=True)
                     )
             P_W = windage(b=wheel.face_width, r=wheel.reference_radius, n=n, eta_m=eta_m, rho_m=rho_m, rho_0=rho_0)
-        found[name] = WheelResult(
+        results[name] = WheelResult(
             speed=n,
             windage=P_W,
             other_loss=P_X,
@@ -148,7 +148,7 @@ def unloaded(
             thrown_oil=_sum(name, thrown.get(name, ()), sums.thrown_oil_on_wheel, _thrown, wheel, n, around),
             seal_loss=_sum(name, sealed.get(name, ()), sums.seals_on_wheel, _sealed, n, around),
         )
-    return found
+    return results
 
 
 def _sum(
@@ -197,10 +197,10 @@ def _sealed(seal: Seal, n: RevPerSecond, oil: Surroundings) -> Watt:
     from . import bearings as seals
 
     if seal.method == "simrit":
-        one = seals.simrit(d_sh=seal.diameter, n=n)
+        loss = seals.simrit(d_sh=seal.diameter, n=n)
     else:
-        one = seals.linke(T_oil=oil.T, nu_40=oil.lubricant.nu40, d_sh=seal.diameter, n=n)
-    return one if seal.count == 1 else seals.several(N=seal.count, P=one)
+        loss = seals.linke(T_oil=oil.T, nu_40=oil.lubricant.nu40, d_sh=seal.diameter, n=n)
+    return loss if seal.count == 1 else seals.several(N=seal.count, P=loss)
 
 
 def has_bearings(friction: FrictionInputs) -> bool:
@@ -224,7 +224,7 @@ def carrying(
         return {}
     with about(Text("oil of the wheels' bearings")):
         state = lubricant.at(T)
-    found: dict[str, tuple[Newton, Watt]] = {}
+    bearings: dict[str, tuple[Newton, Watt]] = {}
     for name, wheel in wheels.items():
         here = (*rolling.get(name, ()), *plain.get(name, ()))
         if not here:
@@ -233,8 +233,8 @@ def carrying(
         F = sum(given) if len(given) == len(here) else of_teeth
         P = _sum(name, here, sums.bearings_on_wheel, _borne, of_teeth, wheel.speed, state, lubricant.oil.base)
         assert P is not None
-        found[name] = F, P
-    return found
+        bearings[name] = F, P
+    return bearings
 
 
 def _borne(bearing: RollingBearing | PlainBearing, F: Newton, n: RevPerSecond, oil: OilState, base: str) -> Watt:

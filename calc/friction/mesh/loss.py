@@ -119,8 +119,8 @@ def no_rolling_loss() -> Watt:
 
 def extreme(which: Callable[..., Array], x: float) -> float:
     """The smallest or largest along the path."""
-    found = which(x, axis=-1)
-    return each(found) if found.ndim else one(each(found))
+    values = which(x, axis=-1)
+    return each(values) if values.ndim else one(each(values))
 
 
 @formula("h_min", "definition: smallest along the path", unit="µm", shows="smallest h along the path")
@@ -333,11 +333,11 @@ def solve_mesh(c: MeshCase, P: Watt, by_regime: bool, exponent: Number = EXPONEN
         _, T_b = _warmed(unlinked(c), unlinked(P), by_regime, exponent)
 
     def last(T: Celsius) -> tuple[MeshLoss, Celsius]:
-        found = _solved(replace(c, oil=c.oil.at(T)), P, by_regime, exponent)
-        return found, warming_of(c, P, found.friction_mean, found.loss_factor)
+        trial = _solved(replace(c, oil=c.oil.at(T)), P, by_regime, exponent)
+        return trial, warming_of(c, P, trial.friction_mean, trial.loss_factor)
 
-    found, rise = converged(closing_tooth_temperature, T_b, last, lambda both: both[1])
-    return replace(found, bulk_temperature=bulk_temperature(T_oil=flat(c.warming.T_oil), Delta_T=rise))
+    loss, rise = converged(closing_tooth_temperature, T_b, last, lambda both: both[1])
+    return replace(loss, bulk_temperature=bulk_temperature(T_oil=flat(c.warming.T_oil), Delta_T=rise))
 
 
 def warming_of(c: MeshCase, P: Watt, mu_m: Number, H_VL: Number) -> Celsius:
@@ -381,9 +381,9 @@ def _warmed(c: MeshCase, P: Watt, by_regime: bool, exponent: Number) -> tuple[Me
     last: list[tuple[MeshLoss, Celsius]] = []
 
     def gap_at(T: Celsius) -> Kelvin:
-        found = _solved(replace(c, oil=c.oil.at(column(T))), P, by_regime, exponent)
-        last[:] = [(found, column(T))]
-        return T_oil + warming_of(c, P, found.friction_mean, found.loss_factor) - T
+        loss = _solved(replace(c, oil=c.oil.at(column(T))), P, by_regime, exponent)
+        last[:] = [(loss, column(T))]
+        return T_oil + warming_of(c, P, loss.friction_mean, loss.loss_factor) - T
 
     def fail(gap: Kelvin, reason: str) -> NoSolution:
         point = Text("operating point {argmax}: ", argmax=int(np.argmax(np.abs(gap)))) if np.ndim(gap) else EMPTY
@@ -425,12 +425,12 @@ def _lost(c: MeshCase, P: Watt, by_regime: bool, exponent: Number) -> Lost:
     known."""
     if recorder.get() is not None:
         return _found(c, P, by_regime, exponent)
-    for how, power, found in c.last:
+    for how, power, lost in c.last:
         if how == (by_regime, exponent) and np.array_equal(power, P):
-            return found
-    found = _found(c, P, by_regime, exponent)
-    c.last[:] = [((by_regime, exponent), P, found)]
-    return found
+            return lost
+    lost = _found(c, P, by_regime, exponent)
+    c.last[:] = [((by_regime, exponent), P, lost)]
+    return lost
 
 
 def _found(c: MeshCase, P: Watt, by_regime: bool, exponent: Number) -> Lost:
@@ -583,9 +583,9 @@ def _joined(parts: list[MeshLoss]) -> MeshLoss:
     columns = {
         key: each(np.concatenate([getattr(part, key) for part in locals_])) for key in vars(first.local) if key != "x"
     }
-    found = {
+    joined = {
         name: each(np.concatenate([np.broadcast_to(getattr(part, name), np.shape(part.load)) for part in parts]))
         for name, value in vars(first).items()
         if name != "local" and value is not None
     }
-    return replace(first, local=replace(first.local, **columns), **found)
+    return replace(first, local=replace(first.local, **columns), **joined)

@@ -117,7 +117,8 @@ def cells(x: Array, width: Array, points: int, others: int) -> Cells:
     pair_before = np.where(in_piece > 0, first, place), np.where(in_piece > 0, place, last)
     pair_after = np.where(in_piece < points - 1, place, first), np.where(in_piece < points - 1, last, place)
     before, after = (
-        tuple((base + np.concatenate((one, marks))).ravel() for one in pair) for pair in (pair_before, pair_after)
+        tuple((base + np.concatenate((indices, marks))).ravel() for indices in pair)
+        for pair in (pair_before, pair_after)
     )
     flat = x.ravel()
     lefts, rights = (np.hstack((side.reshape(rows, -1), nothing)).ravel() for side in (left, right))
@@ -296,8 +297,8 @@ class Path:
 
     def at_pitch_point(self, x: float) -> float:
         """The value that an array has at C: a float, or one for each of many operating points."""
-        found = many(x)[..., self.per_strip - 3]
-        return based_on(each(found) if found.ndim else one(each(found)), x)
+        values = many(x)[..., self.per_strip - 3]
+        return based_on(each(values) if values.ndim else one(each(values)), x)
 
 
 @cache

@@ -329,8 +329,10 @@ def traction(
         return Traction(lam=lam, xi=xi, **vars(thin))
     thick = _elastic(at, array(np.where(rigid < 1, 1.0, 0.0)), x, subject)
     both = {
-        name: based_on(array(rigid * one + (1 - rigid) * getattr(thick, name)), film.rigid, one, getattr(thick, name))
-        for name, one in vars(thin).items()
+        name: based_on(
+            array(rigid * value + (1 - rigid) * getattr(thick, name)), film.rigid, value, getattr(thick, name)
+        )
+        for name, value in vars(thin).items()
     }
     return Traction(lam=lam, xi=xi, **both)
 

@@ -104,33 +104,33 @@ def over_speed_and_temperature(d: TrainDrive, power: Watt | None, on: OnShaft | 
 
 def _losses(d: TrainDrive, power: Watt | None, shaft: Journals | None, ratio: Number, T: Celsius) -> Losses:
     spur = all(mesh.spur for mesh in d.meshes.values())
-    own = replace(d.friction, bulk_temperature=None)  # what was measured once says nothing elsewhere
+    friction = replace(d.friction, bulk_temperature=None)  # what was measured once says nothing elsewhere
     with untraced(), np.errstate(all="ignore"):
         speeds = d.wheels[d.first].speed * ratio
         points = SPUR_POINTS if spur else HELICAL_POINTS
         at_all = drive(
-            own, d.meshes, d.lubricant, T, speeds, shaft, d.forces, d.lubrication, points=points, strips=STRIPS
+            friction, d.meshes, d.lubricant, T, speeds, shaft, d.forces, d.lubrication, points=points, strips=STRIPS
         )
         return losses_of(at_all, None if power is None else power * ratio)
 
 
 # --- shown
 # -------------------------------------------------------------------------------------------------------------------
-def pictures(found: Map, d: TrainDrive) -> tuple[tuple[Curve, ...], tuple[Table, ...], tuple[Text, ...]]:
+def pictures(loss_map: Map, d: TrainDrive) -> tuple[tuple[Curve, ...], tuple[Table, ...], tuple[Text, ...]]:
     """A line over the speeds for every temperature; the tables of losses, of fuel and of CO₂; what is missing."""
-    if not np.isfinite(found.total).any():
-        return (), (), (Text("No map of losses over speed and temperature: {missing}.", missing=found.missing),)
-    rpm = found.speeds * 60
-    labels = [Text("{T}", T=Amount(T, "°C")) for T in found.temperatures.tolist()]
-    total = found.total
+    if not np.isfinite(loss_map.total).any():
+        return (), (), (Text("No map of losses over speed and temperature: {missing}.", missing=loss_map.missing),)
+    rpm = loss_map.speeds * 60
+    labels = [Text("{T}", T=Amount(T, "°C")) for T in loss_map.temperatures.tolist()]
+    total = loss_map.total
     lines = tuple(Series(label, rpm, total[:, i]) for i, label in enumerate(labels))
-    at = int(np.argmin(np.abs(found.temperatures - d.T_oil)))
+    at = int(np.argmin(np.abs(loss_map.temperatures - d.T_oil)))
     parts = tuple(
         Series(label, rpm, part[:, at])
         for label, part in (
-            (Text("journals of the counter-shaft"), found.journals),
-            (Text("meshes"), found.mesh),
-            (Text("wheels"), found.wheels),
+            (Text("journals of the counter-shaft"), loss_map.journals),
+            (Text("meshes"), loss_map.mesh),
+            (Text("wheels"), loss_map.wheels),
         )
         if np.any(part[:, at] != 0)
     )
@@ -177,7 +177,7 @@ def pictures(found: Map, d: TrainDrive) -> tuple[tuple[Curve, ...], tuple[Table,
     return (
         tuple(curves),
         tuple(tables),
-        (Text("Map of losses: {missing}.", missing=found.missing),) if found.missing else (),
+        (Text("Map of losses: {missing}.", missing=loss_map.missing),) if loss_map.missing else (),
     )
 
 

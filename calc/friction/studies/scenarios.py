@@ -43,23 +43,23 @@ def solved(
 
     Where the teeth have the oil of the journals, a scenario's oil and temperature are those of the journals too.
     """
-    found: dict[str, ScenarioResult] = {}
+    results: dict[str, ScenarioResult] = {}
     for scenario in friction.scenarios:
         try:
             with untraced():
-                found[scenario.name] = _one(d, scenario, oils, law, power, on)
+                results[scenario.name] = _one(d, scenario, oils, law, power, on)
         except NoSolution as none:
             raise NoSolution(
                 Text("scenario {name}: {what}", name=scenario.name, what=none.what), none.tried, none.advice
             ) from None
-    return found
+    return results
 
 
 def _one(
     d: TrainDrive, s: Scenario, oils: Mapping[str, Oil], law: str, power: Watt | None, on: OnShaft | None
 ) -> ScenarioResult:
     measured = d.friction.bulk_temperature if s.oil_temperature is None else None
-    own = replace(
+    friction = replace(
         d.friction,
         load_sharing=s.load_sharing or d.friction.load_sharing,
         flank_roughness=s.flank_roughness or d.friction.flank_roughness,
@@ -84,7 +84,7 @@ def _one(
                 tried,
                 Text("another oil or temperature for this scenario"),
             )
-    other = drive(own, d.meshes, lubricant, T, d.wheels[d.first].speed, shaft, d.forces, d.lubrication)
+    other = drive(friction, d.meshes, lubricant, T, d.wheels[d.first].speed, shaft, d.forces, d.lubrication)
     r = balance(other, None if d.shaft is not None else s.power or power)
     meshes = {
         key: ScenarioMesh(judged=mesh.by_regime or mesh.judged, source=mesh.source) for key, mesh in r.meshes.items()
@@ -99,23 +99,23 @@ def _one(
         share=share,
         crank_torque=r.crank_torque,
         delivered_power=r.delivered_power,
-        about=_conditions(s, name, T, own),
+        about=_conditions(s, name, T, friction),
         oil=name,
         temperature=T,
     )
 
 
-def _conditions(s: Scenario, oil: str, T: Celsius, own: FrictionInputs) -> Text:
+def _conditions(s: Scenario, oil: str, T: Celsius, friction: FrictionInputs) -> Text:
     """Oil and temperature always, the rest where the scenario tells it."""
-    said = [Name(oil), Text("{T}", T=Amount(T, "°C"))]
+    conditions = [Name(oil), Text("{T}", T=Amount(T, "°C"))]
     if s.load_sharing is not None:
-        said.append(Name(own.load_sharing))
+        conditions.append(Name(friction.load_sharing))
     if s.flank_roughness is not None:
         both = listed(Text("{Ra}", Ra=Amount(Ra * 1e6)) for Ra in s.flank_roughness)
-        said.append(Text("Ra {both} µm", both=both))
+        conditions.append(Text("Ra {both} µm", both=both))
     if s.power is not None:
-        said.append(Text("{power}", power=Amount(s.power / 1e3, "kW")))
-    return COMMA.join(said)
+        conditions.append(Text("{power}", power=Amount(s.power / 1e3, "kW")))
+    return COMMA.join(conditions)
 
 
 # --- shown
@@ -125,14 +125,16 @@ MODELS = (("judged", Text("by regime")), ("source", Text("source: EHL everywhere
 
 def tables(result: FrictionResult) -> tuple[Table, ...]:
     """The whole balance; and one table a mesh and model: what the source tabulates, a row a scenario."""
-    found: dict[str, ScenarioResult] = result.scenarios or {}
-    if not found:
+    scenarios: dict[str, ScenarioResult] = result.scenarios or {}
+    if not scenarios:
         return ()
-    meshes = next(iter(found.values())).meshes
-    return _balance(found, result), *(_table(found, key, model, words) for key in meshes for model, words in MODELS)
+    meshes = next(iter(scenarios.values())).meshes
+    return _balance(scenarios, result), *(
+        _table(scenarios, key, model, words) for key in meshes for model, words in MODELS
+    )
 
 
-def _balance(found: Mapping[str, ScenarioResult], design: FrictionResult) -> Table:
+def _balance(scenarios: Mapping[str, ScenarioResult], design: FrictionResult) -> Table:
     """What each costs, the design first where no scenario is the same; columns that none has are left out."""
     columns = (
         (Text("Scenario"), ""),
@@ -145,8 +147,10 @@ def _balance(found: Mapping[str, ScenarioResult], design: FrictionResult) -> Tab
         (Text("delivered"), "W"),
     )
     rows: list[tuple[str | float | None, ...]] = []
-    compared: list[tuple[str, str, ScenarioResult | FrictionResult]] = [(name, s.about, s) for name, s in found.items()]
-    if all(s.total_loss != design.total_loss for s in found.values()):
+    compared: list[tuple[str, str, ScenarioResult | FrictionResult]] = [
+        (name, s.about, s) for name, s in scenarios.items()
+    ]
+    if all(s.total_loss != design.total_loss for s in scenarios.values()):
         compared.insert(0, (Text("as designed"), "", design))
     for name, about, s in compared:
         wheels = s.total_loss - s.mesh_loss - (s.bearing_loss or 0.0)
@@ -166,27 +170,27 @@ def _balance(found: Mapping[str, ScenarioResult], design: FrictionResult) -> Tab
 def as_design(friction: FrictionInputs, s: Scenario, shared: bool) -> dict[str, str | float | list[float] | None]:
     """The keys of the design, in the units of the file, that make a scenario of it.  `shared`: with [bearings], whose
     oil and temperature the teeth have too where the design says so."""
-    found: dict[str, str | float | list[float] | None] = {}
+    changes: dict[str, str | float | list[float] | None] = {}
     if s.oil is not None:
-        found["bearings.oil" if shared and friction.oil is None else "friction.oil"] = s.oil
+        changes["bearings.oil" if shared and friction.oil is None else "friction.oil"] = s.oil
     if s.oil_temperature is not None:
         if friction.bulk_temperature is not None:
-            found["friction.bulk_temperature_C"] = None  # it was measured at another temperature
-        found[
+            changes["friction.bulk_temperature_C"] = None  # it was measured at another temperature
+        changes[
             "bearings.supply_temperature_C"
             if shared and friction.oil_temperature is None
             else "friction.oil_temperature_C"
         ] = s.oil_temperature
     if s.load_sharing is not None:
-        found["friction.load_sharing"] = s.load_sharing
+        changes["friction.load_sharing"] = s.load_sharing
     if s.flank_roughness is not None:
-        found["friction.flank_roughness_um"] = [round(Ra * 1e6, 9) for Ra in s.flank_roughness]
+        changes["friction.flank_roughness_um"] = [round(Ra * 1e6, 9) for Ra in s.flank_roughness]
     if s.power is not None:
-        found["gears.power_kW"] = s.power / 1e3
-    return found
+        changes["gears.power_kW"] = s.power / 1e3
+    return changes
 
 
-def _table(found: Mapping[str, ScenarioResult], key: str, model: str, words: Text) -> Table:
+def _table(scenarios: Mapping[str, ScenarioResult], key: str, model: str, words: Text) -> Table:
     """What differs stands in columns, what is the same in all scenarios in the note."""
     columns = (
         (Text("Scenario"), ""),
@@ -205,7 +209,7 @@ def _table(found: Mapping[str, ScenarioResult], key: str, model: str, words: Tex
         (Text("T_f max"), "°C"),
     )
     rows: list[tuple[str | float | None, ...]] = []
-    for name, s in found.items():
+    for name, s in scenarios.items():
         m: MeshLoss = getattr(s.meshes[key], model)
         rows.append(
             (
@@ -243,16 +247,16 @@ def _shown(cell: str | float | None, unit: str) -> str | Amount:
     return Amount(cell, unit) if isinstance(cell, float) else cell or ""
 
 
-def curves(found: Mapping[str, ScenarioResult], marks: Mapping[str, Text]) -> Iterator[Curve]:
+def curves(scenarios: Mapping[str, ScenarioResult], marks: Mapping[str, Text]) -> Iterator[Curve]:
     """Nine curves a mesh along its path, a line a scenario; both models as variants.  `marks`: the label of the path of
     each mesh."""
-    meshes = next(iter(found.values())).meshes if found else {}
+    meshes = next(iter(scenarios.values())).meshes if scenarios else {}
     for key in meshes:
         for attribute, title, label, factor in ALONG:
             series = tuple(
                 Series(Name(name), np.asarray(local.x) * 1e3, local.drawn(attribute) * factor, words)
                 for model, words in MODELS
-                for name, s in found.items()
+                for name, s in scenarios.items()
                 for local in [getattr(s.meshes[key], model).local]
             )
             heading = Text("Scenarios, mesh {key}: {title} along the path", key=key.replace("_", "–"), title=title)

@@ -50,8 +50,8 @@ class Swing:
 def swings(d: TrainDrive, power: Watt | None, nominal: Watt) -> tuple[Swing, ...]:
     """The losses of the train with each constant at its ends, the widest first."""
     with untraced(), np.errstate(all="ignore"):
-        found = [*_numbers(d, power), *_laws(d, power, nominal)]
-    return tuple(sorted(found, key=lambda swing: -swing.span(nominal)))
+        swings = [*_numbers(d, power), *_laws(d, power, nominal)]
+    return tuple(sorted(swings, key=lambda swing: -swing.span(nominal)))
 
 
 def _numbers(d: TrainDrive, power: Watt | None) -> list[Swing]:
@@ -177,10 +177,10 @@ SHARINGS = {"linear": Text("linear"), "smooth": Text("smooth")}
 def _laws(d: TrainDrive, power: Watt | None, nominal: Watt) -> list[Swing]:
     """The laws between which one has to choose: the one that is taken stands at the nominal value."""
     f = d.friction
-    found = []
+    swings = []
 
     def other(name: Text, symbol: str, taken: Text, instead: Text, why: Text, changed: FrictionInputs) -> None:
-        found.append(Swing(name, symbol, taken, instead, nominal, _number(_power(d, changed, power)), why))
+        swings.append(Swing(name, symbol, taken, instead, nominal, _number(_power(d, changed, power)), why))
 
     if all(mesh.spur for mesh in d.meshes.values()):
         sharing = {"linear": "smooth", "smooth": "linear"}[f.load_sharing]
@@ -197,14 +197,14 @@ def _laws(d: TrainDrive, power: Watt | None, nominal: Watt) -> list[Swing]:
         Text("viscosity under pressure"), "η(p)", LAWS[taken], LAWS[law], Text("two laws"), replace(f, pressure_law=law)
     )
     if f.film == "judged":
-        found.append(_shares(d, power, nominal))
+        swings.append(_shares(d, power, nominal))
     film = {"judged": "source", "source": "judged"}[f.film]
     words = {"judged": Text("by regime, with rolling"), "source": Text("EHL everywhere, no rolling")}
     why = Text("the friction source's model, or by Johnson's regimes")
     other(Text("film"), "film", words[f.film], words[film], why, replace(f, film=film))
     if f.film == "judged":
         P, why = _number(_power(d, f, power, rolling=False)), Text("the bound supposes a full inlet")
-        found.append(
+        swings.append(
             Swing(
                 Text("rolling of the rigid film"),
                 "rolling",
@@ -215,7 +215,7 @@ def _laws(d: TrainDrive, power: Watt | None, nominal: Watt) -> list[Swing]:
                 why,
             )
         )
-    return found
+    return swings
 
 
 def _shares(d: TrainDrive, power: Watt | None, nominal: Watt) -> Swing:
@@ -254,16 +254,16 @@ def _power(
 
 # --- shown
 # -------------------------------------------------------------------------------------------------------------------
-def tornado(found: tuple[Swing, ...], nominal: Watt) -> tuple[Curve, Table]:
+def tornado(swings: tuple[Swing, ...], nominal: Watt) -> tuple[Curve, Table]:
     """Bars of what each constant changes, the widest first, and the numbers behind them."""
-    places = np.arange(1.0, len(found) + 1)
+    places = np.arange(1.0, len(swings) + 1)
     ends: tuple[tuple[Text, Callable[[Swing], Watt | None]], ...] = (
         (Text("low end"), lambda s: s.at_low),
         (Text("high end"), lambda s: s.at_high),
     )
-    series = tuple(Series(label, places, np.array([_off(at(s), nominal) for s in found])) for label, at in ends)
-    names = tuple(s.name for s in found)
-    x_label = Text(", ").join(f"{i} {s.symbol}" for i, s in enumerate(found, 1))
+    series = tuple(Series(label, places, np.array([_off(at(s), nominal) for s in swings])) for label, at in ends)
+    names = tuple(s.name for s in swings)
+    x_label = Text(", ").join(f"{i} {s.symbol}" for i, s in enumerate(swings, 1))
     curve = Curve(
         "open_constants",
         Text("What the open constants of mesh and mist change in the power lost"),
@@ -273,7 +273,7 @@ def tornado(found: tuple[Swing, ...], nominal: Watt) -> tuple[Curve, Table]:
         bars=True,
         names=names,
     )
-    rows = tuple((s.name, s.low, s.high, s.at_low, s.at_high, s.span(nominal), s.why) for s in found)
+    rows = tuple((s.name, s.low, s.high, s.at_low, s.at_high, s.span(nominal), s.why) for s in swings)
     columns = (
         (Text("Constant"), ""),
         (Text("Low end"), ""),
@@ -288,7 +288,7 @@ def tornado(found: tuple[Swing, ...], nominal: Watt) -> tuple[Curve, Table]:
         "tolerances: no probability is implied.",
         nominal=Amount(nominal),
     )
-    if any(s.at_low is None or s.at_high is None for s in found):
+    if any(s.at_low is None or s.at_high is None for s in swings):
         note += Text(" An empty cell: no solution with the constant there.")
     return curve, Table("tornado", Text("Sensitivity to what the literature leaves open"), columns, rows, note)
 

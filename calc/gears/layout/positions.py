@@ -289,9 +289,9 @@ def _swing(one: str, two: str, beside: Mapping[str, Mates], placing: Placing, ro
     with about(Text("wheel {two}, place", two=two)):
         between = Between(two, one, last, a_2, a_3, allowed(train, m_2) + allowed(train, m_3), [])
         placing.put(two, _solve(between, placing, s), Text("chosen"))
-    found = ((name, placing.p[name]) for name in (one, two))
+    placed = ((name, placing.p[name]) for name in (one, two))
     places = listed(
-        Text("{n} [{real}, {imag}] mm", n=name, real=mm(p.real, ".4f"), imag=mm(p.imag, ".4f")) for name, p in found
+        Text("{n} [{real}, {imag}] mm", n=name, real=mm(p.real, ".4f"), imag=mm(p.imag, ".4f")) for name, p in placed
     )
     placing.notes.append(
         Text(

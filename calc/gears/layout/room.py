@@ -242,10 +242,10 @@ def distance_check(
 def clearance_checks(wheel: str, free: dict[str, Clearance], order: list[str], chosen: bool) -> list[Check]:
     """Of the tightest place around a wheel.  Two wheels that come too near each other are judged once, at the later
     one."""
-    own = [c for c in free.values() if c.kind != "wheel" or order.index(c.to) < order.index(wheel)]
-    if not own:
+    clearances = [c for c in free.values() if c.kind != "wheel" or order.index(c.to) < order.index(wheel)]
+    if not clearances:
         return []
-    tight = min(own, key=lambda c: c.g)
+    tight = min(clearances, key=lambda c: c.g)
     what = {"wall": Text("wall {to}", to=tight.to), "neighbour": tight.to, "wheel": Text("wheel {to}", to=tight.to)}[
         tight.kind
     ]

@@ -232,8 +232,8 @@ def contact_checks(system: ToothSystem, wheel: WheelResult, sizes: MeasuresResul
             wheel.preferred_ball if wheel.preferred_ball is not None else wheel.ideal_ball,
             "gears.ball_diameter_mm",
         )
-        own = remedy(change(GearsInputs, key, None), effect=Text("each wheel then has its own"))
-        return remedy(change(GearsInputs, key, float(f"{fits * 1e3:.4g}"))), own
+        per_wheel = remedy(change(GearsInputs, key, None), effect=Text("each wheel then has its own"))
+        return remedy(change(GearsInputs, key, float(f"{fits * 1e3:.4g}"))), per_wheel
 
     checks = [
         check(

@@ -69,18 +69,18 @@ def flank(system: ToothSystem, wheel: WheelResult, shift: Number | None = None) 
     return Flank(cut, based_on(min(wheel.tip_diameter / 2, pointed), wheel.tip_diameter, wheel.pointed_diameter))
 
 
-def _seen(a_w: Metre, own: Flank, mate: Flank, carried: Array, share: Array, turn: float) -> tuple[Array, Array]:
+def _seen(a_w: Metre, flank: Flank, mate: Flank, carried: Array, share: Array, turn: float) -> tuple[Array, Array]:
     """Points of the mate as the wheel sees them: radius, and angle from its nearest tooth.
 
     `carried`: which of the mate's points; `share`: where each stands, −1 to 1 of the way that it has inside the wheel's
     tip circle. The mate's tooth stands at β from the line of centres; at β = 0 a space of the wheel stands there,
     turned by `turn`."""
     radius, theta = mate.points
-    reach = np.arccos(np.clip((a_w**2 + radius**2 - own.tip_radius**2) / (2 * a_w * radius), -1.0, 1.0))
+    reach = np.arccos(np.clip((a_w**2 + radius**2 - flank.tip_radius**2) / (2 * a_w * radius), -1.0, 1.0))
     r, place = radius[carried], reach[carried] * share  # of the point, from the line of centres
     X, Y = a_w - r * np.cos(place), -r * np.sin(place)
-    pitch = 2 * math.pi / own.cut.teeth
-    tooth = turn + pitch / 2 - (place - theta[carried]) * (mate.cut.teeth / own.cut.teeth)
+    pitch = 2 * math.pi / flank.cut.teeth
+    tooth = turn + pitch / 2 - (place - theta[carried]) * (mate.cut.teeth / flank.cut.teeth)
     return np.hypot(X, Y), np.abs((np.arctan2(Y, X) - tooth + pitch / 2) % pitch - pitch / 2)
 
 
@@ -108,32 +108,32 @@ def penetration(a_w: Metre, driver: Flank, driven: Flank, j_wt: Metre = 0.0) -> 
     return max(max(_deepest(a_w, driver, driven, j / r_w[0]), _deepest(a_w, driven, driver, j / r_w[1])) for j in sides)
 
 
-def _deepest(a_w: Metre, own: Flank, mate: Flank, turn: float = 0.0) -> Metre:
+def _deepest(a_w: Metre, flank: Flank, mate: Flank, turn: float = 0.0) -> Metre:
     """How deep points of the mate lie inside the wheel: its tip's corner in many positions, the flank in fewer.
 
     A corner passes a fillet in a loop as narrow as that: where it comes close to one it is looked at once more.
     """
-    radius, angle = _seen(a_w, own, mate, *PLACES, turn)
-    short = own.tooth_angle(radius) - angle  # by which the point is inside the tooth
-    r_form, root = own.fillet[0][-1], own.fillet[0][0]
+    radius, angle = _seen(a_w, flank, mate, *PLACES, turn)
+    short = flank.tooth_angle(radius) - angle  # by which the point is inside the tooth
+    r_form, root = flank.fillet[0][-1], flank.fillet[0][0]
     near = np.where((radius < r_form) | (short * radius > DUST), short * radius, -np.inf)[:CORNER]
     worst = int(np.argmax(near))
-    if near[worst] > -CLOSE * own.cut.system.m_n:
+    if near[worst] > -CLOSE * flank.cut.system.m_n:
         closer = PLACES[1][worst] + AROUND
-        more = _seen(a_w, own, mate, np.zeros(closer.size, int), closer, turn)
+        more = _seen(a_w, flank, mate, np.zeros(closer.size, int), closer, turn)
         radius, angle = np.concatenate([radius, more[0]]), np.concatenate([angle, more[1]])
-        short = np.concatenate([short, own.tooth_angle(more[0]) - more[1]])
-    inside = (radius < own.tip_radius) & ((short * radius > DUST) | (radius < root - DUST))
-    return _depth(own, radius[inside], angle[inside], short[inside]) if inside.any() else 0.0
+        short = np.concatenate([short, flank.tooth_angle(more[0]) - more[1]])
+    inside = (radius < flank.tip_radius) & ((short * radius > DUST) | (radius < root - DUST))
+    return _depth(flank, radius[inside], angle[inside], short[inside]) if inside.any() else 0.0
 
 
-def _depth(own: Flank, radius: Array, angle: Array, short: Array) -> Metre:
+def _depth(flank: Flank, radius: Array, angle: Array, short: Array) -> Metre:
     """The deepest of points inside a tooth: the way out is over the flank, the tip, the fillet or the root arc."""
-    r, theta = own.fillet
-    over_tip = own.tip_radius - radius
-    over_flank = np.where(short > 0, short * own.cut.base_radius, 0.0)
+    r, theta = flank.fillet
+    over_tip = flank.tip_radius - radius
+    over_flank = np.where(short > 0, short * flank.cut.base_radius, 0.0)
     corners = r * np.exp(1j * theta)
-    half_pitch = math.pi / own.cut.teeth
+    half_pitch = math.pi / flank.cut.teeth
     points = radius * np.exp(1j * angle)
     to_fillet = _distances(points, corners)
     to_root = (

@@ -152,9 +152,11 @@ def outline(
     return repeated(tooth(system, wheel, chord_error, shift), wheel.teeth, teeth)
 
 
-def repeated(one: Outline, z: int, teeth: range | None = None) -> Outline:
+def repeated(tooth: Outline, z: int, teeth: range | None = None) -> Outline:
     """A tooth at each of its places."""
     numbers = np.arange(z) if teeth is None else np.asarray(teeth)
     turns = np.exp(2j * np.pi * numbers / z)
-    last = one[:1] if teeth is None else one[-1:] * turns[-1]  # a closed line ends in the very point in which it begins
-    return np.concatenate([np.outer(turns, one[:-1]).ravel(), last])
+    last = (
+        tooth[:1] if teeth is None else tooth[-1:] * turns[-1]
+    )  # a closed line ends in the very point in which it begins
+    return np.concatenate([np.outer(turns, tooth[:-1]).ravel(), last])

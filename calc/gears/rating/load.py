@@ -253,8 +253,8 @@ def _dynamic(
                 inertia[name] = shaft
                 continue
             rho = materials[wheel.material].density
-            own = wheel_inertia(rho=rho, b=wheel.face_width, d=wheel.pitch_diameter, d_i=inside[name])
-            inertia[name] = own if shaft is None else with_shaft(J=own, J_S=shaft)
+            J = wheel_inertia(rho=rho, b=wheel.face_width, d=wheel.pitch_diameter, d_i=inside[name])
+            inertia[name] = J if shaft is None else with_shaft(J=J, J_S=shaft)
     up, down = dict[str, NewtonMetre](), dict[str, NewtonMetre]()
     for key, mesh in reversed(meshes):
         z_1, z_2, J_2 = train.wheels[mesh.driver].teeth, train.wheels[mesh.driven].teeth, inertia[mesh.driven]

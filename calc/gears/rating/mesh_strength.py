@@ -87,11 +87,11 @@ def mesh_strength(driver: WheelStrength, driven: WheelStrength, load: MeshLoad) 
             load.alpha_wt,
         )
     contact, bending = {}, {}
-    for own, mate in (sides, sides[::-1]):
-        with about(Text("flank of {name} in {pair}", name=own.name, pair=pair)):
-            contact[own.name] = _contact(own, mate, load, film)
-        with about(Text("root of {name} in {pair}, strength", name=own.name, pair=pair)):
-            bending[own.name] = _bending(own, load)
+    for wheel, mate in (sides, sides[::-1]):
+        with about(Text("flank of {name} in {pair}", name=wheel.name, pair=pair)):
+            contact[wheel.name] = _contact(wheel, mate, load, film)
+        with about(Text("root of {name} in {pair}, strength", name=wheel.name, pair=pair)):
+            bending[wheel.name] = _bending(wheel, load)
     with about(pair):
         S_H = min((c.S_H for c in contact.values() if c.S_H is not None), default=None)
         on_load = None if S_H is None else flank.contact_safety_on_load(S_H=S_H)
@@ -108,12 +108,12 @@ def mesh_strength(driver: WheelStrength, driven: WheelStrength, load: MeshLoad) 
     )
 
 
-def _contact(own: WheelStrength, mate: WheelStrength, load: MeshLoad, film: flank.FlankFilm) -> ContactStrength:
+def _contact(wheel: WheelStrength, mate: WheelStrength, load: MeshLoad, film: flank.FlankFilm) -> ContactStrength:
     Z_BD = flank.single_pair(
         load.alpha_wt,
-        own.tip_diameter,
-        own.base_diameter,
-        own.teeth,
+        wheel.tip_diameter,
+        wheel.base_diameter,
+        wheel.teeth,
         mate.tip_diameter,
         mate.base_diameter,
         mate.teeth,
@@ -121,39 +121,39 @@ def _contact(own: WheelStrength, mate: WheelStrength, load: MeshLoad, film: flan
         load.eps_beta,
     )
     Z_W = flank.work_hardening(
-        own.strength,
+        wheel.strength,
         mate.strength,
         load.flank_rz,
         load.flank_rz,
         film.rho_red,
         load.v,
         load.nu_40,
-        own.teeth / mate.teeth,
+        wheel.teeth / mate.teeth,
     )
     return flank.contact_strength(
-        own.strength,
+        wheel.strength,
         sigma_H0=load.sigma_H0,
         K_H=load.K_H,
         Z_BD=Z_BD,
         film=film,
         Z_W=Z_W,
-        cycles=own.cycles,
+        cycles=wheel.cycles,
         S_Hmin=S_H_LEAST,
     )
 
 
-def _bending(own: WheelStrength, load: MeshLoad) -> RootStrength:
+def _bending(wheel: WheelStrength, load: MeshLoad) -> RootStrength:
     return root.root_strength(
-        own.strength,
-        sigma_F0=own.sigma_F0,
+        wheel.strength,
+        sigma_F0=wheel.sigma_F0,
         K_F=load.K_F,
-        Y_B=root.rim_factor(own.name, own.tooth_depth, own.rim),
+        Y_B=root.rim_factor(wheel.name, wheel.tooth_depth, wheel.rim),
         Y_DT=root.deep_tooth_factor(load.grade, load.eps_alphan),
-        q_s=own.q_s,
+        q_s=wheel.q_s,
         Rz_F=load.root_rz,
         m_n=load.m_n,
-        loading=own.loading,
-        cycles=own.cycles,
+        loading=wheel.loading,
+        cycles=wheel.cycles,
         S_Fmin=S_F_LEAST,
     )
 

@@ -37,9 +37,12 @@ def notes(context: RatingContext, rated: Mapping[str, MeshRating], load: Mapping
             )
     title = {key: train.meshes[key].title for key in rated}
     notes += influence_notes(
-        {title[key]: one.influence for key, one in rated.items() if one.influence is not None}, gears.accuracy_grade
+        {title[key]: rating.influence for key, rating in rated.items() if rating.influence is not None},
+        gears.accuracy_grade,
     )
-    if idle := [title[key] for key, one in rated.items() if one.influence is None and not one.tangential_force]:
+    if idle := [
+        title[key] for key, rating in rated.items() if rating.influence is None and not rating.tangential_force
+    ]:
         notes.append(
             plural(
                 "Mesh {pairs}: no load, so no load factors and no safety.",
@@ -91,9 +94,9 @@ def _load_notes(context: RatingContext, load: RatingLoad) -> Iterator[Text]:
 def influence_notes(factors: Mapping[str, Influence], grade: Number) -> Iterator[Text]:
     """What was assumed, and what is outside its range; `factors` by the titles of their meshes."""
     misaligned = [
-        Text("{pair} {size}", pair=pair, size=Amount(one.manufacturing_misalignment * 1e6, "µm", form=".3g"))
-        for pair, one in factors.items()
-        if not one.misalignment_given
+        Text("{pair} {size}", pair=pair, size=Amount(influence.manufacturing_misalignment * 1e6, "µm", form=".3g"))
+        for pair, influence in factors.items()
+        if not influence.misalignment_given
     ]
     if misaligned:
         yield Text(
@@ -107,11 +110,11 @@ def influence_notes(factors: Mapping[str, Influence], grade: Number) -> Iterator
         Text(
             "{pair} {now} ({held})",
             pair=pair,
-            now=Amount(one.face_load_factor_flank, form=".3g"),
+            now=Amount(influence.face_load_factor_flank, form=".3g"),
             held=Amount(held, form=".3g"),
         )
-        for pair, one in factors.items()
-        if (held := one.face_load_factor_at_100) is not None
+        for pair, influence in factors.items()
+        if (held := influence.face_load_factor_at_100) is not None
     ]
     if lighter:
         yield Text(
@@ -120,9 +123,9 @@ def influence_notes(factors: Mapping[str, Influence], grade: Number) -> Iterator
             meshes=COMMA.join(lighter),
         )
     beyond: dict[Text, list[str]] = {}
-    for pair, one in factors.items():
-        if one.out_of_range:
-            beyond.setdefault(COMMA.join(one.out_of_range), []).append(pair)
+    for pair, influence in factors.items():
+        if influence.out_of_range:
+            beyond.setdefault(COMMA.join(influence.out_of_range), []).append(pair)
     for sizes, pairs in beyond.items():
         yield plural(
             "Mesh {pairs}: ISO 1328-1 has no tolerances for {out_of_range}: they are extrapolated.",

@@ -375,7 +375,7 @@ def no_work_hardening() -> Number:
 
 
 def work_hardening(
-    own: StrengthClass,
+    strength: StrengthClass,
     mate: StrengthClass,
     Rz: Metre,
     Rz_m: Metre,
@@ -385,17 +385,17 @@ def work_hardening(
     u: Number,
 ) -> Number:
     """Z_W of a wheel; `u`: its teeth over those of its mate.  1 where no hard flank works on a softer steel one."""
-    if own.through_hardened and mate.surface_hardened:
+    if strength.through_hardened and mate.surface_hardened:
         return work_hardening_by_hard(
-            HBW=own.brinell, Rz_H=equivalent_roughness(Rz_hard=Rz_m, Rz_soft=Rz, rho=rho_red, v=v, nu_40=nu_40)
+            HBW=strength.brinell, Rz_H=equivalent_roughness(Rz_hard=Rz_m, Rz_soft=Rz, rho=rho_red, v=v, nu_40=nu_40)
         )
-    if own.through_hardened and mate.through_hardened and u > 1 and mate.brinell >= 1.2 * own.brinell:
-        return work_hardening_through(HBW_1=mate.brinell, HBW_2=own.brinell, u=u)
+    if strength.through_hardened and mate.through_hardened and u > 1 and mate.brinell >= 1.2 * strength.brinell:
+        return work_hardening_through(HBW_1=mate.brinell, HBW_2=strength.brinell, u=u)
     return no_work_hardening()
 
 
 def contact_strength(
-    own: StrengthClass,
+    strength: StrengthClass,
     *,
     sigma_H0: Pascal,
     K_H: Number,
@@ -407,9 +407,11 @@ def contact_strength(
     pitting: bool = False,
 ) -> ContactStrength:
     """Stress and strength of one flank.  `cycles` None: the endurance limit."""
-    Z_NT = flank_life(own.kind, cycles, pitting)
+    Z_NT = flank_life(strength.kind, cycles, pitting)
     sigma_H = contact_stress_of_wheel(Z_BD=Z_BD, sigma_H0=sigma_H0, K_H=K_H)
-    sigma_HG = pitting_limit(sigma_Hlim=own.sigma_Hlim, Z_NT=Z_NT, Z_L=film.Z_L, Z_v=film.Z_v, Z_R=film.Z_R, Z_W=Z_W)
+    sigma_HG = pitting_limit(
+        sigma_Hlim=strength.sigma_Hlim, Z_NT=Z_NT, Z_L=film.Z_L, Z_v=film.Z_v, Z_R=film.Z_R, Z_W=Z_W
+    )
     return ContactStrength(
         Z_BD=Z_BD,
         Z_NT=Z_NT,
@@ -647,7 +649,7 @@ def surface_factor(kind: str, Rz_F: Metre) -> Number:
 
 
 def root_strength(
-    own: StrengthClass,
+    strength: StrengthClass,
     *,
     sigma_F0: Pascal,
     K_F: Number,
@@ -662,18 +664,18 @@ def root_strength(
 ) -> RootStrength:
     """Stress and strength of one root.  `loading`: pulsating or reversed; `cycles` None: the endurance limit."""
     rho = (
-        own.slip_layer
-        if own.proof_stress is None
-        else slip_layer(R_p=own.proof_stress, structural=float(own.kind == "St"))
+        strength.slip_layer
+        if strength.proof_stress is None
+        else slip_layer(R_p=strength.proof_stress, structural=float(strength.kind == "St"))
     )
     assert rho is not None  # every row of the table has one of the two
-    a, b, least = SIZE.get(own.kind, SIZE_HARDENED)
-    Y_NT, Y_drelT = root_life(own.kind, cycles), notch_sensitivity(rho=rho, q_s=q_s)
-    Y_RrelT, Y_X = surface_factor(own.kind, Rz_F), size_factor(a=a, b=b, m_n=m_n, Y=least)
+    a, b, least = SIZE.get(strength.kind, SIZE_HARDENED)
+    Y_NT, Y_drelT = root_life(strength.kind, cycles), notch_sensitivity(rho=rho, q_s=q_s)
+    Y_RrelT, Y_X = surface_factor(strength.kind, Rz_F), size_factor(a=a, b=b, m_n=m_n, Y=least)
     Y_M = mean_stress_factor(loading=loading)
     sigma_F = root_stress_of_wheel(sigma_F0=sigma_F0, Y_B=Y_B, Y_DT=Y_DT, K_F=K_F)
     sigma_FG = root_limit(
-        sigma_Flim=own.sigma_Flim, Y_ST=TEST_GEAR, Y_NT=Y_NT, Y_drelT=Y_drelT, Y_RrelT=Y_RrelT, Y_X=Y_X, Y_M=Y_M
+        sigma_Flim=strength.sigma_Flim, Y_ST=TEST_GEAR, Y_NT=Y_NT, Y_drelT=Y_drelT, Y_RrelT=Y_RrelT, Y_X=Y_X, Y_M=Y_M
     )
     return RootStrength(
         Y_B=Y_B,

@@ -45,17 +45,17 @@ class Freedom:
 
     def shifts(self, free: Mapping[str, float | Array]) -> dict[str, float | Array]:
         """The shift of every wheel, numbers or arrays."""
-        found: dict[str, float | Array] = {}
+        shifts: dict[str, float | Array] = {}
         for name, x in self.start.items():
             leader = self.follows[name]
-            found[name] = (
+            shifts[name] = (
                 x
                 if leader is None
                 else free[leader]
                 if leader == name
                 else x + self.sign[name] * (free[leader] - self.start[leader])
             )
-        return found
+        return shifts
 
     def contains(self, other: "Freedom") -> bool:
         """Whether all that the other can reach can be reached so: where every distance is free no way has more."""
@@ -64,7 +64,7 @@ class Freedom:
     def bounds(self, lowest: Mapping[str, float], highest: float) -> dict[str, tuple[float, float, str, str]]:
         """For each free shift (low, high, wheel that makes the low, wheel that makes the high): no wheel below its
         lowest or too high."""
-        found = {}
+        bounds = {}
         for leader in self.free:
             ends: tuple[list[tuple[float, str]], list[tuple[float, str]]] = ([], [])
             for name, x in self.start.items():
@@ -73,8 +73,8 @@ class Freedom:
                     ends[0].append((min(at), name))
                     ends[1].append((max(at), name))
             low, high = max(ends[0]), min(ends[1])
-            found[leader] = (low[0], high[0], low[1], high[1])
-        return found
+            bounds[leader] = (low[0], high[0], low[1], high[1])
+        return bounds
 
 
 def settled(gears: GearsInputs, system: ToothSystem) -> Train | None:
@@ -94,11 +94,11 @@ def freedoms(gears: GearsInputs, system: ToothSystem, axis: complex | None = Non
     parts = tied(gears)
     if len(parts) == 1:
         return (_freedom("train", Text("train"), gears, system, parts),)
-    found, now, apart = [], settled(gears, system), axes_apart(gears, axis)
+    ways, now, apart = [], settled(gears, system), axes_apart(gears, axis)
     given = [part for part in parts if _given(gears, part)] or parts[:1]
     if len(given) < len(parts):
-        made = _freedom("designed", Text("as the design"), gears, system, given)
-        found.append(replace(made, name=_copied(made, gears, given)))
+        designed = _freedom("designed", Text("as the design"), gears, system, given)
+        ways.append(replace(designed, name=_copied(designed, gears, given)))
     if now is not None:
         held = {
             i: round(apart.get(i, now.distances[m.key]), HELD)
@@ -109,11 +109,11 @@ def freedoms(gears: GearsInputs, system: ToothSystem, axis: complex | None = Non
         name = Text("distance held") if len(held) == 1 else Text("distances held")
         whole = tied(fixed := replace(gears, meshes=meshes))
         with suppress(NoSolution):  # two given axes may be too far apart, or too near, for the shifts that are tried
-            found.append(replace(_freedom("held", name, fixed, system, whole), held=held))
-    found.append(
+            ways.append(replace(_freedom("held", name, fixed, system, whole), held=held))
+    ways.append(
         _freedom("free", Text("distance free") if len(parts) == 2 else Text("distances free"), gears, system, parts)
     )
-    return tuple(way for way in found if all(way.gears.meshes[i].centre_distance for i in apart)) or tuple(found)
+    return tuple(way for way in ways if all(way.gears.meshes[i].centre_distance for i in apart)) or tuple(ways)
 
 
 def tied(gears: GearsInputs) -> list[tuple[str, ...]]:
@@ -138,16 +138,16 @@ def _freedom(
     bare = replace(
         gears, wheels=tuple(replace(w, profile_shift=None) if w.name in given - set(free) else w for w in gears.wheels)
     )
-    made, at = _settled_somewhere(bare, system, free)
-    follows: dict[str, str | None] = dict.fromkeys(made.shifts)
-    sign = dict.fromkeys(made.shifts, 0)
+    train, at = _settled_somewhere(bare, system, free)
+    follows: dict[str, str | None] = dict.fromkeys(train.shifts)
+    sign = dict.fromkeys(train.shifts, 0)
     for leader in free:
         moved = settle(_at(bare, {**at, leader: at[leader] + STEP}), system)
-        for wheel, x in made.shifts.items():
+        for wheel, x in train.shifts.items():
             if step := round((moved.shifts[wheel] - x) / STEP):
                 follows[wheel], sign[wheel] = leader, step
     removed = tuple(f"gears.wheels.{w.name}.profile_shift" for w in gears.wheels if w.name in given - set(free))
-    start = {w.name: made.shifts[w.name] for w in gears.wheels}
+    start = {w.name: train.shifts[w.name] for w in gears.wheels}
     followers = [w for w, leader in follows.items() if leader is not None and w != leader]
     return Freedom(key, name, _words(free, followers), _at(bare, at), free, start, follows, sign, removed, {})
 
@@ -169,9 +169,9 @@ def _at(gears: GearsInputs, shifts: Mapping[str, float]) -> GearsInputs:
 def _settled_somewhere(
     gears: GearsInputs, system: ToothSystem, free: tuple[str, ...]
 ) -> tuple[Train, dict[str, float]]:
-    own = {w.name: w.profile_shift or 0.0 for w in gears.wheels}
+    shifts = {w.name: w.profile_shift or 0.0 for w in gears.wheels}
     for n, start in enumerate(STARTS):
-        at = {name: own[name] if start is None else start for name in free}
+        at = {name: shifts[name] if start is None else start for name in free}
         try:
             return settle(_at(gears, at), system), at
         except NoSolution:
@@ -180,14 +180,16 @@ def _settled_somewhere(
     raise AssertionError
 
 
-def _copied(made: Freedom, gears: GearsInputs, given: list[tuple[str, ...]]) -> Text:
+def _copied(freedom: Freedom, gears: GearsInputs, given: list[tuple[str, ...]]) -> Text:
     """`crank as shaft`: what the design chooses for the wheels that nothing ties."""
     teeth = {w.name: w.teeth for w in gears.wheels}
     led = {name for part in given for name in part}
-    for name, x in made.start.items():
+    for name, x in freedom.start.items():
         for other in led if name not in led else ():
-            if teeth[other] == teeth[name] and abs(made.start[other] - x) < SAME:
+            if teeth[other] == teeth[name] and abs(freedom.start[other] - x) < SAME:
                 return Text("{wheel} as {other}", wheel=name, other=other)
     return next(
-        Text("{wheel} at {x}", wheel=name, x=Amount(x, form="g")) for name, x in made.start.items() if name not in led
+        Text("{wheel} at {x}", wheel=name, x=Amount(x, form="g"))
+        for name, x in freedom.start.items()
+        if name not in led
     )

@@ -61,7 +61,7 @@ def idlers(gears: GearsInputs, axis: complex | None, progress: Progress | None =
 
     None where nothing stands around the train, or where it has no place.  `axis`: that of the last wheel, from the
     crank's."""
-    found = []
+    choices = []
     between = {mesh.driver for mesh in gears.meshes} & {mesh.driven for mesh in gears.meshes} - {
         gears.meshes[-1].driven
     }
@@ -69,8 +69,8 @@ def idlers(gears: GearsInputs, axis: complex | None, progress: Progress | None =
         if wheel.name in between and wheel.position is None:
             rows = sorted(_tried(gears, wheel, axis, progress), key=lambda row: row.rank)
             if any(row.place.position is not None for row in rows):
-                found.append(rows)
-    return found
+                choices.append(rows)
+    return choices
 
 
 def _tried(gears: GearsInputs, wheel: Wheel, axis: complex | None, progress: Progress | None) -> Iterator[Idler]:
@@ -85,8 +85,8 @@ def _tried(gears: GearsInputs, wheel: Wheel, axis: complex | None, progress: Pro
     shifted = replace(gears, wheels=tuple(replace(w, profile_shift=train.shifts[w.name]) for w in gears.wheels))
     gone = dict.fromkeys(
         f"gears.wheels.{name}.{key}"
-        for key, one in keys(Wheel).items()
-        if getattr(wheel, one.attribute) is not None and one.attribute in OF_TEETH
+        for key, field in keys(Wheel).items()
+        if getattr(wheel, field.attribute) is not None and field.attribute in OF_TEETH
     )
     low, high = max(LEAST, now - now // PART), now + now // PART
     without_backlash = {n: settled(_with(shifted, name, n, dict.fromkeys(given)), system) for n in range(low, high + 1)}
@@ -128,15 +128,15 @@ def _with(gears: GearsInputs, name: str, teeth: int, apart: Mapping[int, Metre |
 
 def _judged(gears: GearsInputs, name: str, teeth: int, axis: complex | None, changes: Changes) -> Idler:
     try:
-        made = geometry(gears, SPEED)
-        placed = layout(gears, made.solution, ShaftInTrain(axis))
+        outcome = geometry(gears, SPEED)
+        placed = layout(gears, outcome.solution, ShaftInTrain(axis))
     except NoSolution as none:
         return Idler(name, teeth, changes, WheelLayout(), math.inf, (), none.what)
-    meshes = {key: mesh for key, mesh in made.solution.meshes.items() if name in (mesh.driver, mesh.driven)}
+    meshes = {key: mesh for key, mesh in outcome.solution.meshes.items() if name in (mesh.driver, mesh.driven)}
     sliding = [abs(zeta) for m in meshes.values() for zeta in (m.specific_sliding_driver, m.specific_sliding_driven)]
-    own = {name, *meshes, *(wheel for wheel, there in placed.solution.wheels.items() if there.nearest == name)}
-    against = [one for one in (*made.checks, *placed.checks) if one.open and one.id.split(".")[1] in own]
-    against.sort(key=lambda one: -ORDER.index(one.verdict))
+    names = {name, *meshes, *(wheel for wheel, there in placed.solution.wheels.items() if there.nearest == name)}
+    against = [check for check in (*outcome.checks, *placed.checks) if check.open and check.id.split(".")[1] in names]
+    against.sort(key=lambda check: -ORDER.index(check.verdict))
     return Idler(name, teeth, changes, placed.solution.wheels[name], max(sliding), tuple(against))
 
 
@@ -155,14 +155,14 @@ def idler_table(rows: Sequence[Idler], first: int, top: int) -> Table:
     ]
     cells = [_cells(number, row) for number, row in (*shown, *(("", row) for row in fails))]
     title = Text("Teeth of {wheel}: its place, and what is against it", wheel=rows[0].wheel)
-    said = Text(
+    legend = Text(
         "With the profile shifts as they are. up, side: its axis from the crank's; room: to the nearest thing that it "
         "does not mesh with. "
         "First the fewest warnings and notes, then the least sliding in its meshes. Rows without number fail; farther "
         "ones are left out."
     )
     left = len(passing) - top
-    note = said + Text(" {n} more; --top N shows more.", n=left) if left > 0 else said
+    note = legend + Text(" {n} more; --top N shows more.", n=left) if left > 0 else legend
     labels = (
         (NUMBER, ""),
         (Text("teeth"), ""),

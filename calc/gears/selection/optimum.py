@@ -77,8 +77,8 @@ def evaluated(
 
 
 def ends(case: ShiftCase, freedom: Freedom) -> dict[str, tuple[float, float, str, str]]:
-    one = evaluated(case, freedom, {name: freedom.start[name] for name in freedom.free}, {})
-    return freedom.bounds(one.undercut_limit, HIGHEST)
+    states = evaluated(case, freedom, {name: freedom.start[name] for name in freedom.free}, {})
+    return freedom.bounds(states.undercut_limit, HIGHEST)
 
 
 def slice_of(
@@ -104,9 +104,9 @@ def along(
     return (t, evaluated(case, freedom, {**others, leader: t}, {})) if len(t) else None
 
 
-def objective(found: States) -> Array:
+def objective(states: States) -> Array:
     """The largest sliding, and what tells two equal ones apart."""
-    meshes = np.array([found.largest_of(mesh) for mesh in found.contact_ratio])
+    meshes = np.array([states.largest_of(mesh) for mesh in states.contact_ratio])
     return cast(Array, np.max(meshes, axis=0) + OTHERS * np.sum(meshes, axis=0))
 
 
@@ -130,11 +130,11 @@ def best(
     if (low > high).any():
         return None
     if len(freedom.free) == 1 and not cuts:
-        made = slice_of(case, freedom, bar=bar)
-        assert made is not None
-        margin, wanted = least(made.rules), objective(made.states)
+        along = slice_of(case, freedom, bar=bar)
+        assert along is not None
+        margin, wanted = least(along.rules), objective(along.states)
         i = least_wanted(wanted, margin)
-        return Best({freedom.free[0]: float(made.t[i])}, float(margin[i]), float(wanted[i]))
+        return Best({freedom.free[0]: float(along.t[i])}, float(margin[i]), float(wanted[i]))
 
     def evaluate(points: Array) -> tuple[Array, Array]:
         if (there := grids.get(key := points.tobytes())) is None:
@@ -150,7 +150,7 @@ def best(
         point = np.array([round(float(shifts[name]) * ROUND) for name in freedom.free])
         starts.append((np.clip(point, low, high), np.ones_like(step)))
     reached = [narrowed(evaluate, low, high, *start, side) for start in starts]
-    reach = min(reached, key=lambda one: (0.0, one[2]) if one[1] >= 0 else (1.0, -one[1]))
+    reach = min(reached, key=lambda candidate: (0.0, candidate[2]) if candidate[1] >= 0 else (1.0, -candidate[1]))
     return Best(dict(zip(freedom.free, (reach[0] / ROUND).tolist())), *reach[1:])
 
 
@@ -159,10 +159,10 @@ def refined(case: ShiftCase, freedom: Freedom, at: float, bar: Bar) -> tuple[flo
     width = 1.0 / ROUND
     for _ in range(5):
         t = np.linspace(at - width, at + width, 101)
-        found = evaluated(case, freedom, {freedom.free[0]: t}, {})
-        i = least_wanted(objective(found), keeps(found, case.system, bar))
+        states = evaluated(case, freedom, {freedom.free[0]: t}, {})
+        i = least_wanted(objective(states), keeps(states, case.system, bar))
         at, width = float(t[i]), width / 40
-    return at, float(found.largest[i])
+    return at, float(states.largest[i])
 
 
 # Between which shifts each rule holds, and what is said where nothing keeps them all.
@@ -180,8 +180,8 @@ class Limit:
 
 
 def limits(along: Slice, i: int) -> Iterator[Limit]:
-    for rule in dict.fromkeys(one.rule for one in along.rules):
-        entries = [one for one in along.rules if one.rule is rule]
+    for rule in dict.fromkeys(entry.rule for entry in along.rules):
+        entries = [entry for entry in along.rules if entry.rule is rule]
         run = stretch(least(entries) >= 0, i)
         if run is None:
             yield Limit(rule, None, "", "")

@@ -89,7 +89,7 @@ class ShiftsFound:
         return (*self.optima, *wants, *self.around, *cuts, *self.cut_best)
 
     def number(self, row: ShiftRow) -> str:
-        return next((str(n) for n, one in enumerate(self.all, 1) if one is row), "")
+        return next((str(n) for n, entry in enumerate(self.all, 1) if entry is row), "")
 
 
 def search(gears: GearsInputs, progress: Progress | None = None, axis: complex | None = None) -> ShiftsFound:
@@ -97,7 +97,7 @@ def search(gears: GearsInputs, progress: Progress | None = None, axis: complex |
     that stop it."""
     case = ShiftCase(tooth_system(gears), gears)
     every = freedoms(gears, case.system, axis)
-    ways = tuple(one for one in every if len(one.free) in GRID)
+    ways = tuple(freedom for freedom in every if len(freedom.free) in GRID)
     if not ways:
         raise NoSolution(
             Text("more shifts are free than can be searched"), advice=Text("give the centre distances of the train")
@@ -117,13 +117,15 @@ def search(gears: GearsInputs, progress: Progress | None = None, axis: complex |
         rows = _optima(case, way, within=within, progress=here)
         passed |= {way.name for _ in rows}
         offered += [
-            row for row in rows if not any(_shown(row) > _shown(one) for one in within if _keeps(case, one, row.bar))
+            row
+            for row in rows
+            if not any(_shown(row) > _shown(other) for other in within if _keeps(case, other, row.bar))
         ]
     optima = sorted(offered, key=lambda row: (_shown(row), len(row.free)))
     main = next((row for row in optima if len(row.free) == 1), optima[0] if optima else None)
     way = main.freedom if main and main.freedom else min(ways, key=lambda way: len(way.free))
     bar = main.bar if main else case.bars[-1]
-    nearest = main.free if main else one.free if (one := best(case, way, {}, bar)) else None
+    nearest = main.free if main else optimum.free if (optimum := best(case, way, {}, bar)) else None
     along = slice_of(case, way, nearest, bar)
     if along is None or nearest is None:
         raise too_narrow(case, way)
@@ -144,11 +146,13 @@ def search(gears: GearsInputs, progress: Progress | None = None, axis: complex |
         limits=tuple(limits(along, i)),
         along=along,
         exact=exact,
-        refused=tuple(one.name for one in ways if one.name not in passed),
+        refused=tuple(freedom.name for freedom in ways if freedom.name not in passed),
         no_better=tuple(
-            one.name for one in ways if one.name in passed and not any(row.freedom is one for row in optima)
+            freedom.name
+            for freedom in ways
+            if freedom.name in passed and not any(row.freedom is freedom for row in optima)
         ),
-        unsought=tuple(one.name for one in every if one not in ways),
+        unsought=tuple(freedom.name for freedom in every if freedom not in ways),
     )
 
 
@@ -160,17 +164,17 @@ def _row(
     freedom: Freedom | None,
     free: Mapping[str, float],
     cuts: Mapping[str, float],
-    made: States,
+    states: States,
     wants: str = "",
 ) -> ShiftRow:
     """Judged by the strictest limits that it keeps; where it keeps none, by the usual ones."""
     for bar in (*case.bars, USUAL):
-        rules = judge(made, case.system, bar)
+        rules = judge(states, case.system, bar)
         if float(least(rules)[0]) >= 0:
             break
-    sliding = {at: abs(float(zeta[0])) for at, zeta in made.sliding.items()}
+    sliding = {at: abs(float(zeta[0])) for at, zeta in states.sliding.items()}
     of = max(sliding, key=lambda at: np.inf if np.isnan(sliding[at]) else sliding[at])
-    return ShiftRow(name, freedom, free, cuts, made, float(made.largest[0]), of, governing(rules, 0), bar, wants)
+    return ShiftRow(name, freedom, free, cuts, states, float(states.largest[0]), of, governing(rules, 0), bar, wants)
 
 
 def _now(case: ShiftCase) -> ShiftRow | None:
@@ -202,19 +206,21 @@ def _optima(
 
     `within`: rows of ways with less freedom, beside which is looked as well.
     """
-    found: list[ShiftRow] = []
+    rows: list[ShiftRow] = []
     known: dict[bytes, States] = {}
     for n, bar in enumerate(case.bars):
         tell(progress, n / len(case.bars), name or way.name)
         near = [row.states.shifts for row in within if _keeps(case, row, bar)]
-        one = best(
+        optimum = best(
             case, way, cuts or {}, bar, [{name: float(x[0]) for name, x in shifts.items()} for shifts in near], known
         )
-        if one is not None and one.margin >= 0:
-            row = _row(case, name or way.name, way, one.free, cuts or {}, evaluated(case, way, one.free, cuts or {}))
-            if not found or _shown(row) < _shown(found[-1]):
-                found.append(row)
-    return found
+        if optimum is not None and optimum.margin >= 0:
+            row = _row(
+                case, name or way.name, way, optimum.free, cuts or {}, evaluated(case, way, optimum.free, cuts or {})
+            )
+            if not rows or _shown(row) < _shown(rows[-1]):
+                rows.append(row)
+    return rows
 
 
 def _along(case: ShiftCase, along: Slice, at: Mapping[str, float], t: float, name: Text, wants: str = "") -> ShiftRow:
@@ -224,16 +230,16 @@ def _along(case: ShiftCase, along: Slice, at: Mapping[str, float], t: float, nam
 
 def _wants(case: ShiftCase, along: Slice, at: Mapping[str, float]) -> list[ShiftRow]:
     """The optimum of each pair alone, by its own rules."""
-    found = []
+    rows = []
     for mesh in case.gears.meshes if len(case.gears.meshes) > 1 else ():
         key = mesh.key
         places = ((key, ""), (key, mesh.driver), (key, mesh.driven), ("", mesh.driver), ("", mesh.driven))
-        own = [one for one in along.rules if (one.where.mesh, one.where.wheel) in places]
-        margin = least(own)
+        own_rules = [rule for rule in along.rules if (rule.where.mesh, rule.where.wheel) in places]
+        margin = least(own_rules)
         if (margin >= 0).any():
             t = float(along.t[least_wanted(along.states.largest_of(key), margin)])
-            found.append(_along(case, along, at, t, Name(f"{mesh.driver}–{mesh.driven}"), key))
-    return found
+            rows.append(_along(case, along, at, t, Name(f"{mesh.driver}–{mesh.driven}"), key))
+    return rows
 
 
 def _around(case: ShiftCase, along: Slice, at: Mapping[str, float], i: int) -> list[ShiftRow]:
@@ -259,14 +265,14 @@ def cut_steps(case: ShiftCase, wheel: Wheel) -> list[float]:
 
 
 def _cut_now(case: ShiftCase, now: ShiftRow | None) -> list[ShiftRow]:
-    found = []
+    rows = []
     for wheel in case.gears.wheels if now is not None else ():
         assert now is not None
         for k in cut_steps(case, wheel):
             if k != wheel.tip_shortening:
-                made = states(case.system, case.gears, now.states.shifts, {wheel.name: k})
-                found.append(_row(case, Name(wheel.name), None, {}, {wheel.name: k}, made))
-    return found
+                cut_states = states(case.system, case.gears, now.states.shifts, {wheel.name: k})
+                rows.append(_row(case, Name(wheel.name), None, {}, {wheel.name: k}, cut_states))
+    return rows
 
 
 def _cut_best(
@@ -274,13 +280,13 @@ def _cut_best(
 ) -> list[ShiftRow]:
     """Cuts by which the largest sliding is less than without them and by a smaller cut of the wheel, or which keep
     stricter limits."""
-    found = []
+    rows = []
     for n, wheel in enumerate(case.gears.wheels):
         reached, steps = list(uncut), cut_steps(case, wheel)
         for i, k in enumerate(steps):
             tell(progress, (n + i / len(steps)) / len(case.gears.wheels), Text("tip cut of {wheel}", wheel=wheel.name))
             for row in _optima(case, way, {wheel.name: k}, Name(wheel.name)) if k != wheel.tip_shortening else ():
-                if all(row.largest < one.largest - GAIN for one in reached if _keeps(case, one, row.bar)):
+                if all(row.largest < other.largest - GAIN for other in reached if _keeps(case, other, row.bar)):
                     reached.append(row)
-                    found.append(row)
-    return sorted(found, key=lambda row: (not row.usual, row.largest))
+                    rows.append(row)
+    return sorted(rows, key=lambda row: (not row.usual, row.largest))

@@ -61,8 +61,8 @@ class States:
 
 def worst(sliding: Iterable[Array]) -> Array:
     """The largest modulus, element by element; ∞ where wheels can not mesh."""
-    found: Array = np.max(np.abs(np.array(list(sliding))), axis=0)
-    return np.where(np.isnan(found), np.inf, found)
+    largest: Array = np.max(np.abs(np.array(list(sliding))), axis=0)
+    return np.where(np.isnan(largest), np.inf, largest)
 
 
 @record
@@ -91,7 +91,7 @@ def states(system: ToothSystem, gears: GearsInputs, shifts: ByWheel, cuts: ByWhe
 def _states(system: ToothSystem, gears: GearsInputs, shifts: ByWheel, cuts: ByWheel) -> States:
     names = [w.name for w in gears.wheels]
     given = [shifts[n] for n in names] + [cuts.get(w.name, w.tip_shortening) for w in gears.wheels]
-    every = np.broadcast_arrays(*(np.atleast_1d(np.asarray(one, dtype=float)) for one in given))
+    every = np.broadcast_arrays(*(np.atleast_1d(np.asarray(value, dtype=float)) for value in given))
     x, k = dict(zip(names, every)), dict(zip(names, every[len(names) :]))
     tool = system.h_fP, system.rho_aP0, system.alpha_n
     limits = {
@@ -138,7 +138,7 @@ def _circles(s: ToothSystem, wheel: Wheel, x: Number, k: Metre, x_min: Number) -
     thinnest = (
         d_Ff if lower is None else _form_diameter(s, wheel, generating_shift(x, lower, s.m_n, s.alpha_n), x_min, d, d_b)
     )
-    made = _Circles(
+    circles = _Circles(
         wheel=wheel,
         d=d,
         d_b=d_b,
@@ -148,7 +148,7 @@ def _circles(s: ToothSystem, wheel: Wheel, x: Number, k: Metre, x_min: Number) -
         rho_F=f.curvature_at(d_Ff, d_b),
         d_Ff_E=thinnest,
     )
-    return made, many(f.normal_thickness_at(s_at, s.beta, d_a, d))
+    return circles, many(f.normal_thickness_at(s_at, s.beta, d_a, d))
 
 
 def _form_diameter(s: ToothSystem, wheel: Wheel, x: Number, x_min: Number, d: Metre, d_b: Metre) -> Metre:
@@ -164,7 +164,7 @@ def _form_diameter(s: ToothSystem, wheel: Wheel, x: Number, x_min: Number, d: Me
     at = np.unique(shifts[crossed])
     if len(at) > NODES:
         at = np.linspace(at[0], at[-1], NODES)
-    known = np.array([form_diameter_of_undercut(Cut(s, wheel.teeth, float(one))) for one in at])
+    known = np.array([form_diameter_of_undercut(Cut(s, wheel.teeth, float(shift))) for shift in at])
     return each(np.where(crossed, np.interp(shifts, at, known), straight))
 
 
@@ -294,7 +294,7 @@ class RulePlace:
         return self.wheel or self.mesh.replace("_", "–")
 
 
-def judge(found: States, system: ToothSystem, bar: Bar) -> list[Judged]:
+def judge(states: States, system: ToothSystem, bar: Bar) -> list[Judged]:
     """Every rule at every wheel and mesh; arrays over the combinations."""
     undercut, tip, contact, fillet, clearance = bar
     m_n = system.m_n
@@ -303,11 +303,11 @@ def judge(found: States, system: ToothSystem, bar: Bar) -> list[Judged]:
         return judged(rule, value, rule.limit, where=RulePlace(mesh, wheel))
 
     return [
-        *(by(undercut, x - found.undercut_limit[w], wheel=w) for w, x in found.shifts.items()),
-        *(by(tip, s / m_n, wheel=w) for w, s in found.tip_thickness.items()),
-        *(by(contact, eps, mesh) for mesh, eps in found.contact_ratio.items()),
-        *(by(fillet, length / m_n, mesh, w) for (mesh, w), length in found.margin.items()),
-        *(by(clearance, c / m_n, mesh, w) for (mesh, w), c in found.clearance.items()),
+        *(by(undercut, x - states.undercut_limit[w], wheel=w) for w, x in states.shifts.items()),
+        *(by(tip, s / m_n, wheel=w) for w, s in states.tip_thickness.items()),
+        *(by(contact, eps, mesh) for mesh, eps in states.contact_ratio.items()),
+        *(by(fillet, length / m_n, mesh, w) for (mesh, w), length in states.margin.items()),
+        *(by(clearance, c / m_n, mesh, w) for (mesh, w), c in states.clearance.items()),
     ]
 
 
@@ -317,12 +317,12 @@ def eased(now: States, system: ToothSystem) -> Bar | None:
     every = judge(now, system, USUAL)
     limits = {}
     for rule in USUAL:
-        here = min(float(one.value[0]) for one in every if one.rule is rule)
+        here = min(float(entry.value[0]) for entry in every if entry.rule is rule)
         limits[rule.key] = max(rule.hard, min(rule.limit, here)) if here == here else rule.hard
     bar = tuple(replace(rule, limit=limits[rule.key]) if limits[rule.key] < rule.limit else rule for rule in USUAL)
     return None if bar == USUAL else (bar[0], bar[1], bar[2], bar[3], bar[4])
 
 
-def keeps(found: States, system: ToothSystem, bar: Bar) -> Array:
+def keeps(states: States, system: ToothSystem, bar: Bar) -> Array:
     """The least margin of all rules, combination by combination."""
-    return least(judge(found, system, bar))
+    return least(judge(states, system, bar))

@@ -39,59 +39,59 @@ def _shifts_of(wheels: Sequence[str]) -> list[tuple[Text, str]]:
     return _columns(*(Text("x {wheel}", wheel=name) for name in wheels))
 
 
-def choices_table(found: ShiftsFound, top: int) -> Table:
+def choices_table(result: ShiftsFound, top: int) -> Table:
     """The design as it is, then the optimum of each way to leave shifts free."""
     title = Text("No shift keeps every rule with the tips as they are")
-    if found.optima:
+    if result.optima:
         title = Text("Profile shifts with the least largest specific sliding")
-    rows = _now(found) + _numbered(found, found.optima[:top])
-    return _rows_table(found, "shifts", title, rows, EXPLAIN)
+    rows = _now(result) + _numbered(result, result.optima[:top])
+    return _rows_table(result, "shifts", title, rows, EXPLAIN)
 
 
-def wants_table(found: ShiftsFound) -> Table | None:
+def wants_table(result: ShiftsFound) -> Table | None:
     """What each pair alone would have, and what that does to the train."""
-    if not found.wants:
+    if not result.wants:
         return None
-    wheels = [w.name for w in found.case.gears.wheels]
+    wheels = [w.name for w in result.case.gears.wheels]
     columns = [
         *_columns(NUMBER, Text("pair")),
         *_shifts_of(wheels),
         *_columns(Text("its own max |ζ_A|"), LARGEST, OF, Text("breaks")),
     ]
     cells: list[Cells] = []
-    for row in found.wants:
-        own = _round(float(row.states.largest_of(row.wants)[0]), 3)
+    for row in result.wants:
+        pair_largest = _round(float(row.states.largest_of(row.wants)[0]), 3)
         breaks = EMPTY if row.passes else _stopped(row)
         shifts = (_shift(row, name) for name in wheels)
-        cells.append((found.number(row), row.name, *shifts, own, _round(row.largest, 3), _of(row.of), breaks))
+        cells.append((result.number(row), row.name, *shifts, pair_largest, _round(row.largest, 3), _of(row.of), breaks))
     title = Text(
         "What each pair alone would want ({way}), and the largest sliding of the train with it",
-        way=found.along.freedom.name,
+        way=result.along.freedom.name,
     )
     return Table("wants", title, tuple(columns), tuple(cells))
 
 
-def around_table(found: ShiftsFound) -> Table | None:
+def around_table(result: ShiftsFound) -> Table | None:
     """Round shifts beside the optimum."""
-    if not found.around:
+    if not result.around:
         return None
-    leader, way = found.along.leader, found.along.freedom
+    leader, way = result.along.leader, result.along.freedom
     title = Text("Round shifts of {wheel} around the optimum ({way})", wheel=leader, way=way.name)
     others = [name for name in way.free if name != leader]
     note = Text("The shift of {wheels} as in the optimum.", wheels=listed(others)) if others else EMPTY
-    return _rows_table(found, "around", title, _numbered(found, found.around), note)
+    return _rows_table(result, "around", title, _numbered(result, result.around), note)
 
 
-def _now(found: ShiftsFound) -> list[tuple[str, ShiftRow]]:
-    return [(NOW, found.now)] if found.now else []
+def _now(result: ShiftsFound) -> list[tuple[str, ShiftRow]]:
+    return [(NOW, result.now)] if result.now else []
 
 
-def _numbered(found: ShiftsFound, rows: Sequence[ShiftRow]) -> list[tuple[str, ShiftRow]]:
-    return [(found.number(row), row) for row in rows]
+def _numbered(result: ShiftsFound, rows: Sequence[ShiftRow]) -> list[tuple[str, ShiftRow]]:
+    return [(result.number(row), row) for row in rows]
 
 
-def _rows_table(found: ShiftsFound, id: str, title: Text, rows: list[tuple[str, ShiftRow]], note: Text) -> Table:
-    wheels = [w.name for w in found.case.gears.wheels]
+def _rows_table(result: ShiftsFound, id: str, title: Text, rows: list[tuple[str, ShiftRow]], note: Text) -> Table:
+    wheels = [w.name for w in result.case.gears.wheels]
     columns = [*_columns(NUMBER, WHAT), *_shifts_of(wheels), *VERDICT]
     cells = [(n, row.name, *(_shift(row, name) for name in wheels), *_verdict(row)) for n, row in rows]
     return _with_bars(Table(id, title, tuple(columns), tuple(cells), note), [row for _, row in rows])
@@ -144,15 +144,15 @@ def _round(number: float, digits: int) -> float | None:
     return round(number, digits) if np.isfinite(number) else None
 
 
-def sliding_table(found: ShiftsFound, top: int) -> Table:
+def sliding_table(result: ShiftsFound, top: int) -> Table:
     """Every mesh of the first rows and of the design as it is."""
     columns = [*_columns(NUMBER, Text("mesh")), (Name("a_w"), "mm")]
     columns += _columns(Text("ζ_A driver"), Text("ζ_A driven"), Text("ζ_B driver"), Text("ζ_B driven"), Name("ε_α"))
     columns += _columns(Name("s_an/m_n"), Text("above fillet/m_n"), Name("c/m_n"))
     cells: list[Cells] = []
-    for n, row in _now(found) + _numbered(found, (*found.optima[:top], *found.wants)):
+    for n, row in _now(result) + _numbered(result, (*result.optima[:top], *result.wants)):
         cells += [
-            (n if i == 0 else "", *_mesh_cells(found, row, key)) for i, key in enumerate(row.states.contact_ratio)
+            (n if i == 0 else "", *_mesh_cells(result, row, key)) for i, key in enumerate(row.states.contact_ratio)
         ]
     note = Text(
         "Signed, negative in the dedendum: A at the start of contact, B at the lowest point of single contact. The "
@@ -162,8 +162,8 @@ def sliding_table(found: ShiftsFound, top: int) -> Table:
     return Table("sliding", Text("Specific sliding in every mesh"), tuple(columns), tuple(cells), note)
 
 
-def _mesh_cells(found: ShiftsFound, row: ShiftRow, key: str) -> Cells:
-    s, m_n, pair = row.states, found.case.system.m_n, key.split("_")
+def _mesh_cells(result: ShiftsFound, row: ShiftRow, key: str) -> Cells:
+    s, m_n, pair = row.states, result.case.system.m_n, key.split("_")
     at: list[Place] = [(key, wheel) for wheel in pair]
     zeta = [float(s.sliding[p][0]) for p in at] + [float(s.sliding_lpstc[p][0]) for p in at]
     lengths = (
@@ -178,14 +178,18 @@ def _mesh_cells(found: ShiftsFound, row: ShiftRow, key: str) -> Cells:
     )
 
 
-def limits_table(found: ShiftsFound) -> Table:
+def limits_table(result: ShiftsFound) -> Table:
     """Between which shifts each rule holds."""
     rows: list[Cells] = []
-    for one in found.limits:
-        needs = Text("{symbol} ≥ {limit}", symbol=one.rule.symbol, limit=Amount(one.rule.limit, form="g"))
-        ends = (one.range[0], one.low, one.range[1], one.high) if one.range else (None, Text("nowhere"), None, "")
-        rows.append((one.rule.name, needs, *ends))
-    leader, way = found.along.leader, found.along.freedom.name
+    for limit in result.limits:
+        needs = Text("{symbol} ≥ {limit}", symbol=limit.rule.symbol, limit=Amount(limit.rule.limit, form="g"))
+        ends = (
+            (limit.range[0], limit.low, limit.range[1], limit.high)
+            if limit.range
+            else (None, Text("nowhere"), None, "")
+        )
+        rows.append((limit.rule.name, needs, *ends))
+    leader, way = result.along.leader, result.along.freedom.name
     columns = _columns(
         Text("rule"),
         Text("needs"),
@@ -201,20 +205,20 @@ def limits_table(found: ShiftsFound) -> Table:
     return Table("limits", title, tuple(columns), tuple(rows), note)
 
 
-def cuts_now_table(found: ShiftsFound) -> Table | None:
+def cuts_now_table(result: ShiftsFound) -> Table | None:
     """Tip cuts one by one, the shifts as they are: what each does to both wheels."""
-    if found.now is None:
+    if result.now is None:
         return None
     columns = [*_columns(NUMBER, Text("cut")), (Name("k"), "mm")]
     columns += _columns(Text("mate"), Text("ζ_A cut"), Text("ζ_A mate"), Text("ζ_B cut"), Text("ζ_B mate"), Name("ε_α"))
     columns += [(Text("s_an cut"), "mm"), (Text("d_Nf mate"), "mm"), (Text("c mate"), "mm"), (LARGEST, "")]
     cells: list[Cells] = []
-    for wheel in found.case.gears.wheels:
+    for wheel in result.case.gears.wheels:
         rows: list[tuple[str, float, ShiftRow]] = [
-            (found.number(row), row.cuts[wheel.name], row) for row in found.cut_now if wheel.name in row.cuts
+            (result.number(row), row.cuts[wheel.name], row) for row in result.cut_now if wheel.name in row.cuts
         ]
-        rows.append((NOW, wheel.tip_shortening, found.now))
-        for n, k, row in sorted(rows, key=lambda one: one[1]):
+        rows.append((NOW, wheel.tip_shortening, result.now))
+        for n, k, row in sorted(rows, key=lambda entry: entry[1]):
             meshes = [key for key in row.states.contact_ratio if wheel.name in key.split("_")]
             for i, key in enumerate(meshes):
                 largest = _round(row.largest, 3)
@@ -230,68 +234,68 @@ def cuts_now_table(found: ShiftsFound) -> Table | None:
 
 def _cut_cells(row: ShiftRow, key: str, wheel: str) -> Cells:
     s, mate = row.states, _mate(key, wheel)
-    own, other = (key, wheel), (key, mate)
-    zeta = (s.sliding[own], s.sliding[other], s.sliding_lpstc[own], s.sliding_lpstc[other], s.contact_ratio[key])
+    place, other = (key, wheel), (key, mate)
+    zeta = (s.sliding[place], s.sliding[other], s.sliding_lpstc[place], s.sliding_lpstc[other], s.contact_ratio[key])
     lengths = (s.tip_thickness[wheel], s.sap_diameter[other], s.clearance[other])
     return (mate, *(_round(float(x[0]), 3) for x in zeta), *(_round(float(x[0]) * 1e3, 3) for x in lengths))
 
 
-def cuts_best_table(found: ShiftsFound, top: int) -> Table | None:
+def cuts_best_table(result: ShiftsFound, top: int) -> Table | None:
     """Tip cuts with the shift that is then the best."""
-    if not found.cut_best:
+    if not result.cut_best:
         return None
-    free = found.along.freedom.free
+    free = result.along.freedom.free
     columns = [*_columns(NUMBER, Text("cut")), (Name("k"), "mm"), *_shifts_of(free), *VERDICT]
     cells = [
         (
-            found.number(row),
+            result.number(row),
             row.name,
             round(row.cuts[row.name] * 1e3, 6),
             *(_shift(row, name) for name in free),
             *_verdict(row),
         )
-        for row in found.cut_best[:top]
+        for row in result.cut_best[:top]
     ]
-    left = len(found.cut_best) - len(cells)
+    left = len(result.cut_best) - len(cells)
     note = Text(
         "One wheel is cut at a time, the others as they are; only cuts that lower the largest sliding, or keep "
         "stricter limits."
     )
     note += Text(" {n} more; --top N shows more.", n=left) if left else EMPTY
-    title = Text("Tip cuts with their best shift ({way})", way=found.along.freedom.name)
-    return _with_bars(Table("tip_cuts_best", title, tuple(columns), tuple(cells), note), list(found.cut_best[:top]))
+    title = Text("Tip cuts with their best shift ({way})", way=result.along.freedom.name)
+    return _with_bars(Table("tip_cuts_best", title, tuple(columns), tuple(cells), note), list(result.cut_best[:top]))
 
 
 # --- words
 # -----------------------------------------------------------------------------------------------------------------
-def summary(found: ShiftsFound) -> tuple[Text, ...]:
+def summary(result: ShiftsFound) -> tuple[Text, ...]:
     """Which shifts are free, in each way."""
     words = []
-    for way in found.freedoms:
+    for way in result.freedoms:
         more = EMPTY
         if way.held:
             held = (
-                Text("{mesh} at {a} mm", mesh=_name(found.case.gears, i), a=Amount(a * 1e3, form=".4f"))
+                Text("{mesh} at {a} mm", mesh=_name(result.case.gears, i), a=Amount(a * 1e3, form=".4f"))
                 for i, a in way.held.items()
             )
             more = Text(" Held: {distances}.", distances=COMMA.join(held))
         elif opened := [f"{m.driver}–{m.driven}" for m in way.gears.meshes if m.centre_distance is None]:
             more = Text(" The centre distance {meshes} follows without backlash.", meshes=", ".join(opened))
-        if way.name in found.refused:
+        if way.name in result.refused:
             more += Text(" Nothing passes so.")
-        elif way.name in found.no_better:
+        elif way.name in result.no_better:
             more += Text(" Nothing better so.")
         words.append(Text("{way}: {free}", way=way.name, free=way.words) + more)
     words += [
-        Text("{way}: not searched, more than {n} shifts are free.", way=way, n=max(GRID)) for way in found.unsought
+        Text("{way}: not searched, more than {n} shifts are free.", way=way, n=max(GRID)) for way in result.unsought
     ]
-    if found.exact is not None:
-        x, zeta = Amount(found.exact[0], form=".6f"), Amount(found.exact[1], form=".5f")
+    if result.exact is not None:
+        x, zeta = Amount(result.exact[0], form=".6f"), Amount(result.exact[1], form=".5f")
         words.append(
             Text(
                 "Before rounding the optimum of {way} is x {wheel} = {x}: max |ζ_A| = {zeta}.",
-                way=found.along.freedom.name,
-                wheel=found.along.leader,
+                way=result.along.freedom.name,
+                wheel=result.along.leader,
                 x=x,
                 zeta=zeta,
             )
@@ -299,8 +303,8 @@ def summary(found: ShiftsFound) -> tuple[Text, ...]:
     return tuple(words)
 
 
-def notes(found: ShiftsFound) -> tuple[Text, ...]:
-    made = [
+def notes(result: ShiftsFound) -> tuple[Text, ...]:
+    texts = [
         Text(
             "Kept by numbered rows: x ≥ x_min, s_an ≥ {tip}·m_n, ε_α ≥ {contact}, start of contact {fillet}·m_n above "
             "the fillet of the "
@@ -311,30 +315,32 @@ def notes(found: ShiftsFound) -> tuple[Text, ...]:
             clearance=CLEARANCE.limit,
         )
     ]
-    below = [n for n, row in enumerate(found.all, 1) if not row.usual]
+    below = [n for n, row in enumerate(result.all, 1) if not row.usual]
     if below:
-        pairs = [(one, usual) for one, usual in zip(found.case.bars[-1], USUAL) if one is not usual]
+        pairs = [(rule, usual) for rule, usual in zip(result.case.bars[-1], USUAL) if rule is not usual]
         lower = COMMA.join(
             Text(
                 "{symbol} ≥ {limit} instead of {usual}",
-                symbol=one.symbol,
-                limit=Amount(one.limit, form=".4g"),
+                symbol=rule.symbol,
+                limit=Amount(rule.limit, form=".4g"),
                 usual=usual.limit,
             )
-            for one, usual in pairs
+            for rule, usual in pairs
         )
-        made.append(
+        texts.append(
             Text(
                 "The design itself is below that. No worse than it ({limits}): {rows}.", limits=lower, rows=_rows(below)
             )
         )
-    thin, limit = [n for n, row in enumerate(found.all, 1) if _thinnest(found, row) < HARDENED.limit], HARDENED.limit
+    thin, limit = [n for n, row in enumerate(result.all, 1) if _thinnest(result, row) < HARDENED.limit], HARDENED.limit
     if thin:
-        made.append(Text("Tips under {limit}·m_n, not for case-hardened teeth: {rows}.", limit=limit, rows=_rows(thin)))
+        texts.append(
+            Text("Tips under {limit}·m_n, not for case-hardened teeth: {rows}.", limit=limit, rows=_rows(thin))
+        )
     else:
-        made.append(Text("All have tips for case-hardened teeth ({limit}·m_n).", limit=limit))
+        texts.append(Text("All have tips for case-hardened teeth ({limit}·m_n).", limit=limit))
     return (
-        *made,
+        *texts,
         Text(
             "Shifts are multiples of 0.0001. What follows from a centre distance or from the design's own rules has "
             "no key in the file."
@@ -350,8 +356,8 @@ def _rows(numbers: list[int]) -> Text:
     return plural("row {rows}", "rows {rows}", n=len(numbers), rows=", ".join(map(str, numbers)))
 
 
-def _thinnest(found: ShiftsFound, row: ShiftRow) -> float:
-    return min(float(s[0]) for s in row.states.tip_thickness.values()) / found.case.system.m_n
+def _thinnest(result: ShiftsFound, row: ShiftRow) -> float:
+    return min(float(s[0]) for s in row.states.tip_thickness.values()) / result.case.system.m_n
 
 
 def _name(gears: GearsInputs, i: int) -> str:

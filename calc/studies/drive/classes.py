@@ -58,9 +58,9 @@ def based(problem: Problem, choices: dict[str, Any]) -> Document:
     seat = problem.sizes[f"bearings.{problem.seat}.diameter_mm"]
     small = "front" if problem.seat == "rear" else "rear"
     diameter = {problem.seat: max(seat or (0.0,)), small: max(problem.sizes[f"bearings.{small}.diameter_mm"] or (0.0,))}
-    own = problem.base.bearings
-    assert own is not None
-    wide = max(getattr(own, name) or 0.0 for name in (*SUPPLIES.values(), "axial_groove_length")) * 1e3
+    bearings = problem.base.bearings
+    assert bearings is not None
+    wide = max(getattr(bearings, name) or 0.0 for name in (*SUPPLIES.values(), "axial_groove_length")) * 1e3
     length = {place: round(max(USUAL_LENGTH_RATIO[0] * d, wide + 1.0), 1) for place, d in diameter.items()}
     clearance = {place: round(PROBED * d, 1) for place, d in diameter.items()}
     sized = Sized(choices, min(problem.sizes[CORE] or (0.0,)), diameter, length, clearance, None)
@@ -68,9 +68,9 @@ def based(problem: Problem, choices: dict[str, Any]) -> Document:
     return document
 
 
-def not_closed(made: Design, results: Results) -> Text:
+def not_closed(design: Design, results: Results) -> Text:
     """Why the front can not be found on arrays and proved; empty where it can."""
-    shaft, bearings, solved = made.countershaft, made.bearings, results.result(CountershaftResult)
+    shaft, bearings, solved = design.countershaft, design.bearings, results.result(CountershaftResult)
     assert shaft is not None and bearings is not None
     if len(shaft.bearing_positions) != 2:
         return Text("the shaft has more than two supports")
@@ -96,8 +96,8 @@ def class_of(problem: Problem, choices: dict[str, Any]) -> ClassFront:
     """The front of one class on arrays.  Raises NoSolution where its loads can not be known, or the closed form does
     not hold."""
     with untraced():
-        made, results = _solved(problem, choices)
-        drive, sizes = _put(problem, made, results)
+        design, results = _solved(problem, choices)
+        drive, sizes = _put(problem, design, results)
         rows, count, wheels = class_front(drive, sizes), combinations(sizes), other_wheels(results)
         if not len(rows):
             return ClassFront(rows, count, (0.0, 1.0), wheels, Text("no combination bears its slopes with its films"))
@@ -114,24 +114,24 @@ def tables_of(problem: Problem, choices: dict[str, Any]) -> tuple[ShaftSurroundi
     return _put(problem, *_solved(problem, choices))
 
 
-def _put(problem: Problem, made: Design, results: Results) -> tuple[ShaftSurroundings, Sizes]:
-    drive = drive_of(made, results, problem.binds("countershaft.fillet_room"))
-    return drive, sizes_of(problem, made, results, drive)
+def _put(problem: Problem, design: Design, results: Results) -> tuple[ShaftSurroundings, Sizes]:
+    drive = drive_of(design, results, problem.binds("countershaft.fillet_room"))
+    return drive, sizes_of(problem, design, results, drive)
 
 
 def _solved(problem: Problem, choices: dict[str, Any]) -> tuple[Design, Results]:
     try:
-        made = design(based(problem, choices))
+        class_design = design(based(problem, choices))
     except BadInput as bad:
         raise NoSolution(
             Text("no sizes in the ranges make a design"), Text("{why}", why=str(bad.errors[0].reason))
         ) from None
-    results = solve(made)
+    results = solve(class_design)
     if (shaft := results.outcomes["countershaft"]).state != "solved":
         raise NoSolution(Text("even the largest envelope of the ranges does not hold the couple"), shaft.reason)
-    if why := not_closed(made, results):
+    if why := not_closed(class_design, results):
         raise NotClosed(why)
-    return made, results
+    return class_design, results
 
 
 def without_proof(problem: Problem) -> Text | None:
@@ -149,15 +149,15 @@ class NotClosed(NoSolution):
     """The closed form does not hold: `text` says why."""
 
 
-def drive_of(made: Design, results: Results, filleted: bool = True) -> ShaftSurroundings:
+def drive_of(design: Design, results: Results, filleted: bool = True) -> ShaftSurroundings:
     """`filleted`: whether a gap between two shoulders must be none, or hold its fillets."""
-    shaft, solved = made.countershaft, results.result(CountershaftResult)
+    shaft, solved = design.countershaft, results.result(CountershaftResult)
     assert shaft is not None and solved is not None
-    gear = shaft_gear(made, results.result(TrainResult))
+    gear = shaft_gear(design, results.result(TrainResult))
     z_1, z_2 = shaft.bearing_positions
-    clearance = max(made.bearings.front.diameter, made.bearings.rear.diameter) / 2 - (shaft.outer_radius or 0.0)  # type: ignore[union-attr]
+    clearance = max(design.bearings.front.diameter, design.bearings.rear.diameter) / 2 - (shaft.outer_radius or 0.0)  # type: ignore[union-attr]
     drive = ShaftSurroundings(
-        made.materials[shaft.material],
+        design.materials[shaft.material],
         float(solved.couple),
         abs(float(solved.omega)),
         (z_1, z_2),
@@ -169,40 +169,44 @@ def drive_of(made: Design, results: Results, filleted: bool = True) -> ShaftSurr
         gear_z=shaft.gear_z,
         holes=shaft.holes,
     )
-    own = made.bearings
-    if own is None or solved.slope_front is None or solved.slope_rear is None:
+    bearings = design.bearings
+    if bearings is None or solved.slope_front is None or solved.slope_rear is None:
         return drive
-    sizes = (own.front.diameter, own.rear.diameter), (own.front.length, own.rear.length)
+    sizes = (bearings.front.diameter, bearings.rear.diameter), (bearings.front.length, bearings.rear.length)
     return with_turning(drive, shaft.core_radius or 0.0, *sizes, (solved.slope_front, solved.slope_rear))
 
 
-def sizes_of(problem: Problem, made: Design, results: Results, drive: ShaftSurroundings) -> Sizes:
-    assert made.bearings is not None
-    own = made.bearings
-    tasks = own_tasks(bearings_case(made, results))
-    variant = Variant(own.oil, own.supply, Lubricant(own.in_bearings(made.oils[own.oil]), own.viscosity_law))
+def sizes_of(problem: Problem, design: Design, results: Results, drive: ShaftSurroundings) -> Sizes:
+    assert design.bearings is not None
+    bearings = design.bearings
+    tasks = own_tasks(bearings_case(design, results))
+    variant = Variant(
+        bearings.oil,
+        bearings.supply,
+        Lubricant(bearings.in_bearings(design.oils[bearings.oil]), bearings.viscosity_law),
+    )
     seats = np.array(problem.sizes[f"bearings.{problem.seat}.diameter_mm"] or (0.0,)) * 1e-3
     core = np.array(problem.sizes[CORE] or (0.0,)) * 1e-3
     R, r_0 = float(seats.max()) / 2 - drive.clearance, float(core.min())
     longest = {place: drive.longest(n, R, r_0) for n, place in enumerate(("front", "rear"))}
-    found = {
+    by_place = {
         place: _over_diameters(
-            problem, place, tasks[place], variant, longest[place], _beside(problem, place, made, results)
+            problem, place, tasks[place], variant, longest[place], _beside(problem, place, design, results)
         )
         for place in tasks
     }
-    gear = shaft_gear(made, results.result(TrainResult))
+    gear = shaft_gear(design, results.result(TrainResult))
     if gear is not None and problem.binds("countershaft.gear_seat"):  # it goes through the front seat
-        found["front"] = [films for films in found["front"] if films.task.diameter > gear.tip_diameter + TINY]
+        by_place["front"] = [films for films in by_place["front"] if films.task.diameter > gear.tip_diameter + TINY]
     limit = next(c.limit for c in results.checks() if c.id == "countershaft.slope_front")
     assert isinstance(limit, float)
-    surfaces = tuple(_surface(one, made) for one in problem.surfaces)
-    return Sizes(core, surfaces, problem.margins, limit * 1e-3, problem.seat, found)
+    surfaces = tuple(_surface(surface, design) for surface in problem.surfaces)
+    return Sizes(core, surfaces, problem.margins, limit * 1e-3, problem.seat, by_place)
 
 
-def _beside(problem: Problem, place: str, made: Design, results: Results) -> Beside:
+def _beside(problem: Problem, place: str, design: Design, results: Results) -> Beside:
     """The films that are limits beside those of the corners; what stands still is that of the class's own start."""
-    bench = made.engine.bench if made.engine is not None else ()
+    bench = design.engine.bench if design.engine is not None else ()
     over = bench if problem.binds(f"bearings.{place}.film_edge_speeds") else None
     bearings, shaft = results.result(BearingsResult), results.result(CountershaftResult)
     part = bearings.bearings[place].standing if bearings is not None else None
@@ -212,12 +216,12 @@ def _beside(problem: Problem, place: str, made: Design, results: Results) -> Bes
     return Beside(over, Stands(weight, part.standing_load - weight, bearings.bearings[place].friction_power))
 
 
-def _surface(one: tuple[float, float] | None, made: Design) -> tuple[tuple[float, float], tuple[float, float]]:
+def _surface(pair: tuple[float, float] | None, design: Design) -> tuple[tuple[float, float], tuple[float, float]]:
     """Ra of journal and seat of the front and of the rear bearing."""
-    assert made.bearings is not None
-    if one is not None:
-        return ((one[0] * UM, one[1] * UM),) * 2
-    front, rear = ((b.journal_roughness, b.housing_roughness) for b in (made.bearings.front, made.bearings.rear))
+    assert design.bearings is not None
+    if pair is not None:
+        return ((pair[0] * UM, pair[1] * UM),) * 2
+    front, rear = ((b.journal_roughness, b.housing_roughness) for b in (design.bearings.front, design.bearings.rear))
     return front, rear
 
 
@@ -228,7 +232,7 @@ def _over_diameters(
     ratios = task.rules["length_ratio_usual" if "length_ratio_usual" in advice else "length_ratio"].check.limit
     assert isinstance(ratios, tuple)
     given = problem.sizes[f"bearings.{place}.length_mm"]
-    found: list[Films] = []
+    kept_films: list[Films] = []
     for d in problem.sizes[f"bearings.{place}.diameter_mm"] or ():
         at = replace(task.at_diameter(d * 1e-3), clearance=0.0)  # the design's own is not one of the steps
         l = (
@@ -236,9 +240,13 @@ def _over_diameters(
             if given is None
             else _within(np.array(given) * 1e-3, least_length(at) - LENGTH_STEP, longest)
         )
-        if l.size and (one := films(at, variant, l, advice, problem.cycle, beside)) is not None and one.kept.any():
-            found.append(one)
-    return found
+        if (
+            l.size
+            and (films_here := films(at, variant, l, advice, problem.cycle, beside)) is not None
+            and films_here.kept.any()
+        ):
+            kept_films.append(films_here)
+    return kept_films
 
 
 def _within(length: Array, above: float, longest: float) -> Array:
@@ -266,9 +274,11 @@ def _line(problem: Problem, choices: dict[str, Any], rows: DriveRows) -> tuple[f
     """Crank power is a straight line over the power of both journals: through two rows that are solved whole."""
     points = []
     for n in dict.fromkeys([int(rows.power.argmin()), int(rows.power.argmax())]):
-        one, results = whole(problem, sized(problem, choices, rows, n))
-        if results is not None and one.objectives:
-            points.append((float(rows.power[n]) if problem.cycle else journals_power(results), one.objectives["power"]))
+        drive, results = whole(problem, sized(problem, choices, rows, n))
+        if results is not None and drive.objectives:
+            points.append(
+                (float(rows.power[n]) if problem.cycle else journals_power(results), drive.objectives["power"])
+            )
     if len(points) == 2 and points[1][0] > points[0][0]:
         slope = (points[1][1] - points[0][1]) / (points[1][0] - points[0][0])
         return points[0][1] - slope * points[0][0], slope

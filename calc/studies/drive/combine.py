@@ -101,10 +101,10 @@ def combinations(sizes: Sizes) -> int:
 
 def class_front(drive: ShaftSurroundings, sizes: Sizes) -> DriveRows:
     """The rows of a class that no other of it beats in power, mass, seat, surfaces and margin."""
-    found = [rows for surface in range(len(sizes.surfaces)) for rows in _of_surface(drive, sizes, surface)]
-    if not found:
+    row_sets = [rows for surface in range(len(sizes.surfaces)) for rows in _of_surface(drive, sizes, surface)]
+    if not row_sets:
         return joined([_empty()])
-    rows = joined(found)
+    rows = joined(row_sets)
     objectives = np.stack([rows.power, rows.mass, rows.seat, -rows.margin, rows.surface], 1)
     return rows.at(front(objectives))
 
@@ -122,9 +122,9 @@ def _of_surface(drive: ShaftSurroundings, sizes: Sizes, surface: int) -> Iterato
                 yield rows
 
 
-def _table(sizes: Sizes, films: Films, own: Array, surface: int, margin: Number) -> Array:
+def _table(sizes: Sizes, films: Films, bending: Array, surface: int, margin: Number) -> Array:
     """Least power of each length over the steps of the slope; `own`: what the journal's own bending adds, by length."""
-    net = films.bears(sizes.asked(films, surface), margin, sizes.limit) - own * OWN
+    net = films.bears(sizes.asked(films, surface), margin, sizes.limit) - bending * OWN
     step = np.minimum(np.floor(net / (sizes.limit / STEPS)), STEPS)
     table = np.full((films.length.size, STEPS + 1), np.inf)
     i, k = np.nonzero(step >= 0)
@@ -170,10 +170,10 @@ def _with_seat(
     l_f, l_r = (small.length, big.length) if front_is_small else (big.length, small.length)
     shaft = _shafts(drive, sizes.core, l_f, l_r, d, front_is_small)
     unit = sizes.limit / STEPS
-    own, there = (1, 0) if front_is_small else (0, 1)  # places of the big and of the small journal among the slopes
+    here, there = (1, 0) if front_is_small else (0, 1)  # places of the big and of the small journal among the slopes
     with np.errstate(invalid="ignore"):
         s_big = np.ceil(
-            drive.turning(own, shaft.mass, shaft.slopes[own] + _along(small.other, not front_is_small)) / unit - 1e-9
+            drive.turning(here, shaft.mass, shaft.slopes[here] + _along(small.other, not front_is_small)) / unit - 1e-9
         )
         s_small = np.ceil(drive.turning(there, shaft.mass, shaft.slopes[there]) / unit - 1e-9)
         fits = shaft.fits & (s_big <= STEPS) & (s_small <= STEPS)
@@ -184,19 +184,19 @@ def _with_seat(
     k_b, k_s = s_big[fits].astype(int), s_small[fits].astype(int)
     P_big = _table(sizes, big, np.zeros(big.length.size), surface, margin)[i_b, k_b]  # its own bending is in the slopes
     base, index = shaft.mass[fits], np.flatnonzero(np.isfinite(P_big))
-    found: list[tuple[Array, Array, Array, IndexArray]] = []
+    parts: list[tuple[Array, Array, Array, IndexArray]] = []
     for P, D in zip(small.power, small.diameter):
         power, diameter = P[i_s[index], k_s[index]] + P_big[index], D[i_s[index], k_s[index]]
         there_is = np.isfinite(power) & (diameter <= d + 1e-9)
         if there_is.any():
             at = index[there_is]
             diameter = diameter[there_is]
-            found.append(
+            parts.append(
                 (power[there_is], base[at] + journal_mass(drive, diameter, small.length[i_s[at]]), diameter, at)
             )
-    if not found:
+    if not parts:
         return None
-    power, mass, diameter, at = (np.concatenate(x) for x in zip(*found))
+    power, mass, diameter, at = (np.concatenate(x) for x in zip(*parts))
     chosen = _least(power, mass)
     at = at[chosen]
     slopes = s_big[fits][at] * unit, s_small[fits][at] * unit
@@ -262,8 +262,8 @@ def _rows(
         g_big[n] = _clearance(big, bears[:, column], column, slopes[0][n])
     for d in np.unique(diameter):
         f = by_diameter[float(d)]
-        own = journal_slopes(drive, place == "front", f.task.diameter, f.length)[0 if place == "front" else 1]
-        bears = f.bears(sizes.asked(f, surface), margin, sizes.limit) - own * OWN
+        bending = journal_slopes(drive, place == "front", f.task.diameter, f.length)[0 if place == "front" else 1]
+        bears = f.bears(sizes.asked(f, surface), margin, sizes.limit) - bending * OWN
         for n in np.flatnonzero(diameter == d).tolist():
             column = int(np.searchsorted(np.round(f.length, 9), round(float(small.length[i_s[n]]), 9)))
             g_small[n] = _clearance(f, bears[:, column], column, slopes[1][n])

@@ -44,7 +44,7 @@ def evolved(
     problem: Problem,
     evaluations: int = EVALUATIONS,
     seed: int = 1,
-    told: Callable[[int, int, int], None] | None = None,
+    progress: Callable[[int, int, int], None] | None = None,
     enough: Callable[[], bool] = bool,
 ) -> FrontFound:
     """The best of some whole solutions, and where none passes what they break.  `told`: how many are done, of how many,
@@ -79,9 +79,9 @@ def evolved(
                 if space.known and enough():
                     raise _Enough
                 scored.append(space.scored(row))
-            out["F"], out["G"] = np.array([one[0] for one in scored]), np.array([[one[1]] for one in scored])
-            if told is not None:
-                told(len(space.known), evaluations, len(space.passing))
+            out["F"], out["G"] = np.array([score[0] for score in scored]), np.array([[score[1]] for score in scored])
+            if progress is not None:
+                progress(len(space.known), evaluations, len(space.passing))
 
     algorithm = NSGA2(
         pop_size=POPULATION, crossover=SBX(prob=0.9, eta=10), mutation=PM(eta=15), eliminate_duplicates=True
@@ -115,7 +115,7 @@ class _Space:
 
     @property
     def passing(self) -> list[Whole]:
-        return [one for one, _, _ in self.known.values() if not one.broken]
+        return [drive for drive, _, _ in self.known.values() if not drive.broken]
 
     def _widths(self) -> dict[str, float]:
         """The width of the supply in mm, which a journal must be longer than."""
@@ -160,27 +160,27 @@ class _Space:
             sized.surface,
         )
         if key not in self.known:
-            one, results = whole(self.problem, sized, self.before)
+            drive, results = whole(self.problem, sized, self.before)
             self.before = results or self.before
-            self.known[key] = one, _row(self.problem, one), one.lacks
+            self.known[key] = drive, _row(self.problem, drive), drive.lacks
         _, row, broken = self.known[key]
         return row, broken
 
     def found(self) -> FrontFound:
         problem, every = self.problem, list(self.known.values())
-        good = [(one, row) for one, row, _ in every if not one.broken]
+        good = [(drive, row) for drive, row, _ in every if not drive.broken]
         units = np.array([problem.units[name] for name in problem.objectives])
         rows = np.array([row for _, row in good]).reshape(-1, len(problem.objectives))
         kept = front(np.round(rows, 9)) if len(good) else np.zeros(0, dtype=int)
         chosen = representatives(rows[kept], units, problem.rows)
         drives = sorted(
-            (good[int(kept[n])][0] for n in chosen), key=lambda one: (one.objectives["power"], str(one.changes))
+            (good[int(kept[n])][0] for n in chosen), key=lambda drive: (drive.objectives["power"], str(drive.changes))
         )
-        worst = sorted((one for one in every if one[0].broken), key=lambda one: one[2])[:10]
+        worst = sorted((entry for entry in every if entry[0].broken), key=lambda entry: entry[2])[:10]
         nothing = DriveRows(*(np.zeros(0) for _ in DriveRows.__dataclass_fields__))
         known = FrontTable(joined([nothing]), np.zeros(0, dtype=int), rows[kept], len(every), ())
         return FrontFound(
-            problem, known, tuple(drives), tuple(one for one, _, _ in worst), len(problem.classes), proved=False
+            problem, known, tuple(drives), tuple(drive for drive, _, _ in worst), len(problem.classes), proved=False
         )
 
 
@@ -188,7 +188,7 @@ def _at(values: tuple[Any, ...], share: float) -> Any:
     return values[min(int(share * len(values)), len(values) - 1)]
 
 
-def _row(problem: Problem, one: Whole) -> Array:
-    if not one.objectives:
+def _row(problem: Problem, drive: Whole) -> Array:
+    if not drive.objectives:
         return np.full(len(problem.objectives), 1e9)
-    return np.array([(-1 if name == "margin" else 1) * one.objectives[name] for name in problem.objectives])
+    return np.array([(-1 if name == "margin" else 1) * drive.objectives[name] for name in problem.objectives])

@@ -92,8 +92,8 @@ def over_speeds(
         return None
     thinnest = np.full(corners.shape, np.inf)
     for n in np.unique(films.argmin(-1)[near]).tolist():
-        one = OperatingPoint(**{name: float(np.broadcast_to(x, governs.shape)[n]) for name, x in vars(at).items()})
-        field = field_over(replace(task, duty=one, corners=False), variant, length, g)
+        point = OperatingPoint(**{name: float(np.broadcast_to(x, governs.shape)[n]) for name, x in vars(at).items()})
+        field = field_over(replace(task, duty=point, corners=False), variant, length, g)
         assert field is not None
         film = np.broadcast_to(field.states.film[0], corners.shape)
         thinnest = np.fmin(thinnest, film)
@@ -217,15 +217,15 @@ def films(
 
     Clearances up to the usual factor; where none of these has a film that passes, up to the widest of the search for
     bearings."""
-    found = _films(task, variant, length, clearances(task, widest_usual(task)), advice, beside)
-    if found is None or not found.kept.any():
-        found = _films(task, variant, length, clearances(task, WIDEST * task.diameter, FEW), advice, beside)
-    return found if found is None or not cycle else replace(found, power=_mean_power(found, variant, cycle))
+    result = _films(task, variant, length, clearances(task, widest_usual(task)), advice, beside)
+    if result is None or not result.kept.any():
+        result = _films(task, variant, length, clearances(task, WIDEST * task.diameter, FEW), advice, beside)
+    return result if result is None or not cycle else replace(result, power=_mean_power(result, variant, cycle))
 
 
-def _mean_power(found: Films, variant: Variant, cycle: Cycle) -> Array:
+def _mean_power(films: Films, variant: Variant, cycle: Cycle) -> Array:
     """Over the cycle, with the oil as it is supplied at the rated speed; not a number where a speed has no film."""
-    task, mean = found.task, np.zeros(found.power.shape)
+    task, mean = films.task, np.zeros(films.power.shape)
     for ratio, share in cycle:
         duty = task.duty
         at = at_speeds(
@@ -239,7 +239,7 @@ def _mean_power(found: Films, variant: Variant, cycle: Cycle) -> Array:
         slower = replace(
             task, duty=OperatingPoint(**{name: float(np.ravel(x)[0]) for name, x in vars(at).items()}), corners=False
         )
-        field = field_over(slower, variant, found.length, found.clearance)
+        field = field_over(slower, variant, films.length, films.clearance)
         assert field is not None
         mean += share * np.broadcast_to(field.states.power, mean.shape)
     return np.where(np.isnan(mean), np.inf, mean)
@@ -259,7 +259,9 @@ def _films(
     once = sum(state.times == 1 for state in task.states)
     wanted = (*ALWAYS, *(key for key in task.rules if key in advice))
     with np.errstate(all="ignore"):
-        judged = {one.rule.key: one.margin for one in judge(task, states, 0.0) if one.rule.key in wanted}
+        judged = {
+            finding.rule.key: finding.margin for finding in judge(task, states, 0.0) if finding.rule.key in wanted
+        }
     shape = states.film.shape[1:]
     kept = np.ones(shape, dtype=bool)
     for key, margin in judged.items():

@@ -145,7 +145,7 @@ class Picked:
     def costs(self) -> list[tuple[str, float, str, float]]:
         """What more of one objective costs in another, along the front of the two: (wanted, its gain, paid, its loss),
         from this drive to the next one that is better in the first.  Only where this drive stands on that front."""
-        found = []
+        trades = []
         for wanted in self.names:
             for paid in self.names:
                 if wanted == paid:
@@ -157,8 +157,8 @@ class Picked:
                     other = int(order[at[0] - 1])
                     gain, loss = float(x[self.number - 1] - x[other]), float(y[other] - y[self.number - 1])
                     if gain > 0 and loss > 0:
-                        found.append((wanted, gain, paid, loss))
-        return found
+                        trades.append((wanted, gain, paid, loss))
+        return trades
 
 
 def picked(raw: bytes, data: Data) -> Picked | None:
@@ -172,12 +172,12 @@ def picked(raw: bytes, data: Data) -> Picked | None:
         drives = about["drives"]
         if not names or set(names) - set(OBJECTIVES) or not isinstance(drives, list) or len(drives) > MOST_DRIVES:
             raise Broken("names objectives or drives that there are not")
-        rows = np.array([[float(one["objectives"][name]) for name in names] for one in drives], dtype=float).reshape(
-            -1, len(names)
-        )
+        rows = np.array(
+            [[float(drive["objectives"][name]) for name in names] for drive in drives], dtype=float
+        ).reshape(-1, len(names))
         if not np.isfinite(rows).all():
             raise Broken("has objectives that are no numbers")
-        number = next((n for n, one in enumerate(drives, 1) if _is(data, one["changes"])), None)
+        number = next((n for n, drive in enumerate(drives, 1) if _is(data, drive["changes"])), None)
         sizes = {
             _word(key): None if values is None else tuple(map(float, values))[:MOST_DRIVES]
             for key, values in about["sizes_mm"].items()
@@ -201,6 +201,6 @@ def _is(data: Data, changes: Mapping[str, Any]) -> bool:
         return False
 
 
-def _word(one: object) -> str:
+def _word(value: object) -> str:
     """A word of the file, a pair as it is written."""
-    return ("/".join(map(str, one)) if isinstance(one, list) else str(one))[:LONGEST]
+    return ("/".join(map(str, value)) if isinstance(value, list) else str(value))[:LONGEST]

@@ -31,9 +31,9 @@ CHOICES = {
 END = "⊣"  # a size at the end of its range: beyond it may be better
 
 
-def proof(found: FrontFound) -> Text:
+def proof(front: FrontFound) -> Text:
     """What the front is the front of."""
-    return proof_of(found.proved, found.table.combinations, found.done, len(found.problem.classes))
+    return proof_of(front.proved, front.table.combinations, front.done, len(front.problem.classes))
 
 
 def proof_of(proved: bool, count: int, done: int, classes: int) -> Text:
@@ -53,31 +53,31 @@ def label(problem: Problem, name: str) -> Text:
     return Text("mean power over the duty cycle") if name == "power" and problem.cycle else LABELS[name]
 
 
-def table(found: FrontFound, drives: Iterable[int] | None = None) -> Table:
+def table(front: FrontFound, drives: Iterable[int] | None = None) -> Table:
     """The drives by number; columns that are the same in all are left out."""
-    problem = found.problem
-    varied = [name for name in problem.choices if len({str(one.sized.choices[name]) for one in found.drives}) > 1]
-    surfaces = len({one.sized.surface for one in found.drives}) > 1
+    problem = front.problem
+    varied = [name for name in problem.choices if len({str(drive.sized.choices[name]) for drive in front.drives}) > 1]
+    surfaces = len({drive.sized.surface for drive in front.drives}) > 1
     columns = [(Text("no."), ""), *((label(problem, name), UNIT[name]) for name in problem.objectives)]
     columns += [(CHOICES.get(name, Text("{key}", key=Name(name))), "") for name in varied]
     columns += [(Text("Ra"), "µm")] if surfaces else []
     columns += [(Text("front Ø×l/g"), "mm/µm"), (Text("rear Ø×l/g"), "mm/µm"), (Text("core"), "mm"), (Text("open"), "")]
     rows = []
-    for n, one in enumerate(found.drives, 1):
+    for n, drive in enumerate(front.drives, 1):
         if drives is not None and n not in drives:
             continue
-        s = one.sized
+        s = drive.sized
         cells: list[str | float | None] = [
             float(n),
-            *(round(one.objectives[name], DIGITS[name]) for name in problem.objectives),
+            *(round(drive.objectives[name], DIGITS[name]) for name in problem.objectives),
         ]
         cells += [Name(word(s.choices[name])) for name in varied]
         cells += [Name(_surfaces(problem, s.surface))] if surfaces else []
         cells += [Name(_size(problem, s, place)) for place in ("front", "rear")]
-        cells += [Name(f"{s.core:g}{END if CORE in at_end(problem, one) else ''}"), float(one.open)]
+        cells += [Name(f"{s.core:g}{END if CORE in at_end(problem, drive) else ''}"), float(drive.open)]
         rows.append(tuple(cells))
-    note = Text("{proof} Every row was solved whole and keeps every limit.", proof=proof(found))
-    if any(at_end(problem, one) for one in found.drives):
+    note = Text("{proof} Every row was solved whole and keeps every limit.", proof=proof(front))
+    if any(at_end(problem, drive) for drive in front.drives):
         note = Text("{note} {end}: at the end of its range, beyond may be better.", note=note, end=Name(END))
     return Table("drives", Text("Front of the whole drive"), tuple(columns), tuple(rows), note)
 
@@ -100,104 +100,104 @@ def _size(problem: Problem, s: Any, place: str) -> str:
 
 def _surfaces(problem: Problem, pair: tuple[float, float] | None) -> str:
     """Journal and seat; as designed, where both bearings have the same."""
-    own = problem.base.bearings
-    if pair is None and own is not None:
-        pairs = {(b.journal_roughness * 1e6, b.housing_roughness * 1e6) for b in (own.front, own.rear)}
+    bearings = problem.base.bearings
+    if pair is None and bearings is not None:
+        pairs = {(b.journal_roughness * 1e6, b.housing_roughness * 1e6) for b in (bearings.front, bearings.rear)}
         pair = pairs.pop() if len(pairs) == 1 else None
     return "/".join(f"{x:g}" for x in pair) if pair is not None else "–"
 
 
-def at_end(problem: Problem, one: Whole) -> list[str]:
+def at_end(problem: Problem, drive: Whole) -> list[str]:
     """The keys whose range ends at this drive, where the range is a rule or the user's and no limit of the design."""
-    sizes = {CORE: one.sized.core, **{f"bearings.{p}.diameter_mm": d for p, d in one.sized.diameter.items()}}
+    sizes = {CORE: drive.sized.core, **{f"bearings.{p}.diameter_mm": d for p, d in drive.sized.diameter.items()}}
     return _ends(problem, sizes)
 
 
 def _ends(problem: Problem, sizes: Mapping[str, float]) -> list[str]:
-    found = []
+    ended = []
     for name, number in sizes.items():
         values = problem.sizes[name]
         if values is None or len(values) < 2:
             continue
         low, high = problem.bounded[name]
         if (number <= values[0] + 1e-9 and not low) or (number >= values[-1] - 1e-9 and not high):
-            found.append(name)
-    return found
+            ended.append(name)
+    return ended
 
 
 # --- the files
 # --------------------------------------------------------------------------------------------------------------------
-def csv_text(found: FrontFound) -> str:
+def csv_text(front: FrontFound) -> str:
     """front.csv: what it is the front of, then a row for each drive, units in the head."""
-    problem, out = found.problem, io.StringIO()
+    problem, out = front.problem, io.StringIO()
     for line in said(problem):
         out.write(f"# {line}\n")
-    out.write(f"# {proof(found)}\n# {stood(found)}\n")
+    out.write(f"# {proof(front)}\n# {stood(front)}\n")
     writer = csv.writer(out, lineterminator="\n")
-    keys = list(dict.fromkeys(k for one in found.drives for k in one.changes))
+    keys = list(dict.fromkeys(k for drive in front.drives for k in drive.changes))
     writer.writerow(["no", *(f"{name} [{UNIT[name]}]" for name in problem.objectives), "open", "at_end", *keys])
-    for n, one in enumerate(found.drives, 1):
-        row = [f"{one.objectives[name]:.9g}" for name in problem.objectives]
-        values = ["" if one.changes.get(k) is None else one.changes[k] for k in keys]
-        writer.writerow([n, *row, one.open, " ".join(at_end(problem, one)), *values])
+    for n, drive in enumerate(front.drives, 1):
+        row = [f"{drive.objectives[name]:.9g}" for name in problem.objectives]
+        values = ["" if drive.changes.get(k) is None else drive.changes[k] for k in keys]
+        writer.writerow([n, *row, drive.open, " ".join(at_end(problem, drive)), *values])
     return out.getvalue()
 
 
-def json_text(found: FrontFound) -> str:
+def json_text(front: FrontFound) -> str:
     """front.json: the problem and the drives, with the keys that make each of them."""
-    problem = found.problem
+    problem = front.problem
     about = {
         "schema": 1,
         "program": VERSION,
         "key": key(problem),
         "design": problem.start.sha256,
-        "proof": str(proof(found)),
-        "proved": found.proved and found.whole,
+        "proof": str(proof(front)),
+        "proved": front.proved and front.whole,
         "classes": len(problem.classes),
-        "classes_done": found.done,
-        "combinations": found.table.combinations,
-        "front_rows": len(found.table),
+        "classes_done": front.done,
+        "combinations": front.table.combinations,
+        "front_rows": len(front.table),
         "objectives": {name: UNIT[name] for name in problem.objectives},
         "sizes_mm": {name: list(values) if values is not None else None for name, values in problem.sizes.items()},
         "choices": {name: list(values) for name, values in problem.choices.items()},
-        "surfaces_um": [list(one) if one else None for one in problem.surfaces],
+        "surfaces_um": [list(pair) if pair else None for pair in problem.surfaces],
         "margins": list(problem.margins),
         "most": problem.most,
         "limits": list(problem.limits),
         "waived": list(problem.waived),
-        "said": [str(one) for one in problem.said],
+        "said": [str(line) for line in problem.said],
         "ties": {name: str(why) for name, why in TIED.items()},
-        "refused": [[n, str(why)] for n, why in found.table.refused],
-        "dropped": [{"changes": one.changes, "broken": list(one.broken)} for one in found.dropped],
+        "refused": [[n, str(why)] for n, why in front.table.refused],
+        "dropped": [{"changes": drive.changes, "broken": list(drive.broken)} for drive in front.dropped],
     }
     about["drives"] = [
         {
             "no": n,
-            "objectives": one.objectives,
-            "open": one.open,
-            "at_end": at_end(problem, one),
-            "changes": one.changes,
+            "objectives": drive.objectives,
+            "open": drive.open,
+            "at_end": at_end(problem, drive),
+            "changes": drive.changes,
         }
-        for n, one in enumerate(found.drives, 1)
+        for n, drive in enumerate(front.drives, 1)
     ]
     return json.dumps(about, ensure_ascii=False, indent=1, default=str) + "\n"
 
 
-def stood(found: FrontFound) -> Text:
+def stood(front: FrontFound) -> Text:
     """How far the search came."""
-    done, classes = found.done, len(found.problem.classes)
-    if not found.proved:
+    done, classes = front.done, len(front.problem.classes)
+    if not front.proved:
         return Text(
             "{n} drives solved whole, {drives} of their front shown",
-            n=found.table.combinations,
-            drives=len(found.drives),
+            n=front.table.combinations,
+            drives=len(front.drives),
         )
     words = Text(
         "{n} combinations in {classes} classes, front of {rows}, {drives} of them solved whole",
-        n=power_of_ten(found.table.combinations),
+        n=power_of_ten(front.table.combinations),
         classes=done,
-        rows=len(found.table),
-        drives=len(found.drives),
+        rows=len(front.table),
+        drives=len(front.drives),
     )
     return (
         words
@@ -220,14 +220,16 @@ def said(problem: Problem) -> list[Text]:
     lines = [Text("objectives: {names}", names=COMMA.join([_objective(problem, name) for name in problem.objectives]))]
     lines += ranges(problem.sizes, problem.choices)
     if len(problem.surfaces) > 1 or problem.surfaces[0] is not None:
-        pairs = Name(", ".join("/".join(f"{x:g}" for x in one) if one else "as designed" for one in problem.surfaces))
+        pairs = Name(
+            ", ".join("/".join(f"{x:g}" for x in pair) if pair else "as designed" for pair in problem.surfaces)
+        )
         lines.append(Text("surfaces, journal and seat: {pairs} µm", pairs=pairs))
     lines += [Text("{key}: {why}", key=Name(name), why=why) for name, why in TIED.items()]
-    more = [one for one in problem.limits if one not in LIMITS]
+    more = [limit for limit in problem.limits if limit not in LIMITS]
     lines.append(
         Text(
             "limits: those of every check, and of the findings {ids}",
-            ids=Name(", ".join(one for one in (*LIMITS, *more) if one not in problem.waived)),
+            ids=Name(", ".join(limit for limit in (*LIMITS, *more) if limit not in problem.waived)),
         )
     )
     return [*lines, *problem.said]

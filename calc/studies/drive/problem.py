@@ -59,9 +59,15 @@ WIDTHS = Text(
 class Variables:
     """The values of every variable, and what is wrong with those that are given."""
 
-    def __init__(self, start: Document, made: Design, own: OptimiseInputs, tip: float | None) -> None:
-        assert made.countershaft is not None and made.bearings is not None
-        self.start, self.shaft, self.bearings, self.own, self.tip = start, made.countershaft, made.bearings, own, tip
+    def __init__(self, start: Document, design: Design, own: OptimiseInputs, tip: float | None) -> None:
+        assert design.countershaft is not None and design.bearings is not None
+        self.start, self.shaft, self.bearings, self.own, self.tip = (
+            start,
+            design.countershaft,
+            design.bearings,
+            own,
+            tip,
+        )
         self.vary: dict[str, Any] = dict(own.vary) if isinstance(own.vary, dict) else {}
         self.errors: list[InputError] = []
         self.said: list[Text] = []
@@ -82,15 +88,15 @@ class Variables:
 
     def values(self, key: str, otherwise: Sequence[float]) -> tuple[float, ...]:
         """Numbers of a key: those that are given, else those of the rule."""
-        said = self.vary.get(key)
-        if said is None:
+        given = self.vary.get(key)
+        if given is None:
             return tuple(otherwise)
-        if said == "fixed":
+        if given == "fixed":
             now = value_at(self.start.data, key)
             return (float(now),) if isinstance(now, (int, float)) else ()
-        numbers = said if isinstance(said, list) else _range(said)
+        numbers = given if isinstance(given, list) else _range(given)
         if not all(isinstance(x, (int, float)) and not isinstance(x, bool) for x in numbers):
-            self.wrong(key, Text("must be numbers"), said)
+            self.wrong(key, Text("must be numbers"), given)
             return tuple(otherwise)
         if len(numbers) > MOST_VALUES:
             self.wrong(key, Text("asks for {n} values; at most {most}", n=len(numbers), most=MOST_VALUES))
@@ -104,24 +110,26 @@ class Variables:
         try:
             design(self.start.with_value(key, value))
         except BadInput as bad:
-            own = [e for e in bad.errors if e.key == key]
-            if own or not key.startswith(("countershaft", "bearings")):
-                self.wrong(key, (own or bad.errors)[0].reason, value)
+            own_errors = [e for e in bad.errors if e.key == key]
+            if own_errors or not key.startswith(("countershaft", "bearings")):
+                self.wrong(key, (own_errors or bad.errors)[0].reason, value)
 
     def sizes(self) -> dict[str, tuple[float, ...] | None]:
-        own = {place: getattr(self.bearings, place).diameter * 1e3 for place in ("front", "rear")}
+        diameters = {place: getattr(self.bearings, place).diameter * 1e3 for place in ("front", "rear")}
         small = "front" if self.seat == "rear" else "rear"
         threaded = (THREADED if self.shaft.radial_clearance is None else self.shaft.radial_clearance) * 1e3
-        R = own[self.seat] / 2 - threaded
+        R = diameters[self.seat] / 2 - threaded
         core = (self.shaft.core_radius or 0.0) * 1e3 / R
-        most = min(own[self.seat] + SEAT_REACH, self._widest_seat(), (self.own.most or {}).get("seat_mm", float("inf")))
+        most = min(
+            diameters[self.seat] + SEAT_REACH, self._widest_seat(), (self.own.most or {}).get("seat_mm", float("inf"))
+        )
         through = (
             self.tip if self.tip is not None and small == "front" else None
         )  # the gear goes through the front seat
-        least = through + 2 * ROOM if through is not None else LEAST_SHARE * own[small]
-        seats = self.values(f"bearings.{self.seat}.diameter_mm", _steps(LEAST_SEAT * own[self.seat], most))
+        least = through + 2 * ROOM if through is not None else LEAST_SHARE * diameters[small]
+        seats = self.values(f"bearings.{self.seat}.diameter_mm", _steps(LEAST_SEAT * diameters[self.seat], most))
         seats = tuple(d for d in seats if d <= most + 1e-9)
-        found: dict[str, tuple[float, ...] | None] = {
+        sizes: dict[str, tuple[float, ...] | None] = {
             CORE: self.values(
                 CORE,
                 _steps(max(min(CORE_SHARE[0], core - 0.1), 0.05) * R, min(max(CORE_SHARE[1], core + 0.1), 0.95) * R),
@@ -133,12 +141,12 @@ class Variables:
         }
         for place in ("front", "rear"):
             key = f"bearings.{place}.length_mm"
-            found[key] = self.values(key, ()) if key in self.vary else None
+            sizes[key] = self.values(key, ()) if key in self.vary else None
         for key in SIZES:
             if (why := locked(self.start.data, key)) and key not in self.vary:
-                found[key] = self.values(key, ()) if self.vary.setdefault(key, "fixed") else None
+                sizes[key] = self.values(key, ()) if self.vary.setdefault(key, "fixed") else None
                 self.said.append(Text("{key} stays, as locked: {why}.", key=key, why=why))
-        return found
+        return sizes
 
     def bounded(self) -> dict[str, tuple[bool, bool]]:
         small = "front" if self.seat == "rear" else "rear"
@@ -172,24 +180,24 @@ class Variables:
                 del values[1:]
                 if key != "bearings.oil":
                     self.said.append(Text("{key} stays, as locked: {why}.", key=key, why=why))
-        found: dict[str, tuple[Any, ...]] = {}
+        options: dict[str, tuple[Any, ...]] = {}
         for key in (*rules, *(k for k in self.vary if k not in (*rules, *SIZES, *TIED, SURFACES))):
-            said = self.vary.get(key)
-            if said == "fixed" or said is None:
-                found[key] = tuple(rules.get(key, ())[: 1 if said == "fixed" else None])
-                if not found[key]:
+            given = self.vary.get(key)
+            if given == "fixed" or given is None:
+                options[key] = tuple(rules.get(key, ())[: 1 if given == "fixed" else None])
+                if not options[key]:
                     continue
             else:
-                found[key] = tuple(said if isinstance(said, list) else _range(said))
-            for value in found[key] if said is not None or key == FITS else ():
+                options[key] = tuple(given if isinstance(given, list) else _range(given))
+            for value in options[key] if given is not None or key == FITS else ():
                 self._one(key, value)
-        found = {key: values for key, values in found.items() if values}
-        count = math.prod(map(len, found.values()))
+        options = {key: values for key, values in options.items() if values}
+        count = math.prod(map(len, options.values()))
         if count > MOST_CLASSES:
             self.wrong("", Text("makes {n} classes; at most {most}: vary less at once", n=count, most=MOST_CLASSES))
         if len(rules[FITS]) == 1 and FITS not in self.vary:
             self.said.append(Text("The fits stay: no price says what closer ones cost."))
-        return found
+        return options
 
     def _one(self, key: str, value: object) -> None:
         if key == FITS:
@@ -208,15 +216,15 @@ class Variables:
         self._allowed(key, value)
 
     def _surfaces_vary(self) -> bool:
-        said = self.vary.get(SURFACES)
-        return said != "fixed" and (said is not None or any(p.what == "surface" for p in self.own.price))
+        given = self.vary.get(SURFACES)
+        return given != "fixed" and (given is not None or any(p.what == "surface" for p in self.own.price))
 
     def surfaces(self) -> tuple[tuple[float, float] | None, ...]:
-        said = self.vary.get(SURFACES)
-        if said == "fixed":
+        given = self.vary.get(SURFACES)
+        if given == "fixed":
             return (None,)
         priced = [p.value for p in self.own.price if p.what == "surface"]
-        pairs: list[Any] = said if isinstance(said, list) else priced
+        pairs: list[Any] = given if isinstance(given, list) else priced
         for pair in pairs:
             if not (
                 isinstance(pair, list)
@@ -227,22 +235,22 @@ class Variables:
                 return (None,)
         if not pairs:
             self.said.append(Text("The surfaces stay: no price says what smoother ones cost."))
-        own = self.bearings.front, self.bearings.rear
-        as_designed = [(b.journal_roughness * 1e6, b.housing_roughness * 1e6) for b in own]
-        found: list[tuple[float, float] | None] = [] if isinstance(said, list) else [None]
+        bearings = self.bearings.front, self.bearings.rear
+        as_designed = [(b.journal_roughness * 1e6, b.housing_roughness * 1e6) for b in bearings]
+        surfaces: list[tuple[float, float] | None] = [] if isinstance(given, list) else [None]
         same = as_designed[0] == as_designed[1]
         for a, b in pairs:
             pair = (float(a), float(b))
-            if not (same and None in found and all(abs(x - y) < 1e-9 for x, y in zip(pair, as_designed[0]))):
-                found.append(pair)
-        return tuple(found)
+            if not (same and None in surfaces and all(abs(x - y) < 1e-9 for x, y in zip(pair, as_designed[0]))):
+                surfaces.append(pair)
+        return tuple(surfaces)
 
 
-def _range(said: Mapping[str, float]) -> list[float]:
-    count = (said["to"] - said["from"]) / said["step"]
+def _range(span: Mapping[str, float]) -> list[float]:
+    count = (span["to"] - span["from"]) / span["step"]
     if count > MOST_VALUES:
-        return [said["from"]] * (MOST_VALUES + 1)
-    return [round(said["from"] + n * said["step"], 9) for n in range(int(count + 1e-9) + 1)]
+        return [span["from"]] * (MOST_VALUES + 1)
+    return [round(span["from"] + n * span["step"], 9) for n in range(int(count + 1e-9) + 1)]
 
 
 def _steps(low: float, high: float) -> tuple[float, ...]:
@@ -340,7 +348,9 @@ class Problem:
 
     def binds(self, id: str) -> bool:
         """Whether a finding is a limit here."""
-        return any(fnmatchcase(id, one) for one in self.limits) and not any(fnmatchcase(id, one) for one in self.waived)
+        return any(fnmatchcase(id, pattern) for pattern in self.limits) and not any(
+            fnmatchcase(id, pattern) for pattern in self.waived
+        )
 
     def broken(self, checks: Iterable[Check]) -> list[Check]:
         """What a drive does not keep: limits that fail, and findings that are limits here."""
@@ -349,7 +359,8 @@ class Problem:
     def margin(self, checks: Iterable[Check]) -> float:
         """The least margin of the films and the slopes, %."""
         return min(
-            (c.margin * 100 for c in checks if any(fnmatchcase(c.id, one) for one in MARGIN_OF)), default=float("nan")
+            (c.margin * 100 for c in checks if any(fnmatchcase(c.id, pattern) for pattern in MARGIN_OF)),
+            default=float("nan"),
         )
 
     def price(self, choices: Mapping[str, Any], surface: tuple[float, float] | None) -> float | None:
@@ -358,14 +369,14 @@ class Problem:
         return price(self.base, choices, surface)
 
 
-def price(made: Design, choices: Mapping[str, Any], surface: tuple[float, float] | None) -> float | None:
-    assert made.countershaft is not None
-    cost = made.countershaft.cost
-    material = choices.get("countershaft.material", made.countershaft.material)
-    own = next((a for a in cost.alternatives if a.material == material), None) if cost is not None else None
-    if own is None or cost is None:
+def price(design: Design, choices: Mapping[str, Any], surface: tuple[float, float] | None) -> float | None:
+    assert design.countershaft is not None
+    cost = design.countershaft.cost
+    material = choices.get("countershaft.material", design.countershaft.material)
+    alternative = next((a for a in cost.alternatives if a.material == material), None) if cost is not None else None
+    if alternative is None or cost is None:
         return None
-    total = own.piece + own.tooling / cost.pieces_per_year
+    total = alternative.piece + alternative.tooling / cost.pieces_per_year
     chosen = {
         "fit": choices.get(FITS),
         "surface": list(surface) if surface is not None else None,
@@ -373,57 +384,61 @@ def price(made: Design, choices: Mapping[str, Any], surface: tuple[float, float]
         "supply": [choices.get("bearings.supply")],
         "oil": [choices.get("bearings.oil")],
     }
-    return total + sum(one.piece for one in _optimise(made).price if chosen[one.what] == one.value)
+    return total + sum(entry.piece for entry in _optimise(design).price if chosen[entry.what] == entry.value)
 
 
-def _optimise(made: Design) -> OptimiseInputs:
-    return made.optimise or OptimiseInputs()
+def _optimise(design: Design) -> OptimiseInputs:
+    return design.optimise or OptimiseInputs()
 
 
 # --- reading
 # --------------------------------------------------------------------------------------------------------------
-def problem(document: Document, tip: float | None, said: Mapping[str, object] = {}) -> Problem:
+def problem(document: Document, tip: float | None, overrides: Mapping[str, object] = {}) -> Problem:
     """`tip`: diameter of the gear on the shaft in mm, None where there is none; `said`: the command line's own keys of
     [optimise], which go before the file's.  Raises BadInput with everything that is wrong."""
-    made = design(document)
-    file = _optimise(made)
+    base = design(document)
+    file = _optimise(base)
     merged: dict[str, Any] = {
-        key: {**(getattr(file, key) or {}), **one} if isinstance(one, dict) else one for key, one in said.items()
+        key: {**(getattr(file, key) or {}), **override} if isinstance(override, dict) else override
+        for key, override in overrides.items()
     }
-    own: OptimiseInputs = replace(file, **merged)
+    inputs: OptimiseInputs = replace(file, **merged)
     errors = [
-        InputError(document.lines.get(f"optimise.{key}", 0), f"optimise.{key}", "", why) for key, why in own.problems()
+        InputError(document.lines.get(f"optimise.{key}", 0), f"optimise.{key}", "", why)
+        for key, why in inputs.problems()
     ]
     errors += [
         InputError(0, step, "", Text("is needed: a drive has a shaft on two bearings"))
         for step in ("countershaft", "bearings")
-        if getattr(made, step) is None
+        if getattr(base, step) is None
     ]
     if errors:
         raise BadInput(document.place, errors)
-    began, words = _sized(made)
+    began, words = _sized(base)
     start = document
     for key, value in began.items():
         start = start.with_value(key, value)
-    made = design(start)
-    assert made.countershaft is not None and made.bearings is not None
-    variables = Variables(start, made, own, tip)
+    base = design(start)
+    assert base.countershaft is not None and base.bearings is not None
+    variables = Variables(start, base, inputs, tip)
     sizes, choices, surfaces = variables.sizes(), variables.choices(), variables.surfaces()
     if variables.errors:
         raise BadInput(document.place, variables.errors)
-    objectives = tuple(one for one in OBJECTIVES if own.objectives is None or one in own.objectives)
+    objectives = tuple(
+        objective for objective in OBJECTIVES if inputs.objectives is None or objective in inputs.objectives
+    )
     known = [dict(zip(choices, values)) for values in product(*choices.values())]
-    most = {key.rpartition("_")[0]: float(bound) for key, bound in (own.most or {}).items()}
-    if "price" in (*objectives, *most) and any(price(made, one, None) is None for one in known):
+    most = {key.rpartition("_")[0]: float(bound) for key, bound in (inputs.most or {}).items()}
+    if "price" in (*objectives, *most) and any(price(base, choice, None) is None for choice in known):
         objectives = _without_price(document, objectives, most)
         variables.said.append(Text("The price is left out: [countershaft.cost] does not have it of every material."))
-    least = (own.least or {}).get("margin_percent", 0.0) / 100
+    least = (inputs.least or {}).get("margin_percent", 0.0) / 100
     margins = tuple(dict.fromkeys([least, *(m for m in MARGINS if m > least)])) if "margin" in objectives else (least,)
-    limits, waived = (*LIMITS, *(own.limits or ())), tuple(own.waive or ())
+    limits, waived = (*LIMITS, *(inputs.limits or ())), tuple(inputs.waive or ())
     return Problem(
         start=start,
         began=began,
-        base=made,
+        base=base,
         sizes=sizes,
         choices=choices,
         surfaces=surfaces,
@@ -434,10 +449,10 @@ def problem(document: Document, tip: float | None, said: Mapping[str, object] = 
         limits=limits,
         waived=waived,
         units={key: UNITS[key][1] for key in objectives},
-        cycle=_cycle(made, own),
+        cycle=_cycle(base, inputs),
         bounded=variables.bounded(),
-        rows=own.rows,
-        seed=own.seed,
+        rows=inputs.rows,
+        seed=inputs.seed,
         said=(*words, *variables.said),
     )
 
@@ -445,7 +460,7 @@ def problem(document: Document, tip: float | None, said: Mapping[str, object] = 
 def _without_price(document: Document, objectives: tuple[str, ...], most: Mapping[str, float]) -> tuple[str, ...]:
     """Where the price of some material is not known.  Raises BadInput where nothing else is wanted, or the price is
     bounded."""
-    left = tuple(one for one in objectives if one != "price")
+    left = tuple(objective for objective in objectives if objective != "price")
     wrong = [key for key, needed in (("objectives", not left), ("most.price_EUR", "price" in most)) if needed]
     if wrong:
         why = Text("needs the price of every material: give each a row in countershaft.cost.alternatives")
@@ -456,11 +471,11 @@ def _without_price(document: Document, objectives: tuple[str, ...], most: Mappin
     return left
 
 
-def _cycle(made: Design, own: OptimiseInputs) -> tuple[tuple[float, float], ...]:
+def _cycle(design: Design, inputs: OptimiseInputs) -> tuple[tuple[float, float], ...]:
     """Raises BadInput where the speed of the drive is not the engine's to change."""
-    if not own.cycle:
+    if not inputs.cycle:
         return ()
-    bearings, gears, engine = made.bearings, made.gears, made.engine
+    bearings, gears, engine = design.bearings, design.gears, design.engine
     if (
         engine is None
         or (bearings is not None and bearings.speed is not None)
@@ -468,16 +483,16 @@ def _cycle(made: Design, own: OptimiseInputs) -> tuple[tuple[float, float], ...]
     ):
         why = Text("needs [engine], and no speed of its own in [bearings] or [gears]")
         raise BadInput("design", [InputError(0, "optimise.cycle", "", why)])
-    hours = sum(point.hours for point in own.cycle)
-    return tuple((point.speed / engine.rated_speed, point.hours / hours) for point in own.cycle)
+    hours = sum(point.hours for point in inputs.cycle)
+    return tuple((point.speed / engine.rated_speed, point.hours / hours) for point in inputs.cycle)
 
 
-def _sized(made: Design) -> tuple[Changes, list[Text]]:
+def _sized(design: Design) -> tuple[Changes, list[Text]]:
     """What makes of it a design with a shaft that is sized, its fits written so that their corners are judged; and in
     words."""
-    shaft, bearings = made.countershaft, made.bearings
+    shaft, bearings = design.countershaft, design.bearings
     assert shaft is not None and bearings is not None
-    said: list[Text] = []
+    notes: list[Text] = []
     start: Changes = {}
     R = max(bearings.front.diameter, bearings.rear.diameter) / 2 - (
         THREADED if shaft.radial_clearance is None else shaft.radial_clearance
@@ -489,18 +504,18 @@ def _sized(made: Design) -> tuple[Changes, list[Text]]:
             if getattr(shaft, key.removesuffix("_mm")) is None or key != "core_radius_mm":
                 start[f"countershaft.{key}"] = round(number * 1e3, 6)
         start["countershaft.mode"] = "size"
-        said.append(Text("The masses are sized anew within the envelope of the journals (mode = size)."))
+        notes.append(Text("The masses are sized anew within the envelope of the journals (mode = size)."))
     if bearings.slope is not None:
         start["bearings.slope_mrad"] = None
-        said.append(Text("The slopes that are given are left out: those of each shaft's own bending are taken."))
-    own = (str(bearings.journal_fit), str(bearings.seat_fit))
+        notes.append(Text("The slopes that are given are left out: those of each shaft's own bending are taken."))
+    fits = (str(bearings.journal_fit), str(bearings.seat_fit))
     widths = placed(bearings)
-    start |= dict(zip(("bearings.journal_fit", "bearings.seat_fit"), widths or own))
+    start |= dict(zip(("bearings.journal_fit", "bearings.seat_fit"), widths or fits))
     if widths:
-        said.append(
+        notes.append(
             Text(
                 "The fits {own} make the clearance; here it is searched for, with their widths, {widths}.",
-                own=Name("/".join(own)),
+                own=Name("/".join(fits)),
                 widths=Name("/".join(widths)),
             )
         )
@@ -508,10 +523,10 @@ def _sized(made: Design) -> tuple[Changes, list[Text]]:
     if support is not None and support.wall is not None and support.wall_at_seat is None:
         seat = max(bearings.front.diameter, bearings.rear.diameter) * 1e3
         start["countershaft.support.wall_at_seat_mm"] = round(seat, 6)
-        said.append(
+        notes.append(
             Text(
                 "The wall beside the largest seat is taken as that of the design's own seat, {seat} mm.",
                 seat=f"{seat:g}",
             )
         )
-    return start, said
+    return start, notes

@@ -59,11 +59,11 @@ class Refusal:
     also: tuple[str, ...] = ()  # what every one of the lines breaks beside: it is to be repaired elsewhere
 
 
-def refusal(found: FrontFound, progress: Progress | None = None) -> Refusal:
+def refusal(front: FrontFound, progress: Progress | None = None) -> Refusal:
     """Why a search found nothing, and what alone would help."""
-    problem = found.problem
-    if found.dropped:
-        every = [set(one.broken) for one in found.dropped]
+    problem = front.problem
+    if front.dropped:
+        every = [set(drive.broken) for drive in front.dropped]
         return Refusal(tuple(sorted(set.intersection(*every))) or tuple(sorted(set.union(*every))), None, (), ())
     with untraced():
         return _relaxed(problem, progress)
@@ -103,12 +103,12 @@ def of_closest_fits(classes: list[dict[str, Any]]) -> list[dict[str, Any]]:
     """Those of the closest fits: where their worst corners do not hold, those of wider fits, which enclose them, do not
     either."""
 
-    def within(one: dict[str, Any], other: dict[str, Any]) -> bool:
-        pairs = [(parse(a), parse(b)) for a, b in zip(one[FITS], other[FITS])]
-        alike = one | {FITS: None} == other | {FITS: None} and all(a.letter == b.letter for a, b in pairs)
+    def within(inner: dict[str, Any], other: dict[str, Any]) -> bool:
+        pairs = [(parse(a), parse(b)) for a, b in zip(inner[FITS], other[FITS])]
+        alike = inner | {FITS: None} == other | {FITS: None} and all(a.letter == b.letter for a, b in pairs)
         return alike and all(a.grade <= b.grade for a, b in pairs) and any(a.grade < b.grade for a, b in pairs)
 
-    return [one for one in classes if not any(within(other, one) for other in classes)]
+    return [candidate for candidate in classes if not any(within(other, candidate) for other in classes)]
 
 
 def passing(problem: Problem) -> tuple[dict[str, Any], DriveRows] | None:
@@ -132,7 +132,7 @@ def _confirmed(problem: Problem) -> Whole | None:
     """A drive of a changed problem, solved whole: of little power, the first that breaks nothing, else that which
     breaks least; None: there is none."""
     first, tried = of_closest_fits(problem.classes), list[Whole]()
-    for classes in (first, [one for one in problem.classes if one not in first]):
+    for classes in (first, [candidate for candidate in problem.classes if candidate not in first]):
         for choices, rows in _passing(problem, classes):
             for n in np.argsort(rows.power, kind="stable")[:3]:
                 tried.append(whole(problem, sized(problem, choices, rows, int(n)))[0])
@@ -142,16 +142,16 @@ def _confirmed(problem: Problem) -> Whole | None:
                 break  # one more class is enough
         if not tried:
             return None
-    return min(tried, key=lambda one: len(one.broken))
+    return min(tried, key=lambda drive: len(drive.broken))
 
 
 def _nearest_miss(problem: Problem) -> float | None:
     """The margin that the best drive of the ranges lacks, found by halving."""
-    one = quick(problem)
-    least = one.margins[0]
+    reduced = quick(problem)
+    least = reduced.margins[0]
 
     def holds(margin: float) -> bool:
-        return passing(replace(one, margins=(margin,))) is not None
+        return passing(replace(reduced, margins=(margin,))) is not None
 
     if not holds(WORST):
         return None
@@ -219,16 +219,18 @@ def _seat(problem: Problem, now: float) -> RefusalLine | None:
     key = f"bearings.{problem.seat}.diameter_mm"
 
     def at(seat: float) -> Problem:
-        one = quick(problem)
+        reduced = quick(problem)
         return replace(
-            one, sizes={**one.sizes, key: (round(seat, 2),)}, most={k: v for k, v in one.most.items() if k != "seat"}
+            reduced,
+            sizes={**reduced.sizes, key: (round(seat, 2),)},
+            most={k: v for k, v in reduced.most.items() if k != "seat"},
         )
 
     seat = _least(lambda d: passing(at(now + d)) is not None, SEAT_REACH)
     seat = None if seat is None else math.ceil(seat * 100 - 1e-6) / 100
-    if seat is None or (one := _confirmed(at(now + seat))) is None:
+    if seat is None or (drive := _confirmed(at(now + seat))) is None:
         return None
-    broken = tuple(id for id in one.broken if id not in (WALL, "optimise.most.seat"))
+    broken = tuple(id for id in drive.broken if id not in (WALL, "optimise.most.seat"))
     return RefusalLine(
         key,
         Text("{a} → {b} mm", a=Name(f"{now:g}"), b=Name(f"{now + seat:g}")),
@@ -259,24 +261,24 @@ def _stretched(
         return _with(quick(problem), key, value(share))
 
     def holds(share: float) -> bool:
-        one = at(share)
-        return one is not None and passing(one) is not None
+        candidate = at(share)
+        return candidate is not None and passing(candidate) is not None
 
     share = _least(holds, reach)
     changed = at(share) if share is not None else None
-    if share is None or changed is None or (one := _confirmed(changed)) is None:
+    if share is None or changed is None or (drive := _confirmed(changed)) is None:
         return None
-    return RefusalLine(key, words(value(share)), EMPTY, one.broken)
+    return RefusalLine(key, words(value(share)), EMPTY, drive.broken)
 
 
 def _with(problem: Problem, key: str, value: object) -> Problem | None:
     """The problem of a changed design; None where that is none."""
     start = problem.start.with_value(key, value)
     try:
-        made: Design = design(start)
+        base: Design = design(start)
     except BadInput:
         return None
-    return replace(problem, start=start, base=made)
+    return replace(problem, start=start, base=base)
 
 
 def _least(holds: Callable[[float], bool], reach: float) -> float | None:
@@ -293,48 +295,50 @@ def _least(holds: Callable[[float], bool], reach: float) -> float | None:
 def _chosen(problem: Problem) -> Iterator[Way]:
     """What could be chosen otherwise, each alone: the closest fits, the smoothest surfaces, another supply, a thicker
     oil."""
-    one, bearings = quick(problem), problem.base.bearings
+    reduced, bearings = quick(problem), problem.base.bearings
     assert bearings is not None
     fits = [str(bearings.journal_fit), str(bearings.seat_fit)]
     closest = [f"{parse(fit).letter or 'IT'}{min(FINEST, parse(fit).grade)}" for fit in fits]
     if closest not in [list(x) for x in problem.choices.get(FITS, ())]:
-        yield Text("closer fits, {fits}", fits=Name("/".join(closest))), lambda: _choice(one, FITS, closest)
+        yield Text("closer fits, {fits}", fits=Name("/".join(closest))), lambda: _choice(reduced, FITS, closest)
     smooth = min(ROUGHNESSES) * 1e6
     if all(pair is None or max(pair) > smooth + 1e-9 for pair in problem.surfaces):
         yield (
             Text("smoother surfaces, {Ra} µm", Ra=Name(f"{smooth:g}/{smooth:g}")),
-            lambda: _smooth(one, (smooth, smooth)),
+            lambda: _smooth(reduced, (smooth, smooth)),
         )
     for name in _thicker(problem):
-        yield Text("the oil {name}", name=Name(name)), lambda name=name: _choice(one, "bearings.oil", name)  # type: ignore[misc]
+        yield Text("the oil {name}", name=Name(name)), lambda name=name: _choice(reduced, "bearings.oil", name)  # type: ignore[misc]
     for supply, width in (("groove", bearings.groove_width), ("pocket", bearings.pocket_width)):
         if width is not None and supply not in problem.choices.get("bearings.supply", ()):
-            yield SUPPLY[supply], lambda supply=supply: _choice(one, "bearings.supply", supply)  # type: ignore[misc]
+            yield SUPPLY[supply], lambda supply=supply: _choice(reduced, "bearings.supply", supply)  # type: ignore[misc]
 
 
 def _thicker(problem: Problem) -> list[str]:
     """Engine oils that are thicker than the design's as they enter, the thinnest of them first."""
-    made, bearings = problem.base, problem.base.bearings
+    design, bearings = problem.base, problem.base.bearings
     assert bearings is not None
     at = bearings.supply_temperature
     mu = {
         name: Lubricant(bearings.in_bearings(oil), bearings.viscosity_law).at(at).mu
-        for name, oil in made.oils.items()
+        for name, oil in design.oils.items()
         if ENGINE_OIL.match(name) or name == bearings.oil
     }
-    own = mu[bearings.oil]
-    return sorted((name for name in mu if mu[name] > own * 1.02), key=lambda name: mu[name])
+    own_mu = mu[bearings.oil]
+    return sorted((name for name in mu if mu[name] > own_mu * 1.02), key=lambda name: mu[name])
 
 
 def _choice(problem: Problem, key: str, value: Any) -> RefusalLine | None:
-    one = _confirmed(replace(problem, choices={**problem.choices, key: (value,)}))
+    drive = _confirmed(replace(problem, choices={**problem.choices, key: (value,)}))
     words = "/".join(value) if isinstance(value, list) else str(value)
-    return None if one is None else RefusalLine(key, Text("{value}", value=Name(words)), EMPTY, one.broken)
+    return None if drive is None else RefusalLine(key, Text("{value}", value=Name(words)), EMPTY, drive.broken)
 
 
 def _smooth(problem: Problem, pair: tuple[float, float]) -> RefusalLine | None:
-    one = _confirmed(replace(problem, surfaces=(pair,)))
+    drive = _confirmed(replace(problem, surfaces=(pair,)))
     words = Name("/".join(f"{x:g}" for x in pair))
     return (
-        None if one is None else RefusalLine("bearings.surfaces", Text("Ra {pair} µm", pair=words), EMPTY, one.broken)
+        None
+        if drive is None
+        else RefusalLine("bearings.surfaces", Text("Ra {pair} µm", pair=words), EMPTY, drive.broken)
     )

@@ -77,12 +77,12 @@ class FrontFound:
         return self.done == len(self.problem.classes)
 
 
-def asked(document: Document, said: dict[str, object]) -> tuple[Problem, Results]:
+def asked(document: Document, overrides: dict[str, object]) -> tuple[Problem, Results]:
     """The problem of a design, and the design solved as it is."""
-    made = design(document)
-    results = solve(made)
-    gear = shaft_gear(made, results.result(TrainResult))
-    return problem_of(document, gear.tip_diameter * 1e3 if gear is not None else None, said), results
+    base = design(document)
+    results = solve(base)
+    gear = shaft_gear(base, results.result(TrainResult))
+    return problem_of(document, gear.tip_diameter * 1e3 if gear is not None else None, overrides), results
 
 
 # --- the classes
@@ -112,14 +112,14 @@ def classes(
             yield n, known
         else:
             waiting.append(n)
-    for n, one in spread(one_class, problem, waiting, processes, scheduler):
-        _keep(problem, n, one, parts)
-        yield n, one
+    for n, class_front in spread(one_class, problem, waiting, processes, scheduler):
+        _keep(problem, n, class_front, parts)
+        yield n, class_front
 
 
 def promising(problem: Problem) -> list[int]:
     """The numbers of the classes, those of the closest fits first: if any of them passes, these do."""
-    grades = [sum(parse(fit).grade for fit in one[FITS]) for one in problem.classes]
+    grades = [sum(parse(fit).grade for fit in choices[FITS]) for choices in problem.classes]
     return sorted(range(len(grades)), key=lambda n: grades[n])
 
 
@@ -160,16 +160,19 @@ def _kept(problem: Problem, n: int, parts: Path | None) -> ClassFront | None:
         return None
 
 
-def _keep(problem: Problem, n: int, one: ClassFront, parts: Path | None) -> None:
+def _keep(problem: Problem, n: int, class_front: ClassFront, parts: Path | None) -> None:
     if parts is None:
         return
     parts.mkdir(parents=True, exist_ok=True)
     path = parts / f"{key(problem)}-{n}.npz"
-    made = BytesIO()
+    buffer = BytesIO()
     np.savez(
-        made, about=np.array([one.combinations, *one.crank, one.wheels]), why=np.array(str(one.why)), **vars(one.rows)
+        buffer,
+        about=np.array([class_front.combinations, *class_front.crank, class_front.wheels]),
+        why=np.array(str(class_front.why)),
+        **vars(class_front.rows),
     )
-    write_file(path, made.getvalue())
+    write_file(path, buffer.getvalue())
 
 
 # --- the front
@@ -178,26 +181,30 @@ def table(problem: Problem, done: dict[int, ClassFront]) -> FrontTable:
     """The rows of all classes that no other beats in the objectives, within their hard ends."""
     parts, of, columns = [_none()], [np.zeros(0)], [np.zeros((0, len(problem.objectives)))]
     for n in sorted(done):
-        one = done[n]
-        if len(one.rows):
-            parts.append(one.rows)
-            of.append(np.full(len(one.rows), n))
-            columns.append(_objectives(problem, n, one))
+        class_front = done[n]
+        if len(class_front.rows):
+            parts.append(class_front.rows)
+            of.append(np.full(len(class_front.rows), n))
+            columns.append(_objectives(problem, n, class_front))
     rows, which, objectives = joined(parts), np.concatenate(of).astype(int), np.concatenate(columns)
     kept = front(objectives) if len(rows) else np.zeros(0, dtype=int)
-    refused = tuple((n, one.why) for n, one in sorted(done.items()) if not len(one.rows))
+    refused = tuple((n, class_front.why) for n, class_front in sorted(done.items()) if not len(class_front.rows))
     return FrontTable(
-        rows.at(kept), which[kept], objectives[kept], sum(one.combinations for one in done.values()), refused
+        rows.at(kept),
+        which[kept],
+        objectives[kept],
+        sum(class_front.combinations for class_front in done.values()),
+        refused,
     )
 
 
-def _objectives(problem: Problem, n: int, one: ClassFront) -> Array:
+def _objectives(problem: Problem, n: int, class_front: ClassFront) -> Array:
     """Column by column, margin with its sign turned; what lies beyond a hard end is infinite."""
-    rows, (c, a), choices = one.rows, one.crank, problem.classes[n]
+    rows, (c, a), choices = class_front.rows, class_front.crank, problem.classes[n]
     prices = np.array([problem.price(choices, surface) or 0.0 for surface in problem.surfaces])
     known = {
         "power": c + a * rows.power,
-        "mass": rows.mass + one.wheels,
+        "mass": rows.mass + class_front.wheels,
         "seat": rows.seat * 1e3,
         "price": prices[rows.surface.astype(int)],
         "margin": -rows.margin * 100,
@@ -217,7 +224,7 @@ def _sized(problem: Problem, known: FrontTable, place: int) -> Sized:
 def solved(
     problem: Problem,
     known: FrontTable,
-    told: Callable[[int, int], None] | None = None,
+    progress: Callable[[int, int], None] | None = None,
     enough: Callable[[], bool] = bool,
 ) -> tuple[list[Whole], list[Whole]]:
     """Rows that stand for all, solved whole, and those that were dropped.  A row that fails gives its place to its
@@ -232,9 +239,9 @@ def solved(
     before: Results | None = None
     try:
         for count, first in enumerate(wanted):
-            if told is not None:
-                told(count, len(wanted))
-            if not drives and len(dropped) >= HOPELESS and set.intersection(*(set(one.broken) for one in dropped)):
+            if progress is not None:
+                progress(count, len(wanted))
+            if not drives and len(dropped) >= HOPELESS and set.intersection(*(set(drive.broken) for drive in dropped)):
                 break
             if drives and enough():
                 break
@@ -242,12 +249,12 @@ def solved(
             for _ in range(NEIGHBOURS + 1):
                 if place is None:
                     break
-                one, results = whole(problem, _sized(problem, known, place), before)
-                before, lacks[place] = results or before, one.lacks
-                if not one.broken:
-                    drives[place] = one
+                drive, results = whole(problem, _sized(problem, known, place), before)
+                before, lacks[place] = results or before, drive.lacks
+                if not drive.broken:
+                    drives[place] = drive
                     break
-                dropped.append(one)
+                dropped.append(drive)
                 place = _instead(scaled, first, set(wanted), lacks)
     except KeyboardInterrupt:
         if not drives:
@@ -285,9 +292,9 @@ def _instead(scaled: Array, first: int, wanted: set[int], lacks: Mapping[int, fl
 def first_passing(problem: Problem, known: FrontTable) -> Whole | None:
     """A drive that passes, of a few rows that stand for all; None: not one of these."""
     for place in _wanted(problem, known, FIRST):
-        one, _ = whole(problem, _sized(problem, known, place))
-        if not one.broken:
-            return one
+        drive, _ = whole(problem, _sized(problem, known, place))
+        if not drive.broken:
+            return drive
     return None
 
 
@@ -296,17 +303,17 @@ def _exact_front(problem: Problem, drives: list[Whole]) -> list[Whole]:
     if not drives:
         return []
     rows = np.array(
-        [[(-1 if name == "margin" else 1) * one.objectives[name] for name in problem.objectives] for one in drives]
+        [[(-1 if name == "margin" else 1) * drive.objectives[name] for name in problem.objectives] for drive in drives]
     )
     kept = [drives[int(n)] for n in front(np.round(rows, 9))]
-    return sorted(kept, key=lambda one: (one.objectives["power"], one.objectives["mass"], str(one.changes)))
+    return sorted(kept, key=lambda drive: (drive.objectives["power"], drive.objectives["mass"], str(drive.changes)))
 
 
 def search(
     problem: Problem,
     processes: int = 1,
     parts: Path | None = None,
-    told: Told | None = None,
+    progress: Told | None = None,
     solving: Callable[[int, int], None] | None = None,
     scheduler: str = "",
     stop: Callable[[], bool] = bool,
@@ -319,11 +326,11 @@ def search(
     done: dict[int, ClassFront] = {}
     passing: Whole | None = None
     try:
-        for n, one in classes(problem, processes, parts, scheduler):
-            done[n] = one
+        for n, class_front in classes(problem, processes, parts, scheduler):
+            done[n] = class_front
             known = table(problem, done)
-            if told is not None:
-                told(len(done), known, named(problem.classes[n]))
+            if progress is not None:
+                progress(len(done), known, named(problem.classes[n]))
             if first is not None and passing is None and (passing := first_passing(problem, known)) is not None:
                 first(passing)
             if stop():

@@ -152,8 +152,8 @@ def with_turning(
     still = shafts(drive, np.array([core]), l_f, l_r, max(d), d[1])
     mass = float(still.mass[0, 0, 0] + journal_mass(drive, d[0], l_f)[0])
     added = list(drive.added)
-    for n, own in enumerate(journal_slopes(drive, True, d[0], l_f)):
-        slope = float(still.slopes[n][0, 0, 0] + own[0])
+    for n, bending in enumerate(journal_slopes(drive, True, d[0], l_f)):
+        slope = float(still.slopes[n][0, 0, 0] + bending[0])
         if slope > 0:
             share = (turning[n] / slope - 1) * drive.couple / (mass * drive.omega**2 * drive.span**2 * slope)
             added[n] = max(added[n], SAFE * share)
@@ -221,8 +221,8 @@ def shafts(drive: ShaftSurroundings, core: Array, l_f: Array, l_r: Array, seat: 
                 at = start + (end - start) * share
                 for n in (0, 1):
                     slopes[n] = slopes[n] + _virtual(drive, n, at, R_1 * (at - pin), R_1, E, G) * (end - start) / 2
-        for n, own in enumerate(journal_slopes(drive, False, rear, l_r)):
-            slopes[n] = slopes[n] + own[None, None, :]
+        for n, bending in enumerate(journal_slopes(drive, False, rear, l_r)):
+            slopes[n] = slopes[n] + bending[None, None, :]
         beside = (-F - z_1 - front / 2) + (drive.positions[1] - back / 2 - F)
         stub = drive.stub(front, back)
         beside = beside + np.where(stub > TOUCH, stub, 0.0)

@@ -59,37 +59,37 @@ def chosen(choices: Mapping[str, Any]) -> Changes:
 
 def changes(problem: Problem, sized: Sized) -> Changes:
     """Every key that makes the design this drive; the ties are followed here."""
-    made = chosen(sized.choices)
-    made[CORE] = digits(sized.core)
+    changed = chosen(sized.choices)
+    changed[CORE] = digits(sized.core)
     R = max(sized.diameter.values()) / 2 - problem.threaded
     positions = [abs(z) * 1e3 for z in problem.shaft.bearing_positions]
     half = min(z - sized.length[place] / 2 for z, place in zip(positions, ("front", "rear"))) - 2 * problem.fillet
-    made |= {"countershaft.outer_radius_mm": digits(R), "countershaft.half_length_mm": digits(half)}
+    changed |= {"countershaft.outer_radius_mm": digits(R), "countershaft.half_length_mm": digits(half)}
     for place in ("front", "rear"):
         at = f"bearings.{place}"
-        made |= {f"{at}.diameter_mm": digits(sized.diameter[place]), f"{at}.length_mm": digits(sized.length[place])}
-        made |= {f"{at}.clearance_factor": None, f"{at}.clearance_um": digits(sized.clearance[place])}
+        changed |= {f"{at}.diameter_mm": digits(sized.diameter[place]), f"{at}.length_mm": digits(sized.length[place])}
+        changed |= {f"{at}.clearance_factor": None, f"{at}.clearance_um": digits(sized.clearance[place])}
         if sized.surface is not None:
-            made |= {f"{at}.journal_roughness_um": sized.surface[0], f"{at}.housing_roughness_um": sized.surface[1]}
-    return made
+            changed |= {f"{at}.journal_roughness_um": sized.surface[0], f"{at}.housing_roughness_um": sized.surface[1]}
+    return changed
 
 
 def written(problem: Problem, sized: Sized) -> tuple[Document, Changes]:
     """The document of a drive, and the keys in which it differs from the start."""
-    made = changes(problem, sized)
+    changed = changes(problem, sized)
     document = problem.start
-    for key, value in made.items():
+    for key, value in changed.items():
         document = document.with_value(key, value)
-    return document, made
+    return document, changed
 
 
 def whole(problem: Problem, sized: Sized, before: Results | None = None) -> tuple[Whole, Results | None]:
     """Solved as any design; `before`: results of another row, of which what is alike is taken over."""
-    document, made = written(problem, sized)
+    document, changed = written(problem, sized)
     try:
         results = solve(design(document), before)
     except BadInput as bad:
-        return Whole(sized, made, document, {}, tuple(e.key for e in bad.errors), 0, LARGE), None
+        return Whole(sized, changed, document, {}, tuple(e.key for e in bad.errors), 0, LARGE), None
     stopped = tuple(key for key, outcome in results.outcomes.items() if outcome.state in ("no_solution", "blocked"))
     checks = list(results.checks())
     fail = problem.broken(checks)
@@ -102,7 +102,7 @@ def whole(problem: Problem, sized: Sized, before: Results | None = None) -> tupl
     )
     count = sum(c.verdict == "warn" for c in checks)
     lacks = sum(map(_lack, fail)) + LARGE * len({*stopped, *over} - set(broken))
-    return Whole(sized, made, document, objectives, (*stopped, *broken, *over), count, lacks), results
+    return Whole(sized, changed, document, objectives, (*stopped, *broken, *over), count, lacks), results
 
 
 def _lack(broken: Check) -> float:
@@ -120,14 +120,14 @@ def measured(
 ) -> dict[str, float]:
     """The objectives that are known, in their units."""
     watts = mean_power(problem, document, results) if problem.cycle else power(results)
-    found = {
+    objectives = {
         "power": watts,
         "mass": mass(results),
         "seat": max(sized.diameter.values()),
         "margin": problem.margin(checks),
     }
     cost = problem.price(sized.choices, sized.surface)
-    return found if cost is None else found | {"price": cost}
+    return objectives if cost is None else objectives | {"price": cost}
 
 
 def mean_power(problem: Problem, document: Document, results: Results) -> Watt:
@@ -165,4 +165,4 @@ def power(results: Results) -> Watt:
 def journals_power(results: Results) -> Watt:
     bearings = results.result(BearingsResult)
     assert bearings is not None
-    return float(sum(one.friction_power for one in bearings.bearings.values()))
+    return float(sum(bearing.friction_power for bearing in bearings.bearings.values()))

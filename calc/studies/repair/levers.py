@@ -160,19 +160,19 @@ def plans(state: RepairState, step: str, group: tuple[Check, ...]) -> list[Lever
     is free."""
     by_kind: dict[int | str, LeverPlan] = {}
     tried = [*_named(group), *_made_for(state, group)]
-    keys = [*(next(iter(one)) for one in tried), *_keys(state, step, group)]
+    keys = [*(next(iter(changes)) for changes in tried), *_keys(state, step, group)]
     for key in dict.fromkeys(keys):
         kind = _kind(key)
-        one = by_kind.get(kind, LeverPlan(()))
-        by_kind[kind] = replace(one, keys=(*one.keys, key))
+        plan = by_kind.get(kind, LeverPlan(()))
+        by_kind[kind] = replace(plan, keys=(*plan.keys, key))
     data = state.document.data
     shut = [
         LeverPlan((key,), reason=reason)
-        for one in by_kind.values()
-        for key in one.keys
+        for plan in by_kind.values()
+        for key in plan.keys
         if (reason := locked(data, key))
     ]
-    return [*shut, *islice(filter(None, (_filled(state, kind, one, tried) for kind, one in by_kind.items())), PLANS)]
+    return [*shut, *islice(filter(None, (_filled(state, kind, plan, tried) for kind, plan in by_kind.items())), PLANS)]
 
 
 def _kind(key: str) -> int | str:
@@ -184,8 +184,12 @@ def _filled(state: RepairState, kind: int | str, plan: LeverPlan, tried: list[Ch
     """With its levers and its changes of what is free; None where it has none."""
     data = state.document.data
     free = [key for key in plan.keys if not locked(data, key)]
-    sets = [one for one in tried if _kind(next(iter(one))) == kind and not any(locked(data, key) for key in one)]
-    sets += [one for key in free for one in _words(state, key)]
+    sets = [
+        changes
+        for changes in tried
+        if _kind(next(iter(changes))) == kind and not any(locked(data, key) for key in changes)
+    ]
+    sets += [changes for key in free for changes in _words(state, key)]
     by_place: dict[str, list[str]] = {}
     for key in free:
         by_place.setdefault(key.rpartition(".")[0], []).append(key)
@@ -199,7 +203,7 @@ def _keys(state: RepairState, step: str, group: tuple[Check, ...]) -> Iterator[s
     """Of a table the numbers in it; then the free numbers of the step in the same bearing, mesh or wheel."""
     every = [key for key, about in quantities(state.document.data) if about.kind in ("number", "integer", "series")]
     for key in dict.fromkeys(key for check in group for key in check.moved_by):
-        yield from [one for one in every if one.startswith(f"{key}.")] or [key]
+        yield from [inner for inner in every if inner.startswith(f"{key}.")] or [key]
     free, near = re.compile(FREE[step]), {part for c in group for part in c.id.split(".")[1].split("_")}
     for key in every:
         if key.startswith(f"{step}.") and free.fullmatch(key.partition(".")[2]) and near & set(key.split(".")):
@@ -207,24 +211,26 @@ def _keys(state: RepairState, step: str, group: tuple[Check, ...]) -> Iterator[s
 
 
 def _named(group: tuple[Check, ...]) -> list[Changes]:
-    return [dict(one.changes) for check in group for one in check.remedies if one.changes]
+    return [dict(remedy.changes) for check in group for remedy in check.remedies if remedy.changes]
 
 
 def _made_for(state: RepairState, group: tuple[Check, ...]) -> list[Changes]:
     """What is made for some checks: masses that are set to what the engine asks for, stronger teeth."""
-    made: list[Changes] = []
+    sets: list[Changes] = []
     for patterns, changes in MADE_FOR:
         some = tuple(c for c in group if any(fnmatchcase(c.id, pattern) for pattern in patterns))
         try:
-            made += [one for one in changes(state, some) if one] if some else []
+            sets += [change_set for change_set in changes(state, some) if change_set] if some else []
         except NoSolution:
             pass
-    return made
+    return sets
 
 
 def _balanced(state: RepairState, group: tuple[Check, ...]) -> list[Changes]:
-    own = state.design.countershaft
-    return list(shaft.balanced(state, own)) if own is not None and own.mode == "given" else []
+    countershaft = state.design.countershaft
+    return (
+        list(shaft.balanced(state, countershaft)) if countershaft is not None and countershaft.mode == "given" else []
+    )
 
 
 def _stronger(state: RepairState, group: tuple[Check, ...]) -> list[Changes]:
@@ -245,7 +251,9 @@ def _words(state: RepairState, key: str) -> Iterator[Changes]:
     if about.kind == "choice":
         yield from ({key: word} for word in about.choices if word != now)
     elif last.endswith("material") and isinstance(now, str) and (there := state.design.materials.get(now)) is not None:
-        others = sorted((_unlike(there, one), name) for name, one in state.design.materials.items() if name != now)
+        others = sorted(
+            (_unlike(there, material), name) for name, material in state.design.materials.items() if name != now
+        )
         yield from ({key: name} for _, name in others)
     elif last == "oil" and state.design.bearings is not None:
         yield from ({key: name} for name in _oils(state))
@@ -261,18 +269,20 @@ def _oils(state: RepairState) -> list[str]:
     from ...bearings.selection.variants import variants
     from ..bearings_case import bearings_case
 
-    own, *others = variants(bearings_case(state.design, state.results))
+    current, *others = variants(bearings_case(state.design, state.results))
     T = state.design.bearings.supply_temperature if state.design.bearings is not None else 0.0
-    mu = own.lubricant.at(T).mu
+    mu = current.lubricant.at(T).mu
     return [
-        v.oil for v in sorted(others, key=lambda v: abs(math.log(v.lubricant.at(T).mu / mu))) if v.supply == own.supply
+        v.oil
+        for v in sorted(others, key=lambda v: abs(math.log(v.lubricant.at(T).mu / mu)))
+        if v.supply == current.supply
     ]
 
 
-def _unlike(one: Material, other: Material) -> float:
+def _unlike(first: Material, other: Material) -> float:
     """How far two materials are from each other in stiffness, weight and expansion."""
-    pairs = ((one.E, other.E), (one.density, other.density), (one.expansion, other.expansion))
-    return sum(abs(math.log(a / b)) for a, b in pairs if a > 0 and b > 0) + (one.kind != other.kind)
+    pairs = ((first.E, other.E), (first.density, other.density), (first.expansion, other.expansion))
+    return sum(abs(math.log(a / b)) for a, b in pairs if a > 0 and b > 0) + (first.kind != other.kind)
 
 
 # --- numbers
@@ -286,10 +296,10 @@ def levers(state: RepairState, keys: list[str]) -> Iterator[Lever]:
     if key.endswith(("clearance_um", "clearance_factor")):
         yield from _clearance(state, place)
         return
-    numbers = {one: [float(x) for x in as_list(value_at(data, one)) if isinstance(x, (int, float))] for one in keys}
+    numbers = {name: [float(x) for x in as_list(value_at(data, name)) if isinstance(x, (int, float))] for name in keys}
     if given is None and (chosen := published(state.results, key)) is not None and chosen.unit == about.unit:
         numbers[key] = [digits(chosen.shown, 6)]
-    numbers = {one: some for one, some in numbers.items() if some}
+    numbers = {name: some for name, some in numbers.items() if some}
     if key not in numbers:
         return
     now, alone = numbers[key][0], not isinstance(given, list)
@@ -307,11 +317,11 @@ def _scaled(state: RepairState, numbers: Mapping[str, list[float]], key: str, ab
     """All in one proportion; a journal that grows outwards, away from the masses; a core for which the slope is that of
     the bending."""
     data, now = state.document.data, numbers[key][0]
-    lists = {one for one in numbers if isinstance(value_at(data, one), list)}
+    lists = {name for name in numbers if isinstance(value_at(data, name), list)}
 
     def write(x: float) -> Changes:
-        scaled = {one: [digits(n * x / now, 6) for n in some] for one, some in numbers.items()}
-        return {one: some if one in lists else some[0] for one, some in scaled.items()}
+        scaled = {name: [digits(n * x / now, 6) for n in some] for name, some in numbers.items()}
+        return {name: some if name in lists else some[0] for name, some in scaled.items()}
 
     if key == "countershaft.core_radius_mm" and value_at(data, "bearings.slope_mrad") is not None:
         yield Lever(now, about, lambda x: write(x) | {"bearings.slope_mrad": None}, abs(now))

@@ -162,19 +162,21 @@ def nearest(
     for n in range(ROUNDS):
         before, moved = state, set[str]()
         for i, step in enumerate(steps):
-            if not state.sick(step) or (left.get(step) and not any(one in moved for one in ORDER[: ORDER.index(step)])):
+            if not state.sick(step) or (
+                left.get(step) and not any(earlier in moved for earlier in ORDER[: ORDER.index(step)])
+            ):
                 continue  # it holds; or what it was tried on has not changed since
             share = (n + i / len(steps)) / ROUNDS
-            one, after = _Step(step, budget).repair(state, part(progress, share, share + 1 / len(steps) / ROUNDS))
-            left[step] = one.left
-            if one.changes:
-                remedies.append(one)
+            remedy, after = _Step(step, budget).repair(state, part(progress, share, share + 1 / len(steps) / ROUNDS))
+            left[step] = remedy.left
+            if remedy.changes:
+                remedies.append(remedy)
                 moved.add(step)
                 kept = {key: value for key, value in state.changes.items() if key not in after.changes}
                 state = replace(after, changes=kept | after.changes)
         if state is before or not any(state.sick(step) for step in steps):
             break
-    still = [one for step in steps if state.sick(step) for one in left.get(step) or _undone(state, step)]
+    still = [unmended for step in steps if state.sick(step) for unmended in left.get(step) or _undone(state, step)]
     changes = words(start.document, start.results, state.changes)
     return Nearest(
         tuple(remedies), tuple(still), tuple(assignments(state.changes)), changes, state.document, state.results
@@ -250,7 +252,7 @@ class _Step:
         breaks = tuple(id for id in broken(start, state) if not id.startswith(f"{self.step}."))
         title = TITLES[self.step]
         if left:
-            effect = Text("still fails: {checks}", checks=COMMA.join(one.name for one in left))
+            effect = Text("still fails: {checks}", checks=COMMA.join(unmended.name for unmended in left))
         elif breaks:
             effect = Text("passes all checks of the {step}; then fails: {checks}", step=title, checks=", ".join(breaks))
         else:
@@ -281,9 +283,9 @@ class _Step:
         ways: list[Way] = [_way(UNSOLVED[self.step])] if self.step in UNSOLVED else []
         ways.append(self._one_number)
         for n, way in enumerate(ways):
-            made = self._tried(state, (), way, part(progress, n / len(ways), (n + 1) / len(ways)))
-            if made is not None:
-                return made
+            mended = self._tried(state, (), way, part(progress, n / len(ways), (n + 1) / len(ways)))
+            if mended is not None:
+                return mended
         return state
 
     def _round(self, state: RepairState, progress: Progress | None) -> RepairState:
@@ -298,9 +300,9 @@ class _Step:
                 state, failing, _way(way), part(progress, 0.5 * n / len(first), 0.5 * (n + 1) / len(first))
             )
         every = state.failing(self.step)
-        sets = [every] * (len(every) > 1) + [(one,) for one in every]
+        sets = [every] * (len(every) > 1) + [(check,) for check in every]
         for n, checks in enumerate(sets):
-            failing = tuple(c for c in state.failing(self.step) if c.id in {one.id for one in checks})
+            failing = tuple(c for c in state.failing(self.step) if c.id in {check.id for check in checks})
             state = self._by(
                 state,
                 failing,
@@ -317,13 +319,13 @@ class _Step:
     def _one_number(self, state: RepairState, failing: tuple[Check, ...], progress: Progress | None) -> RepairState:
         """By what a check itself names as a remedy, where that breaks nothing; else by the search over single
         numbers."""
-        named = [dict(one.changes) for c in failing for one in c.remedies]
+        named = [dict(remedy.changes) for c in failing for remedy in c.remedies]
         try:
-            made = first_repaired(state, self.step, [c.id for c in failing], named, progress, most=NAMED)
+            mended = first_repaired(state, self.step, [c.id for c in failing], named, progress, most=NAMED)
         except NoSolution:
-            made = state
-        if made is not state and not broken(state, made):
-            return made
+            mended = state
+        if mended is not state and not broken(state, mended):
+            return mended
         return vary.repair(state, self.step, failing, self.budget, progress)
 
     def _by(self, state: RepairState, failing: tuple[Check, ...], way: Way, progress: Progress | None) -> RepairState:
@@ -335,16 +337,16 @@ class _Step:
         """The design as a way repairs it; None where it does not, with the reason noted."""
         ids = [c.id for c in failing]
         try:
-            made = way(state, failing, progress)
+            mended = way(state, failing, progress)
         except NoSolution as none:
             reason = none.text
         except BadInput as bad:
             reason = Text("{key} {reason}", key=bad.errors[0].key, reason=bad.errors[0].reason)
         else:
-            worse = [id for id in broken(state, made, ORDER[: ORDER.index(self.step) + 1]) if id not in ids]
-            if repaired(state, made, self.step, ids) and not worse:
-                return made
-            still = [c.name for c in made.failing(self.step) if not ids or c.id in ids]
+            worse = [id for id in broken(state, mended, ORDER[: ORDER.index(self.step) + 1]) if id not in ids]
+            if repaired(state, mended, self.step, ids) and not worse:
+                return mended
+            still = [c.name for c in mended.failing(self.step) if not ids or c.id in ids]
             if worse:
                 reason = Text("what repairs it makes {check} fail", check=worse[0])
             else:

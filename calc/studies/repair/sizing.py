@@ -108,10 +108,10 @@ def _wanted(masses: tuple[EccentricMass, ...], now: list[complex], U: complex, P
     scaled alike."""
     for n, mass in enumerate(masses):
         others = sum(u for i, u in enumerate(now) if i != n)
-        one = U - others
+        unbalance = U - others
         rest = sum(u * m.z for i, (u, m) in enumerate(zip(now, masses)) if i != n)
-        if abs(P - rest - one * mass.z) <= NEAR * abs(P):
-            yield [one if i == n else u for i, u in enumerate(now)]
+        if abs(P - rest - unbalance * mass.z) <= NEAR * abs(P):
+            yield [unbalance if i == n else u for i, u in enumerate(now)]
     first, last = masses[0], masses[-1]
     if last.z != first.z:
         inner = U - sum(now[1:-1]), P - sum(u * m.z for u, m in zip(now[1:-1], masses[1:-1]))
@@ -144,10 +144,10 @@ def shorter_journals(state: RepairState, failing: tuple[Check, ...], progress: P
     """Journals that run into the sectors: bearings of the search, which fit."""
     if state.design.bearings is None:
         raise NoSolution(Text("there are no bearings to shorten"))
-    made = nearest_bearings(state, failing, progress)
-    if any(c.id in {one.id for one in failing} for c in made.failing("countershaft")):
+    mended = nearest_bearings(state, failing, progress)
+    if any(c.id in {check.id for check in failing} for c in mended.failing("countershaft")):
         raise NoSolution(Text("no bearings that fit beside the sectors pass"))
-    return made
+    return mended
 
 
 def resize(state: RepairState, failing: tuple[Check, ...], progress: Progress | None = None) -> RepairState:
@@ -173,8 +173,8 @@ def resize(state: RepairState, failing: tuple[Check, ...], progress: Progress | 
             pass
     shafts = choices(shaft, imbalance, engine.angular_speed, room, materials, part(progress, 0.2, 0.3)).shafts
     R = shaft.outer_radius or room.outer_radius
-    near = sorted(shafts, key=lambda one: (one.material != shaft.material, abs(one.sized.outer_radius - R)))
-    ways = (changes(one, room) for one in near)
+    near = sorted(shafts, key=lambda choice: (choice.material != shaft.material, abs(choice.sized.outer_radius - R)))
+    ways = (changes(choice, room) for choice in near)
     return first_repaired(state, "countershaft", ids, ways, part(progress, 0.3, 1.0), most=TRIED)
 
 
@@ -191,15 +191,15 @@ def stronger_teeth(state: RepairState, failing: tuple[Check, ...], progress: Pro
     """Raises NoSolution where neither helps."""
     ids, names = [c.id for c in failing], wheels(state, failing)
     tell(progress, 0.0, Text("face width"))
-    made = _wider(state, names, ids, 1.0, WIDER)
-    if made is None:
+    mended = _wider(state, names, ids, 1.0, WIDER)
+    if mended is None:
         try:
-            made = first_repaired(state, "gears", ids, stronger(state, names), part(progress, 0.3, 0.7))
+            mended = first_repaired(state, "gears", ids, stronger(state, names), part(progress, 0.3, 0.7))
         except NoSolution:
-            made = _wider(state, names, ids, WIDER, WIDEST)
-    if made is None:
+            mended = _wider(state, names, ids, WIDER, WIDEST)
+    if mended is None:
         raise NoSolution(Text("neither {times} times the face width nor a stronger class is enough", times=WIDEST))
-    return made
+    return mended
 
 
 def wheels(state: RepairState, failing: tuple[Check, ...]) -> list[str]:
@@ -217,18 +217,18 @@ def _wider(state: RepairState, names: list[str], ids: list[str], low: float, hig
     enough."""
     gears = state.design.gears
     assert gears is not None
-    own = {w.name: w.face_width for w in gears.wheels if w.name in names and w.face_width is not None}
-    widths = {f"gears.wheels.{name}.face_width_mm": b * 1e3 for name, b in own.items()}
-    if len(own) < len(names):
+    face_widths = {w.name: w.face_width for w in gears.wheels if w.name in names and w.face_width is not None}
+    widths = {f"gears.wheels.{name}.face_width_mm": b * 1e3 for name, b in face_widths.items()}
+    if len(face_widths) < len(names):
         widths["gears.face_width_mm"] = gears.face_width * 1e3
 
     def with_width(n: int) -> RepairState | None:
         """The common width of n steps, wheels that are wider staying as they are; None where it is not enough."""
         try:
-            made = state.with_changes({key: whole(n * STEP) for key, b in widths.items() if b < n * STEP})
+            wider = state.with_changes({key: whole(n * STEP) for key, b in widths.items() if b < n * STEP})
         except BadInput:
             return None
-        return made if repaired(state, made, "gears", ids) and not broken(state, made) else None
+        return wider if repaired(state, wider, "gears", ids) and not broken(state, wider) else None
 
     narrow, wide = min(widths.values()), max(widths.values())
     return least_whole(with_width, math.floor(narrow * low / STEP) + 1, math.floor(wide * high / STEP))
@@ -241,17 +241,17 @@ def stronger(state: RepairState, names: list[str]) -> Iterator[Changes]:
     assert gears is not None
     some_wheels = [wheel for wheel in gears.wheels if wheel.name in names]
     every = [strength_class(name, quality) for name in class_names() for quality in QUALITIES]
-    every.sort(key=lambda one: one.sigma_Hlim + one.sigma_Flim)
+    every.sort(key=lambda strength: strength.sigma_Hlim + strength.sigma_Flim)
     for some in [*([wheel] for wheel in some_wheels), some_wheels]:
         now = [strength_class(w.gear_material or DEFAULT, w.quality, w.hardness) for w in some]
         enough = [
-            one
-            for one in every
-            if all(one.sigma_Hlim >= was.sigma_Hlim and one.sigma_Flim >= was.sigma_Flim for was in now)
-            and any(one.sigma_Hlim > was.sigma_Hlim or one.sigma_Flim > was.sigma_Flim for was in now)
+            strength
+            for strength in every
+            if all(strength.sigma_Hlim >= was.sigma_Hlim and strength.sigma_Flim >= was.sigma_Flim for was in now)
+            and any(strength.sigma_Hlim > was.sigma_Hlim or strength.sigma_Flim > was.sigma_Flim for was in now)
         ]
-        for one in enough[:TRIED]:
-            yield dict(change for wheel in some for change in _class(wheel, one.name, one.quality))
+        for strength in enough[:TRIED]:
+            yield dict(change for wheel in some for change in _class(wheel, strength.name, strength.quality))
 
 
 def _class(wheel: Wheel, name: str, quality: str) -> Iterator[tuple[str, str | None]]:

@@ -66,15 +66,15 @@ class RepairState:
 
         `known`: results of a design that is nearer to it, or of itself, whole or not.  `enough` ends the solution
         early, as in `solve`."""
-        document, made = self.document, dict(self.changes)
+        document, merged = self.document, dict(self.changes)
         for key, value in changes.items():
             if value == value_at(document.data, key):
                 continue
             if reason := locked(document.data, key):
                 raise BadInput(document.place, [InputError(0, key, "", Text("is locked: {reason}", reason=reason))])
             document = document.with_value(key, value)
-            made.pop(key, None)
-            made[key] = value
+            merged.pop(key, None)
+            merged[key] = value
         wanted = design(document, (self.document, self.design))
         there = known is not None and known.design == wanted and known.outcomes.keys() >= self.results.outcomes.keys()
         results = (
@@ -82,13 +82,15 @@ class RepairState:
             if known is not None and there
             else solve(wanted, known or self.results, enough=enough, compared=False)
         )
-        return RepairState(document, results, made)
+        return RepairState(document, results, merged)
 
 
 def state_of(document: Document, results: Results | None = None) -> RepairState:
     """`results`: where the design, or an earlier version of it, is solved already."""
-    made = design(document)
-    return RepairState(document, results if results is not None and results.design == made else solve(made, results))
+    wanted = design(document)
+    return RepairState(
+        document, results if results is not None and results.design == wanted else solve(wanted, results)
+    )
 
 
 def broken(before: RepairState, after: RepairState, steps: Iterable[str] = ORDER) -> list[str]:

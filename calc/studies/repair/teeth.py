@@ -44,7 +44,7 @@ def better_teeth(state: RepairState, failing: tuple[Check, ...], progress: Progr
     ids = [c.id for c in failing]
     tell(progress, 0.0, Text("profile shifts and tip cuts"))
     try:
-        nearest = [change for *_, change in sorted(_nearest(gears), key=lambda one: one[:2])]
+        nearest = [change for *_, change in sorted(_nearest(gears), key=lambda entry: entry[:2])]
         return first_repaired(state, "gears", ids, nearest, part(progress, 0.1, 0.4), most=TRIED)
     except NoSolution:
         rows = search(gears, part(progress, 0.4, 0.8)).all
@@ -56,7 +56,11 @@ def idler(state: RepairState, failing: tuple[Check, ...], progress: Progress | N
     """Other teeth of an idler that touches what stands beside it, or does not reach: the nearest number that passes."""
     gears = state.design.gears
     assert gears is not None
-    rows = [row for found in idlers(gears, shaft_axis(state.design), part(progress, 0.0, 0.6)) for row in passed(found)]
+    rows = [
+        row
+        for idler_rows in idlers(gears, shaft_axis(state.design), part(progress, 0.0, 0.6))
+        for row in passed(idler_rows)
+    ]
     if not rows:
         raise NoSolution(Text("no other number of teeth of an idler is clear of what stands around the train"))
     now = {wheel.name: wheel.teeth for wheel in gears.wheels}
@@ -78,9 +82,9 @@ def _nearest(gears: GearsInputs) -> Iterator[tuple[int, float, Changes]]:
     for way in freedoms(gears, case.system):
         for leader in way.free:
             start = way.start[leader]
-            made = along(case, way, leader)
-            for n, bar in enumerate(bars if made is not None else ()):
-                if made is not None and (x := _first(case, made[1], bar, made[0], start)) is not None:
+            track = along(case, way, leader)
+            for n, bar in enumerate(bars if track is not None else ()):
+                if track is not None and (x := _first(case, track[1], bar, track[0], start)) is not None:
                     yield n, abs(x - start), freed(way, {leader: x})
     for wheel in gears.wheels if now is not None else ():
         cuts = np.asarray(np.arange(round(DEEPEST * case.system.m_n / CUT) + 1) * CUT, dtype=float)
@@ -91,8 +95,8 @@ def _nearest(gears: GearsInputs) -> Iterator[tuple[int, float, Changes]]:
                 yield n, change, {f"gears.wheels.{wheel.name}.tip_shortening_mm": round(k * 1e3, 6)}
 
 
-def _first(case: ShiftCase, made: States, bar: Bar, numbers: Array, start: float) -> float | None:
-    kept = np.broadcast_to(least(judge(made, case.system, bar)) >= MARGIN, numbers.shape)
+def _first(case: ShiftCase, states: States, bar: Bar, numbers: Array, start: float) -> float | None:
+    kept = np.broadcast_to(least(judge(states, case.system, bar)) >= MARGIN, numbers.shape)
     index = first(kept, np.abs(numbers - start))
     return None if index is None else float(numbers[index])
 
@@ -122,14 +126,14 @@ def free_backlash(state: RepairState, failing: tuple[Check, ...], progress: Prog
         if not jammed:
             return state
         missing: dict[str, int] = {}
-        for one in jammed:
-            if not -one.value < MOST:
-                value = Amount(one.value, "µm")
+        for check in jammed:
+            if not -check.value < MOST:
+                value = Amount(check.value, "µm")
                 raise NoSolution(
-                    Text("{check} is {value}: thinner teeth alone do not free the pair", check=one.name, value=value)
+                    Text("{check} is {value}: thinner teeth alone do not free the pair", check=check.name, value=value)
                 )
-            mesh = one.id.split(".")[1]
-            missing[mesh] = max(missing.get(mesh, 0), math.ceil(-one.value - 1e-6))
+            mesh = check.id.split(".")[1]
+            missing[mesh] = max(missing.get(mesh, 0), math.ceil(-check.value - 1e-6))
         state = state.with_changes(_thinner(state, missing))
     raise NoSolution(Text("thinner teeth do not free the pair: look at measured sizes and centre distances"))
 

@@ -117,8 +117,8 @@ def repair_option(
 
 
 def _pair(before: Results, after: Results, id: str) -> tuple[float, float] | None:
-    one, other = before.values().get(id), after.values().get(id)
-    return (one.shown, other.shown) if one is not None and other is not None else None
+    first, other = before.values().get(id), after.values().get(id)
+    return (first.shown, other.shown) if first is not None and other is not None else None
 
 
 def _open_still(after: RepairState, group: tuple[Check, ...]) -> tuple[Check, ...]:
@@ -174,27 +174,27 @@ class Trials:
 
     def best(self, plan: LeverPlan) -> RepairOption | None:
         """The best way of a kind; None where it brings nothing."""
-        found: list[RepairOption] = []
+        options: list[RepairOption] = []
         for changes in plan.sets:
             if (way := self.way(changes)) is not None:
-                found.append(way)
+                options.append(way)
                 if way.quality == ALL_CORNERS:
                     break
         limits = tuple(c for c in self.group if c.verdict == "fail") or self.group[:1]
         for lever in plan.levers:
-            if any(way.quality == ALL_CORNERS and way.disturbance < LARGE for way in found):
+            if any(way.quality == ALL_CORNERS and way.disturbance < LARGE for way in options):
                 break
             for wanted in (self.group, limits) if limits != self.group else (self.group,):
                 way = self.moved(lever, wanted)
                 if way is not None:
-                    found.append(way)
+                    options.append(way)
                 if way is not None and way.quality in (ALL_CORNERS, BREAKS) and wanted is self.group:
                     break
-        found = sorted(filter(self._worth, found), key=lambda way: (way.quality, way.disturbance))
-        given = next((way for way in found if way.quality == AS_GIVEN), None)
-        if found and given is not None and found[0].disturbance > max(DEAR * given.disturbance, LARGE):
+        options = sorted(filter(self._worth, options), key=lambda way: (way.quality, way.disturbance))
+        given = next((way for way in options if way.quality == AS_GIVEN), None)
+        if options and given is not None and options[0].disturbance > max(DEAR * given.disturbance, LARGE):
             return given
-        return next(iter(found), None)
+        return next(iter(options), None)
 
     # --- trying
     def tried(self, changes: Changes | None, whole: bool = False) -> RepairState | None:
@@ -236,12 +236,12 @@ class Trials:
         after = self.tried(changes, whole=True)
         if after is None or after.outcome(self.step).state != "solved":
             return None
-        made = {key: after.changes[key] for key in after.changes}
-        if not made:
+        applied = {key: after.changes[key] for key in after.changes}
+        if not applied:
             return None
-        key = next((key for key in made if made[key] is not None), next(iter(made)))
+        key = next((key for key in applied if applied[key] is not None), next(iter(applied)))
         way = repair_option(
-            self.state, after, made, self.group, called(self.state.document, key, self._now(key), made[key])
+            self.state, after, applied, self.group, called(self.state.document, key, self._now(key), applied[key])
         )
         return way
 

@@ -142,14 +142,14 @@ def repair(
     numbers = list(_numbers(state, step, checks, named))
     best: tuple[float, RepairState] | None = None
     for n, (not_named, need, sign, number) in enumerate(
-        sorted(_hopes(search, numbers, named), key=lambda one: one[:2])
+        sorted(_hopes(search, numbers, named), key=lambda hope: hope[:2])
     ):
         if best is not None and (n >= BEST or best[0] <= GROWN[0] * need or (named and not_named)):
             break
         known = math.isfinite(search.margin(state)) and need < FARTHEST
-        one = _moved(search, number, sign, [max(need, PROBE / 4) * grown for grown in GROWN] if known else BLIND)
-        if one is not None and (best is None or one[0] < best[0]):
-            best = one
+        moved = _moved(search, number, sign, [max(need, PROBE / 4) * grown for grown in GROWN] if known else BLIND)
+        if moved is not None and (best is None or moved[0] < best[0]):
+            best = moved
     if best is not None:
         return best[1]
     if not numbers:
@@ -203,14 +203,18 @@ def _numbers(state: RepairState, step: str, checks: tuple[Check, ...], named: se
     every = [
         (key, about) for key, about in quantities(state.document.data) if about.kind in ("number", "integer", "series")
     ]
-    first = [one for one in every if one[0] in named or (one[0].startswith(f"{step}.") and _is_named(one[0], named))]
+    first = [
+        entry
+        for entry in every
+        if entry[0] in named or (entry[0].startswith(f"{step}.") and _is_named(entry[0], named))
+    ]
     rest = [
-        one
-        for one in every
-        if one[0].startswith(f"{step}.") and free.fullmatch(one[0][len(step) + 1 :]) and one not in first
+        entry
+        for entry in every
+        if entry[0].startswith(f"{step}.") and free.fullmatch(entry[0][len(step) + 1 :]) and entry not in first
     ]
     near = {part for c in checks for part in c.id.split(".")[1].split("_")}
-    rest.sort(key=lambda one: not near & set(one[0].split(".")))
+    rest.sort(key=lambda entry: not near & set(entry[0].split(".")))
     for key, about in [*first, *rest]:
         given = value_at(state.document.data, key)
         if (given is None and key not in named) or locked(state.document.data, key):
@@ -223,7 +227,7 @@ def _numbers(state: RepairState, step: str, checks: tuple[Check, ...], named: se
 
 def _named(checks: tuple[Check, ...]) -> set[str]:
     """Keys that the remedies of the checks change, or that move them; that of a table stands for the numbers in it."""
-    keys = {key for c in checks for one in c.remedies for key, _ in one.changes} | {
+    keys = {key for c in checks for remedy in c.remedies for key, _ in remedy.changes} | {
         key for c in checks for key in c.moved_by
     }
     return {key for key in keys if not ASKED.fullmatch(key)}

@@ -92,12 +92,14 @@ def _whole_step(
     """The nearest design in which all limits of the step hold."""
     from .nearest import remedy
 
-    one = remedy(state.document, step, state.results, progress, tries=20)
-    if not one.changes or (not one.mends and group):
+    nearest = remedy(state.document, step, state.results, progress, tries=20)
+    if not nearest.changes or (not nearest.mends and group):
         return None
-    after = RepairState(one.document, one.results)
-    made = {key: value_at(one.document.data, key) for key in (change.partition("=")[0] for change in one.changes)}
-    way = repair_option(state, after, made, group, Text("all of the step at once"))
+    after = RepairState(nearest.document, nearest.results)
+    changes = {
+        key: value_at(nearest.document.data, key) for key in (change.partition("=")[0] for change in nearest.changes)
+    }
+    way = repair_option(state, after, changes, group, Text("all of the step at once"))
     return way if way.quality < NEAR else None
 
 

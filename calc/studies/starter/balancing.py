@@ -92,10 +92,10 @@ def called_for(results: Results) -> str:
 
 def what_shakes(results: Results) -> Text:
     """What the engine leaves with its rotating masses alone balanced, in few words."""
-    said = []
+    phrases = []
     for n, force, couple in _shaking(results):
         if couple and force:
-            said.append(
+            phrases.append(
                 Text(
                     "order {n}: force {force}, couple {couple}",
                     n=n,
@@ -104,21 +104,21 @@ def what_shakes(results: Results) -> Text:
                 )
             )
         elif force:
-            said.append(Text("force of order {n}: {force}", n=n, force=Amount(force, "N")))
+            phrases.append(Text("force of order {n}: {force}", n=n, force=Amount(force, "N")))
         else:
-            said.append(Text("couple of order {n}: {couple}", n=n, couple=Amount(couple, "N·m")))
-    return SEMICOLON.join(said) if said else Text("nothing of order 1 or 2")
+            phrases.append(Text("couple of order {n}: {couple}", n=n, couple=Amount(couple, "N·m")))
+    return SEMICOLON.join(phrases) if phrases else Text("nothing of order 1 or 2")
 
 
 def shakes_briefly(results: Results) -> Text:
     """The same in a column of a table: the unit tells a force from a couple."""
-    said = []
+    phrases = []
     for n, force, couple in _shaking(results):
         amounts = [
             Text("{size}", size=Amount(size, unit, digits=3)) for size, unit in ((force, "N"), (couple, "N·m")) if size
         ]
-        said.append(Text("order {n}: {size}", n=n, size=COMMA.join(amounts)))
-    return SEMICOLON.join(said) if said else Text("nothing of order 1 or 2")
+        phrases.append(Text("order {n}: {size}", n=n, size=COMMA.join(amounts)))
+    return SEMICOLON.join(phrases) if phrases else Text("nothing of order 1 or 2")
 
 
 def _shaking(results: Results) -> list[tuple[int, float, float]]:
@@ -126,8 +126,8 @@ def _shaking(results: Results) -> list[tuple[int, float, float]]:
     imbalance = results.result(ImbalanceResult)
     if imbalance is None:
         raise NoSolution(Text("what shakes is not known"), EMPTY, Text("give [engine] first"))
-    found = [(n, _before(imbalance, f"order_{n}_force"), _before(imbalance, f"order_{n}_couple")) for n in (1, 2)]
-    return [(n, force, couple) for n, force, couple in found if force or couple]
+    orders = [(n, _before(imbalance, f"order_{n}_force"), _before(imbalance, f"order_{n}_couple")) for n in (1, 2)]
+    return [(n, force, couple) for n, force, couple in orders if force or couple]
 
 
 def with_imbalance(document: Document, results: Results | None = None) -> Results:
@@ -163,10 +163,10 @@ def _before(imbalance: ImbalanceResult, key: str) -> float:
     _, n, what = key.split("_")
     order = imbalance.orders[f"order_{n}"]
     F_f, F_b, C_f, C_b = order.unbalanced if n == "1" else order.vectors
-    peak, one = (
+    peak, single = (
         (abs(F_f) + abs(F_b), imbalance.one_force) if what == "force" else (abs(C_f) + abs(C_b), imbalance.one_couple)
     )
-    return float(peak) if peak > SIGNIFICANT * one else 0.0
+    return float(peak) if peak > SIGNIFICANT * single else 0.0
 
 
 def _first(imbalance: ImbalanceResult) -> bool:
@@ -183,8 +183,8 @@ def _left(imbalance: ImbalanceResult, id: str) -> tuple[Left, ...]:
             imbalance.remedy["crank"] if id == "second" and key.startswith("order_1") and remedy is not None else remedy
         )
         after = before if leaves is None else float(getattr(leaves, key))
-        one = imbalance.one_force if unit == "N" else imbalance.one_couple
-        after = after if after > SIGNIFICANT * one else 0.0
+        single = imbalance.one_force if unit == "N" else imbalance.one_couple
+        after = after if after > SIGNIFICANT * single else 0.0
         if before or after:
             left.append(Left(key, what, before, after, unit))
     return tuple(left)
@@ -232,8 +232,8 @@ def _roughest(imbalance: ImbalanceResult, lam: float) -> bool:
 
 
 def _label(id: str, imbalance: ImbalanceResult) -> Text:
-    if id == "second" and (one := second_shafts(imbalance)) is not None and not one[1]:
-        return Text("one shaft at +2ω") if one[0] > 0 else Text("one shaft at −2ω")
+    if id == "second" and (shafts := second_shafts(imbalance)) is not None and not shafts[1]:
+        return Text("one shaft at +2ω") if shafts[0] > 0 else Text("one shaft at −2ω")
     return LABELS[id]
 
 

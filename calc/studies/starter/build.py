@@ -38,9 +38,9 @@ def mounting(document: Document, results: Results) -> list[Section]:
     if engine is None or known is None:
         raise NoSolution(Text("what stands on the mounts is not known"), EMPTY, Text("give [engine] first"))
     mass = up(PER_LITRE * known.displacement * 1e3, 5.0)
-    made = _sections(engine, mass, FIRST)
-    solved = solve(design(Document({**document.data, **table(made)})), results).result(MountingResult)
-    return _sections(engine, mass, up(FIRST * _scale(solved), 1.0)) if solved is not None else made
+    sections = _sections(engine, mass, FIRST)
+    solved = solve(design(Document({**document.data, **table(sections)})), results).result(MountingResult)
+    return _sections(engine, mass, up(FIRST * _scale(solved), 1.0)) if solved is not None else sections
 
 
 def _scale(solved: MountingResult) -> float:
@@ -204,23 +204,23 @@ def _imbalance(document: Document, balancing: str) -> Document:
     """With the share of the reciprocating masses that the balancing has on the crank."""
     known = which.with_imbalance(document)
     share = _share(balancing or which.called_for(known), known)
-    own = as_table(document.data.get("imbalance")) or which.IMBALANCE
-    return _put(document, {"imbalance": {**own, "crank_balance_fraction": share}})
+    given = as_table(document.data.get("imbalance")) or which.IMBALANCE
+    return _put(document, {"imbalance": {**given, "crank_balance_fraction": share}})
 
 
 def _share(balancing: str, known: Results) -> float:
     """Against order 2 the crank keeps what takes order 1: half, unless its throws cancel and it has nothing to take."""
     if balancing in KEPT:
         return KEPT[balancing]
-    return 0.5 if any(one.key.startswith("order_1") for one in _option(known, balancing).left) else 0.0
+    return 0.5 if any(remainder.key.startswith("order_1") for remainder in _option(known, balancing).left) else 0.0
 
 
 def _option(known: Results, balancing: str) -> which.Balancing:
     """Raises NoSolution where the engine has nothing that it takes."""
-    found = next((one for one in which.options(Document({}), known) if one.id == balancing), None)
-    if found is None:
+    option = next((option for option in which.options(Document({}), known) if option.id == balancing), None)
+    if option is None:
         raise NoSolution(Text('the balancing "{id}" has nothing to take in this engine', id=balancing))
-    return found
+    return option
 
 
 def _balanced(document: Document, balancing: str) -> Document:
@@ -309,8 +309,8 @@ def _results(document: Document, before: Results | None = None) -> Results:
 
 def _with(document: Document, sections: list[Section]) -> Document:
     """With these tables, which are then no longer left out."""
-    made = table(sections)
-    return _put(document, made, tuple(made))
+    tables = table(sections)
+    return _put(document, tables, tuple(tables))
 
 
 def _without(document: Document, reasons: dict[str, str]) -> Document:

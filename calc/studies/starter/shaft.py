@@ -89,17 +89,17 @@ def task(results: Results, ratio: int) -> StarterTask:
     return StarterTask(ratio, F, C, train.angular_speed * abs(ratio), results.design.engine.rated_speed * abs(ratio))  # type: ignore[union-attr]
 
 
-def envelope(made: Design, results: Results, todo: StarterTask, core: float = CORES[0]) -> Envelope:
+def envelope(design: Design, results: Results, todo: StarterTask, core: float = CORES[0]) -> Envelope:
     """The smallest outer radius at which the utilisation is comfortable, with the journals that go with it.  Raises
     NoSolution."""
-    engine, train = made.engine, results.result(EngineResult)
+    engine, train = design.engine, results.result(EngineResult)
     assert engine is not None and train is not None
     z = train.crank.z
     row = float(max(z) - min(z)) + engine.cylinder_pitch
     span = up(
         max(row if abs(todo.ratio) == 1 or abs(todo.C) > 0.01 * row * abs(todo.F) else 0.0, 1.5 * engine.bore), 2e-3
     )
-    rho = made.materials[STEEL].density
+    rho = design.materials[STEEL].density
     with untraced():
         U = f.asked_unbalance(x_o=OVERDESIGN, F_like=todo.F, omega=todo.omega)
         P = f.asked_product(x_o=OVERDESIGN, C_like=todo.C, omega=todo.omega)
@@ -118,11 +118,11 @@ def envelope(made: Design, results: Results, todo: StarterTask, core: float = CO
         for n in range(0, len(thicker), AT_ONCE):
             some = thicker[n : n + AT_ONCE]
             k = [sizes.unbalance_per_length(rho=rho, R=R, r_0=r_0) for R, _, _, _, r_0 in some]
-            alpha = [sizes.force_number(U=U, k=one, z_max=z) for one, (_, _, _, z, _) in zip(k, some)]
-            product = [sizes.product_number(P=P, k=one, z_max=z) for one, (_, _, _, z, _) in zip(k, some)]
+            alpha = [sizes.force_number(U=U, k=per_length, z_max=z) for per_length, (_, _, _, z, _) in zip(k, some)]
+            product = [sizes.product_number(P=P, k=per_length, z_max=z) for per_length, (_, _, _, z, _) in zip(k, some)]
             used = utilisation(np.array(alpha), np.array(product))
-            if (found := np.flatnonzero(used <= UTILISATION)).size:
-                R, rear, length, half_length, r_0 = some[found[0]]
+            if (fitting := np.flatnonzero(used <= UTILISATION)).size:
+                R, rear, length, half_length, r_0 = some[fitting[0]]
                 sized = size(U, P, todo.omega, rho, R, r_0, half_length)
                 return Envelope(span, R, r_0, half_length, rear, length, load, sized)
     raise NoSolution(SHAFT, Text("outer radii up to 200 mm on a span of {span}", span=Amount(span * 1e3, "mm")), GIVE)
@@ -151,22 +151,24 @@ def before_shaft(document: Document) -> Table:
 
 def _slope(document: Document, of: Envelope, sections: list[Section]) -> Radian:
     """The larger slope of both journals, by the shaft alone."""
-    made = design(Document({**before_shaft(document), **table(sections)}))
-    assert made.countershaft is not None
+    begun = design(Document({**before_shaft(document), **table(sections)}))
+    assert begun.countershaft is not None
     journals = (Journal(diameter=of.rear, length=of.length),) * 2
-    shaft = solve(replace(made, countershaft=replace(made.countershaft, journals=journals))).result(CountershaftResult)
+    shaft = solve(replace(begun, countershaft=replace(begun.countershaft, journals=journals))).result(
+        CountershaftResult
+    )
     slopes = (shaft.slope_front, shaft.slope_rear) if shaft is not None else (None,)
     return max(math.inf if slope is None else slope for slope in slopes)
 
 
-def _drill(made: Design, todo: StarterTask, of: Envelope) -> Holes:
+def _drill(design: Design, todo: StarterTask, of: Envelope) -> Holes:
     """The narrowest of four holes that together take 3 % of what the shaft supplies."""
     depth = min(down(0.8 * (of.outer - of.core), 0.5e-3), 20e-3)
     places = gathered([of.sized.front.z, of.sized.rear.z])
     with untraced():
         for diameter in range(4, 41):
             holes = Holes(diameter=diameter * 1e-3, depth=depth, count=4)
-            takes = calibration(holes, made.materials[STEEL].density, of.outer, places, todo.omega, abs(todo.C))
+            takes = calibration(holes, design.materials[STEEL].density, of.outer, places, todo.omega, abs(todo.C))
             enough = holes.count * takes.hole_unbalance * todo.omega**2 >= DRILLED * abs(todo.F)
             if takes.hole_range >= DRILLED * abs(todo.C) and enough:
                 return holes
@@ -257,29 +259,29 @@ def bearings(document: Document, results: Results) -> list[Section]:
     raise NoSolution(BEARINGS, SEMICOLON.join(tried[:1]), Text("a stiffer shaft, a slower one, or rolling bearings"))
 
 
-def _oils(made: Design) -> tuple[str, ...]:
+def _oils(design: Design) -> tuple[str, ...]:
     """The oil that the design has for its teeth, else those that engines run on."""
-    given = made.friction.oil if made.friction is not None else None
+    given = design.friction.oil if design.friction is not None else None
     return (given,) if given is not None else OILS
 
 
-def _sizes(made: Design) -> tuple[Metre, Metre, Metre]:
+def _sizes(design: Design) -> tuple[Metre, Metre, Metre]:
     """Diameters of the front and the rear journal, and the longest journal beside the sectors."""
-    shaft = made.countershaft
+    shaft = design.countershaft
     assert shaft is not None
     z = min(abs(shaft.bearing_positions[0]), abs(shaft.bearing_positions[-1]))
     if shaft.journals:
-        one, other = shaft.journals[0], shaft.journals[-1]
-        return one.diameter, other.diameter, max(one.length, other.length)
+        first, other = shaft.journals[0], shaft.journals[-1]
+        return first.diameter, other.diameter, max(first.length, other.length)
     radii = [section.outer_radius for section in shaft.sections] or [2 * mass.radius for mass in shaft.masses]
     outer = shaft.outer_radius if shaft.outer_radius is not None else max(radii, default=0.0)
     ends = (
         shaft.half_length if shaft.half_length is not None else max((abs(mass.z) for mass in shaft.masses), default=0.0)
     )
     rear = up(2 * (outer + (shaft.radial_clearance or THREADED)), 0.5e-3)
-    if made.gears is not None:
-        wheel = next(wheel for wheel in made.gears.wheels if wheel.name == made.gears.meshes[-1].driven)
-        through = up(tip(wheel.teeth, made.gears.module, made.gears.helix_angle) + 1e-3, 0.5e-3)
+    if design.gears is not None:
+        wheel = next(wheel for wheel in design.gears.wheels if wheel.name == design.gears.meshes[-1].driven)
+        through = up(tip(wheel.teeth, design.gears.module, design.gears.helix_angle) + 1e-3, 0.5e-3)
     else:
         through = up(tip(*passing_seat(rear)) + 1e-3, 0.5e-3)
     return min(through, rear), rear, max(2 * (z - ends - 2 * FILLET), 0.0)
@@ -345,10 +347,10 @@ def _journal_sections(made: Design, front: Metre, rear: Metre, length: Metre) ->
     ]
 
 
-def _housing(made: Design) -> tuple[str, str]:
-    own = made.gears.housing_material if made.gears is not None else None
+def _housing(design: Design) -> tuple[str, str]:
+    material = design.gears.housing_material if design.gears is not None else None
     return (
-        (own, "as between the wheels")
-        if own
+        (material, "as between the wheels")
+        if material
         else (HOUSING, "assumed: expands like the shaft, so that the clearance stays when cold")
     )

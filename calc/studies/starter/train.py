@@ -127,9 +127,9 @@ def _loaded(
 
     `power`: None where plain bearings close the balance; else what is tried first, and then changed to what is lost.
     """
-    made = results.design
+    solved_design = results.design
     for _ in range(1 if power is None else 3):
-        wheels = _gears(made, train, power)
+        wheels = _gears(solved_design, train, power)
         results = solve(design(Document({**document.data, **table(wheels), **table(losses)})), results)
         balance = results.result(FrictionResult)
         if (
@@ -143,11 +143,11 @@ def _loaded(
     return wheels, power, results
 
 
-def _trains(made: Design) -> Iterator[Train]:
+def _trains(design: Design) -> Iterator[Train]:
     """Those whose wheel on the shaft goes through its front seat, and that reach from the crank to the shaft's axis."""
-    shaft = made.countershaft
-    if made.bearings is not None:
-        seat = made.bearings.front.diameter
+    shaft = design.countershaft
+    if design.bearings is not None:
+        seat = design.bearings.front.diameter
     elif shaft is not None and shaft.journals:
         seat = shaft.journals[0].diameter
     elif shaft is not None and shaft.outer_radius is not None:
@@ -156,7 +156,9 @@ def _trains(made: Design) -> Iterator[Train]:
         seat = math.inf
     away = math.hypot(*shaft.axis) if shaft is not None and shaft.axis is not None else 0.0
     for smaller, teeth, face in product(range(len(MODULES) - 1), WHEELS, FACES):
-        modules = [one for one in MODULES if (one <= USUAL or teeth != WHEELS[0]) and tip(teeth[0], one) < seat]
+        modules = [
+            module for module in MODULES if (module <= USUAL or teeth != WHEELS[0]) and tip(teeth[0], module) < seat
+        ]
         if smaller < len(modules) and modules[smaller] >= SMALLEST:
             yield Train(_reaching(teeth, modules[smaller], away), modules[smaller], face)
 
@@ -169,7 +171,7 @@ def _reaching(teeth: tuple[int, int, int], module: Metre, away: Metre) -> tuple[
     return crank, central, idler
 
 
-def _gears(made: Design, train: Train, power: float | None) -> list[Section]:
+def _gears(design: Design, train: Train, power: float | None) -> list[Section]:
     crank, central, idler = train.teeth
     as_r753 = train.teeth == WHEELS[0]
     driven = (
@@ -207,7 +209,7 @@ def _gears(made: Design, train: Train, power: float | None) -> list[Section]:
                 "face_width_mm": (mm(up(train.face * train.module, 0.5e-3)), f"assumed: {train.face:g} modules"),
                 "tool_addendum": (1.41, "assumed: the tool of the R753IE4"),
                 "tool_tip_radius": (0.2, "assumed"),
-                "housing_material": (_housing(made), "assumed: the block, as of the bearings"),
+                "housing_material": (_housing(design), "assumed: the block, as of the bearings"),
                 **driven,
             },
         ),
@@ -240,29 +242,29 @@ def _gears(made: Design, train: Train, power: float | None) -> list[Section]:
     ]
 
 
-def _housing(made: Design) -> str:
-    return made.bearings.housing_material if made.bearings is not None else HOUSING
+def _housing(design: Design) -> str:
+    return design.bearings.housing_material if design.bearings is not None else HOUSING
 
 
-def _friction(made: Design, results: Results, flanks: float) -> list[Section]:
+def _friction(design: Design, results: Results, flanks: float) -> list[Section]:
     oil = (
         {}
-        if made.bearings is not None
+        if design.bearings is not None
         else {"oil": ("5W-40", "assumed"), "oil_temperature_C": (90.0, "assumed: gallery of a warm engine")}
     )
     words = {0.8: "assumed: ground", 0.4: "assumed: finely ground"}.get(flanks, "assumed: ground and polished")
     return [
         ("[friction]", {**oil, "flank_roughness_um": (flanks, words), "load_sharing": ("linear", "")}),
-        *([] if made.bearings is not None else _rolling(made, results)),
+        *([] if design.bearings is not None else _rolling(design, results)),
     ]
 
 
-def _rolling(made: Design, results: Results) -> list[Section]:
+def _rolling(design: Design, results: Results) -> list[Section]:
     """Two bearings on the shaft, as wide around it as their series is usual."""
-    shaft, own = results.result(CountershaftResult), made.countershaft
-    if shaft is None or own is None or own.core_radius is None:
+    shaft, countershaft = results.result(CountershaftResult), design.countershaft
+    if shaft is None or countershaft is None or countershaft.core_radius is None:
         return []
-    bore = up(2 * own.core_radius, 5e-3)
+    bore = up(2 * countershaft.core_radius, 5e-3)
     return [
         (
             "[[friction.rolling_bearings]]",

@@ -34,15 +34,15 @@ def table(sections: list[Section]) -> Table:
 
 def changed(sections: list[Section], changes: Mapping[str, object], why: str) -> list[Section]:
     """The same with keys of single tables changed (`bearings.front.length_mm`); None takes one out."""
-    made: list[Section] = [(header, dict(rows)) for header, rows in sections]
-    by_table = {header.strip("[]"): rows for header, rows in made}
+    new_sections: list[Section] = [(header, dict(rows)) for header, rows in sections]
+    by_table = {header.strip("[]"): rows for header, rows in new_sections}
     for key, value in changes.items():
         where, _, name = key.rpartition(".")
         if value is None:
             by_table[where].pop(name, None)
         else:
             by_table[where][name] = (value, why)
-    return made
+    return new_sections
 
 
 def mm(length: Metre) -> float:

@@ -47,14 +47,14 @@ def varied(document: Document, texts: Sequence[str], *, drawn: bool = False) -> 
     """The inputs to vary.  `drawn`: at random, so that a range has no number of values.  Raises BadInput with
     everything that is wrong."""
 
-    def one(key: str, said: str, about: Quantity) -> Varied:
+    def one(key: str, spec: str, about: Quantity) -> Varied:
         whole = about.kind in ("integer", "integers")
-        if drawn and said.count(":") == 1 and "," not in said:
-            low, high = _ends(said, RANGE)
+        if drawn and spec.count(":") == 1 and "," not in spec:
+            low, high = _ends(spec, RANGE)
             if whole and not (low.is_integer() and high.is_integer()):
                 raise ValueError("must go from a whole number to another here")
             return Varied(key, ends=(low, high), whole=whole)
-        return Varied(key, _values(said, whole, about.kind in ("text", "choice")))
+        return Varied(key, _values(spec, whole, about.kind in ("text", "choice")))
 
     return _read(document, "--vary", texts, RANGE if drawn else FORM, one)
 
@@ -62,11 +62,11 @@ def varied(document: Document, texts: Sequence[str], *, drawn: bool = False) -> 
 def toleranced(document: Document, texts: Sequence[str]) -> list[Varied]:
     """Inputs that scatter about what the design has, by their tolerances."""
 
-    def one(key: str, said: str, about: Quantity) -> Varied:
+    def one(key: str, spec: str, about: Quantity) -> Varied:
         nominal = value_at(document.data, key)
         if about.kind not in ("number", "series") or isinstance(nominal, bool) or not isinstance(nominal, (int, float)):
             raise ValueError("needs a number that the design gives, about which it scatters")
-        lower, upper = _ends(said if ":" in said else f"-{said}:{said}", TOLERANCE)
+        lower, upper = _ends(spec if ":" in spec else f"-{spec}:{spec}", TOLERANCE)
         return Varied(key, ends=(nominal + lower, nominal + upper), normal=True)
 
     return _read(document, "--tolerance", texts, TOLERANCE, one)
@@ -92,7 +92,7 @@ def listed(document: Document, path: str) -> tuple[list[Varied], list[tuple[Valu
         )
     inputs = [Varied(key.strip()) for key in lines[0]]
     errors: list[InputError] = []
-    kinds = [_about(document, one.key, path, errors) for one in inputs]
+    kinds = [_about(document, column.key, path, errors) for column in inputs]
     if not errors and (twice := same_input(document, inputs)) is not None:
         errors.append(InputError(1, twice, "", Text("stands in two columns; each input has one")))
     rows: list[tuple[Value | None, ...]] = []
@@ -103,12 +103,12 @@ def listed(document: Document, path: str) -> tuple[list[Varied], list[tuple[Valu
             )
             continue
         row: list[Value | None] = []
-        for one, about, cell in zip(inputs, kinds, line):
+        for column, about, cell in zip(inputs, kinds, line):
             try:
                 whole, words = about.kind in ("integer", "integers"), about.kind in ("text", "choice", "date")
                 row.append(_values(cell.strip(), whole, words)[0] if cell.strip() else None)
             except ValueError as wrong:
-                errors.append(InputError(n, one.key, cell, Text("{wrong}", wrong=str(wrong))))
+                errors.append(InputError(n, column.key, cell, Text("{wrong}", wrong=str(wrong))))
         rows.append(tuple(row))
     if errors:
         raise BadInput(path, errors)
@@ -119,11 +119,11 @@ def same_input(document: Document, inputs: Sequence[Varied]) -> str | None:
     """The key of an input that another one of these is too, by whichever name of its element; None: all are
     different."""
     first: dict[tuple[str | int, ...], str] = {}
-    for one in inputs:
-        where = address(document.data, one.key)
+    for variable in inputs:
+        where = address(document.data, variable.key)
         if where in first:
             return first[where]
-        first[where] = one.key
+        first[where] = variable.key
     return None
 
 
@@ -140,17 +140,21 @@ def _bad(path: str, line: int, key: str, reason: Text) -> BadInput:
 
 
 def _read(
-    document: Document, option: str, texts: Sequence[str], form: Text, one: Callable[[str, str, Quantity], Varied]
+    document: Document,
+    option: str,
+    texts: Sequence[str],
+    form: Text,
+    read_input: Callable[[str, str, Quantity], Varied],
 ) -> list[Varied]:
-    found: list[Varied] = []
+    inputs: list[Varied] = []
     errors: list[InputError] = []
     for text in texts:
-        key, equals, said = (part.strip() for part in text.partition("="))
+        key, equals, spec = (part.strip() for part in text.partition("="))
         try:
-            about = quantity_of(document.data, key) if equals and said else None
+            about = quantity_of(document.data, key) if equals and spec else None
             if about is None:
                 raise BadInput(option, [InputError(0, text, "", form)])
-            made = one(key, said, about)
+            variable = read_input(key, spec, about)
             single = about.count is not None and about.count[0] == 1  # where one number may stand for the list
             if (
                 about.kind in ("series", "integers")
@@ -158,25 +162,25 @@ def _read(
                 and not isinstance(address(document.data, key)[-1], int)
             ):
                 raise ValueError(f"is a list; vary one of its numbers by its place, like {key}.0")
-            if (twice := same_input(document, [*found, made])) is not None:
+            if (twice := same_input(document, [*inputs, variable])) is not None:
                 raise ValueError(
                     "stands twice; give all its values at once"
                     if twice == key
                     else f"is {twice}, which stands here too"
                 )
-            found.append(made)
+            inputs.append(variable)
         except BadInput as bad:
             errors += [replace(e, key=f"{option} {e.key}") for e in bad.errors]
         except ValueError as wrong:
-            errors.append(InputError(0, f"{option} {key}", said, Text("{wrong}", wrong=str(wrong))))
+            errors.append(InputError(0, f"{option} {key}", spec, Text("{wrong}", wrong=str(wrong))))
     if errors:
         raise BadInput(document.place, errors)
-    return found
+    return inputs
 
 
-def _ends(said: str, form: Text) -> tuple[float, float]:
+def _ends(spec: str, form: Text) -> tuple[float, float]:
     try:
-        low, high = map(float, said.split(":"))
+        low, high = map(float, spec.split(":"))
     except ValueError:
         raise ValueError(form.partition(", like")[0]) from None
     if not low < high or high - low == float("inf"):
@@ -184,16 +188,16 @@ def _ends(said: str, form: Text) -> tuple[float, float]:
     return low, high
 
 
-def _values(said: str, whole: bool, words: bool) -> tuple[Value, ...]:
+def _values(spec: str, whole: bool, words: bool) -> tuple[Value, ...]:
     """`1000:3000:21` or `1000,1500,2000`."""
-    parts = [part.strip() for part in said.split("," if "," in said or words else ":")]
+    parts = [part.strip() for part in spec.split("," if "," in spec or words else ":")]
     if words:
         return tuple(parts)
     try:
         numbers = [float(part) for part in parts]
     except ValueError:
         raise ValueError(FORM.partition(", like")[0]) from None
-    if ":" in said:
+    if ":" in spec:
         if len(numbers) != 3 or not numbers[2].is_integer() or numbers[2] < 1:
             raise ValueError("must be LOW:HIGH:NUMBER with a whole NUMBER of values, 1 or more")
         if numbers[2] > MOST_ROWS:
@@ -234,20 +238,20 @@ class SweepPlan:
         if self.way == "grid":
             return [self._of_grid(n) for n in range(start, stop)]
         shares = [_shares(self.way, self.count, self.seed, n)[start:stop].tolist() for n in range(len(self.inputs))]
-        return [tuple(_drawn(one, share) for one, share in zip(self.inputs, row)) for row in zip(*shares)]
+        return [tuple(_drawn(variable, share) for variable, share in zip(self.inputs, row)) for row in zip(*shares)]
 
     def _of_grid(self, n: int) -> Combination:
         """Every combination, the last input changing fastest."""
-        found: list[Value] = []
-        for one in reversed(self.inputs):
-            n, place = divmod(n, len(one.values))
-            found.append(one.values[place])
-        return tuple(reversed(found))
+        values: list[Value] = []
+        for variable in reversed(self.inputs):
+            n, place = divmod(n, len(variable.values))
+            values.append(variable.values[place])
+        return tuple(reversed(values))
 
 
 def grid(inputs: Sequence[Varied], place: str = "--vary") -> SweepPlan:
     """Every combination of the values."""
-    return SweepPlan("grid", tuple(inputs), _allowed(prod(len(one.values) for one in inputs), place))
+    return SweepPlan("grid", tuple(inputs), _allowed(prod(len(variable.values) for variable in inputs), place))
 
 
 def sampled(inputs: Sequence[Varied], count: int, seed: int = 1, *, hypercube: bool) -> SweepPlan:
@@ -274,13 +278,13 @@ def _shares(way: str, count: int, seed: int, place: int) -> Array:
     return (stream.permutation(count) + inside) / count if way == "hypercube" else inside
 
 
-def _drawn(one: Varied, share: float) -> Value:
-    if one.values:
-        return one.values[min(int(share * len(one.values)), len(one.values) - 1)]
-    low, high = one.ends
-    if one.whole:
+def _drawn(variable: Varied, share: float) -> Value:
+    if variable.values:
+        return variable.values[min(int(share * len(variable.values)), len(variable.values) - 1)]
+    low, high = variable.ends
+    if variable.whole:
         return min(int(low + share * (high - low + 1)), int(high))
-    if one.normal:  # cut off at the ends of the tolerance: parts beyond them are not let through
+    if variable.normal:  # cut off at the ends of the tolerance: parts beyond them are not let through
         out = NORMAL.cdf(-SIGMAS)
         share = (NORMAL.inv_cdf(out + share * (1 - 2 * out)) / SIGMAS + 1) / 2
     return low + min(max(share, 0.0), 1.0) * (high - low)

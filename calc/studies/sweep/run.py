@@ -72,7 +72,7 @@ def passes(designs: Sequence[Design], *, compared: bool) -> Iterator[tuple[list[
                 outcomes = steps(_Parts(done), abreast([designs[n] for n in some]), compared)
         except Diverged as apart:
             for which in (apart.some, ~apart.some):
-                places = [n for n, one in zip(some, which) if one]
+                places = [n for n, chosen in zip(some, which) if chosen]
                 given = {name: some_lanes(outcome, which) for name, outcome in done.items()}
                 waiting.append((places, given, singly.some(which)))
         except FAILS:
@@ -161,8 +161,8 @@ def _margins(check: Check) -> Array:
     gap, size = gaps[0]
     for other, its_size in gaps[1:]:
         gap, size = np.where(gap <= other, gap, other), np.where(gap <= other, size, its_size)
-    found: Array = np.nan_to_num(gap / size, nan=-np.inf, posinf=np.inf, neginf=-np.inf)
-    return found
+    margins: Array = np.nan_to_num(gap / size, nan=-np.inf, posinf=np.inf, neginf=-np.inf)
+    return margins
 
 
 def _one(check: Check, k: int) -> Check:
@@ -193,7 +193,7 @@ class Sweep:
         return min(MOST, max(LEAST, -(-self.plan.count // CHUNKS)))
 
 
-def swept(asked: Sweep, store: Store, told: Told | None = None, processes: int = 1, scheduler: str = "") -> None:
+def swept(asked: Sweep, store: Store, progress: Told | None = None, processes: int = 1, scheduler: str = "") -> None:
     """Fill the store with every chunk that it does not have.  Raises BadInput where a step or a value is asked for that
     there is not."""
     _known(asked)
@@ -201,15 +201,15 @@ def swept(asked: Sweep, store: Store, told: Told | None = None, processes: int =
     numbers = range(-(-asked.plan.count // size))
     waiting = [n for n in numbers if not store.has(n)]
     done = asked.plan.count - sum(min(size, asked.plan.count - n * size) for n in waiting)
-    if told is not None:
-        told(done)
+    if progress is not None:
+        progress(done)
     if asked.plan.count < WORTH:
         processes = 1
-    for n, one in spread(chunk, asked, waiting, processes, scheduler):
-        store.keep(n, one)
-        done += len(one.rows)
-        if told is not None:
-            told(done)
+    for n, piece in spread(chunk, asked, waiting, processes, scheduler):
+        store.keep(n, piece)
+        done += len(piece.rows)
+        if progress is not None:
+            progress(done)
 
 
 def sweep(document: Document, inputs: Sequence[Varied], step: str | None = None, wanted: Sequence[str] = ()) -> Swept:
@@ -239,11 +239,11 @@ def side_by_side(
 ) -> list[Solved]:
     """All at once, as far as they go one way; else design by design.  `wanted`: only these values; none: all."""
     compared = not wanted or any(not BESIDE.isdisjoint(id.split(".")) for id in wanted)
-    made = list(designs(document, inputs, at))
-    sound = [_needed(one, step) for one in made if isinstance(one, Design)]
+    built = list(designs(document, inputs, at))
+    sound = [_needed(entry, step) for entry in built if isinstance(entry, Design)]
     alone = _one_after_the_other(step, wanted, compared)
     rows = iter(solved(sound, step, wanted, lambda n: alone(sound[n]), compared=compared))
-    return [next(rows) if isinstance(one, Design) else one for one in made]
+    return [next(rows) if isinstance(entry, Design) else entry for entry in built]
 
 
 def one_by_one(
@@ -255,15 +255,17 @@ def one_by_one(
 ) -> Iterator[Solved]:
     """Design by design."""
     alone = _one_after_the_other(step, wanted, compared=True)
-    return (alone(_needed(one, step)) if isinstance(one, Design) else one for one in designs(document, inputs, at))
+    return (
+        alone(_needed(entry, step)) if isinstance(entry, Design) else entry for entry in designs(document, inputs, at)
+    )
 
 
 def _one_after_the_other(step: str | None, wanted: frozenset[str], compared: bool) -> Callable[[Design], Solved]:
     """Solves a design; what it has like the one before it is taken over."""
     before: list[Results] = []
 
-    def solved(one: Design) -> Solved:
-        before[:] = [solve(one, before[0] if before else None, compared=compared)]
+    def solved(design: Design) -> Solved:
+        before[:] = [solve(design, before[0] if before else None, compared=compared)]
         return _solved(before[0], step, wanted)
 
     return solved
@@ -274,9 +276,9 @@ def designs(document: Document, inputs: Sequence[Varied], at: Sequence[Combinati
     sound = document, design(document)
     for row in at:
         changed = document
-        for one, value in zip(inputs, row):
+        for variable, value in zip(inputs, row):
             if value is not None:
-                changed = changed.with_value(one.key, value)
+                changed = changed.with_value(variable.key, value)
         try:
             yield design(changed, sound)
         except BadInput as bad:
@@ -291,11 +293,11 @@ def _solved(results: Results, step: str | None, wanted: frozenset[str] = frozens
     )
 
 
-def _needed(one: Design, step: str | None) -> Design:
+def _needed(design: Design, step: str | None) -> Design:
     """Without the steps that the wanted one does not wait for."""
     if step in ("engine", "imbalance"):
-        return replace(one, bearings=None, friction=None)
-    return replace(one, friction=None) if step == "countershaft" else one
+        return replace(design, bearings=None, friction=None)
+    return replace(design, friction=None) if step == "countershaft" else design
 
 
 def _known(asked: Sweep) -> None:

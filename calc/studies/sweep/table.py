@@ -59,23 +59,23 @@ class Chunk:
 
 def chunk_of(grid: Sequence[Combination], solved: Iterable[Solved], wanted: Sequence[str]) -> Chunk:
     """Rows of all designs under the values that any of them has, or under those that are wanted."""
-    found = list(solved)
+    designs = list(solved)
     units: dict[str, str] = {}
     steps: dict[str, None] = {}
-    for one in found:
-        for id, (_, unit) in one.values.items():
+    for design in designs:
+        for id, (_, unit) in design.values.items():
             units.setdefault(id, unit)
-        steps |= dict.fromkeys(one.verdicts)
+        steps |= dict.fromkeys(design.verdicts)
     if wanted:
         units = {id: units[id] for id in wanted if id in units}
     rows = (
         SweepRow(
             at,
-            tuple([_finite(one.values[id][0]) if id in one.values else None for id in units]),
-            tuple([one.verdicts.get(step) for step in steps]),
-            one.reason,
+            tuple([_finite(design.values[id][0]) if id in design.values else None for id in units]),
+            tuple([design.verdicts.get(step) for step in steps]),
+            design.reason,
         )
-        for at, one in zip(grid, found)
+        for at, design in zip(grid, designs)
     )
     return Chunk(units, tuple(steps), tuple(rows))
 
@@ -97,7 +97,7 @@ class Store(Protocol):
     """Chunks by their numbers, from 0 on."""
 
     def has(self, n: int) -> bool: ...
-    def keep(self, n: int, one: Chunk) -> None: ...
+    def keep(self, n: int, chunk: Chunk) -> None: ...
     def head(self, n: int) -> Chunk: ...
     def chunk(self, n: int) -> Chunk: ...
     def __len__(self) -> int: ...
@@ -112,8 +112,8 @@ class InMemory:
     def has(self, n: int) -> bool:
         return n in self.chunks
 
-    def keep(self, n: int, one: Chunk) -> None:
-        self.chunks[n] = one
+    def keep(self, n: int, chunk: Chunk) -> None:
+        self.chunks[n] = chunk
 
     def chunk(self, n: int) -> Chunk:
         return self.chunks[n]
@@ -146,17 +146,17 @@ class InFolder:
             return False
         return True
 
-    def keep(self, n: int, one: Chunk) -> None:
+    def keep(self, n: int, chunk: Chunk) -> None:
         lines = [
             {
-                "units": one.units,
-                "steps": one.steps,
-                "count": len(one.rows),
-                "reasons": any(row.reason for row in one.rows),
+                "units": chunk.units,
+                "steps": chunk.steps,
+                "count": len(chunk.rows),
+                "reasons": any(row.reason for row in chunk.rows),
             }
         ]
         text = "\n".join(
-            map(json.dumps, [*lines, *([row.at, row.cells, row.verdicts, row.reason] for row in one.rows)])
+            map(json.dumps, [*lines, *([row.at, row.cells, row.verdicts, row.reason] for row in chunk.rows)])
         )
         self.folder.mkdir(parents=True, exist_ok=True)
         draft = self._file(n).with_suffix(".new")
@@ -196,7 +196,7 @@ class InFolder:
 
 def key_of(document: Document, plan: SweepPlan, step: str | None, wanted: tuple[str, ...]) -> str:
     """What kept chunks hold for: the values of the design, what is varied, what is asked, the program's version."""
-    what = [VERSION, document.data, vars(plan) | {"inputs": [vars(one) for one in plan.inputs]}, step, wanted]
+    what = [VERSION, document.data, vars(plan) | {"inputs": [vars(varied) for varied in plan.inputs]}, step, wanted]
     return hashlib.sha256(json.dumps(what, sort_keys=True, default=str).encode()).hexdigest()[:16]
 
 
@@ -234,10 +234,10 @@ class SweepColumns:
         named = (f"{id} [{unit}]" if unit else id for id, unit in self.units.items())
         return (*self.keys, *named, *(f"verdict.{step}" for step in self.steps), *([REASON] if self.reasons else []))
 
-    def lines(self, one: Chunk) -> Iterator[list[Cell]]:
+    def lines(self, chunk: Chunk) -> Iterator[list[Cell]]:
         """The designs of a chunk under these columns."""
-        cells, verdicts = _places(self.units, one.units), _places(self.steps, one.steps)
-        for row in one.rows:
+        cells, verdicts = _places(self.units, chunk.units), _places(self.steps, chunk.steps)
+        for row in chunk.rows:
             values = [None if n is None else row.cells[n] for n in cells]
             judged = [None if n is None else row.verdicts[n] for n in verdicts]
             yield [*row.at, *values, *judged, *([row.reason or None] if self.reasons else [])]
@@ -259,7 +259,7 @@ def columns(document: Document, inputs: Sequence[Varied], store: Store) -> Sweep
             units.setdefault(id, unit)
         steps |= dict.fromkeys(head.steps)
         reasons = reasons or any(row.reason for row in head.rows)
-    keys = tuple(one.key for one in inputs)
+    keys = tuple(varied.key for varied in inputs)
     words = frozenset(key for key in keys if quantity_of(document.data, key).kind in ("text", "choice", "date"))
     return SweepColumns(keys, words, units, tuple(steps), reasons)
 
@@ -271,21 +271,21 @@ def verdict_of(row: SweepRow) -> str:
 
 
 def in_memory(document: Document, inputs: Sequence[Varied], store: Store) -> Swept:
-    found = columns(document, inputs, store)
+    table_columns = columns(document, inputs, store)
     chunks = [store.chunk(n) for n in range(len(store))]
-    lines = [line for one in chunks for line in found.lines(one)]
-    return Swept(found.header, lines, [verdict_of(row) for one in chunks for row in one.rows])
+    lines = [line for chunk in chunks for line in table_columns.lines(chunk)]
+    return Swept(table_columns.header, lines, [verdict_of(row) for chunk in chunks for row in chunk.rows])
 
 
 def write_csv(file: TextIO, document: Document, inputs: Sequence[Varied], store: Store) -> Counter[str]:
     """The table as CSV; gives how many designs have which verdict."""
-    found, counts = columns(document, inputs, store), Counter[str]()
+    table_columns, counts = columns(document, inputs, store), Counter[str]()
     writer = csv.writer(file, lineterminator="\n")
-    writer.writerow(found.header)
+    writer.writerow(table_columns.header)
     for n in range(len(store)):
-        one = store.chunk(n)
-        writer.writerows(found.lines(one))
-        counts.update(map(verdict_of, one.rows))
+        chunk = store.chunk(n)
+        writer.writerows(table_columns.lines(chunk))
+        counts.update(map(verdict_of, chunk.rows))
     return counts
 
 
@@ -302,17 +302,18 @@ def parquet() -> Any:
 def write_parquet(path: Path, document: Document, inputs: Sequence[Varied], store: Store) -> Counter[str]:
     """The same table as Parquet: numbers as doubles, a group of rows for each chunk."""
     arrow, files = parquet()
-    found, counts = columns(document, inputs, store), Counter[str]()
-    texts = len(found.header) - len(found.steps) - found.reasons
+    table_columns, counts = columns(document, inputs, store), Counter[str]()
+    texts = len(table_columns.header) - len(table_columns.steps) - table_columns.reasons
     kinds = [
-        arrow.string() if name in found.words or n >= texts else arrow.float64() for n, name in enumerate(found.header)
+        arrow.string() if name in table_columns.words or n >= texts else arrow.float64()
+        for n, name in enumerate(table_columns.header)
     ]
-    schema = arrow.schema(list(zip(found.header, kinds)))
+    schema = arrow.schema(list(zip(table_columns.header, kinds)))
     with files.ParquetWriter(path, schema) as writer:
         for n in range(len(store)):
-            one = store.chunk(n)
-            by_column = zip(*found.lines(one))
+            chunk = store.chunk(n)
+            by_column = zip(*table_columns.lines(chunk))
             arrays = [arrow.array(column, kind, from_pandas=False) for column, kind in zip(by_column, kinds)]
             writer.write_table(arrow.Table.from_arrays(arrays, schema=schema))
-            counts.update(map(verdict_of, one.rows))
+            counts.update(map(verdict_of, chunk.rows))
     return counts
