@@ -16,8 +16,8 @@ from textual.filter import LineFilter
 from textual.notifications import SeverityLevel
 
 from calc.locale import LANGUAGES, language
-from calc.sheet.errors import visible
 from calc.sheet.text import EMPTY, Text
+from calc.sheet.visible import visible
 
 from .actions import BY_ID, OLD_IDS, key_name
 from .session.recovery import Memory, Settings

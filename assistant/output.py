@@ -18,8 +18,8 @@ from io import TextIOWrapper
 from pathlib import Path
 from typing import Any, TextIO
 
-from calc.sheet.errors import visible
 from calc.sheet.version import VERSION
+from calc.sheet.visible import visible
 
 REPLACED = "contralbero.replaced"  # how an encoding treats a sign that it does not have
 SIGNS = {

@@ -38,7 +38,7 @@ def command(module: str, about: str) -> Callable[[Arguments], Arguments]:
     return keep
 
 
-@command("edit", "write a design from a shipped engine")
+@command("program", "write a design from a shipped engine")
 def new(it: argparse.ArgumentParser) -> None:
     it.add_argument("file", nargs="?", help="the design file to write; an existing one is left alone")
     it.add_argument("--engine", default="r753ie4", metavar="ID", help="which shipped engine (default: %(default)s)")
@@ -100,13 +100,13 @@ def replay(it: argparse.ArgumentParser) -> None:
     it.add_argument("files", nargs="+", metavar="FILE")
 
 
-@command("edit", "edit a design file in place, comments kept")
+@command("choose", "edit a design file in place, comments kept")
 def set_(it: argparse.ArgumentParser) -> None:
     it.add_argument("file")
     it.add_argument("changes", nargs="+", metavar=KEY_VALUE, help="an empty value takes the key out: KEY=")
 
 
-@command("edit", "search for the user: a ranked table, of which one row can be taken")
+@command("choose", "search for the user: a ranked table, of which one row can be taken")
 def choose(it: argparse.ArgumentParser) -> None:
     it.add_argument("file")
     steps = (

@@ -45,7 +45,7 @@ from .setting.prose import BODY, HEADING, SECTION, lines
 
 if TYPE_CHECKING:
     from .figures.plots import Job
-    from .figures.renderer import Recording
+    from .setting.pen import Recording
 
 
 # Figures drawn by a copy of this process, while it makes the rest.

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from calc.sheet.errors import UNSEEN, visible
+from calc.sheet.visible import UNSEEN, visible
 from tests.command import run
 from tests.conftest import DESIGNS, GAMMA, ROOT
 

@@ -113,7 +113,7 @@ def test_edits_of_eight_runs_at_once_are_all_there(tmp_path: Path) -> None:
 def test_a_choice_is_not_written_over_what_another_program_wrote_meanwhile(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    from assistant.commands import edit as choose
+    from assistant.commands import choose
 
     path = shutil.copy(GAMMA, tmp_path / "d.toml")
     offer_for = choose.offer_for

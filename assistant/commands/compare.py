@@ -15,10 +15,11 @@ from calc.design.model import STEPS
 from calc.design.predicted import compared_table
 from calc.design.toml_file import Document, design, read
 from calc.sheet.check import Check
-from calc.sheet.errors import BadInput, InputError, visible
+from calc.sheet.errors import BadInput, InputError
 from calc.sheet.step import Table
 from calc.sheet.text import Text, plural
 from calc.sheet.version import VERSION
+from calc.sheet.visible import visible
 from calc.solve import Results, solve
 from calc.studies.compare import EQUAL, CheckDifference, Comparison, KeyResult, ValueDifference, compare
 from calc.studies.compare_tables import (

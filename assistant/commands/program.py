@@ -13,6 +13,7 @@ from calc.design.schema import schema
 from calc.design.toml_file import design, read
 from calc.sheet.errors import BadInput, InputError
 from calc.sheet.text import Text
+from calc.studies.shipped import engine_design, engines
 
 
 def run_serve(asked: Namespace) -> int:
@@ -116,4 +117,41 @@ def run_schema(asked: Namespace) -> int:
     else:
         write_asked(Path(asked.output), text)
         print(asked.output)
+    return 0
+
+
+# `contralbero new`: write a design from a shipped engine.
+
+
+def run_new(asked: Namespace) -> int:
+    shipped = engines()
+    if asked.list:
+        rows = [(name, engine.name, engine.what, engine.source) for name, engine in shipped.items()]
+        widths = [max(map(len, column)) for column in zip(*rows)]
+        for row in rows:
+            print("  ".join(f"{cell:<{width}}" for cell, width in zip(row, widths)).rstrip())
+        return 0
+    if asked.engine not in shipped:
+        raise BadInput(
+            "--engine",
+            [
+                InputError(
+                    0,
+                    "",
+                    asked.engine,
+                    Text("is not shipped; `contralbero new --list` lists {engines}", engines=", ".join(shipped)),
+                )
+            ],
+        )
+    if asked.file is None:
+        raise BadInput(
+            "contralbero new", [InputError(0, "", "", Text("needs the name of the file to write, like my_engine.toml"))]
+        )
+    path = Path(asked.file)
+    if path.exists():
+        raise BadInput(
+            str(path), [InputError(0, "", "", Text("exists already and is left alone; choose another name"))]
+        )
+    write_asked(path, engine_design(asked.engine), new=True)
+    print(path)
     return 0

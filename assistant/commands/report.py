@@ -13,9 +13,10 @@ from assistant.session.saving import spare, write_asked
 from calc.design.disk import read_file
 from calc.design.limits import FRONT_BYTES, PDF_BYTES
 from calc.design.toml_file import Document, design, read
-from calc.sheet.errors import BadInput, InputError, visible
+from calc.sheet.errors import BadInput, InputError
 from calc.sheet.text import COMMA, Amount, Text
 from calc.sheet.version import VERSION
+from calc.sheet.visible import visible
 from calc.solve import Results, solve
 from reports.report import draughtsman
 from reports.verify.verify import Verdict, verify

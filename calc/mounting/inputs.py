@@ -5,8 +5,6 @@ runs."""
 import math
 from collections.abc import Iterable, Iterator
 
-import numpy as np
-
 from ..sheet.arrays import Array
 from ..sheet.quantity import THUMB, choice, inputs, integer, quantity, series, table, tables, text
 from ..sheet.text import COMMA, Amount, Text
@@ -19,6 +17,8 @@ DUST = 1e-9  # of the sum of two principal moments: a thin disc has exactly the 
 def tensor(diagonal: tuple[float, ...], coupling: tuple[float, ...] | None, integral: bool = False) -> Array:
     """The tensor from its diagonal and [J_xy, J_yz, J_zx]; `integral`: these are given as ∫xy dm, with the other
     sign."""
+    import numpy as np  # the form is painted without it
+
     xy, yz, zx = coupling if coupling is not None else (0.0, 0.0, 0.0)
     off = np.array([[0.0, xy, zx], [xy, 0.0, yz], [zx, yz, 0.0]])
     matrix: Array = np.diag(np.asarray(diagonal, dtype=float)) + (-off if integral else off)
@@ -29,6 +29,8 @@ def problem(diagonal: tuple[float, ...], coupling: tuple[float, ...] | None, int
     """Why no body can have these moments of inertia; None where one can."""
     if len(diagonal) != 3 or (coupling is not None and len(coupling) != 3):
         return None  # said already
+    import numpy as np
+
     J = tensor(diagonal, coupling, integral)
     if not np.isfinite(J).all():
         return None

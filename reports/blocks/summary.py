@@ -6,7 +6,6 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING, NamedTuple
 
-from calc.design.addresses import described
 from calc.design.key_values import key_results
 from calc.design.names import knows
 from calc.design.unusual import told, unusual
@@ -14,6 +13,7 @@ from calc.draw.drawing import Arc, Point, Polyline, Primitive, Words
 from calc.sheet.check import SIGNS, THIN_MARGIN
 from calc.sheet.text import Amount, Text
 from calc.studies.drawings import shaft, train
+from calc.studies.ready import described
 
 from ..context import Context, closeness
 from ..setting.boxes import BLACK, GREY, Colour

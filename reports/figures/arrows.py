@@ -14,8 +14,7 @@ from ..setting.fonts import LEFT
 from ..setting.prose import Style, run
 
 if TYPE_CHECKING:
-    from ..setting.pen import Pen
-    from .renderer import Recorder
+    from ..setting.pen import Pen, Recorder
 
 ARROW: Colour = (0.15, 0.15, 0.15)
 THICK = 0.9

@@ -18,9 +18,9 @@ from calc.sheet.step import Curve, Series
 
 from ..setting.boxes import BLACK, Box, Colour
 from ..setting.fonts import clean
+from ..setting.pen import Recorder, Recording
 from ..setting.prose import Style, broken, lines, run
 from .arrows import Arrow, arrows, draw_arrows
-from .renderer import Recorder, Recording
 
 # Okabe and Ito's palette, in an order whose greys differ, each with its own pattern (lengths in points).
 LINES: tuple[tuple[Colour, tuple[float, ...], float], ...] = (

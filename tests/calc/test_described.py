@@ -3,12 +3,12 @@ number."""
 
 import pytest
 
-from calc.design.addresses import described
 from calc.design.toml_file import Document, design
 from calc.draw.drawing import Dimension
 from calc.engine.sketch import sketch
 from calc.locale import language
 from calc.solve import solve
+from calc.studies.ready import described
 
 ENGINE = {
     "name": "one",

@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""`contralbero choose`: search for the user; a ranked table, and `--apply N` writes one row into the design file."""
+"""`contralbero choose` and `contralbero set`: what writes into a design file, and shows what then holds.
+
+choose: a search for the user; a ranked table, and `--apply N` writes one row into the design file."""
 
 import json
 import sys
@@ -24,7 +26,6 @@ from calc.design.toml_file import Document, design, parse, read
 from calc.sheet.errors import BadInput, InputError, NoSolution
 from calc.sheet.text import COMMA, EMPTY, Text
 from calc.solve import TITLES, solve
-from calc.studies.shipped import engine_design, engines
 
 
 def run_choose(asked: Namespace) -> int:
@@ -116,43 +117,6 @@ def _write(path: Path, document: Document, changes: list[str], step: str, words:
 def _comments(text: str) -> list[str]:
     """What stands behind a # in each line, wherever the line itself is a string."""
     return [line[line.index("#") :].strip() for line in text.splitlines() if "#" in line]
-
-
-# `contralbero new`: write a design from a shipped engine.
-
-
-def run_new(asked: Namespace) -> int:
-    shipped = engines()
-    if asked.list:
-        rows = [(name, engine.name, engine.what, engine.source) for name, engine in shipped.items()]
-        widths = [max(map(len, column)) for column in zip(*rows)]
-        for row in rows:
-            print("  ".join(f"{cell:<{width}}" for cell, width in zip(row, widths)).rstrip())
-        return 0
-    if asked.engine not in shipped:
-        raise BadInput(
-            "--engine",
-            [
-                InputError(
-                    0,
-                    "",
-                    asked.engine,
-                    Text("is not shipped; `contralbero new --list` lists {engines}", engines=", ".join(shipped)),
-                )
-            ],
-        )
-    if asked.file is None:
-        raise BadInput(
-            "contralbero new", [InputError(0, "", "", Text("needs the name of the file to write, like my_engine.toml"))]
-        )
-    path = Path(asked.file)
-    if path.exists():
-        raise BadInput(
-            str(path), [InputError(0, "", "", Text("exists already and is left alone; choose another name"))]
-        )
-    write_asked(path, engine_design(asked.engine), new=True)
-    print(path)
-    return 0
 
 
 # `contralbero set`: edit a design file in place.  The file is written only if the whole design is still valid.
