@@ -20,8 +20,8 @@ from calc.sheet.step import Curve, Table
 from calc.sheet.text import COMMA, Amount, Text
 
 from ..base_app import BaseApp
+from .curve_view import TURN, Cursor, Sight, stand_below
 from .item_list import ItemList
-from .reading import TURN, Cursor, Sight, stand_below
 from .table_list import TableList
 from .text import fit
 

@@ -21,7 +21,8 @@ from textual_plot.plot_widget import Legend, LinePlot
 from calc.sheet.step import Curve
 
 from ..base_app import BaseApp
-from .reading import TURN, Sight, axis, even_ticks, finite_limits, stand_below, ticks
+from .curve_view import TURN, Sight, even_ticks, stand_below, ticks
+from .reading import axis, finite_limits
 from .signs import Look, Signs
 
 if TYPE_CHECKING:

@@ -12,8 +12,8 @@ from calc.design.unusual import told, unusual
 from calc.draw.drawing import Arc, Point, Polyline, Primitive, Words
 from calc.sheet.check import SIGNS, THIN_MARGIN
 from calc.sheet.text import Amount, Text
+from calc.studies.described import described
 from calc.studies.drawings import shaft, train
-from calc.studies.ready import described
 
 from ..context import Context, closeness
 from ..setting.boxes import BLACK, GREY, Colour

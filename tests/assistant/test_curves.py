@@ -12,8 +12,8 @@ from textual.widgets import Static
 
 from assistant.session.session import Session
 from assistant.widgets.curve_pane import CurvePane
+from assistant.widgets.curve_view import Sight
 from assistant.widgets.plot import Plot, PlotArea, extent
-from assistant.widgets.reading import Sight
 from assistant.widgets.table_list import Setter, TableList
 from calc.locale import language
 from calc.sheet.step import Curve, Series, Table, Turning

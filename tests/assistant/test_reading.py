@@ -12,8 +12,9 @@ from textual.pilot import Pilot
 from textual_plot.plot_widget import map_coordinate_to_pixel
 
 from assistant.widgets.curve_pane import CurvePane
+from assistant.widgets.curve_view import Cursor, Sight, even_ticks, ticks
 from assistant.widgets.plot import Plot
-from assistant.widgets.reading import Cursor, Digits, Reader, Reading, Sight, axis, even_ticks, step_of, ticks
+from assistant.widgets.reading import Digits, Reader, Reading, axis, step_of
 from calc.sheet.step import Curve, Series
 from tests.assistant.conftest import Screen, solved
 from tests.assistant.driving import go_to, rows, strike, type_in, work

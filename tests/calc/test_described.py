@@ -8,7 +8,7 @@ from calc.draw.drawing import Dimension
 from calc.engine.sketch import sketch
 from calc.locale import language
 from calc.solve import solve
-from calc.studies.ready import described
+from calc.studies.described import described
 
 ENGINE = {
     "name": "one",

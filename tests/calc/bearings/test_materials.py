@@ -9,25 +9,29 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from calc.bearings.materials import Application, BearingMaterial, application
-from calc.bearings.suitability import (
+from calc.bearings.materials import (
     DEFAULT_APPLICATION,
     SCALE,
-    Journal,
-    Running,
-    application_checks,
+    Application,
+    BearingMaterial,
+    application,
     application_problem,
     applications,
     bearing_materials,
     bush_problem,
+    running_bearings,
+    running_surface,
+)
+from calc.bearings.suitability import (
+    Journal,
+    Running,
+    application_checks,
     checks,
     fatigue_note,
     film_duty,
     load_cycles,
     load_times_speed,
     reference_table,
-    running_bearings,
-    running_surface,
     table,
 )
 from calc.design import toml_file as design_file

@@ -1,0 +1,97 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What a design is about, in a line for each of its steps: the object, its drive, and the load case it is judged at."""
+
+from collections.abc import Iterator
+
+from ..bearings.inputs import BearingInputs
+from ..design.model import STEPS, Design
+from ..engine.formulas import stroke
+from ..sheet.text import COMMA, Amount, Name, Text, plural
+
+TITLES = {step.key: step.title for step in STEPS}
+LAYOUTS = {"inline": Text("inline"), "vee": Text("vee"), "boxer": Text("boxer")}
+DASH = Text(" – ")
+
+
+def described(design: Design) -> Iterator[tuple[Text, Text]]:
+    """A title and a line of words for each step that the design has, and for the load case."""
+    if (engine := design.engine) is not None:
+        yield (
+            TITLES["engine"],
+            Text(
+                "{name}: {layout}, {cylinders}, four-stroke, bore {bore}, stroke {stroke}"
+                if engine.strokes == 4
+                else "{name}: {layout}, {cylinders}, two-stroke, bore {bore}, stroke {stroke}",
+                name=Name(engine.name),
+                layout=LAYOUTS.get(engine.layout, Name(engine.layout)),
+                cylinders=plural("{n} cylinder", "{n} cylinders", n=engine.cylinders),
+                bore=_mm(engine.bore),
+                stroke=_mm(stroke(L=engine.rod_length, r=engine.crank_radius, d=engine.cylinder_offset)),
+            ),
+        )
+    if (shaft := design.countershaft) is not None:
+        front, rear = shaft.bearing_positions[0], shaft.bearing_positions[-1]
+        yield (
+            TITLES["countershaft"],
+            Text(
+                "{material}, {ratio} × crank speed, bearings {span} apart, outer radius {radius}"
+                if shaft.outer_radius is not None
+                else "{material}, {ratio} × crank speed, bearings {span} apart",
+                material=Name(shaft.material),
+                ratio=Amount(shaft.speed_ratio),
+                span=_mm(rear - front),
+                radius=_mm(shaft.outer_radius or 0.0),
+            ),
+        )
+    if (bearings := design.bearings) is not None:
+        yield (
+            TITLES["bearings"],
+            Text(
+                "front {front}, rear {rear}; oil {oil}",
+                front=_size(bearings.front),
+                rear=_size(bearings.rear),
+                oil=Name(bearings.oil),
+            ),
+        )
+    if (gears := design.gears) is not None:
+        teeth = DASH.join(Text("{name} {teeth}", name=Name(wheel.name), teeth=wheel.teeth) for wheel in gears.wheels)
+        yield (
+            TITLES["gears"],
+            Text(
+                "{teeth}; module {module}, pressure angle {alpha}, helix {beta}, face width {width}",
+                teeth=teeth,
+                module=_mm(gears.module),
+                alpha=_degrees(gears.pressure_angle),
+                beta=_degrees(gears.helix_angle),
+                width=_mm(gears.face_width),
+            ),
+        )
+    if load := COMMA.join(_load_case(design)):
+        yield Text("Load case"), load
+
+
+def _load_case(design: Design) -> Iterator[Text]:
+    if design.engine is not None:
+        yield Text("rated speed {speed}", speed=Amount(design.engine.rated_speed * 60, "rpm"))
+    elif design.gears is not None and design.gears.speed is not None:
+        yield Text("first driver at {speed}", speed=Amount(design.gears.speed * 60, "rpm"))
+    if design.gears is not None and design.gears.power is not None:
+        yield Text("power {power}", power=Amount(design.gears.power / 1e3, "kW"))
+    if (bearings := design.bearings) is not None:
+        supply = Amount(bearings.supply_temperature, "°C"), Amount(bearings.supply_pressure / 1e5, "bar")
+        yield Text("oil supplied at {temperature} and {pressure}", temperature=supply[0], pressure=supply[1])
+        yield Text("cold at {lowest}", lowest=Amount(bearings.lowest_temperature, "°C"))
+
+
+def _size(bearing: BearingInputs) -> Text:
+    return Text("⌀{diameter} × {length}", diameter=Amount(bearing.diameter * 1e3), length=_mm(bearing.length))
+
+
+def _mm(length: float) -> Amount:
+    return Amount(length * 1e3, "mm")
+
+
+def _degrees(angle: float) -> Amount:
+    from math import degrees
+
+    return Amount(degrees(angle), "°", digits=6)
