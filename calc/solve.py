@@ -73,6 +73,14 @@ class Results:
         """What the step gave whose results are of this class; None where it is not solved."""
         return next((outcome.result for outcome in self.outcomes.values() if isinstance(outcome.result, kind)), None)
 
+    @property
+    def shaft(self) -> CountershaftResult | None:
+        return self.result(CountershaftResult)
+
+    @property
+    def train(self) -> TrainResult | None:
+        return self.result(TrainResult)
+
     def values(self) -> dict[str, Published]:
         if not self._values:
             self._values.update(

@@ -143,7 +143,7 @@ def run_replay(asked: Namespace) -> int:
                 _replaced(replay.target(script, step))
     differs = False
     for script in scripts:
-        compared = replay.run(script, _report)
+        compared = replay.run(script, solve, _report)
         failed = [c for c in compared if not c.agrees]
         differs |= bool(failed) or not compared
         agree = Text("{n} of {all} as expected", n=len(compared) - len(failed), all=len(compared))

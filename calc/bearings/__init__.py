@@ -8,9 +8,10 @@ from ..sheet.lazy import lazy
 __all__ = ["Feed", "film_at", "relative_clearance", "solve_film", "solve_grooved", "sommerfeld", "specific_load"]
 
 if TYPE_CHECKING:
+    from ..library.journal_rules import specific_load
     from .film.grooved import Feed, solve_grooved
     from .film.table import film_at
-    from .formulas import relative_clearance, sommerfeld, specific_load
+    from .formulas import relative_clearance, sommerfeld
     from .solve import solve_film
 else:
     __getattr__ = lazy(
@@ -22,6 +23,6 @@ else:
             "solve_film": ".solve",
             "solve_grooved": ".film.grooved",
             "sommerfeld": ".formulas",
-            "specific_load": ".formulas",
+            "specific_load": "..library.journal_rules",
         },
     )

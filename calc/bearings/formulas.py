@@ -15,7 +15,6 @@ from ..sheet.units import (
     Metre,
     MetrePerSecond,
     Newton,
-    NewtonPerMetreSecond,
     Number,
     Pascal,
     PascalSecond,
@@ -41,22 +40,6 @@ def surface_speed(d: Metre, n: RevPerSecond) -> MetrePerSecond:
     8.099449...
     """
     return pi * d * n
-
-
-@formula("p", "Finotti 2013, 3.2.3.1: specific load on the projected area", unit="MPa")
-def specific_load(F: Newton, d: Metre, l: Metre) -> Pascal:
-    """>>> specific_load(F=1707, d=0.0595, l=0.0275)
-    1043239...
-    """
-    return F / (d * l)
-
-
-@formula("W", "Finotti 2013, Table 3.1: heat index P·n/l", unit="N·rpm/mm")
-def heat_index(F: Newton, n: RevPerSecond, l: Metre) -> NewtonPerMetreSecond:
-    """>>> heat_index(F=1707, n=43.33, l=0.0275)
-    2689611...
-    """
-    return F * n / l
 
 
 @formula("l/d", "definition of the length ratio")

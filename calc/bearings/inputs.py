@@ -16,6 +16,7 @@ from ..library.journal_rules import (
     USUAL_CLEARANCE,
     USUAL_LENGTH,
 )
+from ..library.tolerances import ASSUMED_FIT, Assumed
 from ..sheet.quantity import THUMB, choice, inputs, quantity, series, table, text
 from ..sheet.text import Amount, Text
 from .materials import DEFAULT_APPLICATION
@@ -26,22 +27,6 @@ IN_TITLES = {"front": Text("Front"), "rear": Text("Rear")}  # at the beginning o
 LEAST_SPEED_SHARE = (
     0.02  # of the journal's speed: below, the load turns at half the speed of the surfaces; rule of this program
 )
-
-
-class Assumed(str):
-    """Words that the program takes where a file says nothing: equal to none that a file gives, though these may read
-    the same."""
-
-    def __eq__(self, other: object) -> bool:
-        return isinstance(other, Assumed) and str.__eq__(self, other)
-
-    def __ne__(self, other: object) -> bool:
-        return not self == other
-
-    __hash__ = str.__hash__
-
-
-ASSUMED_FIT = Assumed("IT7")
 
 
 @inputs

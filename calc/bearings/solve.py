@@ -10,7 +10,7 @@ import numpy as np
 from ..countershaft.result import CountershaftResult
 from ..engine.inputs import BenchPoint, EngineInputs
 from ..library.catalogue import Material, Oil, materials, oils
-from ..library.journal_rules import speed_factor
+from ..library.journal_rules import heat_index, specific_load, speed_factor
 from ..library.lubricant import Lubricant
 from ..library.tolerances import deviations, parse
 from ..sheet.arrays import element, many, one
@@ -237,8 +237,8 @@ def _bearing(
         # a groove parts the bearing into two lands: p, l/d and the speeds are those of the lands
         lands = supply.lands(inputs)
         bare = l if lands == 1 else based_on(l - (inputs.groove_width or 0.0), l, inputs.groove_width)
-        p = f.specific_load(F=load, d=d, l=bare)
-        W = f.heat_index(F=load, n=speed, l=l)
+        p = specific_load(F=load, d=d, l=bare)
+        W = heat_index(F=load, n=speed, l=l)
         pv = load_times_speed(p=p, u=u)
         n_T = f.transition_speed(p=p, mu=hot.oil.mu, d=d)
         least = f.least_speed(k=speed_factor(u), n_T=n_T)

@@ -7,7 +7,7 @@ that a design's words can be checked before anything is solved."""
 from collections.abc import Iterable, Iterator, Mapping
 from typing import NamedTuple
 
-from ..library.journal_rules import USUAL_LENGTH_RATIO
+from ..library.journal_rules import USUAL_LENGTH_RATIO, heat_index, specific_load
 from ..sheet.check import Check, check
 from ..sheet.formula import formula
 from ..sheet.number import short
@@ -273,14 +273,14 @@ def reference_table(journals: Iterable[Journal]) -> Table:
             *((j.name, Text("this design"), j.diameter, j.length, j.speed, j.load) for j in journals),
             *((r.name, r.status, r.diameter, r.length, r.speed, r.load) for r in running_bearings().values()),
         ):
-            p, u = f.specific_load(F=F, d=d, l=l), f.surface_speed(d=d, n=n)
+            p, u = specific_load(F=F, d=d, l=l), f.surface_speed(d=d, n=n)
             cells = (
                 (d, "mm"),
                 (l, "mm"),
                 (n, "rpm"),
                 (F, "N"),
                 (p, "MPa"),
-                (f.heat_index(F=F, n=n, l=l), "N·rpm/mm"),
+                (heat_index(F=F, n=n, l=l), "N·rpm/mm"),
                 (u, "m/s"),
                 (load_times_speed(p=p, u=u), "MPa·m/s"),
             )

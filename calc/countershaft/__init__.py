@@ -8,7 +8,7 @@ from ..sheet.lazy import lazy
 __all__ = ["permitted_unbalance", "sector_area", "sector_mass", "size_sectors", "specific_load"]
 
 if TYPE_CHECKING:
-    from ..bearings.formulas import specific_load
+    from ..library.journal_rules import specific_load
     from ..library.tolerances import permitted_unbalance
     from .outline import sector_area, sector_mass
     from .sizing.sectors import pair as size_sectors
@@ -20,6 +20,6 @@ else:
             "sector_area": ".outline",
             "sector_mass": ".outline",
             "size_sectors": ".sizing.sectors:pair",
-            "specific_load": "..bearings.formulas",
+            "specific_load": "..library.journal_rules",
         },
     )

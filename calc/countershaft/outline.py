@@ -8,6 +8,7 @@ import math
 
 import numpy as np
 
+from ..draw.drawing import TOUCH
 from ..sheet.arrays import Array, ComplexArray, each, many
 from ..sheet.check import Check, check
 from ..sheet.formula import formula
@@ -119,7 +120,6 @@ def polar_moment(gamma: Radian, R: Metre, r_0: Metre) -> Metre4:
 
 
 PLAIN = 1e-9  # of the cubed radius: a static moment below it is none
-TOUCH = 1e-6  # m: pieces that meet within this are taken to touch
 # of the largest radius: a thinner piece joins nothing, and bending stiffnesses so far apart can not be reckoned with
 THIN = 2e-3
 

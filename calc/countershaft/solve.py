@@ -7,10 +7,10 @@ from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING
 
-from ..bearings.formulas import heat_index, specific_load
 from ..imbalance.remedies import roll_torque
 from ..imbalance.result import ImbalanceResult
 from ..library.catalogue import Material
+from ..library.journal_rules import heat_index, specific_load
 from ..sheet.check import Check, check
 from ..sheet.errors import NoSolution
 from ..sheet.formula import formula

@@ -5,16 +5,19 @@ import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Protocol, TypedDict, TypeGuard
+from typing import TYPE_CHECKING, Protocol, TypedDict, TypeGuard
 
 from ..sheet.check import ORDER
 from ..sheet.errors import BadInput, InputError
 from ..sheet.number import short
 from ..sheet.text import Text
-from ..solve import Results, solve
 from .addresses import Table, value_at, written
 from .disk import bare_name
+from .model import Design
 from .toml_file import Document, design, read
+
+if TYPE_CHECKING:
+    from ..solve import Results
 
 STEP = Text(
     'must be set = "KEY", to = VALUE, or unset = "KEY", or set = { "KEY" = VALUE, … } and unset = ["KEY", …] for '
@@ -22,7 +25,8 @@ STEP = Text(
     'or undo = true, or report = "out.pdf"'
 )
 KINDS = ("reference", "recorded")
-Report = Callable[[Document, Results, Path], None]
+Report = Callable[[Document, "Results", Path], None]
+Solve = Callable[[Design, "Results | None"], "Results"]  # a design, after an earlier one
 
 
 class Complain(Protocol):
@@ -187,10 +191,12 @@ def _number(x: object) -> TypeGuard[float]:
     return isinstance(x, (int, float)) and not isinstance(x, bool) and abs(x) < 1e300 and math.isfinite(x)
 
 
-def run(script: Script, report: Report | None = None) -> list[Compared]:
-    """Play a script and compare.  `report` writes the PDFs that it asks for, beside the script."""
+def run(script: Script, solve: Solve, report: Report | None = None) -> list[Compared]:
+    """Play a script and compare.
+
+    `solve`: that of the program.  `report`: writes the PDFs that the script asks for, beside it."""
     history = [script.start]
-    results = solve(design(script.start))
+    results = solve(design(script.start), None)
     compared: list[Compared] = []
     for number in range(len(script.steps) + 1):
         if number:
@@ -241,7 +247,7 @@ def _edited(script: Script, number: int, document: Document, step: Step) -> Docu
     return edited
 
 
-def compare(results: Results, row: Expect) -> Compared:
+def compare(results: "Results", row: Expect) -> Compared:
     """One expectation against results."""
     kind, source = row.get("kind", ""), row.get("source", "")
     if "value" not in row:

@@ -17,6 +17,7 @@ from ..sheet.record import record
 from ..sheet.text import EMPTY, Text
 from ..sheet.units import Metre, Radian
 
+TOUCH: Metre = 1e-6  # what meets within this is taken to touch
 Point = tuple[Metre, Metre]
 Box = tuple[Metre, Metre, Metre, Metre]  # left, bottom, right, top
 State = Literal["", "warn", "fail"]

@@ -6,14 +6,17 @@ The first axis is z, to the right, the second the direction of the first eccentr
 
 import math
 from itertools import pairwise
+from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..countershaft.outline import TOUCH, Outline, Piece
 from ..sheet.step import Curve, Series, axis_label
 from ..sheet.text import Text
 from ..sheet.units import UNITS, Metre, Radian
-from .drawing import Point, Polyline, Primitive
+from .drawing import TOUCH, Point, Polyline, Primitive
+
+if TYPE_CHECKING:
+    from ..countershaft.outline import Outline, Piece
 
 LAYER_OF = {"sector": "SECTORS", "journal": "JOURNALS", "gear": "GEAR"}  # what a piece is → where its own shape stands
 # rule of this program: letters are a hundredth of the shaft's length high, and all distances multiples of that
@@ -24,17 +27,17 @@ FLAT = 1e-9  # rad and shares of a radius: below it an edge is seen from its end
 
 # --- shapes
 # -------------------------------------------------------------------------------------------------------------
-def drawn(outline: Outline) -> list[Piece]:
+def drawn(outline: "Outline") -> "list[Piece]":
     """The pieces that a drawing shows: each ends where the next begins."""
     return [piece for piece in outline.pieces if piece.length > FINE]
 
 
-def upwards(outline: Outline) -> Radian:
+def upwards(outline: "Outline") -> Radian:
     """The direction that is drawn up: that of the first sector, 0 for a shaft without one."""
     return next((piece.angle for piece in outline.pieces if piece.half_angle is not None), 0.0)
 
 
-def reach(piece: Piece, up: Radian) -> tuple[Metre, Metre]:
+def reach(piece: "Piece", up: Radian) -> tuple[Metre, Metre]:
     """How far a piece reaches above and below the axis, both counted positive: its silhouette seen across the axis."""
     if piece.half_angle is None:
         return piece.outer_radius, piece.outer_radius
@@ -48,7 +51,7 @@ def _highest(middle: Radian, half: Radian) -> float:
     return 1.0 if aside <= half + FLAT else math.cos(aside - half)
 
 
-def silhouette(outline: Outline) -> tuple[Point, ...]:
+def silhouette(outline: "Outline") -> tuple[Point, ...]:
     """The shaft seen across its axis, as one closed polyline: above from front to rear, below back again."""
     up = upwards(outline)
     pieces = drawn(outline)
@@ -63,7 +66,7 @@ def silhouette(outline: Outline) -> tuple[Point, ...]:
     return tuple(point for point, before in zip(path, [path[-1], *path]) if point != before)
 
 
-def support_marks(outline: Outline, positions: tuple[Metre, ...]) -> tuple[tuple[Point, ...], ...]:
+def support_marks(outline: "Outline", positions: tuple[Metre, ...]) -> tuple[tuple[Point, ...], ...]:
     """A triangle under the shaft for each support, its tip in the support's mid-plane."""
     up, size = upwards(outline), 2 * LETTER * (outline.end - outline.start)
     marks = []
@@ -73,13 +76,13 @@ def support_marks(outline: Outline, positions: tuple[Metre, ...]) -> tuple[tuple
     return tuple(marks)
 
 
-def axis(outline: Outline) -> tuple[Point, Point]:
+def axis(outline: "Outline") -> tuple[Point, Point]:
     """The axis, a little longer than the shaft."""
     beyond = 2 * LETTER * (outline.end - outline.start)
     return (outline.start - beyond, 0.0), (outline.end + beyond, 0.0)
 
 
-def edges(piece: Piece, up: Radian) -> list[tuple[Point, Point]]:
+def edges(piece: "Piece", up: Radian) -> list[tuple[Point, Point]]:
     """The edges of a sector that are seen inside its silhouette: those of its two flat faces with its outside and with
     its core."""
     if piece.half_angle is None or math.pi - piece.half_angle < FLAT:
@@ -99,7 +102,7 @@ def edges(piece: Piece, up: Radian) -> list[tuple[Point, Point]]:
     return seen_edges
 
 
-def shaft_drawing(outline: Outline, positions: tuple[Metre, ...]) -> tuple[Primitive, ...]:
+def shaft_drawing(outline: "Outline", positions: tuple[Metre, ...]) -> tuple[Primitive, ...]:
     """The side view without dimensions; `positions`: mid-planes of the supports.
 
     The layer OUTLINE holds the silhouette of the whole shaft, the others the shapes of their pieces again, so that each
@@ -118,7 +121,7 @@ def shaft_drawing(outline: Outline, positions: tuple[Metre, ...]) -> tuple[Primi
 
 # --- the screen's and the report's
 # ---------------------------------------------------------------------------------------
-def outline_curve(outline: Outline, positions: tuple[Metre, ...]) -> Curve:
+def outline_curve(outline: "Outline", positions: tuple[Metre, ...]) -> Curve:
     """The side view as a curve in true scale: the points of the drawing, in mm."""
     names = (Text("front support"), *(Text("support {n}", n=n) for n in range(2, len(positions))), Text("rear support"))
     series = [

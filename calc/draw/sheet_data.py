@@ -5,21 +5,23 @@ masses, notes."""
 import math
 from collections.abc import Iterator, Mapping
 from itertools import pairwise
+from typing import TYPE_CHECKING
 
-from ..bearings.inputs import ASSUMED_FIT
-from ..countershaft.outline import Piece
-from ..countershaft.result import CountershaftResult
-from ..friction.inputs import FrictionInputs
-from ..gears.inputs import GearsInputs
-from ..gears.result import MeshResult, TrainResult, WheelResult, working_circles
-from ..library.tolerances import ISO, deviations, parse
+from ..library.tolerances import ASSUMED_FIT, ISO, deviations, parse
 from ..sheet.quantity import published
 from ..sheet.record import record
 from ..sheet.text import COMMA, Amount, Name, Text
 from ..sheet.units import UNITS, KilogramMetre, Metre
-from ..solve import Results
 from .annotations import ALIKE, Say, alone, degrees, deviated, millimetres, number
 from .shaft_outline import drawn
+
+if TYPE_CHECKING:
+    from ..countershaft.outline import Piece
+    from ..countershaft.result import CountershaftResult
+    from ..friction.inputs import FrictionInputs
+    from ..gears.inputs import GearsInputs
+    from ..gears.result import MeshResult, TrainResult, WheelResult
+    from ..solve import Results
 
 # What of a solved design stands on the drawing of its shaft: its pieces with their sizes, and what the design does not
 # say.
@@ -34,7 +36,7 @@ class TurnedPiece:
     `radius`: what is seen, of a gear that of its tips; `texture`: Ra in micrometres.
     """
 
-    piece: Piece
+    piece: "Piece"
     start: Metre
     end: Metre
     radius: Metre
@@ -42,15 +44,15 @@ class TurnedPiece:
     texture: Text | None = None
 
 
-def shaft_wheel(results: Results) -> WheelResult | None:
+def shaft_wheel(results: "Results") -> "WheelResult | None":
     """The wheel on the shaft: the last of the train."""
-    train, gears = results.result(TrainResult), results.design.gears
+    train, gears = results.train, results.design.gears
     if train is None or gears is None or results.design.countershaft is None:
         return None
     return train.wheels[gears.meshes[-1].driven]
 
 
-def turned(results: Results, solved: CountershaftResult) -> list[TurnedPiece]:
+def turned(results: "Results", solved: "CountershaftResult") -> list[TurnedPiece]:
     """The pieces front to rear, each beginning where the last one ends; what the design gives keeps its length."""
     shaft, wheel = results.design.countershaft, shaft_wheel(results)
     assert solved.outline is not None and shaft is not None
@@ -69,7 +71,7 @@ def turned(results: Results, solved: CountershaftResult) -> list[TurnedPiece]:
     return turned_pieces
 
 
-def _boundary(a: Piece, b: Piece) -> Metre:
+def _boundary(a: "Piece", b: "Piece") -> Metre:
     """Where two pieces meet: rounding may leave a step, and that of the one that the design gives counts."""
     return a.end if a.what in GIVEN else b.start
 
@@ -78,13 +80,13 @@ def _diameter(radius: Metre) -> Text:
     return Text("⌀{diameter}", diameter=millimetres(2 * radius))
 
 
-def tips(wheel: WheelResult) -> Text:
+def tips(wheel: "WheelResult") -> Text:
     """The tip diameter of a wheel, with its tolerance where the design gives one."""
     size, low, high = _diameter(wheel.tip_diameter / 2), wheel.tip_diameter_min, wheel.tip_diameter_max
     return size if low is None or high is None else deviated(size, low - wheel.tip_diameter, high - wheel.tip_diameter)
 
 
-def _cylinder(results: Results, piece: Piece, support: Metre | None) -> tuple[Text, Text | None]:
+def _cylinder(results: "Results", piece: "Piece", support: Metre | None) -> tuple[Text, Text | None]:
     """Its diameter; where it runs in a bearing with its fit, as far as the design gives one, and its roughness."""
     size, bearings, shaft = _diameter(piece.outer_radius), results.design.bearings, results.design.countershaft
     if bearings is None or shaft is None or support is None:
@@ -99,7 +101,7 @@ def _cylinder(results: Results, piece: Piece, support: Metre | None) -> tuple[Te
     )
 
 
-def missing(results: Results) -> Iterator[Text]:
+def missing(results: "Results") -> Iterator[Text]:
     """What a drawing needs and this design does not give; nothing is put in its place."""
     bearings, shaft = results.design.bearings, results.design.countershaft
     if bearings is None or bearings.journal_fit == ASSUMED_FIT:
@@ -124,9 +126,9 @@ HANDS = {"left": Text("left"), "right": Text("right")}
 SIZE = 3  # decimals of a tooth's sizes
 
 
-def gear_rows(results: Results, wheel: WheelResult, say: Say) -> Rows:
+def gear_rows(results: "Results", wheel: "WheelResult", say: Say) -> Rows:
     """A label and what is said, in the order in which a gear is cut, measured and paired."""
-    train, gears = results.result(TrainResult), results.design.gears
+    train, gears = results.train, results.design.gears
     assert train is not None and gears is not None
     rows = [*_teeth(train, wheel, gears), *_sizes(wheel), *_mates(train, wheel)]
     if (friction := results.design.friction) is not None and (Ra := _flanks(friction, train, wheel.name)) is not None:
@@ -139,7 +141,7 @@ def gear_rows(results: Results, wheel: WheelResult, say: Say) -> Rows:
     return [(say(label), say(value)) for label, value in rows]
 
 
-def _teeth(train: TrainResult, wheel: WheelResult, gears: GearsInputs) -> Iterator[tuple[Text, Text]]:
+def _teeth(train: "TrainResult", wheel: "WheelResult", gears: "GearsInputs") -> Iterator[tuple[Text, Text]]:
     s = train.system
     yield Text("Normal module"), alone(millimetres(s.m_n, SIZE))
     yield Text("Number of teeth"), Text("{z}", z=wheel.teeth)
@@ -157,7 +159,7 @@ def _teeth(train: TrainResult, wheel: WheelResult, gears: GearsInputs) -> Iterat
     yield Text("Accuracy grade, ISO 1328-1"), Text("{grade}", grade=gears.accuracy_grade)
 
 
-def _sizes(wheel: WheelResult) -> Iterator[tuple[Text, Text]]:
+def _sizes(wheel: "WheelResult") -> Iterator[tuple[Text, Text]]:
     yield Text("Reference diameter"), alone(millimetres(wheel.reference_diameter, SIZE))
     yield Text("Base diameter"), alone(millimetres(wheel.base_diameter, SIZE))
     yield Text("Root diameter"), _from_to(wheel.root_diameter, wheel.root_diameter_min, wheel.root_diameter_max)
@@ -179,18 +181,18 @@ def _from_to(size: float, low: float | None, high: float | None) -> Text:
     return Text("{low} to {high}", low=millimetres(low, SIZE), high=millimetres(high, SIZE))
 
 
-def _mates(train: TrainResult, wheel: WheelResult) -> Iterator[tuple[Text, Text]]:
-    for mate, _, mesh in working_circles(train.meshes, wheel.name):
+def _mates(train: "TrainResult", wheel: "WheelResult") -> Iterator[tuple[Text, Text]]:
+    for mate, _, mesh in train.mates(wheel.name):
         yield Text("Mating wheel, teeth"), Text("{mate}, {z}", mate=Name(mate), z=train.wheels[mate].teeth)
         yield Text("Centre distance"), _distance(mesh)
 
 
-def _distance(mesh: MeshResult) -> Text:
+def _distance(mesh: "MeshResult") -> Text:
     size = alone(millimetres(mesh.centre_distance, SIZE))
     return deviated(size, -mesh.centre_tolerance, mesh.centre_tolerance) if mesh.centre_tolerance else size
 
 
-def _flanks(friction: FrictionInputs, train: TrainResult, wheel: str) -> float | None:
+def _flanks(friction: "FrictionInputs", train: "TrainResult", wheel: str) -> float | None:
     """Ra of the flanks of one wheel: that of all, or that of its place in its first mesh."""
     Ra = friction.flank_roughness
     if len(Ra) == 1:
@@ -205,7 +207,7 @@ def _flanks(friction: FrictionInputs, train: TrainResult, wheel: str) -> float |
     )
 
 
-def balance_rows(results: Results, solved: CountershaftResult, say: Say) -> Rows:
+def balance_rows(results: "Results", solved: "CountershaftResult", say: Say) -> Rows:
     """The grade, the speed that it is for, and what it permits in each plane; empty where the mass of the shaft is not
     known."""
     permitted, shaft = solved.tolerance, results.design.countershaft
@@ -231,7 +233,7 @@ def _unbalance(U: KilogramMetre) -> Text:
     return Text("{u} g·mm", u=Amount(float(f"{shown:.3g}"), form=".12g"))
 
 
-def mass_rows(results: Results, solved: CountershaftResult, say: Say) -> Rows:
+def mass_rows(results: "Results", solved: "CountershaftResult", say: Say) -> Rows:
     """The eccentric masses as they are meant: the shaft is out of balance on purpose."""
     shaft = results.design.countershaft
     masses = (
@@ -253,7 +255,9 @@ def mass_rows(results: Results, solved: CountershaftResult, say: Say) -> Rows:
     return rows if len(rows) > 1 else []
 
 
-def notes(results: Results, solved: CountershaftResult, up: float, data: Mapping[str, object] | None) -> Iterator[Text]:
+def notes(
+    results: "Results", solved: "CountershaftResult", up: float, data: Mapping[str, object] | None
+) -> Iterator[Text]:
     """What is said in words, and at the end what a drawing needs and the design does not give."""
     shaft = results.design.countershaft
     assert shaft is not None
@@ -293,7 +297,7 @@ def notes(results: Results, solved: CountershaftResult, up: float, data: Mapping
     yield Text("Not given by the design: {what}.", what=COMMA.join(missing(results)))
 
 
-def _clearances(results: Results) -> tuple[Amount, Amount] | None:
+def _clearances(results: "Results") -> tuple[Amount, Amount] | None:
     known = [results.values().get(f"bearings.{place}.clearance") for place in ("front", "rear")]
     front, rear = (number(value.shown, 0) if value is not None else None for value in known)
     return None if front is None or rear is None else (front, rear)

@@ -6,13 +6,10 @@ Both look from front to rear, where a crank that turns as engines do turns clock
 
 import math
 from collections.abc import Iterator, Mapping
+from typing import TYPE_CHECKING
 
-from ..countershaft.outline import Piece
-from ..countershaft.result import CountershaftResult
-from ..gears.result import TrainResult, WheelResult
 from ..sheet.text import COMMA, EMPTY, Text
 from ..sheet.units import Metre, Radian
-from ..solve import Results
 from . import annotations as signs
 from .annotations import TITLE, Leaf, Say, degrees, millimetres, number, rounded
 from .drawing import CENTRE, EDGE, VISIBLE, Point
@@ -31,6 +28,12 @@ from .sheet_data import (
 )
 from .side_view import OVER, SideView
 from .workshop_sheet import COLUMNS, DrawnPart, WorkshopSheet, composed, tables
+
+if TYPE_CHECKING:
+    from ..countershaft.outline import Piece
+    from ..countershaft.result import CountershaftResult
+    from ..gears.result import WheelResult
+    from ..solve import Results
 
 CHORD = math.radians(2.0)  # of what is hatched
 OVER_OUTLINE = 3.0
@@ -63,7 +66,7 @@ def kinds(pieces: list[TurnedPiece]) -> dict[str, TurnedPiece]:
     return dict(zip("ABCDEFGHJKLMNPQRSTUVWXYZ", sections.values()))
 
 
-def section(letter: str, piece: Piece, up: Radian, scale: float, say: Say) -> Leaf:
+def section(letter: str, piece: "Piece", up: Radian, scale: float, say: Say) -> Leaf:
     """A sector on its core, cut: hatched, with its radii and its angle."""
     assert piece.half_angle is not None
     leaf, by, half = Leaf(), scale * 1e3, piece.half_angle
@@ -129,7 +132,7 @@ def end_view(pieces: list[TurnedPiece], gear: Metre | None, up: Radian, scale: f
     return leaf
 
 
-def _ends(piece: Piece, up: Radian) -> Iterator[Radian]:
+def _ends(piece: "Piece", up: Radian) -> Iterator[Radian]:
     if piece.half_angle is not None and math.pi - piece.half_angle > FLAT:
         middle = on_sheet(piece.angle, up)
         yield from (middle - piece.half_angle, middle + piece.half_angle)
@@ -164,10 +167,10 @@ MASS_COLUMNS = (32.0, 18.0, 20.0, 20.0, 22.0)
 APART = 8.0  # one view from another
 
 
-def shaft_sheet(results: Results, say: Say = str, data: Mapping[str, object] | None = None) -> WorkshopSheet | None:
+def shaft_sheet(results: "Results", say: Say = str, data: Mapping[str, object] | None = None) -> WorkshopSheet | None:
     """The drawing of the counter-shaft; None where its outline is not known.  `data`: of the design's file, for what it
     leaves out."""
-    solved, shaft = results.result(CountershaftResult), results.design.countershaft
+    solved, shaft = results.shaft, results.design.countershaft
     if solved is None or shaft is None or solved.outline is None:
         return None
     mass = say(Text("{m} kg", m=number(solved.mass, 2))) if solved.mass is not None else ""
@@ -194,7 +197,7 @@ def shaft_sheet(results: Results, say: Say = str, data: Mapping[str, object] | N
     )
 
 
-def _shaft_views(results: Results, solved: CountershaftResult, scale: float, say: Say) -> Leaf:
+def _shaft_views(results: "Results", solved: "CountershaftResult", scale: float, say: Say) -> Leaf:
     """The side view with the end view to its right, and the sections in rows below them."""
     assert solved.outline is not None and results.design.countershaft is not None
     up, pieces, wheel = upwards(solved.outline), turned(results, solved), shaft_wheel(results)
@@ -228,9 +231,9 @@ LINE, NEXT = 10.0, 9.0  # from the view to its first dimension, and on to the ne
 WHEEL_VIEWS_APART = 14.0
 
 
-def wheel_sheets(results: Results, say: Say = str, data: Mapping[str, object] | None = None) -> list[WorkshopSheet]:
+def wheel_sheets(results: "Results", say: Say = str, data: Mapping[str, object] | None = None) -> list[WorkshopSheet]:
     """A sheet for each wheel; none where the train is not solved."""
-    train, gears = results.result(TrainResult), results.design.gears
+    train, gears = results.train, results.design.gears
     if train is None or gears is None:
         return []
     bores = {wheel_inputs.name: wheel_inputs.bore_diameter for wheel_inputs in gears.wheels}
@@ -250,7 +253,7 @@ def wheel_sheets(results: Results, say: Say = str, data: Mapping[str, object] | 
     ]
 
 
-def _wheel_views(wheel: WheelResult, bore: Metre | None, scale: float, say: Say) -> Leaf:
+def _wheel_views(wheel: "WheelResult", bore: Metre | None, scale: float, say: Say) -> Leaf:
     """The section to the left, its dimensions around it, the front view to the right."""
     leaf, by = Leaf(), scale * 1e3
     b, tip, root, pitch = (

@@ -4,14 +4,17 @@ of ISO 7200."""
 
 import itertools
 from collections.abc import Callable, Iterable, Sequence
+from typing import TYPE_CHECKING
 
-from ..design.other_tables import DocumentControl
 from ..sheet.record import record
 from ..sheet.text import Text
 from .annotations import LETTER, TITLE, Leaf, Say
 from .drawing import EDGE, FRAME, TABLE, VISIBLE, Ink
 from .lettering import shortened, width, wrapped
 from .sheet_data import Rows
+
+if TYPE_CHECKING:
+    from ..design.other_tables import DocumentControl
 
 PAPER = (420.0, 297.0)  # A3, mm
 LEFT, LOW, RIGHT, TOP = 20.0, 10.0, 410.0, 287.0  # the frame: 20 mm for filing, 10 mm elsewhere
@@ -54,7 +57,7 @@ def _fields(middle: float, first: float, last: float) -> list[tuple[float, float
     return list(itertools.pairwise(ends))
 
 
-def title_block(leaf: Leaf, control: DocumentControl, title: str, kind: str, facts: dict[str, str], say: Say) -> None:
+def title_block(leaf: Leaf, control: "DocumentControl", title: str, kind: str, facts: dict[str, str], say: Say) -> None:
     """Who owns, drew, checked and approved what; `facts`: scale, material, mass.  What is left empty is filled in by
     hand."""
     by = dict(control.signatures())
@@ -159,7 +162,7 @@ def composed(
     views: Callable[[float], Leaf],
     tables: Leaf,
     notes: Iterable[Text],
-    control: DocumentControl,
+    control: "DocumentControl",
     say: Say,
     kind: Text,
 ) -> WorkshopSheet:

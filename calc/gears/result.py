@@ -192,3 +192,7 @@ class TrainResult:
     train_play: TrainPlay | None = group(spread=True, default=None)
     layout: LayoutResult | None = group(spread=True, default=None)
     forces: ForcesResult | None = group(spread=True, default=None)
+
+    def mates(self, wheel: str) -> list[tuple[str, Metre, MeshResult]]:
+        """The mates of a wheel, each with the wheel's working diameter towards it and their mesh."""
+        return working_circles(self.meshes, wheel)

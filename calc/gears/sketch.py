@@ -38,7 +38,7 @@ from .inputs import GearsInputs
 from .measures.formulas import generating_shift
 from .profile.drawing import in_row
 from .profile.outline import Outline, Regions, regions
-from .result import MeshResult, TrainResult, WheelResult, working_circles
+from .result import MeshResult, TrainResult, WheelResult
 
 FINE = 1e-2  # chord error of the teeth in modules, rule of this program: a dot is larger
 GAP: Number = 0.3  # modules: the largest backlash is drawn no wider
@@ -93,7 +93,7 @@ def _train(
     for name, wheel in train.wheels.items():
         at, key, tip = _point(centres[name]), f"gears.wheels.{name}", wheel.tip_diameter / 2
         state = judged(checks, *(f"gears.{name}.{id}" for id in FAULTS))
-        pitch = max((d for _, d, _ in working_circles(train.meshes, name)), default=wheel.reference_diameter) / 2
+        pitch = max((d for _, d, _ in train.mates(name)), default=wheel.reference_diameter) / 2
         yield Area(CONTEXT, (round_outline(at, tip),), 0.3, key, state)
         yield Arc(OUTLINE, at, pitch, key=f"{key} gears.normal_module_mm", state=state)
         yield Words(WORDS, at, Name(name), key=key, side="centre")

@@ -65,18 +65,10 @@ def sketch(design: Designed, results: Solved, angle: Radian = 0.0) -> Sketch:
 
 def _shaft(design: Designed, results: Solved, kind: str, order: int) -> tuple[VectorPair | None, State]:
     """What the counter-shaft supplies of an order, if it turns like it, and the verdict of what it leaves."""
-    from ..countershaft import formulas as f
-    from ..countershaft.result import CountershaftResult
-
     shaft, outcome = design.countershaft, results.outcomes["countershaft"]
-    if shaft is None or not isinstance(outcome.result, CountershaftResult) or abs(shaft.speed_ratio) != order:
+    if shaft is None or outcome.result is None or abs(shaft.speed_ratio) != order:
         return None, ""
-    force, couple = outcome.result.vectors
-    supplied = couple if kind == "couple" else force
-    mirrored = 0j  # of the other shaft of a pair, which turns the other way
-    if shaft.pair == "yes":
-        mirrored = f.mirrored_couple(C_S=couple) if kind == "couple" else f.mirrored_force(F_S=force)
-    forward, backward = (supplied, mirrored) if shaft.speed_ratio > 0 else (mirrored, supplied)
+    forward, backward = outcome.result.turning(shaft, kind)
     id = "countershaft.residual" if kind == "couple" else "countershaft.residual_force"
     verdict = next((check.verdict for check in outcome.checks if check.id == id), "")
     return VectorPair(order, forward, backward), "fail" if verdict == "fail" else "warn" if verdict == "warn" else ""

@@ -3,8 +3,20 @@
 
 from typing import NamedTuple
 
+from ..sheet.formula import formula
 from ..sheet.text import Amount, Text
-from ..sheet.units import Celsius, Kelvin, MetrePerSecond, NewtonPerMetreSecond, Number, Pascal, Radian
+from ..sheet.units import (
+    Celsius,
+    Kelvin,
+    Metre,
+    MetrePerSecond,
+    Newton,
+    NewtonPerMetreSecond,
+    Number,
+    Pascal,
+    Radian,
+    RevPerSecond,
+)
 
 FINOTTI = Text("Finotti 2013, 3.2.3.1")
 TRUMPLER = Text("Trumpler, after Finotti 2013, 5.5.1")
@@ -33,6 +45,22 @@ SPEED_FACTOR: tuple[Number, Number] = (
     3.0,
     10.0,
 )  # least speed over that of transition: the surface speed in m/s, within these
+
+
+@formula("p", "Finotti 2013, 3.2.3.1: specific load on the projected area", unit="MPa")
+def specific_load(F: Newton, d: Metre, l: Metre) -> Pascal:
+    """>>> specific_load(F=1707, d=0.0595, l=0.0275)
+    1043239...
+    """
+    return F / (d * l)
+
+
+@formula("W", "Finotti 2013, Table 3.1: heat index P·n/l", unit="N·rpm/mm")
+def heat_index(F: Newton, n: RevPerSecond, l: Metre) -> NewtonPerMetreSecond:
+    """>>> heat_index(F=1707, n=43.33, l=0.0275)
+    2689611...
+    """
+    return F * n / l
 
 
 def speed_factor(u: MetrePerSecond) -> Number:

@@ -156,3 +156,19 @@ def permitted_unbalance(G: MetrePerSecond, m_S: Kilogram, omega: RadPerSecond) -
 def grade_number(grade: str) -> MetrePerSecond:
     """G of a grade: "G6.3" is 6.3 mm/s."""
     return float(grade[1:]) / 1000
+
+
+class Assumed(str):
+    """Words that the program takes where a file says nothing: equal to none that a file gives, though these may read
+    the same."""
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Assumed) and str.__eq__(self, other)
+
+    def __ne__(self, other: object) -> bool:
+        return not self == other
+
+    __hash__ = str.__hash__
+
+
+ASSUMED_FIT = Assumed("IT7")  # of a journal or a seat

@@ -4,6 +4,7 @@ import pytest
 
 from calc.design import replay
 from calc.sheet.errors import BadInput
+from calc.solve import solve
 from tests.conftest import GAMMA, ROOT
 
 HEAD = f'schema = 1\ndesign = "{GAMMA}"\n'
@@ -19,7 +20,7 @@ def written(tmp_path, text):
 def test_edits_undo_and_moments(tmp_path):
     text = HEAD + '[[step]]\nset = "engine.rod_length_mm"\nto = 200.0\n[[step]]\nundo = true\n' + EXPECT
     text += EXPECT.replace("0.3282", "0.2675") + "after = 1\n"
-    compared = replay.run(replay.load(written(tmp_path, text)))
+    compared = replay.run(replay.load(written(tmp_path, text)), solve)
     assert [c.agrees for c in compared] == [True, True]
 
 
@@ -60,7 +61,7 @@ def test_what_is_no_replay_is_refused(tmp_path, bad):
 def test_an_edit_that_can_not_be_made_is_named_in_the_replay(tmp_path):
     path = written(tmp_path, HEAD + '[[step]]\nset = "engine.bore_mm"\nto = -1\n' + EXPECT)
     with pytest.raises(BadInput, match=r"r\.toml:3: engine\.bore_mm"):
-        replay.run(replay.load(path))
+        replay.run(replay.load(path), solve)
 
 
 @pytest.mark.parametrize(
@@ -102,7 +103,7 @@ def test_expectations_after_every_kind_of_step_are_compared(tmp_path):
     expects = "".join(EXPECT.replace("0.3282", value) + f"after = {n}\n" for n, value in enumerate(found))
     made = []
     compared = replay.run(
-        replay.load(written(tmp_path, HEAD + steps + expects)), lambda document, results, path: made.append(path)
+        replay.load(written(tmp_path, HEAD + steps + expects)), solve, lambda document, results, path: made.append(path)
     )
     assert [c.agrees for c in compared] == [True] * 6
     assert made == [tmp_path / name for name in ("a.pdf", "b.pdf", "c.pdf")]
@@ -112,13 +113,13 @@ def test_tables_are_set_and_taken_out_whole(tmp_path):
     gone = '[[step]]\nunset = "countershaft.holes"\n[[step]]\nunset = ["countershaft.support", "friction"]\n'
     row = gone + '[[step]]\nset = "gears.wheels"\nto = []\n'  # refused below: there must be wheels
     script = replay.load(written(tmp_path, HEAD + gone + '[[expect]]\nstep = "friction"\nverdict = "not_asked"\n'))
-    assert [c.agrees for c in replay.run(script)] == [True]
+    assert [c.agrees for c in replay.run(script, solve)] == [True]
     data = script.start.data
     for step in script.steps:
         data = replay.played(replay.Document(data), step).data
     assert "holes" not in data["countershaft"] and "support" not in data["countershaft"] and "friction" not in data
     with pytest.raises(BadInput, match=r"r\.toml:7: gears"):
-        replay.run(replay.load(written(tmp_path, HEAD + row + EXPECT)))
+        replay.run(replay.load(written(tmp_path, HEAD + row + EXPECT)), solve)
 
 
 def test_an_element_is_set_and_taken_out_by_its_name(tmp_path):
@@ -150,14 +151,14 @@ def test_an_element_is_set_and_taken_out_by_its_name(tmp_path):
 )
 def test_what_can_not_be_set_or_taken_out_is_said(tmp_path, step, said):
     with pytest.raises(BadInput) as bad:
-        replay.run(replay.load(written(tmp_path, HEAD + f"[[step]]\n{step}\n" + EXPECT)))
+        replay.run(replay.load(written(tmp_path, HEAD + f"[[step]]\n{step}\n" + EXPECT)), solve)
     assert said in str(bad.value) and "r.toml:3: " in str(bad.value)
 
 
 def test_several_keys_are_one_step_of_the_undo(tmp_path):
     both = '[[step]]\nset = { "engine.rod_length_mm" = 200.0, "engine.bore_mm" = 95.0 }\n[[step]]\nundo = true\n'
     compared = replay.run(
-        replay.load(written(tmp_path, HEAD + both + EXPECT + EXPECT.replace("0.3282", "0.2675") + "after = 1\n"))
+        replay.load(written(tmp_path, HEAD + both + EXPECT + EXPECT.replace("0.3282", "0.2675") + "after = 1\n")), solve
     )
     assert [c.agrees for c in compared] == [True, True]
 

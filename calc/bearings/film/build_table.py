@@ -12,7 +12,6 @@ from pathlib import Path
 
 import numpy as np
 
-from ...design.disk import write_file
 from ...sheet.arrays import Array
 from .reynolds import ECCENTRICITY_RANGE, LENGTH_RATIO_RANGE, radial_damping, solve_film
 from .table import QUANTITIES, TABLE, short_bearing_damping, short_bearing_load
@@ -75,7 +74,7 @@ def build() -> Array:
 def main(path: Path = TABLE) -> None:
     buffer = BytesIO()
     np.save(buffer, build(), allow_pickle=False)
-    write_file(path, buffer.getvalue())
+    path.write_bytes(buffer.getvalue())
 
 
 if __name__ == "__main__":

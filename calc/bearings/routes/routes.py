@@ -8,6 +8,7 @@ from collections.abc import Callable
 
 import numpy as np
 
+from ...library.journal_rules import specific_load
 from ...library.lubricant import OilState
 from ...sheet.arrays import each, many
 from ...sheet.errors import NoSolution
@@ -169,9 +170,7 @@ def _by_charts(seat: BearingCase, duty: OperatingPoint, rise: float, *, own_flow
     T = f.mean_temperature(T_in=duty.supply_temperature, Delta_T=rise)
     oil = seat.oil_at(T)
     psi = f.relative_clearance(g=g, d=b.diameter)
-    lands, l, p = (
-        _land(seat, duty) if own_flow else (1, b.length, f.specific_load(F=duty.load, d=b.diameter, l=b.length))
-    )
+    lands, l, p = _land(seat, duty) if own_flow else (1, b.length, specific_load(F=duty.load, d=b.diameter, l=b.length))
     S = f.sommerfeld(mu=oil.mu, n_h=duty.effective_speed, p=p, psi=psi)
     ratio = f.length_ratio(l=l, d=b.diameter)
     eps = f.eccentricity_of_relative_film(h_rel=rb.relative_film(S=S, b=ratio))
@@ -221,7 +220,7 @@ def falz(seat: BearingCase, duty: OperatingPoint, rise: float) -> Film:
     T = f.mean_temperature(T_in=duty.supply_temperature, Delta_T=rise)
     oil = seat.oil_at(T)
     psi = f.relative_clearance(g=g, d=b.diameter)
-    p = f.specific_load(F=duty.load, d=b.diameter, l=b.length)
+    p = specific_load(F=duty.load, d=b.diameter, l=b.length)
     omega = f.angular_speed(n=duty.effective_speed)
     So = f.sommerfeld_din(p=p, psi=psi, mu=oil.mu, omega=omega)
     ratio = f.length_ratio(l=b.length, d=b.diameter)
@@ -260,7 +259,7 @@ def _land(seat: BearingCase, duty: OperatingPoint) -> tuple[int, float, float]:
         else based_on((b.length - (inputs.groove_width or 0.0)) / 2, b.length, inputs.groove_width)
     )
     load = duty.load if lands == 1 else based_on(duty.load / lands, duty.load, inputs.groove_arc)
-    return lands, l, f.specific_load(F=load, d=b.diameter, l=l)
+    return lands, l, specific_load(F=load, d=b.diameter, l=l)
 
 
 def _friction_variable(duty: OperatingPoint, So: float, eps: float, phi: float) -> float:

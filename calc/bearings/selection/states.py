@@ -13,7 +13,7 @@ import numpy as np
 
 from ...countershaft.inputs import CountershaftInputs
 from ...countershaft.result import CountershaftResult
-from ...library.journal_rules import RISE, speed_factor
+from ...library.journal_rules import RISE, heat_index, specific_load, speed_factor
 from ...library.lubricant import Lubricant
 from ...sheet.arrays import Array, IndexArray, each, many
 from ...sheet.check import Check
@@ -368,7 +368,7 @@ def judge(task: BearingTask, states: States, slope: Radian) -> list[Judged]:
     with np.errstate(all="ignore"):
         films, doubled, rise = states.film[:once], states.film[once:], states.rise[:once]
         edge = f.film_at_edge(h_0=films.min(axis=0), theta=slope, l=l)
-        p = f.specific_load(F=duty.load, d=d, l=bare)
+        p = specific_load(F=duty.load, d=d, l=bare)
         n_T = many(f.transition_speed(p=p, mu=each(states.viscosity[:once]), d=d))
         least = f.least_speed(k=task.speed_factor, n_T=n_T.max(axis=0))
         cold = replace(seat, clearance=g - sum(widths(inputs, d)) / 2).clearance_at(inputs.lowest_temperature)
@@ -384,7 +384,7 @@ def judge(task: BearingTask, states: States, slope: Radian) -> list[Judged]:
                 f.outlet_temperature(T_in=duty.supply_temperature, Delta_T=hottest), where=_where(rise, "max")
             ),
             rule["specific_load"].on(p),
-            rule["heat_index"].on(f.heat_index(F=duty.load, n=duty.speed, l=l)),
+            rule["heat_index"].on(heat_index(F=duty.load, n=duty.speed, l=l)),
             rule["length_ratio"].on(ratio),
             rule["length_ratio_usual"].on(ratio),
             rule["transition"].on(each(np.full(np.shape(least), duty.effective_speed)), least, _where(n_T, "max")),
@@ -413,7 +413,7 @@ def _where(numbers: Array, way: str) -> IndexArray:
 
 def mckee(task: BearingTask, states: States) -> Array:
     """ZN/P as given, in cP·rpm/psi: a mark, it binds nothing."""
-    p = f.specific_load(
+    p = specific_load(
         F=task.duty.load, d=task.seat.bearing.diameter, l=each(supply.bare_length(task.seat.inputs, states.length))
     )
     return many(f.mckee_number(mu=each(states.viscosity[0]), n_h=task.duty.effective_speed, p=p))

@@ -9,6 +9,7 @@ from dataclasses import replace
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
+from ...draw.drawing import TOUCH
 from ...library.catalogue import Material
 from ...sheet.check import Check, check
 from ...sheet.later import Later, Many
@@ -19,7 +20,7 @@ from ...sheet.units import KilogramPerMetre3, Metre
 from ...sheet.value import based_on
 from .. import formulas as f
 from ..inputs import CountershaftInputs, EccentricMass
-from ..outline import TOUCH, Piece
+from ..outline import Piece
 from ..result import CountershaftResult
 from ..sizing.sectors import LEFT_OVER, ShaftTask
 from . import balance as holes

@@ -4,13 +4,13 @@
 import math
 import re
 from collections.abc import Mapping
+from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ...bearings.formulas import specific_load
-from ...bearings.inputs import BearingsInputs
 from ...imbalance.result import ImbalanceResult
 from ...library.catalogue import Material
+from ...library.journal_rules import specific_load
 from ...sheet.arrays import distinct, each, many
 from ...sheet.errors import BadInput, InputError, NoSolution
 from ...sheet.progress import Progress, tell
@@ -38,6 +38,9 @@ from ..making.inputs import Alternative
 from . import formulas as f
 from .formulas import first_year, radius_needed
 from .sectors import Sized, TooSmall, masses, remainder, size, task
+
+if TYPE_CHECKING:
+    from ...bearings.inputs import BearingsInputs
 
 # The design's material beside others: what they make of the sectors, of the wall beside the seat, and of the cost.
 
@@ -266,7 +269,7 @@ class Choices:
     refused: dict[str, NoSolution]
 
 
-def envelope(shaft: CountershaftInputs, bearings: BearingsInputs | None, place: str) -> Envelope:
+def envelope(shaft: CountershaftInputs, bearings: "BearingsInputs | None", place: str) -> Envelope:
     """The envelope of a design; what it leaves out is taken from the journals.  Raises BadInput with the keys to
     give."""
     errors: list[InputError] = []

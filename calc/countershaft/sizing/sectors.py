@@ -12,6 +12,7 @@ import math
 
 import numpy as np
 
+from ...draw.drawing import TOUCH
 from ...imbalance.result import ImbalanceResult
 from ...sheet.arrays import Array, BoolArray, each
 from ...sheet.errors import NoSolution
@@ -38,7 +39,7 @@ from ...sheet.units import (
 from ...sheet.value import about, based_on, untraced
 from .. import outline as s
 from ..inputs import CountershaftInputs, EccentricMass, Extra
-from ..outline import TOUCH, Piece, around
+from ..outline import Piece, around
 from . import formulas as f
 from . import lengths
 

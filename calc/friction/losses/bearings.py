@@ -12,6 +12,7 @@ import numpy as np
 
 from ...bearings import formulas as f
 from ...bearings.film.table import eccentricity_from, film_at
+from ...library.journal_rules import specific_load
 from ...sheet.errors import NoSolution
 from ...sheet.formula import formula
 from ...sheet.functions import exp, largest, log10, pi, sin, sqrt
@@ -264,7 +265,7 @@ def plain_bearing_power(bearing: PlainBearing, F: Newton, n: RevPerSecond, eta: 
             Text("choose a length between 0.1 and 2 diameters"),
         )
     u = f.surface_speed(d=d, n=n)
-    p = f.specific_load(F=largest(F, NOTHING), d=d, l=l)
+    p = specific_load(F=largest(F, NOTHING), d=d, l=l)
     S = f.sommerfeld(mu=eta, n_h=n, p=p, psi=psi)
     least = film_at(0.98, b).sommerfeld
     if np.any(np.asarray(S) < least):

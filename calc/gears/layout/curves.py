@@ -12,7 +12,7 @@ from ...sheet.text import Amount, Name, Text
 from ...sheet.units import Metre, Number
 from ..inputs import GearsInputs
 from ..practice import mm
-from ..result import TrainResult, WheelResult, working_circles
+from ..result import TrainResult, WheelResult
 from .phase import Phase
 from .positions import Placing
 from .result import ForcesResult, LayoutResult
@@ -54,7 +54,7 @@ def layout_curve(gears: GearsInputs, train: TrainResult, layout: LayoutResult) -
 
 def _working_radii(train: TrainResult, name: str) -> list[float]:
     """From the largest inwards; alike ones once."""
-    radii = [d_w / 2 for _, d_w, _ in working_circles(train.meshes, name)]
+    radii = [d_w / 2 for _, d_w, _ in train.mates(name)]
     return sorted({round(r, 5): r for r in radii}.values(), reverse=True)
 
 

@@ -17,7 +17,7 @@ from ...sheet.text import Amount, Text
 from ...sheet.units import Metre, Number, Radian
 from ..inputs import GearsInputs
 from ..layout.phase import phase
-from ..result import MeshResult, TrainResult, WheelResult, working_circles
+from ..result import MeshResult, TrainResult, WheelResult
 from .outline import CHORD_ERROR, repeated, shifts, tooth
 
 LAYERS = (
@@ -57,7 +57,7 @@ def wheel_drawing(
     """
     wheel = train.wheels[name]
     shapes = _outlines(train, wheel, chord_error, 0j, UP, limits=True)
-    shapes += _circles(wheel, working_circles(train.meshes, name), 0j)
+    shapes += _circles(wheel, train.mates(name), 0j)
     h = LETTER * wheel.tip_diameter
     left, top = wheel.tip_diameter / 2 + 6 * h, wheel.tip_diameter / 2
     rows = (
@@ -93,7 +93,7 @@ def train_drawing(
     shapes: list[Primitive] = []
     for name, wheel in train.wheels.items():
         shapes += _outlines(train, wheel, chord_error, centres[name], UP - teeth[name], limits=False)
-        shapes += _circles(wheel, working_circles(train.meshes, name), centres[name])
+        shapes += _circles(wheel, train.mates(name), centres[name])
     h = LETTER * max(wheel.tip_diameter for wheel in train.wheels.values())
     shapes += [
         Words("TEXT", _point(centres[name] + complex(h, h)), f"{name}, z {w.teeth}", h)
@@ -202,7 +202,7 @@ def data_table(train: TrainResult, name: str, gears: GearsInputs | None = None) 
             Text("Working diameter to {mate}", mate=mate),
             Text("{mm}; centres {distance}", mm=_mm(d_w), distance=_distance(m)),
         )
-        for mate, d_w, m in working_circles(train.meshes, name)
+        for mate, d_w, m in train.mates(name)
     ]
     return (*rows, *_measures(known))
 

@@ -18,9 +18,9 @@ import numpy as np
 from ...countershaft import outline as s
 from ...countershaft.bending import formulas as b
 from ...countershaft.inputs import Holes
-from ...countershaft.outline import TOUCH
 from ...countershaft.sizing import formulas as z
 from ...countershaft.sizing.sectors import NEAR, too_narrow
+from ...draw.drawing import TOUCH
 from ...library.catalogue import Material
 from ...sheet.arrays import Array, BoolArray, each, many
 from ...sheet.record import record
