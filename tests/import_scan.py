@@ -20,14 +20,15 @@ def modules(root: Path, *packages: str) -> dict[str, Path]:
     return paths
 
 
-def imported(name: str, path: Path, top_only: bool = False) -> Iterator[str]:
+def imported(name: str, path: Path, top_only: bool = False, typing: bool = True) -> Iterator[str]:
     """The full names that the module `name` imports: of `from a import b` both `a` and `a.b`, which may be a module.
 
     `top_only`: only what is imported when the module is loaded, outside of functions and of `if TYPE_CHECKING`.
+    Not `typing`: all but what stands under `if TYPE_CHECKING`.
     """
     tree = ast.parse(path.read_text(encoding="utf-8"))
     package = name.split(".") if path.name == "__init__.py" else name.split(".")[:-1]
-    for node in _loaded(tree) if top_only else ast.walk(tree):
+    for node in _loaded(tree, not top_only) if top_only or not typing else ast.walk(tree):
         if isinstance(node, ast.Import):
             yield from (alias.name for alias in node.names)
         elif isinstance(node, ast.ImportFrom):
@@ -37,18 +38,18 @@ def imported(name: str, path: Path, top_only: bool = False) -> Iterator[str]:
             yield from (f"{source}.{alias.name}" for alias in node.names)
 
 
-def _loaded(node: ast.AST) -> Iterator[ast.AST]:
-    """The statements that run when a module is loaded."""
+def _loaded(node: ast.AST, functions: bool = False) -> Iterator[ast.AST]:
+    """The statements that run when a module is loaded; with `functions` those that run at any time."""
     for child in ast.iter_child_nodes(node):
-        if isinstance(child, (ast.FunctionDef, ast.AsyncFunctionDef, ast.Lambda)):
+        if not functions and isinstance(child, (ast.FunctionDef, ast.AsyncFunctionDef, ast.Lambda)):
             continue
         if isinstance(child, ast.If) and "TYPE_CHECKING" in ast.unparse(child.test):
             for statement in child.orelse:
                 yield statement
-                yield from _loaded(statement)
+                yield from _loaded(statement, functions)
             continue
         yield child
-        yield from _loaded(child)
+        yield from _loaded(child, functions)
 
 
 def graph(paths: Mapping[str, Path]) -> Graph:

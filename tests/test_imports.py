@@ -1,8 +1,10 @@
 """The direction of the imports, and what a headless run may load: proved in a fresh process."""
 
+import ast
 import json
 import subprocess
 import sys
+from collections import defaultdict
 
 import pytest
 
@@ -78,7 +80,7 @@ def test_a_step_knows_neither_the_design_nor_a_later_step(step):
     another."""
     paths = modules(ROOT, f"calc.{step}")
     later = {f"calc.{other}.solve" for other in STEPS[STEPS.index(step) + 1 :]} | {"calc.design.model", "calc.solve"}
-    seen = {name: set(imported(name, path)) for name, path in paths.items()}
+    seen = {name: set(imported(name, path, typing=False)) for name, path in paths.items()}
     assert any(n.startswith("calc.sheet") for names in seen.values() for n in names)
     assert {name: names & later for name, names in seen.items() if names & later} == {}
 
@@ -90,6 +92,67 @@ def test_the_sheet_knows_no_engine():
     }
     assert any(seen.values())
     assert {n for names in seen.values() for n in names if not f"{n}.".startswith("calc.sheet.")} == set()
+
+
+# --- rooms
+ROOMS = (  # the folders of calc, each above those before it; solve.py stands between the designs and what is asked of them
+    "sheet",
+    "locale",
+    "library",
+    "draw",
+    "engine",
+    "imbalance",
+    "gears",
+    "countershaft",
+    "bearings",
+    "friction",
+    "mounting",
+    "design",
+    "solve",
+    "studies",
+)
+
+
+def upwards(paths):
+    """module → what it imports from a room above its own.  Imports in functions count, those under TYPE_CHECKING do not."""
+    arrows = {}
+    for name, path in paths.items():
+        _, room, *_ = [*name.split("."), ""]
+        others = {n.split(".")[1] for n in imported(name, path, typing=False) if n.startswith("calc.")}
+        above = {other for other in others & set(ROOMS) if room in ROOMS and ROOMS.index(other) > ROOMS.index(room)}
+        if above:
+            arrows[name] = above
+    return arrows
+
+
+def test_no_room_of_calc_imports_one_above_it():
+    paths = modules(ROOT, "calc")
+    assert {name.split(".")[1] for name in paths if "." in name} == set(ROOMS)
+    assert upwards(paths) == {}
+
+
+def test_an_arrow_that_goes_up_is_found(tmp_path):
+    (tmp_path / "calc" / "draw").mkdir(parents=True)
+    path = tmp_path / "calc" / "draw" / "sheet.py"
+    path.write_text(
+        "from ..gears.result import TrainResult\nif TYPE_CHECKING:\n    from ..solve import Results\n", encoding="utf-8"
+    )
+    assert upwards({"calc.draw.sheet": path}) == {"calc.draw.sheet": {"gears"}}
+
+
+def test_nothing_lies_loose_in_calc():
+    assert sorted(path.name for path in (ROOT / "calc").glob("*.py")) == ["__init__.py", "solve.py"]
+
+
+def test_a_class_has_a_name_of_its_own():
+    """Two modules may call different things alike, more may not: a name that stands in three says nothing."""
+    names = defaultdict(set)
+    for name, path in modules(ROOT, "calc", "reports", "assistant").items():
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+            if isinstance(node, ast.ClassDef):
+                names[node.name].add(name)
+    assert len(names) > 500
+    assert {name: sorted(where) for name, where in names.items() if len(where) > 2} == {}
 
 
 # --- circles

@@ -7,6 +7,7 @@ turns anticlockwise against it, so that the narrowest film lies past the load's 
 
 import math
 from collections.abc import Iterable, Iterator
+from typing import TYPE_CHECKING
 
 from ..draw.drawing import (
     CONTEXT,
@@ -25,11 +26,14 @@ from ..draw.drawing import (
     rounded,
 )
 from ..sheet.check import Check
-from ..sheet.step import Designed, Solved
 from ..sheet.text import Amount, Text
 from ..sheet.units import Metre, Number, Radian
 from .inputs import IN_WORDS, BearingsInputs
 from .result import BearingResult, BearingsResult
+
+if TYPE_CHECKING:
+    from ..design.model import Design
+    from ..solve import Results
 
 DOWN: Radian = -math.pi / 2  # where the load points, and angles from it are counted from
 GAP: Number = 0.32  # of the journal's radius: the gap of the bearing with the wider one is drawn no larger
@@ -40,7 +44,7 @@ LEAST = 0.05  # of the largest pressure: less is not drawn
 FILMS = (("film_edge", Text("{film} of {asked} µm")), ("film_double_load", Text("2 F: {film} of {asked}")))
 
 
-def sketch(design: Designed, results: Solved) -> Sketch:
+def sketch(design: "Design", results: "Results") -> Sketch:
     """Front and rear bearing of a design side by side."""
     outcome = results.outcomes["bearings"]
     inputs: BearingsInputs | None = design.bearings

@@ -6,6 +6,7 @@ clockwise."""
 
 import math
 from collections.abc import Iterable, Iterator
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -33,7 +34,6 @@ from ..draw.drawing import (
 from ..draw.shaft_outline import drawn, reach, silhouette, upwards
 from ..sheet.check import Check
 from ..sheet.record import record
-from ..sheet.step import Designed, Solved
 from ..sheet.text import Amount, Text
 from ..sheet.units import Metre, Number, Radian
 from .bending.shaft import Bending
@@ -41,6 +41,10 @@ from .inputs import CountershaftInputs, EccentricMass, Holes
 from .outline import Outline, Piece
 from .result import CountershaftResult
 from .sizing.sectors import SizedSector
+
+if TYPE_CHECKING:
+    from ..design.model import Design
+    from ..solve import Results
 
 STEP = "countershaft"
 MASSES, OUTER, CORE, LENGTH = (
@@ -81,7 +85,7 @@ class View:
         return self.end - self.start
 
 
-def sketch(design: Designed, results: Solved) -> Sketch:
+def sketch(design: "Design", results: "Results") -> Sketch:
     """The shaft of a design, as far as it is known."""
     outcome = results.outcomes[STEP]
     shaft: CountershaftInputs | None = design.countershaft

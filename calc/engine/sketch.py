@@ -7,6 +7,7 @@ The crank turns clockwise, cylinder 1 stands at its TDC.  In the row the second 
 
 import math
 from collections.abc import Iterable, Iterator
+from typing import TYPE_CHECKING
 
 from ..draw.drawing import (
     AXIS,
@@ -25,11 +26,14 @@ from ..draw.drawing import (
     rectangle,
 )
 from ..sheet.record import record
-from ..sheet.step import Designed, Solved
 from ..sheet.text import Amount, Name, Text
 from ..sheet.units import Metre, Radian
 from .crank import Crank, Firing, crank, firing
 from .inputs import EngineInputs
+
+if TYPE_CHECKING:
+    from ..design.model import Design
+    from ..solve import Results
 
 BORE, RADIUS, ROD, PITCH = (
     "engine.bore_mm",
@@ -58,9 +62,10 @@ class Throw:
     dead: tuple[Metre, Metre]  # of its pin along the axis at bottom and top dead centre
 
 
-def sketch(design: Designed, results: Solved | None = None) -> Sketch:
+def sketch(design: "Design", results: "Results | None" = None) -> Sketch:
     """The engine of a design, cylinder 1 at TDC."""
-    engine: EngineInputs = design.engine
+    engine = design.engine
+    assert engine is not None  # its picture is asked for only where there is one
     throws, placed = _throws(engine)
     notes = [Text("lengths in mm")]
     beside: tuple[Sketch, ...] = ()

@@ -4,14 +4,18 @@ they are large."""
 
 import math
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
 from ..bearings.inputs import IN_WORDS
 from ..draw.drawing import OUTLINE, WORDS, Area, Mark, Point, Polyline, Sketch, State, Words, awaited, judged
 from ..sheet.record import record
-from ..sheet.step import Designed, Solved
 from ..sheet.text import Amount, Name, Text
 from ..sheet.units import Number, Watt
 from .result import FrictionResult
+
+if TYPE_CHECKING:
+    from ..design.model import Design
+    from ..solve import Results
 
 SMALL: Number = 0.01  # of the sum: smaller losses stand together
 THIN: Number = 0.04  # of the sum: meshes that each lose less stand together
@@ -32,7 +36,7 @@ class Loss:
     state: State = ""
 
 
-def sketch(design: Designed, results: Solved) -> Sketch:
+def sketch(design: "Design", results: "Results") -> Sketch:
     """The losses of a design's train, those of the meshes first."""
     outcome = results.outcomes["friction"]
     result = outcome.result

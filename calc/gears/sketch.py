@@ -6,6 +6,7 @@ Up is up from the crank's axis, the crank turns clockwise.  Where the places of 
 in a row."""
 
 from collections.abc import Iterable, Iterator, Mapping
+from typing import TYPE_CHECKING
 
 from ..draw.drawing import (
     AXIS,
@@ -29,7 +30,6 @@ from ..draw.drawing import (
 )
 from ..sheet.check import Check
 from ..sheet.errors import NoSolution
-from ..sheet.step import Designed, Solved
 from ..sheet.text import Amount, Name, Text
 from ..sheet.units import Metre, Number
 from ..sheet.value import untraced
@@ -40,6 +40,10 @@ from .profile.drawing import in_row
 from .profile.outline import Outline, Regions, regions
 from .result import MeshResult, TrainResult, WheelResult
 
+if TYPE_CHECKING:
+    from ..design.model import Design
+    from ..solve import Results
+
 FINE = 1e-2  # chord error of the teeth in modules, rule of this program: a dot is larger
 GAP: Number = 0.3  # modules: the largest backlash is drawn no wider
 JAMS = ("backlash", "backlash_cold", "backlash_warm", "penetration")  # checks by which a mesh has no room for its teeth
@@ -49,7 +53,7 @@ ABOVE = 0.1  # of the largest tip diameter: how far above the wheels the distanc
 MOST: Number = 50  # the gap is exaggerated no more
 
 
-def sketch(design: Designed, results: Solved) -> Sketch:
+def sketch(design: "Design", results: "Results") -> Sketch:
     """The train of a design, and its tightest mesh."""
     outcome = results.outcomes["gears"]
     gears: GearsInputs | None = design.gears

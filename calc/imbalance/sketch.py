@@ -8,14 +8,18 @@ clockwise."""
 import cmath
 import math
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
 from ..draw.drawing import CONTEXT, HIDDEN, OUTLINE, WORDS, Mark, Point, Polyline, Sketch, State, Words
 from ..sheet.record import record
-from ..sheet.step import Designed, Solved
 from ..sheet.text import Amount, Text
 from ..sheet.units import Radian
 from .curves import DRAWN, KINDS
 from .result import ImbalanceResult
+
+if TYPE_CHECKING:
+    from ..design.model import Design
+    from ..solve import Results
 
 SHARE = "imbalance.crank_balance_fraction"
 CORNERS = 72  # of a locus
@@ -43,7 +47,7 @@ class VectorPair:
         return abs(self.forward) + abs(self.backward)
 
 
-def sketch(design: Designed, results: Solved, angle: Radian = 0.0) -> Sketch:
+def sketch(design: "Design", results: "Results", angle: Radian = 0.0) -> Sketch:
     """The forces and couples of orders 1 and 2 that there are, with the crank at an angle after TDC of cylinder 1."""
     result = results.outcomes["imbalance"].solution
     assert isinstance(result, ImbalanceResult)
@@ -63,14 +67,14 @@ def sketch(design: Designed, results: Solved, angle: Radian = 0.0) -> Sketch:
     return Sketch(first.primitives, (turned,), turning=True, title=first.title, beside=tuple(others))
 
 
-def _shaft(design: Designed, results: Solved, kind: str, order: int) -> tuple[VectorPair | None, State]:
+def _shaft(design: "Design", results: "Results", kind: str, order: int) -> tuple[VectorPair | None, State]:
     """What the counter-shaft supplies of an order, if it turns like it, and the verdict of what it leaves."""
-    shaft, outcome = design.countershaft, results.outcomes["countershaft"]
-    if shaft is None or outcome.result is None or abs(shaft.speed_ratio) != order:
+    shaft, solved = design.countershaft, results.shaft
+    if shaft is None or solved is None or abs(shaft.speed_ratio) != order:
         return None, ""
-    forward, backward = outcome.result.turning(shaft, kind)
+    forward, backward = solved.turning(shaft, kind)
     id = "countershaft.residual" if kind == "couple" else "countershaft.residual_force"
-    verdict = next((check.verdict for check in outcome.checks if check.id == id), "")
+    verdict = next((check.verdict for check in results.outcomes["countershaft"].checks if check.id == id), "")
     return VectorPair(order, forward, backward), "fail" if verdict == "fail" else "warn" if verdict == "warn" else ""
 
 

@@ -4,6 +4,7 @@ little from above."""
 
 import math
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -23,12 +24,15 @@ from ..draw.drawing import (
     judged,
 )
 from ..sheet.arrays import Array
-from ..sheet.step import Designed, Solved
 from ..sheet.text import Amount, Name, Text
 from ..sheet.units import Radian
 from .curves import ModePicture, mode_pictures
 from .inputs import MountingInputs
 from .result import MountingResult
+
+if TYPE_CHECKING:
+    from ..design.model import Design
+    from ..solve import Results
 
 DOT, CROSS, SWING = 0.02, 0.04, 0.16  # of the box's diagonal: a mount, the cross of the centre, the largest move
 BACK = 0.5 * np.array(
@@ -50,7 +54,7 @@ EDGES = (
 )  # of the corners of `box`
 
 
-def sketch(design: Designed, results: Solved, angle: Radian = 0.0, view: int = 0) -> Sketch:
+def sketch(design: "Design", results: "Results", angle: Radian = 0.0, view: int = 0) -> Sketch:
     """The modes beside each other, that of `view` first, at a phase: 0 is the end of the swing.  To the right: along
     the crank."""
     outcome = results.outcomes["mounting"]

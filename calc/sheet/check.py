@@ -24,10 +24,24 @@ from .value import link_of, linked
 
 TABLE = Path(__file__).parents[1] / "library" / "tables" / "checks.md"
 KINDS = ("limit", "caution", "advice", "method")  # from what must hold to what concerns the calculation alone
-ELEMENTS = ("B", "M", "N", "W")  # a bearing, a mesh, any element, a wheel
-LETTER = re.compile(
-    r"(?<![^.|])(?:[BMNW#]|DRIVER|DRIVEN)(?![^.|])|(?<=_)W(?![^|])"
-)  # in ids side by side, with | between them
+INDEX = "#"  # in the key of an input: the place of an element in its array
+
+
+@record
+class Element:
+    """What a letter in the ids of the table stands for.
+
+    `ends`: the element is called by two names with _ between, which these words stand for.  `single`: by one name with
+    no _ in it.  `behind`: the letter also stands behind _ at the end of an id.
+    """
+
+    letter: str
+    ends: tuple[str, ...] = ()
+    single: bool = False
+    behind: bool = False
+
+    def can_be(self, part: str) -> bool:
+        return "_" in part if self.ends else not (self.single and "_" in part)
 
 
 @record
@@ -53,8 +67,40 @@ class CheckRule:
 @cache
 def rules() -> tuple[CheckRule, ...]:
     """All rows, in their order."""
-    rows = [line for line in TABLE.read_text(encoding="utf-8").splitlines() if line.startswith("| ")][1:]
-    return tuple(_rule(*(cell.strip() for cell in row[2:-2].split("| "))) for row in rows)
+    return tuple(_rule(*row) for row in _tables()[1])
+
+
+@cache
+def _tables() -> tuple[list[list[str]], list[list[str]]]:
+    """The cells of the two tables of the page without their heads: the letters, and the checks."""
+    tables: list[list[list[str]]] = []
+    inside = False
+    for line in TABLE.read_text(encoding="utf-8").splitlines():
+        if line.startswith("| "):
+            tables += [] if inside else [[]]
+            tables[-1].append([cell.strip() for cell in line[2:-2].split("| ")])
+        inside = line.startswith("|")
+    letters, checks = tables
+    return letters[1:], checks[1:]
+
+
+@cache
+def elements() -> dict[str, Element]:
+    """The letters of the table."""
+    return {letter: _element(letter, re.findall(r"\w+", kind)) for letter, _, kind in _tables()[0]}
+
+
+def _element(letter: str, kind: list[str]) -> Element:
+    ends = tuple(kind[kind.index("pair") + 1 :][:2]) if "pair" in kind else ()
+    return Element(letter, ends, "single" in kind, "behind" in kind)
+
+
+@cache
+def letters() -> re.Pattern[str]:
+    """The letters in ids that stand side by side with | between them."""
+    alone = [INDEX, *elements(), *(word for element in elements().values() for word in element.ends)]
+    behind = "".join(letter for letter, element in elements().items() if element.behind)
+    return re.compile(rf"(?<![^.|])(?:{'|'.join(alone)})(?![^.|])|(?<=_)[{behind}](?![^|])")
 
 
 def _rule(id: str, kind: str, cause: str, value: str, limit: str, moved_by: str, why: str) -> CheckRule:
@@ -70,8 +116,11 @@ def _by_end() -> dict[tuple[str, int, str], list[tuple[CheckRule, list[str]]]]:
     first."""
     by_end: dict[tuple[str, int, str], list[tuple[CheckRule, list[str]]]] = {}
     parted = [(rule, rule.id.split(".")) for rule in rules()]
-    for rule, parts in sorted(parted, key=lambda entry: sum(part in ELEMENTS for part in entry[1])):
-        by_end.setdefault((parts[0], len(parts), parts[-1].removesuffix("W")), []).append((rule, parts))
+    for rule, parts in sorted(parted, key=lambda entry: sum(part in elements() for part in entry[1])):
+        last = parts[-1]
+        for letter, element in elements().items():
+            last = last.removesuffix(letter) if element.behind else last
+        by_end.setdefault((parts[0], len(parts), last), []).append((rule, parts))
     return by_end
 
 
@@ -100,7 +149,8 @@ def pattern_of(id: str) -> str:
 def _row(id: str) -> tuple[CheckRule, dict[str, str]]:
     """The row of a check, and the elements that its letters stand for."""
     parts = id.split(".")
-    ends = (parts[-1], parts[-1].partition("_")[0] + "_", "N")  # the last: what the check is about stands at the end
+    # the last of them: what the check is about stands at the end
+    ends = (parts[-1], parts[-1].partition("_")[0] + "_", *elements())
     for end in ends:
         for rule, pattern in _by_end().get((parts[0], len(parts), end), ()):
             names = _names(pattern, parts)
@@ -118,30 +168,29 @@ def is_limit(id: str) -> bool:
 
 
 def _names(pattern: list[str], parts: list[str]) -> dict[str, str] | None:
-    """The elements that the letters of a pattern stand for in an id; None where it is not of this pattern.  A mesh is
-    two names with _."""
+    """The elements that the letters of a pattern stand for in an id; None where it is not of this pattern."""
     names: dict[str, str] = {}
     for letter, part in zip(pattern, parts):
-        if letter in ELEMENTS:
-            if letter in "MW" and (letter == "M") != ("_" in part):
+        if (element := elements().get(letter)) is not None:
+            if not element.can_be(part):
                 return None
             names[letter] = part
-        elif letter.endswith("_W") and part.startswith(letter[:-1]):
-            names["W"] = part[len(letter) - 1 :]
+            names.update(zip(element.ends, part.split("_", 1)))
         elif letter != part:
-            return None
-    if "M" in names:
-        names["DRIVER"], _, names["DRIVEN"] = names["M"].partition("_")
+            before, last = letter[:-1], elements().get(letter[-1:])
+            if last is None or not last.behind or not before.endswith("_") or not part.startswith(before):
+                return None
+            names[last.letter] = part.removeprefix(before)
     return names
 
 
 def _filled(rule: CheckRule, names: dict[str, str], index: int | None) -> CheckRule:
-    names = names if index is None else names | {"#": str(index)}
-    if not names and not any("#" in key for key in rule.moved_by):
+    names = names if index is None else names | {INDEX: str(index)}
+    if not names and not any(INDEX in key for key in rule.moved_by):
         return rule
     asked = "|".join((rule.id, rule.cause, rule.value, rule.limit, *rule.moved_by))
-    id, cause, value, limit, *keys = LETTER.sub(lambda letter: names.get(letter[0], letter[0]), asked).split("|")
-    moved_by = tuple([key for key in keys if "#" not in key])
+    id, cause, value, limit, *keys = letters().sub(lambda letter: names.get(letter[0], letter[0]), asked).split("|")
+    moved_by = tuple([key for key in keys if INDEX not in key])
     return CheckRule(id, rule.kinds, rule.demand, rule.exact, cause, value, limit, moved_by, rule.why)
 
 

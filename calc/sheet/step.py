@@ -6,7 +6,7 @@ import math
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import replace
 from functools import cached_property
-from typing import Any, Generic, Literal, Protocol, TypeVar
+from typing import Generic, Literal, TypeVar
 
 from .arrays import Array
 from .check import Check, grouped, step_verdict
@@ -221,32 +221,6 @@ class Outcome(Generic[R]):
         """All values of the step, or those whose ids are `wanted`."""
         if self.result is not None:
             yield from published(self.result, self.key, wanted=wanted)
-
-
-class Designed(Protocol):
-    """A design as the sketches of its steps know it: the inputs of each step, None where there are none."""
-
-    @property
-    def engine(self) -> Any: ...
-    @property
-    def imbalance(self) -> Any: ...
-    @property
-    def countershaft(self) -> Any: ...
-    @property
-    def bearings(self) -> Any: ...
-    @property
-    def gears(self) -> Any: ...
-    @property
-    def friction(self) -> Any: ...
-    @property
-    def mounting(self) -> Any: ...
-
-
-class Solved(Protocol):
-    """What solving a design gave, the same way: the outcome of each step by its key."""
-
-    @property
-    def outcomes(self) -> Mapping[str, Outcome[Any]]: ...
 
 
 def accepted(outcomes: Iterable[Outcome[object]], reasons: tuple[tuple[str, str], ...]) -> dict[str, Outcome[object]]:

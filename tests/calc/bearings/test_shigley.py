@@ -8,6 +8,7 @@ import pytest
 
 from calc.bearings import formulas as f
 from calc.bearings.routes import raimondi_boyd as rb
+from calc.library.journal_rules import specific_load
 from calc.sheet.units import UNITS
 
 REFERENCE = tomllib.loads(
@@ -28,7 +29,7 @@ def found():
         b["load_lbf"] * POUND_FORCE,
     )
     d, g, psi = 2 * r, 2 * c, c / r
-    S = f.sommerfeld(mu=b["viscosity_reyn"] * PSI, n_h=n, p=f.specific_load(F=F, d=d, l=l), psi=psi)
+    S = f.sommerfeld(mu=b["viscosity_reyn"] * PSI, n_h=n, p=specific_load(F=F, d=d, l=l), psi=psi)
     read = rb.at(S, l / d)
     mu_f = f.friction_coefficient(psi=psi, f_v=rb.friction_variable(S=S, b=l / d))
     Q = rb.film_flow(Q_rel=rb.relative_flow(S=S, b=l / d), d=d, g=g, n_h=n, l=l)

@@ -14,6 +14,7 @@ from calc.bearings.routes import flow
 from calc.bearings.routes import raimondi_boyd as rb
 from calc.bearings.routes.states import OutsideCharts
 from calc.library.catalogue import oils
+from calc.library.journal_rules import specific_load
 from calc.library.lubricant import Lubricant
 
 REFERENCE = json.loads(
@@ -24,7 +25,7 @@ F, N, D, L, P_S = 1710.0, 2600 / 60, 0.0595, 0.0275, 4e5
 U = f.surface_speed(D, N)
 G = f.clearance_by_factor(0.8, D, U)
 PSI = f.relative_clearance(G, D)
-P = f.specific_load(F, D, L)
+P = specific_load(F, D, L)
 B = L / D
 STEPS = [0.1 + 0.01 * k for k in range(86)]
 
@@ -168,7 +169,7 @@ D_R, L_R = 0.081, 0.0265
 U_R = f.surface_speed(D_R, N)
 G_R = f.clearance_by_factor(0.61, D_R, U_R)
 PSI_R = f.relative_clearance(G_R, D_R)
-P_R = f.specific_load(F, D_R, L_R)
+P_R = specific_load(F, D_R, L_R)
 
 
 def rear_by_charts():

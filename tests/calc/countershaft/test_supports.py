@@ -8,9 +8,9 @@ import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from calc.bearings.formulas import heat_index, specific_load
 from calc.countershaft.bending.beam import beam, bend
 from calc.countershaft.supports import reactions, support_moments
+from calc.library.journal_rules import heat_index, specific_load
 from calc.sheet.errors import NoSolution
 
 mm = 1e-3

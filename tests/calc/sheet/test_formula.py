@@ -9,7 +9,7 @@ import pytest
 from hypothesis import example, given
 from hypothesis import strategies as st
 
-from calc.bearings.formulas import specific_load
+from calc.library.journal_rules import specific_load
 from calc.sheet import expression
 from calc.sheet.expression import line_json, line_text, symbol
 from calc.sheet.formula import Formula, formula

@@ -9,7 +9,7 @@ import pytest
 
 from calc.design.model import Design
 from calc.design.toml_file import design, read
-from calc.sheet.check import ELEMENTS, KINDS, LETTER, rule_of, rules
+from calc.sheet.check import KINDS, elements, letters, rule_of, rules
 from calc.sheet.quantity import keys
 from calc.solve import Results, solve
 from calc.studies.shipped import DESIGNS
@@ -112,7 +112,7 @@ def test_every_row_has_a_check_and_every_check_a_row():
 
 
 def test_letters_stand_for_elements():
-    assert set("".join(part for rule in rules() for part in rule.id.split(".") if part.isupper())) <= set(ELEMENTS)
+    assert set("".join(part for rule in rules() for part in rule.id.split(".") if part.isupper())) <= set(elements())
     assert rule_of("gears.rear_front.notch_front").value == "gears.rear_front.notch_parameter_front"
     assert rule_of("gears.rear_front.backlash", 2).moved_by[2] == "gears.meshes.2.tolerance_um"
     assert not any("meshes" in key for key in rule_of("gears.rear_front.backlash").moved_by)
@@ -120,6 +120,6 @@ def test_letters_stand_for_elements():
     assert rule_of("gears.rear_front.backlash").moved_by[:2] == wheels
     names = {"B": "b", "M": "m", "N": "n", "W": "w", "#": "2", "DRIVER": "d"}
     asked = "x.M.WW_B.root_W|N|BX.W_y.XW|a.#.b_W.c|DRIVER.DRIVERS"
-    assert LETTER.sub(lambda letter: names[letter[0]], asked) == "x.m.WW_B.root_w|n|BX.W_y.XW|a.2.b_W.c|d.DRIVERS"
+    assert letters().sub(lambda letter: names[letter[0]], asked) == "x.m.WW_B.root_w|n|BX.W_y.XW|a.2.b_W.c|d.DRIVERS"
     with pytest.raises(KeyError, match="has no row"):
         rule_of("gears.rear_front.no_such_check")
