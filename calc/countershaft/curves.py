@@ -8,7 +8,7 @@ from ..imbalance.curves import DRAWN
 from ..sheet.arrays import Array
 from ..sheet.step import Curve, DrawnLoad, Series, axis_label
 from ..sheet.text import EMPTY, Name, Text
-from ..sheet.units import Metre, RadPerSecond
+from ..sheet.units import Metre, Newton, RadPerSecond
 from .bending.shaft import Bending
 from .result import CountershaftResult
 from .sizing.sectors import LEFT_OVER, WORDS, ShaftTask
@@ -34,7 +34,7 @@ def curves(
     outline = (outline_curve(shaft.outline, positions),) if shaft.outline is not None else ()
     bent = _bent(shaft.bending, positions) if shaft.bending is not None else ()
     if shaft.bending is not None and outline:
-        bent = (_loaded(outline[0], shaft.bending, positions), *bent)
+        bent = (_loaded(outline[0], shaft.bending, positions, _carried(shaft)), *bent)
     return (*over_speed, *bent, *outline, _reactions(shaft, omega), *over_a_turn)
 
 
@@ -81,21 +81,30 @@ def _over_speed(
     )
 
 
+def _carried(shaft: CountershaftResult) -> list[tuple[Text, Newton]]:
+    """The bearings, front to rear, each with what turns on it."""
+    if shaft.support:
+        return [(Name(name), support.reaction) for name, support in shaft.support.items()]
+    return [(Text("front"), shaft.reaction_front), (Text("rear"), shaft.reaction_rear)]
+
+
 def _reactions(shaft: CountershaftResult, omega: RadPerSecond) -> Curve:
     """What turns with the shaft, on each of its bearings."""
     rpm, square = _speeds(omega)
-    loads: list[tuple[Text, float]] = [(Text("front"), shaft.reaction_front), (Text("rear"), shaft.reaction_rear)]
-    if shaft.support:
-        loads = [(Name(name), support.reaction) for name, support in shaft.support.items()]
-    series = tuple(Series(name, rpm, load * square) for name, load in loads)
+    series = tuple(Series(name, rpm, load * square) for name, load in _carried(shaft))
     title = Text("Reactions of the bearings over the speed range, the turning part")
     return Curve("reactions", title, axis_label("crank speed", "rpm"), axis_label("reaction", "N"), series)
 
 
-def _loaded(outline: Curve, bent: Bending, positions: tuple[Metre, ...]) -> Curve:
+def _loaded(outline: Curve, bent: Bending, positions: tuple[Metre, ...], carried: list[tuple[Text, Newton]]) -> Curve:
     """The shaft with the resultants of its centrifugal load and what its bearings hold against them, in the plane of
-    its couple."""
-    held = zip(positions, (bent.reactions * np.exp(-1j * bent.plane)).real.tolist())
+    its couple.
+
+    `carried`: by each bearing, as the tables have it; the bent shaft gives its direction.  (Its own reactions are a
+    little larger, as it is thrown outwards while it bends.)
+    """
+    along = np.cos(np.angle(np.asarray(bent.reactions)) - bent.plane)
+    held = zip(positions, (along * [load for _, load in carried]).tolist())
     loads = [DrawnLoad(Text("load"), z * 1e3, F) for z, F in bent.loads] + [
         DrawnLoad(Text("bearing"), z * 1e3, F, held=True) for z, F in held
     ]

@@ -73,3 +73,12 @@ def test_the_slopes_that_are_given_are_judged_where_the_outline_is_not_known(gam
     assert outcome.result.mass is None and any("core_radius_mm" in note for note in outcome.notes)
     outcome = shaft(bare.with_value("bearings.slope_mrad", 0.3))
     assert {c.id: c.verdict for c in outcome.checks}["countershaft.slope_rear"] == "fail"
+
+
+def test_the_figure_of_the_loaded_shaft_says_what_the_tables_say(gamma):
+    """The bent shaft throws its mass outwards and loads its bearings a little more than statics; figure and table read one
+    number."""
+    outcome = shaft(gamma)
+    (figure,) = (curve for curve in outcome.curves if curve.id == "loads")
+    held = sorted(abs(load.size) for load in figure.loads if load.held)
+    assert held == pytest.approx(sorted((outcome.result.reaction_front, outcome.result.reaction_rear)), rel=1e-12)
