@@ -243,7 +243,7 @@ def _number(x: object) -> bool:
     return isinstance(x, Real) and not isinstance(x, bool) and isfinite(x)
 
 
-# What was measured of a design: a row of [[measured]]; `prediction.py` lays it beside what is predicted.
+# What was measured of a design: a row of [[measured]]; `design/predicted.py` lays it beside what is predicted.
 #
 # [[measured]]
 # value = "bearings.front.oil_flow"      # the id of a value, or the key of an input

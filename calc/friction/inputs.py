@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from ..sheet.quantity import THUMB, choice, inputs, integer, quantity, series, tables, text
 from ..sheet.text import Text
 
-# Types of rolling bearings whose factors are known (`losses/rolling_bearings.py`).
+# Types of rolling bearings whose factors are known (`losses/bearings.py`).
 BEARING_TYPES = (
     "deep-groove-ball",
     "angular-contact-ball",

@@ -338,7 +338,7 @@ def reduced(reduce: Any, x: Any, axis: Any = None, **kwargs: Any) -> Any:
 
 # The functions of numpy that take lanes: each works lane by lane, on the points that a lane has.
 #
-# One that does not stand here refuses lanes, which is an error and then another way (`abreast.py`).
+# One that does not stand here refuses lanes, which is an error and then another way (below).
 
 
 def _handles(function: Any) -> Callable[[Callable[..., Any]], Callable[..., Any]]:

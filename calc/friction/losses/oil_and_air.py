@@ -125,7 +125,7 @@ def churning(T_C: NewtonMetre, omega: RadPerSecond) -> Watt:
 #
 # Anderson and Loewenthal give the loss of a spur wheel in a mist of one part oil in 34.25 parts air; other mists are
 # scaled by the same law of turbulent discs, P ~ ρ^0.8·η^0.2.  A wheel that dips into oil churns it besides
-# (`churning.py`).
+# (above).
 
 # mypy: disable-error-code="no-any-return"
 

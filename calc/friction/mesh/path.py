@@ -11,7 +11,7 @@ is one strip.
 Positions are Gauss-Legendre points of the pieces between which the load jumps or has a kink, and the sliding its kink
 at C; behind them stand A … E themselves with no weight.  Against paths many times finer the power of a spur pair is
 right to 1e-7 (1e-5 with smooth load sharing, whose floor makes one more kink), of a helical one to 1e-4
-(tests/calc/friction/mesh/test_path.py).  Where the lubrication regime changes on the path (`cells.py`), to 1e-3 and
+(tests/calc/friction/mesh/test_path.py).  Where the lubrication regime changes on the path, to 1e-3 and
 5e-3.  The least film and the highest pressure and temperature of a helical path are those of its positions, right to 1
 %."""
 
