@@ -1,4 +1,4 @@
-"""The drawing sheet as a DXF file, read back; its shapes: tests/calc/drawing_sheet."""
+"""The drawing sheet as a DXF file, read back; its shapes: tests/calc/draw."""
 
 import os
 import subprocess

@@ -6,8 +6,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from calc.countershaft.inputs import GRADES
 from calc.countershaft.making.balance import grade_number, notes, permitted, table
+from calc.library.tolerances import BALANCE_GRADES as GRADES
 
 OMEGA = 2 * math.pi * 2600 / 60
 MASS, HALF, REQUIRED = 8.914, 0.1675, 572.932

@@ -23,7 +23,7 @@ from calc.studies.starter.balancing import what_shakes
 from calc.studies.starter.build import NOTHING
 
 ENGINES = engines()
-ROWS = tomllib.loads((Path(__file__).parents[1] / "reference" / "balance.toml").read_text(encoding="utf-8"))["row"]
+ROWS = tomllib.loads((Path(__file__).parents[2] / "reference" / "balance.toml").read_text(encoding="utf-8"))["row"]
 PUBLISHED = {row["engine"]: (row["first"], row["second"]) for row in ROWS}
 
 # Which published engine each of ours is: tests/reference/balance.toml.

@@ -11,7 +11,7 @@ from assistant.cli import main
 from assistant.commands.published import markdown
 from calc.studies.published import documents, misprints, worked_out
 
-ROOT = Path(__file__).resolve().parents[2]
+ROOT = Path(__file__).resolve().parents[3]
 
 
 @pytest.fixture(scope="module")

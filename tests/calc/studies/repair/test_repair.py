@@ -21,7 +21,7 @@ from calc.studies.repair.nearest import nearest
 from calc.studies.repair.sizing import _near, _shifted, _single, _wanted
 from calc.studies.repair.trials import Trials
 from calc.studies.repair.vary import Number, _Search
-from tests.calc.test_remedy import damaged, fails, with_changes
+from tests.calc.studies.repair.test_remedy import damaged, fails, with_changes
 from tests.conftest import GAMMA
 
 WEAK = tuple(f'gears.wheels.{name}.gear_material="nitrocarburised"' for name in ("crank", "pump"))

@@ -11,7 +11,7 @@ from calc.sheet.errors import BadInput
 from calc.solve import solve
 from calc.studies.sweep import sweep, varied
 
-GAMMA = read(Path(__file__).parents[3] / "designs" / "r753ie4_gamma.toml")
+GAMMA = read(Path(__file__).parents[4] / "designs" / "r753ie4_gamma.toml")
 
 
 def test_the_grid_runs_over_every_combination_the_last_input_fastest():
@@ -103,7 +103,7 @@ def test_an_unknown_value_is_named():
 
 
 def test_a_step_that_is_not_asked_is_named():
-    pair = read(Path(__file__).parents[3] / "designs" / "timing_pair.toml")
+    pair = read(Path(__file__).parents[4] / "designs" / "timing_pair.toml")
     with pytest.raises(BadInput, match="not asked"):
         sweep(pair, varied(pair, ["gears.speed_rpm=1000,2000"]), "bearings")
 

@@ -9,7 +9,7 @@ import pytest
 
 from calc.studies.drive.films import films
 from calc.studies.drive.run import search
-from tests.calc.optimise.points import PLACES, Class, Point
+from tests.calc.studies.drive.points import PLACES, Class, Point
 
 GRID = {
     "countershaft.core_radius_mm": [14.0, 16.0],

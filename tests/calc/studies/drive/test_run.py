@@ -16,7 +16,7 @@ from calc.studies.drive.output import csv_text, json_text, table
 from calc.studies.drive.relax import refusal
 from calc.studies.drive.run import _instead, asked, search
 from calc.studies.drive.whole import Sized, whole
-from tests.calc.optimise.conftest import FEW
+from tests.calc.studies.drive.conftest import FEW
 
 
 @pytest.fixture(scope="module")

@@ -16,7 +16,7 @@ from calc.sheet.errors import BadInput
 from calc.solve import solve
 from calc.studies.explain import Chains
 
-DESIGNS = Path(__file__).parents[2] / "designs"
+DESIGNS = Path(__file__).parents[3] / "designs"
 # Gear friction thesis, table of oils (read): T in °C → dynamic viscosity in mPa·s, as printed, misprints and all.
 PRINTED = {
     "10W40": {40.0: 128.58, 50.0: 20.10, 60.0: 70.22, 100.0: 16.797},

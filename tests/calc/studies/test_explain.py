@@ -9,7 +9,7 @@ from calc.sheet.value import Line
 from calc.solve import solve
 from calc.studies.explain import Chains, chain, needs, origin
 
-DESIGNS = Path(__file__).parents[2] / "designs"
+DESIGNS = Path(__file__).parents[3] / "designs"
 SHIPPED = sorted(path.stem for path in DESIGNS.glob("*.toml"))
 RESULTS = {name: solve(design(read(DESIGNS / f"{name}.toml"))) for name in SHIPPED}
 CHAINS = {name: Chains(results) for name, results in RESULTS.items()}

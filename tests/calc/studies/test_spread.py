@@ -13,12 +13,12 @@ import pytest
 
 from calc.sheet.errors import NoSolution
 from calc.studies.spread import spread
-from tests.calc.spread_work import once, slow
+from tests.calc.studies.spread_work import once, slow
 from tests.conftest import ROOT
 
 PROGRAM = """
 from calc.studies.spread import spread
-from tests.calc.spread_work import slow
+from tests.calc.studies.spread_work import slow
 if __name__ == "__main__":
     for n, (_, process) in spread(slow, 0.1, range(1000), 2):
         print(process, flush=True)

@@ -4,7 +4,7 @@ has."""
 
 import pytest
 
-from tests.calc.optimise.points import Class, compared
+from tests.calc.studies.drive.points import Class, compared
 
 PLAIN = {"countershaft.material": ["20CrNi4"], "bearings.supply": "fixed"}
 SOME = PLAIN | {

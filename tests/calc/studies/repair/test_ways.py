@@ -10,7 +10,7 @@ from calc.solve import Results, solve
 from calc.studies.repair.state import broken, state_of
 from calc.studies.repair.trials import NEAR, RepairOption
 from calc.studies.repair.ways import search, ways
-from tests.calc.test_remedy import damaged, with_changes
+from tests.calc.studies.repair.test_remedy import damaged, with_changes
 
 
 def finding(results: Results, id: str) -> Check:

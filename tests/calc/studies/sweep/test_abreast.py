@@ -16,7 +16,7 @@ from calc.studies.sweep.inputs import sampled
 from calc.studies.sweep.run import _needed, _one_after_the_other, designs, one_by_one, side_by_side
 
 np = pytest.importorskip("numpy")
-DESIGNS = Path(__file__).parents[3] / "designs"
+DESIGNS = Path(__file__).parents[4] / "designs"
 DIGITS = 1e-11  # in which a value of many designs may differ from that of one
 SWEEPS = {
     "r753ie4_gamma": ["engine.rated_speed_rpm=1500:2600", "engine.rod_length_mm=155:170",

@@ -10,7 +10,7 @@ from calc.draw.drawing import CENTRE, EDGE, VISIBLE, Arc, Dimension, Hatch
 from calc.draw.lettering import room, written
 from calc.solve import solve
 from calc.studies.drawings import sheets
-from tests.calc.drawing_sheet.test_sheet import MM, cut, letters, overlap
+from tests.calc.draw.test_sheet import MM, cut, letters, overlap
 from tests.conftest import DESIGNS
 
 

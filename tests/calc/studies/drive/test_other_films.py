@@ -7,9 +7,9 @@ import pytest
 
 from calc.bearings.result import BearingsResult
 from calc.studies.drive.run import search
-from tests.calc.optimise.conftest import FEW
-from tests.calc.optimise.points import PLACES, Class, Point
-from tests.calc.optimise.test_verdict import SOME, changed, compared
+from tests.calc.studies.drive.conftest import FEW
+from tests.calc.studies.drive.points import PLACES, Class, Point
+from tests.calc.studies.drive.test_verdict import SOME, changed, compared
 
 CASES = {
     "as shipped": {},
