@@ -34,7 +34,6 @@ Sign = Callable[[str], str]  # how a verdict is written
 
 
 # --- inputs
-# -----------------------------------------------------------------------------------------------------------------
 def input_table(differences: Sequence[InputDifference], names: Names, *, ids: bool = True, full: bool = False) -> Table:
     """`ids`: by their keys, which say the unit too, else by their labels.  `full`: tables that only one design has are
     written out."""
@@ -87,7 +86,6 @@ def named(id: str, label: Text, *, step: bool = False, within: str = "") -> Text
 
 
 # --- verdicts and checks
-# ----------------------------------------------------------------------------------------------------
 def verdict_table(compared: Comparison, names: Names, sign: Sign) -> Table:
     rows = tuple((v.title, judged_text(v.a, sign), judged_text(v.b, sign)) for v in compared.verdicts)
     return Table("verdicts", Text("Verdicts of the steps"), columns((Text("Step"), ""), names), rows)
@@ -147,7 +145,6 @@ def limit_text(d: CheckDifference) -> Text:
 
 
 # --- values
-# -----------------------------------------------------------------------------------------------------------------
 def value_table(
     step: str, title: Text, differences: Sequence[ValueDifference], names: Names, *, ids: bool = True
 ) -> Table:
@@ -272,7 +269,6 @@ def _moves(some: Sequence[CheckDifference], sign: Sign) -> Text:
 
 
 # --- the two tables
-# ---------------------------------------------------------------------------------------------------------
 def moved(comparison: Comparison) -> list[CheckDifference]:
     """The limits and cautions whose verdict moved, what got worse first, and those of one design only that do not
     pass."""

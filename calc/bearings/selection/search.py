@@ -510,7 +510,6 @@ def as_is(bearings: Tasks, variant: Variant, slopes: Slopes, *, corners: bool) -
 
 
 # --- why there is nothing
-# --------------------------------------------------------------------------------------------------
 def _stopped(both: tuple[Pick, Pick] | None) -> Text:
     if both is None:
         return Text(

@@ -392,7 +392,6 @@ def _optimise(design: Design) -> OptimiseInputs:
 
 
 # --- reading
-# --------------------------------------------------------------------------------------------------------------
 def problem(document: Document, tip: float | None, overrides: Mapping[str, object] = {}) -> Problem:
     """`tip`: diameter of the gear on the shaft in mm, None where there is none; `said`: the command line's own keys of
     [optimise], which go before the file's.  Raises BadInput with everything that is wrong."""
