@@ -28,9 +28,8 @@ from .later import Later
 from .parts import alike
 from .text import EMPTY, Text
 
-HANDLED: dict[
-    object, Callable[..., Any]
-] = {}  # by the function of numpy, or its name where importing it would cost a start-up time
+# by the function of numpy, or its name where importing it would cost a start-up time
+HANDLED: dict[object, Callable[..., Any]] = {}
 
 
 class Diverged(Exception):

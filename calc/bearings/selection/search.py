@@ -38,7 +38,7 @@ from .ranking import (
 from .states import PLACES, BearingTask, against, check_of, size, without_rise
 from .variants import SelectionCase, Solution, Variant, closer_fits, crossings, drawn, placed, tasks, variants
 
-# A row put into the design and solved as a whole: whether it holds there, and what else then fails.
+# --- a row put into the design and solved as a whole: whether it holds there, and what else then fails
 
 TRIES = 3  # of a row whose slopes, read again from the shaft's bending, stop it
 CORNER = "_corner"  # how the checks at the worst corner are called; where the fits are assumed, they only advise
@@ -153,6 +153,7 @@ def _moved(pick: Pick) -> bool:
     return pick.clearance != pick.task.clearance or pick.diameter != pick.task.diameter
 
 
+# --- the search
 VERIFIED = 4  # rows that are solved as whole designs before they are shown; the others when they are taken
 NEAREST = 3  # that are tried as whole designs, until one holds
 STIFFER = Text("stiffen the shaft, or widen its envelope")
