@@ -15,7 +15,9 @@ from typing import TypeVar
 
 from .bearings import solve as bearings
 from .bearings.loads import with_standing as bearings_with_standing
+from .bearings.result import BearingsResult
 from .countershaft import solve as countershaft
+from .countershaft.inputs import CountershaftInputs
 from .countershaft.result import CountershaftResult
 from .countershaft.supports import with_standing
 from .design import step_inputs as h
@@ -50,11 +52,9 @@ class Results:
 
     design: Design
     outcomes: dict[str, Outcome[object]]  # by the key of the step, each with a result of its own class
-    parts: dict[str, Kept] = field(
-        default_factory=dict, repr=False
-    )  # for the next solve: the arguments and the outcome of each part
+    parts: dict[str, Kept] = field(default_factory=dict, repr=False)  # arguments and outcomes, for the next solve
     recorded: bool = False  # whether the lines were recorded with the numbers
-    _told: list["Results"] = field(default_factory=list, repr=False)  # the same recorded, or an earlier version of it
+    _with_lines: list["Results"] = field(default_factory=list, repr=False)  # the same recorded, or an earlier version
     _values: dict[str, Published] = field(default_factory=dict, repr=False)  # as soon as somebody has asked for them
 
     def __str__(self) -> str:
@@ -95,7 +95,7 @@ class Results:
     def traced(self, stop: Callable[[], bool] = bool) -> "Results":
         """The same with its lines, and with its numbers linked to them: solved once more, when somebody looks for the
         first time."""
-        return self if self.recorded else _traced(self.design, self._told, stop)
+        return self if self.recorded else _traced(self.design, self._with_lines, stop)
 
     @property
     def predicted(self) -> Predicted:
@@ -131,9 +131,8 @@ def solve(
     """
     kept = before.parts if before is not None and before.recorded >= traced else {}
     part = Parts(TITLES, kept, stop=stop, enough=enough)
-    earlier = (
-        [] if before is None or traced else [before] if before.recorded else list(before._told)
-    )  # of what is recorded: no chain
+    # only what is recorded is kept of before, so that there is no chain
+    earlier = [] if before is None or traced else [before] if before.recorded else list(before._with_lines)
     with seldom_collected(), recorded(traced):
         try:
             outcomes = steps(part, design, compared)
@@ -152,19 +151,21 @@ def solve(
 
 
 def _traced(design: Design, earlier: list[Results], stop: Callable[[], bool] = bool) -> Results:
-    """The design with its lines.  `told`: the same from before, or an earlier version of it, which this takes the place
-    of."""
+    """The design with its lines.  `earlier`: the same from before, or an earlier version of it, whose place this
+    takes."""
     if not earlier or earlier[0].design is not design:
         earlier[:] = [solve(design, earlier[0] if earlier else None, stop, traced=True)]
     return earlier[0]
 
 
-def _lines(design: Design, told: list[Results], key: str) -> Many[Line]:
+def _lines(design: Design, earlier: list[Results], key: str) -> Many[Line]:
     """Of a step, for its outcome: which does not know the results, so that these go as soon as nobody needs them."""
-    return _traced(design, told).outcomes[key].lines
+    return _traced(design, earlier).outcomes[key].lines
 
 
 def steps(part: Parts, design: Design, compared: bool) -> dict[str, Outcome[object]]:
+    """Each outcome has the first letter of its step: `e`ngine, `i`mbalance, `c`ountershaft, `b`earings, `g`ears,
+    `f`riction; `h` is what steps hand each other."""
     materials, oils, first_speed = design.materials, design.oils, h.first_speed(design)
 
     if design.engine is not None:
@@ -255,19 +256,32 @@ def steps(part: Parts, design: Design, compared: bool) -> dict[str, Outcome[obje
     if c.result is not None and design.countershaft is not None:
         c = with_standing(c, design.countershaft, gear, h.shaft_drive(design, g.result, f))
         b = bearings_with_standing(b, c.solution.standing)
-        if design.countershaft.oil_drain is not None or design.countershaft.further_drains:
-            from .countershaft.solve import with_oil  # which most designs do not need
-
-            c = with_oil(c, b.result)
+        c = _drained(c, design.countershaft, b)
     if g.result is not None and design.gears is not None:
         g = _rated(part, g, design.gears, design, e, c, f)
-    if g.result is not None and c.result is not None:
-        g = gears.with_residual_couple(g, c.result.couple)
-    if g.result is not None and design.countershaft is not None:
-        g = gears.with_speed_ratio(g, design.countershaft.speed_ratio, design.engine)
-    if g.result is not None:
-        g = replace(g, curves=g.curves + Later(partial(_gear_curves, g.result)))
+        g = _on_engine(g, design, c)
     return accepted((e, i, c, b, g, f, _mounted(part, design, e, i, c, g)), design.accepted)
+
+
+def _drained(
+    c: Outcome[CountershaftResult], inputs: CountershaftInputs, b: Outcome[BearingsResult]
+) -> Outcome[CountershaftResult]:
+    """A shaft whose drains, if it has any, take the bearings' oil."""
+    if inputs.oil_drain is None and not inputs.further_drains:
+        return c
+    from .countershaft.solve import with_oil  # which most designs do not need
+
+    return with_oil(c, b.result)
+
+
+def _on_engine(g: Outcome[TrainResult], design: Design, c: Outcome[CountershaftResult]) -> Outcome[TrainResult]:
+    """A train that is complete: what its backlash leaves of the shaft's couple, whether the shaft turns as it must, and
+    its curves."""
+    if c.result is not None:
+        g = gears.with_residual_couple(g, c.result.couple)
+    if design.countershaft is not None:
+        g = gears.with_speed_ratio(g, design.countershaft.speed_ratio, design.engine)
+    return replace(g, curves=g.curves + Later(partial(_gear_curves, g.solution)))
 
 
 def _mounted(

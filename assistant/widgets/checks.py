@@ -171,40 +171,42 @@ class Checks(ItemList):
     def _rows_of(self) -> list[CheckRow]:
         """What is listed, in its order."""
         assert self.outcome is not None
-        checks, signs, say = self.outcome.checks, self.app.signs, self.app.say
-        rows: list[CheckRow] = []
-        open_groups = [[c for c in group if c.open] for group in self.outcome.causes]
-        shown = [group for group in open_groups if group and group[0].kind in KINDS_SHOWN]
-        for group in shown:
-            mine = [c for c in group if c.kind in KINDS_SHOWN]
-            unfolded = cause(group[0]) in self.unfolded
-            rows.append(CheckRow(group[0].id, group[0], 0 if unfolded else len(mine) - 1))
-            rows += [CheckRow(c.id, c, inside=True) for c in mine[1:]] if unfolded else []
-        if not shown:
-            words = f"{signs.mark('ready')} {say(Text('Nothing fails here, no caution is open.'))}"
-            rows.append(CheckRow("", head=Content.styled(words, signs.style("ready"))))
-        rows += [CheckRow(c.id, c) for c in checks if c.verdict == "accepted"]
-        rows.append(CheckRow("", head=Content("")))
-        folds = (
-            (ADVICE, [c for c in sorted_checks(checks) if c.open and c.kind == "advice"], ADVISED),
-            (METHOD, [c for c in sorted_checks(checks) if c.open and c.kind == "method"], OF_METHOD),
-            (HOLD, [c for c in checks if c.verdict == "pass"], HOLDING),
-        )
-        for key, mine, count in folds:
-            if mine:
-                unfolded = key in self.unfolded
-                words, state = say(plural(count.one, count.template, n=len(mine))), "pass" if key == HOLD else "note"
-                fold = signs.mark("unfolded" if unfolded else "folded")
-                rows.append(
-                    CheckRow(
-                        key,
-                        head=Content.assemble(
-                            (f"{signs.mark(state)} ", signs.style(state)), (words, "dim"), (f" {fold}", "dim")
-                        ),
-                    )
-                )
-                rows += [CheckRow(c.id, c, inside=True) for c in mine] if unfolded else []
+        checks = self.outcome.checks
+        accepted = [CheckRow(check.id, check) for check in checks if check.verdict == "accepted"]
+        rows = [*self._finding_rows(self.outcome), *accepted, CheckRow("", head=Content(""))]
+        open_ones = [check for check in sorted_checks(checks) if check.open]
+        rows += self._folding_rows(ADVICE, [check for check in open_ones if check.kind == "advice"], ADVISED)
+        rows += self._folding_rows(METHOD, [check for check in open_ones if check.kind == "method"], OF_METHOD)
+        rows += self._folding_rows(HOLD, [check for check in checks if check.verdict == "pass"], HOLDING)
         return rows
+
+    def _finding_rows(self, outcome: Outcome[object]) -> list[CheckRow]:
+        """The worst of each cause, before the others where they are unfolded; or that there is none."""
+        rows: list[CheckRow] = []
+        for group in ([check for check in checks if check.open] for checks in outcome.causes):
+            if not group or group[0].kind not in KINDS_SHOWN:
+                continue
+            others = [check for check in group[1:] if check.kind in KINDS_SHOWN]
+            unfolded = cause(group[0]) in self.unfolded
+            rows.append(CheckRow(group[0].id, group[0], 0 if unfolded else len(others)))
+            rows += [CheckRow(check.id, check, inside=True) for check in others] if unfolded else []
+        if rows:
+            return rows
+        signs = self.app.signs
+        words = f"{signs.mark('ready')} {self.app.say(Text('Nothing fails here, no caution is open.'))}"
+        return [CheckRow("", head=Content.styled(words, signs.style("ready")))]
+
+    def _folding_rows(self, key: str, checks: Sequence[Check], count: Text) -> list[CheckRow]:
+        """How many there are, before them where they are unfolded."""
+        if not checks:
+            return []
+        signs, unfolded = self.app.signs, key in self.unfolded
+        words = self.app.say(plural(count.one, count.template, n=len(checks)))
+        state = "pass" if key == HOLD else "note"
+        fold = signs.mark("unfolded" if unfolded else "folded")
+        head = Content.assemble((f"{signs.mark(state)} ", signs.style(state)), (words, "dim"), (f" {fold}", "dim"))
+        inside = [CheckRow(check.id, check, inside=True) for check in checks] if unfolded else []
+        return [CheckRow(key, head=head), *inside]
 
     def build(self, width: int) -> list[Item]:
         outcome, say = self.outcome, self.app.say

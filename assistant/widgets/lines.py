@@ -2,6 +2,7 @@
 """What matters most now: why an input is not accepted, what a step waits for, or a finding, that under the cursor or
 the worst."""
 
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from textual.content import Content
@@ -11,18 +12,20 @@ from textual.widget import Widget
 from calc.design.key_values import judged
 from calc.design.model import STEPS
 from calc.sheet.check import URGENT, Check
+from calc.sheet.step import Outcome
 from calc.sheet.text import EMPTY, Amount, Text
-from calc.studies.ready import OPEN, tally
+from calc.studies.ready import OPEN, StepState, tally
 
 from ..actions import ACTIONS, BY_ID, Action
 from ..base_app import BaseApp
-from ..session.places import label_of, named_key
+from ..session.places import Place, label_of, named_key
 from ..session.route import step_of
 from ..session.session import Session
 from .steps import nothing_left, states_of
 from .text import fit, wrap
 
 if TYPE_CHECKING:
+    from calc.solve import Results
     from calc.studies.repair.nearest import NearestRemedy
 
 
@@ -51,21 +54,8 @@ class MessageLine(Widget):
     def message(self) -> tuple[str, str]:
         """The state and the text."""
         session, say = self.session, self.app.say
-        reasons = session.reasons()
-        if reasons:
-            mine = {place: reason for place, reason in reasons.items() if step_of(place) == self.step}
-            place, reason = next(iter((mine or reasons).items()))
-            step = "" if mine else self._title(step_of(place))
-            text = Text(
-                "{key}: {reason}",
-                key=label_of(session.data, named_key(session.data, place)) if place else Text("the design"),
-                reason=reason,
-            )
-            if len(reasons) > 1:
-                text = Text("{mistake}  ({n} in all)", mistake=text, n=len(reasons))
-            return "invalid", step + say(
-                Text("{mistake}. The results are those of the last valid input.", mistake=text)
-            )
+        if reasons := session.reasons():
+            return "invalid", self._mistake(reasons)
         if session.failure:
             return "fail", say(session.failure)
         if session.results is None:
@@ -73,37 +63,56 @@ class MessageLine(Widget):
         outcome = session.results.outcomes[self.step]
         if outcome.state in ("blocked", "no_solution"):
             return outcome.state, say(outcome.reason)
-        here = next((check for check in outcome.checks if check.id == self.finding), None)
-        if here is not None:
-            return judged(here, outcome.checks), self._check(here)
+        chosen = next((check for check in outcome.checks if check.id == self.finding), None)
+        if chosen is not None:
+            return judged(chosen, outcome.checks), self._check(chosen)
         states = states_of(session)
-        todo = next((n for n, state in enumerate(states) if state.state == "todo"), None)
-        ahead = (
-            Text("Enter goes on: {n} {step} is to do.", n=todo + 1, step=STEPS[todo].title)
-            if todo is not None
-            else EMPTY
-        )
-        checks = outcome.checks
+        ahead = _ahead(states)
         if ahead and outcome.verdict == "not_verified" and nothing_left(states, self.step):
             return "todo", say(ahead)
-        if checks and (first := outcome.causes[0][0]).verdict in URGENT:
-            bad = sum(c.verdict in URGENT for c in checks)
-            more = "  " + say(Text("({n} of {count} checks here)", n=bad, count=len(checks))) if bad > 1 else ""
-            return first.verdict, self._check(first) + more
-        outcomes = [(other.key, session.results.outcomes[other.key]) for other in STEPS]
-        worst = [(key, other.causes[0][0]) for key, other in outcomes if other.checks]
-        for key, check in worst:
-            if check.verdict == "fail":
-                return "fail", self._title(key) + self._check(check)
-        for key, other in outcomes:
-            if other.state in ("blocked", "no_solution"):
-                return other.state, self._title(key) + say(other.reason)
-        for key, check in worst:
-            if check.verdict in URGENT:
-                return check.verdict, self._title(key) + self._check(check)
+        if urgent := self._urgent_here(outcome) or self._urgent_anywhere(session.results):
+            return urgent
         if ahead:
             return "todo", say(ahead)
         return "pass", say(Text("Nothing fails, no caution is open."))
+
+    def _mistake(self, reasons: Mapping[Place, Text]) -> str:
+        """Why an input is not accepted: of this step, else of another one."""
+        data = self.session.data
+        mine = {place: reason for place, reason in reasons.items() if step_of(place) == self.step}
+        place, reason = next(iter((mine or reasons).items()))
+        step = "" if mine else self._title(step_of(place))
+        mistake = Text(
+            "{key}: {reason}",
+            key=label_of(data, named_key(data, place)) if place else Text("the design"),
+            reason=reason,
+        )
+        if len(reasons) > 1:
+            mistake = Text("{mistake}  ({n} in all)", mistake=mistake, n=len(reasons))
+        return step + self.app.say(Text("{mistake}. The results are those of the last valid input.", mistake=mistake))
+
+    def _urgent_here(self, outcome: Outcome[object]) -> tuple[str, str] | None:
+        """The worst finding of this step, and how many there are."""
+        if not outcome.checks or (worst := outcome.causes[0][0]).verdict not in URGENT:
+            return None
+        urgent, count = sum(check.verdict in URGENT for check in outcome.checks), len(outcome.checks)
+        more = "  " + self.app.say(Text("({n} of {count} checks here)", n=urgent, count=count)) if urgent > 1 else ""
+        return worst.verdict, self._check(worst) + more
+
+    def _urgent_anywhere(self, results: "Results") -> tuple[str, str] | None:
+        """What fails in another step, else what is not solved, else what is open."""
+        outcomes = [(step.key, results.outcomes[step.key]) for step in STEPS]
+        worst = [(key, outcome.causes[0][0]) for key, outcome in outcomes if outcome.checks]
+        for key, check in worst:
+            if check.verdict == "fail":
+                return "fail", self._title(key) + self._check(check)
+        for key, outcome in outcomes:
+            if outcome.state in ("blocked", "no_solution"):
+                return outcome.state, self._title(key) + self.app.say(outcome.reason)
+        for key, check in worst:
+            if check.verdict in URGENT:
+                return check.verdict, self._title(key) + self._check(check)
+        return None
 
     def _title(self, key: str) -> str:
         return next((f"{n} {self.app.say(step.title)}: " for n, step in enumerate(STEPS, 1) if step.key == key), "")
@@ -148,7 +157,15 @@ class MessageLine(Widget):
         return Content("\n").join(Content.styled(line, signs.style(state)) for line in lines)
 
 
-# The first row: the file and its state, what is open and how many steps are ready, and how long it took.
+def _ahead(states: Sequence[StepState]) -> Text:
+    """The next step that is to do; empty where none is."""
+    todo = next((n for n, state in enumerate(states) if state.state == "todo"), None)
+    if todo is None:
+        return EMPTY
+    return Text("Enter goes on: {n} {step} is to do.", n=todo + 1, step=STEPS[todo].title)
+
+
+# --- the first row: the file and its state, what is open and how many steps are ready, and how long it took.
 
 FEWEST = 60  # columns in which everything can be seen
 
@@ -222,7 +239,7 @@ class TopLine(Widget):
         return Content.assemble(start, " " * max(1, width - start.cell_length - end.cell_length), end)
 
 
-# The last row: the keys, as the table of actions and the user's key map have them.
+# --- the last row: the keys, as the table of actions and the user's key map have them.
 
 # What goes first where there is not room for all, after what does nothing here.  F4 leads to the curve, and narrow to
 # every pane.

@@ -27,38 +27,15 @@ def address(data: Table, key: str, whole: bool = False) -> tuple[str | int, ...]
     parts = key.split(".")
     for i, part in enumerate(parts):
         if isinstance(here, list):
-            index = next(
-                (n for n, item in enumerate(here) if isinstance(item, dict) and item.get("name") == part), None
-            )
-            if index is None and part.isascii() and part.isdigit() and int(part[:9]) < len(here):
-                index = int(part)
-            if index is None:
-                names = ", ".join(str(item.get("name", n)) for n, item in enumerate(here) if isinstance(item, dict))
-                raise _no_such(
-                    key, Text('there is no element "{part}"; there are {names}', part=part, names=names or "none")
-                )
+            index = _element(here, part, key)
             path.append(index)
             here = here[index]
             continue
         if isinstance(here, tuple):  # a list of numbers, by place
-            if not (part.isascii() and part.isdigit() and int(part[:9]) < len(here)) or i + 1 < len(parts):
-                raise _no_such(
-                    key,
-                    Text(
-                        "has {count} numbers; name one by its place, from 0 to {count2}",
-                        count=len(here),
-                        count2=len(here) - 1,
-                    ),
-                )
-            path.append(int(part))
+            path.append(_number(here, parts[i:], key))
             break
-        known = keys(cls) if cls is not None else {}
-        if part not in known:
-            raise _no_such(
-                key, unknown(part, known) if known else Text('"{parts}" has no parts', parts=".".join(parts[:i]))
-            )
+        about = _quantity(cls, parts[: i + 1], key)
         path.append(part)
-        about = known[part].about
         cls = about.table
         if about.kind in ("reasons", "open"):
             rest = ".".join(parts[i + 1 :])  # an id, which has dots of its own
@@ -71,6 +48,44 @@ def address(data: Table, key: str, whole: bool = False) -> tuple[str | int, ...]
     if cls is not None and not whole:
         raise _no_such(key, Text("is a table; name one of its keys: ") + ", ".join(keys(cls)))
     return tuple(path)
+
+
+def _element(tables: list[object], part: str, key: str) -> int:
+    """The index of the table that has this name, or this place."""
+    named = (n for n, item in enumerate(tables) if isinstance(item, dict) and item.get("name") == part)
+    index = next(named, _place(part, len(tables)))
+    if index is None:
+        names = ", ".join(str(item.get("name", n)) for n, item in enumerate(tables) if isinstance(item, dict))
+        raise _no_such(key, Text('there is no element "{part}"; there are {names}', part=part, names=names or "none"))
+    return index
+
+
+def _number(numbers: tuple[object, ...], rest: list[str], key: str) -> int:
+    """The index of a number, which is where its key ends."""
+    index = _place(rest[0], len(numbers))
+    if index is None or len(rest) > 1:
+        raise _no_such(
+            key,
+            Text(
+                "has {count} numbers; name one by its place, from 0 to {count2}",
+                count=len(numbers),
+                count2=len(numbers) - 1,
+            ),
+        )
+    return index
+
+
+def _place(part: str, count: int) -> int | None:
+    return int(part) if part.isascii() and part.isdigit() and int(part[:9]) < count else None
+
+
+def _quantity(cls: type | None, parts: list[str], key: str) -> Quantity:
+    """What a table's class knows of the last part; no class: what stands before is a number, or a word."""
+    known = keys(cls) if cls is not None else {}
+    if parts[-1] not in known:
+        reason = unknown(parts[-1], known) if known else Text('"{parts}" has no parts', parts=".".join(parts[:-1]))
+        raise _no_such(key, reason)
+    return known[parts[-1]].about
 
 
 def quantity_of(data: Table, key: str) -> Quantity:

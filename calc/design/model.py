@@ -52,6 +52,7 @@ STEPS = (
         optional=True,
     ),
 )
+STEP_KEYS = tuple(step.key for step in STEPS)
 OPTIONAL = {step.key for step in STEPS if step.optional}  # of which nothing is said in a design without them
 
 
@@ -142,45 +143,16 @@ class Design:
         if not self.asked():
             yield (
                 "",
-                Text("no step is asked: give at least one of the tables ") + ", ".join(f"[{s.key}]" for s in STEPS),
+                Text("no step is asked: give at least one of the tables ") + ", ".join(f"[{key}]" for key in STEP_KEYS),
             )
         yield from said_twice(self.document, self._former)
-        for id, _ in self.accepted:
-            if is_limit(id):
-                yield f"accepted.{id}", Text("is a limit, which nobody can accept: what fails must be changed")
-        for key, _ in self.locked:
-            if (wrong := _no_key(key)) is not None:
-                yield f"locked.{key}", wrong
-        for step, _ in self.without:
-            if step not in {known_step.key for known_step in STEPS}:
-                yield (
-                    f"without.{step}",
-                    Text("is no step; there are {steps}", steps=", ".join(known_step.key for known_step in STEPS)),
-                )
-            elif getattr(self, step) is not None:
-                yield f"without.{step}", Text("is a step of this design: take the table out, or this line")
-        for n, row in enumerate(self.measured):
-            if row.step not in {step.key for step in STEPS}:
-                steps = ", ".join(step.key for step in STEPS)
-                yield (
-                    f"measured.{n}.value",
-                    Text("must be the id of a value or the key of an input of a step: {steps}", steps=steps),
-                )
-            if row.speed is not None and self.engine is None:
-                yield (
-                    f"measured.{n}.speed_rpm",
-                    Text("is that of the engine: leave it out where there is no [engine] table"),
-                )
+        yield from self._reasons()
+        yield from self._measured()
         for key, name, known in self._names():
             if name is not None and name not in known:
                 yield key, _unknown_name(name, known)
-        if self.engine is not None and self.engine.crank_angles is not None and self.engine.firing_order is not None:
-            from ..engine.crank import not_fired  # brings numpy with it
-
-            if reason := not_fired(self.engine):
-                yield "engine.firing_order", reason
-        if self.imbalance is not None and self.engine is not None and self.imbalance.crank_bodies:
-            yield from self._crank_bodies(self.imbalance, self.engine)
+        if self.engine is not None:
+            yield from self._cranks(self.engine)
         if self.countershaft is not None:
             yield from self._countershaft(self.countershaft)
         if self.bearings is not None:
@@ -189,27 +161,76 @@ class Design:
         yield from self._gear_places()
         if self.mounting is not None:
             yield from self._mounting(self.mounting)
-        if self.friction is not None and self.bearings is None:
+        if self.friction is not None:
+            yield from self._friction(self.friction)
+        if self.gears is not None:
+            yield from self._gear_operation(self.gears)
+
+    def _reasons(self) -> Iterable[tuple[str, Text]]:
+        """Of what is accepted, locked and left out: whether there is such a thing, and whether that can be."""
+        for id, _ in self.accepted:
+            if is_limit(id):
+                yield f"accepted.{id}", Text("is a limit, which nobody can accept: what fails must be changed")
+        for key, _ in self.locked:
+            if (wrong := _no_key(key)) is not None:
+                yield f"locked.{key}", wrong
+        for step, _ in self.without:
+            if step not in STEP_KEYS:
+                yield f"without.{step}", Text("is no step; there are {steps}", steps=", ".join(STEP_KEYS))
+            elif getattr(self, step) is not None:
+                yield f"without.{step}", Text("is a step of this design: take the table out, or this line")
+
+    def _measured(self) -> Iterable[tuple[str, Text]]:
+        for n, row in enumerate(self.measured):
+            if row.step not in STEP_KEYS:
+                yield (
+                    f"measured.{n}.value",
+                    Text(
+                        "must be the id of a value or the key of an input of a step: {steps}",
+                        steps=", ".join(STEP_KEYS),
+                    ),
+                )
+            if row.speed is not None and self.engine is None:
+                yield (
+                    f"measured.{n}.speed_rpm",
+                    Text("is that of the engine: leave it out where there is no [engine] table"),
+                )
+
+    def _cranks(self, engine: EngineInputs) -> Iterable[tuple[str, Text]]:
+        """Whether crank angles, firing order and crank bodies are those of one crank."""
+        if engine.crank_angles is not None and engine.firing_order is not None:
+            from ..engine.crank import not_fired  # brings numpy with it
+
+            if reason := not_fired(engine):
+                yield "engine.firing_order", reason
+        if self.imbalance is not None and self.imbalance.crank_bodies:
+            yield from self._crank_bodies(self.imbalance, engine)
+
+    def _friction(self, friction: FrictionInputs) -> Iterable[tuple[str, Text]]:
+        """Oil and temperature are needed without bearings; with them the power is known."""
+        if self.bearings is None:
             for attribute, key in (("oil", "friction.oil"), ("oil_temperature", "friction.oil_temperature_C")):
-                if getattr(self.friction, attribute) is None:
+                if getattr(friction, attribute) is None:
                     yield key, Text("needed where there is no [bearings] table to take it from")
-        if self.friction is not None and self.bearings is not None:
-            for i, scenario in enumerate(self.friction.scenarios):
-                if scenario.power is not None:
-                    yield (
-                        f"friction.scenarios.{i}.power_kW",
-                        Text("leave it out: the losses of the [bearings] say what the train carries"),
-                    )
-        if self.gears is not None and self.engine is None and self.gears.speed is None:
-            yield "gears.speed_rpm", Text("needed where there is no [engine] table to take it from")
-        if (
-            self.gears is not None
-            and self.engine is None
-            and self.gears.speed_irregularity
-            and self.gears.irregularity_order is None
-        ):
-            yield "gears.irregularity_order", Text("needed where there is no [engine] table whose firing order it is")
-        if self.friction is not None and self.gears is not None and self.bearings is None and self.gears.power is None:
+            return
+        for i, scenario in enumerate(friction.scenarios):
+            if scenario.power is not None:
+                yield (
+                    f"friction.scenarios.{i}.power_kW",
+                    Text("leave it out: the losses of the [bearings] say what the train carries"),
+                )
+
+    def _gear_operation(self, gears: GearsInputs) -> Iterable[tuple[str, Text]]:
+        """Speed, irregularity and power of the train, where no other table has them."""
+        if self.engine is None:
+            if gears.speed is None:
+                yield "gears.speed_rpm", Text("needed where there is no [engine] table to take it from")
+            if gears.speed_irregularity and gears.irregularity_order is None:
+                yield (
+                    "gears.irregularity_order",
+                    Text("needed where there is no [engine] table whose firing order it is"),
+                )
+        if self.friction is not None and self.bearings is None and gears.power is None:
             yield "gears.power_kW", Text("needed where there is no [bearings] table whose loss the train carries")
 
     def _mounting(self, mounting: MountingInputs) -> Iterable[tuple[str, Text]]:

@@ -123,13 +123,11 @@ def notes(
     yield from _assumed(mounting, engine, result, shaft)
     yield Text(
         "Not counted: valve gear, fan, fuel pump, the couple of the rods, whip of the crank, the gyroscopic couple "
-        "(about 2 % at order 1), "
-        "start and stop, which sweep through the modes."
+        "(about 2 % at order 1), start and stop, which sweep through the modes."
     )
     yield Text(
         "The engine is a rigid body, rubber is linear: its stiffness does not fall with amplitude (Payne effect), and "
-        "what the weight "
-        "itself adds to the stiffness, {share} of that against tilting, is left out.",
+        "what the weight itself adds to the stiffness, {share} of that against tilting, is left out.",
         share=Amount(100 * preload(mounting, result.stiffness[0]), "%", digits=2),
     )
 
@@ -151,8 +149,8 @@ def _worse(result: MountingResult) -> Iterator[Text]:
             half, with_it = (result.leaf(f"{name}.{which}.force_sum") for which in ("half", variant))
             if half is not None and with_it is not None and with_it > half * (1 + NONE_BELOW):
                 yield Text(
-                    "{words} makes it worse at {name}, {speed}: "
-                    "the forces in the mounts rise from {half} to {with_it}.",
+                    "{words} makes it worse at {name}, {speed}: the forces in the mounts rise from {half} to "
+                    "{with_it}.",
                     words=words,
                     name=Name(name),
                     speed=Amount(speed * 60, "rpm"),
@@ -171,20 +169,7 @@ VARIANTS = {
 def _assumed(
     mounting: MountingInputs, engine: EngineInputs, result: MountingResult, shaft: ShaftOnEngine | None
 ) -> Iterator[Text]:
-    nodes = result.drive.nodes
-    if nodes is None:
-        yield Text(
-            "Without [engine.gas] only the masses drive the engine: the strongest excitation at idle is missing."
-        )
-    else:
-        outside = [Name(name) for name, (speed, _) in result.speeds.items() if nodes.outside(speed)]
-        if outside:
-            yield Text(
-                "Outside of the speeds whose gas is given the nearest of them holds: {names}.",
-                names=Text(", ").join(outside),
-            )
-        if engine.gas is not None and engine.gas.pressure:
-            yield Text("The table of pressures holds at every speed.")
+    yield from _of_gas(engine, result)
     if mounting.inertia is None:
         yield Text(
             "The inertia is that of {share} of a full box of the overall dimensions: own assumption, 50 to 90 % are "
@@ -197,16 +182,49 @@ def _assumed(
             "order."
         )
     if shaft is not None:
-        if shaft.axis is None and abs(shaft.force) > 0:
-            yield Text(
-                "No axis_mm of the counter-shaft is given: its force is taken to act at the crank, and rolls nothing."
-            )
-        if shaft.errors is not None and mounting.late is None and mounting.scatter_couple is None:
-            yield Text(
-                "The shaft as it scatters: 95 % of its errors by [countershaft.scatter] and the free turn of the train."
-            )
-        if shaft.errors is None:
-            yield Text("How the shaft scatters is not known: give late_deg and scatter_couple_percent.")
+        yield from _of_shaft(mounting, shaft)
+    yield from _of_mounts(mounting)
+    yield from _of_modes(mounting, result)
+    yield Text(
+        "From memory: the grades of severity (medium confidence) and their classes (low), the perception and comfort "
+        "of ISO 2631-1 (high)."
+    )
+
+
+def _of_gas(engine: EngineInputs, result: MountingResult) -> Iterator[Text]:
+    """At which speeds it is known."""
+    nodes = result.drive.nodes
+    if nodes is None:
+        yield Text(
+            "Without [engine.gas] only the masses drive the engine: the strongest excitation at idle is missing."
+        )
+        return
+    outside = [Name(name) for name, (speed, _) in result.speeds.items() if nodes.outside(speed)]
+    if outside:
+        yield Text(
+            "Outside of the speeds whose gas is given the nearest of them holds: {names}.",
+            names=Text(", ").join(outside),
+        )
+    if engine.gas is not None and engine.gas.pressure:
+        yield Text("The table of pressures holds at every speed.")
+
+
+def _of_shaft(mounting: MountingInputs, shaft: ShaftOnEngine) -> Iterator[Text]:
+    """Where its force acts, and how it scatters."""
+    if shaft.axis is None and abs(shaft.force) > 0:
+        yield Text(
+            "No axis_mm of the counter-shaft is given: its force is taken to act at the crank, and rolls nothing."
+        )
+    if shaft.errors is None:
+        yield Text("How the shaft scatters is not known: give late_deg and scatter_couple_percent.")
+    elif mounting.late is None and mounting.scatter_couple is None:
+        yield Text(
+            "The shaft as it scatters: 95 % of its errors by [countershaft.scatter] and the free turn of the train."
+        )
+
+
+def _of_mounts(mounting: MountingInputs) -> Iterator[Text]:
+    """What they stand on, and their rubber."""
     if any(mount.mobility for mount in mounting.mounts):
         yield Text(
             "Each foot moves by its own mobility; what one foot does to another is not counted. The modes are those "
@@ -216,16 +234,16 @@ def _assumed(
         yield Text("A dynamic ratio below 1 is unusual: rubber is stiffer when it vibrates.")
     if all(mount.loss_factor is None and mount.damping is None for mount in mounting.mounts):
         yield Text("A loss factor of 0.1 taken for the mounts, since none is given.")
-    beyond = [f for f in result.levels.frequency.ravel() if f > mounting.rigid_up_to]
-    if beyond:
+
+
+def _of_modes(mounting: MountingInputs, result: MountingResult) -> Iterator[Text]:
+    """Up to which frequency a rigid body has them, and whether they are what their names say."""
+    if any(frequency > mounting.rigid_up_to for frequency in result.levels.frequency.ravel()):
         yield Text(
             "Orders above {limit} are computed, and shown, but engine and frame bend there.",
             limit=Amount(mounting.rigid_up_to, "Hz"),
         )
-    mixed = [result.mode_data.words(i) for i in range(6) if result.mode_data.words(i).template.startswith("mixed")]
+    words = [result.mode_data.words(i) for i in range(6)]
+    mixed = [mode for mode in words if mode.template.startswith("mixed")]
     if mixed:
         yield Text("Modes that are hardly what their name says: {mixed}.", mixed=Text("; ").join(mixed))
-    yield Text(
-        "From memory: the grades of severity (medium confidence) and their classes (low), the perception and comfort "
-        "of ISO 2631-1 (high)."
-    )

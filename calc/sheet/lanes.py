@@ -28,9 +28,8 @@ from .later import Later
 from .parts import alike
 from .text import EMPTY, Text
 
-HANDLED: dict[
-    object, Callable[..., Any]
-] = {}  # by the function of numpy, or its name where importing it would cost a start-up time
+# by the function of numpy, or its name where importing it would cost a start-up time
+HANDLED: dict[object, Callable[..., Any]] = {}
 
 
 class Diverged(Exception):
@@ -52,7 +51,6 @@ class Lanes:
         self.data = data
 
     # --- what one lane has
-    # ---------------------------------------------------------------------------------------------------
     @property
     def shape(self) -> tuple[int, ...]:
         return cast("tuple[int, ...]", self.data.shape[1:])
@@ -143,7 +141,6 @@ class Lanes:
         return [element.tolist() for element in self] if self.ndim else self
 
     # --- one way for all
-    # -----------------------------------------------------------------------------------------------------
     def __bool__(self) -> bool:
         return bool(self._alike(self.data != 0))
 
@@ -178,7 +175,6 @@ class Lanes:
     __str__ = __repr__ = lambda self: "…"
 
     # --- arithmetic
-    # ----------------------------------------------------------------------------------------------------------
     def __array_ufunc__(self, ufunc: Any, method: str, *inputs: Any, **kwargs: Any) -> Any:
         if method == "reduce":
             return reduced(ufunc.reduce, *inputs, **{"axis": 0, **kwargs})
@@ -464,7 +460,7 @@ def _array_equal(a: Any, b: Any) -> bool:
     return bool(np.array_equal(*level((a, b))))
 
 
-# Records of many designs as one record whose numbers are lanes, and back.
+# --- records of many designs as one record whose numbers are lanes, and back
 #
 # What is the same in all designs stays as it is.  Numbers that differ become lanes; anything else that differs (a
 # count, a choice, a part that only some have) makes the designs go apart: `Diverged`.  Words may differ, since nobody
@@ -474,8 +470,9 @@ T = TypeVar("T")
 R = TypeVar("R")
 P = ParamSpec("P")
 REAL = (float, int)
+NUMBERS = (complex, *REAL)
 WORDS = ("advice", "remedies")  # of a check, which nobody reads
-Found = list[tuple[tuple[Any, ...], Any]]  # arguments, and what came of them
+Calls = list[tuple[tuple[Any, ...], Any]]  # arguments, and what came of them
 
 
 def abreast(designs: Sequence[T]) -> T:
@@ -488,48 +485,67 @@ def _merged(xs: list[Any]) -> Any:
     first = xs[0]
     if all(x is first for x in xs):
         return first
-    kind = type(first)
-    if isinstance(first, float):
-        if all(isinstance(x, REAL) for x in xs):
-            numbers = np.array(xs, dtype=float)
-            return first if (numbers == numbers[0]).all() or np.isnan(numbers).all() else Lanes(numbers)
-    elif isinstance(first, complex):
-        if all(isinstance(x, (complex, *REAL)) for x in xs):
-            phasors = np.array(xs, dtype=complex)
-            return first if (phasors == phasors[0]).all() else Lanes(phasors)
+    if isinstance(first, (float, complex)):
+        return _merged_numbers(first, xs)
     if isinstance(first, Text):
         _apart([isinstance(x, Text) and bool(x) == bool(first) for x in xs])
         return first
     if callable(first) and not is_dataclass(first):
         _apart([callable(x) for x in xs])
         return _of_one_alone
-    _apart([type(x) is kind or (isinstance(x, str) and isinstance(first, str)) for x in xs])
-    if kind is Later:
+    _of_one_type(first, xs)
+    if type(first) is Later:
         return Later(_of_one_alone)
-    if kind is Lanes:
+    if type(first) is Lanes:
         raise TypeError("lanes of lanes")
     if isinstance(first, np.ndarray):
-        _apart([x.shape == first.shape and x.dtype == first.dtype for x in xs])
-        if all(np.array_equal(x, first, equal_nan=first.dtype.kind in "fc") for x in xs):
-            return first
-        return Lanes(np.stack(xs))
-    if isinstance(first, (str, int, bool)) or first is None:
+        return _merged_arrays(first, xs)
+    if isinstance(first, (dict, tuple, list)):
+        return _merged_parts(first, xs)
+    if isinstance(first, (str, int)) or not hasattr(first, "__dict__"):
         _apart([x == first for x in xs])
         return first
+    return _merged_records(first, xs)
+
+
+def _of_one_type(first: Any, xs: list[Any]) -> None:
+    """Words of any class stand beside each other."""
+    kind = type(first)
+    _apart([type(x) is kind or (isinstance(x, str) and isinstance(first, str)) for x in xs])
+
+
+def _merged_numbers(first: float | complex, xs: list[Any]) -> Any:
+    """Floats beside integers, or phasors beside real numbers; nothing else beside either."""
+    real = isinstance(first, float)
+    if not all(isinstance(x, REAL if real else NUMBERS) for x in xs):
+        _of_one_type(first, xs)
+    numbers = np.array(xs, dtype=float if real else complex)
+    same = (numbers == numbers[0]).all() or (real and np.isnan(numbers).all())
+    return first if same else Lanes(numbers)
+
+
+def _merged_arrays(first: Any, xs: list[Any]) -> Any:
+    _apart([x.shape == first.shape and x.dtype == first.dtype for x in xs])
+    if all(np.array_equal(x, first, equal_nan=first.dtype.kind in "fc") for x in xs):
+        return first
+    return Lanes(np.stack(xs))
+
+
+def _merged_parts(first: Any, xs: list[Any]) -> Any:
     if isinstance(first, dict):
         _apart([x.keys() == first.keys() for x in xs])
         return {key: _merged([x[key] for x in xs]) for key in first}
-    if isinstance(first, (tuple, list)):
-        _apart([len(x) == len(first) for x in xs])
-        return _like(first, [_merged(list(parts)) for parts in zip(*xs)])
-    parts = vars(first) if hasattr(first, "__dict__") else None
-    if parts is None:
-        _apart([x == first for x in xs])
-        return first
-    names = _fields(first)
+    _apart([len(x) == len(first) for x in xs])
+    return _like(first, [_merged(list(parts)) for parts in zip(*xs)])
+
+
+def _merged_records(first: Any, xs: list[Any]) -> Any:
     return _made(
-        kind,
-        {name: first.__dict__[name] if name in WORDS else _merged([x.__dict__[name] for x in xs]) for name in names},
+        type(first),
+        {
+            name: first.__dict__[name] if name in WORDS else _merged([x.__dict__[name] for x in xs])
+            for name in _fields(first)
+        },
     )
 
 
@@ -549,7 +565,7 @@ class Singly:
     """What was found design by design in a pass: of every lane the calls of each function, with what they were given
     and what they gave."""
 
-    def __init__(self, found: Sequence[Mapping[str, Found]]) -> None:
+    def __init__(self, found: Sequence[Mapping[str, Calls]]) -> None:
         self.found = [dict(of_lane) for of_lane in found]
 
     def result(self, k: int, function: Callable[..., Any], given: tuple[Any, ...]) -> Any:

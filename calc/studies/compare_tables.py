@@ -5,7 +5,7 @@ A number is written with as many digits as it takes to tell it from the other on
 """
 
 from collections import Counter
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 
 from ..design.model import STEPS
 from ..design.names import addressed, belongs, in_context
@@ -34,7 +34,6 @@ Sign = Callable[[str], str]  # how a verdict is written
 
 
 # --- inputs
-# -----------------------------------------------------------------------------------------------------------------
 def input_table(differences: Sequence[InputDifference], names: Names, *, ids: bool = True, full: bool = False) -> Table:
     """`ids`: by their keys, which say the unit too, else by their labels.  `full`: tables that only one design has are
     written out."""
@@ -87,7 +86,6 @@ def named(id: str, label: Text, *, step: bool = False, within: str = "") -> Text
 
 
 # --- verdicts and checks
-# ----------------------------------------------------------------------------------------------------
 def verdict_table(compared: Comparison, names: Names, sign: Sign) -> Table:
     rows = tuple((v.title, judged_text(v.a, sign), judged_text(v.b, sign)) for v in compared.verdicts)
     return Table("verdicts", Text("Verdicts of the steps"), columns((Text("Step"), ""), names), rows)
@@ -147,7 +145,6 @@ def limit_text(d: CheckDifference) -> Text:
 
 
 # --- values
-# -----------------------------------------------------------------------------------------------------------------
 def value_table(
     step: str, title: Text, differences: Sequence[ValueDifference], names: Names, *, ids: bool = True
 ) -> Table:
@@ -194,7 +191,7 @@ def columns(first: tuple[Text, str], names: Names, *more: tuple[Text, str]) -> t
     return (first, (Name(names[0]), ""), (Name(names[1]), ""), *more)
 
 
-# What a comparison comes to: which verdicts moved and which way, and which of the key results got better or worse.
+# --- what a comparison comes to: which verdicts moved and which way, and which of the key results got better or worse.
 
 HARD = ("limit", "caution")  # kinds of checks that make a verdict of a step
 BETTER, WORSE, SAME, NEW, GONE = Text("better"), Text("worse"), Text("the same"), Text("new"), Text("gone")
@@ -204,44 +201,59 @@ WAYS = (WORSE, NEW, NOT_ACCEPTED, BETTER, ACCEPTED, GONE)  # in the order in whi
 
 def sentences(comparison: Comparison, names: Names, sign: Sign) -> list[Text]:
     """The conclusion in a few sentences; `names`: of the two designs."""
-    both = [d for d in comparison.checks_moved if _hard(d)]
-    lone = [d for d in comparison.checks_lone if _hard(d)]
     texts = [_whole(comparison, names, sign)]
     if comparison.steps_moved:
-        steps = [
-            Text("{step} {before} → {after}", step=v.title, before=sign(v.a.verdict), after=sign(v.b.verdict))
-            for v in comparison.steps_moved
-        ]
+        steps = [_step_move(step, sign) for step in comparison.steps_moved]
         texts.append(Text("Steps: {moves}.", moves=COMMA.join(steps)))
-    if not both:
-        texts.append(Text("No limit and no caution changes its verdict."))
-    if some := [d for d in both if _way(d) == WORSE]:
-        texts.append(Text("Limits and cautions to the worse: {moves}.", moves=_moves(some, sign)))
-    if some := [d for d in both if _way(d) == BETTER]:
-        texts.append(Text("Limits and cautions to the better: {moves}.", moves=_moves(some, sign)))
-    if some := [d for d in both if d.accepted]:
-        texts.append(Text("Accepted in one of them only: {moves}.", moves=_moves(some, sign)))
-    for name, some in zip(names, ([d for d in lone if d.b is None], [d for d in lone if d.a is None])):
-        if some:
-            texts.append(
-                plural(
-                    "Only in {name}: {n} limit or caution that does not pass.",
-                    "Only in {name}: {n} limits or cautions that do not pass.",
-                    n=len(some),
-                    name=name,
-                )
+    return [
+        *texts,
+        *_of_moved([d for d in comparison.checks_moved if _hard(d)], sign),
+        *_of_lone([d for d in comparison.checks_lone if _hard(d)], names),
+        *_of_unusual(comparison.unusual, names),
+        *_of_results(comparison.results),
+    ]
+
+
+def _of_moved(differences: Sequence[CheckDifference], sign: Sign) -> Iterator[Text]:
+    """Limits and cautions that both designs have."""
+    if not differences:
+        yield Text("No limit and no caution changes its verdict.")
+    if worse := [d for d in differences if _way(d) == WORSE]:
+        yield Text("Limits and cautions to the worse: {moves}.", moves=_moves(worse, sign))
+    if better := [d for d in differences if _way(d) == BETTER]:
+        yield Text("Limits and cautions to the better: {moves}.", moves=_moves(better, sign))
+    if accepted := [d for d in differences if d.accepted]:
+        yield Text("Accepted in one of them only: {moves}.", moves=_moves(accepted, sign))
+
+
+def _of_lone(differences: Sequence[CheckDifference], names: Names) -> Iterator[Text]:
+    """Those that one design only has."""
+    counts = sum(d.b is None for d in differences), sum(d.a is None for d in differences)
+    for name, n in zip(names, counts):
+        if n:
+            yield plural(
+                "Only in {name}: {n} limit or caution that does not pass.",
+                "Only in {name}: {n} limits or cautions that do not pass.",
+                n=n,
+                name=name,
             )
-    if comparison.unusual[0] and comparison.unusual[0] == comparison.unusual[1]:
-        texts.append(Text("In both {inputs}.", inputs=comparison.unusual[0]))
-    else:
-        texts += [
-            Text("In {name} {inputs}.", name=name, inputs=odd) for name, odd in zip(names, comparison.unusual) if odd
-        ]
-    ways = Counter(result.better for result in comparison.results if result.a is not None and result.b is not None)
+
+
+def _of_unusual(unusual: tuple[Text, Text], names: Names) -> Iterator[Text]:
+    if unusual[0] and unusual[0] == unusual[1]:
+        yield Text("In both {inputs}.", inputs=unusual[0])
+        return
+    for name, inputs in zip(names, unusual):
+        if inputs:
+            yield Text("In {name} {inputs}.", name=name, inputs=inputs)
+
+
+def _of_results(results: Sequence[KeyResult]) -> Iterator[Text]:
+    """How many got better and worse, of those that both designs have."""
+    ways = Counter(result.better for result in results if result.a is not None and result.b is not None)
     if ways:
         counts = dict(better=ways[True], worse=ways[False], same=ways[None], share=Amount(NOTABLE * 100, "%"))
-        texts.append(Text("Key results: {better} better, {worse} worse, {same} the same within {share}.", **counts))
-    return texts
+        yield Text("Key results: {better} better, {worse} worse, {same} the same within {share}.", **counts)
 
 
 def _whole(comparison: Comparison, names: Names, sign: Sign) -> Text:
@@ -264,15 +276,14 @@ def _hard(d: CheckDifference) -> bool:
     return any(check is not None and check.kind in HARD for check in (d.a, d.b))
 
 
-def _moves(some: Sequence[CheckDifference], sign: Sign) -> Text:
+def _moves(differences: Sequence[CheckDifference], sign: Sign) -> Text:
     """`✗ FAIL → ✓ pass 2, ▲ warn → ✓ pass 4`, the worst first."""
-    counts = Counter((d.before, d.after) for d in some)
+    counts = Counter((d.before, d.after) for d in differences)
     ordered = sorted(counts, key=lambda move: [-max(map(RANKS.index, move)), -RANKS.index(move[1])])
     return COMMA.join(Text("{before} → {after} {n}", before=sign(a), after=sign(b), n=counts[a, b]) for a, b in ordered)
 
 
 # --- the two tables
-# ---------------------------------------------------------------------------------------------------------
 def moved(comparison: Comparison) -> list[CheckDifference]:
     """The limits and cautions whose verdict moved, what got worse first, and those of one design only that do not
     pass."""

@@ -38,7 +38,7 @@ from .ranking import (
 from .states import PLACES, BearingTask, against, check_of, size, without_rise
 from .variants import SelectionCase, Solution, Variant, closer_fits, crossings, drawn, placed, tasks, variants
 
-# A row put into the design and solved as a whole: whether it holds there, and what else then fails.
+# --- a row put into the design and solved as a whole: whether it holds there, and what else then fails
 
 TRIES = 3  # of a row whose slopes, read again from the shaft's bending, stop it
 CORNER = "_corner"  # how the checks at the worst corner are called; where the fits are assumed, they only advise
@@ -153,6 +153,7 @@ def _moved(pick: Pick) -> bool:
     return pick.clearance != pick.task.clearance or pick.diameter != pick.task.diameter
 
 
+# --- the search
 VERIFIED = 4  # rows that are solved as whole designs before they are shown; the others when they are taken
 NEAREST = 3  # that are tried as whole designs, until one holds
 STIFFER = Text("stiffen the shaft, or widen its envelope")
@@ -205,45 +206,16 @@ def search(case: SelectionCase, progress: Progress | None = None) -> BearingsFou
     """
     bearings, offered, slopes = _possible(tasks(case)), variants(case), slopes_of(case)
     too_thin: Thin = {}
-    every: list[tuple[Variant, Fields]] = []
-    of_oil: dict[str, dict[str, Metre]] = {}
-    for n, variant in enumerate(offered):
-        tell(progress, 0.5 * n / len(offered), variant.name)
-        there = fields_of(variant, _promising(bearings, of_oil.get(variant.oil)), slopes, too_thin=too_thin)
-        every.append((variant, there))
-        if variant.supply == offered[0].supply and (diameters := best_diameters(there, slopes)) is not None:
-            of_oil[variant.oil] = diameters
+    every = _all_fields(offered, bearings, slopes, too_thin, progress)
     dropped: list[Text] = []
-    of: Every = [(variant, in_room(fields, slopes)) for variant, fields in every]
-    kind, rows = "all", _settled(case, of, slopes, dropped, part(progress, 0.5, 0.6))
-    able = all(
-        any(candidates.carries(slopes[place]) for _, fields in every for candidates in fields[place])
-        for place in PLACES
-    )
-    ways = _further(case, offered, bearings, slopes) if able and not rows else []
-    for n, (way, some, asked) in enumerate(ways):
-        here = part(progress, 0.6 + 0.4 * n / len(ways), 0.6 + 0.4 * (n + 1) / len(ways))
-        kind, of = way, list(short_fields(some, asked, slopes, part(here, 0.0, 0.5)))
-        rows = _settled(case, of, slopes, dropped, part(here, 0.5, 1.0))
-        if rows:
-            break
+    kind, within, rows = _fitting(case, every, offered, bearings, slopes, dropped, progress)
     fitting = [settled.row for settled in rows if settled.row is not None]
     fitting_ids = {id(row.variant) for row in fitting} if kind == "all" else set()
-    pairs = ((variant, best(fields, slopes, by_excess)) for variant, fields in every if id(variant) not in fitting_ids)
-    beyond = [
-        row for variant, pair in pairs if pair for row in (BearingRow("too long", variant, *pair),) if any(row.too_long)
-    ]
-    beyond.sort(key=lambda row: (max(row.too_long), row.power))
+    beyond = _too_long([(variant, fields) for variant, fields in every if id(variant) not in fitting_ids], slopes)
     if not fitting and not beyond:
         raise _none_whole(dropped) if dropped else nothing(every, slopes)
     shown = {id(row.variant) for row in (*fitting, *beyond)}
-    refused = [
-        (v, _stopped(closest(fields, slopes)) if all(fields.values()) else _left_out(v, too_thin))
-        for v, fields in every
-        if id(v) not in shown
-    ]
     verified = min(len(rows), VERIFIED)
-    kind = kind if fitting else "none"
     now = as_is(bearings, offered[0], slopes, corners=kind != "given")
     return BearingsFound(
         case,
@@ -251,16 +223,78 @@ def search(case: SelectionCase, progress: Progress | None = None) -> BearingsFou
         now,
         tuple(fitting),
         tuple(beyond),
-        tuple(pareto(of if fitting else every, slopes)),
+        tuple(pareto(within, slopes)),
         bearings,
         tuple(offered),
         (slopes, *(settled.slopes for settled in rows[:verified])),
-        tuple(refused),
+        _refused([(variant, fields) for variant, fields in every if id(variant) not in shown], slopes, too_thin),
         tuple(dropped),
         {number: settled.broken for number, settled in enumerate(rows, 1) if settled.broken},
         tuple(crossings(case.results)),
         placed(case.bearings) is not None,
         verified,
+    )
+
+
+def _all_fields(
+    offered: Sequence[Variant], bearings: Tasks, slopes: Slopes, too_thin: Thin, progress: Progress | None
+) -> list[tuple[Variant, Fields]]:
+    """Of every variant all lengths, too long ones as well; with another supply only the diameters that are best with
+    the design's."""
+    every: list[tuple[Variant, Fields]] = []
+    of_oil: dict[str, dict[str, Metre]] = {}
+    for n, variant in enumerate(offered):
+        tell(progress, 0.5 * n / len(offered), variant.name)
+        fields = fields_of(variant, _promising(bearings, of_oil.get(variant.oil)), slopes, too_thin=too_thin)
+        every.append((variant, fields))
+        if variant.supply == offered[0].supply and (diameters := best_diameters(fields, slopes)) is not None:
+            of_oil[variant.oil] = diameters
+    return every
+
+
+def _fitting(
+    case: SelectionCase,
+    every: Every,
+    offered: list[Variant],
+    bearings: Tasks,
+    slopes: dict[str, Radian],
+    dropped: list[Text],
+    progress: Progress | None,
+) -> tuple[str, Every, list[Settled]]:
+    """The rows that fit the shaft, after their kind and the fields that they are taken from: of the first kind that has
+    any; "none" after all the fields where none has."""
+    within = [(variant, in_room(fields, slopes)) for variant, fields in every]
+    if rows := _settled(case, within, slopes, dropped, part(progress, 0.5, 0.6)):
+        return "all", within, rows
+    ways = _further(case, offered, bearings, slopes) if _may_carry(every, slopes) else []
+    for n, (kind, tried, asked) in enumerate(ways):
+        here = part(progress, 0.6 + 0.4 * n / len(ways), 0.6 + 0.4 * (n + 1) / len(ways))
+        inside = list(short_fields(tried, asked, slopes, part(here, 0.0, 0.5)))
+        if rows := _settled(case, inside, slopes, dropped, part(here, 0.5, 1.0)):
+            return kind, inside, rows
+    return "none", every, []
+
+
+def _may_carry(every: Every, slopes: Slopes) -> bool:
+    """Whether at each place some bearing of some variant carries its load."""
+    return all(
+        any(candidates.carries(slopes[place]) for _, fields in every for candidates in fields[place])
+        for place in PLACES
+    )
+
+
+def _too_long(every: Every, slopes: Slopes) -> list[BearingRow]:
+    """Of each variant the row that needs the least more room, where it needs any."""
+    pairs = [(variant, best(fields, slopes, by_excess)) for variant, fields in every]
+    rows = [BearingRow("too long", variant, *pair) for variant, pair in pairs if pair]
+    return sorted((row for row in rows if any(row.too_long)), key=lambda row: (max(row.too_long), row.power))
+
+
+def _refused(every: Every, slopes: Slopes, too_thin: Thin) -> tuple[tuple[Variant, Text], ...]:
+    """Each variant with what stops it, or why it was not even looked at."""
+    return tuple(
+        (variant, _stopped(closest(fields, slopes)) if all(fields.values()) else _left_out(variant, too_thin))
+        for variant, fields in every
     )
 
 
@@ -276,10 +310,8 @@ def nearest_row(case: SelectionCase, progress: Progress | None = None, only: Seq
     fields = short_fields(offered, bearings, slopes, part(progress, 0.0, 0.3))
     first = next(fields)
     nearest = _nearest(case, [first], slopes, [])
-    if (
-        nearest is not None and nearest.row is not None and nearest.row.level == 0
-    ):  # sizes alone: no other oil or supply goes before
-        return nearest
+    if nearest is not None and nearest.row is not None and nearest.row.level == 0:
+        return nearest  # sizes alone: no other oil or supply goes before
     ways: list[Iterable[tuple[Variant, Fields]]] = [chain([first], fields)]
     if not only:
         further = _further(case, offered, bearings, slopes)
@@ -510,7 +542,6 @@ def as_is(bearings: Tasks, variant: Variant, slopes: Slopes, *, corners: bool) -
 
 
 # --- why there is nothing
-# --------------------------------------------------------------------------------------------------
 def _stopped(both: tuple[Pick, Pick] | None) -> Text:
     if both is None:
         return Text(

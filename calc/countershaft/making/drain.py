@@ -53,7 +53,6 @@ def sleeves() -> tuple[Sleeve, ...]:
 
 
 # --- formulas
-# ---------------------------------------------------------------------------------------------------------------
 @formula(
     "D_n",
     Text("{rule}: the largest that still grips the smaller end of the hose", rule=RULE),
@@ -114,7 +113,6 @@ def tilted_slope(theta: Radian, tau: Radian) -> Radian:
 
 
 # --- results
-# ----------------------------------------------------------------------------------------------------------------
 @result
 class DrainResult:
     """Clamp and union; None where none fits.  `tried` and `tried_din3021` are the margins of the one clamp that could
@@ -150,6 +148,25 @@ def _pick(drain: OilDrain, at_hand: tuple[Clamp, ...]) -> tuple[Metre, Metre] | 
     return D_n, opening(D_n=D_n, nominals=sizes, openings=opens)
 
 
+def _widest_union(drain: OilDrain) -> tuple[tuple[Union, ...], Metre | None]:
+    """The unions whose thread fits the block, and the widest of their bores; None where none fits."""
+    hole = thread(drain.thread)
+    fitting = tuple(union for union in drain.unions or unions() if thread(union.thread) == hole)
+    if not fitting:
+        return (), None
+    return fitting, widest_bore(bores=each(tuple(union.bore for union in fitting)), designation=drain.thread)
+
+
+def _widest_sleeve(drain: OilDrain) -> tuple[Metre | None, Metre | None]:
+    """Bore and end of the sleeve that goes on the union; None where no ring fits its thread."""
+    diameter = thread(drain.thread)[0]
+    fitting = tuple(s for s in drain.sleeves or sleeves() if -1e-9 < s.ring - diameter <= RING + 1e-9)
+    if not fitting:
+        return None, None
+    bore = widest_sleeve(bores=each(tuple(sleeve.bore for sleeve in fitting)), designation=drain.thread)
+    return bore, based_on(next(sleeve.end for sleeve in fitting if sleeve.bore == bore), bore)
+
+
 def _mm(x: Metre) -> Text:
     return Text("{x} mm", x=Amount(x * 1000.0, form="g"))
 
@@ -157,35 +174,31 @@ def _mm(x: Metre) -> Text:
 def solve(drain: OilDrain) -> DrainResult:
     """Choose clamp and union from the design's own lists, or else from those that come with the program."""
     at_hand = drain.clamps or clamps()
-    hole = thread(drain.thread)
     with about(Text("oil drain")):
         picked = _pick(drain, at_hand)
-        fits = tuple(union for union in drain.unions or unions() if thread(union.thread) == hole)
-        bore = widest_bore(bores=each(tuple(union.bore for union in fits)), designation=drain.thread) if fits else None
-        rings = tuple(s for s in drain.sleeves or sleeves() if -1e-9 < s.ring - hole[0] <= RING + 1e-9)
-        sleeve = widest_sleeve(bores=each(tuple(s.bore for s in rings)), designation=drain.thread) if rings else None
-        end = based_on(next(s.end for s in rings if s.bore == sleeve), sleeve) if rings else None
+        fitting, union_bore = _widest_union(drain)
+        sleeve_bore, sleeve_end = _widest_sleeve(drain)
         slope = tilted_slope(theta=drain.slope, tau=drain.tilt or 0.0) if drain.slope is not None else None
-        taken = picked if picked is not None and picked[1] >= drain.hose_max else None
         gap = margin(D_o=picked[1], D_max=drain.hose_max) if picked else None
         with about(Text("oil drain, DIN 3021")):
             standard = None if drain.clamps else _pick(drain, clamps("din3021"))
             gap_din = margin(D_o=standard[1], D_max=drain.hose_max) if standard else None
-    same = standard is not None and taken is not None and standard[0] == taken[0]
+    taken = picked if picked is not None and picked[1] >= drain.hose_max else None
+    same_size = standard if standard is not None and taken is not None and standard[0] == taken[0] else None
     return DrainResult(
         clamp_nominal=taken[0] if taken else None,
         clamp_opening=taken[1] if taken else None,
         clamp_margin=gap if taken else None,
-        clamp_opening_din3021=standard[1] if standard and same else None,
-        union_bore=bore,
-        sleeve_bore=sleeve,
-        sleeve_end=end,
+        clamp_opening_din3021=same_size[1] if same_size else None,
+        union_bore=union_bore,
+        sleeve_bore=sleeve_bore,
+        sleeve_end=sleeve_end,
         drain_slope=slope,
         drain=drain,
         smallest=min(clamp.nominal for clamp in at_hand),
         tried=gap,
-        tried_din3021=gap_din if same else None,
-        unions=fits,
+        tried_din3021=gap_din if same_size else None,
+        unions=fitting,
         reason=EMPTY if taken else _reason(drain, picked, standard),
     )
 
@@ -197,8 +210,7 @@ def _reason(drain: OilDrain, picked: tuple[Metre, Metre] | None, standard: tuple
     else:
         why = Text(
             "the largest clamp that grips the hose end of {mm} is {mm2} and opens to {mm3}, not over the end of "
-            "{mm4}; a larger one would "
-            "not grip",
+            "{mm4}; a larger one would not grip",
             mm=_mm(drain.hose_min),
             mm2=_mm(picked[0]),
             mm3=_mm(picked[1]),

@@ -105,27 +105,9 @@ def search(gears: GearsInputs, progress: Progress | None = None, axis: complex |
     now = _now(case)
     if now is not None and (bar := eased(now.states, case.system)) is not None:
         case = replace(case, bars=(*case.bars, bar))
-    offered: list[ShiftRow] = []
-    passed: set[Text] = set()
-    work = [
-        0.0,
-        *np.cumsum([GRID[len(way.free)] ** len(way.free) for way in ways]),
-    ]  # candidates, which is what takes the time
-    for n, way in enumerate(ways):
-        here = part(progress, 0.5 * work[n] / work[-1], 0.5 * work[n + 1] / work[-1])
-        within = [row for row in offered if row.freedom is not None and way.contains(row.freedom)]
-        rows = _optima(case, way, within=within, progress=here)
-        passed |= {way.name for _ in rows}
-        offered += [
-            row
-            for row in rows
-            if not any(_shown(row) > _shown(other) for other in within if _keeps(case, other, row.bar))
-        ]
-    optima = sorted(offered, key=lambda row: (_shown(row), len(row.free)))
+    optima, passing = _offered(case, ways, progress)
     main = next((row for row in optima if len(row.free) == 1), optima[0] if optima else None)
-    way = main.freedom if main and main.freedom else min(ways, key=lambda way: len(way.free))
-    bar = main.bar if main else case.bars[-1]
-    nearest = main.free if main else optimum.free if (optimum := best(case, way, {}, bar)) else None
+    way, bar, nearest = _starting_point(case, ways, main)
     along = slice_of(case, way, nearest, bar)
     if along is None or nearest is None:
         raise too_narrow(case, way)
@@ -146,18 +128,54 @@ def search(gears: GearsInputs, progress: Progress | None = None, axis: complex |
         limits=tuple(limits(along, i)),
         along=along,
         exact=exact,
-        refused=tuple(freedom.name for freedom in ways if freedom.name not in passed),
-        no_better=tuple(
-            freedom.name
-            for freedom in ways
-            if freedom.name in passed and not any(row.freedom is freedom for row in optima)
-        ),
+        refused=tuple(freedom.name for freedom in ways if freedom.name not in passing),
+        no_better=_no_better(ways, passing, optima),
         unsought=tuple(freedom.name for freedom in every if freedom not in ways),
     )
 
 
+def _offered(
+    case: ShiftCase, ways: Sequence[Freedom], progress: Progress | None
+) -> tuple[list[ShiftRow], frozenset[Text]]:
+    """The optima of all ways that are better than those with less freedom, the least sliding first; and the names of
+    the ways in which something passes."""
+    offered: list[ShiftRow] = []
+    passing: set[Text] = set()
+    candidates = [GRID[len(way.free)] ** len(way.free) for way in ways]  # which is what takes the time
+    work = [0.0, *np.cumsum(candidates)]
+    for n, way in enumerate(ways):
+        here = part(progress, 0.5 * work[n] / work[-1], 0.5 * work[n + 1] / work[-1])
+        within = [row for row in offered if row.freedom is not None and way.contains(row.freedom)]
+        rows = _optima(case, way, within=within, progress=here)
+        if rows:
+            passing.add(way.name)
+        offered += [row for row in rows if not _beaten(case, row, within)]
+    return sorted(offered, key=lambda row: (_shown(row), len(row.free))), frozenset(passing)
+
+
+def _beaten(case: ShiftCase, row: ShiftRow, others: Sequence[ShiftRow]) -> bool:
+    """Whether one of the others has less sliding within the same limits, or stricter ones."""
+    return any(_shown(row) > _shown(other) for other in others if _keeps(case, other, row.bar))
+
+
+def _starting_point(
+    case: ShiftCase, ways: Sequence[Freedom], main: ShiftRow | None
+) -> tuple[Freedom, Bar, Mapping[str, float] | None]:
+    """Freedom, limits and free shifts about which is looked further: those of the main row; where nothing passes, what
+    comes nearest with the least freedom, None where there is nothing."""
+    way = main.freedom if main and main.freedom else min(ways, key=lambda way: len(way.free))
+    if main:
+        return way, main.bar, main.free
+    bar = case.bars[-1]
+    optimum = best(case, way, {}, bar)
+    return way, bar, optimum.free if optimum else None
+
+
+def _no_better(ways: Sequence[Freedom], passing: frozenset[Text], optima: Sequence[ShiftRow]) -> tuple[Text, ...]:
+    return tuple(way.name for way in ways if way.name in passing and not any(row.freedom is way for row in optima))
+
+
 # --- rows
-# ------------------------------------------------------------------------------------------------------------------
 def _row(
     case: ShiftCase,
     name: Text,
@@ -255,7 +273,6 @@ def _around(case: ShiftCase, along: Slice, at: Mapping[str, float], i: int) -> l
 
 
 # --- tip cuts
-# --------------------------------------------------------------------------------------------------------------
 def cut_steps(case: ShiftCase, wheel: Wheel) -> list[float]:
     """None, steps of a round part of the module, and that of the design."""
     wanted = CUT_STEP * case.system.m_n * 1e3

@@ -61,16 +61,11 @@ class Variables:
 
     def __init__(self, start: Document, design: Design, own: OptimiseInputs, tip: float | None) -> None:
         assert design.countershaft is not None and design.bearings is not None
-        self.start, self.shaft, self.bearings, self.own, self.tip = (
-            start,
-            design.countershaft,
-            design.bearings,
-            own,
-            tip,
-        )
+        self.start, self.own, self.tip = start, own, tip
+        self.shaft, self.bearings = design.countershaft, design.bearings
         self.vary: dict[str, Any] = dict(own.vary) if isinstance(own.vary, dict) else {}
         self.errors: list[InputError] = []
-        self.said: list[Text] = []
+        self.notes: list[Text] = []
         self.seat = "rear" if self.bearings.rear.diameter >= self.bearings.front.diameter else "front"
         for key in self.vary:
             if key in TIED:
@@ -123,9 +118,7 @@ class Variables:
         most = min(
             diameters[self.seat] + SEAT_REACH, self._widest_seat(), (self.own.most or {}).get("seat_mm", float("inf"))
         )
-        through = (
-            self.tip if self.tip is not None and small == "front" else None
-        )  # the gear goes through the front seat
+        through = self.tip if small == "front" else None  # the gear goes through the front seat
         least = through + 2 * ROOM if through is not None else LEAST_SHARE * diameters[small]
         seats = self.values(f"bearings.{self.seat}.diameter_mm", _steps(LEAST_SEAT * diameters[self.seat], most))
         seats = tuple(d for d in seats if d <= most + 1e-9)
@@ -145,7 +138,7 @@ class Variables:
         for key in SIZES:
             if (why := locked(self.start.data, key)) and key not in self.vary:
                 sizes[key] = self.values(key, ()) if self.vary.setdefault(key, "fixed") else None
-                self.said.append(Text("{key} stays, as locked: {why}.", key=key, why=why))
+                self.notes.append(Text("{key} stays, as locked: {why}.", key=key, why=why))
         return sizes
 
     def bounded(self) -> dict[str, tuple[bool, bool]]:
@@ -165,41 +158,50 @@ class Variables:
         return (support.wall_at_seat + 2 * (support.wall - support.least_wall)) * 1e3
 
     def choices(self) -> dict[str, tuple[Any, ...]]:
+        """The values of every key that makes classes."""
+        by_rule = self._choices_by_rule()
+        further = [key for key in self.vary if key not in (*by_rule, *SIZES, *TIED, SURFACES)]
+        options = {key: self._options(key, by_rule.get(key, [])) for key in (*by_rule, *further)}
+        options = {key: values for key, values in options.items() if values}
+        count = math.prod(map(len, options.values()))
+        if count > MOST_CLASSES:
+            self.wrong("", Text("makes {n} classes; at most {most}: vary less at once", n=count, most=MOST_CLASSES))
+        if len(by_rule[FITS]) == 1 and FITS not in self.vary:
+            self.notes.append(Text("The fits stay: no price says what closer ones cost."))
+        return options
+
+    def _choices_by_rule(self) -> dict[str, list[Any]]:
+        """What is looked at where the design does not say it, the design's own first; of a locked key that alone."""
         shaft, bearings = self.shaft, self.bearings
         others = [a.material for a in shaft.cost.alternatives] if shaft.cost is not None else []
         fits = [str(bearings.journal_fit), str(bearings.seat_fit)]
         supplies = [s for s, width in SUPPLIES.items() if getattr(bearings, width) is not None and s != bearings.supply]
-        rules: dict[str, list[Any]] = {
+        by_rule: dict[str, list[Any]] = {
             "countershaft.material": [shaft.material, *(m for m in others if m != shaft.material)],
             "bearings.oil": [bearings.oil],
             "bearings.supply": [bearings.supply, *supplies],
             FITS: [fits, *(p.value for p in self.own.price if p.what == "fit" and p.value != fits)],
         }
-        for key, values in rules.items():
+        for key, values in by_rule.items():
             if key != FITS and (why := locked(self.start.data, key)):
                 del values[1:]
                 if key != "bearings.oil":
-                    self.said.append(Text("{key} stays, as locked: {why}.", key=key, why=why))
-        options: dict[str, tuple[Any, ...]] = {}
-        for key in (*rules, *(k for k in self.vary if k not in (*rules, *SIZES, *TIED, SURFACES))):
-            given = self.vary.get(key)
-            if given == "fixed" or given is None:
-                options[key] = tuple(rules.get(key, ())[: 1 if given == "fixed" else None])
-                if not options[key]:
-                    continue
-            else:
-                options[key] = tuple(given if isinstance(given, list) else _range(given))
-            for value in options[key] if given is not None or key == FITS else ():
-                self._one(key, value)
-        options = {key: values for key, values in options.items() if values}
-        count = math.prod(map(len, options.values()))
-        if count > MOST_CLASSES:
-            self.wrong("", Text("makes {n} classes; at most {most}: vary less at once", n=count, most=MOST_CLASSES))
-        if len(rules[FITS]) == 1 and FITS not in self.vary:
-            self.said.append(Text("The fits stay: no price says what closer ones cost."))
-        return options
+                    self.notes.append(Text("{key} stays, as locked: {why}.", key=key, why=why))
+        return by_rule
 
-    def _one(self, key: str, value: object) -> None:
+    def _options(self, key: str, by_rule: Sequence[Any]) -> tuple[Any, ...]:
+        """The values of one key, each looked at whether the design could have it: as given, fixed, or by rule."""
+        given = self.vary.get(key)
+        if given is None or given == "fixed":
+            values = tuple(by_rule[: 1 if given == "fixed" else None])
+        else:
+            values = tuple(given if isinstance(given, list) else _range(given))
+        if given is not None or key == FITS:
+            for value in values:
+                self._check_choice(key, value)
+        return values
+
+    def _check_choice(self, key: str, value: object) -> None:
         if key == FITS:
             if not (isinstance(value, list) and len(value) == 2 and all(isinstance(x, str) for x in value)):
                 self.wrong(key, WIDTHS, value)
@@ -234,7 +236,7 @@ class Variables:
                 self.wrong(SURFACES, Text("must be pairs of Ra in µm, journal and seat: [0.4, 0.6]"), pair)
                 return (None,)
         if not pairs:
-            self.said.append(Text("The surfaces stay: no price says what smoother ones cost."))
+            self.notes.append(Text("The surfaces stay: no price says what smoother ones cost."))
         bearings = self.bearings.front, self.bearings.rear
         as_designed = [(b.journal_roughness * 1e6, b.housing_roughness * 1e6) for b in bearings]
         surfaces: list[tuple[float, float] | None] = [] if isinstance(given, list) else [None]
@@ -257,8 +259,8 @@ def _steps(low: float, high: float) -> tuple[float, ...]:
     return tuple(round(x, 6) for x in multiples(STEP, low, high).tolist()) if high >= low else ()
 
 
-# What is searched over, what must hold and what is wanted: read off the design and its [optimise], with the rules of
-# this program beside.
+# --- what is searched over, what must hold and what is wanted: read off the design and its [optimise], with the rules
+# of this program beside
 #
 # A class is one choice of everything that changes films or loads as a whole: material, oil, supply, fits, and any other
 # key that is varied. Within it core, diameters, lengths, clearances and surfaces are combined.  Outer radius and
@@ -299,8 +301,9 @@ class Problem:
     `sizes`: the values of every size by its key, mm, None: by the rule of lengths.
 
     `choices`: the values of everything else; `surfaces`: pairs of Ra, journal and seat, µm; None: as designed.  `seat`:
-    the place of the largest journal.  `most`: hard ends by objective, in its unit; margin is a least.  `said`: what was
-    chosen here."""
+    the place of the largest journal.  `most`: hard ends by objective, in its unit; margin is a least.  `cycle`: speed
+    over the rated one, and share of the time; empty: the rated speed alone.  `bounded`: whether the low and the high
+    end of a range of sizes is a limit of the design itself.  `said`: what was chosen here."""
 
     start: Document
     began: Changes
@@ -315,12 +318,8 @@ class Problem:
     limits: tuple[str, ...]
     waived: tuple[str, ...]
     units: dict[str, float]
-    cycle: tuple[
-        tuple[float, float], ...
-    ]  # speed over the rated one, and share of the time; empty: the rated speed alone
-    bounded: dict[
-        str, tuple[bool, bool]
-    ]  # whether the low and the high end of a range of sizes is a limit of the design itself
+    cycle: tuple[tuple[float, float], ...]
+    bounded: dict[str, tuple[bool, bool]]
     rows: int
     seed: int
     said: tuple[Text, ...]
@@ -392,9 +391,8 @@ def _optimise(design: Design) -> OptimiseInputs:
 
 
 # --- reading
-# --------------------------------------------------------------------------------------------------------------
 def problem(document: Document, tip: float | None, overrides: Mapping[str, object] = {}) -> Problem:
-    """`tip`: diameter of the gear on the shaft in mm, None where there is none; `said`: the command line's own keys of
+    """`tip`: diameter of the gear on the shaft in mm, None where there is none; `overrides`: the command line's keys of
     [optimise], which go before the file's.  Raises BadInput with everything that is wrong."""
     base = design(document)
     file = _optimise(base)
@@ -431,7 +429,7 @@ def problem(document: Document, tip: float | None, overrides: Mapping[str, objec
     most = {key.rpartition("_")[0]: float(bound) for key, bound in (inputs.most or {}).items()}
     if "price" in (*objectives, *most) and any(price(base, choice, None) is None for choice in known):
         objectives = _without_price(document, objectives, most)
-        variables.said.append(Text("The price is left out: [countershaft.cost] does not have it of every material."))
+        variables.notes.append(Text("The price is left out: [countershaft.cost] does not have it of every material."))
     least = (inputs.least or {}).get("margin_percent", 0.0) / 100
     margins = tuple(dict.fromkeys([least, *(m for m in MARGINS if m > least)])) if "margin" in objectives else (least,)
     limits, waived = (*LIMITS, *(inputs.limits or ())), tuple(inputs.waive or ())
@@ -453,7 +451,7 @@ def problem(document: Document, tip: float | None, overrides: Mapping[str, objec
         bounded=variables.bounded(),
         rows=inputs.rows,
         seed=inputs.seed,
-        said=(*words, *variables.said),
+        said=(*words, *variables.notes),
     )
 
 
