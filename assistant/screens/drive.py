@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The whole drive: the front of all combinations that pass, as points and as a table, to walk along; the row under the
-cursor is solved and may be taken as one step of the undo."""
+"""The whole drive: the front of all combinations that pass, as points and as a table, to walk along.
+
+The row under the cursor is solved and may be taken as one step of the undo."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -30,7 +31,8 @@ if TYPE_CHECKING:
     from calc.studies.drive.run import FrontFound
 
 
-# Points of two objectives in character cells: the drives of a front, the design as it is, and the one under the cursor.
+# --- points of two objectives in character cells
+# The drives of a front, the design as it is, and the one under the cursor.
 
 DOT, NOW, PICKED = "·", "+", "◆"
 PLAIN = {DOT: ".", NOW: "+", PICKED: "@"}
@@ -102,6 +104,8 @@ def _ends(numbers: list[float]) -> tuple[float, float]:
     room = (high - low) * 0.04 or abs(low) * 0.01 or 1.0
     return low - room, high + room
 
+
+# --- the screen
 
 SHARE = 0.85  # of the progress, until all classes are done
 PROCESSES = 2
