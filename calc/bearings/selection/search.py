@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The search itself: inputs and results in, rows to choose from out.  What is offered first has been through the whole
-solution once more.
+"""The search for bearings itself: inputs and results in, rows to choose from out.
+
+What is offered first has been through the whole solution once more.
 
 In this order: what fits the room on the shaft by its sizes, by another oil, another supply, smoother surfaces; then by
 closer fits; then what keeps the limits as given, where a corner of tolerances that are only assumed is passed; and
@@ -38,7 +39,7 @@ from .ranking import (
 from .states import PLACES, BearingTask, against, check_of, size, without_rise
 from .variants import SelectionCase, Solution, Variant, closer_fits, crossings, drawn, placed, tasks, variants
 
-# A row put into the design and solved as a whole: whether it holds there, and what else then fails.
+# --- a row put into the design and solved as a whole: whether it holds there, and what else then fails
 
 TRIES = 3  # of a row whose slopes, read again from the shaft's bending, stop it
 CORNER = "_corner"  # how the checks at the worst corner are called; where the fits are assumed, they only advise
@@ -152,6 +153,8 @@ def fits_to_write(row: BearingRow, bearings: BearingsInputs) -> tuple[str, str] 
 def _moved(pick: Pick) -> bool:
     return pick.clearance != pick.task.clearance or pick.diameter != pick.task.diameter
 
+
+# --- the search
 
 VERIFIED = 4  # rows that are solved as whole designs before they are shown; the others when they are taken
 NEAREST = 3  # that are tried as whole designs, until one holds
@@ -510,7 +513,8 @@ def as_is(bearings: Tasks, variant: Variant, slopes: Slopes, *, corners: bool) -
 
 
 # --- why there is nothing
-# --------------------------------------------------------------------------------------------------
+
+
 def _stopped(both: tuple[Pick, Pick] | None) -> Text:
     if both is None:
         return Text(
