@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """One number of many designs at once: `Lanes` stands where a formula, or a whole step, has a float.
 
+In order: the lanes, the functions of numpy that take them, records of many designs as one record.
+
 A lane is a design.  Arithmetic and numpy's functions work lane by lane; an array that a design has (the points of a
 path, the corners of its tolerances) is an array in every lane, and a plain array is the same in all.  So a step that is
 written for one design solves many, in one pass through its code, and a lane never sees another.
@@ -336,8 +338,7 @@ def reduced(reduce: Any, x: Any, axis: Any = None, **kwargs: Any) -> Any:
     return Lanes(reduce(x.data, axis=axis_of(x, axis), **kwargs))
 
 
-# The functions of numpy that take lanes: each works lane by lane, on the points that a lane has.
-#
+# --- the functions of numpy that take lanes: each works lane by lane, on the points that a lane has
 # One that does not stand here refuses lanes, which is an error and then another way (below).
 
 
@@ -464,8 +465,7 @@ def _array_equal(a: Any, b: Any) -> bool:
     return bool(np.array_equal(*level((a, b))))
 
 
-# Records of many designs as one record whose numbers are lanes, and back.
-#
+# --- records of many designs as one record whose numbers are lanes, and back
 # What is the same in all designs stays as it is.  Numbers that differ become lanes; anything else that differs (a
 # count, a choice, a part that only some have) makes the designs go apart: `Diverged`.  Words may differ, since nobody
 # reads them: those of the first stand.  What is made when it is asked for can not be asked.
