@@ -284,7 +284,7 @@ class SideView:
         return self.by * high, self.by * low
 
     # --- the shape
-    # ------------------------------------------------------------------------------------------------------
+
     def _shape(self, leaf: Leaf) -> None:
         above: list[Point] = []
         below: list[Point] = []
@@ -327,7 +327,7 @@ class SideView:
         return boxes
 
     # --- what is measured
-    # -----------------------------------------------------------------------------------------------
+
     def _diameters(self, leaf: Leaf, marks: list[Box]) -> None:
         """A shelf for each diameter, its line across the piece with an arrow at either side."""
         asked, words = [], []

@@ -54,7 +54,7 @@ class Lanes:
         self.data = data
 
     # --- what one lane has
-    # ---------------------------------------------------------------------------------------------------
+
     @property
     def shape(self) -> tuple[int, ...]:
         return cast("tuple[int, ...]", self.data.shape[1:])
@@ -145,7 +145,7 @@ class Lanes:
         return [element.tolist() for element in self] if self.ndim else self
 
     # --- one way for all
-    # -----------------------------------------------------------------------------------------------------
+
     def __bool__(self) -> bool:
         return bool(self._alike(self.data != 0))
 
@@ -180,7 +180,7 @@ class Lanes:
     __str__ = __repr__ = lambda self: "…"
 
     # --- arithmetic
-    # ----------------------------------------------------------------------------------------------------------
+
     def __array_ufunc__(self, ufunc: Any, method: str, *inputs: Any, **kwargs: Any) -> Any:
         if method == "reduce":
             return reduced(ufunc.reduce, *inputs, **{"axis": 0, **kwargs})

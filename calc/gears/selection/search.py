@@ -157,7 +157,8 @@ def search(gears: GearsInputs, progress: Progress | None = None, axis: complex |
 
 
 # --- rows
-# ------------------------------------------------------------------------------------------------------------------
+
+
 def _row(
     case: ShiftCase,
     name: Text,
@@ -255,7 +256,8 @@ def _around(case: ShiftCase, along: Slice, at: Mapping[str, float], i: int) -> l
 
 
 # --- tip cuts
-# --------------------------------------------------------------------------------------------------------------
+
+
 def cut_steps(case: ShiftCase, wheel: Wheel) -> list[float]:
     """None, steps of a round part of the module, and that of the design."""
     wanted = CUT_STEP * case.system.m_n * 1e3

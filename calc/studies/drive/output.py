@@ -126,7 +126,8 @@ def _ends(problem: Problem, sizes: Mapping[str, float]) -> list[str]:
 
 
 # --- the files
-# --------------------------------------------------------------------------------------------------------------------
+
+
 def csv_text(front: FrontFound) -> str:
     """front.csv: what it is the front of, then a row for each drive, units in the head."""
     problem, out = front.problem, io.StringIO()
@@ -214,7 +215,8 @@ def power_of_ten(count: int) -> Name:
 
 
 # --- the problem in words
-# -----------------------------------------------------------------------------------------------------------
+
+
 def said(problem: Problem) -> list[Text]:
     """The ranges, ties, requirements and objectives, a line each."""
     lines = [Text("objectives: {names}", names=COMMA.join([_objective(problem, name) for name in problem.objectives]))]

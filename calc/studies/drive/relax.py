@@ -88,7 +88,8 @@ def _relaxed(problem: Problem, progress: Progress | None) -> Refusal:
 
 
 # --- one question
-# --------------------------------------------------------------------------------------------------------------
+
+
 def quick(problem: Problem) -> Problem:
     """The same with few diameters of the smaller journal, and no margin but the least."""
     small = f"bearings.{'front' if problem.seat == 'rear' else 'rear'}.diameter_mm"
@@ -163,7 +164,7 @@ def _nearest_miss(problem: Problem) -> float | None:
 
 
 # --- the ways
-# ----------------------------------------------------------------------------------------------------------------------
+
 Way = tuple[Text, Callable[[], RefusalLine | None]]
 
 
