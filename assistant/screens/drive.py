@@ -28,7 +28,7 @@ from ..widgets.text import fit, pad
 from .selection import Choosing, OfferList, Searching
 
 if TYPE_CHECKING:
-    from calc.studies.drive.run import FrontFound
+    from calc.studies.drive.search import FrontFound
 
 
 # --- points of two objectives in character cells
@@ -163,8 +163,8 @@ class Driving(Choosing):
     def search(self, progress: Progress) -> Iterator[Offer]:
         from calc.studies.drive.classes import NotClosed
         from calc.studies.drive.evolve import EVALUATIONS, evolved
-        from calc.studies.drive.run import FrontTable as Known
-        from calc.studies.drive.run import asked, search
+        from calc.studies.drive.search import FrontTable as Known
+        from calc.studies.drive.search import asked, search
 
         problem, _ = asked(self.session.document, {})
         count = len(problem.classes)
@@ -191,7 +191,7 @@ class Driving(Choosing):
 
     def _nothing(self, front: "FrontFound", progress: Progress) -> Text:
         """What alone would have to give way."""
-        from calc.studies.drive.relax import refusal
+        from calc.studies.drive.refusal import refusal
 
         why = refusal(front, progress)
         if why.always:
@@ -276,7 +276,7 @@ class Driving(Choosing):
     def _now(self, names: list[str]) -> tuple[tuple[float, float] | None, bool]:
         """The design as it is, and whether a limit of it fails."""
         from calc.countershaft.result import CountershaftResult
-        from calc.studies.drive.whole import mass, power
+        from calc.studies.drive.solved_drive import mass, power
 
         results, bearings, front = self.session.results, self.session.design.bearings, self.front
         shaft = results.result(CountershaftResult) if results is not None else None

@@ -214,7 +214,7 @@ class Remedies(Searching[RepairOption | None, RepairOption]):
         super().begin()
 
     def search(self, progress: Progress) -> Iterator[RepairOption]:
-        from calc.studies.repair.ways import search
+        from calc.studies.repair.options import search
 
         yield from search(self.session.document, self.finding, self.session.results, progress, SECONDS)
 

@@ -11,8 +11,8 @@ from ...sheet.step import Table
 from ...sheet.text import COMMA, Amount, Name, Text
 from ...sheet.version import VERSION
 from .problem import CORE, FITS, LIMITS, TIED, Problem
-from .run import FrontFound, key
-from .whole import Whole
+from .search import FrontFound, key
+from .solved_drive import Whole
 
 LABELS = {
     "power": Text("power at the crank"),

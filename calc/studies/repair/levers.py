@@ -23,8 +23,8 @@ from ...sheet.search import allowed
 from ...sheet.text import EMPTY, Small, Text
 from . import sizing as shaft
 from . import sizing as strength
+from .single_input import ASKED, FREE
 from .state import RepairState
-from .vary import ASKED, FREE
 
 # --- what kind of remedy a changed input is
 # In the words of the trade: a smaller clearance, a longer journal, a thicker core.

@@ -28,11 +28,11 @@ from ...sheet.version import VERSION
 from ...solve import Results, solve
 from ..spread import spread
 from .classes import ClassFront, NotClosed, class_of, sized
-from .combine import DriveRows, joined
+from .combinations import DriveRows, joined
 from .front import front, representatives
 from .problem import FITS, Problem
 from .problem import problem as problem_of
-from .whole import Sized, Whole, whole
+from .solved_drive import Sized, Whole, whole
 
 NEIGHBOURS = 3  # of a row that fails when it is solved whole, are tried in its place
 NEAR = 16  # rows among which the neighbours of one are looked for

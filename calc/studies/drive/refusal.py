@@ -25,10 +25,10 @@ from ...sheet.record import record
 from ...sheet.text import EMPTY, Name, Text
 from ...sheet.value import untraced
 from .classes import NotClosed, class_with, sized
-from .combine import DriveRows
+from .combinations import DriveRows
 from .problem import FITS, SEAT_REACH, Problem
-from .run import FrontFound
-from .whole import Whole, whole
+from .search import FrontFound
+from .solved_drive import Whole, whole
 
 FEW = 12  # diameters of the smaller journal that are looked at for a question alone
 HALVINGS = 6
