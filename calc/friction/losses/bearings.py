@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 # mypy: disable-error-code="no-any-return"
-"""What turns a wheel's bearings: rolling bearings by Palmgren or by SKF, the bush of an idler on its pin, shaft seals.
+"""What the bearings of a wheel lose: rolling bearings by Palmgren or SKF, the bush of an idler on its pin, seals.
 
 Under radial load: Palmgren's two parts, or SKF's newer model where its constants could be read.
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 # mypy: disable-error-code="no-any-return"
-"""Mixed friction: which share ξ of the load rides on the roughness, what both parts rub together, and what flanks rub.
+"""Mixed friction: which share ξ of the load rides on the roughness, what both parts rub together, and the surfaces.
 
 All depends on the film over the roughness, λ.  Where λ is small the peaks carry and rub through what the oil has left
 on them; from about λ = 2 on the film carries all, and the friction is the film's.
