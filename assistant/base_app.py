@@ -2,7 +2,7 @@
 """The app as its widgets and dialogs know it: the user's language, signs and keys, and what is told for a moment.
 
 `app.ContralberoApp` adds the screens.  Widgets and dialogs annotate `app: BaseApp` and so need not import the screens
-that hold them."""
+that hold them.  Every console of it writes out the characters that a terminal would obey."""
 
 import re
 from collections.abc import Sequence
@@ -24,7 +24,8 @@ from .session.recovery import Memory, Settings
 from .session.session import Session
 from .widgets.signs import Signs
 
-# What the screen writes, with characters that a terminal would obey written out: a name in a design file may hold any.
+# --- what the screen writes
+# Characters that a terminal would obey are written out: a name in a design file may hold any.
 
 BLANKS = re.compile(" {2,}")
 
@@ -57,6 +58,8 @@ def _shortened(text: str, owed: int) -> tuple[str, int]:
 
     return BLANKS.sub(fewer, text), owed
 
+
+# --- the app
 
 LEGIBLE = Legible()
 

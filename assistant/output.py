@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Where the text of the command line leaves: nothing in it is obeyed by a terminal, and none is too much for an
-encoding.
+"""Where the text of the command line leaves, and what is said when the program itself fails.
 
-A pipe that nobody reads any more, and a device that is full, end the program without a word too many.
-"""
+Nothing in a text is obeyed by a terminal, and none is too much for an encoding.  A pipe that nobody reads any more, and
+a device that is full, end the program without a word too many."""
 
 import codecs
 import contextlib
@@ -113,7 +112,8 @@ def _to_nowhere(stream: TextIO) -> None:
         os.close(nowhere)
 
 
-# A fault of the program itself: one line, where its trace is kept, and an exit code that is no verdict.
+# --- a fault of the program itself
+# One line, where its trace is kept, and an exit code that is no verdict.
 
 CODE = 70
 KEPT = 20  # traces; older ones go

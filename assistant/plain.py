@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Results as plain text and as JSON: every number of the screen is here too."""
+"""Results as plain text and as JSON: every number of the screen is here too, the findings first."""
 
 import math
 import os
@@ -23,9 +23,9 @@ if TYPE_CHECKING:
     from calc.studies.explain import Effect
 
 
-# What the checks found, as plain text that fits a screen: limits first, then cautions, each group of one cause by its
-# worst check; advice and what concerns the method by their numbers and the worst of each.  `everything`: all of them in
-# full.
+# --- findings, as plain text that fits a screen
+# Limits first, then cautions, each group of one cause by its worst check; advice and what concerns the method by
+# their numbers and the worst of each.  `everything`: all of them in full.
 
 WORDS = {
     "pass": "pass",
@@ -155,6 +155,8 @@ def _width() -> int:
     except (ValueError, OSError):  # no terminal
         return FINDINGS_LINE
 
+
+# --- steps, tables and values, and all of it as JSON
 
 DIGITS = 6
 HEADS = {step.key: step for step in STEPS}

@@ -13,8 +13,8 @@ import numpy as np
 from calc.design.toml_file import design, load, read
 from calc.solve import solve
 from calc.studies.drive.classes import tables_of
-from calc.studies.drive.combine import class_front, combinations
-from calc.studies.drive.run import asked, search
+from calc.studies.drive.combinations import class_front, combinations
+from calc.studies.drive.search import asked, search
 from calc.studies.drive.shafts import shafts
 
 DESIGNS = Path(__file__).parents[1] / "designs"

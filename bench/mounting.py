@@ -13,7 +13,7 @@ from bench.film import best
 from calc.design import step_inputs
 from calc.design.toml_file import design, read
 from calc.mounting import solve as mounting
-from calc.mounting.felt import courses
+from calc.mounting.seat_vibration import courses
 from calc.mounting.selection import choices
 from calc.sheet.value import recorded
 from calc.solve import solve

@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The engineering: numbers in, numbers out.  No screen, no paper, no printing."""
+"""The engineering: numbers in, numbers out; the steps, the sheet they are written on, studies of whole designs.
+
+No screen, no paper, no printing."""
 
 from typing import TYPE_CHECKING
 

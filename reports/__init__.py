@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Paper: knows the calculation sheet, knows nothing about any single step."""
+"""Paper: the calculation report and its parts, made from the calculation sheet; nothing here knows a single step."""

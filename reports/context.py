@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What every part of a report is made from."""
+"""What every part of a report is made from: the solved design, its logo, and what its numbers come from."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ from calc.studies.explain import Chains
 from .blocks.words import WORDS
 from .setting.boxes import Symbol
 
-# The logo of a title block: a PNG file beside the design, in which a stranger may have put anything.
+# --- the logo of a title block: a PNG file beside the design, in which a stranger may have put anything
 
 KEY = "document.logo"
 HEAD = b"\x89PNG\r\n\x1a\n\x00\x00\x00\rIHDR"
@@ -110,7 +110,8 @@ def _read(path: Path) -> bytes:
         return file.read(LOGO_BYTES + 1)
 
 
-# What a number comes from, followed through arrays: of each line the one element that enters, and what that is made of.
+# --- what a number comes from, followed through arrays
+# Of each line the one element that enters, and what that is made of.
 
 Index = tuple[int, ...]
 Element = tuple[Line, Index | None]  # a line, and which element of its value; None: all of it, or it is no array
@@ -189,6 +190,8 @@ def _index(line: Line, number: Any, index: Index | None) -> Index | None:
     equal = np.argwhere(value == number)
     return tuple(equal[0].tolist()) if len(equal) else None
 
+
+# --- the context
 
 DEPTHS = ("summary", "engineer", "audit")
 NEAR = 0.1  # margin up to which a check that holds is proven

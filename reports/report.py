@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The calculation report: one design, solved, as an A4 document that can be signed.
 
-The same design file and program give the same bytes: no date of printing, no path, no order but that of the design.
-"""
+The same design file and program give the same bytes: no date of printing, no path, no order but that of the design."""
 
 from __future__ import annotations
 
@@ -48,10 +47,9 @@ if TYPE_CHECKING:
     from .setting.pen import Recording
 
 
-# Figures drawn by a copy of this process, while it makes the rest.
-#
+# --- figures drawn by a copy of this process, while it makes the rest
 # The copy is told what to draw and sends recordings back; what draws them, which takes longest to load, is not loaded
-# here.  This file loads nothing, so that the copy can begin to get ready before this process has loaded anything.
+# here.
 
 
 def draughtsman() -> Draughtsman:
@@ -79,6 +77,8 @@ def _ready() -> Callable[[tuple[str, list[Job]]], list[Recording]]:
 
     return draw
 
+
+# --- the report
 
 # What the contents name of a step; their row holds no more, and the errata stand in the summary as well.
 LISTED = ("inputs", "notes", "formulas", "results", "tables", "checks", "figures")

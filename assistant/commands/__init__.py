@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: Apache-2.0
-"""One module per command: `run(arguments) -> exit code`."""
+"""The commands of the command line, a few to a file: each is `run_…(arguments) -> exit code`."""

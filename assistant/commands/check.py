@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""`contralbero check`: solve a design and print its verdicts, main values and findings, or all that it gives."""
+"""`contralbero check` and `contralbero explain`: the results of a design, and the way that leads to one of them.
+
+check: solves a design and prints its verdicts, main values and findings, or all that it gives.  explain: prints the
+chain of formulas that leads to one value, back to the inputs."""
 
 import sys
 from argparse import Namespace
@@ -144,7 +147,7 @@ def exit_code(outcomes: Iterable[Outcome[object]]) -> int:
     return 3 if "no_solution" in verdicts else 1 if "fail" in verdicts else 0
 
 
-# `contralbero explain`: the chain of formulas that leads to one value, back to the inputs.
+# --- contralbero explain
 
 
 def run_explain(asked: Namespace) -> int:

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""`contralbero choose` and `contralbero set`: what writes into a design file, and shows what then holds.
+"""`contralbero choose` and `contralbero set`: the commands that write into a design file, and show what then holds.
 
-choose: a search for the user; a ranked table, and `--apply N` writes one row into the design file."""
+choose: a search for the user; a ranked table, and `--apply N` writes one row into the design file.  set: edits a design
+file in place."""
 
 import json
 import sys
@@ -119,7 +120,8 @@ def _comments(text: str) -> list[str]:
     return [line[line.index("#") :].strip() for line in text.splitlines() if "#" in line]
 
 
-# `contralbero set`: edit a design file in place.  The file is written only if the whole design is still valid.
+# --- contralbero set
+# The file is written only if the whole design is still valid.
 
 
 def run_set(asked: Namespace) -> int:

@@ -89,7 +89,8 @@ def _write(sides: Sides, comparison: Comparison, path: Path, lang: str, everythi
 
 
 # --- text
-# -------------------------------------------------------------------------------------------------------------------
+
+
 def text(sides: Sides, comparison: Comparison, everything: bool) -> Iterator[str]:
     """Which designs, what the comparison comes to, the inputs; `everything`: then all verdicts, checks and values that
     differ."""
@@ -141,7 +142,8 @@ def _table(table: Table) -> Iterator[str]:
 
 
 # --- JSON
-# -------------------------------------------------------------------------------------------------------------------
+
+
 def comparison_json(sides: Sides, comparison: Comparison) -> dict[str, Any]:
     """All that differs.  `in` says which design has a check or a value; a number that is not finite is null."""
     return {

@@ -23,8 +23,8 @@ from calc.studies.drive.classes import NotClosed, without_proof
 from calc.studies.drive.evolve import EVALUATIONS, evolved
 from calc.studies.drive.output import csv_text, json_text, power_of_ten, said, stood, table
 from calc.studies.drive.problem import Problem
-from calc.studies.drive.run import FrontFound, FrontTable, asked, named, search
-from calc.studies.drive.whole import Whole
+from calc.studies.drive.search import FrontFound, FrontTable, asked, named, search
+from calc.studies.drive.solved_drive import Whole
 
 DRIVE = r"\d{3,4}\.toml"  # names of drives
 SECONDS = 2.0  # a class, about
@@ -313,7 +313,7 @@ def _pick(given: Namespace, document: Document, problem: Problem) -> int:
 
 def nothing(given: Namespace, front: FrontFound) -> int:
     """Exit 3: what stops the search, and what alone would have to give way."""
-    from calc.studies.drive.relax import refusal
+    from calc.studies.drive.refusal import refusal
 
     print(
         Text("nothing passes: {n} combinations", n=power_of_ten(front.table.combinations)), file=sys.stderr, flush=True

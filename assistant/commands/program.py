@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""`contralbero serve`: the guided session in a browser, on this machine only; each tab is a session of its own."""
+"""The commands that open the program, and the small ones about it: session, serve, completion, schema, new.
+
+`contralbero serve`: the guided session in a browser, on this machine only; each tab is a session of its own.  Behind
+it: `contralbero [FILE]`, `completion`, `schema`, `new`."""
 
 import json
 import os
@@ -58,7 +61,8 @@ def _port(port: int, reason: Text) -> BadInput:
     return BadInput("serve", [InputError(0, "--port", str(port), reason)])
 
 
-# `contralbero [FILE]`: the guided session; without a file, and for one that is not there, its start page.
+# --- contralbero [FILE]: the guided session
+# Without a file, and for one that is not there, its start page.
 
 
 def run_session(asked: Namespace) -> int:
@@ -90,8 +94,8 @@ def _refuse(path: Path | None) -> None:
         print(f"contralbero: the guided session needs a terminal; {hint}", file=sys.stderr)
 
 
-# `contralbero completion SHELL`: the script by which a shell completes commands, options and files; it asks the program
-# at each Tab.
+# --- contralbero completion SHELL
+# The script by which a shell completes commands, options and files; it asks the program at each Tab.
 
 
 def run_completion(asked: Namespace) -> int:
@@ -107,7 +111,8 @@ def run_completion(asked: Namespace) -> int:
     return 0
 
 
-# `contralbero schema`: the JSON Schema of a design file, by which editors complete and check it.
+# --- contralbero schema
+# The JSON Schema of a design file, by which editors complete and check it.
 
 
 def run_schema(asked: Namespace) -> int:
@@ -120,7 +125,7 @@ def run_schema(asked: Namespace) -> int:
     return 0
 
 
-# `contralbero new`: write a design from a shipped engine.
+# --- contralbero new
 
 
 def run_new(asked: Namespace) -> int:

@@ -1,6 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""`contralbero sources`: the register of publications and kinds of sources, and what of the program rests on one of
-them."""
+"""The commands about what the program stands on: `contralbero sources`, `oils`, `errata` and `validate`.
+
+sources: the register of publications and kinds of sources, and what of the program rests on one of them.  oils: the
+oils that a design may name, and what is known of each.  errata: what is wrong in the documents that this program grew
+out of.  validate: values of others beside ours."""
 
 import json
 import textwrap
@@ -139,7 +142,8 @@ def _json(row: Publication) -> dict[str, Any]:
     }
 
 
-# `contralbero oils`: the oils that a design may name, and what is known of each of their values.
+# --- contralbero oils
+# The oils that a design may name, and what is known of each of their values.
 
 TEMPERATURES = (40.0, 60.0, 80.0, 100.0, 120.0)  # °C
 
@@ -245,7 +249,8 @@ def _shown(inside: float, unit: str) -> float:
     return float(f"{UNITS[unit].shown(inside):.4g}")
 
 
-# `contralbero errata`: what is wrong in the documents that this program grew out of, with the right values computed.
+# --- contralbero errata
+# What is wrong in the documents that this program grew out of, with the right values computed.
 
 
 def run_errata(asked: Namespace) -> int:
@@ -335,7 +340,8 @@ def markdown() -> str:
     return "\n".join(out)
 
 
-# `contralbero validate`: values of others beside ours, what is met and what is not.
+# --- contralbero validate
+# Values of others beside ours, what is met and what is not.
 
 
 def run_validate(asked: Namespace) -> int:

@@ -1,5 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""`contralbero report`: the calculation report as a PDF or as a Word document, and the verdicts on the screen."""
+"""`contralbero report`, `verify` and `export`: what leaves a design as a file, and whether such a file is still true.
+
+report: the calculation report as a PDF or as a Word document, and the verdicts on the screen.  verify: solves the
+design inside a report again and says identical, signed, or what else the file is.  export: the results as JSON or CSV,
+the shaft or the gears as a DXF drawing."""
 
 import gc
 import sys
@@ -119,7 +123,7 @@ def _target(asked: Namespace, source: Path) -> tuple[str, Path]:
     return kind, target or Path(f"{source.stem}.{kind}")
 
 
-# `contralbero verify`: solves the design inside a report again and says identical, signed, or what else the file is.
+# --- contralbero verify
 
 MOST = 20  # differences that are listed
 LAST = {
@@ -179,7 +183,7 @@ def _bytes(path: Path) -> bytes:
         raise BadInput(str(path), [InputError(0, "", "", reason)]) from None
 
 
-# `contralbero export`: the results of a design as JSON or CSV, its shaft or its gears as a DXF drawing.
+# --- contralbero export
 
 FINEST, COARSEST = 1e-3, 1e3  # chord error, µm: below, the file grows without use; above, no tooth is left
 

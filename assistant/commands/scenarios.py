@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""`contralbero scenarios`: a train under several conditions side by side, by the judged model and by the friction
-source's.
+"""`contralbero scenarios` and `contralbero replay`: several conditions side by side, and scripted designs run again.
 
-Without a file: the three scenarios of the gear friction thesis.  With -o, the curves of each design as CSV, and its
-report as PDF."""
+scenarios: a train under several conditions, by the judged model and by the friction source's.  Without a file: the
+three scenarios of the gear friction thesis.  With -o, the curves of each design as CSV, and its report as PDF.  replay:
+runs scripted designs and compares with what they expect."""
 
 import csv
 import sys
@@ -129,8 +129,7 @@ def curves_text(scenarios: dict[str, Any]) -> str:
     return file.getvalue()
 
 
-# `contralbero replay`: run scripted designs and compare with what they expect.
-#
+# --- contralbero replay
 # A replay may be a stranger's: the reports that it asks for are new files beside it, or take the place of reports of
 # this program.
 

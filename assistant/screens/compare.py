@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The design beside another one, differences first.  What has to be solved is solved in another thread."""
+"""The design beside another one, differences first: the list of what differs, and the screen that shows it.
+
+What has to be solved is solved in another thread."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
@@ -42,7 +44,8 @@ from ..widgets.table_list import Setter
 from ..widgets.text import fit, wrap
 from .dialogs import Once
 
-# Two designs side by side as one list: what it comes to; inputs, verdicts, checks, values, in each what differs first.
+# --- two designs side by side as one list
+# What it comes to; inputs, verdicts, checks, values, in each what differs first.
 
 SECTIONS = {
     "Conclusion": Text("Conclusion"),
@@ -252,6 +255,8 @@ class ComparisonList(ItemList):
         names = list(SECTIONS)
         self.to_section(names[max(0, min(len(names) - 1, names.index(self.section) + by))])
 
+
+# --- the screen
 
 NOW = Text("now")
 KEYS = (

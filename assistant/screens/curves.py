@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The list of all curves and tables of a step: words that are typed find them by their titles."""
+"""The curves and tables of a step: figures as pixels, the list of all of them, and the actions in their pane."""
 
 import base64
 import sys
@@ -31,10 +31,9 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 
-# Figures as pixels, on a terminal that shows them: by the protocol of Kitty, of iTerm2, or as Sixel.
-#
-# The terminal is known by what it says of itself in the environment; nothing is asked of it, since an answer would come
-# as keys.
+# --- figures as pixels, on a terminal that shows them
+# By the protocol of Kitty, of iTerm2, or as Sixel.  The terminal is known by what it says of itself in the
+# environment; nothing is asked of it, since an answer would come as keys.
 
 KITTY, ITERM, SIXEL = "kitty", "iterm2", "sixel"
 CHUNK = 4096  # characters of base64 that Kitty takes at a time
@@ -112,6 +111,9 @@ def show(curve: Curve, how: str, say: Language) -> None:
     out.flush()
     sys.stdin.readline()
 
+
+# --- the list of all curves and tables
+# Words that are typed find them by their titles.
 
 EDGES = 12  # rows of the dialog that are not the list
 SIDES = 10  # cells of the dialog that are not a row of the list
@@ -223,7 +225,7 @@ class CurveList(Once, ModalScreen[str | None]):
         self.dismiss(None)
 
 
-# Actions in the pane of curves and tables.
+# --- actions in the pane of curves and tables
 
 NO_PIXELS = Text(
     "P draws the curve in pixels, as Kitty, iTerm2, WezTerm, foot and others can; "

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The list of words of a field, beside the field."""
+"""The small dialogs: the list of words of a field, the reason of a decision, a question with two answers."""
 
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any, ClassVar
@@ -19,8 +19,8 @@ from calc.sheet.text import Text
 
 from ..base_app import BaseApp
 
-# Closing a dialog once: Enter that repeats, or comes twice before the first is dealt with, must not close what is
-# behind it.
+# --- closing a dialog once
+# Enter that repeats, or comes twice before the first is dealt with, must not close what is behind it.
 
 if TYPE_CHECKING:
     from textual.screen import Screen
@@ -35,6 +35,9 @@ class Once(Below):
 
     def dismiss(self, result: Any = None) -> AwaitComplete:
         return super().dismiss(result) if self.is_active else AwaitComplete()
+
+
+# --- the list of words of a field, beside the field
 
 
 class Choose(Once, ModalScreen[str | None]):
@@ -112,7 +115,7 @@ class Choose(Once, ModalScreen[str | None]):
         self.dismiss(None)
 
 
-# Asking for the reason of a decision: a line to write on, and below it usual reasons.
+# --- the reason of a decision: a line to write on, and below it usual reasons
 
 HINT = Text("Enter accepts it with this reason, ↓ chooses a usual one, Esc goes back.")
 
@@ -181,7 +184,7 @@ class Reason(Once, ModalScreen[str | None]):
         self.dismiss(None)
 
 
-# A question with two answers.
+# --- a question with two answers
 
 
 class Ask(Once, ModalScreen[bool]):

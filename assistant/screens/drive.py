@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The whole drive: the front of all combinations that pass, as points and as a table, to walk along; the row under the
-cursor is solved and may be taken as one step of the undo."""
+"""The whole drive: the front of all combinations that pass, as points and as a table, to walk along.
+
+The row under the cursor is solved and may be taken as one step of the undo."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -27,10 +28,11 @@ from ..widgets.text import fit, pad
 from .selection import Choosing, OfferList, Searching
 
 if TYPE_CHECKING:
-    from calc.studies.drive.run import FrontFound
+    from calc.studies.drive.search import FrontFound
 
 
-# Points of two objectives in character cells: the drives of a front, the design as it is, and the one under the cursor.
+# --- points of two objectives in character cells
+# The drives of a front, the design as it is, and the one under the cursor.
 
 DOT, NOW, PICKED = "·", "+", "◆"
 PLAIN = {DOT: ".", NOW: "+", PICKED: "@"}
@@ -103,6 +105,8 @@ def _ends(numbers: list[float]) -> tuple[float, float]:
     return low - room, high + room
 
 
+# --- the screen
+
 SHARE = 0.85  # of the progress, until all classes are done
 PROCESSES = 2
 TALL = 30  # rows of a screen with room for points and table
@@ -159,8 +163,8 @@ class Driving(Choosing):
     def search(self, progress: Progress) -> Iterator[Offer]:
         from calc.studies.drive.classes import NotClosed
         from calc.studies.drive.evolve import EVALUATIONS, evolved
-        from calc.studies.drive.run import FrontTable as Known
-        from calc.studies.drive.run import asked, search
+        from calc.studies.drive.search import FrontTable as Known
+        from calc.studies.drive.search import asked, search
 
         problem, _ = asked(self.session.document, {})
         count = len(problem.classes)
@@ -187,7 +191,7 @@ class Driving(Choosing):
 
     def _nothing(self, front: "FrontFound", progress: Progress) -> Text:
         """What alone would have to give way."""
-        from calc.studies.drive.relax import refusal
+        from calc.studies.drive.refusal import refusal
 
         why = refusal(front, progress)
         if why.always:
@@ -272,7 +276,7 @@ class Driving(Choosing):
     def _now(self, names: list[str]) -> tuple[tuple[float, float] | None, bool]:
         """The design as it is, and whether a limit of it fails."""
         from calc.countershaft.result import CountershaftResult
-        from calc.studies.drive.whole import mass, power
+        from calc.studies.drive.solved_drive import mass, power
 
         results, bearings, front = self.session.results, self.session.design.bearings, self.front
         shaft = results.result(CountershaftResult) if results is not None else None

@@ -28,7 +28,8 @@ from ..widgets.item_list import Item, ItemList
 from ..widgets.text import wrap
 from .dialogs import Once
 
-# The formulas that lead to a value, the value first, and under each the inputs that enter it.
+# --- the formulas that lead to a value
+# The value first, and under each formula the inputs that enter it.
 
 INPUT = "input "  # an item with this before its key is an input of the design; the others are numbers of links
 
@@ -90,6 +91,8 @@ class ChainList(ItemList):
         rows = wrap(f"      {self.app.signs.mark('from')} {line}", width, 8)
         return Item(f"{INPUT}{key} {number}", [Content.styled(row, "italic") for row in rows], value or key, line)
 
+
+# --- the screen
 
 HINT = Text("Enter walks back to what a line is made of, or to the field of an input; Backspace returns, Esc closes")
 

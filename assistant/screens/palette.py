@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The palette: words in any order find whatever can be done or gone to, in every language of the program."""
+"""The palette: words in any order find whatever can be done or gone to, in every language of the program.
+
+Its entries, where they lead, and the dialog."""
 
 from collections.abc import Awaitable, Callable, Iterator
 from dataclasses import dataclass
@@ -31,8 +33,8 @@ from ..widgets.text import fit, folded, match
 from .path_dialogs import begin_with
 from .workbench import Workbench
 
-# What the palette finds: actions, steps, fields, checks, values, curves, engines to begin with, designs, colours and
-# languages.
+# --- what the palette finds
+# Actions, steps, fields, checks, values, curves, engines to begin with, designs, colours and languages.
 
 Does = Callable[[], Awaitable[object] | object]
 HIDDEN = {"palette", "up", "down", "go_on", "leave", "more", "less"}  # of no use from a list
@@ -188,6 +190,8 @@ def _program(app: BaseApp, open: bool, add: Add) -> None:
 
 
 # --- where they lead
+
+
 async def to_check(work: Workbench, check: Check) -> None:
     step = next(step for step in STEPS if step.key == check.id.partition(".")[0])
     work.at_pane("checks")
@@ -211,6 +215,8 @@ async def to_curve(work: Workbench, n: int, id: str) -> None:
     work.curve_pane.choose(id)
     work.moves.to_view("curve")
 
+
+# --- the dialog
 
 MOST = 60  # rows
 

@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A dialog that asks for a path: a place to type, the designs of the folder, and a line that says what is wrong."""
+"""The dialogs that ask for a path: to compare with, to save, to export, to open, to begin a design.
+
+Each has a place to type, the designs of the folder, and a line that says what is wrong."""
 
 from pathlib import Path
 from typing import ClassVar, TypeVar
@@ -168,7 +170,8 @@ class PathDialog(Once, ModalScreen[Found]):
         self.dismiss(None)
 
 
-# Asks what to compare the design with: its saved file, an earlier state, or another design.
+# --- what to compare the design with
+# Its saved file, an earlier state, or another design.
 
 SHOWN_ERRORS = 4
 
@@ -282,7 +285,8 @@ def errors_text(bad: BadInput, place: str) -> Text:
     return Text("\n").join(rows)
 
 
-# Dialogs that ask where to write.  A file that is there is overwritten only after a second Enter.
+# --- where to write
+# A file that is there is overwritten only after a second Enter.
 
 
 class TargetDialog(PathDialog[Path | None]):
@@ -377,7 +381,8 @@ class ExportDialog(TargetDialog):
         )
 
 
-# Open another design.  A file that is none stays in the dialog, with the reason.
+# --- which design to open
+# A file that is none stays in the dialog, with the reason.
 
 
 class OpenDialog(PathDialog[Session | None]):
@@ -407,7 +412,7 @@ class OpenDialog(PathDialog[Session | None]):
         self.dismiss(session)
 
 
-# Asks what the file of a design that is begun is to be called.
+# --- what the file of a design that is begun is to be called
 
 
 class NewDialog(TargetDialog):

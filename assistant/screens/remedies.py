@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What would help against a finding: a list of remedies of different kinds, found one after the other while it stands
-there."""
+"""What would help against a finding: remedies of different kinds, found one after the other."""
 
 import csv
 import io
@@ -28,7 +27,8 @@ from ..widgets.item_list import Item, ItemList
 from ..widgets.text import pad, wrap
 from .selection import TITLES, Searching
 
-# The list of remedies: number, kind, change, how far it comes, and what it does to the rest.
+# --- the list of remedies
+# Number, kind, change, how far it comes, and what it does to the rest.
 
 SIGN = {
     ALL_CORNERS: "pass",
@@ -109,6 +109,8 @@ class WayList(ItemList):
         rows += [Content(lead + row) for row in wrap(change, width - len(lead), 2)]
         return rows + [Content.styled(lead + row, "dim") for row in (wrap(rest, width - len(lead), 2) if rest else [])]
 
+
+# --- the dialog
 
 SECONDS = 6.0  # after which no further kind is begun
 NARROW = 100  # cells below which the list has the whole screen
@@ -212,7 +214,7 @@ class Remedies(Searching[RepairOption | None, RepairOption]):
         super().begin()
 
     def search(self, progress: Progress) -> Iterator[RepairOption]:
-        from calc.studies.repair.ways import search
+        from calc.studies.repair.options import search
 
         yield from search(self.session.document, self.finding, self.session.results, progress, SECONDS)
 

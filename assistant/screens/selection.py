@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Choosing from a ranked table.  The search runs aside and can be stopped; of the row under the cursor the whole design
-is solved before it is taken, so that its price in the other steps is seen."""
+"""Choosing from a ranked table: the search that fills it, the list of its rows, and the dialog.
+
+The search runs aside and can be stopped; of the row under the cursor the whole design is solved before it is taken, so
+that its price in the other steps is seen."""
 
 from collections import Counter
 from collections.abc import Iterable, Iterator
@@ -39,8 +41,8 @@ if TYPE_CHECKING:
     from calc.solve import Results
 
 
-# A dialog whose rows a long search finds in another thread: how far it is, what it gives, and what each row does to
-# every step.
+# --- a dialog whose rows a long search finds in another thread
+# How far it is, what it gives, and what each row does to every step.
 
 TITLES = {step.key: step.title for step in STEPS}
 
@@ -170,8 +172,8 @@ class Searching(Once, ModalScreen[Chosen], Generic[Chosen, Found]):
         self.dismiss(None)
 
 
-# What was found, to choose from: the ranked tables of an offer below each other, of which each numbered row can be
-# taken.
+# --- the ranked tables of an offer, below each other
+# Each numbered row can be taken.
 
 TOP = 40  # rows of a table
 
@@ -233,6 +235,8 @@ class OfferList(ItemList):
         self._column = max(1, self._column + by)
         self.rebuild()
 
+
+# --- the dialog of an offer
 
 PAUSE = 0.15  # seconds that the cursor rests on a row before its design is solved
 HINT = Text("Enter takes the row (undo takes it back), ↑ ↓ go through the rows, Esc goes back")

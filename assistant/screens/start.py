@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The first screen: how to begin.  Words that are typed find an engine or a design; Enter begins with the row under the
-cursor."""
+"""The first screen: the ways to begin, and beside the one under the cursor what it leads to.
+
+Words that are typed find an engine or a design; Enter begins with the row under the cursor."""
 
 import time
 from contextlib import suppress
@@ -33,8 +34,8 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
 
 
-# About the way to begin that is under the cursor: what an engine shakes with, what a design comes to.  Found out in
-# another thread.
+# --- about the way to begin that is under the cursor
+# What an engine shakes with, what a design comes to.  Found out in another thread.
 
 ABOUT_BEGINNING = {
     "open": Text("A design file, from any folder. Unsaved edits of it that were kept are put back."),
@@ -148,6 +149,8 @@ class BeginDetail(VerticalScroll, can_focus=False):
         """What was found out so far."""
         return self._known.get(row.key, Finding(()))
 
+
+# --- the screen
 
 NOTHING = Text(
     "Nothing is called so. For an engine of your own begin with one that has its layout: every number of it can be "

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A design under edit: what was typed, what it means, and what of it is not allowed.
+"""A design under edit: its earlier states, the changes made to it, what was typed, and what of it is not allowed.
 
 Every edit makes a new document that is checked whole.  What can not be understood, or is not allowed, stays visible in
 its field while the last valid design stays as it was."""
@@ -21,7 +21,8 @@ from . import numbers
 from .places import Place, content_at, described, error_place, named_key, optional_table, without_empty
 from .recording import Recording
 
-# The states that a design has been through: undo and redo, with the edits of one field in a row as one step.
+# --- the states that a design has been through
+# Undo and redo, with the edits of one field in a row as one step.
 
 DEEPEST = 1000  # steps that can be undone
 
@@ -92,7 +93,8 @@ class History:
         return where or ()
 
 
-# Changes of a design as `--set` takes them, KEY=VALUE: made all together, and told in words.
+# --- changes of a design as `--set` takes them, KEY=VALUE
+# Made all together, and told in words.
 
 
 def applied(document: Document, changes: Iterable[str]) -> Document:
@@ -158,6 +160,8 @@ def _part(value: Any, unit: str = "") -> Part:
     )
     return Text("{text} {unit}", text=text, unit=unit) if unit else text
 
+
+# --- what was typed, and what it means
 
 LOCKED_HERE = "locked in the session"
 

@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What a person types into a field, understood: `3,5` and `3.5`, `1.2e-3`, `3.7 in`, `92.4/2`, `3/8 in`, `-167.5;
-167.5`.
+"""What a person types into a field, understood: `3,5` and `3.5`, `1.2e-3`, `3.7 in`, `92.4/2`, `-167.5; 167.5`.
 
 The comma is a decimal sign, never a separator of thousands: `1,234.5` is refused with the reason, because a wrong guess
 would be a factor of a thousand.  The answer stands in the unit of the field, as the design file has it."""
@@ -14,7 +13,8 @@ from calc.design.toml_file import is_day
 from calc.sheet.quantity import Quantity
 from calc.sheet.text import Text
 
-# The units that a person may type behind a number, by the unit of the field: words and their factors to the SI unit.
+# --- the units that may be typed behind a number
+# By the unit of the field: words and their factors to the SI unit.
 
 PI = 3.141592653589793
 INCH, POUND, GRAVITY = 0.0254, 0.45359237, 9.80665
@@ -104,6 +104,8 @@ UNIT_WORDS: dict[str, dict[str, Any]] = {
 }
 # fmt: on
 
+
+# --- reading what was typed
 
 LONGEST = 200  # characters of one entry
 MINUS = str.maketrans({"−": "-", "–": "-", "\u00a0": " ", "\u202f": " ", "\u2009": " "})

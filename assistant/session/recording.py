@@ -89,7 +89,8 @@ def _row(key: str, row: Mapping[str, object]) -> str:
 
 
 # --- steps
-# ----------------------------------------------------------------------------------------------------------------
+
+
 @dataclass(frozen=True)
 class _Change:
     """One place that changes; None: what stood there is taken out."""
@@ -182,7 +183,8 @@ def _names(here: Any, part: str | int) -> list[str]:
 
 
 # --- expectations
-# -----------------------------------------------------------------------------------------------------------
+
+
 def expected(results: "Results") -> Iterator[dict[str, Any]]:
     """What the replay is to come to: the verdict of every step, every check that fails, and the values that stand for
     the steps."""

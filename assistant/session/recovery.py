@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What the program remembers between two runs: the last designs, edits that were not saved, and the user's settings."""
+"""What the program remembers between two runs, and which other sessions are at a design now.
+
+Remembered are the last designs, edits that were not saved, and the user's settings."""
 
 import contextlib
 import hashlib
@@ -20,8 +22,8 @@ from .editing import EditState
 from .places import Place, described
 from .saving import SaveError, differences, edited_text, fresh_text, write_atomic
 
-# Which sessions are at a design now: each holds a locked file of its own in the state folder, and the lock ends with
-# its process.
+# --- which sessions are at a design now
+# Each holds a locked file of its own in the state folder, and the lock ends with its process.
 
 PRESENCE_FOLDER = "open"
 
@@ -74,6 +76,10 @@ def present(state: Path, path: Path) -> set[str]:
 
 
 FOLDER = "contralbero"
+
+
+# --- what is remembered
+
 RECENT = 10  # designs that are offered to be opened again
 KEPT = 8  # sessions on one file whose unsaved edits are kept; older ones go
 

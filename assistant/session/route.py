@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The route through a design: the one question of each step, the few inputs that decide it, and the rest in folds.
+"""The route through a design: the question of each step, the inputs that decide it, guidance, and what is taken over.
+
+The few inputs that decide a step come first, the rest in folds.
 
 A pattern is the keys from the step on, without names or numbers of elements: `wheels.teeth`; that of a table stands for
 all in it. What no fold names is in the last one."""
@@ -168,8 +170,8 @@ def fold_at(step: str, place: Place) -> int | None:
     return None if len(place) < 2 else fold_of(step, path_of(place))
 
 
-# What guides through the steps: what is to be decided in each, what a good answer looks like, and what to try when a
-# check fails.
+# --- guidance through the steps
+# What is to be decided in each, what a good answer looks like, and what to try when a check fails.
 
 
 @dataclass(frozen=True)
@@ -260,7 +262,8 @@ GUIDES: dict[str, Guide] = {
 }
 
 
-# What a step takes over from the steps before it.  Names that a design does not have are passed over.
+# --- what a step takes over from the steps before it
+# Names that a design does not have are passed over.
 
 # step → values (or inputs) of earlier steps that it uses
 TAKEN: dict[str, tuple[str, ...]] = {

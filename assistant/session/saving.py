@@ -44,7 +44,8 @@ class ChangedOnDisk(SaveError):
 
 
 # --- text
-# ---------------------------------------------------------------------------------------------------------------
+
+
 def edited_text(text: str, changes: Mapping[str, Any] | Iterable[tuple[Place, Any]]) -> str:
     """The TOML text with some keys changed: comments, order and spacing stay.  None takes a key out; a new key ends its
     table.
@@ -205,7 +206,8 @@ def _tables(value: Any) -> bool:
 
 
 # --- bytes
-# --------------------------------------------------------------------------------------------------------------
+
+
 def spare(target: Path, *inputs: str | Path) -> None:
     """Raises BadInput where a command was asked to write over what it reads, before it does any work."""
     if any(same_file(target, source) for source in inputs):
@@ -277,7 +279,8 @@ def free_name(path: Path) -> Path:
     return free
 
 
-# A design as it stands at one moment of its editing, to be written out while the editing goes on.
+# --- a design as it stands at one moment of its editing
+# It is written out while the editing goes on.
 
 
 @dataclass(frozen=True)

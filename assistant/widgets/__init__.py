@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The parts of the screen, one class per file."""
+"""The parts of the screen: the form with its fields, lists, tables, curves and sketches, in character cells."""

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Sketches in character cells: braille lines, areas of half-blocks, words and dimensions that never run into each
-other.
+"""Sketches in character cells: braille lines, areas of half-blocks, words and dimensions that never cross each other.
 
-A sketch is fitted into its frame with all its words, to true scale: a dot is as wide as high.  What the edited field
-changes is lit; a part that fails has the colour of failure and its sign."""
+Three parts: the raster of dots and halves, the arrangement of several pictures in a frame, and the canvas that draws a
+sketch.  A sketch is fitted into its frame with all its words, to true scale: a dot is as wide as high.  What the edited
+field changes is lit; a part that fails has the colour of failure and its sign."""
 
 import math
 from collections.abc import Iterable, Sequence
@@ -21,8 +21,7 @@ from calc.sheet.text import Amount
 from .signs import Signs
 from .text import wrap
 
-# Dots of lines and halves of cells of areas, in a frame of character cells: the arithmetic below the canvas.
-#
+# --- dots of lines and halves of cells of areas: the arithmetic below the canvas
 # A cell is twice as high as wide, and holds 2 by 4 square dots, or two square halves.  Places are in dots, down from
 # the upper left.
 
@@ -121,8 +120,8 @@ def _direction(step: Floats) -> Integers:
     return np.where(slope < FLAT, 0, np.where(slope > STEEP, 1, leaning))
 
 
-# Where pictures lie in a frame of character cells: next to each other or above, each at the largest true scale with all
-# its words.
+# --- where pictures lie in a frame of character cells
+# Next to each other or above, each at the largest true scale with all its words.
 
 LEAST, SMALL = (
     (14, 6),
@@ -279,6 +278,8 @@ def words_of(mark: Words | Dimension, say: Language) -> str:
     length = mark.end[1] - mark.start[1] if mark.upright else mark.end[0] - mark.start[0]
     return ("Ø " if mark.diameter else "") + say.part(Amount(abs(length) * 1000, "mm"))
 
+
+# --- the canvas
 
 FAINT, NORMAL, WARN, FAIL, LIT = range(1, 6)  # roles: a higher one is drawn over a lower one
 STYLES = {FAINT: "muted", WARN: "warn", FAIL: "fail", LIT: "lit"}

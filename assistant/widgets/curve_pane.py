@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The curves and the tables of the step, one at a time.  The plotting library is loaded when there is something to
-plot, never before the first picture."""
+"""The curves and the tables of the step, one at a time, under a legend, in a pane with a title.
+
+The plotting library is loaded when there is something to plot, never before the first picture."""
 
 import re
 from collections.abc import Iterator
@@ -29,8 +30,8 @@ if TYPE_CHECKING:
     from .reading import Reader, Reading
 
 
-# What stands above a curve: its variant, its lines and limits, its axes; at the cursor what is read off.  As many rows
-# as there are.
+# --- what stands above a curve
+# Its variant, its lines and limits, its axes; at the cursor what is read off.  As many rows as there are.
 
 GAP = "  "
 
@@ -183,7 +184,8 @@ def _flow(groups: list[list[Content]], width: int) -> list[Content]:
     return rows
 
 
-# A part of the screen with a title; the title says whether it has the focus.
+# --- a part of the screen with a title
+# The title says whether it has the focus.
 
 
 class Pane(Vertical):
@@ -240,6 +242,9 @@ class Pane(Vertical):
 
     def on_resize(self) -> None:
         self.set_title()
+
+
+# --- the pane of curves and tables
 
 
 class CurvePane(Pane, can_focus=True):

@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The place where a value is typed.  What it means is the session's business: `3,5` must not become 35."""
+"""The places where a value is given: a line to type on, and a choice of words.
+
+What is typed is understood by the session and not here: `3,5` must not become 35."""
 
 from dataclasses import dataclass
 from typing import ClassVar
@@ -151,7 +153,8 @@ class Entry(Input):
             self.cursor_position = self._end(text)
 
 
-# One of several words, in one row.  Space, → or a letter opens the list, in which letters find a word; Enter goes on.
+# --- one of several words, in one row
+# Space, → or a letter opens the list, in which letters find a word; Enter goes on.
 
 
 class Choice(Widget, can_focus=True):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""One input: its label, the place to type in, its unit and a note, and under it why it is not accepted."""
+"""One input with its label, unit, note and refusal; and the inputs of several elements side by side."""
 
 import math
 import re
@@ -345,8 +345,8 @@ def _increment(size: float) -> float:
     return float(max((n for n in (1, 2, 5, 10) if n * power <= size / 100 * 1.000001), default=1) * power)
 
 
-# Inputs of several elements side by side: the label, a box for each element, the unit, and under them why one is not
-# accepted.
+# --- inputs of several elements side by side
+# The label, a box for each element, the unit, and under them why one is not accepted.
 
 APART = CELL + 2  # with its brackets
 UNIT = 5

@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The inputs of one step, generated from their descriptions."""
+"""The form of a step, generated from the descriptions of its inputs: question, values taken over, fields.
+
+In order: the guide at its head, the values of earlier steps, what the form consists of, the form."""
 
 import asyncio
 from collections.abc import Callable, Collection
@@ -36,8 +38,8 @@ from .radio import Balance, Radio, Todo
 from .rows import Asked, FormRow, routed
 from .text import fit, wrap
 
-# At the head of a form: the question of the step, and what a good answer looks like or, where a check fails, what to
-# try.
+# --- at the head of a form
+# The question of the step, and what a good answer looks like or, where a check fails, what to try.
 
 
 class GuideText(Static):
@@ -63,7 +65,8 @@ class GuideText(Static):
             self.update(Content.assemble(question, f"\n{say(word)}: {say(text)}") if self._guiding else question)
 
 
-# What a step takes over from the steps before it: plain text, not fields.  Typing on one goes to the step that owns it.
+# --- what a step takes over from the steps before it
+# Plain text, not fields.  Typing on one goes to the step that owns it.
 
 NUMBERS = {step.key: n for n, step in enumerate(STEPS, 1)}
 
@@ -124,7 +127,8 @@ class Taken(ItemList):
             self.choose()
 
 
-# What the form of a step consists of, in order: its question, then a widget for each row of its inputs.
+# --- what the form of a step consists of, in order
+# Its question, then a widget for each row of its inputs.
 
 Identity = tuple[object, ...]  # of a widget: kind and place of its row
 Part = tuple[Identity, Callable[[], Widget]]  # what tells a part from all others, and how it is made
@@ -208,6 +212,8 @@ def _said(row: FormRow, say: Language) -> FormRow:
         row, about=in_language(row.about, say), inside=tuple(_said(inner_row, say) for inner_row in row.inside)
     )
 
+
+# --- the form
 
 WIDE = 46  # cells of the form beside the other panes
 

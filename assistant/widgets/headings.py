@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The heading of an array of tables: how many there are, which one is shown, and the keys that add, remove and leaf."""
+"""The headings inside a form: of an array of tables, of a table that may be left out, of what is folded.
+
+That of an array says how many there are, which one is shown, and the keys that add, remove and leaf."""
 
 from dataclasses import dataclass
 from typing import ClassVar
@@ -196,7 +198,8 @@ class ArrayHeading(Widget, can_focus=True):
         self.refresh()
 
 
-# The heading of a table that may be left out: `Gas  + add` where it is, `Gas  −` above its fields where it is there.
+# --- the heading of a table that may be left out
+# `Gas  + add` where it is not there, `Gas  −` above its fields where it is.
 
 
 class TableHeading(Widget, can_focus=True):
@@ -272,7 +275,8 @@ class TableHeading(Widget, can_focus=True):
         self.refresh()
 
 
-# The heading of what is folded: `▸ More (18): cylinder offset, firing order, …`.  Enter or → opens it, ← closes it.
+# --- the heading of what is folded
+# `▸ More (18): cylinder offset, firing order, …`.  Enter or → opens it, ← closes it.
 
 
 class Fold(Widget, can_focus=True):

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What matters most now: why an input is not accepted, what a step waits for, or a finding, that under the cursor or
-the worst."""
+"""The lines around the form: the message that matters most now, the first row with the file, the last with the keys.
+
+The message is why an input is not accepted, what a step waits for, or a finding, that under the cursor or the worst."""
 
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING
@@ -165,7 +166,8 @@ def _ahead(states: Sequence[StepState]) -> Text:
     return Text("Enter goes on: {n} {step} is to do.", n=todo + 1, step=STEPS[todo].title)
 
 
-# --- the first row: the file and its state, what is open and how many steps are ready, and how long it took.
+# --- the first row
+# The file and its state, what is open and how many steps are ready, and how long it took.
 
 FEWEST = 60  # columns in which everything can be seen
 
@@ -239,7 +241,8 @@ class TopLine(Widget):
         return Content.assemble(start, " " * max(1, width - start.cell_length - end.cell_length), end)
 
 
-# --- the last row: the keys, as the table of actions and the user's key map have them.
+# --- the last row
+# The keys, as the table of actions and the user's key map have them.
 
 # What goes first where there is not room for all, after what does nothing here.  F4 leads to the curve, and narrow to
 # every pane.

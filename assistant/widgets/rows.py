@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The rows of a form, read from the descriptions of the inputs and put into the order of the route; nothing here knows
-a screen.
+"""The rows of a form, read from the descriptions of the inputs and put into the order of the route; and field help.
 
 A table that may be left out has fields only where it is there. Elements stand side by side where they fit; else a short
 array stands there whole, and of a long one only one element does: its heading leafs through them.  The stroke is asked
@@ -173,7 +172,8 @@ def _array(about: Quantity, content: list[Any], here: Place, asked: Asked) -> It
             yield from _rows(about.table, item, (*here, i), asked, True)
 
 
-# At the foot of the form: what the field that has the focus means, and what is usual there.
+# --- at the foot of the form
+# What the field that has the focus means, and what is usual there.
 
 
 def meaning(about: Quantity, say: Language, *, sourced: bool = True) -> str:

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The list of steps: sign, number and title, the state in words, the value that decides with its bar; at the end,
-whether all is ready."""
+"""The list of steps, each with its state and the value that decides it; on a narrow screen as one row.
+
+Sign, number and title, the state in words, the value that decides with its bar; at the end, whether all is ready."""
 
 from collections.abc import Sequence
 
@@ -104,7 +105,7 @@ class Steps(ItemList):
         ]
 
 
-# The steps in one row, for a narrow screen; at its end, whether the design is ready.
+# --- the steps in one row, for a narrow screen
 
 BRIEF = {"countershaft": Text("Shaft"), "mounting": Text("Mounts")}  # where the row is short of room
 

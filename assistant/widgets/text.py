@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Breaking text into rows: at spaces, and a long formula where the fewest brackets are open."""
+"""Text in character cells: broken into rows, found by words that are typed, and a value as a bar.
+
+Rows break at spaces, a long formula where the fewest brackets are open."""
 
 import re
 import unicodedata
@@ -65,7 +67,8 @@ def pad(text: str, width: int) -> str:
     return text + " " * (width - cell_len(text))
 
 
-# Finding a title by words that are typed: in any order, in parts, with or without accents.
+# --- finding a title by words that are typed
+# In any order, in parts, with or without accents.
 
 START, BEGINNING, INSIDE, ELSEWHERE = (
     1.0,
@@ -126,8 +129,8 @@ def _place(word: str, text: str) -> int | None:
     return first
 
 
-# A value held against its limit as a bar of a few cells: full at the limit, which has a mark where the value lies
-# beyond it.
+# --- a value held against its limit as a bar of a few cells
+# Full at the limit, which has a mark where the value lies beyond it.
 
 CELLS = 8
 EIGHTHS = "▁▂▃▄▅▆▇"  # of the cell in which the value ends

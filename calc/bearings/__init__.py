@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Plain bearings: film, friction, oil flow, temperature, clearance."""
+"""Plain bearings: film, friction, oil flow, temperature, clearance, what suits them, and a search for better ones."""
 
 from typing import TYPE_CHECKING
 

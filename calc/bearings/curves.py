@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Curves of a bearing: its film over the speeds and over the clearance it could have."""
+"""Curves of a bearing: its film over speed and clearance, and charts of the literature with the design's own point."""
 
 import math
 from collections.abc import Callable, Iterable, Iterator
@@ -129,10 +129,9 @@ def _over_clearance(place: str, r: BearingResult) -> Curve:
     )
 
 
-# Charts of the literature on plain bearings, each with this design's own point: made when somebody looks.
-#
-# The pressure around, what clearance and length do, the chart of Raimondi and Boyd with its band, the friction over the
-# duty, the oils.
+# --- charts of the literature on plain bearings, each with this design's own point
+# Made when somebody looks.  The pressure around, what clearance and length do, the chart of Raimondi and Boyd with
+# its band, the friction over the duty, the oils.
 
 PUBLISHED_RATIOS = (1.0, 0.5, 0.25)  # l/d of the curves of 1958, beside the infinitely long bearing
 RATIOS = np.linspace(0.2, 1.2, 11)  # of the lengths that are tried

@@ -324,7 +324,8 @@ def film_over_turn(h_0: Metre, a_n: Metre) -> Metre:
 
 
 # --- what is judged
-# -----------------------------------------------------------------------------------------------------
+
+
 @formula("h_edge", "geometry: film at the edge of a journal that stands at a slope in its seat", unit="µm")
 def film_at_edge(h_0: Metre, theta: Radian, l: Metre) -> Metre:
     """>>> film_at_edge(h_0=9.559e-06, theta=0.0001563, l=0.0275)

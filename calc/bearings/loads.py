@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What stands still while the load turns, the shaft's weight and the force of its gear, and what it does to the film.
+"""The loads of a journal that stand still while the main one turns, what they do to the film, and to its friction.
 
-Two answers: the film under the largest load of the turn as if it stayed, and the orbit that the journal makes about its
-place in the turning load's frame by the film's stiffness and damping, to first order.  The orbit may come closer: a
-force across the load pushes the journal along its seat, towards the narrowest film.  The thinner of the two is judged.
-"""
+They are the shaft's weight and the force of its gear.  Two answers: the film under the largest load of the turn as if
+it stayed, and the orbit that the journal makes about its place in the turning load's frame by the film's stiffness and
+damping, to first order.  The orbit may come closer: a force across the load pushes the journal along its seat, towards
+the narrowest film.  The thinner of the two is judged."""
 
 from collections.abc import Iterator
 from dataclasses import replace
@@ -109,8 +109,7 @@ def _checks(place: str, bearing: BearingResult, part: StandingResult) -> Iterato
         )
 
 
-# The friction of a journal over a turn, where a standing load passes under the one that turns with it.
-#
+# --- the friction of a journal over a turn, where a standing load passes under the one that turns with it
 # The load of the moment runs from F − R_0 to F + R_0; to second order in R_0/F the mean over a turn needs the slope and
 # the curvature of the friction over the load, which the own solution gives at loads a little below and above.
 

@@ -372,7 +372,7 @@ def _blocked_arc(inputs: BearingsInputs, duty: OperatingPoint, hot: Film, ratio:
     return short.blocked_arc(eps=eps, p_s=duty.supply_pressure, p_max=p_max)
 
 
-# Plain bearings from Python, in SI: `from calc import bearings`.
+# --- from Python, in SI: `from calc import bearings`
 
 
 def solve_film(

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Journal and seat as a pair: what the journal may run on, what such bearings usually carry, and what runs already.
 
+In order: the formulas, with or without a bush, running examples, what is usual for the application.
+
 Handbook values give advice and never fail a design; the limits of a bearing stand in `checks`.  Read without numpy, so
 that a design's words can be checked before anything is solved."""
 
@@ -30,8 +32,8 @@ from ..sheet.value import untraced
 from .inputs import IN_TITLES, IN_WORDS
 from .materials import SCALE, Application, BearingMaterial, bearing_materials, running_bearings
 
-# What the pairing of journal and seat is judged by: p·v, the share of what is allowed, the turns of the load, the duty
-# of a full film.
+# --- what the pairing of journal and seat is judged by
+# p·v, the share of what is allowed, the turns of the load, the duty of a full film.
 
 
 @formula("p·u", "definition of p·v: specific load times surface speed", unit="MPa·m/s")
@@ -96,7 +98,8 @@ class Running(NamedTuple):
 
 
 # --- with or without a bush
-# ---------------------------------------------------------------------------------------------
+
+
 def checks(
     place: str,
     material: BearingMaterial,
@@ -259,7 +262,8 @@ def _shown(inside: float | None, unit: str) -> float | None:
 
 
 # --- what runs already
-# --------------------------------------------------------------------------------------------------
+
+
 def reference_table(journals: Iterable[Journal]) -> Table:
     """This design's journals beside those by which the source argues that steel may run in bare aluminium.
 
@@ -310,7 +314,8 @@ def reference_table(journals: Iterable[Journal]) -> Table:
 
 
 # --- what is usual
-# ------------------------------------------------------------------------------------------------------
+
+
 def application_checks(
     place: str,
     row: Application,

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The counter-rotating shaft: what it supplies, what its supports carry."""
+"""The counter-rotating shaft: what it supplies, what its supports carry, how it bends, is sized, made and mounted."""
 
 from typing import TYPE_CHECKING
 

@@ -194,7 +194,8 @@ def couple_beyond(C_S: PhasorNewtonMetre, C_req: PhasorNewtonMetre) -> NewtonMet
 
 
 # --- what is asked of a shaft to be sized
-# ----------------------------------------------------------------------------------
+
+
 @formula(
     "U_req",
     "dynamics: opposite to the engine's force that turns like the shaft, which over-design exceeds",
@@ -216,7 +217,7 @@ def asked_product(x_o: Number, C_like: PhasorNewtonMetre, omega: RadPerSecond) -
 
 
 # --- what stands still
-# --------------------------------------------------------------------------------------------------------
+
 GEAR = Text("statics, components of the tooth force at the reference circle of a helical wheel")
 G: MetrePerSecond2 = 9.80665
 
@@ -302,7 +303,8 @@ def reaction_peak(R: Newton, R_0: Newton) -> Newton:
 
 
 # --- the support
-# ------------------------------------------------------------------------------------------------------------
+
+
 @formula("w", "Finotti 2013, 4.2: the support's outside stays, its seat grows", unit="mm", names={"w": "w_w"})
 def wall_beside(w: Metre, d: Metre, D_w: Metre) -> Metre:
     return w - (d - D_w) / 2

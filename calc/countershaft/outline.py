@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The shaft as a row of pieces, front to rear: what bends, what is drawn, what is weighed.
+"""The shaft as a row of pieces, front to rear: what bends, what is drawn, what is weighed; and its cross-section.
 
-Given as sections, or put together from the eccentric masses (or the sized sectors), the core, the journals and the
-gear."""
+The outline is given as sections, or put together from the eccentric masses (or the sized sectors), the core, the
+journals and the gear."""
 
 import math
 
@@ -35,8 +35,7 @@ from ..sheet.units import (
 from ..sheet.value import about, based_on
 from .inputs import CountershaftInputs, EccentricMass, Extra
 
-# The cross-section of the shaft: a core of radius r_0 and on it a sector of half-angle γ out to the radius R.
-#
+# --- the cross-section: a core of radius r_0 and on it a sector of half-angle γ out to the radius R
 # Area and static moment are those of the sector alone, without the core; valid for 0 < γ ≤ π.  All formulas take
 # arrays.
 
@@ -118,6 +117,8 @@ def cylinder_inertia(R: Metre) -> Metre4:
 def polar_moment(gamma: Radian, R: Metre, r_0: Metre) -> Metre4:
     return gamma * (R**4 - r_0**4) / 2 + pi * r_0**4 / 2
 
+
+# --- the outline
 
 PLAIN = 1e-9  # of the cubed radius: a static moment below it is none
 # of the largest radius: a thinner piece joins nothing, and bending stiffnesses so far apart can not be reckoned with

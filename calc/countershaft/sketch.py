@@ -182,6 +182,8 @@ def _mass_keys(view: View, piece: Piece) -> str:
 
 
 # --- from the side
+
+
 def _side(view: View, outline: Outline | None) -> Iterator[Mark]:
     keys = {"journal": JOURNALS, "gear": GEAR, "core": CORE, "full": f"{STEP}.sections"}
     for piece in view.pieces:
@@ -303,6 +305,8 @@ def _bent(view: View, bending: Bending, checks: Iterable[Check]) -> tuple[list[M
 
 
 # --- from the front
+
+
 def _end_view(view: View) -> Iterator[Mark]:
     """The masses around the axis; full pieces as circles."""
     sectors = [piece for piece in view.pieces if piece.half_angle is not None]

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The counter-shaft, given or sized: its couple, what it leaves of the imbalance, what its supports carry, how it bends
-and is made."""
+"""The counter-shaft, given or sized: its couple, what it leaves of the imbalance, its supports, bending and making.
+
+At the end whether the oil of its bearings drains off."""
 
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
@@ -357,8 +358,7 @@ def _balance(
     )
 
 
-# Whether the oil of the bearings leaves by the support's drains while the machine stands tilted.
-#
+# --- whether the oil leaves by the support's drains while the machine stands tilted
 # The passage to a drain loses of its slope what the machine tilts.  What runs off by the rest is that of a half-full
 # pipe of its narrowest bore, with the oil as it leaves the bearings; cold, it runs off far slower, and the film carries
 # out as much.

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The reactions of a shaft on any number of supports.
+"""The reactions of a shaft on its supports: of the load that turns with it, and of what stands still.
 
-Clapeyron's three moments: constant bending stiffness over the whole length, supports rigid and in line, point loads,
-shear left out.  Loads and reactions are complex and turn with the shaft.  A moment is positive where a load in the
-positive direction makes it so between two supports, so that the moments over inner supports come out below zero
-(hogging)."""
+Clapeyron's three moments for any number of supports: constant bending stiffness over the whole length, supports rigid
+and in line, point loads, shear left out.  Loads and reactions are complex and turn with the shaft.  A moment is
+positive where a load in the positive direction makes it so between two supports, so that the moments over inner
+supports come out below zero (hogging)."""
 
 from dataclasses import replace
 from typing import NamedTuple, cast
@@ -114,8 +114,7 @@ def _spans(place: Array, support: Array) -> tuple[IndexArray, Array, Array, Bool
     return span, place[inside] - support[span], support[span + 1] - place[inside], inside
 
 
-# What stands still while the shaft turns: its weight and the force of its gear, on two bearings, beside the turning
-# reactions.
+# --- what stands still while the shaft turns: its weight and the force of its gear, on two bearings
 
 
 class Gear(NamedTuple):

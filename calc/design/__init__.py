@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A design: its inputs, its file, the keys of both, and what guards them."""
+"""A design: its inputs, its file, the keys of both, what guards them, and the replay of scripted edits."""

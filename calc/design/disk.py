@@ -35,7 +35,8 @@ class FileChanged(OSError):
 
 
 # --- reading
-# ----------------------------------------------------------------------------------------------------------------
+
+
 def read_file(path: Path | str, most: int) -> bytes:
     """The bytes of a regular file that has at most so many."""
     try:
@@ -76,7 +77,8 @@ def same_file(a: Path | str, b: Path | str) -> bool:
 
 
 # --- writing
-# ----------------------------------------------------------------------------------------------------------------
+
+
 def write_file(
     path: Path | str,
     data: bytes | Path,
@@ -213,7 +215,8 @@ def _sync_folder(folder: Path) -> None:
 
 
 # --- one at a time
-# ------------------------------------------------------------------------------------------------------------
+
+
 @contextmanager
 def locked(folder: Path) -> Iterator[bool]:
     """No other run of this program writes in the folder meanwhile.  False where the system has no such lock; a killed

@@ -5,11 +5,14 @@ tables."""
 from ..sheet.errors import SHOWN_ERRORS
 
 # --- a design or a replay: it has a few thousand bytes and a few hundred entries
+
 DESIGN_BYTES = 2**20
 DESIGN_ENTRIES = 20_000
 DESIGN_DEPTH = 16
 
+
 # --- what a report takes in
+
 PDF_BYTES = 32 * 2**20
 PDF_UNPACKED = 256 * 2**20
 PDF_VALUES = 3_000_000
@@ -18,13 +21,17 @@ LOGO_BYTES = 300_000
 LOGO_SIDE = 2000
 FRONT_BYTES = 4_000_000  # a front of 2000 drives has a third of it
 
+
 # --- the session in a browser
+
 SESSIONS = 8
 COLUMNS, ROWS = 1000, 500
 PASTED = 100_000
 MESSAGE_BYTES = 2**20
 
+
 # --- patience, in seconds
+
 LOCK_SECONDS = 10
 SEARCH_SECONDS = 5
 

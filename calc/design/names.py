@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Changes of keys in the labels and units of their fields: `front length 27.5 → 34 mm, oil 10W-40 → SAE 50`."""
+"""What keys, ids and choices are called in words: `front length 27.5 → 34 mm, oil 10W-40 → SAE 50`."""
 
 import re
 from typing import TYPE_CHECKING
@@ -108,8 +108,7 @@ def written(value: object, unit: str = "") -> Text | Amount:
     )
 
 
-# What the parts of an id are called: the value `bearings.front.film_edge` belongs to "front".
-#
+# --- what the parts of an id are called: the value `bearings.front.film_edge` belongs to "front"
 # A part of the program is a Text, which a language can say; one that the user named (a wheel, a mesh, a sector, a
 # scenario) is a Name.
 
@@ -214,8 +213,8 @@ def in_context(label: Text, id: str) -> Text:
     return label if knows(label, parts) else Text("{label} ({where})", label=label, where=parts)
 
 
-# The words of the choices in a design file, as people read them; what is not here stands for itself: a name, a grade, a
-# standard.
+# --- the words of the choices in a design file, as people read them
+# What is not here stands for itself: a name, a grade, a standard.
 
 CHOICE_WORDS: dict[str, str] = {
     # engine, crank and shaft

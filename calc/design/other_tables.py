@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Document control: number, people, revision and change record of a design, as the title block of its report prints
-them.
+"""The tables of a design that are no step's: [document], [optimise] and [[measured]].
+
+Document control is number, people, revision and change record, as the title block of the report prints them:
 
 [document]
 number = "CS-0042"
@@ -128,8 +129,8 @@ def said_twice(document: DocumentControl | None, former: Mapping[str, str]) -> I
             )
 
 
-# [optimise]: what `contralbero design` may vary, what it must keep, and what it wants.  No step asks for it; all of it
-# may be left out.
+# --- [optimise]: what `contralbero design` may vary, what it must keep, and what it wants
+# No step asks for it; all of it may be left out.
 
 OBJECTIVES = ("power", "mass", "seat", "price", "margin")
 MOST = ("power_W", "mass_kg", "seat_mm", "price_EUR")
@@ -243,8 +244,7 @@ def _number(x: object) -> bool:
     return isinstance(x, Real) and not isinstance(x, bool) and isfinite(x)
 
 
-# What was measured of a design: a row of [[measured]]; `design/predicted.py` lays it beside what is predicted.
-#
+# --- what was measured of a design, a row each; `design/predicted.py` lays it beside what is predicted
 # [[measured]]
 # value = "bearings.front.oil_flow"      # the id of a value, or the key of an input
 # speed_rpm = 2000                       # left out: the design's own speed

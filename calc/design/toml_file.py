@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Design ⇄ TOML.  A `Document` is a design as its file has it; `design()` checks it whole and turns it into SI.
+"""Design ⇄ TOML: a `Document` is a design as its file has it; `design()` checks it whole and turns it into SI.
 
-Every edit, from the command line, a replay or the form, makes a new Document and is checked by this same one path.
-"""
+Every edit, from the command line, a replay or the form, makes a new Document and is checked by this same one path.  In
+order: the look over the text, the document, reading, checking."""
 
 import math
 import re
@@ -25,9 +25,7 @@ from .disk import read_file
 from .limits import DESIGN_BYTES, DESIGN_DEPTH, DESIGN_ENTRIES
 from .model import Design
 
-# A look over the text of a design before it is taken apart: where each key stands, and that it is neither too deep nor
-# too long.
-#
+# --- a look over the text before it is taken apart: where each key stands, and that it is not too deep or long
 # Every letter is looked at once, whatever stands there; what takes a TOML text apart may take the square of the time
 # for a hostile one.
 
@@ -143,6 +141,8 @@ class _Lines:
             self.remarks.setdefault(key, words)
 
 
+# --- the document
+
 T = TypeVar("T")
 REMARKS = Text("The design file says: {remarks}.")
 SMALLEST, LARGEST = 1e-30, 1e30  # sizes of numbers: beyond them products and squares of them are no numbers any more
@@ -212,7 +212,8 @@ Like = tuple[Any, Any]  # a table, or an array of tables, without errors, and wh
 
 
 # --- reading
-# --------------------------------------------------------------------------------------------------------------
+
+
 def read(path: Path | str) -> Document:
     """Read a design file.  Raises BadInput where it is no TOML text; what it says is not yet checked."""
     place = str(path)
@@ -284,7 +285,8 @@ PLACEHOLDER: Table = {
 
 
 # --- checking
-# ---------------------------------------------------------------------------------------------------------------
+
+
 class _Reader:
     """Walks a document along the Inputs classes and collects every error."""
 
@@ -512,7 +514,7 @@ def load(path: Path | str) -> tuple[Document, Design]:
     return document, design(document)
 
 
-# Whole designs from Python: `from calc import load_design, solve_design`.
+# --- from Python: `from calc import load_design, solve_design`
 
 
 def load_design(path: Path | str) -> Design:

@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A part of a sheet while it is drawn: its marks, in millimetres on the paper, before it has its place."""
+"""A part of a sheet while it is drawn: its marks before it has its place, signs, and numbers as a drawing has them.
+
+Marks are in millimetres on the paper."""
 
 import math
 from collections.abc import Callable, Iterable
@@ -128,8 +130,8 @@ def _metres(point: Point) -> Point:
     return point[0] * _MM, point[1] * _MM
 
 
-# Signs of a drawing: a diameter on its shelf, a surface's roughness (ISO 21920-1), the ends of a cutting plane (ISO
-# 128-3).
+# --- signs of a drawing
+# A diameter on its shelf, a surface's roughness (ISO 21920-1), the ends of a cutting plane (ISO 128-3).
 
 SLOPE = math.tan(math.pi / 3)
 SHORT_LEG, LONG_LEG = 3.5, 7.0  # heights of the two legs of the sign of a surface
@@ -220,7 +222,8 @@ def _polar(centre: Point, radius: float, angle: float) -> Point:
     return centre[0] + radius * math.cos(angle), centre[1] + radius * math.sin(angle)
 
 
-# Numbers as a drawing has them: rounded, without zeros behind, in the language of the sheet.
+# --- numbers as a drawing has them
+# Rounded, without zeros behind, in the language of the sheet.
 
 Say = Callable[[str], str]
 ALIKE = 1e-9  # m

@@ -196,8 +196,7 @@ def rectangle(left: Metre, bottom: Metre, right: Metre, top: Metre) -> tuple[Poi
     return (left, bottom), (right, bottom), (right, top), (left, top)
 
 
-# The layers of a drawing sheet: how wide the lines of each are, of which dashes, and in which colour of a CAD program.
-#
+# --- the layers of a drawing sheet: line width, dashes, colour in a CAD program
 # Line widths 0.5 and 0.25 mm are a line group of ISO 128-2; the frame's 0.7 mm is that of ISO 5457.  Dashes are
 # millimetres on the paper, above 0 drawn and below 0 left out.
 
@@ -228,7 +227,7 @@ LAYERS = {
 }
 
 
-# The lines of a hatch: parallel, at 45°, and nowhere outside the outlines of what is cut.
+# --- the lines of a hatch: parallel, at 45°, and nowhere outside the outlines of what is cut
 
 HALF = math.sqrt(0.5)
 
@@ -261,8 +260,8 @@ def _crossings(outline: list[Point], level: float) -> list[float]:
     ]
 
 
-# What the sketches of several steps ask for: the verdict of a part, a round exaggeration, and the picture of what is
-# not known yet.
+# --- what the sketches of several steps ask for
+# The verdict of a part, a round exaggeration, and the picture of what is not known yet.
 
 
 class Awaited(Protocol):

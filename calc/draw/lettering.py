@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""How much room letters need on a drawing sheet, so that what is written is placed before anybody knows with which
-letters.
+"""How much room letters need on a drawing sheet, and dimensions in strokes.
+
+So what is written is placed before anybody knows with which letters.
 
 The widths are those of DejaVu Sans, in which the report letters its drawings, in heights of a capital letter; those of
 CAD programs are narrower."""
@@ -64,8 +65,8 @@ def wrapped(text: str, height: float, most: float) -> list[str]:
     return [*lines, line] if line else lines
 
 
-# A dimension in strokes, as ISO 129-1 has it: two extension lines, the dimension line with its arrows, and the number
-# above it.
+# --- a dimension in strokes, as ISO 129-1 has it
+# Two extension lines, the dimension line with its arrows, and the number above it.
 
 ARROW = 1.2  # all in heights of a letter: length of an arrow,
 HALF_ARROW = 0.16  # half of its width,

@@ -26,7 +26,8 @@ FLAT = 1e-9  # rad and shares of a radius: below it an edge is seen from its end
 
 
 # --- shapes
-# -------------------------------------------------------------------------------------------------------------
+
+
 def drawn(outline: "Outline") -> "list[Piece]":
     """The pieces that a drawing shows: each ends where the next begins."""
     return [piece for piece in outline.pieces if piece.length > FINE]
@@ -120,7 +121,8 @@ def shaft_drawing(outline: "Outline", positions: tuple[Metre, ...]) -> tuple[Pri
 
 
 # --- the screen's and the report's
-# ---------------------------------------------------------------------------------------
+
+
 def outline_curve(outline: "Outline", positions: tuple[Metre, ...]) -> Curve:
     """The side view as a curve in true scale: the points of the drawing, in mm."""
     names = (Text("front support"), *(Text("support {n}", n=n) for n in range(2, len(positions))), Text("rear support"))

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What stands beside the views: the data of the teeth (ISO 1340, symbols of ISO 21771), balancing (ISO 21940-11),
-masses, notes."""
+"""What stands beside the views: the data of the teeth (ISO 1340, symbols of ISO 21771), balancing, masses, notes.
+
+Balancing as ISO 21940-11 has it."""
 
 import math
 from collections.abc import Iterator, Mapping
@@ -23,8 +24,9 @@ if TYPE_CHECKING:
     from ..gears.result import MeshResult, TrainResult, WheelResult
     from ..solve import Results
 
-# What of a solved design stands on the drawing of its shaft: its pieces with their sizes, and what the design does not
-# say.
+
+# --- what of a solved design stands on the drawing of its shaft
+# Its pieces with their sizes, and what the design does not say.
 
 GIVEN = ("journal", "gear", "full")  # pieces whose length and diameter the design gives
 
@@ -119,6 +121,8 @@ def missing(results: "Results") -> Iterator[Text]:
     if bearings is not None and bearings.supply == "shaft":
         yield Text("oil ways in the shaft")
 
+
+# --- the tables and notes
 
 PART_DRAWING = Text("Part drawing")
 Rows = list[tuple[str, ...]]

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Dimensions in rows below a view, and words on shelves above it, so that none crosses or covers another.
+"""The shaft seen from the side: rows of dimensions below, words on shelves above, shoulders, and the view itself.
 
-The shorter a dimension, the closer it stands to the view: the extension lines of a longer one then pass outside of it.
-"""
+No dimension or word crosses or covers another.  The shorter a dimension, the closer it stands to the view: the
+extension lines of a longer one then pass outside of it."""
 
 import math
 from collections.abc import Mapping, Sequence
@@ -187,8 +187,8 @@ def _overlap(a: Box, b: Box) -> bool:
     return a[0] < b[2] and b[0] < a[2] and a[1] < b[3] and b[1] < a[3]
 
 
-# Where two pieces of a shaft meet: the parts of the line between them that are seen, where one of them steps back
-# behind the other.
+# --- where two pieces of a shaft meet
+# The parts of the line between them that are seen, where one of them steps back behind the other.
 
 SAME = 1e-7  # m: surfaces closer than this go on into one another
 
@@ -241,7 +241,7 @@ def _depth(piece: TurnedPiece, y: Metre, up: Radian) -> Metre:
     return max(near)
 
 
-# The shaft seen across its axis: its contour and edges, the diameters above it, the lengths below it.
+# --- the view: contour and edges, the diameters above, the lengths below
 
 OVER = 4.0  # how far an axis goes beyond what it is the axis of
 FIRST, NEXT = 9.0, 8.0  # from the view to the first row of dimensions, and from one row to the next
@@ -284,7 +284,7 @@ class SideView:
         return self.by * high, self.by * low
 
     # --- the shape
-    # ------------------------------------------------------------------------------------------------------
+
     def _shape(self, leaf: Leaf) -> None:
         above: list[Point] = []
         below: list[Point] = []
@@ -327,7 +327,7 @@ class SideView:
         return boxes
 
     # --- what is measured
-    # -----------------------------------------------------------------------------------------------
+
     def _diameters(self, leaf: Leaf, marks: list[Box]) -> None:
         """A shelf for each diameter, its line across the piece with an arrow at either side."""
         asked, words = [], []

@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The shaft seen along its axis: from its front end, and cut through its eccentric sectors.
+"""The workshop drawings: the shaft seen along its axis and cut, its sheet, and the sheets of the wheels.
 
-Both look from front to rear, where a crank that turns as engines do turns clockwise.
-"""
+End view and section look from front to rear, where a crank that turns as engines do turns clockwise."""
 
 import math
 from collections.abc import Iterator, Mapping
@@ -161,7 +160,7 @@ def _polar(radius: float, angle: Radian) -> Point:
     return radius * math.cos(angle), radius * math.sin(angle)
 
 
-# The sheet of the counter-shaft.
+# --- the sheet of the counter-shaft
 
 MASS_COLUMNS = (32.0, 18.0, 20.0, 20.0, 22.0)
 APART = 8.0  # one view from another
@@ -223,8 +222,8 @@ def _shaft_views(results: "Results", solved: "CountershaftResult", scale: float,
     return views
 
 
-# The sheets of the wheels of a train, as ISO 2203 draws gears: cut along the axis, the teeth not cut, and seen from the
-# front.
+# --- the sheets of the wheels of a train, as ISO 2203 draws gears
+# Cut along the axis, the teeth not cut, and seen from the front.
 
 OVER_WHEEL = 4.0  # an axis beyond what it is the axis of
 LINE, NEXT = 10.0, 9.0  # from the view to its first dimension, and on to the next

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The sheet itself: an A3 page with frame, centring marks and grid references as ISO 5457 has them, and the title block
-of ISO 7200."""
+"""The drawing sheet: an A3 page with frame and title block, and views, tables and notes put together on it.
+
+Frame, centring marks and grid references as ISO 5457 has them, the title block of ISO 7200."""
 
 import itertools
 from collections.abc import Callable, Iterable, Sequence
@@ -127,8 +128,8 @@ def first_angle(leaf: Leaf, x: float, y: float) -> None:
     leaf.line(EDGE, (x + 3.5, y - large - 1.0), (x + 3.5, y + large + 1.0))
 
 
-# A sheet put together: the views in the largest scale of ISO 5455 that the paper has room for, tables and notes beside
-# them.
+# --- a sheet put together
+# The views in the largest scale of ISO 5455 that the paper has room for, tables and notes beside them.
 
 SCALES = ((2, 1), (1, 1), (1, 2), (1, 5), (1, 10), (1, 20))
 COLUMNS = (68.0, 44.0)  # of a table: what, and how much

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The crank train: geometry, kinematics, masses, crank angles."""
+"""The crank train: geometry, kinematics, masses, crank angles, firing, gas and torque, the strength of a throw."""
 
 from typing import TYPE_CHECKING
 

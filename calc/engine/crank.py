@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Where the throws stand: crank angles, axial positions and banks of any engine, or of many engines that differ in
-their numbers."""
+"""Where the throws stand, and when they fire: crank angles, axial positions, banks, firing order and its evenness.
+
+Of any engine, or of many engines that differ in their numbers."""
 
 import math
 from dataclasses import replace
@@ -15,8 +16,7 @@ from ..sheet.units import Metre, Number, Radian
 from ..sheet.value import based_on
 from .inputs import EngineInputs, usual_order
 
-# Firing: the order from the crank, the crank's use by an order, and how even the intervals are.
-#
+# --- firing: the order from the crank, the crank's use by an order, and how even the intervals are
 # A cylinder fires at one of its top dead centres.  Angles are crank angles after the firing of cylinder 1, over the
 # working cycle: 720° of a four-stroke engine, 360° of a two-stroke.  An offset cylinder shifts every dead centre alike
 # and changes nothing here.
@@ -93,6 +93,8 @@ def evenest(phi: Array, psi: Array, strokes: int, usual: tuple[int, ...] = ()) -
     orders.sort(key=lambda pair: pair[0] != usual)
     return [Firing(order, at[i], gaps[i]) for order, i in orders]
 
+
+# --- the crank
 
 SAME_PIN = 1e-6  # rad
 

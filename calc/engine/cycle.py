@@ -27,7 +27,8 @@ PANEL = math.radians(1.0)  # of the integration over a cycle, with its middle
 
 
 # --- motion
-# ---------------------------------------------------------------------------------------------------------------
+
+
 @formula(
     "ε_k",
     "kinematics: crank angle after the firing of the cylinder, within its cycle",
@@ -62,7 +63,8 @@ def dead_centre_angle(delta: Number, lam: Number) -> Radian:
 
 
 # --- pressure
-# ---------------------------------------------------------------------------------------------------------------
+
+
 @formula(
     "h_c",
     "definition of the compression ratio: height of the clearance volume on the bore",
@@ -181,7 +183,8 @@ def widest_gap(corners: Array, length: Radian) -> tuple[Radian, Radian]:
 
 
 # --- forces on the piston, and what they do at the crank
-# ------------------------------------------------------------------------
+
+
 @formula("F_G", "Finotti 2013, 2.2: gas force, crankcase pressure under the piston")
 def gas_force(p: Pascal, p_case: Pascal, D: Metre) -> Newton:
     return (p - p_case) * pi / 4 * D**2
@@ -202,7 +205,8 @@ def torque_of(F: Newton, r: Metre, v_rel: Number) -> NewtonMetre:
 
 
 # --- over the cycle
-# ---------------------------------------------------------------------------------------------------------
+
+
 def points(cycle: Cycle, fires: Array) -> Array:
     """Crank angles over the cycle of the whole engine: edges of panels, which meet every corner of every cylinder, and
     their middles.

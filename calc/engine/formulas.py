@@ -206,8 +206,8 @@ def piston_speed(v_rel: Number, omega: RadPerSecond, r: Metre) -> MetrePerSecond
     return v_rel * omega * r
 
 
-# The masses that move with a cylinder: by its piston and rod, or as they are given, one for all or one for each; and
-# what else differs.
+# --- the masses that move with a cylinder
+# By its piston and rod, or as they are given, one for all or one for each; and what else differs.
 
 
 @record

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What an engine is described by."""
+"""What an engine is described by: its crank throws, a diagram of torque in place of the gas, the engine as a whole."""
 
 from collections.abc import Iterable, Iterator
 from math import pi
@@ -8,7 +8,7 @@ from ..sheet.quantity import THUMB, choice, inputs, integer, integers, keys, qua
 from ..sheet.text import Amount, Text
 from .gas import GasInputs, cycle_problems
 
-# What a crank throw is described by.
+# --- a crank throw
 
 
 @inputs
@@ -82,7 +82,7 @@ class ThrowInputs:
     )
 
 
-# A torque over the crank angle that is given as a diagram, in place of the gas.
+# --- a torque over the crank angle that is given as a diagram, in place of the gas
 
 FEWEST_ROWS = 3
 SAME_ANGLE = 1e-9  # rad
@@ -134,6 +134,8 @@ def diagram_problems(
             Text("must be that of the first row, {length}° before it: the diagram closes", length=shown),
         )
 
+
+# --- the engine
 
 CRANK_RATIO = (
     0.22,

@@ -88,6 +88,8 @@ def icon(engine: EngineInputs) -> Sketch:
 
 
 # --- where everything stands
+
+
 def _throws(engine: EngineInputs) -> tuple[list[Throw], Crank]:
     r, length, d = engine.crank_radius, engine.rod_length, engine.cylinder_offset
     placed = crank(engine, math.asin(d / (length + r)))
@@ -129,6 +131,8 @@ def _number(symbol: str, length: Metre) -> Text:
 
 
 # --- from the front
+
+
 def _end_view(engine: EngineInputs, throws: list[Throw]) -> Iterator[Mark]:
     r, bore = engine.crank_radius, engine.bore
     pin = engine.throw.pin_diameter / 2 if engine.throw is not None else PIN * r
@@ -201,6 +205,8 @@ def _bank_angle(engine: EngineInputs, throws: list[Throw]) -> Iterator[Mark]:
 
 
 # --- the row
+
+
 def _row(engine: EngineInputs, throws: list[Throw]) -> Sketch:
     bore, r = engine.bore, engine.crank_radius
     marks: list[Mark] = []
@@ -245,6 +251,8 @@ def _row(engine: EngineInputs, throws: list[Throw]) -> Sketch:
 
 
 # --- the clock
+
+
 def _clock(engine: EngineInputs, fires: Firing) -> Sketch:
     """When the cylinders fire, over the working cycle, which is once around."""
     cycle = engine.strokes * math.pi

@@ -39,7 +39,7 @@ from .inputs import EngineInputs, ThrowInputs
 from .result import CrankSection, EngineResult, Position, Rod, ThrowResult
 from .throw_strength import Forces, Notch, check_of, judged
 
-# The gas of an engine's cylinders: its cycle from what the design says, and what is taken for numbers left out.
+# --- the gas of an engine's cylinders: its cycle from what the design says, and what is taken for numbers left out
 
 
 def prepare(engine: EngineInputs, e: EngineResult, gas: GasInputs) -> Cycle:
@@ -89,6 +89,8 @@ def prepare(engine: EngineInputs, e: EngineResult, gas: GasInputs) -> Cycle:
     given = MixedCycle(e.stroke, gas.peak_pressure, p_in, p_ex, n_c, n_e, eps_p, eps_bdc, h_c, x_p)
     return Cycle(length, crankcase, corners, given, tuple(notes), p_c)
 
+
+# --- the throws
 
 POSITIONS = {"largest_tangential": Text("largest tangential force"), "top_dead_centre": Text("top dead centre")}
 PLACES = {"pin": Text("pin"), "journal": Text("journal")}
@@ -323,7 +325,8 @@ def _position(crank: _Throw, k: int, epsilon: float, shared: BoolArray, in_front
 
 
 # --- what is said about it
-# --------------------------------------------------------------------------------------------------
+
+
 def _checks(crank: _Throw, worst: Array, material: Material | None) -> tuple[Check, ...]:
     """Each place by the largest stress that it has on any throw, in either position."""
     checks: list[Check] = []

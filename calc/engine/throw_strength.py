@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The forces on one crankpin, what the two main journals beside it carry, and the stresses.
+"""The strength of a crank throw: forces on its pin and journals, moments, stresses, and endless life of its fillets.
 
 Tangential: in the sense of rotation.  Radial: positive towards the crank axis.  The pin is loaded at its middle and the
 throw rests on the middles of its two journals, which the textbooks take as simple supports."""
@@ -24,7 +24,8 @@ NOTCH = Text("Norton, app. of stress-concentration factors, after Peterson: shou
 
 
 # --- forces
-# -----------------------------------------------------------------------------------------------------------------
+
+
 @formula("F", Text("{rod}: force on the piston", rod=ROD))
 def piston_force(F_G: Newton, F_I: Newton) -> Newton:
     return F_G + F_I
@@ -66,7 +67,8 @@ def torque_in_front(F_t: Newton, r: Metre) -> NewtonMetre:
 
 
 # --- moments
-# ----------------------------------------------------------------------------------------------------------------
+
+
 @formula("L", Text("{beam}: distance of the journals' middles", beam=BEAM), unit="mm")
 def span(l_j: Metre, t_w: Metre, l_p: Metre) -> Metre:
     return l_j + 2 * t_w + l_p
@@ -103,7 +105,8 @@ def journal_torsion(F_t: Newton, r: Metre, T_v: NewtonMetre) -> NewtonMetre:
 
 
 # --- stresses
-# ---------------------------------------------------------------------------------------------------------------
+
+
 @formula("σ", "elasticity: elementary bending of a solid round section, nominal", unit="MPa")
 def bending_stress(M: NewtonMetre, d: Metre) -> Pascal:
     return 32 * M / (pi * d**3)
@@ -139,8 +142,7 @@ def notch_stress(K_b: Number, sigma: Pascal, K_t: Number, tau: Pascal) -> Pascal
     return sqrt((K_b * sigma) ** 2 + 3 * (K_t * tau) ** 2)
 
 
-# Endless life of the throws: the fillets of pin and journal over the whole cycle, all around their circumference.
-#
+# --- endless life of the throws: the fillets of pin and journal over the whole cycle, all around
 # In the frame that turns with the throw the radial and the tangential force keep their planes, so that each point of a
 # fillet has a stress of its own over the cycle.  The amplitudes of bending and torsion are added as if they came at
 # once, which is on the safe side.

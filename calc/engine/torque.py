@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The torque about the crank: of the inertia forces always, of the gas where a cycle or an indicated pressure is given.
+"""The torque about the crank: of the inertia always, of the gas where a cycle, a pressure or a diagram is given.
+
+In order: what any torque gives, the formulas, the torque at any crank angles, its curves, a torque given as a diagram.
 
 Torque is positive in the sense of rotation.  The block feels the opposite, and with an offset cylinder the moment of
 the inertia force, which acts along the cylinder's axis, at the distance d from the crank's.  ε is the crank angle after
@@ -42,7 +44,14 @@ from .inputs import EngineInputs, TorquePoint
 from .result import EngineResult, TorqueResult
 from .throw import prepare
 
-# What a torque over the crank angle gives, whether of the gas or of a diagram.
+ORDERS = 8
+POINTS = 720  # over a turn, for the inertia torque
+SMALL = 1e-9  # of the largest: an order so small is dust
+DRAWN = math.radians(1.0)
+WORK = Text("energy, indicated work of the cycle: virtual work of the gas force")
+
+
+# --- what a torque over the crank angle gives, whether of the gas or of a diagram
 
 
 @formula("T_hi", "mathematics: largest of the points of the cycle, its corners among them", shows="largest T(ε)")
@@ -70,15 +79,9 @@ def speed_irregularity(Delta_E: NewtonMetre, J: KilogramMetre2, omega: RadPerSec
     return Delta_E / (J * omega**2)
 
 
-ORDERS = 8
-POINTS = 720  # over a turn, for the inertia torque
-SMALL = 1e-9  # of the largest: an order so small is dust
-DRAWN = math.radians(1.0)
-WORK = Text("energy, indicated work of the cycle: virtual work of the gas force")
-
-
 # --- formulas
-# ---------------------------------------------------------------------------------------------------------------
+
+
 @formula("T_I", "mathematics, sum over the cylinders: torque of the inertia forces")
 def inertia_torque(T_k: NewtonMetre) -> NewtonMetre:
     return resultant(T_k)
@@ -172,7 +175,8 @@ def energy_fluctuation(epsilon: Radian, T: NewtonMetre, T_m: NewtonMetre) -> New
 
 
 # --- torque at any crank angles
-# ---------------------------------------------------------------------------------------------
+
+
 @overload
 def at(
     engine: EngineInputs, e: EngineResult, gas: None, fires: Radian, epsilon: Radian
@@ -386,7 +390,8 @@ def _angle_of_peak(
 
 
 # --- curves
-# -----------------------------------------------------------------------------------------------------------------
+
+
 def _curves(
     engine: EngineInputs, e: EngineResult, firing: Array, cycle: Cycle, result: TorqueResult
 ) -> tuple[Curve, ...]:
@@ -423,8 +428,8 @@ def _curves(
     return torque, pressure
 
 
-# What a torque diagram gives: mean, extremes and fluctuation of the energy; straight lines between its rows, closed
-# over its period.
+# --- what a torque diagram gives: mean, extremes and fluctuation of the energy
+# Straight lines between its rows, closed over its period.
 
 AREA = Text("mathematics: area of the torque diagram over its period, straight lines between its rows")
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Friction of the meshes and the power balance of the whole drive."""
+"""Friction of the meshes, the other losses of the train, and the power balance of the whole drive."""
 
 from typing import TYPE_CHECKING
 

@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The friction of all meshes and the power balance of the train, closed.
+"""The power balance of the train: how the power flows, what all meshes, bearings and journals lose, closed.
+
+In order: what a wheel needs, the fixed point of the powers, the train at its speed, its balance traced.
 
 The counter-shaft needs the power of its bearings; each mesh towards the crank adds what it loses at the power that it
 takes in. A design without counter-shaft gives the power that the first driver puts into its mesh, and the balance runs
@@ -35,9 +37,7 @@ from .mesh.path import driver_speed, transverse_force
 from .models import spread_of
 from .result import FrictionResult, JournalResult, MeshResult, carbon_dioxide, fuel, torque
 
-# How the power flows through the train: from what its last wheel must deliver up to the first driver, or the other way
-# round.
-#
+# --- how the power flows: from what the last wheel must deliver up to the first driver, or the other way round
 # A mesh that must put out P_out takes in P_in = P_out + P_loss(P_in).  A wheel needs what its meshes take in, its own
 # losses, and what else it drives.  Meshes are listed along the flow; a wheel may drive several.
 #
@@ -85,7 +85,8 @@ def delivered(P_out: Watt, P: Watt) -> Watt:
 
 
 # --- what a wheel needs
-# ------------------------------------------------------------------------------------------------------
+
+
 @formula("P_Σ", "mathematics: sum over what the wheel needs, one after the other", names={"P": "P_Σ,0"})
 def and_need(P: Watt, P_i: Watt) -> Watt:
     return P + P_i
@@ -102,7 +103,8 @@ def with_mesh(P: Watt, P_in: Watt) -> Watt:
 
 
 # --- the fixed point
-# ---------------------------------------------------------------------------------------------------------
+
+
 class Guess:
     """The power of one mesh: P solves P = P_out + P_loss(P), the loss taken as a straight line through the last two
     passes, and after the first through none at no power."""
@@ -199,6 +201,8 @@ def _powers_down(
 def _number(x: Watt) -> Watt:
     return x if np.ndim(x) else one(x)
 
+
+# --- the train at its speed
 
 Meshes = Mapping[str, MeshGeometry]
 Forces = Callable[[Mapping[str, Watt], Mapping[str, RevPerSecond]], Mapping[str, Newton]]
@@ -324,7 +328,8 @@ def most_force(meshes: Meshes, loads: Mapping[str, Watt], speeds: Mapping[str, R
 
 
 # --- the powers
-# --------------------------------------------------------------------------------------------------------------
+
+
 def loads_of(d: TrainDrive, power: Watt | None = None) -> tuple[dict[str, Watt], dict[str, Watt]]:
     """The power that loads each mesh, and what each wheel needs besides its meshes.
 

@@ -48,7 +48,8 @@ def outcome(d: TrainDrive, result: FrictionResult, lines: list[Line]) -> Outcome
 
 
 # --- checks
-# ----------------------------------------------------------------------------------------------------------------
+
+
 def checks(friction: FrictionInputs, result: FrictionResult) -> tuple[Check, ...]:
     balance = check(
         "friction.train.balance",
@@ -254,7 +255,8 @@ def _of_mesh(id: str, friction: FrictionInputs, mesh: MeshResult) -> Iterator[Ch
 
 
 # --- where the source is wrong
-# ---------------------------------------------------------------------------------------------
+
+
 def errata(friction: FrictionInputs, result: FrictionResult, oil: Oil) -> tuple[Erratum, ...]:
     meshes = [e for name, mesh in result.meshes.items() for e in _of_source(f"friction.{name}", friction, mesh)]
     name, mesh = next(iter(result.meshes.items()))

@@ -23,9 +23,9 @@ from .mesh.path import motion
 from .mesh.traction import eyring_stress, roelands_index, slope_under_pressure
 from .result import FrictionResult, MeshResult, by_regime
 
-
 # --- tables
-# ----------------------------------------------------------------------------------------------------------------
+
+
 def tables(result: FrictionResult, d: TrainDrive) -> tuple[Table, ...]:
     """Where the power goes; the models of every mesh; what is known of the oil."""
     models = (
@@ -85,7 +85,8 @@ def _parts(r: FrictionResult) -> list[tuple[Text, float]]:
 
 
 # --- curves
-# ----------------------------------------------------------------------------------------------------------------
+
+
 def curves(result: FrictionResult, d: TrainDrive) -> tuple[Curve, ...]:
     names, powers = zip(*_parts(result))
     labels = Text(", ").join(f"{i} {name}" for i, name in enumerate(names, 1))

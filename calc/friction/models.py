@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Four published regressions of tooth friction, shown beside the model of this program.  Nothing is judged by them.
+# mypy: disable-error-code="no-any-return"
+"""Four published regressions of tooth friction, beside the model of this program and beside each other.
+
+Nothing is judged by them.
 
 Schlenk: one mean coefficient from the state at the pitch point; from tests of loaded gears.
 Niemann and Winter, Michaelis: the same in the form of ISO/TR 15144-1 and ISO/TR 13989-2.
@@ -27,9 +30,6 @@ from .mesh.geometry import column, flat
 from .mesh.loss import MeshCase, MeshLoss, loss_factor, sliding_loss
 from .mesh.loss import mean_friction as mean_friction_of
 from .mesh.path import array, line_load, transverse_force
-
-# mypy: disable-error-code="no-any-return"
-
 
 MILLIPASCAL_SECOND: PascalSecond = 1e-3
 MICROMETRE: Metre = 1e-6
@@ -145,7 +145,8 @@ def beside(c: MeshCase, P: Watt, H_V: Number) -> tuple[Regression, Regression, R
 
 
 # --- with the loss factor of Ohlendorf, for which they were made
-# ----------------------------------------------------------------
+
+
 def of_schlenk(c: MeshCase, P: Watt, H_V: Number) -> Regression:
     u_C, R_C, w_bt = c.path.at_pitch_point(c.motion.u_e), c.path.at_pitch_point(c.motion.R), _line_load(c, P)
     mu_m = schlenk(
@@ -210,7 +211,8 @@ def _outside_tests(c: MeshCase, w_bt: NewtonPerMetre, u_C: MetrePerSecond) -> Te
 
 
 # --- integrated along the path
-# --------------------------------------------------------------------------------------------------
+
+
 def of_xu_kahraman(c: MeshCase, P: Watt) -> Regression | None:
     """None where it runs away: flanks so rough that its exponential does, or pressures far outside its runs."""
     sigma = c.surfaces.sigma
@@ -269,7 +271,7 @@ def _summed(c: MeshCase, P: Watt, w: NewtonPerMetre, mu: Number, outside: Text) 
     return Regression(friction_mean=mean_friction_of(P_s=P_s, P=P, H_VL=H_VL), loss=P_s, outside=outside)
 
 
-# The loss of a mesh by all models side by side, each with its range; how far they spread.
+# --- the loss of a mesh by all models side by side, each with its range; how far they spread
 
 TESTS = Text(
     "line load from {lowest_line_load} N/mm (held there below), sum of speeds from 1 m/s, pitch line to {fastest} m/s",

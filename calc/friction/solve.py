@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The friction step: the meshes from the geometry of the train, the losses of all that turns, the closed power
-balance."""
+"""The friction step: the meshes of the train, the losses of all that turns, the closed power balance."""
 
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
@@ -193,7 +192,7 @@ def _notes(gears: GearsInputs, closed: bool) -> tuple[Text, ...]:
     return ()
 
 
-# The friction of a mesh from Python, in SI: `from calc import friction`.
+# --- from Python, in SI: `from calc import friction`
 
 
 def solve_loss(

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The gear train: geometry, measures, backlash, its place in the engine, profile, and the rating of its teeth."""
+"""The gear train: geometry, measures, backlash, its place in the engine, profile, rating, and a search for shifts."""
 
 from typing import TYPE_CHECKING
 

@@ -37,7 +37,8 @@ def checks(gears: GearsInputs, train: TrainResult) -> tuple[Check, ...]:
 
 
 # --- the train
-# -------------------------------------------------------------------------------------------------------------
+
+
 def speed_ratio(train: TrainResult, wanted: Number, crank: float | None = None) -> Check:
     """Whether the last wheel turns as the shaft must: its speed over that of the first driver, as far as it is off the
     wanted one."""
@@ -86,7 +87,8 @@ def speed_ratio(train: TrainResult, wanted: Number, crank: float | None = None) 
 
 
 # --- meshes
-# ----------------------------------------------------------------------------------------------------------------
+
+
 def _backlash(
     system: ToothSystem, given: Mesh, index: int, mesh: MeshResult, driver: WheelResult, driven: WheelResult
 ) -> Check:
@@ -266,7 +268,8 @@ def _modules(limit: Number) -> Text:
 
 
 # --- wheels
-# ----------------------------------------------------------------------------------------------------------------
+
+
 def _tooth(system: ToothSystem, wheel: WheelResult) -> list[Check]:
     name = wheel.name
     s_an, value_id = wheel.tip_thickness_normal, f"gears.{name}.tip_thickness_normal"

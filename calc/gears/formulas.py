@@ -21,7 +21,8 @@ ISO = Text("ISO 21771:2007")
 
 
 # --- the tooth system, common to all wheels of a train
-# ------------------------------------------------------------------
+
+
 @formula("m_t", Text("{iso}: transverse module", iso=ISO), unit="mm")
 def transverse_module(m_n: Metre, beta: Radian) -> Metre:
     """>>> transverse_module(m_n=0.002, beta=0.3825)
@@ -89,7 +90,8 @@ def tool_corner_position(
 
 
 # --- one wheel
-# -------------------------------------------------------------------------------------------------------------
+
+
 @formula("d", Text("{iso}: reference diameter", iso=ISO), unit="mm")
 def reference_diameter(z: Number, m_t: Metre) -> Metre:
     """>>> reference_diameter(z=25, m_t=0.00215579)
@@ -205,7 +207,8 @@ def speed_ratio(n_last: RevPerSecond, n_1: RevPerSecond) -> Number:
 
 
 # --- a pair: centre distance and shifts
-# ------------------------------------------------------------------------------------
+
+
 @formula("α_wt", Text("{iso}: working transverse pressure angle", iso=ISO))
 def working_pressure_angle(d_b1: Metre, d_b2: Metre, a_w: Metre) -> Radian:
     """>>> working_pressure_angle(d_b1=0.07225, d_b2=0.07827, a_w=0.08056)
@@ -331,7 +334,8 @@ def standard_tip_shortening(x_1: Number, x_2: Number, m_n: Metre, a_w: Metre, d_
 
 
 # --- a pair: contact
-# -------------------------------------------------------------------------------------------------------
+
+
 @formula("c", Text("{iso}: tip clearance at the root of the wheel", iso=ISO), unit="mm")
 def tip_clearance(a_w: Metre, d_f: Metre, d_am: Metre) -> Metre:
     """>>> tip_clearance(a_w=0.065813, d_f=0.048307, d_am=0.081657)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The gear train: one tool, its wheels, its meshes, and what stands around them.
+"""What the gear train is described by: its wheels, its meshes, one tool, and what stands around them.
 
 Axes of positions: the first is up, the second 90° further in the sense of crank rotation, both from the crank's axis.
 """
@@ -11,8 +11,10 @@ from typing import ClassVar
 from ..sheet.quantity import THUMB, choice, inputs, integer, keys, quantity, series, tables, text
 from ..sheet.text import Text
 
-# What a wheel of the train is described by: its teeth, their allowances, what was measured on them, its body and
-# material.
+__all__ = ["Contributor", "GearsInputs", "Mesh", "Neighbour", "Wall", "Wheel"]
+
+
+# --- a wheel: its teeth, their allowances, what was measured on them, its body and material
 
 INTERNAL = Text(
     "internal gears are not computed: contact, interference, the form of the root and its strength are those of two "
@@ -231,7 +233,7 @@ class Wheel:
                 yield key, Text("is [upper, lower]: the first must not be below the second")
 
 
-# What a mesh is described by: its two wheels, their centre distance, and the parts that make its tolerance.
+# --- a mesh: its two wheels, their centre distance, and the parts that make its tolerance
 
 
 @inputs
@@ -357,7 +359,7 @@ class Mesh:
             yield "driven", Text("a wheel can not drive itself")
 
 
-__all__ = ["Contributor", "GearsInputs", "Mesh", "Neighbour", "Wall", "Wheel"]
+# --- the train, and what stands around it
 
 
 @inputs

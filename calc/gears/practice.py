@@ -1,9 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What the teeth of cylindrical gears have to keep: the limits by which the checks judge and the search for shifts
-chooses.
+"""What the teeth of cylindrical gears have to keep: the limits by which the checks judge and the search chooses.
 
-Lengths are in normal modules.  Where there are two, the first is hard and the other usual.
-"""
+Lengths are in normal modules.  Where there are two, the first is hard and the other usual."""
 
 import numpy as np
 
@@ -39,7 +37,7 @@ def above_fillet(d_b: Metre, T: Metre, rho_a: Metre, d_Ff: Metre) -> Metre:
     return each(reach) if np.ndim(rho) else one(reach)
 
 
-# Words that several sentences of the gear train share.
+# --- words that several sentences of the gear train share
 
 EXTREME = Text("module, face width, power or speed are far outside what the formulas are for: give usual ones")
 

@@ -90,6 +90,8 @@ def _point(at: complex) -> Point:
 
 
 # --- the train
+
+
 def _train(
     gears: GearsInputs, train: TrainResult, centres: Mapping[str, complex], checks: tuple[Check, ...], placed: bool
 ) -> Iterator[Mark]:
@@ -153,6 +155,8 @@ def _obstacles(gears: GearsInputs) -> Iterator[Mark]:
 
 
 # --- the teeth
+
+
 def _teeth(train: TrainResult, key: str, checks: Iterable[Check]) -> tuple[Sketch, Number]:
     """Teeth of both wheels at the pitch point, the driver's thinned by the backlash, and how much that is exaggerated.
 

@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The gear train from its inputs: geometry first, its rating once the torque is known, and both as one outcome.
 
-`rating` stands in its own file and is offered here, so that the step has one door.
-"""
+`rating` stands in its own file and is offered here, so that the step has one door."""
 
 import math
 from collections.abc import Callable, Mapping
@@ -232,7 +231,7 @@ def with_speed_ratio(
     return replace(outcome, checks=(*outcome.checks, speed_ratio(outcome.result, wanted, crank)))
 
 
-# A pair of gears from Python, in SI: `from calc import gears`.
+# --- from Python, in SI: `from calc import gears`
 
 DEGREES_20: Radian = math.radians(20.0)
 

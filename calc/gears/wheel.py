@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""One wheel, once its shift is known: circles, thicknesses, and the sizes for its drawing."""
+"""One wheel, once its shift is known: circles, thicknesses, the sizes for its drawing, and its mass."""
 
 import math
 from collections.abc import Mapping
@@ -260,7 +260,7 @@ def _must_stay_a_tooth(bare: _Bare, E_W: Metre, s_t: Metre, d_f: Metre, d_Ff: Me
         raise NoSolution(filled, advice=advice)
 
 
-# The bodies of the wheels: what each weighs.
+# --- the bodies of the wheels: what each weighs
 
 
 @formula("m_W", "geometry: disc of the reference diameter, open inside its rim or its bore")

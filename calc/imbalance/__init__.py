@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Forces and couples of every order, forward and backward."""
+"""Forces and couples of every order, forward and backward; crank webs and bobs, and remedies that balance."""
 
 from typing import TYPE_CHECKING
 

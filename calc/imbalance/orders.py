@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Forces and couples of one order, of one engine or of many: their vectors, the ellipses these draw, and their
-peaks."""
+"""Forces and couples of one order, of one engine or of many: their vectors, their ellipses, and their peaks."""
 
 from collections.abc import Callable
 
@@ -31,8 +30,8 @@ from ..sheet.value import based_on
 from . import formulas as f
 from .inputs import ImbalanceInputs
 
-# The sums over the cylinders where their masses or crank radii differ: those of `formulas.py`, `remedies.py` and
-# `webs.py`, each inside.
+# --- sums over the cylinders where their masses or crank radii differ
+# Those of `formulas.py`, `remedies.py` and `webs.py`, each inside.
 #
 # Names and parameters are theirs; m, M_rot, M_eq, r and c_n may have an entry for every cylinder.  Textbooks: vector
 # sums of m·r and m·r·z, such as Khurmi and Gupta, Theory of Machines, Balancing of Rotating Masses, and of
@@ -174,6 +173,8 @@ def lacking_unbalance(
 ) -> PhasorKilogramMetre:
     return cis(theta_0) * (resultant(M_eq * r * cis(phi)) - resultant(m_b * r_p * cis(phi_p)))
 
+
+# --- one order
 
 DUST = 1e-9  # of one cylinder's m·r·ω²: so little is not worth a figure
 

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Forces and couples of orders 1 to 8, what the crank takes of them, what the counter-shaft must supply, and what other
-remedies would."""
+"""Forces and couples of orders 1 to 8, what the crank takes of them, what the counter-shaft must supply.
+
+What other remedies would do stands beside it."""
 
 from collections.abc import Iterator
 from dataclasses import replace
@@ -194,7 +195,7 @@ def with_shaft(outcome: Outcome[ImbalanceResult], shaft: Shaft, imbalance: Imbal
     return replace(outcome, curves=Later(lambda: (*pictures(result, shaft), *others)), tables=tables)
 
 
-# The imbalance of an engine from Python, in SI: `from calc import imbalance`.
+# --- from Python, in SI: `from calc import imbalance`
 
 
 def solve_imbalance(

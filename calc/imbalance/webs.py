@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The crank on the balancing machine: its webs and pins, the bobs that it needs, and the couple that pulley and
-flywheel must supply.
+"""The crank on the balancing machine: its webs and pins, what to drill off them, and the bobs that it needs.
+
+With them the couple that pulley and flywheel must supply.
 
 x is up and y 90° further in the sense of rotation while the throw named in the design stands up; z from mid-engine.  As
 complex numbers p = x + i·y: static unbalance S = Σ m·p, couple product C = Σ m·p·z."""
@@ -47,9 +48,7 @@ from .inputs import ImbalanceInputs
 from .orders import DUST
 from .remedies import crank_masses
 
-# Which webs of the crank to drill, by how many grams and where: what the screen of a balancing machine says (Finotti
-# 2013, 2.6).
-#
+# --- which webs to drill, by how many grams and where: what a balancing machine says (Finotti 2013, 2.6)
 # A web is drilled away from its pin only, within `WITHIN` of the direction opposite to it: that is a rule of this
 # program.  A mass along any direction there is the sum of shares along the two ends of that range, so that the least
 # mass that leaves neither force nor couple is the best corner of a small linear programme.
@@ -145,6 +144,8 @@ def drilling(
         }
         return drillings, in_all(m_k=each(gathered(web.mass for web in drillings.values())))
 
+
+# --- the crank on the machine
 
 TABLE = Text("Finotti 2013, 2.6: table of webs and pins, here for any throws")
 MACHINE = 2 * math.pi * 400 / 60  # rad/s of the balancing machine (Finotti 2013, 2.6)

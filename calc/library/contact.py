@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What loss and warmth of a whole mesh follow from by the standards: roughness, mean friction, loss factor, bulk
-temperature."""
+# mypy: disable-error-code="no-any-return"
+"""Two flanks in contact: what loss and warmth of a mesh follow from, Hertz's line contact, the points on the path.
+
+Loss and warmth of a whole mesh are those of the standards: roughness, mean friction, loss factor, bulk temperature."""
 
 from typing import Annotated
 
@@ -20,9 +22,6 @@ from ..sheet.units import (
     RevPerSecond,
     Watt,
 )
-
-# mypy: disable-error-code="no-any-return"
-
 
 WattPerSquareMetre = Annotated[float, "W/m²"]
 
@@ -111,7 +110,7 @@ def bulk_temperature(T_oil: Celsius, Delta_T: Kelvin) -> Celsius:
     return T_oil + Delta_T
 
 
-# Two elastic cylinders pressed together along a line, in place of two flanks.
+# --- two elastic cylinders pressed together along a line, in place of two flanks
 
 HERTZ = Text("Hertz 1881, line contact")
 
@@ -146,8 +145,7 @@ def mean_pressure(p_H: Pascal) -> Pascal:
     return pi * p_H / 4
 
 
-# The points on the path of contact, and what the two flanks are and do there.
-#
+# --- the points on the path of contact, and what the two flanks are and do there
 # A place is told by ρ_1, the radius of curvature of the driver's flank in the transverse section: 0 where the line of
 # action touches its base circle, T_1T_2 at that of the driven wheel.  A: contact begins; B: the pair before leaves; C:
 # pitch point; D: the next pair comes; E: contact ends.  The pair is loaded alone from B to D.  Speeds are those of the

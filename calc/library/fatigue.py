@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Endless life at a fillet: the elastic stress there by amplitude and mean, against what the material bears.
+"""Endless life at a fillet: the elastic stress by amplitude and mean, what the material bears, and notch factors.
 
 After the FKM guideline (analytical strength assessment), reduced to what is known of a design: alternating strength
 from the tensile strength, roughness, mean stress; without the support of the steep gradient at a fillet, without size
@@ -123,8 +123,7 @@ def strength(material: Material) -> Strength | None:
     return Strength(bearable(K_R=K_R, sigma_W=sigma_W), mean_sensitivity(a=kind.a, R_m=R_m, b=kind.b), kind.safety)
 
 
-# Notch factors: how far the elastic stress at a fillet exceeds the nominal one.
-#
+# --- notch factors: how far the elastic stress at a fillet exceeds the nominal one
 # Shouldered round shaft in bending, after the curves that Pilkey fitted to Peterson's charts.  The nominal stress is
 # that of the smaller diameter, σ = 32·M/(π·d³).  Valid for 0.1 ≤ t/r ≤ 20, t the height of the shoulder; at t/r = 2 the
 # two fits lie 0.1 to 1.4 % apart up to 2t/D = 0.7, 3 % at 0.9.

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The laws of an oil over temperature: viscosity by Walther's line, density, specific heat, pressure-viscosity
-coefficient.
+"""The laws of an oil over temperature: viscosity, density, specific heat, pressure-viscosity, and viscosity index.
+
+Viscosity follows Walther's line.
 
 Temperatures in °C.  Validity: 2 to 1e5 mm²/s, from 0 °C to about 40 K above the hotter of the two given points (140
 °C); the thinning of multigrade oils at high shear rate is not part of these laws."""
@@ -206,8 +207,8 @@ def line_problem(nu40: SquareMetrePerSecond, nu100: SquareMetrePerSecond) -> Tex
     )
 
 
-# The viscosity index: how little an oil thins with heat, beside two series of reference oils of the same viscosity at
-# 100 °C.
+# --- the viscosity index: how little an oil thins with heat
+# Beside two series of reference oils of the same viscosity at 100 °C.
 
 SQUARE_MILLIMETRE_PER_SECOND: SquareMetrePerSecond = 1e-6
 LOWEST_AT_100 = 2e-6  # m²/s at 100 °C: below it the index is not defined

@@ -67,7 +67,8 @@ class JudgedViscosity:
 
 
 # --- values
-# ----------------------------------------------------------------------------------------------------------------
+
+
 def judged_values(oil: Oil) -> tuple[JudgedValue, ...]:
     """Every value of an oil; what the oil does not have itself is that of its base stock."""
     return (*_own(oil), *_of_base(oil))
@@ -147,7 +148,8 @@ def rising_rows(oil: Oil) -> Text | None:
 
 
 # --- printed viscosities
-# ---------------------------------------------------------------------------------------------------
+
+
 def printed_at(oil: Oil, T: Celsius) -> PrintedViscosity | None:
     """What is printed for an oil at a temperature."""
     return next((printed for printed in oil.printed if abs(printed.temperature - T) < 1e-9), None)

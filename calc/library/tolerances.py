@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Limits and fits by ISO 286: what H7, f7 or IT7 mean for a diameter, as far as journals and their seats use them.
+"""Limits and fits by ISO 286, what H7, f7 or IT7 mean for a diameter, and balance quality grades by ISO 21940-11.
+
+ISO 286 as far as journals and their seats use it.
 
 A field with a place ("H7", "e8") lies where its letter says; "IT7" is a width alone and lies half above and half below
 the given size. Range: up to 500 mm, IT1 to IT16, holes C to H and JS, shafts c to h and js.  The numbers are the
@@ -136,7 +138,7 @@ def _row(section: str, name: str) -> list[float]:
     return row
 
 
-# Balance quality grades of ISO 21940-11, and the residual unbalance that one permits a rigid rotor.
+# --- balance quality grades of ISO 21940-11, and the residual unbalance that one permits a rigid rotor
 
 ISO = Text("ISO 21940-11")
 BALANCE_GRADES = ("G0.4", "G1", "G2.5", "G6.3", "G16", "G40", "G100", "G250", "G630", "G1600", "G4000")
@@ -156,6 +158,9 @@ def permitted_unbalance(G: MetrePerSecond, m_S: Kilogram, omega: RadPerSecond) -
 def grade_number(grade: str) -> MetrePerSecond:
     """G of a grade: "G6.3" is 6.3 mm/s."""
     return float(grade[1:]) / 1000
+
+
+# --- what the program takes where a file says nothing
 
 
 class Assumed(str):

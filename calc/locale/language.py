@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A language: called with a text of the program, it gives that text in its own words and writes its numbers in its own
-way."""
+"""A language: it gives a text, or all that a step gave, in its own words, and writes numbers in its own way."""
 
 import re
 from dataclasses import fields, replace
@@ -114,7 +113,8 @@ def language(code: str) -> Language:
     return Language(code, translation(DOMAIN, FOLDER, [code]))
 
 
-# What a step gave, with its texts in another language.  Numbers, ids, symbols and names are those of the original.
+# --- what a step gave, with its texts in another language
+# Numbers, ids, symbols and names are those of the original.
 #
 # The lines of the calculation stay the same objects, since the links of its numbers lead to them: whoever shows a line
 # says its texts.

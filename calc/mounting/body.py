@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The engine as a rigid body: its inertia, given or estimated, and the axis about which the torque of the crank turns
-it."""
+"""The engine as a rigid body, its inertia and its roll axis; and the stiffness of what it stands on.
+
+The inertia is given or estimated; the roll axis is that about which the torque of the crank turns the engine."""
 
 import math
 
@@ -97,8 +98,8 @@ def radius_of_gyration(mass: float, J: Array) -> float:
     return float(np.sqrt(np.trace(J) / (3 * mass)))
 
 
-# The stiffness of mounts and supports: dynamic, with loss, turned, on a foundation that gives; at rest, real, or at a
-# frequency.
+# --- the stiffness of mounts and supports
+# Dynamic, with loss, turned, on a foundation that gives; at rest, real, or at a frequency.
 
 REFERENCE = 20.0  # Hz, at which the stiffness of a fractional mount is the given one
 

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The checks of the mounts: whether they hold the engine, give too much, isolate, keep the modes apart, and what a
-person has of it."""
+"""The checks of the mounts: whether they hold, give too much, isolate, keep the modes apart, and what is felt.
+
+In order: what a person has of it, the modes, the mounts."""
 
 import math
 from collections.abc import Iterator, Sequence
@@ -17,7 +18,7 @@ from .inputs import DOF_WORDS, MountingInputs
 from .result import MountingResult
 from .standards import scope, table, zone_limit
 
-# The checks of what is felt: the day of a driver, comfort at the seat, severity at the machine.
+# --- what is felt: the day of a driver, comfort at the seat, severity at the machine
 
 DIRECTIVE = Text("Directive 2002/44/EC; the engine's share only, travel over ground comes on top")
 COMFORT = Text("ISO 2631-1, annex C: not uncomfortable")
@@ -118,8 +119,7 @@ def comfort_checks(mounting: MountingInputs, result: MountingResult) -> Iterator
         )
 
 
-# The checks of the modes: whether they lie below what drives the engine, above the road, apart from each other and from
-# operations.
+# --- the modes: below what drives the engine, above the road, apart from each other and from operations
 
 RULE = Text("rule of this program: mounts of a multi-cylinder engine in practice")
 ISOLATION = Text("dynamics of vibration isolation: it begins √2 above a mode")
@@ -242,6 +242,9 @@ def critical_checks(mounting: MountingInputs, engine: EngineInputs, result: Moun
             Text("It stands at {n}.", n=Amount(n * 60, "rpm", digits=4)),
             value_id="",
         )
+
+
+# --- all of the step
 
 
 def checks(mounting: MountingInputs, engine: EngineInputs, result: MountingResult) -> Iterator[Check]:

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Figures of the mounts: the level of a seat over speed, orders beside each other with and without the shaft, forces of
-the mounts."""
+"""Figures and tables of the mounts: the level of a seat over speed, orders beside each other, forces, modes.
+
+Orders with and without the shaft."""
 
 import numpy as np
 
@@ -104,7 +105,7 @@ def forces(result: MountingResult) -> Curve:
     )
 
 
-# Tables of the mounts, and the data of pictures: modes in space, and the map of speed and order.
+# --- tables
 
 
 def tables(mounting: MountingInputs, result: MountingResult) -> tuple[Table, ...]:
@@ -189,7 +190,9 @@ def rest_table(mounting: MountingInputs, result: MountingResult) -> Table:
     return Table("rest", Text("Mounts under the weight"), columns, rows, covers=("mounting.static.",))
 
 
-# --- pictures
+# --- pictures: modes in space, and the map of speed and order
+
+
 @record
 class ModePicture:
     """A mode as it moves: places at rest and their displacements at phase 0 (places, 3), in m, the largest of them 1.

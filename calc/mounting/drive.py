@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The wrenches on the engine's centre of gravity: every order, every variant of the balancing, at any speeds."""
+"""What shakes the engine: the wrenches on its centre of gravity, every order, every variant of the balancing.
+
+All hold at any speeds.  The gas torque comes first, the wrenches after it."""
 
 import math
 from collections.abc import Sequence
@@ -26,8 +28,8 @@ from . import excitation as x
 from .excitation import Moving, index, integer, moving, turning_wrench
 from .inputs import GAS, VARIANT_WORDS, MountingInputs, Operation
 
-# The gas torque of one cylinder, order by order, at as many speeds as are asked for: the pressures go linearly from
-# speed to speed.
+# --- the gas torque of one cylinder, order by order, at as many speeds as are asked for
+# The pressures go linearly from speed to speed.
 
 INSIDE = 1e-9  # rad: a sample so near to the end of the held pressure belongs to it
 BEYOND = 1e-9  # of a speed: so little outside of the nodes is none
@@ -174,6 +176,8 @@ def harmonics(engine: EngineInputs, e: EngineResult, at: Nodes, speeds: Array, *
         )
     )
 
+
+# --- the wrenches
 
 VARIANTS = ("bare", "half", "shaft", "scatter", "tooth")
 PURE = 1e-6  # of a couple: smaller forces beside it are dust

@@ -32,7 +32,8 @@ def order_word(n: float) -> str:
 
 
 # --- vectors that turn
-# ------------------------------------------------------------------------------------------------------
+
+
 @formula("X̂", REAL, names={"p": "F⁺", "m": "F⁻"})
 def vertical(p: PhasorNewton, m: PhasorNewton) -> PhasorNewton:
     """Of the vectors that turn forward and backward, real up."""
@@ -63,7 +64,8 @@ def moment_about_y(p: PhasorNewtonMetre, m: PhasorNewtonMetre) -> PhasorNewtonMe
 
 
 # --- the counter-shaft
-# --------------------------------------------------------------------------------------------------------
+
+
 @formula(
     "F_S,δ",
     "kinematics: a shaft that turns backward and is late by δ; in e^(−iωt) a lag is e^(+iδ)",
@@ -102,7 +104,8 @@ def couple_ratio(C: PhasorNewtonMetre, C_left: PhasorNewtonMetre) -> Number:
 
 
 # --- torque of the gas
-# ----------------------------------------------------------------------------------------------------------
+
+
 @formula(
     "t_n",
     "mathematics: Fourier analysis of the gas torque of one cylinder over its working cycle",
@@ -143,7 +146,8 @@ def amplitude(t_n: PhasorNewtonMetre) -> NewtonMetre:
 
 
 # --- about the centre of gravity
-# --------------------------------------------------------------------------------------------------
+
+
 @formula("M̂_G", "statics: the same force and moment about the centre of gravity", shows="M̂ − r_G × F̂")
 def about_gravity(F: PhasorNewton, M: PhasorNewtonMetre, r_G: Metre) -> PhasorNewtonMetre:
     return each(phasors(M) - np.cross(np.asarray(r_G), phasors(F)))
@@ -155,7 +159,7 @@ def strength(F: ComplexArray, M: ComplexArray, rho: float) -> Array:
     return sizes
 
 
-# From the vectors of the imbalance step, order by order, to the wrench of each order about the crank's origin.
+# --- from the vectors of the imbalance step, order by order, to the wrench about the crank's origin
 
 Moving = tuple[ComplexArray, ComplexArray, ComplexArray, ComplexArray]  # F⁺ F⁻ C⁺ C⁻ of every order
 

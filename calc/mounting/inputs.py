@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The engine as a rigid body on its mounts: what it weighs, what it stands on, where it is felt and at which speeds it
-runs."""
+"""The engine as a rigid body on its mounts: mass, mounts, the frame, where it is felt and at which speeds it runs.
+
+In order: the inertia tensor, mounts and frame, points and operations, the inputs of the step, words."""
 
 import math
 from collections.abc import Iterable, Iterator
@@ -9,7 +10,7 @@ from ..sheet.arrays import Array
 from ..sheet.quantity import THUMB, choice, inputs, integer, quantity, series, table, tables, text
 from ..sheet.text import COMMA, Amount, Text
 
-# The inertia tensor of a rigid body, and whether a body can have it.
+# --- the inertia tensor of a rigid body, and whether a body can have it
 
 DUST = 1e-9  # of the sum of two principal moments: a thin disc has exactly the third
 
@@ -48,7 +49,7 @@ def problem(diagonal: tuple[float, ...], coupling: tuple[float, ...] | None, int
     )
 
 
-# What an engine stands on: its mounts, and the frame of the machine below them.
+# --- what an engine stands on: its mounts, and the frame of the machine below them
 
 PLACE = "In engine axes, [up, side, to the flywheel], from mid-engine on the crank's axis."
 
@@ -297,7 +298,7 @@ def loss_problems(eta: float | None, key: str) -> Iterable[tuple[str, Text]]:
         yield key, Text("must stay below 1: beyond it a mount is no spring")
 
 
-# Where vibration is looked at, and at which speeds the engine runs.
+# --- where vibration is looked at, and at which speeds the engine runs
 
 DAY = 24.0  # h
 
@@ -376,6 +377,8 @@ class Operation:
 
 GAS = ("peak_pressure", "intake_pressure", "exhaust_pressure", "crankcase_pressure", "constant_pressure_angle")
 
+
+# --- the step
 
 FEWEST, MOST = 3, 8  # mounts
 RESERVED = (
@@ -631,7 +634,7 @@ def _no_place(name: str, places: Iterable[str]) -> Text:
     )
 
 
-# What the ways of balancing an engine on its mounts, and its motions, are called.
+# --- what the ways of balancing an engine on its mounts, and its motions, are called
 
 VARIANT_WORDS = {
     "bare": Text("nothing balanced"),

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What a steady state is where it is looked at: displacement, velocity, acceleration, what people feel, the forces of
-the mounts."""
+"""What a steady state is where it is looked at: displacement, velocity, acceleration, what people feel, forces.
+
+First at one speed, then of a seat over speed."""
 
 import math
 from functools import cache
@@ -239,7 +240,7 @@ def point_weights(point: Point, f: Array) -> Array:
     return np.stack([by[name] for name in names], axis=1)[:, None]
 
 
-# The level of a seat over speed, every variant of the balancing.
+# --- the level of a seat over speed, every variant of the balancing
 
 
 @record

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What is published of the modes: frequencies, energies, the torque roll axis, the window of stiffness, mounts that
-could lean."""
+"""What is published of the modes, and aids to the design of mounts.
+
+Aids: the window of stiffness, mounts leaning towards each other, the symmetric four in closed form.  Of the modes:
+frequencies, energies, the torque roll axis, the window of stiffness, mounts that could lean."""
 
 import math
 
@@ -25,8 +27,7 @@ from .modes import Modes
 from .result import Ceiling, Focal, Mode, RollAxis, Tree, Window, described
 from .system import System
 
-# Aids to the design of mounts: the window of stiffness, mounts leaning towards each other, the symmetric four in closed
-# form.
+# --- aids: the window of stiffness
 
 NOTICED = 0.01  # of the strongest order: weaker ones are no excitation
 SAME = 1e-6  # m, or of a stiffness: mounts that mirror each other
@@ -59,7 +60,7 @@ def excitation_frequency(i: Number, n: RevPerSecond) -> Hertz:
 
 
 # --- two mounts that lean towards each other
-# ---------------------------------------------------------------------------------
+
 FOCAL = "geometry of two inclined mounts, elastic centre: lateral force that turns nothing (recomputed)"
 
 
@@ -114,7 +115,8 @@ def _mirrored(first: Mount, other: Mount) -> bool:
 
 
 # --- the symmetric four
-# --------------------------------------------------------------------------------------------------------
+
+
 @formula("f_bounce", "Harris, Shock and vibration handbook, ch. 3: four upright mounts", unit="Hz")
 def four_bounce(k_x: NewtonPerMetre, m: Kilogram) -> Hertz:
     return sqrt(4 * k_x / m) / (2 * pi)
@@ -140,13 +142,17 @@ def four_coupled(k: NewtonPerMetre, k_x: NewtonPerMetre, h: Metre, a: Metre, m: 
 
 
 # --- excitation
-# ----------------------------------------------------------------------------------------------------------------
+
+
 def lowest_order(orders: Array, wrench: ComplexArray, rho: float) -> float | None:
     """The lowest order that counts, of the wrench about the centre of gravity (orders, 6); None where nothing drives
     the engine."""
     sizes = strength(wrench[:, :3], wrench[:, 3:], rho)
     counts = np.flatnonzero(sizes > NOTICED * sizes.max(initial=0.0))
     return float(orders[counts[0]]) if counts.size else None
+
+
+# --- what is published of the modes
 
 
 @record

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Operation by operation: torque, levels at the points, forces of the mounts, transmissibility, and what the shaft
-takes off them."""
+"""Operation by operation: torque, levels at the points, forces of the mounts, transmissibility; transfer functions.
+
+Each with what the shaft takes off it."""
 
 import math
 from collections.abc import Sequence
@@ -255,8 +256,8 @@ def felt_order_1(driven: EngineWrenches) -> Tree | None:
     return tree or None
 
 
-# Transfer functions: how every point moves under unit forces and moments at the engine's centre of gravity, over
-# frequency.
+# --- transfer functions
+# How every point moves under unit forces and moments at the engine's centre of gravity, over frequency.
 
 LOWEST, HIGHEST, STEP = 0.5, 200.0, 0.5  # Hz
 DRIVES = ("F_x [N]", "F_y [N]", "F_z [N]", "M_x [N·m]", "M_y [N·m]", "M_z [N·m]")

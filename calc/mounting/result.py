@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What the step of the mounts publishes, and the arrays behind it for figures."""
+"""What the step of the mounts publishes, the arrays behind it for figures, and the way from one to the other."""
 
 import math
 from collections.abc import Callable
@@ -179,8 +179,8 @@ class MountingResult:
         return number
 
 
-# From arrays to published numbers: one line of the calculation for each where lines are wanted, one call for all where
-# not.
+# --- from arrays to published numbers
+# One line of the calculation for each where lines are wanted, one call for all where not.
 
 Nested = Any  # lists of lists of floats, as deep as the arrays have axes before those that the formula takes
 

@@ -19,12 +19,12 @@ from ..sheet.value import trace, untraced
 from . import body, modal, statics
 from .checks import checks
 from .drive import EngineWrenches, ShaftOnEngine, drive, operating
-from .felt import course_values, courses, critical, crossings, exposure
 from .inputs import MountingInputs
 from .levels import levels
 from .notes import honest, notes
 from .operations import existing, felt_order_1, operations
 from .result import MountingResult, Tree, described
+from .seat_vibration import course_values, courses, critical, crossings, exposure
 from .system import system
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The severity of a machine's vibration: grades, and first of all which standard has anything to say of this engine."""
+"""What standards say of vibration: which of them applies to this engine, grades of severity, what people feel."""
 
 import tomllib
 from functools import cache
@@ -25,8 +25,8 @@ from ..sheet.units import (
     Watt,
 )
 
-# What standards say of vibration, from `calc/library/tables/vibration.toml`; each row there names its source and how
-# sure it is.
+# --- the tables, from `calc/library/tables/vibration.toml`
+# Each row there names its source and how sure it is.
 
 TABLE = Path(__file__).parents[1] / "library" / "tables" / "vibration.toml"
 
@@ -55,6 +55,9 @@ def weighting(name: str) -> Filter:
     steps = (f[4], Q[1], f[5], Q[2]) if len(f) > 4 else None
     return Filter(f_1=f[0], f_2=f[1], f_3=f[2], f_4=f[3], Q_4=Q[0], steps=steps)
 
+
+# --- the severity of a machine's vibration
+# Grades, and first of all which standard has anything to say of this engine.
 
 NOT_ROAD = Text(
     'ISO 10816-6 "does not apply to machines installed in road vehicles (e.g. trucks, passenger cars, self-propelling '
@@ -145,8 +148,8 @@ def zone_limit(machine_class: int) -> float:
     return float(next(row["limits"][0] for row in table()["severity_class"] if row["class"] == machine_class))
 
 
-# What people feel of a vibration: the weightings of ISO 2631-1 and ISO 5349-1 as transfer functions, at the frequency
-# of each line.
+# --- what people feel: the weightings of ISO 2631-1 and ISO 5349-1 as transfer functions
+# At the frequency of each line.
 #
 # They are never taken from the tables of third-octaves: one of these has 0.212 for W_d at 10 Hz, where the function
 # gives 0.2017.

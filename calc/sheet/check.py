@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A check: a value against its limit, with kind, cause, margin, verdict, source, what moves it and what would make it
-hold."""
+"""A check: a value against its limit, with kind, cause, margin, verdict and remedies; and the table of all checks.
+
+The table says of each check what kind it is and why, what it shares its cause with, and what moves it."""
 
 import math
 import re
@@ -16,8 +17,8 @@ from .text import EMPTY, SEMICOLON, Amount, Text
 from .units import UNITS
 from .value import link_of, linked
 
-# The table of all checks: of which kind each is and why, what it shares its cause with, which value it judges and what
-# moves it.
+# --- the table of all checks
+# Of which kind each is and why, what it shares its cause with, which value it judges and what moves it.
 #
 # It is a table to be read, `calc/library/tables/checks.md`; the letters in its ids stand for elements that have names
 # of their own.
@@ -193,6 +194,8 @@ def _filled(rule: CheckRule, names: dict[str, str], index: int | None) -> CheckR
     moved_by = tuple([key for key in keys if INDEX not in key])
     return CheckRule(id, rule.kinds, rule.demand, rule.exact, cause, value, limit, moved_by, rule.why)
 
+
+# --- one check, and what several come to
 
 THIN_MARGIN = 0.05  # a limit that holds by less than this is a warning
 SIGNS = {

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """A recorded line made readable, from the formula's own `return` expression.
 
+In order: the digits of a substitution, the expression as a tree, one recorded line, its text for the terminal.
+
 `expression(formula)` turns the function's syntax tree into a small neutral tree of `Expr`; `text()` writes such a tree
 for a terminal, the report typesets the same tree.  Loaded only when something is shown."""
 
@@ -17,9 +19,7 @@ from .text import COMMA, EMPTY, Name, Text, with_unit
 from .units import UNITS
 from .value import Equation, Line
 
-# With how many digits the numbers of a substitution have to be written, so that who works it out again finds the value
-# beside it.
-#
+# --- with how many digits the numbers of a substitution are written, so that working it out again gives the value
 # A value has four digits.  Its arguments have four as well, and more where they are needed: where a difference takes
 # the first ones away, where a power multiplies a rounding, where the value lies near the middle between two numbers of
 # four digits.
@@ -99,6 +99,8 @@ def _unit(shown: float) -> float:
     """One unit of the last of its four digits."""
     return float(10.0 ** (math.floor(math.log10(abs(shown))) - DIGITS + 1))
 
+
+# --- the expression as a tree
 
 GREEK = dict(
     alpha="α", beta="β", gamma="γ", delta="δ", epsilon="ε", eps="ε", zeta="ζ", eta="η", theta="θ", kappa="κ", lam="λ",
@@ -225,7 +227,8 @@ def substituted(tree: Expr, numbers: Mapping[str, str]) -> Expr:
 
 
 # --- one recorded line, ready to be shown
-# --------------------------------------------------------------------------------
+
+
 @record
 class Shown:
     """A line made readable: the two trees (None for an algorithm, whose words stand in `shows`), the value with its
@@ -340,7 +343,8 @@ def show(line: Line, at: tuple[int, ...] | None = None) -> Shown:
 
 
 # --- for the terminal
-# ------------------------------------------------------------------------------------------------------
+
+
 def plain(name: str) -> str:
     """A symbol for a terminal: digits below the line, letters after an underscore."""
     base, _, index = name.partition("_")

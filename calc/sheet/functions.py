@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The mathematical functions that formulas may use: `math` for a float, numpy for anything else.
+"""The functions that formulas may use: those of `math` and numpy by one name, the zero of a function, erf.
 
-They are typed float → float so that formulas stay readable to the type checker; arrays enter by the same door.
-"""
+A float goes to `math`, anything else to numpy.  They are typed float → float so that formulas stay readable to the type
+checker; arrays enter by the same door."""
 
 import math
 from collections.abc import Callable
@@ -155,7 +155,8 @@ def rss(x: float) -> float:
     return sqrt(one(np.sum(np.square(x))))
 
 
-# The zero of a function in a bracket.  Ours because scipy.optimize costs half a second of import.
+# --- the zero of a function in a bracket
+# Ours because scipy.optimize costs half a second of import.
 
 
 def root(function: Callable[[float], float], a: float, b: float, *, tolerance: float = 1e-12) -> float:
@@ -199,7 +200,8 @@ def root(function: Callable[[float], float], a: float, b: float, *, tolerance: f
             step = before = b - a
 
 
-# The error function for arrays, without scipy: math.erf on a grid, with Hermite interpolation between; good to 6e-14.
+# --- the error function for arrays, without scipy
+# math.erf on a grid, with Hermite interpolation between; good to 6e-14.
 
 STEPS = 1024  # per unit
 LAST = 6  # erf(6) is 1 to the last digit

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """One number of many designs at once: `Lanes` stands where a formula, or a whole step, has a float.
 
+In order: the lanes, the functions of numpy that take them, records of many designs as one record.
+
 A lane is a design.  Arithmetic and numpy's functions work lane by lane; an array that a design has (the points of a
 path, the corners of its tolerances) is an array in every lane, and a plain array is the same in all.  So a step that is
 written for one design solves many, in one pass through its code, and a lane never sees another.
@@ -51,6 +53,7 @@ class Lanes:
         self.data = data
 
     # --- what one lane has
+
     @property
     def shape(self) -> tuple[int, ...]:
         return cast("tuple[int, ...]", self.data.shape[1:])
@@ -141,6 +144,7 @@ class Lanes:
         return [element.tolist() for element in self] if self.ndim else self
 
     # --- one way for all
+
     def __bool__(self) -> bool:
         return bool(self._alike(self.data != 0))
 
@@ -175,6 +179,7 @@ class Lanes:
     __str__ = __repr__ = lambda self: "…"
 
     # --- arithmetic
+
     def __array_ufunc__(self, ufunc: Any, method: str, *inputs: Any, **kwargs: Any) -> Any:
         if method == "reduce":
             return reduced(ufunc.reduce, *inputs, **{"axis": 0, **kwargs})
@@ -332,8 +337,7 @@ def reduced(reduce: Any, x: Any, axis: Any = None, **kwargs: Any) -> Any:
     return Lanes(reduce(x.data, axis=axis_of(x, axis), **kwargs))
 
 
-# The functions of numpy that take lanes: each works lane by lane, on the points that a lane has.
-#
+# --- the functions of numpy that take lanes: each works lane by lane, on the points that a lane has
 # One that does not stand here refuses lanes, which is an error and then another way (below).
 
 

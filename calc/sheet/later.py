@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What is made when somebody looks at it: figures, tables and words that stand beside the numbers of a step."""
+"""What is made when somebody looks at it, and work that a copy of this process does meanwhile.
+
+The first are figures, tables and words that stand beside the numbers of a step."""
 
 import gc
 import os
@@ -15,7 +17,7 @@ from typing import Any, TypeVar, overload
 from .errors import NoSolution
 from .value import untraced
 
-# Work that a copy of this process does meanwhile, where there is a core for it.
+# --- work that a copy of this process does meanwhile, where there is a core for it
 
 G = TypeVar("G")
 T = TypeVar("T")
@@ -95,6 +97,9 @@ def _serve(ready: Callable[[], Callable[[Any], Any]], orders: int, writing: int)
     work = ready()
     with open(orders, "rb") as incoming, open(writing, "wb") as file:
         pickle.dump(work(pickle.load(incoming)), file)
+
+
+# --- what is made when somebody looks at it
 
 
 class Later(Sequence[T]):

@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""How numbers are written: four significant digits, 6.2·10⁻³ and not 6.2e-03, a true minus sign."""
+"""How numbers are written, four significant digits, 6.2·10⁻³ and not 6.2e-03, and how records print themselves.
+
+Numbers have a true minus sign."""
 
 import cmath
 import math
@@ -81,7 +83,7 @@ def several(values: Iterable[complex], digits: int = DIGITS) -> str:
     return f"({'; '.join(written)})" if len(flat) <= LISTED else f"({RANGE.join(written)}: {len(flat)})"
 
 
-# How a record prints itself: in one line (`repr`), or as a table of label, value and unit (`print`).
+# --- how a record prints itself: in one line (`repr`), or as a table of label, value and unit (`print`)
 
 
 class _Brief(Repr):

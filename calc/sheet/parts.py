@@ -109,7 +109,7 @@ def alike(a: object, b: object) -> bool:
     return bool(a == b)
 
 
-# How often Python looks for garbage while many small objects are made that stay.
+# --- how often Python looks for garbage while many small objects are made that stay
 
 SELDOM = (200_000, 20, 100)  # new objects between two looks, of which a solve leaves next to none
 

@@ -231,7 +231,8 @@ def unknown(key: str, known: dict[str, Key]) -> Text:
 
 
 # --- results
-# ------------------------------------------------------------------------------------------------------------
+
+
 @record
 class Described:
     """The description of one result: its label, the unit it is shown in, its symbol, the name that its field had."""

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What would make a check hold, as data: new values of keys, and what they do.  The advice of a check is rendered from
-it."""
+"""What would make a check hold, as data: new values of keys, and what they do.
+
+The advice of a check is rendered from it."""
 
 import json
 import math
@@ -88,7 +89,8 @@ def up(length: float) -> float:
     return math.ceil(length * 1e5 - 1e-6) / 1e2
 
 
-# Changes of a design as data: the new value of each key, in the unit of the file; None leaves the key out.
+# --- changes of a design as data
+# The new value of each key, in the unit of the file; None leaves the key out.
 
 T = TypeVar("T")
 

@@ -31,7 +31,8 @@ DUST = 1e-9  # of the limit: a margin that is negative by rounding only
 
 
 # --- candidates
-# ------------------------------------------------------------------------------------------------------------
+
+
 def multiples(step: float, low: float, high: float, extra: Iterable[float] = ()) -> Array:
     """Whole multiples of a step from `low` to `high`, in order; shape (n,).
 
@@ -75,7 +76,7 @@ def beside(number: float, step: float) -> tuple[float, float]:
 
 
 # --- many candidates at once
-# -----------------------------------------------------------------------------------------------
+
 FAR = 8  # grids of one step that follow their best point before it is taken to be far
 
 
@@ -172,7 +173,8 @@ def least_wanted(wanted: Array, margin: Array) -> int:
 
 
 # --- one candidate after the other
-# -----------------------------------------------------------------------------------------
+
+
 @dataclass
 class Budget:
     """How many candidates may still be evaluated whole: all parts of a search share one."""

@@ -262,7 +262,7 @@ def _of_accepted(checks: tuple[Check, ...], reasons: dict[str, str]) -> list[Tex
     return notes
 
 
-# Numbers far outside of what a step is for: a word instead of an infinite value.
+# --- numbers far outside of what a step is for: a word instead of an infinite value
 
 LARGEST = 1e290  # in SI; beyond it the smallest unit overflows
 

@@ -10,8 +10,9 @@ from .arrays import Array, has_lanes
 
 A = TypeVar("A", float, Array)
 
+
 # --- units as types: a float to the type checker, a unit to the formula
-# -------------------------------------------------
+
 Number = Annotated[float, ""]
 Metre = Annotated[float, "m"]
 SquareMetre = Annotated[float, "m²"]

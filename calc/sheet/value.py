@@ -1,16 +1,17 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A number that knows where it came from.
+"""A number that knows where it came from: the recorded line of its formula, or the inputs that it is or rests on.
 
 A `Link` says so: the `Line` of the formula that returned the number, the key of the design file that it stands under,
 or several of these where a number was chosen or put together from others.  The number itself is a float (complex, int,
 str, array) like any other, equal to it, shown, hashed and pickled like it; arithmetic outside of a formula gives a
 plain number again.
 
-    linked(x, link)            x with this link based_on(x, a, b, …)       x, found from a, b, … by a solver, a search
-    or plain arithmetic: linked to all that they are linked to link_of(x)                 the link; of a tuple, a dict
-    or a record those of all that is in it; None where there is none gathered([a, b, …])        a numpy array of numbers
-    that keeps their links, element by element (in linked_array.py)
-"""
+    linked(x, link)            x with this link
+    based_on(x, a, b, …)       x, found from a, b, … by a solver, a search or plain arithmetic: linked to all that they
+                               are linked to
+    link_of(x)                 the link; of a tuple, a dict or a record those of all that is in it; None where there is
+                               none
+    gathered([a, b, …])        a numpy array of numbers that keeps their links, element by element (linked_array.py)"""
 
 from collections.abc import Callable, Iterable, Mapping
 from contextvars import ContextVar
@@ -18,7 +19,7 @@ from typing import Any, Generic, Protocol, TypeVar, Union, cast
 
 from .text import EMPTY, Text
 
-# The record of a calculation: which formula was called, with what, and what came out.
+# --- the record of a calculation: which formula was called, with what, and what came out
 
 T = TypeVar("T")
 
@@ -108,6 +109,8 @@ def about(part: Text) -> _Setting[Text]:
     """Name the part whose lines follow: "front bearing", "mesh 36–39"."""
     return _Setting(subject, part)
 
+
+# --- numbers with a link
 
 R = TypeVar("R")
 Link = Union[Line, str, "tuple[Line | str, ...]"]  # a line, the key of an input, or several

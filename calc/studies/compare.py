@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from ..solve import Results
 
 
-# The inputs that differ between two design files, key by key.
+# --- the inputs that differ between two design files, key by key
 
 LAST = (  # stand behind what is calculated with
     "accepted",
@@ -130,6 +130,8 @@ def united(a: Iterable[T], b: Iterable[T]) -> list[T]:
     rest = [x for x in (*first, *second) if x not in shared]
     return [*(x for x in first if x in shared), *sorted(rest, key=str)]
 
+
+# --- the whole comparison
 
 EQUAL = Text("The two designs are equal: no input, verdict, check or value differs.")
 # results that differ by less, of the larger one, are the same: iterations end somewhere, and nobody reads further
@@ -335,7 +337,8 @@ def compare(a: Table, b: Table, results_a: "Results", results_b: "Results", same
 
 
 # --- results
-# ----------------------------------------------------------------------------------------------------------------
+
+
 def _verdicts(a: "Results", b: "Results") -> Iterator[StepVerdicts]:
     for step in STEPS:
         yield StepVerdicts(step.key, step.title, _judged(a, step.key), _judged(b, step.key))

@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A comparison as tables, which terminal, screen and paper draw alike.
+"""A comparison as tables, which terminal, screen and paper draw alike, and what it comes to in sentences.
 
-A number is written with as many digits as it takes to tell it from the other one.
-"""
+A number is written with as many digits as it takes to tell it from the other one."""
 
 from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
@@ -34,6 +33,8 @@ Sign = Callable[[str], str]  # how a verdict is written
 
 
 # --- inputs
+
+
 def input_table(differences: Sequence[InputDifference], names: Names, *, ids: bool = True, full: bool = False) -> Table:
     """`ids`: by their keys, which say the unit too, else by their labels.  `full`: tables that only one design has are
     written out."""
@@ -86,6 +87,8 @@ def named(id: str, label: Text, *, step: bool = False, within: str = "") -> Text
 
 
 # --- verdicts and checks
+
+
 def verdict_table(compared: Comparison, names: Names, sign: Sign) -> Table:
     rows = tuple((v.title, judged_text(v.a, sign), judged_text(v.b, sign)) for v in compared.verdicts)
     return Table("verdicts", Text("Verdicts of the steps"), columns((Text("Step"), ""), names), rows)
@@ -145,6 +148,8 @@ def limit_text(d: CheckDifference) -> Text:
 
 
 # --- values
+
+
 def value_table(
     step: str, title: Text, differences: Sequence[ValueDifference], names: Names, *, ids: bool = True
 ) -> Table:
@@ -191,7 +196,8 @@ def columns(first: tuple[Text, str], names: Names, *more: tuple[Text, str]) -> t
     return (first, (Name(names[0]), ""), (Name(names[1]), ""), *more)
 
 
-# --- what a comparison comes to: which verdicts moved and which way, and which of the key results got better or worse.
+# --- what a comparison comes to
+# Which verdicts moved and which way, and which of the key results got better or worse.
 
 HARD = ("limit", "caution")  # kinds of checks that make a verdict of a step
 BETTER, WORSE, SAME, NEW, GONE = Text("better"), Text("worse"), Text("the same"), Text("new"), Text("gone")
@@ -284,6 +290,8 @@ def _moves(differences: Sequence[CheckDifference], sign: Sign) -> Text:
 
 
 # --- the two tables
+
+
 def moved(comparison: Comparison) -> list[CheckDifference]:
     """The limits and cautions whose verdict moved, what got worse first, and those of one design only that do not
     pass."""

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The chain of recorded lines that leads to a value: its links (`sheet/value.py`) followed back to the inputs, and
-nothing else."""
+"""Why a number is what it is: the chain of lines that leads to it, and how far each input moves it.
+
+The chain of recorded lines is the links of the value (`sheet/value.py`) followed back to the inputs, and nothing else.
+"""
 
 import math
 from collections.abc import Callable, Iterable, Iterator
@@ -145,8 +147,8 @@ def _class(inputs: object) -> type:
     return type(inputs)
 
 
-# How far the inputs that move a check move it: the sign and the size of each effect, by solving the design again with
-# a small change.
+# --- how far the inputs that move a check move it
+# The sign and the size of each effect, by solving the design again with a small change.
 
 SMALL = 1e-3  # relative change of an input
 MOST = 3  # inputs that are moved for one cause

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Values of others beside ours: the cases of tables/validation.toml, and the charts of Raimondi & Boyd.
+"""Values of others beside ours, and what is wrong in the documents that this program grew out of.
 
-Three kinds apart: printed in a source, worked out from a source's numbers (or by another program), measured by others.
-What the sources print and this program does not give is told with its reason."""
+The values are the cases of tables/validation.toml, and the charts of Raimondi & Boyd.  Three kinds apart: printed in a
+source, worked out from a source's numbers (or by another program), measured by others.  What the sources print and this
+program does not give is told with its reason."""
 
 import math
 import tomllib
@@ -206,7 +207,8 @@ def _raimondi_boyd() -> Iterator[ValidationRow]:
         yield ValidationRow("printed", source, f"ε at S = {row['S']:g}, l/d = {ratio:g}", eps, inverted, 0.01, "")
 
 
-# What is wrong in the documents that this program grew out of: tables/errata.toml, with the right values computed.
+# --- what is wrong in the documents that this program grew out of
+# The rows of tables/errata.toml, with the right values computed.
 
 DIGITS = 4  # of a right number: as many as the documents print
 

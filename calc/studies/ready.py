@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The one thing to say of each step: the check that decides, in a word with its limit, or what the step is for."""
+"""How far a design is: of each step the one thing to say, its state, and whether the whole is ready.
+
+The one thing is the check that decides, in a word with its limit, or what the step is for."""
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING
@@ -113,6 +115,7 @@ def share(check: Check) -> float | None:
 
 
 # --- what a step gives
+
 Values = Mapping[str, Published]
 
 
@@ -191,6 +194,8 @@ GIVES: Mapping[str, Callable[["Results", Values], Text | None]] = {
 
 
 # --- the whole drive
+
+
 def main_numbers(results: "Results") -> tuple[tuple[Text, Text], ...]:
     """What is said of a drive in ten numbers, each with its word; those that this design has."""
     values, design = results.values(), results.design
@@ -235,7 +240,7 @@ def main_numbers(results: "Results") -> tuple[tuple[Text, Text], ...]:
     )
 
 
-# How far a design is: the state of each of its steps, and whether it is ready.
+# --- the state of each step, and whether the design is ready
 
 DONE = ("ready", "not_asked")
 OPEN = ("fail", "not_verified", "warn")

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The chapter of a step in the engineer's report: findings, their proofs, what holds, key values, and what it stands
-on."""
+"""The chapter of a step in the report: findings, their proofs, what holds, key values; and every traced line.
+
+At its end what the step stands on."""
 
 from __future__ import annotations
 
@@ -115,7 +116,7 @@ def _columns(context: Context, checks: Iterable[Check]) -> tuple[Column, ...]:
     return (Column(w["verdict"], width=wide), Column(w["check"]), *numbers)
 
 
-# Every traced line of a step as it was computed, in its order: what the audit has.
+# --- every traced line of a step as it was computed, in its order: what the audit has
 
 
 def derivation(context: Context, step: Step, traced: list[Line]) -> list[Block]:

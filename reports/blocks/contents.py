@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The contents, with links and page numbers."""
+"""What finds things in a report: the contents, the index of values, the register of publications.
+
+The contents have links and page numbers."""
 
 from __future__ import annotations
 
@@ -78,7 +80,7 @@ def _row(entry: ContentsEntry, columns: dict[str, tuple[float, Box]]) -> Block:
     return Block(tall, draw, tag=Tag("TOCI"))
 
 
-# The index at the end: every value by its name, with the pages on which it stands.
+# --- the index at the end: every value by its name, with the pages on which it stands
 
 COLUMNS, GUTTER = 2, 16.0
 EACH = (WIDTH - (COLUMNS - 1) * GUTTER) / COLUMNS
@@ -117,8 +119,8 @@ def _page(names: list[str], rows: int) -> Block:
     return Block(rows * NOTE.leading, draw)
 
 
-# The register of the publications that a report stands on: title, edition, status, how we know them; and what no
-# publication says.
+# --- the register of the publications that a report stands on
+# Title, edition, status, how we know them; and what no publication says.
 
 STANDARD = re.compile(
     r"(?:ISO|DIN|AGMA|VDI|FVA|ASTM|API|BS|EN|IACS|JIS|UNI)\b"

@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The drawing sheet on a page of its own, which has the size of the drawing's paper; and the data of the wheels."""
+"""The drawing sheet on a page of its own, the data of the wheels, and the chapter of a drive picked from a front.
+
+The page has the size of the drawing's paper."""
 
 from __future__ import annotations
 
@@ -107,8 +109,8 @@ def _chords(arc: Arc) -> tuple[Point, ...]:
     return tuple((x + r * math.cos(turn), y + r * math.sin(turn)) for turn in turns)
 
 
-# The chapter of a drive picked from a front: what was searched, where it stands, what each objective costs there, what
-# binds it.
+# --- the chapter of a drive picked from a front
+# What was searched, where it stands, what each objective costs there, what binds it.
 
 BINDING = 6  # limits with the least margins
 

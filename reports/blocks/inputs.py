@@ -299,7 +299,8 @@ def _called(context: Context, key: str) -> str:
 
 
 # --- oils and materials
-# -----------------------------------------------------------------------------------------------------
+
+
 def used_materials(context: Context) -> tuple[list[Any], list[Any]]:
     """The oils and materials that the design names, in the order of their first naming."""
     design = context.design

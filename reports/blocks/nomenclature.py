@@ -1,9 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The nomenclature at the end: every symbol of a chapter with its meaning, its unit and the first page on which it
-stands.
+"""The nomenclature at the end: every symbol of a chapter with its meaning, unit and first page.
 
-Symbols are noted as they are set, in formulas, tables of values and inputs; nothing is listed by hand.
-"""
+Symbols are noted as they are set, in formulas, tables of values and inputs; nothing is listed by hand."""
 
 from __future__ import annotations
 
@@ -30,7 +28,8 @@ if TYPE_CHECKING:
     from ..setting.pen import Pen
 
 
-# What a formula gives, in words, where its source says no more than where it is from; by the name of its function.
+# --- what a formula gives, in words, where its source says no more than where it is from
+# By the name of its function.
 
 BY_NAME: dict[str, Text] = {
     "angular_speed": Text("Angular speed"), "attitude": Text("Attitude angle"),
@@ -138,6 +137,8 @@ BY_NAME: dict[str, Text] = {
     "xu_kahraman": Text("Coefficient of friction by Xu and Kahraman"),
 }  # fmt: skip
 
+
+# --- the nomenclature
 
 COLUMNS, GUTTER = 2, 10.0
 EACH = (WIDTH - (COLUMNS - 1) * GUTTER) / COLUMNS

@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What decides a check, walked back from the number that it judges: the lines of the calculation that a proof shows,
-and what they need.
+"""The proof of a check: what decides it, walked back from the number that it judges, and set as blocks.
 
 Twins, which are one row of the table of checks (front and rear bearing, every mesh), are one proof: those that fail or
 come near their limit with their numbers, the others by name."""
@@ -240,8 +239,8 @@ def _places(context: Context, shown: Mapping[Line, Index | None], reached: list[
     return places
 
 
-# A proof as blocks: title with verdict and utilisation, the limit, the demand with its numbers, the twins, and what
-# would mend it.
+# --- a proof as blocks
+# Title with verdict and utilisation, the limit, the demand with its numbers, the twins, and what would mend it.
 
 NAMED = 6  # twins
 QUOTED = 14  # values and inputs of a proof

@@ -33,7 +33,7 @@ if TYPE_CHECKING:
     from ..setting.pen import Pen
 
 
-# The drive at a glance: the shaft and its train side by side in one scale, without dimensions.
+# --- the drive at a glance: the shaft and its train side by side in one scale, without dimensions
 
 HIGH = 84.0  # at most, of the drawing
 BETWEEN = 22.0  # of shaft and train
@@ -113,6 +113,9 @@ def _draw(pen: Pen, primitive: Primitive, scale: float, x: float, y: float) -> N
             box = one_line(words, NOTE, 80.0)
             left, low = at((wx, wy))
             pen.put(box, left - LEFT - box.width / 2, low - NOTE.leading)
+
+
+# --- the page
 
 
 def step_anchor(key: str) -> str:

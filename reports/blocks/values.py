@@ -150,7 +150,8 @@ def _beside(context: Context, parts: list[_Part], zero: list[str]) -> list[Block
 
 
 # --- the step's own tables
-# --------------------------------------------------------------------------------------------------
+
+
 def table_blocks(context: Context, tables: Iterable[Table]) -> list[Block]:
     """What belongs side by side: numbers to the right, words to the left; a note in small type below."""
     blocks: list[Block] = []

@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The report as a Word document, for those who go on writing: what stands in the PDF, with formulas that can be edited.
 
-It is made from the same blocks as the PDF, by what they say (`reports.setting.flow`).  Needs the extra `docx`.
-"""
+It is made from the same blocks as the PDF, by what they say (`reports.setting.flow`).  Needs the extra `docx`."""
 
 from __future__ import annotations
 
@@ -38,8 +37,8 @@ from ..setting.tables import Cell, Column, Group, Row, Rows
 from ..setting.typeset import symbol_parts
 from . import omml
 
-# The sheet and the styles of a Word document: the program's own names for body, table and source, so that a template
-# can restyle them.
+# --- the sheet and the styles
+# The program's own names for body, table and source, so that a template can restyle them.
 
 BODY_TEXT, TABLE_TEXT, SOURCE = "Report Text", "Report Table", "Report Source"
 BULLET, CAPTION, SUBTITLE = "List Bullet", "Caption", "Subtitle"  # Word's own
@@ -74,7 +73,8 @@ def prepare(file: Any, language: str) -> dict[str, str]:
     return {name: file.styles[name].style_id for name in (*SIZES, BULLET, CAPTION, SUBTITLE)}
 
 
-# What a report draws, as pictures of pixels: each block is set on a sheet of its own, and the sheet is rendered.
+# --- what a report draws, as pictures of pixels
+# Each block is set on a sheet of its own, and the sheet is rendered.
 
 DPI = 200
 MARGIN = 4.0  # points around what is drawn
@@ -110,6 +110,8 @@ def _rendered(page: pypdfium2.PdfPage, whole: bool) -> bytes:
     drawn.to_pil().save(file, format="PNG", dpi=(DPI, DPI))
     return file.getvalue()
 
+
+# --- the document
 
 ONE_LINE = 70  # letters of a formula with its numbers that stand on one line
 # of what goes on from the line above: a sign at its beginning is read as an operator, which wants something before it

@@ -35,7 +35,8 @@ def numbers(line: Shown) -> str:
 
 
 # --- runs and symbols
-# -------------------------------------------------------------------------------------------------------
+
+
 def run(text: str, *, upright: bool = True) -> str:
     style = '<m:rPr><m:sty m:val="p"/></m:rPr>' if upright else ""
     return f'<m:r>{style}<m:t xml:space="preserve">{escape(text)}</m:t></m:r>'
@@ -68,7 +69,8 @@ def scripts(base: str, below: str, above: str) -> str:
 
 
 # --- trees
-# ------------------------------------------------------------------------------------------------------------------
+
+
 def tree(of: Expr, outer: float = 0.0) -> str:
     """A tree, in brackets where what stands around it (`outer`) binds more strongly."""
     rank, markup = _ranked(of, outer)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A curve of the sheet as a figure: one style, readable in grey print.
+"""Curves of the sheet as figures of the page: one style, readable in grey print, alone or over each other.
 
 Lines differ by their pattern as well as by their colour, bars by their grey.  Over the page's whole width lines bear
 their names; else the legend stands above the axes where it can hide nothing.  A locus is drawn in true scale.  All
@@ -30,7 +30,8 @@ if TYPE_CHECKING:
     from ..setting.pen import Pen
 
 
-# Curves along one x over each other as one figure: the loaded shaft as a sketch, then what the loads do in it.
+# --- curves along one x over each other as one figure
+# The loaded shaft as a sketch, then what the loads do in it.
 
 PANEL, NAME = 44.0, 13.0  # height of the axes of one curve, and of its name over them
 BODY, FORCE, LEAST = (
@@ -116,6 +117,8 @@ class Stack:
 def _height(curve: Curve) -> float:
     return SKETCH if curve.loads else NAME + PANEL + HIGH
 
+
+# --- the figures
 
 GUTTER = 16.0
 PART = (WIDTH - GUTTER) / 2

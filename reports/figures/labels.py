@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The names of lines and limits at their ends, and the value where the design stands."""
+"""The words of a figure: where they stand, the names of lines and limits at their ends, and the legend.
+
+The value stands where the design does."""
 
 from __future__ import annotations
 
@@ -39,8 +41,8 @@ if TYPE_CHECKING:
     from ..setting.pen import Pen
 
 
-# Where the words of a picture stand: each as near to its place as it can be without covering another one or lying
-# across a line.
+# --- where words stand
+# Each as near to its place as it can be without covering another one or lying across a line.
 
 UP, DOWN = 0.74, 0.22  # of the size: what letters take above and below their base line
 SIZE = 7.5
@@ -127,6 +129,8 @@ def crossed(box: Extent, pieces: Any) -> bool:
     last = np.where(still, np.where(inside, np.inf, -np.inf), np.maximum(a, b)).min(axis=1)
     return bool(np.any((first <= last) & (last >= 0) & (first <= 1)))
 
+
+# --- the names of lines and limits, and the value at the design's point
 
 OVER, UNDER = 0.72 * LETTER.size, 0.24 * LETTER.size  # what letters take over and under their base line
 WIDEST = 150.0  # of a name
@@ -239,7 +243,7 @@ def _names(curve: Curve) -> Iterator[tuple[str, Any]]:
     return ((label, series) for series in curve.series if (label := series_label(curve, series)))
 
 
-# The legend of a figure: samples of its lines, bars and arrows, each with what it shows.
+# --- the legend: samples of lines, bars and arrows, each with what it shows
 
 SAMPLE = 20.0  # width of a legend's sample
 

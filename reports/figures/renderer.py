@@ -33,7 +33,7 @@ class LineRenderer(RendererBase):
         return points
 
     # --- paths
-    # ------------------------------------------------------------------------------------------------------------
+
     def draw_path(self, gc: GraphicsContextBase, path: Path, transform: Any, rgbFace: Any = None) -> None:
         thick = gc.get_linewidth()
         stroke = thick > 0 and gc.get_alpha() != 0 and gc.get_rgb()[3] > 0

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What makes a report an archive file, PDF/A-3 level A (ISO 19005-3): what it says about itself as XMP, its colours,
-its structure."""
+"""What makes a report an archive file, PDF/A-3 level A (ISO 19005-3): XMP, colours, structure.
+
+XMP is what it says about itself."""
 
 from __future__ import annotations
 
@@ -11,8 +12,7 @@ from reportlab.pdfbase.pdfdoc import PDFArray, PDFDictionary, PDFName, PDFStream
 
 from ..setting.tags import Tree
 
-# The colour space sRGB as an ICC profile, which says what the document's colours are wherever it is printed.
-#
+# --- the colour space sRGB as an ICC profile, which says what the colours are wherever the document is printed
 # Written here from the numbers of the standard, so that nothing is shipped under another licence and the bytes are
 # always the same: primaries, white and curve of IEC 61966-2-1, adapted to D50 by Bradford as ICC.1:2010 (profile
 # version 4.3), annex E, has it; the numbers were remembered, and are compared with LittleCMS's own profile by a test.
@@ -80,6 +80,8 @@ def _words(words: str) -> bytes:
     raw = words.encode("utf-16-be")
     return b"mluc" + bytes(4) + struct.pack(">II2s2sII", 1, 12, b"en", b"US", len(raw), 28) + raw
 
+
+# --- what the document says about itself
 
 PART, LEVEL = 3, "A"
 XMP = """<?xpacket begin="\ufeff" id="W5M0MpCehiHzreSzNTczkc9d"?>

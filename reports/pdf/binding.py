@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The pages on the canvas, each with its running head and foot, and the outline."""
+"""The pages on the canvas made into a document: running heads, outline, packed objects, files inside it."""
 
 from __future__ import annotations
 
@@ -84,8 +84,8 @@ def _running(pen: Pen, number: int, count: int, head: tuple[str, str], foot: tup
     pen.put(pages, WIDTH - pages.width, lower)
 
 
-# The objects of a document as the bytes of a file, small ones packed together: the thousands that say what every cell
-# of a table is take a tenth of the room that they take one by one.
+# --- the objects of a document as the bytes of a file, small ones packed together
+# The thousands that say what every cell of a table is take a tenth of the room that they take one by one.
 
 EACH = 100  # objects of a pack: a reader unpacks all of them for one
 OPEN, PACKED = 1, 2  # kinds of entry in the table of objects
@@ -159,7 +159,8 @@ def _table(entries: Iterable[tuple[int, int, int]], trailer: bytes) -> bytes:
     return _stream(size + trailer, b"".join(rows))
 
 
-# Pages made into a document: what it says about itself, the files inside it, its running heads.
+# --- pages made into a document
+# What it says about itself, the files inside it, its running heads.
 
 
 def bind(

@@ -1,13 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Boxes: what is set on paper, with its extent and its marks, before it has a place on a page.
+"""Boxes: what is set on paper, with its extent and its marks, before it has a place on a page; and symbols as boxes.
 
 A mark is a tuple, positions relative to the box's left end on its base line, y upwards:
 
     ("text", x, y, text, face, size, colour, stretch, hidden)   stretch: height over size, for tall brackets
     ("rule", x, y, width, height, colour)                       a filled rectangle
     ("path", points, line width, colour)                        an open polygon
-    ("link", x, y, width, height, destination, words)
-"""
+    ("link", x, y, width, height, destination, words)"""
 
 from dataclasses import dataclass
 from functools import lru_cache
@@ -145,7 +144,7 @@ def fraction(over: Box, under: Box, size: float) -> Box:
     return Box(wide, rise + over.up, fall + under.down, marks)
 
 
-# A symbol of a chapter, and the name under which its pages are found among all that is indexed.
+# --- a symbol of a chapter, and the name under which its pages are found among all that is indexed
 
 SIGN = "§"  # what the name of a symbol begins with; no value is called so
 BETWEEN = "\n"  # several names of one block

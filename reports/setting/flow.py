@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The flow of blocks down the pages: what stays together, where a page ends, what is repeated at its top."""
+"""The flow of blocks down the pages: what a block says, what stays together, where a page ends, what is repeated."""
 
 from __future__ import annotations
 
@@ -19,9 +19,7 @@ if TYPE_CHECKING:
     from .pen import Pen
 
 
-# What a block of a report says, beside how it is drawn: for whoever sets the same report elsewhere
-# (`reports.docx.docx_file`).
-#
+# --- what a block says, beside how it is drawn: for whoever sets the same report elsewhere (`reports.docx.docx_file`)
 # A block without content goes on with the one before it, or only adorns the page.
 
 
@@ -66,6 +64,8 @@ class Picture(Content):
     captions: tuple[str, ...] = ()
     below: float = 0.0
 
+
+# --- the flow
 
 LEAST = 0.4  # of the last page: less on it is not worth the paper
 AFTER = (
@@ -186,7 +186,8 @@ def _chains(blocks: list[Block], height: float, share: float) -> Iterable[list[B
 
 
 # --- simple blocks
-# ------------------------------------------------------------------------------------------------------------
+
+
 def lines_block(
     lines: list[Box], leading: float, *, x: float = 0.0, gap: float = 0.0, keep: bool = False, tag: Tag | None = None
 ) -> Block:

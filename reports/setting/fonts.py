@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The report's letters: STIX Two Text upright, bold and italic, with their widths and what they can write.
+"""The report's letters, with their widths and what they can write, and the sheet of paper that they stand on.
+
+The faces are STIX Two Text upright, bold and italic.
 
 It is made for text with mathematics, and all its figures are equally wide.  What a face lacks comes from STIX Two Math
 (arrows, relations, roots) and then from DejaVu Sans, which has the signs of the verdicts and most other scripts.  The
@@ -93,7 +95,7 @@ def writable(text: str) -> bool:
     return MISSING not in clean(text)
 
 
-# The sheet of paper and its margins, in points (1/72 inch).
+# --- the sheet of paper and its margins, in points (1/72 inch)
 
 PAGE = (595.276, 841.890)  # A4: width, height
 LEFT, RIGHT, TOP, BOTTOM = 57.0, 45.0, 57.0, 49.0

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The pen collects what one page holds and writes it: rules and lines first, then figures, then all text in reading
-order."""
+"""The pen collects what one page holds and writes it; what is drawn once is recorded and placed on any page.
+
+Rules and lines come first, then figures, then all text in reading order."""
 
 from __future__ import annotations
 
@@ -221,8 +222,8 @@ def _rgb(colour: Colour) -> str:
     return " ".join(f"{c:.3f}" for c in colour)
 
 
-# What is drawn in a frame of its own and placed on a page afterwards: a figure is the same wherever it stands, so it
-# can be drawn before there are pages.
+# --- what is drawn in a frame of its own and placed on a page afterwards
+# A figure is the same wherever it stands, so it can be drawn before there are pages.
 
 
 @dataclass(frozen=True, slots=True)

@@ -37,7 +37,8 @@ class SetPiece:
 
 
 # --- symbols
-# ----------------------------------------------------------------------------------------------------------------
+
+
 @lru_cache(maxsize=5000)
 def symbol(name: str, size: float, colour: Colour = BLACK) -> Box:
     """A symbol as the sheet writes it: `C_1⁻,res` → C with a raised minus and the index "1,res"; operators may stand
@@ -97,7 +98,8 @@ def _spaced(sign: str, size: float, gap: float) -> Box:
 
 
 # --- trees
-# ------------------------------------------------------------------------------------------------------------------
+
+
 class Setter:
     """Sets trees at one size for one column width."""
 
@@ -258,7 +260,8 @@ class Setter:
 
 
 # --- lines
-# ------------------------------------------------------------------------------------------------------------------
+
+
 def lines(pieces: list[SetPiece], width: float) -> list[Box]:
     """Pieces broken into lines of at most this width, at the outermost operators that fill a line well."""
     set_lines: list[Box] = []

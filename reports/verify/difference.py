@@ -17,8 +17,7 @@ from ..setting.tags import FIGURE
 from .pdf_file import Malformed, Pdf, Reference, Stream, words
 from .signature import same
 
-# Where on a page of a report something is printed, so that what is laid over it can be told from what covers nothing.
-#
+# --- where on a page something is printed, so that what is laid over it can be told from what covers nothing
 # Text counts wherever it stands, figures and formulas as a whole, with the bars between their letters; rules, frames
 # and panels say nothing by themselves.
 
@@ -142,6 +141,8 @@ def _set(font: Font | None, codes: bytes) -> tuple[float, str]:
     wide = sum(widths[code - first] if 0 <= code - first < len(widths) else 500.0 for code in codes)
     return wide / 1000, "".join(letters.get(code, "?") for code in codes)
 
+
+# --- the differences
 
 OF_THE_PROGRAM = {"Producer", "CreationDate", "ModDate"}  # what a program that saves a document says about itself
 TOLD = ("Title", "Author", "Subject")  # of a document of any version

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The objects of a PDF, read strictly from its first byte to its last (ISO 32000-1, 7.2 to 7.5).
+"""The objects of a PDF, read strictly from its first byte to its last (ISO 32000-1, 7.2 to 7.5), and its tables.
 
 Readers of PDF are lenient, each in its own way: of a key that stands twice one takes the first, another the last; one
 trusts the table of objects, another looks for them.  What could be read in two ways is refused here.  Time and memory
@@ -414,8 +414,7 @@ def _entries(raw: bytes) -> Table:
     return table
 
 
-# Whether the tables of a PDF lead to the objects that stand in it (ISO 32000-1, 7.5.4 to 7.5.8).
-#
+# --- whether the tables of a PDF lead to the objects that stand in it (ISO 32000-1, 7.5.4 to 7.5.8)
 # One reader follows the tables, another looks for the objects, and a file can be made so that they find different ones.
 
 

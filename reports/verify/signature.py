@@ -16,8 +16,8 @@ from calc.design.limits import PDF_DEPTH
 
 from .pdf_file import Malformed, Pdf, Reference, Stream
 
-# What a document says about itself as XMP (ISO 16684-1), whichever of its ways it is written in: a program that saves
-# or signs a document writes it anew, and names itself in it.
+# --- what a document says about itself as XMP (ISO 16684-1), whichever of its ways it is written in
+# A program that saves or signs a document writes it anew, and names itself in it.
 
 RDF = "{http://www.w3.org/1999/02/22-rdf-syntax-ns#}"
 XMP = "{http://ns.adobe.com/xap/1.0/}"
@@ -61,6 +61,8 @@ def _shape(of: ElementTree.Element, depth: int = 0) -> object:
         else text
     )
 
+
+# --- what a signature appends
 
 TRAILER = {"Size", "Root", "Info", "Prev", "ID"}
 TABLE = {"Type", "W", "Index", "Filter", "DecodeParms", "Length"}  # of a stream that is table and trailer at once

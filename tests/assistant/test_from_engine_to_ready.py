@@ -18,7 +18,7 @@ from assistant.widgets.steps import states_of
 from calc.design.model import STEPS
 from calc.sheet.check import grouped
 from calc.studies.ready import ready
-from calc.studies.repair.ways import ways
+from calc.studies.repair.options import ways
 from calc.studies.shipped import DESIGNS
 from calc.studies.starter.build import choice_made
 from tests.assistant.driving import until

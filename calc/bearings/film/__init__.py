@@ -1,3 +1,2 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The oil film: Reynolds' equation solved, its stored table, the short bearing in closed form, and the film as spring
-and damper."""
+"""The oil film: Reynolds' equation solved, its stored table, the short bearing in closed form, spring and damper."""

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The journal on its film as a spring and damper: eight coefficients, the threshold of stability, the orbit under a
-standing force.
+"""The journal on its film as a spring and damper: eight coefficients, the threshold of stability, the orbit.
+
+The orbit is that under a standing force.  First every formula as a line of the calculation, then what is solved with
+them.
 
 The seat is round, so that the film's force depends on the eccentricity alone and turns with the line of centres: the
 four stiffnesses follow from So(ε) and φ(ε).  A line of centres that turns acts like a slower drag, ω − 2·dφ/dt, which
@@ -44,8 +46,7 @@ from .. import formulas as f
 from ..routes.states import BearingCase, Film, OperatingPoint
 from . import table as tabulated
 
-# Stiffness, damping, stability and orbit of a journal on its film, as lines of the calculation.
-#
+# --- the formulas
 # X points along the load, Y 90° further in the sense in which the film is dragged; K_ij and C_ij are the force on the
 # film along i for a displacement or velocity along j.  g is the diametral clearance, ω the effective hydrodynamic
 # speed.
@@ -67,7 +68,8 @@ MOTION = Text("dynamics: motion of the journal about its place under the load; {
 
 
 # --- dimensionless, over the load
-# ---------------------------------------------------------------------------------------------
+
+
 @formula("(ln So)'", TABLE, shows="d ln So/dε at constant l/d, from the table of Reynolds' solutions")
 def load_slope(eps: Number, b: Number) -> Number:
     return tabulated.traced_film_slopes(eps, b)[0]
@@ -130,7 +132,8 @@ def grooved_coefficient(value: Number, eps: Number, b: Number) -> Number:
 
 
 # --- with their units
-# ---------------------------------------------------------------------------------------------------------
+
+
 @formula("K_xx", SCALE)
 def stiffness_xx(k_xx: Number, F: Newton, g: Metre) -> NewtonPerMetre:
     return k_xx * F / (g / 2)
@@ -168,7 +171,8 @@ def damping_yy(c_yy: Number, F: Newton, g: Metre, omega: RadPerSecond) -> Newton
 
 
 # --- stability
-# ----------------------------------------------------------------------------------------------------------------
+
+
 @formula("k_eq", LUND)
 def equivalent_stiffness(
     k_xx: Number, k_xy: Number, k_yx: Number, k_yy: Number, c_xx: Number, c_xy: Number, c_yy: Number
@@ -249,7 +253,8 @@ def threshold_speed(n_h: RevPerSecond, m_c: Kilogram, m: Kilogram) -> RevPerSeco
 
 
 # --- orbit
-# --------------------------------------------------------------------------------------------------------------------
+
+
 @formula(
     "Ω",
     "kinematics: speed of a force that stands still, seen from the turning load, positive in the sense in which the "
@@ -323,6 +328,9 @@ def minor_axis(x: PhasorMetre, y: PhasorMetre) -> Metre:
 def film_loss(x: PhasorMetre, y: PhasorMetre, phi: Radian) -> Metre:
     """By how much the smallest film shrinks over a turn, to first order."""
     return modulus(x * cos(phi) + y * sin(phi))
+
+
+# --- the coefficients and the orbit of one bearing
 
 
 @record

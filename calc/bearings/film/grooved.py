@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Reynolds' equation for a bearing whose film begins and ends at its feed: axial grooves or pockets that keep their
-angle to the load.
+"""Reynolds' equation for a bearing with axial grooves or pockets, where the film begins and ends at its feed.
+
+The feeds keep their angle to the load.  In order: the feeds, the solution, the table of solutions for daily use, the
+lines of the calculation.
 
 The plain bearing of `reynolds` draws its oil in at the widest film, wherever the journal goes, so that its force turns
 with the line of centres.  Grooves stand where they were cut: the film between them is a pad of its own, and all eight
@@ -12,8 +14,7 @@ the pressure is that of the feed. Where the journal stands follows from ε by tu
 lies along the load.  Stiffness and damping are central differences of the force over small displacements and
 velocities, each with a film end of its own.
 
-Against Someya's data book (two grooves of 10° at ±90° to the load): see `tests/calc/bearings/test_grooved.py`.
-"""
+Against Someya's data book (two grooves of 10° at ±90° to the load): see `tests/calc/bearings/test_grooved.py`."""
 
 import math
 from collections.abc import Callable
@@ -31,7 +32,7 @@ from ...sheet.units import Number, Radian
 from .reynolds import ECCENTRICITY_RANGE, EDGE_CLUSTERING, ITERATION_LIMIT, UNIFORM_SHARE, Value, solved_where_active
 from .table import FilmRangeError, short_bearing_load
 
-# Where the oil comes into a film that begins and ends there.
+# --- where the oil comes into a film that begins and ends there
 
 
 class Feed(NamedTuple):
@@ -49,6 +50,8 @@ class Feeds:
 
     feeds: tuple[Feed, ...]
 
+
+# --- the solution
 
 LEVELS = (4, 2, 1)  # coarser than the finest grid by
 TURN_TOLERANCE = 1e-9  # rad, of the attitude angle
@@ -358,8 +361,8 @@ def _integrals(grid: _Grid, pressure: Array) -> _Force:
     )
 
 
-# The film with its feed in daily use: solutions of `grooved` at some eccentricities of one bearing, and splines between
-# them.
+# --- the film with its feed in daily use
+# Solutions of `solve_grooved` at some eccentricities of one bearing, and splines between them.
 #
 # A table of its own for each l/d and each set of feeds, made when it is first asked for (three quarters of a second)
 # and kept.  The feed's pressure is left out of the film's own.  Against grids four times as fine: 1e-3 in S and φ, 2e-3
@@ -486,7 +489,8 @@ def film_at(
 
 
 # --- as lines of the calculation
-# --------------------------------------------------------------------------------------------
+
+
 @formula("ε", SOURCE, shows="ε from S(ε) of the film with its grooves, inverted")
 def eccentricity(S: Number, b: Number, grooves: Feeds) -> Number:
     return eccentricity_from(S, b, grooves)

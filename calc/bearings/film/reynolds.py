@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Reynolds' equation solved for a plain bearing of full circumference and finite length.
+"""Reynolds' equation solved for a plain bearing of full circumference and finite length, level or sloping.
 
 The exact way, some milliseconds per state; `table` keeps the results of this module for daily use.
 
@@ -18,8 +18,7 @@ before and starts from its pressure; the last two give Richardson's limit.  Agai
 at worst, 2e-5 root mean square; 3e-5 in the flows.
 
 Sources: O. Reynolds, Phil. Trans. R. Soc. 177 (1886) 157; H. W. Swift, Proc. ICE 233 (1932) 267; W. Stieber, Das
-Schwimmlager, VDI (1933); A. A. Raimondi and J. Boyd, ASLE Transactions 1 (1958) 159-209 (the dimensionless groups).
-"""
+Schwimmlager, VDI (1933); A. A. Raimondi and J. Boyd, ASLE Transactions 1 (1958) 159-209 (the dimensionless groups)."""
 
 import math
 from typing import TypeVar
@@ -356,13 +355,13 @@ def _integrals(grid: _Grid, pressure: Array) -> Array:
     return np.array([cosine, sine, math.pi / 6.0 * inlet, math.pi / 6.0 * side, peak])
 
 
-# Reynolds' equation for a journal that slopes in its seat: the pressure grows towards the edge where the film is
-# thinner.
+# --- a journal that slopes in its seat
+# The pressure grows towards the edge where the film is thinner.
 #
-# The film h = c·(1 + (ε + τ·z)·cos θ), z from −1 at one edge to 1 at the other: the journal slopes in the plane of its
-# narrowest film, which thins it most.  Every slice across is a plain bearing of eccentricity ε + τ·z, so that the flow
-# around between two nodes is exact as in `reynolds`, whose equation, film end and nodes these are, over the whole
-# length on one grid.  A moment holds the slope: the shaft's.
+# The film h = c·(1 + (ε + τ·z)·cos θ), z from −1 at one edge to 1 at the other: the journal slopes in the plane of
+# its narrowest film, which thins it most.  Every slice across is a plain bearing of eccentricity ε + τ·z, so that the
+# flow around between two nodes is exact as above, whose equation, film end and nodes these are, over the whole length
+# on one grid.  A moment holds the slope: the shaft's.
 
 
 @record

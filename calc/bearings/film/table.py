@@ -1,10 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
 """The oil film of a plain bearing from a stored table: microseconds instead of the milliseconds of `reynolds`.
 
-Stored (`nodes`) is, over x = atanh ε and y = ln(l/d), the bicubic spline of six quantities: ln(So/So_short), φ, Q,
-Qs/Q, P/p_max and ln(C_rr/C_rr,short).  Between nodes the Hermite polynomial gives back that spline.  So_short and
-C_rr,short are the closed forms of the short bearing, which carry nearly all the variation, and f* follows from S and φ
-by `reynolds.friction_variable`.
+In order: the stored nodes and their polynomials, the film at one point or at many, the same as lines of the
+calculation, and the two films that Raimondi and Boyd mark on their chart.
+
+Stored is, over x = atanh ε and y = ln(l/d), the bicubic spline of six quantities: ln(So/So_short), φ, Q, Qs/Q, P/p_max
+and ln(C_rr/C_rr,short).  Between nodes the Hermite polynomial gives back that spline.  So_short and C_rr,short are the
+closed forms of the short bearing, which carry nearly all the variation, and f* follows from S and φ by
+`reynolds.friction_variable`.
 
 Accuracy against the direct solution on the same grid, anywhere in the range: 5e-5 in S and f*, 2e-5 in Q (relative),
 2e-5 rad in φ, 2e-5 in Qs/Q and 5e-5 in P/p_max.  C_rr: 1e-3 against a grid twice as fine, 2e-4 root mean square. Range:
@@ -31,10 +34,12 @@ from ...sheet.units import Number, Radian
 from . import short_bearing
 from .reynolds import Value, friction_variable
 
-# The stored nodes of the oil film and the polynomials between them; `table` says what is stored, and is what to call.
-#
-# The table (`tables/film_table.npy`, written by `build_table`) holds, over x = atanh ε and y = ln(l/d), a bicubic
-# spline of each quantity as value and derivatives at its nodes.
+__all__ = ["FilmPoint", "FilmRangeError", "eccentricity_from", "film_at", "film_slopes", "sommerfeld_range"]
+
+
+# --- the stored nodes and the polynomials between them
+# The table (`tables/film_table.npy`, written by `build_table`) holds each quantity as value and derivatives at its
+# nodes.
 
 Outside: TypeAlias = Literal["raise", "nan"]
 
@@ -109,8 +114,7 @@ def short_bearing_damping(eccentricity: Value) -> Value:
     return _damping(eps=eccentricity)
 
 
-# The table
-# ------------------------------------------------------------------------------------------------------------------
+# --- the table
 
 
 @record
@@ -211,7 +215,7 @@ def clipped(
     return np.where(wrong, np.nan, np.minimum(np.maximum(values, low), high))
 
 
-__all__ = ["FilmPoint", "FilmRangeError", "eccentricity_from", "film_at", "film_slopes", "sommerfeld_range"]
+# --- the film at any eccentricity and length
 
 STEP_LIMIT = 1e-9  # Newton's last step, in parts of a table cell; its error is the square of this
 ITERATION_LIMIT = 60
@@ -295,8 +299,7 @@ def _of_many_designs(function: Callable[..., Any], first: Any, second: Any, outs
     return film
 
 
-# One point
-# ------------------------------------------------------------------------------------------------------------------
+# --- one point
 
 
 def _film_scalar(eccentricity: float, length_ratio: float, outside: Outside) -> FilmPoint[float]:
@@ -371,8 +374,7 @@ def _eccentricity_scalar(sommerfeld: float, length_ratio: float, outside: Outsid
     return min(max(math.tanh(x + part * step), float(table.eccentricities[0])), float(table.eccentricities[-1]))
 
 
-# Many points
-# ----------------------------------------------------------------------------------------------------------------
+# --- many points
 
 
 def _scalar(value: float | Array) -> bool:
@@ -494,7 +496,7 @@ def _eccentricity_array(sommerfeld: Array, length_ratio: Array, outside: Outside
     return np.clip(np.tanh(x + part * step), table.eccentricities[0], table.eccentricities[-1])
 
 
-# The stored solutions of Reynolds' equation as lines of the calculation.
+# --- the film as lines of the calculation
 
 SOURCE = Text("Reynolds 1886, full bearing with Swift–Stieber film end; this program's own solution, tabulated")
 _film_at = lru_cache(maxsize=4)(film_at)  # five lines of a calculation ask for the same point
@@ -545,7 +547,8 @@ def pressure_ratio(eps: Number, b: Number) -> Number:
     return traced_film_at(eps, b).pressure_ratio
 
 
-# Between the largest load and the least friction: the two films h₀/c that Raimondi and Boyd mark on their chart.
+# --- between the largest load and the least friction
+# The two films h₀/c that Raimondi and Boyd mark on their chart.
 #
 # With the smallest film h₀ held, c = h₀/(1 − ε): the load goes with (1 − ε)²/S, the coefficient of friction with f*/(1
 # − ε).

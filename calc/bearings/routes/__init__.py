@@ -1,3 +1,2 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Four ways from a bearing and its duty to the film: oil supply, friction and flow, and the thermal balance that closes
-them."""
+"""The routes from a bearing and its duty to the film: oil supply, friction and flow, and the thermal balance."""

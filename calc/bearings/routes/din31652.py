@@ -1,12 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The source's second method, which it calls DIN 31652: the film by Falz's rule, friction by the standard's polynomial.
+"""Two routes to the film: the source's second method, which it calls DIN 31652, and the standard's own, ISO 7902.
 
-The rule is not the standard's: at the same So its film is 0.50 to 1.75 times that of Reynolds' equation for l/d 0.4 to
-1 and ε 0.1 to
-0.95, up to 2.2 times at l/d ¼, where it may also give none.  Its two formulas do not meet at So = 1 unless l = d; the
-source's own
-choice (So above or below 1) is kept.  Friction by the polynomial only where it holds (l/d ≤ 0.55, or 1); elsewhere by
-the identity of Reynolds' solution."""
+The source's method takes the film by Falz's rule and the friction by the standard's polynomial.  The rule is not the
+standard's: at the same So its film is 0.50 to 1.75 times that of Reynolds' equation for l/d 0.4 to 1 and ε 0.1 to 0.95,
+up to 2.2 times at l/d ¼, where it may also give none.  Its two formulas do not meet at So = 1 unless l = d; the
+source's own choice (So above or below 1) is kept.  Friction by the polynomial only where it holds (l/d ≤ 0.55, or 1);
+elsewhere by the identity of Reynolds' solution."""
 
 from ...sheet.formula import formula
 from ...sheet.functions import atan, log10, pi, root, sqrt
@@ -88,8 +87,8 @@ def polynomial_holds(b: float) -> bool:
     return b <= POLYNOMIAL_UP_TO or abs(b - 1) < 1e-9
 
 
-# The standard's own route: ISO 7902-1 with the functions of ISO 7902-2 for a full bearing (DIN 31652 is its German
-# forerunner).
+# --- the standard's own route
+# ISO 7902-1 with the functions of ISO 7902-2 for a full bearing (DIN 31652 is its German forerunner).
 #
 # Film by So(ε, B/D), friction of the full film, the angle β from load to narrowest film, side flow by geometry and flow
 # by the supply pressure (`flow`, `supply`).  Closed forms after Butenschön 1976, which the standard takes over; the

@@ -149,7 +149,8 @@ def _pick(task: BearingTask, films: States, slope: Radian) -> Pick:
 
 
 # --- orders
-# ----------------------------------------------------------------------------------------------------------------
+
+
 def by_power(field: CandidateField) -> tuple[Array, Array]:
     """The least power, the smaller change where powers are alike."""
     return np.round(field.states.power / ALIKE), field.change()
@@ -230,7 +231,8 @@ def _at(field: CandidateField, index: Index, slope: Radian) -> Pick:
 
 
 # --- power against film
-# ----------------------------------------------------------------------------------------------------
+
+
 def pareto(every: Iterable[tuple[Variant, Fields]], slopes: Slopes) -> list[BearingRow]:
     """The least power for ever more film at the edge of the worse bearing: no other candidate has more film for less
     power."""

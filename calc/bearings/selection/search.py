@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The search itself: inputs and results in, rows to choose from out.  What is offered first has been through the whole
-solution once more.
+"""The search for bearings itself: inputs and results in, rows to choose from out.
+
+What is offered first has been through the whole solution once more.
 
 In this order: what fits the room on the shaft by its sizes, by another oil, another supply, smoother surfaces; then by
 closer fits; then what keeps the limits as given, where a corner of tolerances that are only assumed is passed; and
@@ -154,6 +155,7 @@ def _moved(pick: Pick) -> bool:
 
 
 # --- the search
+
 VERIFIED = 4  # rows that are solved as whole designs before they are shown; the others when they are taken
 NEAREST = 3  # that are tried as whole designs, until one holds
 STIFFER = Text("stiffen the shaft, or widen its envelope")
@@ -542,6 +544,8 @@ def as_is(bearings: Tasks, variant: Variant, slopes: Slopes, *, corners: bool) -
 
 
 # --- why there is nothing
+
+
 def _stopped(both: tuple[Pick, Pick] | None) -> Text:
     if both is None:
         return Text(

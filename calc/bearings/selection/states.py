@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Candidates of one bearing in the states that govern, all at once, and the rules on them.
+"""Candidates of one bearing in the states that govern, all at once; the rules on them, and the room on the shaft.
+
+In order: words of the search, the rules, the room of a journal, the states.
 
 Of the eight corners of the tolerances four can govern: the widest and the narrowest clearance, each with the thinner
 oil, for the film; the narrowest with the thicker oil for the heat; and the film again at twice the load.  What is
-offered is judged once more at all eight. Where tolerances are only assumed, a candidate may also be judged as it is
+offered is judged once more at all eight.  Where tolerances are only assumed, a candidate may also be judged as it is
 given, as the limits of the step do."""
 
 from collections.abc import Iterable, Iterator, Sequence
@@ -30,7 +32,7 @@ from ..routes import supply
 from ..routes.balance import HOTTEST, settled
 from ..routes.states import BearingCase, OperatingPoint
 
-# Words that the search for bearings uses over and over.
+# --- words that the search uses over and over
 
 __all__ = ["LETTER", "PLACE", "PLACES", "against", "mm", "short_mm", "size", "value_of"]
 
@@ -64,8 +66,7 @@ def size(length: Metre, clearance: Metre) -> Text:
     return Text("{length} and {clearance}", length=Amount(length * 1e3, "mm"), clearance=Amount(clearance * 1e6, "µm"))
 
 
-# What a bearing that is offered has to keep, at the worst corner of its tolerances.
-#
+# --- what a bearing that is offered has to keep, at the worst corner of its tolerances
 # The limits are those of the step's own checks, read off the checks of the design itself and written nowhere again.
 # Three are kept for choosing alone: the rise of temperature, the cold clearance that must be left, and Trumpler's film
 # at the edge too. The relative clearance that is usual for the application is kept wherever film, heat and cold
@@ -139,8 +140,7 @@ def rules(place: str, checks: Iterable[Check]) -> dict[str, BearingRule]:
     }
 
 
-# How long the journals may be beside the sectors, as far as the shaft is known.
-#
+# --- how long the journals may be beside the sectors, as far as the shaft is known
 # A journal grows to both sides of its place.  Its room binds, whether the outline of the shaft is given, sized, or put
 # together from the masses; what is longer is offered apart, since the sectors would have to give way.
 
@@ -208,6 +208,8 @@ def _of_sections(given: CountershaftInputs, z: Metre, d: Metre) -> JournalRoom:
         last += 1
     return JournalRoom(2 * min(z - rows[first].from_, rows[last].to - z), Text("the shaft's sections leave no more"))
 
+
+# --- the candidates in every state
 
 Lengths = float | Sequence[float] | Array
 

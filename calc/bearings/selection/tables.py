@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The rows of the search as tables, and why not one step further: each neighbour with the rule that refuses it, or what
-it costs."""
+"""The rows of the search as tables, why not one step further, and what is said about them.
+
+Each neighbour of a row has the rule that refuses it, or what it costs."""
 
 from collections.abc import Iterator
 from dataclasses import replace
@@ -232,7 +233,8 @@ def changed(row: BearingRow) -> Text:
 
 
 # --- why not one step further
-# -----------------------------------------------------------------------------------------------
+
+
 @record
 class Neighbour:
     """One bearing of a row with one thing changed, or both with another oil.  `more`: the power that it costs."""
@@ -351,7 +353,8 @@ def pareto_table(choices: BearingsFound) -> Table:
     return Table("pareto", title, tuple(columns), tuple(rows), note)
 
 
-# What is said about the rows: two or three lines before the tables, a list behind them.
+# --- what is said about the rows
+# Two or three lines before the tables, a list behind them.
 
 
 def summary(choices: BearingsFound) -> tuple[Text, ...]:

@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What is searched over: the bearings as the design has them, the oils, the supplies, and diameters where nothing ties
-them."""
+"""What is searched over: the bearings as the design has them, the oils, the supplies, and where free the diameters."""
 
 import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
@@ -25,7 +24,8 @@ from ..result import BearingResult, BearingsResult
 from ..solve import clearance_of
 from .states import PLACES, BearingTask, room, rules
 
-# What the search is given: the bearings as they are, what stands around them, and how to solve the whole with others.
+# --- what the search is given
+# The bearings as they are, what stands around them, and how to solve the whole with others.
 
 R = TypeVar("R")
 
@@ -60,6 +60,8 @@ class Solve(Protocol):
 
     def __call__(self, bearings: BearingsInputs, *, last: bool = False) -> Solution: ...
 
+
+# --- the variants
 
 ENGINE_OIL = re.compile(r"(SAE \d+W?|\d+W-\d+)\b")  # names by SAE J300, with or without a maker's behind them
 SUPPLIES = {"hole": "hole_diameter", "shaft": "hole_diameter", "groove": "groove_width", "pocket": "pocket_width"}

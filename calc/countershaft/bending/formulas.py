@@ -40,7 +40,8 @@ TURNING = Text("(stiffness − ω_S²·masses)·u = f, f from q and F, w = 0 at 
 
 
 # --- the section
-# --------------------------------------------------------------------------------------------------------------
+
+
 @formula("G", "elasticity, isotropic", unit="GPa")
 def shear_modulus(E: Pascal, nu: Number) -> Pascal:
     return E / (2 * (1 + nu))
@@ -112,7 +113,8 @@ def farthest_fibre(R: Metre, y: Metre, r_0: Metre, gamma: Radian) -> Metre:
 
 
 # --- mass and load
-# --------------------------------------------------------------------------------------------------------------
+
+
 @formula("ρ_l", "geometry: mass per length of the whole section")
 def line_mass(rho: KilogramPerMetre3, A: SquareMetre) -> KilogramPerMetre:
     return rho * A

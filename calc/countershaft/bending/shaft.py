@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""How the shaft bends under its own centrifugal load: slopes of the journals, natural frequency, moments and stresses.
+"""How the shaft bends under its own centrifugal load: slopes of the journals, natural frequency, moments, stresses.
+
+In order: the stresses, the load as few forces for a sketch, the bending.
 
 The shaft stands still in the frame that turns with it, where its load is constant; weight and gear force are left out.
 The finite-element results of Finotti 2013, ch. 6, are not reproduced: the true shape is not given there.  The share η
@@ -52,8 +54,7 @@ from ..outline import Outline
 from . import formulas as f
 from .beam import Beam, Bent, beam, bend, displaced
 
-# The stresses of the bent shaft: nominal in each piece, and at the fillet of the shoulder that governs.
-#
+# --- the stresses of the bent shaft: nominal in each piece, and at the fillet of the shoulder that governs
 # The bending moment turns with the shaft, so that these stresses stand still in it.
 
 STEP = 1e-6  # m: radii that differ by less make no shoulder
@@ -153,7 +154,7 @@ def _notch(outline: Outline, bent: Bent, c: Array, r: Metre) -> tuple[dict[str, 
         return {**stressed(governs), "fillet": r, "fillet_room": room}, notes
 
 
-# The centrifugal load of a shaft as the few forces that a sketch of it shows.
+# --- the centrifugal load of a shaft as the few forces that a sketch of it shows
 
 LEAST = 5e-3  # of the largest: a smaller force is not shown
 
@@ -186,6 +187,8 @@ def resultants(
     largest = max((abs(F) for _, F in loads), default=0.0)
     return tuple((z, F) for z, F in loads if abs(F) >= LEAST * largest)
 
+
+# --- the bending
 
 RIGID = 1.5  # first critical speed over the shaft's, from which it counts as rigid
 LEAST_SHARE = 0.05  # the share of stiffness below which none is looked for

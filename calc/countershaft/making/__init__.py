@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What the making and mounting of the shaft asks: permitted unbalance, holes, scatter, bolts, support, oil drain."""
+"""What the making and mounting of the shaft asks: unbalance, holes, scatter, bolts, support, oil drain, cost."""

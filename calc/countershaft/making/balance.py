@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Calibration holes: what radial holes drilled into the eccentric masses take off the shaft's couple.
+"""Calibration holes and balance quality: what drilling takes off the shaft's couple, and what unbalance may stay.
 
-Drilling only takes away, so a shaft that is to be calibrated is made stronger than it has to be, by half of what
-drilling can take. The hole is a cylinder from the outer radius inwards: the drill's cone, and the curve of the surface
-over the hole (d²/(32·R) of its depth in the mean), are left out."""
+Radial holes are drilled into the eccentric masses.  Drilling only takes away, so a shaft that is to be calibrated is
+made stronger than it has to be, by half of what drilling can take.  The hole is a cylinder from the outer radius
+inwards: the drill's cone, and the curve of the surface over the hole (d²/(32·R) of its depth in the mean), are left
+out."""
 
 import math
 from collections.abc import Iterator
@@ -184,8 +185,7 @@ def width_check(holes: Holes, R_outer: Metre, half_angle: Radian) -> Check:
     )
 
 
-# The residual unbalance that a balance quality grade permits, ISO 21940-11, and the couple that it may leave.
-#
+# --- the residual unbalance of a balance quality grade, ISO 21940-11, and the couple that it may leave
 # It applies to the deviation of a finished shaft from its drawing: a balance shaft is out of balance on purpose.  The
 # tolerance planes are the outer bearings.
 

@@ -44,7 +44,8 @@ LEAST = {"F_min": "F_V,min", "n": "n_b"}
 
 
 # --- preload
-# ----------------------------------------------------------------------------------------------------------------
+
+
 @formula("α_h", Text("{vdi}: helix angle at the pitch diameter", vdi=VDI), names={"p": "P_h"})
 def helix_angle(p: Metre, d_2: Metre) -> Radian:
     return atan(p / (pi * d_2))
@@ -138,7 +139,8 @@ def tensile_stress(F_V: Newton, A_s: SquareMetre) -> Pascal:
 
 
 # --- the joint under the turning load
-# -----------------------------------------------------------------------------------------
+
+
 @formula(
     "z_m", "rule of this program: middle of the outer bearings, where the middle of the bolts is taken to be", unit="mm"
 )
@@ -230,7 +232,8 @@ def tightening_stress(sigma_z: Pascal, tau_M: Pascal) -> Pascal:
 
 
 # --- results
-# ------------------------------------------------------------------------------------------------------------------
+
+
 @result
 class BoltsResult:
     """One bolt, and the joint.  The safeties are None where the shaft puts no force on its support."""

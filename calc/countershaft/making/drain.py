@@ -53,6 +53,8 @@ def sleeves() -> tuple[Sleeve, ...]:
 
 
 # --- formulas
+
+
 @formula(
     "D_n",
     Text("{rule}: the largest that still grips the smaller end of the hose", rule=RULE),
@@ -113,6 +115,8 @@ def tilted_slope(theta: Radian, tau: Radian) -> Radian:
 
 
 # --- results
+
+
 @result
 class DrainResult:
     """Clamp and union; None where none fits.  `tried` and `tried_din3021` are the margins of the one clamp that could

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What the shaft is mounted with and what it costs: support, bolts, oil drain, alternatives of material."""
+"""What the shaft is mounted with and what it costs: threads, support, bolts, oil drain, alternatives of material."""
 
 import re
 from collections.abc import Iterable
@@ -11,7 +11,7 @@ from ...sheet.quantity import THUMB, choice, inputs, integer, quantity, series, 
 from ...sheet.text import Amount, Text
 from ...sheet.units import Metre, SquareMetre
 
-# Metric threads: the designation read, and the diameters of ISO 724 and ISO 898-1.
+# --- metric threads: the designation read, and the diameters of ISO 724 and ISO 898-1
 
 # Coarse pitch of each nominal diameter, mm (ISO 261); of the pitches of a diameter it is the largest.
 COARSE = {
@@ -95,6 +95,8 @@ def root_diameter(D: Metre, p: Metre) -> Metre:
 def stress_area(d_2: Metre, d_3: Metre) -> SquareMetre:
     return pi / 4 * ((d_2 + d_3) / 2) ** 2
 
+
+# --- the inputs
 
 # Rp0.2 (4.6 to 5.8: Rel) of each property class, MPa: ISO 898-1, Table 3
 STRENGTH = {"4.6": 240.0, "5.6": 300.0, "5.8": 420.0, "6.8": 480.0, "8.8": 640.0, "10.9": 940.0, "12.9": 1100.0}

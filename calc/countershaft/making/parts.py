@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What the shaft's making asks: permitted unbalance, holes, scatter, bolts, support, oil drain.  Each part where it is
-asked for."""
+"""What the shaft's making asks: permitted unbalance, holes, scatter, bolts, support and its load cases, oil drain.
+
+Each part where it is asked for."""
 
 import cmath
 import math
@@ -33,11 +34,9 @@ if TYPE_CHECKING:
     from .scatter import ScatterResult
 
 
-# The loads of the support for finite elements, as Finotti 2013, 4.7 (in chapter 6), takes them: four instants of a
-# turn, bolts tight.
-#
-# The stresses that they give come back as `bolt_stress` and `load_stress` of the support; its bolts are judged for
-# every direction.
+# --- the loads of the support for finite elements, as Finotti 2013, 4.7 (in chapter 6), takes them
+# Four instants of a turn, bolts tight.  The stresses that they give come back as `bolt_stress` and `load_stress` of
+# the support; its bolts are judged for every direction.
 
 CASES = 4  # a quarter of a turn apart
 
@@ -82,6 +81,9 @@ def table(shaft: CountershaftInputs, result: CountershaftResult) -> list[Table]:
         bolts=bolts,
     )
     return [Table("support_loads", Text("Load cases of the support"), tuple(columns), tuple(rows), note)]
+
+
+# --- the parts
 
 
 class Gathered:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Counter-shafts to choose from: in the envelope of the design, over outer radius and material, the lightest first."""
+"""Counter-shafts to choose from, in the envelope of the design: other materials, other radii, the lightest first."""
 
 import math
 import re
@@ -42,7 +42,9 @@ from .sectors import Sized, TooSmall, masses, remainder, size, task
 if TYPE_CHECKING:
     from ...bearings.inputs import BearingsInputs
 
-# The design's material beside others: what they make of the sectors, of the wall beside the seat, and of the cost.
+
+# --- the design's material beside others
+# What they make of the sectors, of the wall beside the seat, and of the cost.
 
 
 @record
@@ -237,6 +239,8 @@ def compared_table(shaft: CountershaftInputs, results: Mapping[str, MaterialResu
         "materials", Text("The shaft in other materials"), columns, cells, note, covers=("countershaft.alternative.",)
     )
 
+
+# --- shafts over outer radius and material
 
 RADII = 9  # of each material; rule of this program
 STEP = 1e-4  # m, to which the radii between the two ends are rounded up: a tenth of a millimetre
@@ -465,7 +469,8 @@ def changes(choice: Choice, room: Envelope) -> Changes:
     }
 
 
-# The least mass of the sectors against their outer radius, a line a material: what a larger seat saves.
+# --- the least mass of the sectors against their outer radius, a line a material
+# It shows what a larger seat saves.
 
 POINTS = 25  # of a front
 

@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The formulas of sizing: the closed form of a pure couple, the general pair of sectors, and what would be needed where
-they do not fit."""
+"""The formulas of sizing: a pure couple in closed form, any pair of sectors, what would be needed, what it costs."""
 
 from typing import cast
 
@@ -39,7 +38,8 @@ FACES = Text("geometry, sector with its outer face at the end of the envelope")
 
 
 # --- what is asked of the sectors
-# --------------------------------------------------------------------------------------------
+
+
 @formula("ΣU_x", "mathematics: unbalance of the further elements", unit="kg·mm", names=MASSES)
 def extra_unbalance(m: Kilogram, e: Metre, gamma: Radian) -> PhasorKilogramMetre:
     return resultant(m * e * cis(gamma))
@@ -61,7 +61,8 @@ def product_left(P: PhasorKilogramMetre2, P_x: PhasorKilogramMetre2) -> PhasorKi
 
 
 # --- two equal sectors: a pure couple
-# ------------------------------------------------------------------------------------------
+
+
 @formula("C", "dynamics: couple of an unbalance times distance", names={"P": "P_s", "omega": "ω_S"})
 def couple_asked(P: PhasorKilogramMetre2, omega: RadPerSecond) -> NewtonMetre:
     return modulus(P) * omega**2
@@ -152,7 +153,8 @@ def opposite(angle: Radian) -> Radian:
 
 
 # --- any two sectors
-# --------------------------------------------------------------------------------------------------------------
+
+
 @formula("k", "geometry, largest unbalance of a sector per length, at a half-angle of 90°: g·mm per mm")
 def unbalance_per_length(rho: KilogramPerMetre3, R: Metre, r_0: Metre) -> Kilogram:
     return 2 / 3 * rho * (R**3 - r_0**3)
@@ -226,7 +228,8 @@ def both_masses(m_f: Kilogram, m_r: Kilogram) -> Kilogram:
 
 
 # --- what would be needed
-# -----------------------------------------------------------------------------------------------------------
+
+
 @formula("C_max", Text("{least}: the couple at 90° and b = z_max", least=LEAST))
 def possible_couple(C: NewtonMetre, u: Number) -> NewtonMetre:
     return C / u
@@ -253,7 +256,7 @@ def product_missing(C: NewtonMetre, C_max: NewtonMetre, omega: RadPerSecond) -> 
     return (C - C_max) / omega**2
 
 
-# What another material changes: the sectors' radius, mass and wall, and the cost.
+# --- what another material changes: the sectors' radius, mass and wall, and the cost
 
 SAME = Text(
     "geometry, same couple at the same length and half-angle: density times the difference of the cubed radii stays"

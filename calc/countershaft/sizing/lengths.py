@@ -92,7 +92,8 @@ def one(alpha: complex, product: complex) -> tuple[float, float, float]:
 
 
 # --- the edges: one sector of full length
-# ----------------------------------------------------------------------------------
+
+
 def _edges(t: Array) -> tuple[Array, Array]:
     """Lengths (front, rear) on the two edges (second axis), on which one sector has its full length and the other t."""
     front, rear = np.ones_like(t), np.ones_like(t)
@@ -135,7 +136,8 @@ def _reach(inside: Array, outside: Array, serves: Callable[[Array], BoolArray], 
 
 
 # --- between them: the least mass
-# ------------------------------------------------------------------------------------------
+
+
 def _least(asked: Task, best: Array, fits: BoolArray) -> tuple[Array, Array]:
     """A grid over all that serves: along each edge, and from there both sectors shorter.  Then closer around its least
     mass."""

@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The lightest pair of sectors in an envelope: outer radius, core radius, and the half-length at whose ends their outer
-faces stand.
+"""The lightest pair of sectors in an envelope: outer radius, core radius, and the half-length of their outer faces.
 
 The outer radius is always used up, since the static moment of a sector grows with its cube and the mass with its
 square.  A pure couple has a closed form: two equal sectors opposite each other.  A force, or elements beside the
@@ -320,7 +319,8 @@ def pieces(sized: Sized) -> list[Piece]:
 
 
 # --- where it does not fit
-# -------------------------------------------------------------------------------------------------
+
+
 def _too_small_pair(C: NewtonMetre, u: Number, omega: RadPerSecond, R: Metre, r_0: Metre, z_max: Metre) -> TooSmall:
     most = f.possible_couple(C=C, u=u)
     product = f.product_missing(C=C, C_max=most, omega=omega)
@@ -407,7 +407,7 @@ def _up(x: float, digits: int) -> str:
     return f"{math.ceil(x * 10**digits * (1 - 1e-12)) / 10**digits:.{digits}f}"
 
 
-# What the shaft has to take: of the order of its speed, the vectors of the engine that turn like it.
+# --- what the shaft has to take: of the order of its speed, the vectors of the engine that turn like it
 
 LEFT_OVER = 0.05  # share of the couple to be balanced that a good shaft may leave
 WORDS = {1: Text("First"), 2: Text("Second")}

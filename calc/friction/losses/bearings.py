@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Rolling bearings of a wheel under radial load: Palmgren's two parts, or SKF's newer model where its constants could
-be read.
+# mypy: disable-error-code="no-any-return"
+"""What the bearings of a wheel lose: rolling bearings by Palmgren or SKF, the bush of an idler on its pin, seals.
+
+Under radial load: Palmgren's two parts, or SKF's newer model where its constants could be read.
 
 Palmgren's factors f_0 and f_1 are those of his tables as this program's makers remember them, for the middle of each
 type: give those of the catalogue.  Of SKF's model the rolling and the sliding part are counted, not seals nor drag in
@@ -33,9 +35,6 @@ from ...sheet.units import (
 )
 from ..inputs import PlainBearing, RollingBearing
 from ..mesh.path import array
-
-# mypy: disable-error-code="no-any-return"
-
 
 PALMGREN = Text("Palmgren 1957 (SKF catalogues to 1989, ISO/TR 14179-2)")
 SKF = Text("SKF 2013")
@@ -79,7 +78,8 @@ def mean_diameter(d: Metre, D: Metre) -> Metre:
 
 
 # --- Palmgren
-# ----------------------------------------------------------------------------------------------------------------
+
+
 @formula(
     "M_0",
     Text("{palmgren}: torque without load; ν·n no less than 2000 mm²/s·rpm (160 for its power 2/3)", palmgren=PALMGREN),
@@ -100,7 +100,8 @@ def torque_of_load(f_1: Number, F: Newton, d_m: Metre) -> NewtonMetre:
 
 
 # --- SKF
-# ---------------------------------------------------------------------------------------------------------------------
+
+
 @formula("G_rr", Text("{skf}: rolling, deep-groove ball bearing under radial load", skf=SKF))
 def rolling_of_balls(R_1: Number, d_m: Metre, F: Newton) -> Number:
     return R_1 * (d_m / MILLIMETRE) ** 1.96 * (F / ONE_NEWTON) ** 0.54
@@ -222,8 +223,7 @@ def power(bearing: RollingBearing, F: Newton, n: RevPerSecond, nu: SquareMetrePe
     return bearing_power(N=bearing.count, M=M, n=n)
 
 
-# The bush of an idler on its pin: full film, the load stands, the bush turns; the oil is that of the wheels.
-#
+# --- the bush of an idler on its pin: full film, the load stands, the bush turns; the oil is that of the wheels
 # The eccentricity is that of Reynolds' solution; a load too light for its table leaves the pin in the middle (Petroff).
 
 NOTHING: Newton = 1e-9  # a load that no film feels
@@ -284,10 +284,7 @@ def plain_bearing_power(bearing: PlainBearing, F: Newton, n: RevPerSecond, eta: 
     return friction_power(u=u, eta=eta, d=d, l=l, psi=psi, eps=eps, F=F, phi=attitude(eps=eps, b=b))
 
 
-# What radial shaft seals cost: two published rules, by diameter and speed alone, or also by the oil.
-
-# mypy: disable-error-code="no-any-return"
-
+# --- radial shaft seals: two published rules, by diameter and speed alone, or also by the oil
 
 ONE_WATT: Watt = 1.0
 ONE_KELVIN: Kelvin = 1.0

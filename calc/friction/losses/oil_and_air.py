@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What a wheel that dips into oil loses by moving it: Changenet and Velex's correlation in the four regimes of 2011.
+# mypy: disable-error-code="no-any-return"
+"""What wheels lose to oil and air: dipping into the sump, the mist around them, oil that is thrown onto the teeth.
+
+A wheel that dips into oil loses by moving it: Changenet and Velex's correlation in the four regimes of 2011.
 
 Measured on single wheels of 1.5 to 5 mm module and about 100 to 160 mm diameter in a wide sump; flanges, deflectors and
 a meshing partner change it.  The constants were read in public code and are continuous at Re = 4000; the papers
@@ -25,9 +28,6 @@ from ...sheet.units import (
     SquareMetrePerSecond,
     Watt,
 )
-
-# mypy: disable-error-code="no-any-return"
-
 
 CHANGENET = Text("Changenet, Leprince, Ville and Velex 2011")
 GRAVITY: MetrePerSecond2 = 9.81
@@ -121,14 +121,10 @@ def churning(T_C: NewtonMetre, omega: RadPerSecond) -> Watt:
     return T_C * omega
 
 
-# What the wheels lose to the air and oil mist around them, loaded or not.
-#
+# --- the air and oil mist around the wheels, loaded or not
 # Anderson and Loewenthal give the loss of a spur wheel in a mist of one part oil in 34.25 parts air; other mists are
 # scaled by the same law of turbulent discs, P ~ ρ^0.8·η^0.2.  A wheel that dips into oil churns it besides
 # (above).
-
-# mypy: disable-error-code="no-any-return"
-
 
 ANDERSON = Text("Anderson and Loewenthal 1980")
 
@@ -173,7 +169,7 @@ def windage(
     )
 
 
-# What it costs to carry along the oil that is thrown onto the teeth.
+# --- the oil that is thrown onto the teeth and carried along
 
 
 @formula("v_t", "definition of the speed of the reference circle")

@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The power that one mesh loses: friction along the path summed over all lines in contact, and rolling where it counts.
+# mypy: disable-error-code="no-any-return"
+"""The power that one mesh loses: friction along the path summed over all lines in contact, and rolling.
+
+In order: the formulas, what rolling costs, one mesh solved, many operating points at once.
 
 `case` takes a mesh at its speed with its oil, `solve_mesh` the power that it carries.  Speed, power, temperature and
 what is assumed of oil and flanks may be arrays: N operating points in one call, whose results are arrays of N."""
@@ -47,9 +50,7 @@ from .mixed import THESIS, Surfaces, surfaces_of
 from .path import Motion, Path, array, line_load, motion, path, transverse_force
 from .traction import HOTTEST, Traction, place, skin_temperature, traction
 
-# The power that one mesh loses, and what stands for its path: every formula of it, once.
-
-# mypy: disable-error-code="no-any-return"
+# --- every formula, once
 
 
 @formula(
@@ -107,7 +108,8 @@ def efficiency(P_VZ: Watt, P: Watt) -> Number:
 
 
 # --- single numbers of a whole path
-# ------------------------------------------------------------------------------------------
+
+
 @formula(
     "P_R",
     "rule of this program: without a rigid isoviscous film no rolling is counted",
@@ -168,13 +170,11 @@ def rigid_share(s: Metre, r: Number) -> Number:
     return along(s * r) / along(s)
 
 
-# What rolling costs: oil is pumped against its own pressure although nothing slides.  The friction source leaves it
-# out.
+# --- what rolling costs
+# Oil is pumped against its own pressure although nothing slides.  The friction source leaves it out.
 #
 # Between rigid bodies in a full gap the loss follows from the same Reynolds solution as the film; it is an upper bound,
 # because a real inlet is seldom full.  For EHL an estimate by Goksem and Hargreaves is shown and not added.
-
-# mypy: disable-error-code="no-any-return"
 
 
 @formula(
@@ -192,8 +192,7 @@ def ehl_rolling_power(
     return 4.318 / alpha * (G * U) ** 0.658 * W**0.0126 * R * Phi * u_e
 
 
-# mypy: disable-error-code="no-any-return"
-
+# --- one mesh
 
 MICROMETRE: Metre = 1e-6
 # K: to which the temperature of the skins, where the bodies resist, and that of the teeth, where it is estimated, are
@@ -521,8 +520,7 @@ def _skins(c: MeshCase, rubbing: Callable[[Oil], tuple[MeshFilm, Traction]]) -> 
     return oil
 
 
-# The loss of one mesh at any number of operating points at once.
-#
+# --- any number of operating points at once
 # Speed, power and oil temperature may be arrays, and so are the results then.  They are solved some hundred at a time,
 # which keeps the arrays in the processor's cache and the memory small however many there are.
 

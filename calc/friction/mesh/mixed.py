@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Mixed friction: which share ξ of the load rides on the roughness, and what both parts rub together.
+# mypy: disable-error-code="no-any-return"
+"""Mixed friction: which share ξ of the load rides on the roughness, what both parts rub together, and the surfaces.
 
 All depends on the film over the roughness, λ.  Where λ is small the peaks carry and rub through what the oil has left
 on them; from about λ = 2 on the film carries all, and the friction is the film's.
@@ -44,9 +45,6 @@ from ...sheet.units import KelvinPerWatt, Metre, Number, Pascal, Radian
 from ..inputs import FrictionInputs
 from .geometry import MeshGeometry, require
 
-# mypy: disable-error-code="no-any-return"
-
-
 THESIS = Text("gear friction thesis")
 ZHU_HU = Text("Zhu and Hu 2001")
 CASTRO = Text("Castro and Seabra 2007")
@@ -83,7 +81,8 @@ def regimes(lowest: Number, highest: Number) -> Text:
 
 
 # --- how the load is shared
-# ------------------------------------------------------------------------------------------------
+
+
 @formula(
     "ξ",
     Text("{thesis}, eq. 23, after Diab: share of the load on the roughness; it fades at λ = 2", thesis=THESIS),
@@ -149,7 +148,8 @@ def film_pressure(xi: Number, p_m: Pascal) -> Pascal:
 
 
 # --- what both rub together
-# ------------------------------------------------------------------------------------------------
+
+
 @formula("μ_z", Text("{thesis}, eq. 25: mixed friction", thesis=THESIS))
 def friction(xi: Number, mu_s: Number, mu_f: Number) -> Number:
     return xi * mu_s + (1 - xi) * mu_f
@@ -176,7 +176,7 @@ LOAD_SHARES = {
 }
 
 
-# What of the flanks rubs, by the model that is judged and by the friction source's.
+# --- what of the flanks rubs, by the model that is judged and by the friction source's
 
 KelvinMetrePerWatt = Annotated[float, "K·m/W"]
 MICROMETRE: Metre = 1e-6

@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The line of action of a mesh, the positions on it, and the load that each position carries.
+"""The line of action of a mesh, the positions on it, the load that each carries, and how the flanks move there.
+
+In order: shares of a stretch, the line of action, the load, both together, the motion of the flanks.
 
 x runs along the transverse line of action from T₁, where it touches the driver's base circle.  Contact lasts from A to
 E; two pairs of spur teeth share the load before B and behind D; C is the pitch point, where nothing slides.
@@ -55,8 +57,20 @@ from ...sheet.units import (
 from ...sheet.value import based_on
 from .geometry import MeshGeometry, column, require, sound
 
-# How much of the stretch for which a position stands has a property that begins or ends between two positions.
-#
+POINTS = 40  # Gauss-Legendre points of each piece of a spur path
+HELICAL_POINTS = 3  # and of a helical one, whose pieces are shorter
+STRIPS = 21  # slices across a helical face, themselves at Gauss-Legendre points; odd: one is in the middle
+FLOOR: Number = 0.01  # share of the full load below which film and pressure see no less
+
+AGMA = Text("AGMA 925-A03")
+
+
+def array(x: Array | float) -> float:
+    """The one door by which arrays enter the formulas, which are typed float → float."""
+    return cast(float, x if has_lanes(x) else np.asanyarray(x, dtype=np.float64))
+
+
+# --- how much of the stretch for which a position stands has a property that begins or ends between two positions
 # A quadrature that counts a position wholly or not at all would make the power of a mesh jump whenever one of its
 # positions changes its regime.  Here the stretch around each position, as long as its weight, is cut where the property
 # changes, so that the sum changes steadily and is right to the second order of the stretches.
@@ -137,21 +151,9 @@ def cells(x: Array, width: Array, points: int, others: int) -> Cells:
     )
 
 
-POINTS = 40  # Gauss-Legendre points of each piece of a spur path
-HELICAL_POINTS = 3  # and of a helical one, whose pieces are shorter
-STRIPS = 21  # slices across a helical face, themselves at Gauss-Legendre points; odd: one is in the middle
-FLOOR: Number = 0.01  # share of the full load below which film and pressure see no less
-
-AGMA = Text("AGMA 925-A03")
-
-
-def array(x: Array | float) -> float:
-    """The one door by which arrays enter the formulas, which are typed float → float."""
-    return cast(float, x if has_lanes(x) else np.asanyarray(x, dtype=np.float64))
-
-
 # --- the line of action
-# ----------------------------------------------------------------------------------------------------
+
+
 @formula("α_wt", Text("{agma}: working pressure angle, transverse", agma=AGMA))
 def working_pressure_angle(r_b1: Metre, r_b2: Metre, a_w: Metre) -> Radian:
     return acos((r_b1 + r_b2) / a_w)
@@ -197,7 +199,8 @@ def overlap_ratio(b: Metre, beta_b: Radian, p_bt: Metre) -> Number:
 
 
 # --- the load
-# --------------------------------------------------------------------------------------------------------------
+
+
 @formula("F_bt", "definition: power over the speed of the base circle")
 def transverse_force(P: Watt, omega_1: RadPerSecond, r_b1: Metre) -> Newton:
     return P / (omega_1 * r_b1)
@@ -260,7 +263,8 @@ def floored_line_load(w: NewtonPerMetre, w_max: NewtonPerMetre) -> NewtonPerMetr
 
 
 # --- both together
-# ---------------------------------------------------------------------------------------------------------
+
+
 @record
 class Path:
     """The line of action and the positions on it, strip after strip; the last five of each strip are the points A … E.
@@ -451,9 +455,7 @@ def line_load(mesh: MeshGeometry, path: Path, F_bt: Newton) -> tuple[NewtonPerMe
     return w, w
 
 
-# Two cylinders in place of two flanks: curvature and speeds at every position of the path, and the modulus of both
-# together.
-#
+# --- two cylinders in place of two flanks: curvature and speeds at every position of the path
 # Speeds are those of the transverse section along the flank, as ISO and AGMA use them; the curvature is that of the
 # section normal to the contact line.  At the pitch point both surfaces have one speed and nothing slides, to the last
 # digit.

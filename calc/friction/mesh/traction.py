@@ -59,7 +59,8 @@ OLVER = Text("Olver 1991, Olver and Spikes 1998")
 
 
 # --- the fluid's part
-# ------------------------------------------------------------------------------------------------------
+
+
 @formula("η", "Barus 1893: viscosity under the mean pressure; exponent no more than 60", unit="mPa·s")
 def viscosity_under_pressure(eta_f: PascalSecond, alpha_f: PerPascal, p_m: Pascal) -> PascalSecond:
     return eta_f * exp(smallest(alpha_f * p_m, STEEPEST))
@@ -130,7 +131,8 @@ def deborah(eta: PascalSecond, u_e: MetrePerSecond, a: Metre) -> Number:
 
 
 # --- temperatures
-# ----------------------------------------------------------------------------------------------------------
+
+
 @formula("q", "definition: friction power per length of the contact line", names={"mu": "μ_z"})
 def friction_power(mu: Number, w: NewtonPerMetre, V_s: MetrePerSecond) -> WattPerMetre:
     return mu * w * V_s
@@ -260,7 +262,8 @@ def place(x: Metre, gap: Array, worst: int) -> str:
 
 
 # --- together
-# --------------------------------------------------------------------------------------------------------------
+
+
 @record
 class Rubbing:
     """What rubs by one law: coefficient, heat and its partition, film temperature, Deborah number."""

@@ -115,7 +115,8 @@ def _losses(d: TrainDrive, power: Watt | None, shaft: Journals | None, ratio: Nu
 
 
 # --- shown
-# -------------------------------------------------------------------------------------------------------------------
+
+
 def pictures(loss_map: Map, d: TrainDrive) -> tuple[tuple[Curve, ...], tuple[Table, ...], tuple[Text, ...]]:
     """A line over the speeds for every temperature; the tables of losses, of fuel and of CO₂; what is missing."""
     if not np.isfinite(loss_map.total).any():

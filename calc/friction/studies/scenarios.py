@@ -119,7 +119,7 @@ def _conditions(s: Scenario, oil: str, T: Celsius, friction: FrictionInputs) -> 
 
 
 # --- shown
-# -------------------------------------------------------------------------------------------------------------------
+
 MODELS = (("judged", Text("by regime")), ("source", Text("source: EHL everywhere")))
 
 

@@ -253,7 +253,8 @@ def _power(
 
 
 # --- shown
-# -------------------------------------------------------------------------------------------------------------------
+
+
 def tornado(swings: tuple[Swing, ...], nominal: Watt) -> tuple[Curve, Table]:
     """Bars of what each constant changes, the widest first, and the numbers behind them."""
     places = np.arange(1.0, len(swings) + 1)

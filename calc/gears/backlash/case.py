@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""One mesh with all that its play depends on: both wheels, their teeth at the base circle, runout, the parts between
-the centres.
+"""One mesh with all that its backlash depends on, and its backlash over tolerance and over temperature.
+
+It depends on both wheels, their teeth at the base circle, runout, and the parts between the centres.
 
 Whatever its kind, a part between the centres moves them by at most half its field.  The kinds differ in how it is
 spread over that: the zone of a position is a circle, filled evenly; the wheel rests on the wall of its clearance,
@@ -173,11 +174,8 @@ def _teeth(system: ToothSystem, wheel: WheelResult) -> Teeth:
     return Teeth(*ends)
 
 
-# Backlash of a pair over the tolerance of its centre distance, and what the backlash of a train means for its last
-# wheel.
-#
-# Runout and temperature are not part of it: they stand in the other files of this folder, which take the same backlash
-# from the thicknesses at the base circle.
+# --- backlash over the tolerance of the centre distance, and what that of a train means for its last wheel
+# Runout and temperature are not part of it; they take the same backlash from the thicknesses at the base circle.
 
 
 def backlash(
@@ -263,8 +261,7 @@ def free_turn(
     return angle
 
 
-# Backlash over temperature: housing and support carry the centres apart, each wheel grows by itself.
-#
+# --- backlash over temperature: housing and support carry the centres apart, each wheel grows by itself
 # A wheel that grows evenly keeps its angles; its base circle, thickness and pitch grow alike.  Referred to the wheels
 # the centre distance changes by Δa_eff.  Wheels of different growth have base pitches that differ by some nanometres:
 # the backlash is that of a tooth in a space, exact, with the smaller pitch of the two.

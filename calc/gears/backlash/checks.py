@@ -195,7 +195,7 @@ def _tolerance(mesh: Mesh, index: int, tolerance: float, bound: str = "") -> lis
     return [change(Mesh, f"{here}.tolerance_um", tolerance, place=place, bound=bound), *instead]
 
 
-# What is assumed where the play of a train does not follow from what is given.
+# --- what is assumed where the play does not follow from what is given
 
 
 def notes(

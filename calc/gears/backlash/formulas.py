@@ -18,7 +18,8 @@ REFERENCE: Celsius = 20.0  # of all measures, ISO 1
 
 
 # --- tolerances, thicknesses and the backlash of a pair
-# ---------------------------------------------------------------------
+
+
 @formula(
     "T_a",
     "mathematics: root of the sum of squares of the parts' fields, half of it to each side (Finotti 2013, Table 4.7)",
@@ -134,7 +135,8 @@ def residual_couple(C: NewtonMetre, Delta_phi: Radian) -> NewtonMetre:
 
 
 # --- the parts between two centres
-# ------------------------------------------------------------------------------------------
+
+
 @formula(
     "T_wc",
     "mathematics, worst case: every part at the end of its field, on the line of centres",
@@ -158,7 +160,8 @@ def three_deviations(k: Number, T: Metre) -> Metre:
 
 
 # --- temperature
-# ------------------------------------------------------------------------------------------------------------
+
+
 @formula("T_W", "given in the design: temperature of the wheels, warmer than the housing")
 def wheel_temperature(T_H: Celsius, Delta_T: Kelvin) -> Celsius:
     return T_H + Delta_T
@@ -212,7 +215,8 @@ def warm_backlash(
 
 
 # --- root of squares over the train
-# -----------------------------------------------------------------------------------------
+
+
 @formula(
     "δφ",
     "mathematics: what the tolerances of one mesh add to its play at mid-tolerance, reduced to the last wheel",

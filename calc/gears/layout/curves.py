@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The train seen along its axes, and the tables of its places, marks and forces."""
+"""The train seen along its axes, the tables of its places, marks and forces, and what is assumed of them."""
 
 import math
 from collections.abc import Mapping
@@ -197,8 +197,7 @@ def forces_tables(result: ForcesResult) -> tuple[Table, ...]:
     )
 
 
-# What is assumed and to be heeded of the layout of a train and of the forces on its axes, and where the source is
-# wrong.
+# --- what is assumed and to be heeded of the layout and of the forces on its axes, and where the source is wrong
 
 HANDS = {"left": Text("left"), "right": Text("right")}
 # Of the drawing and the text of Finotti 2013: journal, tip circle, and the gap that the text gives.

@@ -21,7 +21,8 @@ ROOM = Text("geometry, room around a turning wheel, worst case")
 
 
 # --- positions
-# -------------------------------------------------------------------------------------------------------------
+
+
 @formula("a_13", Text("{plane}: distance of two axes", plane=PLANE), unit="mm")
 def axes_apart(p_1: PhasorMetre, p_3: PhasorMetre) -> Metre:
     return modulus(p_3 - p_1)
@@ -101,7 +102,8 @@ def included_angle(p_1: PhasorMetre, p_2: PhasorMetre, p_3: PhasorMetre) -> Radi
 
 
 # --- clearances
-# ------------------------------------------------------------------------------------------------------------
+
+
 @formula(
     "r_s", Text("{room}: tip with its upper deviation, half the runout, tolerance of the axis", room=ROOM), unit="mm"
 )
@@ -141,7 +143,8 @@ def insertion_gap(d_J: Metre, d_a: Metre, E_da: Metre) -> Metre:
 
 
 # --- which teeth meet
-# ------------------------------------------------------------------------------------------------------
+
+
 @formula(
     "g_z",
     Text("{numbers}: a common factor of two wheels in mesh; 1: every tooth meets every tooth", numbers=NUMBERS),
@@ -171,7 +174,8 @@ def marks_period(z_1: Number, z: tuple[int, ...]) -> Number:
 
 
 # --- assembly phase
-# --------------------------------------------------------------------------------------------------------
+
+
 @formula("τ", "geometry, angular pitch: the step in which a wheel can be meshed anew")
 def angular_pitch(z: Number) -> Radian:
     return 2 * pi / z
@@ -225,7 +229,8 @@ def error_of_space(tau: Radian, delta: Radian) -> Radian:
 
 
 # --- forces
-# ----------------------------------------------------------------------------------------------------------------
+
+
 @formula("F_tw", Text("{iso}: tangential force at the working circle of the driver", iso=ISO))
 def tangential_force(T_1: NewtonMetre, d_w1: Metre) -> Newton:
     return 2 * T_1 / d_w1

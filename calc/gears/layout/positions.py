@@ -150,7 +150,8 @@ def _between(name: str, beside: Mates, placing: Placing, train: TrainResult) -> 
 
 
 # --- one open wheel
-# --------------------------------------------------------------------------------------------------------
+
+
 def _settle(idlers: list[Between], placing: Placing, room: Room) -> set[str]:
     """Every wheel that has two placed neighbours; returns those that can not reach both."""
     by_name = {idler.wheel: idler for idler in idlers}
@@ -259,7 +260,8 @@ def _choice(idler: Between, p: complex, free: Mapping[bool, Metre]) -> Text:
 
 
 # --- two open wheels in a row
-# ----------------------------------------------------------------------------------------------
+
+
 def _open_pair(still: list[str], beside: Mapping[str, Mates], placing: Placing) -> tuple[str, str] | None:
     held = [name for name in still if any(mate in placing.p for mate in beside[name])]
     return next(((wheel, mate) for wheel in held for mate in beside[wheel] if mate in held), None)
@@ -311,7 +313,8 @@ def _swing(one: str, two: str, beside: Mapping[str, Mates], placing: Placing, ro
 
 
 # --- what is given and does not fit
-# ----------------------------------------------------------------------------------------
+
+
 def _contradictions(train: TrainResult, placing: Placing, given: set[str]) -> None:
     """Meshes between placed wheels whose distance is not the centre distance."""
     for i, (key, mesh) in enumerate(train.meshes.items()):

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What stands around the wheels, how much room each has at a point, and the free angle of two wheels in a row with the
-most room."""
+"""What stands around the wheels, how much room each has, and the checks of reach, room and assembly.
+
+Two wheels in a row between placed ones get the free angle with the most room."""
 
 import math
 from collections.abc import Sequence
@@ -109,6 +110,8 @@ def clearances(wheel: str, places: dict[str, complex], room: Room) -> dict[str, 
 
 # --- two wheels in a row between two placed ones: the free angle with the most room, by a scan that is refined about
 # its best point
+
+
 def most_room(
     room: Room, places: dict[str, complex], chain: tuple[str, str, str, str], a: tuple[Metre, Metre, Metre]
 ) -> tuple[Radian, float, Metre] | None:
@@ -158,7 +161,7 @@ def _clearances(
     return np.where(square >= -DUST * a[1] ** 2 * c2, tighter, -math.inf)
 
 
-# Whether the wheels reach each other in their places, have room there, and can be put together.
+# --- whether the wheels reach each other in their places, have room there, and can be put together
 
 USUAL_CLEARANCE: Metre = 1e-3  # rule of this program
 SWEPT = Text(

@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What the inspector measures on one wheel: span over teeth, sizes over balls and pins, chordal thickness; and back to
-the tooth.
+"""What the inspector measures on one wheel: span, balls, pins, chordal thickness; back to the tooth; balls that fit.
 
 An allowance E_W is the change of the span.  The tooth is thinner by it in the normal section at E_W/cos α_n, which the
 generating shift x_E carries; so the measures of a thinned tooth are those of a tooth with the shift x_E.
@@ -36,7 +35,8 @@ def generating_shift(x: Number, E_W: Metre, m_n: Metre, alpha_n: Radian) -> Numb
 
 
 # --- span
-# ------------------------------------------------------------------------------------------------------------------
+
+
 @formula("K", Text("{iso}: number of teeth for a contact at the circle of α_yt, before rounding", iso=ISO))
 def span_teeth(z: Number, alpha_yt: Radian, beta_b: Radian, alpha_t: Radian, x: Number, alpha_n: Radian) -> Number:
     return z / pi * (tan(alpha_yt) / cos(beta_b) ** 2 - inv(alpha_t) - 2 * x * tan(alpha_n) / z) + 0.5
@@ -87,7 +87,8 @@ def span_width(W_K: Metre, beta_b: Radian) -> Metre:
 
 
 # --- balls
-# -----------------------------------------------------------------------------------------------------------------
+
+
 @formula(
     "inv α_K",
     Text(
@@ -145,7 +146,8 @@ def ball_for_contact(
 
 
 # --- pins, and one ball or pin from the wheel's axis
-# -----------------------------------------------------------------------------
+
+
 @formula("β_K", Text("{iso}: helix angle at the circle of the ball centres", iso=ISO))
 def helix_angle_at_centres(beta_b: Radian, alpha_K: Radian) -> Radian:
     return atan(tan(beta_b) / cos(alpha_K))
@@ -204,7 +206,8 @@ def pins_width(m_n: Metre, beta: Radian, D_M: Metre, beta_b: Radian) -> Metre:
 
 
 # --- chordal thickness, normal section
-# ---------------------------------------------------------------------------------------
+
+
 @formula("z_v", Text("{iso}: teeth of the virtual spur wheel at the reference circle", iso=ISO))
 def virtual_teeth(z: Number, beta: Radian) -> Number:
     return z / cos(beta) ** 3
@@ -261,7 +264,8 @@ def constant_chord_diameter(d: Metre, s_cc: Metre, alpha_n: Radian, beta: Radian
 
 
 # --- tooth thickness and its allowance
-# -----------------------------------------------------------------------------------------
+
+
 @formula("s_n", Text("{iso}: normal tooth thickness at the reference circle", iso=ISO), unit="mm")
 def normal_thickness(m_n: Metre, x: Number, alpha_n: Radian) -> Metre:
     return m_n * (pi / 2 + 2 * x * tan(alpha_n))
@@ -278,9 +282,10 @@ def transverse_allowance(E_sn: Metre, beta: Radian) -> Metre:
 
 
 # --- from a measured size back to the tooth
-# --------------------------------------------------------------------------------------
 # All lead over the generating shift x_E, so that they can be compared.  A chordal thickness is taken at the reference
 # circle: the calliper stands at the height above the chord, from a tip circle of the nominal diameter.
+
+
 @formula(
     "x_E", Text("{iso}: generating shift of a measured span, from the base tangent length", iso=ISO), names={"W": "W_K"}
 )
@@ -338,8 +343,7 @@ def span_change(x_E: Number, x: Number, m_n: Metre, alpha_n: Radian) -> Metre:
     return 2 * (x_E - x) * m_n * sin(alpha_n)
 
 
-# A ball between two flanks: where its centre stands and where it touches, and the preferred diameter that suits a wheel
-# best.
+# --- a ball between two flanks: where its centre stands and where it touches, and the preferred diameter
 
 SOURCE = Text("DIN 3977, measuring pieces for cylindrical gears")
 MILLIMETRES = (

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""All that is measured on one wheel beside its span and its size over balls: pins, one ball, chords, limits, and what a
-size means."""
+"""All that is measured on one wheel: what a measured size means, every span, whether it touches, and the limits.
+
+In order: the tooth of a measured size, the spans, the checks, the measures (pins, one ball, chords)."""
 
 import math
 from collections.abc import Callable, Iterable
@@ -23,7 +24,7 @@ from ..result import ToothSystem, WheelResult
 from . import formulas as m
 from .result import Measured, MeasuresResult, Seat
 
-# Measured sizes of a wheel, and the tooth that each of them means.
+# --- measured sizes of a wheel, and the tooth that each of them means
 
 NAMES = {
     "measured_span": "span",
@@ -126,7 +127,8 @@ def _no_tooth(wheel: WheelResult, key: str, size: Metre, why: str, hint: Text = 
     )
 
 
-# The span over every number of teeth that an anvil can reach: where it touches, the width it needs, and which is best.
+# --- the span over every number of teeth that an anvil can reach
+# Where it touches, the width it needs, and which is best.
 
 MM = 1e-3
 
@@ -214,7 +216,7 @@ def spans_table(wheel: WheelResult, spans: tuple[Span, ...], chosen: Number, bes
     )
 
 
-# Whether span, balls, pins and chord touch the flank, and whether what was measured is inside the allowance.
+# --- whether span, balls, pins and chord touch the flank, and whether what was measured is inside the allowance
 
 BETWEEN_MEASURED = Text(
     "rule of this program: routes that differ by more than the whole field of the allowance contradict each other"
@@ -407,6 +409,8 @@ def _advice(system: ToothSystem, wheel: WheelResult, key: str, sizes: MeasuresRe
         more=Amount(more, form=".3f"),
     )
 
+
+# --- the measures
 
 STRAIGHT: Radian = 1e-6  # a smaller helix is none: its axial pitch is endless
 STEEPEST: Radian = math.pi / 4  # β_K from which two loose pins find no smallest distance near where they are opposite

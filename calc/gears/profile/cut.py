@@ -78,7 +78,7 @@ class Cut:
         return u_c, (s.rho_aP0 + self.shift - s.h_fP) * s.m_n, rho / math.cos(s.beta), rho
 
     # --- points
-    # ------------------------------------------------------------------------------------------------------------
+
     def involute(self, radius: Array | Metre) -> Array:
         """Angle of the involute from the middle of the tooth; inside the base circle, that of its beginning."""
         alpha = np.arccos(np.minimum(self.base_radius / np.asarray(radius), 1.0))
@@ -103,7 +103,7 @@ class Cut:
         return math.hypot(X, Y), math.pi / self.teeth - (math.atan2(X, Y) - (X - u_c - wide * cos) / r)
 
     # --- the end of the fillet
-    # ---------------------------------------------------------------------------------------------
+
     @cached_property
     def end_of_fillet(self) -> Radian:
         """φ where the fillet leaves the outline.
@@ -207,7 +207,8 @@ def form_diameter_of_undercut(cut: Cut) -> Metre:
 
 
 # --- the tool
-# ---------------------------------------------------------------------------------------------------------------
+
+
 def largest_residual_undercut(s: ToothSystem) -> Metre:
     """How far a corner circle can stand out beyond the flank and come back to it before its side is upright: ρ(1 − cos
     α_n)."""

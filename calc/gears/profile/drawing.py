@@ -140,7 +140,8 @@ def in_row(train: TrainResult) -> dict[str, complex]:
 
 
 # --- shapes
-# -------------------------------------------------------------------------------------------------------------
+
+
 def _outlines(
     train: TrainResult, wheel: WheelResult, chord_error: Metre, at: complex, turn: Radian, *, limits: bool
 ) -> list[Primitive]:
@@ -171,7 +172,8 @@ def _point(at: complex) -> Point:
 
 
 # --- the table of data
-# ------------------------------------------------------------------------------------------------------
+
+
 def data_table(train: TrainResult, name: str, gears: GearsInputs | None = None) -> tuple[tuple[Text, Text], ...]:
     """What stands beside a wheel on its drawing: a label and what is said, with limits where the design gives them."""
     s, wheel = train.system, train.wheels[name]

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Whether the outlines of two wheels enter each other when they roll, which only drawn teeth can tell: tips, fillets
-and roots too.
+"""Whether the outlines of two wheels enter each other when they roll, and what is judged on the outlines.
+
+Only drawn teeth can tell: tips, fillets and roots too.
 
 Points of a flank of each wheel are carried past the other, through every position in which they lie inside its tip
 circle.  Their angle there is compared with that of the tooth at the same radius.  A point on the involute side stands
@@ -178,7 +179,7 @@ def penetrations(train: TrainResult) -> dict[str, Metre]:
     return depths
 
 
-# What is judged on the outlines, and what has to be said of the tool that cuts them.
+# --- what is judged on the outlines, and what has to be said of the tool that cuts them
 
 
 def checks(train: TrainResult, depths: Mapping[str, Metre]) -> tuple[Check, ...]:

@@ -1,3 +1,2 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The strength of the teeth by ISO 6336: load, influence factors, stresses, permissible stresses, film and flash
-temperature."""
+"""The strength of the teeth by ISO 6336: load, influence factors, stresses, what they may be, and screening."""

@@ -58,7 +58,8 @@ def checks(mesh: MeshResult, key: str, rated: MeshRating, load: RatingLoad) -> I
 
 
 # --- the load
-# --------------------------------------------------------------------------------------------------------------
+
+
 def overlooked(key: str, pair: str, load: RatingLoad) -> list[Check]:
     """Whether a given application factor covers the torque that is known."""
     if load.dynamic is None or load.of_peak or not load.mean:
@@ -162,7 +163,8 @@ def influence_checks(key: str, mesh: MeshResult, factors: Influence) -> list[Che
 
 
 # --- strength
-# --------------------------------------------------------------------------------------------------------------
+
+
 def strength_checks(meshes: Mapping[str, MeshStrength]) -> tuple[Check, ...]:
     """Of every mesh its flanks, of every wheel the weakest of its roots; none where there is no load."""
     checks: list[Check] = []
@@ -287,7 +289,8 @@ def hardness_checks(wheel: str, cls: StrengthClass) -> tuple[Check, ...]:
 
 
 # --- screening
-# -------------------------------------------------------------------------------------------------------------
+
+
 def screening_checks(key: str, screened: Screening) -> tuple[Check, ...]:
     """Of the film, where there is one, and of the contact temperature."""
     title, checks = screened.title, []

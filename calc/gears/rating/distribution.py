@@ -60,7 +60,8 @@ SOFT_IRON = ("GG", "GGG(ferr.)")
 
 
 # --- deviations of the flanks
-# ---------------------------------------------------------------------------------------------------
+
+
 @formula("f_pT", Text("{iso_1328}: single pitch, before rounding", iso_1328=ISO_1328), unit="µm", names={"A": "Q"})
 def single_pitch_tolerance(d: Metre, m_n: Metre, A: Number) -> Metre:
     return MICROMETRE * (0.001 * d / MILLIMETRE + 0.4 * m_n / MILLIMETRE + 5) * 2 ** ((A - 5) / 2)
@@ -121,7 +122,8 @@ def out_of_range(m_n: Metre, b: Metre, *diameters: Metre) -> list[Text]:
 
 
 # --- running in
-# ------------------------------------------------------------------------------------------------------------
+
+
 @formula("v", "kinematics: circumferential speed at the reference circle")
 def pitch_line_velocity(d: Metre, n: RevPerSecond) -> MetrePerSecond:
     return pi * d * abs(n)
@@ -196,7 +198,8 @@ def _capped(f: Metre, v: MetrePerSecond) -> Metre:
 
 
 # --- along the face width
-# --------------------------------------------------------------------------------------------------
+
+
 @formula("F_m/b", Text("{clause_7}: mean load per face width", clause_7=CLAUSE_7), unit="N/mm")
 def mean_load(w: NewtonPerMetre, K_V: Number) -> NewtonPerMetre:
     return w * K_V
@@ -276,7 +279,8 @@ def face_factor_root(K_Hbeta: Number, N_F: Number) -> Number:
 
 
 # --- between tooth pairs
-# ---------------------------------------------------------------------------------------------------
+
+
 @formula("q_α", Text("{clause_8}: deviation in terms of the deflection of the teeth", clause_8=CLAUSE_8), names=NAMES)
 def relative_deviation(c_gamma_alpha: Pascal, f: Metre, y_alpha: Metre, w_m: NewtonPerMetre, K_Hbeta: Number) -> Number:
     """The larger of f_pb and f_fα counts; the load that decides is F_t·K_A·K_V·K_Hβ."""

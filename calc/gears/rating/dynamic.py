@@ -38,7 +38,8 @@ COARSE = 6  # from this grade on tip relief brings nothing: B_k = 1
 
 
 # --- stiffness
-# -------------------------------------------------------------------------------------------------------------
+
+
 @formula(
     "q'",
     Text("{clause_9}: compliance of a tooth pair; holds for x_1 ≥ x_2 and −0.5 ≤ x_1 + x_2 ≤ 2", clause_9=CLAUSE_9),
@@ -110,7 +111,8 @@ def face_stiffness(c_gamma_alpha: Pascal) -> Pascal:
 
 
 # --- resonance
-# -------------------------------------------------------------------------------------------------------------
+
+
 @formula("d_i", "dynamics, disc that stands for a wheel with a rim: the mass of the rim alone counts", unit="mm")
 def inside_of_rim(d_f: Metre, s_R: Metre) -> Metre:
     return d_f - 2 * s_R
@@ -153,7 +155,8 @@ def lower_resonance(w: NewtonPerMetre) -> Number:
 
 
 # --- excitation
-# ------------------------------------------------------------------------------------------------------------
+
+
 @record
 class Excitation:
     """What shakes the teeth, each over the load that holds them together."""
@@ -195,7 +198,8 @@ def mean_relief(C_a1: Metre, C_a2: Metre) -> Metre:
 
 
 # --- coefficients by the total contact ratio; constants up to ε_γ = 2
-# ------------------------------------------------------------
+
+
 @formula("C_v2", Text("{clause_6}: ε_γ above 2", clause_6=CLAUSE_6))
 def profile_coefficient(eps_gamma: Number) -> Number:
     return 0.57 / (eps_gamma - 0.3)
@@ -227,7 +231,8 @@ def _by_overlap(above_two: Formula[..., Number], up_to_two: Number, eps_gamma: N
 
 
 # --- the four ranges
-# -------------------------------------------------------------------------------------------------------
+
+
 @formula("K_N", Text("{clause_6}: rise of the dynamic factor with N, below the main resonance", clause_6=CLAUSE_6))
 def growth(B_p: Number, C_v2: Number, B_f: Number, C_v3: Number, B_k: Number) -> Number:
     return C_V1 * B_p + C_v2 * B_f + C_v3 * B_k

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The torque that the teeth are rated with: the mean of the power balance, and what the crank's irregularity adds by
-inertia.
+"""The torque that the teeth are rated with, and what else the rating of a train works with.
+
+The torque is the mean of the power balance, and what the crank's irregularity adds by inertia.
 
 The crank speeds up and slows down; whatever it drives has to follow through the teeth.  For a counter-shaft that is far
 more than its friction: the flanks then leave each other and hit (rattle).  Either the peak of mean and dynamic torque
@@ -271,7 +272,7 @@ def firing_order(cylinders: int, strokes: int) -> Number:
     return 2 * cylinders / strokes
 
 
-# What the rating of a train works with: what is known around the gears, and what is the same for all meshes.
+# --- what the rating of a train works with: what is known around the gears, and what is the same for all meshes
 
 RZ_PER_RA = 6.0  # ISO 6336-2: Ra = Rz/6
 USUAL_RZ: Metre = 4e-6  # of ground flanks, where no roughness is given

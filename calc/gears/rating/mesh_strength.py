@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Strength against pitting and tooth breakage of one mesh, ISO 6336-2, -3 and -5.
+"""Strength against pitting and tooth breakage of one mesh, ISO 6336-2, -3 and -5, from its nominal stresses.
 
 The stresses come in as nominal ones (K = 1) with the product of their load factors; the strength of every wheel follows
 from its class, its life and its surface.  S_H and S_F are on stress; on load, S_H counts squared and S_F as it is."""
@@ -177,8 +177,8 @@ def _described(wheel: str, rows: tuple[Row, ...]) -> tuple[tuple[str, Described,
     )
 
 
-# Nominal stresses of one mesh, K = 1, with the factors that make them: those of the contact, and the form of each tooth
-# from its tool.
+# --- nominal stresses of one mesh, K = 1, with the factors that make them
+# Those of the contact, and the form of each tooth from its tool.
 
 ADVICE = Text("give more teeth, a larger profile shift, or a usual tool (addendum 1.25, tip radius 0.38)")
 

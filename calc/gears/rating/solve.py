@@ -95,7 +95,8 @@ def rating(
 
 
 # --- one mesh
-# --------------------------------------------------------------------------------------------------------------
+
+
 def _mesh(context: RatingContext, mesh: MeshResult, load: RatingLoad, mean: Mapping[str, NewtonMetre]) -> MeshRating:
     gears, train, system = context.gears, context.train, context.train.system
     driver, driven = wheels = train.wheels[mesh.driver], train.wheels[mesh.driven]

@@ -132,7 +132,7 @@ def sheet(
 
 
 # --- beside what is right
-# --------------------------------------------------------------------------------------------------
+
 ALIKE = 1e-3  # a value of the sheet that comes this near is not called wrong
 WRONG = {  # quantity: (its name, its unit, what is wrong in the sheet)
     "tangential_force": (Text("tangential force"), "N", Text("first wheel's speed for all")),

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Strength of the flanks against pitting, ISO 6336-2: the film, the curvature at single contact, work hardening, the
-safety.
+"""Strength of flank and tooth root: load cycles and life factors, pitting by ISO 6336-2, breakage by ISO 6336-3.
+
+Of the flank: the film, the curvature at single contact, work hardening, the safety.
 
 Every length is in the transverse section; "hard" and "soft" are the two flanks of a mesh.  The film factors are those
 of the softer material.  The size factor Z_X is 1: so for through-hardened teeth, and for surface-hardened ones whose
@@ -16,8 +17,7 @@ from ...sheet.text import Amount, Text
 from ...sheet.units import Metre, MetrePerSecond, Number, Pascal, Radian, RevPerSecond, Second, SquareMetrePerSecond
 from .classes import StrengthClass
 
-# Load cycles and the life factors Z_NT (flank) and Y_NT (root) of ISO 6336-2 and -3.
-#
+# --- load cycles and the life factors Z_NT (flank) and Y_NT (root) of ISO 6336-2 and -3
 # The curves are straight lines between knees in log–log scale.  To the left of the first knee the strength is static
 # and constant.  Past the last knee but one the standard leaves a range: 0.85 at 10¹⁰ cycles, up to 1 with the best
 # material, making, lubrication and experience; the curves here take 0.85.  Where no life is given the factor is 1: the
@@ -132,6 +132,8 @@ def segment(knees: Knees, N_L: Number) -> Segment:
     return Segment(N_1, Y_1, life_exponent(Y_1=Y_1, Y_2=Y_2, N_1=N_1, N_2=N_2))
 
 
+# --- strength of the flank, ISO 6336-2
+
 IACS_FLANK = Text("ISO 6336-2:2006 and 2019 as in IACS UR M56 (Rev. 4)")
 SOFT: Pascal = 850e6  # σ_Hlim between which the film factors change
 SPAN: Pascal = 350e6
@@ -145,7 +147,8 @@ CENTISTOKE: SquareMetrePerSecond = 1e-6
 
 
 # --- curvature at the inner point of single contact
-# ----------------------------------------------------------------------------
+
+
 @formula(
     "M_BD",
     Text(
@@ -175,7 +178,8 @@ def single_pair_factor(M: Number, eps_beta: Number) -> Number:
 
 
 # --- film
-# ------------------------------------------------------------------------------------------------------------------
+
+
 @formula("C_ZL", Text("{iacs}: 0.83 up to 850 MPa, 0.91 from 1200 MPa", iacs=IACS_FLANK), names={"sigma": "σ_Hlim"})
 def lubricant_coefficient(sigma: Pascal) -> Number:
     return 0.83 + 0.08 * smallest(largest((sigma - SOFT) / SPAN, 0.0), 1.0)
@@ -226,7 +230,8 @@ def roughness_factor(Rz_10: Metre, C_ZR: Number) -> Number:
 
 
 # --- work hardening
-# --------------------------------------------------------------------------------------------------------------
+
+
 @formula(
     "Rz_H",
     Text("{iacs}: roughness of the hard flank as it works on the soft one", iacs=IACS_FLANK),
@@ -273,7 +278,8 @@ def work_hardening_through(HBW_1: Number, HBW_2: Number, u: Number) -> Number:
 
 
 # --- strength
-# ----------------------------------------------------------------------------------------------------------------
+
+
 @formula("σ_H", "ISO 6336-2:2006: contact stress of one wheel; K_H = K_A·K_v·K_Hβ·K_Hα", unit="MPa")
 def contact_stress_of_wheel(Z_BD: Number, sigma_H0: Pascal, K_H: Number) -> Pascal:
     return Z_BD * sigma_H0 * sqrt(K_H)
@@ -423,7 +429,7 @@ def contact_strength(
     )
 
 
-# Strength of the tooth root, ISO 6336-3: rim, notch, surface, size, reversed load, the safety.
+# --- strength of the tooth root, ISO 6336-3: rim, notch, surface, size, reversed load, the safety
 
 ISO = Text("ISO 6336-3:2006 and 2019")
 IACS_ROOT = Text("ISO 6336-3:2006 and 2019 as in IACS UR M56 (Rev. 4)")
@@ -452,7 +458,8 @@ LOADING = {"pulsating": 1.0, "reversed": 0.7}
 
 
 # --- the body: factors of the stress
-# -----------------------------------------------------------------------------------------
+
+
 @formula("Y_B", Text("{iacs}: rim thickness factor of external teeth, 0.5 < s_R/h_t < 1.2", iacs=IACS_ROOT))
 def thin_rim_factor(h_t: Metre, s_R: Metre) -> Number:
     return 1.6 * ln(2.242 * h_t / s_R)
@@ -473,7 +480,8 @@ def root_stress_of_wheel(sigma_F0: Pascal, Y_B: Number, Y_DT: Number, K_F: Numbe
 
 
 # --- the material: factors of the strength
-# -------------------------------------------------------------------------------------
+
+
 @formula(
     "ρ'",
     Text("{iso}: slip layer, Table 3 by proof stress", iso=ISO),

@@ -29,7 +29,8 @@ def tangential_force(T: NewtonMetre, d: Metre) -> Newton:
 
 
 # --- contact
-# ---------------------------------------------------------------------------------------------------------------
+
+
 @formula("Z_H", Text("{contact}: zone factor", contact=CONTACT))
 def zone_factor(beta_b: Radian, alpha_wt: Radian, alpha_t: Radian) -> Number:
     """>>> zone_factor(beta_b=0.3584, alpha_wt=0.376, alpha_t=0.3739)
@@ -70,7 +71,8 @@ def contact_stress(
 
 
 # --- tooth root: the form of the tooth
-# -----------------------------------------------------------------------------------------
+
+
 @formula("z_n", Text("{root}: teeth of the virtual spur wheel", root=ROOT))
 def virtual_teeth(z: Number, beta_b: Radian, beta: Radian) -> Number:
     return z / (cos(beta_b) ** 2 * cos(beta))
@@ -181,7 +183,8 @@ def stress_correction(L: Number, q_s: Number) -> Number:
 
 
 # --- tooth root: the stress
-# ------------------------------------------------------------------------------------------------------
+
+
 @formula("Y_β", "ISO 6336-3:2006: helix angle factor")
 def helix_factor_root(eps_beta: Number, beta: Radian) -> Number:
     return 1 - smallest(eps_beta, 1.0) * smallest(beta, BETA_MOST) / BETA_FULL

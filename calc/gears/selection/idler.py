@@ -141,7 +141,8 @@ def _judged(gears: GearsInputs, name: str, teeth: int, axis: complex | None, cha
 
 
 # --- as tables
-# ---------------------------------------------------------------------------------------------------------------
+
+
 def idler_table(rows: Sequence[Idler], first: int, top: int) -> Table:
     """The design, the numbers that pass, numbered from `first`, and those beside them, which do not."""
     passing = passed(rows)

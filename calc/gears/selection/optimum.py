@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The free shifts that make the largest specific sliding least, among those that keep every rule.
+"""The free shifts that make the largest specific sliding least, and between which shifts every rule holds.
 
 Shifts are looked for on the lattice of round numbers that can be written into a design.  One free shift: every point of
 it is looked at.  Several: a grid that narrows around its best point, which follows that point until it stays."""
@@ -165,7 +165,7 @@ def refined(case: ShiftCase, freedom: Freedom, at: float, bar: Bar) -> tuple[flo
     return at, float(states.largest[i])
 
 
-# Between which shifts each rule holds, and what is said where nothing keeps them all.
+# --- between which shifts each rule holds, and what is said where nothing keeps them all
 
 
 @record

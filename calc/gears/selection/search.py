@@ -176,6 +176,8 @@ def _no_better(ways: Sequence[Freedom], passing: frozenset[Text], optima: Sequen
 
 
 # --- rows
+
+
 def _row(
     case: ShiftCase,
     name: Text,
@@ -273,6 +275,8 @@ def _around(case: ShiftCase, along: Slice, at: Mapping[str, float], i: int) -> l
 
 
 # --- tip cuts
+
+
 def cut_steps(case: ShiftCase, wheel: Wheel) -> list[float]:
     """None, steps of a round part of the module, and that of the design."""
     wanted = CUT_STEP * case.system.m_n * 1e3

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Many trains at once: what the shifts and tip cuts of all wheels make of sliding, contact, tips and clearances.
+"""Many trains at once: what the shifts and tip cuts of all wheels make of the teeth, and what a choice has to keep.
 
-The formulas are those of `formulas.py`, called with arrays: one element for each combination.  Nothing is judged here.
-"""
+Of the teeth: sliding, contact, tips and clearances.  The formulas are those of `formulas.py`, called with arrays: one
+element for each combination."""
 
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
@@ -200,7 +200,7 @@ def _mesh(
     return eps_alpha
 
 
-# What a choice of shifts has to keep, all without unit: lengths in normal modules.
+# --- what a choice of shifts has to keep, all without unit: lengths in normal modules
 
 
 @record

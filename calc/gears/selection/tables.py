@@ -267,7 +267,8 @@ def cuts_best_table(result: ShiftsFound, top: int) -> Table | None:
 
 
 # --- words
-# -----------------------------------------------------------------------------------------------------------------
+
+
 def summary(result: ShiftsFound) -> tuple[Text, ...]:
     """Which shifts are free, in each way."""
     words = []

@@ -26,11 +26,11 @@ from ...sheet.units import Kilogram
 from ...sheet.value import untraced
 from ...solve import Results, solve
 from ..bearings_case import bearings_case
-from .combine import DriveRows, Sizes, class_front, combinations
+from .combinations import DriveRows, Sizes, class_front, combinations
 from .films import Beside, Films, Stands, films, least_length, lengths
 from .problem import CORE, Problem
 from .shafts import ShaftSurroundings, with_turning
-from .whole import Sized, journals_power, other_wheels, whole, written
+from .solved_drive import Sized, journals_power, other_wheels, whole, written
 
 PURE = 1e-6  # of the couple over the span: a force below it is none
 ADVICE = ("length_ratio_usual", "supply_range")  # findings on a bearing that the tables know by name

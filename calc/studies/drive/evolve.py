@@ -17,11 +17,11 @@ from ...sheet.arrays import Array
 from ...sheet.errors import NoSolution
 from ...sheet.text import Text
 from ...solve import Results
-from .combine import DriveRows, joined
+from .combinations import DriveRows, joined
 from .front import front, representatives
 from .problem import CORE, Problem
-from .run import FrontFound, FrontTable
-from .whole import Sized, Whole, whole
+from .search import FrontFound, FrontTable
+from .solved_drive import Sized, Whole, whole
 
 POPULATION = 40
 EVALUATIONS = 1600  # whole solutions; the command line has its own

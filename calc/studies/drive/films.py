@@ -38,8 +38,8 @@ from ...sheet.record import record
 from ...sheet.search import multiples
 from ...sheet.units import Metre, Newton, Number, Radian, Watt
 
-# Films beside those of the corners: over the speeds of the engine, and over a turn with what stands still (weight and
-# gear force).
+# --- films beside those of the corners: over the speeds of the engine, and over a turn with what stands still
+# What stands still is weight and gear force.
 #
 # Both are those of the nominal clearance.  Where they are thinner than at the corners, they say what slope a journal
 # bears.
@@ -151,6 +151,8 @@ def _sized(seat: BearingCase, l: Array, g: Array) -> BearingCase:
     clearance: Metre = each(g)
     return replace(seat, bearing=replace(seat.bearing, length=each(l)), clearance=clearance)
 
+
+# --- the films at the corners, and what they bear
 
 ALWAYS = (
     "temperature",

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""One drive of a front, as front.json has it: its neighbours, and what each objective costs in the others where it
-stands.
+"""Fronts: which rows no other row beats, a few that stand for all, and one drive picked from the file of a front.
 
-The file may be anybody's: what it says is taken for no result.  It names objectives and drives; the design itself is
-solved as always."""
+A drive is picked from front.json: its neighbours, and what each objective costs in the others where it stands.  The
+file may be anybody's: what it says is taken for no result.  It names objectives and drives; the design itself is solved
+as always."""
 
 import json
 from collections.abc import Mapping
@@ -19,8 +19,7 @@ from ...sheet.arrays import Array, BoolArray, IndexArray
 from ...sheet.errors import BadInput
 from ...sheet.record import record
 
-# Fronts: which rows no other row beats in everything, and a few that stand for all.
-#
+# --- which rows no other row beats in everything, and a few that stand for all
 # Rows are arrays of shape (rows, objectives), all of them to be as small as can be.
 
 BLOCK = 512
@@ -88,6 +87,8 @@ def knee(rows: Array) -> int:
     low, high = rows.min(0), rows.max(0)
     return int((((rows - low) / np.where(high > low, high - low, 1.0)) ** 2).sum(1).argmin())
 
+
+# --- one drive of a front, as front.json has it
 
 NAME = "front.json"
 MOST_DRIVES = 2000

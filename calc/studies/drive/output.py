@@ -11,8 +11,8 @@ from ...sheet.step import Table
 from ...sheet.text import COMMA, Amount, Name, Text
 from ...sheet.version import VERSION
 from .problem import CORE, FITS, LIMITS, TIED, Problem
-from .run import FrontFound, key
-from .whole import Whole
+from .search import FrontFound, key
+from .solved_drive import Whole
 
 LABELS = {
     "power": Text("power at the crank"),
@@ -126,7 +126,8 @@ def _ends(problem: Problem, sizes: Mapping[str, float]) -> list[str]:
 
 
 # --- the files
-# --------------------------------------------------------------------------------------------------------------------
+
+
 def csv_text(front: FrontFound) -> str:
     """front.csv: what it is the front of, then a row for each drive, units in the head."""
     problem, out = front.problem, io.StringIO()
@@ -214,7 +215,8 @@ def power_of_ten(count: int) -> Name:
 
 
 # --- the problem in words
-# -----------------------------------------------------------------------------------------------------------
+
+
 def said(problem: Problem) -> list[Text]:
     """The ranges, ties, requirements and objectives, a line each."""
     lines = [Text("objectives: {names}", names=COMMA.join([_objective(problem, name) for name in problem.objectives]))]

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Over what is searched: the values of every variable, by [optimise.vary] or by rule, and what is wrong with those that
-are given."""
+"""The problem of a search for whole drives: the values of every variable, what must hold and what is wanted.
+
+Values are those of [optimise.vary] or by rule; what is wrong with those that are given is said."""
 
 import math
 from collections.abc import Iterable, Mapping, Sequence
@@ -259,8 +260,8 @@ def _steps(low: float, high: float) -> tuple[float, ...]:
     return tuple(round(x, 6) for x in multiples(STEP, low, high).tolist()) if high >= low else ()
 
 
-# --- what is searched over, what must hold and what is wanted: read off the design and its [optimise], with the rules
-# of this program beside
+# --- what is searched over, what must hold and what is wanted
+# Read off the design and its [optimise], with the rules of this program beside.
 #
 # A class is one choice of everything that changes films or loads as a whole: material, oil, supply, fits, and any other
 # key that is varied. Within it core, diameters, lengths, clearances and surfaces are combined.  Outer radius and
@@ -391,6 +392,8 @@ def _optimise(design: Design) -> OptimiseInputs:
 
 
 # --- reading
+
+
 def problem(document: Document, tip: float | None, overrides: Mapping[str, object] = {}) -> Problem:
     """`tip`: diameter of the gear on the shaft in mm, None where there is none; `overrides`: the command line's keys of
     [optimise], which go before the file's.  Raises BadInput with everything that is wrong."""

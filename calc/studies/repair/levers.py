@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What may be changed for a finding, kind by kind: numbers that are moved, alone or together, and changes that are
-tried as they are."""
+"""What may be changed for a finding, kind by kind, and what each change is called in the words of the trade.
+
+Numbers are moved, alone or together; words are changes that are tried as they are."""
 
 import math
 import re
@@ -22,11 +23,11 @@ from ...sheet.search import allowed
 from ...sheet.text import EMPTY, Small, Text
 from . import sizing as shaft
 from . import sizing as strength
+from .single_input import ASKED, FREE
 from .state import RepairState
-from .vary import ASKED, FREE
 
-# What kind of remedy a changed input is, in the words of the trade: a smaller clearance, a longer journal, a thicker
-# core.
+# --- what kind of remedy a changed input is
+# In the words of the trade: a smaller clearance, a longer journal, a thicker core.
 
 
 @dataclass(frozen=True)
@@ -122,6 +123,8 @@ def called(document: Document, key: str, now: object, new: object) -> Text:
     return kind.other or kind.less
 
 
+# --- what may be changed
+
 FIXED = re.compile(
     rf"{ASKED.pattern}|.*\.(slope_mrad|position_mm|firing_order|crank_angles_deg|speed_range_rpm)"
 )  # not moved as numbers
@@ -198,7 +201,8 @@ def _filled(state: RepairState, kind: int | str, plan: LeverPlan, tried: list[Ch
 
 
 # --- what moves a finding
-# --------------------------------------------------------------------------------------------------
+
+
 def _keys(state: RepairState, step: str, group: tuple[Check, ...]) -> Iterator[str]:
     """Of a table the numbers in it; then the free numbers of the step in the same bearing, mesh or wheel."""
     every = [key for key, about in quantities(state.document.data) if about.kind in ("number", "integer", "series")]
@@ -244,7 +248,8 @@ MADE_FOR: tuple[tuple[tuple[str, ...], Callable[[RepairState, tuple[Check, ...]]
 
 
 # --- words
-# -----------------------------------------------------------------------------------------------------------------
+
+
 def _words(state: RepairState, key: str) -> Iterator[Changes]:
     """Other words that may stand at a key, the nearest first."""
     about, now, last = quantity_of(state.document.data, key), value_at(state.document.data, key), key.rpartition(".")[2]
@@ -286,7 +291,8 @@ def _unlike(first: Material, other: Material) -> float:
 
 
 # --- numbers
-# ---------------------------------------------------------------------------------------------------------------
+
+
 def levers(state: RepairState, keys: list[str]) -> Iterator[Lever]:
     """Of the keys of one kind in one place: what moves all of them, and other ways to do so."""
     key, data = keys[0], state.document.data

@@ -17,7 +17,7 @@ from ...sheet.search import Budget
 from ...sheet.step import Outcome
 from ...sheet.text import COMMA, Text
 from ...solve import Results
-from . import vary
+from . import single_input
 from .state import ORDER, TITLES, RepairState, broken, first_repaired, repaired, state_of
 
 ROUNDS = 3  # through the steps: one may undo a little of an earlier one
@@ -326,7 +326,7 @@ class _Step:
             mended = state
         if mended is not state and not broken(state, mended):
             return mended
-        return vary.repair(state, self.step, failing, self.budget, progress)
+        return single_input.repair(state, self.step, failing, self.budget, progress)
 
     def _by(self, state: RepairState, failing: tuple[Check, ...], way: Way, progress: Progress | None) -> RepairState:
         return (self._tried(state, failing, way, progress) if failing else None) or state

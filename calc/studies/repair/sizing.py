@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A counter-shaft that leaves too much or does not fit: its masses set to what the engine asks for, or a shaft of the
-sizing search."""
+"""Parts that are to be sized anew: other bearings, masses that balance, a smaller shaft, stronger teeth.
+
+A counter-shaft that leaves too much or does not fit: its masses are set to what the engine asks for, or a shaft of the
+sizing search is taken."""
 
 import cmath
 import math
@@ -27,7 +29,7 @@ from ...solve import Results
 from ..bearings_case import bearings_case
 from .state import RepairState, broken, first_repaired, repaired
 
-# Bearings that fail: the nearest ones of the search that `choose` offers.
+# --- bearings that fail: the nearest ones of the search that `choose` offers
 
 
 def nearest_bearings(state: RepairState, failing: tuple[Check, ...], progress: Progress | None = None) -> RepairState:
@@ -42,6 +44,8 @@ def nearest_bearings(state: RepairState, failing: tuple[Check, ...], progress: P
         raise NoSolution(Text("the search for bearings finds nothing to change: it keeps every rule that it knows"))
     return state.with_changes(written, settled.results if isinstance(settled.results, Results) else None)
 
+
+# --- a counter-shaft that leaves too much or does not fit
 
 TRIED = 8  # shafts of the search, solved as whole designs
 SAME = 0.01  # share of an unbalance: a mass that is right to this stays as it is
@@ -178,8 +182,8 @@ def resize(state: RepairState, failing: tuple[Check, ...], progress: Progress | 
     return first_repaired(state, "countershaft", ids, ways, part(progress, 0.3, 1.0), most=TRIED)
 
 
-# Teeth that are too weak: the smallest face width that is enough, and beyond half as much again a stronger class or
-# quality.
+# --- teeth that are too weak
+# The smallest face width that is enough, and beyond half as much again a stronger class or quality.
 
 STEP = 0.5  # mm
 WIDER = 1.5  # times the face width that is tried before a stronger class; rule of this program

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Teeth that are undercut, pointed, that touch the fillet of their mate or hand over too late: another shift, or
-another tip cut.
+"""Teeth that are wrong in shape or jam: another shift, another tip cut, or thinner teeth.
+
+Wrong are teeth that are undercut, pointed, that touch the fillet of their mate or hand over too late.
 
 The rules are those of the search for shifts (`choose`).  That search looks for the least sliding; here every shift and
 every cut is looked at alone, and the nearest to the design that keeps the rules is taken.  Where there is none, the
@@ -111,7 +112,8 @@ def _change(row: ShiftRow, gears: GearsInputs) -> float:
     return shifts + sum(abs(k - cuts[name]) for name, k in row.cuts.items()) / gears.module
 
 
-# Teeth that jam: as many whole micrometres off the spans of the wheels as free every pair at its smallest backlash.
+# --- teeth that jam
+# As many whole micrometres off the spans of the wheels as free every pair at its smallest backlash.
 
 KINDS = ("backlash", "backlash_cold", "backlash_warm", "backlash_runout")
 ROUNDS = 4  # a wheel grows with temperature, so that its allowance does not act to the last micrometre

@@ -20,7 +20,7 @@ from . import sizing as bearings
 from .levers import Lever, LeverPlan, called, disturbance, levers
 from .state import ORDER, RepairState, broken
 
-# One way to mend a finding: what it changes, how far it comes, and what it does to all the rest.
+# --- one way to mend a finding: what it changes, how far it comes, and what it does to all the rest
 
 MOST, SHUT = 5, 2  # that are offered, and of these locked ones
 ALL_CORNERS, AS_GIVEN, BREAKS, NEAR, LOCKED = range(5)  # how good a way is
@@ -149,6 +149,8 @@ def _effect(group: tuple[Check, ...], left: tuple[Check, ...], quality: int) -> 
         else Text("passes")
     )
 
+
+# --- the trials
 
 PROBE = 0.02  # of the number, by which it is moved to see what it does
 FARTHEST = {1.0: 0.6, -1.0: 0.9}  # relative change up and down that is still believed
@@ -363,8 +365,8 @@ class Trials:
         return lever.now + copysign(max(1.0, abs(round(number - lever.now))), number - lever.now)
 
 
-# Bearings that fail: the nearest ones that fit, else journals as long as their films ask for, with the bearings further
-# out.
+# --- bearings that fail
+# The nearest ones that fit, else journals as long as their films ask for, with the bearings further out.
 
 
 def bearings_or_longer_journals(

@@ -157,7 +157,8 @@ def _mirrored(F_f: complex, F_b: complex, C_f: complex, C_b: complex) -> bool:
 
 
 # --- the numbers
-# ----------------------------------------------------------------------------------------------------------
+
+
 def _before(imbalance: ImbalanceResult, key: str) -> float:
     """The peak of an order without any balancing but that of the rotating masses; 0 where it is none."""
     _, n, what = key.split("_")
@@ -213,7 +214,8 @@ def _both(second: tuple[int, bool] | None) -> tuple[int, ...]:
 
 
 # --- what is called for
-# ---------------------------------------------------------------------------------------------------
+
+
 def _called_for(imbalance: ImbalanceResult, lam: float) -> str:
     """A shaft where anything of order 1 turns backward; else the crank's half, a pair at ±2 for a force of order 2, or
     nothing."""

@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Missing steps built by rules: a design with one step more, or with all that the balancing asks for which its engine
-calls."""
+"""Missing steps built by rules: a design with one step more, or with all that the balancing of its engine asks for."""
 
 import math
 from collections.abc import Callable, Mapping
@@ -23,8 +22,9 @@ from . import shaft, train
 from . import shaft as journals
 from .writing import Section, mm, table, up, written
 
-# The engine on four mounts at its corners: mass and size by rule of thumb, to be weighed and measured; stiffness for
-# its six modes to lie between the road's frequency and what shakes at idle.
+# --- the engine on four mounts at its corners
+# Mass and size by rule of thumb, to be weighed and measured; stiffness for its six modes to lie between the road's
+# frequency and what shakes at idle.
 
 PER_LITRE = 110.0  # kg
 IDLE, SLOWEST, FASTEST = 0.33, 700.0, 1000.0  # share of the rated speed; rpm
@@ -104,6 +104,8 @@ def _sections(engine: EngineInputs, mass: float, stiffness: float) -> list[Secti
         ),
     ]
 
+
+# --- the steps built
 
 SHAFT_STEPS = ("countershaft", "bearings", "gears", "friction")
 KEPT = {"none": 0.0, "half": 0.5, "shaft": 0.5, "pair": 0.0}  # the share of the reciprocating masses on the crank
@@ -199,7 +201,8 @@ def choice_made(document: Document) -> str:
 
 
 # --- one step
-# -------------------------------------------------------------------------------------------------------------
+
+
 def _imbalance(document: Document, balancing: str) -> Document:
     """With the share of the reciprocating masses that the balancing has on the crank."""
     known = which.with_imbalance(document)
@@ -302,7 +305,8 @@ def _upstream(document: Document) -> Document:
 
 
 # --- documents
-# ------------------------------------------------------------------------------------------------------------
+
+
 def _results(document: Document, before: Results | None = None) -> Results:
     return solve(design(document), before)
 

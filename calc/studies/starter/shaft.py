@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The shaft: the smallest envelope that carries what is asked of it with room to spare, and a core that keeps its
-journals straight."""
+"""The shaft and its bearings: the smallest envelope that carries what is asked, and bearings that hold in it.
+
+The envelope has room to spare, and a core that keeps its journals straight."""
 
 import math
 from collections.abc import Mapping
@@ -208,8 +209,9 @@ def _sections(of: Envelope, share: float, todo: StarterTask, pair: bool, holes: 
     ]
 
 
-# The bearings: journals that the shaft goes through, then lengths and clearances that hold at every corner, by the
-# search for bearings.
+# --- the bearings
+# Journals that the shaft goes through, then lengths and clearances that hold at every corner, by the search for
+# bearings.
 
 OILS = ("5W-40", "5W-30", "0W-20")  # what engines run on, the thickest first
 FITS: tuple[tuple[str, str] | None, ...] = (None, ("IT6", "IT6"))

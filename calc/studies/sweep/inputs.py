@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The inputs that are varied, read from their texts."""
+"""The inputs that are varied, read from their texts, and which designs they make in which order."""
 
 import csv
 import math
@@ -214,7 +214,8 @@ def _values(spec: str, whole: bool, words: bool) -> tuple[Value, ...]:
     return tuple(numbers)
 
 
-# Which designs are computed, in which order: each is known by its place alone, so that a run may begin anywhere.
+# --- which designs are computed, in which order
+# Each is known by its place alone, so that a run may begin anywhere.
 
 Combination = tuple[Value | None, ...]  # the values of the varied inputs; None: as the design has it
 SIGMAS = 3.0  # standard deviations from the middle of a tolerance to its ends

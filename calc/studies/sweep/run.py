@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The run: designs by chunks, which keep no state and may be computed in any order, in any process, and once.
+"""The run of a sweep: designs by chunks, in any order and any process, as many of them at once as go one way.
 
-A chunk that is kept is taken over by the next run of the same sweep, so that one that was ended goes on where it stood.
-"""
+Chunks keep no state and are computed once.  A chunk that is kept is taken over by the next run of the same sweep, so
+that one that was ended goes on where it stood."""
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import suppress
@@ -28,8 +28,8 @@ from ..spread import spread
 from .inputs import Combination, SweepPlan, Varied, grid
 from .table import Chunk, InMemory, Solved, Store, Swept, chunk_of, in_memory, reason_of
 
-# Many designs in one pass through the steps, as lanes (`calc.sheet.lanes`); those that go different ways in as many
-# passes as it takes.
+# --- many designs in one pass through the steps, as lanes (`calc.sheet.lanes`)
+# Those that go different ways in as many passes as it takes.
 #
 # What can not be told of many at once (why a design has no solution), what fails for one of them, and what lies on a
 # limit to its last digits is solved design by design.
@@ -170,6 +170,8 @@ def _one(check: Check, k: int) -> Check:
     value, *limits = (x.data[k].item() if type(x) is Lanes else x for x in (check.value, *_limits(check)))
     return replace(check, value=value, limit=tuple(limits) if isinstance(check.limit, tuple) else limits[0])
 
+
+# --- the run
 
 MOST = 224  # designs of a chunk, which go through all steps at once: more would take more memory than they save time
 CHUNKS, LEAST = 8, 48  # chunks at least, for processes to share, where each has so many designs

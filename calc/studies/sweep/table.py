@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The table of a sweep: as CSV, as Parquet, or in memory; written chunk by chunk, so that it may be larger than the
-memory."""
+"""The table of a sweep: one design a row; as CSV, as Parquet, or in memory.
+
+It is written chunk by chunk, so that it may be larger than the memory."""
 
 import csv
 import hashlib
@@ -23,7 +24,7 @@ from ...sheet.text import Text
 from ...sheet.version import VERSION
 from .inputs import Combination, SweepPlan, Varied
 
-# One design of many, and many of them together as they are kept.
+# --- one design of many, and many of them together as they are kept
 
 Cell = float | str | None
 
@@ -89,8 +90,8 @@ def reason_of(errors: Iterable[InputError]) -> str:
     return "; ".join(replace(error, line=0).text("").removeprefix(": ") for error in errors)
 
 
-# Where the chunks of a sweep are until the table is written: in memory, or in a folder, where they outlive a run that
-# is killed.
+# --- where the chunks are until the table is written
+# In memory, or in a folder, where they outlive a run that is killed.
 
 
 class Store(Protocol):
@@ -199,6 +200,8 @@ def key_of(document: Document, plan: SweepPlan, step: str | None, wanted: tuple[
     what = [VERSION, document.data, vars(plan) | {"inputs": [vars(varied) for varied in plan.inputs]}, step, wanted]
     return hashlib.sha256(json.dumps(what, sort_keys=True, default=str).encode()).hexdigest()[:16]
 
+
+# --- the table
 
 REASON = "reason"
 NO_DESIGN = "bad_input"  # in place of a verdict

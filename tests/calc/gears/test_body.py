@@ -9,7 +9,7 @@ from calc.countershaft.result import CountershaftResult
 from calc.design.toml_file import design, read
 from calc.gears.result import TrainResult
 from calc.solve import solve
-from calc.studies.drive.whole import mass
+from calc.studies.drive.solved_drive import mass
 from tests.conftest import DESIGNS
 
 SIZED = read(DESIGNS / "r753ie4_sized.toml")

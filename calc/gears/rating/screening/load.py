@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What film and flash temperature have in common: the load per length, the two bodies, the oil's friction factor, the
-way it arrives."""
+"""What film and flash temperature have in common: the load per length, the two bodies, the oil; and their result.
+
+Of the oil its friction factor and the way it arrives."""
 
 from collections.abc import Mapping
 from typing import Annotated
@@ -151,7 +152,7 @@ def load_of(
     )
 
 
-# What the screening of a mesh gives.
+# --- what the screening of a mesh gives
 
 
 @result

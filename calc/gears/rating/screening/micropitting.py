@@ -45,7 +45,8 @@ HOTTEST: Celsius = 500.0  # pressure-viscosity law: it vanishes at 510 °C
 
 
 # --- the film
-# ----------------------------------------------------------------------------------------------------------------------
+
+
 @formula(
     "α_Θ",
     Text("{iso} (8): pressure-viscosity coefficient at a temperature", iso=ISO),

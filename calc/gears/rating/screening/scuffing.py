@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Scuffing by the flash temperature (Blok), ISO/TR 13989-1:2000, since then ISO/TS 6336-20: the hottest contact against
-the oil's limit.
+"""Scuffing by the flash temperature (Blok), ISO/TR 13989-1:2000, and the whole screening of one mesh.
+
+The hottest contact is held against the oil's limit; the standard is since then ISO/TS 6336-20.
 
 The flash temperature is written with the load, the speeds and the radii of the point itself; with equal materials it is
 the standard's μ_m·X_M·X_J·X_G·(X_Γ·w_Bt)^0.75·v_t^0.5/a^0.25 with X_M = E_r^0.25/B_M and the full angle factor of part
@@ -227,7 +228,7 @@ def _local(path: Path, load: ScreeningLoad, mu_m: Number, C_eff: Metre, at: Path
     return flash_temperature(mu_m=mu_m, X_J=X_J, w=w, v_1=at.v_1, v_2=at.v_2, b_1=load.b_1, b_2=load.b_2, b_H=b_H)
 
 
-# The screening of one mesh: its film and its flash temperature at the load that its load factors make.
+# --- the screening of one mesh: its film and its flash temperature at the load that its load factors make
 
 PERMISSIBLE_FILM = (
     0.3  # rule of this program: Annex A of ISO/TR 15144-1, read from its figure by public code, has 0.06 to 0.6 by oil

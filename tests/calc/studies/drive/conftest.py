@@ -4,7 +4,7 @@
 import pytest
 
 from calc.design.toml_file import read
-from calc.studies.drive.run import asked
+from calc.studies.drive.search import asked
 from tests.conftest import DESIGNS
 
 FEW = {

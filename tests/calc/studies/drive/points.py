@@ -8,9 +8,9 @@ import numpy as np
 from calc.countershaft.result import CountershaftResult
 from calc.sheet.value import untraced
 from calc.studies.drive.classes import tables_of
-from calc.studies.drive.run import asked
+from calc.studies.drive.search import asked
 from calc.studies.drive.shafts import journal_mass, journal_slopes, shafts
-from calc.studies.drive.whole import Sized, journals_power, whole
+from calc.studies.drive.solved_drive import Sized, journals_power, whole
 
 PLACES = ("front", "rear")
 

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from calc.studies.drive.films import films
-from calc.studies.drive.run import search
+from calc.studies.drive.search import search
 from tests.calc.studies.drive.points import PLACES, Class, Point
 
 GRID = {

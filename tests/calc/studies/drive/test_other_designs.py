@@ -7,7 +7,7 @@ import pytest
 
 from calc.design.toml_file import read
 from calc.studies.drive.output import at_end
-from calc.studies.drive.run import asked, search
+from calc.studies.drive.search import asked, search
 from tests.calc.studies.drive.points import Class, compared
 from tests.calc.studies.drive.test_brute_force import GRID
 from tests.calc.studies.drive.test_verdict import SOME, changed

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from calc.bearings.result import BearingsResult
-from calc.studies.drive.run import search
+from calc.studies.drive.search import search
 from tests.calc.studies.drive.conftest import FEW
 from tests.calc.studies.drive.points import PLACES, Class, Point
 from tests.calc.studies.drive.test_verdict import SOME, changed, compared

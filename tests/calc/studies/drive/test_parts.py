@@ -7,11 +7,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-import calc.studies.drive.run as running
+import calc.studies.drive.search as running
 from calc.sheet.text import EMPTY
 from calc.studies.drive.classes import ClassFront
-from calc.studies.drive.combine import DriveRows
-from calc.studies.drive.run import FrontTable, classes, key, solved
+from calc.studies.drive.combinations import DriveRows
+from calc.studies.drive.search import FrontTable, classes, key, solved
 
 
 def rows(count):

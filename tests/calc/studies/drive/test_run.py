@@ -13,9 +13,9 @@ from calc.studies.drive.classes import NotClosed, class_of
 from calc.studies.drive.classes import sized as row_of
 from calc.studies.drive.films import asked_film
 from calc.studies.drive.output import csv_text, json_text, table
-from calc.studies.drive.relax import refusal
-from calc.studies.drive.run import _instead, asked, search
-from calc.studies.drive.whole import Sized, whole
+from calc.studies.drive.refusal import refusal
+from calc.studies.drive.search import _instead, asked, search
+from calc.studies.drive.solved_drive import Sized, whole
 from tests.calc.studies.drive.conftest import FEW
 
 

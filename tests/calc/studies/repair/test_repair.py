@@ -18,9 +18,9 @@ from calc.sheet.search import Budget
 from calc.sheet.text import EMPTY, Text
 from calc.solve import solve
 from calc.studies.repair.nearest import nearest
+from calc.studies.repair.single_input import Number, _Search
 from calc.studies.repair.sizing import _near, _shifted, _single, _wanted
 from calc.studies.repair.trials import Trials
-from calc.studies.repair.vary import Number, _Search
 from tests.calc.studies.repair.test_remedy import damaged, fails, with_changes
 from tests.conftest import GAMMA
 

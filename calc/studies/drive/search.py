@@ -28,11 +28,11 @@ from ...sheet.version import VERSION
 from ...solve import Results, solve
 from ..spread import spread
 from .classes import ClassFront, NotClosed, class_of, sized
-from .combine import DriveRows, joined
+from .combinations import DriveRows, joined
 from .front import front, representatives
 from .problem import FITS, Problem
 from .problem import problem as problem_of
-from .whole import Sized, Whole, whole
+from .solved_drive import Sized, Whole, whole
 
 NEIGHBOURS = 3  # of a row that fails when it is solved whole, are tried in its place
 NEAR = 16  # rows among which the neighbours of one are looked for
@@ -86,7 +86,8 @@ def asked(document: Document, overrides: dict[str, object]) -> tuple[Problem, Re
 
 
 # --- the classes
-# ------------------------------------------------------------------------------------------------------------
+
+
 def one_class(problem: Problem, n: int) -> ClassFront:
     """One class; why it has no rows where its loads or its envelope have no solution."""
     try:
@@ -124,7 +125,8 @@ def promising(problem: Problem) -> list[int]:
 
 
 # --- what is kept
-# ---------------------------------------------------------------------------------------------------------------
+
+
 def key(problem: Problem) -> str:
     """What a kept result holds for: the values of the design, what is varied, the program's version."""
     what = [
@@ -176,7 +178,8 @@ def _keep(problem: Problem, n: int, class_front: ClassFront, parts: Path | None)
 
 
 # --- the front
-# ----------------------------------------------------------------------------------------------------------------
+
+
 def table(problem: Problem, done: dict[int, ClassFront]) -> FrontTable:
     """The rows of all classes that no other beats in the objectives, within their hard ends."""
     parts, of, columns = [_none()], [np.zeros(0)], [np.zeros((0, len(problem.objectives)))]

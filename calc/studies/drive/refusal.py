@@ -25,10 +25,10 @@ from ...sheet.record import record
 from ...sheet.text import EMPTY, Name, Text
 from ...sheet.value import untraced
 from .classes import NotClosed, class_with, sized
-from .combine import DriveRows
+from .combinations import DriveRows
 from .problem import FITS, SEAT_REACH, Problem
-from .run import FrontFound
-from .whole import Whole, whole
+from .search import FrontFound
+from .solved_drive import Whole, whole
 
 FEW = 12  # diameters of the smaller journal that are looked at for a question alone
 HALVINGS = 6
@@ -88,7 +88,8 @@ def _relaxed(problem: Problem, progress: Progress | None) -> Refusal:
 
 
 # --- one question
-# --------------------------------------------------------------------------------------------------------------
+
+
 def quick(problem: Problem) -> Problem:
     """The same with few diameters of the smaller journal, and no margin but the least."""
     small = f"bearings.{'front' if problem.seat == 'rear' else 'rear'}.diameter_mm"
@@ -163,7 +164,7 @@ def _nearest_miss(problem: Problem) -> float | None:
 
 
 # --- the ways
-# ----------------------------------------------------------------------------------------------------------------------
+
 Way = tuple[Text, Callable[[], RefusalLine | None]]
 
 
