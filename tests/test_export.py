@@ -117,7 +117,6 @@ def test_a_shaft_without_outline_says_what_to_add(capsys, tmp_path, design):
 
 
 # --- gears
-# ----------------------------------------------------------------------------------------------------------------
 def layers(path):
     document = ezdxf.readfile(path)
     assert not document.audit().errors
@@ -215,7 +214,6 @@ def test_a_design_with_neither_shaft_nor_gears_says_so(capsys, tmp_path, design)
 
 
 # --- what is refused
-# -----------------------------------------------------------------------------------------------------
 @pytest.mark.parametrize(
     "arguments, said",
     [

@@ -22,7 +22,7 @@ from calc.design.model import Design
 from calc.sheet.quantity import keys
 
 ROOT = Path(__file__).parents[1]
-SOLVE, STEP_INPUTS = ROOT / "calc" / "solve.py", ROOT / "calc" / "step_inputs.py"
+SOLVE, STEP_INPUTS = ROOT / "calc" / "solve.py", ROOT / "calc" / "design" / "step_inputs.py"
 
 
 def read(path: Path) -> ast.Module:

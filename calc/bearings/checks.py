@@ -50,34 +50,35 @@ def least_film(d: float, u: float) -> float | None:
     return next((element(row, column) for up_to, row in LEAST_FILM if d <= up_to), None) if d >= 0.024 else None
 
 
-def oil_checks(inputs: BearingsInputs, oil: Oil) -> Iterator[Check]:
+def oil_check(inputs: BearingsInputs, oil: Oil) -> Check | None:
     """What the oil itself bears: it has to flow at a cold start."""
     limits = [T for T in (oil.pumping_limit, oil.pour_point) if T is not None]
-    if limits:
-        source = Text("given in the design") if oil.source == "the user" else Name(oil.source)
-        yield check(
-            "bearings.oil_pumping",
-            Text("Lowest temperature, oil still pumped"),
-            inputs.lowest_temperature,
-            ">=",
-            max(limits),
-            "°C",
-            source,
-            Text("An oil of a lower winter grade, or no start so cold."),
-        )
+    if not limits:
+        return None
+    source = Text("given in the design") if oil.source == "the user" else Name(oil.source)
+    return check(
+        "bearings.oil_pumping",
+        Text("Lowest temperature, oil still pumped"),
+        inputs.lowest_temperature,
+        ">=",
+        max(limits),
+        "°C",
+        source,
+        Text("An oil of a lower winter grade, or no start so cold."),
+    )
 
 
 def checks(place: str, r: BearingResult, slope: float) -> Iterator[Check]:
     """`slope`: of the journal in its seat, rad."""
     bearing, inputs = r.seat.bearing, r.seat.inputs
-    on, longer = partial(_on, place), partial(_longer, place, bearing)
+    bearing_check, longer = partial(_bearing_check, place), partial(_longer, place, bearing)
     lands = supply.lands(inputs)
     groove = (inputs.groove_width or 0.0) if lands > 1 else 0.0
     kreisle, oiled = (
         Text("Kreisle, after Finotti 2013, 5.5.3: Rt of both surfaces, Rt = k·Ra"),
         LUBRICATIONS[inputs.lubrication],
     )
-    yield on(
+    yield bearing_check(
         "film_edge",
         Text("Film at the edge"),
         r.film_edge,
@@ -90,7 +91,7 @@ def checks(place: str, r: BearingResult, slope: float) -> Iterator[Check]:
             "oil."
         ),
     )
-    yield on(
+    yield bearing_check(
         "film_double_load",
         Text("Film at twice the load"),
         r.film_double_load,
@@ -100,7 +101,7 @@ def checks(place: str, r: BearingResult, slope: float) -> Iterator[Check]:
         DESIGN_FACTOR,
         Text("Lengthen the bearing (a few millimetres are enough), or lower the clearance."),
     )
-    yield on(
+    yield bearing_check(
         "film_trumpler",
         Text("Film by Trumpler"),
         r.film,
@@ -112,13 +113,13 @@ def checks(place: str, r: BearingResult, slope: float) -> Iterator[Check]:
     )
     if r.thinnest_film is not None:
         slowest = Amount((r.speed_of_thinnest_film or 0.0) * 60)
-        title = Text(
+        label = Text(
             "Film at the edge over the speeds, thinnest at {speed_of_thinnest_film} rpm", speed_of_thinnest_film=slowest
         )
         edge = f.film_at_edge_of_another(h_x=r.thinnest_film, h_0=r.film, h_edge=r.film_edge)
-        yield on(
+        yield bearing_check(
             "film_edge_speeds",
-            title,
+            label,
             edge,
             ">=",
             r.kreisle_film,
@@ -126,7 +127,7 @@ def checks(place: str, r: BearingResult, slope: float) -> Iterator[Check]:
             kreisle,
             Text("As for the film at the edge; or keep away from this speed."),
         )
-    yield on(
+    yield bearing_check(
         "temperature",
         Text("Outlet temperature"),
         r.outlet_temperature,
@@ -136,7 +137,7 @@ def checks(place: str, r: BearingResult, slope: float) -> Iterator[Check]:
         Text("given in the design: its limit (the engine maker's manual, Finotti 2013, 5.5.1)"),
         Text("More oil (larger hole, more pressure, more clearance) or cooler oil."),
     )
-    yield on(
+    yield bearing_check(
         "temperature_trumpler",
         Text("Outlet temperature by Trumpler"),
         r.outlet_temperature,
@@ -146,7 +147,7 @@ def checks(place: str, r: BearingResult, slope: float) -> Iterator[Check]:
         TRUMPLER + Text(", who rounds his 250 °F (121 °C)"),
         Text("Acceptance rests on the engine maker's own limit; cooler supply oil would keep Trumpler's 120 °C."),
     )
-    yield on(
+    yield bearing_check(
         "temperature_rise_usual",
         Text("Temperature rise, usual"),
         r.temperature_rise,
@@ -156,13 +157,13 @@ def checks(place: str, r: BearingResult, slope: float) -> Iterator[Check]:
         Text("Finotti 2013, 5.5.2: 15 to 20 °C for conditions that stay"),
         Text("More oil, or a thinner one."),
     )
-    for key, title, p_limit in (
+    for key, label, p_limit in (
         ("specific_load", Text("Specific load"), SPECIFIC_LOAD),
         ("specific_load_usual", Text("Specific load, usual"), USUAL_SPECIFIC_LOAD),
     ):
-        yield on(
+        yield bearing_check(
             key,
-            title,
+            label,
             r.specific_load,
             "<=",
             p_limit,
@@ -178,10 +179,10 @@ def checks(place: str, r: BearingResult, slope: float) -> Iterator[Check]:
     heat = [("heat_index", Text("Heat index"), oiled.limit)]
     if oiled.most is not None:
         heat.append(("heat_index_usual", Text("Heat index, usual"), oiled.usual[1] * N_RPM_MM))
-    for key, title, W_limit in heat:
-        yield on(
+    for key, label, W_limit in heat:
+        yield bearing_check(
             key,
-            title,
+            label,
             r.heat_index,
             "<=",
             W_limit,
@@ -190,7 +191,7 @@ def checks(place: str, r: BearingResult, slope: float) -> Iterator[Check]:
             Text("A longer bearing carries off more heat."),
             remedies=longer(r.heat_index / W_limit),
         )
-    yield on(
+    yield bearing_check(
         "clearance_cold",
         _when_cold(inputs),
         r.clearance_cold,
@@ -200,13 +201,13 @@ def checks(place: str, r: BearingResult, slope: float) -> Iterator[Check]:
         Text("physics: seizure of a journal that shrinks less than its seat"),
         Text("The journal seizes when cold: more clearance, or a housing that expands like the journal."),
     )
-    for key, title, ratios, source in (
+    for key, label, ratios, source in (
         ("length_ratio", Text("Length ratio l/d"), LENGTH_RATIO, FINOTTI),
         ("length_ratio_usual", Text("Length ratio l/d, usual"), USUAL_LENGTH_RATIO, Text("Finotti 2013, 5.5.2")),
     ):
-        yield on(
+        yield bearing_check(
             key,
-            title,
+            label,
             r.length_ratio,
             "in",
             ratios,
@@ -215,7 +216,7 @@ def checks(place: str, r: BearingResult, slope: float) -> Iterator[Check]:
             Text("Change length or diameter."),
             remedies=_within(place, bearing, ratios, lands, groove),
         )
-    yield on(
+    yield bearing_check(
         "film_band",
         Text("Place of the film in its band"),
         r.film_band,
@@ -225,7 +226,7 @@ def checks(place: str, r: BearingResult, slope: float) -> Iterator[Check]:
         RAIMONDI_BOYD,
         Text("Below 0 less clearance carries more and rubs less at the same film; above 100 % more clearance does."),
     )
-    yield on(
+    yield bearing_check(
         "transition",
         Text("Speed above mixed friction"),
         r.duty.effective_speed,
@@ -235,7 +236,7 @@ def checks(place: str, r: BearingResult, slope: float) -> Iterator[Check]:
         Text(f.least_speed.source),
         Text("A thicker or cooler oil, or a lower specific load."),
     )
-    yield on(
+    yield bearing_check(
         "mckee",
         Text("McKee number, cP·rpm/psi"),
         r.mckee_number,
@@ -246,7 +247,7 @@ def checks(place: str, r: BearingResult, slope: float) -> Iterator[Check]:
         Text("A thicker or cooler oil, or a lower specific load, for a stable film."),
     )
     if r.routes_spread is not None:
-        yield on(
+        yield bearing_check(
             "routes_spread",
             Text("Spread of the routes"),
             r.routes_spread,
@@ -257,7 +258,7 @@ def checks(place: str, r: BearingResult, slope: float) -> Iterator[Check]:
             _outside(r),
         )
     if (h_lim := least_film(bearing.diameter, r.surface_speed)) is not None:
-        yield on(
+        yield bearing_check(
             "film_edge_usual",
             Text("Film at the edge against h_lim"),
             r.film_edge,
@@ -267,7 +268,7 @@ def checks(place: str, r: BearingResult, slope: float) -> Iterator[Check]:
             Text("ISO 7902-3, in its manner"),
             Text("Lengthen the bearing or lower the clearance."),
         )
-    yield on(
+    yield bearing_check(
         "misalignment",
         Text("Slope over the length"),
         slope * bearing.length,
@@ -277,7 +278,7 @@ def checks(place: str, r: BearingResult, slope: float) -> Iterator[Check]:
         Text("rule of this program: 0.3·h₀"),
         Text("Stiffen the shaft between its bearings."),
     )
-    yield on(
+    yield bearing_check(
         "friction_regime",
         Text("Coefficient of friction"),
         r.friction_coefficient,
@@ -288,11 +289,11 @@ def checks(place: str, r: BearingResult, slope: float) -> Iterator[Check]:
         Text("Outside the usual range of a full film: look at film and clearance."),
     )
     if not r.seat.lubricant.constant:
-        yield on(
+        yield bearing_check(
             "viscosity_range", Text("Oil viscosity"), r.hot.oil.nu, "in", VISCOSITIES, "mm²/s", LAW_RANGE, OTHER_OIL
         )
     if (reach := r.seat.lubricant.reach) is not None:
-        yield on(
+        yield bearing_check(
             "oil_rows",
             Text("Film temperature within the rows of the oil"),
             r.hot.mean_temperature,
@@ -303,7 +304,7 @@ def checks(place: str, r: BearingResult, slope: float) -> Iterator[Check]:
             MORE_ROWS,
         )
     if r.seat.lubricant.polymer_thickened:
-        yield on(
+        yield bearing_check(
             "shear_rate",
             Text("Shear rate in the narrowest gap"),
             r.shear_rate,
@@ -321,7 +322,7 @@ def checks(place: str, r: BearingResult, slope: float) -> Iterator[Check]:
         )
     yield from _corner_checks(place, r)
     if (clearances := _fits(r)) is not None:
-        yield on(
+        yield bearing_check(
             "fit",
             Text("Clearance made by the fits"),
             r.clearance,
@@ -338,7 +339,7 @@ def checks(place: str, r: BearingResult, slope: float) -> Iterator[Check]:
     if inputs.supply != "groove":
         widths = {"pocket": inputs.pocket_width, "axial_groove": inputs.axial_groove_length}
         width = widths.get(inputs.supply, inputs.hole_diameter) or 0.0
-        yield on(
+        yield bearing_check(
             "supply_range",
             Text("Width of the oil supply over the length"),
             width / bearing.length,
@@ -350,10 +351,10 @@ def checks(place: str, r: BearingResult, slope: float) -> Iterator[Check]:
         )
 
 
-def _on(
+def _bearing_check(
     place: str,
     key: str,
-    title: Text,
+    label: Text,
     value: float | None,
     sense: str,
     limit: float | tuple[float, float],
@@ -364,7 +365,7 @@ def _on(
     remedies: Callable[[], tuple[Remedy, ...]] | None = None,
 ) -> Check:
     """A check on one bearing; a value that is None, since there is no film, keeps no limit."""
-    name = Text("{what}, {place}", what=title, place=IN_WORDS[place])
+    name = Text("{what}, {place}", what=label, place=IN_WORDS[place])
     number = math.nan if value is None else value
     return check(f"bearings.{place}.{key}", name, number, sense, limit, unit, source, advice, remedies=remedies)
 
@@ -434,7 +435,7 @@ def _outside(r: BearingResult) -> Text:
 def _corner_checks(place: str, r: BearingResult) -> Iterator[Check]:
     """The limits once more at the worst corner of the tolerances, given or assumed."""
     c, inputs = r.corners, r.seat.inputs
-    for key, column, title, value, sense, limit, unit, source, advice in (
+    for key, column, label, value, sense, limit, unit, source, advice in (
         (
             "film_edge",
             "film_edge",
@@ -481,10 +482,10 @@ def _corner_checks(place: str, r: BearingResult) -> Iterator[Check]:
         ),
     ):
         corner = c.worst(column)
-        yield _on(
+        yield _bearing_check(
             place,
             f"{key}_corner",
-            Text("{title} at the worst corner", title=title),
+            Text("{title} at the worst corner", title=label),
             value,
             sense,
             limit,

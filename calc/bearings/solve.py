@@ -24,7 +24,7 @@ from ..sheet.text import EMPTY, Amount, Text
 from ..sheet.units import Celsius, Metre, Newton, Number, Pascal, Radian, RevPerSecond
 from ..sheet.value import about, based_on, trace, untraced
 from . import formulas as f
-from .checks import LOST_BY_SHEAR, checks, oil_checks
+from .checks import LOST_BY_SHEAR, checks, oil_check
 from .corners import corner_points, corners, corners_table
 from .curves import curves
 from .film import short_bearing as short
@@ -70,7 +70,7 @@ def solve(
     speed = bearings.speed if bearings.speed is not None else engine.rated_speed if engine is not None else 0.0
     bench = engine.bench if engine is not None else ()
     results: dict[str, BearingResult] = {}
-    every: list[Check] = []
+    all_checks: list[Check] = []  # of each bearing at once: they have lines of their own
     with trace() as lines:
         with about(Text("oil")):
             lubricant = Lubricant(solids.oil, bearings.viscosity_law)
@@ -83,13 +83,15 @@ def solve(
                 )
                 load, slope = _load(place, bearing, shaft), _slope(place, bearings, shaft)
                 results[place] = _bearing(place, seat, load, slope, speed, bench, compared=compared)
-                every += [*checks(place, results[place], slope), *_pairing(place, results[place])]
-    every += _slopes_given(bearings, shaft, results)
-    every += oil_checks(bearings, solids.oil)
+                all_checks += checks(place, results[place], slope)
+                all_checks += _material_checks(place, results[place])
+    all_checks += _slope_checks(bearings, shaft, results)
+    if (pumping_check := oil_check(bearings, solids.oil)) is not None:
+        all_checks.append(pumping_check)
     return Outcome(
         "bearings",
         result=BearingsResult(bearings=results),
-        checks=tuple(every),
+        checks=tuple(all_checks),
         lines=tuple(lines),
         curves=Later(lambda: (c for place, r in results.items() for c in curves(place, r))),
         tables=Later(lambda: _tables(bearings, results, speed)),
@@ -115,7 +117,7 @@ def _charts(results: dict[str, BearingResult]) -> tuple[Curve, ...]:
     return tuple(charts(results))
 
 
-def _pairing(place: str, r: BearingResult) -> Iterator[Check]:
+def _material_checks(place: str, r: BearingResult) -> Iterator[Check]:
     """Advice by what the journal runs on, and by what bearings of this application usually carry."""
     inputs, bearing = r.seat.inputs, r.seat.bearing
     surface = running_surface(inputs.bush_material, inputs.housing_material)
@@ -166,7 +168,7 @@ def _slope(place: str, inputs: BearingsInputs, shaft: CountershaftResult | None)
     return 0.0 if slope is None else slope
 
 
-def _slopes_given(
+def _slope_checks(
     inputs: BearingsInputs, shaft: CountershaftResult | None, results: dict[str, BearingResult]
 ) -> Iterator[Check]:
     """Slopes that are given, held against those of the shaft as this design bends it: what stands on them stands on the

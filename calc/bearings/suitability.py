@@ -154,9 +154,9 @@ def checks(
             Text("Harden the journal."),
         ),
     )
-    for key, title, value, sense, limit, unit, advice in rows:
+    for key, label, value, sense, limit, unit, advice in rows:
         if value is not None and limit is not None:
-            yield check(f"{at}_{key}", title, value, sense, limit, unit, source, advice)
+            yield check(f"{at}_{key}", label, value, sense, limit, unit, source, advice)
     yield check(
         f"{at}_emergency_running",
         Text("Emergency running (1 poor to 4 excellent) of {material}, {place}", **of),
@@ -340,8 +340,8 @@ def application_checks(
         Text("Lengthen the bearing or take a larger journal."),
     )
     if row.pv is not None:
-        title = Text("p·v of the application, {place}", place=where)
-        yield check(f"{at}.application_pv", title, pv, "<=", row.pv, "MPa·m/s", source, Text("Lengthen the bearing."))
+        label = Text("p·v of the application, {place}", place=where)
+        yield check(f"{at}.application_pv", label, pv, "<=", row.pv, "MPa·m/s", source, Text("Lengthen the bearing."))
     if row.duty_low is not None:
         viscosity = Amount(UNITS["mPa·s"].shown(mu), digits=3)
         yield check(

@@ -27,15 +27,15 @@ def checks(
     shaft: CountershaftInputs, todo: ShaftTask, shaft_result: CountershaftResult, journals: Journals, gear: Gear | None
 ) -> Iterator[Check]:
     """All checks of the step but those of its bending and its making."""
-    yield from _residuals(shaft, todo, shaft_result)
-    yield from _slopes(shaft_result)
+    yield from _residual_checks(shaft, todo, shaft_result)
+    yield from _slope_checks(shaft_result)
     if journals:
-        yield from _envelope(shaft, shaft_result, journals, gear)
-    yield from _supports(shaft_result)
-    yield from _outline(todo, shaft_result)
+        yield from _envelope_checks(shaft, shaft_result, journals, gear)
+    yield from _support_checks(shaft_result)
+    yield from _outline_checks(todo, shaft_result)
 
 
-def _residuals(shaft: CountershaftInputs, todo: ShaftTask, shaft_result: CountershaftResult) -> Iterator[Check]:
+def _residual_checks(shaft: CountershaftInputs, todo: ShaftTask, shaft_result: CountershaftResult) -> Iterator[Check]:
     """The couple and the force of the shaft's order that are left over."""
     each = Text("each of both shafts ") if shaft.pair == "yes" else Text("the shaft ")
     aim_couple = Text(
@@ -113,7 +113,7 @@ def _opposite(engine: complex) -> Amount:
     return Amount(degrees(argument(-engine)), "°", form=".1f")
 
 
-def _slopes(shaft_result: CountershaftResult) -> Iterator[Check]:
+def _slope_checks(shaft_result: CountershaftResult) -> Iterator[Check]:
     for place, slope in (("front", shaft_result.slope_front), ("rear", shaft_result.slope_rear)):
         if slope is not None:
             yield check(
@@ -128,7 +128,7 @@ def _slopes(shaft_result: CountershaftResult) -> Iterator[Check]:
             )
 
 
-def _envelope(
+def _envelope_checks(
     shaft: CountershaftInputs, shaft_result: CountershaftResult, journals: Journals, gear: Gear | None
 ) -> Iterator[Check]:
     """Whether sectors and gear can be threaded in, and the sectors end before the journals begin; also where they can
@@ -180,7 +180,7 @@ def _envelope(
         )
 
 
-def _supports(shaft_result: CountershaftResult) -> Iterator[Check]:
+def _support_checks(shaft_result: CountershaftResult) -> Iterator[Check]:
     """Specific load and heat index of journals that are not part of [bearings]: a screening, without their film."""
     for name, support in shaft_result.support.items():
         for what, label, number, limit, unit in (
@@ -200,7 +200,7 @@ def _supports(shaft_result: CountershaftResult) -> Iterator[Check]:
                 )
 
 
-def _outline(todo: ShaftTask, shaft_result: CountershaftResult) -> Iterator[Check]:
+def _outline_checks(todo: ShaftTask, shaft_result: CountershaftResult) -> Iterator[Check]:
     """Given sections against given masses: both must describe one shaft."""
     couple, force = shaft_result.outline_couple_deviation, shaft_result.outline_force_deviation
     if couple is None or force is None:

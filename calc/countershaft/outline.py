@@ -301,7 +301,7 @@ def outline(pieces: tuple[Piece, ...], derived: bool) -> Outline:
             said=_stretch(thinnest),
             outer_radius=Amount(thinnest.outer_radius * 1000.0, form=".3g"),
         )
-        raise NoOutline(reason, _too_thin(thinnest, largest))
+        raise NoOutline(reason, _core_check(thinnest, largest))
     sectors = np.array([p.half_angle is not None for p in pieces])
     R, r_0 = column(pieces, "outer_radius"), column(pieces, "core_radius")
     moment = np.zeros(len(pieces), dtype=complex)
@@ -322,7 +322,7 @@ def outline(pieces: tuple[Piece, ...], derived: bool) -> Outline:
     return Outline(pieces=pieces, derived=derived, area=area, inertia=inertia, moment=moment)
 
 
-def _too_thin(thinnest: Piece, largest: Piece) -> Check:
+def _core_check(thinnest: Piece, largest: Piece) -> Check:
     return check(
         "countershaft.core",
         Text("Radius of {said}", said=_stretch(thinnest)),
@@ -378,7 +378,7 @@ def sectors_of(masses: tuple[EccentricMass, ...], rho: KilogramPerMetre3, R: Met
                     radius=Amount(mass.radius * 1000.0, form="g"),
                     within=within,
                 )
-                raise NoOutline(reason, _no_such_sector(mass, mass.radius / t if t else 0.0))
+                raise NoOutline(reason, _sector_check(mass, mass.radius / t if t else 0.0))
             gamma = half_angle(t=t)
             b = sector_length(m=mass.mass, rho=rho, A=sector_area(gamma=gamma, R=R, r_0=r_0))
         sectors.append(
@@ -389,7 +389,7 @@ def sectors_of(masses: tuple[EccentricMass, ...], rho: KilogramPerMetre3, R: Met
     return sectors
 
 
-def _no_such_sector(mass: EccentricMass, most: Metre) -> Check:
+def _sector_check(mass: EccentricMass, most: Metre) -> Check:
     return check(
         "countershaft.mass_shape",
         Text("Radius of the centre of gravity of mass {name}, as a sector", name=mass.name),
@@ -478,7 +478,7 @@ def _joined(solid: list[Piece], r_0: Metre, positions: tuple[Metre, ...], extras
         if piece.start < here - TOUCH:
             raise NoOutline(
                 Text("{said} crosses {said2}", said=_stretch(piece), said2=_stretch(pieces[-1])),
-                _crossing(pieces[-1], piece),
+                _crossing_check(pieces[-1], piece),
             )
         if piece.start > here + TOUCH:
             pieces.append(Piece(here, piece.start, r_0, 0.0, None, 0.0, "core"))
@@ -489,7 +489,7 @@ def _joined(solid: list[Piece], r_0: Metre, positions: tuple[Metre, ...], extras
     return outline(tuple(pieces), derived=True)
 
 
-def _crossing(first: Piece, second: Piece) -> Check:
+def _crossing_check(first: Piece, second: Piece) -> Check:
     return check(
         "countershaft.crossing",
         Text("Overlap of {said} and {said2}", said=_stretch(first), said2=_stretch(second)),

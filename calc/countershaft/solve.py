@@ -36,7 +36,7 @@ from . import formulas as f
 from .bending.shaft import Bending, bending
 from .checks import Journals, bending_checks, checks
 from .inputs import CountershaftInputs, EccentricMass, Extra
-from .making.drain import DrainResult, named
+from .making.drain import DrainResult, named_check
 from .making.parts import Gathered, making
 from .notes import SLOPES_GIVEN, bending_notes, notes, outline_note, size_notes, supports_note
 from .outline import NoOutline, Outline, assembled, given, known, sectors_of, turning_inertia, vectors_of, weighed
@@ -195,7 +195,8 @@ def _outline(
             sectors = sectors_of(masses, steel.density, outer, core)
         outline = assembled(shaft, sectors, journals, (gear.diameter, gear.face_width) if gear else None)
     except NoOutline as none:
-        to.checks += [none.broken] if none.broken is not None else []
+        if none.broken is not None:
+            to.checks.append(none.broken)
         to.notes.append(
             Text("Mass, balance tolerance, bending and critical speed are not computed: {none}.", none=none.reason)
         )
@@ -406,18 +407,11 @@ def with_oil(outcome: Outcome[CountershaftResult], bearings: "BearingsResult | N
         further = {
             name: _with_oil(drain_result, bearings) for name, drain_result in (shaft.further_drains or {}).items()
         }
-    oil_checks = [
-        named(drain_check, name)
-        for name, drain_result in {"": drain, **further}.items()
-        if drain_result is not None
-        for drain_check in _checks(drain_result)
-    ]
+    run_off_checks = tuple(_run_off_checks({"": drain, **further}))
+    if not run_off_checks:
+        return outcome
     result = replace(shaft, drain=drain, further_drains=further or None)
-    return (
-        replace(outcome, result=result, checks=(*outcome.checks, *oil_checks), lines=(*outcome.lines, *lines))
-        if oil_checks
-        else outcome
-    )
+    return replace(outcome, result=result, checks=outcome.checks + run_off_checks, lines=(*outcome.lines, *lines))
 
 
 def _with_oil(result: DrainResult, bearings: "BearingsResult") -> DrainResult:
@@ -432,15 +426,18 @@ def _with_oil(result: DrainResult, bearings: "BearingsResult") -> DrainResult:
         return replace(result, drain_flow=flow, drain_run_off=run_off(d=drain.bore, v_l=v_l, v_t=v_t))
 
 
-def _checks(result: DrainResult) -> Iterator[Check]:
-    if result.drain_flow is not None and result.drain_run_off is not None:
-        yield check(
-            f"{result.drain.id}.run_off",
-            Text("Oil of the bearings that the drain takes"),
-            result.drain_flow,
-            "<=",
-            result.drain_run_off,
-            "L/min",
-            Text("rule of this program: it must run off by itself, by the slope that the machine's tilt leaves"),
-            Text("A wider bore, a steeper passage, or a drain more. Cold oil runs off far slower."),
-        )
+def _run_off_checks(drains: Mapping[str, DrainResult | None]) -> Iterator[Check]:
+    """Of each drain, by its name, that takes the bearings' oil."""
+    for name, result in drains.items():
+        if result is not None and result.drain_flow is not None and result.drain_run_off is not None:
+            run_off_check = check(
+                f"{result.drain.id}.run_off",
+                Text("Oil of the bearings that the drain takes"),
+                result.drain_flow,
+                "<=",
+                result.drain_run_off,
+                "L/min",
+                Text("rule of this program: it must run off by itself, by the slope that the machine's tilt leaves"),
+                Text("A wider bore, a steeper passage, or a drain more. Cold oil runs off far slower."),
+            )
+            yield named_check(run_off_check, name)

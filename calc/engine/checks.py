@@ -2,6 +2,7 @@
 """The checks of the engine: crank ratio, even firing, the gas, the irregularity of its speed."""
 
 import math
+from collections.abc import Iterator
 
 from ..sheet.check import Check, check
 from ..sheet.text import Text
@@ -15,7 +16,98 @@ IRREGULAR = 0.05
 EVEN = math.radians(1.0)  # a firing interval may be so far from the even one
 
 
-def checks(engine: EngineInputs, e: EngineResult, turning: TorqueResult) -> tuple[Check, ...]:
+def checks(engine: EngineInputs, e: EngineResult, turning: TorqueResult) -> Iterator[Check]:
+    yield from _gas_checks(engine, e, turning)
+    if turning.speed_irregularity is not None:
+        yield check(
+            "engine.speed_irregularity",
+            Text("Speed irregularity"),
+            turning.speed_irregularity,
+            "<=",
+            IRREGULAR,
+            "",
+            Text(
+                "rule of this program after machine handbooks, from memory: ΔE = J·ω²·δ_s holds for small δ_s; "
+                "running drives are kept "
+                "well below 1/20"
+            ),
+            Text("A larger inertia of the flywheel lowers it in proportion."),
+        )
+    yield _crank_ratio_check(e)
+    yield _firing_check(e)
+
+
+def _gas_checks(engine: EngineInputs, e: EngineResult, turning: TorqueResult) -> Iterator[Check]:
+    """Whether the gas gives work, no less than the crank gives, and whether its table has gaps."""
+    if turning.indicated_work is not None:
+        yield check(
+            "engine.gas.work",
+            Text("Indicated work of a cycle"),
+            turning.indicated_work,
+            ">",
+            0.0,
+            "J",
+            Text("energy: an engine gives work"),
+            Text(
+                "The gas takes more work than it gives: look at peak pressure and compression ratio, or at the "
+                "table of pressure."
+            ),
+        )
+    if turning.indicated_mean_pressure is not None and e.brake_mean_pressure is not None:
+        yield check(
+            "engine.rated_power",
+            Text("Brake mean effective pressure, against the indicated one"),
+            e.brake_mean_pressure,
+            "<=",
+            turning.indicated_mean_pressure,
+            "bar",
+            Text("energy: a crank gives no more than its gas"),
+            Text("Correct the rated power, or the gas: what the crank gives is what the gas gives less the friction."),
+        )
+    if engine.gas is not None and engine.gas.pressure and turning.cycle is not None:
+        _, gap = widest_gap(turning.cycle.corners, turning.cycle.length)
+        yield check(
+            "engine.gas.gap",
+            Text("Largest gap in the table of indicated pressure"),
+            based_on(gap, turning.cycle.corners),
+            "<=",
+            WIDE,
+            "°",
+            Text("rule of this program: a straight line is taken across a gap"),
+            Text("Give points at least every 60° of the whole cycle."),
+        )
+
+
+def _crank_ratio_check(e: EngineResult) -> Check:
+    """Of the cylinder that is furthest from what is usual."""
+    lam = max(
+        (cylinder.lambda_ for cylinder in (e.cylinder or {}).values()),
+        default=e.lambda_,
+        key=lambda ratio: abs(ratio - sum(CRANK_RATIO) / 2),
+    )
+    advice = (
+        Text("A rod longer than usual: less second order, but a heavier rod and a taller engine.")
+        if lam < CRANK_RATIO[0]
+        else Text(
+            "A longer rod lowers λ and with it every second-order force and couple. The range is a guide, no limit: "
+            "the R753IE4 of "
+            "Finotti 2013, 2.5.3.1, lies above it with 0.3282."
+        )
+    )
+    return check(
+        "engine.crank.lambda_usual",
+        Text("Crank ratio λ"),
+        lam,
+        "in",
+        CRANK_RATIO,
+        "",
+        Text("Finotti 2013, 2.1, and mechanics textbook, 48.3.3: usual 0.22 to 0.30; Finotti 2013, 2.2.4: 0.2 to 0.3"),
+        advice,
+    )
+
+
+def _firing_check(e: EngineResult) -> Check:
+    """Of the interval that is furthest from the even one."""
     assert (
         e.firing_interval is not None
         and e.firing_interval_shortest is not None
@@ -28,103 +120,16 @@ def checks(engine: EngineInputs, e: EngineResult, turning: TorqueResult) -> tupl
         e.firing_interval_longest,
         e.firing_interval_shortest,
     )
-    usual = Text(
-        "Finotti 2013, 2.1, and mechanics textbook, 48.3.3: usual 0.22 to 0.30; Finotti 2013, 2.2.4: 0.2 to 0.3"
-    )
-    lam = max(
-        (cylinder.lambda_ for cylinder in (e.cylinder or {}).values()),
-        default=e.lambda_,
-        key=lambda ratio: abs(ratio - sum(CRANK_RATIO) / 2),
-    )
-    longer = (
-        Text("A rod longer than usual: less second order, but a heavier rod and a taller engine.")
-        if lam < CRANK_RATIO[0]
-        else Text(
-            "A longer rod lowers λ and with it every second-order force and couple. The range is a guide, no limit: "
-            "the R753IE4 of "
-            "Finotti 2013, 2.5.3.1, lies above it with 0.3282."
-        )
-    )
-    rule = Text("rule of this program: even firing within 1° (Finotti 2013, 2.4: interval 180°·strokes/N)")
-    advice = Text(
-        "This crank fires unevenly: the torque pulsates at lower orders. Crank angles that follow from a firing order "
-        "are even."
-    )
-    gas: list[Check] = []
-    if turning.indicated_work is not None:
-        gas.append(
-            check(
-                "engine.gas.work",
-                Text("Indicated work of a cycle"),
-                turning.indicated_work,
-                ">",
-                0.0,
-                "J",
-                Text("energy: an engine gives work"),
-                Text(
-                    "The gas takes more work than it gives: look at peak pressure and compression ratio, or at the "
-                    "table of pressure."
-                ),
-            )
-        )
-    if turning.indicated_mean_pressure is not None and e.brake_mean_pressure is not None:
-        gas.append(
-            check(
-                "engine.rated_power",
-                Text("Brake mean effective pressure, against the indicated one"),
-                e.brake_mean_pressure,
-                "<=",
-                turning.indicated_mean_pressure,
-                "bar",
-                Text("energy: a crank gives no more than its gas"),
-                Text(
-                    "Correct the rated power, or the gas: what the crank gives is what the gas gives less the friction."
-                ),
-            )
-        )
-    if engine.gas is not None and engine.gas.pressure and turning.cycle is not None:
-        _, gap = widest_gap(turning.cycle.corners, turning.cycle.length)
-        gap = based_on(gap, turning.cycle.corners)
-        gas.append(
-            check(
-                "engine.gas.gap",
-                Text("Largest gap in the table of indicated pressure"),
-                gap,
-                "<=",
-                WIDE,
-                "°",
-                Text("rule of this program: a straight line is taken across a gap"),
-                Text("Give points at least every 60° of the whole cycle."),
-            )
-        )
-    if turning.speed_irregularity is not None:
-        gas.append(
-            check(
-                "engine.speed_irregularity",
-                Text("Speed irregularity"),
-                turning.speed_irregularity,
-                "<=",
-                IRREGULAR,
-                "",
-                Text(
-                    "rule of this program after machine handbooks, from memory: ΔE = J·ω²·δ_s holds for small δ_s; "
-                    "running drives are kept "
-                    "well below 1/20"
-                ),
-                Text("A larger inertia of the flywheel lowers it in proportion."),
-            )
-        )
-    return (
-        *gas,
-        check("engine.crank.lambda_usual", Text("Crank ratio λ"), lam, "in", CRANK_RATIO, "", usual, longer),
-        check(
-            "engine.firing.even",
-            Text("Deviation of a firing interval from the even one"),
-            uneven,
-            "<=",
-            EVEN,
-            "°",
-            rule,
-            advice,
+    return check(
+        "engine.firing.even",
+        Text("Deviation of a firing interval from the even one"),
+        uneven,
+        "<=",
+        EVEN,
+        "°",
+        Text("rule of this program: even firing within 1° (Finotti 2013, 2.4: interval 180°·strokes/N)"),
+        Text(
+            "This crank fires unevenly: the torque pulsates at lower orders. Crank angles that follow from a firing "
+            "order are even."
         ),
     )

@@ -6,7 +6,7 @@ throws in front of it (towards the free end) passes through.  Signs: forces are 
 in the sense of rotation, radial towards the crank axis."""
 
 import math
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 
 import numpy as np
 
@@ -37,7 +37,7 @@ from .cycle import (
 from .gas import COMPRESSION, CRANKCASE, EXHAUST, EXPANSION, HELD, INTAKE, GasInputs
 from .inputs import EngineInputs, ThrowInputs
 from .result import CrankSection, EngineResult, Position, Rod, ThrowResult
-from .throw_strength import Forces, Notch, check_of, judged
+from .throw_strength import Forces, Notch, ThrowFatigue, fatigue_check, judged
 
 # --- the gas of an engine's cylinders: its cycle from what the design says, and what is taken for numbers left out
 
@@ -227,7 +227,7 @@ def solve(
     at = zip(POSITIONS.values(), (based_on(float(angles[0, k]), *crank.load), item(firing[k])))
     largest, top = [_position(crank, k, epsilon, shared[k], in_front[k], words) for words, epsilon in at]
     material = materials.get(throw.material)
-    tired = judged(
+    fatigue = judged(
         _forces_over_the_cycle(crank, shared, in_front), crank.notch, throw, engine.crank_radius, material, crank.load
     )
     pin, journal = (crank.notch.get(place, (None, None, None)) for place in PLACES)
@@ -240,12 +240,11 @@ def solve(
         notch_torsion_journal=journal[2],
         largest_tangential=largest,
         top_dead_centre=top,
-        fatigue=tired,
+        fatigue=fatigue,
     )
-    fatigue_check = () if tired is None else (check_of(tired, PLACES[tired.place]),)
     return (
         result,
-        (*_checks(crank, worst, material), *fatigue_check),
+        tuple(_checks(crank, worst, material, fatigue)),
         _notes(crank, result, shared[k], material),
         _tables(result, worst),
     )
@@ -327,68 +326,61 @@ def _position(crank: _Throw, k: int, epsilon: float, shared: BoolArray, in_front
 # --- what is said about it
 
 
-def _checks(crank: _Throw, worst: Array, material: Material | None) -> tuple[Check, ...]:
-    """Each place by the largest stress that it has on any throw, in either position."""
-    checks: list[Check] = []
+def _checks(crank: _Throw, worst: Array, material: Material | None, fatigue: ThrowFatigue | None) -> Iterator[Check]:
+    """Each place by the largest stress that it has on any throw, in either position; the worst fillet by its
+    fatigue."""
     largest = worst.max((0, 1))
     throw, pitch = crank.throw, crank.engine.cylinder_pitch
     if crank.engine.cylinders > 1:
-        checks.append(
-            check(
-                "engine.throw.span",
-                Text("Distance of the main journals over the cylinder pitch"),
-                crank.span / pitch,
-                "in",
-                SPAN,
-                "",
-                Text("rule of this program: a main journal between any two throws"),
-                Text("Journal length, both webs and pin length make the span; the stresses are proportional to it."),
-            )
+        yield check(
+            "engine.throw.span",
+            Text("Distance of the main journals over the cylinder pitch"),
+            crank.span / pitch,
+            "in",
+            SPAN,
+            "",
+            Text("rule of this program: a main journal between any two throws"),
+            Text("Journal length, both webs and pin length make the span; the stresses are proportional to it."),
         )
     limit = material.proof_stress if material else None
     proof = Text("elasticity, proof stress of {material}", material=throw.material)
     for i, (place, part) in enumerate(PLACES.items()):
         nominal, notch = (based_on(float(largest[n]), *crank.load, throw) for n in (i, i + 2))
         if limit is not None:
-            checks.append(
-                check(
-                    f"engine.throw.stress_{place}",
-                    Text("Von Mises stress of the {part}, nominal", part=part),
-                    nominal,
-                    "<=",
-                    limit,
-                    "MPa",
-                    proof,
-                    Text("A larger diameter: the stress falls with its cube."),
-                )
+            yield check(
+                f"engine.throw.stress_{place}",
+                Text("Von Mises stress of the {part}, nominal", part=part),
+                nominal,
+                "<=",
+                limit,
+                "MPa",
+                proof,
+                Text("A larger diameter: the stress falls with its cube."),
             )
         if limit is not None and place in crank.notch:
-            checks.append(
-                check(
-                    f"engine.throw.notch_stress_{place}",
-                    Text("Von Mises stress at the fillet of the {part}", part=part),
-                    notch,
-                    "<=",
-                    limit,
-                    "MPa",
-                    Text("{proof}: above it the fillet yields locally", proof=proof),
-                    Text("A larger fillet, or a larger diameter."),
-                )
+            yield check(
+                f"engine.throw.notch_stress_{place}",
+                Text("Von Mises stress at the fillet of the {part}", part=part),
+                notch,
+                "<=",
+                limit,
+                "MPa",
+                Text("{proof}: above it the fillet yields locally", proof=proof),
+                Text("A larger fillet, or a larger diameter."),
             )
         if place in crank.notch:
-            checks.append(
-                check(
-                    f"engine.throw.fillet_{place}",
-                    Text("Fillet radius over diameter of the {part}", part=part),
-                    crank.notch[place][0],
-                    "in",
-                    FIT,
-                    "",
-                    Text("range of the notch factors ({notch})", notch=t.NOTCH),
-                    Text("Outside it the notch stress is an extrapolation."),
-                )
+            yield check(
+                f"engine.throw.fillet_{place}",
+                Text("Fillet radius over diameter of the {part}", part=part),
+                crank.notch[place][0],
+                "in",
+                FIT,
+                "",
+                Text("range of the notch factors ({notch})", notch=t.NOTCH),
+                Text("Outside it the notch stress is an extrapolation."),
             )
-    return tuple(checks)
+    if fatigue is not None:
+        yield fatigue_check(fatigue, PLACES[fatigue.place])
 
 
 def _notes(crank: _Throw, result: ThrowResult, shared: BoolArray, material: Material | None) -> tuple[Text, ...]:

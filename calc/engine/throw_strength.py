@@ -247,7 +247,7 @@ def _worst(
     return float(equal.max()), place, int(k), (float(at[0]), float(at[1]), float(at[2]), float(at[3]))
 
 
-def check_of(result: ThrowFatigue, part: Text) -> Check:
+def fatigue_check(result: ThrowFatigue, part: Text) -> Check:
     """The safety of the worst fillet, `part` its place in words."""
     return check(
         "engine.throw.fatigue",

@@ -39,7 +39,7 @@ def outcome(d: TrainDrive, result: FrictionResult, lines: list[Line]) -> Outcome
         "friction",
         result=result,
         lines=tuple(lines),
-        checks=(*checks(friction, result), *_oil_range(d.oil)),
+        checks=tuple(checks(friction, result, d.oil)),
         curves=Later(partial(curves.curves, result, d)),
         errata=Later(lambda: errata(friction, result, d.oil)),
         notes=Later(partial(notes.notes, friction, result, d.oil)),
@@ -50,8 +50,8 @@ def outcome(d: TrainDrive, result: FrictionResult, lines: list[Line]) -> Outcome
 # --- checks
 
 
-def checks(friction: FrictionInputs, result: FrictionResult) -> tuple[Check, ...]:
-    balance = check(
+def checks(friction: FrictionInputs, result: FrictionResult, oil: Oil) -> Iterator[Check]:
+    yield check(
         "friction.train.balance",
         Text("Power balance of the train: what is left over"),
         abs(result.residual),
@@ -61,16 +61,15 @@ def checks(friction: FrictionInputs, result: FrictionResult) -> tuple[Check, ...
         Text("conservation of energy"),
         Text("A fault of the program, not of the design: please report it."),
     )
-    delivered = () if result.delivered_power is None else (_delivers(result.delivered_power),)
-    return (
-        balance,
-        *delivered,
-        _models(result),
-        *(c for name, mesh in result.meshes.items() for c in _of_mesh(f"friction.{name}", friction, mesh)),
-    )
+    if result.delivered_power is not None:
+        yield _delivered_check(result.delivered_power)
+    yield _models_check(result)
+    for name, mesh in result.meshes.items():
+        yield from _mesh_checks(f"friction.{name}", friction, mesh)
+    yield from _oil_checks(oil)
 
 
-def _models(result: FrictionResult) -> Check:
+def _models_check(result: FrictionResult) -> Check:
     """How many of the published regressions hold for every mesh."""
     meshes = result.meshes.values()
     outside = [
@@ -94,7 +93,7 @@ def _models(result: FrictionResult) -> Check:
     )
 
 
-def _oil_range(oil: Oil) -> Iterator[Check]:
+def _oil_checks(oil: Oil) -> Iterator[Check]:
     """Whether the oil's own table of viscosities, where it has one, reaches to its temperature, and whether its law
     does."""
     nu = oil.lubricant.nu(oil.T_m)
@@ -122,7 +121,7 @@ def _oil_range(oil: Oil) -> Iterator[Check]:
         )
 
 
-def _delivers(power: float) -> Check:
+def _delivered_check(power: float) -> Check:
     return check(
         "friction.train.delivered",
         Text("Power that the last wheel delivers: more than nothing"),
@@ -138,7 +137,7 @@ def _delivers(power: float) -> Check:
     )
 
 
-def _beside(id: str, mesh: MeshResult, inside: dict[str, Watt]) -> Check:
+def _published_check(id: str, mesh: MeshResult, inside: dict[str, Watt]) -> Check:
     """How far the sliding loss that is judged lies from that of the published model that is farthest from it."""
     P_s = mesh.judged.sliding_loss
     factors = {name: factor_apart(P_1=P_s, P_2=P) for name, P in inside.items()}
@@ -162,7 +161,7 @@ def _beside(id: str, mesh: MeshResult, inside: dict[str, Watt]) -> Check:
     )
 
 
-def _of_mesh(id: str, friction: FrictionInputs, mesh: MeshResult) -> Iterator[Check]:
+def _mesh_checks(id: str, friction: FrictionInputs, mesh: MeshResult) -> Iterator[Check]:
     """One limit, that power comes out at all; else advice: where the model leaves its range, and what the flanks would
     like."""
     yield check(
@@ -207,7 +206,7 @@ def _of_mesh(id: str, friction: FrictionInputs, mesh: MeshResult) -> Iterator[Ch
     }
     elastic = by_regime(mesh).lead_at_pitch >= 1  # all of them come from loaded teeth and discs, whose films are EHL
     if inside and elastic and mesh.judged.sliding_loss > 0:
-        yield _beside(id, mesh, inside)
+        yield _published_check(id, mesh, inside)
     yield check(
         f"{id}.deborah",
         Text("Largest Deborah number, {title}", title=mesh.case.mesh.title),
@@ -240,7 +239,6 @@ def _of_mesh(id: str, friction: FrictionInputs, mesh: MeshResult) -> Iterator[Ch
             Text("The teeth run hotter than the oil: estimate their temperature, or give it."),
             remedies=by_key(FrictionInputs, "friction.bulk", "estimated"),
         )
-
     if mesh.judged.bulk_temperature is not None:
         yield check(
             f"{id}.bulk_temperature",

@@ -2,7 +2,7 @@
 """What is judged on the gear train, and what to do where it fails."""
 
 import math
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 
 from ..sheet.check import Check, check
 from ..sheet.remedy import Change, Remedy, change, remedy
@@ -21,25 +21,23 @@ DUST = 1e-12
 AT_THE_END = Text("{iso}: at the end of the tolerances", iso=ISO)
 
 
-def checks(gears: GearsInputs, train: TrainResult) -> tuple[Check, ...]:
-    judged: list[Check] = []
+def checks(gears: GearsInputs, train: TrainResult) -> Iterator[Check]:
     cuts = {wheel.name: wheel.tip_shortening for wheel in gears.wheels}
     for i, (given, mesh) in enumerate(zip(gears.meshes, train.meshes.values())):
         pair = train.wheels[mesh.driver], train.wheels[mesh.driven]
-        judged.append(_backlash(train.system, given, i, mesh, *pair))
-        judged += _contact(f"gears.{given.key}", i, mesh)
-        judged += _clearance(train.system, f"gears.{given.key}", i, mesh, cuts, *pair)
+        yield _backlash_check(train.system, given, i, mesh, *pair)
+        yield from _contact_checks(f"gears.{given.key}", i, mesh)
+        yield from _clearance_checks(train.system, f"gears.{given.key}", i, mesh, cuts, *pair)
     for wheel in train.wheels.values():
-        judged += _tooth(train.system, wheel)
+        yield from _tooth_checks(train.system, wheel)
         assert wheel.measures is not None  # of every wheel, once the geometry is solved
-        judged += contact_checks(train.system, wheel, wheel.measures)
-    return tuple(judged)
+        yield from contact_checks(train.system, wheel, wheel.measures)
 
 
 # --- the train
 
 
-def speed_ratio(train: TrainResult, wanted: Number, crank: float | None = None) -> Check:
+def speed_ratio_check(train: TrainResult, wanted: Number, crank: float | None = None) -> Check:
     """Whether the last wheel turns as the shaft must: its speed over that of the first driver, as far as it is off the
     wanted one."""
     along = list(train.meshes.values())
@@ -89,7 +87,7 @@ def speed_ratio(train: TrainResult, wanted: Number, crank: float | None = None) 
 # --- meshes
 
 
-def _backlash(
+def _backlash_check(
     system: ToothSystem, given: Mesh, index: int, mesh: MeshResult, driver: WheelResult, driven: WheelResult
 ) -> Check:
     closest = mesh.centre_distance - mesh.centre_tolerance  # where the slope is least: what it asks for is enough
@@ -109,38 +107,32 @@ def _backlash(
     )
 
 
-def _contact(id: str, index: int, mesh: MeshResult) -> list[Check]:
+def _contact_checks(id: str, index: int, mesh: MeshResult) -> Iterator[Check]:
     name, eps_alpha = Text("Transverse contact ratio {pair}", pair=mesh.title), mesh.transverse_contact_ratio
+    usual = Text("{name}, usual", name=name)
     advice = Text("Cut less off the tips, bring the wheels closer together, or take more teeth of a smaller module.")
-    hands_over = Text(
+    source = Text(
         "{practice}: above 1 each pair hands over to the next, 0.1 for tolerances; the overlap of a helix is not "
         "counted",
         practice=p.PRACTICE,
     )
-    usual = Text("{name}, usual", name=name)
-    checks = [
-        check(f"{id}.contact_ratio", name, eps_alpha, ">=", p.CONTACT_RATIO, "", hands_over, advice),
-        check(f"{id}.contact_ratio_usual", usual, eps_alpha, ">=", p.USUAL_CONTACT_RATIO, "", p.PRACTICE, advice),
-    ]
+    yield check(f"{id}.contact_ratio", name, eps_alpha, ">=", p.CONTACT_RATIO, "", source, advice)
+    yield check(f"{id}.contact_ratio_usual", usual, eps_alpha, ">=", p.USUAL_CONTACT_RATIO, "", p.PRACTICE, advice)
     if mesh.transverse_contact_ratio_min is not None:
-        least = Text("{name}, shortest tips, widest centres", name=name)
-        checks.append(
-            check(
-                f"{id}.contact_ratio_least",
-                least,
-                mesh.transverse_contact_ratio_min,
-                ">=",
-                1.0,
-                "",
-                AT_THE_END,
-                advice,
-                index=index,
-            )
+        yield check(
+            f"{id}.contact_ratio_least",
+            Text("{name}, shortest tips, widest centres", name=name),
+            mesh.transverse_contact_ratio_min,
+            ">=",
+            1.0,
+            "",
+            AT_THE_END,
+            advice,
+            index=index,
         )
-    return checks
 
 
-def _clearance(
+def _clearance_checks(
     system: ToothSystem,
     id: str,
     index: int,
@@ -148,7 +140,7 @@ def _clearance(
     cuts: Mapping[str, Metre],
     driver: WheelResult,
     driven: WheelResult,
-) -> list[Check]:
+) -> Iterator[Check]:
     """Tip clearance and start of contact of the tighter wheel, and of the pair at the end of the tolerances where they
     are given."""
     at_root = {"driver": mesh.tip_clearance_driver, "driven": mesh.tip_clearance_driven}
@@ -174,75 +166,68 @@ def _clearance(
         mate=mate.name,
         wheel=wheel.name,
     )
-    checks = [
-        check(
-            f"{id}.tip_clearance",
-            clearance,
-            at_root[low],
+    yield check(
+        f"{id}.tip_clearance",
+        clearance,
+        at_root[low],
+        ">=",
+        usual,
+        "mm",
+        _modules(p.TIP_CLEARANCE),
+        tool,
+        value_id=f"{id}.tip_clearance_{low}",
+        remedies=shorter,
+    )
+    yield check(
+        f"{id}.interference",
+        start,
+        above[tight],
+        ">=",
+        needed,
+        "mm",
+        Text("{iso}: (d_Nf − d_Ff)/2", iso=ISO),
+        works_low,
+        value_id=f"{id}.form_margin_{tight}",
+        remedies=lambda: _eased(mesh, wheel, mate, cuts, needed),
+    )
+    yield check(
+        f"{id}.interference_usual",
+        Text("{start}, usual", start=start),
+        above[tight],
+        ">=",
+        enough,
+        "mm",
+        _modules(p.USUAL_ABOVE_FILLET),
+        works_low,
+        value_id=f"{id}.form_margin_{tight}",
+        remedies=lambda: _eased(mesh, wheel, mate, cuts, enough),
+    )
+    if mesh.tip_clearance_min is not None:
+        yield check(
+            f"{id}.tip_clearance_least",
+            Text("{clearance}, longest tips and closest centres", clearance=clearance),
+            mesh.tip_clearance_min,
             ">=",
-            usual,
+            0.0,
             "mm",
-            _modules(p.TIP_CLEARANCE),
+            AT_THE_END,
             tool,
-            value_id=f"{id}.tip_clearance_{low}",
+            index=index,
             remedies=shorter,
-        ),
-        check(
-            f"{id}.interference",
-            start,
-            above[tight],
+        )
+    if mesh.form_margin_min is not None:
+        yield check(
+            f"{id}.interference_least",
+            Text("{start}, longest tips and closest centres", start=start),
+            mesh.form_margin_min,
             ">=",
             needed,
             "mm",
-            Text("{iso}: (d_Nf − d_Ff)/2", iso=ISO),
+            AT_THE_END,
             works_low,
-            value_id=f"{id}.form_margin_{tight}",
+            index=index,
             remedies=lambda: _eased(mesh, wheel, mate, cuts, needed),
-        ),
-        check(
-            f"{id}.interference_usual",
-            Text("{start}, usual", start=start),
-            above[tight],
-            ">=",
-            enough,
-            "mm",
-            _modules(p.USUAL_ABOVE_FILLET),
-            works_low,
-            value_id=f"{id}.form_margin_{tight}",
-            remedies=lambda: _eased(mesh, wheel, mate, cuts, enough),
-        ),
-    ]
-    if mesh.tip_clearance_min is not None:
-        checks.append(
-            check(
-                f"{id}.tip_clearance_least",
-                Text("{clearance}, longest tips and closest centres", clearance=clearance),
-                mesh.tip_clearance_min,
-                ">=",
-                0.0,
-                "mm",
-                AT_THE_END,
-                tool,
-                index=index,
-                remedies=shorter,
-            )
         )
-    if mesh.form_margin_min is not None:
-        checks.append(
-            check(
-                f"{id}.interference_least",
-                Text("{start}, longest tips and closest centres", start=start),
-                mesh.form_margin_min,
-                ">=",
-                needed,
-                "mm",
-                AT_THE_END,
-                works_low,
-                index=index,
-                remedies=lambda: _eased(mesh, wheel, mate, cuts, needed),
-            )
-        )
-    return checks
 
 
 def _eased(
@@ -270,46 +255,44 @@ def _modules(limit: Number) -> Text:
 # --- wheels
 
 
-def _tooth(system: ToothSystem, wheel: WheelResult) -> list[Check]:
+def _tooth_checks(system: ToothSystem, wheel: WheelResult) -> Iterator[Check]:
     name = wheel.name
     s_an, value_id = wheel.tip_thickness_normal, f"gears.{name}.tip_thickness_normal"
     if wheel.tip_thickness_normal_min is not None:
         s_an, value_id = wheel.tip_thickness_normal_min, f"{value_id}_min"
-    return [
-        check(
-            f"gears.{name}.undercut",
-            Text("Profile shift of {name} against undercut", name=name),
-            wheel.profile_shift,
-            ">=",
-            wheel.undercut_limit,
-            "",
-            ISO,
-            Text("More teeth, or a tool with a smaller addendum, help as well."),
-            remedies=lambda: _shifted(wheel),
-        ),
-        check(
-            f"gears.{name}.tip_thickness",
-            Text("Normal tip thickness of {name}", name=name),
-            s_an,
-            ">=",
-            p.TIP_THICKNESS * system.m_n,
-            "mm",
-            _modules(p.TIP_THICKNESS),
-            Text("Cut the tip, or give a smaller profile shift."),
-            value_id=value_id,
-        ),
-        check(
-            f"gears.{name}.tip_thickness_hardened",
-            Text("Tip thickness of {name}, if case-hardened", name=name),
-            s_an,
-            ">=",
-            p.TIP_THICKNESS_HARDENED * system.m_n,
-            "mm",
-            Text("{modules} if case-hardened", modules=_modules(p.TIP_THICKNESS_HARDENED)),
-            Text("A thin tip hardens through: cut it, or give less shift."),
-            value_id=value_id,
-        ),
-    ]
+    yield check(
+        f"gears.{name}.undercut",
+        Text("Profile shift of {name} against undercut", name=name),
+        wheel.profile_shift,
+        ">=",
+        wheel.undercut_limit,
+        "",
+        ISO,
+        Text("More teeth, or a tool with a smaller addendum, help as well."),
+        remedies=lambda: _shifted(wheel),
+    )
+    yield check(
+        f"gears.{name}.tip_thickness",
+        Text("Normal tip thickness of {name}", name=name),
+        s_an,
+        ">=",
+        p.TIP_THICKNESS * system.m_n,
+        "mm",
+        _modules(p.TIP_THICKNESS),
+        Text("Cut the tip, or give a smaller profile shift."),
+        value_id=value_id,
+    )
+    yield check(
+        f"gears.{name}.tip_thickness_hardened",
+        Text("Tip thickness of {name}, if case-hardened", name=name),
+        s_an,
+        ">=",
+        p.TIP_THICKNESS_HARDENED * system.m_n,
+        "mm",
+        Text("{modules} if case-hardened", modules=_modules(p.TIP_THICKNESS_HARDENED)),
+        Text("A thin tip hardens through: cut it, or give less shift."),
+        value_id=value_id,
+    )
 
 
 def _shifted(wheel: WheelResult) -> tuple[Remedy, ...]:

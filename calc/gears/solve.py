@@ -4,7 +4,7 @@
 `rating` stands in its own file and is offered here, so that the step has one door."""
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import replace
 
 from ..engine.inputs import EngineInputs
@@ -19,11 +19,13 @@ from ..sheet.value import about, trace
 from .backlash.case import backlash_at_shaft
 from .backlash.formulas import residual_couple as _couple_of_phase_error
 from .backlash.solve import play, with_couple
-from .checks import checks, speed_ratio
+from .checks import checks as train_checks
+from .checks import speed_ratio_check
 from .formulas import speed_ratio as speed_ratio_of
 from .inputs import GearsInputs, Mesh, Wheel
 from .layout.forces import forces
 from .layout.solve import ShaftInTrain, layout
+from .measures.solve import checks as measures_checks
 from .measures.solve import measures
 from .notes import errata, notes
 from .pair import solve_mesh
@@ -86,13 +88,11 @@ def at_rest(gears: GearsInputs) -> Outcome[TrainResult]:
         with about(Text("train, to {last}", last=last)):
             free = backlash_at_shaft(wheels, meshes, last)
         spans: list[Callable[[], Table]] = []
-        measured: list[Check] = []
         for given in gears.wheels:
             working = [(mate, d_w) for mate, d_w, _ in working_circles(meshes, given.name)]
-            sizes, judged, table = measures(system, given, wheels[given.name], working)
+            sizes, table = measures(system, given, wheels[given.name], working)
             wheels[given.name] = replace(wheels[given.name], measures=sizes)
             spans.append(table)
-            measured += judged
         result = TrainResult(system=system, wheels=wheels, meshes=meshes, speed_ratio=0.0, phase_error=free)
         depths = penetrations(result)
     result = replace(result, meshes={key: replace(mesh, penetration=depths[key]) for key, mesh in meshes.items()})
@@ -100,11 +100,19 @@ def at_rest(gears: GearsInputs) -> Outcome[TrainResult]:
     return Outcome(
         "gears",
         result=result,
-        checks=(*checks(gears, result), *measured, *profile_checks(result, depths)),
+        checks=tuple(_checks(gears, result, depths)),
         lines=tuple(lines),
         tables=Later(lambda: (table() for table in spans)),
         notes=Later(lambda: (*notes(gears, train, result), *profile_notes(result))),
     )
+
+
+def _checks(gears: GearsInputs, train: TrainResult, depths: Mapping[str, Metre]) -> Iterator[Check]:
+    yield from train_checks(gears, train)
+    for wheel in train.wheels.values():
+        assert wheel.measures is not None  # of every wheel, once the geometry is solved
+        yield from measures_checks(train.system, wheel, wheel.measures)
+    yield from profile_checks(train, depths)
 
 
 def turning(outcome: Outcome[TrainResult], gears: GearsInputs, first_speed: RevPerSecond) -> Outcome[TrainResult]:
@@ -228,7 +236,7 @@ def with_speed_ratio(
     if outcome.result is None:
         return outcome
     crank = engine.rated_speed if engine is not None else None
-    return replace(outcome, checks=(*outcome.checks, speed_ratio(outcome.result, wanted, crank)))
+    return replace(outcome, checks=(*outcome.checks, speed_ratio_check(outcome.result, wanted, crank)))
 
 
 # --- from Python, in SI: `from calc import gears`

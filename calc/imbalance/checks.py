@@ -2,6 +2,7 @@
 """What is left, judged against one cylinder's force, and the remedies that it calls for."""
 
 import math
+from collections.abc import Iterator
 
 from ..sheet.check import Check, check
 from ..sheet.functions import argument, degrees
@@ -9,7 +10,7 @@ from ..sheet.text import EMPTY, Amount, Text, listed, plural
 from ..sheet.units import Number
 from .remedies import BalanceShaft
 from .result import ImbalanceResult
-from .shaft_pair import roll_checks
+from .shaft_pair import roll_check
 
 FIRST, SECOND = 0.05, 0.5  # shares of one cylinder's first- and second-order force that a good balance may leave
 TURNED = math.radians(0.01)
@@ -18,7 +19,7 @@ OWN = Text(
 )
 
 
-def checks(result: ImbalanceResult, lam: Number, kappa: Number, rho: Number, shaft: bool) -> tuple[Check, ...]:
+def checks(result: ImbalanceResult, lam: Number, kappa: Number, rho: Number, shaft: bool) -> Iterator[Check]:
     """What is left, against the force of one cylinder's reciprocating mass and its couple over one pitch.
 
     `kappa`, `rho`: shares of the reciprocating and of the rotating masses that the crank's counterweights carry.
@@ -58,130 +59,118 @@ def checks(result: ImbalanceResult, lam: Number, kappa: Number, rho: Number, sha
         else EMPTY
     )
 
-    def advice(name: str, label: Text, value: float, limit: float, unit: str, what: Text) -> Check:
-        return check(f"imbalance.{name}", label, value, "<=", limit, unit, OWN, what)
+    def left_check(name: str, label: Text, value: float, limit: float, unit: str, advice: Text) -> Check:
+        return check(f"imbalance.{name}", label, value, "<=", limit, unit, OWN, advice)
 
-    alone = (
-        advice(
+    if not shaft:
+        yield left_check(
             "order_1.backward",
             Text("First-order couple turning backward"),
             first.couple_backward,
             FIRST * couple,
             "N·m",
             counter,
-        ),
-        advice(
+        )
+        yield left_check(
             "order_1.backward_force",
             Text("First-order force turning backward"),
             first.force_backward,
             FIRST * force,
             "N",
             backward,
-        ),
+        )
+    yield left_check(
+        "order_1.forward",
+        Text("First-order couple turning forward"),
+        first.couple_forward,
+        FIRST * couple,
+        "N·m",
+        forward,
     )
-    return (
-        *(() if shaft else alone),
-        advice(
-            "order_1.forward",
-            Text("First-order couple turning forward"),
-            first.couple_forward,
-            FIRST * couple,
-            "N·m",
-            forward,
-        ),
-        advice(
-            "order_1.forward_force",
-            Text("First-order force turning forward"),
-            first.force_forward,
-            FIRST * force,
-            "N",
-            forward,
-        ),
-        advice(
-            "order_2.couple", Text("Second-order couple left"), second.couple_peak, SECOND * lam * couple, "N·m", two
-        ),
-        advice("order_2.force", Text("Second-order force left"), second.force_peak, SECOND * lam * force, "N", two),
-        *roll_checks(result.shaft_pair),
-        *_crank_checks(result),
+    yield left_check(
+        "order_1.forward_force",
+        Text("First-order force turning forward"),
+        first.force_forward,
+        FIRST * force,
+        "N",
+        forward,
     )
+    yield left_check(
+        "order_2.couple", Text("Second-order couple left"), second.couple_peak, SECOND * lam * couple, "N·m", two
+    )
+    yield left_check(
+        "order_2.force", Text("Second-order force left"), second.force_peak, SECOND * lam * force, "N", two
+    )
+    if result.shaft_pair is not None:
+        yield roll_check(result.shaft_pair)
+    yield from _crank_checks(result)
 
 
-def _crank_checks(result: ImbalanceResult) -> tuple[Check, ...]:
+def _crank_checks(result: ImbalanceResult) -> Iterator[Check]:
     """The crank on the balancing machine, and what pulley and flywheel supply, by the same measure."""
     webs, force, couple = result.webs, result.one_force, result.one_couple
     if webs is None:
-        return ()
-    checks = []
+        return
     if webs.crank is not None:
         name = "stated" if "stated" in webs.crank else "balanced"
         state = webs.crank[name]
         bobs = Text("with the bobs as stated") if name == "stated" else Text("with the bobs found")
-        what = Text("Other bobs (bob_mode), or other webs: the list of bodies shows where mass is missing.")
-        checks += [
-            check(
-                "imbalance.crank.force",
-                Text("Force of the crank {bobs}", bobs=bobs),
-                state.force,
-                "<=",
-                FIRST * force,
-                "N",
-                OWN,
-                what,
-            ),
-            check(
-                "imbalance.crank.couple",
-                Text("Couple of the crank {bobs}", bobs=bobs),
-                state.couple,
-                "<=",
-                FIRST * couple,
-                "N·m",
-                OWN,
-                what,
-            ),
-        ]
+        advice = Text("Other bobs (bob_mode), or other webs: the list of bodies shows where mass is missing.")
+        yield check(
+            "imbalance.crank.force",
+            Text("Force of the crank {bobs}", bobs=bobs),
+            state.force,
+            "<=",
+            FIRST * force,
+            "N",
+            OWN,
+            advice,
+        )
+        yield check(
+            "imbalance.crank.couple",
+            Text("Couple of the crank {bobs}", bobs=bobs),
+            state.couple,
+            "<=",
+            FIRST * couple,
+            "N·m",
+            OWN,
+            advice,
+        )
         if webs.permitted_unbalance is not None and webs.drilled_mass is None:
-            checks.append(
-                check(
-                    "imbalance.crank.residual",
-                    Text("Static unbalance of the crank {bobs}", bobs=bobs),
-                    state.unbalance,
-                    "<=",
-                    webs.permitted_unbalance,
-                    "kg·mm",
-                    Text("ISO 21940-11, permissible residual unbalance, of the mass that is listed"),
-                    Text(
-                        "The balancing machine has it drilled out: give drill_radius_mm, and the webs to drill are "
-                        "found."
-                    ),
-                )
+            yield check(
+                "imbalance.crank.residual",
+                Text("Static unbalance of the crank {bobs}", bobs=bobs),
+                state.unbalance,
+                "<=",
+                webs.permitted_unbalance,
+                "kg·mm",
+                Text("ISO 21940-11, permissible residual unbalance, of the mass that is listed"),
+                Text(
+                    "The balancing machine has it drilled out: give drill_radius_mm, and the webs to drill are found."
+                ),
             )
     if webs.unbalances_couple_left is not None:
-        checks.append(
-            check(
-                "imbalance.unbalances.couple_left",
-                Text("Wanted couple that pulley and flywheel leave"),
-                webs.unbalances_couple_left,
-                "<=",
-                FIRST * couple,
-                "N·m",
-                OWN,
-                Text("Their unbalances together must supply missing_forward_couple at missing_forward_couple_phase."),
-            )
+        yield check(
+            "imbalance.unbalances.couple_left",
+            Text("Wanted couple that pulley and flywheel leave"),
+            webs.unbalances_couple_left,
+            "<=",
+            FIRST * couple,
+            "N·m",
+            OWN,
+            Text("Their unbalances together must supply missing_forward_couple at missing_forward_couple_phase."),
         )
     if webs.pin_deviation is not None:
-        checks.append(
-            check(
-                "imbalance.crank.throws",
-                Text("Pins of the crank's bodies against the throws"),
-                webs.pin_deviation,
-                "<=",
-                math.radians(2),
-                "°",
-                Text("rule of this program: within 2°"),
-                Text("Look at crank_bodies_throw_at_tdc, and at x (up) and y (in the sense of rotation) of the pins."),
-            )
+        yield check(
+            "imbalance.crank.throws",
+            Text("Pins of the crank's bodies against the throws"),
+            webs.pin_deviation,
+            "<=",
+            math.radians(2),
+            "°",
+            Text("rule of this program: within 2°"),
+            Text("Look at crank_bodies_throw_at_tdc, and at x (up) and y (in the sense of rotation) of the pins."),
         )
-    return tuple(checks)
 
 
 def proposals(result: ImbalanceResult, lam: Number, kappa: Number, rho: Number, shaft: bool) -> tuple[Text, ...]:

@@ -7,7 +7,6 @@ opposite and equal, make a moment; placed well it stands against the torque reac
 Mitsubishi)."""
 
 import math
-from collections.abc import Iterator
 
 from ..engine.result import EngineResult
 from ..sheet.check import Check, check
@@ -146,26 +145,24 @@ def _pair(
     )
 
 
-def roll_checks(pair: ShaftPair | None) -> Iterator[Check]:
+def roll_check(pair: ShaftPair) -> Check:
     """Whether the places of the shafts make the roll worse than it is without them."""
-    if pair is not None:
-        yield check(
-            "imbalance.shaft_pair.roll",
-            Text("Roll with the pair of shafts"),
-            pair.roll_left,
-            "<=",
-            pair.reaction,
-            "N·m",
-            Text(
-                "rule of this program: the places of the shafts should not add to the torque reaction of the inertia "
-                "forces"
-            ),
-            Text(
-                "At equal heights and distances the pair adds nothing; the shaft that turns with the crank belongs "
-                "higher than the other "
-                "where the height difference of the least roll is positive."
-            ),
-        )
+    return check(
+        "imbalance.shaft_pair.roll",
+        Text("Roll with the pair of shafts"),
+        pair.roll_left,
+        "<=",
+        pair.reaction,
+        "N·m",
+        Text(
+            "rule of this program: the places of the shafts should not add to the torque reaction of the inertia forces"
+        ),
+        Text(
+            "At equal heights and distances the pair adds nothing; the shaft that turns with the crank belongs "
+            "higher than the other "
+            "where the height difference of the least roll is positive."
+        ),
+    )
 
 
 def roll_notes(imbalance: ImbalanceInputs, pair: ShaftPair | None) -> tuple[Text, ...]:

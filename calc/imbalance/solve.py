@@ -163,7 +163,7 @@ def solve(
     return Outcome(
         "imbalance",
         result=result,
-        checks=checks(result, lam, *shares, shaft),
+        checks=tuple(checks(result, lam, *shares, shaft)),
         lines=tuple(lines),
         curves=Later(lambda: (*pictures(result), *polygons(engine, e, result.throw))),
         tables=Later(

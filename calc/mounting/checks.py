@@ -27,7 +27,7 @@ COMFORT = Text("ISO 2631-1, annex C: not uncomfortable")
 def exposure_checks(result: MountingResult) -> Iterator[Check]:
     day = (result.exposure or {}).get(result.own, {})
     limits = table()["exposure"]
-    for id, words in (
+    for id, label in (
         ("whole_body", Text("Daily exposure of the whole body")),
         ("hand_arm", Text("Daily exposure of hand and arm")),
     ):
@@ -36,11 +36,11 @@ def exposure_checks(result: MountingResult) -> Iterator[Check]:
         a = day[id].number if id in day else math.nan
         value_id = f"mounting.exposure.{result.own}.{id}"
         yield check(
-            f"mounting.exposure.{id}", words, a, "<=", limits[f"{id}_limit"], "m/s²", DIRECTIVE, value_id=value_id
+            f"mounting.exposure.{id}", label, a, "<=", limits[f"{id}_limit"], "m/s²", DIRECTIVE, value_id=value_id
         )
         yield check(
             f"mounting.exposure.{id}_action",
-            Text("{words}, action value", words=words),
+            Text("{words}, action value", words=label),
             a,
             "<=",
             limits[f"{id}_action"],
@@ -62,13 +62,13 @@ def severity_checks(mounting: MountingInputs, engine: EngineInputs, result: Moun
     machine = [point.name for point in mounting.points if point.on == "engine" and point.role == "machine"]
     for name in result.speeds:
         for point in machine:
-            words = Text("Severity at {point}, {name}", point=Name(point), name=Name(name))
+            label = Text("Severity at {point}, {name}", point=Name(point), name=Name(name))
             place = f"{name}.{result.own}.{point}"
             if judged.iso_10816 and mounting.machine_class is not None:
                 grade = result.leaf(f"{place}.grade")
                 yield check(
                     f"mounting.{name}.{point}.severity",
-                    words,
+                    label,
                     math.nan if grade is None else grade,
                     "<=",
                     zone_limit(mounting.machine_class),
@@ -89,7 +89,7 @@ def severity_checks(mounting: MountingInputs, engine: EngineInputs, result: Moun
                 worst = max((x / limit for x, limit in sizes if x is not None), default=math.nan)
                 yield check(
                     f"mounting.{name}.{point}.severity",
-                    words,
+                    label,
                     worst if all(x is not None for x, _ in sizes) else math.nan,
                     "<=",
                     1.0,
@@ -259,7 +259,7 @@ def checks(mounting: MountingInputs, engine: EngineInputs, result: MountingResul
         "Hz",
         Text("statics: six motions, six springs"),
     )
-    yield from _deflections(mounting, result)
+    yield from _deflection_checks(mounting, result)
     yield from exposure_checks(result)
     yield from mode_checks(mounting, result)
     yield from critical_checks(mounting, engine, result)
@@ -276,11 +276,13 @@ def checks(mounting: MountingInputs, engine: EngineInputs, result: MountingResul
             Text("statics: rubber should not be pulled at rest"),
             Text("Move it towards the centre of gravity, or turn it."),
         )
-    yield from _range(mounting, result)
-    yield from _helps(result)
+    if (range_check := _range_check(mounting, result)) is not None:
+        yield range_check
+    if (shaft_check := _shaft_check(result)) is not None:
+        yield shaft_check
 
 
-def _deflections(mounting: MountingInputs, result: MountingResult) -> Iterator[Check]:
+def _deflection_checks(mounting: MountingInputs, result: MountingResult) -> Iterator[Check]:
     """At rest, under the mean torque and vibrating, along each own axis: the largest of all operations."""
     from .levels import peaks
 
@@ -303,18 +305,18 @@ def _deflections(mounting: MountingInputs, result: MountingResult) -> Iterator[C
         )
 
 
-def _range(mounting: MountingInputs, result: MountingResult) -> Iterator[Check]:
+def _range_check(mounting: MountingInputs, result: MountingResult) -> Check | None:
     """Whether the body is still rigid where the strongest order of the seat lies."""
     seat = next((point.name for point in mounting.points if point.role == "seat"), None)
     if seat is None:
-        return
+        return None
     W, a = result.levels.weight[seat], result.levels.acceleration[seat]
     v = result.drive.variants.index(result.own)
     sizes = ((W[:, 0] * np.abs(a[:, v])) ** 2).sum(1)  # (operations, orders)
     if not np.isfinite(sizes).all():
-        return
+        return None
     f = max(float(result.levels.frequency[i, sizes[i].argmax()]) for i in range(len(sizes)))
-    yield check(
+    return check(
         "mounting.rigid_range",
         Text("Frequency of the strongest order at the seat"),
         based_on(f, result.levels.source),
@@ -325,27 +327,28 @@ def _range(mounting: MountingInputs, result: MountingResult) -> Iterator[Check]:
     )
 
 
-def _helps(result: MountingResult) -> Iterator[Check]:
+def _shaft_check(result: MountingResult) -> Check | None:
     if not result.has_shaft:
-        return
+        return None
     ratios = [
         (number, f"mounting.{name}.{id}")
         for name in result.speeds
         for id in ("felt_seat", "felt_engine", "felt_force")
         if (number := result.leaf(f"{name}.{id}")) is not None
     ]
-    if ratios:
-        ratio, id = min(ratios)
-        yield check(
-            "mounting.shaft_helps",
-            Text("Smallest of all felt ratios, half over shaft"),
-            ratio,
-            ">=",
-            1.0,
-            "",
-            Text("rule of this program: a shaft that is late or too heavy makes it worse"),
-            value_id=id,
-        )
+    if not ratios:
+        return None
+    ratio, value_id = min(ratios)
+    return check(
+        "mounting.shaft_helps",
+        Text("Smallest of all felt ratios, half over shaft"),
+        ratio,
+        ">=",
+        1.0,
+        "",
+        Text("rule of this program: a shaft that is late or too heavy makes it worse"),
+        value_id=value_id,
+    )
 
 
 def inertia_check(flips: Sequence[Text]) -> Check:

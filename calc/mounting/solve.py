@@ -39,13 +39,14 @@ def solve(
     with trace() as lines:
         driven = drive(mounting, engine, e, imbalance, shaft)
         result = values(mounting, driven, body.inertia(mounting))
-        judged = tuple(checks(mounting, engine, result))
+        all_checks = tuple(checks(mounting, engine, result))
         if mounting.inertia is None:
-            result, judged = _over_boxes(mounting, engine, driven, result, judged)
+            result, box_check = _over_boxes(mounting, engine, driven, result, all_checks)
+            all_checks = (*all_checks, box_check)
     return Outcome(
         "mounting",
         result=result,
-        checks=judged,
+        checks=all_checks,
         lines=tuple(lines),
         curves=Later(partial(_curves, result)),
         tables=Later(partial(_tables, mounting, result)),
@@ -101,9 +102,9 @@ def _over_boxes(
     engine: EngineInputs,
     driven: EngineWrenches,
     result: MountingResult,
-    judged: tuple[Check, ...],
-) -> tuple[MountingResult, tuple[Check, ...]]:
-    """With the range of every frequency, and with the check of the verdicts that hang on the estimate of the
+    all_checks: tuple[Check, ...],
+) -> tuple[MountingResult, Check]:
+    """The result with the range of every frequency, and the check of the verdicts that hang on the estimate of the
     inertia."""
     from .checks import inertia_check
 
@@ -117,8 +118,8 @@ def _over_boxes(
             "lowest": Stated(described(Text("Lowest frequency over the range of the inertia"), "Hz"), min(ends)),
             "highest": Stated(described(Text("Highest frequency over the range of the inertia"), "Hz"), max(ends)),
         }
-    flips = [c.name for c in judged if any(verdict.get(c.id, c.holds) != c.holds for verdict in verdicts)]
-    return replace(result, frequency_range=span), (*judged, inertia_check(flips))
+    flips = [c.name for c in all_checks if any(verdict.get(c.id, c.holds) != c.holds for verdict in verdicts)]
+    return replace(result, frequency_range=span), inertia_check(flips)
 
 
 def _curves(result: MountingResult) -> tuple[Curve, ...]:

@@ -354,6 +354,9 @@ def check(
 ) -> Check:
     """A check from numbers in SI: value and limit are turned into the shown unit here and nowhere else.
 
+    A function that gives several is a generator, called `checks` or `…_checks`, and becomes a tuple where the Outcome
+    is made; one that gives one, or perhaps none, is called `…_check`.
+
     Kind, cause, the value that is judged and what moves it are those of its row in `calc/library/tables/checks.md`.
     `kind`: where the row has two. `advice`: what could be done beside the remedies.  `index`: of the mesh in its array,
     for the keys of the row.  `value_id`, `moved_by`: where the site knows them better than the row.  `remedies` are

@@ -154,7 +154,6 @@ def test_any_tables_can_be_led_to_any_others(old: dict[str, object], new: dict[s
 
 
 # --- the disk
-# -------------------------------------------------------------------------------------------------------------
 def test_a_folder_that_is_not_there_is_said(tmp_path: Path) -> None:
     with pytest.raises(SaveError, match="can not be written"):
         write_atomic(tmp_path / "no" / "a.toml", b"x")

@@ -49,7 +49,6 @@ def knots(low: float, high: float, inner: Iterable[float]) -> list[float]:
 
 
 # --- what goes on without a jump
-# ----------------------------------------------------------------------------------------------------
 CHARTS = tomllib.loads((TABLES / "raimondi_boyd.toml").read_text(encoding="utf-8"))["row"]
 POINTS = ((20.0, 0.2), (40.0, 0.08), (70.0, 0.02), (100.0, 0.009))
 ROWS = Oil(
@@ -161,7 +160,6 @@ def test_just_left_and_just_right_of_an_edge_the_value_is_the_same(name: str) ->
 
 
 # --- where the source itself jumps
-# --------------------------------------------------------------------------------------------------
 def coefficients(eps_gamma: float) -> float:
     return dynamic.dynamic_factor(B, eps_gamma, 0.8, 0.85)
 

@@ -21,7 +21,6 @@ laws = st.sampled_from(["walther", "d341"])
 
 
 # --- oils
-# ---------------------------------------------------------------------------------------------------------------------
 @settings(max_examples=100, deadline=None)
 @given(name=OILS, law=laws, T=st.floats(-10, 145), hotter=st.floats(0.1, 20))
 def test_oil_thins_with_heat(name, law, T, hotter):
@@ -78,7 +77,6 @@ def test_thicker_oil_stiffens_more_under_pressure(name, factor, T, alpha_40):
 
 
 # --- two bodies in contact
-# ----------------------------------------------------------------------------------------------------
 @settings(max_examples=100, deadline=None)
 @given(
     w=st.floats(10, 1e7),
@@ -138,7 +136,6 @@ def test_two_flanks_roll_as_their_curvatures(T, z_1, z_2, x, n):
 
 
 # --- fits
-# -----------------------------------------------------------------------------------------------------------------------
 @settings(max_examples=100, deadline=None)
 @given(
     letter=st.sampled_from(SHAFTS),

@@ -30,7 +30,6 @@ def half_digit(printed):
 
 
 # --- what a case asks for
-# -----------------------------------------------------------------------------------------------------
 def sommerfeld(c):
     return (
         (c["diameter"] / 2 / c["clearance"]) ** 2
@@ -185,7 +184,6 @@ CHECKS = {
 
 
 # --- the tests
-# ----------------------------------------------------------------------------------------------------------------
 @pytest.mark.parametrize("case", [c for c in CASES if c["check"] in CHECKS], ids=lambda c: c["name"])
 def test_what_is_published(case):
     found = CHECKS[case["check"]](case["inputs"])

@@ -40,7 +40,6 @@ DESIGNS = sorted((ROOT / "designs").glob("*.toml"))
 
 
 # --- the files
-# ------------------------------------------------------------------------------------------------------------
 @pytest.mark.parametrize("code", OTHERS)
 def test_every_template_of_the_source_has_an_entry(code: str) -> None:
     known = entries(code)
@@ -85,7 +84,6 @@ def test_the_catalogues_are_installed_with_the_program() -> None:
 
 
 # --- what is shown
-# --------------------------------------------------------------------------------------------------------
 @pytest.mark.parametrize("code", OTHERS)
 @pytest.mark.parametrize("file", DESIGNS, ids=lambda path: path.stem)
 def test_no_english_word_is_left_in_what_a_design_gives(file: Path, code: str) -> None:

@@ -194,7 +194,6 @@ def _of_inputs(cls: Any) -> Iterator[str]:
 
 
 # --- the catalogues
-# ---------------------------------------------------------------------------------------------------------
 def po(code: str) -> Path:
     return FOLDER / code / "LC_MESSAGES" / "contralbero.po"
 

@@ -38,7 +38,6 @@ def shapes(document, kind, layer):
 
 
 # --- the file
-# -----------------------------------------------------------------------------------------------------------
 def test_the_file_is_valid_and_in_millimetres(written):
     document = read(written)
     audit = document.audit()

@@ -149,7 +149,6 @@ def test_numbers_end_at_one_edge_and_words_begin_at_one() -> None:
 
 
 # --- inputs
-# -----------------------------------------------------------------------------------------------------------------
 @inputs
 class Pressure:
     angle: float = quantity("Crank angle", "°")
@@ -260,7 +259,6 @@ def test_an_array_of_bodies_is_one_table_with_a_row_for_each() -> None:
 
 
 # --- how wide
-# ---------------------------------------------------------------------------------------------------------------
 def test_headers_stand_on_one_line_where_there_is_room() -> None:
     rows = ((600.0, 1.0, 2.0), (1500.0, 3.0, 4.0))
     numbers = Table("m", "Losses over speed", (("n", "rpm"), ("100 °C", "W"), ("120 °C", "W")), rows)

@@ -17,7 +17,7 @@ from ...sheet.functions import largest, modulus, pi, smallest, total
 from ...sheet.quantity import result, value
 from ...sheet.remedy import by_key, down
 from ...sheet.step import Table
-from ...sheet.text import Text
+from ...sheet.text import Amount, Text
 from ...sheet.units import (
     UNITS,
     Kilogram,
@@ -30,7 +30,7 @@ from ...sheet.units import (
     Radian,
     RadPerSecond,
 )
-from ...sheet.value import about, untraced
+from ...sheet.value import about, based_on, untraced
 from ..inputs import Holes
 
 HOLES = Text("geometry, calibration holes in the eccentric masses (Finotti 2013, 4.1)")
@@ -185,6 +185,27 @@ def width_check(holes: Holes, R_outer: Metre, half_angle: Radian) -> Check:
     )
 
 
+def range_check(drilled: HolesResult, over: NewtonMetre) -> Check:
+    """`over`: the couple of the shaft as drawn beyond the required one."""
+    return check(
+        "countershaft.holes.range",
+        Text("Couple beyond the required one, for drilling to take away"),
+        based_on(round(over, 9), over),
+        "in",
+        (0.0, drilled.hole_range),
+        "N·m",
+        Text(
+            "mathematics, drilling only takes away: the shaft as drawn must lie above the couple to be "
+            "balanced, by no more than "
+            "the holes take"
+        ),
+        Text(
+            "Aim at {hole_range} N·m beyond, half of the range.",
+            hole_range=Amount(drilled.hole_range / 2, form=".1f"),
+        ),
+    )
+
+
 # --- the residual unbalance of a balance quality grade, ISO 21940-11, and the couple that it may leave
 # It applies to the deviation of a finished shaft from its drawing: a balance shaft is out of balance on purpose.  The
 # tolerance planes are the outer bearings.
@@ -204,6 +225,20 @@ class ToleranceResult:
     residual_unbalance_permitted_rear: KilogramMetre = value("in the plane of the rear bearing", "g·mm", "U_per,r")
     permitted_couple_error: NewtonMetre = value("Couple of both planes' permitted unbalance, opposed", "N·m", "C_per")
     permitted_couple_error_share: Number | None = value("its share of the required couple", "%", "q_per", default=None)
+
+
+def grade_check(permitted: ToleranceResult, limit: NewtonMetre) -> Check:
+    """`limit`: the couple that may be left over."""
+    return check(
+        "countershaft.balance_grade",
+        Text("Couple that the balance quality grade permits"),
+        permitted.permitted_couple_error,
+        "<=",
+        limit,
+        "N·m",
+        Text("rule of this program: 5 % of the couple to be balanced"),
+        Text("A finer grade (a smaller number), or a lighter shaft."),
+    )
 
 
 @formula(

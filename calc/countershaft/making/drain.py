@@ -237,11 +237,11 @@ def checks(choice: DrainResult) -> Iterator[Check]:
             "Hose ends closer to each other in diameter, or a clamp for each end: {reason}.", reason=choice.reason
         )
     if choice.tried is None:
-        smallest = Text("Smallest clamp at hand on the smaller hose end")
-        yield check(f"{id}.clamp", smallest, choice.smallest, "<=", choice.drain.hose_min, "mm", RULE, advice)
+        label = Text("Smallest clamp at hand on the smaller hose end")
+        yield check(f"{id}.clamp", label, choice.smallest, "<=", choice.drain.hose_min, "mm", RULE, advice)
     else:
-        beyond = Text("Opening of the clamp beyond the larger hose end")
-        yield check(f"{id}.clamp", beyond, choice.tried, ">=", 0.0, "mm", RULE, advice)
+        label = Text("Opening of the clamp beyond the larger hose end")
+        yield check(f"{id}.clamp", label, choice.tried, ">=", 0.0, "mm", RULE, advice)
     if choice.tried_din3021 is not None:
         yield check(
             f"{id}.clamp_din3021",
@@ -290,9 +290,11 @@ def checks(choice: DrainResult) -> Iterator[Check]:
         )
 
 
-def named(judged: Check, drain: str) -> Check:
+def named_check(drain_check: Check, drain: str) -> Check:
     """The check with the name of its drain, which the first has not."""
-    return replace(judged, name=Text("{what}, {drain}", what=judged.name, drain=Name(drain))) if drain else judged
+    if not drain:
+        return drain_check
+    return replace(drain_check, name=Text("{what}, {drain}", what=drain_check.name, drain=Name(drain)))
 
 
 def notes(choice: DrainResult) -> Iterator[Text]:

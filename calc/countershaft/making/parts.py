@@ -17,10 +17,10 @@ from ...sheet.later import Later, Many
 from ...sheet.linked_array import column
 from ...sheet.step import Curve, Table
 from ...sheet.text import EMPTY, Amount, Text
-from ...sheet.units import KilogramPerMetre3, Metre
+from ...sheet.units import KilogramPerMetre3, Metre, NewtonMetre
 from ...sheet.value import based_on
 from .. import formulas as f
-from ..inputs import CountershaftInputs, EccentricMass
+from ..inputs import CountershaftInputs, EccentricMass, Holes
 from ..outline import Piece
 from ..result import CountershaftResult
 from ..sizing.sectors import LEFT_OVER, ShaftTask
@@ -130,7 +130,7 @@ def making(
         to.checks += bolts.checks(bolted)
         to.notes += bolts.notes(shaft.bolts, bolted)
     if shaft.support is not None and support is not None:
-        to.checks += _support(shaft.support, support)
+        to.checks += _support_checks(shaft.support, support)
     count = f.part_count(n=column(shaft.parts, "count")) if shaft.parts else None
     kinds = based_on(float(len(shaft.parts)), shaft.parts) if shaft.parts else None
     drains = _drains(shaft, to)
@@ -166,18 +166,7 @@ def _permitted(
     to.tables += Later(lambda: [tolerance.table(shaft.balance_grade, *asked)])
     to.notes += tolerance.notes(result.centre_of_gravity, z_f, z_r)
     if todo.couple:
-        to.checks.append(
-            check(
-                "countershaft.balance_grade",
-                Text("Couple that the balance quality grade permits"),
-                permitted.permitted_couple_error,
-                "<=",
-                LEFT_OVER * todo.couple,
-                "N·m",
-                Text("rule of this program: 5 % of the couple to be balanced"),
-                Text("A finer grade (a smaller number), or a lighter shaft."),
-            )
-        )
+        to.checks.append(tolerance.grade_check(permitted, LEFT_OVER * todo.couple))
     return permitted
 
 
@@ -205,40 +194,35 @@ def _holes(
             count2=len(masses),
         )
         to.notes.append(shared)
-    if shaft.core_radius is not None:
-        to.checks.append(holes.depth_check(shaft.holes, R, shaft.core_radius))
-    else:
+    if shaft.core_radius is None:
         to.notes.append(Text("Calibration holes: whether they end in the sectors is not judged: give core_radius_mm."))
     sectors = [p for p in result.outline.pieces if p.half_angle is not None] if result.outline is not None else []
-    if sectors and masses:
-        to.checks.append(holes.row_check(shaft.holes, len(masses), _shortest(sectors)))
-        to.checks.append(holes.width_check(shaft.holes, R, min(p.half_angle or 0.0 for p in sectors)))
-    else:
+    if not (sectors and masses):
         to.notes.append(
             Text("Calibration holes: whether they fit into the sectors is not judged: the outline has none.")
         )
-    if todo.couple:
-        over = f.couple_beyond(C_S=result.couple_vector, C_req=based_on(-todo.C, todo.C))
-        to.checks.append(
-            check(
-                "countershaft.holes.range",
-                Text("Couple beyond the required one, for drilling to take away"),
-                based_on(round(over, 9), over),
-                "in",
-                (0.0, drilled.hole_range),
-                "N·m",
-                Text(
-                    "mathematics, drilling only takes away: the shaft as drawn must lie above the couple to be "
-                    "balanced, by no more than "
-                    "the holes take"
-                ),
-                Text(
-                    "Aim at {hole_range} N·m beyond, half of the range.",
-                    hole_range=Amount(drilled.hole_range / 2, form=".1f"),
-                ),
-            )
-        )
+    over = f.couple_beyond(C_S=result.couple_vector, C_req=based_on(-todo.C, todo.C)) if todo.couple else None
+    to.checks += _hole_checks(shaft.holes, R, shaft.core_radius, len(masses), sectors, drilled, over)
     return drilled
+
+
+def _hole_checks(
+    bores: Holes,
+    R: Metre,
+    core_radius: Metre | None,
+    masses: int,
+    sectors: list[Piece],
+    drilled: HolesResult,
+    over: NewtonMetre | None,
+) -> Iterator[Check]:
+    """`over`: the couple beyond the required one; None where no couple is required."""
+    if core_radius is not None:
+        yield holes.depth_check(bores, R, core_radius)
+    if sectors and masses:
+        yield holes.row_check(bores, masses, _shortest(sectors))
+        yield holes.width_check(bores, R, min(sector.half_angle or 0.0 for sector in sectors))
+    if over is not None:
+        yield holes.range_check(drilled, over)
 
 
 def _shortest(sectors: list[Piece]) -> Metre:
@@ -279,7 +263,7 @@ def _scatter(
     )
     limit = todo.may_leave
     spread = scatter.scattered(shaft.scatter, masses, shaft.extras, target, result.holes)
-    to.checks += scatter.checks(spread, limit)
+    to.checks.append(scatter.residual_check(spread, limit))
     to.tables += Later(lambda: scatter.tables(spread))
     to.curves += Later(lambda: scatter.curves(spread, limit))
     to.notes += scatter.notes(shaft.scatter, spread)
@@ -296,7 +280,8 @@ def _drains(shaft: CountershaftInputs, to: Gathered) -> "dict[str, DrainResult]"
     from . import drain
 
     chosen = {name: drain.solve(inputs) for name, inputs in asked}
-    to.checks += [drain.named(check, name) for name, result in chosen.items() for check in drain.checks(result)]
+    for name, result in chosen.items():
+        to.checks += (drain.named_check(drain_check, name) for drain_check in drain.checks(result))
     to.notes += dict.fromkeys(note for result in chosen.values() for note in drain.notes(result))
     return chosen
 
@@ -311,7 +296,7 @@ def _with_wall(shaft: CountershaftInputs, journals: tuple[tuple[Metre, Metre], .
     return replace(shaft, support=replace(support, wall=w))
 
 
-def _support(support: Support, material: Material) -> Iterator[Check]:
+def _support_checks(support: Support, material: Material) -> Iterator[Check]:
     """The casting's wall, and its stresses as they were found elsewhere."""
     if support.wall is not None:
         yield check(
@@ -335,14 +320,15 @@ def _support(support: Support, material: Material) -> Iterator[Check]:
             Text("Finotti 2013, 4.7 (in chapter 6): proof stress of {name}", name=material.name),
             Text("More metal under the bolt heads."),
         )
-    yield from _load_stress(support, material)
+    if (load_check := load_stress_check(support, material)) is not None:
+        yield load_check
 
 
-def _load_stress(support: Support, material: Material) -> Iterator[Check]:
+def load_stress_check(support: Support, material: Material) -> Check | None:
     """Against what the casting endures under a turning load; where that is not given its strength, which does not judge
     fatigue."""
     if support.load_stress is None:
-        return
+        return None
     limit, source = (
         support.load_stress_limit,
         Text("given in the design: what the casting endures without end under the turning load"),
@@ -352,7 +338,7 @@ def _load_stress(support: Support, material: Material) -> Iterator[Check]:
         limit = material.proof_stress or material.tensile_strength or math.nan
         source = Text("elasticity, strength of {name}; its fatigue is not judged", name=material.name)
         missing = () if support.load_stress >= limit else ("countershaft.support.load_stress_limit_MPa",)
-    yield check(
+    return check(
         "countershaft.support.load_stress",
         Text("Stress of the support from the bearing loads"),
         support.load_stress,

@@ -330,12 +330,12 @@ def _percentiles(name: str, when: str, ordered: Array, words: tuple[str, ...]) -
     return couples
 
 
-def checks(spread: ScatterResult, limit: NewtonMetre) -> Iterator[Check]:
+def residual_check(spread: ScatterResult, limit: NewtonMetre) -> Check:
     """`limit`: what a shaft of the drawing may leave over."""
     couple = (
         spread.residual_couple_95 if spread.drilled_couple_95 is None else spread.drilled_couple_95
     )  # what leaves the factory
-    yield check(
+    return check(
         "countershaft.scatter.residual",
         Text("Couple that 95 % of the shafts stay below"),
         couple,

@@ -2,7 +2,7 @@
 """What is judged on the play of a train, what would just pass, and what was assumed."""
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from functools import partial
 
 from ...sheet.check import Check, check
@@ -18,89 +18,77 @@ from .formulas import GUIDE
 from .result import PlayResult
 
 
-def checks(gears: GearsInputs, m: BacklashCase, play: PlayResult, smallest: Sequence[AtState]) -> list[Check]:
+def checks(gears: GearsInputs, m: BacklashCase, play: PlayResult, smallest: Sequence[AtState]) -> Iterator[Check]:
     """`smallest`: the states cold, warm, wheels warmer and warming up at the smallest backlash."""
     id, free = f"gears.{m.key}", _freed(m)
-    checks = _over_temperature(gears, m, smallest)
+    yield from _temperature_checks(gears, m, smallest)
     if play.backlash_min_runout is not None:
-        closest = (
-            2 * math.sqrt(1 - (m.touching / m.closest) ** 2) * math.cos(m.system.base_helix_angle)
-        )  # the slope is least there
-        checks.append(
-            check(
-                f"{id}.backlash_runout",
-                Text("Smallest backlash with runout {name}", name=m.name),
-                play.backlash_min_runout,
-                ">=",
-                0.0,
-                "µm",
-                Text("teeth must not jam where both wheels stand closest"),
-                index=m.index,
-                remedies=partial(free, -play.backlash_min_runout, closest),
-            )
+        # the slope is least where the wheels stand closest
+        slope = 2 * math.sqrt(1 - (m.touching / m.closest) ** 2) * math.cos(m.system.base_helix_angle)
+        yield check(
+            f"{id}.backlash_runout",
+            Text("Smallest backlash with runout {name}", name=m.name),
+            play.backlash_min_runout,
+            ">=",
+            0.0,
+            "µm",
+            Text("teeth must not jam where both wheels stand closest"),
+            index=m.index,
+            remedies=partial(free, -play.backlash_min_runout, slope),
         )
     low = m.mesh.backlash_min
-    checks.append(
-        check(
-            f"{id}.backlash_guide",
-            Text("Smallest backlash {name}, recommended", name=m.name),
-            low,
-            ">=",
-            play.backlash_recommended,
-            "µm",
-            GUIDE,
-            Text("The guide is for industrial gears, and more backlash turns the last wheel further out of phase."),
-            remedies=partial(free, play.backlash_recommended - low, None),
-        )
+    yield check(
+        f"{id}.backlash_guide",
+        Text("Smallest backlash {name}, recommended", name=m.name),
+        low,
+        ">=",
+        play.backlash_recommended,
+        "µm",
+        GUIDE,
+        Text("The guide is for industrial gears, and more backlash turns the last wheel further out of phase."),
+        remedies=partial(free, play.backlash_recommended - low, None),
     )
     if play.backlash_99 is not None:
-        checks.append(
-            check(
-                f"{id}.backlash_chance",
-                Text("Backlash {name} that 99 % of the trains keep", name=m.name),
-                play.backlash_99,
-                ">=",
-                0.0,
-                "µm",
-                Text("rule of this program: {by_chance}, of which 99 % turn freely at 20 °C", by_chance=BY_CHANCE),
-                index=m.index,
-                remedies=partial(free, -play.backlash_99, None),
-            )
+        yield check(
+            f"{id}.backlash_chance",
+            Text("Backlash {name} that 99 % of the trains keep", name=m.name),
+            play.backlash_99,
+            ">=",
+            0.0,
+            "µm",
+            Text("rule of this program: {by_chance}, of which 99 % turn freely at 20 °C", by_chance=BY_CHANCE),
+            index=m.index,
+            remedies=partial(free, -play.backlash_99, None),
         )
     if play.centre_tolerance_rss is not None and m.inputs.tolerance is not None:
-        checks.append(
-            check(
-                f"{id}.stack",
-                Text("Parts between the centres {name}, root of squares (±)", name=m.name),
-                play.centre_tolerance_rss,
-                "<=",
-                m.inputs.tolerance,
-                "µm",
-                Text("mathematics: the tolerance of the centre distance must hold what its parts add up to"),
-                Text("Smaller fields of the parts help as well."),
-                index=m.index,
-                remedies=partial(_wider, m, play.centre_tolerance_rss),
-            )
+        yield check(
+            f"{id}.stack",
+            Text("Parts between the centres {name}, root of squares (±)", name=m.name),
+            play.centre_tolerance_rss,
+            "<=",
+            m.inputs.tolerance,
+            "µm",
+            Text("mathematics: the tolerance of the centre distance must hold what its parts add up to"),
+            Text("Smaller fields of the parts help as well."),
+            index=m.index,
+            remedies=partial(_wider, m, play.centre_tolerance_rss),
         )
     if play.backlash_min_worst is not None:
         reach = play.centre_tolerance_worst or 0.0
-        checks.append(
-            check(
-                f"{id}.backlash_worst",
-                Text("Smallest backlash {name}, all parts at their worst", name=m.name),
-                play.backlash_min_worst,
-                ">=",
-                0.0,
-                "µm",
-                Text("geometry, worst case: the centres ±{reach} µm", reach=Amount(reach * 1000000.0, form=".4g")),
-                index=m.index,
-                remedies=partial(free, -play.backlash_min_worst, None),
-            )
+        yield check(
+            f"{id}.backlash_worst",
+            Text("Smallest backlash {name}, all parts at their worst", name=m.name),
+            play.backlash_min_worst,
+            ">=",
+            0.0,
+            "µm",
+            Text("geometry, worst case: the centres ±{reach} µm", reach=Amount(reach * 1000000.0, form=".4g")),
+            index=m.index,
+            remedies=partial(free, -play.backlash_min_worst, None),
         )
-    return checks
 
 
-def _over_temperature(gears: GearsInputs, m: BacklashCase, smallest: Sequence[AtState]) -> list[Check]:
+def _temperature_checks(gears: GearsInputs, m: BacklashCase, smallest: Sequence[AtState]) -> Iterator[Check]:
     """Not verified where the design does not say itself what is between the centres."""
     missing = () if gears.housing_material is not None or m.inputs.support_share else ("gears.housing_material",)
     (cold, warm, warmer, warming), free = smallest, _freed(m)
@@ -110,7 +98,7 @@ def _over_temperature(gears: GearsInputs, m: BacklashCase, smallest: Sequence[At
     tight, where = warm, Text("all at {t_h} °C", t_h=T_H)
     if warm.backlash > warmer.backlash:
         tight, where = warmer, Text("housing at {t_h} °C, wheels {wheels_warmer} K warmer", t_h=T_H, wheels_warmer=more)
-    taken = Text("Taken: the housing of the bearings, else that it grows as the driver.")
+    advice = Text("Taken: the housing of the bearings, else that it grows as the driver.")
     also = Text(", with runout") if m.runouts else Text(", without runout")
     rows = (
         (
@@ -127,22 +115,20 @@ def _over_temperature(gears: GearsInputs, m: BacklashCase, smallest: Sequence[At
             Text("housing still at {t_min} °C, wheels {wheels_warmer} K warmer", t_min=T_min, wheels_warmer=more),
         ),
     )
-    return [
-        check(
+    for word, label, at, place in rows:
+        yield check(
             f"gears.{m.key}.backlash_{word}",
-            title,
+            label,
             at.backlash,
             ">=",
             0.0,
             "µm",
             Text("geometry, teeth must not jam at any temperature: {where}{also}", where=place, also=also),
-            taken if missing else EMPTY,
+            advice if missing else EMPTY,
             index=m.index,
             missing=missing,
             remedies=partial(free, -at.backlash, _slope(m, at), at.wheel_growth),
         )
-        for word, title, at, place in rows
-    ]
 
 
 def _slope(m: BacklashCase, at: AtState) -> Number:

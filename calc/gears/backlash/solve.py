@@ -74,8 +74,8 @@ def play(
     chance = c.by_chance(meshes_of, train.wheels, way, last)
     meshes = {m.key: PlayResult(**values[m.key], **c.of_mesh(m, chance)) for m in meshes_of}
     whole = _train(train, meshes, way, last, chance)
-    judged = tuple(check for m in meshes_of for check in checks(gears, m, meshes[m.key], smallest[m.key]))
-    return Played(meshes, whole, judged, notes(gears, known, housing, chance is not None), known, gears)
+    all_checks = tuple(check for m in meshes_of for check in checks(gears, m, meshes[m.key], smallest[m.key]))
+    return Played(meshes, whole, all_checks, notes(gears, known, housing, chance is not None), known, gears)
 
 
 def with_couple(play: TrainPlay, couple: NewtonMetre) -> TrainPlay:

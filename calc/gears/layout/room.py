@@ -4,7 +4,7 @@
 Two wheels in a row between placed ones get the free angle with the most room."""
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -242,12 +242,12 @@ def distance_check(
     )
 
 
-def clearance_checks(wheel: str, free: dict[str, Clearance], order: list[str], chosen: bool) -> list[Check]:
+def clearance_checks(wheel: str, free: dict[str, Clearance], order: list[str], chosen: bool) -> Iterator[Check]:
     """Of the tightest place around a wheel.  Two wheels that come too near each other are judged once, at the later
     one."""
     clearances = [c for c in free.values() if c.kind != "wheel" or order.index(c.to) < order.index(wheel)]
     if not clearances:
-        return []
+        return
     tight = min(clearances, key=lambda c: c.g)
     what = {"wall": Text("wall {to}", to=tight.to), "neighbour": tight.to, "wheel": Text("wheel {to}", to=tight.to)}[
         tight.kind
@@ -266,11 +266,9 @@ def clearance_checks(wheel: str, free: dict[str, Clearance], order: list[str], c
     )
     if chosen and tight.kind != "wheel":
         advice += Text(" `choose FILE gears` tries its teeth.")
-    usual, rule = Text("{name}, usual", name=name), Text("rule of this program: 1 mm")
-    return [
-        check(id, name, tight.g, ">=", 0.0, "mm", SWEPT, advice),
-        check(f"{id}_usual", usual, tight.g, ">=", USUAL_CLEARANCE, "mm", rule, advice),
-    ]
+    yield check(id, name, tight.g, ">=", 0.0, "mm", SWEPT, advice)
+    usual, source = Text("{name}, usual", name=name), Text("rule of this program: 1 mm")
+    yield check(f"{id}_usual", usual, tight.g, ">=", USUAL_CLEARANCE, "mm", source, advice)
 
 
 def hunting_check(key: str, mesh: MeshResult, z_1: int, z_2: int, factor: Number, turns: Number) -> Check:

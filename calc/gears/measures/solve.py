@@ -4,7 +4,7 @@
 In order: the tooth of a measured size, the spans, the checks, the measures (pins, one ball, chords)."""
 
 import math
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator
 from functools import partial
 
 from ...sheet.check import Check, check
@@ -223,7 +223,7 @@ BETWEEN_MEASURED = Text(
 )
 
 
-def contact_checks(system: ToothSystem, wheel: WheelResult, sizes: MeasuresResult) -> list[Check]:
+def contact_checks(system: ToothSystem, wheel: WheelResult, sizes: MeasuresResult) -> Iterator[Check]:
     """Whether span and balls touch where they should.  A ball that is given must fit; a chosen one is only advised."""
     id, name, D_M = f"gears.{wheel.name}", wheel.name, wheel.ball_diameter
     balls = _touching_ball(system, wheel, wheel.form_diameter), _touching_ball(system, wheel, wheel.tip_diameter)
@@ -237,72 +237,63 @@ def contact_checks(system: ToothSystem, wheel: WheelResult, sizes: MeasuresResul
         per_wheel = remedy(change(GearsInputs, key, None), effect=Text("each wheel then has its own"))
         return remedy(change(GearsInputs, key, float(f"{fits * 1e3:.4g}"))), per_wheel
 
-    checks = [
-        check(
-            f"{id}.span_contact",
-            Text("Circle on which the span of {name} touches", name=name),
-            sizes.span_contact_diameter,
-            "in",
-            (wheel.form_diameter, wheel.tip_diameter),
+    yield check(
+        f"{id}.span_contact",
+        Text("Circle on which the span of {name} touches", name=name),
+        sizes.span_contact_diameter,
+        "in",
+        (wheel.form_diameter, wheel.tip_diameter),
+        "mm",
+        Text("{iso}: the anvils must touch the involute", iso=ISO),
+        Text("Span another number of teeth."),
+    )
+    yield check(
+        f"{id}.ball",
+        Text("Measuring ball of {name}", name=name),
+        D_M,
+        "in",
+        balls,
+        "mm",
+        Text("geometry: the ball must touch between form and tip circle"),
+        kind=kind,
+        remedies=other_ball,
+    )
+    if wheel.over_balls is not None:
+        yield check(
+            f"{id}.ball_proud",
+            Text("Balls of {name} above its tip", name=name),
+            (wheel.over_balls - wheel.tip_diameter) / 2,
+            ">",
+            0.0,
             "mm",
-            Text("{iso}: the anvils must touch the involute", iso=ISO),
-            Text("Span another number of teeth."),
-        ),
-        check(
-            f"{id}.ball",
-            Text("Measuring ball of {name}", name=name),
-            D_M,
-            "in",
-            balls,
-            "mm",
-            Text("geometry: the ball must touch between form and tip circle"),
+            Text("geometry: the balls must stand proud of the tip circle"),
             kind=kind,
             remedies=other_ball,
-        ),
-    ]
-    if wheel.over_balls is not None:
-        checks.append(
-            check(
-                f"{id}.ball_proud",
-                Text("Balls of {name} above its tip", name=name),
-                (wheel.over_balls - wheel.tip_diameter) / 2,
-                ">",
-                0.0,
-                "mm",
-                Text("geometry: the balls must stand proud of the tip circle"),
-                kind=kind,
-                remedies=other_ball,
-            )
         )
     if sizes.over_one_ball is not None:
         above_root = sizes.over_one_ball - D_M - wheel.root_diameter / 2
-        checks.append(
-            check(
-                f"{id}.ball_root",
-                Text("Ball of {name} above the root", name=name),
-                above_root,
-                ">=",
-                0.0,
-                "mm",
-                Text("geometry: the ball must not lie on the root"),
-                kind=kind,
-                remedies=other_ball,
-            )
+        yield check(
+            f"{id}.ball_root",
+            Text("Ball of {name} above the root", name=name),
+            above_root,
+            ">=",
+            0.0,
+            "mm",
+            Text("geometry: the ball must not lie on the root"),
+            kind=kind,
+            remedies=other_ball,
         )
     if system.beta:
-        checks.append(
-            check(
-                f"{id}.span_width",
-                Text("Face width of {name} for its span", name=name),
-                wheel.face_width,
-                ">=",
-                sizes.span_width,
-                "mm",
-                Text("{iso}: W·sin β_b, the width of the anvils apart", iso=ISO),
-                Text("Span fewer teeth, or measure over balls."),
-            )
+        yield check(
+            f"{id}.span_width",
+            Text("Face width of {name} for its span", name=name),
+            wheel.face_width,
+            ">=",
+            sizes.span_width,
+            "mm",
+            Text("{iso}: W·sin β_b, the width of the anvils apart", iso=ISO),
+            Text("Span fewer teeth, or measure over balls."),
         )
-    return checks
 
 
 def _touching_ball(system: ToothSystem, wheel: WheelResult, d_y: Metre) -> Metre:
@@ -314,70 +305,60 @@ def _touching_ball(system: ToothSystem, wheel: WheelResult, d_y: Metre) -> Metre
     )
 
 
-def checks(
-    system: ToothSystem, wheel: WheelResult, sizes: MeasuresResult, teeth: dict[str, Measured]
-) -> tuple[Check, ...]:
+def checks(system: ToothSystem, wheel: WheelResult, sizes: MeasuresResult) -> Iterator[Check]:
     """The constant chord, the pins of an odd helical wheel, and what was measured against the allowance, if there is
     one."""
     id, name = f"gears.{wheel.name}", wheel.name
-    checks = [
-        check(
-            f"{id}.constant_chord",
-            Text("Circle of the ends of the constant chord of {name}", name=name),
-            sizes.constant_chord_diameter,
-            "in",
-            (wheel.form_diameter, wheel.tip_diameter),
-            "mm",
-            Text("{iso}: the calliper must touch the involute", iso=ISO),
-            Text("Measure the chord at the reference circle, or the span."),
-        )
-    ]
+    yield check(
+        f"{id}.constant_chord",
+        Text("Circle of the ends of the constant chord of {name}", name=name),
+        sizes.constant_chord_diameter,
+        "in",
+        (wheel.form_diameter, wheel.tip_diameter),
+        "mm",
+        Text("{iso}: the calliper must touch the involute", iso=ISO),
+        Text("Measure the chord at the reference circle, or the span."),
+    )
     if sizes.pins_width is not None:
-        checks.append(
-            check(
-                f"{id}.pins_width",
-                Text("Face width of {name} for two opposite pins", name=name),
-                wheel.face_width,
-                ">=",
-                sizes.pins_width,
-                "mm",
-                Text("{skew}: half an axial pitch between the pins", skew=m.SKEW),
-                Text("Measure over balls, or the span."),
-            )
+        yield check(
+            f"{id}.pins_width",
+            Text("Face width of {name} for two opposite pins", name=name),
+            wheel.face_width,
+            ">=",
+            sizes.pins_width,
+            "mm",
+            Text("{skew}: half an axial pitch between the pins", skew=m.SKEW),
+            Text("Measure over balls, or the span."),
         )
     if wheel.allowance is None:
-        return tuple(checks)
+        return
     upper, lower = wheel.allowance
+    teeth: dict[str, Measured] = {key: tooth for key in NAMES if (tooth := getattr(sizes, key)) is not None}
     for key, tooth in teeth.items():
-        checks.append(
-            check(
-                f"{id}.{key}",
-                Text("Change of the span of {name} by its measured {names}", name=name, names=NAMES[key]),
-                tooth.span_change,
-                "in",
-                (lower, upper),
-                "µm",
-                Name(f"gears.wheels.{name}.span_allowance_um"),
-                _advice(system, wheel, key, sizes),
-            )
+        yield check(
+            f"{id}.{key}",
+            Text("Change of the span of {name} by its measured {names}", name=name, names=NAMES[key]),
+            tooth.span_change,
+            "in",
+            (lower, upper),
+            "µm",
+            Name(f"gears.wheels.{name}.span_allowance_um"),
+            _advice(system, wheel, key, sizes),
         )
     if len(thicknesses := [tooth.normal_thickness for tooth in teeth.values()]) > 1:
-        checks.append(
-            check(
-                f"{id}.measured_spread",
-                Text("Tooth thickness of {name}, difference between the measured routes", name=name),
-                max(thicknesses) - min(thicknesses),
-                "<=",
-                (upper - lower) / math.cos(system.alpha_n),
-                "µm",
-                BETWEEN_MEASURED,
-                Text(
-                    "Measure again; runout changes sizes over balls and pins, and the real tip a chordal thickness, "
-                    "but not a span."
-                ),
-            )
+        yield check(
+            f"{id}.measured_spread",
+            Text("Tooth thickness of {name}, difference between the measured routes", name=name),
+            max(thicknesses) - min(thicknesses),
+            "<=",
+            (upper - lower) / math.cos(system.alpha_n),
+            "µm",
+            BETWEEN_MEASURED,
+            Text(
+                "Measure again; runout changes sizes over balls and pins, and the real tip a chordal thickness, "
+                "but not a span."
+            ),
         )
-    return tuple(checks)
 
 
 def _advice(system: ToothSystem, wheel: WheelResult, key: str, sizes: MeasuresResult) -> Text:
@@ -418,8 +399,8 @@ STEEPEST: Radian = math.pi / 4  # β_K from which two loose pins find no smalles
 
 def measures(
     system: ToothSystem, given: Wheel, wheel: WheelResult, working: Iterable[tuple[str, Metre]] = ()
-) -> tuple[MeasuresResult, tuple[Check, ...], Callable[[], Table]]:
-    """The measures of one wheel, their checks, and the table of its spans.
+) -> tuple[MeasuresResult, Callable[[], Table]]:
+    """The measures of one wheel, and the table of its spans.
 
     `working`: (mate, working diameter d_w) of each mesh, for the balls that touch there.  Raises NoSolution where a
     measured size is that of no tooth."""
@@ -455,7 +436,7 @@ def measures(
         measured_chordal_thickness=teeth.get("measured_chordal_thickness"),
     )
     table = partial(spans_table, wheel, all_spans, wheel.span_teeth, None if best_span is None else best_span.K)
-    return result, checks(system, wheel, result, teeth), table
+    return result, table
 
 
 def _over_balls_and_pins(system: ToothSystem, wheel: WheelResult, seat: Seat | None) -> dict[str, Metre]:

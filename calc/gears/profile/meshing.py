@@ -9,7 +9,7 @@ off it by r_b times the angle that is missing, which is exact; one inside a fill
 alike and their flanks mirrored, so one flank past all teeth is the whole mesh."""
 
 import math
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from functools import cached_property
 
 import numpy as np
@@ -182,12 +182,12 @@ def penetrations(train: TrainResult) -> dict[str, Metre]:
 # --- what is judged on the outlines, and what has to be said of the tool that cuts them
 
 
-def checks(train: TrainResult, depths: Mapping[str, Metre]) -> tuple[Check, ...]:
+def checks(train: TrainResult, depths: Mapping[str, Metre]) -> Iterator[Check]:
     """`depths`: how deep the outlines of each mesh enter each other, by `meshing.penetrations`."""
-    checks = [penetration_check(key, mesh, depths[key]) for key, mesh in train.meshes.items()]
+    for key, mesh in train.meshes.items():
+        yield penetration_check(key, mesh, depths[key])
     if train.system.stock > 0:
-        checks.append(finishing_check(train))
-    return tuple(checks)
+        yield finishing_check(train)
 
 
 def penetration_check(key: str, mesh: MeshResult, depth: Metre) -> Check:

@@ -15,7 +15,7 @@ from . import strength as root
 from .classes import StrengthClass
 from .distribution import CLAUSE_7
 from .dynamic import CLAUSE_6, CLAUSE_9, MAIN_TO
-from .load import RatingLoad
+from .load import RatingContext, RatingLoad
 from .mesh_strength import S_F_LEAST, S_H_LEAST
 from .result import Influence, MeshRating, MeshStrength
 from .screening.load import Screening
@@ -34,7 +34,19 @@ MARGIN: Kelvin = 50.0  # ISO/TR 13989-1:2000, 10.5
 LOWEST_TEST_PRESSURE: Pascal = 800e6  # load stage 5 of the FZG test C-GF, from memory
 
 
-def checks(mesh: MeshResult, key: str, rated: MeshRating, load: RatingLoad) -> Iterator[Check]:
+def checks(context: RatingContext, rated: Mapping[str, MeshRating], load: Mapping[str, RatingLoad]) -> Iterator[Check]:
+    """Of each mesh by itself, then of the safeties of all and of what they stand on."""
+    gears, meshes = context.gears, context.train.meshes
+    for key, mesh_rating in rated.items():
+        yield from mesh_checks(key, meshes[key], mesh_rating, load[key])
+    yield from strength_checks({key: mesh.strength for key, mesh in rated.items() if mesh.strength is not None})
+    yield from unrated_checks(wheel.name for wheel in gears.wheels if wheel.name not in context.classes)
+    yield roughness_check(gears.root_rz)
+    for name, cls in context.classes.items():
+        yield from hardness_checks(name, cls)
+
+
+def mesh_checks(key: str, mesh: MeshResult, rated: MeshRating, load: RatingLoad) -> Iterator[Check]:
     """Of one mesh, its strength excepted; `key`: DRIVER_DRIVEN."""
     pair = mesh.title
     for wheel, form in rated.forms.items():
@@ -48,9 +60,10 @@ def checks(mesh: MeshResult, key: str, rated: MeshRating, load: RatingLoad) -> I
             Text("ISO 6336-3: range of Y_S"),
             Text("The stress correction factor is outside its range: choose a larger tip radius of the tool."),
         )
-    yield from overlooked(key, pair, load)
+    if (factor_check := application_factor_check(key, pair, load)) is not None:
+        yield factor_check
     if rated.least_torque is not None:
-        yield rattle(key, pair, rated.least_torque)
+        yield reversal_check(key, pair, rated.least_torque)
     if rated.influence is not None:
         yield from influence_checks(key, mesh, rated.influence)
     if rated.screening is not None:
@@ -60,28 +73,24 @@ def checks(mesh: MeshResult, key: str, rated: MeshRating, load: RatingLoad) -> I
 # --- the load
 
 
-def overlooked(key: str, pair: str, load: RatingLoad) -> list[Check]:
+def application_factor_check(key: str, pair: str, load: RatingLoad) -> Check | None:
     """Whether a given application factor covers the torque that is known."""
     if load.dynamic is None or load.of_peak or not load.mean:
-        return []
+        return None
     needed = 1 + load.dynamic / abs(load.mean)
-    return [
-        check(
-            f"gears.{key}.application_factor",
-            Text("Application factor {name}", name=pair),
-            load.K_A,
-            ">=",
-            needed,
-            "",
-            Text("mean and dynamic torque over the mean"),
-            remedies=by_key(
-                GearsInputs, "gears.application_factor", None, effect=Text("the peak of both is then rated")
-            ),
-        )
-    ]
+    return check(
+        f"gears.{key}.application_factor",
+        Text("Application factor {name}", name=pair),
+        load.K_A,
+        ">=",
+        needed,
+        "",
+        Text("mean and dynamic torque over the mean"),
+        remedies=by_key(GearsInputs, "gears.application_factor", None, effect=Text("the peak of both is then rated")),
+    )
 
 
-def rattle(key: str, pair: str, least: NewtonMetre) -> Check:
+def reversal_check(key: str, pair: str, least: NewtonMetre) -> Check:
     return check(
         f"gears.{key}.flank_reversal",
         Text("Least torque of {name} over the cycle", name=pair),
@@ -98,79 +107,71 @@ def rattle(key: str, pair: str, least: NewtonMetre) -> Check:
     )
 
 
-def influence_checks(key: str, mesh: MeshResult, factors: Influence) -> list[Check]:
+def influence_checks(key: str, mesh: MeshResult, factors: Influence) -> Iterator[Check]:
     id, pair = f"gears.{key}", mesh.title
     below = factors.resonance_ratio <= 1
-    checks = [
-        check(
-            f"{id}.line_load",
-            Text("Load per face width {pair}", pair=pair),
-            factors.line_load,
-            ">=",
-            LEAST_LOAD,
-            "N/mm",
-            Text(
-                "{iso}: below 50 N/mm flanks can part and hammer; the factors are made for 100 N/mm and more", iso=ISO
-            ),
-            Text(
-                "K_V, K_Hβ and K_Hα are outside their validity here: small deviations over a small load. "
-                "What governs is the torque of the speed's irregularity "
-                "or the application factor; a narrower face width raises the load per width."
-            ),
+    yield check(
+        f"{id}.line_load",
+        Text("Load per face width {pair}", pair=pair),
+        factors.line_load,
+        ">=",
+        LEAST_LOAD,
+        "N/mm",
+        Text("{iso}: below 50 N/mm flanks can part and hammer; the factors are made for 100 N/mm and more", iso=ISO),
+        Text(
+            "K_V, K_Hβ and K_Hα are outside their validity here: small deviations over a small load. "
+            "What governs is the torque of the speed's irregularity "
+            "or the application factor; a narrower face width raises the load per width."
         ),
-        check(
-            f"{id}.resonance",
-            Text("Speed of {pair} over its main resonance, {speed_range}", pair=pair, speed_range=factors.speed_range),
-            factors.resonance_ratio,
-            "<=" if below else ">=",
-            factors.lower_resonance if below else MAIN_TO,
-            "",
-            Text("{clause_6}: the main resonance lies from N_S to 1.15", clause_6=CLAUSE_6),
-            Text(
-                "Change the number of teeth, or the mass of the wheels, so that the teeth do not meet at the natural "
-                "frequency of the pair."
-            ),
+    )
+    yield check(
+        f"{id}.resonance",
+        Text("Speed of {pair} over its main resonance, {speed_range}", pair=pair, speed_range=factors.speed_range),
+        factors.resonance_ratio,
+        "<=" if below else ">=",
+        factors.lower_resonance if below else MAIN_TO,
+        "",
+        Text("{clause_6}: the main resonance lies from N_S to 1.15", clause_6=CLAUSE_6),
+        Text(
+            "Change the number of teeth, or the mass of the wheels, so that the teeth do not meet at the natural "
+            "frequency of the pair."
         ),
-        check(
-            f"{id}.shift_sum",
-            Text("Sum of the profile shifts {pair}", pair=pair),
-            mesh.shift_sum,
-            "in",
-            (-0.5, 2.0),
-            "",
-            Text("{clause_9}: range of the stiffness of the teeth", clause_9=CLAUSE_9),
-            Text("The stiffness of the teeth is extrapolated; the factors K are uncertain."),
-        ),
-    ]
+    )
+    yield check(
+        f"{id}.shift_sum",
+        Text("Sum of the profile shifts {pair}", pair=pair),
+        mesh.shift_sum,
+        "in",
+        (-0.5, 2.0),
+        "",
+        Text("{clause_9}: range of the stiffness of the teeth", clause_9=CLAUSE_9),
+        Text("The stiffness of the teeth is extrapolated; the factors K are uncertain."),
+    )
     if factors.line_load >= LEAST_LOAD:  # below it no teeth are pressed together over their whole width
-        checks.append(
-            check(
-                f"{id}.contact_width",
-                Text("Face width that touches, {pair}", pair=pair),
-                factors.contact_width_share,
-                ">=",
-                1.0,
-                "%",
-                Text("{clause_7}: K_Hβ up to 2", clause_7=CLAUSE_7),
-                Text(
-                    "The load is too small to press the misaligned teeth together over the whole face width: "
-                    "crown or end-relieve the teeth, "
-                    "or hold the axes more parallel (misalignment of the mesh, accuracy grade)."
-                ),
-            )
+        yield check(
+            f"{id}.contact_width",
+            Text("Face width that touches, {pair}", pair=pair),
+            factors.contact_width_share,
+            ">=",
+            1.0,
+            "%",
+            Text("{clause_7}: K_Hβ up to 2", clause_7=CLAUSE_7),
+            Text(
+                "The load is too small to press the misaligned teeth together over the whole face width: "
+                "crown or end-relieve the teeth, "
+                "or hold the axes more parallel (misalignment of the mesh, accuracy grade)."
+            ),
         )
-    return checks
 
 
 # --- strength
 
 
-def strength_checks(meshes: Mapping[str, MeshStrength]) -> tuple[Check, ...]:
+def strength_checks(meshes: Mapping[str, MeshStrength]) -> Iterator[Check]:
     """Of every mesh its flanks, of every wheel the weakest of its roots; none where there is no load."""
-    checks: list[Check] = []
     roots: dict[str, tuple[Number, str]] = {}
     for key, mesh in meshes.items():
-        checks += _contact_checks(key, mesh)
+        yield from _contact_checks(key, mesh)
         for wheel, strength in mesh.bending.items():
             if strength.S_F is not None and (wheel not in roots or strength.S_F < roots[wheel][0]):
                 roots[wheel] = strength.S_F, mesh.pair
@@ -180,14 +181,13 @@ def strength_checks(meshes: Mapping[str, MeshStrength]) -> tuple[Check, ...]:
             ("", Text("{name}, in {pair}", name=name, pair=pair), S_F_LEAST),
             ("_usual", Text("{name}, usual", name=name), S_F_USUAL),
         ):
-            checks.append(check(f"{id}{suffix}", label, S_F, ">=", least, "", MINIMUM_F, _advice(wheel, least / S_F)))
-    return tuple(checks)
+            yield check(f"{id}{suffix}", label, S_F, ">=", least, "", MINIMUM_F, _advice(wheel, least / S_F))
 
 
-def _contact_checks(key: str, mesh: MeshStrength) -> list[Check]:
+def _contact_checks(key: str, mesh: MeshStrength) -> Iterator[Check]:
     safeties = {wheel: flank.S_H for wheel, flank in mesh.contact.items() if flank.S_H is not None}
     if not safeties:
-        return []
+        return
     weak = min(safeties, key=safeties.__getitem__)
     S_H, (one, two), id = safeties[weak], mesh.sides, f"gears.{key}.safety_contact"
     name = Text(
@@ -197,10 +197,8 @@ def _contact_checks(key: str, mesh: MeshStrength) -> list[Check]:
         s_h=Amount(S_H**2, form=".3g"),
         weak=weak,
     )
-    return [
-        check(f"{id}{suffix}", label, S_H, ">=", least, "", MINIMUM_H, _advice(weak, (least / S_H) ** 2))
-        for suffix, label, least in (("", name, S_H_LEAST), ("_usual", Text("{name}, usual", name=name), S_H_USUAL))
-    ]
+    for suffix, label, least in (("", name, S_H_LEAST), ("_usual", Text("{name}, usual", name=name), S_H_USUAL)):
+        yield check(f"{id}{suffix}", label, S_H, ">=", least, "", MINIMUM_H, _advice(weak, (least / S_H) ** 2))
 
 
 def _advice(wheel: str, width: Number) -> Text:
@@ -216,11 +214,11 @@ def _advice(wheel: str, width: Number) -> Text:
     )
 
 
-def unrated_checks(wheels: Iterable[str]) -> tuple[Check, ...]:
+def unrated_checks(wheels: Iterable[str]) -> Iterator[Check]:
     """Of wheels whose strength class is not known."""
-    why = Text("Without a strength class the wheel and its meshes have no safety.")
-    return tuple(
-        check(
+    advice = Text("Without a strength class the wheel and its meshes have no safety.")
+    for wheel in wheels:
+        yield check(
             f"gears.{wheel}.safety_bending",
             Text("Safety of {wheel} against tooth breakage", wheel=wheel),
             math.nan,
@@ -228,11 +226,9 @@ def unrated_checks(wheels: Iterable[str]) -> tuple[Check, ...]:
             S_F_LEAST,
             "",
             MINIMUM_F,
-            why,
+            advice,
             missing=(f"gears.wheels.{wheel}.gear_material",),
         )
-        for wheel in wheels
-    )
 
 
 def roughness_check(root_rz: Metre) -> Check:
@@ -249,10 +245,10 @@ def roughness_check(root_rz: Metre) -> Check:
     )
 
 
-def hardness_checks(wheel: str, cls: StrengthClass) -> tuple[Check, ...]:
+def hardness_checks(wheel: str, cls: StrengthClass) -> Iterator[Check]:
     """Whether a given hardness lies in the range of its class; none where it is not given."""
     if cls.hardness is None:
-        return ()
+        return
     factor = 1.0 if cls.scale == "HV" else 0.95
     low, high = Amount(cls.low, form="g"), Amount(cls.high, form="g")
     source = Text(
@@ -264,82 +260,74 @@ def hardness_checks(wheel: str, cls: StrengthClass) -> tuple[Check, ...]:
         scale=cls.scale,
     )
     name = Text("Hardness of {wheel} for its strength class", wheel=wheel)
-    return (
-        check(
-            f"gears.{wheel}.hardness",
-            name,
-            cls.hardness,
-            ">=",
-            cls.low / factor,
-            "HV",
-            source,
-            Text("A softer flank does not reach the class: choose another strength class."),
-        ),
-        check(
-            f"gears.{wheel}.hardness_most",
-            Text("{name}, upper end", name=name),
-            cls.hardness,
-            "<=",
-            cls.high / factor,
-            "HV",
-            source,
-            Text("The strength is that of the upper end: more hardness adds none, and may make the teeth brittle."),
-        ),
+    yield check(
+        f"gears.{wheel}.hardness",
+        name,
+        cls.hardness,
+        ">=",
+        cls.low / factor,
+        "HV",
+        source,
+        Text("A softer flank does not reach the class: choose another strength class."),
+    )
+    yield check(
+        f"gears.{wheel}.hardness_most",
+        Text("{name}, upper end", name=name),
+        cls.hardness,
+        "<=",
+        cls.high / factor,
+        "HV",
+        source,
+        Text("The strength is that of the upper end: more hardness adds none, and may make the teeth brittle."),
     )
 
 
 # --- screening
 
 
-def screening_checks(key: str, screened: Screening) -> tuple[Check, ...]:
+def screening_checks(key: str, screened: Screening) -> Iterator[Check]:
     """Of the film, where there is one, and of the contact temperature."""
-    title, checks = screened.title, []
+    title = screened.title
     if screened.specific_film_min is not None:
-        given = screened.permissible_given
         limit = (
             Text("λ_GFP of the oil's test")
-            if given
+            if screened.permissible_given
             else Text("λ_GFP by a rule of this program; a test of the oil gives its own")
         )
-        checks.append(
-            check(
-                f"gears.{key}.micropitting_film",
-                Text(
-                    "Specific film thickness {title} at {film_place} (screening)",
-                    title=title,
-                    film_place=screened.film_place,
-                ),
-                screened.specific_film_min,
-                ">=",
-                screened.permissible_film,
-                "",
-                Text("ISO/TR 15144-1:2014, ISO/TS 6336-22:2018, method B; {limit}", limit=limit),
-                Text(
-                    "Smoother flanks (gears.flank_rz_um), cooler or thicker oil, more speed; stronger steel does not "
-                    "help. "
-                    "{pressure}",
-                    pressure=_pressure(screened.film_pressure or 0.0),
-                ),
-            )
+        yield check(
+            f"gears.{key}.micropitting_film",
+            Text(
+                "Specific film thickness {title} at {film_place} (screening)",
+                title=title,
+                film_place=screened.film_place,
+            ),
+            screened.specific_film_min,
+            ">=",
+            screened.permissible_film,
+            "",
+            Text("ISO/TR 15144-1:2014, ISO/TS 6336-22:2018, method B; {limit}", limit=limit),
+            Text(
+                "Smoother flanks (gears.flank_rz_um), cooler or thicker oil, more speed; stronger steel does not "
+                "help. "
+                "{pressure}",
+                pressure=_pressure(screened.film_pressure or 0.0),
+            ),
         )
     assumed = "" if screened.load_stage_given else Text(", assumed by a rule of this program")
     stage = Text("FZG load stage {load_stage}", load_stage=Amount(screened.load_stage, form="g")) + assumed
-    checks.append(
-        check(
-            f"gears.{key}.scuffing",
-            Text("Scuffing temperature above the contact temperature {title} (screening)", title=title),
-            screened.scuffing_margin,
-            ">=",
-            MARGIN,
-            "K",
-            Text("ISO/TR 13989-1:2000 (ISO/TS 6336-20), 10.5: for instance 50 K; {stage}", stage=stage),
-            Text(
-                "Cooler oil, an oil of a higher load stage, smoother flanks, less sliding (shorter addenda), or more "
-                "face width."
-            ),
-        )
+    yield check(
+        f"gears.{key}.scuffing",
+        Text("Scuffing temperature above the contact temperature {title} (screening)", title=title),
+        screened.scuffing_margin,
+        ">=",
+        MARGIN,
+        "K",
+        Text("ISO/TR 13989-1:2000 (ISO/TS 6336-20), 10.5: for instance 50 K; {stage}", stage=stage),
+        Text(
+            "Cooler oil, an oil of a higher load stage, smoother flanks, less sliding (shorter addenda), or more "
+            "face width."
+        ),
     )
-    return tuple(checks)
 
 
 def _pressure(pressure: Pascal) -> Text:

@@ -17,10 +17,10 @@ from ...sheet.value import about, trace
 from ..inputs import GearsInputs
 from ..practice import EXTREME
 from ..result import MeshResult, TrainResult
-from . import checks as c
 from . import curves, source_sheet
 from . import mesh_strength as nominal
 from . import stress as s
+from .checks import checks
 from .influence import influence
 from .load import REFERENCE_NU, Power, RatingContext, RatingLoad, Surroundings, loads, mean_torques, rating_context
 from .mesh_strength import MeshLoad, mesh_strength
@@ -62,18 +62,6 @@ def rating(
     finite(result, "gears", EXTREME)
     strengths = {key: mesh_rating.strength for key, mesh_rating in rated.items() if mesh_rating.strength is not None}
     influences = {key: mesh_rating.influence for key, mesh_rating in rated.items() if mesh_rating.influence is not None}
-    checks = [
-        check
-        for key, mesh_rating in rated.items()
-        for check in c.checks(train.meshes[key], key, mesh_rating, load[key])
-    ]
-    checks += [
-        *c.strength_checks(strengths),
-        *c.unrated_checks(w.name for w in gears.wheels if w.name not in context.classes),
-    ]
-    checks.append(c.roughness_check(gears.root_rz))
-    for name, strength in context.classes.items():
-        checks += c.hardness_checks(name, strength)
 
     def tables() -> Iterator[Table]:
         if influences:
@@ -85,7 +73,7 @@ def rating(
     return Outcome(
         "gears",
         result=result,
-        checks=tuple(checks),
+        checks=tuple(checks(context, rated, load)),
         lines=tuple(lines),
         curves=Later(lambda: curves.curves(rated)),
         tables=Later(tables),

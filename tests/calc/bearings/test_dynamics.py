@@ -215,7 +215,6 @@ def test_for_a_load_that_stands_the_threshold_is_lunds(e, b):
 
 
 # --- the step's own object
-# ----------------------------------------------------------------------------------------------------
 LOAD, CLEARANCE, SPEED = 1710.0, 140e-6, 2600 / 60
 
 

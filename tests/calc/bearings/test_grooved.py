@@ -164,7 +164,6 @@ def test_feeds_overlap_where_they_are_nearer_than_half_of_both(a, b, one, other)
 
 
 # --- the spline of daily use
-# ---------------------------------------------------------------------------------------------------
 def test_the_spline_gives_a_cubic_back():
     """Whose third derivative does not jump anywhere: between the nodes too, and at both ends."""
     x = np.linspace(0.1, 2.1, 9)

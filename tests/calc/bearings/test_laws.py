@@ -61,7 +61,6 @@ def sized(case, k):
 
 
 # --- similarity
-# ---------------------------------------------------------------------------------------------------------------
 @settings(max_examples=40, deadline=None)
 @given(asked=cases(), size=st.floats(0.2, 5), load=st.floats(0.2, 5))
 def test_the_film_knows_one_number_only(asked, size, load):
@@ -119,7 +118,6 @@ def test_the_film_does_not_know_who_looks(n_J, n_B, n_F, turn):
 
 
 # --- limits
-# -------------------------------------------------------------------------------------------------------------------
 @settings(max_examples=60, deadline=None)
 @given(eps=eccentricities, b=ratios)
 def test_no_film_rubs_less_than_petroff(eps, b):
@@ -200,7 +198,6 @@ def test_more_eccentric_means_more_load_nearer_to_the_load_line(eps, b, more):
 
 
 # --- spring and damper
-# ----------------------------------------------------------------------------------------------------------
 def force(x, y, b):
     """The film's force on the journal over μ·ω·d·l/ψ², real away from the line of the undisplaced load: of a journal at
     x + i·y."""
@@ -250,7 +247,6 @@ def test_damping_takes_energy_from_every_motion(eps, b):
 
 
 # --- oil, heat, clearance
-# ---------------------------------------------------------------------------------------------------------
 @settings(max_examples=25, deadline=None)
 @given(asked=cases(), more=st.floats(1.02, 1.5))
 def test_in_thermal_balance_more_load_means_less_film(asked, more):

@@ -50,7 +50,6 @@ def column(found, label):
 
 
 # --- materials
-# ----------------------------------------------------------------------------------------------------------
 @pytest.mark.parametrize(
     "name, load, temperature, hardness",
     [
@@ -170,7 +169,6 @@ def test_the_table_shows_what_the_harder_bearing_uses():
 
 
 # --- references
-# ---------------------------------------------------------------------------------------------------------
 def test_loads_of_the_r754_are_those_of_its_design():
     results = solve(design_file.design(design_file.read(DESIGNS / "r754ie4_balance_shafts.toml")))
     supports = results.outcomes["countershaft"].values()
@@ -224,7 +222,6 @@ def test_tables_leave_no_lines_behind():
 
 
 # --- applications
-# -------------------------------------------------------------------------------------------------------
 def test_the_figure_has_27_rows_and_dashes_are_none():
     rows = applications()
     assert len(rows) == 27

@@ -36,7 +36,6 @@ def errors(one, shares):
 
 
 # --- the formula, where the answer is known
-# ------------------------------------------------------------------------------------
 @pytest.mark.parametrize("share", [0.0, 0.1, 0.4])
 def test_friction_by_the_square_of_the_load_is_exact(share):
     """The mean of |F + R_0·e^iθ|² is F² + R_0²."""
@@ -58,7 +57,6 @@ def test_friction_by_the_load_itself_grows_by_a_quarter_of_the_square():
 
 
 # --- a journal
-# -------------------------------------------------------------------------------------------------------------------
 @pytest.mark.parametrize("place", PLACES)
 @pytest.mark.parametrize("share, tolerance", [(0.05, 2e-7), (0.2, 2e-5), (0.4, 3e-4)])
 def test_the_mean_is_that_of_720_moments(gamma_results, place, share, tolerance):

@@ -49,7 +49,6 @@ def test_where_nothing_passes_the_nearest_is_named_with_what_stops_it(found, thi
 
 
 # --- notes
-# -----------------------------------------------------------------------------------------------------------------------
 def free(found, best):
     """As if three front diameters were looked at and the rows had these."""
     task = found.tasks["front"][0]

@@ -164,7 +164,6 @@ def test_full_groove_flow_is_that_of_two_lands():
 
 
 # --- the rear bearing: the same functions, Ø81 × 26.5, K = 0.61
-# ----------------------------------------------------------------
 D_R, L_R = 0.081, 0.0265
 U_R = f.surface_speed(D_R, N)
 G_R = f.clearance_by_factor(0.61, D_R, U_R)

@@ -19,7 +19,6 @@ def found(made, name):
 
 
 # --- what is left over
-# -----------------------------------------------------------------------------------------------------------
 @pytest.mark.parametrize(
     "share, verdict",
     [(1.0, "pass"), (1.04, "pass"), (1.049, "warn"), (1.051, "fail"), (0.951, "warn"), (0.949, "fail")],
@@ -91,7 +90,6 @@ def test_a_force_is_judged_by_one_cylinder():
 
 
 # --- slopes
-# ------------------------------------------------------------------------------------------------------------------------
 @pytest.mark.parametrize(
     "slopes, front, rear",
     [([0.25], "warn", "warn"), ([0.2, 0.26], "pass", "fail"), ([0.26, 0.23], "fail", "pass"), ([0.24], "warn", "warn")],
@@ -116,7 +114,6 @@ def test_a_thin_core_bends_too_far():
 
 
 # --- envelope
-# ----------------------------------------------------------------------------------------------------------------------
 @pytest.mark.parametrize(
     "R, verdict", [(42.5, "pass"), (42.9, "pass"), (43.0, "pass"), (43.01, "fail"), (45.0, "fail")]
 )
@@ -193,7 +190,6 @@ def test_a_mass_that_is_no_sector_leaves_the_bending_not_verified():
 
 
 # --- supports, outline, holes
-# ----------------------------------------------------------------------------------------------------------
 def test_journals_of_its_own_are_screened():
     """24 × 21 mm at 6000 rpm under 2847.6 N: 5.65 MPa and 813 600 N·rpm/mm are beyond 5 MPa and 500 000."""
     made = verdicts(outcome("r754ie4_balance_shafts"))

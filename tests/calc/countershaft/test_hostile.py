@@ -212,7 +212,6 @@ def test_all_errors_come_at_once_each_with_its_line():
 
 
 # --- by chance
-# ---------------------------------------------------------------------------------------------------------------
 ODD = st.sampled_from([0.0, -1.0, 1e-9, 1e9, math.inf, math.nan, "x", True, None, [], {}])
 MATERIALS = st.sampled_from(["20CrNi4", "steel", "EN AC-43100", "42CrMo4"])
 number = st.floats

@@ -19,7 +19,6 @@ def turned(mass, angle):
 
 
 # --- given and sized
-# -----------------------------------------------------------------------------------------------------------
 def test_the_mode_says_whether_the_masses_or_the_envelope_count():
     given = result(**ENVELOPE)
     sized = outcome(**SIZE)
@@ -67,7 +66,6 @@ def test_an_envelope_too_small_is_said_with_what_it_holds():
 
 
 # --- further elements
-# ------------------------------------------------------------------------------------------------------------
 U = 577.685  # g·mm, of the hole and of the metal ahead of the gear
 EXTRAS = [
     {"name": "hole", "mass_kg": -U / 24e3, "radius_mm": 24.0, "angle_deg": 210.0, "z_mm": 167.5},
@@ -95,7 +93,6 @@ def test_sizing_takes_further_elements_into_account():
 
 
 # --- speed and twin
-# ---------------------------------------------------------------------------------------------------------------
 def test_a_twin_shaft_takes_what_turns_the_other_way():
     """Nothing on the crank: vectors of 572.93 N·m turn in both senses; a shaft takes one of them, a mirrored pair
     both."""
@@ -135,7 +132,6 @@ def test_a_shaft_with_a_force_beside_the_crank_raises_a_roll_torque_that_a_twin_
 
 
 # --- supports
-# ----------------------------------------------------------------------------------------------------------------------
 def test_two_supports_carry_the_reactions_of_the_lever():
     made = result(journals=JOURNALS)
     assert [s.reaction for s in made.support.values()] == pytest.approx(
@@ -162,7 +158,6 @@ def test_supports_in_line_with_a_force_carry_it_together():
 
 
 # --- pictures
-# -----------------------------------------------------------------------------------------------------------------------
 def test_what_is_left_grows_with_the_square_of_the_speed():
     made = outcome(masses=[{**FRONT, "mass_kg": 3.0}, REAR])
     curves = {curve.id: curve for curve in made.curves}
@@ -194,7 +189,6 @@ def test_the_locus_of_what_is_left_runs_with_the_crank(name, order):
 
 
 # --- handed on
-# ------------------------------------------------------------------------------------------------------------------------
 def test_bearings_take_the_computed_slope_unless_one_is_given(gamma):
     """Finotti 2013, ch. 6: slopes of 0.15625 and 0.11501 mrad, given in the design; the film at the edge is lower by
     slope times l/2."""

@@ -111,7 +111,6 @@ def overlap(a, b):
 
 
 # --- where it stands
-# ------------------------------------------------------------------------------------------------------
 def test_nothing_leaves_the_frame_but_its_grid(drawn):
     for mark in drawn[1].marks:
         if mark.layer not in (FRAME, TABLE):
@@ -178,7 +177,6 @@ def test_letters_are_large_enough_to_be_read(drawn):
 
 
 # --- what it says
-# ---------------------------------------------------------------------------------------------------------
 def test_dimensions_are_those_of_the_design(drawn):
     results, sheet = drawn
     lengths = [mark for mark in sheet.marks if isinstance(mark, Dimension)]

@@ -46,7 +46,6 @@ def single(**changes):
 
 
 # --- inertia
-# ----------------------------------------------------------------------------------------------------------------
 def test_inertia_torque_of_a_long_rod():
     """Two terms: T = m·r²·ω²·(λ/4·sin α − ½·sin 2α − ¾·λ·sin 3α − ¼·λ²·sin 4α), −v·a of sin α + ½λ·sin 2α and cos α +
     λ·cos 2α."""
@@ -148,7 +147,6 @@ def test_without_gas_the_rest_is_unknown():
 
 
 # --- gas
-# --------------------------------------------------------------------------------------------------------------------
 def work(engine, e, gas=DIESEL, p_in=1e5, p_ex=1.1e5, n_c=1.35, n_e=1.28, hold=10 * DEGREE):
     """∮p dV of the cycle in closed form; p·V^n constant."""
     area, h = math.pi / 4 * engine.bore**2, e.stroke / (gas["compression_ratio"] - 1)

@@ -28,7 +28,6 @@ def refused(document):
 
 
 # --- refused
-# -----------------------------------------------------------------------------------------------------------------------
 @pytest.mark.parametrize(
     "kind, entry",
     [
@@ -86,7 +85,6 @@ def test_the_power_of_a_scenario_is_that_of_a_train_alone():
 
 
 # --- what once broke
-# -----------------------------------------------------------------------------------------------------------------
 def test_a_helical_train_alone_with_bearings_is_shown_whole():
     wheels = [{"name": f"w{i}", "teeth": z} for i, z in enumerate((25, 36, 39))]
     meshes = [{"driver": "w0", "driven": "w1"}, {"driver": "w1", "driven": "w2"}]
@@ -151,7 +149,6 @@ def test_rolling_that_is_not_counted_is_told():
 
 
 # --- asked for
-# ---------------------------------------------------------------------------------------------------------------------
 def test_a_scenario_is_explained_as_the_design_that_it_is(tmp_path, capsys):
     file = tmp_path / "design.toml"
     text = Path(gamma().place).read_text(encoding="utf-8")

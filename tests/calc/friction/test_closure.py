@@ -30,7 +30,6 @@ def only(mesh):
 
 
 # --- the balance
-# ---------------------------------------------------------------------------------------------------------------
 def test_the_losses_are_the_power_at_the_crank():
     parts = sum(VALUES[f"{part}_loss"] for part in ("bearing", "mesh", "windage", "other"))
     assert parts == pytest.approx(VALUES["total_loss"], rel=1e-9)
@@ -125,7 +124,6 @@ def test_a_mesh_that_eats_more_than_it_gets_is_no_solution():
 
 
 # --- what is carried where
-# -----------------------------------------------------------------------------------------------------
 def test_other_losses_enter_at_the_wheel_that_they_name():
     base = VALUES["crank_power"]
     at_crank, at_idler, anywhere = (
@@ -187,7 +185,6 @@ def test_no_shaft_loss_leaves_the_windage():
 
 
 # --- what is said about it
-# ---------------------------------------------------------------------------------------------------
 def test_checks_note_the_regime_and_rough_flanks():
     verdicts = {c.id: c.verdict for c in TRAIN.checks}
     assert verdicts["friction.train.balance"] == "pass"
@@ -250,7 +247,6 @@ def test_lines_stand_once_and_can_be_read():
 
 
 # --- the mesh that eats its power
-# ------------------------------------------------------------------------------------------------
 def failing(outcome):
     return {c.id for c in outcome.checks if c.verdict == "fail"}
 
@@ -272,7 +268,6 @@ def test_a_chain_that_runs_dry_on_the_way_says_so():
 
 
 # --- who carries what
-# ----------------------------------------------------------------------------------------------------------
 @pytest.mark.parametrize(
     "loss, wheel",
     [
@@ -312,7 +307,6 @@ def test_a_note_says_which_wheel_carries_a_loss():
 
 
 # --- every value can be explained
-# ------------------------------------------------------------------------------------------------
 @pytest.mark.parametrize("name", ["r753ie4_gamma.toml", "timing_pair.toml"])
 def test_every_value_is_what_a_line_returned_or_an_input(name):
     drawn = design(read(DESIGNS / name))
@@ -339,7 +333,6 @@ def test_errata_are_methods_save_what_is_printed():
 
 
 # --- what has no meaning
-# -------------------------------------------------------------------------------------------------------
 @pytest.mark.parametrize("value", [float("nan"), float("inf"), -1.0])
 @pytest.mark.parametrize("what", ["shaft_power", "speed", "T"])
 def test_numbers_without_meaning_are_refused(what, value):

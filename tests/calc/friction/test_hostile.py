@@ -26,7 +26,6 @@ MESHES = {"spur": spur_pair(), "helical": r753()["idler_shaft"]}
 
 
 # --- in the file
-# -------------------------------------------------------------------------------------------------------------------
 HOSTILE = {
     "flank_roughness_um": [0.0, -0.8, NAN, INF, [0.8, 0.0], [], [0.1, 0.2, 0.3], "rough"], "solid_friction": [-0.1,
     1.5, NAN],
@@ -145,7 +144,6 @@ def test_a_bush_that_carries_nothing_stops_the_step_with_its_name():
 
 
 # --- past the file: what the formulas are handed
-# ---------------------------------------------------------------------------------
 @pytest.mark.parametrize(
     "said",
     [
@@ -185,7 +183,6 @@ def test_losses_of_the_shaft_that_are_no_number_are_named():
 
 
 # --- the ends of the path
-# ----------------------------------------------------------------------------------------------------------
 @pytest.mark.parametrize("by_regime", [True, False])
 @pytest.mark.parametrize(
     "said", [{}, {"bulk": "estimated"}, {"body_resistance": (0.05,)}, {"pressure_law": "roelands"}]
@@ -212,7 +209,6 @@ def test_the_pitch_point_rubs_nothing_at_every_speed(mesh):
 
 
 # --- what holds for every mesh
-# -------------------------------------------------------------------------------------------------------
 sensible = dict(
     P=st.floats(1.0, 3e4),
     n=st.floats(1.0, 100.0),

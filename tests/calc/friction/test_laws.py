@@ -72,7 +72,6 @@ def lost(mesh, T, n, Ra, stress, law="barus", by_regime=True, P=None, **said):
 
 
 # --- load and sliding along the path
-# ----------------------------------------------------------------------------------------------
 @settings(max_examples=40, deadline=None)
 @given(mesh=meshes(), sharing=st.sampled_from(["linear", "smooth"]), F=st.floats(1, 1e5))
 def test_the_teeth_in_contact_carry_the_whole_force(mesh, sharing, F):
@@ -156,7 +155,6 @@ def test_ohlendorfs_factor_is_the_sliding_of_pairs_that_share_half_and_half(mesh
 
 
 # --- friction of a mesh
-# -----------------------------------------------------------------------------------------------------------
 @settings(max_examples=30, deadline=None)
 @given(**{**points, "by_regime": st.just(False)}, mu_s=st.floats(0.02, 0.3))
 def test_mixed_friction_lies_between_oil_and_solids(mesh, T, n, Ra, stress, law, by_regime, mu_s):
@@ -242,7 +240,6 @@ def test_pressure_goes_with_the_root_of_the_load(mesh, T, n, Ra, stress, law, by
 
 
 # --- film and heat
-# ------------------------------------------------------------------------------------------------------------------
 groups = dict(
     eta=st.floats(1e-3, 0.5),
     u=st.floats(0.05, 50),
@@ -336,7 +333,6 @@ def test_oil_shears_as_newton_when_slow_and_at_its_limit_when_fast(p, eta, V, h,
 
 
 # --- the train
-# ------------------------------------------------------------------------------------------------------------------------
 @settings(max_examples=40, deadline=None)
 @given(
     P=st.floats(10, 1e5),
@@ -366,7 +362,6 @@ def test_power_goes_down_the_train_as_it_came_up(P, share, standing, needs):
 
 
 # --- all but the meshes
-# -----------------------------------------------------------------------------------------------------------------
 @settings(max_examples=60, deadline=None)
 @given(
     n=st.floats(1, 300),

@@ -176,7 +176,6 @@ def test_beside_schlenk():
 
 
 # --- what the literature says
-# ------------------------------------------------------------------------------------------------
 def spur(alpha=20.0, split=1):
     """16/24 teeth of 4.5 mm without shifts, or the same size with teeth split in two."""
     m, angle = 4.5e-3 / split, np.radians(alpha)

@@ -31,7 +31,6 @@ def system(alpha_n, beta, m_n=1e-3):
 
 
 # --- geometry
-# -----------------------------------------------------------------------------------------------------------------
 @settings(max_examples=80, deadline=None)
 @given(z_1=teeth, z_2=teeth, x_1=shifts, x_2=shifts, more=st.floats(1e-4, 0.5), alpha_n=angles, beta=helices)
 def test_shifts_and_centre_distance_say_the_same(z_1, z_2, x_1, x_2, more, alpha_n, beta):
@@ -178,7 +177,6 @@ def test_the_same_teeth_meet_when_both_have_made_whole_turns(z_1, z_2, z_3):
 
 
 # --- backlash
-# -----------------------------------------------------------------------------------------------------------------
 @settings(max_examples=60, deadline=None)
 @given(
     z_1=teeth,
@@ -229,7 +227,6 @@ def test_backlash_grows_with_the_centres_and_with_the_whole(z_1, z_2, alpha_n, b
 
 
 # --- stress and force
-# -----------------------------------------------------------------------------------------------------------
 @settings(max_examples=10, deadline=None)
 @given(pair=pairs(), T=st.floats(0.5, 500), load=st.floats(0.1, 10), scale=st.floats(0.3, 4))
 def test_nominal_stress_goes_with_the_load_and_not_with_the_size(pair, T, load, scale):

@@ -22,7 +22,6 @@ def half_digit(printed):
 
 
 # --- the source's first pair
-# ---------------------------------------------------------------------------------------------------
 def printed(quantity, wheel):
     return next(float(r["printed"]) for r in FINOTTI["row"] if r["quantity"] == quantity and r.get("wheel") == wheel)
 
@@ -165,7 +164,6 @@ def test_the_ball_that_the_source_meant(name, side, chord, exact):
 
 
 # --- examples of others
-# -----------------------------------------------------------------------------------------------------------
 def inputs_of(example):
     """The gears of an example; a single wheel is paired with itself."""
     given = example["inputs"]

@@ -50,7 +50,6 @@ def whole():
 
 
 # --- the source's train
-# ------------------------------------------------------------------------------------------------------------
 def test_shifts_follow_through_the_train(whole):
     """36: 0.014 is given; the 39 follows from 80.555 mm (printed −0.312 mm), the shaft's 25 from 68.698 mm, the crank's
     is the shaft's."""
@@ -201,7 +200,6 @@ def test_wheel_names_with_a_hyphen():
 
 
 # --- open shifts and distances
-# ---------------------------------------------------------------------------------------------------------
 def shifts(wheels, meshes, **said):
     return {name: w.profile_shift for name, w in solved(train(wheels, meshes, **said)).wheels.items()}
 

@@ -24,7 +24,6 @@ STEEL = 206e9
 
 
 # --- Hertz
-# -------------------------------------------------------------------------------------------------------------------------
 def test_two_steel_rollers():
     """Calculated by hand: 206 GPa, ν 0.3, 100 N/mm on radii that make 10 mm."""
     E_r = hertz.reduced_modulus(nu_1=0.3, E_1=STEEL, nu_2=0.3, E_2=STEEL)
@@ -56,7 +55,6 @@ def test_equal_bodies_have_the_modulus_of_one_over_its_contraction():
 
 
 # --- the line of action
-# ------------------------------------------------------------------------------------------------------------
 def test_the_pitch_point_parts_the_line_by_the_teeth_and_rolls():
     rho_C = line.pitch_point(T=40e-3, z_1=20, z_2=60)
     rho_2 = line.driven_curvature(T=40e-3, rho_1=rho_C)
@@ -145,7 +143,6 @@ def test_the_rating_has_no_formula_of_its_own():
 
 
 # --- loss and warmth of a whole mesh
-# -------------------------------------------------------------------------------------------
 def test_the_loss_factor_of_high_teeth_is_that_of_two_pairs_where_both_hold():
     """ε_1 = ε_2 = 1: (1 + 1 + 1 − 2) against half of 2."""
     said = dict(eps_alpha=2.0, z_1=24, z_2=36, beta_b=0.3)

@@ -61,7 +61,6 @@ def own(*more: str, **changed: object) -> Oil:
 
 
 # --- reference: derived from the same two viscosities by a separate calculation, to its last digit
-# ---------------------------
 # name: η at 40, 50, 60, 80, 100, 120 °C in mPa·s, α at 40 °C in 1/GPa, β at 40 °C in 1/K, Λ
 DERIVED = {
     "10W-40 Q8 T905": ((80.965, 52.878, 36.228, 19.108, 11.375, 7.413), 18.93, 0.0453, 0.047),
@@ -109,7 +108,6 @@ def test_an_oil_of_the_table_has_a_sound_line(name):
 
 
 # --- where values come from
-# --------------------------------------------------------------------------------------------------
 @pytest.mark.parametrize("name", oils())
 def test_every_value_has_a_source_and_a_confidence(name):
     values = judged_values(oils()[name])
@@ -175,7 +173,6 @@ def test_an_own_oil_replaces_that_of_the_table_and_answers_for_itself():
 
 
 # --- printed viscosities
-# -----------------------------------------------------------------------------------------------------
 KEPT = {THESIS + "MIL-L-23699E": (50.0, 60.0, 100.0)}
 CAUSES = [
     ("10W40", 40.0, ["implies 153.7 mm²/s", "93.27"]),
@@ -265,7 +262,6 @@ def test_within_five_percent_is_kept(T, factor):
 
 
 # --- oils of the user
-# --------------------------------------------------------------------------------------------------------
 @given(
     nu40=st.floats(2, 2000),
     slope=st.floats(1.2, 5.5),
@@ -381,7 +377,6 @@ def test_a_claim_is_not_part_of_a_design_file():
 
 
 # --- viscosity index
-# ---------------------------------------------------------------------------------------------------------
 @pytest.mark.parametrize("nu40, nu100, VI", [(73.30, 8.86, 92), (22.83, 5.05, 156)])
 def test_viscosity_index_of_the_standards_examples(nu40, nu100, VI):
     """ASTM D2270, worked examples of procedures A and B."""

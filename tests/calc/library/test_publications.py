@@ -64,7 +64,6 @@ def lost(sources: dict[str, str]) -> dict[str, str]:
 
 
 # --- the register
-# ------------------------------------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("name", register())
@@ -145,7 +144,6 @@ def test_how_we_know_follows_the_place():
 
 
 # --- everything that has a source
-# ------------------------------------------------------------------------------------------------------
 
 
 def test_every_formula():

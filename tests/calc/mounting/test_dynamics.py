@@ -196,7 +196,6 @@ def test_time_integration_comes_back_to_the_phasor():
 
 
 # --- published cases
-# -----------------------------------------------------------------------------------------------------
 def of_two(K, M):
     return np.sqrt(eigen(np.array(K), np.array(M))[0])
 
@@ -231,7 +230,6 @@ def test_an_engine_on_three_turned_mounts():
 
 
 # --- symmetries
-# ------------------------------------------------------------------------------------------------------------
 def levels_of(given, f):
     s = system(given, np.asarray(body.inertia(given)))
     q = np.asarray(respond(s, np.array([94.0]), f[None, None]).q)[0, 0]

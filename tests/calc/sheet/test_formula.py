@@ -242,7 +242,6 @@ def test_symbols(name, shown):
 
 
 # --- numbers that give the result
-# ----------------------------------------------------------------------------------------------
 def test_a_difference_shows_as_many_digits_as_its_result_needs():
     assert line_text(only(gap, 0.0658080476, 0.0657517430))[1] == "= 0.065808 − 0.0657517 = 56.3 µm"
     assert line_text(only(gap, 0.0658080476, 0.02))[1] == "= 0.06581 − 0.02 = 45810 µm"

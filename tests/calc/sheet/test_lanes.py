@@ -179,7 +179,6 @@ def test_designs_without_a_number_go_apart_and_where_none_has_one_there_is_no_so
 
 
 # --- records
-# ---------------------------------------------------------------------------------------------------------------
 def test_records_side_by_side_and_each_again():
     parts = [
         Part(size=1.0, points=np.array([1.0, 2.0])),

@@ -31,7 +31,6 @@ from calc.sheet.text import EMPTY, Small, Text
 
 
 # --- candidates
-# ------------------------------------------------------------------------------------------------------------
 def test_multiples_stand_on_the_step_with_the_own_number_between_them():
     assert multiples(0.5, 1.2, 3.0).tolist() == [1.5, 2.0, 2.5, 3.0]
     assert multiples(0.5, 1.2, 2.0, [1.7]).tolist() == [1.5, 1.7, 2.0]
@@ -61,7 +60,6 @@ def test_the_steps_beside_a_number():
 
 
 # --- many at once
-# ----------------------------------------------------------------------------------------------------------
 @pytest.mark.parametrize("sense, limit", [(">=", 2.0), ("<=", 2.0), (">", 0.0), ("in", (1.0, 3.0))])
 def test_a_limit_on_an_array_is_a_check_on_each(sense, limit):
     values = np.array([-1.0, 0.0, 1.0, 1.9, 2.0, 2.5, 4.0])
@@ -122,7 +120,6 @@ def test_a_narrowing_grid_reaches_a_far_end_in_few_steps():
 
 
 # --- one after the other
-# ---------------------------------------------------------------------------------------------------
 def test_a_budget_is_spent_once():
     budget = Budget(2)
     assert [budget.spend() for _ in range(4)] == [True, True, False, False] and budget.left == 0
@@ -160,7 +157,6 @@ def test_the_least_whole_number_that_gives_anything(limit):
 
 
 # --- changes
-# ---------------------------------------------------------------------------------------------------------------
 @inputs
 class Inner:
     length: float = quantity("Length", "mm", low=0, high=100)

@@ -226,7 +226,6 @@ def test_dimensions_and_masses_are_plausible(name):
 
 
 # --- a counter-shaft to begin with
-# -----------------------------------------------------------------------------------------
 # What of first order turns backward, by the vectors published for the layout: tests/reference/balance.toml, and BY_HAND
 # above.
 SHAFT = {

@@ -27,7 +27,6 @@ def at(bent, z, of="w"):
 
 
 # --- statics
-# ------------------------------------------------------------------------------------------------------------------
 def test_uniform_load_between_two_pins():
     bent = bend(uniform(load=Q))
     assert at(bent, L / 2) == pytest.approx(5 * Q * L**4 / (384 * EI), rel=REL)
@@ -141,7 +140,6 @@ def test_any_beam_is_in_equilibrium(pieces, place, force, first, second):
 
 
 # --- vibration
-# ----------------------------------------------------------------------------------------------------------------
 def test_frequency_of_a_pinned_beam():
     assert natural_frequency(uniform()) == pytest.approx((math.pi / L) ** 2 * math.sqrt(EI / MU), rel=1e-6)
 
@@ -229,7 +227,6 @@ def test_the_frequency_is_that_of_the_full_eigenvalue_problem(pieces, first, sec
 
 
 # --- turning
-# ------------------------------------------------------------------------------------------------------------------
 def test_turning_raises_the_deflection_like_a_single_mass():
     """A load in the shape of the first mode: 1/(1 − (ω/ω_1)²) times the deflection at rest."""
     n = 80

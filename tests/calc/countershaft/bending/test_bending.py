@@ -65,7 +65,6 @@ def bent(effectiveness=1.0, fillet=None, up=0.0, found=None, **more):
 
 
 # --- the worked example
-# ---------------------------------------------------------------------------------------------------------
 def test_its_couple_and_its_mass():
     """557.09 N·m of the masses alone, 572.93 with the further elements (their size is given to four digits), 8.914
     kg."""
@@ -171,7 +170,6 @@ def test_the_sense_of_rotation_does_not_matter():
 
 
 # --- what must hold for any shaft
-# -------------------------------------------------------------------------------------------------
 def test_a_shaft_turned_about_its_axis_bends_the_same():
     a, c = bent(0.3), bent(0.3, up=0.7)
     assert c.slopes == pytest.approx(a.slopes, rel=1e-9)

@@ -39,7 +39,6 @@ def solved(F_S=0j, C_S=COUPLE, bearings=BEARINGS, support=None, **changes):
 
 
 # --- threads
-# ----------------------------------------------------------------------------------------------------------------
 @pytest.mark.parametrize("text", ["M10", "M10x1.5", "M10×1.5", " m10 X 1.50 ", "M10.0x1.5"])
 def test_ways_to_write_one_thread(text):
     assert thread(text) == (0.01, 0.0015)
@@ -147,7 +146,6 @@ def test_stress_areas_of_iso_898_1(name, area):
 
 
 # --- preload
-# ----------------------------------------------------------------------------------------------------------------
 def test_the_source_reproduced():
     """Finotti 2013, Table 6.1: M10×1.5, 45 N·m, µ 0.12, 15 mm across flats: 27085.957 N."""
     r = solved(method="source")
@@ -223,7 +221,6 @@ def test_without_friction_the_work_of_the_wrench_lifts_the_load():
 
 
 # --- the joint
-# --------------------------------------------------------------------------------------------------------------
 def test_the_end_force_is_the_reaction_where_the_bolts_stand_at_the_bearings():
     """Finotti 2013, 4.1: 572.9/0.335 = 1710.149 N for the pure couple; with F_S the larger of both reactions."""
     assert solved(C_S=572.9 + 0j).bolt_end_force == pytest.approx(1710.149, abs=5e-4)
@@ -277,7 +274,6 @@ def test_a_shaft_without_force_is_not_judged(couple):
 
 
 # --- checks
-# -----------------------------------------------------------------------------------------------------------------
 def test_checks_of_the_source_design():
     """The joint holds; the small head presses on the aluminium by more than its tensile strength of 220 MPa."""
     found = {c.id: c for c in bolts.checks(solved(support=materials()["EN AC-43100"]))}

@@ -143,7 +143,6 @@ def test_a_clamp_that_is_taken_fits_both_ends_and_none_at_hand_grips_closer(low,
 
 
 # --- unions
-# -------------------------------------------------------------------------------------------------------------------
 @pytest.mark.parametrize(
     "name, bore",
     [
@@ -190,7 +189,6 @@ def test_threads_of_the_table_can_be_read():
 
 
 # --- sleeves
-# ------------------------------------------------------------------------------------------------------------------
 @pytest.mark.parametrize(
     "name, bore", [("M8x1", 4), ("M12x1.5", 6), ("M14x1.5", 5), ("M18x1.5", 7.5), ("M22x1.5", 12), ("M10x1", None)]
 )
@@ -213,7 +211,6 @@ def test_a_sleeve_of_the_design():
 
 
 # --- tilted machine
-# -----------------------------------------------------------------------------------------------------------
 @pytest.mark.parametrize("tilt, verdict", [(None, None), (30.0, "pass"), (45.0, "fail"), (60.0, "fail")])
 def test_the_slope_that_a_tilted_machine_leaves(tilt, verdict):
     """Finotti 2013, 3.2.2: 45° of the support, so that the oil leaves also on a slope."""
@@ -257,7 +254,6 @@ def test_the_oil_of_the_bearings_against_what_runs_off(gamma_results):
 
 
 # --- several
-# ------------------------------------------------------------------------------------------------------------------
 def test_two_circuits():
     """Finotti 2013, 3.1.2: solution alpha has two; each is chosen and judged by itself, and what is noted of both is
     noted once."""

@@ -73,7 +73,6 @@ def case(gamma):
 
 
 # --- other materials
-# -----------------------------------------------------------------------------------------------------------
 def test_radius_for_another_density():
     """Ø81 in steel (7860) to ADI (7200 kg/m³) at one length: 83.40 mm without, 83.28 mm with the core of radius 15; the
     source's 83.5."""
@@ -167,7 +166,6 @@ def test_names_of_materials_as_names_of_values():
 
 
 # --- mass over radius
-# -----------------------------------------------------------------------------------------------------------
 @pytest.mark.parametrize("force", [0j, 2e-3 + 1e-3j])
 def test_front(force):
     """From the smallest radius that serves to that of the envelope; every point is the least mass of its radius, and it
@@ -189,7 +187,6 @@ def test_front(force):
 
 
 # --- the envelope
-# --------------------------------------------------------------------------------------------------------------
 def test_the_envelope_is_derived_from_the_journals(case):
     shaft, _, _, bearings = case
     shaft = replace(shaft, fillet_radius=None)
@@ -236,7 +233,6 @@ def test_an_unknown_material_of_the_cost_is_named(case):
 
 
 # --- the ranking
-# ---------------------------------------------------------------------------------------------------------------
 ROOM = Envelope(0.043, 0.015, 0.152, ())
 
 

@@ -21,7 +21,6 @@ P = C / OMEGA**2 * cmath.rect(1, math.radians(30))
 
 
 # --- a pure couple
-# -----------------------------------------------------------------------------------------------------------
 @pytest.mark.parametrize(
     "R, r_0, z_max, u, gamma, b, z_c, e, m",
     [
@@ -143,7 +142,6 @@ def test_the_gap_of_two_unlike_sectors_is_closed_too():
 
 
 # --- a force as well
-# -----------------------------------------------------------------------------------------------------------
 @settings(max_examples=40, deadline=None)
 @given(st.floats(0, 0.4), st.floats(0.05, 0.8), st.floats(-math.pi, math.pi), st.floats(-math.pi, math.pi))
 def test_the_sectors_give_what_is_asked_and_turn_and_mirror_with_it(force, couple, phase, turn):
@@ -231,7 +229,6 @@ def test_nothing_to_balance_is_said():
 
 
 # --- further elements
-# ------------------------------------------------------------------------------------------------------------
 def test_a_hole_and_its_counterpart_close_the_couple_of_a_full_envelope():
     """A shaft R 40.3, core Ø30, ±152 mm: a Ø12.13 hole through the rear journal (26.5 mm) at 24 mm radius and as much
     unbalance at z −202.25 mm on the other side bring 15.84 N·m; only with them does the envelope hold 572.932 N·m."""
@@ -262,7 +259,6 @@ def test_elements_that_do_all_leave_nothing_to_size():
 
 
 # --- what is handed on
-# -------------------------------------------------------------------------------------------------------------
 @pytest.mark.parametrize("force", [0j, 3e-3 + 1e-3j])
 def test_masses_and_pieces_are_one_shaft(force):
     found = size(force, P, OMEGA, RHO, 0.043, 0.015, 0.152)

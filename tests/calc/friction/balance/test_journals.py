@@ -33,7 +33,6 @@ def friction_of(results):
 
 
 # --- the journals
-# ----------------------------------------------------------------------------------------------------------------
 @pytest.mark.parametrize("place", PLACES)
 def test_a_journal_loses_what_the_turn_costs(gamma_results, place):
     found, one = friction_of(gamma_results).journals[place], gamma_results.outcomes["bearings"].result.bearings[place]
@@ -95,7 +94,6 @@ def test_without_a_shaft_the_bearings_step_says_what_is_lost():
 
 
 # --- many operating points
-# -----------------------------------------------------------------------------------------------------
 def test_at_the_design_point_many_points_are_the_one(on, gamma_results):
     one = journals_of(on)
     many = journals_at(on, np.array([0.5, 1.0]), np.array([100.0, 120.0]))
@@ -115,7 +113,6 @@ def test_the_turning_load_grows_with_the_square_of_the_speed(on):
 
 
 # --- what is handed on
-# -----------------------------------------------------------------------------------------------------------
 def test_the_power_of_the_balance_rates_the_teeth(gamma_results):
     train, found = gamma_results.outcomes["gears"].result, friction_of(gamma_results)
     for key, mesh in found.meshes.items():

@@ -89,7 +89,6 @@ def test_the_constants_of_the_first_pair_are_one_law_in_two_forms():
 
 
 # --- how deep
-# ------------------------------------------------------------------------------------------------------------------
 @pytest.mark.parametrize("tip, h", [(1.0, 0.0), (3.0, 0.0), (48.0, 45.0), (183.0, 180.0), (500.0, 180.0)])
 def test_the_depth_counts_at_the_reference_circle(tip, h):
     """The tips are 3 mm beyond; no deeper than the whole wheel."""

@@ -30,7 +30,6 @@ def by_palmgren(F, rpm, nu, f_0, f_1, d=25.0, D=52.0):
 
 
 # --- Palmgren
-# --------------------------------------------------------------------------------------------------------------------
 @pytest.mark.parametrize("rpm, nu", [(3000.0, 15.0), (10000.0, 8.0), (100.0, 5.0), (1000.0, 1.5)])
 def test_palmgren_in_the_units_of_the_catalogues(rpm, nu):
     one = bearing(lubrication="bath", count=1)
@@ -82,7 +81,6 @@ def test_every_type_has_factors(kind):
 
 
 # --- SKF
-# ---------------------------------------------------------------------------------------------------------------------------
 def by_skf(F, rpm, nu, G_rr, G_sl, K_Z, mu_EHL, d=25.0, D=52.0):
     """The published equations in mm, N, N·mm, rpm and mm²/s; K_rs 3e-8, μ_bl 0.12.  The power of one bearing in W."""
     d_m = (d + D) / 2

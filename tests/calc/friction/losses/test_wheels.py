@@ -29,7 +29,6 @@ EVERYTHING = dict(
 
 
 # --- the balance
-# -------------------------------------------------------------------------------------------------------------------
 def test_all_parts_together_are_the_power_at_the_crank():
     values = shown(closed(**EVERYTHING))
     parts = {part: values[f"{part}_loss"] for part in PARTS}
@@ -117,7 +116,6 @@ def test_speeds_follow_the_teeth_and_many_points_are_the_single_ones():
 
 
 # --- bearings of the wheels
-# ------------------------------------------------------------------------------------------------------
 def test_without_places_a_bush_carries_the_largest_that_its_teeth_can_push():
     outcome = closed(plain_bearings=EVERYTHING["plain_bearings"])
     values, meshes = shown(outcome), r753()

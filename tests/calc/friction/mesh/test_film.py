@@ -45,7 +45,6 @@ def test_thermal_reduction_of_a_slow_contact_is_none():
 
 
 # --- the rigid isoviscous film, from Reynolds' equation
-# ---------------------------------------------------------------------
 def rigid_constants(points=200_000):
     """Load, sliding and rolling of h = h₀ + x²/2R with the film ending where p and dp/dx vanish.
 
@@ -88,7 +87,6 @@ def test_ehl_rolling_grows_with_speed():
 
 
 # --- regimes
-# ---------------------------------------------------------------------------------------------------------------
 def test_the_thickest_regime_governs():
     assert f.governing_film(H_IR=1.0, H_VR=4.0, H_IE=2.0, H_VE=3.0) == 4.0
 
@@ -112,7 +110,6 @@ def test_by_regime_the_film_is_never_thinner_than_the_source_has_it():
 
 
 # --- the oil of the mesh
-# -----------------------------------------------------------------------------------------------------
 @pytest.mark.parametrize(("T", "eta"), [(40.0, 80.965), (60.0, 36.228), (100.0, 11.375), (120.0, 7.413)])
 def test_dynamic_viscosity_of_the_engine_oil(T, eta):
     assert lubricant().at(T).mu * 1e3 == pytest.approx(eta, abs=5e-4)

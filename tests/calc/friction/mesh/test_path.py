@@ -39,7 +39,6 @@ def tips(mesh, driver=1.0, driven=1.0):
 
 
 # --- published
-# -------------------------------------------------------------------------------------------------------------
 def test_loss_factor_of_the_fzg_gears():
     known, p = VECTORS["fzg_c"], path(fzg())
     H_V = ohlendorf_loss_factor(
@@ -66,7 +65,6 @@ def test_contact_ratios_of_the_train(name):
 
 
 # --- the spur pair
-# -----------------------------------------------------------------------------------------------------------
 def test_points_of_the_thesis_pair():
     """Computed by hand from its data: C_A … C_E, C_F, base pitch in mm."""
     p = path(spur_pair())
@@ -106,7 +104,6 @@ def test_ohlendorf_is_exact_where_two_pairs_share_half_and_half():
 
 
 # --- helical
-# -----------------------------------------------------------------------------------------------------------------
 @pytest.mark.parametrize("name", r753())
 def test_the_lines_carry_the_whole_force(name):
     mesh = r753()[name]
@@ -138,7 +135,6 @@ def test_an_overlap_of_one_makes_the_load_uniform_and_the_loss_factor_closed():
 
 
 # --- how fine
-# --------------------------------------------------------------------------------------------------------------
 @pytest.mark.parametrize(("sharing", "tolerance"), [("linear", 1e-7), ("smooth", 1e-5)])
 def test_positions_of_a_spur_pair_are_fine_enough(sharing, tolerance):
     said, o = friction(load_sharing=sharing), oil("friction thesis 10W40", 40.0)
@@ -161,7 +157,6 @@ def test_strips_of_a_helical_pair_are_fine_enough(b, by_regime):
 
 
 # --- what can not mesh
-# ---------------------------------------------------------------------------------------------------------
 @pytest.mark.parametrize(
     "mesh",
     [

@@ -20,7 +20,6 @@ OILS = ("friction thesis 10W40", "friction thesis 0W30", "friction thesis MIL-L-
 
 
 # --- the error function
-# --------------------------------------------------------------------------------------------------------
 def test_erf_of_an_array_is_that_of_math():
     x = np.concatenate((np.linspace(-7, 7, 20011), [0.0, 1e-300, 6.0, 1e9]))
     assert np.max(np.abs(erf(x) - np.array([math.erf(v) for v in x]))) < 6e-14
@@ -32,7 +31,6 @@ def test_erf_of_a_float_and_of_nan():
 
 
 # --- the temperature of the film
-# ---------------------------------------------------------------------------------------------
 def warming(c, P):
     """T → warmed(T) of a whole mesh with the EHL film, as `traction` has it; with the highest temperature that can come
     out."""
@@ -112,7 +110,6 @@ def test_a_response_that_jumps_is_met_from_inside_its_bracket():
 
 
 # --- the law
-# ---------------------------------------------------------------------------------------------------------------
 def test_fluid_friction_never_passes_the_limiting_shear():
     assert t.fluid_friction(5e6, 1e9, 1e6, 5.0, 1e-7, 0.047) == pytest.approx(0.047)
     assert t.fluid_friction(5e6, 1e9, 1.0, 0.0, 1e-7, 0.047) == 0.0

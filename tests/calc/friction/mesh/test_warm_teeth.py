@@ -27,7 +27,6 @@ def solved(P=5000.0, mesh="spur", T=60.0, n=25.0, by_regime=True, X_S=1.2, X_Ca=
 
 
 # --- estimated by the loss
-# -----------------------------------------------------------------------------------------------------
 @pytest.mark.parametrize("by_regime", [True, False])
 @pytest.mark.parametrize("mesh", MESHES)
 @pytest.mark.parametrize("P", [10.0, 5000.0, 50000.0])
@@ -99,7 +98,6 @@ def test_an_estimate_that_does_not_settle_names_mesh_and_residual(monkeypatch):
 
 
 # --- by the bodies' resistance
-# ---------------------------------------------------------------------------------------------------
 def test_bodies_without_resistance_change_nothing():
     assert solved(body_resistance=(0.0,)).loss == solved(body_resistance=(0.0, 0.0)).loss == solved().loss
 
@@ -142,7 +140,6 @@ def test_skins_that_do_not_settle_name_position_and_residual(monkeypatch):
 
 
 # --- Roelands
-# --------------------------------------------------------------------------------------------------------------------
 def under(law, eta, alpha, p):
     if law == "barus":
         return traction.viscosity_under_pressure(eta_f=eta, alpha_f=alpha, p_m=p)
@@ -199,7 +196,6 @@ def test_the_law_is_an_input_of_the_design():
 
 
 # --- what both have in common
-# -------------------------------------------------------------------------------------------------------
 @pytest.mark.parametrize(
     "said",
     [

@@ -75,7 +75,6 @@ def friction_of(c, P, by_regime=True):
 
 
 # --- what was measured
-# -----------------------------------------------------------------------------------------------------------
 @pytest.mark.parametrize("name", POINTS)
 def test_the_fit_is_theirs_with_their_digits_and_another_with_gold_s(name):
     """Their program exchanges the digits of s and t; with them its printed numbers come out, so nothing else
@@ -100,7 +99,6 @@ def test_the_exchange_of_digits(base, T):
 
 
 # --- the four points
-# ---------------------------------------------------------------------------------------------------------------
 @pytest.mark.parametrize("name", POINTS)
 @pytest.mark.parametrize("which, rel", [("fit", 0.20), ("fit_mended", 0.21)])
 def test_what_is_judged_meets_measured_gears(name, which, rel):
@@ -122,7 +120,6 @@ def test_the_source_s_law_has_not_moved():
 
 
 # --- held out: nothing was chosen by these
-# -------------------------------------------------------------------------------------------
 def held_out():
     for name, Ra in (("C40", (0.4, 0.31)), ("H501", (0.6, 0.6)), ("H701", (0.6, 0.6))):
         mesh = gears(name)
@@ -214,7 +211,6 @@ def test_no_published_choice_does_better():
 
 
 # --- the ends
-# ------------------------------------------------------------------------------------------------------------------------
 def thick(**said):
     """Smooth flanks, cold oil: λ above 4 all along the path."""
     return case(
@@ -255,7 +251,6 @@ def test_the_friction_of_the_peaks_is_a_published_one():
 
 
 # --- the check that compares
-# -----------------------------------------------------------------------------------------------------
 def comparison(power, **said):
     found = closed(
         shaft_power=None,

@@ -44,7 +44,6 @@ def h501():
 
 
 # --- FZG C, 40 mm wide
-# ---------------------------------------------------------------------------------------------------------
 def test_c40_has_the_same_path():
     p, mesh = path(c40()), c40()
     assert [mesh.driver.base_radius * 1e3, mesh.driven.base_radius * 1e3] == pytest.approx(C40["base_radii"], abs=1e-4)
@@ -107,7 +106,6 @@ def test_c40_rubs_as_much_by_schlenk():
 
 
 # --- helical
-# -----------------------------------------------------------------------------------------------------------------------
 def test_h501_has_the_same_path():
     p = path(h501())
     assert [p.epsilon_1, p.epsilon_2] == pytest.approx(H501["contact_ratios"], abs=3e-5)
@@ -144,7 +142,6 @@ def test_h501_rubs_as_much_by_schlenk():
 
 
 # --- where they say that they are outside
-# --------------------------------------------------------------------------------------
 def pinion(P, n=25.0, T=60.0, **said):
     return case(friction(**said), spur_pair(), oil("10W-40 Q8 T905", T), n), P
 
@@ -221,7 +218,6 @@ def test_the_table_names_what_does_not_run():
 
 
 # --- side by side
-# -------------------------------------------------------------------------------------------------------------------
 def test_the_spread_is_the_largest_over_the_smallest():
     found = closed(shaft_power=None, power=20000.0, speed=25.0, T=60.0, meshes=ONLY)
     mesh = found.result.meshes["pinion_gear"]

@@ -59,7 +59,6 @@ def test_xu_kahraman_is_not_shown_for_very_rough_flanks():
 
 
 # --- windage
-# -----------------------------------------------------------------------------------------------------------------
 def test_windage_in_the_mist_of_the_tests_is_the_published_form():
     """2.82·10⁻⁷ kW·(1 + 2.3·F/R)·n^2.8·R^4.6·(0.028·μ + 0.019)^0.2 with rpm, m, mPa·s; its 0.028 is rounded."""
     state = lubricant().at(120.0)

@@ -27,7 +27,6 @@ def cell(found, T, rpm):
 
 
 # --- the design point
-# --------------------------------------------------------------------------------------------------------
 @pytest.mark.parametrize(
     "document, T, rpm, rel",
     [
@@ -81,7 +80,6 @@ def test_a_coarse_path_is_good_to_one_percent_of_the_meshes():
 
 
 # --- axes
-# --------------------------------------------------------------------------------------------------------------------------
 def test_axes_hold_the_design_unless_asked():
     speeds, temperatures = maps.axes(friction(), 90.0, 40.0)
     assert speeds[-1] == 40.0 and speeds[0] == pytest.approx(16.0) and speeds.size == maps.SPEEDS
@@ -113,7 +111,6 @@ def test_losses_grow_with_the_speed():
 
 
 # --- what is missing, and what it costs
-# ----------------------------------------------------------------------------------------
 def test_points_without_a_film_are_empty_and_told():
     hot = changed(gamma(), friction={"map_temperatures_C": [80.0, 200.0], "map_speeds_rpm": [1000.0, 12000.0]})
     outcome = friction_of(hot)

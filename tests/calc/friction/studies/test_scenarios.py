@@ -42,7 +42,6 @@ def with_words(document, oil=None, oil_temperature_C=None, **said):
 
 
 # --- the same train
-# ----------------------------------------------------------------------------------------------------------------
 @pytest.mark.parametrize("document", [gamma(), pair()], ids=["gamma", "pair"])
 @pytest.mark.parametrize(
     "said",
@@ -103,7 +102,6 @@ def test_the_design_itself_is_untouched():
 
 
 # --- what is wrong with one
-# --------------------------------------------------------------------------------------------------------
 def test_an_unknown_oil_is_an_error_with_its_place():
     with pytest.raises(BadInput, match=r'friction\.scenarios\.0\.oil: "SAE 31"') as caught:
         design(changed(pair(), friction={"scenarios": [{"name": "thick", "oil": "SAE 31"}]}))
@@ -136,7 +134,6 @@ def test_a_scenario_without_solution_is_named():
 
 
 # --- the three of the friction thesis
-# ----------------------------------------------------------------------------------------
 def thesis(name):
     outcome = friction_of(read(DESIGNS / f"thesis_{name}.toml"))
     return outcome, {key: one.meshes["crank_pump"].source for key, one in outcome.result.scenarios.items()}

@@ -27,7 +27,6 @@ def loss(document, **friction):
 
 
 # --- the ends
-# -------------------------------------------------------------------------------------------------------------------
 @pytest.mark.parametrize("document", [LOADED, gamma()], ids=["pair", "gamma"])
 @pytest.mark.parametrize(
     "name, low, high",
@@ -105,7 +104,6 @@ def test_without_rolling_nothing_is_left_of_it():
 
 
 # --- their order and range
-# ----------------------------------------------------------------------------------------------------
 @pytest.mark.parametrize("document", [LOADED, gamma(), pair()], ids=["loaded", "gamma", "pair"])
 def test_the_nominal_lies_inside_and_the_widest_is_first(document):
     nominal = friction_of(document).result.total_loss

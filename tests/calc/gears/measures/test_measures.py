@@ -7,7 +7,7 @@ from dataclasses import replace
 import pytest
 
 from calc.gears.measures.formulas import PREFERRED
-from calc.gears.measures.solve import measures
+from calc.gears.measures.solve import checks, measures
 from calc.gears.solve import geometry
 from calc.sheet.quantity import published
 from calc.sheet.value import leaves, link_of, trace
@@ -17,8 +17,8 @@ from tests.calc.gears.trains import SPEED, mesh, pair_1, train, wheel
 def of(gears, name, **said):
     found = geometry(gears, SPEED).result
     given = next(w for w in gears.wheels if w.name == name)
-    values, notes, table = measures(found.system, replace(given, **said), found.wheels[name], working(found, name))
-    return values, notes, table()
+    sizes, table = measures(found.system, replace(given, **said), found.wheels[name], working(found, name))
+    return sizes, tuple(checks(found.system, found.wheels[name], sizes)), table()
 
 
 def working(found, name):
@@ -51,11 +51,11 @@ def test_no_ball_touches_where_the_flanks_have_met():
     gears = pair_1()
     found = geometry(gears, SPEED).result
     idler, low = found.wheels["idler"], ("deep", found.wheels["idler"].base_diameter * 1.001)
-    deep, _, _ = measures(found.system, gears.wheels[1], idler, [low])
+    deep, _ = measures(found.system, gears.wheels[1], idler, [low])
     assert deep.ideal_balls["ideal_ball_at_deep"].number > 0
     thick = train([wheel("a", 12, 2.2), wheel("mate", 40)], [mesh("a", "mate")], beta=0.0)
     a = geometry(thick, SPEED).result.wheels["a"]
-    none, _, _ = measures(geometry(thick, SPEED).result.system, thick.wheels[0], a, [("deep", a.base_diameter * 1.001)])
+    none, _ = measures(geometry(thick, SPEED).result.system, thick.wheels[0], a, [("deep", a.base_diameter * 1.001)])
     assert none.ideal_balls == {}
 
 
@@ -146,7 +146,6 @@ def test_no_preferred_ball_is_small_enough():
 
 
 # --- measured sizes
-# -----------------------------------------------------------------------------------------------------------------
 def verdicts(**sizes):
     found, checks, _ = of(pair_1(span=(5, 5)), "idler", **sizes)
     return found, {c.id.removeprefix("gears.idler."): c for c in checks}
@@ -203,12 +202,13 @@ def test_ids_are_unique_and_every_line_has_its_wheel():
         measured_chordal_thickness=2.89e-3,
     )
     with trace() as lines:
-        found, checks, _ = measures(
+        found, _ = measures(
             train_.system, replace(gears.wheels[1], **sizes), train_.wheels["idler"], working(train_, "idler")
         )
     ids = [v.id for v in published(found, "gears.idler")]
     assert len(ids) == len(set(ids)) and "gears.idler.measured_span.normal_thickness" in ids
-    assert len({c.id for c in checks}) == len(checks)
+    judged = [check.id for check in checks(train_.system, train_.wheels["idler"], found)]
+    assert len(set(judged)) == len(judged)
     assert len(lines) > 40 and all("idler" in line.about for line in lines)
     returned = {*lines, *whole.lines}  # where a ball sits the wheel has found before
     for v in published(found, "gears.idler"):

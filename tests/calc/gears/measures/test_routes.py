@@ -108,7 +108,6 @@ def test_the_constant_chord_is_constant_and_ends_on_the_involute(said, other):
 
 
 # --- published sizes, measured
-# ---------------------------------------------------------------------------------------------------
 PUBLISHED = [
     ("V4", "measured_span", dict(z=24, x=0.0, m_n=3.0, beta=0.0, span=4), "32.8266", 0.4),
     ("V5", "measured_span", dict(z=24, x=0.0, m_n=3.0, beta=25.0, span=5), "42.0085", 0.4),
@@ -132,7 +131,6 @@ def test_a_published_size_gives_back_the_shift_of_its_example(name, route, said,
 
 
 # --- sizes of no tooth
-# --------------------------------------------------------------------------------------------------------------
 @pytest.mark.parametrize(
     ("route", "size", "words"),
     [

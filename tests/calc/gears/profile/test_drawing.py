@@ -187,7 +187,6 @@ def test_a_wheel_is_drawn_and_written_in_half_a_second(whole):
 
 
 # --- the train
-# ---------------------------------------------------------------------------------------------------------------
 def placed(t, angle=0.3):
     """Every wheel at its distance from the one before, in a bent line: [up, side]."""
     at, found = 0j, {"crank": 0j}

@@ -37,12 +37,10 @@ def test_the_wheels_of_the_source_roll_without_entering_each_other(make):
     t = solved(make())
     found = penetrations(t)
     assert set(found) == set(t.meshes) and set(found.values()) == {0.0}
-    assert all(c.verdict == "pass" and c.id == f"gears.{key}.penetration" for key, c in zip(found, checks(t, found)))
-    assert len(checks(t, found)) == len(found)
+    assert [(c.id, c.verdict) for c in checks(t, found)] == [(f"gears.{key}.penetration", "pass") for key in found]
 
 
 # --- against whole polygons
-# --------------------------------------------------------------------------------------------------
 def inside(points, polygon):
     """By the turns that a polygon makes about each point."""
     seen = polygon - points[:, None]
@@ -190,7 +188,6 @@ def test_a_pointed_tooth_ends_where_its_flanks_meet(x):
 
 
 # --- backlash
-# ------------------------------------------------------------------------------------------------------------------
 def flank_gap(a_w, own, mate):
     """Smallest distance of the mate's flank from the involute of the wheel, in the transverse plane; negative: inside
     it.

@@ -146,7 +146,6 @@ def test_teeth_touch_and_never_enter_each_other(pair, turn):
 
 
 # --- the polyline
-# ------------------------------------------------------------------------------------------------------------
 def off(points, line):
     """Largest distance of points from a polyline."""
     start, way = line[:-1], np.diff(line)
@@ -191,7 +190,6 @@ def test_a_coarser_polyline_has_fewer_points():
 
 
 # --- allowances
-# --------------------------------------------------------------------------------------------------------------
 @pytest.mark.parametrize("name", ["central", "idler", "shaft"])
 def test_the_outlines_at_both_ends_of_the_allowance_have_the_diameters_that_are_told(name):
     t = solved(r753())

@@ -34,7 +34,6 @@ def of(t, key, F_t=184.0, K_A=1.0, grade=7, first=None, second=None, **said):
 
 
 # --- ISO/TR 6336-30, example 1
-# -------------------------------------------------------------------------------------------------
 # m_n 8, α_n 20°, β 15.8°, z 17/103, x 0.145/0, a 500, b 100, tool 1.4/0.39, 9000 N·m at 360 rpm, grade 5, tip relief 70
 # µm.  The results are those printed in ISO/TR 6336-30:2017, Annex A, as quoted in public code (gfsReboucas/Drivetrain,
 # MATISO_6336.m, example_01).
@@ -92,7 +91,6 @@ def test_root_face_factor_of_the_published_example(example):
 
 
 # --- recomputed in the units of the standard
-# -----------------------------------------------------------------------------------
 def by_hand(t, key, F_t, K_A, f_pT, f_fa, f_Hb):
     """µm, N/mm, kg/mm, 1/min; hardened flanks, grades from 6 on, no shaft deflection."""
     m, s = t.meshes[key], t.system
@@ -153,7 +151,6 @@ def test_independent_recomputation(F_t, beta):
 
 
 # --- limits and symmetries
-# ------------------------------------------------------------------------------------------------------
 def test_driver_and_driven_may_change_places():
     gears = [train([wheel("a", 25, 0.1), wheel("b", 39, 0.0)], [mesh(*pair)]) for pair in (("a", "b"), ("b", "a"))]
     there = geometry(gears[0], SPEED).result
@@ -267,7 +264,6 @@ def test_a_coarser_grade_is_never_better(grade):
 
 
 # --- the very light load of a balance shaft's train
-# -----------------------------------------------------------------------------
 def test_a_light_load_is_said_to_be_outside_the_validity():
     found = of(TRAIN, "central_idler", F_t=100.0, K_A=1.25)
     checks = {c.id: c for c in influence_checks("central_idler", TRAIN.meshes["central_idler"], found)}
@@ -319,7 +315,6 @@ def test_without_load_there_are_no_factors(F_t, K_A):
 
 
 # --- what is shown
-# ---------------------------------------------------------------------------------------------------------------
 def test_sizes_beyond_the_tolerance_standard_are_named():
     t = solved(train([wheel("a", 25, 0.1), wheel("b", 39, 0.0)], [mesh("a", "b")], m_n=0.4, b=3.0, ball=None))
     found = of(t, "a_b", F_t=10.0)

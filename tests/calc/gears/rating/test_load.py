@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from calc.design.toml_file import design, read
-from calc.gears.rating.checks import overlooked
+from calc.gears.rating.checks import application_factor_check
 from calc.gears.rating.load import USUAL, Irregularity, Power, Swing, firing_order, loads, mean_torques
 from calc.library.catalogue import materials
 from calc.solve import solve
@@ -70,9 +70,9 @@ def test_a_factor_that_overlooks_the_known_torque_is_said():
     uneven = Irregularity(0.02, 1.5, None, 5e-3, True)
     for K_A, verdict in ((1.25, "warn"), (20.0, "pass")):
         load = rated(uneven, replace(GEARS, application_factor=K_A))["idler_shaft"]
-        (check,) = overlooked("idler_shaft", "idler–shaft", load)
+        check = application_factor_check("idler_shaft", "idler–shaft", load)
         assert check.verdict == verdict and check.limit == pytest.approx(1 + load.dynamic / load.mean)
-    assert not overlooked("idler_shaft", "idler–shaft", rated(uneven)["idler_shaft"])
+    assert application_factor_check("idler_shaft", "idler–shaft", rated(uneven)["idler_shaft"]) is None
 
 
 def test_the_engine_torque_accelerates_its_flywheel_and_all_behind():

@@ -13,7 +13,6 @@ from tests.calc.gears.trains import SPEED, r753, solved
 
 
 # --- the published forms
-# ------------------------------------------------------------------------------------------------------
 def test_thermo_elastic_factor_of_martensitic_steel():
     """ISO/TR 13989-1:2000 (A.13), (A.14): X_M = 1000·E_r^0.25/B_M is 50.0 for E = 206000, ν = 0.3, B_M = 435; 435 is
     13756 in SI."""
@@ -104,7 +103,6 @@ def test_scuffing_temperature_of_load_stages():
 
 
 # --- load sharing
-# -------------------------------------------------------------------------------------------------------------
 def test_a_spur_pair_shares_by_thirds():
     p = path_of(spur())
     assert p.at(p.A).X == pytest.approx(1 / 3)

@@ -17,7 +17,6 @@ EH, QT = strength_class("case-hardened"), strength_class("quenched and tempered 
 
 
 # --- single pair factor
-# ------------------------------------------------------------------------------------------------------
 def of_train(pair, which):
     t = solved(r753())
     m = t.meshes[pair]
@@ -72,7 +71,6 @@ def test_single_pair_factor_falls_straight_to_one():
 
 
 # --- film
-# ----------------------------------------------------------------------------------------------------------------------
 @pytest.mark.parametrize(
     "sigma, C_ZL, C_ZR",
     [(500, 0.83, 0.15), (850, 0.83, 0.15), (1025, 0.87, 0.115), (1200, 0.91, 0.08), (1500, 0.91, 0.08)],
@@ -106,7 +104,6 @@ def test_a_thicker_film_strengthens(sigma, more):
 
 
 # --- work hardening
-# ---------------------------------------------------------------------------------------------------------------
 def hardened(own, mate, Rz_m=1e-6, u=1.0):
     return f.work_hardening(own, mate, 4e-6, Rz_m, 0.01, 10.0, 100e-6, u)
 
@@ -137,7 +134,6 @@ def test_work_hardening_of_a_larger_through_hardened_wheel():
 
 
 # --- root: factors
-# -----------------------------------------------------------------------------------------------------------------
 @pytest.mark.parametrize("q_s", [1.0, 2.5, 5.0])
 def test_notch_sensitivity_of_case_hardened_steel(q_s):
     """0.9434 + 0.0231·√(1 + 2·q_s): the usual form for hardened steels, in public code; 1 for the test gear."""

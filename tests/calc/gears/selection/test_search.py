@@ -29,7 +29,6 @@ def case_of(gears):
 
 
 # --- the source's pairs
-# ------------------------------------------------------------------------------------------------------------
 def test_first_pair_alone_is_balanced_where_it_was_computed_to_be(pair):
     """x_1·m_n = −0.1998 mm, both 0.972: the figures to reach for the source's pair with 0.2 mm off the 39."""
     x, largest = pair.exact
@@ -57,7 +56,6 @@ def test_optimum_of_a_train_is_no_better_than_that_of_its_worst_pair(source):
 
 
 # --- freedom
-# -----------------------------------------------------------------------------------------------------------------------
 def test_the_ways_of_the_source():
     """80.555 and 68.698 mm tie three wheels; the crank's wheel follows the shaft's, or a held distance, or is free
     itself."""
@@ -106,7 +104,6 @@ def test_a_wheel_that_nothing_gives_stands_at_none_and_too_many_free_shifts_are_
 
 
 # --- the best
-# ----------------------------------------------------------------------------------------------------------------------
 def test_one_free_shift_against_a_scan_of_its_own():
     """No point of a grid ten times as fine, seen by single trains or all at once, is better by more than the lattice
     allows."""
@@ -203,7 +200,6 @@ def test_swapping_driver_and_driven_finds_the_same_teeth():
 
 
 # --- limits, tip cuts, and what stops
-# ----------------------------------------------------------------------------------------------
 def test_limits_are_where_the_rule_turns(source):
     """At each end the rule is kept, one step of the lattice further it is not."""
     case, along = source.case, source.along
@@ -276,7 +272,6 @@ def test_a_design_below_what_is_usual_is_met_where_it_stands():
 
 
 # --- more freedom
-# ------------------------------------------------------------------------------------------------------------------
 def timing(**changes):
     """The spur pair of a timing drive: its contact starts less far above the fillet than is usual."""
     wheels = [wheel("crank", 38, 0.22404, cut=0.034808), wheel("pump", 76, 0.22404, cut=0.034808)]

@@ -98,7 +98,6 @@ def test_base_circles_that_overlap_give_no_number():
 
 
 # --- the source
-# ------------------------------------------------------------------------------------------------------------
 def test_tip_cut_of_the_source_on_both_wheels():
     """Finotti 2013, Tables 4.20 and 4.4: 0.2 mm off the 39, printed with three decimals; the uncut 36 as specified for
     this program."""

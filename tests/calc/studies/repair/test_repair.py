@@ -28,7 +28,6 @@ WEAK = tuple(f'gears.wheels.{name}.gear_material="nitrocarburised"' for name in 
 
 
 # --- teeth
-# ---------------------------------------------------------------------------------------------------------------------
 def weak_teeth(document: Document, changes: tuple[str, ...]) -> list[str]:
     return [id for id in fails(solve(design(with_changes(document, changes)))) if "safety" in id]
 
@@ -81,7 +80,6 @@ def test_the_weakest_class_that_is_enough(power: int) -> None:
 
 
 # --- masses
-# --------------------------------------------------------------------------------------------------------------------
 angles = st.floats(-math.pi, math.pi)
 masses = st.lists(
     st.tuples(st.floats(0.1, 5), st.floats(0.005, 0.05), angles, st.floats(0.01, 0.1)), min_size=2, max_size=4
@@ -190,7 +188,6 @@ def test_an_angle_stays_near_its_old_number(angle, old):
 
 
 # --- one number
-# ----------------------------------------------------------------------------------------------------------------
 DATA = read(GAMMA).data
 
 
