@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from ..sheet.text import COMMA, EMPTY, Text
 from ..sheet.units import Metre, Radian
-from . import annotations as signs
+from . import annotations
 from .annotations import TITLE, Leaf, Say, degrees, millimetres, number, rounded
 from .drawing import CENTRE, EDGE, VISIBLE, Point
 from .shaft_outline import FLAT, upwards
@@ -75,7 +75,7 @@ def section(letter: str, piece: "Piece", up: Radian, scale: float, say: Say) -> 
     if math.pi - half < FLAT:
         leaf.hatch(_arc(R, 0.0, TURN))
         leaf.arc(VISIBLE, (0.0, 0.0), R)
-        signs.radius(leaf, (0.0, 0.0), R, math.pi / 4, outer, R + OUT)
+        annotations.radius(leaf, (0.0, 0.0), R, math.pi / 4, outer, R + OUT)
     else:
         leaf.hatch(_arc(R, first, last) + (_arc(r, last, first + TURN) if r else [(0.0, 0.0)]))
         leaf.arc(VISIBLE, (0.0, 0.0), R, first, last)
@@ -94,15 +94,15 @@ def _sized(leaf: Leaf, R: float, r: float, middle: Radian, half: Radian, labels:
     outer, core = labels
     centre, back = (0.0, 0.0), R + OVER_OUTLINE + BEHIND
     if half <= WIDEST:
-        signs.angle(leaf, centre, R, R + OUT, middle - half, middle + half, say(degrees(2 * half)))
-        signs.through(leaf, R, middle - min(ASIDE, half / 2), back, outer)
+        annotations.angle(leaf, centre, R, R + OUT, middle - half, middle + half, say(degrees(2 * half)))
+        annotations.through(leaf, R, middle - min(ASIDE, half / 2), back, outer)
         if r:
-            signs.radius(leaf, centre, r, middle + math.pi + math.pi / 4, core, back)
+            annotations.radius(leaf, centre, r, middle + math.pi + math.pi / 4, core, back)
     else:
-        signs.angle(leaf, centre, R, R + OUT, middle + half, middle - half + TURN, say(degrees(TURN - 2 * half)))
-        signs.radius(leaf, centre, R, middle - ASIDE, outer, R + OUT)
+        annotations.angle(leaf, centre, R, R + OUT, middle + half, middle - half + TURN, say(degrees(TURN - 2 * half)))
+        annotations.radius(leaf, centre, R, middle - ASIDE, outer, R + OUT)
         if r:
-            signs.through(leaf, r, middle + math.pi + (math.pi - half) / 2, back, core)
+            annotations.through(leaf, r, middle + math.pi + (math.pi - half) / 2, back, core)
 
 
 def end_view(pieces: list[TurnedPiece], gear: Metre | None, up: Radian, scale: float) -> Leaf:

@@ -19,7 +19,7 @@ from ..sheet.step import Curve, Outcome, Table
 from ..sheet.text import Text
 from ..sheet.units import Number, PhasorNumber, Radian
 from ..sheet.value import about, based_on, trace
-from . import curves as train
+from . import curves as engine_curves
 from . import formulas as f
 from . import torque
 from .checks import checks
@@ -240,7 +240,9 @@ def solve(engine: EngineInputs, materials: Mapping[str, Material] | None = None)
     )
 
     def drawn() -> tuple[Curve, ...]:
-        return train.curves(engine.crank_radius, e.angular_speed, e.lambda_, e.delta, e.reciprocating_mass, e.harmonics)
+        return engine_curves.curves(
+            engine.crank_radius, e.angular_speed, e.lambda_, e.delta, e.reciprocating_mass, e.harmonics
+        )
 
     return Outcome(
         "engine",
@@ -257,11 +259,11 @@ def _given_torque(
     engine: EngineInputs, e: EngineResult, turning: TorqueResult, turned: Curve, note: Text
 ) -> tuple[TorqueResult, tuple[Curve, ...], tuple[Text, ...]]:
     """What a torque diagram gives, beside the torque of the inertia forces and its figure."""
-    from . import torque as torque_diagram
+    from . import torque as torque_formulas
 
     cycle = based_on(engine.strokes * np.pi, engine.strokes)
     period = engine.torque_period if engine.torque_period is not None else cycle
-    diagram, curve, repeats = torque_diagram.solve_diagram(
+    diagram, curve, repeats = torque_formulas.solve_diagram(
         engine.torque, period, e.angular_speed, engine.flywheel_inertia
     )
     return replace(turning, **diagram), (curve, replace(turned, id=TURNED)), (note, repeats)

@@ -26,7 +26,7 @@ from ..sheet.record import record
 from ..sheet.text import Amount, Text
 from ..sheet.units import Celsius, Newton, Number, RevPerSecond, Watt
 from ..sheet.value import about, based_on, converged, unlinked, untraced
-from . import models as regressions
+from . import models
 from .inputs import FrictionInputs
 from .losses import sums
 from .losses.wheels import WheelResult, carrying, has_bearings, unloaded
@@ -543,7 +543,7 @@ def _mesh(d: TrainDrive, name: str, P: Watt, P_out: Watt | None) -> MeshResult:
         ):
             beside = solve_mesh(c, P, not regimes)
     with about(Text("mesh {title}, regressions", title=mesh.title)):
-        schlenk, niemann, xu_kahraman, benedict_kelley = published = regressions.beside(c, P, H_V)
+        schlenk, niemann, xu_kahraman, benedict_kelley = published = models.beside(c, P, H_V)
         losses = [judged.loss, *(model.loss for model in (beside, *published) if model is not None)]
         apart = spread_of(losses) if d.compared else None
     return MeshResult(

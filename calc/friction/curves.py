@@ -15,7 +15,7 @@ from ..sheet.errors import NoSolution
 from ..sheet.functions import pi
 from ..sheet.step import Curve, Series, Table, axis_label
 from ..sheet.text import EMPTY, Amount, Text
-from . import models as compared
+from . import models as loss_models
 from .balance import TrainDrive
 from .mesh.loss import solve_mesh
 from .mesh.mixed import MIXED
@@ -29,7 +29,7 @@ from .result import FrictionResult, MeshResult, by_regime
 def tables(result: FrictionResult, d: TrainDrive) -> tuple[Table, ...]:
     """Where the power goes; the models of every mesh; what is known of the oil."""
     models = (
-        compared.table(
+        loss_models.table(
             name, mesh.case.mesh.title, by_regime(mesh), mesh.source, mesh.ohlendorf_loss_factor, mesh.published_models
         )
         for name, mesh in result.meshes.items()

@@ -15,8 +15,7 @@ from ..sheet.functions import sqrt
 from ..sheet.record import record
 from ..sheet.units import Metre, MetrePerSecond, MetrePerSecond2, Newton, NewtonMetre, Number
 from ..sheet.value import based_on
-from . import standards as severity
-from . import standards as weighting
+from . import standards
 from .drive import EngineWrenches
 from .inputs import MountingInputs, Point
 from .system import System, decomposed, gain, moves, respond, respond_at, transmitted
@@ -179,7 +178,7 @@ class Levels:
     @property
     def band(self) -> Array:
         """Which lines count for severity (speeds, 1, 1, 1, 1, orders)."""
-        return severity.in_band(self.frequency)[:, None, None, None, None, :]
+        return standards.in_band(self.frequency)[:, None, None, None, None, :]
 
 
 def levels(s: System, drive: EngineWrenches, speeds: Array, torque: ComplexArray) -> Levels:
@@ -235,7 +234,7 @@ def point_weights(point: Point, f: Array) -> Array:
     """(speeds, 1, 3, orders)."""
     names = ("Wh", "Wh", "Wh") if point.role == "hand" else ("Wd", "Wd", "Wk")
     by = {
-        name: weighting.weights(name, f) for name in dict.fromkeys(names)
+        name: standards.weights(name, f) for name in dict.fromkeys(names)
     }  # in their order, which that of traced lines follows
     return np.stack([by[name] for name in names], axis=1)[:, None]
 

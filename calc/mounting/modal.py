@@ -18,7 +18,7 @@ from ..sheet.text import Text
 from ..sheet.units import Hertz, Kilogram, KilogramMetre2, Metre, NewtonPerMetre, Number, Radian, RevPerSecond
 from ..sheet.value import based_on, link_of, linked
 from . import body, modes
-from . import body as springs
+from . import body as rigid_body
 from .body import DOFS
 from .drive import EngineWrenches
 from .excitation import strength
@@ -171,7 +171,7 @@ def matrices(mounting: MountingInputs, free: System, J: float) -> Matrices:
     """Raises NoSolution where the mounts leave the engine a motion."""
     mounts = mounting.mounts
     B, R = each(based_on(free.between, mounting.centre_of_gravity)), each(free.axes)
-    k, loss = (np.stack([of(mount) for mount in mounts]) for of in (springs.real_at_rest, springs.loss_at_rest))
+    k, loss = (np.stack([of(mount) for mount in mounts]) for of in (rigid_body.real_at_rest, rigid_body.loss_at_rest))
     K = modes.stiffness_matrix(k=each(based_on(k, mounts)), B=B, R=R)
     K_loss = modes.stiffness_matrix(k=each(based_on(loss, mounts)), B=B, R=R)
     M = body.mass_matrix(m=mounting.mass, J=J)
@@ -233,7 +233,7 @@ def roll_axis(m: Matrices) -> RollAxis:
 
 def with_chassis(whole: System) -> Tree:
     """The frequencies of engine and frame together, slowest first."""
-    omega = np.array([2 * math.pi * springs.REFERENCE])
+    omega = np.array([2 * math.pi * rigid_body.REFERENCE])
     frequencies = modes.of_whole(whole.stiffness(whole.mount_stiffness(omega)[1], omega)[0], whole.M)
     about = described(Text("Frequency of engine and frame together"), "Hz", "f")
     return {

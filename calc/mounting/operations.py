@@ -16,8 +16,7 @@ from ..sheet.text import Text
 from ..sheet.value import based_on
 from . import excitation as x
 from . import levels as l
-from . import standards as severity
-from . import standards as weighting
+from . import standards
 from .drive import EngineWrenches
 from .excitation import order_word
 from .inputs import VARIANT_WORDS, Point
@@ -100,7 +99,7 @@ def _points(
     for k, (of_axis, of_all) in enumerate(l.KINDS):
         level = mapped(of_axis, lines.motion[:, :, point, k], source=source)
         numbers += [joined(of_all, level), *along_last(level)]
-    numbers.append(mapped(severity.grade, *np.moveaxis(banded, 2, 0), source=source))
+    numbers.append(mapped(standards.grade, *np.moveaxis(banded, 2, 0), source=source))
     if felt is not None:
         numbers += [felt.whole, *along_last(felt.axes)]
     return [
@@ -137,15 +136,15 @@ class Felt:
 def _felt(driven: EngineWrenches, lines: Levels, name: str, existing: list[int]) -> Felt:
     a, source = np.abs(lines.acceleration[name]), (lines.source, lines.places[name])
     W = np.broadcast_to(lines.weight[name], a.shape)
-    along = mapped(weighting.weighted, W, a, source=source)
+    along = mapped(standards.weighted, W, a, source=source)
     shown = _shown(driven)
     sizes = np.linalg.norm(W * a, axis=-2).max((0, 1))
     existing = [n for n in existing if not sizes[n] < FELT * sizes.max()]
     apart = [
         np.moveaxis(x[:, shown][..., existing], -1, 2)[..., None] for x in (W, a)
     ]  # (operations, variants, orders, axes, 1)
-    by_order = joined(weighting.total_value, mapped(weighting.weighted, *apart, source=source))
-    return Felt(joined(weighting.total_value, along), along, by_order, shown, _words(driven, existing))
+    by_order = joined(standards.total_value, mapped(standards.weighted, *apart, source=source))
+    return Felt(joined(standards.total_value, along), along, by_order, shown, _words(driven, existing))
 
 
 def _shown(driven: EngineWrenches) -> list[int]:

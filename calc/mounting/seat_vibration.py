@@ -10,8 +10,7 @@ from ..sheet.arrays import Array, each
 from ..sheet.quantity import Stated
 from ..sheet.text import Text
 from ..sheet.value import based_on
-from . import modal as aids
-from . import standards as weighting
+from . import modal, standards
 from .body import DOFS
 from .drive import EngineWrenches
 from .excitation import order_word
@@ -93,7 +92,7 @@ def crossings(
     low, high = CRITICAL
     orders = [float(driven.orders[i]) for i in existing if low <= driven.orders[i] <= high]
     rows = [
-        (dof, f"order_{order_word(i)}", aids.critical_speed(f=frequency[dof].number, i=i))
+        (dof, f"order_{order_word(i)}", modal.critical_speed(f=frequency[dof].number, i=i))
         for dof in DOFS
         for i in orders
         if idle <= frequency[dof].number / i <= rated
@@ -141,9 +140,9 @@ def _day(result: MountingResult, name: str, role: str, v: int, which: list[int],
     of = [operations[i][result.drive.variants[v]][name] for i in which]
     if role == "hand":
         a = [_number(level.weighted) for level in of]
-        return weighting.hand_arm(a=each(based_on(np.array(a), a)), T=each(hours))
+        return standards.hand_arm(a=each(based_on(np.array(a), a)), T=each(hours))
     axes = [[_number(x) for x in (level.weighted_x, level.weighted_y, level.weighted_z)] for level in of]
-    return weighting.whole_body(a=each(based_on(np.array(axes), axes, lines.source)), T=each(hours))
+    return standards.whole_body(a=each(based_on(np.array(axes), axes, lines.source)), T=each(hours))
 
 
 def _number(x: float | None) -> float:

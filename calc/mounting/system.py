@@ -14,7 +14,7 @@ from ..sheet.formula import formula
 from ..sheet.record import record
 from ..sheet.units import Kilogram, PhasorMetre, PhasorNewton, PhasorNewtonPerMetre, RadPerSecond
 from ..sheet.value import based_on, link_of, linked
-from . import body as springs
+from . import body
 from .body import displacement, mass_matrix
 from .inputs import Chassis, MountingInputs, Point, tensor
 
@@ -40,14 +40,14 @@ class System:
     def constant(self) -> bool:
         """Whether nothing depends on frequency: one eigenproblem then answers all speeds."""
         frame = self.mounting.chassis
-        mounts = all([springs.constant(mount) for mount in self.mounting.mounts])
-        return mounts and all([springs.constant(support) for support in (frame.supports if frame is not None else ())])
+        mounts = all([body.constant(mount) for mount in self.mounting.mounts])
+        return mounts and all([body.constant(support) for support in (frame.supports if frame is not None else ())])
 
     def mount_stiffness(self, Omega: Array) -> tuple[ComplexArray, ComplexArray]:
         """Along the own axes of each mount itself (mounts, frequencies, 3), and with its foundation in engine axes."""
-        own_stiffness = [springs.own(mount, Omega) for mount in self.mounting.mounts]
+        own_stiffness = [body.own(mount, Omega) for mount in self.mounting.mounts]
         whole = [
-            springs.with_foundation(m, k, R, Omega) for m, k, R in zip(self.mounting.mounts, own_stiffness, self.axes)
+            body.with_foundation(m, k, R, Omega) for m, k, R in zip(self.mounting.mounts, own_stiffness, self.axes)
         ]
         return np.stack(own_stiffness), np.stack(whole)
 
@@ -59,8 +59,8 @@ class System:
         frame = self.mounting.chassis
         if frame is not None:
             for support, g in zip(frame.supports, self.ground):
-                R = springs.rotation(support.turned)
-                total += g.T @ ((R * springs.own(support, Omega)[:, None, :]) @ R.T) @ g
+                R = body.rotation(support.turned)
+                total += g.T @ ((R * body.own(support, Omega)[:, None, :]) @ R.T) @ g
         return total + self.static_frame
 
 
@@ -89,7 +89,7 @@ def system(mounting: MountingInputs, J: Array, *, frame: bool = True) -> System:
             static_frame[12 + i, 12 + i] = (2 * math.pi * mode.frequency) ** 2 * (1 + 1j * mode.loss_factor)
         for j, support in enumerate(supports):
             ground[j, :, 6:] = _on_frame(chassis, support.name, support.position)
-    axes = np.stack([springs.rotation(mount.turned) for mount in mounting.mounts])
+    axes = np.stack([body.rotation(mount.turned) for mount in mounting.mounts])
     design = mounting if chassis is mounting.chassis else _without_frame(mounting)
     source = (J, mounting.mass, mounting.centre_of_gravity, mounting.mounts, chassis)
     return System(design, size, M, between, axes, ground, arms, static_frame, source)

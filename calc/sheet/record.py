@@ -10,7 +10,7 @@ from collections.abc import Callable, Container, Iterable
 from dataclasses import MISSING, Field, FrozenInstanceError, dataclass, field
 from typing import TypeVar, dataclass_transform
 
-from . import number as printed
+from . import number
 
 T = TypeVar("T")
 
@@ -23,9 +23,9 @@ def record(cls: type[T]) -> type[T]:
     record_class = dataclass(init=False, repr=False, eq=False)(cls)
     record_class.__init__ = _init(record_class.__dataclass_fields__)  # type: ignore[attr-defined, method-assign]
     record_class.__setattr__ = record_class.__delattr__ = _refuse  # type: ignore[method-assign]
-    record_class.__repr__ = printed.line  # type: ignore[method-assign]
+    record_class.__repr__ = number.line  # type: ignore[method-assign]
     if record_class.__str__ is object.__str__:  # a class may say more of itself
-        record_class.__str__ = printed.table  # type: ignore[method-assign]
+        record_class.__str__ = number.table  # type: ignore[method-assign]
     return record_class
 
 

@@ -44,7 +44,7 @@ from ...sheet.units import (
 from ...sheet.value import based_on
 from .. import formulas as f
 from ..routes.states import BearingCase, Film, OperatingPoint
-from . import table as tabulated
+from . import table
 
 # --- the formulas
 # X points along the load, Y 90° further in the sense in which the film is dragged; K_ij and C_ij are the force on the
@@ -72,18 +72,18 @@ MOTION = Text("dynamics: motion of the journal about its place under the load; {
 
 @formula("(ln So)'", TABLE, shows="d ln So/dε at constant l/d, from the table of Reynolds' solutions")
 def load_slope(eps: Number, b: Number) -> Number:
-    return tabulated.traced_film_slopes(eps, b)[0]
+    return table.traced_film_slopes(eps, b)[0]
 
 
 @formula("φ'", TABLE, shows="dφ/dε at constant l/d, from the table of Reynolds' solutions")
 def attitude_slope(eps: Number, b: Number) -> Number:
-    return tabulated.traced_film_slopes(eps, b)[1]
+    return table.traced_film_slopes(eps, b)[1]
 
 
 @formula("c_rr", TABLE, shows="squeeze solution (12·∂h/∂t, film region of the static state), from the table at ε, l/d")
 def radial_damping(eps: Number, b: Number) -> Number:
     """C_rr·c·ω/F of a journal that moves along its eccentricity."""
-    return tabulated.traced_film_at(eps, b).radial_damping
+    return table.traced_film_at(eps, b).radial_damping
 
 
 @formula("k_xx", TURNED, names={"q": "(ln So)'"})
@@ -384,7 +384,7 @@ def coefficients(eps: Number, b: Number, phi: Radian | None = None) -> Coefficie
 
     Raises FilmRangeError outside the table.
     """
-    phi = tabulated.attitude_angle(eps=eps, b=b) if phi is None else phi
+    phi = table.attitude_angle(eps=eps, b=b) if phi is None else phi
     q, a = load_slope(eps=eps, b=b), attitude_slope(eps=eps, b=b)
     c_rr = radial_damping(eps=eps, b=b)
     return Coefficients(

@@ -26,9 +26,7 @@ from ..film.table import (
     relative_flow,
     side_flow_share,
 )
-from . import din31652 as by_falz
-from . import din31652 as iso
-from . import flow, supply
+from . import din31652, flow, supply
 from . import raimondi_boyd as rb
 from .states import BearingCase, Film, OperatingPoint, OutsideCharts, Seized
 
@@ -202,8 +200,8 @@ def iso7902(seat: BearingCase, duty: OperatingPoint, rise: float) -> Film:
     omega = f.angular_speed(n=duty.effective_speed)
     So = f.sommerfeld_din(p=p, psi=psi, mu=oil.mu, omega=omega)
     ratio = f.length_ratio(l=l, d=b.diameter)
-    eps = iso.eccentricity(So=So, b=ratio)
-    beta = iso.attitude_angle(eps=eps, b=ratio)
+    eps = din31652.eccentricity(So=So, b=ratio)
+    beta = din31652.attitude_angle(eps=eps, b=ratio)
     f_v = _friction_variable(duty, So, eps, beta)
     Q_1 = (
         flow.side_flow_din(d=b.diameter, psi=psi, omega=omega, q_1=flow.side_flow_factor(b=ratio, eps=eps))
@@ -224,7 +222,7 @@ def falz(seat: BearingCase, duty: OperatingPoint, rise: float) -> Film:
     omega = f.angular_speed(n=duty.effective_speed)
     So = f.sommerfeld_din(p=p, psi=psi, mu=oil.mu, omega=omega)
     ratio = f.length_ratio(l=b.length, d=b.diameter)
-    h_0 = by_falz.film(g=g, So=So, b=ratio)
+    h_0 = din31652.film(g=g, So=So, b=ratio)
     eps = f.eccentricity_of_film(h_0=h_0, g=g)
     if not 0 <= eps < 1:
         least, gap = Amount(h_0 * 1e6, form=".1f"), Amount(g / 2e-6, form=".1f")
@@ -239,8 +237,8 @@ def falz(seat: BearingCase, duty: OperatingPoint, rise: float) -> Film:
             )
         )
     mu_f = None
-    if by_falz.polynomial_holds(ratio):
-        _, mu_f = by_falz.friction(psi=psi, So=So, b=ratio)
+    if din31652.polynomial_holds(ratio):
+        _, mu_f = din31652.friction(psi=psi, So=So, b=ratio)
         f_v = f.friction_variable_of(f=mu_f, psi=psi)
     else:
         f_v = f.friction_variable(So=So, eps=eps, phi=attitude_angle(eps=eps, b=ratio))

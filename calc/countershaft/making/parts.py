@@ -24,8 +24,7 @@ from ..inputs import CountershaftInputs, EccentricMass, Holes
 from ..outline import Piece
 from ..result import CountershaftResult
 from ..sizing.sectors import LEFT_OVER, ShaftTask
-from . import balance as holes
-from . import balance as tolerance
+from . import balance
 from .balance import HolesResult, ToleranceResult
 from .inputs import Support
 
@@ -162,11 +161,11 @@ def _permitted(
         return None
     z_f, z_r = shaft.bearing_positions[0], shaft.bearing_positions[-1]
     asked = result.mass, result.omega, result.centre_of_gravity, z_f, z_r, todo.couple
-    permitted = tolerance.permitted(shaft.balance_grade, *asked)
-    to.tables += Later(lambda: [tolerance.table(shaft.balance_grade, *asked)])
-    to.notes += tolerance.notes(result.centre_of_gravity, z_f, z_r)
+    permitted = balance.permitted(shaft.balance_grade, *asked)
+    to.tables += Later(lambda: [balance.table(shaft.balance_grade, *asked)])
+    to.notes += balance.notes(result.centre_of_gravity, z_f, z_r)
     if todo.couple:
-        to.checks.append(tolerance.grade_check(permitted, LEFT_OVER * todo.couple))
+        to.checks.append(balance.grade_check(permitted, LEFT_OVER * todo.couple))
     return permitted
 
 
@@ -186,7 +185,7 @@ def _holes(
         to.notes.append(Text("Calibration holes are not computed: give outer_radius_mm, from which they are drilled."))
         return None
     z = column(masses, "z")
-    drilled = holes.calibration(shaft.holes, rho, R, z, result.omega, todo.couple)
+    drilled = balance.calibration(shaft.holes, rho, R, z, result.omega, todo.couple)
     if masses and shaft.holes.count % len(masses):
         shared = Text(
             "Calibration holes: {count} holes on {count2} masses are counted as an equal share for each.",
@@ -217,12 +216,12 @@ def _hole_checks(
 ) -> Iterator[Check]:
     """`over`: the couple beyond the required one; None where no couple is required."""
     if core_radius is not None:
-        yield holes.depth_check(bores, R, core_radius)
+        yield balance.depth_check(bores, R, core_radius)
     if sectors and masses:
-        yield holes.row_check(bores, masses, _shortest(sectors))
-        yield holes.width_check(bores, R, min(sector.half_angle or 0.0 for sector in sectors))
+        yield balance.row_check(bores, masses, _shortest(sectors))
+        yield balance.width_check(bores, R, min(sector.half_angle or 0.0 for sector in sectors))
     if over is not None:
-        yield holes.range_check(drilled, over)
+        yield balance.range_check(drilled, over)
 
 
 def _shortest(sectors: list[Piece]) -> Metre:

@@ -168,39 +168,41 @@ def _sum(
 
 
 def _churned(dip: Dip, wheel: WheelGeometry, beta_b: Radian, n: RevPerSecond, oil: Surroundings) -> Watt:
-    from . import oil_and_air as churning  # here and below: what few trains have is loaded for these
+    from . import oil_and_air  # here and below: what few trains have is loaded for these
 
     r, b = wheel.reference_radius, wheel.face_width
-    h = churning.depth_of_reference_circle(h_t=dip.depth, r_a=wheel.tip_radius, r=r)
+    h = oil_and_air.depth_of_reference_circle(h_t=dip.depth, r_a=wheel.tip_radius, r=r)
     alpha_t = transverse_angle(r_b=wheel.base_radius, r=r)
     beta = helix_angle(beta_b=beta_b, alpha_t=alpha_t)
     m_n = normal_module(r=r, beta=beta, z=wheel.teeth)
     omega = angular_speed(n=n)
-    theta = churning.wetted_angle(h=h, r=r)
-    S_m = churning.wetted_surface(r=r, theta=theta, b=b, z=wheel.teeth, m_n=m_n, alpha_t=alpha_t, beta=beta)
-    Re_c, Fr = churning.reynolds(omega=omega, r=r, b=b, nu=oil.nu), churning.froude(omega=omega, r=r)
-    C_m1 = churning.calm(h=h, r=r, V=dip.oil_volume, Fr=Fr, Re_c=Re_c, b=b)
-    C_m2 = churning.wild(h=h, r=r, V=dip.oil_volume, Fr=Fr, Re_c=Re_c, b=b)
-    C_m = churning.torque_number(C_m1=C_m1, C_m2=C_m2, gamma=churning.centrifugal(omega=omega, r=r, b=b, m_n=m_n))
-    return churning.churning(T_C=churning.churning_torque(rho=oil.rho, omega=omega, r=r, S_m=S_m, C_m=C_m), omega=omega)
+    theta = oil_and_air.wetted_angle(h=h, r=r)
+    S_m = oil_and_air.wetted_surface(r=r, theta=theta, b=b, z=wheel.teeth, m_n=m_n, alpha_t=alpha_t, beta=beta)
+    Re_c, Fr = oil_and_air.reynolds(omega=omega, r=r, b=b, nu=oil.nu), oil_and_air.froude(omega=omega, r=r)
+    C_m1 = oil_and_air.calm(h=h, r=r, V=dip.oil_volume, Fr=Fr, Re_c=Re_c, b=b)
+    C_m2 = oil_and_air.wild(h=h, r=r, V=dip.oil_volume, Fr=Fr, Re_c=Re_c, b=b)
+    C_m = oil_and_air.torque_number(C_m1=C_m1, C_m2=C_m2, gamma=oil_and_air.centrifugal(omega=omega, r=r, b=b, m_n=m_n))
+    return oil_and_air.churning(
+        T_C=oil_and_air.churning_torque(rho=oil.rho, omega=omega, r=r, S_m=S_m, C_m=C_m), omega=omega
+    )
 
 
 def _thrown(jet: Jet, wheel: WheelGeometry, n: RevPerSecond, oil: Surroundings) -> Watt:
-    from . import oil_and_air as jets
+    from . import oil_and_air
 
-    return jets.thrown_oil(
-        rho=oil.rho, Q=jet.flow, v_t=jets.pitch_line_speed(r=wheel.reference_radius, n=n), v_j=jet.jet_speed
+    return oil_and_air.thrown_oil(
+        rho=oil.rho, Q=jet.flow, v_t=oil_and_air.pitch_line_speed(r=wheel.reference_radius, n=n), v_j=jet.jet_speed
     )
 
 
 def _sealed(seal: Seal, n: RevPerSecond, oil: Surroundings) -> Watt:
-    from . import bearings as seals
+    from . import bearings as bearing_losses
 
     if seal.method == "simrit":
-        loss = seals.simrit(d_sh=seal.diameter, n=n)
+        loss = bearing_losses.simrit(d_sh=seal.diameter, n=n)
     else:
-        loss = seals.linke(T_oil=oil.T, nu_40=oil.lubricant.nu40, d_sh=seal.diameter, n=n)
-    return loss if seal.count == 1 else seals.several(N=seal.count, P=loss)
+        loss = bearing_losses.linke(T_oil=oil.T, nu_40=oil.lubricant.nu40, d_sh=seal.diameter, n=n)
+    return loss if seal.count == 1 else bearing_losses.several(N=seal.count, P=loss)
 
 
 def has_bearings(friction: FrictionInputs) -> bool:
@@ -240,9 +242,9 @@ def carrying(
 def _borne(bearing: RollingBearing | PlainBearing, F: Newton, n: RevPerSecond, oil: OilState, base: str) -> Watt:
     F = F if bearing.load is None else bearing.load
     if isinstance(bearing, RollingBearing):
-        from . import bearings as rolling_bearings
+        from . import bearings as bearing_losses
 
-        return rolling_bearings.power(bearing, F, n, oil.nu, base)
-    from . import bearings as plain_bearings
+        return bearing_losses.power(bearing, F, n, oil.nu, base)
+    from . import bearings as bearing_losses
 
-    return plain_bearings.plain_bearing_power(bearing, F, n, oil.mu)
+    return bearing_losses.plain_bearing_power(bearing, F, n, oil.mu)

@@ -11,7 +11,7 @@ from ...sheet.text import EMPTY, Amount, Text
 from ...sheet.units import Kelvin, Metre, NewtonMetre, NewtonPerMetre, Number, Pascal
 from ..inputs import GearsInputs
 from ..result import MeshResult
-from . import strength as root
+from . import strength as iso6336
 from .classes import StrengthClass
 from .distribution import CLAUSE_7
 from .dynamic import CLAUSE_6, CLAUSE_9, MAIN_TO
@@ -238,10 +238,10 @@ def roughness_check(root_rz: Metre) -> Check:
         Text("Roughness Rz of the roots"),
         root_rz,
         "<=",
-        root.ROUGHEST_ROOT,
+        iso6336.ROUGHEST_ROOT,
         "µm",
         Text("ISO 6336-3: Y_RrelT was found up to 40 µm"),
-        remedies=by_key(GearsInputs, "gears.root_rz_um", round(root.ROUGHEST_ROOT * 1e6, 6), bound="<="),
+        remedies=by_key(GearsInputs, "gears.root_rz_um", round(iso6336.ROUGHEST_ROOT * 1e6, 6), bound="<="),
     )
 
 

@@ -15,8 +15,7 @@ from ...sheet.text import Amount, Text
 from ...sheet.units import Metre, MetrePerSecond, Newton, Number, Pascal, Radian, SquareMetrePerSecond
 from ...sheet.value import about
 from ..result import MeshResult, ToothSystem, WheelResult
-from . import strength as flank
-from . import strength as root
+from . import strength as iso6336
 from . import stress as s
 from .result import MeshStrength, ToothForm, WheelStrength
 from .strength import ContactStrength, RootStrength
@@ -76,7 +75,7 @@ def mesh_strength(driver: WheelStrength, driven: WheelStrength, load: MeshLoad) 
     sides, pair = (driver, driven), Text("mesh {name}–{name2}", name=driver.name, name2=driven.name)
     softer = min(driver.strength.sigma_Hlim, driven.strength.sigma_Hlim)
     with about(Text("{pair}, film", pair=pair)):
-        film = flank.film_factors(
+        film = iso6336.film_factors(
             softer,
             load.nu_40,
             load.v,
@@ -94,7 +93,7 @@ def mesh_strength(driver: WheelStrength, driven: WheelStrength, load: MeshLoad) 
             bending[wheel.name] = _bending(wheel, load)
     with about(pair):
         S_H = min((c.S_H for c in contact.values() if c.S_H is not None), default=None)
-        on_load = None if S_H is None else flank.contact_safety_on_load(S_H=S_H)
+        on_load = None if S_H is None else iso6336.contact_safety_on_load(S_H=S_H)
     return MeshStrength(
         safety_contact=S_H,
         safety_contact_load=on_load,
@@ -108,8 +107,8 @@ def mesh_strength(driver: WheelStrength, driven: WheelStrength, load: MeshLoad) 
     )
 
 
-def _contact(wheel: WheelStrength, mate: WheelStrength, load: MeshLoad, film: flank.FlankFilm) -> ContactStrength:
-    Z_BD = flank.single_pair(
+def _contact(wheel: WheelStrength, mate: WheelStrength, load: MeshLoad, film: iso6336.FlankFilm) -> ContactStrength:
+    Z_BD = iso6336.single_pair(
         load.alpha_wt,
         wheel.tip_diameter,
         wheel.base_diameter,
@@ -120,7 +119,7 @@ def _contact(wheel: WheelStrength, mate: WheelStrength, load: MeshLoad, film: fl
         load.eps_alpha,
         load.eps_beta,
     )
-    Z_W = flank.work_hardening(
+    Z_W = iso6336.work_hardening(
         wheel.strength,
         mate.strength,
         load.flank_rz,
@@ -130,7 +129,7 @@ def _contact(wheel: WheelStrength, mate: WheelStrength, load: MeshLoad, film: fl
         load.nu_40,
         wheel.teeth / mate.teeth,
     )
-    return flank.contact_strength(
+    return iso6336.contact_strength(
         wheel.strength,
         sigma_H0=load.sigma_H0,
         K_H=load.K_H,
@@ -143,12 +142,12 @@ def _contact(wheel: WheelStrength, mate: WheelStrength, load: MeshLoad, film: fl
 
 
 def _bending(wheel: WheelStrength, load: MeshLoad) -> RootStrength:
-    return root.root_strength(
+    return iso6336.root_strength(
         wheel.strength,
         sigma_F0=wheel.sigma_F0,
         K_F=load.K_F,
-        Y_B=root.rim_factor(wheel.name, wheel.tooth_depth, wheel.rim),
-        Y_DT=root.deep_tooth_factor(load.grade, load.eps_alphan),
+        Y_B=iso6336.rim_factor(wheel.name, wheel.tooth_depth, wheel.rim),
+        Y_DT=iso6336.deep_tooth_factor(load.grade, load.eps_alphan),
         q_s=wheel.q_s,
         Rz_F=load.root_rz,
         m_n=load.m_n,

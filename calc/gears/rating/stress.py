@@ -64,7 +64,7 @@ def contact_stress(
     Z_H: Number, E_c: Pascal, Z_eps: Number, Z_beta: Number, F_t: Newton, d_1: Metre, b: Metre, u: Number
 ) -> Pascal:
     """>>> contact_stress(Z_H=2.34, E_c=36030000000.0, Z_eps=0.8312, Z_beta=1.038, F_t=31.89, d_1=0.05389, b=0.015,
-    u=1.44)
+    ...     u=1.44)
     9908138...
     """
     return Z_H * sqrt(E_c) * Z_eps * Z_beta * sqrt(F_t / (d_1 * b) * (u + 1) / u)

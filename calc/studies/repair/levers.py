@@ -21,8 +21,7 @@ from ...sheet.quantity import Quantity
 from ...sheet.remedy import Changes, digits, whole
 from ...sheet.search import allowed
 from ...sheet.text import EMPTY, Small, Text
-from . import sizing as shaft
-from . import sizing as strength
+from . import sizing
 from .single_input import ASKED, FREE
 from .state import RepairState
 
@@ -233,12 +232,12 @@ def _made_for(state: RepairState, group: tuple[Check, ...]) -> list[Changes]:
 def _balanced(state: RepairState, group: tuple[Check, ...]) -> list[Changes]:
     countershaft = state.design.countershaft
     return (
-        list(shaft.balanced(state, countershaft)) if countershaft is not None and countershaft.mode == "given" else []
+        list(sizing.balanced(state, countershaft)) if countershaft is not None and countershaft.mode == "given" else []
     )
 
 
 def _stronger(state: RepairState, group: tuple[Check, ...]) -> list[Changes]:
-    return list(strength.stronger(state, strength.wheels(state, group)))
+    return list(sizing.stronger(state, sizing.wheels(state, group)))
 
 
 MADE_FOR: tuple[tuple[tuple[str, ...], Callable[[RepairState, tuple[Check, ...]], list[Changes]]], ...] = (

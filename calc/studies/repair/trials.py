@@ -16,7 +16,7 @@ from ...sheet.search import rounded
 from ...sheet.step import Outcome
 from ...sheet.text import COMMA, EMPTY, SEMICOLON, Amount, Text, plural
 from ...solve import Results
-from . import sizing as bearings
+from . import sizing
 from .levers import Lever, LeverPlan, called, disturbance, levers
 from .state import ORDER, RepairState, broken
 
@@ -374,7 +374,7 @@ def bearings_or_longer_journals(
 ) -> RepairState:
     """Raises NoSolution where neither helps."""
     try:
-        return bearings.nearest_bearings(state, failing, part(progress, 0.0, 0.5))
+        return sizing.nearest_bearings(state, failing, part(progress, 0.0, 0.5))
     except NoSolution as none:
         try:
             return longer_journals(state, failing, part(progress, 0.5, 1.0))
