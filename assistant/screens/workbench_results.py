@@ -261,8 +261,13 @@ class WorkbenchResults(WorkbenchPanes):
             pass
 
     def _go_ahead(self) -> None:
-        """While nobody types: the calculations of the other steps, and after them a remedy."""
-        self.when_quiet("ahead", partial(self.in_thread, "ahead", self._write_ahead))
+        """While nobody types: the calculations of the other steps, and a remedy."""
+        self.when_quiet("ahead", self._think_ahead)
+
+    def _think_ahead(self) -> None:
+        if self.stands:
+            self.in_thread("ahead", self._write_ahead)
+            self.seek_remedy()
 
     def _idle(self, results: "Results | None") -> bool:
         """Whether nothing has happened since these results: what goes on behind the screen stops at the next edit, to
@@ -281,7 +286,6 @@ class WorkbenchResults(WorkbenchPanes):
             if results is None or stop():
                 return
             self._write_step(results, step, stop)
-        self.call_later(self.seek_remedy)
 
     # --- remedies
     @property
