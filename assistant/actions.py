@@ -5,9 +5,7 @@ Bindings, footer, help screen and palette read this table, so they can not disag
 only while no field is being edited, because a field takes them as text, or moves in its text with them.  The first key
 is the one that is shown."""
 
-from collections.abc import Awaitable, Callable
 from dataclasses import dataclass
-from functools import partial
 from typing import Any
 
 from calc.design.model import STEPS
@@ -17,8 +15,8 @@ from calc.sheet.text import EMPTY, Text
 
 @dataclass(frozen=True)
 class Action:
-    """`id` names the binding, in a key map too.  `call` is a method of one of the main screen's parts, and its
-    arguments; left out, the method is called like the id."""
+    """`id` names the binding, in a key map too.  `call` is an action of the main screen, its method without `action_`,
+    and its arguments; left out, it is called like the id."""
 
     id: str
     keys: str
@@ -166,16 +164,6 @@ ACTIONS: tuple[Action, ...] = (
 
 BY_ID = {action.id: action for action in ACTIONS}
 OLD_IDS = {"mend": "fix"}  # names that key maps of earlier versions may have
-
-
-def methods(*parts: object) -> dict[str, Callable[[], Awaitable[None] | None]]:
-    """What runs each action, by its id: exactly one of the parts has the method."""
-    runs: dict[str, Callable[[], Awaitable[None] | None]] = {}
-    for action in ACTIONS:
-        name, *arguments = action.call or (action.id,)
-        (method,) = [getattr(part, name) for part in parts if hasattr(part, name)]
-        runs[action.id] = partial(method, *arguments)
-    return runs
 
 
 KEY_NAMES: dict[str, str] = {

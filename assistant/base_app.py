@@ -5,8 +5,10 @@
 that hold them.  Every console of it writes out the characters that a terminal would obey."""
 
 import re
+import time
 from collections.abc import Sequence
 from pathlib import Path
+from typing import Any
 
 from rich.cells import cell_len
 from rich.segment import Segment
@@ -14,6 +16,7 @@ from textual.app import App
 from textual.color import Color
 from textual.filter import LineFilter
 from textual.notifications import SeverityLevel
+from textual.screen import Screen
 
 from calc.locale import LANGUAGES, language
 from calc.sheet.text import EMPTY, Text
@@ -28,6 +31,10 @@ from .widgets.signs import Signs
 # Characters that a terminal would obey are written out: a name in a design file may hold any.
 
 BLANKS = re.compile(" {2,}")
+
+# seconds after a key in which the next one may come: until then a field does not complain of what is half typed, and
+# what nobody waits for leaves the processor to the keys
+TYPING = 0.6
 
 
 class Legible(LineFilter):
@@ -97,6 +104,17 @@ class BaseApp(App[int]):
         """A fault of the program ends the session without textual's trace over the screen: `app.run` says it in one
         line."""
         self._close_messages_no_wait()
+
+    @property
+    def typing(self) -> bool:
+        return time.monotonic() < self.struck + TYPING
+
+    def rest(self, screen: Screen[Any]) -> None:
+        """Asked in another thread, again and again, by what nobody waits for: between two lines a key may come, and
+        need not wait."""
+        time.sleep(0.0005)
+        while screen.is_attached and self.typing:
+            time.sleep(0.02)
 
     @property
     def session(self) -> Session:

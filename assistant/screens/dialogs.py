@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The small dialogs: the list of words of a field, the reason of a decision, a question with two answers."""
+"""Small questions over a screen: the word of a field, the reason of a decision, yes or no."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from textual import events
@@ -15,7 +15,10 @@ from textual.screen import ModalScreen
 from textual.widgets import Input, OptionList, Static
 from textual.widgets.option_list import Option
 
-from calc.sheet.text import Text
+from calc.design.model import STEPS
+from calc.locale import Language
+from calc.sheet.check import Check
+from calc.sheet.text import EMPTY, Amount, Text, plural
 
 from ..base_app import BaseApp
 
@@ -117,6 +120,20 @@ class Choose(Once, ModalScreen[str | None]):
 
 # --- the reason of a decision: a line to write on, and below it usual reasons
 
+# usual reasons, to be written on
+USUAL_TO_ACCEPT = (
+    Text("seen on the test bench: it holds"),
+    Text("agreed with …"),
+    Text("as in the engine that runs"),
+    Text("to be settled by the supplier"),
+    Text("outside what this design is for"),
+)
+USUAL_TO_LEAVE_OUT = (
+    Text("left out on purpose"),
+    Text("it is settled elsewhere"),
+    Text("to be settled by the supplier"),
+    Text("outside what this design is for"),
+)
 HINT = Text("Enter accepts it with this reason, ↓ chooses a usual one, Esc goes back.")
 
 
@@ -182,6 +199,35 @@ class Reason(Once, ModalScreen[str | None]):
 
     def action_cancel(self) -> None:
         self.dismiss(None)
+
+
+class Accept(Reason):
+    """Why findings of one cause stay open, the worst of them first."""
+
+    def __init__(self, checks: Sequence[Check], say: Language) -> None:
+        worst, others = checks[0], len(checks) - 1
+        what = Text(
+            "{check}: {value}, {limit}",
+            check=worst.name,
+            value=Amount(worst.value, worst.unit),
+            limit=worst.limit_text(),
+        )
+        more = (
+            plural("and {n} finding of the same cause", "and {n} findings of the same cause", n=others)
+            if others
+            else EMPTY
+        )
+        about = " ".join(part for part in (say(what), say(more)) if part)
+        super().__init__(Text("Leave this open: why is it right?"), about, USUAL_TO_ACCEPT)
+
+
+class LeaveOut(Reason):
+    """Why the design does without a step; `begun`: the reason that it has already."""
+
+    def __init__(self, step: str, begun: str, say: Language) -> None:
+        title = next(candidate.title for candidate in STEPS if candidate.key == step)
+        question = Text("Leave this step out: why is it right?")
+        super().__init__(question, say(title), USUAL_TO_LEAVE_OUT, begun or say(USUAL_TO_LEAVE_OUT[0]))
 
 
 # --- a question with two answers

@@ -24,7 +24,7 @@ from ..widgets.headings import ArrayHeading, TableHeading
 from ..widgets.rows import allowed, meaning
 from ..widgets.text import wrap
 from .dialogs import Once
-from .host import Host
+from .workbench_panes import WorkbenchPanes
 
 SCREEN = (
     Text(
@@ -89,7 +89,7 @@ class HelpScreen(Once, ModalScreen[None]):
         Binding("f1,question_mark", "turn", "All keys", show=False),
     ]
 
-    def __init__(self, work: Host) -> None:
+    def __init__(self, work: WorkbenchPanes) -> None:
         super().__init__()
         self.work = work
 

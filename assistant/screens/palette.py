@@ -105,19 +105,19 @@ def _designs(work: Workbench, add: Add) -> None:
         add(
             title,
             Text("Edits of this file that another session has kept."),
-            partial(work.files.restore, kept),
+            partial(work.restore, kept),
             first=True,
         )
     for path in work.session.memory.recent():
         if path != work.session.path:
             title = Text("Open recent: {path}", path=str(path))
-            add(title, Text("Opens this design again."), partial(work.files.open_path, path), first=True)
+            add(title, Text("Opens this design again."), partial(work.open_path, path), first=True)
 
 
 def _fields(work: Workbench, add: Add) -> None:
     for key, about in (*_of_design(), *quantities(work.session.data)):
         title = Text("Field: {label}  {key}", label=about.label, key=key)
-        add(title, about.help or about.allowed(), partial(work.moves.to_field, work.session.place(key)), weight=FIELD)
+        add(title, about.help or about.allowed(), partial(work.to_field, work.session.place(key)), weight=FIELD)
 
 
 def _of_design() -> Iterator[tuple[str, Quantity]]:
@@ -149,7 +149,7 @@ def _results(work: Workbench, add: Add) -> None:
 
 def _curves(work: Workbench, add: Add) -> None:
     for n, step in enumerate(STEPS, 1):
-        page = work.background.pages.get(step.key)
+        page = work.pages.get(step.key)
         for leaf in page.leaves if page is not None else ():
             title = (
                 Text("Curve: {title}", title=leaf.title)
@@ -205,15 +205,15 @@ def explain(work: Workbench, id: str) -> None:
 
     async def to_value(key: str | None) -> None:
         if key is not None:
-            await work.moves.to_value(key)
+            await work.to_value(key)
 
     work.app.push_screen(Explain(work.session, value=id), to_value)
 
 
 async def to_curve(work: Workbench, n: int, id: str) -> None:
-    await work.moves.to_step(n)
+    await work.action_to_step(n)
     work.curve_pane.choose(id)
-    work.moves.to_view("curve")
+    work.action_to_view("curve")
 
 
 # --- the dialog

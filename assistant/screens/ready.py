@@ -26,15 +26,8 @@ from ..widgets.item_list import Item, ItemList
 from ..widgets.steps import states_of
 from ..widgets.text import fit, pad, wrap
 from .dialogs import Once
-from .edit_actions import EditActions
-from .file_actions import FileActions
-from .host import Host
 
-REPORT, EXPORT, DRIVE = (
-    "report",
-    "export",
-    "drive",
-)  # what the page gives beside the key of a step and the id of a check
+REPORT, EXPORT, DRIVE = "report", "export", "drive"  # actions that the page gives beside a step's key and a check's id
 PICTURE = (90, 14)  # cells of the picture at most
 ASSUMED = "assumed"
 
@@ -289,30 +282,3 @@ class ReadyScreen(Once, Screen[str | None]):
 
     def action_move(self, by: int) -> None:
         self.query_one(Closing).move(by)
-
-
-class ReadyActions:
-    """Show the closing page, and go where it says."""
-
-    def __init__(self, host: Host, files: FileActions, edits: EditActions) -> None:
-        self._host, self._files, self._edits = host, files, edits
-
-    def ready(self) -> None:
-        self._host.session.solve()  # the page says what holds of the design as it is now
-        self._host.app.push_screen(ReadyScreen(self._host.session), self._go)
-
-    async def _go(self, to: str | None) -> None:
-        host = self._host
-        if to == REPORT:
-            self._files.report()
-        elif to == EXPORT:
-            self._files.export()
-        elif to == DRIVE:
-            self._edits.drive()
-        elif to is not None:
-            step, _, check = to.partition(".")
-            host.at_pane("checks" if check else "inputs")
-            await host.open_step(next(candidate for candidate in STEPS if candidate.key == step), stay=bool(check))
-            if check:
-                host.checks.focus()
-                host.call_after_refresh(host.checks.go_to, to)

@@ -5,7 +5,7 @@ The search runs aside and can be stopped; of the row under the cursor the whole 
 that its price in the other steps is seen."""
 
 from collections import Counter
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, ClassVar, Generic, TypeVar
 
@@ -16,7 +16,6 @@ from textual.containers import Vertical
 from textual.content import Content
 from textual.message import Message
 from textual.screen import ModalScreen
-from textual.timer import Timer
 from textual.widgets import Static
 from textual.worker import get_current_worker
 
@@ -238,7 +237,6 @@ class OfferList(ItemList):
 
 # --- the dialog of an offer
 
-PAUSE = 0.15  # seconds that the cursor rests on a row before its design is solved
 HINT = Text("Enter takes the row (undo takes it back), ↑ ↓ go through the rows, Esc goes back")
 
 
@@ -270,14 +268,14 @@ class Choosing(Searching[tuple[str, ...] | None, Offer]):
     @dataclass
     class Previewed(Message):
         preview: Preview
-        take: bool  # Enter was pressed before the row was solved
 
     def __init__(self, session: Session, step: str) -> None:
         super().__init__()
         self.session, self.step = session, step
         self.offer: Offer | None = None
         self.previews: dict[int, Preview] = {}
-        self._rest: Timer | None = None
+        self._solving = 0  # the row that is being solved
+        self._wanted = 0  # the row on which Enter was pressed before it was solved
 
     def compose(self) -> ComposeResult:
         with Vertical(classes="dialog -tall -whole"):
@@ -319,24 +317,25 @@ class Choosing(Searching[tuple[str, ...] | None, Offer]):
 
     def on_item_list_moved(self, event: ItemList.Moved) -> None:
         event.stop()
-        if self._rest is not None:
-            self._rest.stop()
         if self.offer is None or not self.number:
             return
+        if self._wanted != self.number:
+            self._wanted = 0
         if (known := self.previews.get(self.number)) is not None:
             self._show(known)
-        else:
-            self._rest = self.set_timer(PAUSE, self._solve_row)
-
-    def _solve_row(self) -> None:
-        if self.number:
-            self._solve_aside(self.number, False)
+        elif self._solving != self.number:
+            self._solving = self.number
+            self._solve_aside(self.number)
 
     @work(thread=True, exclusive=True, group="preview", exit_on_error=False)
-    def _solve_aside(self, number: int, take: bool) -> None:
-        self.post_message(self.Previewed(self.previewed(number), take))
+    def _solve_aside(self, number: int) -> None:
+        """That of the next row which is not known stops this one."""
+        worker = get_current_worker()
+        preview = self.previewed(number, lambda: worker.is_cancelled)
+        if not worker.is_cancelled:
+            self.post_message(self.Previewed(preview))
 
-    def previewed(self, number: int) -> Preview:
+    def previewed(self, number: int, stop: Callable[[], bool] = bool) -> Preview:
         """The whole design with a row taken; runs in any thread."""
         assert self.offer is not None
         try:
@@ -346,15 +345,16 @@ class Choosing(Searching[tuple[str, ...] | None, Offer]):
             return Preview(number, why=none.text)
         except BadInput as bad:
             return Preview(number, why=mistakes_text(bad))
-        answer: Answer = run(Job(0, trial, self.session.results))
+        answer: Answer = run(Job(0, trial, self.session.results, stop))
         return Preview(number, changes, answer.results, answer.failure)
 
     def on_choosing_previewed(self, event: Previewed) -> None:
         event.stop()
         self.previews[event.preview.number] = event.preview
+        self._solving = 0
         if event.preview.number == self.number:
             self._show(event.preview)
-            if event.take:
+            if self._wanted == self.number:
                 self.action_take()
 
     def _show(self, preview: Preview) -> None:
@@ -391,8 +391,8 @@ class Choosing(Searching[tuple[str, ...] | None, Offer]):
         if self.offer is None or not number:
             return
         preview = self.previews.get(number)
-        if preview is None:
-            self._solve_aside(number, True)
+        if preview is None:  # it is being solved since the cursor came there
+            self._wanted = number
         elif preview.results is None:
             self.app.tell(_refused(preview), "warning")
         else:

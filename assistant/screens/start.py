@@ -3,7 +3,6 @@
 
 Words that are typed find an engine or a design; Enter begins with the row under the cursor."""
 
-import time
 from contextlib import suppress
 from functools import partial
 from pathlib import Path
@@ -23,7 +22,7 @@ from calc.sheet.errors import BadInput, NoSolution
 from calc.sheet.text import EMPTY, Text
 from calc.studies.shipped import EXAMPLE
 
-from ..base_app import BaseApp
+from ..base_app import TYPING, BaseApp
 from ..session.beginnings import Beginning, Finding, finding, groups
 from ..session.recovery import Memory
 from ..session.session import Session
@@ -159,7 +158,6 @@ NOTHING = Text(
 )
 SPACES = 3  # cells before a row
 TITLE, ABOUT, SIZE, SHAKES, BALANCING = 20, 31, 17, 38, 20  # cells of the columns; of what it is at least
-REST = 0.3  # seconds after a key in which no engine is looked at
 
 
 class BeginningList(OptionList, can_focus=False):
@@ -220,7 +218,7 @@ class Start(Screen[None]):
     def on_mount(self) -> None:
         self.fill()
         self.call_after_refresh(self.app.release)
-        self.set_timer(REST, self._look_at_all)
+        self.set_timer(TYPING, self._look_at_all)
 
     # --- what shakes, and what balancing it calls for
     def _look_at_all(self) -> None:
@@ -231,8 +229,7 @@ class Start(Screen[None]):
         """Runs in another thread, which rests while somebody types."""
         worker = get_current_worker()
         for row in engines:
-            while time.monotonic() < self.app.struck + REST and not worker.is_cancelled:
-                time.sleep(0.02)
+            self.app.rest(self)
             if worker.is_cancelled or not self.is_attached:
                 return
             with suppress(BadInput, NoSolution):

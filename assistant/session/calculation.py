@@ -1,23 +1,34 @@
 # SPDX-License-Identifier: Apache-2.0
 """The calculation of a step made readable: its lines with what is judged by them, what the source has wrong, what is
-assumed.
+assumed; and how far the inputs move what is judged.
 
 Written away from the screen, so that a long calculation can be prepared in another thread.
 """
 
+import math
 from collections import defaultdict
 from collections.abc import Callable
 from dataclasses import dataclass, field
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
+from calc.design.addresses import quantity_of, value_at
 from calc.design.key_values import judged
 from calc.locale import Language
 from calc.locale.language import in_language
 from calc.sheet.check import Check
-from calc.sheet.errors import Cancelled
+from calc.sheet.errors import BadInput, Cancelled
 from calc.sheet.step import Erratum, Outcome, Table
-from calc.sheet.text import EMPTY, Name, Text
+from calc.sheet.text import EMPTY, SEMICOLON, Amount, Name, Small, Text
 from calc.sheet.value import leaves, link_of
+
+from .places import label_of
+
+if TYPE_CHECKING:
+    from calc.design.addresses import Table as DesignTable
+    from calc.studies.explain import Effect
+
+NAMED = 2  # inputs that are named for a check, and checks for an input
+LEAST, GREATEST = 0.01, 1000.0  # a slope is told for so much of the input that it lies between these
 
 
 @dataclass(frozen=True)
@@ -102,3 +113,58 @@ def values_table(outcome: Outcome[object], say: Language) -> Table:
         rows,
     )
     return in_language(table, say)
+
+
+# --- how far the inputs move a check, and what an input moves
+def slopes_of_check(data: "DesignTable", check: Check, effects: "tuple[Effect, ...]") -> Text:
+    """`clearance −0.32 µm per µm; length +0.45 µm per mm`: the inputs that move a check most, over what they are."""
+    known = [effect for effect in effects if effect.gain]
+    known.sort(key=lambda effect: -abs((effect.gain or 0.0) * _size(data, effect.key)))
+    return SEMICOLON.join(_slope_of(data, check, effect) for effect in known[:NAMED])
+
+
+def _slope_of(data: "DesignTable", check: Check, effect: "Effect") -> Text:
+    """What an input does to the value that is judged, or, where it leaves that alone, to its limit."""
+    unit, words = quantity_of(data, effect.key).unit, label_of(data, effect.key)
+    if effect.slope:
+        return _slope(words, effect.slope, check.unit, unit)
+    gain = effect.gain or 0.0
+    below = check.nearest[1] == check.limit[0] if isinstance(check.limit, tuple) else check.sense in (">=", ">")
+    return _slope(Text("{input}: limit", input=words), -gain if below else gain, check.unit, unit)
+
+
+def slopes_of_input(data: "DesignTable", key: str, moved: "tuple[tuple[Check, Effect], ...]") -> Text:
+    """`film at the edge, front +0.45 µm per mm`: what an input moves most of the limits that it is meant for."""
+    seen: dict[str, tuple[Check, Effect]] = {}
+    for check, effect in moved:
+        if (
+            check.kind == "limit"
+            and effect.slope
+            and any(f"{key}.".startswith(f"{prefix}.") for prefix in check.moved_by)
+        ):
+            seen.setdefault(check.cause or check.id, (check, effect))
+    unit = quantity_of(data, key).unit
+    return SEMICOLON.join(
+        _slope(Small(check.name), response.slope or 0.0, check.unit, unit)
+        for check, response in list(seen.values())[:NAMED]
+    )
+
+
+def _slope(what: Text, slope: float, unit: str, of: str) -> Text:
+    """`length +0.45 µm per mm`, or per 10 or 100 of it, where one unit does next to nothing."""
+    size = 1.0
+    if not LEAST <= abs(slope) < GREATEST:
+        size = 10.0 ** -math.floor(math.log10(abs(slope)))
+    per = Name(of) if size == 1 and of else Amount(size, of)
+    return Text(
+        "{what} {slope} per {per}", what=what, slope=Amount(float(f"{slope * size:.2g}"), unit, form="+.3g"), per=per
+    )
+
+
+def _size(data: "DesignTable", key: str) -> float:
+    try:
+        value = value_at(data, key)
+    except BadInput:
+        return 0.0
+    numbers = [abs(x) for x in (value if isinstance(value, list) else [value]) if isinstance(x, (int, float))]
+    return max(numbers, default=0.0)

@@ -13,7 +13,6 @@ from textual import _wait
 from textual.pilot import Pilot
 
 from assistant.app import ContralberoApp
-from assistant.screens import background_solve
 from assistant.screens.workbench import Workbench
 from assistant.session.recovery import Memory
 from assistant.session.session import EXAMPLE, Session
@@ -82,8 +81,7 @@ def light(design: Path, memory: Memory) -> Session:
 @pytest.fixture
 def screen(light: Session, monkeypatch: pytest.MonkeyPatch) -> Screen:
     """Opens the screen over a session, which is solved; `async with screen(size=(80, 24)) as pilot`."""
-    monkeypatch.setattr(background_solve, "PAUSE", 0.0)
-    monkeypatch.setattr(background_solve, "AHEAD", 1000.0)  # nothing goes on behind the test
+    monkeypatch.setattr(Workbench, "_go_ahead", lambda self: None)  # nothing goes on behind the test
 
     @asynccontextmanager
     async def opened(
@@ -116,4 +114,4 @@ def _shown(app: ContralberoApp) -> bool:
     """Whether the calculation that stands there is that of the results."""
     bench = app.screen_stack[0]
     assert isinstance(bench, Workbench)
-    return app.session.results is None or bench.background.page is not None
+    return app.session.results is None or bench.page is not None

@@ -46,7 +46,7 @@ def told(pilot: Pilot[int]) -> str:
 async def go_to(pilot: Pilot[int], key: str) -> Entry | Choice:
     """Put the focus on a field by its key."""
     screen = work(pilot)
-    await screen.moves.to_field(screen.session.place(key))
+    await screen.to_field(screen.session.place(key))
     await settled(pilot)
     assert screen.form.field is not None and screen.form.field.place == screen.session.place(key)
     return screen.form.field.box

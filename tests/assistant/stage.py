@@ -61,7 +61,7 @@ class Stage:
             await app.enter(self.session())
         curve = bench.query_one(CurvePane)
         curve.chosen, curve.variant, curve.degrees, curve.cursor = {}, "", 0, None
-        bench.pane_layout.begin()
+        bench.reset_panes()
         bench.set_out()
         await bench.open_step(STEPS[1])
         for form in bench.query(Form):

@@ -36,7 +36,7 @@ def few(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Session:
 
 
 async def found(pilot) -> Driving:  # type: ignore[no-untyped-def]
-    work(pilot).call_later(work(pilot).edits.drive)
+    work(pilot).call_later(work(pilot).action_drive)
     await until(pilot, lambda: isinstance(pilot.app.screen, Driving))
     shown = pilot.app.screen
     assert isinstance(shown, Driving)

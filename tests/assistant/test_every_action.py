@@ -16,8 +16,8 @@ import pytest_asyncio
 
 from assistant.actions import ACTIONS, BY_ID
 from assistant.app import ContralberoApp
-from assistant.screens import background_solve
 from assistant.screens.palette import Palette
+from assistant.screens.workbench import Workbench
 from assistant.session.session import Session
 from tests.assistant.action_tests import DEEDS, Do, curves, editing, files, over, showing, still  # noqa: F401  each room puts its deeds in
 from tests.assistant.driving import strike, until
@@ -31,8 +31,7 @@ def put_aside() -> Iterator[None]:
     report.write = lambda document, results, raw, path, **rest: path.write_bytes(b"%PDF-" + raw)  # type: ignore[attr-defined]
     with pytest.MonkeyPatch.context() as patch:
         patch.setitem(sys.modules, "reports.report", report)
-        patch.setattr(background_solve, "PAUSE", 0.0)
-        patch.setattr(background_solve, "AHEAD", 1000.0)
+        patch.setattr(Workbench, "_go_ahead", lambda self: None)
         yield
 
 

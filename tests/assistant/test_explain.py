@@ -42,7 +42,7 @@ async def test_a_line_is_walked_through_and_back(screen: Screen, session: Sessio
             pilot,
             lambda: (
                 work(pilot).number == 3
-                and work(pilot).background.page is not None
+                and work(pilot).page is not None
                 and calculation.has_focus
                 and "." in calculation.key
             ),

@@ -123,13 +123,13 @@ async def test_a_recording_is_given_up_or_asked_about(screen: Screen, light: Ses
 async def test_a_replay_that_can_not_be_written_leaves_the_recording(
     screen: Screen, light: Session, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    from assistant.screens import file_actions
+    from assistant.screens import workbench_edits
     from assistant.session.saving import SaveError
 
     def full(path: Path, data: bytes, inputs: object) -> None:
         raise SaveError("No space left on device")
 
-    monkeypatch.setattr(file_actions, "write_atomic", full)
+    monkeypatch.setattr(workbench_edits, "write_atomic", full)
     async with screen(ascii=True) as pilot:
         await pilot.press("escape", "R", "R")
         await give(pilot, tmp_path / "r.toml")
@@ -356,10 +356,10 @@ async def test_recent_designs_are_in_the_palette(screen: Screen, small: Session,
     async with screen(size=(80, 24), session=small) as pilot:
         found = {entry.title for entry in entries(work(pilot).app, work(pilot))}
         assert f"Open recent: {design}" in found and f"Open recent: {small.home}" not in found
-        await work(pilot).files.open_path(design.with_name("none.toml"))
+        await work(pilot).open_path(design.with_name("none.toml"))
         await pilot.pause()
         assert "cannot be read" in told(pilot)
-        await work(pilot).files.open_path(design)
+        await work(pilot).open_path(design)
         await settled(pilot)
         assert work(pilot).session.home == design
 

@@ -4,7 +4,7 @@
 import pytest
 
 from assistant.screens.ready import Closing
-from assistant.screens.slopes import of_check, of_input
+from assistant.session.calculation import slopes_of_check, slopes_of_input
 from assistant.session.session import Session
 from assistant.widgets.checks import Checks
 from assistant.widgets.lines import MessageLine
@@ -128,11 +128,11 @@ def test_slopes_are_told_in_labels_and_units(session: Session) -> None:
     check = next(check for check in results.checks() if check.id == EDGE)
     found = effects(session.document, results, [check], 5)[EDGE]
     assert (
-        str(of_check(session.data, check, found))
+        str(slopes_of_check(session.data, check, found))
         == "length +0.4 µm per mm; roughness Ra, journal: limit +7.5 µm per µm"
     )
     moved = str(
-        of_input(
+        slopes_of_input(
             session.data, "bearings.front.length_mm", moved_by(session.document, results, "bearings.front.length_mm")
         )
     )

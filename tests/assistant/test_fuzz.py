@@ -19,7 +19,6 @@ from textual.pilot import OutOfBounds, Pilot
 
 from assistant.actions import ACTIONS
 from assistant.app import ContralberoApp
-from assistant.screens import background_solve
 from assistant.screens.workbench import Workbench
 from assistant.session.recovery import Memory
 from assistant.session.saving import SaveError
@@ -96,8 +95,7 @@ def enclosed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     stub.write = lambda document, results, raw, path, **rest: path.write_bytes(b"%PDF-")  # type: ignore[attr-defined]
     monkeypatch.setitem(sys.modules, "reports.report", stub)
     monkeypatch.setattr(Session, "save_as", inside)
-    monkeypatch.setattr(background_solve, "PAUSE", 0.0)
-    monkeypatch.setattr(background_solve, "AHEAD", 1000.0)
+    monkeypatch.setattr(Workbench, "_go_ahead", lambda self: None)
     monkeypatch.chdir(tmp_path)
 
 

@@ -17,7 +17,7 @@ from types import TracebackType
 
 import pytest
 
-from assistant.screens.edit_feedback import KEEP
+from assistant.screens.workbench_results import KEEP
 from assistant.session.recovery import Memory
 from assistant.session.session import EXAMPLE, Session
 from calc.design.toml_file import design, read

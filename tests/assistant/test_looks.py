@@ -52,7 +52,7 @@ async def test_a_tiny_terminal_says_so(screen: Screen) -> None:
 async def test_any_keys_in_any_order(screen: Screen, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """A hundred keys at random: nothing may go wrong."""
     monkeypatch.chdir(tmp_path)
-    monkeypatch.setattr("assistant.screens.file_actions.FileActions.report", lambda self: None)
+    monkeypatch.setattr("assistant.screens.workbench.Workbench.action_report", lambda self: None)
     draw = random.Random(7)
     keys = [key for action in ACTIONS for key in action.binding.split(",") if action.id not in ("quit",)]
     keys += [

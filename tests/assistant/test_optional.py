@@ -199,7 +199,7 @@ async def test_what_is_not_understood_stays_in_sight(screen: Screen) -> None:
 @pytest.mark.slow
 async def test_a_field_of_an_absent_table_leads_to_its_heading(screen: Screen) -> None:
     async with screen() as pilot:
-        await work(pilot).moves.to_field((*PLACE, "ratio"))
+        await work(pilot).to_field((*PLACE, "ratio"))
         await settled(pilot)
         assert work(pilot).form.here() == PLACE
         await strike(pilot, "up")

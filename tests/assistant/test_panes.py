@@ -79,12 +79,12 @@ async def test_what_helps_a_step_that_fails_is_known_before_it_is_opened(
 
     monkeypatch.setattr("calc.studies.repair.nearest.remedy", known)
     async with screen(session=session) as pilot:
-        background = work(pilot).background
+        bench = work(pilot)
         await strike(pilot, "f3", "f3")
-        await until(pilot, lambda: background.remedies.keys() == {"bearings", "gears"})
+        await until(pilot, lambda: bench.remedies.keys() == {"bearings", "gears"})
         await strike(pilot, "f3", "f3")
         await settled(pilot)
-        assert background.trouble == "gears" and background.remedy is not None
+        assert bench.trouble == "gears" and bench.remedy is not None
         assert sorted(sought) == ["bearings", "gears"]
 
 
@@ -114,7 +114,7 @@ async def test_the_next_fault_and_its_line(screen: Screen, session: Session) -> 
             await settled(pilot)
             seen.append((work(pilot).number, work(pilot).query_one(Checks).key))
         assert set(seen) == set(failing)
-        await until(pilot, lambda: work(pilot).background.page is not None)  # the calculation is written out
+        await until(pilot, lambda: work(pilot).page is not None)  # the calculation is written out
         await strike(pilot, "g")
         await settled(pilot)
         calculation = work(pilot).query_one(Calculation)
@@ -154,14 +154,14 @@ async def test_the_cursor_goes_from_line_to_line(screen: Screen) -> None:
 @pytest.mark.slow
 async def test_panes_in_turn(screen: Screen) -> None:
     async with screen() as pilot:
-        seen = [work(pilot).pane_layout.pane]
+        seen = [work(pilot).pane]
         for _ in range(4):
             await strike(pilot, "f6")
             await pilot.pause()
-            seen.append(work(pilot).pane_layout.pane)
+            seen.append(work(pilot).pane)
         assert seen == ["inputs", "picture", "checks", "steps", "inputs"]
         await strike(pilot, "shift+f6")
-        assert work(pilot).pane_layout.pane == "steps"
+        assert work(pilot).pane == "steps"
         await pilot.press("down", "enter")
         await pilot.pause()
         assert work(pilot).number == 2
@@ -178,19 +178,19 @@ async def test_the_title_of_the_pane_that_has_the_focus_is_marked(
         def marked() -> list[str]:
             panes = [pane for pane in work(pilot).query(Pane) if pane.display]
             for pane in panes:
-                here = pane.id == work(pilot).pane_layout.pane
+                here = pane.id == work(pilot).pane
                 assert pane.title.styles.text_style.bold is (True if here else None), pane.id
             return [str(pane.id) for pane in panes if str(pane.title.render())[:1] == (">" if ascii else "▸")]
 
         for key in ("f6", "f6", "f6", "f6", "escape"):
             await strike(pilot, key)
-            await until(pilot, lambda: marked() == [work(pilot).pane_layout.pane])
-        assert work(pilot).pane_layout.pane == "inputs" and pilot.app.focused is work(pilot).form
+            await until(pilot, lambda: marked() == [work(pilot).pane])
+        assert work(pilot).pane == "inputs" and pilot.app.focused is work(pilot).form
         await strike(pilot, "f6", "f6", "f1")
         await until(pilot, lambda: bool(pilot.app.screen.query("#help-text")))
         await strike(pilot, "escape")
         await until(pilot, lambda: not pilot.app.screen.query("#help-text"))
-        await until(pilot, lambda: marked() == ["checks"] == [work(pilot).pane_layout.pane])
+        await until(pilot, lambda: marked() == ["checks"] == [work(pilot).pane])
 
 
 @pytest.mark.slow
@@ -210,13 +210,13 @@ async def test_findings_calculation_and_curve_take_turns(screen: Screen) -> None
     async with screen(size=(120, 40)) as pilot:
         for columns, turns in ((120, ("calculation", "curve", "checks")), (200, ("calculation", "checks"))):
             await pilot.resize_terminal(columns, 40)
-            await until(pilot, lambda: work(pilot).pane_layout.huge is (columns == 200))  # noqa: B023
+            await until(pilot, lambda: work(pilot).huge is (columns == 200))  # noqa: B023
             for name in turns:
                 await strike(pilot, "f4")
                 await pilot.pause()
                 shown = {pane.id for pane in work(pilot).query(Pane) if pane.display}
                 assert shown == {"steps", "inputs", "picture", name, *(["curve"] if columns == 200 else [])}
-                assert work(pilot).pane_layout.pane == name
+                assert work(pilot).pane == name
 
 
 async def test_narrow_shows_one_view_after_the_other(screen: Screen) -> None:
@@ -306,10 +306,10 @@ async def test_no_key_fires_while_typing(screen: Screen) -> None:
         box.value = ""
         keys = [key for action in ACTIONS for key in action.letters.split(",") if key]
         letters = [key for key in keys if len(key) == 1 or key in CHARACTERS]
-        before = (work(pilot).number, work(pilot).pane_layout.pane, pilot.app.screen)
+        before = (work(pilot).number, work(pilot).pane, pilot.app.screen)
         await strike(pilot, *letters)
         await pilot.pause()
-        assert (work(pilot).number, work(pilot).pane_layout.pane, pilot.app.screen) == before
+        assert (work(pilot).number, work(pilot).pane, pilot.app.screen) == before
         assert len(box.value) == len(letters)
         others = [key for key in keys if key not in letters]  # they move and delete in the text
         assert set(others) == {"backspace", "left", "right", "shift+left", "shift+right", "home", "end"}
@@ -317,7 +317,7 @@ async def test_no_key_fires_while_typing(screen: Screen) -> None:
         await pilot.pause()
         assert (
             work(pilot).number,
-            work(pilot).pane_layout.pane,
+            work(pilot).pane,
             pilot.app.screen,
         ) == before and pilot.app.focused is box
         assert len(box.value) == len(letters) - 1 and work(pilot).query_one(CurvePane).cursor is None
@@ -382,7 +382,7 @@ async def test_everything_can_be_clicked(screen: Screen, session: Session) -> No
         assert work(pilot).number == 5
         await pilot.click("#calculation-title", offset=(rows(pilot).splitlines()[2].index("Inputs"), 0))
         await settled(pilot)
-        assert work(pilot).pane_layout.pane == "inputs"
+        assert work(pilot).pane == "inputs"
         heading = next(one for one in work(pilot).form.query(ArrayHeading) if one.row.place == ("gears", "meshes"))
         heading.scroll_visible(animate=False)
         await settled(pilot)

@@ -208,7 +208,7 @@ async def test_the_cursor_reads_and_goes(screen: Screen, size: tuple[int, int], 
         await strike(pilot, "escape")
         await drawn(pilot)
         assert pane.cursor is None and "speed 2545" not in legend(pane) and mark not in "".join(picture(pane))
-        assert work(pilot).pane_layout.pane == "curve"
+        assert work(pilot).pane == "curve"
         await strike(pilot, "right", "space")
         await drawn(pilot)
         assert pane.curve is PLAIN and pane.cursor is None

@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 from textual.messages import ExitApp
 
-from assistant.screens.edit_feedback import KEEP
+from assistant.screens.workbench_results import KEEP
 from assistant.session.recovery import RECENT, Edits, Memory, Settings, state_dir
 from assistant.session.session import EXAMPLE, Session
 from calc.sheet.errors import BadInput

@@ -93,7 +93,7 @@ async def test_a_field_is_never_typed_into_unseen(screen: Screen) -> None:
 async def test_keys_that_follow_a_jump_into_a_fold_are_not_lost(screen: Screen) -> None:
     async with screen() as pilot:
         bench = work(pilot)
-        await bench.moves.to_field(("engine", "rated_power_kW"))
+        await bench.to_field(("engine", "rated_power_kW"))
         await type_in(pilot, "61")
         await settled(pilot)
         assert bench.number == 1 and bench.session.value("engine.rated_power_kW") == 61.0
@@ -174,9 +174,9 @@ async def test_a_step_that_was_built_is_left_by_the_next_enter(screen: Screen, l
     assert not light.ask("bearings")
     async with screen(size=(120, 40)) as pilot:
         bench = work(pilot)
-        await bench.moves.to_step(5)
+        await bench.action_to_step(5)
         bench.form.focus_place(None, at_once=True)
-        bench.building._built(light, "gears", light.plan("gears"))
+        bench._built(light, "gears", light.plan("gears"))
         assert bench.focused is bench.form  # at once: keys may be waiting
         await until(pilot, lambda: "Enter goes on: 6 Friction is to do." in rows(pilot))
         await settled(pilot)
@@ -208,7 +208,7 @@ async def test_leaving_a_step_out_asks_for_the_reason(screen: Screen, light: Ses
 async def test_the_document_control_is_asked_for_below_the_name(screen: Screen) -> None:
     async with screen() as pilot:
         bench = work(pilot)
-        await bench.moves.to_field(("document", "number"))
+        await bench.to_field(("document", "number"))
         await type_in(pilot, "CS-1")
         await settled(pilot)
         session = bench.session

@@ -18,7 +18,7 @@ from syrupy.extensions.single_file import SingleFileSnapshotExtension, WriteMode
 from textual.pilot import Pilot
 
 from assistant.app import ContralberoApp
-from assistant.screens import background_solve, edit_feedback, slopes
+from assistant.screens import workbench_results
 from assistant.screens.help import HelpScreen
 from assistant.screens.path_dialogs import NewDialog
 from assistant.screens.ready import ReadyScreen
@@ -76,9 +76,8 @@ Opened = Callable[..., AbstractAsyncContextManager[Pilot[int]]]
 def opened(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Opened:
     """Opens a step of a shipped design, which is solved; with a clock that stands, and a solve that always takes as
     long."""
-    monkeypatch.setattr(background_solve, "PAUSE", 0.0)
-    monkeypatch.setattr(background_solve, "AHEAD", 1000.0)
-    monkeypatch.setattr(edit_feedback, "KEEP", 1000.0)  # nor is there an autosave, sooner or later
+    monkeypatch.setattr(Workbench, "_go_ahead", lambda self: None)
+    monkeypatch.setattr(workbench_results, "KEEP", 1000.0)  # nor is there an autosave, sooner or later
 
     @asynccontextmanager
     async def opened(
@@ -109,9 +108,7 @@ async def still(pilot: Pilot[int]) -> None:
     await until(
         pilot,
         lambda: (
-            bench.focused is not None
-            and bench.background.page is not None
-            and (not bench.background.trouble or bench.background.remedy is not None)
+            bench.focused is not None and bench.page is not None and (not bench.trouble or bench.remedy is not None)
         ),
     )
     await drawn(pilot)
@@ -159,9 +156,8 @@ async def test_imbalance_of_a_new_design(
     seen: SnapshotAssertion, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """The one question of the step, what each answer leaves, and its picture."""
-    monkeypatch.setattr(background_solve, "PAUSE", 0.0)
-    monkeypatch.setattr(background_solve, "AHEAD", 1000.0)
-    monkeypatch.setattr(edit_feedback, "KEEP", 1000.0)
+    monkeypatch.setattr(Workbench, "_go_ahead", lambda self: None)
+    monkeypatch.setattr(workbench_results, "KEEP", 1000.0)
     monkeypatch.chdir(tmp_path)
     async with ContralberoApp(None, memory=Memory(tmp_path / "state")).run_test(size=(120, 40)) as pilot:
         await until(pilot, lambda: isinstance(pilot.app.screen, Start) and pilot.app.screen.here is not None)
@@ -190,7 +186,7 @@ async def test_bearings(opened: Opened, seen: SnapshotAssertion) -> None:
 async def test_gears_on_a_narrow_screen(
     opened: Opened, seen: SnapshotAssertion, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(slopes, "WAIT", 1000.0)
+    monkeypatch.setattr(Workbench, "_seek_slopes", lambda self, kind, name: None)
     async with opened(5, (80, 24)) as pilot:
         await strike(pilot, "f4", "f4")
         await still(pilot)
@@ -231,13 +227,17 @@ async def test_choosing_with_plain_signs(opened: Opened, seen: SnapshotAssertion
 
 
 async def test_in_italian(opened: Opened, seen: SnapshotAssertion, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(slopes, "WAIT", 1000.0)  # sooner or later the foot and the findings would tell them
+    monkeypatch.setattr(
+        Workbench, "_seek_slopes", lambda self, kind, name: None
+    )  # sooner or later the foot and the findings would tell them
     async with opened(4, (80, 24), settings=Settings(language="it")) as pilot:
         assert picture(pilot) == seen
 
 
 async def test_a_very_wide_screen(opened: Opened, seen: SnapshotAssertion, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(slopes, "WAIT", 1000.0)  # sooner or later the foot and the findings would tell them
+    monkeypatch.setattr(
+        Workbench, "_seek_slopes", lambda self, kind, name: None
+    )  # sooner or later the foot and the findings would tell them
     async with opened(3, (200, 60)) as pilot:
         assert picture(pilot) == seen
 

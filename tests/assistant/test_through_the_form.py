@@ -8,7 +8,7 @@ import pytest
 from textual.pilot import Pilot
 
 from assistant.app import ContralberoApp
-from assistant.screens import background_solve
+from assistant.screens.workbench import Workbench
 from assistant.session.numbers import written
 from assistant.session.places import described
 from assistant.session.recovery import Memory
@@ -75,7 +75,7 @@ TYPED = [
     ids=lambda path: path.stem,
 )
 async def test_a_replay_is_typed_into_the_form(path: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(background_solve, "AHEAD", 1000.0)
+    monkeypatch.setattr(Workbench, "_go_ahead", lambda self: None)
     script = load(path)
     file = tmp_path / "replayed.toml"
     file.write_bytes(script.start.raw)

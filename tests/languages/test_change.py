@@ -7,7 +7,7 @@ import pytest
 from textual.pilot import Pilot
 
 from assistant.app import ContralberoApp
-from assistant.screens import background_solve
+from assistant.screens.workbench import Workbench
 from assistant.session.recovery import Memory, Settings
 from assistant.session.session import Session
 from assistant.widgets.checks import Checks
@@ -19,7 +19,7 @@ from tests.assistant.driving import screen_rows, settled, strike, until, work
 
 @pytest.fixture(autouse=True)
 def quiet(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(background_solve, "AHEAD", 1000.0)
+    monkeypatch.setattr(Workbench, "_go_ahead", lambda self: None)
 
 
 def app(language: str, memory: Memory, tmp_path: Path) -> ContralberoApp:

@@ -12,7 +12,6 @@ import pytest
 from textual.pilot import Pilot
 
 from assistant.app import ContralberoApp
-from assistant.screens import background_solve
 from assistant.screens.compare import CompareScreen, ComparisonList
 from assistant.screens.workbench import Workbench
 from assistant.session.calculation import sheet
@@ -125,7 +124,7 @@ class Reader(Ear):
 
 @pytest.fixture(autouse=True)
 def quiet(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
-    monkeypatch.setattr(background_solve, "AHEAD", 1000.0)  # nothing goes on behind the test
+    monkeypatch.setattr(Workbench, "_go_ahead", lambda self: None)  # nothing goes on behind the test
     monkeypatch.chdir(tmp_path)
 
 

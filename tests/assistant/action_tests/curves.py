@@ -84,7 +84,7 @@ async def reads(by: int, fine: bool, pilot: Pilot[int], do: Do) -> None:
     assert step > 0 and moved * by > 0 and (abs(moved) < step if fine else abs(moved) == pytest.approx(step))
     await strike(pilot, "escape")
     await still(pilot)
-    assert pane.cursor is None and "◆" not in text(pilot) and work(pilot).pane_layout.pane == "curve"
+    assert pane.cursor is None and "◆" not in text(pilot) and work(pilot).pane == "curve"
 
 
 DEEDS |= {"read": partial(reads, 1, False), "read_back": partial(reads, -1, False)}

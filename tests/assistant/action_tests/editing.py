@@ -4,7 +4,7 @@
 from textual.pilot import Pilot
 from textual.widgets import Input
 
-from assistant.screens.accept import Accept
+from assistant.screens.dialogs import Accept
 from assistant.screens.explain import Explain
 from assistant.screens.workbench import Workbench
 from assistant.widgets.radio import Balance

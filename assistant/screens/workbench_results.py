@@ -1,0 +1,622 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The main screen as it is always solved, and what is seen of that: in another thread, one solve at a time, the answer
+dropped if it comes too late; its calculation, remedies and slopes in their turn, while nobody types."""
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from functools import partial
+from typing import TYPE_CHECKING
+
+from textual.css.query import NoMatches
+from textual.timer import Timer
+from textual.widget import AwaitMount
+from textual.worker import get_current_worker
+
+from calc.design.key_values import judged
+from calc.design.model import STEPS
+from calc.locale import Language
+from calc.locale.language import said
+from calc.sheet.check import URGENT, Check
+from calc.sheet.errors import Cancelled
+from calc.sheet.step import Curve, Outcome, Step, Table
+from calc.sheet.text import EMPTY, Name, Text, plural
+
+from ..base_app import TYPING
+from ..offers import CHOICES
+from ..session.calculation import CalculationSheet, sheet, slopes_of_check, slopes_of_input, values_table
+from ..session.places import Place, named_key
+from ..session.session import Session
+from ..session.solving import Answer, Job, run
+from ..widgets.calculation import Calculation
+from ..widgets.checks import Checks
+from ..widgets.curve_pane import Pane
+from ..widgets.field import Field
+from ..widgets.form import Form, Taken
+from ..widgets.headings import ArrayHeading, Fold, TableHeading
+from ..widgets.lines import FooterLine, MessageLine, TopLine
+from ..widgets.picture import Picture
+from ..widgets.radio import Radio
+from ..widgets.rows import FieldHelp
+from ..widgets.steps import StepBar, Steps
+from ..widgets.table_list import TableList
+from .workbench_panes import WorkbenchPanes
+
+if TYPE_CHECKING:
+    from calc.design.toml_file import Document
+    from calc.solve import Results
+    from calc.studies.repair.nearest import NearestRemedy
+
+SLOW = 0.3  # seconds of a solve until what stands there is dimmed: sooner it would flicker at every key
+KEEP = 1.5  # seconds from the first edit that is not kept aside until all of them are: so much work a crash may take
+MOVED = 5  # inputs that are moved for a check
+
+
+@dataclass(frozen=True)
+class Page:
+    """What is written out of an outcome in a language: its whole, its calculation, its curves and tables."""
+
+    outcome: Outcome[object]
+    say: Language
+    whole: Outcome[object]
+    sheet: CalculationSheet
+    leaves: tuple[Curve | Table, ...]
+
+
+class WorkbenchResults(WorkbenchPanes):
+    """`remedies`: step → its remedy, and the results that it is a remedy for.  `pages`: step → what was written of it
+    last."""
+
+    def __init__(self, session: Session) -> None:
+        self._solving = False
+        self._slow: Timer | None = None
+        self._keep: Timer | None = None
+        self._quiet_timers: dict[str, Timer] = {}  # what waits until nobody types
+        self._mounting: AwaitMount | None = None  # the form of a further step
+        super().__init__(session)
+
+    def begin(self, session: Session) -> None:
+        """Enter a design: nothing that was written holds for it."""
+        super().begin(session)
+        self.remedies: dict[str, tuple[Results, NearestRemedy]] = {}
+        self._sought: dict[str, Results] = {}  # step → the results that a remedy is or was looked for
+        self.pages: dict[str, Page] = {}
+        self._slopes: tuple[Results | None, dict[str, Text]] = (None, {})  # of checks and inputs, by id and key
+        self._unchosen: tuple[Results, Results] | None = None  # without [imbalance]: its own results, and those with it
+        self._complaints: set[Place] = set()  # fields whose mistake is shown
+        for timer in (self._keep, *self._quiet_timers.values()):
+            if timer is not None:
+                timer.stop()
+        self._keep = None
+
+    # --- in its time
+    def when_quiet(self, what: str, do: Callable[[], object]) -> None:
+        """Do what nobody waits for once nobody has typed for a while; asked for again, it waits anew."""
+        self._stop_waiting(what)
+        self._quiet_timers[what] = self.set_timer(TYPING, partial(self._now_if_quiet, what, do))
+
+    def _now_if_quiet(self, what: str, do: Callable[[], object]) -> None:
+        if self.app.typing:
+            self.when_quiet(what, do)
+        elif self.stands:
+            self.call_later(do)
+
+    def _stop_waiting(self, what: str) -> None:
+        if (timer := self._quiet_timers.pop(what, None)) is not None:
+            timer.stop()
+
+    def edited(self) -> None:
+        """The design has changed: solve, say what is not accepted, and keep the edit aside, each in its time."""
+        self.solve()
+        self.call_after_refresh(self._show_edit)  # the key is painted first
+        if self._keep is None:
+            self._keep = self.set_timer(KEEP, self._keep_now)
+
+    def _show_edit(self) -> None:
+        if self.stands:
+            self.show_state()
+
+    def _keep_now(self) -> None:
+        """In another thread; a disk may be slow."""
+        self._keep = None
+        self.in_thread("keep", self._keep_aside)
+
+    def _keep_aside(self) -> None:
+        """Runs in another thread."""
+        self.session.autosave()
+        self.call_later(self.refresh_top_line)
+
+    # --- solving
+    def solve(self) -> None:
+        """Solve what is to be solved, one at a time; an edit in the meantime stops it, and it begins once more."""
+        if self._solving:
+            return
+        job = self.session.job()
+        if job is None:
+            self.query_one(TopLine).slow = False
+            if self.session.current:
+                self._go_ahead()  # what stopped for an entry that was not understood
+            return
+        self._solving = True
+        self._slow = self.set_timer(SLOW, self._say_slow)
+        self.in_thread("solve", partial(self._solve, job, self.session), exclusive=False)
+
+    def _say_slow(self) -> None:
+        if self._solving and self.stands:
+            self.query_one(TopLine).slow = True
+            self.refresh_top_line()
+            self._set_stale(True)
+
+    def _solve(self, job: Job, session: Session) -> None:
+        """Runs in another thread."""
+
+        def stop() -> bool:
+            return job.stop() or self.session is not session  # another design was opened
+
+        self.call_later(self._solved, run(replace(job, stop=stop)), session)
+
+    def _solved(self, answer: Answer, session: Session) -> None:
+        self._solving = False
+        if self._slow is not None:
+            self._slow.stop()
+        if session is self.session:
+            session.accept(answer)
+        if not self.stands:  # it is solved again as soon as it does
+            return
+        if self.session.job() is not None:  # edited in the meantime
+            self.solve()
+        else:
+            self.call_later(self._show)  # behind the keys that wait, of which the next may be an edit
+
+    def _show(self) -> None:
+        if not self.stands or self._solving or self.session.job() is not None:  # edited in the meantime
+            return
+        self.query_one(TopLine).slow = False
+        self._set_stale(not self.session.current)
+        self.show_verdicts()
+        self.after_paint(self._follow_up)
+
+    def _follow_up(self) -> None:
+        """What may be shown a moment after the verdicts."""
+        if self.stands:
+            self.show_state()
+            self.show_picture()
+            self.write_out()
+
+    def _set_stale(self, stale: bool) -> None:
+        """Dim the results that do not belong to what the fields say."""
+        for results in (Checks, Calculation, TableList):
+            self.query_one(results).set_stale(stale)
+
+    # --- the calculation, written out
+    def write_out(self) -> None:
+        """Show the calculation of the step: at once where it is written already, else as soon as another thread has
+        written it."""
+        results = self.session.results
+        if results is None:
+            return
+        if self._is_written(results, self.step):
+            self.show_written()
+            self._go_ahead()
+        else:
+            self.after_paint(partial(self.in_thread, "page", partial(self._write_page, results, self.step)))
+
+    def _write_page(self, results: "Results", step: Step) -> None:
+        """Runs in another thread."""
+        from ..widgets import plot  # noqa: F401  loaded here, so that the screen need not wait for it
+
+        worker = get_current_worker()
+        self._write_step(
+            results, step, lambda: worker.is_cancelled or not self.is_attached or self.session.results is not results
+        )
+        if not worker.is_cancelled:
+            self.call_later(self._wrote_page, results)
+
+    def _wrote_page(self, results: "Results") -> None:
+        if self.stands and results is self.session.results:
+            self.write_out()
+
+    def _is_written(self, results: "Results", step: Step) -> bool:
+        """Whether what is written of a step is of these results, and in the user's language."""
+        page = self.pages.get(step.key)
+        return page is not None and page.outcome is results.outcomes[step.key] and page.say is self.app.say
+
+    @property
+    def page(self) -> Page | None:
+        """What stands there of the step, if it is of the results as they are."""
+        results, page = self.session.results, self.pages.get(self.step.key)
+        if results is None or page is None or not self._is_written(results, self.step):
+            return None
+        return page if self.calculation.sheet is page.sheet else None
+
+    def _write_step(self, results: "Results", step: Step, stop: Callable[[], bool]) -> None:
+        """Write a step out and break it into rows, unless that is done; runs in any thread, until it is told to
+        stop."""
+        outcome, say = results.outcomes[step.key], self.app.say
+        try:
+            if not self._is_written(results, step):
+                try:
+                    whole = said(results.traced(stop).outcomes[step.key].whole, say)
+                    calculation = sheet(whole, STEPS.index(step) + 1, say, stop)
+                    values = () if whole.result is None else (values_table(whole, say),)
+                    page = Page(outcome, say, whole, calculation, (*whole.curves, *whole.tables, *values))
+                except Cancelled:
+                    return
+                except Exception as error:  # a line that can not be written must not stop the session
+                    why = Name(
+                        say(
+                            Text(
+                                "The calculation can not be written out: {kind}: {error}",
+                                kind=type(error).__name__,
+                                error=str(error),
+                            )
+                        )
+                    )
+                    page = Page(outcome, say, outcome, CalculationSheet(notes=(why,)), ())
+                if stop():
+                    return
+                if not self._is_written(results, step):  # else another thread was sooner, and its page may stand there
+                    self.pages[step.key] = page
+            self.calculation.prepare(self.pages[step.key].sheet, stop)
+        except (NoMatches, Cancelled):  # the screen is just being made anew, or nobody waits for it any more
+            pass
+
+    def _go_ahead(self) -> None:
+        """While nobody types: the calculations of the other steps, and a remedy."""
+        self.when_quiet("ahead", self._think_ahead)
+
+    def _think_ahead(self) -> None:
+        if self.stands:
+            self.in_thread("ahead", self._write_ahead)
+            self.seek_remedy()
+
+    def _idle(self, results: "Results | None") -> bool:
+        """Whether nothing has happened since these results: what goes on behind the screen stops at the next edit, to
+        make room."""
+        return self.is_attached and not self._solving and self.session.results is results and self.session.current
+
+    def _write_ahead(self) -> None:
+        """Runs in another thread."""
+        results = self.session.results
+
+        def stop() -> bool:
+            self.app.rest(self)
+            return not self._idle(results)
+
+        for step in STEPS:
+            if results is None or stop():
+                return
+            self._write_step(results, step, stop)
+
+    # --- remedies
+    @property
+    def _troubles(self) -> list[str]:
+        """The steps whose limits fail: this one first, then in the order of the screen."""
+        results = self.session.results
+        if results is None or not self.session.current:
+            return []
+        steps = dict.fromkeys((self.step, *STEPS))
+        return [step.key for step in steps if results.outcomes[step.key].verdict in ("fail", "no_solution")]
+
+    @property
+    def trouble(self) -> str:
+        """The first of them; empty where none fails."""
+        return next(iter(self._troubles), "")
+
+    @property
+    def remedy(self) -> "NearestRemedy | None":
+        """The remedy for that step, if it is known already."""
+        results, known = self.remedies.get(self.trouble, (None, None))
+        return known if results is not None and results is self.session.results else None
+
+    def seek_remedy(self) -> None:
+        """Look for a remedy for each step that fails, while nothing else is to be done: it is there when the step is
+        opened."""
+        results = self.session.results
+        if results is None:
+            return
+        for step in self._troubles:
+            if self._sought.get(step) is not results:
+                self._sought[step] = results
+                self.in_thread(f"remedy-{step}", partial(self._seek, step, self.session.document, results))
+
+    def _seek(self, step: str, document: "Document", results: "Results") -> None:
+        """Runs in another thread."""
+        from calc.studies.repair.nearest import remedy
+
+        worker = get_current_worker()
+
+        def progress(share: float, what: str) -> None:
+            self.app.rest(self)
+            # a list of remedies has its own search
+            if worker.is_cancelled or not self._idle(results) or not self.is_current:
+                raise Cancelled
+
+        try:
+            nearest = remedy(document, step, results, progress)
+        except Cancelled:
+            self.call_later(self._stopped_seeking, step, results)
+            return
+        except Exception as error:  # a mistake of the program must not stop the session
+            self.app.log(f"no remedy: {type(error).__name__}: {error}")
+            return
+        self.call_later(self._found_remedy, step, results, nearest)
+
+    def _stopped_seeking(self, step: str, results: "Results") -> None:
+        """It is looked for once more when somebody asks again."""
+        if self._sought.get(step) is results:
+            del self._sought[step]
+
+    def _found_remedy(self, step: str, results: "Results", remedy: "NearestRemedy") -> None:
+        self.remedies[step] = (results, remedy)
+        if self.stands:
+            self.show_remedy()
+
+    # --- slopes: how far the inputs move a check, and what an input moves
+    def want_slopes(self, check: Check) -> None:
+        """Show the findings how far the inputs move this check, now or as soon as it is known."""
+        if (known := self._known_slopes(check.id)) is not None:
+            self.checks.show_slopes(check.id, known)
+        else:
+            self._seek_slopes("check", check.id)
+
+    def _moved_by(self, key: str) -> Text:
+        """What an input moves most, "film at the edge, front +0.45 µm per mm"; where it is not known it is looked for,
+        and the foot of the form then shown anew."""
+        if (known := self._known_slopes(key)) is None:
+            self._seek_slopes("key", key)
+        return known or EMPTY
+
+    def _known_slopes(self, name: str) -> Text | None:
+        if self._slopes[0] is not self.session.results:
+            self._slopes = self.session.results, {}
+        return self._slopes[1].get(name)
+
+    def _seek_slopes(self, kind: str, name: str) -> None:
+        """Of the last that is wanted: who runs through a list does not want all of it."""
+        if self.session.current and self.session.results is not None:
+            self.when_quiet(f"slopes of a {kind}", partial(self._begin_slopes, kind, name))
+
+    def _begin_slopes(self, kind: str, name: str) -> None:
+        results = self.session.results
+        if self.stands and self.session.current and results is not None:
+            self.in_thread(f"slopes of a {kind}", partial(self._find_slopes, name, self.session.document, results))
+
+    def _find_slopes(self, name: str, document: "Document", results: "Results") -> None:
+        """Runs in another thread."""
+        from calc.studies.explain import effects, moved_by  # which brings the solver with it
+
+        worker = get_current_worker()
+
+        def stop() -> bool:
+            self.app.rest(self)
+            return worker.is_cancelled or results is not self.session.results
+
+        check = next((check for check in results.checks() if check.id == name), None)
+        try:
+            if check is not None:
+                words = slopes_of_check(document.data, check, effects(document, results, [check], MOVED, stop)[name])
+            else:
+                words = slopes_of_input(document.data, name, moved_by(document, results, name, stop))
+        except Cancelled:
+            return
+        except Exception as error:  # a mistake of the program must not stop the session
+            self.app.log(f"no slopes: {type(error).__name__}: {error}")
+            return
+        self.call_later(self._found_slopes, name, check is not None, results, words)
+
+    def _found_slopes(self, name: str, check: bool, results: "Results", words: Text) -> None:
+        if not self.stands or results is not self.session.results:
+            return
+        self._slopes = results, self._slopes[1] if results is self._slopes[0] else {}
+        self._slopes[1][name] = words
+        if check and words:
+            self.checks.show_slopes(name, words)
+        elif words:
+            self.show_help()
+
+    # --- showing the results
+    def show_verdicts(self) -> None:
+        """The checks and verdicts: first, and at once."""
+        results = self.session.results
+        outcome = said(results.outcomes[self.step.key], self.app.say) if results is not None else None
+        self.checks.show(outcome)
+        if outcome is not None:
+            good = sum(judged(c, outcome.checks) == "pass" for c in outcome.checks)
+            count = len(outcome.checks)
+            passing = plural("{passing} of {n} check passes", "{passing} of {n} checks pass", n=count, passing=good)
+            self.pane_named("checks").set_title(right=self.app.say(passing) if count else "")
+        self.refresh_top_line()  # the last line of the screen follows: what lies between two lines is painted with them
+
+    def show_state(self) -> None:
+        """Everything but the results: mistakes, verdicts of the steps, the message line."""
+        complete = self._show_mistakes()
+        self.refresh_top_line()
+        if complete:
+            self.show_remedy()
+            self.query_one(Steps).rebuild()
+            self.query_one(StepBar).refresh()
+
+    def _show_mistakes(self) -> bool:
+        """Show which fields are not accepted, and dim the results; whether that is all that there is to say.
+
+        A field that is being typed into gets a moment before it complains: False.
+        """
+        session = self.session
+        reasons = session.reasons()
+        here = self.form.here()
+        late = {place for place in reasons if place == here and place not in self._complaints}
+        self.form.refresh_fields({place: reason for place, reason in reasons.items() if place not in late})
+        self._complaints = set(reasons) - late
+        if late:
+            self.when_quiet("complain", self._complain)
+        else:
+            self._stop_waiting("complain")
+        self._set_stale(session.results is not None and not late and (not session.valid or bool(session.failure)))
+        return not late
+
+    def _complain(self) -> None:
+        if self.stands:
+            self._complaints = set(self.session.reasons())
+            self.show_state()
+
+    def show_remedy(self) -> None:
+        session = self.session
+        if session.valid and not session.current and session.results is not None:
+            return  # what stands there stays until there are results: it would only flicker
+        line = self.query_one(MessageLine)
+        line.trouble, line.remedy = self.trouble, self.remedy
+        line.redraw()
+        self.show_keys()
+
+    def show_finding(self) -> None:
+        """The message line speaks of the finding under the cursor, while the findings have the focus."""
+        if not self.stands:  # at the end of the program
+            return
+        line, checks = self.query_one(MessageLine), self.checks
+        line.finding = checks.key if checks.has_focus else ""
+        line.redraw()
+
+    def show_written(self) -> None:
+        """The calculation, the curves and whatever else takes a moment to be prepared."""
+        self.show_picture()
+        page = self.pages.get(self.step.key)
+        self.calculation.show(page.sheet if page is not None else CalculationSheet())
+        self.curve_pane.show(self.step.key, page.leaves if page is not None else (), page is None)
+        self.form.refresh_taken()
+        self.show_keys()
+
+    def show_picture(self) -> None:
+        """The picture of the step, with what the edited field changes lit."""
+        field, results = self._field, self._pictured()
+        lit = named_key(self.session.data, field.place) if field is not None else ""
+        self.query_one(Picture).show(self.step.key, results.design if results is not None else None, results, lit)
+
+    def _pictured(self) -> "Results | None":
+        """The results; where it is asked which balancing, and none is chosen yet, with the usual counterweights."""
+        session = self.session
+        results = session.results
+        if results is None or self.step.key != "imbalance" or "imbalance" in session.data or not session.current:
+            return results
+        if self._unchosen is None or self._unchosen[0] is not results:
+            from calc.studies.starter.balancing import with_imbalance
+
+            self._unchosen = results, with_imbalance(session.document, results)
+        return self._unchosen[1]
+
+    def show_keys(self) -> None:
+        """The footer leaves out first what does nothing here."""
+        pane, results = self.curve_pane, self.session.results
+        sound = self.session.valid and results is not None and all(c.verdict not in URGENT for c in results.checks())
+        idle = {
+            "variant": pane.curve is None or len(pane.curve.variants) < 2,
+            "curve": len(pane.leaves) < 2,
+            "trouble": sound,
+            "fix": sound,
+            "choose": self.step.key not in CHOICES,
+        }
+        self.query_one(FooterLine).show(tuple(id for id, nothing in idle.items() if nothing))
+
+    def show_help(self) -> None:
+        """The foot of the form: about the field that has the focus."""
+        if not self.stands or self.form_of(self.step) is None:  # another form may just be on its way
+            return
+        source, say, foot = self._field or self.focused, self.app.say, self.query_one(FieldHelp)
+        self.show_picture()
+        if isinstance(source, Field):
+            moves = self._moved_by(named_key(self.session.data, source.place))
+            foot.show(*source.explained(), say(Text("Moves {moved}.", moved=moves)) if moves else "")
+        elif isinstance(source, (ArrayHeading, TableHeading, Fold, Radio, Taken)):
+            foot.show(*source.explained())
+        elif source is not None and self.pane == "inputs":
+            foot.show(
+                say(Text("No field is being edited")),
+                say(Text("letters act as keys; Tab or ↓ goes back to the fields.")),
+            )
+        else:
+            foot.show("", "")
+
+    @property
+    def _field(self) -> Field | None:
+        form = self.form_of(self.step)
+        return form.field if form is not None else None
+
+    # --- the step that is shown
+    def show_step(self) -> None:
+        """The parts that name the step."""
+        steps, bar = self.query_one(Steps), self.query_one(StepBar)
+        steps.current = bar.current = self.query_one(MessageLine).step = self.step.key
+        self.query_one("#inputs", Pane).set_title(self.form_title())
+        self.show_verdicts()
+        self.show_written()
+        self.show_state()
+        self.write_out()
+        steps.go_to(self.step.key)
+        self.show_remedy()
+        self.seek_remedy()
+        self.when_quiet("form", self._make_form)
+
+    async def open_step(self, step: Step, focus: Place | None = None, *, stay: bool = False) -> None:
+        """Show another step, with the focus on a field if one had it before; `stay` leaves the focus where it is."""
+        if step is not self.step:
+            self._put_back_stray()
+        idle = focus is None and isinstance(self.focused, Form)
+        inside = not stay and (self.pane == "inputs" or focus is not None)
+        before = self.step
+        with self.app.batch_update():
+            if step is not before:
+                if self.pane == "inputs":
+                    self.set_focus(None, scroll_visible=False)
+                self.form.display = False
+                self.step = step
+                await self._show_form(step)
+                if not self.stands:  # the end came before the form
+                    return
+            if inside and idle:
+                self.set_focus(self.form, scroll_visible=False)
+            elif inside:
+                self.form.focus_place(focus, at_once=True)  # before the picture, in which its field is lit
+            if step is not before:
+                self.show_step()
+
+    async def _show_form(self, step: Step) -> None:
+        """The form of a step, made where it has none yet."""
+        if (form := self.form_of(step)) is None:
+            await self._add_form(Form(step, self.session))
+            return
+        if self._mounting is not None:  # that of this step, maybe
+            await self._mounting
+        form.display = True
+
+    def _add_form(self, form: Form) -> AwaitMount:
+        return self.query_one("#forms").mount(form)
+
+    async def _make_form(self) -> None:
+        """The form of a further step, hidden, so that the step opens at once: it takes a tenth of a second."""
+        if not self.stands:
+            return
+        at = STEPS.index(self.step)
+        steps = (step for step in (*STEPS[at:], *STEPS[:at]) if not step.optional)
+        step = next((step for step in steps if self.form_of(step) is None), None)
+        if step is None:
+            return
+        if not self.is_current:
+            self.when_quiet("form", self._make_form)
+            return
+        form = Form(step, self.session)
+        form.display = False
+        self._mounting = self._add_form(form)
+        await self._mounting
+        self._mounting = None
+        self.call_after_refresh(self._now_if_quiet, "form", self._make_form)
+
+    def _put_back_stray(self) -> None:
+        """A step is gone to past a lone digit, with no Enter after it: the number stays as it was."""
+        if (field := self.form.field) is not None and field.stray:
+            stays = Text(
+                "{label} stays {was}: {digit} was not accepted (Enter or Tab accept it)",
+                label=field.about.label,
+                was=Name(field.was),
+                digit=Name(field.box.value),
+            )
+            field.restore()
+            self.app.tell(stays)
