@@ -179,9 +179,8 @@ class ContralberoApp(BaseApp):
             return
         self.struck = time.monotonic()
         if event.key.startswith("alt+"):
-            event.character = (
-                None  # a terminal that sends Esc before it writes the digit too, which no field is to take
-            )
+            # a terminal that sends Esc before it writes the digit too, which no field is to take
+            event.character = None
         if self._held is not None:
             self._held.append(event)
             return
@@ -268,12 +267,10 @@ def run(path: Path | None, ascii: bool = False, lang: str | None = None) -> int:
     """Open a design, or the start page; gives the exit code."""
     import gc
 
-    gc.set_threshold(
-        50_000, 20, 50
-    )  # a screen is many small objects that stay; they need not be looked through so often
-    sys.setswitchinterval(
-        0.0002
-    )  # between two of the twenty turns that a key takes, the thread that solves has no more than that
+    # a screen is many small objects that stay; they need not be looked through so often
+    gc.set_threshold(50_000, 20, 50)
+    # between two of the twenty turns that a key takes, the thread that solves has no more than that
+    sys.setswitchinterval(0.0002)
     _read_alt_digits()
     memory = Memory()
     missing = path.expanduser().absolute() if path is not None and not memory.there(path.expanduser()) else None

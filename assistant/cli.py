@@ -13,16 +13,11 @@ from importlib import import_module
 
 from .usage import COMMANDS, parser
 
-THREADS = (
-    "OPENBLAS_NUM_THREADS",
-    "1",
-)  # of numpy's algebra: starting a second takes a fifth of a check, and small matrices need none
+# of numpy's algebra: starting a second takes a fifth of a check, and small matrices need none
+THREADS = ("OPENBLAS_NUM_THREADS", "1")
 CLOSED = 141  # as the system itself would end it: no verdict
-SELDOM = (
-    200_000,
-    20,
-    100,
-)  # new objects between two looks for garbage, of which a solve leaves next to none: a twelfth of a check
+# new objects between two looks for garbage, of which a solve leaves next to none: a twelfth of a check
+SELDOM = (200_000, 20, 100)
 
 
 def _meant(word: str | None) -> str | None:

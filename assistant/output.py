@@ -89,9 +89,8 @@ class Outlet:
 def outlets() -> Iterator[None]:
     """stdout and stderr as outlets."""
     codecs.register_error(REPLACED, _replaced)
-    out, err = (
-        stream or open(os.devnull, "w", encoding="utf-8") for stream in (sys.stdout, sys.stderr)
-    )  # one may be closed
+    # one may be closed
+    out, err = (stream or open(os.devnull, "w", encoding="utf-8") for stream in (sys.stdout, sys.stderr))
     for stream in (out, err):
         if isinstance(stream, TextIOWrapper):
             stream.reconfigure(errors=REPLACED)

@@ -164,13 +164,8 @@ WIDE = 32  # characters of a cell of words in a table; a longer one goes on in t
 LINE = 112  # of a table's note
 NARROW = 12  # characters that a column's label may have on one line in any case
 
-VECTORS = (
-    "N",
-    "N·m",
-    "°",
-    "kg·mm",
-    "kg·mm²",
-)  # units of vectors: one without length says nothing by its number or its phase
+# units of vectors: one without length says nothing by its number or its phase
+VECTORS = ("N", "N·m", "°", "kg·mm", "kg·mm²")
 
 
 def print_results(

@@ -338,9 +338,8 @@ def parser(*only: str) -> argparse.ArgumentParser:
         "session.",
     )
     top.add_argument("--version", action="version", version=f"contralbero {VERSION}")
-    commands = top.add_subparsers(
-        dest="command", metavar="COMMAND", title="commands", prog="contralbero"
-    )  # saves formatting it
+    # saves formatting it
+    commands = top.add_subparsers(dest="command", metavar="COMMAND", title="commands", prog="contralbero")
     for name in only or COMMANDS:
         _, about, arguments = COMMANDS[name]
         it = commands.add_parser(name, help=about, description=about[0].upper() + about[1:] + ".", formatter_class=Help)

@@ -35,19 +35,8 @@ COMPARED = {
 }
 LOGICAL = {ast.And: ("and", "or"), ast.Or: ("or", "and")}
 EXTREMES = {"min": "max", "max": "min", "minimum": "maximum", "maximum": "minimum", "sin": "cos", "cos": "sin"}
-SAYING = {
-    "Text",
-    "quantity",
-    "value",
-    "group",
-    "table",
-    "tables",
-    "Amount",
-    "round",
-    "range",
-    "rounded",
-    "integers",
-}  # take no results
+# take no results
+SAYING = {"Text", "quantity", "value", "group", "table", "tables", "Amount", "round", "range", "rounded", "integers"}
 TIME = 240  # s of the processor's time, however loaded the machine is; a mutant that loops for ever is dead as well
 
 

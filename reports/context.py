@@ -38,17 +38,8 @@ from .setting.boxes import Symbol
 
 KEY = "document.logo"
 HEAD = b"\x89PNG\r\n\x1a\n\x00\x00\x00\rIHDR"
-BROKEN = (
-    OSError,
-    SyntaxError,
-    ValueError,
-    EOFError,
-    TypeError,
-    IndexError,
-    KeyError,
-    struct.error,
-    zlib.error,
-)  # what a damaged PNG raises
+# what a damaged PNG raises
+BROKEN = (OSError, SyntaxError, ValueError, EOFError, TypeError, IndexError, KeyError, struct.error, zlib.error)
 
 
 @dataclass(frozen=True, slots=True)
@@ -206,21 +197,18 @@ class Context:
     sha256: str
     depth: str
     say: Language
-    original: Results | None = (
-        None  # the same results with their texts as data, if `results` are said in a language already
-    )
+    # the same results with their texts as data, if `results` are said in a language already
+    original: Results | None = None
     logo: Logo | None = None
     drive: Picked | None = None  # of the front that the design is one drive of
     figures: int = 0
     chapter: str = ""  # key of the step whose chapter is being made
     ranges: set[str] = field(default_factory=set)  # chapters that say how a long list of numbers is written
     symbols: dict[tuple[str, str], Symbol] = field(default_factory=dict)  # of each chapter, as they are set
-    labels: dict[tuple[str, str], str] = field(
-        default_factory=dict
-    )  # chapter and symbol → what the value or input is called
-    sources: dict[str, list[str]] = field(
-        default_factory=dict
-    )  # source, as the formula or check has it → titles of the steps that use it
+    # chapter and symbol → what the value or input is called
+    labels: dict[tuple[str, str], str] = field(default_factory=dict)
+    # source, as the formula or check has it → titles of the steps that use it
+    sources: dict[str, list[str]] = field(default_factory=dict)
     cited: set[str] = field(default_factory=set)  # those of what stands in the report
     origins: Origins = field(default_factory=Origins)
     words: dict[str, str] = field(init=False)  # the report's own, in its language

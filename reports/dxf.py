@@ -129,9 +129,8 @@ def _draw(document: "Drawing", space: "BaseLayout", mark: Ink) -> None:
     match mark:
         case Polyline():
             line = space.add_lwpolyline((), close=mark.closed, dxfattribs=on)
-            line.lwpoints.extend(
-                [(*_at(point), *STRAIGHT) for point in mark.points]
-            )  # one by one, each would copy all before it
+            # one by one, each would copy all before it
+            line.lwpoints.extend([(*_at(point), *STRAIGHT) for point in mark.points])
         case Arc() if mark.end - mark.start >= 2 * math.pi:
             space.add_circle(_at(mark.centre), mm(mark.radius), dxfattribs=on)
         case Arc():

@@ -22,9 +22,8 @@ settings.load_profile("untimed")
 # programs that a test starts keep what they have compiled, as a user's do: it is a second for each
 os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
 sys.dont_write_bytecode = False
-gc.set_threshold(
-    *SELDOM
-)  # as the command line does: looking for garbage took a tenth of all tests, of those of the reports a quarter
+# as the command line does: looking for garbage took a tenth of all tests, of those of the reports a quarter
+gc.set_threshold(*SELDOM)
 
 BEGUN = time.monotonic()
 ROOT = Path(__file__).parent.parent

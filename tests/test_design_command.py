@@ -47,9 +47,8 @@ def test_the_files_hold_what_the_table_shows(copy, tmp_path):
         assert values["friction.crank_power"] == pytest.approx(float(rows[n - 1]["power [W]"]), rel=1e-6)
         assert "# engine manual" in drive.read_text(encoding="utf-8")
     again, first = run("design", copy, "--out", out, *FEW).stdout, "first drive that passes: "
-    assert [x for x in again.splitlines() if first not in x] == [
-        x for x in done.stdout.splitlines() if first not in x
-    ]  # from what it kept
+    # from what it kept
+    assert [x for x in again.splitlines() if first not in x] == [x for x in done.stdout.splitlines() if first not in x]
     assert sum(first in x for x in done.stdout.splitlines()) == 1
 
 

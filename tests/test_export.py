@@ -145,9 +145,8 @@ def test_a_coarser_chord_error_gives_fewer_points(capsys, tmp_path):
         sizes.append(len(layers(tmp_path / "o.dxf").query('LWPOLYLINE[layer=="PROFILE"]')[0]))
     assert sizes[0] > sizes[1] > sizes[2]
     assert run(capsys, "export", GAMMA, "--gear", "idler", "-o", tmp_path / "o.dxf")[0] == 0
-    assert (
-        len(layers(tmp_path / "o.dxf").query('LWPOLYLINE[layer=="PROFILE"]')[0]) == sizes[1]
-    )  # 1 µm if nothing is said
+    # 1 µm if nothing is said
+    assert len(layers(tmp_path / "o.dxf").query('LWPOLYLINE[layer=="PROFILE"]')[0]) == sizes[1]
 
 
 def test_the_whole_train_is_drawn(capsys, tmp_path):

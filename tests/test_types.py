@@ -85,9 +85,8 @@ def test_no_two_arguments_of_a_call_can_be_swapped_and_no_field_misspelt(tmp_pat
     more = {f"inputs_field_{n}": one for n, one in enumerate(misspelt(read(STEP_INPUTS)))}
     assert len(swaps) > 100 and len(fields) > 2 and len(more) > 10
     assert accepted({**swaps, **fields, **more}, tmp_path) == []
-    assert accepted({"as_it_is": ("", ast.unparse(read(SOLVE)))}, tmp_path) == [
-        ""
-    ]  # it is the mistakes that are refused
+    # it is the mistakes that are refused
+    assert accepted({"as_it_is": ("", ast.unparse(read(SOLVE)))}, tmp_path) == [""]
 
 
 def test_an_input_that_may_be_left_out_is_typed_so():

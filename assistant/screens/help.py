@@ -120,9 +120,8 @@ class HelpScreen(Once, ModalScreen[None]):
             else Text("F1 once more: all keys   ↑ ↓ scroll   Esc closes")
         )
         self.query_one("#help-foot", Static).update(Content.styled(self.app.say(foot), "dim"))
-        self.set_focus(
-            self.query_one("#help-all" if all else "#help-text")
-        )  # now, and not after the keys that are waiting
+        # now, and not after the keys that are waiting
+        self.set_focus(self.query_one("#help-all" if all else "#help-text"))
 
     def action_turn(self) -> None:
         self.show_page(not self.query_one("#help-all").display)

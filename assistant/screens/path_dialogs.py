@@ -29,16 +29,10 @@ from .dialogs import Once
 
 Found = TypeVar("Found")
 MOST = 200  # names in the list
-NO_PATH = (
-    OSError,
-    ValueError,
-    RuntimeError,
-)  # too long, with a sign that no name may have, of a user that there is not
-WIDEST, SHARE, FRAME = (
-    110,
-    0.9,
-    9,
-)  # columns of a dialog, its share of the screen, and what frame and scroll bar take of it
+# too long, with a sign that no name may have, of a user that there is not
+NO_PATH = (OSError, ValueError, RuntimeError)
+# columns of a dialog, its share of the screen, and what frame and scroll bar take of it
+WIDEST, SHARE, FRAME = (110, 0.9, 9)
 
 
 class PathDialog(Once, ModalScreen[Found]):

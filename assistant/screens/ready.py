@@ -144,9 +144,8 @@ class Closing(ItemList):
             for check in outcome.checks
             if check.verdict == "pass"
         ]
-        beyond = Counter(
-            method for methods in held for method in methods
-        )  # how many hold by a formula that it puts out of its range
+        # how many hold by a formula that it puts out of its range
+        beyond = Counter(method for methods in held for method in methods)
         stretched = [(method.id, Text("{what}: {n} of them", n=n, what=method.name)) for method, n in beyond.items()]
         yield self._part(Text("held by a formula outside its validity ({n})", n=sum(map(bool, held))), stretched, width)
         odd = [(oddity.key.partition(".")[0], oddity.words) for oddity in unusual(session.design)]

@@ -30,11 +30,8 @@ from .selection import TITLES, Searching
 # --- the list of remedies
 # Number, kind, change, how far it comes, and what it does to the rest.
 
-SIGN = {
-    ALL_CORNERS: "pass",
-    AS_GIVEN: "pass",
-    NEAR: "warn",
-}  # of the verdicts; one that breaks something else is a fail
+# of the verdicts; one that breaks something else is a fail
+SIGN = {ALL_CORNERS: "pass", AS_GIVEN: "pass", NEAR: "warn"}
 ROOMY = 96  # cells from which the change, the result and the rest stand beside each other
 GAP = 2
 

@@ -257,9 +257,8 @@ class WorkbenchEdits(WorkbenchMoves):
             return
         if step and (reason := as_table(session.data.get("without")).get(step)):
             self.app.tell(Text("Left out: {reason}.", reason=str(reason)), "warning")
-        self.set_focus(
-            self.form, scroll_visible=False
-        )  # before the form is put in order, which would bring it back to a field
+        # before the form is put in order, which would bring it back to a field
+        self.set_focus(self.form, scroll_visible=False)
         self.edited()
 
     def leave_step_out(self, step: str) -> None:

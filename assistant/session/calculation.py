@@ -40,9 +40,8 @@ class SheetEntry:
     formula: str
     numbers: str
     source: str
-    checks: tuple[
-        tuple[Check, str], ...
-    ] = ()  # each with its verdict, or that it holds outside the validity of its formula
+    # each with its verdict, or that it holds outside the validity of its formula
+    checks: tuple[tuple[Check, str], ...] = ()
     errata: tuple[Erratum, ...] = ()
 
     def text(self) -> str:

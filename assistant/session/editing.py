@@ -241,9 +241,8 @@ class Editing:
         where = self.place(key)
         texts = {k: v for k, v in self._state.texts.items() if k != where}
         try:
-            gone = (
-                not text.strip() and optional_table(where) is not None
-            )  # such a table goes with its last key, so a key must go too
+            # such a table goes with its last key, so a key must go too
+            gone = not text.strip() and optional_table(where) is not None
             content = None if gone else numbers.value(text, described(where))
         except numbers.NotUnderstood as no:
             self._step(EditState(self._state.data, {**texts, where: (text, no.reason)}), where)

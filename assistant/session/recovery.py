@@ -184,9 +184,8 @@ class Memory:
         path = path.absolute()
         paths = [path, *(other for other in self._opened() if other != path)]
         with contextlib.suppress(SaveError, OSError, ValueError):  # a name that is no text in UTF-8 is not remembered
-            self._write(
-                self.folder / "last", "\n".join(map(str, paths[: 3 * RECENT]))
-            )  # some may be back later: a drive
+            # some may be back later: a drive
+            self._write(self.folder / "last", "\n".join(map(str, paths[: 3 * RECENT])))
 
     # --- unsaved edits
     def _file(self, path: Path, session: str) -> Path:

@@ -101,9 +101,8 @@ def _place(data: Any, key: str) -> Place:
             place.append(index)
             here = here[index] if index < len(here) else {}
         else:
-            place.append(
-                int(part) if part.isdigit() and here == {} else part
-            )  # no key is a number: an array that is not there yet
+            # no key is a number: an array that is not there yet
+            place.append(int(part) if part.isdigit() and here == {} else part)
             here = here.get(part, {}) if isinstance(here, dict) else {}
     return tuple(place)
 

@@ -56,15 +56,13 @@ class Session(Editing):
         self.opened = self.saved = self.document.data  # as it was read, and as its file is now
         self.id = token_hex(4)  # of what it keeps aside
         self._kept: Edits | None = None
-        self._taken: Edits | None = (
-            None  # edits of an earlier session that were put back, until they are kept as this one's
-        )
+        # edits of an earlier session that were put back, until they are kept as this one's
+        self._taken: Edits | None = None
         self._presence: Presence | None = None
         self._company: set[str] = set()  # other sessions on this file, as far as it was looked
         self._unwritten = False  # there is no file yet
-        self._stamp: tuple[int, int] | None = (
-            None  # when the file was changed and how long it is, as far as it was looked at
-        )
+        # when the file was changed and how long it is, as far as it was looked at
+        self._stamp: tuple[int, int] | None = None
 
     # --- opening
     @classmethod

@@ -94,9 +94,8 @@ class Calculation(ItemList):
     def __init__(self) -> None:
         super().__init__(id="calculation-list")
         self.sheet = CalculationSheet()
-        self._set: list[
-            tuple[CalculationSheet, int, Signs, list[Item]]
-        ] = []  # the calculations set last, with the width and the signs
+        # the calculations set last, with the width and the signs
+        self._set: list[tuple[CalculationSheet, int, Signs, list[Item]]] = []
 
     def show(self, sheet: CalculationSheet) -> None:
         if sheet is not self.sheet:

@@ -123,10 +123,8 @@ def _direction(step: Floats) -> Integers:
 # --- where pictures lie in a frame of character cells
 # Next to each other or above, each at the largest true scale with all its words.
 
-LEAST, SMALL = (
-    (14, 6),
-    0.5,
-)  # columns and rows, and share of its scale, below which a picture beside another one is left out
+# columns and rows, and share of its scale, below which a picture beside another one is left out
+LEAST, SMALL = ((14, 6), 0.5)
 SMALLER = 0.97  # step of the scale at which the pictures are tried next to each other
 GAPS = 3, 1  # columns and rows between pictures
 RIGHT, CENTRE, LEFT = "left", "centre", "right"
@@ -293,10 +291,8 @@ SHIFTS = sorted(
     ((row, column) for row in range(-2, 3) for column in range(-6, 7)),
     key=lambda shift: (2 * abs(shift[0]) + abs(shift[1]), shift),
 )  # how a word may be moved, in rows and columns
-ON_A_LINE, BESIDE_A_WORD = (
-    1.0,
-    2.0,
-)  # what each cell of a line under a word, and a word right beside it, is worth in `SHIFTS`
+# what each cell of a line under a word, and a word right beside it, is worth in `SHIFTS`
+ON_A_LINE, BESIDE_A_WORD = (1.0, 2.0)
 
 
 def draw(sketch: Sketch, columns: int, rows: int, signs: Signs, say: Language, lit: str = "") -> Content:

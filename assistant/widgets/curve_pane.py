@@ -295,9 +295,8 @@ class CurvePane(Pane, can_focus=True):
 
     @property
     def target(self) -> "CurvePane | TableList":
-        return (
-            self.list if self.list.display and isinstance(self.leaf, Table) else self
-        )  # the list of a table before is still there
+        # the list of a table before is still there
+        return self.list if self.list.display and isinstance(self.leaf, Table) else self
 
     @property
     def leaf(self) -> Curve | Table | None:

@@ -49,9 +49,8 @@ class Entry(Input):
         *LEAVING,
         Binding("enter", "accept", "Accept, go on", show=False, priority=True),
     ]
-    virtual_size = Reactive(
-        Size(0, 0), layout=False
-    )  # the box keeps its size whatever is typed; nothing else has to move
+    # the box keeps its size whatever is typed; nothing else has to move
+    virtual_size = Reactive(Size(0, 0), layout=False)
 
     @dataclass
     class Began(Message):

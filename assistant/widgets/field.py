@@ -108,10 +108,8 @@ class Field(Widget):
 
     def _prompt(self) -> str:
         """What stands in an empty field."""
-        chosen = self.about.optional and self.place[:1] not in (
-            DOCUMENT,
-            NOTE,
-        )  # nobody chooses what a title block says
+        # nobody chooses what a title block says
+        chosen = self.about.optional and self.place[:1] not in (DOCUMENT, NOTE)
         return self.default or (AUTO if chosen else "" if self.row.required else self.app.say(Text("left out")))
 
     def compose(self) -> ComposeResult:
@@ -221,9 +219,8 @@ class Field(Widget):
     def _rows(self, width: int) -> tuple[list[str], list[str]]:
         if self.cell:
             return [""], []
-        label = wrap(
-            self.about.label, (LABEL_NARROW if width >= NARROW else LABEL) - 2
-        )  # a blank before it and one behind
+        # a blank before it and one behind
+        label = wrap(self.about.label, (LABEL_NARROW if width >= NARROW else LABEL) - 2)
         mark = self.app.signs.mark("invalid")
         return label, wrap(f"{mark} {self.app.say(self.reason)}", width - 3, 2) if self.reason else []
 
@@ -393,9 +390,8 @@ class Cells(Widget):
         super().__init__()
         self.row = row
         self.fields = fields
-        fields[0].add_class(
-            "-first", update=False
-        )  # a class: `:first-child` would have every field of the form styled twice
+        # a class: `:first-child` would have every field of the form styled twice
+        fields[0].add_class("-first", update=False)
         self._errors: list[tuple[str, Text]] = []
 
     def compose(self) -> ComposeResult:

@@ -27,11 +27,8 @@ from .text import fit, pad
 
 TALL = 30  # rows of a screen that has room for a table of the elements
 MOST = 8  # elements in it
-INDENT, GAP, LABEL = (
-    3,
-    2,
-    12,
-)  # cells before its rows, between its columns, and of a label that is wider than what is below it
+# cells before its rows, between its columns, and of a label that is wider than what is below it
+INDENT, GAP, LABEL = (3, 2, 12)
 
 
 class ArrayHeading(Widget, can_focus=True):

@@ -159,9 +159,8 @@ class ItemList(ScrollView, can_focus=True, inherit_bindings=False):
         index = next((i for i, item in enumerate(self.items) if item.key == key), None)
         if not self.items or not self.size.height:
             self._wanted = (key, top)
-            self.cursor = (
-                self.cursor if index is None else index
-            )  # a key that comes before the list is shown is for that item
+            # a key that comes before the list is shown is for that item
+            self.cursor = self.cursor if index is None else index
             return True
         if index is not None:
             self._move(index, top=top)

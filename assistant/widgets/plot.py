@@ -31,12 +31,8 @@ if TYPE_CHECKING:
 ROUND = 2.0  # how much higher than wide a cell of a terminal is
 ROOM = 0.04  # of the height, above and below
 DOTS = np.array([2.0, 4.0])  # of braille in a cell, across and down
-DASHES = (
-    (1.0, 0.0),
-    (4.0, 3.0),
-    (1.0, 2.5),
-    (7.0, 2.0, 1.0, 2.0),
-)  # of each pattern, in dots: drawn, left out; the last a chain
+# of each pattern, in dots: drawn, left out; the last a chain
+DASHES = ((1.0, 0.0), (4.0, 3.0), (1.0, 2.5), (7.0, 2.0, 1.0, 2.0))
 MOST_DECIMALS = 9  # of a tick
 TURNS = 2  # cells after which lines that run over each other take turns
 EIGHTHS = " ▁▂▃▄▅▆▇█"

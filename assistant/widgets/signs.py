@@ -67,14 +67,10 @@ LINES_DARK = ("#56B4E9", "#E69F00", "#009E73", "#CC79A7", "#F0E442")
 LINES_LIGHT = ("#0072B2", "#8A5A00", "#007A5A", "#A04A7D", "#6E6700")
 
 LINES_GREY = ("#C0C0C0", "#808080")
-LINE_MARKS, BAR_MARKS = (
-    ("━", "╍", "┈"),
-    "█▒░",
-)  # whole, dashed, dotted; where the colours are used up, or there are none
-LIMIT, LIMIT_MARK = (
-    len(LINE_MARKS),
-    "─·─",
-)  # a chain line, which no series has; so that a limit is known without its colour
+# whole, dashed, dotted; where the colours are used up, or there are none
+LINE_MARKS, BAR_MARKS = (("━", "╍", "┈"), "█▒░")
+# a chain line, which no series has; so that a limit is known without its colour
+LIMIT, LIMIT_MARK = (len(LINE_MARKS), "─·─")
 PLAIN_MARKS = "*x=o%&"
 
 

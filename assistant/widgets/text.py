@@ -70,16 +70,10 @@ def pad(text: str, width: int) -> str:
 # --- finding a title by words that are typed
 # In any order, in parts, with or without accents.
 
-START, BEGINNING, INSIDE, ELSEWHERE = (
-    1.0,
-    0.8,
-    0.5,
-    0.25,
-)  # a word that begins the title, a word of it, stands in it; or in what else is known
-WHOLE, EXACT = (
-    0.1,
-    0.5,
-)  # more for a word that is not part of a longer one, and for a title that is nothing but the words
+# a word that begins the title, a word of it, stands in it; or in what else is known
+START, BEGINNING, INSIDE, ELSEWHERE = (1.0, 0.8, 0.5, 0.25)
+# more for a word that is not part of a longer one, and for a title that is nothing but the words
+WHOLE, EXACT = (0.1, 0.5)
 
 
 def folded(text: str) -> str:

@@ -175,9 +175,8 @@ def _pressure(place: str, r: BearingResult) -> Iterator[Curve]:
     mean, where = (Text("specific load"), r.specific_load / 1e6), dict(place=IN_WORDS[place])
     around, along = [], []
     for label, (film, parts, bare) in films.items():
-        angle = np.degrees(
-            film.theta - math.pi + film.attitude
-        )  # from the load's direction, in the sense of the journal's rotation
+        # from the load's direction, in the sense of the journal's rotation
+        angle = np.degrees(film.theta - math.pi + film.attitude)
         around.append(Series(label, angle, film.pressure * scale))
         z, p = (
             np.append(-film.z[::-1], film.z[1:]),
@@ -208,10 +207,8 @@ def _sloping(r: BearingResult) -> MisalignedFilm | None:
     """The film that carries the same load with the journal's slope; None: it has none, or so much that an edge leaves
     the range."""
     tilt = (r.film - r.film_edge) / (r.clearance_hot / 2)
-    low, high = (
-        tilt + ECCENTRICITY_RANGE[0],
-        min(float(r.eccentricity), ECCENTRICITY_RANGE[1] - tilt),
-    )  # at the same ε it carries more
+    # at the same ε it carries more
+    low, high = (tilt + ECCENTRICITY_RANGE[0], min(float(r.eccentricity), ECCENTRICITY_RANGE[1] - tilt))
 
     def missing(eccentricity: float) -> float:
         return math.log(solve_misaligned(eccentricity, tilt, r.length_ratio).sommerfeld / r.sommerfeld)

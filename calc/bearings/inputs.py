@@ -24,9 +24,8 @@ from .materials import DEFAULT_APPLICATION
 PLACES = ("front", "rear")
 IN_WORDS = {"front": Text("front"), "rear": Text("rear")}  # the two bearings in words
 IN_TITLES = {"front": Text("Front"), "rear": Text("Rear")}  # at the beginning of a sentence
-LEAST_SPEED_SHARE = (
-    0.02  # of the journal's speed: below, the load turns at half the speed of the surfaces; rule of this program
-)
+# of the journal's speed: below, the load turns at half the speed of the surfaces; rule of this program
+LEAST_SPEED_SHARE = 0.02
 
 
 @inputs

@@ -172,9 +172,8 @@ def answered(film: Film, duty: OperatingPoint, friction_power: Watt | None = Non
     power = many(film.friction_power)
     below, at, above = (each(power[..., i]) if power.ndim > 1 else one(power[i]) for i in range(3))
     P_f = at if friction_power is None else friction_power
-    below, at, above = (
-        based_on(P, friction_power, duty.load) for P in (below, at, above)
-    )  # found alike, of the same numbers
+    # found alike, of the same numbers
+    below, at, above = (based_on(P, friction_power, duty.load) for P in (below, at, above))
     return Response(
         load=duty.load,
         friction_power=P_f,

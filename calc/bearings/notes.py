@@ -86,9 +86,8 @@ def _all_notes(
         if r.film_double_load is None:
             yield Text("{place} bearing: no film carries twice the load.", place=bearing)
     surface = running_surface(inputs.bush_material, inputs.housing_material)
-    passes = abs(
-        inputs.load_speed_ratio - inputs.bush_speed_ratio
-    )  # of the load over a point of the seat, for one turn of the journal
+    # of the load over a point of the seat, for one turn of the journal
+    passes = abs(inputs.load_speed_ratio - inputs.bush_speed_ratio)
     if surface is None:
         yield Text(
             "What a journal may carry on bare {housing_material} is not known here.",

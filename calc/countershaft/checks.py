@@ -135,9 +135,8 @@ def _envelope_checks(
     not be drawn."""
     seats, outline = shaft.bearing_positions, shaft_result.outline
     parts = [p for p in outline.pieces if p.what in ("sector", "full")] if outline is not None else []
-    radii = [
-        p.outer_radius for p in parts if not any(p.start < z < p.end for z in seats)
-    ]  # those at a bearing are journals
+    # those at a bearing are journals
+    radii = [p.outer_radius for p in parts if not any(p.start < z < p.end for z in seats)]
     R = max(radii, default=shaft.outer_radius)
     clearance = shaft.radial_clearance if shaft.radial_clearance is not None else 0.0 if shaft.mode == "size" else None
     if clearance is not None and R is not None:

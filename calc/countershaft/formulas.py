@@ -26,12 +26,8 @@ from ..sheet.units import (
 )
 
 TABLE_4_1 = Text("Finotti 2013, 4.1 (with ω², not ω as printed there)")
-MASSES = {
-    "m": "m_i",
-    "e": "e_i",
-    "z": "z_i",
-    "gamma": "φ_i",
-}  # of the shaft; z and φ alone are those of the crank's throws
+# of the shaft; z and φ alone are those of the crank's throws
+MASSES = {"m": "m_i", "e": "e_i", "z": "z_i", "gamma": "φ_i"}
 
 
 @formula("F_S", TABLE_4_1, names=MASSES | {"omega": "ω_S"})

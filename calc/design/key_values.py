@@ -135,9 +135,8 @@ def like(id: str, patterns: tuple[str, ...]) -> bool:
 
 @cache
 def _any_of(patterns: tuple[str, ...]) -> re.Pattern[str]:
-    return re.compile(
-        "|".join(translate(pattern).replace(".*", "[^.]*") for pattern in patterns) or "(?!)"
-    )  # of none: nothing
+    # of none: nothing
+    return re.compile("|".join(translate(pattern).replace(".*", "[^.]*") for pattern in patterns) or "(?!)")
 
 
 def key_results(values: Mapping[str, Published]) -> dict[str, Published]:

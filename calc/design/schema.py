@@ -40,13 +40,11 @@ def _key(about: Quantity) -> dict[str, Any]:
             many = {"type": "array", "items": _number(about), "minItems": max(low, 1)} | (
                 {"maxItems": high} if high is not None else {}
             )
-            return definition | (
-                {"anyOf": [many, _number(about)]} if low <= 1 else many
-            )  # one number is read as a list of one
+            # one number is read as a list of one
+            return definition | ({"anyOf": [many, _number(about)]} if low <= 1 else many)
         case "choice":
-            numbers = [
-                float(choice) for choice in about.choices if choice.replace(".", "", 1).isdigit()
-            ]  # 8.8 may stand without quotes
+            # 8.8 may stand without quotes
+            numbers = [float(choice) for choice in about.choices if choice.replace(".", "", 1).isdigit()]
             return definition | {"enum": [*about.choices, *numbers]}
         case "table":
             assert about.table is not None

@@ -92,10 +92,8 @@ def edges(piece: "Piece", up: Radian) -> list[tuple[Point, Point]]:
     high, low = reach(piece, up)
     for side in (1.0, -1.0):
         angle = piece.angle - up + side * piece.half_angle
-        near, faces = (
-            math.sin(angle) > FLAT,
-            side * math.cos(angle) > FLAT,
-        )  # on the side of who looks; turned towards them
+        # on the side of who looks; turned towards them
+        near, faces = (math.sin(angle) > FLAT, side * math.cos(angle) > FLAT)
         for radius, seen in ((piece.outer_radius, near), (piece.core_radius, near and faces)):
             y = radius * math.cos(angle)
             if seen and radius and -low + TOUCH < y < high - TOUCH:

@@ -137,10 +137,8 @@ def diagram_problems(
 
 # --- the engine
 
-CRANK_RATIO = (
-    0.22,
-    0.30,
-)  # usual λ; Finotti 2013, 2.1, and the mechanics textbook, 48.3.3; Finotti 2013, 2.2.4, has 0.2 to 0.3
+# usual λ; Finotti 2013, 2.1, and the mechanics textbook, 48.3.3; Finotti 2013, 2.2.4, has 0.2 to 0.3
+CRANK_RATIO = (0.22, 0.30)
 
 # Firing orders of inline engines: usual ones, else of all (above nine cylinders: of symmetrical cranks) the one that
 # leaves least.

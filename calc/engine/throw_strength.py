@@ -147,9 +147,8 @@ def notch_stress(K_b: Number, sigma: Pascal, K_t: Number, tau: Pascal) -> Pascal
 # fillet has a stress of its own over the cycle.  The amplitudes of bending and torsion are added as if they came at
 # once, which is on the safe side.
 
-Forces = tuple[
-    Array, Array, Array
-]  # tangential, radial, and the torque from in front: (angles over the cycle, cylinders)
+# tangential, radial, and the torque from in front: (angles over the cycle, cylinders)
+Forces = tuple[Array, Array, Array]
 Notch = dict[str, tuple[Number, Number, Number]]
 AROUND = 24  # points of a fillet over half of its circumference; the other half has the same with the other sign
 
@@ -236,10 +235,8 @@ def _worst(
     around = np.arange(AROUND) * np.pi / AROUND
     sigma = radial[..., None] * np.cos(around) + tangential[..., None] * np.sin(around)  # (angles, cylinders, around)
     sigma_a, tau_a = np.ptp(sigma, 0) / 2, (np.ptp(tau, 0) / 2)[:, None]
-    sigma_m, tau_m = (
-        np.abs(sigma.max(0) + sigma.min(0)) / 2,
-        np.abs(tau.max(0) + tau.min(0))[:, None] / 2,
-    )  # the point opposite is pulled
+    # the point opposite is pulled
+    sigma_m, tau_m = (np.abs(sigma.max(0) + sigma.min(0)) / 2, np.abs(tau.max(0) + tau.min(0))[:, None] / 2)
     a, m = amplitude(sigma=each(sigma_a), tau=each(tau_a)), mean(sigma=each(sigma_m), tau=each(tau_m))
     equal = many(fatigue.equivalent_amplitude(sigma_a=a, sigma_m=m, M=M))
     k, point = np.unravel_index(int(equal.argmax()), equal.shape)

@@ -47,9 +47,8 @@ from .result import FrictionResult, JournalResult, MeshResult, carbon_dioxide, f
 TOLERANCE = 1e-9  # of the power
 PASSES = 40
 MORE_POWER = Text("give more gears.power_kW, less speed, a narrower face, or a thinner oil")
-LEFT: Number = (
-    1e-2  # of the power: what a jump of the loss may leave between the power that loads a mesh and the one it takes in
-)
+# of the power: what a jump of the loss may leave between the power that loads a mesh and the one it takes in
+LEFT: Number = 1e-2
 FINE = 1e-9  # of the power: steps below it say nothing about a slope
 
 Loss = Callable[[str, Watt], Watt]

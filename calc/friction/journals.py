@@ -56,9 +56,8 @@ class Journals:
 
     def __init__(self, on: OnShaft, responses: dict[str, Response], speed: RevPerSecond) -> None:
         self.on, self.responses, self.speed = on, responses, speed
-        self.unsteady = {
-            place: not np.all(np.isfinite(r.slope + r.curvature)) for place, r in responses.items()
-        }  # at some point
+        # at some point
+        self.unsteady = {place: not np.all(np.isfinite(r.slope + r.curvature)) for place, r in responses.items()}
 
     def only(self, some: BoolArray) -> "Journals":
         """Some of many operating points."""

@@ -192,9 +192,8 @@ def _X_L(c: MeshCase) -> Number:
 def _outside_tests(c: MeshCase, w_bt: NewtonPerMetre, u_C: MetrePerSecond) -> Text:
     """Line load from 150 N/mm, sum of the speeds from 1 m/s, pitch line up to 50 m/s."""
     reasons = []
-    v_t = (
-        u_C * c.mesh.centre_distance / c.path.C_F
-    )  # C rolls with the part of the pitch line's speed along the line of action
+    # C rolls with the part of the pitch line's speed along the line of action
+    v_t = u_C * c.mesh.centre_distance / c.path.C_F
     if np.any(w_bt < LOWEST_LINE_LOAD):
         reasons.append(Text("line load {min} N/mm, tests from 150", min=Amount(one(np.min(w_bt)) / 1000.0)))
     if np.any(2 * u_C < 1.0):

@@ -13,10 +13,8 @@ from .profile.outline import Outline, Regions, regions, repeated, whole_tooth
 from .result import MeshResult, TrainResult, WheelResult
 
 MM = 1e3
-TEETH, TEETH_BETWEEN = (
-    range(-2, 3),
-    range(-2, 2),
-)  # the teeth that are drawn of the driver, and of the driven wheel around them
+# the teeth that are drawn of the driver, and of the driven wheel around them
+TEETH, TEETH_BETWEEN = (range(-2, 3), range(-2, 2))
 DRAWN = 1e-3  # chord error of a figure in modules, rule of this program: finer than a line is wide
 ARC = 41  # points of a tip circle, which is drawn over two pitches
 ALONG = 61  # points of a curve of sliding

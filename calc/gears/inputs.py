@@ -22,9 +22,8 @@ INTERNAL = Text(
     "external wheels have 5 teeth or more and a positive centre distance"
 )
 
-REFUSED = dict.fromkeys(
-    ("internal", "internal_teeth", "ring", "ring_gear", "annulus"), INTERNAL
-)  # keys that others have for them
+# keys that others have for them
+REFUSED = dict.fromkeys(("internal", "internal_teeth", "ring", "ring_gear", "annulus"), INTERNAL)
 
 
 @inputs

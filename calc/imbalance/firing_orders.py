@@ -55,9 +55,8 @@ def firing_orders(imbalance: ImbalanceInputs, engine: EngineInputs, e: EngineRes
     n = engine.cylinders
     orders = np.array(list(_orders(engine)), dtype=np.intp)
     place = np.argsort(orders, axis=1)  # of each cylinder in the order
-    throws = (
-        n // 2 if engine.strokes == 4 and n % 2 == 0 else n
-    )  # places so far apart share a crank angle: they are a turn apart
+    # places so far apart share a crank angle: they are a turn apart
+    throws = n // 2 if engine.strokes == 4 and n % 2 == 0 else n
     keys = np.zeros(len(orders), dtype=np.int64)
     for k in range(n):
         keys = keys * n + place[:, k] % throws
@@ -105,9 +104,8 @@ def _in_turn(engine: EngineInputs, orders: IndexArray) -> tuple[IndexArray, Inde
     place = places(engine)[fired]
     after = np.roll(place, -1, axis=1)
     if engine.layout == "inline":
-        side, side_after = (
-            np.sign(2 * x - np.max(place)) for x in (place, after)
-        )  # the middle one of an odd number is of neither
+        # the middle one of an odd number is of neither
+        side, side_after = (np.sign(2 * x - np.max(place)) for x in (place, after))
     else:
         bank = np.array(engine.bank_of_cylinder or tuple(c % 2 for c in range(engine.cylinders)))[fired]
         side, side_after = 2 * bank - 1, np.roll(2 * bank - 1, -1, axis=1)

@@ -206,9 +206,8 @@ class Order:
     couple_least: NewtonMetre = value("Smallest couple over the turn", "N·m", "C_min")
     couple_axis: Radian | None = value("Direction of the largest couple", "°", "∠C_max")
     vectors: tuple[complex, complex, complex, complex]  # F⁺ F⁻ C⁺ C⁻
-    unbalanced: tuple[
-        complex, complex, complex, complex
-    ]  # the same with no share of the reciprocating masses on the crank
+    # the same with no share of the reciprocating masses on the crank
+    unbalanced: tuple[complex, complex, complex, complex]
     two_term: "Order | None" = group(default=None)
 
 

@@ -252,10 +252,8 @@ def remedies(
     def remedy(
         title: Text, share: Number, one: Vectors, two: Vectors, **shafts: BalanceShaft | None
     ) -> BalancingRemedy:
-        left_f, left_c = (
-            joined(F_f, share * whole[0]),
-            joined(C_f, share * whole[1]),
-        )  # the crank acts on what turns forward only
+        # the crank acts on what turns forward only
+        left_f, left_c = (joined(F_f, share * whole[0]), joined(C_f, share * whole[1]))
         left_f, left_c = based_on(left_f, F_f, share, whole[0]), based_on(left_c, C_f, share, whole[1])
         with about(title):
             single = one[1] if shafts.get("backward") and not shafts.get("forward") and np.any(one[1]) else None

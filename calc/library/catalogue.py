@@ -17,11 +17,8 @@ from ..sheet.value import Link, linked
 
 T = TypeVar("T")
 TABLES = Path(__file__).parent / "tables"
-BESIDE = (
-    "specific_heat_J_kgK",
-    "elongation_percent",
-    "hardness_HB",
-)  # keys of a table's row that stand there for the reader only
+# keys of a table's row that stand there for the reader only
+BESIDE = ("specific_heat_J_kgK", "elongation_percent", "hardness_HB")
 
 
 @record
@@ -286,9 +283,8 @@ class CatalogueRows(Mapping[str, T]):
 
     def __getitem__(self, name: str) -> T:
         if name not in self.made:
-            self.made.setdefault(
-                name, _row(self.cls, tomllib.loads(self.texts[name]))
-            )  # one object, whichever thread comes first
+            # one object, whichever thread comes first
+            self.made.setdefault(name, _row(self.cls, tomllib.loads(self.texts[name])))
         return self.made[name]
 
     def __contains__(self, name: object) -> bool:

@@ -29,22 +29,17 @@ USUAL_SPECIFIC_LOAD: Pascal = 2e6
 RISE: tuple[Kelvin, Kelvin] = (15.0, 20.0)  # of the oil, for conditions that stay; Finotti 2013, 5.5.2
 LENGTH_RATIO: tuple[Number, Number] = (0.2, 1.0)
 USUAL_LENGTH_RATIO: tuple[Number, Number] = (0.25, 0.75)  # Finotti 2013, 5.5.2
-RELATIVE_CLEARANCE: Number = (
-    1e-3  # as made; Chirone & Vullo 1979, after Finotti 2013, Fig. 5.16: in all rows that have a figure
-)
-SUPPLY_WIDTH: tuple[Number, Number] = (
-    0.05,
-    0.7,
-)  # of hole or pocket over the length; DIN 31652-2: range of the supply factors
+# as made; Chirone & Vullo 1979, after Finotti 2013, Fig. 5.16: in all rows that have a figure
+RELATIVE_CLEARANCE: Number = 1e-3
+# of hole or pocket over the length; DIN 31652-2: range of the supply factors
+SUPPLY_WIDTH: tuple[Number, Number] = (0.05, 0.7)
 TRUMPLER_TEMPERATURE: Celsius = 120.0  # as Finotti 2013, 5.5.1, prints it; Trumpler himself has 250 °F, 121 °C
 TRUMPLER_START_LOAD: Pascal = 2e6  # as Finotti 2013, 5.5.1, prints it; Trumpler himself has 300 psi, 2.07 MPa
 FULL_FILM_FRICTION: tuple[Number, Number] = (0.002, 0.012)  # Finotti 2013, 5.4.1
 SLOPE: Radian = 0.25e-3  # Finotti 2013, 4.6 (in chapter 6): target of the engine's maker
 STABLE_FILM: Number = 150.0  # McKee & McKee 1932, cP·rpm/psi
-SPEED_FACTOR: tuple[Number, Number] = (
-    3.0,
-    10.0,
-)  # least speed over that of transition: the surface speed in m/s, within these
+# least speed over that of transition: the surface speed in m/s, within these
+SPEED_FACTOR: tuple[Number, Number] = (3.0, 10.0)
 
 
 @formula("p", "Finotti 2013, 3.2.3.1: specific load on the projected area", unit="MPa")

@@ -34,13 +34,10 @@ CP_1: JoulePerKilogramKelvin = 4.6
 MILLIPASCAL_SECOND: PascalSecond = 1e-3
 LOWEST, HIGHEST = 2e-6, 0.1  # m²/s: where the viscosity laws hold
 ADDED = {"walther": 0.6, "d341": 0.7}  # the constant under the double logarithm
-POLYMER_THICKENED = (
-    -3.3
-)  # slope of the viscosity line: flatter is a multigrade; rule of this program, tells those of its table apart
-FLATTEST, STEEPEST = (
-    1.0,
-    6.0,
-)  # slopes of viscosity lines, either sign; silicones have about 1.3, polyphenyl ethers 4.7 (from memory)
+# slope of the viscosity line: flatter is a multigrade; rule of this program, tells those of its table apart
+POLYMER_THICKENED = -3.3
+# slopes of viscosity lines, either sign; silicones have about 1.3, polyphenyl ethers 4.7 (from memory)
+FLATTEST, STEEPEST = (1.0, 6.0)
 
 
 @formula(

@@ -82,9 +82,8 @@ class Language:
             translated = self._catalogue.ngettext(
                 text.one, template, round(text.number) if text.number == round(text.number) else 2
             )
-            known = (
-                translated is not text.one and translated is not template
-            )  # one's plural may be spelt as English spells the other
+            # one's plural may be spelt as English spells the other
+            known = translated is not text.one and translated is not template
         else:
             translated = self._catalogue.gettext(template) if template else template
             known = translated is not template  # gettext hands back what it does not know

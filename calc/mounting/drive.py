@@ -229,9 +229,8 @@ class EngineWrenches:
     r_G: Array
     apart: tuple[int, ...]
     of_shaft: float  # the order of the shaft; 1 where there is none
-    first_order: dict[
-        str, float
-    ]  # half over each variant with the shaft, where the order of the shaft is a pure couple
+    # half over each variant with the shaft, where the order of the shaft is a pure couple
+    first_order: dict[str, float]
 
     def torque(self, speeds: Array) -> ComplexArray:
         """Order by order on the crank (speeds, orders): gas and inertia."""

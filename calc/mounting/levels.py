@@ -233,9 +233,8 @@ def _felt(mounting: MountingInputs, point: Point, a: ComplexArray) -> ComplexArr
 def point_weights(point: Point, f: Array) -> Array:
     """(speeds, 1, 3, orders)."""
     names = ("Wh", "Wh", "Wh") if point.role == "hand" else ("Wd", "Wd", "Wk")
-    by = {
-        name: standards.weights(name, f) for name in dict.fromkeys(names)
-    }  # in their order, which that of traced lines follows
+    # in their order, which that of traced lines follows
+    by = {name: standards.weights(name, f) for name in dict.fromkeys(names)}
     return np.stack([by[name] for name in names], axis=1)[:, None]
 
 

@@ -140,9 +140,8 @@ def _felt(driven: EngineWrenches, lines: Levels, name: str, existing: list[int])
     shown = _shown(driven)
     sizes = np.linalg.norm(W * a, axis=-2).max((0, 1))
     existing = [n for n in existing if not sizes[n] < FELT * sizes.max()]
-    apart = [
-        np.moveaxis(x[:, shown][..., existing], -1, 2)[..., None] for x in (W, a)
-    ]  # (operations, variants, orders, axes, 1)
+    # (operations, variants, orders, axes, 1)
+    apart = [np.moveaxis(x[:, shown][..., existing], -1, 2)[..., None] for x in (W, a)]
     by_order = joined(standards.total_value, mapped(standards.weighted, *apart, source=source))
     return Felt(joined(standards.total_value, along), along, by_order, shown, _words(driven, existing))
 

@@ -35,9 +35,8 @@ if TYPE_CHECKING:
     from ..solve import Results
 
 DOT, CROSS, SWING = 0.02, 0.04, 0.16  # of the box's diagonal: a mount, the cross of the centre, the largest move
-BACK = 0.5 * np.array(
-    [math.cos(math.radians(35.0)), math.sin(math.radians(35.0))]
-)  # where what lies to the side is drawn
+# where what lies to the side is drawn
+BACK = 0.5 * np.array([math.cos(math.radians(35.0)), math.sin(math.radians(35.0))])
 EDGES = (
     (0, 1),
     (0, 2),

@@ -209,17 +209,8 @@ SIGNS = {
     "not_asked": "·",
     "no_solution": "✗",
 }
-ORDER = (
-    "not_asked",
-    "pass",
-    "accepted",
-    "note",
-    "warn",
-    "not_verified",
-    "blocked",
-    "fail",
-    "no_solution",
-)  # from good to bad
+# from good to bad
+ORDER = ("not_asked", "pass", "accepted", "note", "warn", "not_verified", "blocked", "fail", "no_solution")
 URGENT = ("fail", "not_verified", "warn")  # verdicts that somebody has to look at
 STEP_STATES = ("not_asked", "pass", "warn", "not_verified", "blocked", "fail", "no_solution")
 

@@ -55,9 +55,8 @@ def digits_that_close(
         if close():
             break
     else:
-        return dict.fromkeys(
-            arguments, DIGITS
-        )  # an algorithm of its own, or a list too long to be written: no digits help
+        # an algorithm of its own, or a list too long to be written: no digits help
+        return dict.fromkeys(arguments, DIGITS)
     for name in given:
         for fewer in range(DIGITS, digits[name]):
             kept, digits[name] = digits[name], fewer

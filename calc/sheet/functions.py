@@ -25,9 +25,8 @@ def _several(x: object) -> bool:
 
 def _both(scalar: Callable[[float], float], vector: Callable[[float], float]) -> Callable[[float], float]:
     def function(x: float) -> float:
-        return (
-            scalar(x) if type(x) is float or type(x) is LinkedFloat else vector(x)
-        )  # no numpy number: it has other last digits
+        # no numpy number: it has other last digits
+        return scalar(x) if type(x) is float or type(x) is LinkedFloat else vector(x)
 
     function.__name__ = scalar.__name__
     return function

@@ -18,9 +18,8 @@ from .units import UNITS, Unit
 T = TypeVar("T")
 
 REQUIRED: Any = MISSING  # no default, in place of one of any type
-THUMB = Text(
-    "rule of thumb, no published source"
-)  # the source of a usual range that practice knows and no book behind this program states
+# the source of a usual range that practice knows and no book behind this program states
+THUMB = Text("rule of thumb, no published source")
 
 
 @record

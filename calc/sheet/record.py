@@ -17,9 +17,8 @@ T = TypeVar("T")
 
 @dataclass_transform(frozen_default=True, eq_default=False, field_specifiers=(field,))
 def record(cls: type[T]) -> type[T]:
-    cls.__doc__ = (
-        cls.__doc__ or cls.__name__
-    )  # else the library writes one from the signature, half a millisecond a class
+    # else the library writes one from the signature, half a millisecond a class
+    cls.__doc__ = cls.__doc__ or cls.__name__
     record_class = dataclass(init=False, repr=False, eq=False)(cls)
     record_class.__init__ = _init(record_class.__dataclass_fields__)  # type: ignore[attr-defined, method-assign]
     record_class.__setattr__ = record_class.__delattr__ = _refuse  # type: ignore[method-assign]

@@ -153,10 +153,8 @@ class LinkedStr(str):
 KINDS: dict[type, Callable[..., Any]] = {float: LinkedFloat, complex: LinkedComplex, int: LinkedInt, str: LinkedStr}
 KINDS |= {kind: kind for kind in KINDS.values()}  # type: ignore[misc]
 UNLINKED = {float, int, str, complex, bool, type(None)}
-PLAIN: dict[type, Callable[..., object]] = {
-    LinkedFloat: float,
-    LinkedComplex: complex,
-}  # a linked number → the same without its link
+# a linked number → the same without its link
+PLAIN: dict[type, Callable[..., object]] = {LinkedFloat: float, LinkedComplex: complex}
 
 
 def linked(x: T, link: Link | None) -> T:

@@ -278,9 +278,8 @@ class Comparison:
 
     inputs: tuple[InputDifference, ...]
     verdicts: tuple[StepVerdicts, ...]  # of every step
-    checks: tuple[
-        CheckDifference, ...
-    ]  # of a step those first whose verdict has moved; of those of one design those that do not pass
+    # of a step those first whose verdict has moved; of those of one design those that do not pass
+    checks: tuple[CheckDifference, ...]
     values: tuple[ValueDifference, ...]
     results: tuple[KeyResult, ...] = ()  # of either design, whether they differ or not
     unusual: tuple[Text, Text] = (EMPTY, EMPTY)  # the inputs of A and of B that are not usual

@@ -18,9 +18,8 @@ if TYPE_CHECKING:
 
 DESIGNS = Path(__file__).parents[2] / "designs"
 EXAMPLE = DESIGNS / "r753ie4_gamma.toml"
-SCENARIOS = tuple(
-    DESIGNS / f"thesis_{name}.toml" for name in ("temperatures", "oils", "tip_relief")
-)  # of the gear friction thesis
+# of the gear friction thesis
+SCENARIOS = tuple(DESIGNS / f"thesis_{name}.toml" for name in ("temperatures", "oils", "tip_relief"))
 
 
 class _Row(TypedDict, total=False):
@@ -77,9 +76,8 @@ def engine_design(name: str) -> str:
     from .starter.build import begun  # numpy, which a list of the engines does not need
 
     document = parse(_text(title, "", body).encode("utf-8"), name)
-    words = dict(
-        what=row["what"], source=row["source"]
-    )  # no number of what shakes: it would stay when the engine is edited
+    # no number of what shakes: it would stay when the engine is edited
+    words = dict(what=row["what"], source=row["source"])
     note = Text("{what}. Data: {source}. What rules of this program have added is marked as assumed.", **words)
     return _text(title, note, body + begun(document))
 

@@ -122,9 +122,8 @@ def _page(names: list[str], rows: int) -> Block:
 # --- the register of the publications that a report stands on
 # Title, edition, status, how we know them; and what no publication says.
 
-STANDARD = re.compile(
-    r"(?:ISO|DIN|AGMA|VDI|FVA|ASTM|API|BS|EN|IACS|JIS|UNI)\b"
-)  # what the name of a standard begins with
+# what the name of a standard begins with
+STANDARD = re.compile(r"(?:ISO|DIN|AGMA|VDI|FVA|ASTM|API|BS|EN|IACS|JIS|UNI)\b")
 NAME, STATUS, KNOWN = 74.0, 78.0, 72.0  # widths beside the title
 REMEMBERED = " *"  # behind what we have from memory
 

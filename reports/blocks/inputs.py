@@ -29,13 +29,11 @@ from .values import paired_table
 
 ACROSS = 5  # parts beside each other
 FLAT = 8  # a list of parts with at most so many quantities stands one part a row
-LEFT_OUT = re.compile(
-    r"\b(?:Left out|Se omess[oaei]): "
-)  # how a help begins to say, in each language, what the program does then
+# how a help begins to say, in each language, what the program does then
+LEFT_OUT = re.compile(r"\b(?:Left out|Se omess[oaei]): ")
 REMARK = 300  # characters of a comment that are printed
-ASSUMED = re.compile(
-    r"(?:assum|estimat|guess|ipo[tz]|suppost|stima)", re.IGNORECASE
-)  # how a comment begins, by which a reader knows it
+# how a comment begins, by which a reader knows it
+ASSUMED = re.compile(r"(?:assum|estimat|guess|ipo[tz]|suppost|stima)", re.IGNORECASE)
 LONG, ENDS = 6, 2  # of a list with more parts so many of either end are shown, unless everything is asked for
 
 
@@ -48,9 +46,8 @@ def exact(value: Any, *, rounded: bool = False) -> str:
         return "; ".join(exact(v, rounded=rounded) for v in value)
     if not isinstance(value, (int, float)):
         return str(value)
-    mantissa, _, power = (f"{value + 0:.12g}" if rounded else repr(value + 0)).partition(
-        "e"
-    )  # + 0: minus nought is nought
+    # + 0: minus nought is nought
+    mantissa, _, power = (f"{value + 0:.12g}" if rounded else repr(value + 0)).partition("e")
     written = mantissa.replace("-", "−")
     return f"{written}·10{str(int(power)).translate(SUPERSCRIPTS)}" if power else written
 
@@ -291,9 +288,8 @@ def _called(context: Context, key: str) -> str:
             called[-1] = _part_name(here, int(part))
             continue
         known, here = keys(cls).get(part), here.get(part) if isinstance(here, dict) else None
-        called.append(
-            part if known is None else context.say(known.about.label)
-        )  # a table of free form has keys of its own
+        # a table of free form has keys of its own
+        called.append(part if known is None else context.say(known.about.label))
         cls = known.about.table or cls if known is not None else cls
     return ", ".join(reversed(called[1:] or called))
 

@@ -178,9 +178,8 @@ class _Writer:
 
     def picture(self, png: bytes, captions: tuple[str, ...]) -> None:
         shape = self.file.add_picture(io.BytesIO(png), width=Pt(WIDTH))
-        shape._inline.docPr.set(
-            "descr", written(" ".join(captions) or self.context.design.name)
-        )  # is read out in place of the picture
+        # is read out in place of the picture
+        shape._inline.docPr.set("descr", written(" ".join(captions) or self.context.design.name))
         for side in "TBLR":
             shape._inline.set(f"dist{side}", "0")  # where it is left out LibreOffice takes 9 points
         if captions:
@@ -237,9 +236,8 @@ class _Writer:
     def spread(self, table: Any, shares: Sequence[float]) -> None:
         """Columns as wide as on paper, the table as wide as the text."""
         table.autofit = False
-        table._tbl.tblPr.insert_element_before(
-            parse_xml(CELLS), "w:tblLook"
-        )  # in the order of the schema, which Word asks for
+        # in the order of the schema, which Word asks for
+        table._tbl.tblPr.insert_element_before(parse_xml(CELLS), "w:tblLook")
         for column, share in zip(table.columns, shares):
             column.width = Pt(WIDTH * share / sum(shares))
         for row in table.rows:

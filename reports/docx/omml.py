@@ -54,9 +54,8 @@ def symbol(name: str) -> str:
     markup = ""
     for letters, below, above in symbol_parts(name):
         base = run(letters, upright=not letters.isalpha() or all(c in UPRIGHT_LETTERS for c in letters))
-        markup += scripts(
-            base, words(below) if below else "", words(above) if above else ""
-        )  # no operators, if they are signs
+        # no operators, if they are signs
+        markup += scripts(base, words(below) if below else "", words(above) if above else "")
     return markup
 
 

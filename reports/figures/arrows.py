@@ -18,9 +18,8 @@ if TYPE_CHECKING:
 
 ARROW: Colour = (0.15, 0.15, 0.15)
 THICK = 0.9
-ASIDE = (
-    2.6  # an arrow that runs over another, as a shaft's against what it takes, is moved so far aside that both are seen
-)
+# an arrow that runs over another, as a shaft's against what it takes, is moved so far aside that both are seen
+ASIDE = 2.6
 HEAD, HALF = 5.0, 1.7  # length of a head and half its width, in points
 LEAST = 0.01  # of the largest vector: a shorter one is not drawn
 NUMBER = Style(7.5, 9.0)

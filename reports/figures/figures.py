@@ -34,11 +34,8 @@ if TYPE_CHECKING:
 # The loaded shaft as a sketch, then what the loads do in it.
 
 PANEL, NAME = 44.0, 13.0  # height of the axes of one curve, and of its name over them
-BODY, FORCE, LEAST = (
-    14.0,
-    24.0,
-    9.0,
-)  # half the height of the sketched shaft; length of the longest and of the shortest arrow
+# half the height of the sketched shaft; length of the longest and of the shortest arrow
+BODY, FORCE, LEAST = (14.0, 24.0, 9.0)
 BETWEEN = 2.0  # from the shaft to an arrow
 SHADE = (0.85, 0.85, 0.85)
 AXIS = (8.0, 2.0, 1.5, 2.0)

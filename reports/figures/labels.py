@@ -137,12 +137,8 @@ WIDEST = 150.0  # of a name
 ASIDE = 14.0  # from the axes to the names on their right
 NEAR = 6.0  # a value so near to a line could be taken for a name of it
 VALUE = Style(LETTER.size, LETTER.leading, BOLD)
-COVERED, CROSSED, CLOSE, FAR = (
-    20.0,
-    10.0,
-    3.0,
-    0.5,
-)  # costs: over the mark, for each line across, near one, for each point further off
+# costs: over the mark, for each line across, near one, for each point further off
+COVERED, CROSSED, CLOSE, FAR = (20.0, 10.0, 3.0, 0.5)
 BESIDE, REACH = 12.0, 30.0  # from the mark to a value beside it, and to the farthest place for one
 
 Placed = tuple[Box, float, float]

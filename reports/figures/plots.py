@@ -39,10 +39,8 @@ LIMITS: tuple[tuple[Colour, tuple[float, ...], float], ...] = (
     ((0.55, 0.0, 0.0), (8.0, 2.0, 2.0, 2.0), 0.8),
     ((0.3, 0.0, 0.45), (2.0, 2.0), 0.9),
 )
-POINTS = {
-    False: ("o", 5.0, 0.5),
-    True: ("x", 7.0, 2.0),
-}  # where the design stands, within its limits and beyond one: mark, size, thickness
+# where the design stands, within its limits and beyond one: mark, size, thickness
+POINTS = {False: ("o", 5.0, 0.5), True: ("x", 7.0, 2.0)}
 BAND: Colour = (0.89, 0.89, 0.89)
 FILLED = 0.8  # share of a group's place that its bars take
 EDGE = 0.4
@@ -221,9 +219,8 @@ class Look:
 
 ALONE = Look()
 Job: TypeAlias = tuple[Curve, float, float, Look]
-Draughtsman: TypeAlias = Callable[
-    [tuple[str, list[Job]]], Callable[[], list[Recording]]
-]  # given a language and what to draw, begins
+# given a language and what to draw, begins
+Draughtsman: TypeAlias = Callable[[tuple[str, list[Job]]], Callable[[], list[Recording]]]
 
 
 def plot(plots: Plots, curve: Curve, width: float, height: float, look: Look = ALONE) -> Recording:

@@ -24,17 +24,8 @@ PRIMARIES = {
     "g": (0.3850649, 0.7168786, 0.0971045),
     "b": (0.1430804, 0.0606169, 0.7141733),
 }
-ADAPTED = (
-    1.0478112,
-    0.0228866,
-    -0.0501270,
-    0.0295424,
-    0.9904844,
-    -0.0170491,
-    -0.0092345,
-    0.0150436,
-    0.7521316,
-)  # D65 to D50
+# D65 to D50
+ADAPTED = (1.0478112, 0.0228866, -0.0501270, 0.0295424, 0.9904844, -0.0170491, -0.0092345, 0.0150436, 0.7521316)
 CURVE = (2.4, 1 / 1.055, 0.055 / 1.055, 1 / 12.92, 0.04045)  # ((a·x + b) to the power of g) from d on, below it c·x
 
 
@@ -61,9 +52,8 @@ def profile() -> bytes:
 
 
 def _header(size: int) -> bytes:
-    date = struct.pack(
-        ">6H", 2010, 12, 1, 0, 0, 0
-    )  # of the specification that it follows; any other would change the bytes
+    # of the specification that it follows; any other would change the bytes
+    date = struct.pack(">6H", 2010, 12, 1, 0, 0, 0)
     kinds = struct.pack(">I", size) + bytes(4) + b"\x04\x30\0\0" + b"mntrRGB XYZ " + date + b"acsp"
     return (kinds + bytes(28) + _fixed(*D50)).ljust(128, b"\0")
 
@@ -95,9 +85,8 @@ XMP = """<?xpacket begin="\ufeff" id="W5M0MpCehiHzreSzNTczkc9d"?>
 ONE = '<dc:{0}><rdf:Alt><rdf:li xml:lang="x-default">{1}</rdf:li></rdf:Alt></dc:{0}>'
 LISTED = "<dc:{0}><rdf:{2}><rdf:li>{1}</rdf:li></rdf:{2}></dc:{0}>"
 PLAIN = "<{0}>{1}</{0}>"
-ESCAPED = str.maketrans(
-    {"&": "&amp;", "<": "&lt;", ">": "&gt;"}
-)  # xml.sax.saxutils would load the whole of urllib for it
+# xml.sax.saxutils would load the whole of urllib for it
+ESCAPED = str.maketrans({"&": "&amp;", "<": "&lt;", ">": "&gt;"})
 
 
 def archive(document: Any, tree: Tree, lang: str) -> None:
@@ -113,10 +102,8 @@ def archive(document: Any, tree: Tree, lang: str) -> None:
     for n in range(len(tree.pages)):
         page = document.idToObject[f"Page{n + 1}"]
         page.__NoDefault__ = [*page.__NoDefault__, "StructParents", "Tabs"]
-        page.StructParents, page.Tabs = (
-            n,
-            PDFName("S"),
-        )  # the tabulator goes from link to link as the structure has them
+        # the tabulator goes from link to link as the structure has them
+        page.StructParents, page.Tabs = (n, PDFName("S"))
 
 
 def xmp(info: Any, lang: str) -> bytes:

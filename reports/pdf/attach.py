@@ -14,10 +14,8 @@ NAME = "design.toml"
 RESULTS = "results.json"
 FRONT = "front.json"
 PAIR = ("a.toml", "b.toml")  # the designs of a comparison
-RELATIONS = {
-    "toml": "Source",
-    "json": "Data",
-}  # what a file is to the document, by its ending; any other only belongs to it
+# what a file is to the document, by its ending; any other only belongs to it
+RELATIONS = {"toml": "Source", "json": "Data"}
 
 
 def results_bytes(results: Results) -> bytes:

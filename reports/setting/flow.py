@@ -68,9 +68,8 @@ class Picture(Content):
 # --- the flow
 
 LEAST = 0.4  # of the last page: less on it is not worth the paper
-AFTER = (
-    8.0  # from what stands first on a page because it did not fit on the one before to the text that goes on under it
-)
+# from what stands first on a page because it did not fit on the one before to the text that goes on under it
+AFTER = 8.0
 CLOSER = (0.85, 0.7, 0.5)  # of every gap; the first is hardly seen, and worth any page that it saves
 
 

@@ -219,9 +219,8 @@ def _row(
 ) -> list[Block]:
     """One row, in several blocks where it is longer than a page should hold."""
     given = [_cell(cell) for cell in cells]
-    content = [
-        _words(cell, column, w) for cell, column, w in zip(given, columns, wide)
-    ]  # per column: its lines with their leading
+    # per column: its lines with their leading
+    content = [_words(cell, column, w) for cell, column, w in zip(given, columns, wide)]
     counts = [len(set_lines) for set_lines in content]
     for i, cell in enumerate(given):
         if cell.under and cell.under[0]:

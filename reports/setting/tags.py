@@ -137,9 +137,8 @@ class Tree:
     count: int
     top: Element = field(default_factory=lambda: Element("Document", None))
     made: dict[Tag, Element] = field(default_factory=dict)
-    pages: list[list[Element]] = field(
-        default_factory=list
-    )  # by page, its elements by the numbers of their marked content
+    # by page, its elements by the numbers of their marked content
+    pages: list[list[Element]] = field(default_factory=list)
     links: list[Element] = field(default_factory=list)
     sizes: list[float] = field(default_factory=list)  # of the headings above the present place
 

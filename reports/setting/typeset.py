@@ -20,9 +20,8 @@ SMALLEST = 6.0  # points
 TIGHT = 1.25  # what is so much wider than the column is made smaller rather than written out
 RAISE, LOWER = 0.36, 0.17  # of the size
 SUPER = dict(zip("⁺⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "+−0123456789"))
-INDEX = re.compile(
-    r"_((?:[^\W_]|[⁺⁻,∞])(?:(?![^\W\d_]_)[^\W_]|[⁺⁻,∞])*)"
-)  # in T_1T_2 the second T is a letter with an index of its own
+# in T_1T_2 the second T is a letter with an index of its own
+INDEX = re.compile(r"_((?:[^\W_]|[⁺⁻,∞])(?:(?![^\W\d_]_)[^\W_]|[⁺⁻,∞])*)")
 LETTERS = re.compile(r"[^\W\d_]+")
 UPRIGHT_LETTERS = set("ΣΔΠ∠°")
 

@@ -176,9 +176,8 @@ def attachments(pdf: Pdf) -> dict[str, list[bytes]]:
 
 def page_references(pdf: Pdf) -> list[Reference]:
     """The pages of a document, as every reader counts them.  Raises Malformed where readers would not agree."""
-    nodes: list[
-        tuple[Reference, int, list[Any] | None]
-    ] = []  # each after the one that it stands in, with what it counts
+    # each after the one that it stands in, with what it counts
+    nodes: list[tuple[Reference, int, list[Any] | None]] = []
     waiting, met = [pdf.root.get("Pages")], set()
     while waiting:
         node = waiting.pop()

@@ -40,9 +40,8 @@ ESCAPE = re.compile(rb"\\(?:([0-7]{1,3})|(\r\n|[\n\r])|(.))|\r\n?", re.S)
 LETTERS = {b"n": b"\n", b"r": b"\r", b"t": b"\t", b"b": b"\b", b"f": b"\f"}
 
 
-Place = (
-    int | tuple[int, int]
-)  # of an object: its first byte, or the number of the stream that it is in and which of its objects it is
+# of an object: its first byte, or the number of the stream that it is in and which of its objects it is
+Place = int | tuple[int, int]
 Table = dict[int, Place | None]
 
 

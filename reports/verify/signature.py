@@ -69,9 +69,8 @@ TABLE = {"Type", "W", "Index", "Filter", "DecodeParms", "Length"}  # of a stream
 CATALOGUE = {"AcroForm", "Perms", "DSS", "Extensions"}
 FORM = {"Fields", "SigFlags", "DR", "DA"}
 FIELD = {"Type", "Subtype", "FT", "T", "TU", "F", "Ff", "Rect", "P", "AP", "V", "DA", "M", "NM", "Lock", "SV", "MK"}
-FLAGS = (
-    1 | 2 | 4 | 64 | 128 | 512
-)  # invisible, hidden, printed, read only, locked, contents locked: none that changes its size or place
+# invisible, hidden, printed, read only, locked, contents locked: none that changes its size or place
+FLAGS = 1 | 2 | 4 | 64 | 128 | 512
 OF_THE_PROGRAM = {"Producer", "ModDate"}  # what a program says about itself and not about the document
 ANY_OBJECT = re.compile(rb"\d\s+\d+\s+obj")
 Rectangle = tuple[float, float, float, float]

@@ -31,14 +31,8 @@ from .signature import fields
 
 KEYWORD = re.compile(r"(\w+):([0-9a-z]+)")
 PARTS = ("steps", "checks", "values")  # of the results inside a report
-BROKEN = (
-    ValueError,
-    KeyError,
-    TypeError,
-    AttributeError,
-    IndexError,
-    RecursionError,
-)  # what results of any shape raise
+# what results of any shape raise
+BROKEN = (ValueError, KeyError, TypeError, AttributeError, IndexError, RecursionError)
 
 
 class Verdict(Enum):

@@ -113,14 +113,12 @@ async def test_the_footer_has_room_for_what_does_something_here(screen: Screen) 
     async with screen(size=(120, 40)) as pilot:
         footer = pilot.app.screen.query_one(FooterLine)
         said = footer.render().plain
-        assert (
-            "F9 Plot" in said and "F10" not in said and "^q Quit" in said
-        )  # the curves of the engine have no variants
+        # the curves of the engine have no variants
+        assert "F9 Plot" in said and "F10" not in said and "^q Quit" in said
         await strike(pilot, "f3")
         await settled(pilot)
-        await until(
-            pilot, lambda: "F10 Variant" in footer.render().plain
-        )  # its curves are written out in another thread
+        # its curves are written out in another thread
+        await until(pilot, lambda: "F10 Variant" in footer.render().plain)
         assert "F9 Plot" in footer.render().plain and footer.render().cell_length <= 120
         curves = work(pilot).query_one(CurvePane)
         seen = set()

@@ -68,9 +68,8 @@ def test_the_states_of_a_design(light: Session) -> None:
     ]
     assert [other.name for other in past(light)] == ["1 edit ago", "2 edits ago"]
     assert list(past(light))[-1].data is before
-    assert (
-        light.undo() is not None and light.value("engine.bore_mm") == 95.0
-    )  # nothing was taken back but the last edit
+    # nothing was taken back but the last edit
+    assert light.undo() is not None and light.value("engine.bore_mm") == 95.0
     light.save()
     assert [other.name for other in kept(light)] == ["saved", "opened"]
 

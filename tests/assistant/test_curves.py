@@ -352,9 +352,8 @@ def test_columns_are_aligned() -> None:
     lines = [item.rows[0].plain for item in set_.items()[:-1]]
     assert set_.part == "" and len(head) == 2
     end = head[0].index("Force forward") + len("Force forward")
-    assert all(
-        len(line) >= end and line[end - 1] != " " and line[end] == " " for line in lines
-    )  # numbers to the right, under their label
+    # numbers to the right, under their label
+    assert all(len(line) >= end and line[end - 1] != " " and line[end] == " " for line in lines)
     assert head[1][end - 1] == "N"
     assert [line[:8] for line in lines[:2]] == ["order 1 ", "order 2 "]
     assert lines[0].split() == ["order", "1", "1234", "12", "−1.2·10⁻⁴"]  # an empty cell stays empty

@@ -143,10 +143,8 @@ async def test_undo_and_redo_from_another_step(screen: Screen) -> None:
         screen_ = work(pilot)
         assert screen_.number == 1
         assert screen_.session.value("engine.bore_mm") == 94.0
-        assert screen_.form.field is None and screen_.form.last == (
-            "engine",
-            "bore_mm",
-        )  # the next letter is a key again
+        # the next letter is a key again
+        assert screen_.form.field is None and screen_.form.last == ("engine", "bore_mm")
         await strike(pilot, "u")
         assert "Nothing to undo" in told(pilot)
         await strike(pilot, "ctrl+y")

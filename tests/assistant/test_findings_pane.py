@@ -48,9 +48,8 @@ async def test_findings_are_grouped_and_told_under_the_cursor(screen: Screen, se
         assert (
             checks.key == DOUBLE and "6.04 of 7.46 µm" in rows(checks)[DOUBLE] and "7.41 of" not in rows(checks)[EDGE]
         )
-        assert (
-            "twice the load, front" in work(pilot).query_one(MessageLine).message()[1]
-        )  # it speaks of what is under the cursor
+        # it speaks of what is under the cursor
+        assert "twice the load, front" in work(pilot).query_one(MessageLine).message()[1]
         await strike(pilot, "up", "right", "down")
         assert checks.key.startswith(EDGE) and checks.key != EDGE
         await strike(pilot, "left")

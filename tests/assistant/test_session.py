@@ -135,9 +135,8 @@ def test_a_mistake_that_only_the_whole_shows_stands_at_its_field(session: Sessio
     assert "has 3 entries" in session.reason("engine.firing_order")
     session.edit("engine.firing_order", "1, 3, 4, 2")
     assert not session.reason("engine.firing_order")
-    assert list(session.reasons()) == [
-        ("imbalance", "crank_bodies")
-    ]  # a crank of three throws: said at the list of its bodies
+    # a crank of three throws: said at the list of its bodies
+    assert list(session.reasons()) == [("imbalance", "crank_bodies")]
     while session.value(("imbalance", "crank_bodies")):
         session.remove("imbalance.crank_bodies", 0)
     assert session.valid

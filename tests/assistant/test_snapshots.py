@@ -227,17 +227,15 @@ async def test_choosing_with_plain_signs(opened: Opened, seen: SnapshotAssertion
 
 
 async def test_in_italian(opened: Opened, seen: SnapshotAssertion, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(
-        Workbench, "_seek_slopes", lambda self, kind, name: None
-    )  # sooner or later the foot and the findings would tell them
+    # sooner or later the foot and the findings would tell them
+    monkeypatch.setattr(Workbench, "_seek_slopes", lambda self, kind, name: None)
     async with opened(4, (80, 24), settings=Settings(language="it")) as pilot:
         assert picture(pilot) == seen
 
 
 async def test_a_very_wide_screen(opened: Opened, seen: SnapshotAssertion, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(
-        Workbench, "_seek_slopes", lambda self, kind, name: None
-    )  # sooner or later the foot and the findings would tell them
+    # sooner or later the foot and the findings would tell them
+    monkeypatch.setattr(Workbench, "_seek_slopes", lambda self, kind, name: None)
     async with opened(3, (200, 60)) as pilot:
         assert picture(pilot) == seen
 

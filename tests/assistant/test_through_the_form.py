@@ -64,9 +64,8 @@ def agree(script: Script, session: Session, number: int) -> int:
 
 
 LONG = ("r753ie4_sized",)
-TYPED = [
-    path for path in REPLAYS if any("set" in step for step in load(path).steps)
-]  # the others are those of `contralbero replay`
+# the others are those of `contralbero replay`
+TYPED = [path for path in REPLAYS if any("set" in step for step in load(path).steps)]
 
 
 @pytest.mark.parametrize(

@@ -23,9 +23,8 @@ for path in Path(calc.__file__).parent.rglob("*.py"):
         import_module(".".join(path.relative_to(Path(calc.__file__).parent.parent).with_suffix("").parts))
 
 OURS = [f for name, f in FORMULAS.items() if name.startswith("calc.")]  # other tests make formulas of their own
-EACH_MODULE = pytest.mark.parametrize(
-    "module", dict.fromkeys(f.function.__module__ for f in OURS)
-)  # one test a formula would take twice as long
+# one test a formula would take twice as long
+EACH_MODULE = pytest.mark.parametrize("module", dict.fromkeys(f.function.__module__ for f in OURS))
 
 
 def formulas_of(module, expressions=False):

@@ -33,9 +33,8 @@ OTHERS = [code for code in LANGUAGES if code != "en"]
 ENGLISH = re.compile(
     r"\b(the|of|with|from|and|is|are|for|which|that|by|at|to|than|its|it|not|this|or|as|on|an|has|have|was)\b"
 )
-QUOTED = re.compile(
-    r'"[^"]*"|\b\w+-\w+\b|“[^”]*”|`[^`]*`|\b[A-Z]\w+,? (and|&) [A-Z]\w+'
-)  # keys and choices of the file; two authors
+# keys and choices of the file; two authors
+QUOTED = re.compile(r'"[^"]*"|\b\w+-\w+\b|“[^”]*”|`[^`]*`|\b[A-Z]\w+,? (and|&) [A-Z]\w+')
 DESIGNS = sorted((ROOT / "designs").glob("*.toml"))
 
 

@@ -30,23 +30,11 @@ from calc.solve import Results
 from calc.studies.shipped import engines
 
 ROOT = Path(__file__).resolve().parents[2]
-FIELDS = {
-    "value",
-    "quantity",
-    "integer",
-    "text",
-    "choice",
-    "series",
-    "integers",
-    "table",
-    "tables",
-    "open_",
-}  # calls whose first argument is a label
+# calls whose first argument is a label
+FIELDS = {"value", "quantity", "integer", "text", "choice", "series", "integers", "table", "tables", "open_"}
 SENTENCES = {"help", "source"}  # their keywords that are texts
-PLURALS = (
-    "Plural-Forms",
-    "nplurals=2; plural=(n != 1);",
-)  # for one and for many: babel's own rules differ from version to version
+# for one and for many: babel's own rules differ from version to version
+PLURALS = ("Plural-Forms", "nplurals=2; plural=(n != 1);")
 Template = tuple[str, str]  # the template, and that for a count of 1 ("": none)
 
 

@@ -39,9 +39,8 @@ def test_the_first_page_holds_the_symbol(engineer: bytes) -> None:
     """Every page named is one of the report before the nomenclature."""
     rows, read = part(engineer), pages_of(engineer)
     start = next(n for n, page in enumerate(read, 1) if "Symbol, meaning, unit and first page" in page)
-    named = [
-        int(number) for number in re.findall(r"(?<!of)(?<!at) (\d+)$", rows, re.M)
-    ]  # a line of a meaning may end with "at 40" (°C)
+    # a line of a meaning may end with "at 40" (°C)
+    named = [int(number) for number in re.findall(r"(?<!of)(?<!at) (\d+)$", rows, re.M)]
     assert len(named) > 60 and max(named) <= start and min(named) >= 2
 
 

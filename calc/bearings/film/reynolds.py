@@ -36,9 +36,8 @@ ECCENTRICITY_RANGE = (0.02, 0.98)
 LENGTH_RATIO_RANGE = (0.1, 2.0)  # and infinity
 
 ITERATION_LIMIT = 100
-LAST_TURN = (
-    1.5 * math.pi
-)  # end of the grid: the infinitely long bearing ruptures at 1.43·π at the latest, a shorter one earlier
+# end of the grid: the infinitely long bearing ruptures at 1.43·π at the latest, a shorter one earlier
+LAST_TURN = 1.5 * math.pi
 UNIFORM_SHARE = 0.25  # of the nodes around: keeps the widest film resolved at high eccentricity
 EDGE_CLUSTERING = 1.5  # nodes across crowd towards the edge as tanh does
 REFINEMENTS = (4, 2, 1)

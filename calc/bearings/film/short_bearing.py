@@ -37,9 +37,8 @@ def eccentricity(S: Number, b: Number) -> Number:
     rises with a slope between 1 and 4, so that Newton's method from the right of the root falls onto it and cannot
     miss."""
     y = 2 * np.log(1 / (pi * np.asarray(S, dtype=float) * np.square(b)))
-    u = np.minimum(
-        y - np.log(pi**2), (y - np.log(16.0)) / 4
-    )  # where one term alone carries all: on the right of the root
+    # where one term alone carries all: on the right of the root
+    u = np.minimum(y - np.log(pi**2), (y - np.log(16.0)) / 4)
     for _ in range(ITERATION_LIMIT):
         t = np.exp(u)
         error = u + 2 * np.log1p(t) + np.log(pi**2 + 16 * t) - y

@@ -28,14 +28,8 @@ from .states import BearingCase, Film, OperatingPoint, OutsideBalance, Seized
 
 HOTTEST = 200.0  # K above the supply: no rise beyond is looked for
 BREAKS_DOWN = 1e-3  # K: a film that is gone so close above the last that was found, with heat left over, has no balance
-PROBES = (
-    10.0,
-    50.0,
-    100.0,
-    150.0,
-    175.0,
-    HOTTEST,
-)  # K: rises at which a film is looked for whose oil is too thick without any
+# K: rises at which a film is looked for whose oil is too thick without any
+PROBES = (10.0, 50.0, 100.0, 150.0, 175.0, HOTTEST)
 HALVINGS = 20
 ITERATION_LIMIT = 60
 ALMOST = 1e-3  # relative, of a rise: what is closed in on to no more has no balance
@@ -62,9 +56,8 @@ def balanced(route: Route, seat: BearingCase, duty: OperatingPoint, tolerance: f
     with untraced():
         try:
             low = _begins(excess)
-            high = min(
-                low + excess(low) + 1e-6, HOTTEST
-            )  # warmer oil makes less heat: the rise ends below what colder oil made
+            # warmer oil makes less heat: the rise ends below what colder oil made
+            high = min(low + excess(low) + 1e-6, HOTTEST)
             rise = root(excess, low, _reachable(excess, low, high), tolerance=tolerance)
         except (FilmRangeError, Seized, OutsideBalance) as error:
             raise NoSolution(*_reason(seat, duty, error)) from None
@@ -239,9 +232,8 @@ def _settled_of_many(
     shape = np.broadcast_shapes(*(np.shape(x) for x in _numbers(seat, duty)))
     points = mapped_arrays((seat, duty), lambda x: rows(x, count, shape) if x.ndim else x)
     seat, duty = mapped(points, lambda x: rows(x, count, shape))
-    duty = replace(
-        duty, load=each(np.broadcast_to(duty.load, count * math.prod(shape)))
-    )  # of each point, also where all have the same
+    # of each point, also where all have the same
+    duty = replace(duty, load=each(np.broadcast_to(duty.load, count * math.prod(shape))))
     film = settled(seat, duty, warm=warm, hottest=hottest, tolerance=tolerance)
     return _over(film, lambda x: each(cast(Array, Lanes(many(x).reshape(count, *shape)))))
 

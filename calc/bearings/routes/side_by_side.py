@@ -30,11 +30,8 @@ ROUTES: dict[str, tuple[Text, Route]] = {
     "short_bearing": (Text("short bearing"), short_bearing),
     "falz": (Text("Falz, as the thesis uses it"), falz),
 }
-SOLVE_THE_FILM = (
-    "raimondi_boyd_own_flow",
-    "iso7902",
-    "short_bearing",
-)  # each within its range; Falz's is a rule of thumb
+# each within its range; Falz's is a rule of thumb
+SOLVE_THE_FILM = ("raimondi_boyd_own_flow", "iso7902", "short_bearing")
 FALZ_MEETS = 1.0  # l/d at which Falz's two branches meet
 SHORT_UP_TO, SHORT_ECCENTRICITY = 0.25, 0.5  # where the short bearing stays within a tenth in the load
 
@@ -69,9 +66,8 @@ class RouteResultBeside:
         }
 
 
-COMPARED = frozenset(
-    {"routes_spread", *ROUTES}
-)  # the values of a bearing that the routes give, of which none judges it
+# the values of a bearing that the routes give, of which none judges it
+COMPARED = frozenset({"routes_spread", *ROUTES})
 
 
 def judged_alone(seat: BearingCase, ratio: float) -> RouteResultBeside:

@@ -28,9 +28,8 @@ LENGTH = keys(BearingInputs)["length_mm"].about
 LENGTH_STEP: Metre = LENGTH.units.inside(LENGTH.step or 0.5)
 CLEARANCE_STEP: Metre = 5e-6
 SAME = 1e-10  # m
-WIDEST = (
-    2.5e-3  # of the diameter, where the usual ones leave too little oil, or the cold none of them; rule of this program
-)
+# of the diameter, where the usual ones leave too little oil, or the cold none of them; rule of this program
+WIDEST = 2.5e-3
 FEW = 4  # steps beyond the least that must be left when cold, whatever the widest; rule of this program
 USUAL_FACTORS = keys(BearingInputs)["clearance_factor"].about.usual or (0.0, 1.0)  # K, after Finotti 2013, 5.5.2
 APART = math.log(1.1)  # between the lengths that are solved

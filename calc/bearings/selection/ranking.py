@@ -25,9 +25,8 @@ STEPS = (0.1e-6, 0.2e-6, 0.25e-6, 0.5e-6, 1e-6, 2e-6, 5e-6, 10e-6)  # of film be
 
 Fields = Mapping[str, Sequence[CandidateField]]  # of one variant: front and rear, a field for each diameter
 Slopes = Mapping[str, Radian]
-Order = Callable[
-    [CandidateField], tuple[Array, Array]
-]  # what is wanted least of every candidate, and what of equal ones
+# what is wanted least of every candidate, and what of equal ones
+Order = Callable[[CandidateField], tuple[Array, Array]]
 
 
 @record

@@ -76,13 +76,8 @@ DIAMETERS = (-0.15, 0.15, 0.3, 0.45)  # of the design's, more than it, where not
 DIAMETER = keys(BearingInputs)["diameter_mm"].about
 SHORT = 0.1  # of the diameter: journals that leave room for everything beside them
 FINEST = 5  # IT grade of a ground journal: closer ones are not asked for; rule of this program
-PROBES = (
-    (0.5, 1.5e-3),
-    (0.5, 2.5e-3),
-    (0.75, 1.5e-3),
-    (0.75, 2.5e-3),
-    (0.3, 1.5e-3),
-)  # l/d and ψ; rule of this program
+# l/d and ψ; rule of this program
+PROBES = ((0.5, 1.5e-3), (0.5, 2.5e-3), (0.75, 1.5e-3), (0.75, 2.5e-3), (0.3, 1.5e-3))
 
 
 @record
@@ -195,9 +190,8 @@ def _task(
     result = there.bearings[place]
     bearing: BearingInputs = getattr(bearings, place)
     space = room(case.shaft, drawn(case).result(CountershaftResult), place, bearing.diameter)
-    widths = placed(
-        bearings
-    )  # a clearance that is searched for is not that of the fits: they are taken as widths about it
+    # a clearance that is searched for is not that of the fits: they are taken as widths about it
+    widths = placed(bearings)
     about = replace(bearings, journal_fit=widths[0], seat_fit=widths[1]) if widths else bearings
     seat = replace(result.seat, bearing=bearing, inputs=about)
     if at_own is not None:

@@ -190,9 +190,8 @@ def displaced(beam: Beam, omega: RadPerSecond = 0.0) -> ComplexArray:
     """w and θ of each node in turn, from (K − ω²·M)·u = f: the beam turns at ω with a load that turns with it; ω = 0:
     at rest."""
     free = np.ix_(beam.free, beam.free)
-    loads = np.stack(
-        [beam.f.real[beam.free], beam.f.imag[beam.free]], 1
-    )  # two real columns: a complex side would make K complex
+    # two real columns: a complex side would make K complex
+    loads = np.stack([beam.f.real[beam.free], beam.f.imag[beam.free]], 1)
     columns = np.linalg.solve(beam.K[free] - omega**2 * beam.M[free], loads)
     u = np.zeros(beam.f.size, dtype=complex)
     u[beam.free] = columns[:, 0] + 1j * columns[:, 1]
@@ -205,17 +204,14 @@ def bend(beam: Beam, omega: RadPerSecond = 0.0) -> Bent:
     reactions = (beam.K[beam.pinned] - omega**2 * beam.M[beam.pinned]) @ u - beam.f[beam.pinned]
     z, w = beam.z, u[::2]
     ends = np.stack([u[:-2:2], u[1:-2:2], u[2::2], u[3::2]], 1)
-    pushed = (
-        np.einsum("eij,ej->ei", beam.element_K - omega**2 * beam.element_M, ends) - beam.element_f
-    )  # what holds each element
+    # what holds each element
+    pushed = np.einsum("eij,ej->ei", beam.element_K - omega**2 * beam.element_M, ends) - beam.element_f
     q = beam.load + (omega**2 * beam.line_mass)[:, None] * np.stack([w[:-1], w[1:]], 1)
     xi, L = np.arange(POINTS) / POINTS, np.diff(z)[:, None]
     M = (1 - xi) * pushed[:, 1:2] - xi * pushed[:, 3:4]
     M = M + L**2 * (q[:, :1] * (xi - xi**2) / 2 + (q[:, 1:] - q[:, :1]) * (xi - xi**3) / 6)
-    slope, rise = (
-        -(pushed[:, 1] + pushed[:, 3]) / L[:, 0],
-        q[:, 1] - q[:, 0],
-    )  # of M between the ends, and what the load adds to it
+    # of M between the ends, and what the load adds to it
+    slope, rise = (-(pushed[:, 1] + pushed[:, 3]) / L[:, 0], q[:, 1] - q[:, 0])
     Q = np.stack([slope + L[:, 0] * (q[:, 0] / 2 + rise / 6), slope - L[:, 0] * (q[:, 0] / 2 + rise / 3)], 1)
     return Bent(
         z=z,

@@ -422,9 +422,8 @@ def _frequencies(
     outline = shaft.outline
     inertia = each(outline.inertia)
     if shaft.sector.any():
-        gamma = each(
-            gathered(math.pi if p.half_angle is None else p.half_angle for p in outline.pieces)
-        )  # π: the full cylinder
+        # π: the full cylinder
+        gamma = each(gathered(math.pi if p.half_angle is None else p.half_angle for p in outline.pieces))
         side = f.sideways_inertia(
             R=column(outline.pieces, "outer_radius"), r_0=column(outline.pieces, "core_radius"), gamma=gamma
         )

@@ -222,9 +222,8 @@ def drill(deviation: ComplexArray, influence: ComplexArray, least: float, most: 
     raised, by halved steps, which leads to the smallest maximum (its dual is concave in the weight).  The best of these
     tries is kept, and taking off nothing is one of them: drilling never makes a shaft worse."""
     masses, shafts = influence.shape[1], deviation.shape[1]
-    matrix = np.einsum(
-        "ji,jk->jik", influence.conj(), influence
-    ).real  # |left|² of plane j = |deviation|² − 2·pull·x + x·own·x
+    # |left|² of plane j = |deviation|² − 2·pull·x + x·own·x
+    matrix = np.einsum("ji,jk->jik", influence.conj(), influence).real
     pull = np.einsum("ji,js->jis", influence.conj(), deviation).real
     square = np.abs(deviation) ** 2
     x, best, lowest = np.zeros((masses, shafts)), np.zeros((masses, shafts)), square.max(0)
@@ -273,9 +272,8 @@ def scattered(
             deviation, most = deviation[:, out], holes.hole_unbalance_of_mass
             drilled_off = drill(deviation, influence, 0.0, most)
             mended = worse(deviation - _joint(influence, drilled_off)) <= 1
-            bare = deviation[
-                :, ~mended & (drilled_off == 0).any(0)
-            ]  # beyond drilling, and a mass is not drilled at all
+            # beyond drilling, and a mass is not drilled at all
+            bare = deviation[:, ~mended & (drilled_off == 0).any(0)]
             light = worse(bare - _joint(influence, drill(bare, influence, -math.inf, most))) <= 1
             counts[1:] += int(mended.sum()), int(light.sum()), int((~mended).sum() - light.sum())
             taken = np.zeros_like(couple)
@@ -332,9 +330,8 @@ def _percentiles(name: str, when: str, ordered: Array, words: tuple[str, ...]) -
 
 def residual_check(spread: ScatterResult, limit: NewtonMetre) -> Check:
     """`limit`: what a shaft of the drawing may leave over."""
-    couple = (
-        spread.residual_couple_95 if spread.drilled_couple_95 is None else spread.drilled_couple_95
-    )  # what leaves the factory
+    # what leaves the factory
+    couple = spread.residual_couple_95 if spread.drilled_couple_95 is None else spread.drilled_couple_95
     return check(
         "countershaft.scatter.residual",
         Text("Couple that 95 % of the shafts stay below"),

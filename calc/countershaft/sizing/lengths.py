@@ -24,9 +24,8 @@ import numpy as np
 
 from ...sheet.arrays import Array, BoolArray, ComplexArray, IndexArray
 
-CLOSE = (
-    1e-7  # the last search ends when the lengths are known to this; the mass is level there, so it is known far better
-)
+# the last search ends when the lengths are known to this; the mass is level there, so it is known far better
+CLOSE = 1e-7
 ROUNDS = 60
 LEVEL = 1e-9  # of the mass: a gain by which the window becomes smaller all the same
 TINY = 1e-300  # in place of no length: what is asked of it is then far beyond 1
@@ -142,9 +141,8 @@ def _least(asked: Task, best: Array, fits: BoolArray) -> tuple[Array, Array]:
     """A grid over all that serves: along each edge, and from there both sectors shorter.  Then closer around its least
     mass."""
     from_, to = (_reach(best, np.full_like(best, end), lambda t: _worst(asked, t) <= 1, LINE, 5) for end in (0.0, 1.0))
-    t = (
-        from_[..., None] + (to - from_)[..., None] * ROW**2
-    )  # closer where the lengths are short, and their effect large
+    # closer where the lengths are short, and their effect large
+    t = from_[..., None] + (to - from_)[..., None] * ROW**2
     front, rear = _edges(t)
 
     def both_shorter(x: Array) -> BoolArray:

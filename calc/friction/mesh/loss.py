@@ -230,9 +230,8 @@ class MeshCase:
     source_surfaces: Surfaces
     warming: Warming
     estimated: bool  # whether the temperature of the teeth is `warming`'s
-    last: list["tuple[tuple[bool, Number], Watt, Lost]"] = field(
-        default_factory=list, init=False, repr=False
-    )  # asked untraced
+    # asked untraced
+    last: list["tuple[tuple[bool, Number], Watt, Lost]"] = field(default_factory=list, init=False, repr=False)
 
     def rubbing(self, by_regime: bool) -> Surfaces:
         return self.surfaces if by_regime else self.source_surfaces

@@ -53,10 +53,8 @@ SHARING = Text("Johnson, Greenwood and Poon 1972, load-sharing concept")
 BOUNDARY: Number = 0.08  # friction of lubricated peaks
 PUBLISHED = (0.065, 0.10)  # its published values
 DRY: Number = 0.135  # the gear friction thesis', after Masjedi and Khonsari's rollers
-MIXED = (
-    0.3,
-    3.5,
-)  # λ below which lubrication is called boundary, above which full film: the widest that authors take, thesis 4.1
+# λ below which lubrication is called boundary, above which full film: the widest that authors take, thesis 4.1
+MIXED = (0.3, 3.5)
 FULL: Number = 2.3  # λ above which the law of Zhu and Hu would fall again: the film carries all from 2.02 on
 
 

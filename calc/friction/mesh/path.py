@@ -119,9 +119,8 @@ def cells(x: Array, width: Array, points: int, others: int) -> Cells:
     dx = width.reshape(rows, -1, points)
     ends = np.cumsum(dx, axis=-1)
     inside = x[:, : columns - others].reshape(rows, -1, points)
-    begin = (
-        inside.mean(axis=-1, keepdims=True) - ends[..., -1:] / 2
-    )  # Gauss points lie evenly about the middle of their piece
+    # Gauss points lie evenly about the middle of their piece
+    begin = inside.mean(axis=-1, keepdims=True) - ends[..., -1:] / 2
     left, right = inside - (begin + ends - dx), begin + ends - inside
     nothing = np.zeros((rows, others))
     first = np.where(in_piece > 0, place - 1, place)

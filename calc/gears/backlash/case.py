@@ -29,12 +29,8 @@ from ..practice import mm
 from ..result import MeshResult, ToothSystem, TrainResult, WheelResult
 from . import formulas as b
 
-SPREAD = {
-    "position": 1 / 2,
-    "fit": 1 / sqrt(2),
-    "runout": 1 / sqrt(2),
-    "radial": 1 / sqrt(3),
-}  # standard deviation over the largest shift
+# standard deviation over the largest shift
+SPREAD = {"position": 1 / 2, "fit": 1 / sqrt(2), "runout": 1 / sqrt(2), "radial": 1 / sqrt(3)}
 EVEN = "radial"  # how a field of no kind, or a bare tolerance, is spread
 
 

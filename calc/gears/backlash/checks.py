@@ -155,9 +155,8 @@ def freed(
         return ()
     less = math.ceil(missing / growth * 1e6 - 1e-6)
     thick = max(wheels, key=lambda wheel: wheel.allowance[0] if wheel.allowance else 0.0)
-    ends = [
-        round(end * 1e6 - less, 6) for end in thick.allowance or (0.0, 0.0)
-    ]  # the field of the allowance stays as wide as it is
+    # the field of the allowance stays as wide as it is
+    ends = [round(end * 1e6 - less, 6) for end in thick.allowance or (0.0, 0.0)]
     off = remedy(
         change(Wheel, f"gears.wheels.{thick.name}.span_allowance_um", ends, place=thick.name),
         effect=Text("{less} µm more off the span of its teeth", less=less),

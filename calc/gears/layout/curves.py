@@ -32,9 +32,8 @@ def layout_curve(gears: GearsInputs, train: TrainResult, layout: LayoutResult) -
     for name, wheel in placed.items():
         radii = [train.wheels[name].tip_diameter / 2, *_working_radii(train, name)]
         direction = np.exp(1j * (wheel.tooth_angle or 0.0))
-        rings = [
-            radius * direction * np.exp(1j * AROUND) for radius in radii
-        ]  # one line: each ring begins and ends at tooth 1
+        # one line: each ring begins and ends at tooth 1
+        rings = [radius * direction * np.exp(1j * AROUND) for radius in radii]
         series.append(_line(Name(name), wheel.position + np.concatenate([*rings, [0.0]])))
     for wall in gears.walls:
         series.append(_line(Name(wall.name), np.array([complex(*wall.from_), complex(*wall.to)])))

@@ -238,9 +238,8 @@ def tool_problem(s: ToothSystem) -> NoSolution | None:
     cosines, tangent = math.cos(s.alpha_n) * math.cos(s.beta), math.tan(s.transverse_pressure_angle)
     straight = math.pi * s.transverse_module / 4
     widest = (straight - s.h_fP * s.m_n * tangent + s.s_pr / cosines) / ((1 / cosines - tangent) * s.m_n)
-    deepest = (straight + (s.s_pr + s.stock) / cosines) / (
-        tangent * s.m_n
-    )  # of the tool itself, where its sharp corners meet
+    # of the tool itself, where its sharp corners meet
+    deepest = (straight + (s.s_pr + s.stock) / cosines) / (tangent * s.m_n)
     advice = Text("give a gears.tool_addendum of less than {down}: that much with sharp corners", down=_down(deepest))
     if widest >= 0:
         advice = Text(

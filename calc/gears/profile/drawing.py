@@ -41,9 +41,8 @@ CIRCLES = {
     "FORM": "form_diameter",
 }
 HANDS = {"left": Text("left"), "right": Text("right")}
-LETTER = (
-    0.02  # rule of this program: letters are a fiftieth of the tip diameter high, and all distances multiples of that
-)
+# rule of this program: letters are a fiftieth of the tip diameter high, and all distances multiples of that
+LETTER = 0.02
 UP: Radian = math.pi / 2
 Places = Mapping[str, tuple[Metre, Metre]]
 

@@ -30,9 +30,8 @@ from .outline import CHORD_ERROR
 
 FILLET, FLANK = 129, 12  # places of the fillet's table, and points of the flank that are carried past the mate
 CORNER, ROLL = 181, 21  # positions in which the tip's corner is looked at, and the other points
-CLOSE = (
-    0.01  # modules between a corner and a fillet, measured along the circle, from which it is looked at more closely
-)
+# modules between a corner and a fillet, measured along the circle, from which it is looked at more closely
+CLOSE = 0.01
 DUST: Metre = 1e-12  # below it a distance is of the last digits
 
 
@@ -172,9 +171,8 @@ def penetrations(train: TrainResult) -> dict[str, Metre]:
                 m.working_thickness_driven,
             )
             with untraced():
-                loose = (
-                    circumferential_backlash(*sizes) > DUST
-                )  # before allowances: the shifts were given with the centre distance
+                # before allowances: the shifts were given with the centre distance
+                loose = circumferential_backlash(*sizes) > DUST
             depths[key] = penetration(*pair, circumferential_backlash(*sizes)) if loose else penetration(*pair)
     return depths
 

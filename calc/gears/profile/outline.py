@@ -32,9 +32,8 @@ __all__ = [
     "whole_tooth",
 ]
 
-CHORD_ERROR: Metre = (
-    1e-6  # rule of this program: a polyline stays within a micrometre of the curve, if nothing else is asked
-)
+# rule of this program: a polyline stays within a micrometre of the curve, if nothing else is asked
+CHORD_ERROR: Metre = 1e-6
 FINE = 65  # places at which the curvature of a fillet is looked at
 SAFETY = 1.15  # more chords than a constant curvature between two points would ask for
 
@@ -156,7 +155,6 @@ def repeated(tooth: Outline, z: int, teeth: range | None = None) -> Outline:
     """A tooth at each of its places."""
     numbers = np.arange(z) if teeth is None else np.asarray(teeth)
     turns = np.exp(2j * np.pi * numbers / z)
-    last = (
-        tooth[:1] if teeth is None else tooth[-1:] * turns[-1]
-    )  # a closed line ends in the very point in which it begins
+    # a closed line ends in the very point in which it begins
+    last = tooth[:1] if teeth is None else tooth[-1:] * turns[-1]
     return np.concatenate([np.outer(turns, tooth[:-1]).ravel(), last])

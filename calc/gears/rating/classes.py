@@ -109,9 +109,8 @@ def class_names() -> tuple[str, ...]:
 def classes_of(steel: str) -> tuple[str, ...]:
     """The classes that name a steel among their usual ones."""
     sought = steel.casefold()
-    likely = [
-        name for name, text in _rows().items() if f'"{sought}"' in text.casefold()
-    ]  # the only rows that need be read
+    # the only rows that need be read
+    likely = [name for name, text in _rows().items() if f'"{sought}"' in text.casefold()]
     return tuple(name for name in likely if sought in (s.casefold() for s in _row(name)["steels"]))
 
 

@@ -50,10 +50,8 @@ MICROMETRE: Metre = 1e-6
 MEGAPASCAL: Pascal = 1e6
 MOST_RUN_IN: Metre = 3e-6  # of a base pitch, hardened flanks
 MOST_RUN_IN_BETA: Metre = 6e-6  # of a helix, hardened flanks
-CAPS = (
-    (10.0, 40e-6),
-    (5.0, 80e-6),
-)  # above this speed [m/s] no larger deviation runs in [m]; twice that speed class, half of it
+# above this speed [m/s] no larger deviation runs in [m]; twice that speed class, half of it
+CAPS = ((10.0, 40e-6), (5.0, 80e-6))
 RANGES = (("d", 5e-3, 15.0), ("m_n", 0.5e-3, 70e-3), ("b", 4e-3, 1.2))
 HARD = ("Eh", "IF", "NT", "NV")  # case, induction and flame hardened, nitrided, nitrocarburised
 SOFT_IRON = ("GG", "GGG(ferr.)")

@@ -24,13 +24,8 @@ from .states import HARD_CASE, UNDERCUT, USUAL, Bar, ShiftRule, States, judge, k
 ROUND = 10_000  # points of the lattice per unit of the shift
 HIGHEST = keys(Wheel)["profile_shift"].about.high or 3.0  # shift coefficient: the end of its input
 OTHERS = 1e-3  # weight of all meshes beside the largest sliding: it decides only what the largest leaves open
-GRID = {
-    1: 41,
-    2: 33,
-    3: 15,
-    4: 9,
-    5: 7,
-}  # points a side (odd), by the number of free shifts; there is no search for more
+# points a side (odd), by the number of free shifts; there is no search for more
+GRID = {1: 41, 2: 33, 3: 15, 4: 9, 5: 7}
 KEPT = 40  # grids that are kept for another bar: each of four free shifts takes about 2 MB
 
 

@@ -277,9 +277,8 @@ CLEARANCE = ShiftRule(
 HARD_CASE = (UNDERCUT, HARDENED, CONTACT, FILLET, CLEARANCE)
 USUAL = (UNDERCUT, TIP, CONTACT, FILLET, CLEARANCE)
 
-Bar = tuple[
-    ShiftRule, ShiftRule, ShiftRule, ShiftRule, ShiftRule
-]  # for the shift, the tips, the contact ratio, the start of contact, the clearance
+# for the shift, the tips, the contact ratio, the start of contact, the clearance
+Bar = tuple[ShiftRule, ShiftRule, ShiftRule, ShiftRule, ShiftRule]
 
 
 @record

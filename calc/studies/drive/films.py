@@ -154,13 +154,8 @@ def _sized(seat: BearingCase, l: Array, g: Array) -> BearingCase:
 
 # --- the films at the corners, and what they bear
 
-ALWAYS = (
-    "temperature",
-    "specific_load",
-    "heat_index",
-    "length_ratio",
-    "transition",
-)  # rules that do not know the slope
+# rules that do not know the slope
+ALWAYS = ("temperature", "specific_load", "heat_index", "length_ratio", "transition")
 
 
 @record

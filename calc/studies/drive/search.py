@@ -38,9 +38,8 @@ NEIGHBOURS = 3  # of a row that fails when it is solved whole, are tried in its 
 NEAR = 16  # rows among which the neighbours of one are looked for
 FIRST = 4  # rows that are solved whole to find a first drive that passes
 HOPELESS = 6  # rows that fail whole by one and the same check: nothing that is varied moves it
-Told = Callable[
-    [int, "FrontTable", str], None
-]  # classes that are done, what they have given together, and the last one's name
+# classes that are done, what they have given together, and the last one's name
+Told = Callable[[int, "FrontTable", str], None]
 
 
 @record

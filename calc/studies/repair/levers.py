@@ -124,9 +124,8 @@ def called(document: Document, key: str, now: object, new: object) -> Text:
 
 # --- what may be changed
 
-FIXED = re.compile(
-    rf"{ASKED.pattern}|.*\.(slope_mrad|position_mm|firing_order|crank_angles_deg|speed_range_rpm)"
-)  # not moved as numbers
+# not moved as numbers
+FIXED = re.compile(rf"{ASKED.pattern}|.*\.(slope_mrad|position_mm|firing_order|crank_angles_deg|speed_range_rpm)")
 PLANS = 7  # kinds that are looked at
 SETS = 12  # changes of one kind that are tried as they are
 ALLOWANCE = 100.0  # µm off a span: what a change of it is measured against

@@ -293,9 +293,8 @@ class _Step:
         numbers, then by a new start."""
         first, last = WAYS.get(self.step, ()), LAST.get(self.step, ())
         for n, (patterns, way) in enumerate(first):
-            failing = tuple(
-                c for c in self._failing(state, patterns) if c.id not in self.why
-            )  # not those that were tried in vain
+            # not those that were tried in vain
+            failing = tuple(c for c in self._failing(state, patterns) if c.id not in self.why)
             state = self._by(
                 state, failing, _way(way), part(progress, 0.5 * n / len(first), 0.5 * (n + 1) / len(first))
             )

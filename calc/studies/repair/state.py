@@ -18,15 +18,8 @@ from ...sheet.step import Outcome
 from ...sheet.text import Small, Text
 from ...solve import Results, solve
 
-ORDER = (
-    "engine",
-    "imbalance",
-    "countershaft",
-    "bearings",
-    "gears",
-    "friction",
-    "mounting",
-)  # in which steps are repaired: that of solving
+# in which steps are repaired: that of solving
+ORDER = ("engine", "imbalance", "countershaft", "bearings", "gears", "friction", "mounting")
 TITLES = {step.key: Small(step.title) for step in STEPS}
 
 

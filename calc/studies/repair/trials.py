@@ -335,10 +335,8 @@ class Trials:
             number = self._whole(lever, low + copysign(max(abs(step), 0.01 * lever.scale), step))
             number = min(number, end) if sign > 0 else max(number, end)
             while (changes := lever.at(number)) is None or isnan(here := self.score(self.tried(changes), wanted)):
-                number, before = (
-                    self._whole(lever, (low + number) / 2),
-                    number,
-                )  # not allowed, or without solution: half as far
+                # not allowed, or without solution: half as far
+                number, before = (self._whole(lever, (low + number) / 2), number)
                 if abs(number - low) < 0.01 * lever.scale or number == before:
                     return nearest
             if here > most:

@@ -270,9 +270,8 @@ def _holds(document: Document) -> bool:
 
 def _bearings(document: Document) -> Document:
     """Plain bearings, or the word that rolling ones carry the shaft."""
-    alone = document.with_value(
-        "friction", None
-    )  # which asks for the oil of the bearings, as the wheels ask for their loss
+    # which asks for the oil of the bearings, as the wheels ask for their loss
+    alone = document.with_value("friction", None)
     if "gears" in document.data:
         alone = alone.with_value("gears.power_kW", 1.0)
     try:

@@ -27,13 +27,8 @@ HELIX: Radian = math.radians(20)
 MODULES = (2.5e-3, 2.0e-3, 1.75e-3, 1.5e-3, 1.25e-3)
 USUAL = 2.0e-3  # the largest of them where nothing asks for more
 SMALLEST = 1.25e-3
-WHEELS = (
-    (25, 36, 39),
-    (25, 31, 33),
-    (21, 31, 34),
-    (21, 26, 29),
-    (20, 23, 27),
-)  # crank and shaft, central, idler; those of the R753IE4 first
+# crank and shaft, central, idler; those of the R753IE4 first
+WHEELS = ((25, 36, 39), (25, 31, 33), (21, 31, 34), (21, 26, 29), (20, 23, 27))
 FACES = (7.5, 6.0)  # modules
 FLANKS = (0.8, 0.4, 0.3, 0.2)  # Ra in µm: ground, finely ground, and then polished
 BORE = 0.6  # of the reference diameter

@@ -34,9 +34,8 @@ async def undo(pilot: Pilot[int], do: Do) -> None:
     await still(pilot)
     assert session.value(SHARE) == 0.5 and "[0.5      ]" in text(pilot) and "edited" not in screen_rows(pilot)[0]
     form = work(pilot).form
-    assert (
-        form.last == session.place(SHARE) and pilot.app.focused is form
-    )  # no field had the focus: the next letter is a key again
+    # no field had the focus: the next letter is a key again
+    assert form.last == session.place(SHARE) and pilot.app.focused is form
     assert "Undone: " in told(pilot) and "0.4 → 0.5" in told(pilot)
 
 
@@ -74,9 +73,8 @@ async def nudged(pilot: Pilot[int], do: Do, shown: str, value: float) -> None:
 @deed
 async def down(pilot: Pilot[int], do: Do) -> None:
     await do()
-    await until(
-        pilot, lambda: isinstance(pilot.app.focused, Balance) and "▸(•) one shaft" in text(pilot)
-    )  # first the question
+    # first the question
+    await until(pilot, lambda: isinstance(pilot.app.focused, Balance) and "▸(•) one shaft" in text(pilot))
     await do()
     await until(pilot, lambda: "▸( ) a pair at ±ω" in text(pilot))
     await do()

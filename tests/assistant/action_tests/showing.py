@@ -66,9 +66,8 @@ async def help_(pilot: Pilot[int], do: Do) -> None:
     await strike(pilot, "f1")
     await until(pilot, lambda: "This screen" in text(pilot))
     await strike(pilot, "end")
-    await until(
-        pilot, lambda: "Step 6: Friction" in text(pilot) and "Tab Shift+Tab" in text(pilot)
-    )  # the keys, at the end
+    # the keys, at the end
+    await until(pilot, lambda: "Step 6: Friction" in text(pilot) and "Tab Shift+Tab" in text(pilot))
     await back(pilot)
 
 

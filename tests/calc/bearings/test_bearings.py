@@ -266,9 +266,8 @@ def test_too_little_load_is_told_from_too_much(gamma):
 def test_without_supply_pressure_the_charts_take_their_own_flow(gamma):
     found = outcome(gamma, bearings__supply_pressure_bar=0.0)
     r = found.result.bearings["front"]
-    assert r.raimondi_boyd.temperature_rise == pytest.approx(
-        10.7, abs=0.06
-    )  # by an independent balance: 10.7 K front, 14.4 K rear
+    # by an independent balance: 10.7 K front, 14.4 K rear
+    assert r.raimondi_boyd.temperature_rise == pytest.approx(10.7, abs=0.06)
     assert found.result.bearings["rear"].raimondi_boyd.temperature_rise == pytest.approx(14.4, abs=0.2)
     assert (
         r.raimondi_boyd.oil_flow == r.raimondi_boyd_own_flow.oil_flow
@@ -329,8 +328,7 @@ def test_the_design_stands_on_its_curves_and_fails_with_its_film(gamma_results):
         x, y = over_clearance.point
         line = next(s for s in over_clearance.series if s.label == "at the edge")
         assert np.interp(x, line.x, line.y) == pytest.approx(y, rel=1e-6)
-        assert over_speed.point == pytest.approx(
-            (2600, y)
-        )  # with the oil of the design, the line has that of the bench run
+        # with the oil of the design, the line has that of the bench run
+        assert over_speed.point == pytest.approx((2600, y))
         assert over_speed.fails == over_clearance.fails == (judged[f"bearings.{place}.film_edge"] == "fail")
     assert {judged[f"bearings.{place}.film_edge"] for place in ("front", "rear")} >= {"fail"}

@@ -109,9 +109,8 @@ def test_the_film_does_not_know_who_looks(n_J, n_B, n_F, turn):
     for other in ((n_J + turn, n_B + turn, n_F + turn), (n_B, n_J, n_F), (-n_J, -n_B, -n_F)):
         assert f.effective_speed(n_J=other[0], n_B=other[1], n_F=other[2]) == pytest.approx(seen, abs=1e-9)
         assert f.sliding_speed(n_J=other[0], n_B=other[1]) == pytest.approx(f.sliding_speed(n_J=n_J, n_B=n_B), abs=1e-9)
-    assert f.effective_speed(n_J=n_J, n_B=n_B, n_F=(n_J + n_B) / 2) == pytest.approx(
-        0, abs=1e-9
-    )  # a load at half speed finds no film
+    # a load at half speed finds no film
+    assert f.effective_speed(n_J=n_J, n_B=n_B, n_F=(n_J + n_B) / 2) == pytest.approx(0, abs=1e-9)
     assert f.effective_speed(n_J=n_J, n_B=0.0, n_F=n_J) == pytest.approx(
         f.effective_speed(n_J=n_J, n_B=0.0, n_F=0.0), abs=1e-9
     )
@@ -141,9 +140,8 @@ def test_a_short_bearing_is_ocvirks(eps, b):
     assert film.attitude == pytest.approx(short.attitude_angle(eps=eps), abs=0.2 * square)
     assert film.flow == pytest.approx(short.relative_flow(eps=eps), rel=0.2 * square)
     assert film.side_flow_ratio == pytest.approx(short.side_flow_share(eps=eps), rel=0.3 * square)
-    damping = (
-        2 * math.pi * film.sommerfeld * radial_damping(eps, b, cells=(384, 32))
-    )  # the usual grid is within 1e-2 at l/d 0.1
+    # the usual grid is within 1e-2 at l/d 0.1
+    damping = 2 * math.pi * film.sommerfeld * radial_damping(eps, b, cells=(384, 32))
     assert 1 - 4 * square < damping / short.radial_damping(eps=eps) < 1 - 0.1 * square
 
 
@@ -347,9 +345,8 @@ def test_clearance_is_linear_in_temperature(asked, journal, housing, chi, T, way
         g, rel=1e-12
     )
     held, free = (f.clearance_at(g=g, T=T, T_ref=20.0, **{**said, "chi": x}) for x in (1.0, 0.0))
-    assert held == pytest.approx(
-        g - d * journal * (T - 20), rel=1e-9
-    )  # the block holds the seat: the journal alone grows
+    # the block holds the seat: the journal alone grows
+    assert held == pytest.approx(g - d * journal * (T - 20), rel=1e-9)
     assert free - held == pytest.approx(d * housing * (T - 20), rel=1e-9, abs=1e-12 * d)
     assert at_once == pytest.approx(chi * held + (1 - chi) * free, rel=1e-9, abs=1e-12 * d)
     warm = own_warm(replace(case, journal_expansion=housing, housing_expansion=housing), duty, 0.0)

@@ -14,10 +14,8 @@ from calc.bearings.film.reynolds import FilmSolution, radial_damping, solve_film
 REFERENCE = Path(__file__).parents[2] / "reference"
 CONVERGED = json.loads((REFERENCE / "bearings_reynolds.json").read_text())["rows"]
 PUBLISHED = json.loads((REFERENCE / "raimondi_boyd_1958.json").read_text())["rows"]
-WRONG_FLOW = {
-    ("inf", 0.8),
-    ("inf", 0.9),
-}  # Raimondi and Boyd's Q 0.760 and 0.411; the closed form gives 0.7825 and 0.3891
+# Raimondi and Boyd's Q 0.760 and 0.411; the closed form gives 0.7825 and 0.3891
+WRONG_FLOW = {("inf", 0.8), ("inf", 0.9)}
 
 
 def named(row: dict) -> str:

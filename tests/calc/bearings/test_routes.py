@@ -47,9 +47,8 @@ def test_the_spread_is_the_farthest_of_those_that_solve_the_film_at_the_same_oil
         assert set(r.side.compared) == {"raimondi_boyd_own_flow", "iso7902"}
         assert r.routes_spread == pytest.approx(max(abs(far) for far in r.side.compared.values()))
         assert abs(r.side.alike["iso7902"]) < 0.01
-        assert r.side.alike["raimondi_boyd"] == pytest.approx(
-            r.side.alike["raimondi_boyd_own_flow"]
-        )  # only their flows differ
+        # only their flows differ
+        assert r.side.alike["raimondi_boyd"] == pytest.approx(r.side.alike["raimondi_boyd_own_flow"])
 
 
 def test_the_note_says_who_is_off_and_why(gamma_results):

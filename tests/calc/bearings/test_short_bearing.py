@@ -39,9 +39,8 @@ def test_the_load_is_the_integral_of_the_pressure():
     theta = np.linspace(0, math.pi, 200_001)
     angle = s.angle_of_largest_pressure(eps=eps)
     middle = s.middle_pressure(p_max=largest(eps, b), eps=eps, theta=theta, theta_m=angle)
-    along, across = (
-        float(middle @ part) * theta[1] * 2 / 3 for part in (np.cos(theta), np.sin(theta))
-    )  # zero at both ends
+    # zero at both ends
+    along, across = (float(middle @ part) * theta[1] * 2 / 3 for part in (np.cos(theta), np.sin(theta)))
     assert math.hypot(along, across) / 2 == pytest.approx(s.sommerfeld_din(eps=eps, b=b), rel=1e-8)
     assert math.atan2(across, -along) == pytest.approx(s.attitude_angle(eps=eps), rel=1e-8)
 

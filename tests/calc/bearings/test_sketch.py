@@ -37,9 +37,8 @@ def test_the_journal_lies_in_its_clearance_as_the_film_holds_it(gamma, gamma_res
         x, y = journal.centre
         assert journal.radius == pytest.approx(found.seat.bearing.diameter / 2)
         assert math.hypot(x, y) == pytest.approx(gap * found.eccentricity)
-        assert math.atan2(x, -y) == pytest.approx(
-            found.attitude_angle
-        )  # from the load, which points down, anticlockwise
+        # from the load, which points down, anticlockwise
+        assert math.atan2(x, -y) == pytest.approx(found.attitude_angle)
         factor = gap / (found.clearance_hot / 2)
         assert f"gap × {factor:.0f}" in map(str, bearings.notes)
 

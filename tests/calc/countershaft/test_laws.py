@@ -50,9 +50,8 @@ def deflection(model, z):
 @given(pieces=pieces, pins=pins, a=place, b=place)
 def test_maxwell_and_betti(pieces, pins, a, b):
     """The deflection at a under a force at b is that at b under the same force at a."""
-    at_a, at_b = (
-        shaft(pieces, pins, forces=([x, y], [1000.0, 0.0])) for x, y in ((a, b), (b, a))
-    )  # both places are nodes of both
+    # both places are nodes of both
+    at_a, at_b = (shaft(pieces, pins, forces=([x, y], [1000.0, 0.0])) for x, y in ((a, b), (b, a)))
     one, other = deflection(at_a, b), deflection(at_b, a)
     size = max(abs(bend(model).w).max() for model in (at_a, at_b))
     assert abs(one - other) <= 1e-6 * size

@@ -82,9 +82,8 @@ def test_the_inputs_that_move_a_check_are_measured():
     assert film["bearings.front.journal_roughness_um"].gain == pytest.approx(-7.5)
     assert film["bearings.front.length_mm"].slope == film["bearings.front.length_mm"].gain > 0
     assert film["bearings.front.length_mm"].unit == "µm/mm"
-    assert (
-        film["bearings.front.clearance_um"].slope is None and film["bearings.oil"].slope is None
-    )  # not given, no number
+    # not given, no number
+    assert film["bearings.front.clearance_um"].slope is None and film["bearings.oil"].slope is None
     longer = solve(design(document.with_value("bearings.front.length_mm", 27.6)))
     there = {c.id: c.value for c in longer.checks()}[LIMIT]
     assert there - checks[LIMIT].value == pytest.approx(0.1 * film["bearings.front.length_mm"].slope, rel=0.02)

@@ -235,9 +235,8 @@ def test_whatever_fails_the_file_is_the_old_or_the_new_one_and_nothing_else_stay
         assert found[-1] in (b"old", b"new") and kept.read_bytes() in (b"older", b"old")
         assert told in (None, error) and (told is None) <= (found[-1] == b"new")  # what was not written is said
         left = [name for name in names(tmp_path) if name not in ("a.toml", "a.toml.bak")]
-        assert len(left) <= (
-            asked[-1] == "unlink" or "unlink" in asked
-        )  # the one whose removal failed, which the next write takes away
+        # the one whose removal failed, which the next write takes away
+        assert len(left) <= (asked[-1] == "unlink" or "unlink" in asked)
         write_file(path, b"next")
         assert names(tmp_path) == ["a.toml", "a.toml.bak"]
         ways.append(len(asked))

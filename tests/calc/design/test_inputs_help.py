@@ -95,10 +95,8 @@ def test_what_is_unusual_is_told_with_its_range_and_a_long_list_by_its_first() -
         .with_value("bearings.front.diameter_mm", 360.0)
     )
     found = unusual(design(changed))
-    first, second = (
-        "front diameter 360 mm (usual 15 to 120)",
-        "bore 0.094 mm (usual 50 to 150)",
-    )  # the furthest first, in ranges
+    # the furthest first, in ranges
+    first, second = ("front diameter 360 mm (usual 15 to 120)", "bore 0.094 mm (usual 50 to 150)")
     assert told(found) == f"2 inputs are not usual: {first}; {second}"
     assert told(found, 1) == f"2 inputs are not usual: {first}; 1 more"
     assert told([]) == ""

@@ -18,9 +18,8 @@ def test_the_oil_is_locked_until_the_design_says_otherwise(gamma: Document) -> N
     assert locked(gamma.data, "bearings.oil") and locked(gamma.data, "measured.0.value")
     assert not locked(gamma.data, "bearings.front.length_mm")
     assert not locked({**gamma.data, "locked": {}}, "bearings.oil")
-    assert "friction.oil" in locks(gamma.data) and "friction.oil" not in standing(
-        gamma.data
-    )  # that of the bearings is used
+    # that of the bearings is used
+    assert "friction.oil" in locks(gamma.data) and "friction.oil" not in standing(gamma.data)
 
 
 def test_a_table_locks_what_stands_in_it_and_is_unlocked_from_there(gamma: Document) -> None:

@@ -166,9 +166,8 @@ def test_every_error_at_once_in_the_order_of_the_lines():
         "firing_order = [1, 3, 2]", "firing_order = [1, 3]"
     )
     found = errors(text)
-    assert (
-        len(found) == 6
-    )  # the misspelt key is unknown and the right one missing; names and cross-checks are not put off
+    # the misspelt key is unknown and the right one missing; names and cross-checks are not put off
+    assert len(found) == 6
     lines = [int(e.split(":")[1]) for e in found]
     assert lines == sorted(lines)
 

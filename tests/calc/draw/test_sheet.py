@@ -212,9 +212,8 @@ def test_the_final_design_is_rounded_as_a_drawing_is(sheet):
         "9.03 kg",
     ):
         assert text in said, text
-    assert (
-        said.count("A") >= 2 and said.count("B") >= 2 and "I" in said and "II" in said
-    )  # ends of cutting planes; planes of balancing
+    # ends of cutting planes; planes of balancing
+    assert said.count("A") >= 2 and said.count("B") >= 2 and "I" in said and "II" in said
 
 
 def test_the_tables_give_teeth_balancing_and_masses(sheet, gamma_results):
@@ -243,9 +242,8 @@ def test_a_given_cylinder_in_a_bearing_has_its_fit_and_its_roughness_too():
     data = variant("r753ie4_gamma", journal_fit="f7")
     data["countershaft"]["sections"] = SECTIONS
     said = [words.text for words in letters(shaft_sheet(solve(design(Document(data)))))]
-    assert (
-        said.count("⌀24 f7 (−0.02/−0.041)") == 2 and said.count("Ra 0.6") == 2 and "⌀28" in said
-    )  # ISO 286-2: f7 from 18 to 30 mm
+    # ISO 286-2: f7 from 18 to 30 mm
+    assert said.count("⌀24 f7 (−0.02/−0.041)") == 2 and said.count("Ra 0.6") == 2 and "⌀28" in said
 
 
 def test_the_clearance_of_the_journals_is_noted(sheet, gamma_results):

@@ -176,9 +176,8 @@ def test_the_block_feels_the_side_thrust(engine, epsilon):
     height = engine.crank_radius * math.cos(alpha) + engine.rod_length * math.cos(beta)
     moment = -throw_formulas.side_thrust(F=F, beta=beta) * height
     size = e.reciprocating_mass * engine.crank_radius * e.angular_speed**2 * engine.rod_length
-    assert torque.reaction(T=T, d=engine.cylinder_offset, F_I=F) == pytest.approx(
-        moment, abs=2e-9 * size
-    )  # angles within 1e-9 of a dead centre are taken for it
+    # angles within 1e-9 of a dead centre are taken for it
+    assert torque.reaction(T=T, d=engine.cylinder_offset, F_I=F) == pytest.approx(moment, abs=2e-9 * size)
 
 
 @settings(max_examples=60, deadline=None)

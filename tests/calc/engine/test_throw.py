@@ -136,9 +136,8 @@ def test_nothing_passes_through_the_first_throw():
     engine, e, _ = engine_of(cylinders=4, firing_order=(1, 3, 4, 2))
     _, in_front = throw.pins(engine, e)
     assert in_front.sum(1).tolist() == [0, 1, 2, 3]
-    _, in_front = throw.pins(
-        engine, replace(e, crank=replace(e.crank, z=e.crank.z[::-1]))
-    )  # numbered from the flywheel
+    # numbered from the flywheel
+    _, in_front = throw.pins(engine, replace(e, crank=replace(e.crank, z=e.crank.z[::-1])))
     assert in_front.sum(1).tolist() == [3, 2, 1, 0]
 
 

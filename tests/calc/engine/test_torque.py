@@ -180,9 +180,8 @@ def test_mean_torque_is_the_work_of_the_cycle(changes, strokes):
         work(engine, e) / (math.pi / 4 * engine.bore**2 * e.stroke), rel=1e-7
     )
     rated = values(replace(engine, rated_power=found.indicated_power))
-    assert rated.brake_mean_pressure == pytest.approx(
-        found.indicated_mean_pressure, rel=1e-9
-    )  # as if nothing were lost
+    # as if nothing were lost
+    assert rated.brake_mean_pressure == pytest.approx(found.indicated_mean_pressure, rel=1e-9)
     assert curve.limits == (("mean", found.mean_torque),)
     assert curve.series[2].x[-1] == pytest.approx(180 * strokes)
     assert curve.series[2].y[:-1].mean() == pytest.approx(expected, rel=2e-3)  # the drawn degrees miss the corners

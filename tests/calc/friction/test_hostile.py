@@ -285,9 +285,8 @@ def test_hotter_teeth_and_rougher_flanks_have_less_film(**said):
     )
     assert hot.lambda_min < found.lambda_min
     assert rough.lambda_min < found.lambda_min and rough.film_min == found.film_min
-    less = (
-        0.98 if said["by_regime"] else 1 - 1e-9
-    )  # the film that carries a little less shears less: up to 1.5 % were found
+    # the film that carries a little less shears less: up to 1.5 % were found
+    less = 0.98 if said["by_regime"] else 1 - 1e-9
     assert rough.sliding_loss >= found.sliding_loss * less
 
 

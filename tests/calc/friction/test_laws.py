@@ -190,9 +190,8 @@ def test_without_a_film_the_teeth_rub_as_coulomb_says(mesh, T, n, Ra, stress, la
         lost(mesh, T, speed, Ra, stress, law, by_regime, P=p, solid_friction=mu_s)
         for speed, p in ((n, P), (n / 2, P * load))
     )
-    near = (
-        0.02 if by_regime else 1e-6
-    )  # the film's share by Zhu and Hu goes with λ^0.64: here it still carries up to 0.3 %
+    # the film's share by Zhu and Hu goes with λ^0.64: here it still carries up to 0.3 %
+    near = 0.02 if by_regime else 1e-6
     assert one.sliding_loss == pytest.approx(mu_s * one.loss_factor * P, rel=near)
     assert other.sliding_loss == pytest.approx(mu_s * one.loss_factor * P * load, rel=near)
     assert one.friction_mean == pytest.approx(mu_s, rel=near)

@@ -26,9 +26,8 @@ def test_a_wheel_is_a_disc_of_its_reference_diameter():
     shaft = results.result(CountershaftResult)
     (piece,) = (p for p in shaft.outline.pieces if p.what == "gear")
     rho = design(SIZED).materials["20CrNi4"].density
-    assert all_["shaft"].mass == pytest.approx(
-        rho * math.pi * piece.outer_radius**2 * piece.length, rel=2e-3
-    )  # "steel" is as dense, nearly
+    # "steel" is as dense, nearly
+    assert all_["shaft"].mass == pytest.approx(rho * math.pi * piece.outer_radius**2 * piece.length, rel=2e-3)
     assert all_["idler"].mass / all_["crank"].mass == pytest.approx((39 / 25) ** 2, rel=1e-9)
     assert results.values()["gears.idler.mass"].unit == "kg"
 

@@ -284,9 +284,8 @@ def test_the_tooth_force_stands_square_to_the_flank(T, d_w, alpha, beta, gamma, 
     on_driven = room.force_on_driven(F_rw=F_r, F_tw=F_t, gamma=gamma, s=s)
     assert abs(on_driven) == pytest.approx(F_bt, rel=1e-9, abs=1e-12)
     assert room.force_on_driver(F_2=on_driven) == -on_driven
-    pitch_point = (
-        d_w / 2 * cmath.exp(1j * gamma)
-    )  # from the driver's axis; its torque drives against the force of the driven wheel
+    # from the driver's axis; its torque drives against the force of the driven wheel
+    pitch_point = d_w / 2 * cmath.exp(1j * gamma)
     assert (pitch_point.conjugate() * -on_driven).imag == pytest.approx(-s * T, abs=1e-9 * (abs(T) + 1))
 
 

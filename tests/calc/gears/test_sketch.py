@@ -30,9 +30,8 @@ def test_the_pitch_circles_of_every_mesh_touch(name):
         first, second = circles[mesh.driver], circles[mesh.driven]
         apart = math.dist(first.centre, second.centre)
         assert apart == pytest.approx(mesh.centre_distance, abs=1e-5)
-        assert first.radius + second.radius == pytest.approx(
-            apart, rel=5e-3
-        )  # a wheel may have another pitch circle for each mate
+        # a wheel may have another pitch circle for each mate
+        assert first.radius + second.radius == pytest.approx(apart, rel=5e-3)
 
 
 def test_a_mesh_without_room_is_marked_at_its_place(gamma, gamma_results):

@@ -54,9 +54,8 @@ def test_unequal_heights_roll_by_half_the_force_times_the_height():
     assert found.force_forward == pytest.approx(force / 2)
     assert found.height_difference == pytest.approx(0.12)
     assert found.roll_torque == pytest.approx(force / 2 * 0.12)
-    assert (
-        made.result.remedy["second_order_shafts"].order_2_force < 1e-9 * force
-    )  # the force is taken wherever the shafts stand
+    # the force is taken wherever the shafts stand
+    assert made.result.remedy["second_order_shafts"].order_2_force < 1e-9 * force
 
 
 def test_sideways_places_that_are_no_mirror_roll_too():
@@ -147,9 +146,8 @@ def test_without_places_or_forces_there_is_no_pair():
     assert bare.result.shaft_pair is None and not [t for t in bare.tables if t.id == "shaft_pair"]
     three = outcome((0.1, 0.09), (0.0, -0.09))[1]  # couples alone
     assert three.result.shaft_pair is None and any("carries a force of order 2" in note for note in three.notes)
-    assert (
-        outcome((0.1, 0.09), (0.0, -0.09), n=1, **FOUR)[1].result.shaft_pair is None
-    )  # a flat four has no force of first order
+    # a flat four has no force of first order
+    assert outcome((0.1, 0.09), (0.0, -0.09), n=1, **FOUR)[1].result.shaft_pair is None
 
 
 def test_one_place_needs_the_other():

@@ -35,8 +35,7 @@ def test_the_shaft_turns_back_and_takes_what_the_crank_leaves(angle):
         complex(*arrows(sketch(asked, results, angle=at))["imbalance.crank_balance_fraction"])
         for at in (angle, angle + 0.1)
     )
-    assert (
-        abs(back) == pytest.approx(math.sin(0.1)) and back * (later / crank).imag > 0
-    )  # what is left on the crank turns back too
+    # what is left on the crank turns back too
+    assert abs(back) == pytest.approx(math.sin(0.1)) and back * (later / crank).imag > 0
     required = results.values()["imbalance.required_couple"].shown
     assert any(f"{required:.3g}" in word for word in sketches.words(picture))

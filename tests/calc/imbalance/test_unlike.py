@@ -67,12 +67,10 @@ def errors(text):
 
 def test_the_locomotive_of_khurmi():
     found = values(LOCOMOTIVE)
-    assert found["imbalance.counterweight.front.mass"] == pytest.approx(
-        105e3, abs=0.5e3
-    )  # g; 105 kg in each wheel, from a drawn polygon
-    assert found["imbalance.order_1.force_peak_vertical"] == pytest.approx(
-        25127, rel=5e-4
-    )  # variation of the tractive effort
+    # g; 105 kg in each wheel, from a drawn polygon
+    assert found["imbalance.counterweight.front.mass"] == pytest.approx(105e3, abs=0.5e3)
+    # variation of the tractive effort
+    assert found["imbalance.order_1.force_peak_vertical"] == pytest.approx(25127, rel=5e-4)
     assert found["imbalance.order_1.couple_peak_vertical"] == pytest.approx(8797, rel=5e-4)  # swaying couple
     assert found["engine.reciprocating_mass"] == 180e3 and found["engine.rotating_mass"] == 150e3
 

@@ -78,9 +78,8 @@ def test_a_shaft_between_standstill_and_full_speed():
     one = bent(OMEGA)
     assert one.fatigue_amplitude == pytest.approx(1.25 * one.notch_stress / 2)
     assert one.fatigue_safety == pytest.approx(one.fatigue_strength / one.fatigue_amplitude)
-    assert bent(2 * OMEGA).fatigue_safety == pytest.approx(
-        one.fatigue_safety / 4, rel=1e-3
-    )  # the bent shaft loads itself a little
+    # the bent shaft loads itself a little
+    assert bent(2 * OMEGA).fatigue_safety == pytest.approx(one.fatigue_safety / 4, rel=1e-3)
     (judged,) = [c for c in bending_checks(one, HARD) if c.id == "countershaft.fatigue"]
     assert (judged.verdict, judged.kind, judged.limit) == ("pass", "caution", 1.5)
 

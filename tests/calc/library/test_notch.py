@@ -55,9 +55,8 @@ def test_a_sharper_fillet_is_worse(ratio, x, smaller):
     d, r = 0.03, 0.03 * (ratio - 1) / (2 * x)
     sharper = r * smaller
     assume(r < 0.3 * d)  # as far as the charts reach
-    assume(
-        x / smaller < 20 and not x < 2 < x / smaller
-    )  # within the fit, and not across the gap between its two branches
+    # within the fit, and not across the gap between its two branches
+    assume(x / smaller < 20 and not x < 2 < x / smaller)
     assert shoulder_bending(D=ratio * d, d=d, r=sharper)[1] > shoulder_bending(D=ratio * d, d=d, r=r)[1] > 0.95
 
 

@@ -48,12 +48,8 @@ def raised(text: str) -> str:
 
 def worked_out(text: str):
     """The value of a printed substitution.  A list stands in parentheses with semicolons, a modulus between strokes."""
-    out, open_strokes, operand, close = (
-        [],
-        0,
-        True,
-        "",
-    )  # operand: one may begin here; close: of a root without parentheses
+    # operand: one may begin here; close: of a root without parentheses
+    out, open_strokes, operand, close = ([], 0, True, "")
     for token in TOKEN.finditer(text):
         kind, found = token.lastgroup, token[0]
         if token["vector"]:

@@ -132,9 +132,8 @@ def test_the_checks_of_beta_and_gamma(found: Comparison, beta_results: Results, 
 
 
 def test_values_in_order(found: Comparison, beta_results: Results, gamma_results: Results) -> None:
-    theirs, ours = (
-        {id: v for id, v in r.values().items() if id == v.id} for r in (beta_results, gamma_results)
-    )  # by their present names
+    # by their present names
+    theirs, ours = ({id: v for id, v in r.values().items() if id == v.id} for r in (beta_results, gamma_results))
     assert {d.id for d in found.values if not d.both} == theirs.keys() ^ ours.keys()
     order = {step.key: n for n, step in enumerate(STEPS)}
     ranks = [(order[d.step], not d.both, -d.relative if d.both else 0.0) for d in found.values]

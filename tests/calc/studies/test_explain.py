@@ -214,9 +214,8 @@ def test_every_value_of_the_counter_shaft_goes_back_to_an_input(name):
             and not value.startswith(tuple(BY_CHANCE))
             and not value.endswith(".bore_growth")
         ):
-            of_the_table = value.startswith("countershaft.alternative.ADI") and value.endswith(
-                ".density"
-            )  # no input names these
+            # no input names these
+            of_the_table = value.startswith("countershaft.alternative.ADI") and value.endswith(".density")
             assert inputs_of(name, value) or origin(RESULTS[name], value) or of_the_table or not published.shown, value
 
 

@@ -230,9 +230,8 @@ def _local(path: Path, load: ScreeningLoad, mu_m: Number, C_eff: Metre, at: Path
 
 # --- the screening of one mesh: its film and its flash temperature at the load that its load factors make
 
-PERMISSIBLE_FILM = (
-    0.3  # rule of this program: Annex A of ISO/TR 15144-1, read from its figure by public code, has 0.06 to 0.6 by oil
-)
+# rule of this program: Annex A of ISO/TR 15144-1, read from its figure by public code, has 0.06 to 0.6 by oil
+PERMISSIBLE_FILM = 0.3
 
 
 def screening(

@@ -59,9 +59,8 @@ def test_a_linear_load():
     """From 0 to Q: slopes 7·q·L³/360 and 8·q·L³/360 over E·I, largest moment q·L²/(9·√3)."""
     bent = bend(uniform(load=[[0.0, Q]]))
     assert bent.slopes == pytest.approx([7 * Q * L**3 / (360 * EI), -8 * Q * L**3 / (360 * EI)], rel=REL)
-    assert abs(bent.moment).max() == pytest.approx(
-        Q * L**2 / (9 * math.sqrt(3)), rel=1e-5
-    )  # given at points 1 mm apart
+    # given at points 1 mm apart
+    assert abs(bent.moment).max() == pytest.approx(Q * L**2 / (9 * math.sqrt(3)), rel=1e-5)
     assert bent.reactions == pytest.approx([-Q * L / 6, -Q * L / 3], rel=REL)
 
 
@@ -132,9 +131,8 @@ def test_any_beam_is_in_equilibrium(pieces, place, force, first, second):
     pins = np.array([first, second]) * whole
     bent = bend(beam(ends, stiffness, shear, np.ones(l.size), q, pins, forces=([place * whole], [force]), longest=0.05))
     middles = (ends[1:] + ends[:-1]) / 2
-    near = 1e-5 * (np.sum(abs(q) * l) + abs(force) + 1) + SAME * np.max(
-        abs(q)
-    )  # an end that lies so close to a pin becomes one with it
+    # an end that lies so close to a pin becomes one with it
+    near = 1e-5 * (np.sum(abs(q) * l) + abs(force) + 1) + SAME * np.max(abs(q))
     assert abs(np.sum(bent.reactions) + np.sum(q * l) + force) < near
     assert abs(np.sum(bent.reactions * pins) + np.sum(q * l * middles) + force * place * whole) < near * whole
 

@@ -228,9 +228,8 @@ def test_a_shaft_without_sectors_has_no_share():
     assert r.effectiveness_at_limit is None
     assert r.slopes == pytest.approx(r.slopes_stiff, rel=1e-12)
     P, EI = OMEGA**2 * 0.5 * 5 * mm, STEEL.E * math.pi * (15 * mm) ** 4 / 4
-    assert r.slopes[0] == pytest.approx(
-        P * 0.335**2 / (16 * EI), rel=0.03
-    )  # by the turning of the bent shaft some per cent more
+    # by the turning of the bent shaft some per cent more
+    assert r.slopes[0] == pytest.approx(P * 0.335**2 / (16 * EI), rel=0.03)
     assert r.plane == 0
 
 

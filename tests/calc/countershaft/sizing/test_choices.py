@@ -250,9 +250,8 @@ def test_the_lightest_stands_first_and_each_is_the_least_of_its_radius(case):
     for name, cost in (("steel", 210e3), ("ADI", 170e3)):
         own = [c for c in found.shafts if c.material == name]
         radii = [c.sized.outer_radius for c in own]
-        assert (
-            radii == sorted(radii, reverse=True) and len(set(radii)) == len(radii) > 5
-        )  # lighter only by a larger radius
+        # lighter only by a larger radius
+        assert radii == sorted(radii, reverse=True) and len(set(radii)) == len(radii) > 5
         assert {c.first_year_cost for c in own} == {cost}
         smallest = MATERIALS[name].density
         with pytest.raises(TooSmall):

@@ -26,9 +26,8 @@ from tests.calc.friction.pairs import (
 )
 
 BUSH = PlainBearing(name="idler", diameter=0.025, length=0.02, clearance=40e-6)
-ROLLERS = RollingBearing(
-    name="central", bore=0.02, outside_diameter=0.042, f_1=0.002
-)  # f_1 so large that the load counts
+# f_1 so large that the load counts
+ROLLERS = RollingBearing(name="central", bore=0.02, outside_diameter=0.042, f_1=0.002)
 BEARINGS = dict(plain_bearings=(BUSH,), rolling_bearings=(ROLLERS,))
 ONLY = {"pinion_gear": spur_pair()}
 

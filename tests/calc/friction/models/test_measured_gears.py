@@ -90,9 +90,8 @@ def test_the_exchange_of_digits(base, T):
     assert s * (lubricant(base).at(T).nu * 1e6) ** t == pytest.approx(FEUP["printed_alpha_GPa"][base], rel=2e-3)
     s, t = FEUP["gold"][base]
     own = lubricant(base)
-    assert s * (own.at(T).nu * 1e6) ** t == pytest.approx(
-        own.alpha(own.at(T).mu) * 1e9, rel=0.03
-    )  # and the program's own α
+    # and the program's own α
+    assert s * (own.at(T).nu * 1e6) ** t == pytest.approx(own.alpha(own.at(T).mu) * 1e9, rel=0.03)
     assert FEUP["printed"]["mineral"] == pytest.approx(
         [10 * FEUP["gold"]["mineral"][1], FEUP["gold"]["mineral"][0] / 10]
     )

@@ -125,9 +125,8 @@ def test_a_published_size_gives_back_the_shift_of_its_example(name, route, said,
     system, given_, a = solve(**said, sizes={route: float(size) * 1e-3})
     found = measured(system, given_, a)[route]
     half_digit = 0.5e-7
-    assert (
-        abs(found.normal_thickness - m.normal_thickness(system.m_n, x, system.alpha_n)) < 2 * half_digit
-    )  # a chord's is 1, a span's 1.06
+    # a chord's is 1, a span's 1.06
+    assert abs(found.normal_thickness - m.normal_thickness(system.m_n, x, system.alpha_n)) < 2 * half_digit
 
 
 # --- sizes of no tooth

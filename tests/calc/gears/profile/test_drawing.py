@@ -215,9 +215,8 @@ def test_in_the_train_every_tooth_stands_in_a_space(whole, bent):
         for name, towards in ((m.driver, gamma), (m.driven, gamma + np.pi)):
             seen = (lines[name] - centres[name]) * np.exp(-1j * towards)
             z = whole.wheels[name].teeth
-            phase.append(
-                np.angle((np.abs(seen) * np.exp(1j * z * np.angle(seen))).sum())
-            )  # of the teeth, from the line of centres
+            # of the teeth, from the line of centres
+            phase.append(np.angle((np.abs(seen) * np.exp(1j * z * np.angle(seen))).sum()))
         assert abs(np.angle(np.exp(1j * (phase[0] + phase[1] - np.pi)))) < 1e-6
 
 

@@ -200,9 +200,8 @@ def flank_gap(a_w, own, mate):
     points, pitch = radius * np.exp(1j * mate.cut.involute(radius)), 2 * np.pi / own.cut.teeth
     turns, best = np.linspace(-3, 3, 1501) * 2 * np.pi / mate.cut.teeth, np.inf
     for _ in range(3):
-        seen = a_w - points * np.exp(
-            -1j * turns[:, None]
-        )  # the mate's tooth towards the wheel, turned on from the line of centres
+        # the mate's tooth towards the wheel, turned on from the line of centres
+        seen = a_w - points * np.exp(-1j * turns[:, None])
         tooth = pitch / 2 + turns[:, None] * mate.cut.teeth / own.cut.teeth
         off = np.abs((np.angle(seen) - tooth + pitch / 2) % pitch - pitch / 2)
         there = (np.abs(seen) < own.tip_radius) & (np.abs(seen) >= own.fillet[0][-1])

@@ -52,9 +52,8 @@ def rack(system, w):
     def flank(v):
         return np.pi * s.transverse_module / 4 + (v - w.profile_shift * m_n) * math.tan(alpha_t)
 
-    v_touch = bottom + rho * (
-        1 - math.sin(s.alpha_n)
-    )  # where corner and flank of the tool touch; it stands s_pr beyond the finished one
+    # where corner and flank of the tool touch; it stands s_pr beyond the finished one
+    v_touch = bottom + rho * (1 - math.sin(s.alpha_n))
     u_touch = flank(v_touch) + s.s_pr / (math.cos(s.alpha_n) * slant)
     phi = np.linspace(-np.pi / 2, -s.alpha_n + (0.3 if s.s_pr > 0 else 0.0), 400)
     u = u_touch + rho / slant * (np.cos(phi) - math.cos(s.alpha_n))

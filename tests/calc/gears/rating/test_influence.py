@@ -53,9 +53,8 @@ def example():
     t = geometry(gears, 6.0).result
     F_t = 2 * TORQUE / t.wheels["pinion"].pitch_diameter
     assert F_t == pytest.approx(127352, abs=0.5)
-    bend = (
-        0.023e-6 * F_t / 100 * 1.003 * (100 / 141.34) ** 2
-    )  # f_sh of a pinion amid its bearings, eq. 57: F_m/b·0.023·(b/d_1)²
+    # f_sh of a pinion amid its bearings, eq. 57: F_m/b·0.023·(b/d_1)²
+    bend = 0.023e-6 * F_t / 100 * 1.003 * (100 / 141.34) ** 2
     return of(t, "pinion_gear", F_t=F_t, grade=5, f_sh=bend, C_a=70e-6), t, F_t, bend
 
 
@@ -303,9 +302,8 @@ def test_the_peak_of_the_load_over_the_face_width_falls_with_the_load():
 def test_the_face_factor_of_100_newton_per_millimetre_stands_beside_that_of_a_light_load():
     found, there = of(TRAIN, "central_idler", F_t=100.0), of(TRAIN, "central_idler", F_t=1500.0)
     assert there.line_load == pytest.approx(100e3) and found.face_load_factor_flank > found.face_load_factor_at_100
-    assert found.face_load_factor_at_100 == pytest.approx(
-        there.face_load_factor_flank, rel=0.15
-    )  # there with its own K_V
+    # there with its own K_V
+    assert found.face_load_factor_at_100 == pytest.approx(there.face_load_factor_flank, rel=0.15)
 
 
 @pytest.mark.parametrize("F_t, K_A", [(0.0, 1.0), (-5.0, 1.0), (math.nan, 1.0), (10.0, 0.0)])

@@ -109,9 +109,8 @@ def hardened(own, mate, Rz_m=1e-6, u=1.0):
 
 
 def test_work_hardening_of_a_soft_wheel_by_a_hard_one():
-    assert hardened(QT, EH) == pytest.approx(
-        1.2 - (0.95 * 300 - 130) / 1700
-    )  # the hard flank is smooth: Rz_H counts from 3 µm
+    # the hard flank is smooth: Rz_H counts from 3 µm
+    assert hardened(QT, EH) == pytest.approx(1.2 - (0.95 * 300 - 130) / 1700)
     assert hardened(EH, QT) == hardened(EH, EH) == hardened(QT, QT) == 1
     assert 1 <= hardened(QT, EH, Rz_m=6e-6) < hardened(QT, EH, Rz_m=4e-6) < hardened(QT, EH)
     assert f.work_hardening_by_hard(HBW=100.0, Rz_H=1e-6) == pytest.approx(1.2)
@@ -128,9 +127,8 @@ def test_work_hardening_of_a_larger_through_hardened_wheel():
     soft = strength_class("quenched and tempered alloy steel", "MQ", 200.0)
     assert hardened(soft, QT, u=3.0) == pytest.approx(1 + (0.00898 * 1.5 - 0.00829) * 2)
     assert hardened(soft, QT, u=0.5) == hardened(QT, soft, u=3.0) == 1
-    assert f.work_hardening_through(HBW_1=400.0, HBW_2=200.0, u=30.0) == pytest.approx(
-        1 + 0.00698 * 19, abs=2e-4
-    )  # its printed end
+    # its printed end
+    assert f.work_hardening_through(HBW_1=400.0, HBW_2=200.0, u=30.0) == pytest.approx(1 + 0.00698 * 19, abs=2e-4)
 
 
 # --- root: factors
@@ -167,9 +165,8 @@ def test_slip_layer(R_p, structural, printed):
     "kind, smooth", [("V", 1.120), ("Eh", 1.120), ("St", 1.070), ("NT(nitr.)", 1.025), ("GG", 1.025)]
 )
 def test_surface_factor(kind, smooth):
-    test_gear = (
-        6e-3 if kind in ("NT(nitr.)", "GG") else 2e-3
-    )  # 1 at 10 µm within its printed digits; the exponent 0.0058 misses it
+    # 1 at 10 µm within its printed digits; the exponent 0.0058 misses it
+    test_gear = 6e-3 if kind in ("NT(nitr.)", "GG") else 2e-3
     assert r.surface_factor(kind, 10e-6) == pytest.approx(1, abs=test_gear)
     assert r.surface_factor(kind, 0.5e-6) == smooth
     assert r.surface_factor(kind, 1e-6) == pytest.approx(smooth, abs=0.015)

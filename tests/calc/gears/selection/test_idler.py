@@ -44,14 +44,8 @@ def edited(gears, changes):
 def test_fewer_teeth_have_more_room_and_the_next_one_touches_the_cover(rows):
     by_teeth = {row.teeth: row for row in rows}
     assert sorted(by_teeth) == list(range(26, 53))
-    assert [row.teeth for row in passed(rows)] == [
-        37,
-        38,
-        36,
-        35,
-        34,
-        33,
-    ]  # 37 alone has no common factor and its mates well in reach
+    # 37 alone has no common factor and its mates well in reach
+    assert [row.teeth for row in passed(rows)] == [37, 38, 36, 35, 34, 33]
     assert by_teeth[39].changes == {} and by_teeth[39].place.clearance == pytest.approx(1.457e-3, abs=1e-6)
     assert [c.id for c in by_teeth[40].against if c.verdict == "fail"] == ["gears.idler.clearance"]
     assert by_teeth[40].place.nearest == "cover-below" and by_teeth[40].place.clearance < 0

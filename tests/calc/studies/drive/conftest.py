@@ -18,9 +18,8 @@ FEW = {
 
 @pytest.fixture(scope="package")
 def sized():
-    return read(DESIGNS / "r753ie4_sized.toml").with_value(
-        "countershaft.fillet_radius_mm", 1.5
-    )  # fillets that take room
+    # fillets that take room
+    return read(DESIGNS / "r753ie4_sized.toml").with_value("countershaft.fillet_radius_mm", 1.5)
 
 
 @pytest.fixture(scope="package")

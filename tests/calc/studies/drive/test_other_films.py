@@ -53,9 +53,8 @@ def test_films_of_the_tables_are_those_of_the_step(sized, name):
             if table.speeds is not None and r.thinnest_film < table.once[j, i]:
                 assert table.speeds[j, i] == pytest.approx(r.thinnest_film, rel=2e-3)
             if table.turn is not None and r.standing is not None and r.standing.film_orbit is not None:
-                loss = (
-                    r.film - r.standing.film_orbit
-                ) / r.film  # the load that stands still is that of the class's start
+                # the load that stands still is that of the class's start
+                loss = (r.film - r.standing.film_orbit) / r.film
                 assert (r.film - table.turn[j, i]) / r.film == pytest.approx(loss, abs=0.05)
             broken = {
                 k: checks[f"bearings.{place}.{k}"].margin < 0

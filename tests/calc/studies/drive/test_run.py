@@ -68,9 +68,8 @@ def test_nothing_in_the_ranges_beats_the_front(few, found):
             continue
         passed += 1
         row = np.array([(-1 if name == "margin" else 1) * drive.objectives[name] for name in names])
-        assert ((front - row) / units).max(1).min() <= 0.4, (
-            drive.changes
-        )  # of a unit; of the margin, whose levels are steps, 2 %
+        # of a unit; of the margin, whose levels are steps, 2 %
+        assert ((front - row) / units).max(1).min() <= 0.4, drive.changes
     assert passed >= 5
 
 

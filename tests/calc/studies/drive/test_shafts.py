@@ -13,9 +13,8 @@ from calc.studies.drive.classes import drive_of
 from calc.studies.drive.shafts import journal_mass, journal_slopes, shafts
 from tests.conftest import DESIGNS
 
-SIZED = read(DESIGNS / "r753ie4_sized.toml").with_value(
-    "countershaft.fillet_radius_mm", 1.5
-)  # no fixture: a failure would print it whole
+# no fixture: a failure would print it whole
+SIZED = read(DESIGNS / "r753ie4_sized.toml").with_value("countershaft.fillet_radius_mm", 1.5)
 SIZES = st.fixed_dictionaries(
     {
         "core": st.floats(12, 22),
@@ -67,9 +66,8 @@ def test_slopes_and_mass_are_those_of_the_step(x):
     slopes = [float(found.slopes[n][0, 0, 0] + own[n][0]) for n in (0, 1)]
     assert found.fits[0, 0, 0]
     for n, (still, turning) in enumerate(zip(slopes, (solved.slope_front, solved.slope_rear))):
-        assert (
-            -0.01 < still / turning - 1 < 0.03
-        )  # what the mass adds or takes as it turns: -0.6 to 2.9 % at the corners of these sizes
+        # what the mass adds or takes as it turns: -0.6 to 2.9 % at the corners of these sizes
+        assert -0.01 < still / turning - 1 < 0.03
         assert turning <= drive.turning(n, mass, still) * (1 + 1e-9)  # which the tables take
     assert mass == pytest.approx(solved.mass, rel=1e-7)
     assert found.face[0, 0, 0] == pytest.approx(made.countershaft.half_length, abs=1e-9)

@@ -89,11 +89,8 @@ def test_the_remedies_follow_each_other_and_each_says_what_it_mends(gamma: Docum
     assert second.results is found.results
 
 
-NEEDLESS = (
-    "twin_drive",
-    "bearings.front.length_mm=12.5",
-    "bearings.supply_pressure_bar=2.4",
-)  # the search moves both lengths
+# the search moves both lengths
+NEEDLESS = ("twin_drive", "bearings.front.length_mm=12.5", "bearings.supply_pressure_bar=2.4")
 
 
 @pytest.mark.parametrize("case", [("r753ie4_gamma",), NEEDLESS], ids=" ".join)

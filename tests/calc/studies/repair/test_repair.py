@@ -105,9 +105,8 @@ def test_what_is_wanted_of_the_masses_leaves_nothing(said, U, P):
     """Of the first and the last: force and couple; of all, turned and scaled alike: the couple; never more of the
     others than is said."""
     row, now, _, product = row_of(said)
-    assume(
-        abs(product) > 1e-9
-    )  # without a couple, as of alike masses about the middle, there is none to turn and scale
+    # without a couple, as of alike masses about the middle, there is none to turn and scale
+    assume(abs(product) > 1e-9)
     ways = list(_wanted(row, now, U, P))
     for way in ways:
         assert sum(u * m.z for u, m in zip(way, row)) == pytest.approx(P, abs=0.1001 * abs(P))
@@ -169,9 +168,8 @@ def test_a_mass_becomes_what_is_wanted_by_its_weight_its_angle_or_both(m, r, ang
         return size * radius * cmath.exp(1j * math.radians(said.get("angle_deg", math.degrees(angle))))
 
     weight, turned, both, shorter = map(made, _single(mass, wanted))
-    close = pytest.approx(
-        abs(wanted), rel=0.012
-    )  # whole grams and tenths of a millimetre, of 150 g and 4.5 mm at the least
+    # whole grams and tenths of a millimetre, of 150 g and 4.5 mm at the least
+    close = pytest.approx(abs(wanted), rel=0.012)
     assert abs(weight) == close and cmath.phase(weight / cmath.exp(1j * angle)) == pytest.approx(0, abs=1e-9)
     assert abs(turned) == pytest.approx(m * r) and abs(cmath.phase(turned / wanted)) < math.radians(0.06)
     for whole in (both, shorter):

@@ -189,6 +189,5 @@ def test_the_engine_is_put_on_four_mounts(engine: str) -> None:
     assert outcome.verdict == "pass"
     window = outcome.result.window  # type: ignore[attr-defined]
     ceilings = [of.highest_factor for of in (window.half, window.shaft) if of is not None]
-    assert window.lowest_factor * min(ceilings) == pytest.approx(
-        1, rel=0.15
-    )  # midway, but for the rounding of the stiffness
+    # midway, but for the rounding of the stiffness
+    assert window.lowest_factor * min(ceilings) == pytest.approx(1, rel=0.15)
