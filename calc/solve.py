@@ -34,7 +34,7 @@ from .gears.wheel import with_masses
 from .imbalance import solve as imbalance
 from .imbalance.result import ImbalanceResult
 from .sheet.check import Check, worst
-from .sheet.later import Later, Many
+from .sheet.deferred import Later, Many
 from .sheet.number import aligned, short
 from .sheet.parts import Enough, Kept, Parts, seldom_collected
 from .sheet.quantity import Published

@@ -16,7 +16,7 @@ from calc.design.disk import write_file
 from calc.design.toml_file import Document
 from calc.locale import LANGUAGES, language
 from calc.locale.language import said
-from calc.sheet.later import Later, aside, prepared
+from calc.sheet.deferred import Later, aside, prepared
 from calc.sheet.progress import Progress, part, tell
 from calc.sheet.step import Outcome, Step
 from calc.solve import Results

@@ -36,7 +36,7 @@ ROOMY = 96  # cells from which the change, the result and the rest stand beside 
 GAP = 2
 
 
-class WayList(ItemList):
+class RemedyList(ItemList):
     """The key of an item is the number of its row."""
 
     def __init__(self) -> None:
@@ -174,19 +174,19 @@ class Remedies(Searching[RepairOption | None, RepairOption]):
     def compose(self) -> ComposeResult:
         with Vertical(classes="dialog -whole" if self.app.size.width < NARROW else "dialog", id="remedies"):
             yield Static(id="remedies-title")
-            yield WayList()
+            yield RemedyList()
             yield Static(id="remedies-state")
             yield Static(id="remedies-preview")
             yield Static(Content.styled(self.app.say(HINT), "dim"))
 
     def on_mount(self) -> None:
         self.query_one("#remedies-title", Static).update(self._title())
-        self.query_one(WayList).focus()
+        self.query_one(RemedyList).focus()
         self.begin()
 
     @property
     def room(self) -> int:
-        return max(30, self.query_one(WayList).size.width or self.app.size.width * 9 // 10 - 6)
+        return max(30, self.query_one(RemedyList).size.width or self.app.size.width * 9 // 10 - 6)
 
     def _title(self) -> Content:
         say, signs = self.app.say, self.app.signs
@@ -228,13 +228,13 @@ class Remedies(Searching[RepairOption | None, RepairOption]):
         return ranked(self.found)
 
     def show_ways(self) -> None:
-        self.query_one(WayList).show(self.ways)
+        self.query_one(RemedyList).show(self.ways)
         self._preview()
 
     # --- the row under the cursor
     @property
     def way(self) -> RepairOption | None:
-        key = self.query_one(WayList).key
+        key = self.query_one(RemedyList).key
         return self.ways[int(key) - 1] if key and int(key) <= len(self.ways) else None
 
     def on_item_list_moved(self, event: ItemList.Moved) -> None:
@@ -286,7 +286,7 @@ class Remedies(Searching[RepairOption | None, RepairOption]):
         self.begin()
 
     def action_copy(self) -> None:
-        if (item := self.query_one(WayList).item) is not None:
+        if (item := self.query_one(RemedyList).item) is not None:
             self.app.copy_to_clipboard(item.line)
             self.app.tell(Text("Copied: {text}", text=item.line))
 

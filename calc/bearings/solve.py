@@ -15,8 +15,8 @@ from ..library.lubricant import Lubricant
 from ..library.tolerances import deviations, parse
 from ..sheet.arrays import element, many, one
 from ..sheet.check import Check, check
+from ..sheet.deferred import Later
 from ..sheet.errors import NoSolution
-from ..sheet.later import Later
 from ..sheet.linked_array import gathered, item
 from ..sheet.remedy import by_key
 from ..sheet.step import Curve, Further, Outcome, Table

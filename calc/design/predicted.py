@@ -6,7 +6,7 @@ from dataclasses import is_dataclass, replace
 from functools import partial
 
 from ..bearings.inputs import BearingInputs
-from ..sheet.later import Later
+from ..sheet.deferred import Later
 from ..sheet.quantity import Published, keys
 from ..sheet.step import Outcome, Table
 from ..sheet.text import EMPTY, SPACE, Amount, Name, Text

@@ -10,9 +10,9 @@ import numpy as np
 from ..library.catalogue import Material
 from ..sheet.arrays import Array, ComplexArray, each, many, one, phasors
 from ..sheet.check import Check
+from ..sheet.deferred import Later
 from ..sheet.formula import formula
 from ..sheet.functions import largest, modulus, pi, smallest
-from ..sheet.later import Later
 from ..sheet.linked_array import elements, gathered
 from ..sheet.quantity import Described, Stated
 from ..sheet.step import Curve, Outcome, Table

@@ -15,9 +15,9 @@ from typing import TypedDict, overload
 import numpy as np
 
 from ..sheet.arrays import Array, ComplexArray, each, many, phasors
+from ..sheet.deferred import Later, Many
 from ..sheet.formula import formula
 from ..sheet.functions import cis, modulus, pi, resultant
-from ..sheet.later import Later, Many
 from ..sheet.linked_array import elements, gathered, item
 from ..sheet.quantity import Described, Stated
 from ..sheet.step import Curve, Series, axis_label

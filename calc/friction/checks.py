@@ -8,8 +8,8 @@ import numpy as np
 
 from ..library import oils
 from ..sheet.check import Check, check
+from ..sheet.deferred import Later
 from ..sheet.errors import NoSolution
-from ..sheet.later import Later
 from ..sheet.remedy import by_key
 from ..sheet.step import Erratum, Outcome
 from ..sheet.text import EMPTY, SEMICOLON, Amount, Text

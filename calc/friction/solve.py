@@ -13,7 +13,7 @@ from ..gears.layout.forces import axis_forces
 from ..gears.result import TrainResult
 from ..library.catalogue import Material, Oil, materials, oils
 from ..library.lubricant import Lubricant
-from ..sheet.later import Later
+from ..sheet.deferred import Later
 from ..sheet.step import Curve, Further, Outcome, Table, finite
 from ..sheet.text import Text
 from ..sheet.units import Celsius, Metre, Newton, RevPerSecond, Watt

@@ -10,7 +10,7 @@ from dataclasses import replace
 from ..engine.inputs import EngineInputs
 from ..library.catalogue import Material
 from ..sheet.check import Check, check
-from ..sheet.later import Later
+from ..sheet.deferred import Later
 from ..sheet.record import record
 from ..sheet.step import Outcome, Table, finite
 from ..sheet.text import Text

@@ -15,7 +15,7 @@ from ..engine.result import EngineResult
 from ..engine.solve import ORDERS
 from ..engine.solve import values as engine_values
 from ..sheet.arrays import each
-from ..sheet.later import Later
+from ..sheet.deferred import Later
 from ..sheet.step import Outcome, Table
 from ..sheet.text import Text
 from ..sheet.units import KilogramMetre, Newton, Radian, RadPerSecond

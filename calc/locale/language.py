@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, TypeVar, cast
 
 from ..sheet.check import Check
-from ..sheet.later import Later
+from ..sheet.deferred import Later
 from ..sheet.quantity import Quantity
 from ..sheet.step import Curve, DrawnLoad, Erratum, Outcome, Series, Table, Turning
 from ..sheet.text import Amount, Name, Part, Small, Text, english, with_unit

@@ -10,7 +10,7 @@ from ..engine.result import EngineResult
 from ..imbalance.result import ImbalanceResult
 from ..sheet.arrays import many
 from ..sheet.check import Check
-from ..sheet.later import Later
+from ..sheet.deferred import Later
 from ..sheet.linked_array import gathered
 from ..sheet.quantity import Stated
 from ..sheet.step import Curve, Outcome, Table

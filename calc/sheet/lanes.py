@@ -25,8 +25,8 @@ from typing import Any, NoReturn, ParamSpec, TypeVar, cast
 import numpy as np
 
 from .arrays import Array, BoolArray
+from .deferred import Later
 from .errors import NoSolution
-from .later import Later
 from .parts import alike
 from .text import EMPTY, Text
 

@@ -10,8 +10,8 @@ from typing import Generic, Literal, TypeVar
 
 from .arrays import Array
 from .check import Check, grouped, step_verdict
+from .deferred import Later, Many
 from .errors import NoSolution, text_of
-from .later import Later, Many
 from .number import aligned, brief
 from .quantity import Published, insides, published
 from .record import record

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 from ...draw.drawing import TOUCH
 from ...library.catalogue import Material
 from ...sheet.check import Check, check
-from ...sheet.later import Later, Many
+from ...sheet.deferred import Later, Many
 from ...sheet.linked_array import column
 from ...sheet.step import Curve, Table
 from ...sheet.text import EMPTY, Amount, Text

@@ -9,7 +9,7 @@ from functools import reduce
 from typing import NamedTuple
 
 from ...sheet.arrays import each
-from ...sheet.later import Later
+from ...sheet.deferred import Later
 from ...sheet.linked_array import gathered
 from ...sheet.step import Outcome
 from ...sheet.text import Text

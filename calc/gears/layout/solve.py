@@ -5,7 +5,7 @@ from collections.abc import Iterator, Mapping
 from typing import NamedTuple
 
 from ...sheet.check import Check
-from ...sheet.later import Later
+from ...sheet.deferred import Later
 from ...sheet.step import Outcome
 from ...sheet.text import Text
 from ...sheet.units import Metre, NewtonMetre, Radian

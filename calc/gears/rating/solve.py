@@ -7,8 +7,8 @@ from dataclasses import replace
 from functools import cache
 
 from ...library.catalogue import Material
+from ...sheet.deferred import Later
 from ...sheet.formula import formula
-from ...sheet.later import Later
 from ...sheet.quantity import Described, Stated
 from ...sheet.step import Outcome, Table, finite
 from ...sheet.text import Text

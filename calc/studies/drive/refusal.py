@@ -165,10 +165,10 @@ def _nearest_miss(problem: Problem) -> float | None:
 
 # --- the ways
 
-Way = tuple[Text, Callable[[], RefusalLine | None]]
+Requirement = tuple[Text, Callable[[], RefusalLine | None]]
 
 
-def _ways(problem: Problem) -> Iterator[Way]:
+def _ways(problem: Problem) -> Iterator[Requirement]:
     shaft, bearings = problem.shaft, problem.base.bearings
     assert bearings is not None
     seats = problem.sizes[f"bearings.{problem.seat}.diameter_mm"] or ()
@@ -293,7 +293,7 @@ def _least(holds: Callable[[float], bool], reach: float) -> float | None:
     return math.ceil(high * 1e3 - 1e-6) / 1e3
 
 
-def _chosen(problem: Problem) -> Iterator[Way]:
+def _chosen(problem: Problem) -> Iterator[Requirement]:
     """What could be chosen otherwise, each alone: the closest fits, the smoothest surfaces, another supply, a thicker
     oil."""
     reduced, bearings = quick(problem), problem.base.bearings

@@ -26,7 +26,7 @@ from ...sheet.record import record
 from ...sheet.text import EMPTY, Text
 from ...sheet.version import VERSION
 from ...solve import Results, solve
-from ..spread import spread
+from ..processes import spread
 from .classes import ClassFront, NotClosed, class_of, sized
 from .combinations import DriveRows, joined
 from .front import front, representatives

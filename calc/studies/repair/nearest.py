@@ -25,7 +25,7 @@ TIMES = 4  # through the checks of a step
 NAMED = 6  # remedies that checks name, tried as whole designs
 TRIES = 100  # whole designs that the search over single numbers may solve, for all checks together
 
-Way = Callable[[RepairState, tuple[Check, ...], Progress | None], RepairState]
+Repairer = Callable[[RepairState, tuple[Check, ...], Progress | None], RepairState]
 
 
 @dataclass(frozen=True)
@@ -74,11 +74,11 @@ class Nearest:
         return not any(o.verdict in ("fail", "no_solution", "blocked") for o in self.results.outcomes.values())
 
 
-Ways = dict[str, tuple[tuple[tuple[str, ...], str], ...]]
+RepairTable = dict[str, tuple[tuple[tuple[str, ...], str], ...]]
 
 # For each step: patterns of its checks, and what repairs them (module.function, imported when a check fails).  What is
 # left goes to the search over single numbers, then to the last ones.
-WAYS: Ways = {
+WAYS: RepairTable = {
     "countershaft": (
         (("countershaft.residual", "countershaft.residual_force"), "calc.studies.repair.sizing.balance"),
         (("countershaft.crossing",), "calc.studies.repair.sizing.shorter_journals"),
@@ -110,7 +110,7 @@ UNSOLVED = {
     "countershaft": "calc.studies.repair.sizing.resize",
     "gears": "calc.studies.repair.teeth.better_teeth",
 }
-LAST: Ways = {
+LAST: RepairTable = {
     "countershaft": (
         (
             (
@@ -128,9 +128,9 @@ LAST: Ways = {
 }
 
 
-def _way(name: str) -> Way:
+def _way(name: str) -> Repairer:
     module, _, function = name.rpartition(".")
-    way: Way = getattr(import_module(module), function)
+    way: Repairer = getattr(import_module(module), function)
     return way
 
 
@@ -280,7 +280,7 @@ class _Step:
 
     def _solution(self, state: RepairState, progress: Progress | None) -> RepairState:
         """A step that finds no solution: its own search, else one number at a time."""
-        ways: list[Way] = [_way(UNSOLVED[self.step])] if self.step in UNSOLVED else []
+        ways: list[Repairer] = [_way(UNSOLVED[self.step])] if self.step in UNSOLVED else []
         ways.append(self._one_number)
         for n, way in enumerate(ways):
             mended = self._tried(state, (), way, part(progress, n / len(ways), (n + 1) / len(ways)))
@@ -327,11 +327,13 @@ class _Step:
             return mended
         return single_input.repair(state, self.step, failing, self.budget, progress)
 
-    def _by(self, state: RepairState, failing: tuple[Check, ...], way: Way, progress: Progress | None) -> RepairState:
+    def _by(
+        self, state: RepairState, failing: tuple[Check, ...], way: Repairer, progress: Progress | None
+    ) -> RepairState:
         return (self._tried(state, failing, way, progress) if failing else None) or state
 
     def _tried(
-        self, state: RepairState, failing: tuple[Check, ...], way: Way, progress: Progress | None
+        self, state: RepairState, failing: tuple[Check, ...], way: Repairer, progress: Progress | None
     ) -> RepairState | None:
         """The design as a way repairs it; None where it does not, with the reason noted."""
         ids = [c.id for c in failing]

@@ -24,7 +24,7 @@ from ...sheet.step import Outcome
 from ...sheet.text import Text
 from ...sheet.value import recorded
 from ...solve import TITLES, Results, solve, steps
-from ..spread import spread
+from ..processes import spread
 from .inputs import Combination, SweepPlan, Varied, grid
 from .table import Chunk, InMemory, Solved, Store, Swept, chunk_of, in_memory, reason_of
 

@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 
-from calc.sheet.later import aside, prepared
+from calc.sheet.deferred import aside, prepared
 
 ROOT = Path(__file__).parents[3]
 CAN = sys.platform == "linux" and len(os.sched_getaffinity(0)) > 1
@@ -118,7 +118,7 @@ def test_a_copy_shows_nothing(capfd: pytest.CaptureFixture[str]) -> None:
 
 @pytest.mark.skipif(not CAN, reason="one core, or no fork")
 def test_who_waits_for_the_end_of_the_output_does_not_wait_for_a_copy() -> None:
-    code = "import time; from calc.sheet.later import aside; kept = aside(lambda: time.sleep(100)); print('end')"
+    code = "import time; from calc.sheet.deferred import aside; kept = aside(lambda: time.sleep(100)); print('end')"
     done = subprocess.run([sys.executable, "-c", code], cwd=ROOT, capture_output=True, text=True, timeout=20)
     assert (done.returncode, done.stdout, done.stderr) == (0, "end\n", "")
 
@@ -135,7 +135,7 @@ def test_who_waits_for_the_end_of_the_output_does_not_wait_for_a_copy() -> None:
     ],
 )
 def test_no_copy_is_left_however_this_process_ends(work: str, way: str) -> None:
-    head = "import os, time\nfrom calc.sheet.later import aside, prepared\ndef work(given): time.sleep(100)\n"
+    head = "import os, time\nfrom calc.sheet.deferred import aside, prepared\ndef work(given): time.sleep(100)\n"
     inner, outer = os.pipe()  # every copy has it, and a last one closes it
     process = subprocess.Popen([sys.executable, "-c", f"{head}kept = {work}\n{way}"], cwd=ROOT, pass_fds=[outer])
     os.close(outer)

@@ -10,6 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from calc.sheet.arrays import anywhere, element, most, one
+from calc.sheet.deferred import Later
 from calc.sheet.errors import NoSolution
 from calc.sheet.functions import argument, largest, resultant, smallest, sqrt
 from calc.sheet.lanes import (
@@ -26,7 +27,6 @@ from calc.sheet.lanes import (
     stacked,
     together_or_singly,
 )
-from calc.sheet.later import Later
 from calc.sheet.record import record
 from calc.sheet.text import Amount, Text
 

@@ -6,8 +6,8 @@ import sys
 
 import pytest
 
+from calc.sheet.deferred import Later
 from calc.sheet.errors import NoSolution
-from calc.sheet.later import Later
 
 CAN = sys.platform == "linux" and len(os.sched_getaffinity(0)) > 1
 

@@ -12,13 +12,13 @@ from threading import Thread
 import pytest
 
 from calc.sheet.errors import NoSolution
-from calc.studies.spread import spread
-from tests.calc.studies.spread_work import once, slow
+from calc.studies.processes import spread
+from tests.calc.studies.process_work import once, slow
 from tests.conftest import ROOT
 
 PROGRAM = """
-from calc.studies.spread import spread
-from tests.calc.studies.spread_work import slow
+from calc.studies.processes import spread
+from tests.calc.studies.process_work import slow
 if __name__ == "__main__":
     for n, (_, process) in spread(slow, 0.1, range(1000), 2):
         print(process, flush=True)
@@ -65,7 +65,7 @@ def test_no_worker_outlives_a_program_that_is_killed(tmp_path: Path) -> None:
 
 
 def test_a_scheduler_that_is_not_there_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("calc.studies.spread.ANSWER", 0.5)
+    monkeypatch.setattr("calc.studies.processes.ANSWER", 0.5)
     with pytest.raises(NoSolution, match=r"no scheduler answers|needs dask"):
         list(spread(slow, 0.0, range(2), scheduler="tcp://127.0.0.1:1"))
 
