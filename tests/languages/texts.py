@@ -144,11 +144,9 @@ def named(data: Any) -> Iterator[str]:
 @cache
 def of_tables() -> frozenset[str]:
     """The words of the program's own tables, but for the names of their rows."""
-    return frozenset(
-        text
-        for file in (ROOT / "calc" / "tables").glob("*.toml")
-        for text in _words(tomllib.loads(file.read_text(encoding="utf-8")))
-    )
+    files = list((ROOT / "calc" / "library" / "tables").glob("*.toml"))
+    assert files, "the tables have been moved"
+    return frozenset(text for file in files for text in _words(tomllib.loads(file.read_text(encoding="utf-8"))))
 
 
 def _words(data: Any) -> Iterator[str]:
