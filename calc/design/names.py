@@ -4,6 +4,8 @@
 import re
 from typing import TYPE_CHECKING
 
+from ..bearings.routes.routes import ROUTES
+from ..friction.models import MODELS
 from ..mounting.inputs import DOF_WORDS, VARIANT_WORDS
 from ..sheet.quantity import Published, Quantity
 from ..sheet.remedy import Changes
@@ -143,8 +145,8 @@ ID_WORDS: dict[str, Text] = {  # by the way to them; * stands for a name of the 
     "friction.journals.rear": Text("rear"),
     "friction.scenarios": Text("scenarios"), "friction.scenarios.*.*.source": Text("source"),
     "friction.train": Text("train"),
-    "friction.*.source": Text("source"), "friction.*.schlenk": Name("Schlenk"), "friction.*.niemann": Name("Niemann"),
-    "friction.*.xu_kahraman": Name("Xu, Kahraman"), "friction.*.benedict_kelley": Name("Benedict, Kelley"),
+    "friction.*.source": Text("source"),
+    **{f"friction.*.{name}": model.brief for name, model in MODELS.items()},
     "mounting.critical": Text("critical speed"), "mounting.decoupling": Text("decoupling"),
     "mounting.energy": Text("energy"),
     "mounting.exposure": Text("exposure"), "mounting.felt_order_1": Text("first order felt"),
@@ -165,12 +167,7 @@ INSIDE: dict[str, Text] = {  # wherever they stand below a part of these steps
     "engine.pin": Text("pin"),
     "bearings.corners": Text("corners"),
     "bearings.dynamics": Text("dynamics"),
-    "bearings.falz": Name("Falz"),
-    "bearings.iso7902": Name("ISO 7902"),
-    "bearings.raimondi_boyd": Name("Raimondi & Boyd"),
-    "bearings.raimondi_boyd_own_flow": Text("Raimondi & Boyd, own flow"),
-    "bearings.reynolds": Name("Reynolds"),
-    "bearings.short_bearing": Text("short bearing"),
+    **{f"bearings.{route.name}": route.brief for route in ROUTES.values()},
     "bearings.din31652": Name("DIN 31652"),
     "mounting.direction": Text("direction"),
     "mounting.share": Text("energy"),

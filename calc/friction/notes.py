@@ -92,7 +92,7 @@ def notes(friction: FrictionInputs, result: FrictionResult, oil: Oil) -> tuple[T
         )
     elif any(mesh.judged.rolling_loss for mesh in result.meshes.values()):
         notes.append(Text("The rolling loss of the rigid film supposes a full inlet: it is an upper bound."))
-    if any(mesh.xu_kahraman is None for mesh in result.meshes.values()):
+    if any(mesh.published_models["xu_kahraman"] is None for mesh in result.meshes.values()):
         notes.append(
             Text(
                 "Xu and Kahraman's regression is not shown: it does not hold for flanks rougher than 2 µm together, "
