@@ -10,6 +10,8 @@ from functools import cache, cached_property
 from pathlib import Path
 
 from .arrays import has_lanes
+from .errors import BadTable, InputError
+from .quantity import unknown
 from .record import record
 from .remedy import Remedy, sentence
 from .text import EMPTY, SEMICOLON, Amount, Text
@@ -24,6 +26,8 @@ from .value import link_of, linked
 
 TABLE = Path(__file__).parents[1] / "library" / "tables" / "checks.md"
 KINDS = ("limit", "caution", "advice", "method")  # from what must hold to what concerns the calculation alone
+ROLES = ("demand", "exact")  # what may stand behind a kind
+COLUMNS = ("id", "kind", "cause", "value", "limit", "moved by", "why")
 ELEMENTS = ("B", "M", "N", "W")  # a bearing, a mesh, any element, a wheel
 LETTER = re.compile(
     r"(?<![^.|])(?:[BMNW#]|DRIVER|DRIVEN)(?![^.|])|(?<=_)W(?![^|])"
@@ -53,15 +57,42 @@ class CheckRule:
 @cache
 def rules() -> tuple[CheckRule, ...]:
     """All rows, in their order."""
-    rows = [line for line in TABLE.read_text(encoding="utf-8").splitlines() if line.startswith("| ")][1:]
-    return tuple(_rule(*(cell.strip() for cell in row[2:-2].split("| "))) for row in rows)
+    return tuple(_rule(line, [cell.strip() for cell in row[2:-2].split("| ")]) for line, row in _lines())
 
 
-def _rule(id: str, kind: str, cause: str, value: str, limit: str, moved_by: str, why: str) -> CheckRule:
+def _lines() -> list[tuple[int, str]]:
+    """The rows as they stand, each with its line."""
+    lines = enumerate(TABLE.read_text(encoding="utf-8").splitlines(), 1)
+    return [(line, row) for line, row in lines if row.startswith("| ")][1:]
+
+
+def _rule(line: int, cells: list[str]) -> CheckRule:
+    if len(cells) != len(COLUMNS):
+        count, columns = len(cells), ", ".join(COLUMNS)
+        raise _bad_row(line, cells[0], Text("has {count} cells; needs {columns}", count=count, columns=columns))
+    id, kind, cause, value, limit, moved_by, why = cells
     words = kind.split()
+    if strangers := [word for word in words if word not in KINDS + ROLES]:
+        raise _bad_row(line, id, unknown(strangers[0], KINDS + ROLES), strangers[0])
+    if not any(word in KINDS for word in words):
+        raise _bad_row(line, id, Text("has no kind; needs {kinds}", kinds=", ".join(KINDS)))
     kinds = tuple(word for word in words if word in KINDS)
     value = id if value == "=" else value
     return CheckRule(id, kinds, "demand" in words, "exact" in words, cause, value, limit, tuple(moved_by.split()), why)
+
+
+def _bad_row(line: int, id: str, reason: Text, value: str = "") -> BadTable:
+    return BadTable(str(TABLE), [InputError(line, id, value, reason)])
+
+
+def _without_row(id: str) -> BadTable:
+    """What is said of a check that has no row, at the row that may be meant for it."""
+    from difflib import get_close_matches
+
+    lines = {row[2:].partition(" |")[0]: line for line, row in _lines()}
+    for near in get_close_matches(id, lines, 1):
+        return _bad_row(lines[near], id, Text('has no row here; did you mean "{near}"?', near=near))
+    return _bad_row(0, id, Text("has no row here"))
 
 
 @cache
@@ -306,7 +337,10 @@ def check(
     `kind`: where the row has two. `advice`: what could be done beside the remedies.  `index`: of the mesh in its array,
     for the keys of the row.  `value_id`, `moved_by`: where the site knows them better than the row.  `remedies` are
     made only where it does not hold."""
-    rule = rule_of(id, index)
+    try:
+        rule = rule_of(id, index)
+    except KeyError:
+        raise _without_row(id) from None
     shown = UNITS[unit].shown
     bound = (shown(limit[0]), shown(limit[1])) if isinstance(limit, tuple) else linked(shown(limit), link_of(limit))
     several = has_lanes(value, limit)  # of many designs, which are judged one by one: nobody reads remedies

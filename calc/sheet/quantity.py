@@ -5,7 +5,7 @@ A field of an Inputs class is made by `quantity()` or one of its sisters, a fiel
 file, `--set`, the form, the report and the JSON all read this one description.  An input with a `default` may be left
 out: None (no tables: ()) means "choose for me"; the type checker reads the same word."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 from dataclasses import MISSING, Field, dataclass, field, fields
 from functools import cache
 from typing import Any, TypedDict, TypeVar, Unpack, dataclass_transform
@@ -221,11 +221,11 @@ def keys(inputs: type) -> dict[str, Key]:
     return by_key
 
 
-def unknown(key: str, known: dict[str, Key]) -> Text:
-    """What is said of a key that an Inputs class does not have, with the nearest that it has."""
+def unknown(key: str, known: Collection[str]) -> Text:
+    """What is said of a key that is not among those that may stand there, with the nearest of them."""
     from difflib import get_close_matches
 
-    near = get_close_matches(key, list(known), 1, 0.5)
+    near = get_close_matches(key, known, 1, 0.5)
     return Text("is not known") + (
         Text('; did you mean "{near}"?', near=near[0]) if near else Text("; known here are ") + ", ".join(known)
     )
