@@ -2,10 +2,9 @@
 """Changes of keys in the labels and units of their fields: `front length 27.5 → 34 mm, oil 10W-40 → SAE 50`."""
 
 import re
+from functools import cache
 from typing import TYPE_CHECKING
 
-from ..bearings.routes.routes import ROUTES
-from ..friction.models import MODELS
 from ..mounting.inputs import DOF_WORDS, VARIANT_WORDS
 from ..sheet.quantity import Published, Quantity
 from ..sheet.remedy import Changes
@@ -146,7 +145,6 @@ ID_WORDS: dict[str, Text] = {  # by the way to them; * stands for a name of the 
     "friction.scenarios": Text("scenarios"), "friction.scenarios.*.*.source": Text("source"),
     "friction.train": Text("train"),
     "friction.*.source": Text("source"),
-    **{f"friction.*.{name}": model.brief for name, model in MODELS.items()},
     "mounting.critical": Text("critical speed"), "mounting.decoupling": Text("decoupling"),
     "mounting.energy": Text("energy"),
     "mounting.exposure": Text("exposure"), "mounting.felt_order_1": Text("first order felt"),
@@ -167,13 +165,22 @@ INSIDE: dict[str, Text] = {  # wherever they stand below a part of these steps
     "engine.pin": Text("pin"),
     "bearings.corners": Text("corners"),
     "bearings.dynamics": Text("dynamics"),
-    **{f"bearings.{route.name}": route.brief for route in ROUTES.values()},
     "bearings.din31652": Name("DIN 31652"),
     "mounting.direction": Text("direction"),
     "mounting.share": Text("energy"),
     "mounting.torque": Text("torque"),
     **{f"mounting.{key}": title for key, title in (VARIANT_WORDS | DOF_WORDS).items()},
 }
+
+
+@cache
+def _declared() -> dict[str, Text]:
+    """Those of the routes to a film and of the models of friction, which say them above their functions."""
+    from ..bearings.routes.routes import ROUTES  # with numpy, which a form does not need
+    from ..friction.models import MODELS
+
+    words = {f"bearings.{name}": route.brief for name, route in ROUTES.items()}
+    return words | {f"friction.{name}": model.brief for name, model in MODELS.items()}
 
 
 def addressed(key: str) -> list[Text]:
@@ -188,7 +195,7 @@ def belongs(id: str) -> list[Text]:
     step, *parts = id.split(".")[:-1]
     way, words = step, []
     for part in parts:
-        known = ID_WORDS.get(f"{way}.{part}") or INSIDE.get(f"{step}.{part}")
+        known = ID_WORDS.get(f"{way}.{part}") or INSIDE.get(f"{step}.{part}") or _declared().get(f"{step}.{part}")
         if known is None and step in ("imbalance", "mounting") and (numbered := NUMBERED_ID.fullmatch(part)):
             kind, whole, more = numbered.groups()
             n = float(f"{whole}.{more}") if more else int(whole)
