@@ -80,9 +80,9 @@ def command(given: list[str], own: bool) -> int:
     except KeyboardInterrupt:
         return 130
     except Exception as error:
-        from calc.sheet.errors import BadInput
+        from calc.sheet.errors import Mistakes
 
-        if isinstance(error, BadInput):
+        if isinstance(error, Mistakes):
             print(error, file=sys.stderr)
             return 2
         raise

@@ -120,6 +120,11 @@ KEPT = 20  # traces; older ones go
 
 def told(error: BaseException) -> int:
     """Say it on stderr; gives the exit code."""
+    from calc.sheet.errors import BadTable
+
+    if isinstance(error, BadTable):  # the table that the user has changed
+        print(error, file=sys.stderr)
+        return 2
     what = f"{type(error).__name__}: {error}" if str(error) else type(error).__name__
     trace = _kept(error)
     where = f"its trace is in {trace}" if trace is not None else "its trace could not be kept"

@@ -34,7 +34,8 @@ from .film.table import RAIMONDI_BOYD
 from .inputs import IN_WORDS, BearingInputs, BearingsInputs
 from .result import BearingResult
 from .routes import supply
-from .routes.side_by_side import ROUTES, SPREAD, film_reason
+from .routes.routes import ROUTES
+from .routes.side_by_side import SPREAD
 
 # Least film by journal diameter and surface speed, in the manner of ISO 7902-3 (from memory), in m.
 SPEEDS = (1.0, 3.0, 10.0, 30.0)
@@ -422,9 +423,9 @@ def _outside(r: BearingResult) -> Text:
     far_off = [
         Text(
             "{routes} is {film} % off: {reason}",
-            routes=ROUTES[name][0],
+            routes=ROUTES[name].title,
             film=Amount(far * 100, form="+.0f"),
-            reason=film_reason(name, r.side.films[name], r.side.ratio),
+            reason=ROUTES[name].why_off(r.side.films[name], r.side.ratio),
         )
         for name, far in r.side.compared.items()
         if abs(far) > SPREAD

@@ -15,7 +15,7 @@ from .materials import running_surface
 from .result import BearingResult
 from .routes import supply
 from .routes.din31652 import film_heavily_loaded
-from .routes.side_by_side import ROUTES
+from .routes.routes import ROUTES
 from .suitability import fatigue_note
 
 TURNS = Text(
@@ -80,9 +80,8 @@ def _all_notes(
     for place, r in results.items():
         bearing = IN_TITLES[place]
         for name, why in r.side.silent.items():
-            yield Text(
-                "{place} bearing: {routes} gives no value here ({why}).", place=bearing, routes=ROUTES[name][0], why=why
-            )
+            title = ROUTES[name].title
+            yield Text("{place} bearing: {routes} gives no value here ({why}).", place=bearing, routes=title, why=why)
         if r.film_double_load is None:
             yield Text("{place} bearing: no film carries twice the load.", place=bearing)
     surface = running_surface(inputs.bush_material, inputs.housing_material)
@@ -188,7 +187,8 @@ def _feed(inputs: BearingsInputs, results: Mapping[str, BearingResult]) -> Text:
 
 def errata(place: str, r: BearingResult) -> Iterator[Erratum]:
     """What the source's methods give for this bearing, where they leave out or mistake what matters."""
-    if r.raimondi_boyd is not None and r.duty.supply_pressure > 0:
+    charts, falz = r.routes.get("raimondi_boyd"), r.routes.get("falz")
+    if charts is not None and r.duty.supply_pressure > 0:
         given, hot, cold = (Amount(g * 1e6, form=".1f") for g in (r.clearance, r.clearance_hot, r.clearance_cold))
         expansion = Text(
             "The thesis leaves thermal expansion out: its clearance of {clearance} µm becomes {clearance_hot} µm when "
@@ -201,16 +201,16 @@ def errata(place: str, r: BearingResult) -> Iterator[Erratum]:
         yield Erratum(
             f"bearings.{place}.film",
             Text("Smallest film, {place}", place=IN_WORDS[place]),
-            r.raimondi_boyd.film * 1e6,
+            charts.film * 1e6,
             "µm",
             Text("method of Finotti 2013, 5.5.2, on the clearance as given"),
             expansion
             + (Text(" Nor does it know that a groove parts the film.") if supply.lands(r.seat.inputs) == 2 else ""),
         )
-    if r.falz is not None and 0.9 < r.falz.sommerfeld <= 1:
+    if falz is not None and 0.9 < falz.sommerfeld <= 1:
         with untraced():
-            wrong = film_heavily_loaded(r.clearance, r.falz.sommerfeld, r.seat.bearing.length / r.seat.bearing.diameter)
-        So = Amount(r.falz.sommerfeld, form=".3f")
+            wrong = film_heavily_loaded(r.clearance, falz.sommerfeld, r.seat.bearing.length / r.seat.bearing.diameter)
+        So = Amount(falz.sommerfeld, form=".3f")
         yield Erratum(
             f"bearings.{place}.falz.film",
             Text("Film by Falz, {place}", place=IN_WORDS[place]),

@@ -19,6 +19,7 @@ from ..sheet.units import (
 )
 from .corners import Corners
 from .film.dynamics import Dynamics
+from .routes.routes import ROUTES
 from .routes.side_by_side import RouteResultBeside
 from .routes.states import BearingCase, Film, OperatingPoint
 from .speeds import Sweep
@@ -42,24 +43,23 @@ class RouteResult:
     film_pressure_max: Pascal | None = value("Largest film pressure", "MPa", "p_max", default=None)
 
 
-def route_result(film: Film | None) -> RouteResult | None:
-    return (
-        None
-        if film is None
-        else RouteResult(
-            film=film.film,
-            eccentricity=film.eccentricity,
-            sommerfeld=film.sommerfeld,
-            friction_variable=film.friction_variable,
-            friction_coefficient=film.friction_coefficient,
-            friction_power=film.friction_power,
-            temperature_rise=film.temperature_rise,
-            oil_flow=film.oil_flow,
-            side_flow=film.side_flow,
-            supply_flow=film.supply_flow if film.side_flow is not None else None,
-            attitude_angle=film.attitude,
-            film_pressure_max=film.largest_pressure,
-        )
+FORMER_NAMES = {name: route.former for name, route in ROUTES.items() if route.former}
+
+
+def route_result(film: Film) -> RouteResult:
+    return RouteResult(
+        film=film.film,
+        eccentricity=film.eccentricity,
+        sommerfeld=film.sommerfeld,
+        friction_variable=film.friction_variable,
+        friction_coefficient=film.friction_coefficient,
+        friction_power=film.friction_power,
+        temperature_rise=film.temperature_rise,
+        oil_flow=film.oil_flow,
+        side_flow=film.side_flow,
+        supply_flow=film.supply_flow if film.side_flow is not None else None,
+        attitude_angle=film.attitude,
+        film_pressure_max=film.largest_pressure,
     )
 
 
@@ -125,12 +125,7 @@ class BearingResult:
     kreisle_film: Metre = value("Film asked for by roughness (Kreisle)", "µm", "h_K")
     trumpler_film: Metre = value("Film asked for by Trumpler", "µm", "h_T")
     routes_spread: Number | None = value("Spread of the routes' films at the same oil", "%", default=None)
-    reynolds: RouteResult | None = group(default=None)
-    raimondi_boyd: RouteResult | None = group(default=None)
-    raimondi_boyd_own_flow: RouteResult | None = group(default=None)
-    iso7902: RouteResult | None = group(default=None)
-    falz: RouteResult | None = group(default=None, former="din31652")
-    short_bearing: RouteResult | None = group(default=None)
+    routes: dict[str, RouteResult] = group(spread=True, renamed=FORMER_NAMES)  # those that have an answer
     corners: Corners = group()
     dynamics: Dynamics = group()
     standing: StandingResult | None = group(spread=True, default=None)

@@ -38,7 +38,7 @@ from .result import BearingResult, BearingsResult, route_result
 from .routes import supply
 from .routes.balance import balanced, closed, settled_together
 from .routes.routes import own_cold, own_warm
-from .routes.side_by_side import ROUTES, judged_alone, routes_table, side_by_side
+from .routes.side_by_side import judged_alone, routes_table, side_by_side
 from .routes.states import BearingCase, Film, OperatingPoint
 from .speeds import TURNING, Sweep, sweep, sweep_points
 from .suitability import Journal, Running, application_checks, film_duty, load_times_speed, reference_table
@@ -276,7 +276,6 @@ def _bearing(
     swept = sweep(speed, inputs, bool(bench), speeds[1], over_speeds)
     with about(Text("{place} bearing, speed of the thinnest film", place=IN_WORDS[place])):
         thinnest = _thinnest(seat, duty, swept)
-    routes = {name: route_result(side.films.get(name)) for name in ROUTES}
     return BearingResult(
         film=hot.film,
         film_edge=edge,
@@ -317,12 +316,7 @@ def _bearing(
         kreisle_film=kreisle,
         trumpler_film=trumpler,
         routes_spread=side.spread,
-        reynolds=routes["reynolds"],
-        raimondi_boyd=routes["raimondi_boyd"],
-        raimondi_boyd_own_flow=routes["raimondi_boyd_own_flow"],
-        iso7902=routes["iso7902"],
-        falz=routes["falz"],
-        short_bearing=routes["short_bearing"],
+        routes={name: route_result(film) for name, film in side.films.items()},
         corners=at_worst,
         dynamics=moving,
         hot=hot,

@@ -3,12 +3,12 @@
 tables."""
 
 from ..sheet.errors import SHOWN_ERRORS
+from ..sheet.toml_scan import DEPTH, ENTRIES
 
 # --- a design or a replay: it has a few thousand bytes and a few hundred entries
 
 DESIGN_BYTES = 2**20
-DESIGN_ENTRIES = 20_000
-DESIGN_DEPTH = 16
+DESIGN_ENTRIES, DESIGN_DEPTH = ENTRIES, DEPTH
 
 
 # --- what a report takes in

@@ -2,6 +2,7 @@
 """What keys, ids and choices are called in words: `front length 27.5 → 34 mm, oil 10W-40 → SAE 50`."""
 
 import re
+from functools import cache
 from typing import TYPE_CHECKING
 
 from ..mounting.inputs import DOF_WORDS, VARIANT_WORDS
@@ -142,8 +143,7 @@ ID_WORDS: dict[str, Text] = {  # by the way to them; * stands for a name of the 
     "friction.journals.rear": Text("rear"),
     "friction.scenarios": Text("scenarios"), "friction.scenarios.*.*.source": Text("source"),
     "friction.train": Text("train"),
-    "friction.*.source": Text("source"), "friction.*.schlenk": Name("Schlenk"), "friction.*.niemann": Name("Niemann"),
-    "friction.*.xu_kahraman": Name("Xu, Kahraman"), "friction.*.benedict_kelley": Name("Benedict, Kelley"),
+    "friction.*.source": Text("source"),
     "mounting.critical": Text("critical speed"), "mounting.decoupling": Text("decoupling"),
     "mounting.energy": Text("energy"),
     "mounting.exposure": Text("exposure"), "mounting.felt_order_1": Text("first order felt"),
@@ -164,18 +164,22 @@ INSIDE: dict[str, Text] = {  # wherever they stand below a part of these steps
     "engine.pin": Text("pin"),
     "bearings.corners": Text("corners"),
     "bearings.dynamics": Text("dynamics"),
-    "bearings.falz": Name("Falz"),
-    "bearings.iso7902": Name("ISO 7902"),
-    "bearings.raimondi_boyd": Name("Raimondi & Boyd"),
-    "bearings.raimondi_boyd_own_flow": Text("Raimondi & Boyd, own flow"),
-    "bearings.reynolds": Name("Reynolds"),
-    "bearings.short_bearing": Text("short bearing"),
     "bearings.din31652": Name("DIN 31652"),
     "mounting.direction": Text("direction"),
     "mounting.share": Text("energy"),
     "mounting.torque": Text("torque"),
     **{f"mounting.{key}": title for key, title in (VARIANT_WORDS | DOF_WORDS).items()},
 }
+
+
+@cache
+def _declared() -> dict[str, Text]:
+    """Those of the routes to a film and of the models of friction, which say them above their functions."""
+    from ..bearings.routes.routes import ROUTES  # with numpy, which a form does not need
+    from ..friction.models import MODELS
+
+    words = {f"bearings.{name}": route.brief for name, route in ROUTES.items()}
+    return words | {f"friction.{name}": model.brief for name, model in MODELS.items()}
 
 
 def addressed(key: str) -> list[Text]:
@@ -190,7 +194,7 @@ def belongs(id: str) -> list[Text]:
     step, *parts = id.split(".")[:-1]
     way, words = step, []
     for part in parts:
-        known = ID_WORDS.get(f"{way}.{part}") or INSIDE.get(f"{step}.{part}")
+        known = ID_WORDS.get(f"{way}.{part}") or INSIDE.get(f"{step}.{part}") or _declared().get(f"{step}.{part}")
         if known is None and step in ("imbalance", "mounting") and (numbered := NUMBERED_ID.fullmatch(part)):
             kind, whole, more = numbered.groups()
             n = float(f"{whole}.{more}") if more else int(whole)

@@ -542,8 +542,8 @@ def _mesh(d: TrainDrive, name: str, P: Watt, P_out: Watt | None) -> MeshResult:
         ):
             beside = solve_mesh(c, P, not regimes)
     with about(Text("mesh {title}, regressions", title=mesh.title)):
-        schlenk, niemann, xu_kahraman, benedict_kelley = published = models.beside(c, P, H_V)
-        losses = [judged.loss, *(model.loss for model in (beside, *published) if model is not None)]
+        published = models.beside(c, P, H_V)
+        losses = [judged.loss, *(model.loss for model in (beside, *published.values()) if model is not None)]
         apart = spread_of(losses) if d.compared else None
     return MeshResult(
         judged=judged,
@@ -555,8 +555,5 @@ def _mesh(d: TrainDrive, name: str, P: Watt, P_out: Watt | None) -> MeshResult:
         source=beside if regimes else judged,
         by_regime=None if regimes else beside,
         case=c,
-        schlenk=schlenk,
-        niemann=niemann,
-        xu_kahraman=xu_kahraman,
-        benedict_kelley=benedict_kelley,
+        published_models=published,
     )

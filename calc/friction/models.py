@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 # mypy: disable-error-code="no-any-return"
-"""Four published regressions of tooth friction, beside the model of this program and beside each other.
+"""Published regressions of tooth friction, beside the model of this program and beside each other.
 
 Nothing is judged by them.
 
@@ -10,9 +10,12 @@ Xu and Kahraman: local, from many runs of a mixed EHL solver with one gear oil.
 Benedict and Kelley: local, from disc tests of 1961; kept within 0.01 and 0.2.
 
 A train that only drives a counter-shaft carries far less than any of them was fitted to; each says whether it is inside
-its range."""
+its range.  What is known of a model stands above its function (`@friction_model`); table, checks and what is published
+read it there."""
 
+from collections.abc import Callable
 from functools import reduce
+from typing import TypeVar
 
 import numpy as np
 
@@ -23,7 +26,7 @@ from ..sheet.functions import along, exp, largest, log10, smallest
 from ..sheet.quantity import result, value
 from ..sheet.record import record
 from ..sheet.step import Table
-from ..sheet.text import EMPTY, SEMICOLON, Amount, Text
+from ..sheet.text import EMPTY, SEMICOLON, Amount, Name, Text
 from ..sheet.units import Metre, MetrePerSecond, Newton, NewtonPerMetre, Number, Pascal, PascalSecond, Watt
 from ..sheet.value import based_on
 from .mesh.geometry import column, flat
@@ -139,14 +142,55 @@ class Regression:
     outside: Text = EMPTY
 
 
-def beside(c: MeshCase, P: Watt, H_V: Number) -> tuple[Regression, Regression, Regression | None, Regression]:
-    """All of them, in the order above."""
-    return of_schlenk(c, P, H_V), of_niemann(c, P, H_V), of_xu_kahraman(c, P), of_benedict_kelley(c, P)
+Estimate = Callable[[MeshCase, Watt, Number], Regression | None]
+AnyEstimate = TypeVar("AnyEstimate", bound=Estimate)
+TESTS = Text(
+    "line load from {lowest_line_load} N/mm (held there below), sum of speeds from 1 m/s, pitch line to {fastest} m/s",
+    lowest_line_load=Amount(LOWEST_LINE_LOAD / 1000.0, form="g"),
+    fastest=Amount(FASTEST, form="g"),
+)
+INTEGRATED, OHLENDORF = Text("integrated"), Text("× Ohlendorf")
+
+
+@record
+class Model:
+    """A published model: who made it, how its loss is found here, where it holds, and its name between the parts of an
+    id.
+
+    `regression`: what it gives for a mesh at the power that loads it, with Ohlendorf's loss factor; None: nothing."""
+
+    authors: Text
+    how: Text
+    range: Text
+    brief: Text
+    regression: Estimate
+
+
+MODELS: dict[str, Model] = {}
+
+
+def friction_model(
+    name: str, authors: Text, how: Text, range: Text, *, brief: Text | None = None
+) -> Callable[[AnyEstimate], AnyEstimate]:
+    """Declares the function below it as a model that is shown beside the own one; its values are
+    `friction.MESH.NAME.loss` and so on."""
+
+    def declared(regression: AnyEstimate) -> AnyEstimate:
+        MODELS[name] = Model(authors, how, range, brief or authors, regression)
+        return regression
+
+    return declared
+
+
+def beside(c: MeshCase, P: Watt, H_V: Number) -> dict[str, Regression | None]:
+    """All of them, in the order in which they stand here."""
+    return {name: model.regression(c, P, H_V) for name, model in MODELS.items()}
 
 
 # --- with the loss factor of Ohlendorf, for which they were made
 
 
+@friction_model("schlenk", Text("Schlenk"), OHLENDORF, TESTS)
 def of_schlenk(c: MeshCase, P: Watt, H_V: Number) -> Regression:
     u_C, R_C, w_bt = c.path.at_pitch_point(c.motion.u_e), c.path.at_pitch_point(c.motion.R), _line_load(c, P)
     mu_m = schlenk(
@@ -162,6 +206,7 @@ def of_schlenk(c: MeshCase, P: Watt, H_V: Number) -> Regression:
     )
 
 
+@friction_model("niemann", Text("Niemann and Winter, Michaelis"), OHLENDORF, TESTS, brief=Name("Niemann"))
 def of_niemann(c: MeshCase, P: Watt, H_V: Number) -> Regression:
     u_C, R_C, w_bt = c.path.at_pitch_point(c.motion.u_e), c.path.at_pitch_point(c.motion.R), _line_load(c, P)
     mu_m = mean_friction(
@@ -212,7 +257,19 @@ def _outside_tests(c: MeshCase, w_bt: NewtonPerMetre, u_C: MetrePerSecond) -> Te
 # --- integrated along the path
 
 
-def of_xu_kahraman(c: MeshCase, P: Watt) -> Regression | None:
+@friction_model(
+    "xu_kahraman",
+    Text("Xu and Kahraman"),
+    INTEGRATED,
+    Text(
+        "{runs} to {runs2} MPa, roughness to {smooth} µm (from memory); one gear oil, 75W-90",
+        runs=Amount(RUNS[0] / 1000000.0, form="g"),
+        runs2=Amount(RUNS[1] / 1000000.0, form="g"),
+        smooth=Amount(SMOOTH * 1000000.0, form="g"),
+    ),
+    brief=Name("Xu, Kahraman"),
+)
+def of_xu_kahraman(c: MeshCase, P: Watt, H_V: Number) -> Regression | None:
     """None where it runs away: flanks so rough that its exponential does, or pressures far outside its runs."""
     sigma = c.surfaces.sigma
     if np.any(sigma > ROUGHEST):
@@ -244,7 +301,14 @@ def of_xu_kahraman(c: MeshCase, P: Watt) -> Regression | None:
     return regression if np.all(np.isfinite(regression.loss)) else None
 
 
-def of_benedict_kelley(c: MeshCase, P: Watt) -> Regression:
+@friction_model(
+    "benedict_kelley",
+    Text("Benedict and Kelley"),
+    INTEGRATED,
+    Text("μ from 0.01 to 0.2 (held there)"),
+    brief=Name("Benedict, Kelley"),
+)
+def of_benedict_kelley(c: MeshCase, P: Watt, H_V: Number) -> Regression:
     w, w_f = _load(c, P)
     mu = benedict_kelley(w=w_f, eta_0=_eta(c), V_s=c.motion.V_s, V_T=based_on(2 * c.motion.u_e, c.motion.u_e))
     bounded = (many(mu) <= 0.01) | (many(mu) >= 0.2)
@@ -271,39 +335,6 @@ def _summed(c: MeshCase, P: Watt, w: NewtonPerMetre, mu: Number, outside: Text) 
 
 
 # --- the loss of a mesh by all models side by side, each with its range; how far they spread
-
-TESTS = Text(
-    "line load from {lowest_line_load} N/mm (held there below), sum of speeds from 1 m/s, pitch line to {fastest} m/s",
-    lowest_line_load=Amount(LOWEST_LINE_LOAD / 1000.0, form="g"),
-    fastest=Amount(FASTEST, form="g"),
-)
-INTEGRATED, OHLENDORF = Text("integrated"), Text("× Ohlendorf")
-
-
-@record
-class Model:
-    """A published model: who made it, how its loss is found here, and where it holds."""
-
-    authors: Text
-    how: Text
-    range: Text
-
-
-MODELS = {
-    "schlenk": Model(Text("Schlenk"), OHLENDORF, TESTS),
-    "niemann": Model(Text("Niemann and Winter, Michaelis"), OHLENDORF, TESTS),
-    "xu_kahraman": Model(
-        Text("Xu and Kahraman"),
-        INTEGRATED,
-        Text(
-            "{runs} to {runs2} MPa, roughness to {smooth} µm (from memory); one gear oil, 75W-90",
-            runs=Amount(RUNS[0] / 1000000.0, form="g"),
-            runs2=Amount(RUNS[1] / 1000000.0, form="g"),
-            smooth=Amount(SMOOTH * 1000000.0, form="g"),
-        ),
-    ),
-    "benedict_kelley": Model(Text("Benedict and Kelley"), INTEGRATED, Text("μ from 0.01 to 0.2 (held there)")),
-}
 
 
 @formula("P_max/P_min", "definition: the largest loss of all models over the smallest")

@@ -123,7 +123,7 @@ def _of_mesh_models(friction: FrictionInputs, result: FrictionResult) -> Iterato
         yield Text("The friction source's model is judged: EHL everywhere, its solid friction, no rolling loss.")
     elif any(mesh.judged.rolling_loss for mesh in meshes):
         yield Text("The rolling loss of the rigid film supposes a full inlet: it is an upper bound.")
-    if any(mesh.xu_kahraman is None for mesh in meshes):
+    if any(mesh.published_models["xu_kahraman"] is None for mesh in meshes):
         yield Text(
             "Xu and Kahraman's regression is not shown: it does not hold for flanks rougher than 2 µm together, "
             "nor for any pressure."

@@ -10,7 +10,7 @@ from ..sheet.text import EMPTY, Text
 from ..sheet.units import Celsius, Kelvin, Newton, NewtonMetre, Number, PascalSecond, RevPerSecond, Watt
 from .losses.wheels import WheelResult
 from .mesh.loss import MeshCase, MeshLoss
-from .models import MODELS, Regression
+from .models import Regression
 
 KilogramPerSecond = Annotated[float, "kg/s"]
 KilogramPerJoule = Annotated[float, "kg/J"]
@@ -38,7 +38,7 @@ def engine_share(P: Watt, P_e: Watt) -> Number:
 
 @result
 class MeshResult:
-    """One mesh: what is judged, and beside it the source's model and four regressions, all at the same power."""
+    """One mesh: what is judged, and beside it the source's model and the published ones, all at the same power."""
 
     judged: MeshLoss = group(spread=True)
     power_in: Watt = value("Power that the mesh takes in", "W", "P_in")
@@ -47,16 +47,9 @@ class MeshResult:
     bulk_rise: Kelvin = value("Estimated warming of the teeth above the oil", "K", "ΔT_b")
     source: MeshLoss | None = group()  # None: nothing was to be compared
     by_regime: MeshLoss | None = group()
-    schlenk: Regression = group()
-    niemann: Regression = group()
-    xu_kahraman: Regression | None = group()
-    benedict_kelley: Regression = group()
+    published_models: dict[str, Regression | None] = group(spread=True)
     model_spread: Number | None = value("Largest loss of all models over the smallest", "", "P_max/P_min")
     case: MeshCase
-
-    @property
-    def published_models(self) -> dict[str, Regression | None]:
-        return {name: getattr(self, name) for name in MODELS}
 
 
 def by_regime(mesh: MeshResult) -> MeshLoss:

@@ -2,23 +2,22 @@
 """Oils and materials by name: the design's own first, then the tables that come with the program."""
 
 import re
-import tomllib
 from collections import ChainMap
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import replace
+from dataclasses import MISSING, replace
 from functools import cache, lru_cache
-from pathlib import Path
 from typing import Any, TypeVar
 
-from ..sheet.quantity import choice, inputs, keys, quantity, tables, text
+from ..sheet.quantity import choice, inputs, keys, quantity, tables, text, unknown
 from ..sheet.record import record
 from ..sheet.text import Amount, Text
 from ..sheet.value import Link, linked
+from .table_file import Mistake, bad_table, parsed, text_of_table
 
 T = TypeVar("T")
-TABLES = Path(__file__).parent / "tables"
 # keys of a table's row that stand there for the reader only
 BESIDE = ("specific_heat_J_kgK", "elongation_percent", "hardness_HB")
+NAMED = re.compile(r'name = "([^"]*)"\n')  # how a row begins
 
 
 @record
@@ -240,9 +239,15 @@ class Material:
     source: str = text("Source", default="the user")
 
 
-def _row(cls: type[T], row: dict[str, object]) -> T:
+CLAIM = ("is", "confidence", "source")  # the keys of a value that stands with where it comes from
+
+
+def _row(cls: type[T], row: dict[str, Any], file: str, place: str) -> T:
     """One row in SI.  A value may stand with its confidence and source: `{ is = 93.27, confidence = "high", source =
-    "…" }`."""
+    "…" }`.  `place`: of the row in its file.  Raises BadTable."""
+    mistakes = list(_mistakes(cls, row, place))
+    if mistakes:
+        raise bad_table(file, mistakes)
     kind: type = cls
     known, claims = keys(kind), []
     values: dict[str, object] = {}
@@ -254,37 +259,61 @@ def _row(cls: type[T], row: dict[str, object]) -> T:
             continue
         about = known[key].about
         if about.table is not None and isinstance(value, list):
-            value = tuple(_row(about.table, item) for item in value)
+            value = tuple(_row(about.table, item, file, f"{place}.{key}") for item in value)
         elif about.kind == "text" and key != "name":
             value = Text(str(value))  # a word of the program, not of a user
-        values[known[key].attribute] = about.units.inside(value) if isinstance(value, float) else value
+        values[known[key].attribute] = about.units.inside(float(value)) if about.kind == "number" else value
     return cls(**(values | {"claims": tuple(claims)}) if claims else values)
+
+
+def _mistakes(cls: type, row: dict[str, Any], place: str) -> Iterator[Mistake]:
+    """What is wrong with the keys of a row: one that is not known, one that is missing, one that is no number."""
+    known = keys(cls)
+    for key, value in row.items():
+        where = f"{place}.{key}"
+        if isinstance(value, dict):
+            if set(value) != set(CLAIM):
+                yield where, str(value), Text("needs {keys}, and nothing else", keys=", ".join(CLAIM))
+                continue
+            value = value["is"]
+        if key in BESIDE:
+            continue
+        if key not in known:
+            yield where, "", unknown(key, known)
+        elif known[key].about.kind == "number" and (isinstance(value, bool) or not isinstance(value, (int, float))):
+            yield where, str(value), Text("must be {allowed}", allowed=known[key].about.allowed())
+    for key, about in known.items():
+        if key not in row and about.field.default is MISSING:
+            yield f"{place}.{key}", "", Text("is missing; needs {allowed}", allowed=about.about.allowed())
 
 
 @cache
 def rows_of(file: str, cls: type, only: str = "") -> dict[str, object]:
     """The rows of a table by their names; `only`: one of them, which spares the reading of the others."""
-    text = (TABLES / file).read_text(encoding="utf-8")
-    if only:
-        text = "".join(
-            "[[row]]" + row for row in text.split("[[row]]")[1:] if row.lstrip().startswith(f'name = "{only}"\n')
-        )
-    return {row["name"]: _row(cls, row) for row in tomllib.loads(text)["row"]}
+    rows: CatalogueRows[object] = CatalogueRows(file, "row", cls)
+    return {only: rows[only]} if only else dict(rows)
 
 
 class CatalogueRows(Mapping[str, T]):
     """The rows of one kind of a table by their names, each read when it is asked for.  A row begins with its name."""
 
     def __init__(self, file: str, kind: str, cls: type[T]) -> None:
-        _, *parts = re.split(r"^\[\[(\w+)\]\]\n", (TABLES / file).read_text(encoding="utf-8"), flags=re.MULTILINE)
-        self.texts = {text.split('"', 2)[1]: text for here, text in zip(parts[::2], parts[1::2]) if here == kind}
-        self.cls = cls
+        _, *parts = re.split(r"^\[\[(\w+)\]\]\n", text_of_table(file), flags=re.MULTILINE)
+        self.file, self.cls = file, cls
+        self.texts: dict[str, str] = {}
+        self.places: dict[str, str] = {}
+        rows = [row for here, row in zip(parts[::2], parts[1::2]) if here == kind]
+        for n, row in enumerate(rows):
+            if (name := NAMED.match(row)) is None:
+                raise bad_table(file, [(f"{kind}.{n}", "", Text('must begin with its name: name = "…"'))])
+            self.texts[name[1]], self.places[name[1]] = row, f"{kind}.{n}"
         self.made: dict[str, T] = {}
 
     def __getitem__(self, name: str) -> T:
         if name not in self.made:
+            row = _row(self.cls, parsed(self.file, self.texts[name]), self.file, self.places[name])
             # one object, whichever thread comes first
-            self.made.setdefault(name, _row(self.cls, tomllib.loads(self.texts[name])))
+            self.made.setdefault(name, row)
         return self.made[name]
 
     def __contains__(self, name: object) -> bool:

@@ -7,17 +7,18 @@ no publication first, a kind and what follows: "geometry: sector and core", "rul
 what stands behind it."""
 
 import re
-import tomllib
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import field, replace
 from functools import cache
-from pathlib import Path
 
+from ..sheet.quantity import unknown
 from ..sheet.record import record
 from ..sheet.text import SEMICOLON, Text
+from .table_file import TABLES, Mistake, bad_table, parsed, text_of_table
 
-TABLE = Path(__file__).parent / "tables" / "publications.toml"
-PLACES = TABLE.with_name("places.toml")
+TABLE, PLACES = TABLES / "publications.toml", TABLES / "places.toml"
+NEEDED = ("name", "title", "edition", "status", "known")  # keys of a publication
+OPTIONAL = ("where", "read", "title_from_memory", "status_from_memory")
 
 # How we know what a publication says: the closed set of `known`.
 KNOWN = {
@@ -142,10 +143,20 @@ class Origin:
 @cache
 def register() -> Mapping[str, Publication]:
     """Every publication by its name."""
-    places: dict[str, dict[str, str]] = tomllib.loads(PLACES.read_text(encoding="utf-8"))
-    rows = tomllib.loads(TABLE.read_text(encoding="utf-8"))["publication"]
+    places: dict[str, dict[str, str]] = parsed(PLACES.name, text_of_table(PLACES.name))
+    rows = parsed(TABLE.name, text_of_table(TABLE.name))["publication"]
+    mistakes = [wrong for n, row in enumerate(rows) for wrong in _mistakes(row, f"publication.{n}")]
+    if mistakes:
+        raise bad_table(TABLE.name, mistakes)
     known = (Publication(**{key: value for key, value in row.items() if key != "read"}) for row in rows)
     return {row.name: replace(row, places=places.get(row.name, {})) for row in known}
+
+
+def _mistakes(row: dict[str, object], place: str) -> Iterator[Mistake]:
+    """Keys of a row that are not known, and those that are missing."""
+    known = NEEDED + OPTIONAL
+    yield from ((f"{place}.{key}", "", unknown(key, known)) for key in row if key not in known)
+    yield from ((f"{place}.{key}", "", Text("is missing")) for key in NEEDED if key not in row)
 
 
 def publication(name: str) -> Publication | None:

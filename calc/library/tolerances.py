@@ -8,16 +8,16 @@ the given size. Range: up to 500 mm, IT1 to IT16, holes C to H and JS, shafts c 
 published ones (`tables/iso_286.toml`)."""
 
 import re
-import tomllib
 from bisect import bisect_left
 from functools import cache
-from pathlib import Path
 
 from ..sheet.formula import formula
 from ..sheet.record import record
 from ..sheet.text import Text
 from ..sheet.units import UNITS, Kilogram, KilogramMetre, Metre, MetrePerSecond, RadPerSecond
+from .table_file import bad_table, parsed, text_of_table
 
+FILE = "iso_286.toml"
 SOURCE = Text(
     "ISO 286-1:2010, tables of standard tolerances and fundamental deviations (as reprinted in public tables)"
 )
@@ -123,7 +123,7 @@ def _range(ends: list[float], diameter: Metre) -> int:
 def _lines() -> dict[tuple[str, str], str]:
     """The lines of the table by their section and their name, not yet read."""
     lines, section = {}, ""
-    for line in (Path(__file__).parent / "tables" / "iso_286.toml").read_text(encoding="utf-8").splitlines():
+    for line in text_of_table(FILE).splitlines():
         name, equals, _ = line.partition(" = ")
         if line.startswith("["):
             section = line[1:].partition("]")[0]
@@ -134,7 +134,9 @@ def _lines() -> dict[tuple[str, str], str]:
 
 @cache
 def _row(section: str, name: str) -> list[float]:
-    row: list[float] = tomllib.loads(_lines()[section, name])[name]
+    if (line := _lines().get((section, name))) is None:
+        raise bad_table(FILE, [(f"{section}.{name}", "", Text("is missing"))])
+    row: list[float] = parsed(FILE, line)[name]
     return row
 
 

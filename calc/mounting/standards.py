@@ -1,13 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
 """What standards say of vibration: which of them applies to this engine, grades of severity, what people feel."""
 
-import tomllib
 from functools import cache
-from pathlib import Path
-from typing import Any
 
 import numpy as np
 
+from ..library.table_file import TableRow, house_table
 from ..sheet.arrays import Array, each, many
 from ..sheet.formula import formula
 from ..sheet.functions import largest, modulus, sqrt
@@ -28,12 +26,9 @@ from ..sheet.units import (
 # --- the tables, from `calc/library/tables/vibration.toml`
 # Each row there names its source and how sure it is.
 
-TABLE = Path(__file__).parents[1] / "library" / "tables" / "vibration.toml"
 
-
-@cache
-def table() -> dict[str, Any]:  # Any: what a TOML file holds
-    return tomllib.loads(TABLE.read_text(encoding="utf-8"))
+def table() -> TableRow:
+    return house_table("vibration.toml")
 
 
 @record

@@ -11,6 +11,8 @@ from functools import cache, cached_property
 from pathlib import Path
 
 from .arrays import has_lanes
+from .errors import BadTable, InputError
+from .quantity import unknown
 from .record import record
 from .remedy import Remedy, sentence
 from .text import EMPTY, SEMICOLON, Amount, Text
@@ -25,6 +27,8 @@ from .value import link_of, linked
 
 TABLE = Path(__file__).parents[1] / "library" / "tables" / "checks.md"
 KINDS = ("limit", "caution", "advice", "method")  # from what must hold to what concerns the calculation alone
+ROLES = ("demand", "exact")  # what may stand behind a kind
+COLUMNS = ("id", "kind", "cause", "value", "limit", "moved by", "why")
 INDEX = "#"  # in the key of an input: the place of an element in its array
 
 
@@ -68,19 +72,19 @@ class CheckRule:
 @cache
 def rules() -> tuple[CheckRule, ...]:
     """All rows, in their order."""
-    return tuple(_rule(*row) for row in _tables()[1])
+    return tuple(_rule(line, cells) for line, cells in _tables()[1])
 
 
 @cache
-def _tables() -> tuple[list[list[str]], list[list[str]]]:
-    """The cells of the two tables of the page without their heads: the letters, and the checks."""
-    tables: list[list[list[str]]] = []
+def _tables() -> tuple[list[tuple[int, list[str]]], list[tuple[int, list[str]]]]:
+    """The rows of the two tables of the page, each with its line, without their heads: the letters, and the checks."""
+    tables: list[list[tuple[int, list[str]]]] = []
     inside = False
-    for line in TABLE.read_text(encoding="utf-8").splitlines():
-        if line.startswith("| "):
+    for line, row in enumerate(TABLE.read_text(encoding="utf-8").splitlines(), 1):
+        if row.startswith("| "):
             tables += [] if inside else [[]]
-            tables[-1].append([cell.strip() for cell in line[2:-2].split("| ")])
-        inside = line.startswith("|")
+            tables[-1].append((line, [cell.strip() for cell in row[2:-2].split("| ")]))
+        inside = row.startswith("|")
     letters, checks = tables
     return letters[1:], checks[1:]
 
@@ -88,7 +92,7 @@ def _tables() -> tuple[list[list[str]], list[list[str]]]:
 @cache
 def elements() -> dict[str, Element]:
     """The letters of the table."""
-    return {letter: _element(letter, re.findall(r"\w+", kind)) for letter, _, kind in _tables()[0]}
+    return {letter: _element(letter, re.findall(r"\w+", kind)) for _, (letter, _, kind) in _tables()[0]}
 
 
 def _element(letter: str, kind: list[str]) -> Element:
@@ -104,11 +108,33 @@ def letters() -> re.Pattern[str]:
     return re.compile(rf"(?<![^.|])(?:{'|'.join(alone)})(?![^.|])|(?<=_)[{behind}](?![^|])")
 
 
-def _rule(id: str, kind: str, cause: str, value: str, limit: str, moved_by: str, why: str) -> CheckRule:
+def _rule(line: int, cells: list[str]) -> CheckRule:
+    if len(cells) != len(COLUMNS):
+        count, columns = len(cells), ", ".join(COLUMNS)
+        raise _bad_row(line, cells[0], Text("has {count} cells; needs {columns}", count=count, columns=columns))
+    id, kind, cause, value, limit, moved_by, why = cells
     words = kind.split()
+    if strangers := [word for word in words if word not in KINDS + ROLES]:
+        raise _bad_row(line, id, unknown(strangers[0], KINDS + ROLES), strangers[0])
+    if not any(word in KINDS for word in words):
+        raise _bad_row(line, id, Text("has no kind; needs {kinds}", kinds=", ".join(KINDS)))
     kinds = tuple(word for word in words if word in KINDS)
     value = id if value == "=" else value
     return CheckRule(id, kinds, "demand" in words, "exact" in words, cause, value, limit, tuple(moved_by.split()), why)
+
+
+def _bad_row(line: int, id: str, reason: Text, value: str = "") -> BadTable:
+    return BadTable(str(TABLE), [InputError(line, id, value, reason)])
+
+
+def _without_row(id: str) -> BadTable:
+    """What is said of a check that has no row, at the row that may be meant for it."""
+    from difflib import get_close_matches
+
+    lines = {cells[0]: line for line, cells in _tables()[1]}
+    for near in get_close_matches(id, lines, 1):
+        return _bad_row(lines[near], id, Text('has no row here; did you mean "{near}"?', near=near))
+    return _bad_row(0, id, Text("has no row here"))
 
 
 @cache
@@ -352,7 +378,10 @@ def check(
     `kind`: where the row has two. `advice`: what could be done beside the remedies.  `index`: of the mesh in its array,
     for the keys of the row.  `value_id`, `moved_by`: where the site knows them better than the row.  `remedies` are
     made only where it does not hold."""
-    rule = rule_of(id, index)
+    try:
+        rule = rule_of(id, index)
+    except KeyError:
+        raise _without_row(id) from None
     shown = UNITS[unit].shown
     bound = (shown(limit[0]), shown(limit[1])) if isinstance(limit, tuple) else linked(shown(limit), link_of(limit))
     several = has_lanes(value, limit)  # of many designs, which are judged one by one: nobody reads remedies

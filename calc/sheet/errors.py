@@ -23,7 +23,7 @@ class InputError:
         return Text("{where}: {reason}", where=prefix, reason=self.reason)
 
 
-class BadInput(Exception):
+class Mistakes(Exception):
     """All mistakes of one reading, in the order of their lines; its words are those of the first, and how many more
     there are."""
 
@@ -35,6 +35,14 @@ class BadInput(Exception):
             [plural("{place}: {n} more mistake", "{place}: {n} more mistakes", rest, place=place)] if rest > 0 else []
         )
         super().__init__("\n".join([*(e.text(place) for e in self.errors[:SHOWN_ERRORS]), *more]))
+
+
+class BadInput(Mistakes):
+    """Mistakes in what a user gave."""
+
+
+class BadTable(Mistakes):
+    """Mistakes in a table that comes with the program: no other input would help, so no search goes on after it."""
 
 
 class NoSolution(Exception):

@@ -5,7 +5,7 @@ A field of an Inputs class is made by `quantity()` or one of its sisters, a fiel
 file, `--set`, the form, the report and the JSON all read this one description.  An input with a `default` may be left
 out: None (no tables: ()) means "choose for me"; the type checker reads the same word."""
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator, Mapping
 from dataclasses import MISSING, Field, dataclass, field, fields
 from functools import cache
 from typing import Any, TypedDict, TypeVar, Unpack, dataclass_transform
@@ -18,6 +18,7 @@ from .units import UNITS, Unit
 T = TypeVar("T")
 
 REQUIRED: Any = MISSING  # no default, in place of one of any type
+NOTHING_RENAMED: Mapping[str, str] = {}
 # the source of a usual range that practice knows and no book behind this program states
 THUMB = Text("rule of thumb, no published source")
 
@@ -219,11 +220,11 @@ def keys(inputs: type) -> dict[str, Key]:
     return by_key
 
 
-def unknown(key: str, known: dict[str, Key]) -> Text:
-    """What is said of a key that an Inputs class does not have, with the nearest that it has."""
+def unknown(key: str, known: Collection[str]) -> Text:
+    """What is said of a key that is not among those that may stand there, with the nearest of them."""
     from difflib import get_close_matches
 
-    near = get_close_matches(key, list(known), 1, 0.5)
+    near = get_close_matches(key, known, 1, 0.5)
     return Text("is not known") + (
         Text('; did you mean "{near}"?', near=near[0]) if near else Text("; known here are ") + ", ".join(known)
     )
@@ -275,10 +276,12 @@ def value(label: str, unit: str = "", symbol: str = "", *, default: T = REQUIRED
     return field(default=default, kw_only=True, metadata={"value": Described(Text(label), unit, symbol, former)})
 
 
-def group(*, spread: bool = False, default: T = REQUIRED, former: str = "") -> T:
+def group(
+    *, spread: bool = False, default: T = REQUIRED, former: str = "", renamed: Mapping[str, str] = NOTHING_RENAMED
+) -> T:
     """A field that holds further results or a dict of them.  `spread`: its own name is left out of the address.
-    `former`: the name that it had."""
-    return field(default=default, kw_only=True, metadata={"group": spread, "former": former})
+    `former`: the name that it had; `renamed`: the names that the keys of a dict had."""
+    return field(default=default, kw_only=True, metadata={"group": spread, "former": former, "renamed": renamed})
 
 
 @dataclass_transform(frozen_default=True, kw_only_default=True, eq_default=False, field_specifiers=(value, group))
@@ -299,14 +302,15 @@ def inputs(cls: type[T]) -> type[T]:
 
 
 @cache
-def _shown(cls: type) -> tuple[tuple[str, Described | None, bool, str], ...]:
-    """The fields of a class of results that are shown: a value's description, or whether a group is spread and the name
-    that it had."""
+def _shown(cls: type) -> tuple[tuple[str, Described | None, bool, str, Mapping[str, str]], ...]:
+    """The fields of a class of results that are shown: a value's description, or whether a group is spread, and the
+    names that it and its keys had."""
     shown = []
     for f in fields(cls):
         about, spread = f.metadata.get("value"), f.metadata.get("group")
         if about is not None or spread is not None:
-            shown.append((f.name, about, bool(spread), f.metadata.get("former", "")))
+            former, renamed = f.metadata.get("former", ""), f.metadata.get("renamed", NOTHING_RENAMED)
+            shown.append((f.name, about, bool(spread), former, renamed))
     return tuple(shown)
 
 
@@ -320,27 +324,36 @@ def insides(result: object) -> list[float]:
 def _gather(result: object, numbers: list[float]) -> None:
     if isinstance(result, dict):
         for part in result.values():
-            _gather(part, numbers)
+            if part is not None:
+                _gather(part, numbers)
     elif isinstance(result, Stated):
         numbers.append(result.number)
     else:
         kind: type = type(result)
-        for name, about, _, _ in _shown(kind):
+        for name, about, *_ in _shown(kind):
             content = getattr(result, name)
             if content is not None:
                 numbers.append(content) if about is not None else _gather(content, numbers)
 
 
 def published(
-    result: object, prefix: str, formerly: str = "", wanted: frozenset[str] = frozenset()
+    result: object,
+    prefix: str,
+    formerly: str = "",
+    wanted: frozenset[str] = frozenset(),
+    renamed: Mapping[str, str] = NOTHING_RENAMED,
 ) -> Iterator[Published]:
     """All values of a result with their addresses, in the order in which they are declared.
 
-    `formerly`: the prefix that they had.  `wanted`: only the values at these addresses; none: all.
+    `formerly`: the prefix that they had.  `wanted`: only the values at these addresses; none: all.  `renamed`: the
+    names that the keys of a dict had.
     """
     if isinstance(result, dict):
         for name, part in result.items():
-            yield from published(part, f"{prefix}.{name}", formerly and f"{formerly}.{name}", wanted)
+            if part is None:
+                continue
+            had = f"{formerly or prefix}.{renamed.get(name, name)}" if formerly or name in renamed else ""
+            yield from published(part, f"{prefix}.{name}", had, wanted)
         return
     if isinstance(result, Stated):
         if not wanted or prefix in wanted:
@@ -349,7 +362,7 @@ def published(
     if wanted and not any(id.startswith(prefix) for id in wanted):
         return
     kind: type = type(result)
-    for name, about, spread, formerly_named in _shown(kind):
+    for name, about, spread, formerly_named, keys_renamed in _shown(kind):
         content = getattr(result, name)
         if content is None:
             continue
@@ -364,10 +377,10 @@ def published(
                     f"{before}.{about.former or name.rstrip('_')}" if formerly or about.former else "",
                 )
         elif spread:
-            yield from published(content, prefix, formerly, wanted)
+            yield from published(content, prefix, formerly, wanted, keys_renamed)
         else:
             had = f"{before}.{formerly_named or name}" if formerly or formerly_named else ""
-            yield from published(content, f"{prefix}.{name}", had, wanted)
+            yield from published(content, f"{prefix}.{name}", had, wanted, keys_renamed)
 
 
 def _published(id: str, about: Described, inside: float, former: str = "") -> Published:

@@ -6,7 +6,6 @@ source, worked out from a source's numbers (or by another program), measured by 
 program does not give is told with its reason."""
 
 import math
-import tomllib
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cache
@@ -15,8 +14,9 @@ from typing import TypedDict
 from ..bearings.film.table import eccentricity_from, film_at
 from ..design.addresses import Table
 from ..design.toml_file import Document, design, read
-from ..library.catalogue import TABLES, Oil
+from ..library.catalogue import Oil
 from ..library.lubricant import Lubricant
+from ..library.table_file import house_table, parsed, text_of_table
 from ..sheet.number import short
 from ..sheet.record import record
 from ..sheet.text import with_unit
@@ -125,7 +125,7 @@ def unmet() -> Iterator[Unmet]:
 
 def _known() -> tuple[dict[str, Table], dict[str, list[Case]]]:
     """The designs that are given once for several cases, and the cases by their kind."""
-    data = tomllib.loads((TABLES / "validation.toml").read_text(encoding="utf-8"))
+    data = parsed("validation.toml", text_of_table("validation.toml"))  # holds designs, which are read as such
     return data.pop("designs"), data
 
 
@@ -186,7 +186,7 @@ def _solved(document: Document) -> Results:
 def _raimondi_boyd() -> Iterator[ValidationRow]:
     """S at the charts' ε within 2 %, friction within 1 %, flow within 0.5 %, for finite l/d and ε ≤ 0.9."""
     source = "Raimondi & Boyd 1958, as tabulated in textbooks"
-    for row in tomllib.loads((TABLES / "raimondi_boyd.toml").read_text(encoding="utf-8"))["row"]:
+    for row in house_table("raimondi_boyd.toml")["row"]:
         eps, ratio = row["eccentricity"], row["length_ratio"]
         if ratio > 2 or eps > CHARTS_HOLD_UP_TO:
             continue
@@ -279,7 +279,7 @@ def worked_out(arithmetic: str) -> float:
 @cache
 def _tables() -> tuple[dict[str, dict[str, str]], list[dict[str, str]]]:
     """What is said of each document, and the rows."""
-    data = tomllib.loads((TABLES / "errata.toml").read_text(encoding="utf-8"))
+    data = house_table("errata.toml")
     return data["source"], data["row"]
 
 

@@ -9,7 +9,7 @@ from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING, TypedDict
 
-from ..library.catalogue import TABLES
+from ..library.table_file import parsed, text_of_table
 from ..sheet.text import Text
 
 if TYPE_CHECKING:
@@ -102,7 +102,8 @@ def _engine(row: _Row) -> "Table":
 
 @cache
 def _rows() -> dict[str, _Row]:
-    return tomllib.loads((TABLES / "engines.toml").read_text(encoding="utf-8"))
+    rows: dict[str, _Row] = parsed("engines.toml", text_of_table("engines.toml"))
+    return rows
 
 
 def _lines(table: "Table") -> str:

@@ -27,8 +27,9 @@ from calc.library import fatigue as notch
 from calc.library import journal_rules
 from calc.library import oil_formulas as viscosity_index
 from calc.library import tolerances as fits
-from calc.library.catalogue import TABLES, Oil, ViscosityRow, shipped_oils
+from calc.library.catalogue import Oil, ViscosityRow, shipped_oils
 from calc.library.lubricant import Lubricant
+from calc.library.table_file import TABLES
 from calc.sheet import functions as erf
 
 BESIDE = 1e-9  # of an edge, to each side

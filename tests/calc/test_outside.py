@@ -16,9 +16,10 @@ from calc.countershaft.bending.beam import beam, bend, natural_frequency
 from calc.countershaft.making.balance import lever_front, lever_rear, plane_unbalance
 from calc.gears import formulas as g
 from calc.gears.measures import formulas as m
-from calc.library.catalogue import TABLES, Oil
+from calc.library.catalogue import Oil
 from calc.library.lubricant import Lubricant
 from calc.library.oil_formulas import density, viscosity_index
+from calc.library.table_file import TABLES
 from calc.library.tolerances import permitted_unbalance
 
 CASES = tomllib.loads((Path(__file__).parents[1] / "reference" / "outside.toml").read_text(encoding="utf-8"))["case"]

@@ -17,8 +17,10 @@ from calc.sheet.text import Text
 from calc.solve import solve
 from tests.languages.texts import (
     ROOT,
+    before_release,
     compiled,
     entries,
+    judge_english,
     named,
     of_catalogues,
     of_inputs,
@@ -26,6 +28,7 @@ from tests.languages.texts import (
     of_tables,
     po,
     templates,
+    untranslated,
 )
 
 OTHERS = [code for code in LANGUAGES if code != "en"]
@@ -40,23 +43,25 @@ DESIGNS = sorted((ROOT / "designs").glob("*.toml"))
 
 # --- the files
 @pytest.mark.parametrize("code", OTHERS)
-def test_every_template_of_the_source_has_an_entry(code: str) -> None:
-    known = entries(code)
-    missing = {many: file for (many, one), file in templates().items() if not all(known.get((many, one), ("",)))}
-    assert not missing, (
-        f"{len(missing)} templates without a translation; `python -m tests.languages.texts {code}` adds them"
-    )
+def test_what_has_no_translation_is_listed_and_stops_a_release(code: str) -> None:
+    """English is enough for a trial; CONTRIBUTING, "Release"."""
+    if missing := untranslated(code):
+        texts = "; ".join(f"{file}: {template!r}" for template, file in missing.items())
+        before_release(f"{len(missing)} without a translation; `python -m tests.languages.texts {code}` adds: {texts}")
 
 
 @pytest.mark.parametrize("code", OTHERS)
-def test_no_entry_is_of_a_template_that_is_gone(code: str) -> None:
-    gone = entries(code).keys() - templates().keys() - {(text, "") for text in of_tables()}
-    assert not gone, f"{len(gone)}: {sorted(gone)[:3]}; `python -m tests.languages.texts {code}` leaves them out"
+def test_entries_of_templates_that_are_gone_are_listed_and_stop_a_release(code: str) -> None:
+    if gone := entries(code).keys() - templates().keys() - {(text, "") for text in of_tables()}:
+        texts = "; ".join(many for many, _ in sorted(gone))
+        before_release(f"{len(gone)} of no text any more; `python -m tests.languages.texts {code}` drops: {texts}")
 
 
 @pytest.mark.parametrize("code", OTHERS)
 def test_entries_keep_the_parts(code: str) -> None:
     for (many, one), told in entries(code).items():
+        if not all(told):  # not translated yet
+            continue
         for text, translation in zip((one, many) if one else (many,), told):
             assert set(PLACE.findall(translation)) <= set(PLACE.findall(many)), text
             assert one or set(PLACE.findall(text)) == set(PLACE.findall(translation)), text
@@ -91,22 +96,17 @@ def test_no_english_word_is_left_in_what_a_design_gives(file: Path, code: str) -
         re.compile("|".join(map(re.escape, sorted(named(tomllib.loads(file.read_text(encoding="utf-8"))))))),
     )
     told = {say(text) for text in of_results(solve(design(read(file))))}
-    left = sorted(text for text in told if ENGLISH.search(QUOTED.sub("", names.sub("", text))))
-    assert not left, f"{len(left)}: {left[:5]}"
+    judge_english(code, (text for text in told if ENGLISH.search(QUOTED.sub("", names.sub("", text)))))
 
 
 @pytest.mark.parametrize("code", OTHERS)
 def test_no_english_word_is_left_in_the_forms(code: str) -> None:
     say = language(code)
-    left = sorted({told for text in of_inputs() if ENGLISH.search(QUOTED.sub("", told := say(text)))})
-    assert not left, f"{len(left)}: {left[:5]}"
+    judge_english(code, {told for text in of_inputs() if ENGLISH.search(QUOTED.sub("", told := say(text)))})
 
 
-@pytest.mark.parametrize("code", OTHERS)
-def test_every_text_of_the_tables_has_an_entry(code: str) -> None:
-    known, texts = entries(code), {text for text in of_catalogues() if WORD.search(PLACE.sub("", text.template))}
-    assert len(texts) > 50
-    assert [text for text in texts if (text.template, "") not in known] == []
+def test_the_tables_have_texts_to_translate() -> None:
+    assert len({text for text in of_catalogues() if WORD.search(PLACE.sub("", text.template))}) > 50
 
 
 def test_only_words_change() -> None:

@@ -34,7 +34,7 @@ from calc.studies.shipped import DESIGNS
 from tests.assistant.conftest import NOON, solved
 from tests.assistant.driving import go_to, settled, strike, told, type_in, until, work
 from tests.languages.test_catalogue import ENGLISH, QUOTED
-from tests.languages.texts import entries, of_outcome
+from tests.languages.texts import entries, judge_english, of_outcome
 
 CODE = "it"
 WORD = re.compile(r"[^\W\d_]{3,}")
@@ -92,9 +92,7 @@ class Ear:
                 self.left.setdefault(part, where)
 
     def judge(self) -> None:
-        assert not self.left, f"{len(self.left)}: " + "; ".join(
-            f"{part} ({where})" for part, where in self.left.items()
-        )
+        judge_english(CODE, (f"{part} ({where})" for part, where in self.left.items()))
 
 
 def words(texts: Iterable[str]) -> set[str]:

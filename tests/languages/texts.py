@@ -6,9 +6,11 @@ in the source (with an empty translation, to be filled in), leaves out those tha
 
 import ast
 import io
+import os
 import sys
 import tomllib
-from collections.abc import Iterator, Mapping
+import warnings
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import fields, is_dataclass
 from datetime import UTC, datetime
 from functools import cache
@@ -33,6 +35,7 @@ ROOT = Path(__file__).resolve().parents[2]
 # calls whose first argument is a label
 FIELDS = {"value", "quantity", "integer", "text", "choice", "series", "integers", "table", "tables", "open_"}
 SENTENCES = {"help", "source"}  # their keywords that are texts
+RELEASE = bool(os.environ.get("RELEASE"))  # RELEASE=1 pytest tests/languages: every text must have its translation
 # for one and for many: babel's own rules differ from version to version
 PLURALS = ("Plural-Forms", "nplurals=2; plural=(n != 1);")
 Template = tuple[str, str]  # the template, and that for a count of 1 ("": none)
@@ -132,11 +135,9 @@ def named(data: Any) -> Iterator[str]:
 @cache
 def of_tables() -> frozenset[str]:
     """The words of the program's own tables, but for the names of their rows."""
-    return frozenset(
-        text
-        for file in (ROOT / "calc" / "tables").glob("*.toml")
-        for text in _words(tomllib.loads(file.read_text(encoding="utf-8")))
-    )
+    files = list((ROOT / "calc" / "library" / "tables").glob("*.toml"))
+    assert files, "the tables have been moved"
+    return frozenset(text for file in files for text in _words(tomllib.loads(file.read_text(encoding="utf-8"))))
 
 
 def _words(data: Any) -> Iterator[str]:
@@ -196,6 +197,31 @@ def entries(code: str) -> dict[Template, tuple[str, ...]]:
             for m in read_po(file, locale=code)
             if m.id
         }
+
+
+@cache
+def untranslated(code: str) -> dict[str, str]:
+    """The templates that have no translation yet, each with the first file that has it."""
+    known = entries(code)
+    without = {many: file for (many, one), file in templates().items() if not all(known.get((many, one), ("",)))}
+    asked = {text.template for text in of_catalogues() if WORD.search(PLACE.sub("", text.template))}
+    return without | {text: "calc/library/tables" for text in asked if not all(known.get((text, ""), ("",)))}
+
+
+def before_release(words: str) -> None:
+    """What stops a release, and is listed among the warnings before it."""
+    assert not RELEASE, words
+    warnings.warn(words, stacklevel=2)
+
+
+def judge_english(code: str, left: Iterable[str]) -> None:
+    """English that is left is a mistake where every text has its translation.  Before a release some may have none:
+    then they may be the reason, and what is left is listed."""
+    found = sorted(left)
+    if found and untranslated(code):
+        before_release(f"English is left in {code}: {len(found)}: {'; '.join(text[:60] for text in found[:5])} …")
+    else:
+        assert not found, f"{len(found)}: {found[:5]}"
 
 
 def compiled(code: str) -> bytes:

@@ -10,13 +10,12 @@ the way, at the mean of both temperatures, the rest at the end of the film.  The
 bearing) takes instead what the supply pressure drives through, alone."""
 
 import math
-import tomllib
 from bisect import bisect
 from functools import cache, lru_cache
 from itertools import pairwise
 from typing import NamedTuple
 
-from ...library.catalogue import TABLES
+from ...library.table_file import house_table
 from ...sheet.formula import formula
 from ...sheet.record import record
 from ...sheet.text import Amount, Text
@@ -81,7 +80,7 @@ CENTRED = Reading(1.0, math.inf, math.pi, 0.0, 90.0, 0.5)  # ε → 0, but for P
 @cache
 def _charts() -> dict[float, list[_Line]]:
     """Per l/d the lines over ln S, in the order of `Reading`: ε and ln f* for its first two."""
-    rows = tomllib.loads((TABLES / "raimondi_boyd.toml").read_text(encoding="utf-8"))["row"]
+    rows = house_table("raimondi_boyd.toml")["row"]
     charts = {}
     for ratio in sorted({float(r["length_ratio"]) for r in rows}):
         mine = sorted((r for r in rows if float(r["length_ratio"]) == ratio), key=lambda r: r["S"])

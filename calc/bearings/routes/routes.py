@@ -2,7 +2,8 @@
 """The routes to the film, side by side: one function each, from an assumed temperature rise to the one that it makes.
 
 The own solution of Reynolds' equation judges; the others are shown beside it on the clearance as given.  `balance`
-closes the loop."""
+closes the loop.  What is known of a route stands above its function (`@bearing_route`); the table, the notes, the
+spread and what is published read it there, in the order in which the functions stand here."""
 
 from collections.abc import Callable
 
@@ -12,7 +13,8 @@ from ...library.journal_rules import specific_load
 from ...library.lubricant import OilState
 from ...sheet.arrays import each, many
 from ...sheet.errors import NoSolution
-from ...sheet.text import EMPTY, Amount, Text
+from ...sheet.record import record
+from ...sheet.text import COMMA, EMPTY, Amount, Name, Text
 from ...sheet.value import based_on
 from .. import formulas as f
 from ..film import short_bearing as short
@@ -31,8 +33,99 @@ from . import raimondi_boyd as rb
 from .states import BearingCase, Film, OperatingPoint, OutsideCharts, Seized
 
 Route = Callable[[BearingCase, OperatingPoint, float], Film]
+WhyOff = Callable[[Film, float], Text]
+FALZ_MEETS = 1.0  # l/d at which Falz's two branches meet
+SHORT_UP_TO, SHORT_ECCENTRICITY = 0.25, 0.5  # where the short bearing stays within a tenth in the load
 
 
+@record
+class BearingRoute:
+    """What is known of a route.  Films come with their l/d.
+
+    `name`: that of its values, `bearings.front.NAME.film`; `former`: the name that it had.  `brief`: its title between
+    the parts of an id.  `why_off`: why its film may be far off at the same oil.  `counts`: where it claims to solve the
+    film, so that the spread counts it.  `whole_length`: it takes the bearing's, where a groove parts the film."""
+
+    name: str
+    title: Text
+    film: Route
+    why_off: WhyOff
+    counts: Callable[[Film, float], bool]
+    whole_length: bool
+    brief: Text
+    former: str
+
+
+ROUTES: dict[str, BearingRoute] = {}
+
+
+def nowhere(film: Film, ratio: float) -> bool:
+    return False
+
+
+def everywhere(film: Film, ratio: float) -> bool:
+    return True
+
+
+def bearing_route(
+    name: str,
+    title: Text,
+    *,
+    why_off: WhyOff,
+    counts: Callable[[Film, float], bool] = nowhere,
+    whole_length: bool = False,
+    brief: Text = EMPTY,
+    former: str = "",
+) -> Callable[[Route], Route]:
+    """Declares the function below it as a route that is shown beside the own one, which stands first."""
+
+    def declared(film: Route) -> Route:
+        ROUTES[name] = BearingRoute(name, title, film, why_off, counts, whole_length, brief or title, former)
+        return film
+
+    return declared
+
+
+def _cubic_errs(film: Film, ratio: float) -> Text:
+    l_d = Amount(ratio, form=".3g")
+    return Text("its cubic in d/l errs between the charts of l/d 1, ½, ¼: l/d is {ratio}", ratio=l_d)
+
+
+def _fit_errs(film: Film, ratio: float) -> Text:
+    return Text(
+        "its fit of So errs by up to a tenth between B/D {fitted} and 1: B/D is {ratio}",
+        fitted=din31652.FITTED_UP_TO,
+        ratio=Amount(ratio, form=".3g"),
+    )
+
+
+def _is_short(film: Film, ratio: float) -> bool:
+    return ratio <= SHORT_UP_TO and film.eccentricity <= SHORT_ECCENTRICITY
+
+
+def _leaves_flow_out(film: Film, ratio: float) -> Text:
+    parts = []
+    if ratio > SHORT_UP_TO:
+        l_d, most = Amount(ratio, form=".3g"), Amount(SHORT_UP_TO, form="g")
+        parts.append(Text("l/d {ratio} is above {short_up_to}", ratio=l_d, short_up_to=most))
+    if film.eccentricity > SHORT_ECCENTRICITY:
+        eps, most = Amount(film.eccentricity, form=".3g"), Amount(SHORT_ECCENTRICITY, form="g")
+        parts.append(Text("ε {eccentricity} above {short_eccentricity}", eccentricity=eps, short_eccentricity=most))
+    why = COMMA.join(parts) if parts else Text("its film is too thick")
+    return Text("it leaves the pressure's flow around the shaft out: {parts}", parts=why)
+
+
+def _branches_meet_once(film: Film, ratio: float) -> Text:
+    return Text(
+        "Falz's two branches meet only at l/d = {falz_meets}: l/d is {ratio}, So = {sommerfeld} lies {branch} 1",
+        falz_meets=Amount(FALZ_MEETS, form="g"),
+        ratio=Amount(ratio, form=".3g"),
+        sommerfeld=Amount(film.sommerfeld, form=".3g"),
+        branch=Text("above") if film.sommerfeld > 1 else Text("below"),
+    )
+
+
+@bearing_route("reynolds", Text("Reynolds' equation"), brief=Name("Reynolds"), why_off=lambda film, ratio: EMPTY)
 def own_cold(seat: BearingCase, duty: OperatingPoint, rise: float) -> Film:
     """The program's own solution of Reynolds' equation on the clearance as given, to compare with the source's
     methods."""
@@ -42,12 +135,6 @@ def own_cold(seat: BearingCase, duty: OperatingPoint, rise: float) -> Film:
 def own_warm(seat: BearingCase, duty: OperatingPoint, rise: float) -> Film:
     """The program's own solution on the clearance at the film's mean temperature: what the design is judged by."""
     return _reynolds(seat, duty, rise, warm=True)
-
-
-def short_bearing(seat: BearingCase, duty: OperatingPoint, rise: float) -> Film:
-    """The limit of a bearing without length (Ocvirk), clearance as given: a check of the other routes, good to l/d of
-    about ½."""
-    return _reynolds(seat, duty, rise, warm=False, without_length=True)
 
 
 def _reynolds(
@@ -149,18 +236,26 @@ def _with_grooves(
     )
 
 
+@bearing_route("raimondi_boyd_own_flow", Text("Raimondi & Boyd, own flow"), counts=everywhere, why_off=_cubic_errs)
+def raimondi_boyd_own_flow(seat: BearingCase, duty: OperatingPoint, rise: float) -> Film:
+    """Raimondi and Boyd's own way: the same charts, of each land where a groove parts the film, and the oil that the
+    turning film draws in, whatever the supply pressure."""
+    return _by_charts(seat, duty, rise, own_flow=True)
+
+
+@bearing_route(
+    "raimondi_boyd",
+    Text("Raimondi & Boyd, supply flow of the thesis"),
+    brief=Name("Raimondi & Boyd"),
+    why_off=_cubic_errs,
+    whole_length=True,
+)
 def raimondi_boyd(seat: BearingCase, duty: OperatingPoint, rise: float) -> Film:
     """The source's first method: charts of 1958 by their l/d formula, flow of a groove over the full length, clearance
     as given.
 
     Without supply pressure, the charts' own flow."""
     return _by_charts(seat, duty, rise, own_flow=False)
-
-
-def raimondi_boyd_own_flow(seat: BearingCase, duty: OperatingPoint, rise: float) -> Film:
-    """Raimondi and Boyd's own way: the same charts, of each land where a groove parts the film, and the oil that the
-    turning film draws in, whatever the supply pressure."""
-    return _by_charts(seat, duty, rise, own_flow=True)
 
 
 def _by_charts(seat: BearingCase, duty: OperatingPoint, rise: float, *, own_flow: bool) -> Film:
@@ -189,6 +284,7 @@ def _by_charts(seat: BearingCase, duty: OperatingPoint, rise: float, *, own_flow
     return _film(seat, duty, T, oil, g, psi, p, S, eps, h_0, f_v, Q_s, phi, p_max, Q=Q, drawn_in=True)
 
 
+@bearing_route("iso7902", Text("ISO 7902"), counts=everywhere, why_off=_fit_errs)
 def iso7902(seat: BearingCase, duty: OperatingPoint, rise: float) -> Film:
     """ISO 7902: both flows, by geometry and by supply pressure, as the own solution has the supply; clearance as
     given."""
@@ -211,6 +307,21 @@ def iso7902(seat: BearingCase, duty: OperatingPoint, rise: float) -> Film:
     return _film(seat, duty, T, oil, g, psi, p, So, eps, f.film(g=g, eps=eps), f_v, Q_1, beta)
 
 
+@bearing_route("short_bearing", Text("short bearing"), counts=_is_short, why_off=_leaves_flow_out)
+def short_bearing(seat: BearingCase, duty: OperatingPoint, rise: float) -> Film:
+    """The limit of a bearing without length (Ocvirk), clearance as given: a check of the other routes, good to l/d of
+    about ½."""
+    return _reynolds(seat, duty, rise, warm=False, without_length=True)
+
+
+@bearing_route(
+    "falz",
+    Text("Falz, as the thesis uses it"),
+    brief=Name("Falz"),
+    why_off=_branches_meet_once,  # a rule of thumb, which claims to solve no film
+    whole_length=True,
+    former="din31652",
+)
 def falz(seat: BearingCase, duty: OperatingPoint, rise: float) -> Film:
     """The source's second method: Falz's film, friction polynomial, a hole always opposite the load, clearance as
     given."""

@@ -11,29 +11,17 @@ from ...sheet.errors import NoSolution, text_of
 from ...sheet.lanes import design_by_design
 from ...sheet.record import record
 from ...sheet.step import Table
-from ...sheet.text import COMMA, Amount, Text
+from ...sheet.text import Amount, Text
 from ...sheet.value import about, untraced
 from .. import formulas as f
 from ..film.table import FilmRangeError
 from ..inputs import IN_WORDS
 from .balance import balanced
-from .din31652 import FITTED_UP_TO
-from .routes import Route, falz, iso7902, own_cold, raimondi_boyd, raimondi_boyd_own_flow, short_bearing
+from .routes import ROUTES
 from .states import BearingCase, Film, OperatingPoint, OutsideCharts
 
 SPREAD = 0.10  # rule of this program
-ROUTES: dict[str, tuple[Text, Route]] = {
-    "reynolds": (Text("Reynolds' equation"), own_cold),
-    "raimondi_boyd_own_flow": (Text("Raimondi & Boyd, own flow"), raimondi_boyd_own_flow),
-    "raimondi_boyd": (Text("Raimondi & Boyd, supply flow of the thesis"), raimondi_boyd),
-    "iso7902": (Text("ISO 7902"), iso7902),
-    "short_bearing": (Text("short bearing"), short_bearing),
-    "falz": (Text("Falz, as the thesis uses it"), falz),
-}
-# each within its range; Falz's is a rule of thumb
-SOLVE_THE_FILM = ("raimondi_boyd_own_flow", "iso7902", "short_bearing")
-FALZ_MEETS = 1.0  # l/d at which Falz's two branches meet
-SHORT_UP_TO, SHORT_ECCENTRICITY = 0.25, 0.5  # where the short bearing stays within a tenth in the load
+OWN = "reynolds"  # the route that the others are held against
 
 
 @record
@@ -61,8 +49,8 @@ class RouteResultBeside:
             return {}
         return {
             name: self.alike[name]
-            for name in SOLVE_THE_FILM
-            if name in self.alike and _compared(name, self.films[name], self.ratio)
+            for name, route in ROUTES.items()
+            if name in self.alike and route.counts(self.films[name], self.ratio)
         }
 
 
@@ -83,22 +71,22 @@ def side_by_side(place: str, seat: BearingCase, duty: OperatingPoint, ratio: flo
     """`ratio`: l/d of the film."""
     films: dict[str, Film] = {}
     silent: dict[str, Text] = {}
-    for name, (title, route) in ROUTES.items():
-        words = Text("clearance as given") if name == "reynolds" else title
+    for name, route in ROUTES.items():
+        words = Text("clearance as given") if name == OWN else route.title
         with about(Text("{place} bearing, {title}", place=IN_WORDS[place], title=words)):
             try:
-                films[name] = balanced(route, seat, duty)
+                films[name] = balanced(route.film, seat, duty)
             except (NoSolution, OutsideCharts) as outside:
                 silent[name] = text_of(outside)
     whole = _whole(seat)
-    own_film = films.get("reynolds")
+    own_film = films.get(OWN)
     if own_film is None:
         return RouteResultBeside(films, {}, {}, None, silent, ratio, whole)
-    deviations = {name: abs(film.film / own_film.film - 1) for name, film in films.items() if name != "reynolds"}
+    deviations = {name: abs(film.film / own_film.film - 1) for name, film in films.items() if name != OWN}
     alike: dict[str, float] = {}
     spread: float | None = None
     for name in deviations:
-        counts = seat.grooves is None and _compared(name, films[name], ratio)
+        counts = seat.grooves is None and ROUTES[name].counts(films[name], ratio)
         same = _at_the_same_oil(place, name, seat, duty, own_film, shown=counts)
         if same is None:
             continue
@@ -114,29 +102,23 @@ def _at_the_same_oil(
     place: str, name: str, seat: BearingCase, duty: OperatingPoint, own_film: Film, *, shown: bool
 ) -> Film | None:
     """The route's film with the oil as warm as in the own solution; `shown`: by lines of the calculation."""
-    title, route = ROUTES[name]
+    route = ROUTES[name]
     try:
         if not shown:
             with untraced():
-                return route(seat, duty, own_film.temperature_rise)
-        with about(Text("{place} bearing, {title}, at the same oil", place=IN_WORDS[place], title=title)):
-            return route(seat, duty, own_film.temperature_rise)
+                return route.film(seat, duty, own_film.temperature_rise)
+        with about(Text("{place} bearing, {title}, at the same oil", place=IN_WORDS[place], title=route.title)):
+            return route.film(seat, duty, own_film.temperature_rise)
     except (NoSolution, OutsideCharts, FilmRangeError):
         return None
-
-
-def _compared(name: str, film: Film, ratio: float) -> bool:
-    """Whether a route claims to solve the film here."""
-    within = ratio <= SHORT_UP_TO and film.eccentricity <= SHORT_ECCENTRICITY
-    return name in SOLVE_THE_FILM and (name != "short_bearing" or within)
 
 
 def reason(name: str, side: RouteResultBeside) -> Text:
     """Why a route is far off here: in its film with the same oil, or else in its flow and so its oil's temperature."""
     film, ratio = side.films[name], side.ratio
-    if name in ("raimondi_boyd", "falz") and ratio < side.whole * (1 - 1e-9):
+    if ROUTES[name].whole_length and ratio < side.whole * (1 - 1e-9):
         return Text("it takes the whole length, where the groove parts the film")
-    own_film = side.films["reynolds"]
+    own_film = side.films[OWN]
     if name in side.alike and abs(side.alike[name]) < side.deviations[name] / 2:
         hotter = Text("hotter") if film.temperature_rise > own_film.temperature_rise else Text("cooler")
         flow, own_flow = (Amount(Q * 6e4, form=".3g") for Q in (film.oil_flow, own_film.oil_flow))
@@ -146,48 +128,19 @@ def reason(name: str, side: RouteResultBeside) -> Text:
             oil_flow2=own_flow,
             hotter=hotter,
         )
-    return film_reason(name, film, ratio)
-
-
-def film_reason(name: str, film: Film, ratio: float) -> Text:
-    """Why the film of a route is off at the same oil."""
-    l_d, So = Amount(ratio, form=".3g"), Amount(film.sommerfeld, form=".3g")
-    if name == "iso7902":
-        return Text(
-            "its fit of So errs by up to a tenth between B/D {fitted} and 1: B/D is {ratio}",
-            fitted=FITTED_UP_TO,
-            ratio=l_d,
-        )
-    if name.startswith("raimondi_boyd"):
-        return Text("its cubic in d/l errs between the charts of l/d 1, ½, ¼: l/d is {ratio}", ratio=l_d)
-    if name == "falz":
-        return Text(
-            "Falz's two branches meet only at l/d = {falz_meets}: l/d is {ratio}, So = {sommerfeld} lies {branch} 1",
-            falz_meets=Amount(FALZ_MEETS, form="g"),
-            ratio=l_d,
-            sommerfeld=So,
-            branch=Text("above") if film.sommerfeld > 1 else Text("below"),
-        )
-    parts = []
-    if ratio > SHORT_UP_TO:
-        parts.append(Text("l/d {ratio} is above {short_up_to}", ratio=l_d, short_up_to=Amount(SHORT_UP_TO, form="g")))
-    if film.eccentricity > SHORT_ECCENTRICITY:
-        eps, most = Amount(film.eccentricity, form=".3g"), Amount(SHORT_ECCENTRICITY, form="g")
-        parts.append(Text("ε {eccentricity} above {short_eccentricity}", eccentricity=eps, short_eccentricity=most))
-    why = COMMA.join(parts) if parts else Text("its film is too thick")
-    return Text("it leaves the pressure's flow around the shaft out: {parts}", parts=why)
+    return ROUTES[name].why_off(film, ratio)
 
 
 def routes_table(place: str, side: RouteResultBeside) -> Table:
     """All that have an answer; the note says why the others have none."""
     rows: list[tuple[str | float | None, ...]] = []
-    own_film = side.films.get("reynolds")
+    own_film = side.films.get(OWN)
     for name, film in side.films.items():
-        far = None if own_film is None or name == "reynolds" else (film.film / own_film.film - 1) * 100
+        far = None if own_film is None or name == OWN else (film.film / own_film.film - 1) * 100
         same = side.alike.get(name)
         rows.append(
             (
-                ROUTES[name][0],
+                ROUTES[name].title,
                 film.film * 1e6,
                 far,
                 None if same is None else same * 100,
@@ -217,9 +170,9 @@ def routes_table(place: str, side: RouteResultBeside) -> Table:
         "route with its own flow. Δ, same oil: the film alone, with the oil as warm as in the own solution."
     )
     for name, why in side.outside.items():
-        note += Text(" {route}: {why}.", route=ROUTES[name][0], why=why)
+        note += Text(" {route}: {why}.", route=ROUTES[name].title, why=why)
     for name, why in side.silent.items():
-        note += Text(" {routes} gives no value here: {why}.", routes=ROUTES[name][0], why=why)
+        note += Text(" {routes} gives no value here: {why}.", routes=ROUTES[name].title, why=why)
     covers = tuple(f"bearings.{place}.{name}." for name in ROUTES)
     title = Text("The routes side by side, {place} bearing", place=IN_WORDS[place])
     return Table(f"routes_{place}", title, columns, tuple(rows), note, covers)

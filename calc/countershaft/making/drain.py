@@ -6,13 +6,12 @@ A clamp must be closed when it sits on the smaller end, so its nominal diameter 
 open far enough to go over the larger one.  A clamp of the next size up would open far enough where this one does not,
 but it would not grip."""
 
-import tomllib
 from collections.abc import Iterator
 from dataclasses import replace
 from functools import cache
-from typing import Any, cast
+from typing import cast
 
-from ...library.catalogue import TABLES
+from ...library.table_file import house_table
 from ...sheet.arrays import each, many
 from ...sheet.check import Check, check
 from ...sheet.formula import formula
@@ -28,27 +27,22 @@ RULE = Text("Finotti 2013, 4.4: choice of a spring band clamp (DIN 3021)")
 
 
 @cache
-def _file(name: str) -> dict[str, Any]:  # tomllib's own type
-    return tomllib.loads((TABLES / name).read_text(encoding="utf-8"))
-
-
-@cache
 def clamps(series: str = "company") -> tuple[Clamp, ...]:
     """The clamps that come with the program: those of the source ("company") or of the standard ("din3021")."""
-    rows = _file("clamps.toml")[series]["clamps"]
+    rows = house_table("clamps.toml")[series]["clamps"]
     return tuple(Clamp(nominal=row["nominal_mm"] / 1000, opening=row["opening_mm"] / 1000) for row in rows)
 
 
 @cache
 def unions() -> tuple[Union, ...]:
     """The unions that come with the program."""
-    return tuple(Union(thread=row["thread"], bore=row["bore_mm"] / 1000) for row in _file("unions.toml")["row"])
+    return tuple(Union(thread=row["thread"], bore=row["bore_mm"] / 1000) for row in house_table("unions.toml")["row"])
 
 
 @cache
 def sleeves() -> tuple[Sleeve, ...]:
     """The sleeves that come with the program, those that take a hose."""
-    rows = [row for row in _file("sleeves.toml")["row"] if "d1_mm" in row]
+    rows = [row for row in house_table("sleeves.toml")["row"] if "d1_mm" in row]
     return tuple(Sleeve(ring=row["d_mm"] / 1000, bore=row["d1_mm"] / 1000, end=row["d2_mm"] / 1000) for row in rows)
 
 
@@ -250,7 +244,7 @@ def checks(choice: DrainResult) -> Iterator[Check]:
             ">=",
             0.0,
             "mm",
-            Text(_file("clamps.toml")["din3021"]["source"]),
+            Text(house_table("clamps.toml")["din3021"]["source"]),
             Text(
                 "The clamp of the source opens further than the standard asks for: make sure that the one bought does "
                 "too."
@@ -300,12 +294,12 @@ def named_check(drain_check: Check, drain: str) -> Check:
 def notes(choice: DrainResult) -> Iterator[Text]:
     """Where the choice comes from, what seals the union, and why there is no clamp."""
     if not choice.drain.clamps:
-        yield Text("Oil drain: clamps by {source}.", source=Text(_file("clamps.toml")["company"]["source"]))
+        yield Text("Oil drain: clamps by {source}.", source=Text(house_table("clamps.toml")["company"]["source"]))
     if choice.reason:
         yield Text("Oil drain: no clamp is taken: {reason}.", reason=choice.reason)
     if choice.drain.slope is not None and choice.drain.bore is None:
         yield Text("Oil drain: what runs off is not computed: give bore_mm, the narrowest bore of the passage.")
-    for row in _file("unions.toml")["seal"]:
+    for row in house_table("unions.toml")["seal"]:
         if choice.unions and thread(row["thread"]) == thread(choice.drain.thread):
             parts, source = Text(row["parts"]), Text(row["source"])
             yield Text(

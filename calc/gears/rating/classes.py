@@ -6,12 +6,10 @@ The table stands in calc/library/tables/gear_materials.toml; only the row asked 
 Vickers; classes that the standard gives in Brinell take 0.95 of it.  Above the range of its class a hardness adds
 nothing (the line is read at its end); below the range the class does not hold, which a check says."""
 
-import tomllib
 from collections.abc import Iterable
 from functools import cache
-from typing import Any, cast
 
-from ...library.catalogue import TABLES
+from ...library.table_file import TableRow, parsed, text_of_table
 from ...sheet.errors import NoSolution
 from ...sheet.formula import formula
 from ...sheet.record import record
@@ -91,13 +89,12 @@ class StrengthClass:
 @cache
 def _rows() -> dict[str, str]:
     """The text of every row by its name, not yet parsed."""
-    text = (TABLES / FILE).read_text(encoding="utf-8")
-    return {row.split('"', 2)[1]: "[[row]]" + row for row in text.split("\n[[row]]")[1:]}
+    return {row.split('"', 2)[1]: row for row in text_of_table(FILE).split("\n[[row]]")[1:]}
 
 
 @cache
-def _row(name: str) -> dict[str, Any]:  # Any: as tomllib reads it
-    return cast("dict[str, Any]", tomllib.loads(_rows()[name])["row"][0])
+def _row(name: str) -> TableRow:
+    return TableRow(parsed(FILE, _rows()[name]), FILE, f"row.{list(_rows()).index(name)}")
 
 
 def class_names() -> tuple[str, ...]:

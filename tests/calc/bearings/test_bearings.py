@@ -33,7 +33,7 @@ def verdicts(found):
 def test_the_route_on_the_given_clearance(gamma_results):
     """Reynolds, clearance as given, swept hole: front 10.38 µm, 6.22 K, 91.6 W at 1710 N (here 1706.8 N, the shaft's
     own reaction)."""
-    r = gamma_results.outcomes["bearings"].result.bearings["front"].reynolds
+    r = gamma_results.outcomes["bearings"].result.bearings["front"].routes["reynolds"]
     assert r.film * 1e6 == pytest.approx(10.38, rel=2e-3)
     assert r.temperature_rise == pytest.approx(6.22, rel=2e-3)
     assert r.friction_power == pytest.approx(91.6, rel=2e-3)
@@ -41,16 +41,16 @@ def test_the_route_on_the_given_clearance(gamma_results):
 
 def test_both_journals_lose_278_watts_on_the_given_clearance(gamma_results):
     found = gamma_results.outcomes["bearings"].result.bearings
-    assert sum(r.reynolds.friction_power for r in found.values()) == pytest.approx(277.65, rel=2e-3)
+    assert sum(r.routes["reynolds"].friction_power for r in found.values()) == pytest.approx(277.65, rel=2e-3)
 
 
 def test_the_source_methods_beside(gamma_results):
     """Finotti's charts give 10.8 µm and 6.34 K (read to ±5 %); Falz by the source's rule 8.9 µm front, 20.8 µm rear."""
     found = gamma_results.outcomes["bearings"].result.bearings
-    assert found["front"].raimondi_boyd.film * 1e6 == pytest.approx(10.8, rel=0.05)
-    assert found["front"].raimondi_boyd.temperature_rise == pytest.approx(6.34, rel=0.02)
-    assert found["front"].falz.film * 1e6 == pytest.approx(8.9, abs=0.06)
-    assert found["rear"].falz.film * 1e6 == pytest.approx(20.8, abs=0.06)
+    assert found["front"].routes["raimondi_boyd"].film * 1e6 == pytest.approx(10.8, rel=0.05)
+    assert found["front"].routes["raimondi_boyd"].temperature_rise == pytest.approx(6.34, rel=0.02)
+    assert found["front"].routes["falz"].film * 1e6 == pytest.approx(8.9, abs=0.06)
+    assert found["rear"].routes["falz"].film * 1e6 == pytest.approx(20.8, abs=0.06)
 
 
 def test_the_source_design_fails_where_it_did_not_look(gamma_results):
@@ -140,7 +140,7 @@ def test_a_clearance_meant_warm_seizes_when_cold(gamma):
 def test_a_housing_that_expands_like_the_journal_keeps_the_clearance(gamma):
     r = outcome(gamma, bearings__housing_material="steel").result.bearings["front"]
     assert r.clearance_hot == pytest.approx(r.clearance)
-    assert r.film == pytest.approx(r.reynolds.film)
+    assert r.film == pytest.approx(r.routes["reynolds"].film)
 
 
 def test_the_block_may_hold_the_housing_back(gamma):
@@ -164,7 +164,7 @@ def test_without_a_bench_run_a_range_is_swept(gamma):
 def test_a_full_groove_halves_the_bearing(gamma):
     """Split bearing: 5.81 µm, 119.5 W on the given clearance with a groove of no width."""
     found = outcome(gamma, bearings__supply="groove", bearings__groove_width_mm=0.0)
-    r = found.result.bearings["front"].reynolds
+    r = found.result.bearings["front"].routes["reynolds"]
     assert r.film * 1e6 == pytest.approx(5.81, rel=5e-3)
     assert r.friction_power == pytest.approx(119.5, rel=5e-3)
     assert r.temperature_rise == pytest.approx(3.68, rel=5e-3)
@@ -267,11 +267,11 @@ def test_without_supply_pressure_the_charts_take_their_own_flow(gamma):
     found = outcome(gamma, bearings__supply_pressure_bar=0.0)
     r = found.result.bearings["front"]
     # by an independent balance: 10.7 K front, 14.4 K rear
-    assert r.raimondi_boyd.temperature_rise == pytest.approx(10.7, abs=0.06)
-    assert found.result.bearings["rear"].raimondi_boyd.temperature_rise == pytest.approx(14.4, abs=0.2)
+    assert r.routes["raimondi_boyd"].temperature_rise == pytest.approx(10.7, abs=0.06)
+    assert found.result.bearings["rear"].routes["raimondi_boyd"].temperature_rise == pytest.approx(14.4, abs=0.2)
     assert (
-        r.raimondi_boyd.oil_flow == r.raimondi_boyd_own_flow.oil_flow
-        and r.raimondi_boyd.side_flow < r.raimondi_boyd.oil_flow
+        r.routes["raimondi_boyd"].oil_flow == r.routes["raimondi_boyd_own_flow"].oil_flow
+        and r.routes["raimondi_boyd"].side_flow < r.routes["raimondi_boyd"].oil_flow
     )
     assert not any("no oil flows" in note for note in found.notes)
 

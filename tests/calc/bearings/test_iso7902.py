@@ -79,7 +79,7 @@ def test_the_route_closes_its_balance_with_both_flows(gamma):
     outcome = solve(design(gamma)).outcomes["bearings"]
     for place in ("front", "rear"):
         r = outcome.result.bearings[place]
-        found, d, l = r.iso7902, r.seat.bearing.diameter, r.seat.bearing.length
+        found, d, l = r.routes["iso7902"], r.seat.bearing.diameter, r.seat.bearing.length
         psi, omega = r.clearance / d, 2 * math.pi * r.duty.speed
         oil = r.seat.oil_at(r.duty.supply_temperature + found.temperature_rise / 2)
         assert found.sommerfeld == pytest.approx(r.load * psi**2 / (d * l * oil.mu * omega), rel=1e-9)
@@ -93,4 +93,4 @@ def test_the_route_closes_its_balance_with_both_flows(gamma):
         assert found.friction_power == pytest.approx(
             oil.rho * oil.cp * found.oil_flow * found.temperature_rise, rel=1e-7
         )
-        assert found.film == pytest.approx(r.reynolds.film, rel=0.01)  # measured: +0.9 % front, −0.1 % rear
+        assert found.film == pytest.approx(r.routes["reynolds"].film, rel=0.01)  # measured: +0.9 % front, −0.1 % rear

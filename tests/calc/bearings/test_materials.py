@@ -35,7 +35,8 @@ from calc.bearings.suitability import (
     table,
 )
 from calc.design import toml_file as design_file
-from calc.library.catalogue import TABLES, materials
+from calc.library.catalogue import materials
+from calc.library.table_file import TABLES
 from calc.sheet.value import trace
 from calc.solve import solve
 from tests.conftest import DESIGNS, ROOT

@@ -2,7 +2,7 @@
 
 import pytest
 
-from calc.bearings.routes.side_by_side import ROUTES
+from calc.bearings.routes.routes import ROUTES
 from calc.design.toml_file import design
 from calc.solve import solve
 
@@ -25,7 +25,7 @@ def outcome(document, **changes):
     ],
 )
 def test_the_own_solution_on_the_clearance_as_given(gamma, changes, place, film, rise, power):
-    r = outcome(gamma, front__load_N=1710.0, rear__load_N=1710.0, **changes).result.bearings[place].reynolds
+    r = outcome(gamma, front__load_N=1710.0, rear__load_N=1710.0, **changes).result.bearings[place].routes["reynolds"]
     assert r.film * 1e6 == pytest.approx(film, abs=0.006)
     assert r.temperature_rise == pytest.approx(rise, abs=0.006)
     assert r.friction_power == pytest.approx(power, abs=0.06)
@@ -34,10 +34,10 @@ def test_the_own_solution_on_the_clearance_as_given(gamma, changes, place, film,
 def test_all_have_their_row(gamma_results):
     found = gamma_results.outcomes["bearings"]
     table = next(t for t in found.tables if t.id == "routes_front")
-    assert [row[0] for row in table.rows] == [title for title, _ in ROUTES.values()]
+    assert [row[0] for row in table.rows] == [route.title for route in ROUTES.values()]
     r = found.result.bearings["front"]
     for name, row in zip(ROUTES, table.rows):
-        assert row[1] == pytest.approx(getattr(r, name).film * 1e6)
+        assert row[1] == pytest.approx(r.routes[name].film * 1e6)
 
 
 def test_the_spread_is_the_farthest_of_those_that_solve_the_film_at_the_same_oil(gamma_results):
@@ -77,17 +77,20 @@ def test_a_groove_is_unknown_to_the_thesis_methods_only(gamma):
     for title in ("supply flow of the thesis", "as the thesis uses it"):
         assert f"{title}: it takes the whole length, where the groove parts the film" in note
     r = found.result.bearings["front"]
-    assert r.iso7902.film == pytest.approx(r.reynolds.film, rel=0.06) and r.iso7902.side_flow is None
+    assert (
+        r.routes["iso7902"].film == pytest.approx(r.routes["reynolds"].film, rel=0.06)
+        and r.routes["iso7902"].side_flow is None
+    )
     wrong = next(e for e in found.errata if e.about == "bearings.front.falz.film")
     assert wrong.source_value == pytest.approx(13.2, abs=0.05)
 
 
 def test_a_route_outside_its_charts_has_no_value_and_a_note(gamma):
     found = outcome(gamma, front__length_mm=12.0)
-    assert found.result.bearings["front"].raimondi_boyd is None
+    assert "raimondi_boyd" not in found.result.bearings["front"].routes
     assert any("Raimondi & Boyd, own flow gives no value here" in note for note in found.notes)
 
 
 def test_the_short_bearing_counts_where_it_holds(gamma):
     r = outcome(gamma, rear__length_mm=20.0, rear__load_N=200.0).result.bearings["rear"]
-    assert r.short_bearing.eccentricity < 0.5 and "short_bearing" in r.side.compared and r.routes_spread < 0.1
+    assert r.routes["short_bearing"].eccentricity < 0.5 and "short_bearing" in r.side.compared and r.routes_spread < 0.1

@@ -10,8 +10,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from calc.design.limits import DESIGN_BYTES, DESIGN_DEPTH, DESIGN_ENTRIES, SHOWN_ERRORS
-from calc.design.toml_file import TOKEN, Beyond, design, key_lines, parse, remarks
+from calc.design.toml_file import design, parse
 from calc.sheet.errors import BadInput
+from calc.sheet.toml_scan import TOKEN, Beyond, key_lines, remarks
 from tests.conftest import GAMMA
 
 

@@ -10,7 +10,7 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from calc.design.toml_file import design, parse
-from calc.library.catalogue import TABLES, Claim, Oil, PrintedViscosity, base_stocks, grades, oils, shipped_oils
+from calc.library.catalogue import Claim, Oil, PrintedViscosity, base_stocks, grades, oils, shipped_oils
 from calc.library.lubricant import Lubricant
 from calc.library.oil_formulas import (
     FLATTEST,
@@ -32,6 +32,7 @@ from calc.library.oils import (
     printed_viscosities,
     values_table,
 )
+from calc.library.table_file import TABLES
 from calc.sheet.errors import BadInput
 from calc.sheet.value import trace
 

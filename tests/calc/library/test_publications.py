@@ -23,7 +23,7 @@ from calc.solve import solve
 
 CALC = Path(calc.__file__).parent
 ROOT = CALC.parent
-TABLES = sorted(path for path in (CALC / "tables").glob("*.toml") if path not in (TABLE, PLACES))
+TABLES = sorted(path for path in TABLE.parent.glob("*.toml") if path not in (TABLE, PLACES))
 DESIGNS = sorted((ROOT / "designs").glob("*.toml"))
 READ = {"Finotti 2013", "mechanics textbook", "gear friction thesis"}  # whose text lay before us
 

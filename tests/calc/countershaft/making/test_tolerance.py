@@ -7,7 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from calc.countershaft.making.balance import grade_number, notes, permitted, table
-from calc.library.tolerances import BALANCE_GRADES as GRADES
+from calc.library.tolerances import BALANCE_GRADES
 
 OMEGA = 2 * math.pi * 2600 / 60
 MASS, HALF, REQUIRED = 8.914, 0.1675, 572.932
@@ -36,7 +36,7 @@ def test_a_grade_is_a_speed():
     assert permitted("G40", 1.0, 10.0, 0.0, -1.0, 1.0, 0.0).residual_unbalance_permitted == pytest.approx(4e-3)
 
 
-@pytest.mark.parametrize("grade", GRADES)
+@pytest.mark.parametrize("grade", BALANCE_GRADES)
 def test_every_grade_that_can_be_chosen_has_a_number(grade):
     assert grade_number(grade) == pytest.approx(float(grade.removeprefix("G")) * 1e-3)
 

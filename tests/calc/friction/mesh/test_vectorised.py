@@ -116,13 +116,12 @@ def test_a_column_and_back():
 @pytest.mark.parametrize("of", ["of_schlenk", "of_niemann", "of_xu_kahraman", "of_benedict_kelley"])
 def test_the_regressions_too(of):
     said = {name: POINTS[name] for name in ("P", "n", "T")}
-    more: tuple[float, ...] = (0.13,)
     if of in ("of_xu_kahraman", "of_benedict_kelley"):
-        said, more = said | {"Ra": np.array([0.3e-6, 0.5e-6, 0.8e-6, 1.2e-6])}, ()
+        said = said | {"Ra": np.array([0.3e-6, 0.5e-6, 0.8e-6, 1.2e-6])}
     base = {key: float(values[1]) for key, values in POINTS.items()}
 
     def found(point):
-        return getattr(regressions, of)(*made(MESHES["spur"], **point), *more)
+        return getattr(regressions, of)(*made(MESHES["spur"], **point), 0.13)
 
     many = found(base | said)
     for i in range(4):

@@ -277,4 +277,4 @@ def test_a_check_compares_with_the_models_inside_their_range(said):
 
 def test_where_no_model_is_inside_nothing_is_compared():
     mesh, check = comparison(20.0, flank_roughness=(0.4e-6,))
-    assert check is None and mesh.schlenk.outside
+    assert check is None and mesh.published_models["schlenk"].outside

@@ -50,12 +50,12 @@ def test_mean_friction_times_loss_factor_is_the_loss():
         280 * 0.134 * r.of_schlenk(c, 280.0, 0.134).friction_mean
     )
     for of in (r.of_xu_kahraman, r.of_benedict_kelley):
-        assert 0.005 < of(c, 280.0).friction_mean < 0.2
+        assert 0.005 < of(c, 280.0, 0.134).friction_mean < 0.2
 
 
 def test_xu_kahraman_is_not_shown_for_very_rough_flanks():
     c = case(friction(flank_roughness=(5e-6,)), r753()["idler_shaft"], oil("10W-40 Q8 T905", 120.0), 27.8)
-    assert r.of_xu_kahraman(c, 280.0) is None
+    assert r.of_xu_kahraman(c, 280.0, 0.134) is None
 
 
 # --- windage
