@@ -38,7 +38,7 @@ def command(module: str, about: str) -> Callable[[Arguments], Arguments]:
     return keep
 
 
-@command("program", "write a design from a shipped engine")
+@command("setup", "write a design from a shipped engine")
 def new(it: argparse.ArgumentParser) -> None:
     it.add_argument("file", nargs="?", help="the design file to write; an existing one is left alone")
     it.add_argument("--engine", default="r753ie4", metavar="ID", help="which shipped engine (default: %(default)s)")
@@ -252,7 +252,7 @@ def export(it: argparse.ArgumentParser) -> None:
     )
 
 
-@command("program", "the guided session in a browser, on this machine only")
+@command("session", "the guided session in a browser, on this machine only")
 def serve(it: argparse.ArgumentParser) -> None:
     it.add_argument("file", nargs="?")
     it.add_argument(
@@ -292,12 +292,12 @@ def oils(it: argparse.ArgumentParser) -> None:
     it.add_argument("--json", action="store_true", help="print one JSON object")
 
 
-@command("program", "the JSON Schema of a design file, by which editors complete and check it")
+@command("setup", "the JSON Schema of a design file, by which editors complete and check it")
 def schema(it: argparse.ArgumentParser) -> None:
     it.add_argument("-o", "--output", metavar="OUT.json", help="default: to the terminal")
 
 
-@command("program", "the script by which a shell completes commands and options")
+@command("setup", "the script by which a shell completes commands and options")
 def completion(it: argparse.ArgumentParser) -> None:
     it.add_argument("shell", choices=("bash", "zsh", "fish", "tcsh", "powershell"))
 
@@ -310,7 +310,7 @@ def sources(it: argparse.ArgumentParser) -> None:
     it.add_argument("--json", action="store_true", help="print one JSON object")
 
 
-@command("program", "the guided session (the same as no command)")
+@command("session", "the guided session (the same as no command)")
 def session(it: argparse.ArgumentParser) -> None:
     it.add_argument("file", nargs="?")
     it.add_argument("--ascii", action="store_true", help="plain signs for terminals without Unicode")

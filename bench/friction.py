@@ -18,12 +18,12 @@ import numpy as np
 
 from bench.film import best
 from calc.design.toml_file import design, read
-from calc.friction.balance import balance
 from calc.friction.inputs import FrictionInputs
 from calc.friction.mesh.film import oil_at
 from calc.friction.mesh.geometry import MeshGeometry, WheelGeometry, column
 from calc.friction.mesh.loss import MeshCase, case, losses, solve_mesh
 from calc.friction.models import of_schlenk
+from calc.friction.power_balance import balance
 from calc.friction.studies.maps import over_speed_and_temperature
 from calc.friction.studies.sensitivity import swings
 from calc.library.catalogue import Oil, oils

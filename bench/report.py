@@ -22,8 +22,8 @@ FIGURES = """
 import io, pickle, sys
 import numpy, matplotlib.figure, matplotlib.backend_bases, reportlab.pdfgen.canvas, reportlab.pdfbase.ttfonts
 import calc.design.toml_file, calc.solve, calc.studies.explain, reports.report
-from reports.setting.fonts import FACES, widths
-from reports.setting.pen import Pen
+from reports.typesetting.fonts import FACES, widths
+from reports.typesetting.pen import Pen
 from calc.locale import language
 from reports.figures.plots import Plots, plot
 for face in FACES:
@@ -59,7 +59,7 @@ from calc.locale import language
 from calc.solve import solve
 from reports import derivation
 from reports.context import Context
-from reports.setting.fonts import FACES, widths
+from reports.typesetting.fonts import FACES, widths
 document, design = load(sys.argv[1])
 context = Context(document, solve(design), "", "audit", language("en"))
 for face in FACES:

@@ -14,7 +14,7 @@ import numpy as np
 
 from calc.countershaft.inputs import EccentricMass, Holes, Scatter
 from calc.countershaft.making import scatter as sc
-from calc.countershaft.making.balance import calibration, permitted
+from calc.countershaft.making.unbalance import calibration, permitted
 
 COUNT, LOOPED = 10_000, 1_000
 OMEGA = 2 * math.pi * 2600 / 60

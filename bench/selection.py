@@ -15,8 +15,8 @@ from statistics import median
 from time import perf_counter
 
 from bench.film import best
-from calc.bearings.routes.balance import balanced
 from calc.bearings.routes.routes import own_warm
+from calc.bearings.routes.thermal_balance import balanced
 from calc.bearings.selection.grid import field
 from calc.bearings.selection.search import nearest_row, search
 from calc.bearings.selection.states import AT_CORNERS, solved

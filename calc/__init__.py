@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The engineering: numbers in, numbers out; the steps, the sheet they are written on, studies of whole designs.
+"""The engineering, step by step: engine, imbalance, gears, countershaft, bearings, friction, mounting.
 
-No screen, no paper, no printing."""
+`solve.py` calls them in that order.  Below them `sheet`, `locale`, `library`, `draw`; above them `design` and
+`studies`. It draws on no screen and no page, and prints nothing."""
 
 from typing import TYPE_CHECKING
 

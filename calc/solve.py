@@ -36,9 +36,9 @@ from .imbalance.result import ImbalanceResult
 from .sheet.check import Check, worst
 from .sheet.deferred import Later, Many
 from .sheet.number import aligned, short
-from .sheet.parts import Enough, Kept, Parts, seldom_collected
 from .sheet.quantity import Published
 from .sheet.record import record
+from .sheet.reuse import Enough, Kept, Parts, seldom_collected
 from .sheet.step import Curve, Outcome, accepted
 from .sheet.value import Line, recorded
 

@@ -1,2 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Paper: the calculation report and its parts, made from the calculation sheet; nothing here knows a single step."""
+"""What leaves on paper or in a file: the report as PDF and Word, the comparison, drawings for CAD; and its
+verification.
+
+It is made from what the sheet of each step has (values, checks, curves, tables), and imports no step."""

@@ -37,12 +37,12 @@ from .blocks.words import WORDS, verdict
 from .context import Context
 from .pdf import attach
 from .pdf.binding import bind
-from .setting.boxes import GREY
-from .setting.boxes import text as text_box
-from .setting.flow import Block, bullet, heading, lines_block, paginate, paragraph
-from .setting.fonts import FACES, WIDTH, widths
-from .setting.prose import BODY, HEADING, NOTE, TITLE, lines
-from .setting.tags import title_tag
+from .typesetting.boxes import GREY
+from .typesetting.boxes import text as text_box
+from .typesetting.fonts import FACES, WIDTH, widths
+from .typesetting.pagination import Block, bullet, heading, lines_block, paginate, paragraph
+from .typesetting.prose import BODY, HEADING, NOTE, TITLE, lines
+from .typesetting.tags import title_tag
 
 MOVED = 12  # verdicts that moved, in the conclusion
 DEPTHS = ("summary", "audit")  # of a comparison: the conclusion and the inputs, or everything

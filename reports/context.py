@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 from reportlab.lib.utils import ImageReader
 
-from calc.design.key_values import CURVES, judged, like, outside
+from calc.design.key_results import CURVES, judged, like, outside
 from calc.design.limits import LOGO_BYTES, LOGO_SIDE
 from calc.design.model import STEPS, Design
 from calc.design.names import belongs
@@ -32,7 +32,7 @@ from calc.studies.drive.front import Picked
 from calc.studies.explain import Chains
 
 from .blocks.words import WORDS
-from .setting.boxes import Symbol
+from .typesetting.boxes import Symbol
 
 # --- the logo of a title block: a PNG file beside the design, in which a stranger may have put anything
 

@@ -38,13 +38,13 @@ from .figures.plots import Draughtsman, Plots
 from .figures.sketches import sketch_figure
 from .pdf import attach
 from .pdf.binding import bind
-from .setting.flow import Block, Heading, bullet, composed, heading, paragraph
-from .setting.fonts import FACES, PAGE, WIDTH, widths
-from .setting.prose import BODY, HEADING, SECTION, lines
+from .typesetting.fonts import FACES, PAGE, WIDTH, widths
+from .typesetting.pagination import Block, Heading, bullet, composed, heading, paragraph
+from .typesetting.prose import BODY, HEADING, SECTION, lines
 
 if TYPE_CHECKING:
     from .figures.plots import Job
-    from .setting.pen import Recording
+    from .typesetting.pen import Recording
 
 
 # --- figures drawn by a copy of this process, while it makes the rest
@@ -65,7 +65,7 @@ def _ready() -> Callable[[tuple[str, list[Job]]], list[Recording]]:
     from calc.locale import language
 
     from .figures.plots import Plots, plot
-    from .setting.fonts import FACES, widths
+    from .typesetting.fonts import FACES, widths
 
     for face in FACES:
         widths(face)

@@ -11,7 +11,7 @@ from hypothesis import settings
 
 from calc.design.toml_file import Document, read
 from calc.design.toml_file import design as checked
-from calc.sheet.parts import SELDOM
+from calc.sheet.reuse import SELDOM
 from calc.solve import Results, solve
 from calc.studies.published import Unmet, ValidationRow, rows, unmet
 

@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import pytest
 
-from assistant.plain import check_json, finding_lines, results_json
+from assistant.results_text import check_json, finding_lines, results_json
 from calc.design.toml_file import design, read
 from calc.sheet.check import Check
 from calc.sheet.text import Text

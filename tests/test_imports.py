@@ -95,7 +95,8 @@ def test_the_sheet_knows_no_engine():
 
 
 # --- rooms
-ROOMS = (  # the folders of calc, each above those before it; solve.py stands between the designs and what is asked of them
+# the folders of calc, each above those before it; solve.py stands between the designs and what is asked of them
+ROOMS = (
     "sheet",
     "locale",
     "library",
@@ -114,7 +115,8 @@ ROOMS = (  # the folders of calc, each above those before it; solve.py stands be
 
 
 def upwards(paths):
-    """module → what it imports from a room above its own.  Imports in functions count, those under TYPE_CHECKING do not."""
+    """module → what it imports from a room above its own.  Imports in functions count, those under TYPE_CHECKING do
+    not."""
     arrows = {}
     for name, path in paths.items():
         _, room, *_ = [*name.split("."), ""]

@@ -4,7 +4,7 @@ import json
 from dataclasses import replace
 from pathlib import Path
 
-from assistant.plain import print_results, results_json, table_lines
+from assistant.results_text import print_results, results_json, table_lines
 from calc.design.toml_file import design, parse
 from calc.sheet.step import Table
 from calc.solve import Results, solve

@@ -241,7 +241,8 @@ def test_a_figure(recipe: Performed) -> None:
     figure.insert(
         "curves.py",
         "        _shear(d),\n",
-        '        Curve(\n            "trial", Text("A trial of a figure"), axis_label("x", "mm"), axis_label("y", "W"),\n'
+        '        Curve(\n            "trial", Text("A trial of a figure"), axis_label("x", "mm"), axis_label("y", '
+        '"W"),\n'
         '            (Series(Text("way"), np.array([0.0, 1.0]), np.array([0.0, 2.0])),),\n        ),\n',
     )
     assert "A trial of a figure" in figure.report("--depth", "audit")

@@ -12,9 +12,9 @@ from dataclasses import replace
 from typing import Any
 
 from assistant.commands.published import reference_lines
-from assistant.plain import print_results, results_json
+from assistant.results_text import print_results, results_json
 from calc.design.addresses import address, parse_assignment, value_at
-from calc.design.key_values import outside
+from calc.design.key_results import outside
 from calc.design.limits import SEARCH_SECONDS
 from calc.design.model import STEPS, Design
 from calc.design.toml_file import Document, design, load, read

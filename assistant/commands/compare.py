@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
-from assistant.plain import LINE, finite, sign, table_lines
+from assistant.results_text import LINE, finite, sign, table_lines
 from assistant.session.saving import spare
 from calc.design.model import STEPS
 from calc.design.predicted import compared_table

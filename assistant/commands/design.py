@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import Any
 
 from assistant.commands.check import changed
-from assistant.plain import print_summary, table_json, table_lines
+from assistant.results_text import print_summary, table_json, table_lines
 from assistant.session.saving import differences, edited_text, spare, write_asked
 from calc.design.toml_file import Document, read
 from calc.sheet.errors import BadInput, InputError, NoSolution

@@ -13,7 +13,7 @@ from dataclasses import fields
 from itertools import groupby
 from typing import Any
 
-from assistant.plain import sign, table_json, table_lines
+from assistant.results_text import sign, table_json, table_lines
 from calc.library.catalogue import Oil, oils
 from calc.library.lubricant import Lubricant
 from calc.library.oil_formulas import viscosity_index

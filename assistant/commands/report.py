@@ -11,7 +11,7 @@ from argparse import Namespace
 from importlib.util import find_spec
 from pathlib import Path
 
-from assistant.plain import print_summary
+from assistant.results_text import print_summary
 from assistant.session.exporting import KINDS, drawing_text, draws_gears, exported, gears_text, transfer_text
 from assistant.session.saving import spare, write_asked
 from calc.design.disk import read_file
@@ -35,7 +35,7 @@ def run_report(asked: Namespace) -> int:
     kind, target = _target(asked, source)
     spare(target, asked.file)
     draws = draughtsman() if kind == "pdf" and asked.depth != "summary" else None  # before what takes long to load
-    from assistant.plain import print_summary
+    from assistant.results_text import print_summary
     from calc.solve import solve
 
     gc.disable()  # looking for garbage takes a tenth of a report, and hardly any is made

@@ -12,7 +12,7 @@ from io import StringIO
 from pathlib import Path
 from typing import Any
 
-from assistant.plain import table_json, table_lines
+from assistant.results_text import table_json, table_lines
 from assistant.session.saving import asked_for, spare, write_asked
 from calc.design import replay
 from calc.design.disk import read_file, write_file

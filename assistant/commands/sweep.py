@@ -10,7 +10,7 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 from assistant.commands.check import changed, known_step
-from assistant.plain import sign
+from assistant.results_text import sign
 from assistant.session.saving import asked_for, spare
 from calc.design.disk import demand_writable, write_file
 from calc.design.model import Design

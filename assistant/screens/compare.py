@@ -35,9 +35,9 @@ from calc.studies.compare_tables import (
 )
 
 from ..base_app import BaseApp
+from ..session.compare_with import Chosen
 from ..session.session import Session
 from ..session.solving import Job, run
-from ..session.versions import Chosen
 from ..widgets.item_list import Item, ItemList
 from ..widgets.signs import WORDS
 from ..widgets.table_list import Setter

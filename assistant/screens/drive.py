@@ -313,7 +313,7 @@ class Driving(Choosing):
             return
         from calc.design.toml_file import design
 
-        from ..session.versions import Chosen
+        from ..session.compare_with import Chosen
         from .compare import CompareScreen
 
         document = self.front.drives[self.number - 1].document

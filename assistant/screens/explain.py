@@ -11,7 +11,7 @@ from textual.screen import ModalScreen
 from textual.widgets import Static
 
 from calc.design.addresses import quantity_of
-from calc.design.key_values import judged
+from calc.design.key_results import judged
 from calc.library.publications import references
 from calc.sheet.check import Check
 from calc.sheet.errors import BadInput

@@ -17,8 +17,8 @@ from calc.sheet.text import COMMA, Amount, Text
 
 from ..actions import ACTIONS, BY_ID, key_names
 from ..base_app import BaseApp
+from ..session.guide import GUIDES
 from ..session.places import Place, label_of
-from ..session.route import GUIDES
 from ..widgets.checks import Checks
 from ..widgets.headings import ArrayHeading, TableHeading
 from ..widgets.rows import allowed, meaning

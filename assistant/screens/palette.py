@@ -28,7 +28,7 @@ from calc.studies.shipped import engines
 
 from ..actions import ACTIONS, key_name
 from ..base_app import BaseApp
-from ..session.route import DOCUMENT, NAME, NOTE
+from ..session.guide import DOCUMENT, NAME, NOTE
 from ..widgets.text import fit, folded, match
 from .path_dialogs import begin_with
 from .workbench import Workbench

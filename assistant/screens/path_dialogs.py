@@ -21,10 +21,10 @@ from calc.studies.shipped import DESIGNS
 
 from ..base_app import BaseApp
 from ..session.beginnings import engine_only, own_file
+from ..session.compare_with import Chosen, Other, kept, of_file, of_session, past
 from ..session.recovery import Memory
 from ..session.saving import free_name
 from ..session.session import Session
-from ..session.versions import Chosen, Other, kept, of_file, of_session, past
 from .dialogs import Once
 
 Found = TypeVar("Found")

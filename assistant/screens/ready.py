@@ -12,7 +12,7 @@ from textual.content import Content
 from textual.screen import Screen
 from textual.widgets import Static
 
-from calc.design.key_values import outside
+from calc.design.key_results import outside
 from calc.design.model import STEPS
 from calc.design.unusual import unusual
 from calc.sheet.check import Check

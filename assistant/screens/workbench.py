@@ -1,5 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The one screen: steps, inputs, checks, calculation and curve, always live.  Nobody presses "calculate"."""
+"""The one screen: steps, inputs, checks, calculation and curve, always live.  Nobody presses "calculate".
+
+One screen in five files, each of which calls what stands in those before it: `workbench_panes` (its parts, and which
+are seen), `workbench_results` (solving in the background, and what is shown of it), `workbench_moves` (going somewhere,
+reading, explaining), `workbench_edits` (changing the design, searching, files), and this one, where keys and messages
+come in.  A key runs the method `action_NAME` that `assistant/actions.py` names."""
 
 from textual import events, on
 from textual._callback import invoke

@@ -93,7 +93,7 @@ class WorkbenchEdits(WorkbenchMoves):
         await self._travel(self.session.redo, Text("Done again"), Text("Nothing to redo."))
 
     async def _travel(self, travel: Callable[[], Place | None], done: Text, nothing: Text) -> None:
-        from ..session.versions import edit_text
+        from ..session.compare_with import edit_text
 
         before = self.session.data
         idle = isinstance(self.focused, Form)  # a letter was the key, and the next one shall be a key as well

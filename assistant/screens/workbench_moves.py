@@ -11,9 +11,9 @@ from calc.sheet.text import Text
 
 from ..actions import BY_ID
 from ..session.calculation import VALUES
+from ..session.compare_with import Chosen
+from ..session.guide import step_of
 from ..session.places import Place
-from ..session.route import step_of
-from ..session.versions import Chosen
 from ..widgets.calculation import Calculation
 from ..widgets.checks import Checks
 from ..widgets.curve_pane import CurvePane

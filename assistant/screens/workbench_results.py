@@ -12,7 +12,7 @@ from textual.timer import Timer
 from textual.widget import AwaitMount
 from textual.worker import get_current_worker
 
-from calc.design.key_values import judged
+from calc.design.key_results import judged
 from calc.design.model import STEPS
 from calc.locale import Language
 from calc.locale.language import said

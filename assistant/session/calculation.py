@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 from calc.design.addresses import quantity_of, value_at
-from calc.design.key_values import judged
+from calc.design.key_results import judged
 from calc.locale import Language
 from calc.locale.language import in_language
 from calc.sheet.check import Check

@@ -9,7 +9,7 @@ from io import StringIO
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from assistant.plain import results_json
+from assistant.results_text import results_json
 from assistant.session.saving import Draft, write_asked
 from calc.design.toml_file import Document
 from calc.sheet.errors import BadInput, InputError

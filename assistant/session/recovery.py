@@ -18,9 +18,9 @@ from calc.design.disk import lock
 from calc.sheet.text import Text
 
 from . import numbers
-from .editing import EditState
 from .places import Place, described
 from .saving import SaveError, differences, edited_text, fresh_text, write_atomic
+from .undo import EditState
 
 # --- which sessions are at a design now
 # Each holds a locked file of its own in the state folder, and the lock ends with its process.

@@ -22,11 +22,12 @@ from calc.sheet.quantity import Published
 from calc.sheet.text import EMPTY, Text
 from calc.studies.shipped import DESIGNS, EXAMPLE
 
-from .editing import Editing, EditState
+from .editing import Editing
 from .places import Place
 from .recovery import Edits, Memory, Presence, is_file, not_accepted
 from .saving import Draft, SaveError, free_name, fresh_text, write_atomic
 from .solving import Answer, Job, run
+from .undo import EditState
 
 if TYPE_CHECKING:
     from calc.solve import Results

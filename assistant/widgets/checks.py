@@ -11,7 +11,7 @@ from textual.binding import Binding, BindingType
 from textual.content import Content
 from textual.message import Message
 
-from calc.design.key_values import outside
+from calc.design.key_results import outside
 from calc.sheet.check import Check, named, severity
 from calc.sheet.number import short
 from calc.sheet.remedy import sentence

@@ -19,8 +19,8 @@ from calc.sheet.text import EMPTY, Amount, Name, Text
 
 from ..base_app import BaseApp
 from ..session import numbers
+from ..session.guide import DOCUMENT, NOTE
 from ..session.places import Place, key_at, owner
-from ..session.route import DOCUMENT, NOTE
 from ..session.session import Session
 from .entry import Choice, Entry
 from .rows import RADIUS, FormRow, allowed, meaning

@@ -27,8 +27,8 @@ from calc.sheet.text import COMMA, EMPTY, Text
 
 from ..base_app import BaseApp
 from ..session import numbers
+from ..session.guide import GUIDES, NAMED, ROUTE, TAKEN, fold_at
 from ..session.places import Place, content_at, key_at
-from ..session.route import GUIDES, NAMED, ROUTE, TAKEN, fold_at
 from ..session.session import Session
 from .entry import Choice, Entry
 from .field import LABEL, LABEL_NARROW, NARROW, CellColumns, Cells, Field, StrokeField, side

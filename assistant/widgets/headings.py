@@ -18,8 +18,8 @@ from calc.sheet.quantity import keys
 from calc.sheet.text import EMPTY, Text
 
 from ..base_app import BaseApp
+from ..session.guide import ROUTE
 from ..session.places import content_at
-from ..session.route import ROUTE
 from ..session.session import Session
 from .entry import LEAVING
 from .rows import FormRow, heading_help

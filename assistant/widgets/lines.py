@@ -10,7 +10,7 @@ from textual.content import Content
 from textual.style import Style
 from textual.widget import Widget
 
-from calc.design.key_values import judged
+from calc.design.key_results import judged
 from calc.design.model import STEPS
 from calc.sheet.check import URGENT, Check
 from calc.sheet.step import Outcome
@@ -19,8 +19,8 @@ from calc.studies.ready import OPEN, StepState, tally
 
 from ..actions import ACTIONS, BY_ID, Action
 from ..base_app import BaseApp
+from ..session.guide import step_of
 from ..session.places import Place, label_of, named_key
-from ..session.route import step_of
 from ..session.session import Session
 from .steps import nothing_left, states_of
 from .text import fit, wrap

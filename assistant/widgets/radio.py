@@ -11,7 +11,7 @@ from textual.worker import get_current_worker
 from calc.sheet.errors import BadInput, NoSolution
 from calc.sheet.text import Amount, Text
 
-from ..session.route import ROUTE
+from ..session.guide import ROUTE
 from ..session.session import Session
 from .item_list import Item, ItemList
 from .text import pad, wrap

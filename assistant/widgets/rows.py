@@ -20,8 +20,8 @@ from calc.sheet.step import Step
 from calc.sheet.text import Amount, Text
 
 from ..base_app import BaseApp
+from ..session.guide import DOCUMENT, FIRST, NAME, NOTE, ROUTE, STROKE, covers, document_fold, fold_of, idle, path_of
 from ..session.places import Place
-from ..session.route import DOCUMENT, FIRST, NAME, NOTE, ROUTE, STROKE, covers, document_fold, fold_of, idle, path_of
 from .text import fit, wrap
 
 MOST = 12  # fields that an array of tables may have before it is shown one element at a time

@@ -17,9 +17,9 @@ from ..sheet.units import Celsius, Metre, Radian
 from ..sheet.value import about, based_on
 from . import formulas as f
 from .inputs import IN_WORDS, BearingsInputs
-from .routes.balance import closed
 from .routes.routes import own_warm
 from .routes.states import BearingCase, Film, OperatingPoint
+from .routes.thermal_balance import closed
 
 ENDS = (("smallest", -1), ("largest", 1))
 OILS = (("thinner", -1), ("thicker", 1))

@@ -35,10 +35,10 @@ from .film.table import (
 )
 from .inputs import IN_WORDS
 from .result import BearingResult
-from .routes.balance import balanced, settled
 from .routes.routes import own_warm
 from .routes.states import BearingCase, Film, OperatingPoint
 from .routes.supply import lands
+from .routes.thermal_balance import balanced, settled
 from .speeds import at_speeds
 
 POINTS = 25

@@ -26,9 +26,9 @@ from . import formulas as f
 from .film.dynamics import orbit
 from .inputs import IN_TITLES, IN_WORDS
 from .result import BearingResult, BearingsResult, StandingResult
-from .routes.balance import balanced, settled
 from .routes.routes import own_warm
 from .routes.states import BearingCase, Film, OperatingPoint
+from .routes.thermal_balance import balanced, settled
 
 SMALL = 0.5  # of the turning load: an orbit of first order; rule of this program
 

@@ -36,10 +36,10 @@ from .materials import application, running_surface
 from .notes import errata, notes
 from .result import BearingResult, BearingsResult, route_result
 from .routes import supply
-from .routes.balance import balanced, closed, settled_together
 from .routes.routes import own_cold, own_warm
 from .routes.side_by_side import judged_alone, routes_table, side_by_side
 from .routes.states import BearingCase, Film, OperatingPoint
+from .routes.thermal_balance import balanced, closed, settled_together
 from .speeds import TURNING, Sweep, sweep, sweep_points
 from .suitability import Journal, Running, application_checks, film_duty, load_times_speed, reference_table
 from .suitability import checks as pairing_checks

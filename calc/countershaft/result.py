@@ -21,7 +21,7 @@ from ..sheet.units import (
 from . import formulas as f
 from .bending.shaft import Bending
 from .inputs import CountershaftInputs
-from .making.balance import HolesResult, ToleranceResult
+from .making.unbalance import HolesResult, ToleranceResult
 from .outline import Outline
 
 if TYPE_CHECKING:  # loaded only where they are asked for

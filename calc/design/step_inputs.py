@@ -27,7 +27,7 @@ from ..sheet.value import based_on
 from .model import STEPS, Design
 
 if TYPE_CHECKING:
-    from ..mounting.drive import ShaftOnEngine
+    from ..mounting.wrenches import ShaftOnEngine
 
 NORMAL_95 = 1.96  # standard deviations on either side of the mean, within which 95 % lie
 
@@ -243,7 +243,7 @@ def shaft_on_engine(
     design: Design, shaft: Outcome[CountershaftResult], train: Outcome[TrainResult]
 ) -> "ShaftOnEngine | None":
     """The counter-shaft as the engine's mounts see it; None where there is none."""
-    from ..mounting.drive import ShaftOnEngine  # which most designs do not need
+    from ..mounting.wrenches import ShaftOnEngine  # which most designs do not need
 
     countershaft, result = design.countershaft, shaft.result
     if countershaft is None or result is None:

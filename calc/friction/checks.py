@@ -16,13 +16,13 @@ from ..sheet.text import EMPTY, SEMICOLON, Amount, Text
 from ..sheet.units import Watt
 from ..sheet.value import Line
 from . import curves, notes
-from .balance import TrainDrive
 from .inputs import FrictionInputs
 from .mesh.film import ELLIPTICAL, LEAST_FACTOR, Oil
 from .mesh.loss import loss_factor, solve_mesh
 from .mesh.mixed import THESIS
 from .mesh.path import array, line_load
 from .models import MODELS, factor_apart
+from .power_balance import TrainDrive
 from .result import FrictionResult, MeshResult, by_regime
 
 OWN = Text("rule of this program")

@@ -16,11 +16,11 @@ from ..sheet.functions import pi
 from ..sheet.step import Curve, Series, Table, axis_label
 from ..sheet.text import EMPTY, Amount, Text
 from . import models as loss_models
-from .balance import TrainDrive
 from .mesh.loss import solve_mesh
 from .mesh.mixed import MIXED
 from .mesh.path import motion
 from .mesh.traction import eyring_stress, roelands_index, slope_under_pressure
+from .power_balance import TrainDrive
 from .result import FrictionResult, MeshResult, by_regime
 
 # --- tables

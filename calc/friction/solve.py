@@ -19,12 +19,12 @@ from ..sheet.text import Text
 from ..sheet.units import Celsius, Metre, Newton, RevPerSecond, Watt
 from ..sheet.value import about, based_on, trace, untraced
 from . import checks, curves
-from .balance import Forces, TrainDrive, balance, drive
 from .inputs import FrictionInputs
 from .journals import OnShaft, journals_of
 from .mesh.film import oil_at
 from .mesh.geometry import MeshGeometry, WheelGeometry
 from .mesh.loss import MeshLoss, case, losses, solve_mesh
+from .power_balance import Forces, TrainDrive, balance, drive
 from .result import FrictionResult, engine_share, torque
 
 QUIET = partial(np.errstate, over="ignore", divide="ignore", invalid="ignore")  # what is not finite is refused

@@ -8,7 +8,7 @@ from ..sheet.check import Check, check
 from ..sheet.remedy import Change, Remedy, change, remedy
 from ..sheet.text import Amount, Text
 from ..sheet.units import Metre, Number
-from . import practice as p
+from . import limits as p
 from .backlash.case import way_to
 from .backlash.checks import freed
 from .formulas import ISO

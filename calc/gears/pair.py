@@ -9,7 +9,7 @@ from . import formulas as f
 from .backlash.case import backlash, centre_tolerance
 from .backlash.formulas import narrowest, widest
 from .inputs import Mesh
-from .practice import above_fillet, mm
+from .limits import above_fillet, mm
 from .result import MeshResult, ToothSystem, WheelResult
 
 

@@ -25,11 +25,11 @@ from .formulas import speed_ratio as speed_ratio_of
 from .inputs import GearsInputs, Mesh, Wheel
 from .layout.forces import forces
 from .layout.solve import ShaftInTrain, layout
+from .limits import EXTREME
 from .measures.solve import checks as measures_checks
 from .measures.solve import measures
 from .notes import errata, notes
 from .pair import solve_mesh
-from .practice import EXTREME
 from .profile.meshing import checks as profile_checks
 from .profile.meshing import notes as profile_notes
 from .profile.meshing import penetrations

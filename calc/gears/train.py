@@ -11,7 +11,7 @@ from ..sheet.units import Metre, Number, RevPerSecond
 from ..sheet.value import about, based_on, untraced
 from . import formulas as f
 from .inputs import GearsInputs, Mesh, Wheel
-from .practice import mm
+from .limits import mm
 from .profile.cut import tool_problem
 from .result import ToothSystem
 

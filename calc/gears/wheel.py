@@ -17,10 +17,10 @@ from ..sheet.units import Kilogram, KilogramPerMetre3, Metre, Number, Radian
 from ..sheet.value import about, based_on, trace, untraced
 from . import formulas as f
 from .inputs import GearsInputs, Wheel
+from .limits import mm
 from .measures import formulas as m
 from .measures.formulas import preferred_ball, seat
 from .measures.result import Seat
-from .practice import mm
 from .profile.cut import Cut, form_diameter_of_undercut
 from .rating.influence import inner_diameter
 from .result import End, ToothSystem, TrainResult, WheelResult

@@ -13,10 +13,10 @@ from ..sheet.check import Check, check
 from ..sheet.text import COMMA, Amount, Name, Text
 from ..sheet.value import based_on
 from .body import DOFS
-from .drive import operating
 from .inputs import DOF_WORDS, MountingInputs
 from .result import MountingResult
 from .standards import scope, table, zone_limit
+from .wrenches import operating
 
 # --- what is felt: the day of a driver, comfort at the seat, severity at the machine
 

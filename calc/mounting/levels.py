@@ -16,9 +16,9 @@ from ..sheet.record import record
 from ..sheet.units import Metre, MetrePerSecond, MetrePerSecond2, Newton, NewtonMetre, Number
 from ..sheet.value import based_on
 from . import standards
-from .drive import EngineWrenches
 from .inputs import MountingInputs, Point
 from .system import System, decomposed, gain, moves, respond, respond_at, transmitted
+from .wrenches import EngineWrenches
 
 CIRCLE = 720  # points over the cycle, for the largest deflection
 NONE_BELOW = 1e-9  # of the largest order: there is no such order

@@ -20,12 +20,12 @@ from ..sheet.value import based_on, link_of, linked
 from . import body, modes
 from . import body as rigid_body
 from .body import DOFS
-from .drive import EngineWrenches
 from .excitation import strength
 from .inputs import DOF_WORDS, Mount, MountingInputs
 from .modes import Modes
 from .result import Ceiling, Focal, Mode, RollAxis, Tree, Window, described
 from .system import System
+from .wrenches import EngineWrenches
 
 # --- aids: the window of stiffness
 

@@ -9,13 +9,13 @@ from ..engine.inputs import EngineInputs
 from ..sheet.arrays import Array
 from ..sheet.text import Amount, Name, Text
 from .body import radius_of_gyration
-from .drive import ShaftOnEngine
 from .inputs import MountingInputs
 from .levels import NONE_BELOW
 from .modal import NOTICED
 from .result import MountingResult
 from .standards import scope
 from .statics import preload
+from .wrenches import ShaftOnEngine
 
 
 def honest(result: MountingResult) -> Text:

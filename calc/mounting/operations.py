@@ -17,7 +17,6 @@ from ..sheet.value import based_on
 from . import excitation as x
 from . import levels as l
 from . import standards
-from .drive import EngineWrenches
 from .excitation import order_word
 from .inputs import VARIANT_WORDS, Point
 from .levels import Levels
@@ -37,6 +36,7 @@ from .result import (
     there,
 )
 from .system import System, moves, respond_at
+from .wrenches import EngineWrenches
 
 SHOWN = tuple(name for name in PointLevel.__dataclass_fields__ if name != "orders")
 FELT = 1e-6  # of all orders together: one that is weaker is not worth a line

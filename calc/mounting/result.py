@@ -14,10 +14,10 @@ from ..sheet.record import record
 from ..sheet.text import Text
 from ..sheet.units import Hertz, Metre, MetrePerSecond, MetrePerSecond2, Newton, Number, Radian
 from ..sheet.value import based_on, recorder
-from .drive import EngineWrenches
 from .levels import Course, Levels
 from .modes import Modes
 from .system import System
+from .wrenches import EngineWrenches
 
 
 @record

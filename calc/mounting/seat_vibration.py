@@ -12,12 +12,12 @@ from ..sheet.text import Text
 from ..sheet.value import based_on
 from . import modal, standards
 from .body import DOFS
-from .drive import EngineWrenches
 from .excitation import order_word
 from .inputs import MountingInputs
 from .levels import Course, course
 from .result import MountingResult, Tree, described, put
 from .system import System
+from .wrenches import EngineWrenches
 
 STEP = 10.0 / 60  # 1/s, of the grid of speeds
 CRITICAL = (0.5, 3.0)  # orders that are looked at

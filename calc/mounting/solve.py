@@ -18,7 +18,6 @@ from ..sheet.text import Text
 from ..sheet.value import trace, untraced
 from . import body, modal, statics
 from .checks import checks
-from .drive import EngineWrenches, ShaftOnEngine, drive, operating
 from .inputs import MountingInputs
 from .levels import levels
 from .notes import honest, notes
@@ -26,6 +25,7 @@ from .operations import existing, felt_order_1, operations
 from .result import MountingResult, Tree, described
 from .seat_vibration import course_values, courses, critical, crossings, exposure
 from .system import system
+from .wrenches import EngineWrenches, ShaftOnEngine, drive, operating
 
 
 def solve(

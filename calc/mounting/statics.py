@@ -12,11 +12,11 @@ from ..sheet.text import Text
 from ..sheet.units import Metre, Newton, NewtonMetre, NewtonPerMetre, Number, Radian
 from ..sheet.value import based_on, link_of, linked
 from .body import static
-from .drive import EngineWrenches
 from .inputs import MountingInputs
 from .modes import stiffness_matrix
 from .result import Rest, StaticMount, Tree
 from .system import System
+from .wrenches import EngineWrenches
 
 GRAVITY = 9.80665  # m/s²
 

@@ -27,7 +27,7 @@ import numpy as np
 from .arrays import Array, BoolArray
 from .deferred import Later
 from .errors import NoSolution
-from .parts import alike
+from .reuse import alike
 from .text import EMPTY, Text
 
 # by the function of numpy, or its name where importing it would cost a start-up time

@@ -10,7 +10,7 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, TypeVar
 
 from ..design.addresses import Table, as_list, as_table
-from ..design.key_values import is_least, judged, key_results
+from ..design.key_results import is_least, judged, key_results
 from ..design.model import STEPS, Design
 from ..design.unusual import told, unusual
 from ..sheet.check import ORDER, Check, step_verdict, worst

@@ -7,17 +7,17 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 
-from calc.design.key_values import TABLES, is_key_value
+from calc.design.key_results import TABLES, is_key_value
 from calc.sheet.check import Check, grouped, pattern_of
 from calc.sheet.step import Outcome, Step
 from calc.sheet.text import Amount, Text
 from calc.sheet.value import Line
 
 from ..context import Context
-from ..setting.equation import SIGN, EquationEntry, Label, Labelled, entry_blocks
-from ..setting.flow import Block, bullet, heading, paragraph
-from ..setting.prose import BODY, GROUP, NOTE
-from ..setting.tables import Column, Row, noted_below, table
+from ..typesetting.equation import SIGN, EquationEntry, Label, Labelled, entry_blocks
+from ..typesetting.pagination import Block, bullet, heading, paragraph
+from ..typesetting.prose import BODY, GROUP, NOTE
+from ..typesetting.tables import Column, Row, noted_below, table
 from .checks import counted, name_of, shown_value, sign_cell
 from .inputs import input_blocks, remarks
 from .proof import proof_blocks, proofs

@@ -12,10 +12,10 @@ from calc.sheet.step import Erratum
 from calc.sheet.text import Amount, Text, plural
 
 from ..context import Context
-from ..setting.flow import Block
-from ..setting.fonts import BOLD
-from ..setting.prose import CELL, HEADER, NOTE, STRONG, Style
-from ..setting.tables import Cell, Column, Row, longest, table
+from ..typesetting.fonts import BOLD
+from ..typesetting.pagination import Block
+from ..typesetting.prose import CELL, HEADER, NOTE, STRONG, Style
+from ..typesetting.tables import Cell, Column, Row, longest, table
 from .words import STATE_COLOURS, verdict
 
 VERDICT, LONG_VERDICT = 42.0, 62.0

@@ -14,15 +14,15 @@ from calc.library.publications import Publication, resolved
 from calc.sheet.text import Text
 
 from ..context import Context
-from ..setting.boxes import BETWEEN, FAINT, SIGN, Box, text
-from ..setting.flow import Block, bullet, heading, on_paper_only, paragraph
-from ..setting.fonts import HEIGHT, WIDTH
-from ..setting.prose import BODY, GROUP, NOTE, SECTION, one_line, run
-from ..setting.tables import Cell, Column, Group, Row, noted_below, table
-from ..setting.tags import Tag
+from ..typesetting.boxes import BETWEEN, FAINT, SIGN, Box, text
+from ..typesetting.fonts import HEIGHT, WIDTH
+from ..typesetting.pagination import Block, bullet, heading, on_paper_only, paragraph
+from ..typesetting.prose import BODY, GROUP, NOTE, SECTION, one_line, run
+from ..typesetting.tables import Cell, Column, Group, Row, noted_below, table
+from ..typesetting.tags import Tag
 
 if TYPE_CHECKING:
-    from ..setting.pen import Pen
+    from ..typesetting.pen import Pen
 
 
 TITLE = 122.0  # width of a section's title

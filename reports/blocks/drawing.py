@@ -23,16 +23,16 @@ from calc.studies.drive.output import LABELS, power_of_ten, proof_of, ranges
 from ..context import Context
 from ..figures.figures import figure_blocks
 from ..figures.plots import Plots
-from ..setting.boxes import BLACK, text
-from ..setting.flow import Block, Picture, bullet, heading, paragraph
-from ..setting.fonts import LEFT, PLAIN
-from ..setting.prose import BODY, SECTION
-from ..setting.tags import FIGURE, Tag
+from ..typesetting.boxes import BLACK, text
+from ..typesetting.fonts import LEFT, PLAIN
+from ..typesetting.pagination import Block, Picture, bullet, heading, paragraph
+from ..typesetting.prose import BODY, SECTION
+from ..typesetting.tags import FIGURE, Tag
 from .checks import check_blocks
 from .values import table_blocks
 
 if TYPE_CHECKING:
-    from ..setting.pen import Pen
+    from ..typesetting.pen import Pen
 
 
 POINTS = 72 / 0.0254  # in a metre

@@ -20,10 +20,10 @@ from calc.sheet.text import Text
 from calc.sheet.units import UNITS
 
 from ..context import Context
-from ..setting.flow import Block, bullet, paragraph
-from ..setting.prose import CELL, HEADER, KEY, NOTE
-from ..setting.tables import Cell, Column, Row, longest, named_table, noted_below, table
-from ..setting.typeset import symbol
+from ..typesetting.pagination import Block, bullet, paragraph
+from ..typesetting.prose import CELL, HEADER, KEY, NOTE
+from ..typesetting.tables import Cell, Column, Row, longest, named_table, noted_below, table
+from ..typesetting.typeset import symbol
 from .nomenclature import noted
 from .values import paired_table
 

@@ -17,15 +17,15 @@ from calc.sheet.quantity import Quantity
 from calc.sheet.text import Text
 from calc.sheet.value import Line, leaves, link_of
 
-from ..setting.boxes import BETWEEN, Symbol, text
-from ..setting.flow import Block, heading, paragraph
-from ..setting.fonts import WIDTH
-from ..setting.prose import GROUP, NOTE, lines, run
-from ..setting.typeset import symbol as set_symbol
+from ..typesetting.boxes import BETWEEN, Symbol, text
+from ..typesetting.fonts import WIDTH
+from ..typesetting.pagination import Block, heading, paragraph
+from ..typesetting.prose import GROUP, NOTE, lines, run
+from ..typesetting.typeset import symbol as set_symbol
 
 if TYPE_CHECKING:
     from ..context import Context
-    from ..setting.pen import Pen
+    from ..typesetting.pen import Pen
 
 
 # --- what a formula gives, in words, where its source says no more than where it is from

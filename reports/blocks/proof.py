@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from calc.design.addresses import value_at
-from calc.design.key_values import PROVEN, PROVEN_WHERE
+from calc.design.key_results import PROVEN, PROVEN_WHERE
 from calc.sheet.check import Check, pattern_of, severity
 from calc.sheet.errors import BadInput
 from calc.sheet.expression import governing, result, symbol_of
@@ -26,19 +26,19 @@ from calc.sheet.value import Line
 from calc.studies.explain import shortened
 
 from ..context import Context, Element, Index, near
-from ..setting.boxes import Colour
-from ..setting.equation import SIGN, EquationEntry, Label, Place, column_of_signs, entry_blocks, spoken_numbers
-from ..setting.flow import Block, Formula, paragraph
-from ..setting.fonts import WIDTH
-from ..setting.prose import GROUP, NOTE, STRONG
-from ..setting.tables import Cell, Column, Row, table
-from ..setting.tags import title_tag
+from ..typesetting.boxes import Colour
+from ..typesetting.equation import SIGN, EquationEntry, Label, Place, column_of_signs, entry_blocks, spoken_numbers
+from ..typesetting.fonts import WIDTH
+from ..typesetting.pagination import Block, Formula, paragraph
+from ..typesetting.prose import GROUP, NOTE, STRONG
+from ..typesetting.tables import Cell, Column, Row, table
+from ..typesetting.tags import title_tag
 from .checks import name_of, shown_value, sign_style
 from .inputs import exact
 from .words import STATE_COLOURS
 
 if TYPE_CHECKING:
-    from ..setting.pen import Pen
+    from ..typesetting.pen import Pen
 
 
 MOST = {"limit": 9, "caution": 4}  # formulas of a demand

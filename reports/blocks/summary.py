@@ -6,7 +6,7 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING, NamedTuple
 
-from calc.design.key_values import key_results
+from calc.design.key_results import key_results
 from calc.design.names import knows
 from calc.design.unusual import told, unusual
 from calc.draw.drawing import Arc, Point, Polyline, Primitive, Words
@@ -16,13 +16,13 @@ from calc.studies.described import described
 from calc.studies.drawings import shaft, train
 
 from ..context import Context, closeness
-from ..setting.boxes import BLACK, GREY, Colour
-from ..setting.flow import Block, Picture, TextContent, bullet, heading, paginate, paragraph
-from ..setting.fonts import BOLD, LEFT, WIDTH
-from ..setting.prose import BODY, CELL, NOTE, SECTION, STRONG, Style, lines, one_line
-from ..setting.tables import Cell, Column, Row, table
-from ..setting.tags import FIGURE, Tag
-from ..setting.typeset import symbol
+from ..typesetting.boxes import BLACK, GREY, Colour
+from ..typesetting.fonts import BOLD, LEFT, WIDTH
+from ..typesetting.pagination import Block, Picture, TextContent, bullet, heading, paginate, paragraph
+from ..typesetting.prose import BODY, CELL, NOTE, SECTION, STRONG, Style, lines, one_line
+from ..typesetting.tables import Cell, Column, Row, table
+from ..typesetting.tags import FIGURE, Tag
+from ..typesetting.typeset import symbol
 from .checks import attention_blocks, counted, name_of, shown_value, sign_cell
 from .proof import used
 from .title_block import change_blocks, title_blocks
@@ -30,7 +30,7 @@ from .values import paired_table
 from .words import STATE_COLOURS, STATE_PANELS
 
 if TYPE_CHECKING:
-    from ..setting.pen import Pen
+    from ..typesetting.pen import Pen
 
 
 # --- the drive at a glance: the shaft and its train side by side in one scale, without dimensions

@@ -9,16 +9,16 @@ from typing import TYPE_CHECKING
 from calc.sheet.version import VERSION
 
 from ..context import Context
-from ..setting.boxes import GREY
-from ..setting.boxes import text as text_box
-from ..setting.flow import Block, Heading, heading, on_paper_only, paragraph
-from ..setting.fonts import LEFT, MISSING, WIDTH, writable
-from ..setting.prose import BODY, NOTE, SECTION, TITLE, lines, one_line
-from ..setting.tables import Column, Rows, table
-from ..setting.tags import COLUMN, FIGURE, ROW, Tag, title_tag
+from ..typesetting.boxes import GREY
+from ..typesetting.boxes import text as text_box
+from ..typesetting.fonts import LEFT, MISSING, WIDTH, writable
+from ..typesetting.pagination import Block, Heading, heading, on_paper_only, paragraph
+from ..typesetting.prose import BODY, NOTE, SECTION, TITLE, lines, one_line
+from ..typesetting.tables import Column, Rows, table
+from ..typesetting.tags import COLUMN, FIGURE, ROW, Tag, title_tag
 
 if TYPE_CHECKING:
-    from ..setting.pen import Pen
+    from ..typesetting.pen import Pen
 
 PROGRAM = f"Contralbero {VERSION}"
 SHORT_HASH = 16

@@ -13,11 +13,11 @@ from calc.sheet.quantity import Published
 from calc.sheet.step import Outcome, Table
 
 from ..context import Context
-from ..setting.flow import Block
-from ..setting.fonts import WIDTH
-from ..setting.prose import CELL, HEADER, KEY, run
-from ..setting.tables import GAP, Cell, Column, Row, named_table, natural, noted_below, table
-from ..setting.typeset import symbol
+from ..typesetting.fonts import WIDTH
+from ..typesetting.pagination import Block
+from ..typesetting.prose import CELL, HEADER, KEY, run
+from ..typesetting.tables import GAP, Cell, Column, Row, named_table, natural, noted_below, table
+from ..typesetting.typeset import symbol
 from .nomenclature import noted
 
 ACROSS = 7

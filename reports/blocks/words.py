@@ -6,7 +6,7 @@ from calc.sheet.check import SIGNS
 from calc.sheet.text import Text, plural
 from calc.studies.compare import EQUAL
 
-from ..setting.boxes import Colour
+from ..typesetting.boxes import Colour
 
 WORDS: dict[str, Text] = {
     "page": Text("Page {page} of {pages}"), "report": Text("Calculation report"),

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """The report as a Word document, for those who go on writing: what stands in the PDF, with formulas that can be edited.
 
-It is made from the same blocks as the PDF, by what they say (`reports.setting.flow`).  Needs the extra `docx`."""
+It is made from the same blocks as the PDF, by what they say (`reports.typesetting.pagination`).  Needs the extra
+`docx`."""
 
 from __future__ import annotations
 
@@ -28,13 +29,13 @@ from calc.solve import Results
 from ..blocks.title_block import PROGRAM
 from ..context import Context
 from ..report import blocks, context_of, inputs_of
-from ..setting.equation import spoken, spoken_numbers
-from ..setting.flow import Block, Formula, Heading, Picture, TextContent
-from ..setting.fonts import BOLD, BOTTOM, LEFT, PAGE, RIGHT, TOP, UPRIGHT, WIDTH
-from ..setting.pen import Codes, Pen
-from ..setting.prose import BODY, CELL, HEADER, INLINE, NOTE, Style
-from ..setting.tables import Cell, Column, Group, Row, Rows
-from ..setting.typeset import symbol_parts
+from ..typesetting.equation import spoken, spoken_numbers
+from ..typesetting.fonts import BOLD, BOTTOM, LEFT, PAGE, RIGHT, TOP, UPRIGHT, WIDTH
+from ..typesetting.pagination import Block, Formula, Heading, Picture, TextContent
+from ..typesetting.pen import Codes, Pen
+from ..typesetting.prose import BODY, CELL, HEADER, INLINE, NOTE, Style
+from ..typesetting.tables import Cell, Column, Group, Row, Rows
+from ..typesetting.typeset import symbol_parts
 from . import omml
 
 # --- the sheet and the styles

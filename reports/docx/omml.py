@@ -7,7 +7,7 @@ from xml.sax.saxutils import escape
 from calc.sheet.expression import RANK, Expr, Shown
 from calc.sheet.text import with_unit
 
-from ..setting.typeset import UPRIGHT_LETTERS, symbol_parts
+from ..typesetting.typeset import UPRIGHT_LETTERS, symbol_parts
 
 NAMESPACE = "http://schemas.openxmlformats.org/officeDocument/2006/math"
 

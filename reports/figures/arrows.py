@@ -9,12 +9,12 @@ from typing import TYPE_CHECKING, Any
 
 from calc.sheet.step import Curve
 
-from ..setting.boxes import Colour
-from ..setting.fonts import LEFT
-from ..setting.prose import Style, run
+from ..typesetting.boxes import Colour
+from ..typesetting.fonts import LEFT
+from ..typesetting.prose import Style, run
 
 if TYPE_CHECKING:
-    from ..setting.pen import Pen, Recorder
+    from ..typesetting.pen import Pen, Recorder
 
 ARROW: Colour = (0.15, 0.15, 0.15)
 THICK = 0.9

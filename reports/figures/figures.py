@@ -16,18 +16,18 @@ import numpy as np
 from calc.sheet.step import Curve
 from calc.sheet.text import COMMA, EMPTY
 
-from ..setting.boxes import GREY
-from ..setting.flow import Block, Picture
-from ..setting.fonts import LEFT, WIDTH
-from ..setting.prose import STRONG, lines, run
-from ..setting.tags import FIGURE, Tag
+from ..typesetting.boxes import GREY
+from ..typesetting.fonts import LEFT, WIDTH
+from ..typesetting.pagination import Block, Picture
+from ..typesetting.prose import STRONG, lines, run
+from ..typesetting.tags import FIGURE, Tag
 from .arrows import ARROW, head
 from .labels import Label, at_the_ends, at_the_point, draw_legend, legend, margin, placed
 from .plots import ALONE, HIGH, LEFT_AXIS, LETTER, LOW, RIGHT_AXIS, Look, Plots, in_words, numbers
 from .tornado import Lying, lies
 
 if TYPE_CHECKING:
-    from ..setting.pen import Pen
+    from ..typesetting.pen import Pen
 
 
 # --- curves along one x over each other as one figure

@@ -16,9 +16,9 @@ import numpy as np
 from calc.draw.drawing import Point
 from calc.sheet.step import Curve, Series
 
-from ..setting.boxes import BLACK, GREY, Box, Colour
-from ..setting.fonts import BOLD, LEFT
-from ..setting.prose import Style, lines
+from ..typesetting.boxes import BLACK, GREY, Box, Colour
+from ..typesetting.fonts import BOLD, LEFT
+from ..typesetting.prose import Style, lines
 from .arrows import arrows, sample_arrow
 from .plots import (
     EDGE,
@@ -38,7 +38,7 @@ from .plots import (
 from .tornado import dashed
 
 if TYPE_CHECKING:
-    from ..setting.pen import Pen
+    from ..typesetting.pen import Pen
 
 
 # --- where words stand

@@ -16,10 +16,10 @@ from calc.locale import Language
 from calc.sheet.number import short
 from calc.sheet.step import Curve, Series
 
-from ..setting.boxes import BLACK, Box, Colour
-from ..setting.fonts import clean
-from ..setting.pen import Recorder, Recording
-from ..setting.prose import Style, broken, lines, run
+from ..typesetting.boxes import BLACK, Box, Colour
+from ..typesetting.fonts import clean
+from ..typesetting.pen import Recorder, Recording
+from ..typesetting.prose import Style, broken, lines, run
 from .arrows import Arrow, arrows, draw_arrows
 
 # Okabe and Ito's palette, in an order whose greys differ, each with its own pattern (lengths in points).

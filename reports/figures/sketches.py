@@ -37,15 +37,15 @@ from calc.sheet.step import Outcome, Step
 from calc.sheet.text import Amount, Text
 
 from ..context import Context
-from ..setting.boxes import BLACK, GREY, Colour
-from ..setting.flow import Block, Picture
-from ..setting.fonts import BOLD, LEFT, WIDTH
-from ..setting.prose import NOTE, STRONG, Style, lines, one_line
-from ..setting.tags import FIGURE, Tag
+from ..typesetting.boxes import BLACK, GREY, Colour
+from ..typesetting.fonts import BOLD, LEFT, WIDTH
+from ..typesetting.pagination import Block, Picture
+from ..typesetting.prose import NOTE, STRONG, Style, lines, one_line
+from ..typesetting.tags import FIGURE, Tag
 from .labels import FREE, Label, placed
 
 if TYPE_CHECKING:
-    from ..setting.pen import Pen
+    from ..typesetting.pen import Pen
 
 HIGH = 118.0  # at most, of a row of pictures
 BETWEEN = 18.0  # of two pictures

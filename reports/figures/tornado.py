@@ -12,9 +12,9 @@ import numpy as np
 
 from calc.sheet.step import Curve
 
-from ..setting.boxes import BLACK, Box, Colour, scaled
-from ..setting.fonts import LEFT
-from ..setting.prose import lines, run
+from ..typesetting.boxes import BLACK, Box, Colour, scaled
+from ..typesetting.fonts import LEFT
+from ..typesetting.prose import lines, run
 from .plots import (
     EDGE,
     FILLED,
@@ -36,7 +36,7 @@ from .plots import (
 )
 
 if TYPE_CHECKING:
-    from ..setting.pen import Pen
+    from ..typesetting.pen import Pen
 
 THICK = 3.9  # of a bar, in points
 ASIDE = 5.0  # between the names and the axes

@@ -10,7 +10,7 @@ from typing import Any
 
 from reportlab.pdfbase.pdfdoc import PDFArray, PDFDictionary, PDFName, PDFStream, PDFString, PDFZCompress
 
-from ..setting.tags import Tree
+from ..typesetting.tags import Tree
 
 # --- the colour space sRGB as an ICC profile, which says what the colours are wherever the document is printed
 # Written here from the numbers of the standard, so that nothing is shipped under another licence and the bytes are

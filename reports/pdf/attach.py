@@ -7,7 +7,7 @@ import json
 from reportlab.pdfbase.pdfdoc import PDFArray, PDFDictionary, PDFInfo, PDFName, PDFStream, PDFString, PDFZCompress
 from reportlab.pdfgen.canvas import Canvas
 
-from calc.design.key_values import judged
+from calc.design.key_results import judged
 from calc.solve import Results
 
 NAME = "design.toml"

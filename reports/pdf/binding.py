@@ -16,12 +16,12 @@ from reportlab.pdfgen.canvas import Canvas
 from calc.sheet.progress import Progress, tell
 
 from ..blocks.title_block import PROGRAM, SHORT_HASH
-from ..setting.boxes import BETWEEN, FAINT, GREY
-from ..setting.flow import Page
-from ..setting.fonts import PAGE, TOP, UPRIGHT, WIDTH, clean, unicode_map
-from ..setting.pen import Codes, Pen
-from ..setting.prose import NOTE, one_line
-from ..setting.tags import Tag, Tree
+from ..typesetting.boxes import BETWEEN, FAINT, GREY
+from ..typesetting.fonts import PAGE, TOP, UPRIGHT, WIDTH, clean, unicode_map
+from ..typesetting.pagination import Page
+from ..typesetting.pen import Codes, Pen
+from ..typesetting.prose import NOTE, one_line
+from ..typesetting.tags import Tag, Tree
 from . import attach
 from .archive import archive
 

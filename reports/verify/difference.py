@@ -13,7 +13,7 @@ from typing import Any
 
 from calc.sheet.version import VERSION
 
-from ..setting.tags import FIGURE
+from ..typesetting.tags import FIGURE
 from .pdf_file import Malformed, Pdf, Reference, Stream, words
 from .signature import same
 

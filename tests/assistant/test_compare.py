@@ -11,8 +11,8 @@ from textual.widgets import Input, OptionList
 from assistant.app import ContralberoApp
 from assistant.screens.compare import CompareScreen, ComparisonList
 from assistant.screens.path_dialogs import CompareFile, CompareWith
+from assistant.session.compare_with import kept, of_session, past
 from assistant.session.session import Session
-from assistant.session.versions import kept, of_session, past
 from calc.design.toml_file import load
 from calc.sheet.number import short
 from calc.solve import solve

@@ -6,7 +6,7 @@ from typing import Any
 import pytest
 from textual import events
 
-from assistant.session.route import idle
+from assistant.session.guide import idle
 from assistant.session.session import Session
 from assistant.widgets.checks import Checks
 from assistant.widgets.entry import Entry

@@ -9,8 +9,8 @@ from textual import events
 from textual.widgets import Input
 
 from assistant.screens.dialogs import Reason
+from assistant.session.guide import ROUTE, STROKE, fold_of, path_of
 from assistant.session.places import Place
-from assistant.session.route import ROUTE, STROKE, fold_of, path_of
 from assistant.session.session import Session
 from assistant.widgets.entry import Entry
 from assistant.widgets.field import Field, StrokeField

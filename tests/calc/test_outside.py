@@ -13,7 +13,7 @@ from calc.bearings.film import short_bearing as short
 from calc.bearings.film.dynamics import coefficients
 from calc.bearings.film.table import eccentricity_from, film_at
 from calc.countershaft.bending.beam import beam, bend, natural_frequency
-from calc.countershaft.making.balance import lever_front, lever_rear, plane_unbalance
+from calc.countershaft.making.unbalance import lever_front, lever_rear, plane_unbalance
 from calc.gears import formulas as g
 from calc.gears.measures import formulas as m
 from calc.library.catalogue import Oil

@@ -8,9 +8,9 @@ from typing import Any
 import pytest
 
 from reports.report import blocks, context_of
-from reports.setting.flow import Formula, Heading, Picture, TextContent
-from reports.setting.pen import Pen
-from reports.setting.tables import Rows
+from reports.typesetting.pagination import Formula, Heading, Picture, TextContent
+from reports.typesetting.pen import Pen
+from reports.typesetting.tables import Rows
 from tests.reports.reading import V12, Solved, solved, squeezed
 
 docx = pytest.importorskip("docx", reason="needs the extra docx")

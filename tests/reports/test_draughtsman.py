@@ -12,7 +12,7 @@ from calc.locale import language
 from calc.sheet.step import Curve, Series
 from reports.figures.plots import ALONE, Job, Plots, plot
 from reports.report import draughtsman
-from reports.setting.pen import Recording
+from reports.typesetting.pen import Recording
 from tests.reports.reading import ROOT
 
 X = np.linspace(0.0, 5.0, 60)

@@ -11,8 +11,8 @@ from calc.draw.lettering import strokes, width
 from calc.locale import language
 from calc.studies.drawings import PAPER, sheets
 from reports.blocks.drawing import CAPITAL, MM, PAGE, POINTS
-from reports.setting.boxes import text
-from reports.setting.fonts import PLAIN, widths
+from reports.typesetting.boxes import text
+from reports.typesetting.fonts import PLAIN, widths
 from tests.reports.reading import Solved, spans
 
 

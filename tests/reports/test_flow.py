@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Blocks on pages: a figure that does not fit leaves no gap, and stays in its chapter."""
 
-from reports.setting.flow import AFTER, Block, Page, composed, paginate
-from reports.setting.fonts import HEIGHT
+from reports.typesetting.fonts import HEIGHT
+from reports.typesetting.pagination import AFTER, Block, Page, composed, paginate
 
 
 def block(name: str, height: float, **kind: object) -> Block:

@@ -15,9 +15,9 @@ from calc.sheet.number import SUBSCRIPTS, SUPERSCRIPTS
 from calc.sheet.quantity import keys
 from calc.sheet.units import UNITS
 from reports.blocks.words import WORDS
-from reports.setting import prose
-from reports.setting.fonts import FACES, MISSING, UPRIGHT, clean, face_of, width, widths, writable
-from reports.setting.prose import BODY, NOTE, Style, broken, lines, run
+from reports.typesetting import prose
+from reports.typesetting.fonts import FACES, MISSING, UPRIGHT, clean, face_of, width, widths, writable
+from reports.typesetting.prose import BODY, NOTE, Style, broken, lines, run
 from tests.reports.reading import Solved, text_of
 
 SIGNS_OF_THE_SHEET = "⁺⁻ᐟ∠√Σ≥≤✓✗▲○·−°‰µμψλαβγδεζηθκνξπρστφχωΔΛΦΨΩΓ½¼±×∞…–—’₀₁₂₉ₙ→"

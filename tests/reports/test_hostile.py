@@ -11,8 +11,8 @@ from pypdf import PdfReader
 from calc.sheet.check import Check
 from calc.sheet.step import Curve, Erratum, Series
 from calc.solve import Results
-from reports.setting.fonts import BOTTOM, LEFT, PAGE, RIGHT, TOP
-from reports.setting.prose import NOTE
+from reports.typesetting.fonts import BOTTOM, LEFT, PAGE, RIGHT, TOP
+from reports.typesetting.prose import NOTE
 from tests.reports.reading import EXAMPLE, V12, Solved, solved, spans, squeezed, text_of
 
 # The source's design without what only makes it long here.

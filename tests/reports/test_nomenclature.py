@@ -10,8 +10,8 @@ from calc.sheet.formula import FORMULAS
 from reports.blocks.nomenclature import BY_NAME, _in_common, _short, noted
 from reports.context import Context
 from reports.report import blocks
-from reports.setting.boxes import SIGN
-from reports.setting.prose import NOTE, run
+from reports.typesetting.boxes import SIGN
+from reports.typesetting.prose import NOTE, run
 from tests.conftest import ROOT
 from tests.reports.reading import Solved, pages_of, text_of
 

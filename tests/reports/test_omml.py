@@ -8,7 +8,7 @@ import pytest
 
 from calc.sheet.expression import Expr, expression, text
 from reports.docx import omml
-from reports.setting.typeset import symbol_parts
+from reports.typesetting.typeset import symbol_parts
 from tests.calc.test_formulas import OURS
 
 M = f"{{{omml.NAMESPACE}}}"

@@ -12,8 +12,8 @@ from reportlab.pdfgen.canvas import Canvas
 from calc.locale import language
 from calc.sheet.step import Curve, Series, Turning
 from reports.figures.plots import Plots, plot
-from reports.setting.fonts import LEFT, UPRIGHT
-from reports.setting.pen import Codes, Pen, Recording
+from reports.typesetting.fonts import LEFT, UPRIGHT
+from reports.typesetting.pen import Codes, Pen, Recording
 from tests.reports.reading import V12, shapes, solved, spans
 
 X = np.linspace(0.0, 5.0, 60)

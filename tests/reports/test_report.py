@@ -26,11 +26,11 @@ from calc.studies.explain import Chains
 from reports.blocks.words import WORDS
 from reports.context import Context, near
 from reports.report import write
-from reports.setting.equation import Label, _others, shown, spoken_numbers
-from reports.setting.equation import spoken as spoken_formula
-from reports.setting.flow import paginate
-from reports.setting.fonts import BOTTOM, HEIGHT, LEFT, PAGE, RIGHT, TOP
-from reports.setting.prose import NOTE
+from reports.typesetting.equation import Label, _others, shown, spoken_numbers
+from reports.typesetting.equation import spoken as spoken_formula
+from reports.typesetting.fonts import BOTTOM, HEIGHT, LEFT, PAGE, RIGHT, TOP
+from reports.typesetting.pagination import paginate
+from reports.typesetting.prose import NOTE
 from tests.conftest import DESIGNS
 from tests.reports.reading import V12, Solved, pages_of, solved, spans, spoken, squeezed, text_of, with_outcome
 

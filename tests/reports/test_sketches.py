@@ -11,7 +11,7 @@ from calc.locale import language
 from calc.sheet.text import Text
 from reports.figures.labels import DOWN, SIZE, UP, Label, placed
 from reports.figures.sketches import _labels
-from reports.setting.boxes import text
+from reports.typesetting.boxes import text
 from tests.reports.reading import pages_of
 
 FRAME = (-100.0, -100.0, 200.0, 200.0)

@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 from pypdf import PdfReader
 
-from calc.design.key_values import is_key_value
+from calc.design.key_results import is_key_value
 from calc.locale import language
 from calc.sheet.quantity import inputs, integer, quantity, table, tables, text
 from calc.sheet.step import Step, Table
@@ -17,12 +17,12 @@ from reports.blocks.inputs import ENDS, LONG, exact, input_blocks, material_bloc
 from reports.blocks.values import _fitting, value_blocks
 from reports.blocks.words import WORDS
 from reports.context import Context
-from reports.setting.flow import Block
-from reports.setting.fonts import LEFT, width
-from reports.setting.pen import Pen
-from reports.setting.prose import CELL, NOTE
-from reports.setting.tables import Cell, Column
-from reports.setting.tables import table as made_table
+from reports.typesetting.fonts import LEFT, width
+from reports.typesetting.pagination import Block
+from reports.typesetting.pen import Pen
+from reports.typesetting.prose import CELL, NOTE
+from reports.typesetting.tables import Cell, Column
+from reports.typesetting.tables import table as made_table
 from tests.reports.reading import ROOT, V12, pages_of, solved, spans, squeezed, text_of, with_outcome
 from tests.reports.test_hostile import inside
 

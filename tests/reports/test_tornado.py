@@ -12,7 +12,7 @@ from calc.locale import language
 from calc.sheet.step import Curve, Series
 from reports.figures.plots import Plots, bar_colour, tick_words
 from reports.figures.tornado import Lying, lies
-from reports.setting.fonts import LEFT, PAGE, RIGHT
+from reports.typesetting.fonts import LEFT, PAGE, RIGHT
 from tests.reports.reading import V12, rgb, shapes, solved, spans, squeezed, text_of, with_outcome
 from tests.reports.test_hostile import inside
 

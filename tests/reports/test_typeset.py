@@ -8,9 +8,9 @@ import pytest
 import calc.solve  # noqa: F401  (registers every formula)
 from calc.sheet.expression import Expr, _build, expression, substituted
 from calc.sheet.formula import FORMULAS, formula
-from reports.setting.boxes import Box
-from reports.setting.typeset import formula as pieces
-from reports.setting.typeset import lines, symbol
+from reports.typesetting.boxes import Box
+from reports.typesetting.typeset import formula as pieces
+from reports.typesetting.typeset import lines, symbol
 
 SIZE = 8.0
 

@@ -9,7 +9,7 @@ from pypdf import PdfReader
 
 from assistant.cli import main
 from reports.blocks import title_block
-from reports.setting.fonts import LEFT, WIDTH
+from reports.typesetting.fonts import LEFT, WIDTH
 from reports.verify.difference import covered, page_references, printed
 from reports.verify.pdf_file import Pdf
 from reports.verify.verify import Verdict, verify

@@ -1,2 +1,3 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The routes from a bearing and its duty to the film: oil supply, friction and flow, and the thermal balance."""
+"""The rival routes from a bearing and its duty to the film (Reynolds, Raimondi-Boyd, ISO 7902, Falz …), in heat
+balance."""

@@ -16,9 +16,9 @@ from ...sheet.value import about, untraced
 from .. import formulas as f
 from ..film.table import FilmRangeError
 from ..inputs import IN_WORDS
-from .balance import balanced
 from .routes import ROUTES
 from .states import BearingCase, Film, OperatingPoint, OutsideCharts
+from .thermal_balance import balanced
 
 SPREAD = 0.10  # rule of this program
 OWN = "reynolds"  # the route that the others are held against

@@ -29,8 +29,8 @@ from ..corners import widths
 from ..inputs import IN_WORDS as PLACE
 from ..inputs import PLACES
 from ..routes import supply
-from ..routes.balance import HOTTEST, settled
 from ..routes.states import BearingCase, OperatingPoint
+from ..routes.thermal_balance import HOTTEST, settled
 
 # --- words that the search uses over and over
 

@@ -24,9 +24,9 @@ from ..inputs import CountershaftInputs, EccentricMass, Holes
 from ..outline import Piece
 from ..result import CountershaftResult
 from ..sizing.sectors import LEFT_OVER, ShaftTask
-from . import balance
-from .balance import HolesResult, ToleranceResult
+from . import unbalance as balance
 from .inputs import Support
+from .unbalance import HolesResult, ToleranceResult
 
 if TYPE_CHECKING:
     from .drain import DrainResult

@@ -39,7 +39,7 @@ from ...sheet.units import (
 from ...sheet.value import about, based_on, untraced
 from .. import formulas as f
 from ..inputs import EccentricMass, Extra, Scatter
-from .balance import HolesResult
+from .unbalance import HolesResult
 
 BLOCK = 10_000  # shafts at once: enough that numpy's calls cost little, few enough for the processor's cache
 SWEEPS = 12  # of the search for the drilled depths with both planes weighed alike, and then with ten other weights

@@ -16,10 +16,10 @@ from ...sheet.step import Curve, Series, Table, axis_label
 from ...sheet.text import Amount, Text
 from ...sheet.units import Celsius, Number, RevPerSecond, Watt
 from ...sheet.value import untraced
-from ..balance import Losses, TrainDrive, drive, losses_of, shaft_loss
 from ..inputs import FrictionInputs
 from ..journals import Journals, OnShaft, journals_at
 from ..mesh.loss import HELICAL_POINTS, SPUR_POINTS, STRIPS
+from ..power_balance import Losses, TrainDrive, drive, losses_of, shaft_loss
 from ..result import carbon_dioxide, fuel
 
 SPEEDS = 7

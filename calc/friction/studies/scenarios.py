@@ -16,10 +16,10 @@ from ...sheet.step import Curve, Series, Table, axis_label
 from ...sheet.text import COMMA, EMPTY, Amount, Name, Text, listed
 from ...sheet.units import Celsius, Watt
 from ...sheet.value import untraced
-from ..balance import TrainDrive, balance, drive, shaft_loss
 from ..inputs import FrictionInputs, Scenario
 from ..journals import OnShaft, journals_at
 from ..mesh.loss import MeshLoss
+from ..power_balance import TrainDrive, balance, drive, shaft_loss
 from ..result import FrictionResult, ScenarioMesh, ScenarioResult
 
 # What is drawn along the path: attribute of `Local`, title, label of the axis, factor.

@@ -17,11 +17,11 @@ from ...sheet.step import Curve, Series, Table, axis_label
 from ...sheet.text import Amount, Text, listed
 from ...sheet.units import Number, Watt
 from ...sheet.value import untraced
-from ..balance import TrainDrive, drive, total_losses
 from ..inputs import FrictionInputs
 from ..losses.oil_and_air import AIR_DENSITY
 from ..mesh.geometry import column
 from ..mesh.mixed import LOAD_SHARES, PUBLISHED, Surfaces
+from ..power_balance import TrainDrive, drive, total_losses
 
 WARMER = 10.0  # K
 DUST = 1e-9  # of the losses: what the last digits make

@@ -12,10 +12,11 @@ from ...sheet.text import EMPTY, Amount, Text
 from ...sheet.units import Metre, Number
 from ..inputs import GearsInputs, Mesh, Wheel
 from ..result import WheelResult
-from .case import AtState, BacklashCase, Expansions
+from .case import BacklashCase
 from .chance import BY_CHANCE
 from .formulas import GUIDE
 from .result import PlayResult
+from .temperature import AtState, Expansions
 
 
 def checks(gears: GearsInputs, m: BacklashCase, play: PlayResult, smallest: Sequence[AtState]) -> Iterator[Check]:

@@ -11,8 +11,8 @@ from ...sheet.text import Amount, Text
 from ...sheet.units import Celsius, Metre
 from ...sheet.value import untraced
 from ..inputs import GearsInputs
-from . import case as t
 from . import formulas as b
+from . import temperature as t
 from .case import BacklashCase
 from .result import PlayResult
 

@@ -17,9 +17,9 @@ from ...sheet.value import about
 from .. import formulas as f
 from ..inputs import GearsInputs
 from ..result import TrainResult
-from . import case as t
 from . import chance as c
 from . import formulas as b
+from . import temperature as t
 from .case import BacklashCase, cases, free_turn, way_to
 from .checks import checks, notes
 from .curves import curves, tables

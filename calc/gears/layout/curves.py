@@ -11,7 +11,7 @@ from ...sheet.step import Curve, Erratum, Series, Table, axis_label
 from ...sheet.text import Amount, Name, Text
 from ...sheet.units import Metre, Number
 from ..inputs import GearsInputs
-from ..practice import mm
+from ..limits import mm
 from ..result import TrainResult, WheelResult
 from .phase import Phase
 from .positions import Placing

@@ -15,7 +15,7 @@ from ...sheet.text import Amount, Name, Text, listed
 from ...sheet.units import Metre
 from ...sheet.value import about, based_on, untraced
 from ..inputs import GearsInputs
-from ..practice import mm
+from ..limits import mm
 from ..result import MeshResult, TrainResult
 from . import formulas as f
 from .room import Room, at, axis_check, distance_check, most_room, reach_check

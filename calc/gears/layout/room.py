@@ -17,7 +17,7 @@ from ...sheet.text import Amount, Text, alternatives
 from ...sheet.units import Metre, Number, Radian
 from ...sheet.value import about, based_on
 from ..inputs import GearsInputs, Mesh, Wheel
-from ..practice import mm
+from ..limits import mm
 from ..result import MeshResult, TrainResult
 from . import formulas as f
 

@@ -19,7 +19,7 @@ from ...sheet.value import about, based_on, untraced
 from .. import formulas as f
 from ..formulas import ISO
 from ..inputs import GearsInputs, Wheel
-from ..practice import mm
+from ..limits import mm
 from ..result import ToothSystem, WheelResult
 from . import formulas as m
 from .result import Measured, MeasuresResult, Seat

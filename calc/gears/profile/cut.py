@@ -22,7 +22,7 @@ from ...sheet.record import record
 from ...sheet.text import Amount, Text
 from ...sheet.units import Metre, Number, Radian
 from .. import formulas as f
-from ..practice import mm
+from ..limits import mm
 from ..result import ToothSystem
 
 ROOT: Radian = -math.pi / 2  # direction of the corner's normal at the root

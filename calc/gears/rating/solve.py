@@ -15,7 +15,7 @@ from ...sheet.text import Text
 from ...sheet.units import NewtonMetre, Number
 from ...sheet.value import about, trace
 from ..inputs import GearsInputs
-from ..practice import EXTREME
+from ..limits import EXTREME
 from ..result import MeshResult, TrainResult
 from . import curves, source_sheet
 from . import mesh_strength as nominal

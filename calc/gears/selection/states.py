@@ -15,11 +15,11 @@ from ...sheet.search import Judged, judged, least
 from ...sheet.text import Name, Text
 from ...sheet.units import Metre, Number
 from .. import formulas as f
-from .. import practice as p
+from .. import limits as p
 from ..formulas import ISO
 from ..inputs import GearsInputs, Mesh, Wheel
+from ..limits import above_fillet
 from ..measures.formulas import generating_shift
-from ..practice import above_fillet
 from ..profile.outline import Cut, form_diameter_of_undercut
 from ..result import ToothSystem
 

@@ -15,8 +15,8 @@ from ...bearings.film.dynamics import Dynamics, coefficients, orbit
 from ...bearings.film.table import FilmRangeError
 from ...bearings.loads import SMALL
 from ...bearings.routes import supply
-from ...bearings.routes.balance import settled
 from ...bearings.routes.states import BearingCase, Film, OperatingPoint
+from ...bearings.routes.thermal_balance import settled
 from ...bearings.selection.grid import (
     FEW,
     KEPT,

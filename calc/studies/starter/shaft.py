@@ -14,7 +14,7 @@ from ...bearings.selection.search import bearing_changes, nearest_row
 from ...bearings.selection.variants import Variant
 from ...countershaft import formulas as f
 from ...countershaft.inputs import Holes, Journal
-from ...countershaft.making.balance import calibration
+from ...countershaft.making.unbalance import calibration
 from ...countershaft.result import CountershaftResult
 from ...countershaft.sizing import formulas as sizes
 from ...countershaft.sizing.lengths import utilisation

@@ -18,8 +18,8 @@ from ...sheet.arrays import Array, BoolArray
 from ...sheet.check import THIN_MARGIN, Check, step_verdict, worst
 from ...sheet.errors import BadInput, InputError
 from ...sheet.lanes import Diverged, Lanes, Singly, abreast, designs_abreast, some_lanes, together_or_singly
-from ...sheet.parts import Parts, seldom_collected
 from ...sheet.record import record
+from ...sheet.reuse import Parts, seldom_collected
 from ...sheet.step import Outcome
 from ...sheet.text import Text
 from ...sheet.value import recorded

@@ -8,7 +8,7 @@ import pytest
 
 from calc.bearings.film.grooved import Feed, Feeds, eccentricity_from, film_at, solve_grooved
 from calc.bearings.film.table import FilmRangeError
-from calc.bearings.routes.balance import settled
+from calc.bearings.routes.thermal_balance import settled
 from calc.design.toml_file import design
 from calc.sheet.errors import BadInput
 from calc.solve import solve

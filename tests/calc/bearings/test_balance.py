@@ -7,8 +7,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from calc.bearings.routes.balance import balanced, settled
 from calc.bearings.routes.routes import own_cold, own_warm
+from calc.bearings.routes.thermal_balance import balanced, settled
 from calc.sheet.errors import NoSolution
 
 

@@ -8,8 +8,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from calc.bearings.checks import checks, edge_when_thinned
-from calc.bearings.routes.balance import balanced
 from calc.bearings.routes.routes import own_warm
+from calc.bearings.routes.thermal_balance import balanced
 from calc.design.toml_file import design
 from calc.solve import solve
 

@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 
 from calc.bearings.film.table import film_at, share_of_largest_load, share_of_least_friction
-from calc.bearings.routes.balance import balanced
 from calc.bearings.routes.routes import own_warm
+from calc.bearings.routes.thermal_balance import balanced
 from calc.design.toml_file import design, read
 from calc.sheet.number import short
 from calc.solve import solve

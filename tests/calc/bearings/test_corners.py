@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 
 from calc.bearings.corners import CORNERS, NAMES, limits
-from calc.bearings.routes.balance import balanced
 from calc.bearings.routes.routes import own_warm
 from calc.bearings.routes.states import BearingCase
+from calc.bearings.routes.thermal_balance import balanced
 from calc.design.toml_file import design
 from calc.solve import solve
 

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from calc.bearings import loads as rotating_load
-from calc.bearings.routes.balance import settled
+from calc.bearings.routes.thermal_balance import settled
 
 STEPS = 720
 PLACES = ("front", "rear")

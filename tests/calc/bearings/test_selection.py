@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 from calc.bearings.corners import corner_points, corners
-from calc.bearings.routes.balance import balanced, settled
 from calc.bearings.routes.routes import own_warm
+from calc.bearings.routes.thermal_balance import balanced, settled
 from calc.bearings.selection.grid import field, lengths, widest_usual
 from calc.bearings.selection.ranking import best, by_power
 from calc.bearings.selection.search import bearing_changes, fields_of, nearest_row, search, slopes_of, with_row

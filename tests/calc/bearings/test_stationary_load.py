@@ -6,8 +6,8 @@ from dataclasses import replace
 import pytest
 
 from calc.bearings.loads import with_standing
-from calc.bearings.routes.balance import balanced
 from calc.bearings.routes.routes import own_warm
+from calc.bearings.routes.thermal_balance import balanced
 from calc.countershaft.supports import Standing
 
 

@@ -76,8 +76,8 @@ def test_the_slopes_that_are_given_are_judged_where_the_outline_is_not_known(gam
 
 
 def test_the_figure_of_the_loaded_shaft_says_what_the_tables_say(gamma):
-    """The bent shaft throws its mass outwards and loads its bearings a little more than statics; figure and table read one
-    number."""
+    """The bent shaft throws its mass outwards and loads its bearings a little more than statics; figure and table read
+    one number."""
     outcome = shaft(gamma)
     (figure,) = (curve for curve in outcome.curves if curve.id == "loads")
     held = sorted(abs(load.size) for load in figure.loads if load.held)

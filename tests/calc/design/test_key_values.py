@@ -1,6 +1,6 @@
 """What of a design stands on the first page."""
 
-from calc.design.key_values import judged, key_results
+from calc.design.key_results import judged, key_results
 from calc.design.toml_file import load
 from calc.solve import solve
 from tests.conftest import DESIGNS

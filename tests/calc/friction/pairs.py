@@ -7,10 +7,10 @@ import tomllib
 from dataclasses import replace
 from pathlib import Path
 
-from calc.friction.balance import drive
 from calc.friction.inputs import FrictionInputs
 from calc.friction.mesh.film import oil_at
 from calc.friction.mesh.geometry import MeshGeometry, WheelGeometry
+from calc.friction.power_balance import drive
 from calc.friction.solve import closed as closed_train
 from calc.library.catalogue import oils
 from calc.library.lubricant import Lubricant

@@ -10,7 +10,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from calc.design.toml_file import design, read
-from calc.friction import balance as power
+from calc.friction import power_balance as power
 from calc.friction.inputs import OtherLoss, carrier
 from calc.sheet.errors import NoSolution
 from calc.sheet.expression import line_text

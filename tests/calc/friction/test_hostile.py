@@ -10,11 +10,11 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from calc.friction.balance import drive
 from calc.friction.inputs import Dip, Jet, PlainBearing, RollingBearing, Seal
 from calc.friction.mesh.film import oil_at
 from calc.friction.mesh.loss import case, solve_mesh
 from calc.friction.mesh.path import line_load, transverse_force
+from calc.friction.power_balance import drive
 from calc.sheet.errors import BadInput, NoSolution
 from calc.solve import solve
 from tests.calc.friction.documents import changed, design, gamma, pair

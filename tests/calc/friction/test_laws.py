@@ -10,7 +10,7 @@ import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from calc.friction import balance as power
+from calc.friction import power_balance as power
 from calc.friction.losses import bearings as seals
 from calc.friction.losses import oil_and_air as churning
 from calc.friction.losses import oil_and_air as jets

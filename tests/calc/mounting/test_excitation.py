@@ -6,7 +6,7 @@ import pytest
 from calc.design import step_inputs
 from calc.design.toml_file import Document, design, load
 from calc.mounting import excitation as x
-from calc.mounting.drive import drive
+from calc.mounting.wrenches import drive
 from calc.solve import solve
 from tests.conftest import DESIGNS
 

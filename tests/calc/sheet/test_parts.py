@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from calc.sheet.parts import alike
 from calc.sheet.record import record
+from calc.sheet.reuse import alike
 
 
 @record

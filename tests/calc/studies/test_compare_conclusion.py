@@ -5,7 +5,7 @@ from dataclasses import replace
 
 import pytest
 
-from calc.design.key_values import is_least, key_results
+from calc.design.key_results import is_least, key_results
 from calc.design.names import in_context
 from calc.design.toml_file import Document, design, read
 from calc.sheet.quantity import Published

@@ -9,7 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from calc.countershaft.inputs import Holes
-from calc.countershaft.making.balance import calibration, depth_check
+from calc.countershaft.making.unbalance import calibration, depth_check
 
 OMEGA = 2 * math.pi * 2600 / 60
 HOLES = Holes(diameter=0.014, depth=0.020, count=4)

@@ -16,7 +16,7 @@ from hypothesis import strategies as st
 from calc.countershaft import formulas as f
 from calc.countershaft.inputs import EccentricMass, Extra, Holes, Scatter
 from calc.countershaft.making import scatter as sc
-from calc.countershaft.making.balance import calibration, permitted
+from calc.countershaft.making.unbalance import calibration, permitted
 
 OMEGA = 2 * math.pi * 2600 / 60
 DEGREE = math.pi / 180

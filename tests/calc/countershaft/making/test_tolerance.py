@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from calc.countershaft.making.balance import grade_number, notes, permitted, table
+from calc.countershaft.making.unbalance import grade_number, notes, permitted, table
 from calc.library.tolerances import BALANCE_GRADES
 
 OMEGA = 2 * math.pi * 2600 / 60

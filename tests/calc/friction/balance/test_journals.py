@@ -9,8 +9,8 @@ import pytest
 
 from calc.bearings.loads import response
 from calc.design.step_inputs import on_shaft, shaft_gear
-from calc.friction.balance import shaft_loss
 from calc.friction.journals import journals_at, journals_of
+from calc.friction.power_balance import shaft_loss
 from calc.solve import solve
 from tests.calc.friction.documents import changed, design, gamma
 

@@ -8,10 +8,10 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from calc.friction.balance import drive, losses_of
 from calc.friction.inputs import OtherLoss, PlainBearing, RollingBearing
 from calc.friction.losses import bearings as plain_bearings
 from calc.friction.losses import bearings as rolling_bearings
+from calc.friction.power_balance import drive, losses_of
 from calc.sheet.errors import NoSolution
 from tests.calc.friction.pairs import (
     CRANK_SPEED,

@@ -8,11 +8,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from calc.friction.balance import most_force
 from calc.friction.inputs import Dip, Jet, OtherLoss, PlainBearing, RollingBearing, Seal
 from calc.friction.losses import bearings as plain_bearings
 from calc.friction.losses import bearings as rolling_bearings
 from calc.friction.losses.wheels import speeds_of, unloaded
+from calc.friction.power_balance import most_force
 from calc.solve import solve
 from tests.calc.friction.documents import changed, design, gamma
 from tests.calc.friction.pairs import CRANK_SPEED, closed, friction, lubricant, r753, shown

@@ -5,7 +5,7 @@ told."""
 import numpy as np
 import pytest
 
-from calc.friction.balance import drive, total_losses
+from calc.friction.power_balance import drive, total_losses
 from calc.friction.studies import maps
 from calc.solve import solve
 from tests.calc.friction.documents import changed, design, gamma, pair

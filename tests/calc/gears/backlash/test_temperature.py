@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from calc.gears.backlash import case as t
+from calc.gears.backlash import temperature as t
 from calc.gears.backlash.case import cases
 from calc.sheet.errors import NoSolution
 from tests.calc.gears.backlash.plays import SHAVED, SOLIDS, alone, changed, played

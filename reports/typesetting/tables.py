@@ -8,8 +8,8 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from .boxes import BETWEEN, FAINT, Box
-from .flow import Block, Content, heading, paragraph
 from .fonts import WIDTH
+from .pagination import Block, Content, heading, paragraph
 from .prose import CELL, GROUP, HEADER, NOTE, Style, lines, run
 from .tags import COLUMN, ROW, Tag
 

@@ -8,7 +8,7 @@ import textwrap
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, Any
 
-from calc.design.key_values import judged, outside, stretched
+from calc.design.key_results import judged, outside, stretched
 from calc.design.model import OPTIONAL, STEPS
 from calc.design.toml_file import Document
 from calc.design.unusual import SHOWN, Unusual, told, unusual

@@ -19,8 +19,8 @@ from ..blocks.nomenclature import noted_line
 from ..context import Context
 from .boxes import BETWEEN, Box, row, space
 from .boxes import text as text_box
-from .flow import Block, Formula
 from .fonts import WIDTH, clean
+from .pagination import Block, Formula
 from .prose import CELL, NOTE, SOURCE
 from .prose import lines as text_lines
 from .typeset import SetPiece, formula, lines, symbol

@@ -1,22 +1,17 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The commands that open the program, and the small ones about it: session, serve, completion, schema, new.
+"""`contralbero [FILE]` and `contralbero serve`: the guided session, in the terminal or in a browser on this machine.
 
-`contralbero serve`: the guided session in a browser, on this machine only; each tab is a session of its own.  Behind
-it: `contralbero [FILE]`, `completion`, `schema`, `new`."""
+In a browser each tab is a session of its own."""
 
-import json
 import os
 import socket
 import sys
 from argparse import Namespace
 from pathlib import Path
 
-from assistant.session.saving import write_asked
-from calc.design.schema import schema
 from calc.design.toml_file import design, read
 from calc.sheet.errors import BadInput, InputError
 from calc.sheet.text import Text
-from calc.studies.shipped import engine_design, engines
 
 
 def run_serve(asked: Namespace) -> int:
@@ -92,71 +87,3 @@ def _refuse(path: Path | None) -> None:
         print(f"contralbero: {path}: is not there; `contralbero new {path.name}` begins a design", file=sys.stderr)
     else:
         print(f"contralbero: the guided session needs a terminal; {hint}", file=sys.stderr)
-
-
-# --- contralbero completion SHELL
-# The script by which a shell completes commands, options and files; it asks the program at each Tab.
-
-
-def run_completion(asked: Namespace) -> int:
-    try:
-        from argcomplete.shell_integration import shellcode
-    except ImportError:
-        print(
-            Text("the script is that of argcomplete, which the extra `contralbero[completion]` installs"),
-            file=sys.stderr,
-        )
-        return 2
-    print(shellcode(["contralbero"], shell=asked.shell))
-    return 0
-
-
-# --- contralbero schema
-# The JSON Schema of a design file, by which editors complete and check it.
-
-
-def run_schema(asked: Namespace) -> int:
-    text = json.dumps(schema(), ensure_ascii=False, indent=1) + "\n"
-    if asked.output is None:
-        print(text, end="")
-    else:
-        write_asked(Path(asked.output), text)
-        print(asked.output)
-    return 0
-
-
-# --- contralbero new
-
-
-def run_new(asked: Namespace) -> int:
-    shipped = engines()
-    if asked.list:
-        rows = [(name, engine.name, engine.what, engine.source) for name, engine in shipped.items()]
-        widths = [max(map(len, column)) for column in zip(*rows)]
-        for row in rows:
-            print("  ".join(f"{cell:<{width}}" for cell, width in zip(row, widths)).rstrip())
-        return 0
-    if asked.engine not in shipped:
-        raise BadInput(
-            "--engine",
-            [
-                InputError(
-                    0,
-                    "",
-                    asked.engine,
-                    Text("is not shipped; `contralbero new --list` lists {engines}", engines=", ".join(shipped)),
-                )
-            ],
-        )
-    if asked.file is None:
-        raise BadInput(
-            "contralbero new", [InputError(0, "", "", Text("needs the name of the file to write, like my_engine.toml"))]
-        )
-    path = Path(asked.file)
-    if path.exists():
-        raise BadInput(
-            str(path), [InputError(0, "", "", Text("exists already and is left alone; choose another name"))]
-        )
-    write_asked(path, engine_design(asked.engine), new=True)
-    print(path)
-    return 0

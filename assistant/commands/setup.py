@@ -1,0 +1,80 @@
+# SPDX-License-Identifier: Apache-2.0
+"""`contralbero new`, `schema` and `completion`: what is made once.
+
+A design of a shipped engine, the JSON Schema by which editors complete and check a design, the script by which a shell
+completes commands."""
+
+import json
+import sys
+from argparse import Namespace
+from pathlib import Path
+
+from assistant.session.saving import write_asked
+from calc.design.schema import schema
+from calc.sheet.errors import BadInput, InputError
+from calc.sheet.text import Text
+from calc.studies.shipped import engine_design, engines
+
+
+def run_completion(asked: Namespace) -> int:
+    try:
+        from argcomplete.shell_integration import shellcode
+    except ImportError:
+        print(
+            Text("the script is that of argcomplete, which the extra `contralbero[completion]` installs"),
+            file=sys.stderr,
+        )
+        return 2
+    print(shellcode(["contralbero"], shell=asked.shell))
+    return 0
+
+
+# --- contralbero schema
+# The JSON Schema of a design file, by which editors complete and check it.
+
+
+def run_schema(asked: Namespace) -> int:
+    text = json.dumps(schema(), ensure_ascii=False, indent=1) + "\n"
+    if asked.output is None:
+        print(text, end="")
+    else:
+        write_asked(Path(asked.output), text)
+        print(asked.output)
+    return 0
+
+
+# --- contralbero new
+
+
+def run_new(asked: Namespace) -> int:
+    shipped = engines()
+    if asked.list:
+        rows = [(name, engine.name, engine.what, engine.source) for name, engine in shipped.items()]
+        widths = [max(map(len, column)) for column in zip(*rows)]
+        for row in rows:
+            print("  ".join(f"{cell:<{width}}" for cell, width in zip(row, widths)).rstrip())
+        return 0
+    if asked.engine not in shipped:
+        raise BadInput(
+            "--engine",
+            [
+                InputError(
+                    0,
+                    "",
+                    asked.engine,
+                    Text("is not shipped; `contralbero new --list` lists {engines}", engines=", ".join(shipped)),
+                )
+            ],
+        )
+    if asked.file is None:
+        raise BadInput(
+            "contralbero new", [InputError(0, "", "", Text("needs the name of the file to write, like my_engine.toml"))]
+        )
+    path = Path(asked.file)
+    if path.exists():
+        raise BadInput(
+            str(path), [InputError(0, "", "", Text("exists already and is left alone; choose another name"))]
+        )
+    write_asked(path, engine_design(asked.engine), new=True)
+    print(path)
+    return 0

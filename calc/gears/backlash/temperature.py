@@ -1,0 +1,113 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Backlash over temperature: housing and support carry the centres apart, each wheel grows by itself."""
+
+from collections.abc import Mapping
+
+from ...library.catalogue import Material
+from ...sheet.record import record
+from ...sheet.text import Text
+from ...sheet.units import Celsius, Metre, Number, PerKelvin, Radian
+from ...sheet.value import about
+from .. import formulas as f
+from ..inputs import GearsInputs
+from . import formulas as b
+from .case import BacklashCase
+
+
+@record
+class ThermalState:
+    name: Text
+    housing: Celsius
+    wheels: Celsius
+
+
+@record
+class Expansions:
+    """Of the centre distance of one mesh, and of its two wheels."""
+
+    centres: PerKelvin
+    driver: PerKelvin
+    driven: PerKelvin
+
+
+@record
+class Grown:
+    """Expansion of the centre distance, of each wheel, and of both base circles together."""
+
+    centres: Number
+    driver: Number
+    driven: Number
+    wheels: Number
+
+
+@record
+class AtState:
+    """One mesh at one temperature and one pair of tooth thicknesses."""
+
+    backlash: Metre
+    pressure_angle: Radian
+    centre_growth: Number
+    wheel_growth: Number  # the smaller one
+
+
+def states(gears: GearsInputs) -> tuple[ThermalState, ThermalState, ThermalState, ThermalState]:
+    """Cold start; all warm; the wheels warmer than the housing; and so in a housing that is still cold."""
+    cold, warm = gears.lowest_temperature, gears.running_temperature
+    first, then = (b.wheel_temperature(T_H=T, Delta_T=gears.wheels_warmer) for T in (cold, warm))
+    return (
+        ThermalState(Text("cold"), cold, cold),
+        ThermalState(Text("running"), warm, warm),
+        ThermalState(Text("wheels warmer"), warm, then),
+        ThermalState(Text("warming up"), cold, first),
+    )
+
+
+def expansions(
+    m: BacklashCase, gears: GearsInputs, materials: Mapping[str, Material], housing: str | None
+) -> Expansions:
+    """Without a housing material the housing grows as the driver does."""
+    alpha_1, alpha_2 = materials[m.driver.material].expansion, materials[m.driven.material].expansion
+    alpha_H = alpha_1 if housing is None else materials[housing].expansion
+    share = m.inputs.support_share
+    if not share or gears.support_material is None:
+        return Expansions(alpha_H, alpha_1, alpha_2)
+    support = materials[gears.support_material].expansion
+    with about(Text("mesh {name}", name=m.name)):
+        return Expansions(
+            b.expansion_between_centres(alpha_H=alpha_H, alpha_S=support, lambda_S=share), alpha_1, alpha_2
+        )
+
+
+def grown(m: BacklashCase, alpha: Expansions, T_housing: Celsius, T_wheels: Celsius) -> Grown:
+    """At the temperatures of housing and wheels."""
+    eps_a = b.expansion(alpha=alpha.centres, T=T_housing)
+    eps_1, eps_2 = b.expansion(alpha=alpha.driver, T=T_wheels), b.expansion(alpha=alpha.driven, T=T_wheels)
+    eps_g = b.expansion_of_wheels(eps_1=eps_1, eps_2=eps_2, d_b1=m.driver.base_diameter, d_b2=m.driven.base_diameter)
+    return Grown(eps_a, eps_1, eps_2, eps_g)
+
+
+def change(m: BacklashCase, by: Grown) -> Metre:
+    return b.change_against_wheels(a_w=m.mesh.centre_distance, eps_a=by.centres, eps_g=by.wheels)
+
+
+def at_state(m: BacklashCase, by: Grown, a: Metre, s_b1: Metre, s_b2: Metre) -> AtState:
+    """`a`, `s_b1`, `s_b2`: centre distance and thicknesses at the base circles, at 20 °C."""
+    a_eff = b.effective_centre(a=a, eps_a=by.centres, eps_g=by.wheels)
+    m.must_mesh(a_eff, Text("temperature, with the tolerance and runout,"))
+    alpha_wt = f.working_pressure_angle(m.driver.base_diameter, m.driven.base_diameter, a_eff)
+    return AtState(warm(m, by, alpha_wt, s_b1, s_b2), alpha_wt, 1 + by.centres, 1 + min(by.driver, by.driven))
+
+
+def warm(m: BacklashCase, by: Grown, alpha_wt: Radian, s_b1: Metre, s_b2: Metre) -> Metre:
+    """`alpha_wt`: at the effective centre distance."""
+    return b.warm_backlash(
+        p_bt=m.system.base_pitch,
+        eps_1=by.driver,
+        eps_2=by.driven,
+        s_b1=s_b1,
+        s_b2=s_b2,
+        d_b1=m.driver.base_diameter,
+        d_b2=m.driven.base_diameter,
+        alpha_wt=alpha_wt,
+        beta_b=m.system.base_helix_angle,
+    )

@@ -1,2 +1,0 @@
-# SPDX-License-Identifier: Apache-2.0
-"""How words, formulas and tables are set, and how blocks flow down the pages."""
