@@ -36,7 +36,7 @@ from .materials import application, running_surface
 from .notes import errata, notes
 from .result import BearingResult, BearingsResult, route_result
 from .routes import supply
-from .routes.routes import own_cold, own_warm
+from .routes.routes import ROUTES, own_cold, own_warm
 from .routes.side_by_side import judged_alone, routes_table, side_by_side
 from .routes.states import BearingCase, Film, OperatingPoint
 from .routes.thermal_balance import balanced, closed, settled_together
@@ -316,7 +316,9 @@ def _bearing(
         kreisle_film=kreisle,
         trumpler_film=trumpler,
         routes_spread=side.spread,
-        routes={name: route_result(film) for name, film in side.films.items()},
+        routes={
+            name: route_result(side.films[name]) for name in sorted(side.films, key=lambda name: ROUTES[name].listed)
+        },
         corners=at_worst,
         dynamics=moving,
         hot=hot,

@@ -44,7 +44,8 @@ class BearingRoute:
 
     `name`: that of its values, `bearings.front.NAME.film`; `former`: the name that it had.  `brief`: its title between
     the parts of an id.  `why_off`: why its film may be far off at the same oil.  `counts`: where it claims to solve the
-    film, so that the spread counts it.  `whole_length`: it takes the bearing's, where a groove parts the film."""
+    film, so that the spread counts it.  `whole_length`: it takes the bearing's, where a groove parts the film.
+    `listed`: its place among the published values, whose order programs may rely on; a new route comes last."""
 
     name: str
     title: Text
@@ -54,6 +55,7 @@ class BearingRoute:
     whole_length: bool
     brief: Text
     former: str
+    listed: int
 
 
 ROUTES: dict[str, BearingRoute] = {}
@@ -76,11 +78,12 @@ def bearing_route(
     whole_length: bool = False,
     brief: Text = EMPTY,
     former: str = "",
+    listed: int = 100,
 ) -> Callable[[Route], Route]:
     """Declares the function below it as a route that is shown beside the own one, which stands first."""
 
     def declared(film: Route) -> Route:
-        ROUTES[name] = BearingRoute(name, title, film, why_off, counts, whole_length, brief or title, former)
+        ROUTES[name] = BearingRoute(name, title, film, why_off, counts, whole_length, brief or title, former, listed)
         return film
 
     return declared
@@ -125,7 +128,9 @@ def _branches_meet_once(film: Film, ratio: float) -> Text:
     )
 
 
-@bearing_route("reynolds", Text("Reynolds' equation"), brief=Name("Reynolds"), why_off=lambda film, ratio: EMPTY)
+@bearing_route(
+    "reynolds", Text("Reynolds' equation"), brief=Name("Reynolds"), why_off=lambda film, ratio: EMPTY, listed=0
+)
 def own_cold(seat: BearingCase, duty: OperatingPoint, rise: float) -> Film:
     """The program's own solution of Reynolds' equation on the clearance as given, to compare with the source's
     methods."""
@@ -236,7 +241,9 @@ def _with_grooves(
     )
 
 
-@bearing_route("raimondi_boyd_own_flow", Text("Raimondi & Boyd, own flow"), counts=everywhere, why_off=_cubic_errs)
+@bearing_route(
+    "raimondi_boyd_own_flow", Text("Raimondi & Boyd, own flow"), counts=everywhere, why_off=_cubic_errs, listed=2
+)
 def raimondi_boyd_own_flow(seat: BearingCase, duty: OperatingPoint, rise: float) -> Film:
     """Raimondi and Boyd's own way: the same charts, of each land where a groove parts the film, and the oil that the
     turning film draws in, whatever the supply pressure."""
@@ -249,6 +256,7 @@ def raimondi_boyd_own_flow(seat: BearingCase, duty: OperatingPoint, rise: float)
     brief=Name("Raimondi & Boyd"),
     why_off=_cubic_errs,
     whole_length=True,
+    listed=1,
 )
 def raimondi_boyd(seat: BearingCase, duty: OperatingPoint, rise: float) -> Film:
     """The source's first method: charts of 1958 by their l/d formula, flow of a groove over the full length, clearance
@@ -284,7 +292,7 @@ def _by_charts(seat: BearingCase, duty: OperatingPoint, rise: float, *, own_flow
     return _film(seat, duty, T, oil, g, psi, p, S, eps, h_0, f_v, Q_s, phi, p_max, Q=Q, drawn_in=True)
 
 
-@bearing_route("iso7902", Text("ISO 7902"), counts=everywhere, why_off=_fit_errs)
+@bearing_route("iso7902", Text("ISO 7902"), counts=everywhere, why_off=_fit_errs, listed=3)
 def iso7902(seat: BearingCase, duty: OperatingPoint, rise: float) -> Film:
     """ISO 7902: both flows, by geometry and by supply pressure, as the own solution has the supply; clearance as
     given."""
@@ -307,7 +315,7 @@ def iso7902(seat: BearingCase, duty: OperatingPoint, rise: float) -> Film:
     return _film(seat, duty, T, oil, g, psi, p, So, eps, f.film(g=g, eps=eps), f_v, Q_1, beta)
 
 
-@bearing_route("short_bearing", Text("short bearing"), counts=_is_short, why_off=_leaves_flow_out)
+@bearing_route("short_bearing", Text("short bearing"), counts=_is_short, why_off=_leaves_flow_out, listed=5)
 def short_bearing(seat: BearingCase, duty: OperatingPoint, rise: float) -> Film:
     """The limit of a bearing without length (Ocvirk), clearance as given: a check of the other routes, good to l/d of
     about ½."""
@@ -321,6 +329,7 @@ def short_bearing(seat: BearingCase, duty: OperatingPoint, rise: float) -> Film:
     why_off=_branches_meet_once,  # a rule of thumb, which claims to solve no film
     whole_length=True,
     former="din31652",
+    listed=4,
 )
 def falz(seat: BearingCase, duty: OperatingPoint, rise: float) -> Film:
     """The source's second method: Falz's film, friction polynomial, a hole always opposite the load, clearance as
