@@ -285,14 +285,12 @@ def run(path: Path | None, ascii: bool = False, lang: str | None = None) -> int:
         settings = replace(settings, language=lang)
     plain = ascii or not encoding.startswith("utf")
     app = ContralberoApp(session, ascii=plain, key_map=memory.keys(), settings=settings, memory=memory, missing=missing)
-    if hasattr(
-        signal, "SIGHUP"
-    ):  # of which nohup makes nothing: without its terminal a session would only keep a core busy
+    # of which nohup makes nothing: without its terminal a session would only keep a core busy
+    if hasattr(signal, "SIGHUP"):
         signal.signal(signal.SIGHUP, signal.SIG_DFL)
     result = app.run()
-    if (
-        app._exception is not None
-    ):  # textual would show its trace with the values of all variables, and end as a failed check does
+    # textual would show its trace with the values of all variables, and end as a failed check does
+    if app._exception is not None:
         from .output import told
 
         return told(app._exception)

@@ -119,11 +119,12 @@ def _bearings(design: Design, file: str, progress: Progress | None = None) -> Of
         summary,
     )
     from calc.bearings.selection.variants import SUPPLY
-    from calc.studies.bearings_case import bearings_case
+    from calc.design.step_inputs import bearings_case
+    from calc.solve import solve
 
     assert design.bearings is not None
     bearings = design.bearings
-    case = bearings_case(design)
+    case = bearings_case(design, solve)
     selection = search(case, progress=progress)
 
     def taken(number: int) -> Changes:

@@ -8,11 +8,8 @@ import codecs
 import contextlib
 import os
 import sys
-import tempfile
-import traceback
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import suppress
-from datetime import datetime
 from io import TextIOWrapper
 from pathlib import Path
 from typing import Any, TextIO
@@ -137,6 +134,9 @@ def told(error: BaseException) -> int:
 
 def _kept(error: BaseException) -> Path | None:
     """The file with the trace: in the user's state folder, else in the one for temporary files."""
+    import traceback  # here and below: the help is printed without them
+    from datetime import datetime
+
     now = datetime.now()
     words = (
         f"contralbero {VERSION}, Python {sys.version}, {now.isoformat(timespec='seconds')}\n{' '.join(sys.argv)}\n\n"
@@ -154,6 +154,8 @@ def _kept(error: BaseException) -> Path | None:
 
 
 def _folders() -> list[Path]:
+    import tempfile
+
     folders = []
     with suppress(Exception):  # it may be that which is at fault
         from .session.recovery import state_dir

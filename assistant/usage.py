@@ -67,7 +67,7 @@ def check(it: argparse.ArgumentParser) -> None:
     it.add_argument("--json", action="store_true", help="print one JSON object")
 
 
-@command("check", "the chain of formulas that leads to one value")
+@command("explain", "the chain of formulas that leads to one value")
 def explain(it: argparse.ArgumentParser) -> None:
     it.add_argument("file")
     it.add_argument("value", metavar="VALUE_ID", help="like bearings.front.film")

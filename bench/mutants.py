@@ -6,7 +6,7 @@ test.
 
 Drawn at random over all places where an operator, a comparison, a number, a sign, `min` or `max` can be exchanged;
 texts, units, labels and annotations are no such places.  Against each, first the tests that import its module, then
-those of its step (of calc/languages: tests/languages), then those of the whole of calc/. Printed: a line for each
+those of its step (of calc/locale: tests/languages), then those of the whole of calc/. Printed: a line for each
 (killed, by which file, or survived), then the share that died, and the survivors."""
 
 import ast

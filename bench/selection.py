@@ -21,9 +21,9 @@ from calc.bearings.selection.grid import field
 from calc.bearings.selection.search import nearest_row, search
 from calc.bearings.selection.states import AT_CORNERS, solved
 from calc.bearings.selection.variants import tasks, variants
+from calc.design.step_inputs import bearings_case
 from calc.design.toml_file import design, read
 from calc.solve import solve
-from calc.studies.bearings_case import bearings_case
 
 ROOT = Path(__file__).parent.parent
 DESIGNS = ROOT / "designs"
@@ -56,7 +56,7 @@ def processes() -> None:
 def main() -> None:
     processes()
     made = design(read(DESIGNS / "r753ie4_gamma.toml"))
-    case = bearings_case(made, solve(made))
+    case = bearings_case(made, solve, solve(made))
     variant = variants(case)[0]
     task = tasks(case)["rear"][0]
     some = field(task, variant, 0.0)
@@ -81,7 +81,7 @@ def main() -> None:
         made = design(read(DESIGNS / f"r753ie4_{name}.toml"))
         results = solve(made)
         one = best(partial(solve, made), 3)
-        case = bearings_case(made, results)
+        case = bearings_case(made, solve, results)
         for title, call in ((f"the whole search, {name}", search), (f"the nearest only, {name}", nearest_row)):
             time = best(partial(call, case), 1)
             print(f"{title:44s}{time:12.2f} s    ratio to one solve {time / one:8.1f}")

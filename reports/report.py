@@ -6,7 +6,6 @@ The same design file and program give the same bytes: no date of printing, no pa
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Callable
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
@@ -16,7 +15,7 @@ from calc.design.disk import write_file
 from calc.design.toml_file import Document
 from calc.locale import LANGUAGES, language
 from calc.locale.language import said
-from calc.sheet.deferred import Later, aside, prepared
+from calc.sheet.deferred import Later, aside
 from calc.sheet.progress import Progress, part, tell
 from calc.sheet.step import Outcome, Step
 from calc.solve import Results
@@ -33,6 +32,7 @@ from .blocks.title_block import NOTE_LINES
 from .blocks.values import table_blocks, value_blocks
 from .blocks.words import verdict
 from .context import DEPTHS, Context, logo, stands
+from .figures.draughtsman import draughtsman
 from .figures.figures import figure_blocks
 from .figures.plots import Draughtsman, Plots
 from .figures.sketches import sketch_figure
@@ -43,39 +43,7 @@ from .typesetting.pagination import Block, Heading, bullet, composed, heading, p
 from .typesetting.prose import BODY, HEADING, SECTION, lines
 
 if TYPE_CHECKING:
-    from .figures.plots import Job
-    from .typesetting.pen import Recording
-
-
-# --- figures drawn by a copy of this process, while it makes the rest
-# The copy is told what to draw and sends recordings back; what draws them, which takes longest to load, is not loaded
-# here.
-
-
-def draughtsman() -> Draughtsman:
-    """One who draws the figures of one report: given its language and all of them, begins; hands them over when they
-    are asked for."""
-    return prepared(_ready)
-
-
-def _ready() -> Callable[[tuple[str, list[Job]]], list[Recording]]:
-    import matplotlib.backend_bases
-    import matplotlib.figure  # noqa: F401
-
-    from calc.locale import language
-
-    from .figures.plots import Plots, plot
-    from .typesetting.fonts import FACES, widths
-
-    for face in FACES:
-        widths(face)
-
-    def draw(asked: tuple[str, list[Job]]) -> list[Recording]:
-        lang, jobs = asked
-        plots = Plots(language(lang))
-        return [plot(plots, *job) for job in jobs]
-
-    return draw
+    pass
 
 
 # --- the report
@@ -199,7 +167,7 @@ def blocks(context: Context, progress: Progress | None = None, draws: Draughtsma
     steps = [numbered for numbered in context.steps() if context.audit or numbered[2].state != "not_asked"]
     pictures = [_pictures(context, step, outcome, plots) for _, step, outcome in steps]
     if context.drive is not None:
-        from .blocks.drawing import drive_blocks, front_figure  # of one design in a hundred
+        from .blocks.drive import drive_blocks, front_figure  # of one design in a hundred
 
         front = front_figure(context, context.drive, plots)
     plots.begin(draws)

@@ -24,7 +24,7 @@ OUTWARD = {
     "httpx",
     "urllib3",
 }
-SERVING = {"assistant.server", "assistant.commands.program"}
+SERVING = {"assistant.server", "assistant.commands.session"}
 
 
 @pytest.mark.parametrize("of", TABLES)

@@ -25,7 +25,7 @@ from aiohttp.test_utils import TestClient, TestServer
 
 from assistant import server as serving
 from assistant.cli import main
-from assistant.commands.program import command
+from assistant.commands.session import command
 from assistant.server import Local
 from calc.design.limits import COLUMNS, MESSAGE_BYTES, PASTED, ROWS
 from tests.browser import CHROMIUM, browser, kill_group
@@ -127,9 +127,8 @@ def test_the_server_answers_its_own_page_only_and_ends_by_an_interrupt(
     with urlopen(address, timeout=30) as answer:
         page, policy = answer.read().decode("utf-8"), answer.headers["Content-Security-Policy"]
     assert "https://" not in page and "onClick" not in page
-    for part in re.findall(
-        r'(?:href|src)="([^"]*)"|src: url\("([^"]*)"\)', page
-    ):  # the style sheet, the program of the page, its fonts
+    # the style sheet, the program of the page, its fonts
+    for part in re.findall(r'(?:href|src)="([^"]*)"|src: url\("([^"]*)"\)', page):
         assert asked(urljoin(address, "".join(part))) == 200
     assert f"{own}/static/css/xterm.css" in page
     nonces = set(re.findall(r"<script([^>]*)>", page))

@@ -1,34 +1,22 @@
 # SPDX-License-Identifier: Apache-2.0
-"""`contralbero check` and `contralbero explain`: the results of a design, and the way that leads to one of them.
-
-check: solves a design and prints its verdicts, main values and findings, or all that it gives.  explain: prints the
-chain of formulas that leads to one value, back to the inputs."""
+"""`contralbero check`: solve a design and print its verdicts, main values and findings, or all that it gives."""
 
 import sys
 from argparse import Namespace
 from collections.abc import Iterable, Sequence
 from contextlib import suppress
 from dataclasses import replace
-from typing import Any
 
-from assistant.commands.published import reference_lines
 from assistant.results_text import print_results, results_json
-from calc.design.addresses import address, parse_assignment, value_at
-from calc.design.key_results import outside
+from calc.design.addresses import address, parse_assignment
 from calc.design.limits import SEARCH_SECONDS
 from calc.design.model import STEPS, Design
-from calc.design.toml_file import Document, design, load, read
-from calc.design.toml_file import design as design_of
-from calc.library.publications import resolved
-from calc.sheet.check import named
+from calc.design.toml_file import Document, design, read
 from calc.sheet.errors import BadInput, Cancelled, InputError
-from calc.sheet.number import short
 from calc.sheet.progress import at_most
 from calc.sheet.step import Outcome
 from calc.sheet.text import Text
-from calc.sheet.value import Line
 from calc.solve import Results, solve
-from calc.studies.explain import Chains, Link, chain, origin, shortened
 
 TRIES = 40  # designs that may be solved for checks that no search is made for: about a second
 
@@ -145,142 +133,3 @@ def exit_code(outcomes: Iterable[Outcome[object]]) -> int:
     """1 where a limit fails, 3 where a step found no solution."""
     verdicts = {outcome.verdict for outcome in outcomes}
     return 3 if "no_solution" in verdicts else 1 if "fail" in verdicts else 0
-
-
-# --- contralbero explain
-
-
-def run_explain(asked: Namespace) -> int:
-    document, design = load(asked.file)
-    return _explain(asked, document, design)
-
-
-def _scenario(asked: Namespace, document: Document, design: Design) -> int:
-    """A scenario is the design with its keys set: that one is explained."""
-    from calc.friction.studies.scenarios import as_design
-
-    friction = design.friction
-    assert friction is not None
-    scenario = next(s for s in friction.scenarios if asked.value.startswith(f"friction.scenarios.{s.name}."))
-    name, rest = scenario.name, asked.value.removeprefix(f"friction.scenarios.{scenario.name}.")
-    changes = as_design(friction, scenario, design.bearings is not None)
-    for key, value in changes.items():
-        document = document.with_value(key, value)
-    if not asked.json:
-        assignments = ", ".join(
-            f"{key} left out" if value is None else f"{key} = {value}" for key, value in changes.items()
-        )
-        print(f"scenario {name}: the design with {assignments or 'nothing changed'}\n")
-    return _explain(Namespace(**{**vars(asked), "value": f"friction.{rest}"}), document, design_of(document))
-
-
-def _explain(asked: Namespace, document: Document, design: Design) -> int:
-    results = solve(design, traced=True)
-    values = results.values()
-    if asked.value not in values and (given := _given(document.data, asked.value)) is not None:
-        print(f"{asked.value} = {given}   an input of the design file")
-        return 0
-    if asked.value not in values:
-        from difflib import get_close_matches
-
-        for check in results.checks():
-            if check.id == asked.value:
-                chains = Chains(results)
-                head = (
-                    f"{check.id}: {check.name}, {short(check.value)} {check.unit}".rstrip()
-                    + f", needs {check.limit_text()}."
-                )
-                if (judged := chains.behind(check)) is not None:
-                    if not asked.json:
-                        print(f"{head} Its value:\n")
-                    return _explain(Namespace(**{**vars(asked), "value": judged}), document, design)
-                lines, taken = chains.of_check(check)
-                return _print_chain(
-                    asked, design, f"{head} {check.source}", lines, ", ".join(taken), ", ".join(check.moved_by)
-                )
-        step = results.outcomes.get(asked.value.partition(".")[0])
-        if step is not None and step.state != "solved":
-            state = step.state.replace("not_asked", "not used").replace("_", " ")
-            why = step.reason or Text("the design does not use it")
-            reason = Text("its step has no values: {state}: {why}", state=state, why=why)
-            raise BadInput(document.place, [InputError(0, asked.value, "", reason)])
-        near = get_close_matches(asked.value, list(values), 3, 0.4)
-        hint = (
-            Text("did you mean {ids}?", ids=", ".join(near))
-            if near
-            else Text("`contralbero check FILE --all` lists the values")
-        )
-        raise BadInput(
-            document.place, [InputError(0, asked.value, "", Text("is not a value of this design; {hint}", hint=hint))]
-        )
-    if asked.value.startswith("friction.scenarios."):
-        return _scenario(asked, document, design)
-    value = values[asked.value]
-    head = f"{value.id} = {short(value.shown, 6)} {value.unit}   {value.label}{_beyond(results, value.id)}"
-    return _print_chain(asked, design, head, chain(results, asked.value), origin(results, asked.value))
-
-
-def _beyond(results: Results, id: str) -> str:
-    """What puts the checks on a value, that hold, outside the validity of its formula; a line of its own."""
-    checks = results.outcomes[id.partition(".")[0]].checks
-    judged_by = [check for check in checks if check.value_id == id and check.verdict == "pass"]
-    methods = list(dict.fromkeys(method for check in judged_by for method in outside(check, checks)))
-    return f"\nIts check holds by a formula outside its validity: {named(methods)}" if methods else ""
-
-
-def _print_chain(
-    asked: Namespace, design: Design, head: str, lines: list[Link], taken: str | None, moved: str = ""
-) -> int:
-    """`taken`: the inputs of a number that no line gave; `moved`: those that move it."""
-    from calc.sheet.expression import line_json, line_text
-
-    if asked.json:
-        import json
-
-        print(
-            json.dumps(
-                [line_json(link.line) | {"inputs": list(link.inputs)} | _provenance(link.line) for link in lines],
-                ensure_ascii=False,
-                indent=1,
-            )
-        )
-        return 0
-    print(f"{head}\n")
-    for link in lines:
-        formula, numbers, source = line_text(link.line)
-        print(f"{formula}\n    {numbers}\n    {source}" + (f"   [{link.line.about}]" if link.line.about else ""))
-        for key in shortened(link.inputs, design):
-            print(f"    ← {key}")
-    for n, line in enumerate(reference_lines(link.line.formula.source for link in lines)):
-        print(line if n else f"\nSources\n{line}")
-    if not lines:
-        other = f"moved by the inputs: {moved}" if moved else "no recorded formula returns this number itself"
-        print(f"taken from the inputs: {taken}" if taken else other)
-    return 0
-
-
-def _provenance(line: Line) -> dict[str, Any]:
-    """What stands behind the source of a line: its kind, or the publications that it names, and how we know them."""
-    origin = resolved(line.formula.source)
-    return {
-        "kind": origin.kind,
-        "publications": [
-            {
-                "name": c.name,
-                "title": c.publication.title,
-                "edition": c.publication.edition,
-                "status": c.publication.status,
-                "known": str(c.known),
-                "places": list(c.places),
-            }
-            for c in origin.citations
-        ],
-    }
-
-
-def _given(data: dict[str, Any], key: str) -> Any:
-    """What the design file says under a key, None where it is no key or is left out."""
-    try:
-        return value_at(data, key)
-    except BadInput:
-        return None

@@ -22,7 +22,7 @@ from calc.sheet.text import COMMA, Amount, Text
 from calc.sheet.version import VERSION
 from calc.sheet.visible import visible
 from calc.solve import Results, solve
-from reports.report import draughtsman
+from reports.figures.draughtsman import draughtsman
 from reports.verify.verify import Verdict, verify
 
 ENDINGS = ("pdf", "docx")

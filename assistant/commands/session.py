@@ -65,9 +65,8 @@ def run_session(asked: Namespace) -> int:
     if path is not None and (path.exists() or not path.parent.is_dir()):
         read(path)  # a file that can not be read is an error here, not an empty screen
     served = "TEXTUAL_DRIVER" in os.environ  # in a browser: the terminal is at the other end of the pipes
-    if not served and not all(
-        stream is not None and stream.isatty() for stream in (sys.stdin, sys.stdout)
-    ):  # one may be closed
+    # one may be closed
+    if not served and not all(stream is not None and stream.isatty() for stream in (sys.stdin, sys.stdout)):
         _refuse(path)
         return 2
     from assistant.app import run as open_session

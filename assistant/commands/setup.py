@@ -15,6 +15,8 @@ from calc.sheet.errors import BadInput, InputError
 from calc.sheet.text import Text
 from calc.studies.shipped import engine_design, engines
 
+# --- contralbero completion SHELL
+
 
 def run_completion(asked: Namespace) -> int:
     try:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The curves and tables of a step: figures as pixels, the list of all of them, and the actions in their pane."""
+"""The list of all curves and tables of a step, and a figure as pixels, on a terminal that shows them."""
 
 import base64
 import sys

@@ -6,9 +6,9 @@ Its entries, where they lead, and the dialog."""
 from collections.abc import Awaitable, Callable, Iterator
 from dataclasses import dataclass
 from functools import partial
+from inspect import isawaitable
 from typing import ClassVar
 
-from textual._callback import invoke
 from textual.app import ComposeResult
 from textual.binding import Binding, BindingType
 from textual.containers import Vertical
@@ -341,7 +341,9 @@ class Palette(ModalScreen[None]):
         async def run() -> None:
             try:
                 if entry is not None:
-                    await invoke(entry.does)
+                    result = entry.does()
+                    if isawaitable(result):
+                        await result
             finally:
                 app.call_after_refresh(app.call_after_refresh, app.release)  # the focus is where it leads
 

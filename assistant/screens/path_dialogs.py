@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The dialogs that ask for a path: to compare with, to save, to export, to open, to begin a design.
 
-Each has a place to type, the designs of the folder, and a line that says what is wrong."""
+Where a path is typed, the designs of the folder stand below, and a line says what is wrong."""
 
 from pathlib import Path
 from typing import ClassVar, TypeVar

@@ -6,8 +6,9 @@ are seen), `workbench_results` (solving in the background, and what is shown of 
 reading, explaining), `workbench_edits` (changing the design, searching, files), and this one, where keys and messages
 come in.  A key runs the method `action_NAME` that `assistant/actions.py` names."""
 
+from inspect import isawaitable
+
 from textual import events, on
-from textual._callback import invoke
 from textual.widget import Widget
 
 from calc.design.model import STEPS
@@ -63,7 +64,9 @@ class Workbench(WorkbenchEdits):
     async def action_act(self, id: str) -> None:
         """Run an action of the table.  Keys that wait for it go where it has led."""
         name, *arguments = BY_ID[id].call or (id,)
-        await invoke(getattr(self, f"action_{name}"), *arguments)
+        result = getattr(self, f"action_{name}")(*arguments)
+        if isawaitable(result):
+            await result
         self.app.screen.call_after_refresh(self.app.release)
 
     def check_action(self, action: str, parameters: tuple[object, ...]) -> bool | None:

@@ -332,9 +332,8 @@ class WorkbenchMoves(WorkbenchResults):
                 return {}
             index = page.sheet.line_of.get(check.id) if page is not None else None
             return {"check": check} | ({"line": lines[index]} if index is not None else {})
-        if (
-            isinstance(focused, Calculation) and page is not None
-        ):  # else those are lines of older results, as they are without a row to see
+        # else those are lines of older results, as they are without a row to see
+        if isinstance(focused, Calculation) and page is not None:
             numbers = [entry.number for entry in page.sheet.entries]
             return {"line": lines[numbers.index(focused.key)]} if focused.key in numbers else {}
         if isinstance(focused, TableList) and focused.table is not None and focused.table.id == VALUES:

@@ -29,9 +29,10 @@ from ..base_app import BaseApp
 from ..session.session import Session
 from ..widgets.calculation import Calculation
 from ..widgets.checks import Checks
-from ..widgets.curve_pane import CurvePane, Pane
+from ..widgets.curve_pane import CurvePane
 from ..widgets.form import Form
 from ..widgets.lines import FooterLine, MessageLine, TopLine
+from ..widgets.pane import Pane
 from ..widgets.picture import Picture
 from ..widgets.rows import FieldHelp
 from ..widgets.steps import StepBar, Steps

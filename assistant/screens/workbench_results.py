@@ -29,11 +29,11 @@ from ..session.session import Session
 from ..session.solving import Answer, Job, run
 from ..widgets.calculation import Calculation
 from ..widgets.checks import Checks
-from ..widgets.curve_pane import Pane
 from ..widgets.field import Field
 from ..widgets.form import Form, Taken
 from ..widgets.headings import ArrayHeading, Fold, TableHeading
 from ..widgets.lines import FooterLine, MessageLine, TopLine
+from ..widgets.pane import Pane
 from ..widgets.picture import Picture
 from ..widgets.radio import Radio
 from ..widgets.rows import FieldHelp
@@ -190,15 +190,22 @@ class WorkbenchResults(WorkbenchPanes):
     # --- the calculation, written out
     def write_out(self) -> None:
         """Show the calculation of the step: at once where it is written already, else as soon as another thread has
-        written it."""
+        written it.
+
+        One that is not on the screen is written once nobody types: what is there is painted first."""
         results = self.session.results
         if results is None:
             return
         if self._is_written(results, self.step):
             self.show_written()
             self._go_ahead()
+            return
+        write = partial(self.in_thread, "page", partial(self._write_page, results, self.step))
+        if {"calculation", "curve"}.isdisjoint(self.shown_panes):
+            self.when_quiet("page", write)
         else:
-            self.after_paint(partial(self.in_thread, "page", partial(self._write_page, results, self.step)))
+            self._stop_waiting("page")
+            self.after_paint(write)
 
     def _write_page(self, results: "Results", step: Step) -> None:
         """Runs in another thread."""

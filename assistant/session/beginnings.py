@@ -23,8 +23,8 @@ RECENT = 4  # designs that are listed beside the last one
 
 @dataclass(frozen=True)
 class Beginning:
-    """One way to begin.  `id`: of an engine, or a path.  `about` and `size` stand beside the title, `state` of a design
-    with them."""
+    """One way to begin.  `id`: of an engine, or a path.  `about` and `size` stand beside the title, `edited` of a
+    design that has unsaved edits."""
 
     kind: Literal["file", "engine", "open", "example"]
     id: str

@@ -115,6 +115,8 @@ def values_table(outcome: Outcome[object], say: Language) -> Table:
 
 
 # --- how far the inputs move a check, and what an input moves
+
+
 def slopes_of_check(data: "DesignTable", check: Check, effects: "tuple[Effect, ...]") -> Text:
     """`clearance −0.32 µm per µm; length +0.45 µm per mm`: the inputs that move a check most, over what they are."""
     known = [effect for effect in effects if effect.gain]

@@ -75,10 +75,9 @@ def present(state: Path, path: Path) -> set[str]:
     return sessions
 
 
-FOLDER = "contralbero"
-
-
 # --- what is remembered
+
+FOLDER = "contralbero"
 
 RECENT = 10  # designs that are offered to be opened again
 KEPT = 8  # sessions on one file whose unsaved edits are kept; older ones go

@@ -361,9 +361,8 @@ class Session(Editing):
             state, data = self._state, self._valid
             typed = not_accepted(data, state)
             if data == self.saved and not typed and not self._unwritten:
-                if (
-                    self._kept is not None or self._taken is not None
-                ):  # those of an earlier session, all of them taken back
+                # those of an earlier session, all of them taken back
+                if self._kept is not None or self._taken is not None:
                     self._drop()
                     self.autosaved = None
                 return

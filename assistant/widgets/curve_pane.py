@@ -11,10 +11,8 @@ from typing import TYPE_CHECKING, Any, ClassVar
 from textual import events
 from textual.app import ComposeResult
 from textual.binding import Binding, BindingType
-from textual.containers import Vertical
 from textual.content import Content
 from textual.message import Message
-from textual.widget import Widget
 from textual.widgets import Static
 
 from calc.sheet.step import Curve, Table
@@ -23,6 +21,7 @@ from calc.sheet.text import COMMA, Amount, Text
 from ..base_app import BaseApp
 from .curve_view import TURN, Cursor, Sight, stand_below
 from .item_list import ItemList
+from .pane import Pane
 from .table_list import TableList
 from .text import fit
 
@@ -182,66 +181,6 @@ def _flow(groups: list[list[Content]], width: int) -> list[Content]:
             row = Content.assemble(row, GAP, part) if row.cell_length else part
         rows += [row] if row.cell_length else []
     return rows
-
-
-# --- a part of the screen with a title
-# The title says whether it has the focus.
-
-
-class Pane(Vertical):
-    """`target` takes the focus for the pane."""
-
-    app: BaseApp
-
-    def __init__(self, title: str, *children: Widget, id: str) -> None:
-        self.title = Static(id=f"{id}-title", classes="pane-title")
-        super().__init__(self.title, *children, id=id, classes="pane")
-        self.name_of = title
-        self.right = ""
-        self.views = Content("")
-        self.here = False
-        self._shown = ""
-
-    def mark(self, here: bool) -> None:
-        """Say by the title whether this pane has the focus: bold, with a sign before it.  `set_title` draws it."""
-        self.here = here
-        self.title.set_class(here, "-here")
-
-    @property
-    def target(self) -> Widget:
-        return next((child for child in self.walk_children(Widget) if child.focusable), self)
-
-    def set_title(self, title: str | None = None, right: str | None = None, views: Content | None = None) -> None:
-        """The title, what is to be said beside it, and, where one pane stands for all, the names of the others."""
-        self.name_of = self.app.say(title) if title is not None else self.name_of
-        self.right = right if right is not None else self.right
-        self.views = views if views is not None else self.views
-        width = (self.title.size.width or self.size.width) - 2
-        if width < 4:
-            return
-        room = width - (self.views.cell_length + 2 if self.views.plain else 0)
-        parts = self.right.split(" · ") if self.right else []
-        name = fit(self.name_of, max(8, room - (len(parts[0]) + 3 if parts else 0)))
-        beside = ""
-        for part in parts:
-            if len(name) + len(beside) + len(part) + 3 <= room:
-                beside += f" · {part}"
-        if self.views.plain:
-            end = self.views
-        else:
-            beside, end = "", Content.styled(beside.removeprefix(" · "), "not bold")
-        gap = max(1, width - len(name) - len(beside) - end.cell_length)
-        mark = self.app.signs.mark("cursor") if self.here else " "
-        heading = Content.assemble(mark, name, (beside, "not bold"), (" " * gap, "not underline"), end)
-        if heading.markup != self._shown:
-            self._shown = heading.markup
-            self.title.update(heading, layout=False)
-
-    def on_mount(self) -> None:
-        self.name_of = self.app.say(self.name_of)
-
-    def on_resize(self) -> None:
-        self.set_title()
 
 
 # --- the pane of curves and tables

@@ -55,6 +55,8 @@ class Sight:
         return bool(self.chains)
 
 
+# --- where the ticks of an axis stand
+
 AXIS = 14  # cells that the numbers of the upright axis may take, with the frame
 DEGREES = (1, 2, 5, 10, 15, 30, 45, 60, 90, 180, 360)  # steps of an axis of angles
 

@@ -352,9 +352,8 @@ class Form(VerticalScroll, can_focus=True, inherit_bindings=False):
                 try:
                     with self.app.batch_update():
                         await self._put_in_order()
-                except (
-                    asyncio.CancelledError
-                ):  # a part went while it was awaited: once more, unless all of the form goes
+                except asyncio.CancelledError:
+                    # a part went while it was awaited: once more, unless all of the form goes
                     cut += 1
                     if cut > 1 or not self.is_attached:
                         raise

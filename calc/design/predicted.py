@@ -56,9 +56,8 @@ class Predicted:
         if speed not in self._solved:
             other = at_speed(self._design, speed, self._values)
             self._solved[speed] = other, self._at(other)
-        if (
-            row.value in self._values and row.value not in self._solved[speed][1]
-        ):  # no film, or a share of the rated power
+        # no film, or a share of the rated power
+        if row.value in self._values and row.value not in self._solved[speed][1]:
             return None, NOT_THERE
         return _predicted(row, *self._solved[speed])
 

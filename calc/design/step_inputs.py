@@ -2,6 +2,8 @@
 """What one step hands to another: numbers that stand in one table of a design, or in one result, and are needed in the
 next."""
 
+from collections.abc import Callable
+from dataclasses import replace
 from math import hypot
 from typing import TYPE_CHECKING
 
@@ -21,13 +23,16 @@ from ..gears.rating.load import Irregularity, Power, Surroundings, Swing, firing
 from ..gears.result import TrainResult
 from ..gears.solve import NOT_RATED
 from ..library.lubricant import Lubricant
+from ..sheet.errors import NoSolution
 from ..sheet.step import Outcome
 from ..sheet.text import Text
 from ..sheet.value import based_on
 from .model import STEPS, Design
 
 if TYPE_CHECKING:
+    from ..bearings.selection.variants import SelectionCase
     from ..mounting.wrenches import ShaftOnEngine
+    from ..solve import Results
 
 NORMAL_95 = 1.96  # standard deviations on either side of the mean, within which 95 % lie
 
@@ -285,3 +290,35 @@ def _free_turn(train: TrainResult | None) -> float | None:
         return None
     by_chance = train.train_play.phase_error_95 if train.train_play is not None else None
     return train.phase_error if by_chance is None else by_chance
+
+
+def bearings_case(design: Design, solve: Callable[..., "Results"], results: "Results | None" = None) -> "SelectionCase":
+    """A design put as the question that the search for bearings answers.
+
+    `solve`: that of the program.  `results`: of the design, where it is solved already.  Raises NoSolution where it has
+    no bearings."""
+    from ..bearings.selection.variants import SelectionCase  # of a search, which a solve does not load
+
+    if design.bearings is None:
+        raise NoSolution(
+            Text("there are no bearings to choose"), Text("the design has no [bearings]"), Text("give the table")
+        )
+    done = results if results is not None else solve(design)
+    gear = shaft_gear(design, done.result(TrainResult))
+
+    def with_bearings(bearings: BearingsInputs, *, last: bool = False) -> "Results":
+        return solve(
+            replace(design, bearings=bearings),
+            done,
+            enough=(lambda outcome: outcome.key == "bearings") if last else None,
+        )
+
+    return SelectionCase(
+        design.bearings,
+        design.countershaft,
+        design.oils,
+        tuple(oil.name for oil in design.oil),
+        gear.tip_diameter if gear else None,
+        done,
+        with_bearings,
+    )

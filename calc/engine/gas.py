@@ -195,9 +195,8 @@ def _doubled(gas: GasInputs, length: float) -> Iterator[tuple[str, Text]]:
     order = sorted((point.angle % length, i) for i, point in enumerate(gas.pressure))
     pressure = [point.pressure for point in gas.pressure]
     for (here, this_point), (there, other) in zip(order, [*order[1:], *((a + length, i) for a, i in order[:1])]):
-        if (
-            there - here < SAME_ANGLE and this_point != other and pressure[this_point] != pressure[other]
-        ):  # a closed cycle ends as it began
+        # a closed cycle ends as it began
+        if there - here < SAME_ANGLE and this_point != other and pressure[this_point] != pressure[other]:
             first, second = sorted((this_point, other))
             yield (
                 f"pressure.{second}.angle_deg",

@@ -307,9 +307,8 @@ def _of_source(id: str, friction: FrictionInputs, mesh: MeshResult) -> Iterator[
         )
     try:
         elliptical = solve_mesh(c, P, False, ELLIPTICAL)
-    except (
-        NoSolution
-    ):  # the thinner film of the source can get too hot where the right one does not: then it has no value
+    except NoSolution:
+        # the thinner film of the source can get too hot where the right one does not: then it has no value
         elliptical = None
     if elliptical is not None:
         yield Erratum(

@@ -7,7 +7,7 @@ from functools import cached_property
 from ..sheet.quantity import Stated, group, result, value
 from ..sheet.record import record
 from ..sheet.units import Kilogram, Metre, NewtonMetre, Number, Radian, RevPerSecond
-from .backlash.result import PlayResult, TrainPlay
+from .backlash.formulas import PlayResult, TrainPlay
 from .layout.result import ForcesResult, LayoutResult
 from .measures.result import MeasuresResult, Seat
 from .rating.result import MeshRating

@@ -130,9 +130,8 @@ def aligned(title: str, rows: Iterator[tuple[str, str, str]]) -> str:
 def _rows(label: str, content: object, unit: str, indent: str) -> Iterator[tuple[str, str, str]]:
     if content is None or (isinstance(content, tuple | str) and not content):
         return
-    if (about := getattr(content, "about", None)) is not None and hasattr(
-        content, "number"
-    ):  # a result named at run time
+    # a result named at run time
+    if (about := getattr(content, "about", None)) is not None and hasattr(content, "number"):
         yield f"{indent}{about.label}", brief(content.number, UNITS[about.unit].factor), about.unit
     elif isinstance(content, dict) or hasattr(content, "__dataclass_fields__"):
         yield f"{indent}{label}", "", ""

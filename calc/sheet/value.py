@@ -223,9 +223,8 @@ def based_on(x: T, *sources: object) -> T:
     if not recording.get():
         return x
     number = linked(x, joined_links(map(link_of, sources)))
-    if (
-        getattr(number, "parts", None) is not None
-    ):  # an array: element by element, where all that it was made of knows its elements
+    # an array: element by element, where all that it was made of knows its elements
+    if getattr(number, "parts", None) is not None:
         parts = [getattr(source, "parts", ()) for source in sources if link_of(source) is not None]
         if parts and all(len(part) == len(x) for part in parts):  # type: ignore[arg-type]
             number.parts = tuple(map(joined_links, zip(*parts)))  # type: ignore[attr-defined]

@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What a report says, part by part, as blocks that the flow sets on pages."""
+"""What a report says, part by part, as blocks that `typesetting/pagination.py` sets on pages."""

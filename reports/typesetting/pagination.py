@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING
 
-from .boxes import BLACK, FAINT, Box, Colour
+from .boxes import BLACK, Box
 from .fonts import HEIGHT, WIDTH
 from .prose import BODY, HEADING, SECTION, Style
 from .prose import lines as text_lines
@@ -268,7 +268,3 @@ def heading(
 def on_paper_only(blocks: list[Block]) -> list[Block]:
     """What holds for the pages of a PDF and for no other form of the report: page numbers, files inside it."""
     return [replace(block, content=None) for block in blocks]
-
-
-def ruler(gap: float = 4.0, colour: Colour = FAINT) -> Block:
-    return Block(0.5, lambda pen, y: pen.rule(0.0, y, WIDTH, 0.5, colour), gap)

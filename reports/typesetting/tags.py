@@ -2,9 +2,9 @@
 """What the parts of a page are, for whoever reads the document by a machine: headings, paragraphs, lists, tables,
 figures.
 
-A block says what it is by its tag (`flow.Block.tag`); what says nothing is a paragraph.  Blocks with one and the same
-tag, the lines of a paragraph, the rows of a table, are one element of the tree (ISO 32000-1, 14.7), on however many
-pages."""
+A block says what it is by its tag (`pagination.Block.tag`); what says nothing is a paragraph.  Blocks with one and the
+same tag, the lines of a paragraph, the rows of a table, are one element of the tree (ISO 32000-1, 14.7), on however
+many pages."""
 
 from __future__ import annotations
 

@@ -17,7 +17,7 @@ from assistant.screens.workbench import Workbench
 from assistant.session.recovery import Memory
 from assistant.session.session import EXAMPLE, Session
 
-pytest.register_assert_rewrite("tests.assistant.deeds")
+pytest.register_assert_rewrite("tests.assistant.action_tests")
 _wait.SLEEP_GRANULARITY, _wait.SLEEP_IDLE = 0.004, 0.0004  # it looks five times as often whether the program is idle
 
 

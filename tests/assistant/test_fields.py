@@ -54,22 +54,8 @@ async def test_what_is_typed_in_one_burst_is_kept_whole(screen: Screen) -> None:
 async def test_what_is_typed_in_one_burst_goes_to_the_fields_that_it_was_typed_for(screen: Screen, key: str) -> None:
     async with screen() as pilot:
         box = await go_to(pilot, "engine.bore_mm")
-        for name in (
-            "9",
-            "6",
-            key,
-            "1",
-            "0",
-            "8",
-            key,
-            "1",
-            "6",
-            "0",
-            "shift+tab",
-            "1",
-            "1",
-            "0",
-        ):  # the stroke, twice the crank radius
+        # the stroke, twice the crank radius
+        for name in ("9", "6", key, "1", "0", "8", key, "1", "6", "0", "shift+tab", "1", "1", "0"):
             pilot.app.post_message(events.Key(name, name if len(name) == 1 else None))
         await settled(pilot)
         await solved(pilot)

@@ -107,9 +107,8 @@ def spans(pdf: bytes) -> list[Span]:
             else:
                 codes = bytes.fromhex(token["codes"].decode())
                 wide = sum(widths[c] for c in codes) * size / 1000
-                if (
-                    words := "".join(letters[c] for c in codes)
-                ).strip():  # a blank at a line's end parts words, and is not seen
+                # a blank at a line's end parts words, and is not seen
+                if (words := "".join(letters[c] for c in codes)).strip():
                     found.append(Span(number, words, x, matrix[5], x + wide, size, abs(matrix[1]) < 1e-6, hidden))
                 x += wide
     assert found

@@ -249,9 +249,8 @@ def _first(excess: Callable[[Array, IndexArray], Array], thick: IndexArray, hott
         f = excess(np.full(todo.size, rise), thick[todo])
         above[todo], f_above[todo] = np.where(np.isfinite(f), rise, np.nan), f
     below = np.zeros(thick.size)
-    for _ in range(
-        HALVINGS
-    ):  # the balance lies below the probe: look for heat left over between there and where oil is too thick
+    # the balance lies below the probe: look for heat left over between there and where oil is too thick
+    for _ in range(HALVINGS):
         todo = np.flatnonzero(f_above <= 0)
         if not todo.size:
             break

@@ -14,8 +14,7 @@ from ..inputs import GearsInputs, Mesh, Wheel
 from ..result import WheelResult
 from .case import BacklashCase
 from .chance import BY_CHANCE
-from .formulas import GUIDE
-from .result import PlayResult
+from .formulas import GUIDE, PlayResult
 from .temperature import AtState, Expansions
 
 

@@ -14,7 +14,7 @@ from ..inputs import GearsInputs
 from . import formulas as b
 from . import temperature as t
 from .case import BacklashCase
-from .result import PlayResult
+from .formulas import PlayResult
 
 UM = 1e6
 POINTS = 61

@@ -23,7 +23,7 @@ from . import temperature as t
 from .case import BacklashCase, cases, free_turn, way_to
 from .checks import checks, notes
 from .curves import curves, tables
-from .result import PlayResult, TrainPlay
+from .formulas import PlayResult, TrainPlay
 
 WAYS = {
     "nominal": Text("mid-tolerance"),

@@ -13,7 +13,7 @@ from ...bearings.selection.states import BearingTask
 from ...bearings.selection.variants import SUPPLIES, Variant, own_tasks
 from ...countershaft.result import CountershaftResult
 from ...design.model import Design
-from ...design.step_inputs import shaft_gear
+from ...design.step_inputs import bearings_case, shaft_gear
 from ...design.toml_file import Document, design
 from ...gears.result import TrainResult
 from ...library.journal_rules import USUAL_LENGTH_RATIO
@@ -25,7 +25,6 @@ from ...sheet.text import EMPTY, Text
 from ...sheet.units import Kilogram
 from ...sheet.value import untraced
 from ...solve import Results, solve
-from ..bearings_case import bearings_case
 from .combinations import DriveRows, Sizes, class_front, combinations
 from .films import Beside, Films, Stands, films, least_length, lengths
 from .problem import CORE, Problem
@@ -179,7 +178,7 @@ def drive_of(design: Design, results: Results, filleted: bool = True) -> ShaftSu
 def sizes_of(problem: Problem, design: Design, results: Results, drive: ShaftSurroundings) -> Sizes:
     assert design.bearings is not None
     bearings = design.bearings
-    tasks = own_tasks(bearings_case(design, results))
+    tasks = own_tasks(bearings_case(design, solve, results))
     variant = Variant(
         bearings.oil,
         bearings.supply,

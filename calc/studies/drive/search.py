@@ -155,9 +155,8 @@ def _kept(problem: Problem, n: int, parts: Path | None) -> ClassFront | None:
             return ClassFront(
                 rows, int(count), (c, a), wheels, Text("{why}", why=str(file["why"])) if str(file["why"]) else EMPTY
             )
-    except (
-        Exception
-    ):  # a file that was cut off or written over, in any of the ways in which zipfile, zlib and numpy say so
+    except Exception:
+        # a file that was cut off or written over, in any of the ways in which zipfile, zlib and numpy say so
         return None
 
 

@@ -270,9 +270,10 @@ def _words(state: RepairState, key: str) -> Iterator[Changes]:
 def _oils(state: RepairState) -> list[str]:
     """Engine oils other than that of the bearings, the nearest in viscosity first."""
     from ...bearings.selection.variants import variants
-    from ..bearings_case import bearings_case
+    from ...design.step_inputs import bearings_case
+    from ...solve import solve
 
-    current, *others = variants(bearings_case(state.design, state.results))
+    current, *others = variants(bearings_case(state.design, solve, state.results))
     T = state.design.bearings.supply_temperature if state.design.bearings is not None else 0.0
     mu = current.lubricant.at(T).mu
     return [

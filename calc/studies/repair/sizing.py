@@ -14,6 +14,7 @@ from ...countershaft.inputs import CountershaftInputs, EccentricMass
 from ...countershaft.sizing.choices import asked, candidates, changes, choices, envelope
 from ...countershaft.sizing.sectors import ShaftTask, TooSmall, remainder, task
 from ...design.locks import locked
+from ...design.step_inputs import bearings_case
 from ...engine.result import EngineResult
 from ...gears.inputs import Wheel
 from ...gears.rating.classes import DEFAULT, class_names, strength_class
@@ -25,8 +26,7 @@ from ...sheet.remedy import Changes, whole
 from ...sheet.search import least_whole
 from ...sheet.text import Text
 from ...sheet.value import untraced
-from ...solve import Results
-from ..bearings_case import bearings_case
+from ...solve import Results, solve
 from .state import RepairState, broken, first_repaired, repaired
 
 # --- bearings that fail: the nearest ones of the search that `choose` offers
@@ -35,7 +35,7 @@ from .state import RepairState, broken, first_repaired, repaired
 def nearest_bearings(state: RepairState, failing: tuple[Check, ...], progress: Progress | None = None) -> RepairState:
     """Lengths, clearances, oil and supply, and where these do not help surfaces, diameters and fits.  Raises
     NoSolution."""
-    case = bearings_case(state.design, state.results)
+    case = bearings_case(state.design, solve, state.results)
     if locked(state.document.data, "bearings.oil"):
         case = replace(case, oils={case.bearings.oil: case.oils[case.bearings.oil]})
     settled = nearest_row(case, progress)

@@ -21,6 +21,7 @@ from ...countershaft.sizing.lengths import utilisation
 from ...countershaft.sizing.sectors import Sized, size
 from ...design.addresses import Table
 from ...design.model import Design
+from ...design.step_inputs import bearings_case
 from ...design.toml_file import Document, design
 from ...engine.result import EngineResult
 from ...imbalance.result import ImbalanceResult
@@ -34,7 +35,6 @@ from ...sheet.text import SEMICOLON, Amount, Text
 from ...sheet.units import Metre, Newton, NewtonPerMetreSecond, Radian, RadPerSecond, RevPerSecond
 from ...sheet.value import untraced
 from ...solve import Results, solve
-from ..bearings_case import bearings_case
 from .train import HOUSING, passing_seat, tip
 from .writing import Section, changed, down, mm, table, up
 
@@ -248,7 +248,7 @@ def bearings(document: Document, results: Results) -> list[Section]:
             assert own is not None
             only = [Variant(oil, own.supply, Lubricant(own.in_bearings(begun.oils[oil]), own.viscosity_law), fits)]
             try:
-                settled = nearest_row(bearings_case(begun, solve(begun, results)), only=only)
+                settled = nearest_row(bearings_case(begun, solve, solve(begun, results)), only=only)
             except NoSolution as none:
                 tried.append(none.text)
                 break  # a wider journal is no cooler

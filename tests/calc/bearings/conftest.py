@@ -6,14 +6,15 @@ from dataclasses import replace
 import pytest
 
 from calc.bearings.selection.search import search
+from calc.design.step_inputs import bearings_case
 from calc.design.toml_file import design
-from calc.studies.bearings_case import bearings_case
+from calc.solve import solve
 
 
 @pytest.fixture(scope="session")
 def tight(gamma, gamma_results):
     """The source's design, whose front journal has room for 27.5 mm."""
-    return bearings_case(design(gamma), gamma_results)
+    return bearings_case(design(gamma), solve, gamma_results)
 
 
 @pytest.fixture(scope="session")
@@ -25,7 +26,9 @@ def fitting(tight):
 def source(gamma):
     """The same without an outline, so that no room is known."""
     made = design(gamma)
-    return bearings_case(replace(made, countershaft=replace(made.countershaft, outer_radius=None, core_radius=None)))
+    return bearings_case(
+        replace(made, countershaft=replace(made.countershaft, outer_radius=None, core_radius=None)), solve
+    )
 
 
 @pytest.fixture(scope="session")

@@ -27,9 +27,10 @@ from calc.bearings.selection.tables import (
 )
 from calc.bearings.selection.variants import closer_fits, tasks, tied, variants
 from calc.countershaft.inputs import Section
+from calc.design.step_inputs import bearings_case
 from calc.design.toml_file import design, read
 from calc.sheet.search import least
-from calc.studies.bearings_case import bearings_case
+from calc.solve import solve
 from tests.conftest import DESIGNS
 
 
@@ -40,7 +41,7 @@ def nearest_passing(case):
 
 @pytest.fixture(scope="module")
 def sized():
-    return bearings_case(design(read(DESIGNS / "r753ie4_sized.toml")))
+    return bearings_case(design(read(DESIGNS / "r753ie4_sized.toml")), solve)
 
 
 def task_of(source, place="front"):
@@ -208,7 +209,7 @@ def test_what_ties_the_diameters(tight, source, sized):
     assert "sectors" in tied(tight, "rear") and "gear" in tied(tight, "front")
     assert "not known" in tied(source, "rear")
     assert "sectors" in tied(sized, "rear")
-    beta = bearings_case(design(read(DESIGNS / "r753ie4_beta.toml")))
+    beta = bearings_case(design(read(DESIGNS / "r753ie4_beta.toml")), solve)
     assert tied(beta, "rear") == "" and "gear" in tied(beta, "front")
     assert [len(tasks(source)[place]) for place in ("front", "rear")] == [1, 1]
 
@@ -375,7 +376,7 @@ def test_bearings_that_stand_alone_have_free_diameters(source, gamma, gamma_resu
         friction=None,
         bearings=replace(own, speed=2600 / 60, journal_material="20CrNi4", front=front, rear=rear),
     )
-    some = tasks(bearings_case(alone))
+    some = tasks(bearings_case(alone, solve))
     assert [round(t.seat.bearing.diameter * 1e3, 6) for t in some["front"]] == [59.5, 50.5, 68.5, 77.5, 86.5]
     limits = [t.rules["film_double_load"].check.limit for t in some["front"]]
     assert limits == pytest.approx([5.08 + 0.04 * d for d in (59.5, 50.5, 68.5, 77.5, 86.5)])

@@ -216,9 +216,8 @@ def test_the_split_pin_of_bank_1_lags(name, split):
 def test_dimensions_and_masses_are_plausible(name):
     engine = solved(name)[0].engine
     assert 0.22 <= engine.crank_radius / engine.rod_length <= 0.33
-    if (
-        name != "boxer-2"
-    ):  # one cylinder on either side: no neighbour; in the others the throws alternate between the sides
+    # one cylinder on either side: no neighbour; in the others the throws alternate between the sides
+    if name != "boxer-2":
         assert 1.05 < engine.cylinder_pitch * (2 if engine.layout == "boxer" else 1) / engine.bore < 1.5
     assert 400 < engine.piston_mass / engine.bore**3 < 1600  # kg/m³: light petrol piston to heavy Diesel
     assert 0.7 < engine.rod_mass / engine.piston_mass < 1.5

@@ -235,9 +235,10 @@ def test_what_can_not_be_varied_is_said_with_its_key(sized, said, key):
 def test_the_film_that_surfaces_ask_for(few):
     """Smoother surfaces ask for less film, which is why they are worth a price."""
     from calc.bearings.selection.variants import own_tasks
-    from calc.studies.bearings_case import bearings_case
+    from calc.design.step_inputs import bearings_case
+    from calc.solve import solve
 
-    task = own_tasks(bearings_case(few.base))["front"]
+    task = own_tasks(bearings_case(few.base, solve))["front"]
     assert asked_film(task, (0.4e-6, 0.4e-6)) < asked_film(task, (0.4e-6, 0.6e-6)) < asked_film(task, (0.6e-6, 0.6e-6))
 
 

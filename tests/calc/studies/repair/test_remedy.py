@@ -8,10 +8,10 @@ import pytest
 
 from calc.bearings.selection.search import bearing_changes, nearest_row, search
 from calc.design.addresses import parse_assignment
+from calc.design.step_inputs import bearings_case
 from calc.design.toml_file import Document, design, read
 from calc.sheet.errors import Cancelled
 from calc.solve import Results, solve
-from calc.studies.bearings_case import bearings_case
 from calc.studies.repair.nearest import nearest, remedy
 from tests.conftest import DESIGNS
 
@@ -110,7 +110,7 @@ def test_one_step_alone(gamma: Document, gamma_results: Results) -> None:
 
 
 def test_the_nearest_bearings_are_the_first_row_of_the_search(gamma: Document, gamma_results: Results) -> None:
-    case = bearings_case(design(gamma), gamma_results)
+    case = bearings_case(design(gamma), solve, gamma_results)
     assert bearing_changes(nearest_row(case).row, case.bearings) == bearing_changes(search(case).rows[0], case.bearings)
 
 
