@@ -5,7 +5,7 @@ next."""
 from collections.abc import Callable
 from dataclasses import replace
 from math import hypot
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from ..bearings.inputs import BearingsInputs
 from ..bearings.result import BearingsResult
@@ -32,7 +32,6 @@ from .model import STEPS, Design
 if TYPE_CHECKING:
     from ..bearings.selection.variants import SelectionCase
     from ..mounting.wrenches import ShaftOnEngine
-    from ..solve import Results
 
 NORMAL_95 = 1.96  # standard deviations on either side of the mean, within which 95 % lie
 
@@ -292,11 +291,11 @@ def _free_turn(train: TrainResult | None) -> float | None:
     return train.phase_error if by_chance is None else by_chance
 
 
-def bearings_case(design: Design, solve: Callable[..., "Results"], results: "Results | None" = None) -> "SelectionCase":
+def bearings_case(design: Design, solve: Callable[..., Any], results: Any = None) -> "SelectionCase":
     """A design put as the question that the search for bearings answers.
 
-    `solve`: that of the program.  `results`: of the design, where it is solved already.  Raises NoSolution where it has
-    no bearings."""
+    `solve`: that of the program, which stands above this room.  `results`: of the design, where it is solved already.
+    Raises NoSolution where it has no bearings."""
     from ..bearings.selection.variants import SelectionCase  # of a search, which a solve does not load
 
     if design.bearings is None:
@@ -306,7 +305,7 @@ def bearings_case(design: Design, solve: Callable[..., "Results"], results: "Res
     done = results if results is not None else solve(design)
     gear = shaft_gear(design, done.result(TrainResult))
 
-    def with_bearings(bearings: BearingsInputs, *, last: bool = False) -> "Results":
+    def with_bearings(bearings: BearingsInputs, *, last: bool = False) -> Any:
         return solve(
             replace(design, bearings=bearings),
             done,

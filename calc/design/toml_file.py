@@ -2,7 +2,7 @@
 """Design ⇄ TOML: a `Document` is a design as its file has it; `design()` checks it whole and turns it into SI.
 
 Every edit, from the command line, a replay or the form, makes a new Document and is checked by this same one path.  In
-order: the look over the text, the document, reading, checking."""
+order: the document, reading, checking."""
 
 import math
 import re

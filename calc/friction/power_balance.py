@@ -7,7 +7,7 @@ The counter-shaft needs the power of its bearings; each mesh towards the crank a
 takes in. A design without counter-shaft gives the power that the first driver puts into its mesh, and the balance runs
 the other way.
 
-`Drive` is the train at its speed with its oil, one operating point or many at once; `closed` finds the powers,
+`TrainDrive` is the train at its speed with its oil, one operating point or many at once; `loads_of` finds the powers,
 `balance` traces them."""
 
 from collections.abc import Callable, Mapping, Sequence

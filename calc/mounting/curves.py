@@ -5,7 +5,7 @@ Orders with and without the shaft."""
 
 import numpy as np
 
-from ..sheet.arrays import Array, ComplexArray
+from ..sheet.arrays import Array
 from ..sheet.record import record
 from ..sheet.step import Curve, Series, Table, axis_label
 from ..sheet.text import Amount, Name, Text
@@ -236,19 +236,6 @@ def mode_pictures(mounting: MountingInputs, result: MountingResult) -> tuple[Mod
     return tuple(pictures)
 
 
-def operating_shape(mounting: MountingInputs, result: MountingResult, operation: str, variant: str) -> ComplexArray:
-    """How the corners of the box move at an operation, order by order (corners, 3, orders), peaks in m."""
-    i, v = list(result.speeds).index(operation), result.drive.variants.index(variant)
-    from .body import displacement
-    from .system import respond
-
-    s, arms = result.system, box(mounting) - np.asarray(mounting.centre_of_gravity)
-    r = respond(s, 2 * np.pi * result.levels.frequency[i], np.asarray(result.levels.wrench)[i, :, v : v + 1])
-    rows = np.stack([displacement(arm) for arm in arms])
-    shape: ComplexArray = np.einsum("pac,oc->pao", rows, np.asarray(r.q)[:, 0, :6])
-    return shape
-
-
 def box(mounting: MountingInputs) -> Array:
     """Eight corners about the engine."""
     places = [mount.position for mount in mounting.mounts] + [
@@ -264,24 +251,3 @@ def box(mounting: MountingInputs) -> Array:
 def _moves(arms: Array, shape: Array) -> Array:
     moves: Array = shape[:3] + np.cross(shape[3:], arms)
     return moves
-
-
-@record
-class SpeedMap:
-    """The weighted level of a seat over speed and order (speeds, orders), and where modes cross: speed, order, mode."""
-
-    speeds: Array  # rpm
-    orders: Array
-    levels: Array
-    crossings: tuple[tuple[float, float, str], ...]
-
-
-def speed_map(result: MountingResult, seat: str, variant: str) -> SpeedMap:
-    """`variant`: half or shaft."""
-    c = result.courses[seat]
-    crossings = tuple(
-        (crossing["speed"].number * 60, float(order.removeprefix("order_").replace("_", ".")), dof)
-        for dof, orders in result.critical.items()
-        for order, crossing in orders.items()
-    )
-    return SpeedMap(c.speeds * 60, c.orders, c.by_order[variant], crossings)

@@ -22,7 +22,6 @@ from .wrenches import EngineWrenches
 
 CIRCLE = 720  # points over the cycle, for the largest deflection
 NONE_BELOW = 1e-9  # of the largest order: there is no such order
-AXES = ("x", "y", "z")
 
 
 RMS = "mathematics: root mean square of the orders"

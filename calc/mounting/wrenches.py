@@ -17,7 +17,7 @@ from ..engine.cycle import Cycle, MixedCycle
 from ..engine.gas import GasInputs
 from ..engine.inputs import EngineInputs
 from ..engine.result import EngineResult
-from ..engine.throw import prepare
+from ..engine.torque import prepare
 from ..imbalance.result import ImbalanceResult
 from ..sheet.arrays import Array, ComplexArray, IndexArray, distinct, each, many, phasors
 from ..sheet.record import record

@@ -246,7 +246,7 @@ class Check:
     """`value` and `limit` stand in the shown unit.  `sense` is ">=", ">", "<=", "<" or "in" (limit is then (low,
     high)).
 
-    `kind`, as CONTRACT 3b has them: a "limit" that is passed over is a fail, and one that holds by less than 5 % a
+    `kind`: a "limit" that is passed over is a fail, and one that holds by less than 5 % a
     warning; a "caution" that is passed over is a warning; "advice" and "method" (about the calculation, not the part)
     are notes. `cause`: the id of the check, or of the group, that it is shown under.  `value_id`, `limit_id`: the value
     that is judged, and the one that it is held against.  `moved_by`: keys of the inputs that move it most, in the order

@@ -36,7 +36,7 @@ DUST = 1e-9  # of the limit: a margin that is negative by rounding only
 def multiples(step: float, low: float, high: float, extra: Iterable[float] = ()) -> Array:
     """Whole multiples of a step from `low` to `high`, in order; shape (n,).
 
-    `own` numbers stand in the place of a multiple that they equal but for rounding, else between them.
+    `extra` numbers stand in the place of a multiple that they equal but for rounding, else between them.
     """
     steps: Array = np.multiply(np.arange(math.ceil(low / step - 1e-6), math.floor(high / step + 1e-6) + 1), step)
     given = list(extra)

@@ -10,8 +10,8 @@ import pytest
 
 from calc.locale import language
 from calc.sheet.step import Curve, Series
+from reports.figures.draughtsman import draughtsman
 from reports.figures.plots import ALONE, Job, Plots, plot
-from reports.report import draughtsman
 from reports.typesetting.pen import Recording
 from tests.reports.reading import ROOT
 
@@ -41,7 +41,5 @@ def test_a_figure_is_the_same_whoever_draws_it(lang: str) -> None:
 
 
 def test_who_draws_is_there_before_anything_is_loaded() -> None:
-    code = (
-        "import sys, reports.report; assert not {'numpy', 'matplotlib', 'reportlab', 'calc.solve'} & set(sys.modules)"
-    )
+    code = "import sys, reports.figures.draughtsman; assert not {'numpy', 'matplotlib', 'reportlab', 'calc.solve'} & set(sys.modules)"
     subprocess.run([sys.executable, "-c", code], cwd=ROOT, check=True)

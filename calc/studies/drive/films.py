@@ -101,7 +101,7 @@ def over_speeds(
 
 
 def over_a_turn(task: BearingTask, length: Array, g: Array, stands: Stands) -> Array:
-    """The film over the orbit, as bearings/stationary_load has it; where that is not known, under the largest load of
+    """The film over the orbit, as bearings/loads.py has it; where that is not known, under the largest load of
     the turn."""
     few, between = over_lengths(length)
     seat, load = _sized(task.seat, few[None, :], g[:, None]), task.duty.load

@@ -236,7 +236,7 @@ def shafts(drive: ShaftSurroundings, core: Array, l_f: Array, l_r: Array, seat: 
 
 
 def _drilled(holes: Holes, R: Metre, r: Array, length: Array, gamma: Array) -> BoolArray:
-    """Whether the calibration holes end in two sectors, side by side within them (countershaft/making/holes)."""
+    """Whether the calibration holes end in two sectors, side by side within them (countershaft/making/unbalance.py)."""
     row = math.ceil(holes.count / 2) * holes.diameter
     chord = 2 * max(R - holes.depth, 0.0) * np.sin(np.minimum(gamma, math.pi / 2))
     inside: BoolArray = (holes.depth <= R - r + NEAR) & (row <= length) & (holes.diameter <= chord)

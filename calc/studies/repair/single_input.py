@@ -54,7 +54,6 @@ FREE = {
     "friction": r"flank_roughness_um",
     "mounting": r"mounts\..*\.(stiffness_N_mm|position_mm|turned_deg)",
 }
-ADDRESS = re.compile(r"[a-z][a-z_]*(?:\.[A-Za-z0-9_-]+)*")
 
 
 @dataclass(frozen=True)

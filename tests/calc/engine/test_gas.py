@@ -13,7 +13,7 @@ from calc.engine import formulas as f
 from calc.engine.gas import GasInputs, PressurePoint, cycle_problems
 from calc.engine.inputs import EngineInputs
 from calc.engine.solve import values
-from calc.engine.throw import prepare
+from calc.engine.torque import prepare
 from tests.calc.imbalance.test_engines import R753
 
 DEGREE = math.pi / 180

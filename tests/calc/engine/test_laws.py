@@ -17,7 +17,7 @@ from calc.engine.crank import firing
 from calc.engine.gas import GasInputs
 from calc.engine.inputs import EngineInputs
 from calc.engine.solve import values
-from calc.engine.throw import prepare
+from calc.engine.torque import prepare
 from tests.calc.imbalance.engines import R753
 
 TURN = 2 * math.pi

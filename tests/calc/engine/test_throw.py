@@ -11,7 +11,7 @@ from calc.engine import throw, torque
 from calc.engine import throw_strength as t
 from calc.engine.gas import GasInputs
 from calc.engine.inputs import ThrowInputs
-from calc.engine.throw import prepare
+from calc.engine.torque import prepare
 from calc.library.catalogue import materials
 from calc.sheet.quantity import published
 from calc.sheet.value import leaves, link_of, trace

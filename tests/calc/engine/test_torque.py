@@ -14,7 +14,7 @@ from calc.engine.cycle import dead_centre_angle, highest, own_angle, piston_way,
 from calc.engine.gas import GasInputs, PressurePoint
 from calc.engine.inputs import EngineInputs
 from calc.engine.solve import solve, values
-from calc.engine.throw import prepare
+from calc.engine.torque import prepare
 from calc.sheet.quantity import published
 from calc.sheet.value import link_of, trace
 from tests.calc.engine.test_gas import DIESEL, pressure
