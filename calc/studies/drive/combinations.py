@@ -123,7 +123,8 @@ def _of_surface(drive: ShaftSurroundings, sizes: Sizes, surface: int) -> Iterato
 
 
 def _table(sizes: Sizes, films: Films, bending: Array, surface: int, margin: Number) -> Array:
-    """Least power of each length over the steps of the slope; `bending`: what the journal's own bending adds, by length."""
+    """Least power of each length over the steps of the slope; `bending`: what the journal's own bending adds, by
+    length."""
     net = films.bears(sizes.asked(films, surface), margin, sizes.limit) - bending * OWN
     step = np.minimum(np.floor(net / (sizes.limit / STEPS)), STEPS)
     table = np.full((films.length.size, STEPS + 1), np.inf)

@@ -47,8 +47,8 @@ def evolved(
     progress: Callable[[int, int, int], None] | None = None,
     enough: Callable[[], bool] = bool,
 ) -> FrontFound:
-    """The best of some whole solutions, and where none passes what they break.  `progress`: how many are done, of how many,
-    how many pass. `enough`, asked after each of them, ends it.
+    """The best of some whole solutions, and where none passes what they break.  `progress`: how many are done, of how
+    many, how many pass. `enough`, asked after each of them, ends it.
 
     Raises NoSolution where pymoo is not installed, or the shaft is none that is sized.
     """
