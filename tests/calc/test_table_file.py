@@ -25,6 +25,9 @@ CACHES = (
     tolerances._lines,
     classes._rows,
     classes._row,
+    checks._tables,
+    checks.elements,
+    checks.letters,
 )
 Edit = Callable[[str, str, str], tuple[str, int]]
 

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """The routes to the film, side by side: one function each, from an assumed temperature rise to the one that it makes.
 
-The own solution of Reynolds' equation judges; the others are shown beside it on the clearance as given.  `thermal_balance`
-closes the loop.  What is known of a route stands above its function (`@bearing_route`); the table, the notes, the
-spread and what is published read it there, in the order in which the functions stand here."""
+The own solution of Reynolds' equation judges; the others are shown beside it on the clearance as given.
+`thermal_balance` closes the loop.  What is known of a route stands above its function (`@bearing_route`); the table,
+the notes, the spread and what is published read it there, in the order in which the functions stand here."""
 
 from collections.abc import Callable
 

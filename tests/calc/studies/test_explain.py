@@ -42,7 +42,7 @@ def test_a_session_keeps_the_lines_of_one_version_only():
         document = document.with_value("engine.rated_speed_rpm", speed)
         results = solve(design(document), results)
         last = results.traced()
-        assert last.recorded and last is results.traced() and not last._told
+        assert last.recorded and last is results.traced() and not last._with_lines
 
 
 def inputs_of(name, value):
