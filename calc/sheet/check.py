@@ -75,7 +75,6 @@ def rules() -> tuple[CheckRule, ...]:
     return tuple(_rule(line, cells) for line, cells in _tables()[1])
 
 
-@cache
 def _tables() -> tuple[list[tuple[int, list[str]]], list[tuple[int, list[str]]]]:
     """The rows of the two tables of the page, each with its line, without their heads: the letters, and the checks."""
     tables: list[list[tuple[int, list[str]]]] = []

@@ -25,7 +25,6 @@ CACHES = (
     tolerances._lines,
     classes._rows,
     classes._row,
-    checks._tables,
     checks.elements,
     checks.letters,
 )
