@@ -145,7 +145,7 @@ def test_a_check(recipe: Performed) -> None:
     check = recipe("a check", "bearings")
     check.insert(
         "checks.py",
-        '    yield on(\n        "film_double_load",',
+        '    yield bearing_check(\n        "film_double_load",',
         '    yield check(\n        f"bearings.{place}.trial_load", Text("Trial of the load"), r.load, "<=", 1.0, "N",\n'
         '        Text("rule of this program: a trial"), Text("Take a lighter one."),\n    )\n',
     )
