@@ -36,7 +36,7 @@ from .imbalance.result import ImbalanceResult
 from .sheet.check import Check, worst
 from .sheet.deferred import Later, Many
 from .sheet.number import aligned, short
-from .sheet.quantity import Published
+from .sheet.quantity import Published, ValueKey
 from .sheet.record import record
 from .sheet.reuse import Enough, Kept, Parts, seldom_collected
 from .sheet.step import Curve, Outcome, accepted
@@ -87,6 +87,15 @@ class Results:
                 {id: value for outcome in self.outcomes.values() for value in outcome.values() for id in value.ids}
             )
         return self._values
+
+    def values_of(self, field: object) -> list[Published]:
+        """The values of one declared field, `results.values_of(BearingResult.film_edge)`: of each part that has one."""
+        assert isinstance(field, ValueKey), field
+        return [v for id, v in self.values().items() if v.about is field.about and v.id == id]  # not by a former name
+
+    def value(self, field: object) -> Published | None:
+        """The first of them; None where this design has none."""
+        return next(iter(self.values_of(field)), None)
 
     def checks(self) -> Iterator[Check]:
         for outcome in self.outcomes.values():

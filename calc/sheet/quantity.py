@@ -211,13 +211,20 @@ class Key:
 
 @cache
 def keys(inputs: type) -> dict[str, Key]:
-    """The keys of an Inputs class in their order: file key → Key."""
+    """The keys of an Inputs class in their order: file key → Key.  The class itself has each by its attribute:
+    `EngineInputs.bore` is the Key of `bore_mm`, as `EngineInputs(…).bore` is its number."""
     by_key = {}
     for f in fields(inputs):
         if (about := f.metadata.get("quantity")) is not None:
             key = f.name.rstrip("_") + about.units.suffix  # `from_`: the key may be a word of Python
             by_key[key] = Key(key, f.name, about, f)
     return by_key
+
+
+def dotted(*parts: object) -> str:
+    """The dotted key or id of declared fields, with the names of elements between: `dotted("bearings", "front",
+    BearingInputs.length)` is "bearings.front.length_mm"."""
+    return ".".join([part.key if isinstance(part, (Key, ValueKey)) else str(part) for part in parts])
 
 
 def unknown(key: str, known: Collection[str]) -> Text:
@@ -244,6 +251,15 @@ class Described:
 
 
 @record
+class ValueKey:
+    """One field of a class of results: the last part of its address, and its description.  The class has it by its
+    attribute: `EngineResult.stroke`."""
+
+    key: str
+    about: Described
+
+
+@record
 class Stated:
     """One result whose name is known only at run time (`span_6`, `root_stress_idler`): its description and its number,
     in SI."""
@@ -262,6 +278,7 @@ class Published:
     label: Text
     symbol: str
     inside: float
+    about: Described
     former: str = ""
 
     @property
@@ -287,7 +304,11 @@ def group(
 @dataclass_transform(frozen_default=True, kw_only_default=True, eq_default=False, field_specifiers=(value, group))
 def result(cls: type[T]) -> type[T]:
     """A class of results: frozen, made by keywords, told apart by identity, since results hold arrays."""
-    return record(cls)
+    kind: type = record(cls)
+    for f in fields(kind):
+        if (about := f.metadata.get("value")) is not None:
+            setattr(kind, f.name, ValueKey(f.name.rstrip("_"), about))
+    return cls
 
 
 @dataclass_transform(
@@ -298,7 +319,10 @@ def result(cls: type[T]) -> type[T]:
 def inputs(cls: type[T]) -> type[T]:
     """A class of inputs: frozen, made by keywords, equal when all its values are."""
     cls.__eq__ = lambda self, other: type(self) is type(other) and vars(self) == vars(other)  # type: ignore[method-assign]
-    return record(cls)
+    kind: type = record(cls)
+    for key in keys(kind).values():
+        setattr(kind, key.attribute, key)
+    return cls
 
 
 @cache
@@ -387,4 +411,4 @@ def _published(id: str, about: Described, inside: float, former: str = "") -> Pu
     unit = UNITS[about.unit]
     several = has_lanes(inside) or bool(getattr(inside, "ndim", 0))  # many designs at once
     shown = unit.all_shown(inside) if several else unit.shown(float(inside))
-    return Published(id, shown, about.unit, about.label, about.symbol, inside, former)
+    return Published(id, shown, about.unit, about.label, about.symbol, inside, about, former)

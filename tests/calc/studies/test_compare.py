@@ -14,7 +14,7 @@ from calc.design.addresses import address, changed, quantities, value_at
 from calc.design.model import STEPS
 from calc.design.toml_file import Document, design, read
 from calc.sheet.check import Check
-from calc.sheet.quantity import Published
+from calc.sheet.quantity import Described, Published
 from calc.sheet.step import Outcome
 from calc.solve import Results, solve
 from calc.studies.compare import Comparison, ValueDifference, compare, inputs, relative, turn
@@ -197,7 +197,7 @@ def results_of(gamma_results: Results, *values: Published, checks: tuple[Check, 
 
 
 def published(id: str, shown: float, unit: str = "N") -> Published:
-    return Published(f"engine.{id}", shown, unit, id, "", shown)
+    return Published(f"engine.{id}", shown, unit, id, "", shown, Described(id, unit))
 
 
 @pytest.mark.parametrize(

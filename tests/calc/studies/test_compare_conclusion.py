@@ -8,7 +8,7 @@ import pytest
 from calc.design.key_results import is_least, key_results
 from calc.design.names import in_context
 from calc.design.toml_file import Document, design, read
-from calc.sheet.quantity import Published
+from calc.sheet.quantity import Described, Published
 from calc.sheet.text import Text
 from calc.solve import Results, solve
 from calc.studies.compare import NOTABLE, Comparison, KeyResult, compare, inputs
@@ -25,7 +25,7 @@ def found(gamma: Document, gamma_results: Results) -> Comparison:
 
 
 def result(a: float, b: float, *, least: bool) -> KeyResult:
-    one, other = (Published("gears.x.y", number, "µm", Text("Backlash"), "", number) for number in (a, b))
+    one, other = (Published("gears.x.y", number, "µm", Text("Backlash"), "", number, Described("Backlash", "µm")) for number in (a, b))
     return KeyResult(one, other, least, abs(a - b) / max(abs(a), abs(b)))
 
 
