@@ -27,6 +27,9 @@ IN_TITLES = {"front": Text("Front"), "rear": Text("Rear")}  # at the beginning o
 # of the journal's speed: below, the load turns at half the speed of the surfaces; rule of this program
 LEAST_SPEED_SHARE = 0.02
 
+# the folds of the form
+MATERIALS = Text("Materials and fits")
+
 
 @inputs
 class BearingInputs:
@@ -42,6 +45,10 @@ class BearingInputs:
         usual=(15, 120),
         source=THUMB,
         help="Diameter of the journal; a larger one carries more and rubs more.",
+        change=("smaller journal", "larger journal"),
+        repair="free",
+        brief="diameter",
+        decides=True,
     )
     length: float = quantity(
         "Length",
@@ -52,6 +59,9 @@ class BearingInputs:
         step=0.5,
         source="Finotti 2013, 5.5.2",
         help=Text("Along the shaft; {usual}. More length: lower specific load, thicker film.", usual=USUAL_LENGTH),
+        change=("shorter journal", "longer journal"),
+        repair="free",
+        decides=True,
     )
     clearance: float | None = quantity(
         "Clearance (diametral)",
@@ -67,6 +77,10 @@ class BearingInputs:
             "Bore minus journal at the reference temperature; {usual}. Left out: by clearance_factor or the fits.",
             usual=USUAL_CLEARANCE,
         ),
+        change=("smaller clearance", "larger clearance"),
+        repair="free",
+        brief="clearance",
+        decides=True,
     )
     clearance_factor: float | None = quantity(
         "Clearance factor K",
@@ -78,6 +92,9 @@ class BearingInputs:
         usual=(0.4, 0.8),
         source="Finotti 2013, 5.5.2",
         help="Clearance g = K·d·u^¼ in mm, m and m/s.",
+        change=("smaller clearance", "larger clearance"),
+        repair="free",
+        decides=True,
     )
     load: float | None = quantity(
         "Load",
@@ -88,6 +105,7 @@ class BearingInputs:
         symbol="F",
         step=50,
         help="Radial load on the journal. Left out: the reaction of the counter-shaft.",
+        repair="asked",
     )
     journal_roughness: float = quantity(
         "Roughness Ra, journal",
@@ -99,6 +117,8 @@ class BearingInputs:
         usual=(0.1, 0.8),
         source=THUMB,
         help="Mean roughness; the film must clear its peaks.",
+        change=("smoother surfaces", "rougher surfaces"),
+        repair="free",
     )
     housing_roughness: float = quantity(
         "Roughness Ra, seat",
@@ -110,6 +130,8 @@ class BearingInputs:
         usual=(0.1, 1.6),
         source=THUMB,
         help="Mean roughness; the film must clear its peaks.",
+        change=("smoother surfaces", "rougher surfaces"),
+        repair="free",
     )
 
     def problems(self) -> Iterable[tuple[str, Text]]:
@@ -123,7 +145,13 @@ class BearingInputs:
 class BearingsInputs:
     """Oil, supply and temperatures of both bearings, and the bearings."""
 
-    oil: str = text("Oil", help="A name from the table of oils or from [[oil]].")
+    oil: str = text(
+        "Oil",
+        help="A name from the table of oils or from [[oil]].",
+        change=("thinner oil", "thicker oil", "another oil"),
+        catalogue="oils",
+        decides=True,
+    )
     supply_temperature: float = quantity(
         "Supply temperature",
         "°C",
@@ -134,6 +162,8 @@ class BearingsInputs:
         usual=(70, 130),
         source=THUMB,
         help="Of the oil in the gallery before the bearing.",
+        repair="asked",
+        decides=True,
     )
     supply_pressure: float = quantity(
         "Supply pressure",
@@ -145,6 +175,8 @@ class BearingsInputs:
         usual=(1, 6),
         source=THUMB,
         help="Of the oil in the gallery, above ambient.",
+        change=("less oil pressure", "more oil pressure"),
+        repair="free",
     )
     supply: str = choice(
         "Oil supply",
@@ -169,8 +201,16 @@ class BearingsInputs:
             low=Amount(SUPPLY_WIDTH[0]),
             high=Amount(SUPPLY_WIDTH[1]),
         ),
+        change=("narrower oil supply", "wider oil supply"),
+        repair="free",
     )
-    housing_material: str = text("Housing material", help="A name from the table of materials or from [[material]].")
+    housing_material: str = text(
+        "Housing material",
+        help="A name from the table of materials or from [[material]].",
+        change=("another housing",),
+        catalogue="materials",
+        fold=MATERIALS,
+    )
     front: BearingInputs = table("Front bearing", BearingInputs)
     rear: BearingInputs = table("Rear bearing", BearingInputs)
     groove_width: float | None = quantity(
@@ -182,6 +222,8 @@ class BearingsInputs:
         symbol="b_G",
         source="DIN 31652-2",
         help="Width of the oil groove along the shaft; it carries no load.",
+        change=("narrower oil supply", "wider oil supply"),
+        repair="free",
     )
     pocket_width: float | None = quantity(
         "Pocket width",
@@ -196,6 +238,8 @@ class BearingsInputs:
             low=Amount(SUPPLY_WIDTH[0]),
             high=Amount(SUPPLY_WIDTH[1]),
         ),
+        change=("narrower oil supply", "wider oil supply"),
+        repair="free",
     )
     groove_arc: tuple[float, ...] | None = series(
         "Groove from and to",
@@ -227,6 +271,7 @@ class BearingsInputs:
         high=500,
         symbol="l_P",
         help="Around the seat; the flow does not ask for it.",
+        repair="free",
     )
     axial_groove_angles: tuple[float, ...] | None = series(
         "Axial grooves at",
@@ -271,15 +316,28 @@ class BearingsInputs:
         symbol="chi",
         step=0.05,
         help="Share of the housing's thermal expansion that the block holds back.",
+        fold=MATERIALS,
     )
     bush_material: str | None = text(
         "Bush material",
         default=None,
         help="A name from the table of bearing materials. Left out: the journal runs on the housing itself.",
+        catalogue="bushes",
+        fold=MATERIALS,
     )
-    journal_material: str | None = text("Journal material", default=None, help="Left out: that of the counter-shaft.")
+    journal_material: str | None = text(
+        "Journal material",
+        default=None,
+        help="Left out: that of the counter-shaft.",
+        catalogue="materials",
+        fold=MATERIALS,
+    )
     application: str = text(
-        "Application", default=DEFAULT_APPLICATION, help="The row of the table of usual loads to be held against."
+        "Application",
+        default=DEFAULT_APPLICATION,
+        help="The row of the table of usual loads to be held against.",
+        catalogue="applications",
+        fold=MATERIALS,
     )
     clearance_reference_temperature: float = quantity(
         "Clearance given at",
@@ -290,6 +348,8 @@ class BearingsInputs:
         symbol="T_ref",
         source="ISO 1: 20 °C",
         help="Temperature at which bore and journal have their measures.",
+        repair="asked",
+        fold=MATERIALS,
     )
     lowest_temperature: float = quantity(
         "Lowest temperature",
@@ -301,6 +361,7 @@ class BearingsInputs:
         usual=(-40, 0),
         source=THUMB,
         help="Cold start: the clearance must still be there.",
+        repair="asked",
     )
     outlet_temperature_limit: float = quantity(
         "Outlet temperature limit",
@@ -317,8 +378,16 @@ class BearingsInputs:
         "Journal fit",
         default=ASSUMED_FIT,
         help="ISO 286: f7 and the like, or a bare width, IT7. It opens the corners of the clearance.",
+        change=("closer fits", "wider fits", "closer fits"),
+        fold=MATERIALS,
     )
-    seat_fit: str = text("Seat fit", default=ASSUMED_FIT, help="ISO 286: H7 and the like, or a bare field, IT7.")
+    seat_fit: str = text(
+        "Seat fit",
+        default=ASSUMED_FIT,
+        help="ISO 286: H7 and the like, or a bare field, IT7.",
+        change=("closer fits", "wider fits", "closer fits"),
+        fold=MATERIALS,
+    )
     viscosity_tolerance: float = quantity(
         "Viscosity tolerance ±",
         "%",
@@ -340,6 +409,7 @@ class BearingsInputs:
         symbol="n",
         step=50,
         help="Speed of the journal. Left out: that of the counter-shaft.",
+        repair="asked",
     )
     load_speed_ratio: float = quantity(
         "Speed of the load over the journal's",
@@ -370,6 +440,7 @@ class BearingsInputs:
         high=1e5,
         symbol="n",
         help="From and to, at the design's oil supply. Left out: the engine's bench run, else 0.4 to 1 of the speed.",
+        repair="asked",
     )
     roughness_ratio: float = quantity(
         "Rt/Ra",
@@ -380,6 +451,7 @@ class BearingsInputs:
         usual=(6, 7.5),
         source="Kreisle, after Finotti 2013, 5.5.3",
         help="Peak-to-valley over mean roughness of both surfaces.",
+        fold=MATERIALS,
     )
     viscosity_law: str = choice(
         "Viscosity law",
@@ -409,6 +481,8 @@ class BearingsInputs:
         usual=(0, SLOPE * 1e3),
         source="Finotti 2013, 4.6 (in chapter 6)",
         help="One, or [front, rear]. Left out: by bending, else 0.",
+        change=("smaller slope", "larger slope", "slope of the shaft's bending"),
+        repair="asked",
     )
 
     def in_bearings(self, oil: Oil) -> Oil:

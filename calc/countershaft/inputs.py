@@ -16,12 +16,15 @@ THREADED = 0.2e-3  # m: clearance for threading in, where the program chooses th
 ANGLE = Text("With cylinder 1 at TDC, from up, in the sense of crank rotation.")
 FROM_MID_SHAFT = Text("From mid-shaft, + towards the flywheel.")
 
+# the folds of the form
+SUPPORT = Text("Support, drain, cost")
+
 
 @inputs
 class EccentricMass:
     """One eccentric mass of the shaft."""
 
-    name: str = text("Name")
+    name: str = text("Name", repair="free")
     mass: float = quantity(
         "Mass",
         "kg",
@@ -31,6 +34,8 @@ class EccentricMass:
         usual=(0.05, 20),
         source=THUMB,
         help="Mass of this eccentric part of the shaft.",
+        change=("lighter mass", "heavier mass"),
+        repair="free",
     )
     radius: float = quantity(
         "Radius of its centre of gravity",
@@ -39,9 +44,30 @@ class EccentricMass:
         high=1000,
         symbol="e_i",
         help="Distance of its centre of gravity from the shaft's axis.",
+        change=("mass further in", "mass further out"),
+        repair="free",
     )
-    angle: float = quantity("Angle", "°", low=-720, high=720, symbol="phi_i", step=1, help=ANGLE)
-    z: float = quantity("Position", "mm", low=-5000, high=5000, symbol="z_i", help=FROM_MID_SHAFT)
+    angle: float = quantity(
+        "Angle",
+        "°",
+        low=-720,
+        high=720,
+        symbol="phi_i",
+        step=1,
+        help=ANGLE,
+        change=("mass turned", "mass turned"),
+        repair="free",
+    )
+    z: float = quantity(
+        "Position",
+        "mm",
+        low=-5000,
+        high=5000,
+        symbol="z_i",
+        help=FROM_MID_SHAFT,
+        change=("mass elsewhere", "mass elsewhere"),
+        repair="free",
+    )
 
 
 @inputs
@@ -55,6 +81,7 @@ class Extra(EccentricMass):
         high=1000,
         symbol="m_i",
         help="Mass of the element; below zero it is removed, as by a hole.",
+        repair="free",
     )
 
 
@@ -71,6 +98,7 @@ class Section:
         high=1000,
         symbol="R",
         help="Radius of the cylinder, or outer radius of the sector.",
+        repair="free",
     )
     core_radius: float | None = quantity(
         "Core radius",
@@ -80,6 +108,7 @@ class Section:
         high=1000,
         symbol="r_0",
         help="Radius of the core inside a sector. Left out: 0.",
+        repair="free",
     )
     half_angle: float | None = quantity(
         "Half-angle of the sector",
@@ -89,6 +118,7 @@ class Section:
         high=180,
         symbol="gamma",
         help="Half of the angle that the sector spans. Left out: a full cylinder.",
+        repair="free",
     )
     angle: float | None = quantity("Angle of the sector's middle", "°", default=None, low=-720, high=720, help=ANGLE)
 
@@ -118,6 +148,8 @@ class Journal:
         usual=(15, 120),
         source=THUMB,
         help="Diameter of the journal, for its specific load.",
+        repair="free",
+        brief="diameter",
     )
     length: float = quantity(
         "Length",
@@ -131,6 +163,7 @@ class Journal:
             low=Amount(LENGTH_RATIO[0]),
             high=Amount(LENGTH_RATIO[1]),
         ),
+        repair="free",
     )
 
 
@@ -146,6 +179,8 @@ class Holes:
         symbol="d_c",
         source="Finotti 2013, 4.1",
         help="Diameter of a radial hole by which the shaft is calibrated.",
+        repair="free",
+        brief="diameter",
     )
     depth: float = quantity(
         "Greatest depth",
@@ -155,9 +190,17 @@ class Holes:
         symbol="h_c",
         source="Finotti 2013, 4.1",
         help="From the outer radius; the drill's cone is left out.",
+        change=("shallower holes", "deeper holes"),
+        repair="free",
     )
     count: int = integer(
-        "Holes on the whole shaft", low=1, high=1000, symbol="N_c", help="Shared evenly by the eccentric masses."
+        "Holes on the whole shaft",
+        low=1,
+        high=1000,
+        symbol="N_c",
+        help="Shared evenly by the eccentric masses.",
+        change=("fewer holes", "more holes"),
+        repair="free",
     )
 
 
@@ -216,8 +259,14 @@ class CountershaftInputs:
         default="given",
         help="given: the eccentric masses below are checked. size: the lightest pair of sectors in the envelope is "
         "found.",
+        decides=True,
     )
-    material: str = text("Material", help="A name from the table of materials or from [[material]].")
+    material: str = text(
+        "Material",
+        help="A name from the table of materials or from [[material]].",
+        change=("another steel",),
+        catalogue="materials",
+    )
     speed_ratio: float = quantity(
         "Speed ratio to the crank",
         default=-1.0,
@@ -242,6 +291,9 @@ class CountershaftInputs:
         high=5000,
         symbol="z_B",
         help="Middle of the journals from mid-shaft, front to rear; more than two: a beam on many supports.",
+        change=("shorter span", "longer span"),
+        repair="free",
+        decides=True,
     )
     axis: tuple[float, ...] | None = series(
         "Axis from the crank's",
@@ -254,7 +306,7 @@ class CountershaftInputs:
         help="[up, side], side 90° further in the sense of crank rotation. Beside the crank a force of the shaft "
         "raises a roll torque.",
     )
-    masses: tuple[EccentricMass, ...] = tables("Eccentric masses", EccentricMass, default=())
+    masses: tuple[EccentricMass, ...] = tables("Eccentric masses", EccentricMass, default=(), decides=True)
     extras: tuple[Extra, ...] = tables("Further elements", Extra, default=())
     outer_radius: float | None = quantity(
         "Outer radius of the sectors",
@@ -268,6 +320,9 @@ class CountershaftInputs:
         source=THUMB,
         help="What may still be threaded through the largest seat. Needed for mode size; else the largest journal "
         "less the clearance.",
+        change=("smaller envelope", "larger envelope"),
+        repair="free",
+        decides=True,
     )
     core_radius: float | None = quantity(
         "Core radius",
@@ -280,6 +335,9 @@ class CountershaftInputs:
         usual=(6, 80),
         source=THUMB,
         help="Radius of the shaft between and inside the sectors.",
+        change=("thinner core", "stiffer shaft"),
+        repair="free",
+        decides=True,
     )
     half_length: float | None = quantity(
         "Half-length",
@@ -292,6 +350,9 @@ class CountershaftInputs:
         usual=(30, 600),
         source=THUMB,
         help="Outer faces of the sectors from mid-shaft. Needed for mode size.",
+        change=("shorter shaft", "longer shaft"),
+        repair="free",
+        decides=True,
     )
     overdesign: float = quantity(
         "Couple beyond the required one",
@@ -303,6 +364,7 @@ class CountershaftInputs:
         usual=(0, 5),
         source="rule of this program, by the holes",
         help="Mode size: what drilling takes away again.",
+        change=("less beyond what is asked", "more beyond what is asked"),
     )
     radial_clearance: float | None = quantity(
         "Clearance for threading in",
@@ -327,6 +389,8 @@ class CountershaftInputs:
         usual=(0.5, 5),
         source=THUMB,
         help="Its radius. Left out: no notch stress.",
+        change=("smaller fillet", "larger fillet"),
+        repair="free",
     )
     sector_effectiveness: float = quantity(
         "Stiffness share of the sectors",
@@ -347,6 +411,7 @@ class CountershaftInputs:
         high=5000,
         symbol="z_G",
         help="From mid-shaft, + towards the flywheel. Left out: ahead of the front journal, against it.",
+        repair="free",
     )
     journals: tuple[Journal, ...] = tables("Journals", Journal, default=())
     balance_grade: str = choice(
@@ -354,16 +419,21 @@ class CountershaftInputs:
         *BALANCE_GRADES,
         default="G6.3",
         help="ISO 21940-11; crank drives of engines G16 (rigidly mounted) and G40.",
+        fold=SUPPORT,
     )
-    holes: Holes | None = table("Calibration holes", Holes, default=None)
-    scatter: Scatter | None = table("Production scatter", Scatter, default=None)
-    bolts: Bolts | None = table("Bolts of the support", Bolts, default=None)
-    support: Support | None = table("Support", Support, default=None)
-    oil_drain: OilDrain | None = table("Oil drain", OilDrain, default=None)
-    further_drains: tuple[FurtherDrain, ...] = tables("Further oil drains", FurtherDrain, default=())
-    cost: Cost | None = table("Cost", Cost, default=None)
+    holes: Holes | None = table("Calibration holes", Holes, default=None, fold=SUPPORT)
+    scatter: Scatter | None = table("Production scatter", Scatter, default=None, fold=SUPPORT)
+    bolts: Bolts | None = table("Bolts of the support", Bolts, default=None, fold=SUPPORT)
+    support: Support | None = table("Support", Support, default=None, fold=SUPPORT)
+    oil_drain: OilDrain | None = table("Oil drain", OilDrain, default=None, fold=SUPPORT)
+    further_drains: tuple[FurtherDrain, ...] = tables("Further oil drains", FurtherDrain, default=(), fold=SUPPORT)
+    cost: Cost | None = table("Cost", Cost, default=None, fold=SUPPORT)
     parts: tuple[Part, ...] = tables(
-        "Parts of the assembly", Part, default=(), help="They are counted, for designs to be compared."
+        "Parts of the assembly",
+        Part,
+        default=(),
+        help="They are counted, for designs to be compared.",
+        fold=SUPPORT,
     )
 
     def problems(self) -> Iterable[tuple[str, Text]]:

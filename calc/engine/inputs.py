@@ -10,6 +10,10 @@ from .gas import GasInputs, cycle_problems
 
 # --- a crank throw
 
+# the folds of the form
+CYLINDERS = Text("Cylinders, banks, cranks")
+GAS = Text("Gas, bench, torque")
+
 
 @inputs
 class ThrowInputs:
@@ -25,6 +29,7 @@ class ThrowInputs:
         usual=(20, 120),
         source=THUMB,
         help="Diameter of the crankpin, solid and round.",
+        repair="free",
     )
     pin_length: float = quantity(
         "Crankpin length",
@@ -35,6 +40,7 @@ class ThrowInputs:
         usual=(12, 90),
         source=THUMB,
         help="Length of the crankpin between the webs.",
+        repair="free",
     )
     journal_diameter: float = quantity(
         "Main journal diameter",
@@ -45,6 +51,7 @@ class ThrowInputs:
         usual=(20, 140),
         source=THUMB,
         help="Diameter of the main journals, solid and round.",
+        repair="free",
     )
     journal_length: float = quantity(
         "Main journal length",
@@ -55,6 +62,7 @@ class ThrowInputs:
         usual=(12, 90),
         source=THUMB,
         help="Length of a main journal between the webs of two throws.",
+        repair="free",
     )
     web_thickness: float = quantity(
         "Web thickness",
@@ -65,6 +73,7 @@ class ThrowInputs:
         usual=(6, 60),
         source=THUMB,
         help="Thickness of a web along the crank axis.",
+        repair="free",
     )
     fillet_radius: float | None = quantity(
         "Fillet radius",
@@ -76,9 +85,13 @@ class ThrowInputs:
         usual=(1, 8),
         source=THUMB,
         help="Radius from pin and journal to the web. Left out: no notch stress.",
+        repair="free",
     )
     material: str = text(
-        "Material", help="A name from the table of materials or from [[material]]; its proof stress is the limit."
+        "Material",
+        help="A name from the table of materials or from [[material]]; its proof stress is the limit.",
+        repair="free",
+        catalogue="materials",
     )
 
 
@@ -182,7 +195,13 @@ class BenchPoint:
     """One row of a bench run: the main gallery's oil at a speed."""
 
     speed: float = quantity(
-        "Speed", "rpm", low=1, high=30000, symbol="n", help="Speed of the crank in this row of the bench run."
+        "Speed",
+        "rpm",
+        low=1,
+        high=30000,
+        symbol="n",
+        help="Speed of the crank in this row of the bench run.",
+        repair="asked",
     )
     oil_temperature: float = quantity(
         "Oil temperature",
@@ -193,6 +212,7 @@ class BenchPoint:
         usual=(60, 140),
         source=THUMB,
         help="Oil in the main gallery at this speed.",
+        repair="asked",
     )
     oil_pressure: float = quantity(
         "Oil pressure",
@@ -211,11 +231,20 @@ class EngineInputs:
     """Crank train, masses and rated speed."""
 
     name: str = text("Engine", help="A name for screen and report.")
-    layout: str = choice("Layout", "inline", "vee", "boxer", help="Vee and boxer need crank angles or a firing order.")
-    cylinders: int = integer(
-        "Cylinders", low=1, high=16, symbol="N", help="Number of cylinders, counted from the timing side."
+    layout: str = choice(
+        "Layout", "inline", "vee", "boxer", help="Vee and boxer need crank angles or a firing order.", fold=CYLINDERS
     )
-    strokes: int = integer("Strokes", low=2, high=4, step=2, help="4 for a four-stroke, 2 for a two-stroke engine.")
+    cylinders: int = integer(
+        "Cylinders",
+        low=1,
+        high=16,
+        symbol="N",
+        help="Number of cylinders, counted from the timing side.",
+        fold=CYLINDERS,
+    )
+    strokes: int = integer(
+        "Strokes", low=2, high=4, step=2, help="4 for a four-stroke, 2 for a two-stroke engine.", fold=CYLINDERS
+    )
     bore: float = quantity(
         "Bore",
         "mm",
@@ -225,6 +254,7 @@ class EngineInputs:
         usual=(50, 150),
         source=THUMB,
         help="Diameter of the cylinders, on which the gas presses.",
+        decides=True,
     )
     crank_radius: float = quantity(
         "Crank radius",
@@ -249,6 +279,8 @@ class EngineInputs:
             low=Amount(CRANK_RATIO[0]),
             high=Amount(CRANK_RATIO[1]),
         ),
+        change=("shorter rods", "longer rods"),
+        decides=True,
     )
     cylinder_pitch: float = quantity(
         "Cylinder pitch",
@@ -259,6 +291,7 @@ class EngineInputs:
         usual=(35, 200),
         source=THUMB,
         help="Distance of neighbouring cylinders; every couple is proportional to it.",
+        decides=True,
     )
     cylinder_offset: float = quantity(
         "Cylinder offset",
@@ -269,6 +302,7 @@ class EngineInputs:
         symbol="d",
         source="Finotti 2013, 2.1",
         help="Cylinder axis to crank axis; positive moves TDC to later crank angles. Usual up to 0.045 rod lengths.",
+        fold=CYLINDERS,
     )
     bank_angle: float | None = quantity(
         "Bank angle",
@@ -280,6 +314,7 @@ class EngineInputs:
         usual=(45, 180),
         source=THUMB,
         help="Between the banks of a vee engine; a boxer has 180°.",
+        fold=CYLINDERS,
     )
     firing_order: tuple[int, ...] | None = integers(
         "Firing order",
@@ -287,6 +322,8 @@ class EngineInputs:
         low=1,
         source="Finotti 2013, 2.4",
         help="Cylinder numbers, 1 first. The crank angles of an evenly firing engine follow from it.",
+        repair="asked",
+        fold=CYLINDERS,
     )
     crank_angles: tuple[float, ...] | None = series(
         "Crank angles",
@@ -296,6 +333,8 @@ class EngineInputs:
         high=720,
         symbol="phi",
         help="One per cylinder, of the pin it runs on; positive leads cylinder 1.",
+        repair="asked",
+        fold=CYLINDERS,
     )
     axial_positions: tuple[float, ...] | None = series(
         "Axial positions",
@@ -305,6 +344,7 @@ class EngineInputs:
         high=5000,
         symbol="z",
         help="One per cylinder, + towards the flywheel.",
+        fold=CYLINDERS,
     )
     bank_of_cylinder: tuple[int, ...] | None = integers(
         "Bank of each cylinder",
@@ -312,6 +352,7 @@ class EngineInputs:
         low=0,
         high=1,
         help="The bank of each cylinder, 0 or 1; bank 0 stands at −V/2.",
+        fold=CYLINDERS,
     )
     crank_radii: tuple[float, ...] | None = series(
         "Crank radii",
@@ -322,6 +363,7 @@ class EngineInputs:
         symbol="r_k",
         help="One per cylinder, where they differ; the first is the crank radius. Left out: all cylinders have that "
         "one.",
+        fold=CYLINDERS,
     )
     piston_mass: float | None = quantity(
         "Piston mass",
@@ -333,6 +375,7 @@ class EngineInputs:
         usual=(150, 2000),
         source=THUMB,
         help="Mass of one piston with rings, pin and circlips.",
+        decides=True,
     )
     rod_mass: float | None = quantity(
         "Rod mass",
@@ -396,6 +439,8 @@ class EngineInputs:
         usual=(1000, 13000),
         source=THUMB,
         help="The speed at which forces and bearings are judged.",
+        repair="asked",
+        decides=True,
     )
     rated_power: float | None = quantity(
         "Rated power",
@@ -408,6 +453,7 @@ class EngineInputs:
         source=THUMB,
         help="Brake power at rated speed: gives the brake mean effective pressure, and the share of it that the "
         "train's losses take.",
+        repair="asked",
     )
     flywheel_inertia: float | None = quantity(
         "Inertia of the flywheel",
@@ -419,19 +465,30 @@ class EngineInputs:
         usual=(0.005, 10),
         source=THUMB,
         help="Moment of inertia of the flywheel; with the gas it gives the speed irregularity.",
+        change=("lighter flywheel", "heavier flywheel"),
+        repair="free",
     )
     bench: tuple[BenchPoint, ...] = tables(
-        "Bench run", BenchPoint, default=(), help="Oil in the main gallery over speed."
+        "Bench run",
+        BenchPoint,
+        default=(),
+        help="Oil in the main gallery over speed.",
+        fold=GAS,
     )
 
     gas: GasInputs | None = table(
-        "Gas", GasInputs, default=None, help="Pressure in the cylinders: torque over the cycle."
+        "Gas",
+        GasInputs,
+        default=None,
+        help="Pressure in the cylinders: torque over the cycle.",
+        fold=GAS,
     )
     torque: tuple[TorquePoint, ...] = tables(
         "Torque over the crank angle",
         TorquePoint,
         default=(),
         help="The turning-moment diagram of the whole engine, in place of the gas; straight lines between its rows.",
+        fold=GAS,
     )
     torque_period: float | None = quantity(
         "Period of the torque",
@@ -441,9 +498,14 @@ class EngineInputs:
         high=1440,
         symbol="epsilon_T",
         help="After which the diagram repeats itself. Left out: the cycle, 720° of a four-stroke engine.",
+        fold=GAS,
     )
     throw: ThrowInputs | None = table(
-        "Crank throw", ThrowInputs, default=None, help="Pin, journal and web: stresses of the crank."
+        "Crank throw",
+        ThrowInputs,
+        default=None,
+        help="Pin, journal and web: stresses of the crank.",
+        fold=GAS,
     )
 
     @property

@@ -25,6 +25,9 @@ SKF_SERIES = {
     "cylindrical-roller": ("4", "22"),
 }
 
+# the folds of the form
+LOSSES = Text("Seals, rolling bearings, splash")
+
 
 @inputs
 class OtherLoss:
@@ -44,7 +47,13 @@ class Seal:
     name: str = text("Name")
     wheel: str | None = text("Wheel that carries it", default=None, help=CARRIED)
     diameter: float = quantity(
-        "Shaft diameter", "mm", above=0, high=1000, symbol="d_sh", help="Diameter of the shaft under the lip."
+        "Shaft diameter",
+        "mm",
+        above=0,
+        high=1000,
+        symbol="d_sh",
+        help="Diameter of the shaft under the lip.",
+        brief="diameter",
     )
     count: int = integer(
         "Seals of this size", default=1, low=1, high=20, help="How many such seals the wheel's shaft has."
@@ -82,6 +91,7 @@ class RollingBearing:
         high=1e6,
         symbol="F",
         help="What they carry together. Left out: by the teeth of its wheel.",
+        repair="asked",
     )
     count: int = integer(
         "Bearings that share the load",
@@ -146,7 +156,13 @@ class PlainBearing:
     name: str = text("Name")
     wheel: str | None = text("Wheel that carries it", default=None, help=CARRIED)
     diameter: float = quantity(
-        "Diameter", "mm", above=0, high=1000, symbol="d", help="Diameter of the pin in the bush."
+        "Diameter",
+        "mm",
+        above=0,
+        high=1000,
+        symbol="d",
+        help="Diameter of the pin in the bush.",
+        brief="diameter",
     )
     length: float = quantity("Length", "mm", above=0, high=1000, symbol="l", help="Length of the bush along its pin.")
     clearance: float = quantity(
@@ -156,6 +172,7 @@ class PlainBearing:
         high=5000,
         symbol="g",
         help="Bore of the bush minus pin, both warm.",
+        brief="clearance",
     )
     load: float | None = quantity(
         "Load",
@@ -165,6 +182,7 @@ class PlainBearing:
         high=1e6,
         symbol="F",
         help="Force of the wheel on its pin. Left out: by the teeth of its wheel.",
+        repair="asked",
     )
 
 
@@ -225,7 +243,7 @@ class Scenario:
     """The same design with another oil, temperature, load sharing, roughness or power."""
 
     name: str = text("Name")
-    oil: str | None = text("Oil", default=None)
+    oil: str | None = text("Oil", default=None, catalogue="oils")
     oil_temperature: float | None = quantity(
         "Oil temperature",
         "°C",
@@ -237,6 +255,7 @@ class Scenario:
         usual=(40, 130),
         source=THUMB,
         help="Of the teeth; replaces a measured bulk temperature.",
+        repair="asked",
     )
     load_sharing: str | None = choice("Load sharing", "linear", "smooth", default=None)
     flank_roughness: tuple[float, ...] | None = series(
@@ -259,6 +278,7 @@ class Scenario:
         high=1e5,
         symbol="P",
         help="What goes into the first driver of a design without counter-shaft.",
+        repair="asked",
     )
 
 
@@ -270,6 +290,9 @@ class FrictionInputs:
         "Oil",
         default=None,
         help="Of teeth and wheels. Left out: that of the bearings, which alone sets the journals' friction.",
+        change=("thinner oil", "thicker oil", "another oil"),
+        catalogue="oils",
+        decides=True,
     )
     oil_temperature: float | None = quantity(
         "Oil temperature",
@@ -282,6 +305,8 @@ class FrictionInputs:
         usual=(40, 130),
         source=THUMB,
         help="Of teeth and wheels. Left out: the bearings' supply temperature.",
+        repair="asked",
+        decides=True,
     )
     bulk_temperature: float | None = quantity(
         "Bulk temperature",
@@ -293,6 +318,7 @@ class FrictionInputs:
         usual=(40, 150),
         source=THUMB,
         help="Of the teeth, measured. Left out: by the next key.",
+        repair="asked",
     )
     bulk: str = choice(
         "Bulk temperature without measurement",
@@ -332,6 +358,9 @@ class FrictionInputs:
         usual=(0.1, 2),
         source=THUMB,
         help="Mean roughness, one for both or [driver, driven].",
+        change=("smoother flanks", "rougher flanks"),
+        repair="free",
+        decides=True,
     )
     load_sharing: str = choice(
         "Load sharing",
@@ -339,6 +368,7 @@ class FrictionInputs:
         "smooth",
         default="linear",
         help="linear: flanks as generated. smooth: both tips relieved.",
+        decides=True,
     )
     load_share: str = choice(
         "Load share of the roughness",
@@ -387,6 +417,7 @@ class FrictionInputs:
         usual=(1.2, 50),
         source="rule of this program; tests of Anderson and Loewenthal: 24",
         help="Governs the windage; air alone has 1.2.",
+        repair="asked",
     )
     specific_fuel_consumption: float | None = quantity(
         "Specific fuel consumption",
@@ -398,6 +429,7 @@ class FrictionInputs:
         usual=(190, 350),
         source=THUMB,
         help="What the engine burns for its power.",
+        decides=True,
     )
     co2_per_fuel: float = quantity(
         "CO₂ per fuel, by mass",
@@ -426,22 +458,34 @@ class FrictionInputs:
         above=0,
         high=1e5,
         help="Lowest and highest, of the first driver.",
+        repair="asked",
     )
     seals: tuple[Seal, ...] = tables(
-        "Shaft seals", Seal, default=(), help="The wheel that the name begins with carries it, else the last."
+        "Shaft seals",
+        Seal,
+        default=(),
+        help="The wheel that the name begins with carries it, else the last.",
+        fold=LOSSES,
     )
-    rolling_bearings: tuple[RollingBearing, ...] = tables("Rolling bearings of wheels", RollingBearing, default=())
-    plain_bearings: tuple[PlainBearing, ...] = tables("Plain bearings of idlers", PlainBearing, default=())
-    dips: tuple[Dip, ...] = tables("Wheels that dip into oil", Dip, default=())
-    jets: tuple[Jet, ...] = tables("Oil thrown onto wheels", Jet, default=())
+    rolling_bearings: tuple[RollingBearing, ...] = tables(
+        "Rolling bearings of wheels", RollingBearing, default=(), fold=LOSSES
+    )
+    plain_bearings: tuple[PlainBearing, ...] = tables("Plain bearings of idlers", PlainBearing, default=(), fold=LOSSES)
+    dips: tuple[Dip, ...] = tables("Wheels that dip into oil", Dip, default=(), fold=LOSSES)
+    jets: tuple[Jet, ...] = tables("Oil thrown onto wheels", Jet, default=(), fold=LOSSES)
     other_losses: tuple[OtherLoss, ...] = tables(
         "Other losses",
         OtherLoss,
         default=(),
         help='What is known otherwise; the wheel that the name begins with carries it ("idler-pump"), else the last.',
+        fold=LOSSES,
     )
     scenarios: tuple[Scenario, ...] = tables(
-        "Scenarios", Scenario, default=(), help="The same train under other conditions, side by side."
+        "Scenarios",
+        Scenario,
+        default=(),
+        help="The same train under other conditions, side by side.",
+        fold=LOSSES,
     )
 
     def problems(self) -> Iterable[tuple[str, Text]]:

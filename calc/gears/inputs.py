@@ -25,6 +25,10 @@ INTERNAL = Text(
 # keys that others have for them
 REFUSED = dict.fromkeys(("internal", "internal_teeth", "ring", "ring_gear", "annulus"), INTERNAL)
 
+# the folds of the form
+WHEELS = Text("More of the wheels")
+MESHES = Text("More of the meshes")
+
 
 @inputs
 class Wheel:
@@ -32,7 +36,7 @@ class Wheel:
 
     REFUSED: ClassVar[dict[str, Text]] = REFUSED
 
-    name: str = text("Name")
+    name: str = text("Name", decides=True)
     teeth: int = integer(
         "Teeth",
         low=5,
@@ -42,6 +46,9 @@ class Wheel:
         source=THUMB,
         negative=INTERNAL,
         help="Number of teeth; few of them are undercut.",
+        change=("fewer teeth", "more teeth"),
+        repair="free",
+        decides=True,
     )
     profile_shift: float | None = quantity(
         "Profile shift coefficient",
@@ -53,6 +60,10 @@ class Wheel:
         usual=(-0.5, 1),
         source=THUMB,
         help="In modules. Left out: by centre distance, like wheel, or 0.",
+        change=("less profile shift", "more profile shift"),
+        repair="free",
+        brief="profile shift",
+        decides=True,
     )
     tip_shortening: float = quantity(
         "Tip cut (radial)",
@@ -63,6 +74,8 @@ class Wheel:
         symbol="k",
         source="Finotti 2013, 4.5.1",
         help="Off the tip radius; eases the mate's dedendum.",
+        change=("smaller tip cut", "larger tip cut"),
+        repair="free",
     )
     face_width: float | None = quantity(
         "Face width",
@@ -72,6 +85,7 @@ class Wheel:
         high=2000,
         symbol="b",
         help="Width of this wheel. Left out: that of the train.",
+        change=("narrower gears", "wider gears"),
     )
     hand: str | None = choice(
         "Hand of the helix",
@@ -80,7 +94,7 @@ class Wheel:
         default=None,
         help="Hands alternate. Left out: the first driver is right-handed.",
     )
-    material: str = text("Material", default="steel", help="By which it yields and expands.")
+    material: str = text("Material", default="steel", help="By which it yields and expands.", catalogue="materials")
     span_teeth: int | None = integer(
         "Teeth spanned",
         default=None,
@@ -101,6 +115,10 @@ class Wheel:
         usual=(-50, -20),
         source="Finotti 2013, 4.5.1",
         help="[upper, lower] of W: −20, −30 shaved, −40, −50 hobbed.",
+        change=("thinner teeth", "thicker teeth"),
+        repair="free",
+        brief="span allowance",
+        decides=True,
     )
     tip_diameter_tolerance: tuple[float, ...] | None = series(
         "Tolerance of the tip diameter",
@@ -112,6 +130,8 @@ class Wheel:
         usual=(-100, 0),
         source="Finotti 2013, 4.5.2",
         help="[upper, lower] of the tip diameter.",
+        change=("smaller tips", "larger tips"),
+        repair="free",
     )
     root_diameter_tolerance: tuple[float, ...] | None = series(
         "Tolerance of the root diameter",
@@ -134,6 +154,7 @@ class Wheel:
         usual=(5, 80),
         source=THUMB,
         help="Over a turn; half of it to each side of the centre.",
+        change=("less runout", "more runout"),
     )
     measured_span: float | None = quantity(
         "Measured span",
@@ -184,6 +205,8 @@ class Wheel:
         high=5000,
         help="[up, side] from the crank's axis, side: 90° on in the sense of crank rotation. Left out: from two "
         "neighbours, if it can be.",
+        change=("wheel elsewhere", "wheel elsewhere"),
+        repair="free",
     )
     bore_diameter: float | None = quantity(
         "Bore",
@@ -203,13 +226,24 @@ class Wheel:
         symbol="s_R",
         source="ISO 6336-3",
         help="Below the root circle; from 1.2 tooth depths on it costs no strength. Left out: a solid body.",
+        repair="free",
     )
     gear_material: str | None = text(
         "Strength class",
         default=None,
         help="A row of the table of ISO 6336-5; left out: case-hardened steel, and said so.",
+        change=("softer teeth", "harder teeth", "stronger teeth"),
+        catalogue="strength_classes",
     )
-    quality: str = choice("Material quality", "ML", "MQ", "ME", default="MQ", help="Of ISO 6336-5.")
+    quality: str = choice(
+        "Material quality",
+        "ML",
+        "MQ",
+        "ME",
+        default="MQ",
+        help="Of ISO 6336-5.",
+        change=("softer teeth", "harder teeth", "stronger teeth"),
+    )
     hardness: float | None = quantity(
         "Surface hardness",
         "HV",
@@ -220,6 +254,8 @@ class Wheel:
         usual=(115, 900),
         source="ISO 6336-5:2016, Table 1",
         help="For classes whose strength depends on it.",
+        change=("softer teeth", "harder teeth", "stronger teeth"),
+        repair="free",
     )
 
     def problems(self) -> Iterable[tuple[str, Text]]:
@@ -268,8 +304,8 @@ class Mesh:
 
     REFUSED: ClassVar[dict[str, Text]] = REFUSED
 
-    driver: str = text("Driver", help="The wheel nearer to the crank.")
-    driven: str = text("Driven", help="The wheel that it drives.")
+    driver: str = text("Driver", help="The wheel nearer to the crank.", decides=True)
+    driven: str = text("Driven", help="The wheel that it drives.", decides=True)
     centre_distance: float | None = quantity(
         "Centre distance",
         "mm",
@@ -280,6 +316,9 @@ class Mesh:
         source="ISO 21771",
         negative=INTERNAL,
         help="Distance of the two axes. Left out: without backlash, from the profile shifts.",
+        change=("closer centres", "wider centres"),
+        repair="free",
+        decides=True,
     )
     tolerance: float | None = quantity(
         "Tolerance of the centre distance (±)",
@@ -291,6 +330,9 @@ class Mesh:
         usual=(10, 100),
         source=THUMB,
         help="Half the field, to either side.",
+        change=("closer tolerance", "wider tolerance"),
+        repair="free",
+        decides=True,
     )
     contributors: tuple[float, ...] | None = series(
         "Contributors to the tolerance",
@@ -367,7 +409,13 @@ class Neighbour:
 
     name: str = text("Name")
     position: tuple[float, ...] = series(
-        "Position", "mm", count=(2, 2), low=-5000, high=5000, help="[up, side] from the crank's axis."
+        "Position",
+        "mm",
+        count=(2, 2),
+        low=-5000,
+        high=5000,
+        help="[up, side] from the crank's axis.",
+        repair="asked",
     )
     radius: float = quantity(
         "Radius", "mm", above=0, high=5000, symbol="r", help="Radius of the round thing that the wheels must clear."
@@ -406,6 +454,8 @@ class GearsInputs:
         usual=(1, 5),
         source=THUMB,
         help="Pitch over π, normal to the teeth. Left out: by transverse_module_mm.",
+        change=("smaller module", "larger module"),
+        decides=True,
     )
     transverse_module: float | None = quantity(
         "Transverse module",
@@ -440,6 +490,8 @@ class GearsInputs:
         usual=(0, 30),
         source=THUMB,
         help="At the reference circle; 0: spur wheels.",
+        repair="free",
+        decides=True,
     )
     face_width: float = quantity(
         "Face width",
@@ -450,6 +502,8 @@ class GearsInputs:
         usual=(5, 80),
         source=THUMB,
         help="Of all wheels that give none of their own; often 6 to 12 modules.",
+        change=("narrower gears", "wider gears"),
+        decides=True,
     )
     tool_addendum: float = quantity(
         "Tool addendum",
@@ -461,6 +515,8 @@ class GearsInputs:
         usual=(1.2, 1.5),
         source=THUMB,
         help="In modules; makes the root.",
+        change=("shallower roots", "deeper roots"),
+        repair="free",
     )
     tool_tip_radius: float = quantity(
         "Tool tip radius",
@@ -472,6 +528,7 @@ class GearsInputs:
         usual=(0.2, 0.4),
         source=THUMB,
         help="In modules; makes the fillet.",
+        repair="free",
     )
     protuberance: float = quantity(
         "Protuberance of the tool",
@@ -505,6 +562,7 @@ class GearsInputs:
         source="DIN 3977",
         help="Diameter of the ball or pin. Left out: for each wheel the preferred one that touches nearest to the "
         "middle of its flank.",
+        repair="free",
     )
     iso_6336_edition: int = integer(
         "ISO 6336 edition",
@@ -524,6 +582,7 @@ class GearsInputs:
         usual=(1, 2.25),
         source="ISO 6336-6",
         help="For shocks. Left out: 1.25, or 1 with known irregularity.",
+        repair="asked",
     )
     accuracy_grade: int = integer(
         "Accuracy grade (ISO 1328-1)",
@@ -534,6 +593,7 @@ class GearsInputs:
         usual=(5, 9),
         source="ISO 1328-1, and rule of thumb",
         help="Smaller is finer: 5 ground, 7 shaved, 9 hobbed.",
+        change=("better gear quality", "lower gear quality"),
     )
     life: float | None = quantity(
         "Life",
@@ -545,6 +605,7 @@ class GearsInputs:
         usual=(500, 30000),
         source=THUMB,
         help="Hours at this load. Left out: without end.",
+        repair="asked",
     )
     tip_relief: float | None = quantity(
         "Tip relief",
@@ -567,6 +628,7 @@ class GearsInputs:
         usual=(1, 16),
         source=THUMB,
         help="Peak to valley. Left out: six times Ra of step 6, else 4.",
+        change=("smoother flanks", "rougher flanks"),
     )
     root_rz: float = quantity(
         "Root roughness Rz",
@@ -578,6 +640,7 @@ class GearsInputs:
         usual=(1, 40),
         source="ISO 6336-3, range of Y_RrelT",
         help="Of the fillets, for the strength of the root.",
+        change=("smoother flanks", "rougher flanks"),
     )
     scuffing_load_stage: float | None = quantity(
         "FZG load stage of the oil",
@@ -606,9 +669,15 @@ class GearsInputs:
         "Housing material",
         default=None,
         help="Between the centres. Left out: that of the bearings, else as the wheels.",
+        change=("another housing",),
+        catalogue="materials",
     )
     support_material: str | None = text(
-        "Support material", default=None, help="Of the part of a centre distance that a support spans."
+        "Support material",
+        default=None,
+        help="Of the part of a centre distance that a support spans.",
+        change=("another housing",),
+        catalogue="materials",
     )
     lowest_temperature: float = quantity(
         "Lowest temperature",
@@ -620,6 +689,7 @@ class GearsInputs:
         usual=(-40, 0),
         source=THUMB,
         help="Of all parts in a cold start.",
+        repair="asked",
     )
     running_temperature: float = quantity(
         "Running temperature of the housing",
@@ -631,6 +701,7 @@ class GearsInputs:
         usual=(60, 120),
         source=THUMB,
         help="At which the warm backlash is taken.",
+        repair="asked",
     )
     wheels_warmer: float = quantity(
         "Wheels warmer than the housing",
@@ -651,6 +722,7 @@ class GearsInputs:
         high=100000,
         symbol="n",
         help="How fast the first driver turns. Left out: the crank's rated speed.",
+        repair="asked",
     )
     power: float | None = quantity(
         "Power of the first driver",
@@ -660,6 +732,7 @@ class GearsInputs:
         high=1e5,
         symbol="P",
         help="What the train takes in at the first driver. Left out: from the closed power balance.",
+        repair="asked",
     )
     speed_irregularity: float | None = quantity(
         "Irregularity of the first driver's speed",
@@ -696,12 +769,18 @@ class GearsInputs:
         default="none",
         help="finotti: what the calculation sheet of Finotti 2013 gives, with what is wrong in it.",
     )
-    wheels: tuple[Wheel, ...] = tables("Wheels", Wheel)
-    meshes: tuple[Mesh, ...] = tables("Meshes", Mesh)
+    wheels: tuple[Wheel, ...] = tables("Wheels", Wheel, fold=WHEELS)
+    meshes: tuple[Mesh, ...] = tables("Meshes", Mesh, fold=MESHES)
     neighbours: tuple[Neighbour, ...] = tables(
-        "Neighbours", Neighbour, default=(), help="Screws, oil galleries: the wheels must clear them."
+        "Neighbours",
+        Neighbour,
+        default=(),
+        help="Screws, oil galleries: the wheels must clear them.",
+        fold=MESHES,
     )
-    walls: tuple[Wall, ...] = tables("Walls", Wall, default=(), help="Covers, ribs: the wheels must clear them.")
+    walls: tuple[Wall, ...] = tables(
+        "Walls", Wall, default=(), help="Covers, ribs: the wheels must clear them.", fold=MESHES
+    )
 
     @property
     def module(self) -> float:

@@ -7,6 +7,9 @@ from ..library.tolerances import BALANCE_GRADES
 from ..sheet.quantity import THUMB, choice, inputs, integer, quantity, series, tables, text
 from ..sheet.text import Text
 
+# the folds of the form
+BODIES = Text("Bodies of the crank")
+
 
 @inputs
 class Unbalance:
@@ -14,7 +17,13 @@ class Unbalance:
 
     name: str = text("Name")
     unbalance: float = quantity(
-        "Unbalance", "kg·mm", low=0, high=1e6, symbol="U", help="Mass times the radius of its centre of gravity."
+        "Unbalance",
+        "kg·mm",
+        low=0,
+        high=1e6,
+        symbol="U",
+        help="Mass times the radius of its centre of gravity.",
+        repair="free",
     )
     angle: float = quantity(
         "Angle",
@@ -23,6 +32,7 @@ class Unbalance:
         high=720,
         symbol="gamma",
         help="With cylinder 1 at TDC, from up, in the sense of rotation.",
+        repair="free",
     )
     z: float = quantity(
         "Position", "mm", low=-5000, high=5000, symbol="z", help="From mid-engine, + towards the flywheel."
@@ -73,6 +83,9 @@ class ImbalanceInputs:
         usual=(0, 1),
         source="Finotti 2013, 2.3.2",
         help="Of the reciprocating mass; at ½ one shaft takes the rest.",
+        change=("lighter counterweights", "heavier counterweights"),
+        repair="free",
+        decides=True,
     )
     rotating_balance_fraction: float = quantity(
         "Rotating share balanced",
@@ -91,6 +104,7 @@ class ImbalanceInputs:
         "two_term",
         default="exact",
         help="exact: harmonics of the true slider-crank. two_term: cos α + λ cos 2α, as in the textbooks.",
+        decides=True,
     )
     counterweight_span: float | None = quantity(
         "Counterweights apart",
@@ -101,6 +115,7 @@ class ImbalanceInputs:
         symbol="l",
         source="Finotti 2013, 2.4",
         help="Axial distance of two counterweights about mid-engine.",
+        repair="free",
     )
     counterweight_radius: float | None = quantity(
         "Radius of the counterweights",
@@ -111,6 +126,7 @@ class ImbalanceInputs:
         symbol="r_cw",
         source="Finotti 2013, 2.4",
         help="Radius of their centres of gravity from the crank's axis.",
+        repair="free",
     )
     forward_shaft_axis: tuple[float, ...] | None = series(
         "Axis of the forward balance shaft",
@@ -147,6 +163,7 @@ class ImbalanceInputs:
         low=1,
         high=16,
         help="The cylinder whose throw stands up while the bodies' x and y are given.",
+        fold=BODIES,
     )
     bob_mode: str = choice(
         "Bob masses",
@@ -157,6 +174,7 @@ class ImbalanceInputs:
         help="equal: one mass that takes the couple across the throw that stands up. per_pin: the smallest change "
         "from it that takes "
         "the whole couple. least_squares: least static unbalance and couple over pitch.",
+        fold=BODIES,
     )
     bob_mass: float | None = quantity(
         "Bob mass as stated",
@@ -167,6 +185,9 @@ class ImbalanceInputs:
         symbol="m_b",
         source="Finotti 2013, 2.6",
         help="On each pin, on the balancing machine; left out, it is computed.",
+        change=("lighter bob", "heavier bob"),
+        repair="free",
+        fold=BODIES,
     )
     drill_radius: float | None = quantity(
         "Radius of the balancing holes",
@@ -190,12 +211,14 @@ class ImbalanceInputs:
         Unbalance,
         default=(),
         help="Of pulley and flywheel: they answer the question what the crank itself lacks.",
+        fold=BODIES,
     )
     crank_bodies: tuple[CrankBody, ...] = tables(
         "Bodies of the crank",
         CrankBody,
         default=(),
         help="Webs and pins: what bobs does the crank need on the balancing machine?",
+        fold=BODIES,
     )
 
     def problems(self) -> Iterable[tuple[str, Text]]:

@@ -53,6 +53,10 @@ def problem(diagonal: tuple[float, ...], coupling: tuple[float, ...] | None, int
 
 PLACE = "In engine axes, [up, side, to the flywheel], from mid-engine on the crank's axis."
 
+# the folds of the form
+MOUNTS = Text("More of the mounts")
+FRAME = Text("Frame, points, operations")
+
 
 @inputs
 class Mobility:
@@ -74,8 +78,10 @@ class Mobility:
 class Mount:
     """A mount of the engine.  Its stiffness is static; what turns it into the dynamic one stands beside."""
 
-    name: str = text("Name", help="Letters, digits and -.")
-    position: tuple[float, ...] = series("Position", "mm", count=(3, 3), low=-10000, high=10000, symbol="r", help=PLACE)
+    name: str = text("Name", help="Letters, digits and -.", decides=True)
+    position: tuple[float, ...] = series(
+        "Position", "mm", count=(3, 3), low=-10000, high=10000, symbol="r", help=PLACE, repair="free", decides=True
+    )
     stiffness: tuple[float, ...] = series(
         "Static stiffness",
         "N/mm",
@@ -84,6 +90,8 @@ class Mount:
         high=1e7,
         symbol="k",
         help="Along the mount's own axes; the first is its compression.",
+        repair="free",
+        decides=True,
     )
     dynamic_ratio: float = quantity(
         "Dynamic over static stiffness",
@@ -123,6 +131,7 @@ class Mount:
         low=-360,
         high=360,
         help="[a, b, c] about the fixed axes: first x (up), then y (side), then z (crank).",
+        repair="free",
     )
     frequency_dependence: str = choice(
         "Frequency dependence",
@@ -162,6 +171,7 @@ class Mount:
         above=0,
         high=1000,
         help="Along each own axis, static, mean torque and vibration together.",
+        repair="asked",
     )
 
     @property
@@ -195,7 +205,9 @@ class Support:
     """What carries the frame: a tyre, a mount of the cab.  Its stiffness is the dynamic one."""
 
     name: str = text("Name", help="Letters, digits and -.")
-    position: tuple[float, ...] = series("Position", "mm", count=(3, 3), low=-20000, high=20000, symbol="r", help=PLACE)
+    position: tuple[float, ...] = series(
+        "Position", "mm", count=(3, 3), low=-20000, high=20000, symbol="r", help=PLACE, repair="asked"
+    )
     stiffness: tuple[float, ...] = series(
         "Dynamic stiffness", "N/mm", count=(3, 3), above=0, high=1e9, symbol="k", help="Along its own axes."
     )
@@ -308,7 +320,9 @@ class Point:
     """A place where vibration is looked at."""
 
     name: str = text("Name", help="Letters, digits and -.")
-    position: tuple[float, ...] = series("Position", "mm", count=(3, 3), low=-20000, high=20000, symbol="r", help=PLACE)
+    position: tuple[float, ...] = series(
+        "Position", "mm", count=(3, 3), low=-20000, high=20000, symbol="r", help=PLACE, repair="asked"
+    )
     on: str = choice("Stands on", "engine", "chassis", default="engine")
     role: str = choice(
         "What it is",
@@ -325,7 +339,7 @@ class Operation:
     """A speed at which the engine runs, and its gas there where it differs from that of [engine.gas]."""
 
     name: str = text("Name", help="Letters, digits and -.")
-    speed: float = quantity("Speed", "rpm", above=0, high=30000, symbol="n", help="Of the crank.")
+    speed: float = quantity("Speed", "rpm", above=0, high=30000, symbol="n", help="Of the crank.", repair="asked")
     hours: float | None = quantity(
         "Hours a day", default=None, low=0, high=DAY, symbol="T", help="For the daily exposure."
     )
@@ -403,10 +417,23 @@ class MountingInputs:
     """Mass, inertia and mounts of the engine; below them the ground or a frame."""
 
     mass: float = quantity(
-        "Mass", "kg", above=0, high=1e6, symbol="m", help="Engine with liquids, flywheel, and what is bolted to it."
+        "Mass",
+        "kg",
+        above=0,
+        high=1e6,
+        symbol="m",
+        help="Engine with liquids, flywheel, and what is bolted to it.",
+        decides=True,
     )
     centre_of_gravity: tuple[float, ...] = series(
-        "Centre of gravity", "mm", count=(3, 3), low=-10000, high=10000, symbol="r_G", help=PLACE
+        "Centre of gravity",
+        "mm",
+        count=(3, 3),
+        low=-10000,
+        high=10000,
+        symbol="r_G",
+        help=PLACE,
+        decides=True,
     )
     inertia: tuple[float, ...] | None = series(
         "Inertia",
@@ -417,6 +444,7 @@ class MountingInputs:
         high=1e7,
         symbol="J",
         help="[J_x, J_y, J_z] about the axes through the centre of gravity: yaw, pitch, roll.",
+        decides=True,
     )
     inertia_coupling: tuple[float, ...] | None = series(
         "Coupling entries",
@@ -453,6 +481,8 @@ class MountingInputs:
         usual=(500, 1800),
         source=THUMB,
         help="At which isolation is judged.",
+        repair="asked",
+        decides=True,
     )
     up: tuple[float, ...] = series(
         "Direction upward",
@@ -487,7 +517,13 @@ class MountingInputs:
         "Machine class", default=None, low=1, high=7, help="Of ISO 10816-6; left out: no verdict."
     )
     power: float | None = quantity(
-        "Power", "kW", default=None, above=0, high=1e6, help="For the scope of the standards; left out: the rated one."
+        "Power",
+        "kW",
+        default=None,
+        above=0,
+        high=1e6,
+        help="For the scope of the standards; left out: the rated one.",
+        repair="asked",
     )
     torque_path: str = choice(
         "Where the mean torque goes",
@@ -555,10 +591,12 @@ class MountingInputs:
         high=10,
         help="[forward, side, up]; 1: what is felt is that of the rail.",
     )
-    mounts: tuple[Mount, ...] = tables("Mounts", Mount)
-    chassis: Chassis | None = table("Chassis", Chassis, default=None)
-    points: tuple[Point, ...] = tables("Points", Point, default=())
-    operation: tuple[Operation, ...] = tables("Operations", Operation, default=(), help="Left out: idle and rated.")
+    mounts: tuple[Mount, ...] = tables("Mounts", Mount, fold=MOUNTS)
+    chassis: Chassis | None = table("Chassis", Chassis, default=None, fold=FRAME)
+    points: tuple[Point, ...] = tables("Points", Point, default=(), fold=FRAME)
+    operation: tuple[Operation, ...] = tables(
+        "Operations", Operation, default=(), help="Left out: idle and rated.", fold=FRAME
+    )
 
     @property
     def integral(self) -> bool:

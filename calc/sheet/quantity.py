@@ -8,7 +8,7 @@ out: None (no tables: ()) means "choose for me"; the type checker reads the same
 from collections.abc import Collection, Iterator, Mapping
 from dataclasses import MISSING, Field, dataclass, field, fields
 from functools import cache
-from typing import Any, TypedDict, TypeVar, Unpack, dataclass_transform
+from typing import Any, Literal, TypedDict, TypeVar, Unpack, dataclass_transform
 
 from .arrays import has_lanes
 from .record import record
@@ -17,10 +17,27 @@ from .units import UNITS, Unit
 
 T = TypeVar("T")
 
+# whether a repair may move an input: "free", as the maker likes; "asked", never, it is what a design asks for; else only
+# where a check names it
+Repair = Literal["", "free", "asked"]
+
 REQUIRED: Any = MISSING  # no default, in place of one of any type
 NOTHING_RENAMED: Mapping[str, str] = {}
 # the source of a usual range that practice knows and no book behind this program states
 THUMB = Text("rule of thumb, no published source")
+
+
+@record
+class ChangeWords:
+    """What a change of an input is called in the words of the trade: a `less` or a `more` of a number, an `other` word.
+    Inputs with the same words in one place move together."""
+
+    less: Text = EMPTY
+    more: Text = EMPTY
+    other: Text = EMPTY
+
+
+NO_WORDS = ChangeWords()
 
 
 @record
@@ -45,6 +62,12 @@ class Quantity:
     step: float | None = None  # the increment of shift+↑ in the form, in the shown unit
     help: Text = EMPTY
     source: Text = EMPTY  # where the usual range, or the meaning, comes from
+    brief: Text = EMPTY  # what it is called where its label is longer than a line can bear
+    decides: bool = False  # whether it is one of the few that stand first in the form of its step
+    fold: Text = EMPTY  # the fold of the form that it lies in; that of its table, where it says nothing itself
+    catalogue: str = ""  # of a text that is a name: the catalogue that has it
+    repair: Repair = ""
+    change: ChangeWords = NO_WORDS
 
     @property
     def units(self) -> Unit:
@@ -97,7 +120,7 @@ NOUNS = {
 }
 
 
-class _Numbers(TypedDict, total=False):
+class _AsTheyStand(TypedDict, total=False):
     """What `Quantity` takes as it stands."""
 
     symbol: str
@@ -107,14 +130,20 @@ class _Numbers(TypedDict, total=False):
     usual: tuple[float, float]
     count: tuple[int, int]
     step: float
+    decides: bool
+    fold: Text
+    catalogue: str
+    repair: Repair
 
 
-class Said(_Numbers, total=False):
+class Said(_AsTheyStand, total=False):
     """What may be said of an input beside its label, unit and default."""
 
     help: str
     source: str
     negative: str
+    brief: str
+    change: tuple[str, ...]  # (less, more), (less, more, other) or (other,)
 
 
 def _make(
@@ -126,10 +155,12 @@ def _make(
     help: str = "",
     source: str = "",
     negative: str = "",
+    brief: str = "",
+    change: tuple[str, ...] = (),
     choices: tuple[str, ...] = (),
     table: type | None = None,
     free: bool = False,
-    **options: Unpack[_Numbers],
+    **options: Unpack[_AsTheyStand],
 ) -> T:
     what = Quantity(
         kind,
@@ -139,12 +170,18 @@ def _make(
         help=Text(help),
         source=Text(source),
         negative=Text(negative),
+        brief=Text(brief),
+        change=_change_words(*map(Text, change)),
         choices=choices,
         table=table,
         free=free,
         **options,
     )
     return field(default=default, kw_only=True, metadata={"quantity": what})
+
+
+def _change_words(*words: Text) -> ChangeWords:
+    return ChangeWords(other=words[0]) if len(words) == 1 else ChangeWords(*words)
 
 
 def quantity(label: str, unit: str = "", *, default: T = REQUIRED, **options: Unpack[Said]) -> T:

@@ -34,7 +34,7 @@ from calc.studies.shipped import engines
 ROOT = Path(__file__).resolve().parents[2]
 # calls whose first argument is a label
 FIELDS = {"value", "quantity", "integer", "text", "choice", "series", "integers", "table", "tables", "open_"}
-SENTENCES = {"help", "source"}  # their keywords that are texts
+SENTENCES = {"help", "source", "brief", "change"}  # their keywords that are texts
 RELEASE = bool(os.environ.get("RELEASE"))  # RELEASE=1 pytest tests/languages: every text must have its translation
 # for one and for many: babel's own rules differ from version to version
 PLURALS = ("Plural-Forms", "nplurals=2; plural=(n != 1);")
@@ -69,6 +69,8 @@ def _of(tree: ast.AST) -> Iterator[Template]:
             yield constants[node.id]
         elif isinstance(node, ast.IfExp):
             yield from (*literals(node.body), *literals(node.orelse))
+        elif isinstance(node, ast.Tuple):  # the words of a change
+            yield from (text for element in node.elts for text in literals(element))
 
     for node in ast.walk(tree):
         if not isinstance(node, ast.Call) or not node.args:

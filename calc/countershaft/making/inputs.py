@@ -116,6 +116,8 @@ class Bolts:
         step=1,
         source="VDI 2230-1",
         help="Torque with which each bolt is tightened; thread and head rub most of it away.",
+        change=("less bolt torque", "more bolt torque"),
+        repair="free",
     )
     friction: float = quantity(
         "Coefficient of friction, thread and head",
@@ -135,6 +137,8 @@ class Bolts:
         symbol="d_w",
         source="VDI 2230-1",
         help="Outer diameter of the face under the head: across flats, or of the flange.",
+        change=("smaller bolt heads", "larger bolt heads"),
+        repair="free",
     )
     hole_diameter: float = quantity(
         "Clearance hole",
@@ -144,9 +148,17 @@ class Bolts:
         symbol="d_h",
         source="VDI 2230-1",
         help="Diameter of the hole that the bolt goes through, a little above the thread's.",
+        change=("closer bolt holes", "wider bolt holes"),
+        repair="free",
     )
     count: int = integer(
-        "Number of bolts", low=2, high=64, symbol="N_b", help="Bolts that hold the support to the block, all alike."
+        "Number of bolts",
+        low=2,
+        high=64,
+        symbol="N_b",
+        help="Bolts that hold the support to the block, all alike.",
+        change=("fewer bolts", "more bolts"),
+        repair="free",
     )
     method: str = choice(
         "Torque to preload",
@@ -181,6 +193,7 @@ class Bolts:
         high=5000,
         symbol="l_b",
         help="Between the bolts at the front and those at the rear. Left out: that of the shaft's outer bearings.",
+        repair="free",
     )
 
     def problems(self) -> Iterable[tuple[str, Text]]:
@@ -203,6 +216,7 @@ class Clamp:
         high=500,
         source="DIN 3021",
         help="Diameter by which the clamp is called; the hose end must not be smaller.",
+        repair="free",
     )
     opening: float = quantity(
         "Largest opening",
@@ -211,6 +225,7 @@ class Clamp:
         high=500,
         source="DIN 3021",
         help="Diameter to which the clamp opens; the hose end must pass.",
+        repair="free",
     )
 
     def problems(self) -> Iterable[tuple[str, Text]]:
@@ -222,7 +237,7 @@ class Clamp:
 class Union:
     """One pipe union."""
 
-    thread: str = text("Thread", help="Like M18x1.5.")
+    thread: str = text("Thread", help="Like M18x1.5.", repair="free")
     bore: float = quantity(
         "Bore",
         "mm",
@@ -230,6 +245,7 @@ class Union:
         high=200,
         source="Finotti 2013, 4.4",
         help="Inner diameter; of the unions that fit the one with the widest bore is taken.",
+        repair="free",
     )
 
     def problems(self) -> Iterable[tuple[str, Text]]:
@@ -249,6 +265,7 @@ class Sleeve:
         symbol="d",
         source="Finotti 2013, 4.4",
         help="The union goes through it: not below the diameter of its thread.",
+        repair="free",
     )
     bore: float = quantity(
         "Bore of the end",
@@ -258,6 +275,7 @@ class Sleeve:
         symbol="d1",
         source="Finotti 2013, 4.4",
         help="Inner diameter; of the sleeves that fit the one with the widest bore is taken.",
+        repair="free",
     )
     end: float = quantity(
         "Outer diameter of the end",
@@ -267,6 +285,7 @@ class Sleeve:
         symbol="d2",
         source="Finotti 2013, 4.4",
         help="On which the hose sits.",
+        repair="free",
     )
 
     def problems(self) -> Iterable[tuple[str, Text]]:
@@ -287,6 +306,7 @@ class OilDrain:
         symbol="D_min",
         source="Finotti 2013, 4.4",
         help="The clamp must still grip the hose end at this diameter.",
+        repair="free",
     )
     hose_max: float = quantity(
         "Hose end, largest outer diameter",
@@ -296,11 +316,12 @@ class OilDrain:
         symbol="D_max",
         source="Finotti 2013, 4.4",
         help="The clamp must open to this diameter of the hose end.",
+        repair="free",
     )
-    thread: str = text("Thread of the hole in the block", help="Like M18x1.5.")
-    clamps: tuple[Clamp, ...] = tables("Spring band clamps at hand", Clamp, default=())
-    unions: tuple[Union, ...] = tables("Pipe unions at hand", Union, default=())
-    sleeves: tuple[Sleeve, ...] = tables("Sleeves at hand", Sleeve, default=())
+    thread: str = text("Thread of the hole in the block", help="Like M18x1.5.", repair="free")
+    clamps: tuple[Clamp, ...] = tables("Spring band clamps at hand", Clamp, default=(), repair="free")
+    unions: tuple[Union, ...] = tables("Pipe unions at hand", Union, default=(), repair="free")
+    sleeves: tuple[Sleeve, ...] = tables("Sleeves at hand", Sleeve, default=(), repair="free")
     slope: float | None = quantity(
         "Slope of the passage to the drain",
         "°",
@@ -311,6 +332,7 @@ class OilDrain:
         step=1,
         source="Finotti 2013, 3.2.2",
         help="Least angle to the horizontal, machine level; 45° in the source.",
+        repair="free",
     )
     tilt: float | None = quantity(
         "Largest tilt of the machine",
@@ -322,6 +344,7 @@ class OilDrain:
         step=1,
         source="Finotti 2013, 3.2.2",
         help="At which the oil must still leave, as on an excavator on a slope. Left out: not judged.",
+        repair="free",
     )
     bore: float | None = quantity(
         "Narrowest bore of that passage",
@@ -332,6 +355,7 @@ class OilDrain:
         symbol="d_d",
         source="Finotti 2013, 4.4",
         help="Where it is narrowest. Left out: what runs off is not computed.",
+        repair="free",
     )
     oil_share: tuple[float, ...] = series(
         "Share of the oil of each bearing",
@@ -342,6 +366,7 @@ class OilDrain:
         high=100,
         symbol="x",
         help="[front, rear]: what of each bearing's oil this drain takes. Left out: all of both.",
+        repair="free",
     )
 
     @property
@@ -374,7 +399,9 @@ class Support:
     """The casting that carries the shaft: its wall beside the rear seat, and stresses found elsewhere (finite
     elements)."""
 
-    material: str = text("Material", help="A name from the table of materials or from [[material]].")
+    material: str = text(
+        "Material", help="A name from the table of materials or from [[material]].", catalogue="materials"
+    )
     wall: float | None = quantity(
         "Wall beside the largest seat",
         "mm",
@@ -384,6 +411,8 @@ class Support:
         symbol="w",
         source="Finotti 2013, 4.2",
         help="Metal left beside the largest seat, with the shaft of this design.",
+        change=("thinner wall", "thicker wall"),
+        repair="free",
     )
     wall_at_seat: float | None = quantity(
         "Seat with that wall",
@@ -413,6 +442,7 @@ class Support:
         high=10000,
         source="Finotti 2013, 4.7 (in chapter 6)",
         help="From finite elements; the limit is the proof stress of the material.",
+        repair="asked",
     )
     load_stress: float | None = quantity(
         "Stress from the bearing loads alone, von Mises",
@@ -422,6 +452,7 @@ class Support:
         high=10000,
         source="Finotti 2013, 4.7 (in chapter 6)",
         help="From finite elements, without the bolts' preload; it turns with the shaft.",
+        repair="asked",
     )
     load_stress_limit: float | None = quantity(
         "Limit of the stress from the loads",
@@ -450,7 +481,9 @@ class Part:
 class Alternative:
     """What the shaft costs in one material."""
 
-    material: str = text("Material", help="A name from the table of materials or from [[material]].")
+    material: str = text(
+        "Material", help="A name from the table of materials or from [[material]].", catalogue="materials"
+    )
     tooling: float = quantity(
         "Tooling", "€", low=0, high=1e9, source="Finotti 2013, 4.2", help="Cost of dies and fixtures, paid once."
     )

@@ -25,7 +25,10 @@ def found(gamma: Document, gamma_results: Results) -> Comparison:
 
 
 def result(a: float, b: float, *, least: bool) -> KeyResult:
-    one, other = (Published("gears.x.y", number, "µm", Text("Backlash"), "", number, Described("Backlash", "µm")) for number in (a, b))
+    one, other = (
+        Published("gears.x.y", number, "µm", Text("Backlash"), "", number, Described("Backlash", "µm"))
+        for number in (a, b)
+    )
     return KeyResult(one, other, least, abs(a - b) / max(abs(a), abs(b)))
 
 
