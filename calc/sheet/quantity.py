@@ -17,8 +17,8 @@ from .units import UNITS, Unit
 
 T = TypeVar("T")
 
-# whether a repair may move an input: "free", as the maker likes; "asked", never, it is what a design asks for; else only
-# where a check names it
+# whether a repair may move an input: "free", as the maker likes; "asked", never, it is what a design asks for; else
+# only where a check names it
 Repair = Literal["", "free", "asked"]
 
 REQUIRED: Any = MISSING  # no default, in place of one of any type
