@@ -48,7 +48,7 @@ class BearingInputs:
         change=("smaller journal", "larger journal"),
         repair="free",
         brief="diameter",
-        decides=True,
+        decides=3,
     )
     length: float = quantity(
         "Length",
@@ -61,7 +61,7 @@ class BearingInputs:
         help=Text("Along the shaft; {usual}. More length: lower specific load, thicker film.", usual=USUAL_LENGTH),
         change=("shorter journal", "longer journal"),
         repair="free",
-        decides=True,
+        decides=4,
     )
     clearance: float | None = quantity(
         "Clearance (diametral)",
@@ -80,7 +80,7 @@ class BearingInputs:
         change=("smaller clearance", "larger clearance"),
         repair="free",
         brief="clearance",
-        decides=True,
+        decides=5,
     )
     clearance_factor: float | None = quantity(
         "Clearance factor K",
@@ -94,7 +94,7 @@ class BearingInputs:
         help="Clearance g = K·d·u^¼ in mm, m and m/s.",
         change=("smaller clearance", "larger clearance"),
         repair="free",
-        decides=True,
+        decides=6,
     )
     load: float | None = quantity(
         "Load",
@@ -150,7 +150,7 @@ class BearingsInputs:
         help="A name from the table of oils or from [[oil]].",
         change=("thinner oil", "thicker oil", "another oil"),
         catalogue="oils",
-        decides=True,
+        decides=1,
     )
     supply_temperature: float = quantity(
         "Supply temperature",
@@ -163,7 +163,7 @@ class BearingsInputs:
         source=THUMB,
         help="Of the oil in the gallery before the bearing.",
         repair="asked",
-        decides=True,
+        decides=2,
     )
     supply_pressure: float = quantity(
         "Supply pressure",
@@ -203,6 +203,7 @@ class BearingsInputs:
         ),
         change=("narrower oil supply", "wider oil supply"),
         repair="free",
+        where=(supply, "hole", "shaft"),
     )
     housing_material: str = text(
         "Housing material",
@@ -224,6 +225,7 @@ class BearingsInputs:
         help="Width of the oil groove along the shaft; it carries no load.",
         change=("narrower oil supply", "wider oil supply"),
         repair="free",
+        where=(supply, "groove"),
     )
     pocket_width: float | None = quantity(
         "Pocket width",
@@ -240,6 +242,7 @@ class BearingsInputs:
         ),
         change=("narrower oil supply", "wider oil supply"),
         repair="free",
+        where=(supply, "pocket"),
     )
     groove_arc: tuple[float, ...] | None = series(
         "Groove from and to",
@@ -251,6 +254,7 @@ class BearingsInputs:
         symbol="delta_G",
         source="DIN 31652-2",
         help="Angles from the load, 180 opposite to it. Left out: all round.",
+        where=(supply, "groove"),
     )
     supply_angle: float = quantity(
         "Angle from load to supply",
@@ -272,6 +276,7 @@ class BearingsInputs:
         symbol="l_P",
         help="Around the seat; the flow does not ask for it.",
         repair="free",
+        where=(supply, "pocket"),
     )
     axial_groove_angles: tuple[float, ...] | None = series(
         "Axial grooves at",
@@ -282,6 +287,7 @@ class BearingsInputs:
         high=360,
         symbol="delta_A",
         help="Middles, from the load in the sense in which the film is dragged past it; [90, 270] for a split bearing.",
+        where=(supply, "axial_groove"),
     )
     axial_groove_width: float | None = quantity(
         "Axial groove width",
@@ -291,6 +297,7 @@ class BearingsInputs:
         high=500,
         symbol="w_A",
         help="Around the seat; the film ends at its edges.",
+        where=(supply, "axial_groove"),
     )
     axial_groove_length: float | None = quantity(
         "Axial groove length",
@@ -300,6 +307,7 @@ class BearingsInputs:
         high=1000,
         symbol="l_A",
         help="Along the shaft; shorter than the bearing, or the oil leaves at its ends.",
+        where=(supply, "axial_groove"),
     )
     lubrication: str = choice(
         "Lubrication",

@@ -259,7 +259,7 @@ class CountershaftInputs:
         default="given",
         help="given: the eccentric masses below are checked. size: the lightest pair of sectors in the envelope is "
         "found.",
-        decides=True,
+        decides=1,
     )
     material: str = text(
         "Material",
@@ -293,7 +293,7 @@ class CountershaftInputs:
         help="Middle of the journals from mid-shaft, front to rear; more than two: a beam on many supports.",
         change=("shorter span", "longer span"),
         repair="free",
-        decides=True,
+        decides=5,
     )
     axis: tuple[float, ...] | None = series(
         "Axis from the crank's",
@@ -306,7 +306,9 @@ class CountershaftInputs:
         help="[up, side], side 90° further in the sense of crank rotation. Beside the crank a force of the shaft "
         "raises a roll torque.",
     )
-    masses: tuple[EccentricMass, ...] = tables("Eccentric masses", EccentricMass, default=(), decides=True)
+    masses: tuple[EccentricMass, ...] = tables(
+        "Eccentric masses", EccentricMass, default=(), decides=6, where=(mode, "given")
+    )
     extras: tuple[Extra, ...] = tables("Further elements", Extra, default=())
     outer_radius: float | None = quantity(
         "Outer radius of the sectors",
@@ -322,7 +324,8 @@ class CountershaftInputs:
         "less the clearance.",
         change=("smaller envelope", "larger envelope"),
         repair="free",
-        decides=True,
+        decides=2,
+        where=(mode, "size"),
     )
     core_radius: float | None = quantity(
         "Core radius",
@@ -337,7 +340,8 @@ class CountershaftInputs:
         help="Radius of the shaft between and inside the sectors.",
         change=("thinner core", "stiffer shaft"),
         repair="free",
-        decides=True,
+        decides=3,
+        where=(mode, "size"),
     )
     half_length: float | None = quantity(
         "Half-length",
@@ -352,7 +356,8 @@ class CountershaftInputs:
         help="Outer faces of the sectors from mid-shaft. Needed for mode size.",
         change=("shorter shaft", "longer shaft"),
         repair="free",
-        decides=True,
+        decides=4,
+        where=(mode, "size"),
     )
     overdesign: float = quantity(
         "Couple beyond the required one",
@@ -365,6 +370,7 @@ class CountershaftInputs:
         source="rule of this program, by the holes",
         help="Mode size: what drilling takes away again.",
         change=("less beyond what is asked", "more beyond what is asked"),
+        where=(mode, "size"),
     )
     radial_clearance: float | None = quantity(
         "Clearance for threading in",
@@ -377,6 +383,7 @@ class CountershaftInputs:
         source=THUMB,
         help="Between sectors and largest seat. Left out: none asked; in mode given the shaft is not threaded through "
         "a seat.",
+        where=(mode, "size"),
     )
     sections: tuple[Section, ...] = tables("Outline for bending", Section, default=())
     fillet_radius: float | None = quantity(

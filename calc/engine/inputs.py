@@ -254,7 +254,7 @@ class EngineInputs:
         usual=(50, 150),
         source=THUMB,
         help="Diameter of the cylinders, on which the gas presses.",
-        decides=True,
+        decides=1,
     )
     crank_radius: float = quantity(
         "Crank radius",
@@ -280,7 +280,7 @@ class EngineInputs:
             high=Amount(CRANK_RATIO[1]),
         ),
         change=("shorter rods", "longer rods"),
-        decides=True,
+        decides=3,
     )
     cylinder_pitch: float = quantity(
         "Cylinder pitch",
@@ -291,7 +291,7 @@ class EngineInputs:
         usual=(35, 200),
         source=THUMB,
         help="Distance of neighbouring cylinders; every couple is proportional to it.",
-        decides=True,
+        decides=6,
     )
     cylinder_offset: float = quantity(
         "Cylinder offset",
@@ -314,6 +314,7 @@ class EngineInputs:
         usual=(45, 180),
         source=THUMB,
         help="Between the banks of a vee engine; a boxer has 180°.",
+        where=(layout, "vee", "boxer"),
         fold=CYLINDERS,
     )
     firing_order: tuple[int, ...] | None = integers(
@@ -352,6 +353,7 @@ class EngineInputs:
         low=0,
         high=1,
         help="The bank of each cylinder, 0 or 1; bank 0 stands at −V/2.",
+        where=(layout, "vee", "boxer"),
         fold=CYLINDERS,
     )
     crank_radii: tuple[float, ...] | None = series(
@@ -375,7 +377,7 @@ class EngineInputs:
         usual=(150, 2000),
         source=THUMB,
         help="Mass of one piston with rings, pin and circlips.",
-        decides=True,
+        decides=4,
     )
     rod_mass: float | None = quantity(
         "Rod mass",
@@ -440,7 +442,7 @@ class EngineInputs:
         source=THUMB,
         help="The speed at which forces and bearings are judged.",
         repair="asked",
-        decides=True,
+        decides=5,
     )
     rated_power: float | None = quantity(
         "Rated power",

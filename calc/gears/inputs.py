@@ -36,7 +36,7 @@ class Wheel:
 
     REFUSED: ClassVar[dict[str, Text]] = REFUSED
 
-    name: str = text("Name", decides=True)
+    name: str = text("Name", decides=4)
     teeth: int = integer(
         "Teeth",
         low=5,
@@ -48,7 +48,7 @@ class Wheel:
         help="Number of teeth; few of them are undercut.",
         change=("fewer teeth", "more teeth"),
         repair="free",
-        decides=True,
+        decides=5,
     )
     profile_shift: float | None = quantity(
         "Profile shift coefficient",
@@ -63,7 +63,7 @@ class Wheel:
         change=("less profile shift", "more profile shift"),
         repair="free",
         brief="profile shift",
-        decides=True,
+        decides=6,
     )
     tip_shortening: float = quantity(
         "Tip cut (radial)",
@@ -118,7 +118,7 @@ class Wheel:
         change=("thinner teeth", "thicker teeth"),
         repair="free",
         brief="span allowance",
-        decides=True,
+        decides=7,
     )
     tip_diameter_tolerance: tuple[float, ...] | None = series(
         "Tolerance of the tip diameter",
@@ -304,8 +304,8 @@ class Mesh:
 
     REFUSED: ClassVar[dict[str, Text]] = REFUSED
 
-    driver: str = text("Driver", help="The wheel nearer to the crank.", decides=True)
-    driven: str = text("Driven", help="The wheel that it drives.", decides=True)
+    driver: str = text("Driver", help="The wheel nearer to the crank.", decides=8)
+    driven: str = text("Driven", help="The wheel that it drives.", decides=9)
     centre_distance: float | None = quantity(
         "Centre distance",
         "mm",
@@ -318,7 +318,7 @@ class Mesh:
         help="Distance of the two axes. Left out: without backlash, from the profile shifts.",
         change=("closer centres", "wider centres"),
         repair="free",
-        decides=True,
+        decides=10,
     )
     tolerance: float | None = quantity(
         "Tolerance of the centre distance (±)",
@@ -332,7 +332,7 @@ class Mesh:
         help="Half the field, to either side.",
         change=("closer tolerance", "wider tolerance"),
         repair="free",
-        decides=True,
+        decides=11,
     )
     contributors: tuple[float, ...] | None = series(
         "Contributors to the tolerance",
@@ -455,7 +455,7 @@ class GearsInputs:
         source=THUMB,
         help="Pitch over π, normal to the teeth. Left out: by transverse_module_mm.",
         change=("smaller module", "larger module"),
-        decides=True,
+        decides=1,
     )
     transverse_module: float | None = quantity(
         "Transverse module",
@@ -491,7 +491,7 @@ class GearsInputs:
         source=THUMB,
         help="At the reference circle; 0: spur wheels.",
         repair="free",
-        decides=True,
+        decides=2,
     )
     face_width: float = quantity(
         "Face width",
@@ -503,7 +503,7 @@ class GearsInputs:
         source=THUMB,
         help="Of all wheels that give none of their own; often 6 to 12 modules.",
         change=("narrower gears", "wider gears"),
-        decides=True,
+        decides=3,
     )
     tool_addendum: float = quantity(
         "Tool addendum",

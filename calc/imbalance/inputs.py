@@ -85,7 +85,7 @@ class ImbalanceInputs:
         help="Of the reciprocating mass; at ½ one shaft takes the rest.",
         change=("lighter counterweights", "heavier counterweights"),
         repair="free",
-        decides=True,
+        decides=1,
     )
     rotating_balance_fraction: float = quantity(
         "Rotating share balanced",
@@ -104,7 +104,7 @@ class ImbalanceInputs:
         "two_term",
         default="exact",
         help="exact: harmonics of the true slider-crank. two_term: cos α + λ cos 2α, as in the textbooks.",
-        decides=True,
+        decides=2,
     )
     counterweight_span: float | None = quantity(
         "Counterweights apart",

@@ -78,9 +78,9 @@ class Mobility:
 class Mount:
     """A mount of the engine.  Its stiffness is static; what turns it into the dynamic one stands beside."""
 
-    name: str = text("Name", help="Letters, digits and -.", decides=True)
+    name: str = text("Name", help="Letters, digits and -.", decides=5)
     position: tuple[float, ...] = series(
-        "Position", "mm", count=(3, 3), low=-10000, high=10000, symbol="r", help=PLACE, repair="free", decides=True
+        "Position", "mm", count=(3, 3), low=-10000, high=10000, symbol="r", help=PLACE, repair="free", decides=6
     )
     stiffness: tuple[float, ...] = series(
         "Static stiffness",
@@ -91,7 +91,7 @@ class Mount:
         symbol="k",
         help="Along the mount's own axes; the first is its compression.",
         repair="free",
-        decides=True,
+        decides=7,
     )
     dynamic_ratio: float = quantity(
         "Dynamic over static stiffness",
@@ -423,7 +423,7 @@ class MountingInputs:
         high=1e6,
         symbol="m",
         help="Engine with liquids, flywheel, and what is bolted to it.",
-        decides=True,
+        decides=1,
     )
     centre_of_gravity: tuple[float, ...] = series(
         "Centre of gravity",
@@ -433,7 +433,7 @@ class MountingInputs:
         high=10000,
         symbol="r_G",
         help=PLACE,
-        decides=True,
+        decides=2,
     )
     inertia: tuple[float, ...] | None = series(
         "Inertia",
@@ -444,7 +444,7 @@ class MountingInputs:
         high=1e7,
         symbol="J",
         help="[J_x, J_y, J_z] about the axes through the centre of gravity: yaw, pitch, roll.",
-        decides=True,
+        decides=3,
     )
     inertia_coupling: tuple[float, ...] | None = series(
         "Coupling entries",
@@ -482,7 +482,7 @@ class MountingInputs:
         source=THUMB,
         help="At which isolation is judged.",
         repair="asked",
-        decides=True,
+        decides=4,
     )
     up: tuple[float, ...] = series(
         "Direction upward",

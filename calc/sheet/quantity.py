@@ -41,6 +41,19 @@ NO_WORDS = ChangeWords()
 
 
 @record
+class Where:
+    """The choice of the same table with which an input says something, and its words with which it does."""
+
+    choice: Field[Any]  # Any: the type of its default
+    words: tuple[str, ...]
+
+    def holds(self, table: Mapping[str, object]) -> bool:
+        """In a table of the design file; a choice that is left out is the first of its words."""
+        about: Quantity = self.choice.metadata["quantity"]
+        return table.get(_key(self.choice), about.choices[0]) in self.words
+
+
+@record
 class Quantity:
     """The description of one input.  `kind` is one of number, integer, text, date, choice, series, integers, table,
     tables, reasons, open."""
@@ -63,11 +76,12 @@ class Quantity:
     help: Text = EMPTY
     source: Text = EMPTY  # where the usual range, or the meaning, comes from
     brief: Text = EMPTY  # what it is called where its label is longer than a line can bear
-    decides: bool = False  # whether it is one of the few that stand first in the form of its step
+    decides: int = 0  # of the few that stand first in the form of their step, which one it is, from 1
     fold: Text = EMPTY  # the fold of the form that it lies in; that of its table, where it says nothing itself
     catalogue: str = ""  # of a text that is a name: the catalogue that has it
     repair: Repair = ""
     change: ChangeWords = NO_WORDS
+    where: Where | None = None  # where it says something; None: everywhere
 
     @property
     def units(self) -> Unit:
@@ -130,7 +144,7 @@ class _AsTheyStand(TypedDict, total=False):
     usual: tuple[float, float]
     count: tuple[int, int]
     step: float
-    decides: bool
+    decides: int
     fold: Text
     catalogue: str
     repair: Repair
@@ -144,6 +158,7 @@ class Said(_AsTheyStand, total=False):
     negative: str
     brief: str
     change: tuple[str, ...]  # (less, more), (less, more, other) or (other,)
+    where: tuple[object, ...]  # (choice, word, …): a choice field above it in its class, and words of it
 
 
 def _make(
@@ -157,6 +172,7 @@ def _make(
     negative: str = "",
     brief: str = "",
     change: tuple[str, ...] = (),
+    where: tuple[object, ...] = (),
     choices: tuple[str, ...] = (),
     table: type | None = None,
     free: bool = False,
@@ -172,6 +188,7 @@ def _make(
         negative=Text(negative),
         brief=Text(brief),
         change=_change_words(*map(Text, change)),
+        where=_where(*where) if where else None,
         choices=choices,
         table=table,
         free=free,
@@ -182,6 +199,11 @@ def _make(
 
 def _change_words(*words: Text) -> ChangeWords:
     return ChangeWords(other=words[0]) if len(words) == 1 else ChangeWords(*words)
+
+
+def _where(choice: object, *words: object) -> Where:
+    assert isinstance(choice, Field), choice  # in the class that is being made; where it is made, a Key
+    return Where(choice, tuple(map(str, words)))
 
 
 def quantity(label: str, unit: str = "", *, default: T = REQUIRED, **options: Unpack[Said]) -> T:
@@ -253,9 +275,14 @@ def keys(inputs: type) -> dict[str, Key]:
     by_key = {}
     for f in fields(inputs):
         if (about := f.metadata.get("quantity")) is not None:
-            key = f.name.rstrip("_") + about.units.suffix  # `from_`: the key may be a word of Python
+            key = _key(f)
             by_key[key] = Key(key, f.name, about, f)
     return by_key
+
+
+def _key(f: Field[Any]) -> str:
+    about: Quantity = f.metadata["quantity"]
+    return f.name.rstrip("_") + about.units.suffix  # `from_`: the key may be a word of Python
 
 
 def dotted(*parts: object) -> str:
