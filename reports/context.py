@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 from reportlab.lib.utils import ImageReader
 
-from calc.design.key_results import CURVES, judged, like, outside
+from calc.design.key_results import judged, outside
 from calc.design.limits import LOGO_BYTES, LOGO_SIDE
 from calc.design.model import STEPS, Design
 from calc.design.names import belongs
@@ -291,21 +291,13 @@ class Context:
 
 
 def _main_curves(outcome: Outcome[object]) -> list[Curve]:
-    """The curves of a step that a short report has.  All of them are made only where one of these is not a key curve:
-    some take long."""
-    chosen: list[Curve] = []
-    for pattern in CURVES.get(outcome.key, ()):
-        first = next(
-            (
-                curve
-                for curves in (outcome.key_curves, outcome.curves)
-                for curve in curves
-                if like(curve.id, (pattern,))
-            ),
-            None,
-        )
-        chosen += [first] if first is not None else []
-    return chosen
+    """The curves of a step that a short report has, in its order.  Where the step makes them apart, the others are not
+    made: some take long."""
+    first: dict[int, Curve] = {}
+    for curve in tuple(outcome.key_curves) or outcome.curves:
+        if curve.short:
+            first.setdefault(curve.short, curve)
+    return [first[place] for place in sorted(first)]
 
 
 def near(check: Check) -> bool:

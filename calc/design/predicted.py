@@ -85,7 +85,8 @@ def _tables(outcome: Outcome[object], rows: list[Measured], predicted: Callable[
 
 def measured_table(rows: list[Measured], predicted: Predicted) -> Table:
     notes = [Text("{value}: {note}.", value=row.value, note=row.note) for row in rows if row.note]
-    return Table("measured", TITLE, COLUMNS, tuple(_row(row, predicted) for row in rows), SPACE.join([NOTE, *notes]))
+    cells, note = tuple(_row(row, predicted) for row in rows), SPACE.join([NOTE, *notes])
+    return Table("measured", TITLE, COLUMNS, cells, note, short=True)
 
 
 def compared_table(a: tuple[Design, Predicted], b: tuple[Design, Predicted], names: tuple[str, str]) -> Table | None:

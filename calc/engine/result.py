@@ -94,12 +94,12 @@ class TorqueResult:
     compression_end_pressure: Pascal | None = value("Pressure at the end of compression", "bar", "p_c", default=None)
     indicated_work: NewtonMetre | None = value("Indicated work of one cylinder and cycle", "J", "W_i", default=None)
     indicated_mean_pressure: Pascal | None = value("Indicated mean pressure", "bar", "p_mi", default=None)
-    mean_torque: NewtonMetre | None = value("Mean indicated torque", "N·m", "T_m", default=None)
+    mean_torque: NewtonMetre | None = value("Mean indicated torque", "N·m", "T_m", default=None, short=True)
     indicated_power: Watt | None = value("Indicated power", "kW", "P_i", default=None)
     torque_highest: NewtonMetre | None = value("Highest torque over the cycle", "N·m", "T_hi", default=None)
     torque_lowest: NewtonMetre | None = value("Lowest torque over the cycle", "N·m", "T_lo", default=None)
     energy_fluctuation: NewtonMetre | None = value("Energy fluctuation over the cycle", "J", "ΔE", default=None)
-    speed_irregularity: Number | None = value("Speed irregularity", "", "δ_s", default=None)
+    speed_irregularity: Number | None = value("Speed irregularity", "", "δ_s", default=None, short=True)
     harmonics: tuple[complex, ...]  # t_1 … t_8 of the inertia torque: T = Re Σ t_n e^{inε}
     reaction_harmonics: tuple[complex, ...]  # the same of its reaction on the block
     cycle: Cycle | None  # the gas of a cylinder, for the crank throw
@@ -121,19 +121,19 @@ class Cylinder:
 class EngineResult:
     """Masses, kinematics and harmonics of an engine."""
 
-    reciprocating_mass: Kilogram = value("Reciprocating mass per cylinder", "g", "M_alt")
-    rotating_mass: Kilogram = value("Rotating mass per cylinder", "g", "M_rot")
-    lambda_: Number = value("Crank ratio", "", "λ")
+    reciprocating_mass: Kilogram = value("Reciprocating mass per cylinder", "g", "M_alt", short=True)
+    rotating_mass: Kilogram = value("Rotating mass per cylinder", "g", "M_rot", short=True)
+    lambda_: Number = value("Crank ratio", "", "λ", short=True, headline=2)
     delta: Number = value("Offset ratio", "", "δ")
-    angular_speed: RadPerSecond = value("Angular speed", "rad/s", "ω")
+    angular_speed: RadPerSecond = value("Angular speed", "rad/s", "ω", short=True)
     tdc_angle: Radian = value("Crank angle at TDC", "°", "φ_0")
-    stroke: Metre = value("Stroke", "mm", "s")
-    displacement: CubicMetre = value("Displacement", "cm³", "V_h")
-    mean_piston_speed: MetrePerSecond = value("Mean piston speed", "m/s", "u_m")
-    brake_mean_pressure: Pascal | None = value("Brake mean effective pressure", "bar", "p_me", default=None)
+    stroke: Metre = value("Stroke", "mm", "s", short=True, headline=1)
+    displacement: CubicMetre = value("Displacement", "cm³", "V_h", short=True)
+    mean_piston_speed: MetrePerSecond = value("Mean piston speed", "m/s", "u_m", short=True)
+    brake_mean_pressure: Pascal | None = value("Brake mean effective pressure", "bar", "p_me", default=None, short=True)
     piston_speed_max: MetrePerSecond = value("Largest piston speed", "m/s", "v_max")
     piston_speed_max_angle: Radian = value("Crank angle of the largest piston speed", "°", "α_v")
-    acceleration_max: MetrePerSecond2 = value("Largest piston acceleration", "m/s²", "a_max")
+    acceleration_max: MetrePerSecond2 = value("Largest piston acceleration", "m/s²", "a_max", short=True)
     acceleration_min: MetrePerSecond2 = value("Smallest piston acceleration", "m/s²", "a_min")
     acceleration_min_angle: Radian = value("Crank angle of the smallest acceleration", "°")
     firing_interval: Radian | None = value("Firing interval, on average", "°", "Δ", default=None)

@@ -14,20 +14,30 @@ from .webs import WebsResult
 class ImbalanceResult:
     """All orders, what the counter-shaft must supply, and the remedies."""
 
-    orders: dict[str, Order] = group(spread=True)
-    required_couple: NewtonMetre = value("Couple that the counter-shaft must supply", "N·m", "C_S")
-    required_couple_phase: Radian = value("its phase, cylinder 1 at TDC", "°")
-    required_unbalance_product: KilogramMetre2 = value("Unbalance times arm of the counter-shaft", "kg·mm²", "U·Δz")
-    required_force: Newton | None = value("Force that the counter-shaft must supply", "N", "F_S", default=None)
-    required_force_phase: Radian | None = value("its phase, cylinder 1 at TDC", "°", default=None)
-    required_unbalance: KilogramMetre | None = value("Unbalance of the counter-shaft", "kg·mm", "U", default=None)
-    mistiming_force_per_degree: Newton | None = value("Force left per degree of mistiming", "N", default=None)
-    mistiming_force_per_tooth: Newton | None = value(
-        "Force left per tooth of mistiming at the shaft's wheel", "N", default=None
+    orders: dict[str, Order] = group(spread=True, short=("order_1", "order_2"), leads=("order_2",))
+    required_couple: NewtonMetre = value(
+        "Couple that the counter-shaft must supply", "N·m", "C_S", short=True, page_one=1, headline=1
     )
-    mistiming_per_degree: NewtonMetre = value("Couple left per degree of mistiming", "N·m")
+    required_couple_phase: Radian = value("its phase, cylinder 1 at TDC", "°", short=True)
+    required_unbalance_product: KilogramMetre2 = value(
+        "Unbalance times arm of the counter-shaft", "kg·mm²", "U·Δz", short=True
+    )
+    required_force: Newton | None = value(
+        "Force that the counter-shaft must supply", "N", "F_S", default=None, short=True, page_one=2, headline=2
+    )
+    required_force_phase: Radian | None = value("its phase, cylinder 1 at TDC", "°", default=None, short=True)
+    required_unbalance: KilogramMetre | None = value(
+        "Unbalance of the counter-shaft", "kg·mm", "U", default=None, short=True
+    )
+    mistiming_force_per_degree: Newton | None = value(
+        "Force left per degree of mistiming", "N", default=None, short=True
+    )
+    mistiming_force_per_tooth: Newton | None = value(
+        "Force left per tooth of mistiming at the shaft's wheel", "N", default=None, short=True
+    )
+    mistiming_per_degree: NewtonMetre = value("Couple left per degree of mistiming", "N·m", short=True)
     mistiming_per_tooth: NewtonMetre | None = value(
-        "Couple left per tooth of mistiming at the shaft's wheel", "N·m", default=None
+        "Couple left per tooth of mistiming at the shaft's wheel", "N·m", default=None, short=True
     )
     remedy: dict[str, BalancingRemedy] = group()
     shaft_pair: ShaftPair | None = group(default=None)

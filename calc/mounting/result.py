@@ -4,12 +4,12 @@
 import math
 from collections.abc import Callable
 from functools import cache
-from typing import Any
+from typing import Any, Unpack
 
 import numpy as np
 
 from ..sheet.arrays import Array
-from ..sheet.quantity import Described, Stated, group, result, value
+from ..sheet.quantity import Described, Stands, Stated, group, result, value
 from ..sheet.record import record
 from ..sheet.text import Text
 from ..sheet.units import Hertz, Metre, MetrePerSecond, MetrePerSecond2, Newton, Number, Radian
@@ -48,8 +48,10 @@ class Mode:
 class RollAxis:
     """The axis about which a free engine turns under a torque about the crank."""
 
-    angle: Radian = value("Torque roll axis from the crank", "°", "∠e_T")
-    decoupling: Number = value("Largest share of a mode in the motion about the torque roll axis", "%", "max s_i")
+    angle: Radian = value("Torque roll axis from the crank", "°", "∠e_T", short=True)
+    decoupling: Number = value(
+        "Largest share of a mode in the motion about the torque roll axis", "%", "max s_i", short=True
+    )
     direction: dict[str, Stated] = group()
 
 
@@ -57,7 +59,7 @@ class RollAxis:
 class StaticMount:
     """A mount under the weight of the engine."""
 
-    deflection: Metre = value("Static deflection along the first own axis", "mm", "δ_1")
+    deflection: Metre = value("Static deflection along the first own axis", "mm", "δ_1", short=True)
     load: Newton = value("Upward force on the engine", "N", "F_s")
 
 
@@ -74,8 +76,8 @@ class Window:
     """By which factor all stiffnesses may be changed: not below the road's frequency, not above what isolates at
     idle."""
 
-    lowest_factor: Number = value("Lowest factor of all stiffnesses, by the road", "", "s_low")
-    spread: Number = value("Spread of the modes, highest over lowest", "", "f_max/f_min")
+    lowest_factor: Number = value("Lowest factor of all stiffnesses, by the road", "", "s_low", short=True)
+    spread: Number = value("Spread of the modes, highest over lowest", "", "f_max/f_min", short=True)
     half: Ceiling | None = group(default=None)
     shaft: Ceiling | None = group(default=None)
 
@@ -216,8 +218,8 @@ def there(number: float) -> float | None:
 
 
 @cache
-def described(label: Text, unit: str, symbol: str = "") -> Described:
-    return Described(label, unit, symbol)
+def described(label: Text, unit: str, symbol: str = "", **stands: Unpack[Stands]) -> Described:
+    return Described(label, unit, symbol, **stands)
 
 
 def put(tree: dict[str, Any], way: tuple[str, ...], about: Described, number: float | None) -> None:

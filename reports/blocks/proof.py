@@ -97,8 +97,10 @@ def proofs(context: Context, checks: Iterable[Check]) -> list[Proof]:
 
 def _asked(context: Context, pattern: str) -> bool:
     """Whether there is anything to prove of what is always proven."""
-    asked = context.values.get(PROVEN_WHERE.get(pattern, ""))
-    return pattern not in PROVEN_WHERE or (asked is not None and asked.shown != 0)
+    if pattern not in PROVEN_WHERE:
+        return True
+    asked = context.results.value(PROVEN_WHERE[pattern])
+    return asked is not None and asked.shown != 0
 
 
 def demand(context: Context, proof: Proof, known: Known) -> Walk:

@@ -45,7 +45,7 @@ class HolesResult:
     hole_unbalance: KilogramMetre = value("Unbalance removed by one hole", "g·mm", "ΔU")
     hole_couple: NewtonMetre = value("Couple removed by one hole", "N·m", "ΔC")
     hole_unbalance_of_mass: KilogramMetre = value("Unbalance that drilling can take off each mass", "g·mm", "ΔU_m")
-    hole_range: NewtonMetre = value("Couple that all holes together can take", "N·m", "ΔC_c")
+    hole_range: NewtonMetre = value("Couple that all holes together can take", "N·m", "ΔC_c", short=True)
     hole_range_share: Number | None = value("its share of the required couple", "%", "q_c", default=None)
     hole_overdesign: Number | None = value(
         "Couple beyond the required one that drilling needs", "%", "x_c", default=None
@@ -220,10 +220,16 @@ MOST_INBOARD, MOST_OUTBOARD = 0.7, 1.3  # the larger one: centre of gravity betw
 class ToleranceResult:
     """What the grade permits in all, in each bearing plane, and as an error of the couple."""
 
-    residual_unbalance_permitted: KilogramMetre = value("Permitted residual unbalance", "g·mm", "U_per")
-    residual_unbalance_permitted_front: KilogramMetre = value("in the plane of the front bearing", "g·mm", "U_per,f")
-    residual_unbalance_permitted_rear: KilogramMetre = value("in the plane of the rear bearing", "g·mm", "U_per,r")
-    permitted_couple_error: NewtonMetre = value("Couple of both planes' permitted unbalance, opposed", "N·m", "C_per")
+    residual_unbalance_permitted: KilogramMetre = value("Permitted residual unbalance", "g·mm", "U_per", short=True)
+    residual_unbalance_permitted_front: KilogramMetre = value(
+        "in the plane of the front bearing", "g·mm", "U_per,f", short=True
+    )
+    residual_unbalance_permitted_rear: KilogramMetre = value(
+        "in the plane of the rear bearing", "g·mm", "U_per,r", short=True
+    )
+    permitted_couple_error: NewtonMetre = value(
+        "Couple of both planes' permitted unbalance, opposed", "N·m", "C_per", short=True
+    )
     permitted_couple_error_share: Number | None = value("its share of the required couple", "%", "q_per", default=None)
 
 
