@@ -6,10 +6,17 @@ The one thing is the check that decides, in a word with its limit, or what the s
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING
 
+from ..bearings.result import BearingResult
+from ..countershaft.result import CountershaftResult
 from ..design.addresses import Table, as_table
-from ..design.model import STEPS
+from ..design.model import STEPS, Design
+from ..engine.result import EngineResult
+from ..friction.result import FrictionResult
+from ..gears.rating.result import MeshStrength
+from ..gears.result import MeshResult
+from ..imbalance.result import ImbalanceResult
 from ..sheet.check import Check
-from ..sheet.quantity import Published
+from ..sheet.quantity import Published, dotted
 from ..sheet.record import record
 from ..sheet.step import Outcome, Step
 from ..sheet.text import Amount, Text, plural
@@ -79,7 +86,7 @@ def headline(results: "Results", key: str) -> Headline | None:
         return None
     if (check := _worst(outcome)) is not None:
         return of_check(check)
-    if (text := GIVES.get(key, _nothing)(results, results.values())) is not None:
+    if (text := GIVES.get(key, _nothing)(results)) is not None:
         return Headline(text, text)
     deciding = [c for c in outcome.checks if c.id.rpartition(".")[2] in DECIDE.get(key, ())]
     return of_check(min(deciding, key=lambda c: c.margin)) if deciding else None
@@ -116,29 +123,29 @@ def share(check: Check) -> float | None:
 
 # --- what a step gives
 
-Values = Mapping[str, Published]
 
-
-def _nothing(results: "Results", values: Values) -> Text | None:
+def _nothing(results: "Results") -> Text | None:
     return None
 
 
-def _engine(results: "Results", values: Values) -> Text | None:
-    engine, volume = results.design.engine, values.get("engine.displacement")
+def _engine(results: "Results") -> Text | None:
+    engine, volume = results.design.engine, results.value(EngineResult.displacement)
     if engine is None or volume is None:
         return None
     return Text("{n} cyl, {volume}", n=engine.cylinders, volume=Amount(volume.inside * 1e3, "L", digits=3))
 
 
-def _imbalance(results: "Results", values: Values) -> Text | None:
-    balance = _balance(values)
+def _imbalance(results: "Results") -> Text | None:
+    balance = _balance(results)
     return Text("shaft {size}", size=balance[1]) if balance is not None else None
 
 
-def _balance(values: Values) -> tuple[Text, Text] | None:
+def _balance(results: "Results") -> tuple[Text, Text] | None:
     """What the crank asks for, a couple or a force, and what the shaft leaves of it."""
-    for kind, word in (("couple", Text("couple for the shaft")), ("force", Text("force for the shaft"))):
-        before, after = values.get(f"imbalance.required_{kind}"), values.get(f"countershaft.residual_order_1_{kind}")
+    couple = ImbalanceResult.required_couple, CountershaftResult.residual_order_1_couple
+    force = ImbalanceResult.required_force, CountershaftResult.residual_order_1_force
+    for kind, word in ((couple, Text("couple for the shaft")), (force, Text("force for the shaft"))):
+        before, after = (results.value(field) for field in kind)
         if before is not None and before.shown:
             if after is None:
                 return word, Text("{value}", value=Amount(before.shown, before.unit, digits=3))
@@ -147,28 +154,30 @@ def _balance(values: Values) -> tuple[Text, Text] | None:
     return None
 
 
-def _backlash(values: Values) -> Text | None:
+def _backlash(results: "Results") -> Text | None:
     """From the tightest mesh to the widest."""
-    least = [v for id, v in values.items() if id.startswith("gears.") and id.endswith(".backlash_min")]
-    most = [v.shown for id, v in values.items() if id.startswith("gears.") and id.endswith(".backlash_max")]
+    least, most = results.values_of(MeshResult.backlash_min), results.values_of(MeshResult.backlash_max)
     if not least or not most:
         return None
-    low, high = Amount(min(v.shown for v in least), form=".0f"), Amount(max(most), least[0].unit, form=".0f")
+    low = Amount(min(v.shown for v in least), form=".0f")
+    high = Amount(max(v.shown for v in most), least[0].unit, form=".0f")
     return Text("{low} … {high}", low=low, high=high)
 
 
-def _gears(results: "Results", values: Values) -> Text | None:
-    backlash = _backlash(values)
+def _gears(results: "Results") -> Text | None:
+    backlash = _backlash(results)
     return Text("backlash {range}", range=backlash) if backlash is not None else None
 
 
-def _friction(results: "Results", values: Values) -> Text | None:
-    loss = values.get("friction.total_loss")
+def _friction(results: "Results") -> Text | None:
+    loss = results.value(FrictionResult.total_loss)
     return Text("{loss}", loss=Amount(loss.shown, loss.unit, digits=3)) if loss is not None else None
 
 
-def _mounting(results: "Results", values: Values) -> Text | None:
+def _mounting(results: "Results") -> Text | None:
     """What the first seat has at the first operation, half on the crank and with the shaft."""
+    from ..mounting.result import PointLevel  # which most designs do not load
+
     mounting = results.design.mounting
     seat = (
         next((point.name for point in mounting.points if point.role == "seat"), None) if mounting is not None else None
@@ -176,7 +185,10 @@ def _mounting(results: "Results", values: Values) -> Text | None:
     if mounting is None or seat is None:
         return None
     first = mounting.operation[0].name if mounting.operation else "idle"
-    half, shaft = (values.get(f"mounting.{first}.{variant}.{seat}.weighted") for variant in ("half", "shaft"))
+    half, shaft = (
+        results.values().get(dotted(Design.mounting, first, variant, seat, PointLevel.weighted))
+        for variant in ("half", "shaft")
+    )
     if half is None:
         return None
     if shaft is None:
@@ -184,7 +196,7 @@ def _mounting(results: "Results", values: Values) -> Text | None:
     return Text("seat {half} → {shaft}", half=Amount(half.shown, digits=2), shaft=Amount(shaft.shown, digits=2))
 
 
-GIVES: Mapping[str, Callable[["Results", Values], Text | None]] = {
+GIVES: Mapping[str, Callable[["Results"], Text | None]] = {
     "engine": _engine,
     "imbalance": _imbalance,
     "gears": _gears,
@@ -198,39 +210,40 @@ GIVES: Mapping[str, Callable[["Results", Values], Text | None]] = {
 
 def main_numbers(results: "Results") -> tuple[tuple[Text, Text], ...]:
     """What is said of a drive in ten numbers, each with its word; those that this design has."""
-    values, design = results.values(), results.design
+    design = results.design
 
-    def shown(id: str, digits: int = 3) -> Amount | None:
-        value = values.get(id)
-        return Amount(value.shown, value.unit, digits=digits) if value is not None else None
+    def shown(field: object) -> Amount | None:
+        return extreme(max, results.values_of(field)[:1])
 
-    def extreme(which: Callable[[list[float]], float], *names: str) -> Amount | None:
-        matching = [value for id, value in values.items() if id.rpartition(".")[2] in names and id.count(".") <= 2]
+    def extreme(which: Callable[[list[float]], float], matching: list[Published]) -> Amount | None:
         return Amount(which([value.shown for value in matching]), matching[0].unit, digits=3) if matching else None
 
     numbers: list[tuple[Text, Text | Amount | None]] = []
-    if (balance := _balance(values)) is not None:
+    if (balance := _balance(results)) is not None:
         numbers.append(balance)
-    if (mass := shown("countershaft.mass")) is not None and design.countershaft is not None:
+    if (mass := shown(CountershaftResult.mass)) is not None and design.countershaft is not None:
         outer = design.countershaft.outer_radius
         size = Text("{mass}, Ø{diameter}", mass=mass, diameter=Amount(outer * 2e3, "mm", digits=3)) if outer else mass
         numbers.append((Text("shaft"), size))
+    slopes = [*results.values_of(CountershaftResult.slope_front), *results.values_of(CountershaftResult.slope_rear)]
     numbers += [
-        (Text("slope"), extreme(max, "slope_front", "slope_rear")),
-        (Text("first critical speed"), shown("countershaft.first_critical_speed")),
+        (Text("slope"), extreme(max, slopes)),
+        (Text("first critical speed"), shown(CountershaftResult.first_critical_speed)),
     ]
-    front, rear = values.get("bearings.front.film_edge"), values.get("bearings.rear.film_edge")
-    if front is not None and rear is not None:
+    edges = results.values_of(BearingResult.film_edge)
+    if len(edges) == 2:
+        front, rear = edges
         films = Text(
             "{front} / {rear}", front=Amount(front.shown, digits=3), rear=Amount(rear.shown, rear.unit, digits=3)
         )
         numbers.append((Text("films at the edge"), films))
-    wheels = [wheel.name for wheel in design.gears.wheels] if design.gears is not None else []
-    numbers.append((Text("oil leaves with"), extreme(max, "outlet_temperature")))
-    numbers.append((Text("backlash"), _backlash(values)))
-    numbers.append((Text("S_H"), extreme(min, "safety_contact")))
-    numbers.append((Text("S_F"), extreme(min, *(f"safety_bending_{name}" for name in wheels))))
-    if (loss := shown("friction.total_loss")) is not None:
+    numbers.append((Text("oil leaves with"), extreme(max, results.values_of(BearingResult.outlet_temperature))))
+    numbers.append((Text("backlash"), _backlash(results)))
+    numbers.append((Text("S_H"), extreme(min, results.values_of(MeshStrength.safety_contact))))
+    roots = {f"safety_bending_{wheel.name}" for wheel in design.gears.wheels} if design.gears is not None else ()
+    bending = [v for id, v in results.values().items() if id.rpartition(".")[2] in roots]
+    numbers.append((Text("S_F"), extreme(min, bending)))
+    if (loss := shown(FrictionResult.total_loss)) is not None:
         rpm = Amount(design.engine.rated_speed * 60, "rpm", form=".0f") if design.engine is not None else None
         numbers.append((Text("loss"), Text("{loss} at {speed}", loss=loss, speed=rpm) if rpm is not None else loss))
     return tuple(
