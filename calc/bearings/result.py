@@ -2,6 +2,7 @@
 """What the bearing step publishes."""
 
 from ..sheet.quantity import group, result, value
+from ..sheet.text import Name, Text
 from ..sheet.units import (
     Celsius,
     CubicMetrePerSecond,
@@ -43,6 +44,7 @@ class RouteResult:
     film_pressure_max: Pascal | None = value("Largest film pressure", "MPa", "p_max", default=None)
 
 
+ROUTE_WORDS = {name: route.brief for name, route in ROUTES.items()} | {"din31652": Name("DIN 31652")}
 FORMER_NAMES = {name: route.former for name, route in ROUTES.items() if route.former}
 
 
@@ -127,9 +129,11 @@ class BearingResult:
     kreisle_film: Metre = value("Film asked for by roughness (Kreisle)", "µm", "h_K", short=True)
     trumpler_film: Metre = value("Film asked for by Trumpler", "µm", "h_T", short=True)
     routes_spread: Number | None = value("Spread of the routes' films at the same oil", "%", default=None)
-    routes: dict[str, RouteResult] = group(spread=True, renamed=FORMER_NAMES)  # those that have an answer
-    corners: Corners = group()
-    dynamics: Dynamics = group()
+    routes: dict[str, RouteResult] = group(
+        spread=True, renamed=FORMER_NAMES, key_words=ROUTE_WORDS
+    )  # those that have an answer
+    corners: Corners = group(words="corners")
+    dynamics: Dynamics = group(words="dynamics")
     standing: StandingResult | None = group(spread=True, default=None)
     hot: Film
     seat: BearingCase
@@ -144,4 +148,4 @@ class BearingResult:
 class BearingsResult:
     """Front and rear bearing."""
 
-    bearings: dict[str, BearingResult] = group(spread=True)
+    bearings: dict[str, BearingResult] = group(spread=True, key_words={"front": Text("front"), "rear": Text("rear")})

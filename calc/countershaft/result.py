@@ -69,7 +69,7 @@ class CountershaftResult:
 
     couple: NewtonMetre = value("Couple of the shaft as designed", "N·m", "C_S", short=True, headline=1)
     couple_phase: Radian = value("its phase, cylinder 1 at TDC", "°", short=True)
-    mass_moment: dict[str, Stated] = group()
+    mass_moment: dict[str, Stated] = group(words="mass moment")
     residual_order_1_couple: NewtonMetre | None = value(
         "First-order couple left over", "N·m", "C_left", default=None, short=True, page_one=1
     )
@@ -86,14 +86,14 @@ class CountershaftResult:
     force: Newton = value("Rotating force of the shaft", "N", "F_S", short=True, headline=3)
     reaction_front: Newton = value("Reaction of the front bearing", "N", "R_f", short=True)
     reaction_rear: Newton = value("Reaction of the rear bearing", "N", "R_r", short=True)
-    support: dict[str, SupportResult] = group()
+    support: dict[str, SupportResult] = group(words="support")
     eccentric_mass: Kilogram = value("Eccentric masses together", "kg", "Σm")
     sector_half_angle: Radian | None = value(
         "Half-angle of a sector, the wider one", "°", "γ", default=None, short=True
     )
     sector_length: Metre | None = value("Length of a sector, the longer one", "mm", "b", default=None, short=True)
     sector_mass: Kilogram | None = value("Mass of a sector, the heavier one", "kg", "m", default=None, short=True)
-    sector: "dict[str, SizedSector] | None" = group(default=None)
+    sector: "dict[str, SizedSector] | None" = group(default=None, words="sector")
     utilisation: Number | None = value("Utilisation of the envelope", "", "u", default=None)
     mass: Kilogram | None = value(
         "Mass of the whole shaft", "kg", "m_S", default=None, short=True, page_one=5, headline=2
@@ -130,11 +130,11 @@ class CountershaftResult:
     bending: Bending | None = group(spread=True, default=None)
     tolerance: ToleranceResult | None = group(spread=True, default=None)
     holes: HolesResult | None = group(spread=True, default=None)
-    scatter: "ScatterResult | None" = group(default=None)
+    scatter: "ScatterResult | None" = group(default=None, words="scatter")
     bolts: "BoltsResult | None" = group(spread=True, default=None)
     drain: "DrainResult | None" = group(spread=True, default=None)
-    further_drains: "dict[str, DrainResult] | None" = group(default=None)
-    alternative: "dict[str, MaterialResult] | None" = group(default=None)
+    further_drains: "dict[str, DrainResult] | None" = group(default=None, words="further drains")
+    alternative: "dict[str, MaterialResult] | None" = group(default=None, words="alternative")
     part_count: Number | None = value("Parts of the assembly", "", default=None)
     part_kinds: Number | None = value("Kinds of parts", "", default=None)
     couple_against: NewtonMetre  # what turns the other way, with a twin shaft what that leaves of it

@@ -56,8 +56,8 @@ class Position(Rod):
     reaction_front: Newton = value("Reaction of the front main journal", "N", "R_f")
     reaction_rear: Newton = value("Reaction of the rear main journal", "N", "R_r")
     torque_in_front: NewtonMetre = value("Torque from the throws in front", "N·m", "T_v")
-    pin: CrankSection = group()
-    journal: CrankSection = group()
+    pin: CrankSection = group(words="pin")
+    journal: CrankSection = group(words="journal")
 
 
 @result
@@ -70,8 +70,8 @@ class ThrowResult:
     notch_torsion_pin: Number | None = value("Notch factor of the pin, torsion", "", "K_t", default=None)
     notch_bending_journal: Number | None = value("Notch factor of the journal, bending", "", "K_b", default=None)
     notch_torsion_journal: Number | None = value("Notch factor of the journal, torsion", "", "K_t", default=None)
-    largest_tangential: Position = group()
-    top_dead_centre: Position = group()
+    largest_tangential: Position = group(words="largest tangential")
+    top_dead_centre: Position = group(words="top dead centre")
     fatigue: ThrowFatigue | None = group(spread=True, default=None)
 
 
@@ -80,11 +80,11 @@ class TorqueResult:
     """The torque of the whole engine at rated speed; with gas over its cycle, else of the inertia forces alone."""
 
     inertia_torque_peak: NewtonMetre = value("Largest inertia torque, by amount", "N·m", "T_I")
-    inertia_torque: dict[str, Stated] = group()
+    inertia_torque: dict[str, Stated] = group(words="inertia torque")
     reaction_inertia_peak: NewtonMetre = value(
         "Largest torque reaction of the inertia forces on the block, by amount", "N·m", "T_RI"
     )
-    reaction_inertia: dict[str, Stated] = group()
+    reaction_inertia: dict[str, Stated] = group(words="reaction inertia")
     reaction_peak: NewtonMetre | None = value(
         "Largest torque reaction on the block, by amount", "N·m", "T_R", default=None
     )
@@ -139,10 +139,10 @@ class EngineResult:
     firing_interval: Radian | None = value("Firing interval, on average", "°", "Δ", default=None)
     firing_interval_shortest: Radian | None = value("Shortest firing interval", "°", default=None)
     firing_interval_longest: Radian | None = value("Longest firing interval", "°", default=None)
-    harmonic: dict[str, Stated] | None = group(default=None)
-    cylinder: dict[str, Cylinder] | None = group(default=None)
+    harmonic: dict[str, Stated] | None = group(default=None, words="harmonic")
+    cylinder: dict[str, Cylinder] | None = group(default=None, words="cylinder")
     torque: TorqueResult | None = group(spread=True, default=None)
-    throw: ThrowResult | None = group(default=None)
+    throw: ThrowResult | None = group(default=None, words="throw")
     crank: Crank
     unlike: Unlike | None  # where masses or crank radii differ from cylinder to cylinder
     harmonics: tuple[complex, ...]  # c_1 … c_8 of a/(ω² r), exact

@@ -10,7 +10,7 @@ from ..sheet.text import EMPTY, Text
 from ..sheet.units import Celsius, Kelvin, Newton, NewtonMetre, Number, PascalSecond, RevPerSecond, Watt
 from .losses.wheels import WheelResult
 from .mesh.loss import MeshCase, MeshLoss
-from .models import Regression
+from .models import MODELS, Regression
 
 KilogramPerSecond = Annotated[float, "kg/s"]
 KilogramPerJoule = Annotated[float, "kg/J"]
@@ -45,9 +45,11 @@ class MeshResult:
     power_out: Watt = value("Power that the mesh passes on", "W", "P_out")
     ohlendorf_loss_factor: Number = value("Loss factor by Ohlendorf", "", "H_v")
     bulk_rise: Kelvin = value("Estimated warming of the teeth above the oil", "K", "ΔT_b")
-    source: MeshLoss | None = group(short=False)  # None: nothing was to be compared
+    source: MeshLoss | None = group(short=False, words="source")  # None: nothing was to be compared
     by_regime: MeshLoss | None = group(short=False)
-    published_models: dict[str, Regression | None] = group(spread=True)
+    published_models: dict[str, Regression | None] = group(
+        spread=True, key_words={name: model.brief for name, model in MODELS.items()}
+    )
     model_spread: Number | None = value("Largest loss of all models over the smallest", "", "P_max/P_min")
     case: MeshCase
 
@@ -71,7 +73,7 @@ class ScenarioMesh:
     """One mesh under the conditions of a scenario: judged, and by the source's model."""
 
     judged: MeshLoss = group(spread=True)
-    source: MeshLoss | None = group()
+    source: MeshLoss | None = group(words="source")
 
 
 @result
@@ -97,8 +99,10 @@ class FrictionResult:
 
     meshes: dict[str, MeshResult] = group(spread=True)
     wheels: dict[str, WheelResult] = group(spread=True)
-    journals: dict[str, JournalResult] = group()
-    scenarios: dict[str, ScenarioResult] | None = group(short=False, default=None)
+    journals: dict[str, JournalResult] = group(
+        words="journals", key_words={"front": Text("front"), "rear": Text("rear")}
+    )
+    scenarios: dict[str, ScenarioResult] | None = group(short=False, default=None, words="scenarios")
     oil_viscosity: PascalSecond = value("Viscosity of the oil between the teeth", "mPa·s", "η_0", short=True)
     bearing_loss: Watt | None = value("Bearings of the counter-shaft", "W", "P_B", short=True)
     mesh_loss: Watt = value("All meshes", "W", "ΣP_VZ", short=True)

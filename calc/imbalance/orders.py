@@ -208,7 +208,7 @@ class Order:
     vectors: tuple[complex, complex, complex, complex]  # F⁺ F⁻ C⁺ C⁻
     # the same with no share of the reciprocating masses on the crank
     unbalanced: tuple[complex, complex, complex, complex]
-    two_term: "Order | None" = group(default=None, short=False)
+    two_term: "Order | None" = group(default=None, short=False, words="two term")
 
 
 def order(n: int, c_n: complex, imbalance: ImbalanceInputs, engine: EngineInputs, e: EngineResult) -> Order:

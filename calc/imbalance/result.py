@@ -2,6 +2,7 @@
 """What the imbalance step gives: the orders, what the counter-shaft must supply, the remedies."""
 
 from ..sheet.quantity import group, result, value
+from ..sheet.text import Text
 from ..sheet.units import KilogramMetre, KilogramMetre2, Newton, NewtonMetre, Radian
 from .orders import Order
 from .remedies import BalancingRemedy, Counterweight
@@ -39,10 +40,22 @@ class ImbalanceResult:
     mistiming_per_tooth: NewtonMetre | None = value(
         "Couple left per tooth of mistiming at the shaft's wheel", "N·m", default=None, short=True
     )
-    remedy: dict[str, BalancingRemedy] = group()
+    remedy: dict[str, BalancingRemedy] = group(
+        words="remedy",
+        key_words={
+            "backward_shaft": Text("backward shaft"),
+            "crank": Text("crank"),
+            "crank_and_shafts": Text("crank and shafts"),
+            "first_order_pair": Text("first order pair"),
+            "four_shafts": Text("four shafts"),
+            "second_order_shafts": Text("second order shafts"),
+        },
+    )
     shaft_pair: ShaftPair | None = group(default=None)
-    counterweight: dict[str, Counterweight] | None = group(default=None)
-    throw: Throws = group()
+    counterweight: dict[str, Counterweight] | None = group(
+        default=None, words="counterweight", key_words={"front": Text("front"), "rear": Text("rear")}
+    )
+    throw: Throws = group(words="throw")
     webs: WebsResult | None = group(spread=True, default=None)
     required: complex  # the vector
     whole: tuple[complex, complex]  # force and couple of counterweights for the whole reciprocating mass

@@ -314,8 +314,12 @@ class CrankState:
 class WebsResult:
     """The crank's own balance, and what it leaves to pulley and flywheel."""
 
-    bob_mass: dict[str, Stated] | None = group(default=None)
-    crank: dict[str, CrankState] | None = group(default=None)
+    bob_mass: dict[str, Stated] | None = group(default=None, words="bob mass")
+    crank: dict[str, CrankState] | None = group(
+        default=None,
+        words="crank",
+        key_words={"bare": Text("bare"), "stated": Text("stated"), "balanced": Text("balanced")},
+    )
     drill: dict[str, WebDrilling] | None = group(default=None)
     drilled_mass: Kilogram | None = value("Mass to drill out of the crank in all", "g", default=None)
     permitted_unbalance: KilogramMetre | None = value(

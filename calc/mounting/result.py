@@ -14,6 +14,7 @@ from ..sheet.record import record
 from ..sheet.text import Text
 from ..sheet.units import Hertz, Metre, MetrePerSecond, MetrePerSecond2, Newton, Number, Radian
 from ..sheet.value import based_on, recorder
+from .inputs import DOF_WORDS, VARIANT_WORDS
 from .levels import Course, Levels
 from .modes import Modes
 from .system import System
@@ -41,7 +42,7 @@ class Mode:
 
     frequency: Hertz = value("Frequency", "Hz", "f")
     loss_factor: Number = value("Loss factor", "", "η")
-    share: dict[str, Stated] = group()
+    share: dict[str, Stated] = group(words="energy")
 
 
 @result
@@ -52,7 +53,7 @@ class RollAxis:
     decoupling: Number = value(
         "Largest share of a mode in the motion about the torque roll axis", "%", "max s_i", short=True
     )
-    direction: dict[str, Stated] = group()
+    direction: dict[str, Stated] = group(words="direction")
 
 
 @result
@@ -143,20 +144,20 @@ class MountLevel:
 class MountingResult:
     """Six modes, statics and aids, then operation by operation what the engine, the frame and the driver feel."""
 
-    frequency: dict[str, Stated] = group()
-    energy: dict[str, Stated] = group()
+    frequency: dict[str, Stated] = group(words="frequency")
+    energy: dict[str, Stated] = group(words="energy")
     frequency_range: Tree | None = group(default=None)
     modes: dict[str, Mode] = group(spread=True)
-    with_chassis: Tree | None = group(default=None)
-    roll_axis: RollAxis = group()
-    static: Tree = group()
-    window: Window = group()
-    focal: Tree | None = group(default=None)
-    critical: Tree = group()
-    operations: Tree = group(spread=True)
-    felt_order_1: Tree | None = group(default=None)
-    exposure: Tree | None = group(default=None)
-    range: Tree | None = group(default=None)
+    with_chassis: Tree | None = group(default=None, words="engine and frame")
+    roll_axis: RollAxis = group(words="torque roll axis")
+    static: Tree = group(words="at rest")
+    window: Window = group(words="stiffness")
+    focal: Tree | None = group(default=None, words="leaning pair")
+    critical: Tree = group(words="critical speed")
+    operations: Tree = group(spread=True, key_words={"torque": Text("torque")} | VARIANT_WORDS | DOF_WORDS)
+    felt_order_1: Tree | None = group(default=None, words="first order felt")
+    exposure: Tree | None = group(default=None, words="exposure")
+    range: Tree | None = group(default=None, words="idle to rated")
     own: str  # the design's own variant
     speeds: dict[str, tuple[float, float]]  # of each operation, and its hours
     mode_data: Modes

@@ -23,6 +23,7 @@ Repair = Literal["", "free", "asked"]
 
 REQUIRED: Any = MISSING  # no default, in place of one of any type
 NOTHING_RENAMED: Mapping[str, str] = {}
+NO_KEY_WORDS: Mapping[str, Text] = {}
 # the source of a usual range that practice knows and no book behind this program states
 THUMB = Text("rule of thumb, no published source")
 
@@ -351,7 +352,9 @@ class Stated:
 @record
 class Group:
     """The description of a field that holds further results or a dict of them.  `spread`: its own name is left out of
-    the address.  `former`: the name that it had; `renamed`: the names that the keys of a dict had.
+    the address.  `former`: the name that it had; `renamed`: the names that the keys of a dict had.  `words`: what this
+    part of an address is called; `key_words`: the same of the keys of a dict that are the program's, of a dict of dicts
+    wherever they stand.
 
     `short`, `leads`: whether what lies in it may stand in a short report at all, and whether on its first page or for
     its step; of a dict, the keys of which it may."""
@@ -361,9 +364,11 @@ class Group:
     renamed: Mapping[str, str]
     short: bool | tuple[str, ...]
     leads: bool | tuple[str, ...]
+    words: Text
+    key_words: Mapping[str, Text]
 
 
-NO_GROUP = Group(False, "", NOTHING_RENAMED, True, True)
+NO_GROUP = Group(False, "", NOTHING_RENAMED, True, True, EMPTY, NO_KEY_WORDS)
 
 
 @dataclass(frozen=True, slots=True)
@@ -406,9 +411,11 @@ def group(
     renamed: Mapping[str, str] = NOTHING_RENAMED,
     short: bool | tuple[str, ...] = True,
     leads: bool | tuple[str, ...] = True,
+    words: str = "",
+    key_words: Mapping[str, Text] = NO_KEY_WORDS,
 ) -> T:
     """A field that holds further results or a dict of them."""
-    about = Group(spread, former, renamed, short, leads)
+    about = Group(spread, former, renamed, short, leads, Text(words), key_words)
     return field(default=default, kw_only=True, metadata={"group": about})
 
 

@@ -159,7 +159,7 @@ class MeshRating:
     root_load_factor: Number | None = value("Load factors together, root", "", "K_F", default=None)
     strength: MeshStrength | None = group(spread=True, default=None)
     screening: Screening | None = group(spread=True, default=None)
-    sheet: SheetResult | None = group(default=None)
+    sheet: SheetResult | None = group(default=None, words="sheet")
     torque: NewtonMetre  # at the driver, that of F_t
     forms: dict[str, ToothForm]
 
