@@ -26,7 +26,7 @@ from ..library.lubricant import Lubricant
 from ..sheet.errors import NoSolution
 from ..sheet.step import Outcome
 from ..sheet.text import Text
-from ..sheet.value import based_on
+from ..sheet.value import based_on, recorded
 from .model import STEPS, Design
 
 if TYPE_CHECKING:
@@ -306,11 +306,12 @@ def bearings_case(design: Design, solve: Callable[..., Any], results: Any = None
     gear = shaft_gear(design, done.result(TrainResult))
 
     def with_bearings(bearings: BearingsInputs, *, last: bool = False) -> Any:
-        return solve(
-            replace(design, bearings=bearings),
-            done,
-            enough=(lambda outcome: outcome.key == "bearings") if last else None,
-        )
+        with recorded(False):
+            return solve(
+                replace(design, bearings=bearings),
+                done,
+                enough=(lambda outcome: outcome.key == "bearings") if last else None,
+            )
 
     return SelectionCase(
         design.bearings,

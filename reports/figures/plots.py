@@ -6,9 +6,8 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import cache
 from math import isfinite
-from typing import Any, TypeAlias
+from typing import Any
 
 import numpy as np
 
@@ -132,25 +131,11 @@ def fitted(words: str, width: float) -> Box:
 
 class Plots:
     """What the figures of one report are drawn with: axes, which are used again, since making them costs more than
-    drawing, and how its language writes a number.  All can be asked for before any is placed, and are then drawn
-    together, by whoever is told to."""
+    drawing, and how its language writes a number."""
 
     def __init__(self, say: Language) -> None:
         self.made: dict[tuple[float, float, float, bool, bool], Any] = {}
-        self.number, self.lang = say.number, say.code
-        self.asked: list[Job] = []
-        self.drawn: Callable[[], list[Recording]]
-
-    def ask(self, curve: Curve, width: float, height: float, look: Look) -> Callable[[], Recording]:
-        """Have a curve drawn into a frame of this size; what is returned gives it once all are begun, and may have to
-        wait for it."""
-        n = len(self.asked)
-        self.asked.append((curve, width, height, look))
-        return lambda: self.drawn()[n]
-
-    def begin(self, draws: Draughtsman) -> None:
-        """All are asked for."""
-        self.drawn = cache(draws((self.lang, self.asked)))
+        self.number = say.number
 
     def short(self, value: float) -> str:
         return self.number(short(value))
@@ -218,9 +203,6 @@ class Look:
 
 
 ALONE = Look()
-Job: TypeAlias = tuple[Curve, float, float, Look]
-# given a language and what to draw, begins
-Draughtsman: TypeAlias = Callable[[tuple[str, list[Job]]], Callable[[], list[Recording]]]
 
 
 def plot(plots: Plots, curve: Curve, width: float, height: float, look: Look = ALONE) -> Recording:

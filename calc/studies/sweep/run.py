@@ -19,7 +19,7 @@ from ...sheet.check import THIN_MARGIN, Check, step_verdict, worst
 from ...sheet.errors import BadInput, InputError
 from ...sheet.lanes import Diverged, Lanes, Singly, abreast, designs_abreast, some_lanes, together_or_singly
 from ...sheet.record import record
-from ...sheet.reuse import Parts, seldom_collected
+from ...sheet.reuse import Parts
 from ...sheet.step import Outcome
 from ...sheet.text import Text
 from ...sheet.value import recorded
@@ -226,7 +226,7 @@ def chunk(asked: Sweep, n: int) -> Chunk:
     """The designs of one chunk."""
     size = asked.size
     at = asked.plan.rows(n * size, (n + 1) * size)
-    with seldom_collected():  # once for all designs of the chunk, not once for each
+    with recorded(False):
         return chunk_of(
             at, side_by_side(asked.document, asked.plan.inputs, at, asked.step, frozenset(asked.wanted)), asked.wanted
         )
