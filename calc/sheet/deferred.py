@@ -5,8 +5,6 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from functools import cached_property
 from typing import TypeVar, overload
 
-import numpy as np
-
 from .errors import NoSolution
 from .value import untraced
 
@@ -22,6 +20,8 @@ class Later(Sequence[T]):
 
     @cached_property
     def made(self) -> tuple[T, ...]:
+        import numpy as np  # which a form does not need
+
         try:
             with untraced(), np.errstate(all="ignore"):
                 return tuple(self._make())

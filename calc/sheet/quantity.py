@@ -11,7 +11,7 @@ from functools import cache
 from typing import Any, Literal, TypedDict, TypeVar, Unpack, dataclass_transform
 
 from .arrays import has_lanes
-from .record import record
+from .record import frozen, record
 from .text import EMPTY, SPACE, Amount, Text
 from .units import UNITS, Unit
 
@@ -341,7 +341,7 @@ def group(
 @dataclass_transform(frozen_default=True, kw_only_default=True, eq_default=False, field_specifiers=(value, group))
 def result(cls: type[T]) -> type[T]:
     """A class of results: frozen, made by keywords, told apart by identity, since results hold arrays."""
-    kind: type = record(cls)
+    kind: type = frozen(cls, kw_only=True)
     for f in fields(kind):
         if (about := f.metadata.get("value")) is not None:
             setattr(kind, f.name, ValueKey(f.name.rstrip("_"), about))
@@ -356,7 +356,7 @@ def result(cls: type[T]) -> type[T]:
 def inputs(cls: type[T]) -> type[T]:
     """A class of inputs: frozen, made by keywords, equal when all its values are."""
     cls.__eq__ = lambda self, other: type(self) is type(other) and vars(self) == vars(other)  # type: ignore[method-assign]
-    kind: type = record(cls)
+    kind: type = frozen(cls, kw_only=True)
     for key in keys(kind).values():
         setattr(kind, key.attribute, key)
     return cls
