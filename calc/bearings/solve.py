@@ -13,7 +13,7 @@ from ..library.catalogue import Material, Oil, materials, oils
 from ..library.journal_rules import heat_index, specific_load, speed_factor
 from ..library.lubricant import Lubricant
 from ..library.tolerances import deviations, parse
-from ..sheet.arrays import element, many, one
+from ..sheet.arrays import many
 from ..sheet.check import Check, check
 from ..sheet.deferred import Later
 from ..sheet.errors import NoSolution
@@ -327,7 +327,7 @@ def _bearing(
         sweep=swept,
         side=side,
         beside=beside,
-        thinned=one(many(thinned.film)[0]),
+        thinned=many(thinned.film)[0].item(),
     )
 
 
@@ -336,8 +336,7 @@ def _thinnest(seat: BearingCase, duty: OperatingPoint, swept: Sweep) -> Film | N
     if swept.thinnest is None:
         return None
     n, T_in, p_s, rise = (
-        item(element(gathered(row), swept.thinnest))
-        for row in (swept.speeds, swept.temperatures, swept.pressures, swept.rises)
+        item(gathered(row)[swept.thinnest]) for row in (swept.speeds, swept.temperatures, swept.pressures, swept.rises)
     )
     load = f.load_at_speed(F=duty.load, n=n, n_0=duty.speed) if seat.inputs.load_speed_ratio == TURNING else duty.load
     slower = replace(
@@ -354,7 +353,7 @@ def _thinnest(seat: BearingCase, duty: OperatingPoint, swept: Sweep) -> Film | N
 def _at_known_rise(seat: BearingCase, duty: OperatingPoint, known: Film) -> Film | None:
     """The one film that is known, by lines of the calculation; None where no film carries the load: the check on it
     fails."""
-    rise = one(many(known.temperature_rise)[0])
+    rise = many(known.temperature_rise)[0].item()
     return closed(own_warm, seat, duty, rise) if np.isfinite(rise) else None
 
 

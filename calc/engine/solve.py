@@ -8,7 +8,7 @@ from dataclasses import replace
 import numpy as np
 
 from ..library.catalogue import Material
-from ..sheet.arrays import Array, ComplexArray, each, many, one, phasors
+from ..sheet.arrays import Array, ComplexArray, each, many, phasors
 from ..sheet.check import Check
 from ..sheet.deferred import Later
 from ..sheet.formula import formula
@@ -88,7 +88,7 @@ def _peak(y: Array) -> tuple[Number, Radian]:
         slope, bend = np.sum(-n * term.imag, -1), np.sum(-(n**2) * term.real, -1)
         at = at - np.clip(slope / np.where(bend < 0, bend, -np.inf), -2 / size, 2 / size)
     highest = np.sum((c * np.exp(1j * n * at[..., None])).real, -1)
-    return (each(highest), each(at % (2 * np.pi))) if y.ndim > 1 else (one(highest), one(at) % (2 * np.pi))
+    return (each(highest), each(at % (2 * np.pi))) if y.ndim > 1 else (float(highest), float(at) % (2 * np.pi))
 
 
 @formula(

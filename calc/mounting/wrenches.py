@@ -19,7 +19,7 @@ from ..engine.inputs import EngineInputs
 from ..engine.result import EngineResult
 from ..engine.torque import prepare
 from ..imbalance.result import ImbalanceResult
-from ..sheet.arrays import Array, ComplexArray, IndexArray, distinct, each, many, phasors
+from ..sheet.arrays import Array, ComplexArray, IndexArray, each, many, phasors
 from ..sheet.record import record
 from ..sheet.text import Text
 from ..sheet.units import Metre, Number, Radian, RevPerSecond
@@ -47,7 +47,7 @@ class Basis:
 
     def up_to(self, until: IndexArray) -> tuple[ComplexArray, ComplexArray]:
         """Held pressure up to each of these samples, and expansion from there to BDC (speeds, orders)."""
-        ends, _, which = distinct(np.concatenate([until, [self.epsilon.size]]))
+        ends, which = np.unique(np.concatenate([until, [self.epsilon.size]]), return_inverse=True)
         starts = np.concatenate([[0], ends[:-1]])
         held, fallen = (
             np.cumsum(np.add.reduceat(part, starts, axis=1), axis=1).T for part in (self.held, self.expanding)

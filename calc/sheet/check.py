@@ -10,7 +10,6 @@ from dataclasses import replace
 from functools import cache, cached_property
 from pathlib import Path
 
-from .arrays import has_lanes
 from .errors import BadTable, InputError
 from .quantity import unknown
 from .record import record
@@ -383,8 +382,7 @@ def check(
         raise _without_row(id) from None
     shown = UNITS[unit].shown
     bound = (shown(limit[0]), shown(limit[1])) if isinstance(limit, tuple) else linked(shown(limit), link_of(limit))
-    several = has_lanes(value, limit)  # of many designs, which are judged one by one: nobody reads remedies
-    number = shown(value) if several or math.isfinite(value) else value
+    number = shown(value) if math.isfinite(value) else value
     this_check = Check(
         id,
         name,
@@ -404,7 +402,7 @@ def check(
         rule.demand,
         rule.exact,
     )
-    ways = () if remedies is None or several or this_check.holds else remedies()
+    ways = () if remedies is None or this_check.holds else remedies()
     return (
         replace(
             this_check, remedies=ways, advice=Text(" ").join([sentence(ways), advice] if advice else [sentence(ways)])

@@ -10,7 +10,6 @@ from dataclasses import MISSING, Field, dataclass, field, fields
 from functools import cache
 from typing import Any, Literal, TypedDict, TypeVar, Unpack, dataclass_transform
 
-from .arrays import has_lanes
 from .record import frozen, record
 from .text import EMPTY, SPACE, Amount, Text
 from .units import UNITS, Unit
@@ -446,6 +445,5 @@ def published(
 
 def _published(id: str, about: Described, inside: float, former: str = "") -> Published:
     unit = UNITS[about.unit]
-    several = has_lanes(inside) or bool(getattr(inside, "ndim", 0))  # many designs at once
-    shown = unit.all_shown(inside) if several else unit.shown(float(inside))
+    shown = unit.all_shown(inside) if getattr(inside, "ndim", 0) else unit.shown(float(inside))
     return Published(id, shown, about.unit, about.label, about.symbol, inside, about, former)

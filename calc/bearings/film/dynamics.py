@@ -24,7 +24,6 @@ import numpy as np
 
 from ...sheet.formula import formula
 from ...sheet.functions import cos, modulus, pi, sin, sqrt
-from ...sheet.lanes import design_by_design
 from ...sheet.quantity import result, value
 from ...sheet.record import record
 from ...sheet.text import Text
@@ -228,7 +227,6 @@ def critical_mass_turning(
     return _least_mass(f, k_xx, k_xy, k_yx, k_yy, c_xx, c_xy, c_yy) * F / (g / 2 * omega**2)
 
 
-@design_by_design
 def _least_mass(
     f: Number, k_xx: Number, k_xy: Number, k_yx: Number, k_yy: Number, c_xx: Number, c_xy: Number, c_yy: Number
 ) -> Number:
