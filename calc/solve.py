@@ -19,6 +19,7 @@ from .bearings.result import BearingsResult
 from .countershaft import solve as countershaft
 from .countershaft.inputs import CountershaftInputs
 from .countershaft.result import CountershaftResult
+from .countershaft.solve import with_oil
 from .countershaft.supports import with_standing
 from .design import step_inputs as h
 from .design.model import STEPS, Design
@@ -28,11 +29,13 @@ from .engine.result import EngineResult
 from .friction import solve as friction
 from .friction.result import FrictionResult
 from .gears import solve as gears
+from .gears.curves import curves
 from .gears.inputs import GearsInputs
 from .gears.result import TrainResult
 from .gears.wheel import with_masses
 from .imbalance import solve as imbalance
 from .imbalance.result import ImbalanceResult
+from .mounting import solve as mounting
 from .sheet.check import Check, worst
 from .sheet.deferred import Later
 from .sheet.number import aligned, short
@@ -254,8 +257,6 @@ def _drained(
     """A shaft whose drains, if it has any, take the bearings' oil."""
     if inputs.oil_drain is None and not inputs.further_drains:
         return c
-    from .countershaft.solve import with_oil  # which most designs do not need
-
     return with_oil(c, b.result)
 
 
@@ -281,16 +282,12 @@ def _mounted(
     late = h.unsolved((e, i, c))
     if design.mounting is None or design.engine is None or e.result is None or i.result is None or late:
         return part.absent("mounting", design.mounting, (e, i, *late))
-    from .mounting import solve as mounting
-
     return part(
         "mounting", mounting.solve, design.mounting, design.engine, e.result, i.result, h.shaft_on_engine(design, c, g)
     )
 
 
 def _gear_curves(train: TrainResult) -> tuple[Curve, ...]:
-    from .gears.curves import curves  # which a check does not draw
-
     return curves(train)
 
 

@@ -23,6 +23,7 @@ from .blocks.chapter import Parts, chapter_parts, derivation
 from .blocks.checks import check_blocks, errata_blocks
 from .blocks.contents import ContentsEntry, contents_blocks, index_blocks, source_blocks
 from .blocks.drawing import drawing_blocks, wheel_blocks
+from .blocks.drive import drive_blocks, front_figure
 from .blocks.inputs import input_blocks, material_blocks
 from .blocks.nomenclature import nomenclature_blocks
 from .blocks.summary import closing_blocks, mended, step_anchor, summary_blocks
@@ -152,8 +153,6 @@ def blocks(context: Context, progress: Progress | None = None) -> list[Block]:
     plots = Plots(context.say)
     steps = [numbered for numbered in context.steps() if context.audit or numbered[2].state != "not_asked"]
     if context.drive is not None:
-        from .blocks.drive import drive_blocks, front_figure  # of one design in a hundred
-
         front = front_figure(context, context.drive, plots)
     summary = summary_blocks(context)
     for n, (number, step, outcome) in enumerate(steps):

@@ -26,7 +26,7 @@ from ..sheet.value import about, based_on, trace, untraced
 from . import formulas as f
 from .checks import LOST_BY_SHEAR, checks, oil_check
 from .corners import corner_points, corners, corners_table
-from .curves import curves
+from .curves import charts, curves
 from .film import short_bearing as short
 from .film import table as optimum
 from .film.dynamics import dynamics
@@ -112,8 +112,6 @@ def _tables(bearings: BearingsInputs, results: dict[str, BearingResult], speed: 
 
 
 def _charts(results: dict[str, BearingResult]) -> tuple[Curve, ...]:
-    from .curves import charts  # for who looks at them only
-
     return tuple(charts(results))
 
 

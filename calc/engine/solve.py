@@ -21,7 +21,8 @@ from ..sheet.units import Number, PhasorNumber, Radian
 from ..sheet.value import about, based_on, trace
 from . import curves as engine_curves
 from . import formulas as f
-from . import torque
+from . import throw, torque
+from . import torque as torque_formulas
 from .checks import checks
 from .crank import Firing, column, crank, firing, pin_of_cylinder
 from .formulas import Unlike, alone, masses
@@ -259,8 +260,6 @@ def _given_torque(
     engine: EngineInputs, e: EngineResult, turning: TorqueResult, turned: Curve, note: Text
 ) -> tuple[TorqueResult, tuple[Curve, ...], tuple[Text, ...]]:
     """What a torque diagram gives, beside the torque of the inertia forces and its figure."""
-    from . import torque as torque_formulas
-
     cycle = based_on(engine.strokes * np.pi, engine.strokes)
     period = engine.torque_period if engine.torque_period is not None else cycle
     diagram, curve, repeats = torque_formulas.solve_diagram(
@@ -275,8 +274,6 @@ def _throw(
     """Stresses of a crank throw, where one is described."""
     if engine.throw is None:
         return None, (), (), ()
-    from . import throw
-
     return throw.solve(engine, e, fires.angles, engine.gas, engine.throw, materials, turning.cycle)
 
 

@@ -7,6 +7,7 @@ import math
 from collections.abc import Sequence
 from dataclasses import replace
 from functools import cache
+from statistics import NormalDist
 
 import numpy as np
 
@@ -380,8 +381,6 @@ def _spread(mounting: MountingInputs, engine: EngineInputs, order: tuple[int, ..
         return np.zeros(engine.cylinders)
     if len(given) == engine.cylinders and engine.cylinders > 1:
         return based_on(np.asarray(given, dtype=float), given)
-    from statistics import NormalDist
-
     quantiles = [NormalDist().inv_cdf((k + 0.5) / engine.cylinders) for k in range(engine.cylinders)]
     spread = np.zeros(engine.cylinders)
     spread[np.asarray(order) - 1] = given[0] * np.array(quantiles)

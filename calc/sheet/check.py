@@ -7,6 +7,7 @@ import math
 import re
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
+from difflib import get_close_matches
 from functools import cache, cached_property
 from pathlib import Path
 
@@ -127,8 +128,6 @@ def _bad_row(line: int, id: str, reason: Text, value: str = "") -> BadTable:
 
 def _without_row(id: str) -> BadTable:
     """What is said of a check that has no row, at the row that may be meant for it."""
-    from difflib import get_close_matches
-
     lines = {cells[0]: line for line, cells in _tables()[1]}
     for near in get_close_matches(id, lines, 1):
         return _bad_row(lines[near], id, Text('has no row here; did you mean "{near}"?', near=near))

@@ -7,6 +7,7 @@ out: None (no tables: ()) means "choose for me"; the type checker reads the same
 
 from collections.abc import Collection, Iterator, Mapping
 from dataclasses import MISSING, Field, dataclass, field, fields
+from difflib import get_close_matches
 from functools import cache
 from typing import Any, Literal, TypedDict, TypeVar, Unpack, dataclass_transform
 
@@ -265,8 +266,6 @@ def dotted(*parts: object) -> str:
 
 def unknown(key: str, known: Collection[str]) -> Text:
     """What is said of a key that is not among those that may stand there, with the nearest of them."""
-    from difflib import get_close_matches
-
     near = get_close_matches(key, known, 1, 0.5)
     return Text("is not known") + (
         Text('; did you mean "{near}"?', near=near[0]) if near else Text("; known here are ") + ", ".join(known)

@@ -10,6 +10,12 @@ from math import isfinite
 from typing import Any
 
 import numpy as np
+from matplotlib.backend_bases import FigureCanvasBase
+from matplotlib.figure import Figure
+from matplotlib.patches import PathPatch
+from matplotlib.path import Path
+from matplotlib.ticker import FixedLocator, MaxNLocator
+from matplotlib.transforms import IdentityTransform
 
 from calc.locale import Language
 from calc.sheet.number import short
@@ -20,6 +26,7 @@ from ..typesetting.fonts import clean
 from ..typesetting.pen import Recorder, Recording
 from ..typesetting.prose import Style, broken, lines, run
 from .arrows import Arrow, arrows, draw_arrows
+from .renderer import LineRenderer
 
 # Okabe and Ito's palette, in an order whose greys differ, each with its own pattern (lengths in points).
 LINES: tuple[tuple[Colour, tuple[float, ...], float], ...] = (
@@ -153,9 +160,6 @@ class Plots:
 
 
 def _new_axes(width: float, height: float, right: float, equal: bool, bars: bool) -> Any:
-    from matplotlib.backend_bases import FigureCanvasBase
-    from matplotlib.figure import Figure
-
     figure = Figure(figsize=(width / 72, height / 72), dpi=72, facecolor="none")
     FigureCanvasBase(figure)
     left, low = LEFT_AXIS / width, LOW / height
@@ -207,8 +211,6 @@ ALONE = Look()
 
 def plot(plots: Plots, curve: Curve, width: float, height: float, look: Look = ALONE) -> Recording:
     """Draw a curve into a frame of this size."""
-    from .renderer import LineRenderer
-
     axes, frame = plots.axes(width, height, curve, look.right), Recorder()
     drawn = filled(axes, curve)
     if look.ends is not None:
@@ -229,8 +231,6 @@ def plot(plots: Plots, curve: Curve, width: float, height: float, look: Look = A
 
 def filled(axes: Any, curve: Curve) -> list[Arrow]:
     """Put the lines, bars and limits of a curve into axes; gives its vectors, which are still to be drawn."""
-    from matplotlib.ticker import MaxNLocator
-
     drawn = arrows(curve)
     if drawn:
         axes.update_datalim([(p.imag, p.real) for a in drawn for p in (a.tail, a.tip)])
@@ -257,8 +257,6 @@ def filled(axes: Any, curve: Curve) -> list[Arrow]:
 
 
 def _lines(axes: Any, curve: Curve) -> None:
-    from matplotlib.ticker import MaxNLocator
-
     edges = range(len(curve.series) - 2, len(curve.series)) if curve.band else range(0)
     if edges:
         lower, upper = (curve.series[i] for i in edges)
@@ -296,11 +294,6 @@ def _variant_colours(curve: Curve) -> dict[str, Colour]:
 
 def _bars(axes: Any, curve: Curve) -> None:
     """Groups of bars that stand on zero."""
-    from matplotlib.patches import PathPatch
-    from matplotlib.path import Path
-    from matplotlib.ticker import FixedLocator, MaxNLocator
-    from matplotlib.transforms import IdentityTransform
-
     groups = [(numbers(s.x), numbers(s.y)) for s in curve.series]
     seen = [(xs[ok], ys[ok]) for xs, ys in groups for ok in [np.isfinite(xs) & np.isfinite(ys)]]
     places = np.unique(np.concatenate([xs for xs, _ in seen] or [np.zeros(0)]))

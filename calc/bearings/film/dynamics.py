@@ -44,6 +44,7 @@ from ...sheet.value import based_on
 from .. import formulas as f
 from ..routes.states import BearingCase, Film, OperatingPoint
 from . import table
+from .grooved import film_at
 
 # --- the formulas
 # X points along the load, Y 90° further in the sense in which the film is dragged; K_ij and C_ij are the force on the
@@ -439,8 +440,6 @@ def dynamics(
 
 def _between_grooves(hot: Film, seat: BearingCase, ratio: Number) -> Coefficients:
     """Of a film that axial grooves bound, which does not turn with the line of centres."""
-    from .grooved import film_at
-
     grooves = seat.grooves
     assert grooves is not None
     at = film_at(hot.eccentricity, ratio, grooves)

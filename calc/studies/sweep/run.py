@@ -6,6 +6,7 @@ that one that was ended goes on where it stood."""
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
+from difflib import get_close_matches
 
 from ...bearings.routes.side_by_side import COMPARED
 from ...design.model import Design
@@ -143,8 +144,6 @@ def _known(asked: Sweep) -> None:
 
 
 def _no_value(id: str, known: Sequence[str]) -> Text:
-    from difflib import get_close_matches
-
     near = get_close_matches(id, known, 1, 0.4)
     return (
         Text("is no value of these designs")
